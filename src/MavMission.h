@@ -1,0 +1,7 @@
+// MavMission: puts a flight plan aboard a Pixhawk from an Arduino. https://mavlink.io/en/services/mission.html is the
+// protocol; README.md begins with an example.
+#pragma once
+
+#define MAVMISSION_VERSION "0.1.0"
+
+#include "mavmission/MissionClient.h"

@@ -1,0 +1,39 @@
+// What can be set when the library is compiled. Each macro may be given on the compiler's command line (PlatformIO:
+// build_flags = -DMAVMISSION_MAX_PAYLOAD=38); the Arduino IDE uses the defaults. A test compiles every non-default
+// value that is named here.
+#pragma once
+
+// The longest payload of a received message that is kept and decoded [bytes], 38 to 255. Longer frames are stepped
+// over without losing track. 54 keeps every message of the mission service and STATUSTEXT. Costs one byte of RAM each.
+#ifndef MAVMISSION_MAX_PAYLOAD
+#define MAVMISSION_MAX_PAYLOAD 54
+#endif
+
+// How many received bytes one update() looks at, at most [bytes], 16 to 1000. Bounds the time of an update(); a loop
+// that runs each 5 ms reads 128 * 200 = 25,600 bytes a second, twice what 115200 baud can bring. Costs nothing.
+#ifndef MAVMISSION_BYTES_PER_UPDATE
+#define MAVMISSION_BYTES_PER_UPDATE 128
+#endif
+
+// How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs time only: an
+// item from flash takes about 1,000 cycles, an item from a function what the function takes.
+#ifndef MAVMISSION_ITEMS_PER_UPDATE
+#define MAVMISSION_ITEMS_PER_UPDATE 4
+#endif
+
+// Keeps a function apart from its callers, where avr-gcc would inline it and the program would grow. Each was tried.
+#ifdef __AVR__
+#define MAVMISSION_APART __attribute__((noinline))
+#else
+#define MAVMISSION_APART
+#endif
+
+#if MAVMISSION_MAX_PAYLOAD < 38 || MAVMISSION_MAX_PAYLOAD > 255
+#error "MAVMISSION_MAX_PAYLOAD must be 38 to 255: MISSION_ITEM_INT has 38 bytes, no MAVLink payload has more than 255"
+#endif
+#if MAVMISSION_BYTES_PER_UPDATE < 16 || MAVMISSION_BYTES_PER_UPDATE > 1000
+#error "MAVMISSION_BYTES_PER_UPDATE must be 16 to 1000"
+#endif
+#if MAVMISSION_ITEMS_PER_UPDATE < 1 || MAVMISSION_ITEMS_PER_UPDATE > 255
+#error "MAVMISSION_ITEMS_PER_UPDATE must be 1 to 255"
+#endif

@@ -1,0 +1,117 @@
+// An exact angle. On AVR `double` is a 32-bit float: a longitude beyond 128 degrees moves in steps of 1.7 m there. So a
+// coordinate is never a float here, not even on its way from the source text: the literal is read digit by digit when
+// the sketch is compiled.
+#pragma once
+
+#include <stdint.h>
+
+namespace mavmission {
+
+// An angle in steps of 1e-7 degree (about 1 cm on the ground), as MISSION_ITEM_INT.x and .y carry it. Written with a
+// literal: -35.3632621_deg. From numbers that are computed: Degrees::fromE7().
+class Degrees {
+ public:
+  constexpr Degrees() : e7_(0) {}
+
+  // From whole steps of 1e-7 degree, -1800000000 to 1800000000. Beyond that a plan is refused, naming the item.
+  static constexpr Degrees fromE7(int32_t e7) { return Degrees(e7, Exact()); }
+
+  constexpr int32_t e7() const { return e7_; }
+
+  constexpr Degrees operator-() const { return fromE7(-e7_); }
+  constexpr Degrees operator+(Degrees other) const { return fromE7(e7_ + other.e7_); }
+  constexpr Degrees operator-(Degrees other) const { return fromE7(e7_ - other.e7_); }
+  constexpr Degrees operator*(int32_t times) const { return fromE7(e7_ * times); }
+  constexpr bool operator==(Degrees other) const { return e7_ == other.e7_; }
+  constexpr bool operator!=(Degrees other) const { return e7_ != other.e7_; }
+
+ private:
+  struct Exact {};
+  constexpr Degrees(int32_t e7, Exact) : e7_(e7) {}
+  int32_t e7_;
+};
+
+namespace literal {
+
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// The number of digits behind the point, trailing zeros apart (35.36320000_deg is exact too).
+template <char... Rest>
+struct Decimals;
+template <>
+struct Decimals<> {
+  static constexpr int count(bool, int, int significant) { return significant; }
+};
+template <char First, char... Rest>
+struct Decimals<First, Rest...> {
+  static constexpr int count(bool behindPoint, int seen, int significant) {
+    return First == '.'    ? Decimals<Rest...>::count(true, 0, 0)
+           : First == '\'' ? Decimals<Rest...>::count(behindPoint, seen, significant)
+           : behindPoint   ? Decimals<Rest...>::count(true, seen + 1, First == '0' ? significant : seen + 1)
+                           : Decimals<Rest...>::count(false, 0, 0);
+  }
+};
+
+// Digits, one point at the most, and the digit separators of C++14.
+template <char... All>
+struct Plain;
+template <>
+struct Plain<> {
+  static constexpr bool check(bool) { return true; }
+};
+template <char First, char... Rest>
+struct Plain<First, Rest...> {
+  static constexpr bool check(bool pointSeen) {
+    return First == '.' ? (!pointSeen && Plain<Rest...>::check(true))
+                        : ((isDigit(First) || First == '\'') && Plain<Rest...>::check(pointSeen));
+  }
+};
+
+// 0x10_deg and 010_deg are not decimal to the compiler's eye or to the reader's.
+template <char... All>
+struct LeadingZero {
+  static constexpr bool value = false;
+};
+template <char Second, char... Rest>
+struct LeadingZero<'0', Second, Rest...> {
+  static constexpr bool value = isDigit(Second);
+};
+
+// The value in 1e-7 degree; digits beyond the seventh decimal are zeros here. Stops growing beyond 1e12, so that
+// nothing overflows before the range is checked.
+template <char... Rest>
+struct Value;
+template <>
+struct Value<> {
+  static constexpr int64_t scale(int64_t value, int decimals) {
+    return decimals >= 7 ? value : scale(value * 10, decimals + 1);
+  }
+  static constexpr int64_t e7(int64_t value, bool, int decimals) { return scale(value, decimals); }
+};
+template <char First, char... Rest>
+struct Value<First, Rest...> {
+  static constexpr int64_t e7(int64_t value, bool behindPoint, int decimals) {
+    return First == '.'                    ? Value<Rest...>::e7(value, true, 0)
+           : !isDigit(First)               ? Value<Rest...>::e7(value, behindPoint, decimals)
+           : behindPoint && decimals >= 7  ? Value<Rest...>::e7(value, true, decimals)
+           : value > 99999999999           ? Value<Rest...>::e7(value, behindPoint, decimals)
+           : Value<Rest...>::e7(value * 10 + (First - '0'), behindPoint, decimals + (behindPoint ? 1 : 0));
+  }
+};
+
+}  // namespace literal
+
+// -35.3632621_deg: exact to 1e-7 degree, computed by the compiler, no cost in flash. Up to 180 degrees and seven
+// decimals; a latitude beyond 90 is found when the plan is checked (Status::BadLatitude).
+template <char... Text>
+constexpr Degrees operator"" _deg() {
+  static_assert(literal::Plain<Text...>::check(false) && !literal::LeadingZero<Text...>::value,
+                "write an angle as plain decimal digits, for example -35.3632621_deg: no exponent, no hexadecimal");
+  static_assert(literal::Decimals<Text...>::count(false, 0, 0) <= 7,
+                "an angle has at most 7 decimals (1e-7 degree is about 1 cm, and is what the autopilot keeps)");
+  static_assert(literal::Value<Text...>::e7(0, false, 0) <= 1800000000,
+                "an angle is at most 180 degrees; for west or south write a minus sign before it");
+  return Degrees::fromE7(static_cast<int32_t>(literal::Value<Text...>::e7(0, false, 0)));
+}
+
+}  // namespace mavmission

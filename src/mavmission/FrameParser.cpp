@@ -1,0 +1,186 @@
+#include "FrameParser.h"
+
+#include <string.h>
+
+#include "Checksum.h"
+#include "Flash.h"
+#include "Messages.h"
+
+namespace mavmission {
+namespace {
+
+bool isMagic(uint8_t byte) { return byte == MAVLINK_STX || byte == MAVLINK_STX_MAVLINK1; }
+
+// Messages that carry bytes of others, among which a whole frame may be.
+const uint16_t kCarriers[] PROGMEM = {
+    MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL,
+    MAVLINK_MSG_ID_LOG_DATA,
+    MAVLINK_MSG_ID_GPS_INJECT_DATA,
+    MAVLINK_MSG_ID_SERIAL_CONTROL,
+    MAVLINK_MSG_ID_ENCAPSULATED_DATA,
+    MAVLINK_MSG_ID_GPS_RTCM_DATA,
+    MAVLINK_MSG_ID_V2_EXTENSION,
+    MAVLINK_MSG_ID_MEMORY_VECT,
+    MAVLINK_MSG_ID_LOGGING_DATA,
+    MAVLINK_MSG_ID_LOGGING_DATA_ACKED,
+    MAVLINK_MSG_ID_TUNNEL,
+    MAVLINK_MSG_ID_CAN_FRAME,
+    MAVLINK_MSG_ID_CANFD_FRAME,
+};
+
+bool isCarrier(uint16_t messageId) {
+  for (const uint16_t& carrier : kCarriers) {
+    if (fromFlash(&carrier) == messageId) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool FrameParser::isV2() const { return bytes_[0] == MAVLINK_STX; }
+
+bool FrameParser::isSigned() const { return isV2() && (bytes_[2] & MAVLINK_IFLAG_SIGNED) != 0; }
+
+void FrameParser::noteSender() { memcpy(&sender_, bytes_ + (isV2() ? 4 : 2), sizeof(sender_)); }
+
+void FrameParser::copyPayload(void* message, uint8_t size) const {
+  const uint8_t* from = payload();
+  const uint8_t there = length();
+  uint8_t* to = static_cast<uint8_t*>(message);
+  for (uint8_t i = 0; i < size; ++i) *to++ = i < there ? *from++ : 0;
+}
+
+bool FrameParser::isFor(uint8_t systemId, uint8_t componentId) const {
+  if (target_ == MessageKey::kNoTarget) return true;
+  const uint8_t system = payloadByte(target_);
+  const uint8_t component = payloadByte(target_ + 1);
+  return (system == 0 || system == systemId) && (component == 0 || component == componentId);
+}
+
+FrameParser::Result FrameParser::takeWaiting() {
+  const uint8_t byte = bytes_[read_++];
+  return take(byte);
+}
+
+FrameParser::Result FrameParser::take(uint8_t byte) {
+  if (skip_ == 0 || --skip_ != 0) return grow(byte);
+  // This is the first byte behind what was stepped over: where another frame begins, the length was right.
+  if (stepping_ == Stepping::Signature) return grow(byte);
+  if (!isMagic(byte)) {
+    ++brokenFrames_;
+    return grow(byte);
+  }
+  const Result grown = grow(byte);
+  return grown == Result::Nothing ? Result::Unwanted : grown;
+}
+
+FrameParser::Result FrameParser::grow(uint8_t byte) {
+  if (have_ == 0) {
+    if (isMagic(byte)) {
+      bytes_[0] = byte;
+      have_ = 1;
+      need_ = 0;
+      crc_ = kChecksumStart;
+    } else if (skip_ == 0) {
+      ++bytesSkipped_;
+    }
+    return Result::Nothing;
+  }
+  bytes_[have_++] = byte;
+  if (need_ != 0) {
+    if (have_ == need_) return complete();
+    if (have_ != need_ - 1) crc_ = checksum(crc_, byte);
+    return Result::Nothing;
+  }
+  crc_ = checksum(crc_, byte);
+  if (isV2()) {
+    if (have_ == kHeaderV2) return classify();
+    // A frame with incompatibility flags that are not understood must be discarded (guide, Packet Serialization).
+    if (have_ == 3 && (byte & ~MAVLINK_IFLAG_SIGNED) != 0) giveUp();
+  } else if (have_ == kHeaderV1) {
+    return classify();
+  }
+  return Result::Nothing;
+}
+
+FrameParser::Result FrameParser::classify() {
+  const uint8_t length = bytes_[1];
+  const bool v2 = isV2();
+  const uint16_t id = v2 ? bytes_[7] | bytes_[8] << 8 : bytes_[5];
+  const MessageKey* const key = v2 && bytes_[9] != 0 ? nullptr : wantedKey(id);
+  if (key != nullptr) {
+    if (!v2 && length != fromFlash(&key->lengthV1)) {
+      giveUp();
+      return Result::Nothing;
+    }
+    if (length <= MAVMISSION_MAX_PAYLOAD) {
+      messageId_ = id;
+      crcExtra_ = fromFlash(&key->crcExtra);
+      target_ = fromFlash(&key->target);
+      need_ = have_ + length + kChecksum;
+      return Result::Nothing;
+    }
+  }
+  if (skip_ != 0) {  // inside another frame only a wanted one, which its checksum will prove, is looked for
+    giveUp();
+    return Result::Nothing;
+  }
+  noteSender();
+  skip_ = length + kChecksum + 1;
+  if (isSigned()) skip_ += kSignature;
+  stepping_ = isCarrier(id) ? Stepping::MessageWithBytes : Stepping::Message;
+  have_ = 0;
+  return Result::Nothing;
+}
+
+FrameParser::Result FrameParser::complete() {
+  const uint16_t crc = checksum(crc_, crcExtra_);
+  if (bytes_[need_ - 2] != static_cast<uint8_t>(crc) || bytes_[need_ - 1] != static_cast<uint8_t>(crc >> 8)) {
+    ++badChecksums_;
+    giveUp();
+    return Result::Nothing;
+  }
+  if (skip_ != 0 && stepping_ == Stepping::MessageWithBytes) {
+    have_ = 0;
+    return Result::Nothing;
+  }
+  if (skip_ != 0) ++brokenFrames_;
+  noteSender();
+  skip_ = 0;
+  if (isSigned()) {
+    skip_ = kSignature + 1;
+    stepping_ = Stepping::Signature;
+  }
+  have_ = 0;  // the bytes stay where they are until the next one is taken
+  return Result::Wanted;
+}
+
+void FrameParser::giveUp() {
+  // The first byte began nothing. Those behind it are looked at again, then those that were waiting already.
+  if (skip_ != 0) {
+    skip_ += have_ - 1;  // they will be counted once more
+  } else {
+    ++bytesSkipped_;
+  }
+  const Index waiting = end_ - read_;
+  memmove(bytes_ + have_, bytes_ + read_, waiting);
+  read_ = 1;
+  end_ = have_ + waiting;
+  have_ = 0;
+}
+
+FrameParser::Result FrameParser::silence() {
+  Result result = Result::Nothing;
+  if (skip_ != 0) {
+    if (skip_ > 1) {
+      ++brokenFrames_;
+    } else if (stepping_ != Stepping::Signature) {
+      result = Result::Unwanted;
+    }
+    skip_ = 0;
+  }
+  if (have_ != 0) giveUp();
+  return result;
+}
+
+}  // namespace mavmission

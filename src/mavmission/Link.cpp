@@ -1,0 +1,129 @@
+#include "Link.h"
+
+#include <Arduino.h>
+
+#include "Clock.h"
+#include "Flash.h"
+#include "Messages.h"
+#include "Sending.h"
+
+namespace mavmission {
+void Link::setOwnIds(uint8_t systemId, uint8_t componentId) {
+  state_.ownSystemId = systemId;
+  state_.ownComponentId = componentId;
+}
+
+uint8_t Link::systemId() const { return state_.ownSystemId != 0 ? state_.ownSystemId : finder_.heartbeat().systemId; }
+
+uint8_t Link::componentId() const { return state_.ownComponentId != 0 ? state_.ownComponentId : kComponentId; }
+
+uint8_t Link::version() const {
+  if (state_.speak != Speak::AsAutopilot) return static_cast<uint8_t>(state_.speak);
+  return finder_.heartbeat().version == 1 ? 1 : 2;
+}
+
+bool Link::maySpeak() const {
+  if (finder_.severalHeard()) return false;
+  return finder_.isFound() || state_.ownSystemId != 0;
+}
+
+bool Link::canSend() const { return outbox_.isEmpty() && maySpeak(); }
+
+void Link::takeHeartbeat(uint16_t nowMs) {
+  static_assert(offsetof(Heartbeat, vehicleType) == offsetof(mavlink_heartbeat_t, type) &&
+                    offsetof(Heartbeat, autopilot) == offsetof(mavlink_heartbeat_t, autopilot) &&
+                    offsetof(Heartbeat, baseMode) == offsetof(mavlink_heartbeat_t, base_mode) &&
+                    offsetof(Heartbeat, state) == offsetof(mavlink_heartbeat_t, system_status) &&
+                    offsetof(Heartbeat, version) == offsetof(mavlink_heartbeat_t, mavlink_version),
+                "Heartbeat begins with the message");
+  Heartbeat heartbeat;
+  parser_.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
+  heartbeat.version = parser_.version();
+  heartbeat.systemId = parser_.systemId();
+  heartbeat.componentId = parser_.componentId();
+  finder_.onHeartbeat(heartbeat, nowMs);
+}
+
+bool Link::receive(uint16_t& budget, uint16_t nowMs) {
+  for (; budget != 0; --budget) {
+    FrameParser::Result result;
+    if (parser_.hasWaiting()) {
+      result = parser_.takeWaiting();
+    } else {
+      const int byte = stream_->read();
+      if (byte < 0) {
+        if (parser_.isIdle() || since(state_.heardByteMs, nowMs) < FrameParser::kSilenceMs) return false;
+        result = parser_.silence();
+      } else {
+        ++state_.bytes;
+        state_.heardByteMs = nowMs;
+        result = parser_.take(static_cast<uint8_t>(byte));
+      }
+    }
+    if (result != FrameParser::Result::Nothing && isNews(result, nowMs)) return true;
+  }
+  return false;
+}
+
+// Counts a frame; true if it is the autopilot's, wanted, and for us.
+bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
+  const bool isWanted = result == FrameParser::Result::Wanted;
+  if (isWanted) {
+    ++state_.frames;
+    if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) takeHeartbeat(nowMs);
+  } else {
+    ++state_.unknownMessages;
+  }
+  if (!finder_.isFrom(parser_.systemId(), parser_.componentId())) return false;
+  const uint8_t sequence = parser_.sequence();
+  if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
+  state_.heardSequence = sequence;
+  state_.sequenceKnown = true;
+  return isWanted && parser_.isFor(systemId(), componentId());
+}
+
+void Link::sendMessage(uint8_t* payload, uint8_t keyIndex) {
+  const MessageKey* const key = &kKeys[keyIndex];
+  const uint8_t target = fromFlash(&key->target);
+  if (target != MessageKey::kNoTarget) {
+    payload[target] = finder_.heartbeat().systemId;
+    payload[target + 1] = finder_.heartbeat().componentId;
+  }
+  outbox_.begin(version(), state_.sequence++, systemId(), componentId());
+  outbox_.complete(key, payload);
+  ++state_.framesSent;
+}
+
+void Link::onTime(uint16_t nowMs) {
+  finder_.onTime(nowMs);
+  if (!canSend()) return;
+  const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
+  if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
+  // The next one is due a period after this one was due, so that a late loop does not make them rarer.
+  const bool late = !state_.heartbeatSent || elapsedMs >= 2 * kHeartbeatMs;
+  state_.heartbeatMs = late ? nowMs : state_.heartbeatMs + kHeartbeatMs;
+  state_.heartbeatSent = true;
+  sendHeartbeat();
+}
+
+void Link::sendHeartbeat() {
+  mavlink_heartbeat_t heartbeat = mavlink_heartbeat_t();
+  heartbeat.type = MAV_TYPE_ONBOARD_CONTROLLER;
+  heartbeat.autopilot = MAV_AUTOPILOT_INVALID;
+  heartbeat.system_status = MAV_STATE_ACTIVE;
+  heartbeat.mavlink_version = 3;  // the field's fixed value (MAVLink common messages, HEARTBEAT)
+  send(heartbeat);
+}
+
+LinkCounters Link::counters() const {
+  return LinkCounters{state_.bytes,
+                      parser_.bytesSkipped(),
+                      state_.frames,
+                      state_.unknownMessages,
+                      parser_.badChecksums(),
+                      parser_.brokenFrames(),
+                      state_.framesLost,
+                      state_.framesSent};
+}
+
+}  // namespace mavmission

@@ -1,0 +1,103 @@
+// Frames over a Stream: who we are, whom we talk to, heartbeats, counters.
+#pragma once
+
+#include <stdint.h>
+
+#include "AutopilotFinder.h"
+#include "FrameParser.h"
+#include "Outbox.h"
+
+class Stream;
+
+namespace mavmission {
+
+// What makes a fault of the line visible. Each counts from the start, and wraps.
+struct LinkCounters {
+  uint32_t bytes;            // received
+  uint32_t bytesSkipped;     // received, but part of no frame: another baud rate, text, rings that overflowed
+  uint16_t frames;           // received of messages that the library knows, undamaged
+  uint16_t unknownMessages;  // frames of other messages, stepped over
+  uint16_t badChecksums;     // frames of known messages with a wrong checksum
+  uint16_t brokenFrames;     // frames of other messages that did not end where they should
+  uint16_t framesLost;       // of the autopilot's, by the gaps in their sequence numbers
+  uint16_t framesSent;
+};
+
+// Which MAVLink to speak.
+enum class Speak : uint8_t { AsAutopilot = 0, Version1 = 1, Version2 = 2 };
+
+class Link {
+ public:
+  static constexpr uint16_t kHeartbeatMs = 1000;        // guide, Heartbeat/Connection Protocol: 1 Hz
+  static constexpr uint8_t kComponentId = 191;          // MAV_COMP_ID_ONBOARD_COMPUTER
+
+  // All zero is how a Link begins, but for this.
+  void begin(Stream& stream) { stream_ = &stream; }
+
+  // Our own ids; 0, 0 is the default: the autopilot's system id and kComponentId.
+  void setOwnIds(uint8_t systemId, uint8_t componentId);
+  void setSpeak(Speak speak) { state_.speak = speak; }
+
+  // Goes on to the autopilot's next frame that is for us; false when nothing more has come or `budget` [bytes] is used up.
+  bool receive(uint16_t& budget, uint16_t nowMs);
+
+  // That frame, until the next call.
+  const FrameParser& frame() const { return parser_; }
+
+  // Counts time: the heartbeat, the autopilot's silence, a frame cut short.
+  void onTime(uint16_t nowMs);
+
+  // True when send() can take a frame.
+  MAVMISSION_APART bool canSend() const;
+
+  // Sends a message of the types in Messages.h, to the autopilot if it has a target. Only when canSend().
+  template <typename T>
+  void send(T& message);
+  // The same for a payload that has the layout of T.
+  template <typename T>
+  void sendAs(void* payload);
+
+  // Writes what the stream takes.
+  void flush(uint16_t nowMs) { outbox_.flush(*stream_, nowMs); }
+
+  AutopilotFinder& finder() { return finder_; }
+  const AutopilotFinder& finder() const { return finder_; }
+  uint8_t systemId() const;
+  uint8_t componentId() const;
+  // MAVLink 1 or 2, as we speak it now.
+  uint8_t version() const;
+  LinkCounters counters() const;
+
+ private:
+  // Nothing leaves before it is clear who is there, unless the sketch has given our ids.
+  bool maySpeak() const;
+  MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
+  void sendHeartbeat();
+  void takeHeartbeat(uint16_t nowMs);
+  void sendMessage(uint8_t* payload, uint8_t keyIndex);
+
+  struct State {
+    uint16_t heardByteMs;
+    uint16_t heartbeatMs;
+    uint32_t bytes;
+    uint16_t frames;
+    uint16_t unknownMessages;
+    uint16_t framesLost;
+    uint16_t framesSent;
+    uint8_t sequence;
+    uint8_t heardSequence;
+    uint8_t ownSystemId;
+    uint8_t ownComponentId;
+    Speak speak;
+    bool heartbeatSent;
+    bool sequenceKnown;
+  };
+
+  Stream* stream_;
+  State state_;
+  AutopilotFinder finder_;
+  Outbox outbox_;
+  FrameParser parser_;
+};
+
+}  // namespace mavmission

@@ -1,0 +1,126 @@
+#include "MissionClient.h"
+
+#include <Arduino.h>
+
+#include "Clock.h"
+#include "Messages.h"
+#include "Sending.h"
+
+namespace mavmission {
+
+MissionClient::MissionClient(Stream& stream) {
+  // All parts are plain data that begins at zero: one call does it, in 150 bytes less than a constructor for each.
+  memset(static_cast<void*>(this), 0, sizeof(*this));
+  link_.begin(stream);
+  state_.failedItem = kNoItem;
+  state_.lastResult = 255;
+  state_.unsettled = true;
+}
+
+void MissionClient::onProgress(ProgressFunction function, void* context) {
+  state_.progress = function;
+  state_.progressContext = context;
+}
+
+void MissionClient::onEnd(EndFunction function, void* context) {
+  state_.ended = function;
+  state_.endedContext = context;
+}
+
+void MissionClient::setOwnIds(uint8_t systemId, uint8_t componentId) { link_.setOwnIds(systemId, componentId); }
+
+void MissionClient::talkTo(uint8_t systemId, uint8_t componentId) { link_.finder().talkTo(systemId, componentId); }
+
+void MissionClient::beginSeconds(uint16_t nowMs) {
+  state_.secondMs = nowMs;
+  state_.seconds = 0;
+}
+
+Status MissionClient::startOperation(Operation operation) {
+  beginSeconds(static_cast<uint16_t>(millis()));
+  state_.operation = operation;
+  state_.failedItem = kNoItem;
+  state_.itemsDone = 0;
+  state_.itemsTotal = 0;
+  state_.lastResult = 255;
+  state_.status = Status::WaitingForAutopilot;
+  return state_.status;
+}
+
+void MissionClient::end(Status status) {
+  state_.operation = nullptr;
+  state_.status = status;
+  state_.toReturn = status;
+  if (state_.ended != nullptr) state_.ended(state_.endedContext, status);
+}
+
+void MissionClient::unsettle(uint16_t nowMs) {
+  state_.unsettled = true;
+  state_.unsettledMs = nowMs;
+}
+
+void MissionClient::cancel() {
+  if (state_.operation == nullptr) return;
+  if (state_.status == Status::Transferring) {
+    state_.cancelDue = true;
+    state_.aboard = aboardAfterUpload(Status::Cancelled);
+    unsettle(static_cast<uint16_t>(millis()));
+  }
+  end(Status::Cancelled);
+}
+
+void MissionClient::waitForAutopilot() {
+  const AutopilotFinder& finder = link_.finder();
+  if (finder.isCertain()) {
+    state_.status = Status::Checking;
+    return;
+  }
+  if (state_.waitingLimitS == 0 || state_.seconds < state_.waitingLimitS) return;
+  end(finder.severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
+}
+
+void MissionClient::report(uint16_t done) {
+  if (done <= state_.itemsDone) return;
+  state_.itemsDone = done;
+  if (state_.progress != nullptr) state_.progress(state_.progressContext, state_.itemsDone, state_.itemsTotal);
+}
+
+void MissionClient::sendCancelled() {
+  mavlink_mission_ack_t ack = mavlink_mission_ack_t();
+  ack.type = MAV_MISSION_OPERATION_CANCELLED;
+  link_.send(ack);
+}
+
+Status MissionClient::update() {
+  // The optimiser is not to know which object this is: it would use 4-byte addresses instead of 2-byte offsets.
+  MissionClient* client = this;
+  asm("" : "+r"(client));
+  return client->updateAt(static_cast<uint16_t>(millis()));
+}
+
+Status MissionClient::updateAt(uint16_t nowMs) {
+  while (since(state_.secondMs, nowMs) >= 1000) {
+    state_.secondMs += 1000;
+    ++state_.seconds;
+  }
+  if (state_.unsettled && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = false;
+
+  uint16_t budget = MAVMISSION_BYTES_PER_UPDATE;
+  while (link_.receive(budget, nowMs)) {
+    if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
+  }
+  if (state_.cancelDue && link_.canSend()) {
+    state_.cancelDue = false;
+    sendCancelled();
+  }
+  if (state_.operation != nullptr) state_.operation(*this, nullptr, nowMs);
+  link_.onTime(nowMs);
+  link_.flush(nowMs);
+
+  const Status ended = state_.toReturn;
+  state_.toReturn = Status::Idle;
+  if (ended != Status::Idle) return ended;
+  return state_.operation != nullptr ? state_.status : Status::Idle;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,29 @@
+// MissionClient's items as floats, for autopilots that know no MISSION_ITEM_INT; a file of its own because few need it.
+#include <Arduino.h>
+
+#include "FloatBits.h"
+#include "Messages.h"
+#include "MissionClient.h"
+
+namespace mavmission {
+namespace {
+
+// x and y become floats: degrees, or parameters 5 and 6. The rest has the same layout.
+void toFloats(void* itemMessage) {
+  mavlink_mission_item_int_t& message = *static_cast<mavlink_mission_item_int_t*>(itemMessage);
+  static_assert(sizeof(mavlink_mission_item_t) == sizeof(message), "both items have one layout");
+  const uint32_t unit = message.frame == MAV_FRAME_MISSION ? 1 : 10000000;
+  const float x = quotient(message.x, unit);
+  const float y = quotient(message.y, unit);
+  memcpy(&message.x, &x, sizeof(x));
+  memcpy(&message.y, &y, sizeof(y));
+}
+
+}  // namespace
+
+void MissionClient::serveFloatItems(bool always) {
+  state_.toFloats = toFloats;
+  state_.floatItems = always;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,234 @@
+// MissionClient's upload: the plan and the transfer joined to the link.
+#include <Arduino.h>
+
+#include "Messages.h"
+#include "MissionClient.h"
+#include "Sending.h"
+
+namespace mavmission {
+
+Status MissionClient::upload(const ItemSource& plan) {
+  if (state_.operation != nullptr) return Status::Busy;
+  plan_.setSource(plan);
+  startOperation(uploadStep);
+  state_.itemsTotal = static_cast<uint16_t>(plan.count);
+  if (plan.count > kMaxItems) end(Status::TooManyItems);
+  return state_.status;
+}
+
+// Runs through the states of an upload: WaitingForAutopilot, Checking, Transferring.
+void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+  if (client.state_.status == Status::Transferring) {
+    if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
+    client.continueUpload(client.transfer_.onTime(nowMs), nowMs);
+    if (client.state_.operation == nullptr) return;
+    const uint32_t limitS = client.state_.transferLimitS != 0 ? client.state_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
+    if (client.state_.seconds >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
+    return client.sendUpload(nowMs);
+  }
+  if (frame != nullptr) return;
+  if (client.state_.status == Status::WaitingForAutopilot) {
+    client.waitForAutopilot();
+    if (client.state_.status != Status::Checking) return;
+    client.beginChecking();
+  }
+  client.checkPlan(nowMs);
+}
+
+void MissionClient::beginChecking() {
+  plan_.begin(firmware(), state_.raw);
+  state_.next = 0;
+}
+
+Status MissionClient::checkItem(uint16_t wireItem) {
+  MissionItem item;
+  return plan_.read(wireItem, item);
+}
+
+void MissionClient::checkPlan(uint16_t nowMs) {
+  if (!link_.finder().isFound() || link_.finder().firmware() != plan_.firmware()) {
+    state_.status = Status::WaitingForAutopilot;  // lost while the plan was being checked, or another one came
+    return;
+  }
+  if (plan_.isTooLong()) return end(Status::TooManyItems);
+  if (link_.finder().isArmed() && !state_.armedAllowed) return end(Status::Armed);
+  if (link_.systemId() == autopilotSystemId() && link_.componentId() == autopilotComponentId()) {
+    return end(Status::SameIdsAsAutopilot);
+  }
+  const uint16_t count = plan_.wireCount();
+  for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
+    const Status checked = checkItem(state_.next);
+    if (checked == Status::Checking) return;
+    if (checked != Status::Accepted) {
+      state_.failedItem = ownItem(state_.next);
+      return end(checked);
+    }
+    ++state_.next;
+  }
+  if (state_.next == count) beginUpload(nowMs);
+}
+
+void MissionClient::beginUpload(uint16_t nowMs) {
+  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled, nowMs);
+  opaqueId_.begin();
+  state_.next = 0;
+  beginSeconds(nowMs);
+  state_.status = Status::Transferring;
+  sendUpload(nowMs);
+}
+
+void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_MISSION_REQUEST:
+    case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
+      static_assert(sizeof(mavlink_mission_request_t) == sizeof(mavlink_mission_request_int_t),
+                    "both kinds of request have one layout");
+      const mavlink_mission_request_int_t request = messageFrom<mavlink_mission_request_int_t>(frame);
+      if (request.mission_type != MAV_MISSION_TYPE_MISSION) return;
+      continueUpload(transfer_.onRequest(request.seq, nowMs), nowMs);
+      return;
+    }
+    case MAVLINK_MSG_ID_MISSION_ACK: {
+      const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
+      if (ack.mission_type != MAV_MISSION_TYPE_MISSION) return;
+      state_.lastResult = ack.type;
+      continueUpload(proven(transfer_.onAck(ack.type), ack.opaque_id), nowMs);
+      return;
+    }
+    default:
+      return;
+  }
+}
+
+Status MissionClient::proven(Status status, uint32_t opaqueId) const {
+  // PX4 says what it holds. (0: it does not. Items sent as floats are not those that were summed up.)
+  const bool says = plan_.firmware() == Firmware::Px4 && opaqueId != 0 && !state_.floatItems;
+  if (status == Status::Accepted && says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
+  return status;
+}
+
+// Takes what the transfer says of how it goes.
+void MissionClient::continueUpload(Status status, uint16_t nowMs) {
+  // The autopilot holds every item that it asked for but the last one.
+  const uint16_t held = transfer_.itemsAskedFor() > 0 ? transfer_.itemsAskedFor() - 1 : 0;
+  if (held > plan_.homeItems()) report(held - plan_.homeItems());
+  if (status == Status::Transferring || state_.operation == nullptr) return;
+
+  if (status == Status::Unsupported && state_.toFloats != nullptr && !state_.floatItems && plan_.firmware() == Firmware::Other &&
+      transfer_.itemsAskedFor() == 1) {
+    state_.floatItems = true;  // it knows no MISSION_ITEM_INT: once more, with floats
+    return beginUpload(nowMs);
+  }
+  state_.aboard = aboardAfterUpload(status);
+  switch (status) {
+    case Status::Accepted:
+      report(state_.itemsTotal);
+      state_.unsettled = false;
+      break;
+    case Status::NoAnswer:
+    case Status::TimedOut:
+    case Status::TookTooLong:
+    case Status::SourceRefused:
+    case Status::Unconfirmed:
+      state_.cancelDue = status != Status::Unconfirmed;
+      unsettle(nowMs);
+      if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
+      break;
+    default:
+      state_.unsettled = false;
+      if (transfer_.itemsAskedFor() > 0) state_.failedItem = ownItem(transfer_.lastItem());
+      break;
+  }
+  end(status);
+}
+
+Aboard MissionClient::aboardAfterUpload(Status status) const {
+  if (status == Status::Accepted) return Aboard::OurPlan;
+  const bool begun = transfer_.itemsAskedFor() > 0;
+  const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming;
+  const bool refused = status >= Status::Error;  // the autopilot's own word
+  if (mayBeWhole && !refused) return Aboard::NotKnown;
+  switch (plan_.firmware()) {
+    case Firmware::Px4:
+      return Aboard::AsBefore;  // it keeps the old plan until the new one is whole
+    case Firmware::ArduPilot:
+      if (begun) return Aboard::Mixture;  // it replaces item by item
+      return refused ? Aboard::AsBefore : Aboard::NotKnown;
+    case Firmware::Other:
+    case Firmware::Unknown:
+      break;
+  }
+  return !begun && refused ? Aboard::AsBefore : Aboard::NotKnown;
+}
+
+uint16_t MissionClient::ownItem(uint16_t wireItem) const {
+  return wireItem < plan_.homeItems() ? kNoItem : wireItem - plan_.homeItems();
+}
+
+void MissionClient::sendUpload(uint16_t nowMs) {
+  if (!link_.canSend()) return;
+  switch (transfer_.toSend()) {
+    case UploadTransfer::Send::Nothing:
+      return;
+    case UploadTransfer::Send::Count:
+      sendCount(plan_.wireCount());
+      break;
+    case UploadTransfer::Send::Item:
+      if (!sendItem(nowMs)) return;
+      break;
+    case UploadTransfer::Send::Cancel:
+      sendCancelled();
+      break;
+  }
+  transfer_.sent(nowMs);
+}
+
+void MissionClient::sendCount(uint16_t items) {
+  mavlink_mission_count_t count = mavlink_mission_count_t();
+  count.count = items;
+  link_.send(count);
+}
+
+bool MissionClient::sendItem(uint16_t nowMs) {
+  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
+  static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
+  const uint16_t wireItem = transfer_.itemToSend();
+  // The item becomes the message where it lies: param1 to z stay, the rest is moved. It saves stack and flash.
+  union {
+    MissionItem item;
+    mavlink_mission_item_int_t message;
+  } piece;
+  const Status read = plan_.read(wireItem, piece.item);
+  if (read == Status::Checking) return false;
+  if (read != Status::Accepted) {
+    state_.failedItem = ownItem(wireItem);
+    continueUpload(read, nowMs);
+    return false;
+  }
+  const MissionItem& item = piece.item;
+  mavlink_mission_item_int_t& message = piece.message;
+  const uint16_t command = item.command;
+  const Frame frame = item.frame;
+  const uint8_t current = item.current;
+  const uint8_t autocontinue = item.autocontinue;
+  message.seq = wireItem;
+  message.command = command;
+  message.frame = static_cast<uint8_t>(frame);
+  message.current = current;
+  message.autocontinue = autocontinue;
+  message.mission_type = MAV_MISSION_TYPE_MISSION;
+  if (state_.floatItems) {
+    state_.toFloats(&message);
+    link_.sendAs<mavlink_mission_item_t>(&message);
+    return true;
+  }
+  link_.send(message);
+  if (wireItem == state_.next && plan_.firmware() == Firmware::Px4) {
+    link_.flush(nowMs);  // the item leaves first: the sum takes as long as packing it
+    opaqueId_.add(static_cast<uint8_t>(frame), command, autocontinue, &message);
+    ++state_.next;
+  }
+  return true;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,143 @@
+// One step of a plan, at the values that go over the wire, and the makers of what people fly.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "Units.h"
+
+namespace mavmission {
+
+// The commands that have a maker here (MAV_CMD, MAVLink common messages). Any other number is fine too.
+enum Command : uint16_t {
+  kNavWaypoint = 16,
+  kNavLoiterUnlimited = 17,
+  kNavLoiterTurns = 18,
+  kNavLoiterTime = 19,
+  kNavReturnToLaunch = 20,
+  kNavLand = 21,
+  kNavTakeoff = 22,
+  kNavSplineWaypoint = 82,
+  kNavVtolTakeoff = 84,
+  kNavVtolLand = 85,
+  kNavDelay = 93,
+  kConditionYaw = 115,
+  kDoJump = 177,
+  kDoChangeSpeed = 178,
+  kDoSetRelay = 181,
+  kDoSetServo = 183,
+  kDoSetRoiLocation = 195,
+  kDoSetRoiNone = 197,
+  kDoDigicamControl = 203,
+  kDoSetCameraTriggerDistance = 206,
+};
+
+// A step of a plan: MISSION_ITEM_INT without its addresses. A plain struct that may lie in flash; use the makers below.
+struct MissionItem {
+  float param1, param2, param3, param4;  // meaning by command; a NaN is allowed only where param4 is a yaw
+  int32_t x;                             // latitude [1e-7 deg], or parameter 5 with Frame::Mission
+  int32_t y;                             // longitude [1e-7 deg], or parameter 6 with Frame::Mission
+  float z;                               // altitude [m, from what frame says], or parameter 7
+  uint16_t command;                      // MAV_CMD
+  Frame frame;                           // MAV_FRAME
+  uint8_t current;                       // 1: PX4 begins here when the plan comes in mid-flight; else 0. 2, 3: refused
+  uint8_t autocontinue;                  // 1: go on to the next item
+};
+
+// param1 to z lie one behind the other, as they do in MISSION_ITEM_INT [bytes].
+constexpr uint8_t kPlaceBytes = 28;
+static_assert(offsetof(MissionItem, command) == kPlaceBytes, "param1 to z are copied in one piece");
+
+// Any command that has no place, by hand: parameters as in MAV_CMD's table.
+constexpr MissionItem command(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
+                              int32_t param5 = 0, int32_t param6 = 0, float param7 = 0) {
+  return MissionItem{param1, param2, param3, param4, param5, param6, param7, id, Frame::Mission, 0, 1};
+}
+
+// Any command that has a place, by hand.
+constexpr MissionItem commandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude, float param1 = 0,
+                                float param2 = 0, float param3 = 0, float param4 = 0) {
+  return MissionItem{param1,        param2,           param3, param4,           latitude.e7(), longitude.e7(),
+                     altitude.metres(), id, altitude.frame(), 0, 1};
+}
+
+// Climb to the altitude where the aircraft stands. (PX4 needs a place; it gets that of the nearest item that has one.)
+constexpr MissionItem takeoff(Altitude altitude, Yaw yaw = Yaw()) {
+  return commandAt(kNavTakeoff, Degrees(), Degrees(), altitude, 0, 0, 0, yaw.inDegrees());
+}
+// Climb and fly to a place.
+constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude altitude, Yaw yaw = Yaw()) {
+  return commandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
+}
+
+// Fly to a place. Wait there for `hold` (a copter; ArduPilot keeps whole seconds). Within `acceptanceRadius` it counts
+// as reached (0: the autopilot's own setting; ArduPilot's copter has only that).
+constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold = Seconds(0),
+                               Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
+  return commandAt(kNavWaypoint, latitude, longitude, altitude, hold.value, acceptanceRadius.value, 0,
+                   yaw.inDegrees());
+}
+
+// Stay at a place for a time. A fixed wing circles at `radius`, counter-clockwise if it is negative (0: its default).
+constexpr MissionItem loiterTime(Degrees latitude, Degrees longitude, Altitude altitude, Seconds time,
+                                 Metres radius = Metres(0)) {
+  return commandAt(kNavLoiterTime, latitude, longitude, altitude, time.value, 0, radius.value, 0);
+}
+// Circle a place so many times. PX4 does not fly it (Status::NotFlown).
+constexpr MissionItem loiterTurns(Degrees latitude, Degrees longitude, Altitude altitude, float turns,
+                                  Metres radius = Metres(0)) {
+  return commandAt(kNavLoiterTurns, latitude, longitude, altitude, turns, 0, radius.value, 0);
+}
+// Stay at a place until told otherwise.
+constexpr MissionItem loiterUnlimited(Degrees latitude, Degrees longitude, Altitude altitude,
+                                      Metres radius = Metres(0), Yaw yaw = Yaw()) {
+  return commandAt(kNavLoiterUnlimited, latitude, longitude, altitude, 0, 0, radius.value, yaw.inDegrees());
+}
+
+// Land where the aircraft then is. (PX4 needs a place; it gets that of the nearest item that has one.)
+constexpr MissionItem land(Yaw yaw = Yaw()) {
+  return commandAt(kNavLand, Degrees(), Degrees(), Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
+}
+// Fly to a place and land.
+constexpr MissionItem land(Degrees latitude, Degrees longitude, Yaw yaw = Yaw()) {
+  return commandAt(kNavLand, latitude, longitude, Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
+}
+
+// Fly home and land.
+constexpr MissionItem returnToLaunch() { return command(kNavReturnToLaunch); }
+
+// Wait at the last waypoint.
+constexpr MissionItem delay(Seconds time) { return command(kNavDelay, time.value, -1, -1, -1); }
+
+// Fly at this ground speed from here on.
+constexpr MissionItem changeSpeed(MetresPerSecond speed) { return command(kDoChangeSpeed, 1, speed.value, -1); }
+
+// Go on with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0: the same number
+// on every autopilot.
+constexpr MissionItem jump(uint16_t target, int16_t repeats) { return command(kDoJump, target, repeats); }
+
+// Set an output to a pulse length [us]. PX4 does not take it in a plan (Status::NotFlown).
+constexpr MissionItem setServo(uint8_t output, uint16_t pulseUs) { return command(kDoSetServo, output, pulseUs); }
+
+// Switch a relay, counted from 0. PX4 does not take it in a plan (Status::NotFlown).
+constexpr MissionItem setRelay(uint8_t relay, bool on) { return command(kDoSetRelay, relay, on ? 1 : 0); }
+
+// Take a picture now.
+constexpr MissionItem takePicture() { return command(kDoDigicamControl, 0, 0, 0, 0, 1); }
+
+// Take a picture each `distance` from here on; 0 m stops.
+constexpr MissionItem cameraTriggerDistance(Metres distance) {
+  return command(kDoSetCameraTriggerDistance, distance.value);
+}
+
+// Point the camera (or the nose) at a place from here on.
+constexpr MissionItem regionOfInterest(Degrees latitude, Degrees longitude, Altitude altitude) {
+  return commandAt(kDoSetRoiLocation, latitude, longitude, altitude);
+}
+// Look ahead again.
+constexpr MissionItem regionOfInterestOff() { return command(kDoSetRoiNone); }
+
+// Turn to a heading while flying on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw there.
+constexpr MissionItem turnTo(Degrees heading) { return command(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
+
+}  // namespace mavmission

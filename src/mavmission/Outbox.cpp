@@ -1,0 +1,73 @@
+#include "Outbox.h"
+
+#include <Arduino.h>
+
+#include "Checksum.h"
+#include "Clock.h"
+#include "Flash.h"
+#include "MavlinkHeaders.h"
+
+namespace mavmission {
+
+void Outbox::begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
+  uint8_t* out = frame_;
+  if (version == 1) {
+    *out++ = MAVLINK_STX_MAVLINK1;
+  } else {
+    *out++ = MAVLINK_STX;
+    *++out = 0;  // incompatibility flags
+    *++out = 0;  // compatibility flags
+  }
+  *++out = sequence;
+  *++out = systemId;
+  *++out = componentId;
+}
+
+void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
+  const uint16_t id = fromFlash(&key->id);
+  uint8_t length;
+  uint8_t* out = frame_ + 5;
+  if (frame_[0] == MAVLINK_STX_MAVLINK1) {
+    length = fromFlash(&key->lengthV1);
+    *out++ = static_cast<uint8_t>(id);
+  } else {
+    length = fromFlash(&key->length);
+    while (length > 1 && payload[length - 1] == 0) --length;  // MAVLink 2 drops trailing zeros, never the first byte
+    out += 2;
+    *out++ = static_cast<uint8_t>(id);
+    *out++ = static_cast<uint8_t>(id >> 8);
+    *out++ = 0;
+  }
+  frame_[1] = length;
+  for (; length != 0; --length) *out++ = *payload++;
+
+  uint16_t crc = kChecksumStart;
+  for (const uint8_t* byte = frame_ + 1; byte != out; ++byte) crc = checksum(crc, *byte);
+  crc = checksum(crc, fromFlash(&key->crcExtra));
+  *out++ = static_cast<uint8_t>(crc);
+  *out++ = static_cast<uint8_t>(crc >> 8);
+  length_ = static_cast<uint8_t>(out - frame_);
+  sent_ = 0;
+}
+
+void Outbox::flush(Stream& stream, uint16_t nowMs) {
+  if (isEmpty()) return;
+  int room = stream.availableForWrite();
+  if (room > 0) {
+    blind_ = false;
+  } else if (blind_) {
+    room = kBlindBytes;
+  } else {
+    if (!stuck_) {
+      stuck_ = true;
+      stuckMs_ = nowMs;
+    }
+    blind_ = since(stuckMs_, nowMs) >= kNotImplementedMs;
+    return;
+  }
+  stuck_ = false;
+  const uint8_t left = length_ - sent_;
+  sent_ += stream.write(frame_ + sent_, room < left ? room : left);
+}
+
+}  // namespace mavmission

@@ -1,0 +1,45 @@
+// One outgoing frame, handed to the stream as fast as the stream takes it, never faster.
+#pragma once
+
+#include <stdint.h>
+
+#include "Config.h"
+#include "FrameParser.h"
+
+class Stream;
+
+namespace mavmission {
+
+class Outbox {
+ public:
+  // The longest payload that a message of ours has [bytes]: MISSION_ITEM_INT's.
+  static constexpr uint8_t kMaxPayload = 38;
+
+  // How long a stream must say that it takes nothing before it is believed not to implement availableForWrite() [ms].
+  // A ring that is only full drains a byte in 1 ms at 9600 baud.
+  static constexpr uint8_t kNotImplementedMs = 100;
+
+  // Bytes that such a stream is given in one call: each may wait for the line [bytes].
+  static constexpr uint8_t kBlindBytes = 8;
+
+  // True when a frame may be put in.
+  bool isEmpty() const { return sent_ == length_; }
+
+  // Begins a frame. Only when isEmpty(). `version`: MAVLink 1 or 2.
+  void begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId);
+  // Completes it with a message: its key, in flash, and a payload of key->length bytes.
+  void complete(const MessageKey* key, const uint8_t* payload);
+
+  // Writes what the stream takes now.
+  MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs);
+
+ private:
+  uint8_t length_;
+  uint8_t sent_;
+  uint16_t stuckMs_;    // since when the stream takes nothing
+  bool stuck_;
+  bool blind_;      // the stream does not say what it takes
+  uint8_t frame_[10 + kMaxPayload + 2];
+};
+
+}  // namespace mavmission

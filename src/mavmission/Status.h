@@ -1,0 +1,102 @@
+// Every way that an operation can stand or end, and what is aboard then. The texts are in flash, and not in the program
+// at all when nothing prints them.
+#pragma once
+
+#include <stdint.h>
+
+#include "Flash.h"
+
+namespace mavmission {
+
+// One line a status: this list is the enumeration and its texts at once, so that they cannot drift apart.
+// clang-format off
+#define MAVMISSION_STATUSES(X) \
+  /* not ended */ \
+  X(Idle, "idle")                                   /* nothing was asked for yet */ \
+  X(WaitingForAutopilot, "waiting for an autopilot") /* no heartbeat heard yet, or two autopilots and none named */ \
+  X(Checking, "checking the plan")                  /* before the first byte leaves */ \
+  X(Transferring, "transferring")                   /* talking to the autopilot */ \
+  /* ended well */ \
+  X(Accepted, "accepted: the plan is aboard")       /* the autopilot acknowledged the whole plan */ \
+  /* ended, not known how */ \
+  X(Unconfirmed, "unconfirmed: all items were sent, the final answer never came") /* may or may not be aboard */ \
+  /* ended by the sketch */ \
+  X(Cancelled, "cancelled by the sketch") \
+  /* refused before the first byte left: nothing aboard has changed */ \
+  X(Busy, "busy with another operation")            /* returned only: the running operation keeps its own status */ \
+  X(NoAutopilot, "no autopilot heard in the time allowed") \
+  X(SeveralAutopilots, "several autopilots heard: name one with talkTo()") \
+  X(SameIdsAsAutopilot, "our system and component id are the autopilot's own: it would ignore us") \
+  X(Armed, "refused: the autopilot is armed")       /* allowWhileArmed() allows it */ \
+  X(TooManyItems, "refused: more than 65535 items on the wire") \
+  X(BadLatitude, "refused: a latitude beyond 90 degrees") \
+  X(BadLongitude, "refused: a longitude beyond 180 degrees") \
+  X(NotANumber, "refused: a NaN that is not a yaw") \
+  X(NotFinite, "refused: an infinite number") \
+  X(BadCurrent, "refused: current is 2 or more, which means fly there now") \
+  X(BadJump, "refused: a jump to an item that is not in the plan") \
+  X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
+  X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
+  X(NeedsPlace, "refused: it needs a place on this autopilot, and has none") \
+  /* failed on our side */ \
+  X(SourceRefused, "the plan's source gave no item") \
+  X(NoAnswer, "the autopilot did not answer") \
+  X(TimedOut, "the autopilot fell silent, or asked for the same item for ever") \
+  X(TookTooLong, "the limit on the whole transfer was reached") \
+  X(AcceptedEarly, "the autopilot said accepted before it had asked for every item") \
+  X(OtherPlanAboard, "the autopilot accepted, but its checksum is not that of our plan") \
+  /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in its order, and any other */ \
+  X(Error, "the autopilot said: error") \
+  X(UnsupportedFrame, "the autopilot said: coordinate frame not supported") \
+  X(Unsupported, "the autopilot said: command not supported") \
+  X(NoSpace, "the autopilot said: too many items") \
+  X(Invalid, "the autopilot said: a parameter is invalid") \
+  X(InvalidParam1, "the autopilot said: param1 is invalid") \
+  X(InvalidParam2, "the autopilot said: param2 is invalid") \
+  X(InvalidParam3, "the autopilot said: param3 is invalid") \
+  X(InvalidParam4, "the autopilot said: param4 is invalid") \
+  X(InvalidParam5, "the autopilot said: x (latitude) is invalid") \
+  X(InvalidParam6, "the autopilot said: y (longitude) is invalid") \
+  X(InvalidParam7, "the autopilot said: z (altitude) is invalid") \
+  X(InvalidSequence, "the autopilot said: item out of sequence") \
+  X(Denied, "the autopilot said: denied (another ground station may be transferring)") \
+  X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
+  X(UnknownResult, "the autopilot answered with an unknown code")
+// clang-format on
+
+enum class Status : uint8_t {
+#define MAVMISSION_NAME(name, text) name,
+  MAVMISSION_STATUSES(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
+};
+
+// The plan that the autopilot holds when an operation has ended.
+#define MAVMISSION_ABOARD(X)                                                    \
+  X(NotKnown, "not known")                                                      \
+  X(AsBefore, "what was aboard before")                                         \
+  X(OurPlan, "our plan, whole")                                                 \
+  X(Mixture, "a mixture: our items as far as they came, older ones behind them")
+
+enum class Aboard : uint8_t {
+#define MAVMISSION_NAME(name, text) name,
+  MAVMISSION_ABOARD(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
+};
+
+// The status in words, for Serial.print(). Flash text; null for a value that is no Status.
+FlashText toString(Status status);
+FlashText toString(Aboard aboard);
+
+// True when an operation that has this status is over.
+constexpr bool isEnd(Status status) { return status > Status::Transferring; }
+
+// The status of a MAV_MISSION_RESULT (MISSION_ACK.type).
+constexpr Status fromMissionResult(uint8_t result) {
+  return result == 0    ? Status::Accepted
+         : result <= 15 ? static_cast<Status>(static_cast<uint8_t>(Status::Error) + result - 1)
+                        : Status::UnknownResult;
+}
+
+static_assert(fromMissionResult(15) == Status::CancelledByAutopilot, "MAV_MISSION_RESULT in its order");
+
+}  // namespace mavmission

@@ -1,0 +1,81 @@
+// Lengths, times, altitudes and headings that cannot be taken for one another: each is a type of its own, made by a
+// literal (20_m, 10_s, 5_mps, 90_deg) or by name from a number that was computed.
+#pragma once
+
+#include <stdint.h>
+
+#include "Degrees.h"
+
+namespace mavmission {
+
+// A length [m].
+struct Metres {
+  float value;
+  constexpr explicit Metres(float metres) : value(metres) {}
+  constexpr Metres operator-() const { return Metres(-value); }
+};
+
+// A duration [s].
+struct Seconds {
+  float value;
+  constexpr explicit Seconds(float seconds) : value(seconds) {}
+};
+
+// A speed [m/s].
+struct MetresPerSecond {
+  float value;
+  constexpr explicit MetresPerSecond(float metresPerSecond) : value(metresPerSecond) {}
+};
+
+constexpr Metres operator"" _m(unsigned long long value) { return Metres(static_cast<float>(value)); }
+constexpr Metres operator"" _m(long double value) { return Metres(static_cast<float>(value)); }
+constexpr Seconds operator"" _s(unsigned long long value) { return Seconds(static_cast<float>(value)); }
+constexpr Seconds operator"" _s(long double value) { return Seconds(static_cast<float>(value)); }
+constexpr MetresPerSecond operator"" _mps(unsigned long long value) {
+  return MetresPerSecond(static_cast<float>(value));
+}
+constexpr MetresPerSecond operator"" _mps(long double value) { return MetresPerSecond(static_cast<float>(value)); }
+
+// MAV_FRAME (MAVLink common messages): what the numbers of a place mean.
+enum class Frame : uint8_t {
+  Global = 0,            // altitude [m above mean sea level]
+  Mission = 2,           // no place: x, y and z are parameters 5 to 7
+  GlobalRelative = 3,    // altitude [m above home]
+  GlobalInt = 5,         // as Global; the older number for MISSION_ITEM_INT
+  GlobalRelativeInt = 6, // as GlobalRelative; the older number for MISSION_ITEM_INT
+  GlobalTerrain = 10,    // altitude [m above the ground below]
+  GlobalTerrainInt = 11, // as GlobalTerrain; the older number for MISSION_ITEM_INT
+};
+
+// An altitude and what it is measured from. Plain metres are above home: 20_m.
+class Altitude {
+ public:
+  constexpr Altitude(Metres aboveHome) : metres_(aboveHome.value), frame_(Frame::GlobalRelative) {}
+  constexpr Altitude(Metres metres, Frame frame) : metres_(metres.value), frame_(frame) {}
+  constexpr float metres() const { return metres_; }
+  constexpr Frame frame() const { return frame_; }
+
+ private:
+  float metres_;
+  Frame frame_;
+};
+
+// Above the place where the aircraft was armed or home was set: the same as plain metres.
+constexpr Altitude aboveHome(Metres metres) { return Altitude(metres, Frame::GlobalRelative); }
+// Above mean sea level, as a map or a GPS (MSL) says.
+constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, Frame::Global); }
+// Above the ground below. Needs terrain data aboard; PX4 1.17 does not take it in a plan (Status::BadFrame).
+constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::GlobalTerrain); }
+
+// A heading [degrees from north, clockwise], or "as you fly", which is the default everywhere.
+class Yaw {
+ public:
+  constexpr Yaw() : degrees_(__builtin_nanf("")) {}
+  constexpr Yaw(Degrees heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
+  constexpr float inDegrees() const { return degrees_; }  // NaN: as you fly
+
+ private:
+  float degrees_;
+};
+
+}  // namespace mavmission

@@ -1,0 +1,135 @@
+#include "UploadTransfer.h"
+
+namespace mavmission {
+
+void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs) {
+  progressMs_ = nowMs;
+  sentMs_ = nowMs;
+  count_ = count;
+  asked_ = 0;
+  item_ = 0;
+  state_ = State::Counting;
+  send_ = Send::Count;
+  tries_ = 0;
+  suspicion_ = Status::Transferring;
+  firmware_ = firmware;
+  leftovers_ = leftovers;
+  freed_ = false;
+  answered_ = false;
+}
+
+Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
+  // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an item
+  // only when it has the one before. It moves nothing.
+  if (item > asked_ || item >= count_) return Status::Transferring;
+  if (item == asked_) {
+    ++asked_;
+    progressMs_ = nowMs;
+    state_ = asked_ == count_ ? State::Confirming : State::Sending;
+    tries_ = 0;
+  } else if (answered_ && item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
+    return Status::Transferring;
+  }
+  item_ = item;
+  answered_ = false;
+  send_ = Send::Item;
+  return Status::Transferring;
+}
+
+Status UploadTransfer::onAcceptance() {
+  if (state_ == State::Confirming || count_ == 0) return Status::Accepted;
+  if (!leftovers_) return Status::AcceptedEarly;
+  suspicion_ = Status::AcceptedEarly;
+  return Status::Transferring;
+}
+
+Status UploadTransfer::onAck(uint8_t result) {
+  const Status status = fromMissionResult(result);
+  switch (status) {
+    case Status::Accepted:
+      return onAcceptance();
+
+    case Status::InvalidSequence:
+      // Noise while it moves: ArduPilot says so of each item that reaches it twice, and goes on.
+      if (state_ != State::Counting) return Status::Transferring;
+      break;
+
+    case Status::CancelledByAutopilot:
+      // It may have given up our earlier transfer; this one has not begun for it yet.
+      if (state_ == State::Counting) break;
+      return status;
+
+    case Status::Error:
+      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot && !freed_) {
+        // PX4 holds a transfer of ours from before a reset: end it, then ask again.
+        freed_ = true;
+        send_ = Send::Cancel;
+        return Status::Transferring;
+      }
+      if (state_ == State::Confirming) {
+        // An idle autopilot says so of an item that reaches it after the end: it tells nothing of the plan.
+        suspicion_ = status;
+        return Status::Transferring;
+      }
+      // PX4 says "busy" to our own second COUNT, and the transfer goes on.
+      if (state_ == State::Sending && firmware_ == Firmware::Px4) {
+        suspicion_ = status;
+        return Status::Transferring;
+      }
+      return status;
+
+    default:
+      return status;
+  }
+  if (!leftovers_) return status;
+  suspicion_ = status;
+  return Status::Transferring;
+}
+
+Status UploadTransfer::onTime(uint16_t nowMs) {
+  if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
+  const bool overdue = since(sentMs_, nowMs) >= kAnswerMs;
+  switch (state_) {
+    case State::Counting:
+      if (!overdue) break;
+      if (tries_ == kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
+      send_ = Send::Count;
+      break;
+
+    case State::Sending:
+      if (since(progressMs_, nowMs) < kPassiveMs) break;
+      return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
+
+    case State::Confirming:
+      if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;
+      if (!overdue) break;
+      if (tries_ == kTries) return Status::Unconfirmed;
+      ++tries_;
+      item_ = count_ - 1;
+      send_ = Send::Item;
+      break;
+  }
+  return Status::Transferring;
+}
+
+void UploadTransfer::sent(uint16_t nowMs) {
+  switch (send_) {
+    case Send::Count:
+      ++tries_;
+      sentMs_ = nowMs;
+      send_ = Send::Nothing;
+      break;
+    case Send::Cancel:
+      send_ = Send::Count;
+      break;
+    case Send::Item:
+      answered_ = true;
+      sentMs_ = nowMs;
+      send_ = Send::Nothing;
+      break;
+    case Send::Nothing:
+      break;
+  }
+}
+
+}  // namespace mavmission

@@ -1,0 +1,73 @@
+// The upload of a plan as a state machine: what the autopilot says and the time go in, what to send comes out. It knows
+// no stream and no bytes. MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".
+//
+//               request 0               request n - 1              ACCEPTED
+//   Counting  -------------> Sending  ---------------> Confirming ----------> Accepted
+//    | COUNT again each       | an item per request     | the last item again each
+//    | 1500 ms, 5 in all      | heard, none unasked     | 1500 ms, 5 times
+//    v                        v                         v
+//   NoAnswer                 TimedOut                  Unconfirmed
+//            8.5 s without a new item asked for
+//   a refusal in any state: its own status
+#pragma once
+
+#include <stdint.h>
+
+#include "Clock.h"
+#include "Commands.h"
+#include "Config.h"
+#include "Status.h"
+
+namespace mavmission {
+
+class UploadTransfer {
+ public:
+  static constexpr uint8_t kTries = 5;             // COUNTs, and repeated last items (guide: 5 tries)
+  static constexpr uint16_t kAnswerMs = 1500;      // wait for an answer to either (guide: 1500 ms)
+  static constexpr uint16_t kPassiveMs = 8500;     // ArduPilot asks again each second and gives up after 8.0 s
+  static constexpr uint16_t kConfirmingMs = 12000; // the most for the final answer, however often the last item is asked for
+  static constexpr uint8_t kSameRequestMs = 50;    // a repeat within that is a queue being emptied, not a new question
+
+  enum class State : uint8_t { Counting, Sending, Confirming };
+  enum class Send : uint8_t { Nothing, Count, Item, Cancel };
+
+  // Begins with `count` items on the wire, for an autopilot of this kind. `leftovers`: an earlier transfer, of this
+  // client or from before a reset, may still be answered: what only that can have caused is then not taken for an
+  // answer to this one.
+  void begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs);
+
+  // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
+  Status onRequest(uint16_t item, uint16_t nowMs);
+  Status onAck(uint8_t result);
+  MAVMISSION_APART Status onTime(uint16_t nowMs);
+
+  // What is to be sent next, and the item if it is one. After it has been handed to the link: sent().
+  Send toSend() const { return send_; }
+  uint16_t itemToSend() const { return item_; }
+  void sent(uint16_t nowMs);
+
+  State state() const { return state_; }
+  // Items that the autopilot has asked for, in their order; it holds all of them but the last.
+  uint16_t itemsAskedFor() const { return asked_; }
+  // The item that went out last: the one that a refusal is about.
+  uint16_t lastItem() const { return item_; }
+
+ private:
+  Status onAcceptance();
+
+  uint16_t progressMs_;
+  uint16_t sentMs_;
+  uint16_t count_;
+  uint16_t asked_;
+  uint16_t item_;
+  State state_;
+  Send send_;
+  uint8_t tries_;                         // COUNTs sent; then unasked repeats of the last item
+  Status suspicion_;   // an answer that may be to an earlier transfer: the reason if no other comes
+  Firmware firmware_;
+  bool leftovers_;
+  bool freed_;                        // an open transfer of ours was cancelled first
+  bool answered_;                     // item_ has been sent at least once
+};
+
+}  // namespace mavmission

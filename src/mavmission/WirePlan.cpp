@@ -1,0 +1,126 @@
+#include "WirePlan.h"
+
+#include "Config.h"
+#include "FloatBits.h"
+
+namespace mavmission {
+namespace {
+
+bool isBeyond(int32_t value, int32_t limit) { return value > limit || value < -limit; }
+
+bool hasPlace(const MissionItem& item) { return item.frame != Frame::Mission; }
+bool isSomewhere(const MissionItem& item) { return hasPlace(item) && (item.x != 0 || item.y != 0); }
+
+bool isTakenBy(Firmware firmware, Frame frame) {
+  switch (frame) {
+    case Frame::Global:
+    case Frame::Mission:
+    case Frame::GlobalRelative:
+    case Frame::GlobalInt:
+    case Frame::GlobalRelativeInt:
+      return true;
+    case Frame::GlobalTerrain:
+    case Frame::GlobalTerrainInt:
+      return firmware != Firmware::Px4;
+  }
+  return firmware == Firmware::Other || firmware == Firmware::Unknown;  // a frame that has no name here
+}
+
+}  // namespace
+
+void WirePlan::setSource(const ItemSource& plan) {
+  read_ = plan.read;
+  context_ = plan.context;
+  count_ = static_cast<uint16_t>(plan.count);
+}
+
+void WirePlan::begin(Firmware firmware, bool raw) {
+  firmware_ = firmware;
+  raw_ = raw;
+  homeItems_ = firmware == Firmware::ArduPilot && !raw && count_ > 0 ? 1 : 0;
+  searched_ = 0;
+}
+
+Status WirePlan::check(const MissionItem& item, uint8_t traits) const {
+  if (item.current > 1) return Status::BadCurrent;
+  // param1 to param4, x, y, z lie one behind the other, four bytes each.
+  const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
+  for (uint8_t i = 1; i <= 7; ++i, number += 4) {
+    if (i == 5 || i == 6) continue;
+    const FloatKind kind = kindOf(number);
+    if (kind == FloatKind::Infinite) return Status::NotFinite;
+    if (kind == FloatKind::NotANumber && !(i == 4 && (traits & kYawInParam4))) return Status::NotANumber;
+  }
+  if (hasPlace(item) && !(traits & kHasNoPlace)) {
+    if (isBeyond(item.x, 900000000)) return Status::BadLatitude;
+    if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
+    if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
+  }
+  if (item.command == kDoJump) {
+    uint16_t target;
+    if (!isWholeNumber(item.param1, target) || target >= count_) return Status::BadJump;
+  }
+  if (raw_) return Status::Accepted;
+  if (firmware_ == Firmware::ArduPilot && (traits & kNotFlownByArduPilot)) return Status::NotFlown;
+  if (firmware_ == Firmware::Px4) {
+    if (traits & kNotFlownByPx4) return Status::NotFlown;
+    if (!hasPlace(item) && (traits & (kYawInParam4 | kPlaceIsOptional))) return Status::NeedsPlace;
+  }
+  return Status::Accepted;
+}
+
+Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
+  // The nearest in the order of the plan; of two equally near, a takeoff takes the one behind it and a landing the one
+  // before it, which is where the aircraft is then.
+  const uint8_t firstSide = item.command == kNavLand || item.command == kNavVtolLand ? 1 : 0;
+  for (uint8_t looked = 0; looked < MAVMISSION_ITEMS_PER_UPDATE; ++looked) {
+    const uint16_t distance = searched_ / 2 + 1;
+    const bool isBefore = ((searched_ & 1) ^ firstSide) != 0;
+    if (distance >= count_) {
+      searched_ = 0;
+      return Status::NeedsPlace;
+    }
+    ++searched_;
+    const uint16_t near = isBefore ? index - distance : index + distance;  // wraps out of the plan before its start
+    if (near >= count_) continue;
+    MissionItem other;
+    if (!read_(context_, near, other)) return Status::SourceRefused;
+    if (isSomewhere(other) && !(traitsOf(other.command) & kHasNoPlace)) {
+      item.x = other.x;
+      item.y = other.y;
+      searched_ = 0;
+      return Status::Accepted;
+    }
+  }
+  return Status::Checking;
+}
+
+Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
+  if (homeItems_ != 0) {
+    if (wireIndex == 0) {
+      // ArduPilot parses item 0 and puts its own home in its place.
+      memset(&item, 0, sizeof(item));  // a constant to copy from would lie in RAM
+      item.command = kNavWaypoint;
+      item.frame = Frame::Global;
+      item.autocontinue = 1;
+      return Status::Accepted;
+    }
+    --wireIndex;
+  }
+  if (!read_(context_, wireIndex, item)) return Status::SourceRefused;
+  const uint8_t traits = traitsOf(item.command);
+  const Status checked = check(item, traits);
+  if (checked != Status::Accepted || raw_) return checked;
+
+  if ((traits & kHasNoPlace) || ((traits & kNoPlaceOnPx4) && firmware_ == Firmware::Px4)) item.frame = Frame::Mission;
+  if (firmware_ == Firmware::ArduPilot) {
+    if (kindOf(&item.param4) == FloatKind::NotANumber) item.param4 = 0;  // what "as you fly" is there
+    if (item.command == kDoJump) item.param1 = oneMore(item.param1);
+  }
+  if (firmware_ == Firmware::Px4 && (traits & kPlaceIsOptional) && !isSomewhere(item)) {
+    return findPlaceFor(wireIndex, item);
+  }
+  return Status::Accepted;
+}
+
+}  // namespace mavmission

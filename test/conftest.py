@@ -1,0 +1,23 @@
+"""Where the tests find the tools, their own modules and the MAVLink messages."""
+
+import os
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+for folder in ("build/dialect", "test", "tools"):
+    sys.path.insert(0, str(ROOT / folder))
+
+# Hypothesis would keep its examples beside the sources.
+os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypothesis"))
+
+from bench_fixtures import (  # noqa: E402, F401
+    bench,
+    build_bench,
+    line,
+    make_bench,
+    personality,
+    pytest_runtest_makereport,
+)
+from scenario_table import pytest_collection_modifyitems, pytest_terminal_summary  # noqa: E402, F401

@@ -1,0 +1,5 @@
+// A sketch that uploads nothing.
+#include <Arduino.h>
+
+void setup() {}
+void loop() {}

@@ -1,0 +1,341 @@
+"""The run itself: build, simulate, show, compare, judge."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import time
+import tomllib
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+from building import ROOT, BuildFailed, build_sketch
+from fake_autopilot import ArduPilot, FakeAutopilot, Item, Px4, mavlink
+from mega import Mega
+from mega.realtime import RealTime
+from recordings import repeated
+from wire import Entry
+
+from .line import Line as SerialLine
+from .plan_in_firmware import NotOnePlan, Plan, plan_in
+from .screen import Line, Row
+from .telemetry_log import TelemetryLog
+from .wire_form import on_the_wire
+from .words import ITEMS, item_in_words, message_in_words
+
+EXAMPLES = ROOT / "examples"
+DESCRIPTIONS = Path(__file__).resolve().parent / "examples.toml"
+
+LIMIT_S = 120.0
+# Each side speaks again sooner than this while it still hopes: the client after
+# 1.5 s, or after 8.5 s of waiting in vain; ArduPilot after 1 s, until 8 s are over.
+QUIET_AFTER_ANSWER_S = 3.0
+QUIET_S = 10.0
+
+SHOWN = ("MISSION_", "COMMAND_", "STATUSTEXT", "SET_MODE")
+NOT_SHOWN = ("MISSION_CURRENT",)  # PX4 says it each second
+
+
+class NoDemonstration(Exception):
+    """It cannot be shown; the text says why and what to do."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What to show, and how."""
+
+    example: str = "UploadMission"  # of examples/, or the path of a sketch
+    autopilot: str = "ardupilot"  # or "px4"
+    loss_percent: float = 0.0  # of the frames, in each direction
+    seed: int = 0
+    log: Path | None = None
+    fast: bool = False  # as fast as can be, instead of in real time
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """How it ended. `good` only when every item aboard is the plan that was meant."""
+
+    good: bool
+    sentence: str
+
+
+class Demonstration:
+    """One run of one example."""
+
+    def __init__(self, settings: Settings, screen) -> None:
+        self.settings = settings
+        self._screen = screen
+        described = description(settings.example)
+        self._limit_s: float = described.get("limit_s", LIMIT_S)
+        try:
+            built = build_sketch(sketch(settings.example))
+            self._plan: Plan | None = plan_in(built.elf, described.get("plan"))
+        except (BuildFailed, NotOnePlan) as error:
+            raise NoDemonstration(str(error)) from error
+        self.autopilot = an_autopilot(settings.autopilot)
+        self._line = SerialLine(self.autopilot, settings.loss_percent, settings.seed)
+        self._mega = Mega(built.elf)
+        self._console = Console(self)
+        self._conversation = Conversation()
+        self._meant: list[Item] | None = None
+        self._log: TelemetryLog | None = None
+
+    @property
+    def now(self) -> float:
+        """Since the Mega was switched on [simulated s]."""
+        return self._mega.now_us / 1_000_000
+
+    def run(self) -> Verdict:
+        """Show it all, until the upload has ended."""
+        self._introduce()
+        began_at = time.time()
+        if self.settings.log is not None:
+            try:
+                self._log = TelemetryLog(self.settings.log, began_at)
+            except OSError as error:
+                raise NoDemonstration(f"cannot write {self.settings.log}: {error.strerror}") from error
+        world = RealTime(self._mega, **self._pace())
+        world.connect(0, self._console)
+        world.connect(1, self._line)
+        try:
+            while not self._is_over():
+                self._line.step(self.now)
+                self._show()
+                world.slice()
+        finally:
+            world.close()
+            if self._log is not None:
+                self._log.close()
+        self._line.step(self.now)
+        self._show()
+        self._console.flush()
+        return self._conclude()
+
+    # -- before ---------------------------------------------------------------------------
+
+    def _introduce(self) -> None:
+        name = Path(self.settings.example).stem
+        loss = f", {self.settings.loss_percent:g} % of the frames lost each way" if self.settings.loss_percent else ""
+        self._screen.say(f"{name} on a simulated Mega, Serial1 to a simulated {NAMES[self.settings.autopilot]}{loss}")
+        if self._plan is None:
+            self._screen.say("its plan comes from a function: what it sends is what it means")
+        else:
+            where = "RAM" if self._plan.in_ram else "flash"
+            self._screen.say(f"its plan: {self._plan.name}, {self._plan.count} items in {where}")
+
+    def _pace(self) -> dict:
+        if not self.settings.fast:
+            return {}
+        return {"clock": lambda: self.now, "sleep": lambda seconds: None}
+
+    # -- meanwhile ------------------------------------------------------------------------
+
+    def _show(self) -> None:
+        for entry in self._line.seen():
+            if self._log is not None and not entry.fate:
+                self._log.add(entry.data, entry.time)
+            self._hear(entry)
+
+    def _hear(self, entry: Entry) -> None:
+        talk = self._conversation
+        again = talk.add(entry)
+        if talk.count is not None and self._meant is None and self._plan is not None:
+            self._meant = self._plan.items(self._mega.peek)
+        if talk.is_shown(entry):
+            where = "Mega -> autopilot" if entry.direction == ">" else "autopilot -> Mega"
+            mark = "lost" if entry.fate else "again" if again else ""
+            text = message_in_words(entry.message, entry.data)
+            self._screen.happened(Line(entry.time, where, text, mark))
+        if talk.count:
+            self._screen.progress(talk.items_aboard, talk.count)
+
+    def console_line(self, text: str) -> None:
+        self._screen.happened(Line(self.now, "Serial", text))
+
+    def _is_over(self) -> bool:
+        return self.now >= self._limit_s or self._conversation.is_over(self.now)
+
+    # -- after ----------------------------------------------------------------------------
+
+    def _conclude(self) -> Verdict:
+        talk = self._conversation
+        self._screen.say(f"beside these: {talk.others['HEARTBEAT']} heartbeats, {talk.telemetry} frames of telemetry")
+        aboard = self.autopilot.received()
+        meant = self._meant_on_the_wire()
+        name = NAMES[self.settings.autopilot]
+        if talk.count is None:
+            return Verdict(False, f"FAILED: in {self.now:.0f} s the sketch began no upload.")
+        self._screen.say(f"what was meant, as {name} must get it, and what it holds:")
+        rows = compared(meant, aboard)
+        self._screen.compare(rows)
+        held = len(self.autopilot.plan())
+        wrong = sum(row.differs for row in rows)
+        if wrong:
+            return Verdict(False, f"FAILED: {wrong} of {len(rows)} items differ. {talk.last_word()}")
+        if held != len(meant):
+            return Verdict(False, f"FAILED: {name} says that it holds {held} items, not {len(meant)}.")
+        if talk.contradictions:
+            return Verdict(False, f"FAILED: {talk.contradictions[0]}")
+        if not talk.told:
+            return Verdict(
+                True, f"The plan is aboard: all {len(meant)} items as they were meant. {talk.last_word()}"
+            )
+        return Verdict(True, f"The plan is aboard: all {len(meant)} items as they were meant, and the Mega was told so.")
+
+    def _meant_on_the_wire(self) -> list[Item]:
+        if self._plan is None:
+            return [self._conversation.items[seq] for seq in sorted(self._conversation.items)]
+        return on_the_wire(self._meant or [], self.settings.autopilot)
+
+
+class Conversation:
+    """What the two have said, as an eavesdropper understands it."""
+
+    def __init__(self) -> None:
+        self.count: int | None = None
+        self.items: dict[int, Item] = {}  # as the Mega first sent each
+        self.contradictions: list[str] = []
+        self.items_aboard = 0
+        self.told = False  # an acceptance reached the Mega
+        self.others: Counter[str] = Counter()  # what is not shown, by name
+        self._said: set[tuple] = set()
+        self._heartbeats: set[str] = set()
+        self._last_at = math.inf
+        self._last_answer = None
+        self._answered = False
+
+    def add(self, entry: Entry) -> bool:
+        """Take note of a frame; True if the same was said before."""
+        message = entry.message
+        name = message.get_type() if message is not None else "unknown frames"
+        if not name.startswith(("MISSION_", "COMMAND_")) or name in NOT_SHOWN:
+            self._count_other(entry, name)
+            return False
+        self._last_at = entry.time
+        if entry.direction == ">":
+            self._from_mega(message, name)
+        else:
+            self._from_autopilot(entry, message, name)
+        said = (entry.direction, name, getattr(message, "seq", None), getattr(message, "command", None))
+        again = said in self._said and name != "MISSION_ACK"
+        self._said.add(said)
+        return again
+
+    def _count_other(self, entry: Entry, name: str) -> None:
+        if name == "HEARTBEAT" and entry.direction not in self._heartbeats and not entry.fate:
+            return
+        if name != "STATUSTEXT":
+            self.others[name] += 1
+
+    def is_shown(self, entry: Entry) -> bool:
+        name = entry.message.get_type() if entry.message is not None else ""
+        if name == "HEARTBEAT" and not entry.fate and entry.direction not in self._heartbeats:
+            self._heartbeats.add(entry.direction)
+            return True
+        return name.startswith(SHOWN) and name not in NOT_SHOWN
+
+    def _from_mega(self, message, name: str) -> None:
+        self._answered = False
+        if name == "MISSION_COUNT":
+            self.count = message.count
+        if name in ITEMS:
+            item = Item.of(message)
+            first = self.items.setdefault(message.seq, item)
+            if not item.same_as(first):
+                self.contradictions.append(f"item {message.seq} was sent with two contents.")
+
+    def _from_autopilot(self, entry: Entry, message, name: str) -> None:
+        if name in ("MISSION_REQUEST", "MISSION_REQUEST_INT"):
+            self.items_aboard = max(self.items_aboard, message.seq)
+        if name == "MISSION_ACK" and message.mission_type == mavlink.MAV_MISSION_TYPE_MISSION:
+            self._answered = True
+            self._last_answer = message.type
+            if message.type == mavlink.MAV_MISSION_ACCEPTED:
+                self.items_aboard = self.count or 0
+                self.told |= not entry.fate
+
+    @property
+    def telemetry(self) -> int:
+        """Frames that are neither shown nor heartbeats."""
+        return self.others.total() - self.others["HEARTBEAT"]
+
+    def is_over(self, now: float) -> bool:
+        """Whether neither side has anything more to say of the upload."""
+        if self._last_at == math.inf:
+            return False
+        return now - self._last_at >= (QUIET_AFTER_ANSWER_S if self._answered else QUIET_S)
+
+    def last_word(self) -> str:
+        """What the autopilot said at the end."""
+        if self._last_answer is None:
+            return "The autopilot never answered."
+        if self._last_answer == mavlink.MAV_MISSION_ACCEPTED:
+            return "The autopilot accepted the plan" + ("." if self.told else ", but the Mega was never told.")
+        result = mavlink.enums["MAV_MISSION_RESULT"].get(self._last_answer)
+        return f"The autopilot's last word was {result.name if result else self._last_answer}."
+
+
+class Console:
+    """The sketch's Serial, line by line."""
+
+    name = "the console"
+
+    def __init__(self, demonstration: Demonstration) -> None:
+        self._demonstration = demonstration
+        self._line = bytearray()
+
+    def read(self, most: int) -> bytes:
+        return b""
+
+    def write(self, data: bytes) -> None:
+        self._line += data
+        while b"\n" in self._line:
+            line, _, self._line = self._line.partition(b"\n")
+            self._demonstration.console_line(line.decode(errors="replace").rstrip("\r"))
+
+    def flush(self) -> None:
+        """Show a line that was begun and not ended."""
+        if self._line:
+            self.write(b"\n")
+
+    def close(self) -> None:
+        pass
+
+
+NAMES = {"ardupilot": "ArduPilot", "px4": "PX4"}
+
+
+def an_autopilot(name: str) -> FakeAutopilot:
+    """With what it sends unasked on a telemetry port; the line's own time is the simulator's."""
+    if name == "px4":
+        return Px4(telemetry=repeated("px4/clean_with_streams"), response_delay_s=Px4.response_delay_on_line_s)
+    return ArduPilot(response_delay_s=ArduPilot.response_delay_on_line_s)
+
+
+def description(example: str) -> dict:
+    return tomllib.loads(DESCRIPTIONS.read_text()).get(Path(example).stem, {})
+
+
+def sketch(example: str) -> Path:
+    """The folder of an example by its name, or any sketch by its path."""
+    named = EXAMPLES / example
+    if "/" not in example and named.is_dir():
+        return named
+    if Path(example).exists():
+        return Path(example)
+    names = ", ".join(sorted(folder.name for folder in EXAMPLES.iterdir() if folder.is_dir()))
+    raise NoDemonstration(f"there is no example {example}; there are: {names}")
+
+
+def compared(meant: list[Item], aboard: list[Item]) -> list[Row]:
+    rows = []
+    for number, (ours, theirs) in enumerate(itertools.zip_longest(meant, aboard)):
+        left = item_in_words(ours) if ours else "(nothing)"
+        right = item_in_words(theirs) if theirs else "(nothing)"
+        same = ours is not None and theirs is not None and ours.same_as(theirs)
+        if not same and left == right:  # words hide the last bits
+            left, right = repr(ours), repr(theirs)
+        rows.append(Row(number, left, left if same else right))
+    return rows

@@ -1,0 +1,68 @@
+"""Items and messages in words."""
+
+from __future__ import annotations
+
+import math
+
+from fake_autopilot import Item, mavlink
+from wire import summary
+
+ALTITUDES = {0: "above sea level", 3: "above home", 5: "above sea level", 6: "above home",
+             10: "above the ground", 11: "above the ground"}  # fmt: skip
+ITEMS = ("MISSION_ITEM_INT", "MISSION_ITEM")
+
+
+def item_in_words(item: Item) -> str:
+    """NAV_WAYPOINT -35.3632621 149.1652374, 20 m above home, yaw as you fly."""
+    parts = [command_name(item.command)]
+    if item.frame in ALTITUDES:
+        place = f"{item.x / 1e7:.7f} {item.y / 1e7:.7f}, " if (item.x, item.y) != (0, 0) else ""
+        parts.append(f"{place}{item.z:g} m {ALTITUDES[item.frame]}")
+    elif (item.x, item.y, item.z) != (0, 0, 0):
+        parts.append(f"5: {item.x}, 6: {item.y}, 7: {item.z:g}")
+    params = [
+        f"{number}: {'unset' if math.isnan(value) else f'{value:g}'}"
+        for number, value in enumerate(item[4:8], start=1)
+        if value != 0
+    ]
+    if params:
+        parts.append("(" + ", ".join(params) + ")")
+    if item.current:
+        parts.append("[current]")
+    if not item.autocontinue:
+        parts.append("[stop]")
+    return " ".join(parts)
+
+
+def command_name(command: int) -> str:
+    entry = mavlink.enums["MAV_CMD"].get(command)
+    return entry.name.removeprefix("MAV_CMD_") if entry else f"command {command}"
+
+
+def message_in_words(message, data: bytes) -> str:
+    """The name of a message, and what a person wants to see of it."""
+    if message is None:
+        return summary(message, data)
+    name = message.get_type()
+    if name in ITEMS:
+        item = Item.of(message)
+        if name == "MISSION_ITEM" and item.frame != mavlink.MAV_FRAME_MISSION:
+            item = item._replace(x=round(item.x * 1e7), y=round(item.y * 1e7))
+        return f"{name} {message.seq}: {item_in_words(item)}"
+    if name.startswith("MISSION_REQUEST_INT") or name == "MISSION_REQUEST":
+        return f"{name} {message.seq}"
+    if name == "MISSION_COUNT":
+        return f"{name} {message.count} items"
+    if name == "MISSION_ACK":
+        return summary(message, data) + (f", checksum {message.opaque_id:08x}" if message.opaque_id else "")
+    if name == "HEARTBEAT":
+        return f"{name} of {autopilot_name(message.autopilot)}"
+    return summary(message, data)
+
+
+def autopilot_name(autopilot: int) -> str:
+    if autopilot == mavlink.MAV_AUTOPILOT_INVALID:
+        return "no autopilot"
+    return {mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA: "ArduPilot", mavlink.MAV_AUTOPILOT_PX4: "PX4"}.get(
+        autopilot, f"autopilot {autopilot}"
+    )
