@@ -21,9 +21,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from fake_autopilot import ArduPilot, FakeAutopilot, Item, Px4, mavlink
+from fake_autopilot.frames import packed as frame_of
 from fake_autopilot.items import f32
 from firmware import ROOT, build_firmware
-from mega import Mega
+from mega import Image, Mega
 from wire import Wire
 
 SOURCE = Path(__file__).resolve().parent / "firmware" / "bench.cpp"
@@ -54,6 +55,11 @@ def texts_of(list_name: str) -> dict[str, str]:
     """Enumerator -> text, of MAVMISSION_STATUSES or MAVMISSION_ABOARD."""
     text = STATUS_HEADER.read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
     return dict(re.findall(r'X\((\w+),\s*"([^"]*)"', text))
+
+
+@cache
+def firmware_image(baud: int, *defines: tuple[str, object]) -> Image:
+    return Image.load(build_firmware("bench", [SOURCE], {"BENCH_BAUD": baud, **dict(defines)}))
 
 
 def status_names() -> tuple[str, ...]:
@@ -147,12 +153,12 @@ class Bench:
 
     def __init__(self, personality: str | FakeAutopilot | None = "ArduPilot", *, baud: int = 57600,
                  defines: dict | None = None, wire: Wire | None = None, **options) -> None:  # fmt: skip
-        elf = build_firmware("bench", [SOURCE], {"BENCH_BAUD": baud, **(defines or {})})
-        self.mega = Mega(elf)
+        self.mega = Mega(firmware_image(baud, *(defines or {}).items()))
         self.wire = wire or Wire()
         named = personality is None or isinstance(personality, str)
         self.autopilot = fake(personality, baud, **options) if named else personality
         self.events: list[Event] = []
+        self.ends: list[str] = []  # those that update() returned
         self.answers: list[str] = []
         self._text = b""
         self._packers: dict[tuple[int, int], mavlink.MAVLink] = {}
@@ -241,9 +247,14 @@ class Bench:
         for line in lines:
             words = line.decode().split(" ")
             if words[0].isdigit() and words[1] in ("began", "returned", "progress", "end", "restarted"):
-                self.events.append(Event(int(words[0]), words[1], tuple(int(word) for word in words[2:])))
+                self._note(Event(int(words[0]), words[1], tuple(int(word) for word in words[2:])))
             else:
                 self.answers.append(line.decode())
+
+    def _note(self, event: Event) -> None:
+        self.events.append(event)
+        if event.word == "returned" and is_end(status_names()[event.numbers[0]]):
+            self.ends.append(status_names()[event.numbers[0]])
 
     # Telling the firmware what to do
 
@@ -300,11 +311,6 @@ class Bench:
         return [status_names()[number] for (number,) in self._numbers("returned")]
 
     @property
-    def ends(self) -> list[str]:
-        """The ends that update() returned."""
-        return [status for status in self.returned if is_end(status)]
-
-    @property
     def ends_called_back(self) -> list[str]:
         return [status_names()[number] for (number,) in self._numbers("end")]
 
@@ -358,7 +364,7 @@ class Bench:
         """Put a message on the line to the firmware, beside what the autopilot says."""
         sender = sender or self.autopilot.address
         packer = self._packers.setdefault(sender, mavlink.MAVLink(None, *sender))
-        self.say_bytes(bytes(message.pack(packer, force_mavlink1=version == 1)))
+        self.say_bytes(frame_of(message, packer, version))
         packer.seq = (packer.seq + 1) % 256
 
     def say_bytes(self, data: bytes) -> None:

@@ -4,6 +4,7 @@ What the recordings show is in test_recordings.py.
 """
 import itertools
 import math
+import random
 
 import pytest
 
@@ -1324,3 +1325,36 @@ def test_bad_options_are_refused_in_words(autopilot):
         autopilot(mavlink_version=3)
     with pytest.raises(ValueError, match="item 1 would be refused"):
         autopilot().load([*waypoints(1), item(31000)])
+
+
+HEARD = ("mission_count", "mission_item_int", "mission_item", "mission_ack",
+         "mission_request_list", "mission_request_int", "mission_request", "mission_clear_all",
+         "mission_set_current", "mission_write_partial_list", "command_long", "command_int",
+         "set_mode", "request_data_stream")
+ODD_FLOATS = (0.0, 1.0, -1.0, 3.0, 33.0, 42.0, NAN, math.inf, -math.inf, 1e30, -1e30)
+COMMANDS = (16, 17, 18, 19, 20, 21, 22, 31, 93, 177, 201, 203, 5001, 5003, 5100,
+            START, ARM, SET_MODE, SET_CURRENT, 511, 512)
+
+
+def odd_message(chance: random.Random):
+    """A message an autopilot listens to, with anything in it that might go wrong."""
+    kind = getattr(mavlink, f"MAVLink_{chance.choice(HEARD)}_message")
+    choices = {"target_system": (1,), "target_component": (1,), "command": COMMANDS,
+               "mission_type": (MISSION, MISSION, FENCE, RALLY, ALL, 7),
+               "seq": (0, 0, 1, 1, 2, 3), "count": (0, 1, 2, 3), "frame": (0, 2, 3, 5, 6)}
+    return kind(*(chance.choice(choices.get(
+        name, ODD_FLOATS if of_type == "float" else (0, 1, 2, 4)))
+        for name, of_type in zip(kind.fieldnames, kind.fieldtypes)))
+
+
+@BOTH
+@pytest.mark.parametrize("seed", range(5))
+def test_nothing_a_client_sends_makes_the_autopilot_fail_or_stall(autopilot, seed):
+    chance = random.Random(seed)
+    for _ in range(100):
+        client = client_of(autopilot(uptime_s=60))
+        for _ in range(12):
+            client.say(odd_message(chance), wait_s=chance.choice((0.02, 0.3, 2.0)))
+        for mission_type in (MISSION, FENCE, RALLY):
+            client.fake.plan(mission_type)
+        assert client.fake.next_event(client.now) <= client.now + 1.02

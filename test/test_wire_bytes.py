@@ -5,14 +5,13 @@ from __future__ import annotations
 import struct
 
 import pytest
-from bench import same_bits
+from bench import FunctionPlan, same_bits
 from fake_autopilot import Item, item, mavlink
 from fake_autopilot.items import f32, item_float_message, item_int_message
 from fake_autopilot.px4_rewriting import checksum
+from peer import AUTOPILOT, US, ack, find, heartbeat, request, request_int
 from plans import HOME, NO_PLACE, SURVEY, on_the_wire, sent, smooth_steps, steps, waypoint
-
-AUTOPILOT = (1, 1)
-US = (1, mavlink.MAV_COMP_ID_ONBOARD_COMPUTER)
+from pymavlink.dialects.v10 import common as mavlink1
 
 # Fields that are zero at the end, in the middle and at the beginning; extensions are always zero.
 PLAN = [
@@ -23,33 +22,10 @@ PLAN = [
 ]
 
 
-def heartbeat(autopilot: int = mavlink.MAV_AUTOPILOT_PX4, kind: int = mavlink.MAV_TYPE_QUADROTOR, base_mode: int = 0):
-    return mavlink.MAVLink_heartbeat_message(kind, autopilot, base_mode, 0, mavlink.MAV_STATE_STANDBY, 3)
-
-
 def our_heartbeat():
     return mavlink.MAVLink_heartbeat_message(
         mavlink.MAV_TYPE_ONBOARD_CONTROLLER, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, mavlink.MAV_STATE_ACTIVE, 3
     )
-
-
-def request_int(seq: int, to: tuple[int, int] = US, mission_type: int = 0):
-    return mavlink.MAVLink_mission_request_int_message(*to, seq, mission_type)
-
-
-def request(seq: int, to: tuple[int, int] = US, mission_type: int = 0):
-    return mavlink.MAVLink_mission_request_message(*to, seq, mission_type)
-
-
-def ack(result: int = 0, to: tuple[int, int] = US, mission_type: int = 0, opaque_id: int = 0):
-    return mavlink.MAVLink_mission_ack_message(*to, result, mission_type, opaque_id)
-
-
-def find(line, autopilot: int = mavlink.MAV_AUTOPILOT_PX4, version: int = 2) -> None:
-    """Let the firmware hear two heartbeats, after which it is sure of its autopilot."""
-    for _ in range(2):
-        line.say(heartbeat(autopilot), AUTOPILOT, version)
-        line.run(0.7)
 
 
 def all_bytes(line) -> bytes:
@@ -57,10 +33,15 @@ def all_bytes(line) -> bytes:
 
 
 def packed_by_pymavlink(messages, version: int, sender: tuple[int, int] = US) -> bytes:
-    packer = mavlink.MAVLink(None, *sender)
+    dialect = {1: mavlink1, 2: mavlink}[version]
+    packer = dialect.MAVLink(None, *sender)
     stream = b""
     for message in messages:
-        stream += bytes(message.pack(packer, force_mavlink1=version == 1))
+        kind = getattr(dialect, f"MAVLink_{message.get_type().lower()}_message")
+        fields = {name: getattr(message, name) for name in kind.fieldnames if name != "mavlink_version"}
+        if message.get_type() == "HEARTBEAT":
+            fields["mavlink_version"] = 3
+        stream += bytes(kind(**fields).pack(packer))
         packer.seq = (packer.seq + 1) % 256
     return stream
 
@@ -153,11 +134,13 @@ def test_every_bit_of_a_nan_yaw_is_kept_where_nan_is_meant(line):
 
 @EXACT
 def test_sequence_numbers_of_frames_wrap_after_255(line):
-    line.upload(PLAN)
+    line.upload(FunctionPlan(300))
     find(line)
-    for _ in range(300):
-        line.say(request_int(0), AUTOPILOT)
-        line.run(0.06)
+    for seq in range(300):
+        if seq % 50 == 0:
+            line.say(heartbeat(), AUTOPILOT)
+        line.say(request_int(seq), AUTOPILOT)
+        line.run(0.02)
     numbers = [entry.data[4] for entry in line.wire.frames(">")]
     assert len(numbers) > 300
     assert numbers == [number % 256 for number in range(len(numbers))]
@@ -182,12 +165,11 @@ def test_request_for_item_0_of_1_to_4_bytes_is_answered(line, kind, to, length):
 
 @SHORT
 def test_request_for_item_256_to_everyone_has_2_bytes_and_is_answered(line):
-    line.upload("empty")
-    line.tell("function", 300, 0xFFFF)
-    line.cancel()
-    line.upload()
+    line.upload(FunctionPlan(300))
     find(line)
     for seq in range(257):
+        if seq % 50 == 0:
+            line.say(heartbeat(), AUTOPILOT)
         line.say(request_int(seq, to=(0, 0)), AUTOPILOT)
         line.run(0.02)
     assert line.wire.frames("<", "MISSION_REQUEST_INT")[-1].data[1] == 2
@@ -305,8 +287,9 @@ def test_requests_of_both_kinds_in_turn_are_answered_alike(line):
 @SWITCH
 def test_px4_switches_when_another_ground_station_asks_in_floats(build_bench):
     bench = build_bench("PX4")
+    bench.wire.lose(">", name="MISSION_ITEM_INT", seq=2)
     bench.upload(SURVEY)
-    bench.run_until_sent("MISSION_ITEM_INT", 2)
+    bench.run_until_sent("MISSION_ITEM_INT", 3)
     other = mavlink.MAVLink(None, 255, 190)
     bench.autopilot.receive(bytes(request(0, to=AUTOPILOT).pack(other)), bench.now)
     assert bench.run_until_ended(limit_s=5) == "Accepted"

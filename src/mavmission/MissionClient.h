@@ -89,6 +89,10 @@ class MissionClient {
   void allowWhileArmed(bool allow) { state_.armedAllowed = allow; }
   // Item numbers and jump targets as the autopilot has them: on ArduPilot item 0 is home, and is given by the plan.
   void useRawNumbering(bool raw) { state_.raw = raw; }
+  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2, 4,
+  // then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until then
+  // the status is WaitingForTurn. Costs 150 bytes of flash in a sketch that calls it.
+  void retryWhenDenied(uint16_t seconds);
   // Serves autopilots that do not know MISSION_ITEM_INT: one that is neither ArduPilot nor PX4 and refuses the first
   // item as unsupported gets the plan again as MISSION_ITEM, with coordinates as floats, coarser by metres. `always`: no
   // other is tried. Costs 450 bytes of flash in a sketch that calls it.
@@ -104,6 +108,8 @@ class MissionClient {
   // An operation's share of update(): a frame of the autopilot's, or null for time to pass.
   typedef void (*Operation)(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
 
+  static bool waitForTurn(MissionClient& client, Status refusal);
+  static void turnStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   Status updateAt(uint16_t nowMs);
   Status startOperation(Operation operation);
@@ -142,6 +148,10 @@ class MissionClient {
     uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
+    uint16_t turnLimitS;       // how long to wait for another ground station's transfer [s]
+    uint16_t turnAtS;          // when to try again, and when the transfer's own time began [s]
+    bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
+    uint8_t turnPauseS;        // the pause before the next try; 0 before the first
     Status status;
     Status toReturn;
     Aboard aboard;

@@ -12,6 +12,8 @@ Status MissionClient::upload(const ItemSource& plan) {
   plan_.setSource(plan);
   startOperation(uploadStep);
   state_.itemsTotal = static_cast<uint16_t>(plan.count);
+  state_.turnPauseS = 0;
+  state_.turnAtS = 0;
   if (plan.count > kMaxItems) end(Status::TooManyItems);
   return state_.status;
 }
@@ -22,8 +24,9 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
     if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
     client.continueUpload(client.transfer_.onTime(nowMs), nowMs);
     if (client.state_.operation == nullptr) return;
-    const uint32_t limitS = client.state_.transferLimitS != 0 ? client.state_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
-    if (client.state_.seconds >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
+    const uint32_t limitS =
+        client.state_.transferLimitS != 0 ? client.state_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
+    if (client.state_.seconds - client.state_.turnAtS >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
     return client.sendUpload(nowMs);
   }
   if (frame != nullptr) return;
@@ -72,7 +75,7 @@ void MissionClient::beginUpload(uint16_t nowMs) {
   transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled, nowMs);
   opaqueId_.begin();
   state_.next = 0;
-  beginSeconds(nowMs);
+  if (state_.turnPauseS == 0) beginSeconds(nowMs);
   state_.status = Status::Transferring;
   sendUpload(nowMs);
 }
@@ -119,6 +122,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
     state_.floatItems = true;  // it knows no MISSION_ITEM_INT: once more, with floats
     return beginUpload(nowMs);
   }
+  if (state_.denied != nullptr && transfer_.itemsAskedFor() == 0 && state_.denied(*this, status)) return;
   state_.aboard = aboardAfterUpload(status);
   switch (status) {
     case Status::Accepted:

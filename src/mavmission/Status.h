@@ -14,6 +14,7 @@ namespace mavmission {
   /* not ended */ \
   X(Idle, "idle")                                   /* nothing was asked for yet */ \
   X(WaitingForAutopilot, "waiting for an autopilot") /* no heartbeat heard yet, or two autopilots and none named */ \
+  X(WaitingForTurn, "waiting: another ground station is transferring") /* retryWhenDenied() */ \
   X(Checking, "checking the plan")                  /* before the first byte leaves */ \
   X(Transferring, "transferring")                   /* talking to the autopilot */ \
   /* ended well */ \

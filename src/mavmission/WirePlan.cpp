@@ -85,7 +85,8 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
     if (near >= count_) continue;
     MissionItem other;
     if (!read_(context_, near, other)) return Status::SourceRefused;
-    if (isSomewhere(other) && !(traitsOf(other.command) & kHasNoPlace)) {
+    // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
+    if (other.command < 95 && isSomewhere(other) && !(traitsOf(other.command) & kHasNoPlace)) {
       item.x = other.x;
       item.y = other.y;
       searched_ = 0;

@@ -6,7 +6,7 @@ from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
 from .dialect import mavlink
 from .flight import TAKEOFF, Flight, Pace, Place
-from .items import FENCE, MISSION, RALLY, Item, f32
+from .items import FENCE, MISSION, RALLY, Item, f32, whole_number
 
 BOOT_TEXT = b"\r\n\r\nInit ArduCopter V4.6.3\r\n\r\nFree RAM: 262144\r\n"
 
@@ -82,7 +82,6 @@ class ArduPilot(FakeAutopilot):
         self.guided_targets: list[tuple[float, Item]] = []
         self._may_take_off = armed
         self._seen: set[Address] = set()
-        self._intervals: dict[int, float] = {}
         self.missions = {MISSION: Missions(self, MISSION, item_limit),
                          FENCE: Missions(self, FENCE, fence_limit),
                          RALLY: Missions(self, RALLY, rally_limit)}
@@ -185,7 +184,7 @@ class ArduPilot(FakeAutopilot):
     def _on_request_data_stream(self, message, sender, now: float) -> None:
         for identity in _STREAMS.get(message.req_stream_id, ()):
             on = message.start_stop and message.req_message_rate
-            self._set_interval(identity, 1.0 / message.req_message_rate if on else 0.0, now)
+            self.stream(identity, 1.0 / message.req_message_rate if on else 0.0, now)
 
     def _on_set_mode(self, message, sender, now: float) -> None:
         """SET_MODE has no acknowledgement: the next HEARTBEAT tells."""
@@ -233,7 +232,8 @@ class ArduPilot(FakeAutopilot):
         return RESULT_ACCEPTED
 
     def _do_set_mode(self, message, now: float) -> int:
-        return RESULT_ACCEPTED if self._set_mode(int(message.param2), now) else RESULT_FAILED
+        changed = self._set_mode(whole_number(message.param2), now)
+        return RESULT_ACCEPTED if changed else RESULT_FAILED
 
     def _mission_start(self, message, now: float) -> int:
         if message.param1 or message.param2:
@@ -247,21 +247,20 @@ class ArduPilot(FakeAutopilot):
         return RESULT_ACCEPTED
 
     def _do_set_mission_current(self, message, now: float) -> int:
-        seq = message.param1
-        if seq != int(seq) or not self._set_current(int(seq), now):
+        if not self._set_current(whole_number(message.param1), now):
             return RESULT_FAILED
         self.answer(self._mission_current(), now)
         return RESULT_ACCEPTED
 
     def _set_message_interval(self, message, now: float) -> int:
-        identity = int(message.param1)
-        if identity not in mavlink.mavlink_map:
+        identity = whole_number(message.param1)
+        if identity not in mavlink.mavlink_map or not math.isfinite(message.param2):
             return RESULT_FAILED
-        self._set_interval(identity, message.param2 * 1e-6, now)
+        self.stream(identity, message.param2 * 1e-6, now)
         return RESULT_ACCEPTED
 
     def _request_message(self, message, now: float) -> int:
-        reply = self._message_of(int(message.param1), now)
+        reply = self.message_of(whole_number(message.param1), now)
         if reply is None:
             return RESULT_FAILED
         self.answer(reply, now)
@@ -379,8 +378,7 @@ class ArduPilot(FakeAutopilot):
         return mavlink.MAVLink_mission_current_message(
             self.current, total, state, 1 if self.mode == "AUTO" else 0)
 
-    def _message_of(self, identity: int, now: float):
-        """The message of this id as of now; None for one that the fake does not make."""
+    def message_of(self, identity: int, now: float):
         lat, lon, height = self.flight.where(now)
         altitude_mm = round((self.flight.home_altitude + height) * 1000)
         boot_ms = max(0, round((now - self.booted_at_s) * 1000))
@@ -414,20 +412,6 @@ class ArduPilot(FakeAutopilot):
         self.answer(mavlink.MAVLink_param_value_message(
             name.encode(), value, kind, PARAM_COUNT, 65535), now, later_s=0.003)
 
-    def _set_interval(self, identity: int, period_s: float, now: float) -> None:
-        name = f"stream of {identity}"
-        if period_s <= 0:
-            self.never(name)
-            return
-        self._intervals[identity] = period_s
-
-        def stream(time: float) -> None:
-            message = self._message_of(identity, time)
-            if message is not None:
-                self.send_now(message, time)
-                self.at(name, time + self._intervals[identity], stream)
-        self.at(name, now + period_s, stream)
-
     # -- start ----------------------------------------------------------------------------
 
     def _start_timers(self, now: float) -> None:
@@ -450,7 +434,6 @@ class ArduPilot(FakeAutopilot):
         self.mode = _FIRST_MODE[self.vehicle]
         self.current = 0
         self._seen.clear()
-        self._intervals.clear()
         self.flight.land_at_once()
         self.flight.forget_jumps()
         self._start_timers(now)

@@ -7,7 +7,7 @@ import math
 from typing import Callable, NamedTuple, Optional
 
 from .dialect import mavlink
-from .items import Item, f32
+from .items import Item, f32, int32
 
 ACCEPTED = mavlink.MAV_MISSION_ACCEPTED
 UNSUPPORTED = mavlink.MAV_MISSION_UNSUPPORTED
@@ -34,7 +34,7 @@ def keep(value: float) -> float:
 
 def _whole(bits: int, signed: bool) -> Callable[[float], float]:
     def stored(value: float) -> float:
-        if math.isnan(value):
+        if not math.isfinite(value):
             return 0.0
         low = -(1 << bits - 1) if signed else 0
         return float((int(value) - low) % (1 << bits) + low)
@@ -235,7 +235,7 @@ def rally_item(item: Item) -> tuple[int, Optional[Item]]:
 def from_float(item: Item) -> tuple[int, Item]:
     """A MISSION_ITEM's degrees as 1e-7 degrees, in 32-bit floating point as on board."""
     if item.command in COMMANDS and COMMANDS[item.command].keeps_xy:
-        return ACCEPTED, item._replace(x=int(item.x), y=int(item.y))
+        return ACCEPTED, item._replace(x=int32(item.x), y=int32(item.y))
     if math.isnan(item.x) or abs(item.x) > 90:
         return INVALID_X, item
     if math.isnan(item.y) or abs(item.y) > 180:

@@ -16,6 +16,7 @@ Address = tuple[int, int]  # system id, component id
 
 TEXT_LAG_S = 0.006  # a STATUSTEXT goes out this much after the answer it belongs to
 HEARTBEAT_PERIOD_S = 1.0
+SHORTEST_INTERVAL_S = 0.0025  # of a stream: no message more often than the main loop turns
 
 
 class LogEntry(NamedTuple):
@@ -163,11 +164,32 @@ class FakeAutopilot:
 
     def at(self, name: str, time: float, do: Callable[[float], None]) -> None:
         """Call do(time) at time [s]. A second order of the same name replaces the first."""
+        if math.isnan(time):
+            raise ValueError(f"{name} is to happen at no time at all")
         self._timers[name] = (time, do)
 
     def never(self, name: str) -> None:
         """Withdraw an order given with at()."""
         self._timers.pop(name, None)
+
+    def stream(self, identity: int, period_s: float, now: float) -> None:
+        """Send message_of(identity) every period_s [s] from now on; 0 or less: no more."""
+        name = f"stream of {identity}"
+        if period_s <= 0:
+            self.never(name)
+            return
+        period_s = max(period_s, SHORTEST_INTERVAL_S)
+
+        def send(time: float) -> None:
+            message = self.message_of(identity, time)
+            if message is not None:
+                self.send_now(message, time)
+                self.at(name, time + period_s, send)
+        self.at(name, now + period_s, send)
+
+    def message_of(self, identity: int, now: float):
+        """The message of this id as of now [s]; None for one that the fake does not make."""
+        raise NotImplementedError
 
     def answer(self, message, now: float, later_s: float = 0.0) -> None:
         """Send a message response_delay_s (and later_s) [s] after what caused it."""
@@ -267,7 +289,7 @@ class FakeAutopilot:
         if isinstance(message, bytes):
             self._release(message, now)
             return
-        frame = bytes(message.pack(self._packer, force_mavlink1=self.mavlink_version == 1))
+        frame = frames.packed(message, self._packer, self.mavlink_version)
         self._packer.seq = (self._packer.seq + 1) % 256
         self.log.append(LogEntry(now, "<", message))
         self._release(frame, now)
@@ -298,6 +320,6 @@ class FakeAutopilot:
             message = mavlink.MAVLink_attitude_message(
                 int(time * 1000), 0.05 * math.sin(phase), 0.05 * math.cos(phase), phase,
                 0.01, 0.01, 0.1)
-            frame = bytes(message.pack(packer, force_mavlink1=self.mavlink_version == 1))
+            frame = frames.packed(message, packer, self.mavlink_version)
             yield time, frame
             time += len(frame) / bytes_per_s

@@ -10,6 +10,7 @@ from .dialect import mavlink
 from .items import Item
 
 METRES_PER_E7 = 0.011131884502145034  # a 1e-7 degree of latitude [m]
+HIGHEST = 1e6  # [m]; no plan means more, and GLOBAL_POSITION_INT could not tell of it
 MOST_JUMPS_AT_ONCE = 1000  # a plan of nothing but jumps must not hang the test
 
 WAYPOINT = mavlink.MAV_CMD_NAV_WAYPOINT
@@ -165,8 +166,11 @@ class Flight:
         return int(item.param1)
 
     def _height(self, item: Item) -> float:
-        """The item's altitude [m above home]."""
-        return item.z - self.home_altitude if item.frame in _ABSOLUTE_FRAMES else item.z
+        """The item's altitude [m above home]; where it is, for one that is no altitude."""
+        if not math.isfinite(item.z):
+            return self._from.height
+        height = item.z - self.home_altitude if item.frame in _ABSOLUTE_FRAMES else item.z
+        return max(-HIGHEST, min(HIGHEST, height))
 
     def _leg(self, item: Item) -> tuple[Place, float]:
         """Where the item leads, and how long it takes [s]; 0 for what is done on the spot."""

@@ -1,5 +1,8 @@
 """Bytes on a line <-> MAVLink frames, without ever touching one byte at a time."""
+from functools import lru_cache
+from pathlib import Path
 from typing import Optional
+from xml.etree import ElementTree
 
 from .dialect import mavlink
 
@@ -82,6 +85,45 @@ def _learn_crc_extra(frame: bytes) -> int:
         else:
             raise ValueError(f"frame of message {identity} is damaged: give an intact one")
     return _learned_crc_extra[identity]
+
+
+_DEFINITIONS = Path(__file__).resolve().parents[2] / "tools" / "mavlink"
+_SIZES = {"char": 1, "uint8_t": 1, "int8_t": 1, "uint16_t": 2, "int16_t": 2, "uint32_t": 4,
+          "int32_t": 4, "float": 4, "uint64_t": 8, "int64_t": 8, "double": 8}
+
+
+@lru_cache(maxsize=None)
+def _lengths_v1() -> dict[int, int]:
+    """Message id -> length of its payload without the extension fields."""
+    lengths = {}
+    for path in _DEFINITIONS.glob("*.xml"):
+        for message in ElementTree.parse(path).iterfind("messages/message"):
+            lengths[int(message.get("id"))] = _base_length(message)
+    return lengths
+
+
+def _base_length(message: ElementTree.Element) -> int:
+    length = 0
+    for part in message:
+        if part.tag == "extensions":
+            break
+        if part.tag == "field":
+            kind, _, count = part.get("type").partition("[")
+            length += _SIZES[kind.replace("_mavlink_version", "")] * int(count.rstrip("]") or 1)
+    return length
+
+
+def packed(message, packer, version: int) -> bytes:
+    """The frame of a message in MAVLink 1 or 2; the packer's running number is left alone.
+
+    MAVLink 1 has no extension fields; pymavlink would send them all the same.
+    """
+    frame = bytes(message.pack(packer, force_mavlink1=version == 1))
+    if version == 2:
+        return frame
+    length = _lengths_v1()[frame[5]]
+    body = bytes((length,)) + frame[2:6 + length]
+    return bytes((MAGIC_V1,)) + body + _crc(body, message.crc_extra).to_bytes(2, "little")
 
 
 class FrameSplitter:

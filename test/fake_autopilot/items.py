@@ -18,6 +18,18 @@ def f32(value: float) -> float:
     return _FLOAT.unpack(_FLOAT.pack(value))[0]
 
 
+def int32(value: float) -> int:
+    """value cut off to a 32-bit integer; the nearest one there is, or 0 for NaN."""
+    if math.isnan(value):
+        return 0
+    return int(max(-2147483648.0, min(2147483647.0, value)))
+
+
+def whole_number(value: float) -> int:
+    """A command's parameter as the number it stands for; -1 if it stands for none."""
+    return int(value) if math.isfinite(value) and value == int(value) else -1
+
+
 class Item(NamedTuple):
     """A step of a plan at its wire values (MISSION_ITEM_INT without its addressing)."""
 

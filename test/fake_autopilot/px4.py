@@ -6,7 +6,7 @@ from .autopilot import FakeAutopilot
 from .dialect import mavlink
 from .feasibility import objection
 from .flight import TAKEOFF, Flight, Pace, Place
-from .items import FENCE, MISSION, RALLY, Item
+from .items import FENCE, MISSION, RALLY, Item, whole_number
 from .px4_missions import Missions, State
 
 CRITICAL = mavlink.MAV_SEVERITY_CRITICAL
@@ -69,7 +69,6 @@ class Px4(FakeAutopilot):
         self._text_number = 0
         self._reached: Optional[int] = None
         self._reached_again = 0
-        self._intervals: dict[int, float] = {}
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
                                         RALLY: rally_limit})
         self.flight = Flight(PACE, Place(home[0], home[1], 0.0), home[2],
@@ -198,10 +197,11 @@ class Px4(FakeAutopilot):
         self._follow_flight()
 
     def _do_set_mode(self, message, now: float) -> int:
-        return self._mode_ordered(int(message.param2), int(message.param3), now)
+        return self._mode_ordered(whole_number(message.param2),
+                                  whole_number(message.param3), now)
 
     def _mode_ordered(self, main: int, sub: int, now: float) -> int:
-        if main not in MAIN_MODES:
+        if main not in MAIN_MODES or not 0 <= sub <= 255:
             return RESULT_UNSUPPORTED
         if (main, sub) == (AUTO, SUB_MISSION) and not self._can_fly_plan():
             return RESULT_REJECTED_FOR_NOW
@@ -223,34 +223,21 @@ class Px4(FakeAutopilot):
         return RESULT_ACCEPTED
 
     def _do_set_mission_current(self, message, now: float) -> int:
-        seq = message.param1
-        if seq != int(seq) or not self._set_current(int(seq), now):
+        if not self._set_current(whole_number(message.param1), now):
             return RESULT_DENIED
         return RESULT_ACCEPTED
 
     def _set_message_interval(self, message, now: float) -> int:
-        identity = int(message.param1)
-        if identity not in mavlink.mavlink_map:
+        identity = whole_number(message.param1)
+        if identity not in mavlink.mavlink_map or not math.isfinite(message.param2):
             return RESULT_DENIED
         if identity == MISSION_CURRENT:
             return RESULT_ACCEPTED  # and nothing changes: it is no stream, it comes each second
-        name = f"stream of {identity}"
-        period_s = message.param2 * 1e-6
-        if period_s <= 0:
-            self.never(name)
-            return RESULT_ACCEPTED
-        self._intervals[identity] = period_s
-
-        def stream(time: float) -> None:
-            reply = self._message_of(identity, time)
-            if reply is not None:
-                self.send_now(reply, time)
-                self.at(name, time + self._intervals[identity], stream)
-        self.at(name, now + period_s, stream)
+        self.stream(identity, message.param2 * 1e-6, now)
         return RESULT_ACCEPTED
 
     def _request_message(self, message, now: float) -> int:
-        reply = self._message_of(int(message.param1), now)
+        reply = self.message_of(whole_number(message.param1), now)
         if reply is None:
             return RESULT_DENIED
         self.answer(reply, now)
@@ -352,8 +339,7 @@ class Px4(FakeAutopilot):
             self.missions.checksums[MISSION], self.missions.checksums[FENCE],
             self.missions.checksums[RALLY])
 
-    def _message_of(self, identity: int, now: float):
-        """The message of this id as of now; None for one that the fake does not make."""
+    def message_of(self, identity: int, now: float):
         lat, lon, height = self.flight.where(now)
         boot_ms = max(0, round((now - self.booted_at_s) * 1000))
         if identity == mavlink.MAVLINK_MSG_ID_HEARTBEAT:
@@ -388,7 +374,6 @@ class Px4(FakeAutopilot):
         self.main_mode, self.sub_mode = AUTO, SUB_LOITER
         self._reached = None
         self._text_number = 0
-        self._intervals.clear()
         self.flight.land_at_once()
         self.flight.forget_jumps()
         self.at("tell", now + TELLS_PERIOD_S / 2, self._tell)

@@ -5,7 +5,7 @@ import zlib
 from typing import Callable, Optional
 
 from .dialect import mavlink
-from .items import FENCE, MISSION, Item, f32
+from .items import FENCE, MISSION, Item, f32, int32
 
 ACCEPTED = mavlink.MAV_MISSION_ACCEPTED
 ERROR = mavlink.MAV_MISSION_ERROR
@@ -33,7 +33,7 @@ def flag(value: float) -> float:
 
 
 def whole(value: float) -> float:
-    return 0.0 if math.isnan(value) else float(int(value))
+    return float(int(value)) if math.isfinite(value) else 0.0
 
 
 def yaw(degrees: float) -> float:
@@ -47,9 +47,13 @@ def yaw(degrees: float) -> float:
     return f32(f32(radians * 180.0) / _PI)
 
 
+def _nearest(value: float) -> int:
+    return int32(value + math.copysign(0.5, value))
+
+
 Params = tuple[Callable[[float], float], ...]
 _NOTHING: Params = (drop, drop, drop, drop)
-_CORNER: Params = (lambda value: float(int(value + 0.5)), drop, drop, drop)
+_CORNER: Params = (lambda value: whole(value + 0.5), drop, drop, drop)
 _CIRCLE: Params = (keep, drop, drop, drop)
 
 # Commands with a place: what is kept of param1 to param4.
@@ -98,7 +102,7 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
     params = AT_A_PLACE.get(item.command)
     if params is None:
         return UNSUPPORTED, None
-    if item.command == ROI and int(item.param1) not in ROI_MODES_AT_A_PLACE:
+    if item.command == ROI and whole(item.param1) not in ROI_MODES_AT_A_PLACE:
         return mavlink.MAV_MISSION_INVALID_PARAM1, None
     if mission_type == MISSION and item.command in _NOT_IN_A_MISSION:
         return ERROR, None
@@ -106,7 +110,7 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
         return ERROR, None
     x, y = item.x, item.y
     if float_mode:
-        x, y = round(x * 1e7), round(y * 1e7)
+        x, y = _nearest(x * 1e7), _nearest(y * 1e7)
     autocontinue = 0 if mission_type == FENCE else item.autocontinue
     return ACCEPTED, Item(FRAMES[item.frame], item.command, 0, autocontinue,
                           *(stored(value) for stored, value in zip(params, item[4:8])),
@@ -116,12 +120,12 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
 def _without_a_place(item: Item, float_mode: bool) -> tuple[int, Optional[Item]]:
     if item.command not in WITHOUT_A_PLACE:
         return UNSUPPORTED, None
-    if item.command == ROI and int(item.param1) not in ROI_MODES_WITHOUT:
+    if item.command == ROI and whole(item.param1) not in ROI_MODES_WITHOUT:
         return mavlink.MAV_MISSION_INVALID_PARAM1, None
     params = item[4:8]
     if item.command == JUMP:
         params = (whole(params[0]), whole(params[1]), *params[2:])
-    x, y = (round(f32(value)) for value in (item.x, item.y))
+    x, y = (_nearest(f32(value)) for value in (item.x, item.y))
     return ACCEPTED, Item(NO_PLACE_FRAME, item.command, 0, item.autocontinue, *params,
                           x, y, item.z)
 

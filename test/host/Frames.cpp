@@ -1,0 +1,132 @@
+#include "Frames.h"
+
+#include <string.h>
+
+#include "mavmission/Checksum.h"
+
+using mavmission::FrameParser;
+
+Bytes operator+(const Bytes& left, const Bytes& right) {
+  Bytes both = left;
+  both.insert(both.end(), right.begin(), right.end());
+  return both;
+}
+
+Bytes packed(const FrameParts& parts) {
+  const uint8_t length = static_cast<uint8_t>(parts.payload.size());
+  const uint8_t id = static_cast<uint8_t>(parts.messageId);
+  Bytes frame;
+  if (parts.version == 1) {
+    frame = {0xFE, length, parts.sequence, parts.systemId, parts.componentId, id};
+  } else {
+    frame = {0xFD, length, parts.incompatibility, 0, parts.sequence, parts.systemId, parts.componentId, id,
+             static_cast<uint8_t>(parts.messageId >> 8), static_cast<uint8_t>(parts.messageId >> 16)};
+  }
+  frame = frame + parts.payload;
+  uint16_t crc = mavmission::kChecksumStart;
+  for (size_t i = 1; i < frame.size(); ++i) crc = mavmission::checksum(crc, frame[i]);
+  crc = mavmission::checksum(crc, parts.crcExtra);
+  frame.push_back(static_cast<uint8_t>(crc));
+  frame.push_back(static_cast<uint8_t>(crc >> 8));
+  if (parts.incompatibility & 1) frame.resize(frame.size() + 13, 0x5A);
+  return frame;
+}
+
+FrameParts heartbeatParts(uint8_t autopilot, uint8_t baseMode) {
+  return FrameParts(0, {0, 0, 0, 0, 2, autopilot, baseMode, 3, 3}, 50);
+}
+
+FrameParts requestParts(uint16_t item, uint8_t targetSystem, uint8_t targetComponent, uint8_t type) {
+  return FrameParts(51, {static_cast<uint8_t>(item), static_cast<uint8_t>(item >> 8), targetSystem, targetComponent, type},
+                    196);
+}
+
+FrameParts ackParts(uint8_t result, uint8_t targetSystem, uint8_t targetComponent, uint8_t type, uint32_t opaqueId) {
+  return FrameParts(47,
+                    {targetSystem, targetComponent, result, type, static_cast<uint8_t>(opaqueId),
+                     static_cast<uint8_t>(opaqueId >> 8), static_cast<uint8_t>(opaqueId >> 16),
+                     static_cast<uint8_t>(opaqueId >> 24)},
+                    153);
+}
+
+namespace {
+Bytes numbered(FrameParts parts, uint8_t sequence) {
+  parts.sequence = sequence;
+  return packed(parts);
+}
+}  // namespace
+
+Bytes heartbeat(uint8_t sequence) { return numbered(heartbeatParts(), sequence); }
+Bytes request(uint16_t item, uint8_t sequence) { return numbered(requestParts(item), sequence); }
+Bytes ack(uint8_t result, uint8_t sequence) { return numbered(ackParts(result), sequence); }
+
+Bytes telemetry(uint8_t length, uint8_t fill, uint8_t version) {
+  FrameParts parts(30, Bytes(length, fill), 39);
+  parts.version = version;
+  return packed(parts);
+}
+
+ParserUnderTest::ParserUnderTest() { memset(static_cast<void*>(&parser_), 0, sizeof(parser_)); }
+
+void ParserUnderTest::note(FrameParser::Result result, std::vector<Found>& found) {
+  if (result == FrameParser::Result::Nothing) return;
+  Found frame = {result, 0, 0, parser_.sequence(), parser_.systemId(), parser_.componentId(), Bytes()};
+  if (result == FrameParser::Result::Wanted) {
+    frame.messageId = parser_.messageId();
+    frame.version = parser_.version();
+    frame.payload.assign(parser_.payload(), parser_.payload() + parser_.length());
+  }
+  found.push_back(frame);
+}
+
+std::vector<Found> ParserUnderTest::take(const Bytes& bytes) {
+  std::vector<Found> found;
+  for (uint8_t byte : bytes) {
+    note(parser_.take(byte), found);
+    while (parser_.hasWaiting()) note(parser_.takeWaiting(), found);
+  }
+  return found;
+}
+
+std::vector<Found> ParserUnderTest::silence() {
+  std::vector<Found> found;
+  while (!parser_.isIdle()) {
+    note(parser_.silence(), found);
+    while (parser_.hasWaiting()) note(parser_.takeWaiting(), found);
+  }
+  return found;
+}
+
+std::vector<Found> wanted(const std::vector<Found>& found) {
+  std::vector<Found> kept;
+  for (const Found& frame : found) {
+    if (frame.result == FrameParser::Result::Wanted) kept.push_back(frame);
+  }
+  return kept;
+}
+
+std::string wantedIn(const Bytes& bytes) {
+  ParserUnderTest parser;
+  std::vector<Found> found = parser.take(bytes);
+  for (const Found& frame : parser.silence()) found.push_back(frame);
+  std::string text;
+  for (const Found& frame : wanted(found)) {
+    if (!text.empty()) text += ", ";
+    const Bytes payload = frame.payload + Bytes(8, 0);
+    switch (frame.messageId) {
+      case 0:
+        text += "heartbeat";
+        break;
+      case 40:
+      case 51:
+        text += "request " + std::to_string(payload[0] | payload[1] << 8);
+        break;
+      case 47:
+        text += "ack " + std::to_string(payload[2]);
+        break;
+      default:
+        text += "message " + std::to_string(frame.messageId);
+    }
+  }
+  return text;
+}

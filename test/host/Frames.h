@@ -1,0 +1,69 @@
+// Frames made byte by byte, and what a parser finds in bytes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mavmission/FrameParser.h"
+
+typedef std::vector<uint8_t> Bytes;
+
+// What a frame is made of. The defaults are those of an autopilot's MAVLink 2 frame.
+struct FrameParts {
+  uint32_t messageId;
+  Bytes payload;
+  uint8_t crcExtra;
+  uint8_t version = 2;
+  uint8_t sequence = 0;
+  uint8_t systemId = 1;
+  uint8_t componentId = 1;
+  uint8_t incompatibility = 0;
+
+  FrameParts(uint32_t id, const Bytes& bytes, uint8_t extra) : messageId(id), payload(bytes), crcExtra(extra) {}
+};
+
+// Its bytes, with as many bytes of signature as the flag asks for; the payload goes out as it is.
+Bytes packed(const FrameParts& parts);
+
+// The frames that the tests use most.
+FrameParts heartbeatParts(uint8_t autopilot = 12, uint8_t baseMode = 0);
+FrameParts requestParts(uint16_t item, uint8_t targetSystem = 1, uint8_t targetComponent = 191, uint8_t type = 0);
+FrameParts ackParts(uint8_t result, uint8_t targetSystem = 1, uint8_t targetComponent = 191, uint8_t type = 0,
+                    uint32_t opaqueId = 0);
+Bytes heartbeat(uint8_t sequence = 0);
+Bytes request(uint16_t item, uint8_t sequence = 0);
+Bytes ack(uint8_t result, uint8_t sequence = 0);
+// A frame of a message that nobody wants, 30 (ATTITUDE), with a payload of `length` times `fill`.
+Bytes telemetry(uint8_t length = 28, uint8_t fill = 0x11, uint8_t version = 2);
+
+Bytes operator+(const Bytes& left, const Bytes& right);
+
+// A frame as the parser gave it.
+struct Found {
+  mavmission::FrameParser::Result result;
+  uint16_t messageId;
+  uint8_t version, sequence, systemId, componentId;
+  Bytes payload;
+};
+
+// A parser that begins as in a MissionClient: all zero.
+class ParserUnderTest {
+ public:
+  ParserUnderTest();
+
+  // Takes bytes, and those that wait after each; the frames that were found.
+  std::vector<Found> take(const Bytes& bytes);
+  // Silence on the line.
+  std::vector<Found> silence();
+
+  const mavmission::FrameParser& parser() const { return parser_; }
+
+ private:
+  void note(mavmission::FrameParser::Result result, std::vector<Found>& found);
+  mavmission::FrameParser parser_;
+};
+
+// The wanted ones.
+std::vector<Found> wanted(const std::vector<Found>& found);
+// The frames that a fresh parser finds, and after them in silence; "request 3, ack 0" and the like for the wanted ones.
+std::string wantedIn(const Bytes& bytes);

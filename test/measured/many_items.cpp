@@ -1,0 +1,20 @@
+// An upload of ITEMS waypoints that a function computes.
+#include <Arduino.h>
+#include <MavMission.h>
+using namespace mavmission;
+
+bool read(void*, uint16_t index, MissionItem& item) {
+  item = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
+  item.x += 1000L * index;
+  return true;
+}
+
+MissionClient autopilot(Serial1);
+
+void setup() {
+  Serial1.begin(57600);
+  autopilot.limitTransfer(30000);
+  autopilot.upload(fromFunction(read, ITEMS));
+}
+
+void loop() { autopilot.update(); }

@@ -1,0 +1,41 @@
+"""The firmwares that are measured."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+from pathlib import Path
+
+from baseline import build_baseline
+from building import ROOT, Built, build_sketch
+from firmware import build_firmware
+
+MEASURED = ROOT / "test" / "measured"
+EXAMPLE = ROOT / "examples" / "UploadMission"
+
+
+@dataclass(frozen=True)
+class Subject:
+    """One column of the table: a firmware that uploads a plan over Serial1 on a Mega."""
+
+    name: str
+    built: Built
+    wire: int  # MAVLink 1 or 2
+    items: int  # of its plan
+    parse: str  # the function that takes each received byte
+
+
+@functools.cache
+def ours() -> Subject:
+    return Subject("ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take")
+
+
+@functools.cache
+def baseline(wire: int) -> Subject:
+    return Subject(f"baseline {wire}", build_baseline(wire), wire, 2, "baseline_parse")
+
+
+@functools.cache
+def measured(name: str, mcu: str = "atmega2560", **defines: object) -> Path:
+    """The ELF of test/measured/`name`.cpp."""
+    return build_firmware(f"measured_{name}", [MEASURED / f"{name}.cpp"], defines, mcu)

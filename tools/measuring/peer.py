@@ -1,0 +1,180 @@
+"""An autopilot that answers at once, and fills the line: exact to the cycle.
+
+It knows nothing of plans: it asks for one item after the other and accepts. That makes all
+the time that passes the firmware's own and the line's.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from fake_autopilot import frames, mavlink
+from mega import Mega
+from recordings import heard, telemetry
+
+RECORDINGS = {"ardupilot": "arducopter/clean_then_streams_10hz", "px4": "px4/clean_with_streams"}
+AUTOPILOT = {"ardupilot": mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA, "px4": mavlink.MAV_AUTOPILOT_PX4}
+ITEMS = ("MISSION_ITEM_INT", "MISSION_ITEM")
+KINDS = tuple(RECORDINGS)
+
+
+class Frame(NamedTuple):
+    """What the firmware sent [cycles]."""
+
+    message: object
+    length: int
+    written: int  # its first byte into the data register
+    left: int  # the end of its last stop bit
+
+
+def telemetry_frames(kind: str, wire: int = 2) -> list[bytes]:
+    """What a real autopilot sent beside missions, commands and texts."""
+    return as_wire([frame for _, frame in telemetry(RECORDINGS[kind])], wire)
+
+
+def everything_heard(kind: str, wire: int = 2) -> bytes:
+    """All that a real autopilot sent, telemetry and missions, byte by byte."""
+    return b"".join(as_wire([one.frame for one in heard(RECORDINGS[kind]) if one.direction == "<"], wire))
+
+
+def as_wire(recorded: list[bytes], wire: int) -> list[bytes]:
+    """Recorded frames in MAVLink 1 or 2; what 1 cannot say is left out."""
+    if wire == 2:
+        return recorded
+    converted = []
+    packer = mavlink.MAVLink(None, 1, 1)
+    for frame in recorded:
+        message = frames.decode(frame)
+        if message.get_msgId() < 256 and not message.get_type().startswith("UNKNOWN"):
+            converted.append(bytes(message.pack(packer, force_mavlink1=True)))
+            packer.seq = (packer.seq + 1) % 256
+    return converted
+
+
+class Peer:
+    """The other end of Serial1.
+
+    `saturate`: telemetry fills what its answers leave of the line to the Mega.
+    `serve`: it asks for items by itself.
+    """
+
+    def __init__(
+        self, mega: Mega, kind: str = "ardupilot", wire: int = 2, *, saturate: bool = False, serve: bool = True
+    ) -> None:
+        self.mega = mega
+        self.port = mega.serial(1)
+        self.kind = kind
+        self.wire = wire
+        self.serve = serve
+        self.heard: list[Frame] = []
+        self.accepted_at: int | None = None  # the last stop bit of the final answer [cycle]
+        self.to_mega: list[tuple[str, int]] = []  # (name, length) of what was answered
+        self._packer = mavlink.MAVLink(None, 1, 1)
+        self._splitter = frames.FrameSplitter()
+        self._bytes: list[tuple[int, int]] = []  # (written, left) of the frame that is coming
+        self._count = 0
+        self._telemetry: Iterator[bytes] | None = None
+        self._free_at = 0
+        if saturate:
+            self._telemetry = itertools.cycle(telemetry_frames(kind, wire))
+
+    def until_open(self) -> None:
+        """Run until the firmware listens."""
+        while not self.port.listening:
+            self.mega.run_us(100)
+
+    @property
+    def byte_cycles(self) -> float:
+        """One byte to the Mega [cycles]."""
+        return 10 * self.mega.hz / (self.port.peer_baud or self.port.baud)
+
+    def say(self, message, at: int | None = None) -> int:
+        """Send a message at once, or at a cycle; the cycle at which its last stop bit ends."""
+        frame = bytes(message.pack(self._packer, force_mavlink1=self.wire == 1))
+        self._packer.seq = (self._packer.seq + 1) % 256
+        self.to_mega.append((message.get_type(), len(frame)))
+        return self.put(frame, at)
+
+    def put(self, data: bytes, at: int | None = None) -> int:
+        """Send bytes at once, or at a cycle; the cycle at which the last stop bit ends."""
+        begin = max(self._free_at, self.mega.cycle if at is None else at)
+        self.port.send(data, at_cycle=begin)
+        self._free_at = begin + round(len(data) * self.byte_cycles)
+        return self._free_at
+
+    def heartbeat(self) -> int:
+        return self.say(
+            mavlink.MAVLink_heartbeat_message(
+                mavlink.MAV_TYPE_QUADROTOR, AUTOPILOT[self.kind], 0, 0, mavlink.MAV_STATE_STANDBY, 3
+            )
+        )
+
+    def request(self, seq: int, at: int | None = None) -> int:
+        kind = "" if self.kind == "ardupilot" else "_int"
+        message = getattr(mavlink, f"MAVLink_mission_request{kind}_message")
+        return self.say(message(1, mavlink.MAV_COMP_ID_ONBOARD_COMPUTER, seq, 0), at)
+
+    def accept(self, at: int | None = None) -> int:
+        self.accepted_at = self.say(
+            mavlink.MAVLink_mission_ack_message(1, mavlink.MAV_COMP_ID_ONBOARD_COMPUTER, 0, 0), at
+        )
+        return self.accepted_at
+
+    def run(self, cycles: int) -> None:
+        """Run for so many cycles, a heartbeat a second apart being up to the caller."""
+        self.run_until(self.mega.cycle + cycles)
+
+    def run_until(self, cycle: int) -> None:
+        while self.mega.cycle < cycle:
+            horizon = cycle
+            if self._telemetry is not None:
+                if self._free_at - self.mega.cycle < 400:
+                    self.put(next(self._telemetry))
+                horizon = min(cycle, self._free_at - 200)
+            if self.mega.run_until(horizon, stop_on=1):
+                self._listen()
+        self._listen()
+
+    def run_until_heard(self, name: str, most_cycles: int = 160_000_000) -> Frame:
+        """Run until the firmware has sent such a message."""
+        end = self.mega.cycle + most_cycles
+        before = len(self.heard)
+        while self.mega.cycle < end:
+            self.run(8_000)
+            for frame in self.heard[before:]:
+                if frame.message.get_type() == name:
+                    return frame
+        raise TimeoutError(f"{self.mega.image.path.name} sent no {name} within {most_cycles / 16e6:g} s")
+
+    def run_until_accepted(self, most_cycles: int) -> None:
+        """Run until the final answer has arrived at the firmware."""
+        end = self.mega.cycle + most_cycles
+        while self.accepted_at is None or self.mega.cycle < self.accepted_at:
+            if self.mega.cycle >= end:
+                raise TimeoutError(f"{self.mega.image.path.name} uploaded nothing within {most_cycles / 16e6:g} s")
+            self.run(160_000)
+
+    def _listen(self) -> None:
+        for sent in self.port.sent():
+            self._bytes.append((sent.written, sent.left))
+            for piece, intact in self._splitter.feed(bytes((sent.byte,))):
+                times, self._bytes = self._bytes[: len(piece)], self._bytes[len(piece) :]
+                if intact and len(piece) >= 8:
+                    frame = Frame(frames.decode(piece), len(piece), times[0][0], times[-1][1])
+                    self.heard.append(frame)
+                    if self.serve:
+                        self._answer(frame)
+
+    def _answer(self, frame: Frame) -> None:
+        name = frame.message.get_type()
+        if name == "MISSION_COUNT":
+            self._count = frame.message.count
+            self.request(0, frame.left)
+        elif name in ITEMS:
+            following = frame.message.seq + 1
+            if following < self._count:
+                self.request(following, frame.left)
+            else:
+                self.accept(frame.left)

@@ -1,0 +1,212 @@
+"""The runs on the simulated Mega from which the figures come. Everything in cycles or bytes."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from mega import Mega
+
+from .firmware import Subject, measured
+from .peer import KINDS, Peer, everything_heard
+
+HZ = 16_000_000
+MS = HZ // 1000
+SECOND = HZ
+
+# Serial1 of the ATmega2560; the vectors are counted from 0, the reset.
+RECEIVED = "__vector_36"
+INTERRUPTS = (RECEIVED, "__vector_37", "__vector_23")  # received, to be sent, the millisecond
+RESPONSE_CYCLES = 5 + 3  # to the vector, and its jump to the routine
+
+# On the wire at 57600 baud [cycles a byte]: from the Mega, whose divider makes it 58,824, and to it.
+FROM_MEGA, TO_MEGA = 2720, HZ * 10 / 57600
+
+
+class Cost(NamedTuple):
+    """Of the bytes that a parser took [cycles]."""
+
+    mean: float
+    worst: int
+
+
+def parsing(subject: Subject, bytes_each: int = 30_000) -> Cost:
+    """Cycles from having a byte to having, perhaps, a frame; over what real autopilots sent."""
+    total = count = worst = 0
+    for kind in KINDS:
+        mega = Mega(subject.built.elf)
+        peer = Peer(mega, kind, subject.wire, serve=False)
+        peer.until_open()
+        watch = mega.watch(subject.parse)
+        data = everything_heard(kind, subject.wire)[:bytes_each]
+        mega.run_until(peer.put(data) + 10 * MS)
+        total += watch.calls.own_cycles
+        count += len(data)
+        worst = max(worst, watch.calls.longest_own)
+    return Cost(total / count, worst)
+
+
+def deepest_stack(subject: Subject) -> int:
+    """During a whole upload under saturating telemetry, interrupts included [bytes]."""
+    deepest = 0
+    for kind in KINDS:
+        mega = Mega(subject.built.elf)
+        peer = Peer(mega, kind, subject.wire, saturate=True)
+        peer.until_open()
+        peer.heartbeat()
+        peer.run_until_accepted(10 * SECOND)
+        peer.run(100 * MS)
+        deepest = max(deepest, mega.deepest_stack)
+    return deepest
+
+
+def turnaround(subject: Subject, phases: int = 16) -> int:
+    """The longest from the receive interrupt of a request's last byte to the item's first byte in the UART.
+
+    Of each item of the plan, with the request at `phases` points of the firmware's loop, and
+    with the line to the autopilot free.
+    """
+    longest = 0
+    for kind in KINDS:
+        mega = Mega(subject.built.elf)
+        peer = Peer(mega, kind, subject.wire, serve=False)
+        peer.until_open()
+        peer.heartbeat()
+        items = peer.run_until_heard("MISSION_COUNT").message.count
+        received = mega.watch(RECEIVED)
+        for seq in range(items):
+            peer.heartbeat()
+            for phase in range(phases):
+                # Beyond the time in which a repeated request is not answered again.
+                peer.run(60 * MS)
+                time = answer_time(mega, peer, received, seq, 61 * phase)
+                if len(peer.heard) == 1:  # else a heartbeat was in the way
+                    longest = max(longest, time)
+    return longest
+
+
+def answer_time(mega: Mega, peer: Peer, received, seq: int, phase: int) -> int:
+    """Ask for an item; the cycles from the last byte's interrupt to the answer's first byte."""
+    peer.heard.clear()
+    last = peer.request(seq, mega.cycle + 100 + phase)
+    peer.run_until(last - 20)
+    before = received.calls.count
+    while received.calls.count == before:
+        mega.run_cycles(1)
+    interrupted_at = mega.cycle - RESPONSE_CYCLES
+    return peer.run_until_heard("MISSION_ITEM_INT", SECOND).written - interrupted_at
+
+
+class Longest(NamedTuple):
+    """One update() [cycles]: as the sketch waits for it, and without the interrupt routines in it."""
+
+    waited: int
+    own: int
+
+
+def longest_update(bauds: tuple[int, ...] = (57600, 115200), stalls_ms: tuple[int, ...] = (0, 20, 100)) -> Longest:
+    """In any state of an upload, on a line full of telemetry, with a loop that stalls or does not."""
+    waited = own = 0
+    for baud in bauds:
+        elf = measured("watched", BAUD=baud)
+        for kind in KINDS:
+            for stall_ms in stalls_ms:
+                mega = Mega(elf)
+                peer = Peer(mega, kind, saturate=True)
+                peer.until_open()
+                watch = mega.watch("measured_update")
+                mega.poke_int("stallMs", stall_ms)
+                begun = 0
+                # Every heartbeat may be lost in a stall: say it again until it is heard.
+                while peer.accepted_at is None and begun < 12:
+                    peer.heartbeat()
+                    peer.run(SECOND // 2)
+                    begun += 1
+                waited, own = max(waited, watch.calls.longest), max(own, watch.calls.longest_own)
+    return Longest(waited, own)
+
+
+# Bytes that make a parser look at each of them again and again.
+HOSTILE = (
+    bytes((0xFE,)) * 64,
+    bytes((0xFD,)) * 64,
+    bytes((0xFE, 0x09, 0x00, 0x01, 0x01, 0x00)) * 11,  # heartbeats that begin inside one another
+    bytes((0xFD, 0x09, 0x00, 0x00, 0x00, 0x01, 0x01, 0x00, 0x00, 0x00)) * 7,
+    bytes((0xFE, 0x33, 0x00, 0x01, 0x01, 0xFD)) * 11,
+    bytes((0xFD, 0x36, 0x00, 0x00, 0xFE, 0x04, 0x00, 0x01, 0x01, 0x33, 0x00, 0x00)) * 6,
+)
+
+
+def longest_update_of_hostile_bytes(baud: int = 115200) -> Longest:
+    """The same with a line full of bytes that were chosen to cost the most."""
+    waited = own = 0
+    elf = measured("watched", BAUD=baud)
+    for pattern in HOSTILE:
+        mega = Mega(elf)
+        peer = Peer(mega, serve=False)
+        peer.until_open()
+        peer.heartbeat()
+        peer.run(50 * MS)
+        watch = mega.watch("measured_update")
+        for stall_ms in (0, 20):
+            mega.poke_int("stallMs", stall_ms)
+            end = mega.cycle + 200 * MS
+            while mega.cycle < end:
+                mega.run_until(peer.put(pattern) - 400)
+        waited, own = max(waited, watch.calls.longest), max(own, watch.calls.longest_own)
+    return Longest(waited, own)
+
+
+class Upload(NamedTuple):
+    """A whole upload with an autopilot that answers at once."""
+
+    cycles: int  # from the first byte of COUNT to the last one of the final answer
+    on_the_wire: float  # what those bytes need [cycles]
+    ram: int  # globals and the deepest stack [bytes]
+
+    @property
+    def ratio(self) -> float:
+        return self.cycles / self.on_the_wire
+
+
+def upload_of(items: int) -> Upload:
+    """An upload of so many waypoints at 57600 baud, nothing else on the line."""
+    mega = Mega(measured("many_items", ITEMS=items))
+    peer = Peer(mega)
+    peer.port.peer_baud = 57600
+    peer.until_open()
+    peer.heartbeat()
+    begun = peer.run_until_heard("MISSION_COUNT")
+    while peer.accepted_at is None or mega.cycle < peer.accepted_at:
+        peer.heartbeat()  # it would be given up for lost
+        peer.run(2 * SECOND)
+    sent = sum(frame.length for frame in peer.heard if frame.message.get_type().startswith("MISSION_"))
+    answered = sum(length for name, length in peer.to_mega if name != "HEARTBEAT")
+    took = peer.accepted_at - begun.written
+    return Upload(took, sent * FROM_MEGA + answered * TO_MEGA, mega.globals_bytes + mega.deepest_stack)
+
+
+def cpu_left(baud: int, *, library: bool = True, seconds: float = 1.0) -> float:
+    """What update() each millisecond leaves of the processor [%].
+
+    The receive line is full of telemetry, half of the transmit line is in use. Taken away are
+    update(), all interrupts, and the writing of that half. Without `library` the bytes are
+    fetched and thrown away: what the Arduino core takes by itself.
+    """
+    defines = {"BAUD": baud} if library else {"BAUD": baud, "WITHOUT_LIBRARY": True}
+    left = []
+    for kind in KINDS:
+        mega = Mega(measured("each_millisecond", **defines))
+        peer = Peer(mega, kind, saturate=True, serve=False)
+        peer.until_open()
+        peer.heartbeat()
+        peer.run(100 * MS)
+        called = [mega.watch(name) for name in ("measured_update", "measured_write")]
+        interrupts = [mega.watch(name) for name in INTERRUPTS]
+        begun, lost = mega.cycle, peer.port.lost
+        peer.run(round(seconds * SECOND))
+        if peer.port.lost != lost:
+            raise RuntimeError(f"{peer.port.lost - lost} bytes were lost at {baud} baud: it is not saturated but flooded")
+        taken = sum(watch.calls.cycles + watch.calls.count * RESPONSE_CYCLES for watch in interrupts)
+        taken += sum(watch.calls.own_cycles for watch in called)
+        left.append(100 * (1 - taken / (mega.cycle - begun)))
+    return min(left)
