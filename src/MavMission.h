@@ -4,4 +4,6 @@
 
 #define MAVMISSION_VERSION "0.1.0"
 
+#include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
+#include "mavmission/MissionFollower.h"

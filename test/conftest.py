@@ -21,3 +21,9 @@ from bench_fixtures import (  # noqa: E402, F401
     pytest_runtest_makereport,
 )
 from scenario_table import pytest_collection_modifyitems, pytest_terminal_summary  # noqa: E402, F401
+
+
+def pytest_configure(config):
+    import tables
+
+    config.pluginmanager.register(tables)

@@ -15,14 +15,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from firmware import LIBRARY, ROOT, defined, digest, exclusive, headers_digest, library_sources
+from firmware import LIBRARY, ROOT, defined, digest, exclusive, library_sources
 
 OUTPUT = ROOT / "build" / "host"
 HOST = ROOT / "test" / "host"
 SHIM = HOST / "arduino"
 COMPILERS = ("g++", "clang++")
 
-STANDARD = ["-std=c++11", "-g", "-fno-omit-frame-pointer"]
+STANDARD = ["-std=c++11", "-g1", "-fno-omit-frame-pointer"]
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 SANITIZERS = "address,undefined"
 # A finding ends the program with a failure instead of a line of text.
@@ -52,9 +52,8 @@ def build_host(
     """
     units = [*sources, *(library_sources() if library is None else library), SHIM / "Arduino.cpp"]
     command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
-    headers = digest(*(headers_digest(place) for place in (LIBRARY, HOST)), compiler_version(compiler))
     with ThreadPoolExecutor(os.cpu_count()) as workers:
-        objects = list(workers.map(lambda source: make_object(source, command, headers), units))
+        objects = list(workers.map(lambda source: make_object(source, command), units))
     linking = [compiler, *flags, *link]
     key = digest("program", *linking, *map(str, objects))
     program = OUTPUT / f"{name}-{key[:12]}" / name
@@ -66,17 +65,29 @@ def build_host(
     return program
 
 
-def make_object(source: Path, command: Sequence[str], headers: str) -> Path:
-    key = digest(headers, source.read_bytes(), str(source), *command)
-    target = OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
-    if target.exists():
-        return target
-    with exclusive(target):
-        if not target.exists():
-            fresh = target.with_suffix(".new")
-            run([*command, source, "-o", fresh])
-            fresh.replace(target)
+def make_object(source: Path, command: Sequence[str]) -> Path:
+    """The object of a source, compiled again when it or a file that it includes has changed."""
+    compiling = digest(compiler_version(command[0]), str(source), *command)[:16]
+    included = OUTPUT / "included" / f"{source.stem}-{compiling}.d"
+    with exclusive(included):
+        if included.exists():
+            target = object_name(source, compiling, included)
+            if target.exists():
+                return target
+        fresh = included.with_suffix(".new.o")
+        run([*command, source, "-o", fresh, "-MMD", "-MF", included])
+        target = object_name(source, compiling, included)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        fresh.replace(target)
     return target
+
+
+def object_name(source: Path, compiling: str, included: Path) -> Path:
+    """By the compiler's command and the contents of all files that went in."""
+    files = included.read_text().replace("\\\n", " ").split(": ", 1)[1].split()
+    contents = (Path(file).read_bytes() if Path(file).exists() else b"" for file in files)
+    key = digest(compiling, *contents)
+    return OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
 
 
 def run(command: Sequence[str | Path]) -> None:

@@ -90,34 +90,81 @@ def test_lost_final_ack_is_asked_for_by_the_last_item_again(build_bench):
     assert bench.state.aboard == "OurPlan"
 
 
-@FINAL_ACK
-def test_lost_final_ack_of_ardupilot_is_never_taken_for_either_end(build_bench):
-    bench = build_bench("ArduPilot")
-    bench.wire.lose("<", name="MISSION_ACK")
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
-    # Five more of the last item, which an idle ArduPilot answers with ERROR though the plan is aboard.
-    assert steps(bench) == [*smooth_steps(6), *[("ITEM_INT", 5)] * 5]
-    items = bench.sent_at("MISSION_ITEM_INT")
-    for earlier, later in zip(items[5:], items[6:]):
+def read_back(wire_count: int) -> list[tuple]:
+    """steps() of reading the plan."""
+    return [("REQUEST_LIST", None), *(("REQUEST_INT", seq) for seq in range(wire_count)), ("ACK", 0)]
+
+
+def expect_repeats_then(bench, wire_count: int, then: list[tuple]) -> None:
+    """The last item again, one to five times, each after 1500 ms; then this, and nothing else."""
+    said = steps(bench)
+    repeats = said[1 + wire_count : len(said) - len(then)]
+    assert said == [*smooth_steps(wire_count), *repeats, *then]
+    assert repeats == [("ITEM_INT", wire_count - 1)] * len(repeats)
+    assert 1 <= len(repeats) <= 5
+    times = bench.sent_at("MISSION_ITEM_INT")[wire_count - 1 :]
+    for earlier, later in zip(times, times[1:]):
         assert later - earlier == pytest.approx(1.5, abs=LOOP_S)
-    ended = next(event.ms for event in bench.events if event.word == "end") / 1000
-    assert ended == pytest.approx(items[-1] + 1.5, abs=0.012)
-    state = bench.state
-    assert (state.aboard, state.last_result) == ("NotKnown", mavlink.MAV_MISSION_ERROR)
-    assert bench.progress[-1] == (4, 5)
+
+
+@FINAL_ACK
+@pytest.mark.parametrize("losses", [1, None], ids=["the first ACK lost", "every ACK lost"])
+def test_plan_is_read_back_where_the_final_ack_cannot_be_had_again(build_bench, losses):
+    """An idle ArduPilot answers the repeated last item with ERROR, though the plan is aboard."""
+    bench = build_bench("ArduPilot")
+    bench.wire.lose("<", name="MISSION_ACK", times=losses)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run(10)
+    expect_repeats_then(bench, 6, read_back(6))
+    assert bench.progress[-1] == (5, 5)
+    assert bench.ends == ["Accepted"]
+    assert bench.state.aboard == "OurPlan"
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, "ArduPilot"))
 
 
 @FINAL_ACK
-def test_swallowed_final_acks_end_in_bounded_time(bench, personality):
+def test_plan_is_read_back_from_px4_when_no_ack_comes_through(build_bench):
+    bench = build_bench("PX4")
     bench.wire.lose("<", name="MISSION_ACK", times=None)
     bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run(10)
+    expect_repeats_then(bench, 5, read_back(5))
+    assert bench.state.aboard == "OurPlan"
+
+
+@FINAL_ACK
+def test_another_plan_that_is_read_back_is_no_acceptance(bench, personality):
+    bench.wire.lose("<", name="MISSION_ACK", times=None)
+    wire = on_the_wire(SURVEY, personality)
+    bench.upload(SURVEY)
+    bench.run_until_sent("MISSION_ITEM_INT", len(wire))
+    bench.run(0.1)
+    changed = wire[3]._replace(z=wire[3].z + 0.25)
+    bench.autopilot.load([*wire[:3], changed, *wire[4:]])
+    assert bench.run_until_ended(limit_s=20) == "Differs"
+    state = bench.state
+    assert state.failed_item == (2 if personality == "ArduPilot" else 3)
+    assert state.aboard in ("NotKnown", "Mixture")
+    assert bench.progress[-1] == (4, 5)
+
+
+@FINAL_ACK
+def test_no_answer_at_all_after_the_last_item_ends_in_bounded_time(bench, personality):
+    for name in ("MISSION_ACK", "MISSION_COUNT"):
+        bench.wire.lose("<", name=name, times=None)
     wire_count = len(on_the_wire(SURVEY, personality))
-    assert steps(bench) == [*smooth_steps(wire_count), *[("ITEM_INT", wire_count - 1)] * 5]
+    bench.upload(SURVEY)
+    last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
+    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
+    assert bench.now - last < 17.0  # five items and five lists, 1.5 s each, and the answer to the last item
+    bench.run(10)
+    lists = [("REQUEST_LIST", None)] * 5
+    expect_repeats_then(bench, wire_count, [*lists, ("ACK", CANCELLED)])
     state = bench.state
     assert (state.aboard, state.last_result) == ("NotKnown", None)
+    assert bench.ends == ["Unconfirmed"]
 
 
 @pytest.mark.scenario(13, "The final ACK comes late")

@@ -13,6 +13,7 @@
 #define pgm_read_byte(address) (*reinterpret_cast<const uint8_t*>(address))
 #define pgm_read_word(address) (*reinterpret_cast<const uint16_t*>(address))
 #define memcpy_P memcpy
+#define strncmp_P strncmp
 #endif
 
 #ifdef ARDUINO

@@ -38,6 +38,15 @@ FloatKind kindOf(const void* bytes) {
   return magnitude == kInfinity ? FloatKind::Infinite : FloatKind::NotANumber;
 }
 
+bool isSame(float a, float b) {
+  const uint32_t bitsA = bitsOf(a);
+  const uint32_t bitsB = bitsOf(b);
+  if (bitsA == bitsB || ((bitsA | bitsB) & ~kSign) == 0) return true;
+  return (bitsA & ~kSign) > kInfinity && (bitsB & ~kSign) > kInfinity;
+}
+
+bool isNegative(float value) { return (bitsOf(value) & kSign) != 0; }
+
 bool isWholeNumber(float value, uint16_t& whole) {
   const uint32_t bits = bitsOf(value);
   whole = 0;
@@ -54,13 +63,86 @@ bool isWholeNumber(float value, uint16_t& whole) {
   return true;
 }
 
+int32_t timesWhole(int32_t bits, uint32_t factor) {
+  const uint32_t magnitude = static_cast<uint32_t>(bits) & ~kSign;
+  const uint8_t biased = static_cast<uint8_t>(magnitude >> 23);
+  if (biased == 0 || biased > kBias + 31) return 0;
+  uint64_t product = static_cast<uint64_t>((magnitude & (kHidden - 1)) | kHidden) * factor;
+  int16_t exponent = static_cast<int16_t>(biased) - kBias - 23;
+  for (; exponent > 0; --exponent) product <<= 1;
+  for (; exponent < -1; ++exponent) product >>= 1;
+  if (exponent < 0) product = (product + 1) >> 1;
+  if (product > 0x7FFFFFFF) return 0;
+  return bits < 0 ? -static_cast<int32_t>(product) : static_cast<int32_t>(product);
+}
+
+float wholePart(float value) {
+  const uint32_t bits = bitsOf(value);
+  const uint8_t biased = static_cast<uint8_t>(bits >> 23);
+  if (biased < kBias) return 0;
+  if (biased >= kBias + 23) return value;
+  return fromBits(bits & ~((kHidden - 1) >> (biased - kBias)));
+}
+
+namespace {
+
+// The magnitude of metres * 100, times two, cut off; `rounded`: the product is rounded to a float's 24 bits first.
+int32_t doubledCentimetres(float metres, bool rounded) {
+  const uint32_t bits = bitsOf(metres);
+  // The exponent of the last bit of the doubled product.
+  int8_t exponent = static_cast<int8_t>(static_cast<uint8_t>(bits >> 23) - kBias - 23 + 1);
+  if (static_cast<uint8_t>(bits >> 23) >= kBias + 14 + 1) return 0x7FFFFFFF;
+  if (static_cast<uint8_t>(bits >> 23) < kBias - 8) return 0;
+  uint32_t product = ((bits & (kHidden - 1)) | kHidden) * 100;
+  if (rounded) {
+    uint8_t dropped = 0;
+    while (product >> dropped >= kHidden << 1) ++dropped;
+    const uint32_t half = (1UL << dropped) >> 1;
+    const uint32_t rest = product & ((1UL << dropped) - 1);
+    product >>= dropped;
+    if (rest > half || (rest == half && (product & 1) != 0)) ++product;
+    product <<= dropped;
+  }
+  for (; exponent < 0 && product != 0; ++exponent) product >>= 1;
+  return static_cast<int32_t>(product);
+}
+
+}  // namespace
+
+int32_t centimetresKept(float metres) {
+  const int32_t kept = doubledCentimetres(metres, true) / 2;
+  return (bitsOf(metres) & kSign) != 0 ? -kept : kept;
+}
+
+int32_t centimetresRead(float metres) {
+  const int32_t nearest = (doubledCentimetres(metres, false) + 1) / 2;
+  return (bitsOf(metres) & kSign) != 0 ? -nearest : nearest;
+}
+
+namespace {
+
+// One at the place of the units of a whole number from 1 on.
+uint32_t unitBit(uint32_t bits) {
+  uint32_t unit = kHidden;
+  for (uint8_t biased = static_cast<uint8_t>(bits >> 23); biased > kBias; --biased) unit >>= 1;
+  return unit;
+}
+
+}  // namespace
+
 float oneMore(float whole) {
   const uint32_t bits = bitsOf(whole);
   if (bits == 0) return 1;
-  // One at the place of the units; a carry out of the mantissa raises the exponent, as it should.
-  uint32_t unit = kHidden;
-  for (uint8_t biased = static_cast<uint8_t>(bits >> 23); biased != kBias; --biased) unit >>= 1;
-  return fromBits(bits + unit);
+  return fromBits(bits + unitBit(bits));  // a carry out of the mantissa raises the exponent, as it should
+}
+
+float oneLess(float whole) {
+  const uint32_t bits = bitsOf(whole);
+  const uint8_t biased = static_cast<uint8_t>(bits >> 23);
+  if (biased <= kBias) return 0;
+  // Below a power of two the unit is worth twice as many bits.
+  const bool isPower = (bits & (kHidden - 1)) == 0;
+  return fromBits(bits - (isPower ? unitBit(bits) << 1 : unitBit(bits)));
 }
 
 float quotient(int32_t value, uint32_t divisor) {

@@ -37,6 +37,19 @@ bool isCarrier(uint16_t messageId) {
 
 }  // namespace
 
+const MessageKey* MoreKeys::find(uint16_t messageId) const {
+  for (uint8_t i = 0; i < count; ++i) {
+    if (fromFlash(&keys[i].id) == messageId) return &keys[i];
+  }
+  return nullptr;
+}
+
+const MessageKey* FrameParser::keyOf(uint16_t messageId) const {
+  const MessageKey* key = wantedKey(messageId);
+  for (const MoreKeys* more = moreKeys_; key == nullptr && more != nullptr; more = more->next) key = more->find(messageId);
+  return key;
+}
+
 bool FrameParser::isV2() const { return bytes_[0] == MAVLINK_STX; }
 
 bool FrameParser::isSigned() const { return isV2() && (bytes_[2] & MAVLINK_IFLAG_SIGNED) != 0; }
@@ -65,8 +78,10 @@ FrameParser::Result FrameParser::takeWaiting() {
 FrameParser::Result FrameParser::take(uint8_t byte) {
   if (skip_ == 0 || --skip_ != 0) return grow(byte);
   // This is the first byte behind what was stepped over: where another frame begins, the length was right.
-  if (stepping_ == Stepping::Signature) return grow(byte);
-  if (!isMagic(byte)) {
+  boundary_ = have_;
+  if (stepping_ == Stepping::Reported) return grow(byte);
+  inStep_ = isMagic(byte);
+  if (!inStep_) {
     ++brokenFrames_;
     return grow(byte);
   }
@@ -80,8 +95,10 @@ FrameParser::Result FrameParser::grow(uint8_t byte) {
       bytes_[0] = byte;
       have_ = 1;
       need_ = 0;
+      boundary_ = 0;
       crc_ = kChecksumStart;
     } else if (skip_ == 0) {
+      inStep_ = false;
       ++bytesSkipped_;
     }
     return Result::Nothing;
@@ -107,7 +124,7 @@ FrameParser::Result FrameParser::classify() {
   const uint8_t length = bytes_[1];
   const bool v2 = isV2();
   const uint16_t id = v2 ? bytes_[7] | bytes_[8] << 8 : bytes_[5];
-  const MessageKey* const key = v2 && bytes_[9] != 0 ? nullptr : wantedKey(id);
+  const MessageKey* const key = v2 && bytes_[9] != 0 ? nullptr : keyOf(id);
   if (key != nullptr) {
     if (!v2 && length != fromFlash(&key->lengthV1)) {
       giveUp();
@@ -121,14 +138,23 @@ FrameParser::Result FrameParser::classify() {
       return Result::Nothing;
     }
   }
-  if (skip_ != 0) {  // inside another frame only a wanted one, which its checksum will prove, is looked for
+  // What began inside another frame can only be a wanted one, which its checksum will prove.
+  if (skip_ != 0 || boundary_ != 0) {
     giveUp();
     return Result::Nothing;
   }
   noteSender();
   skip_ = length + kChecksum + 1;
   if (isSigned()) skip_ += kSignature;
-  stepping_ = isCarrier(id) ? Stepping::MessageWithBytes : Stepping::Message;
+  // Data that looks like a carrier's header is common after damage: it must begin where a frame is due, and have a
+  // sender (0 is none).
+  const bool carries = inStep_ && sender_.systemId != 0 && !(v2 && bytes_[9] != 0) && isCarrier(id);
+  stepping_ = carries ? Stepping::MessageWithBytes : Stepping::Message;
+  for (uint8_t i = have_ - 1; i != 0; --i) {
+    if (!isMagic(bytes_[i])) continue;
+    giveUp();  // a frame may have begun within what was taken for a header
+    return Result::Nothing;
+  }
   have_ = 0;
   return Result::Nothing;
 }
@@ -147,9 +173,10 @@ FrameParser::Result FrameParser::complete() {
   if (skip_ != 0) ++brokenFrames_;
   noteSender();
   skip_ = 0;
+  inStep_ = true;
   if (isSigned()) {
     skip_ = kSignature + 1;
-    stepping_ = Stepping::Signature;
+    stepping_ = Stepping::Reported;
   }
   have_ = 0;  // the bytes stay where they are until the next one is taken
   return Result::Wanted;
@@ -159,7 +186,11 @@ void FrameParser::giveUp() {
   // The first byte began nothing. Those behind it are looked at again, then those that were waiting already.
   if (skip_ != 0) {
     skip_ += have_ - 1;  // they will be counted once more
+  } else if (boundary_ != 0) {
+    skip_ = boundary_;  // it began inside a frame that has ended: so do those behind it, as far as that frame went
+    stepping_ = Stepping::Reported;
   } else {
+    inStep_ = false;
     ++bytesSkipped_;
   }
   const Index waiting = end_ - read_;
@@ -174,7 +205,7 @@ FrameParser::Result FrameParser::silence() {
   if (skip_ != 0) {
     if (skip_ > 1) {
       ++brokenFrames_;
-    } else if (stepping_ != Stepping::Signature) {
+    } else if (stepping_ != Stepping::Reported) {
       result = Result::Unwanted;
     }
     skip_ = 0;

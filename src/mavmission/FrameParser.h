@@ -25,11 +25,24 @@ struct MessageKey {
   uint8_t target;    // where target_system lies in the payload, target_component behind it; kNoTarget if it has none
 };
 
+// More messages that are wanted, by a listener; a list of them is walked through.
+struct MoreKeys {
+  const MessageKey* keys;  // in flash
+  uint8_t count;
+  MoreKeys* next;
+
+  // The key of a message, in flash, or null.
+  const MessageKey* find(uint16_t messageId) const;
+};
+
 // The key, in flash, of a message that is wanted, or null. Defined beside the messages.
 const MessageKey* wantedKey(uint16_t messageId);
 
 class FrameParser {
  public:
+  // The list of what else is wanted; null, the beginning, is nothing.
+  MoreKeys*& moreKeys() { return moreKeys_; }
+
   // Silence after which a frame that has begun is given up [ms]. At 9600 baud a byte takes 1 ms.
   static constexpr uint8_t kSilenceMs = 20;
 
@@ -95,12 +108,14 @@ class FrameParser {
     uint8_t sequence, systemId, componentId;
   };
 
-  enum class Stepping : uint8_t { Message, MessageWithBytes, Signature };
+  // Reported: a signature, or the rest of a message that has been given as Unwanted already.
+  enum class Stepping : uint8_t { Message, MessageWithBytes, Reported };
 
   Result grow(uint8_t byte);
   Result classify();
   Result complete();
   void noteSender();
+  const MessageKey* keyOf(uint16_t messageId) const;
   bool isV2() const;
   bool isSigned() const;
   void giveUp();
@@ -110,14 +125,17 @@ class FrameParser {
   Index read_;        // bytes_[read_] to bytes_[end_ - 1] are waiting
   Index end_;
   uint16_t skip_;     // stepping: bytes up to the first one behind what is stepped over, that one included
+  Index boundary_;    // the place in bytes_ of the first byte behind what was stepped over meanwhile; 0: there is none
   uint16_t crc_;
   uint16_t messageId_;
   uint8_t crcExtra_;
   uint8_t target_;
   Stepping stepping_;
+  bool inStep_;       // a frame has ended, and nothing but whole frames has come since
   uint16_t badChecksums_;
   uint16_t brokenFrames_;
   uint32_t bytesSkipped_;
+  MoreKeys* moreKeys_;
   Sender sender_;  // of the frame that was given last, or is being stepped over
   uint8_t bytes_[kKept];  // the frame that has begun, then bytes waiting to be looked at again
 };

@@ -29,6 +29,18 @@ bool Link::maySpeak() const {
 
 bool Link::canSend() const { return outbox_.isEmpty() && maySpeak(); }
 
+void Link::add(Listener& listener) {
+  MoreKeys*& first = parser_.moreKeys();
+  listener.next = first;
+  first = &listener;
+  tell_ = [](const FrameParser& frame, const MoreKeys* listeners) {
+    for (const MoreKeys* one = listeners; one != nullptr; one = one->next) {
+      Listener& hearing = *static_cast<Listener*>(const_cast<MoreKeys*>(one));
+      if (one->find(frame.messageId()) != nullptr) hearing.take_(hearing, frame);
+    }
+  };
+}
+
 void Link::takeHeartbeat(uint16_t nowMs) {
   static_assert(offsetof(Heartbeat, vehicleType) == offsetof(mavlink_heartbeat_t, type) &&
                     offsetof(Heartbeat, autopilot) == offsetof(mavlink_heartbeat_t, autopilot) &&
@@ -71,6 +83,7 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
   if (isWanted) {
     ++state_.frames;
     if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) takeHeartbeat(nowMs);
+    if (tell_ != nullptr) tell_(parser_, parser_.moreKeys());
   } else {
     ++state_.unknownMessages;
   }
@@ -92,6 +105,15 @@ void Link::sendMessage(uint8_t* payload, uint8_t keyIndex) {
   outbox_.begin(version(), state_.sequence++, systemId(), componentId());
   outbox_.complete(key, payload);
   ++state_.framesSent;
+}
+
+bool Link::sendForeign(const OutgoingMessage& message) {
+  const bool isV1 = version() == 1;
+  if (!canSend() || (isV1 && message.id > 0xFF)) return false;
+  outbox_.begin(version(), state_.sequence++, systemId(), componentId());
+  outbox_.completeForeign(message);
+  ++state_.framesSent;
+  return true;
 }
 
 void Link::onTime(uint16_t nowMs) {

@@ -5,6 +5,7 @@
 
 #include "AutopilotFinder.h"
 #include "FrameParser.h"
+#include "Listener.h"
 #include "Outbox.h"
 
 class Stream;
@@ -47,6 +48,9 @@ class Link {
   // Counts time: the heartbeat, the autopilot's silence, a frame cut short.
   void onTime(uint16_t nowMs);
 
+  // Adds one that hears frames beside us.
+  void add(Listener& listener);
+
   // True when send() can take a frame.
   MAVMISSION_APART bool canSend() const;
 
@@ -56,6 +60,10 @@ class Link {
   // The same for a payload that has the layout of T.
   template <typename T>
   void sendAs(void* payload);
+
+  // Sends a message of the sketch's own; false if that cannot be done now.
+  bool sendForeign(const OutgoingMessage& message);
+  bool isSent() const { return outbox_.isEmpty(); }
 
   // Writes what the stream takes.
   void flush(uint16_t nowMs) { outbox_.flush(*stream_, nowMs); }
@@ -94,6 +102,8 @@ class Link {
   };
 
   Stream* stream_;
+  // Null until a listener is added, so that a sketch without one has no code for it.
+  void (*tell_)(const FrameParser& frame, const MoreKeys* listeners);
   State state_;
   AutopilotFinder finder_;
   Outbox outbox_;

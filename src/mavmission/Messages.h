@@ -14,11 +14,20 @@ namespace mavmission {
   X(HEARTBEAT, mavlink_heartbeat_t, MessageKey::kNoTarget)                                       \
   X(MISSION_REQUEST, mavlink_mission_request_t, offsetof(mavlink_mission_request_t, target_system))             \
   X(MISSION_REQUEST_INT, mavlink_mission_request_int_t, offsetof(mavlink_mission_request_int_t, target_system)) \
-  X(MISSION_ACK, mavlink_mission_ack_t, offsetof(mavlink_mission_ack_t, target_system))
-#define MAVMISSION_SENT_MESSAGES(X)                                                                             \
-  X(MISSION_ITEM, mavlink_mission_item_t, offsetof(mavlink_mission_item_t, target_system))                      \
+  X(MISSION_ACK, mavlink_mission_ack_t, offsetof(mavlink_mission_ack_t, target_system))                         \
   X(MISSION_COUNT, mavlink_mission_count_t, offsetof(mavlink_mission_count_t, target_system))                   \
-  X(MISSION_ITEM_INT, mavlink_mission_item_int_t, offsetof(mavlink_mission_item_int_t, target_system))
+  X(MISSION_ITEM_INT, mavlink_mission_item_int_t, offsetof(mavlink_mission_item_int_t, target_system))          \
+  X(MISSION_ITEM, mavlink_mission_item_t, offsetof(mavlink_mission_item_t, target_system))                      \
+  X(MISSION_CURRENT, mavlink_mission_current_t, MessageKey::kNoTarget)                                          \
+  X(COMMAND_ACK, mavlink_command_ack_t, offsetof(mavlink_command_ack_t, target_system))
+#define MAVMISSION_SENT_MESSAGES(X)                                                                             \
+  X(MISSION_REQUEST_LIST, mavlink_mission_request_list_t, offsetof(mavlink_mission_request_list_t, target_system)) \
+  X(MISSION_CLEAR_ALL, mavlink_mission_clear_all_t, offsetof(mavlink_mission_clear_all_t, target_system))          \
+  X(MISSION_SET_CURRENT, mavlink_mission_set_current_t, offsetof(mavlink_mission_set_current_t, target_system))    \
+  X(COMMAND_LONG, mavlink_command_long_t, offsetof(mavlink_command_long_t, target_system))                         \
+  X(COMMAND_INT, mavlink_command_int_t, offsetof(mavlink_command_int_t, target_system))                            \
+  X(MISSION_WRITE_PARTIAL_LIST, mavlink_mission_write_partial_list_t,                                              \
+    offsetof(mavlink_mission_write_partial_list_t, target_system))
 
 // Their keys, in flash, in this order.
 enum class KeyIndex : uint8_t {

@@ -43,6 +43,8 @@ Status MissionClient::startOperation(Operation operation) {
   state_.itemsDone = 0;
   state_.itemsTotal = 0;
   state_.lastResult = 255;
+  state_.field = Field::None;
+  state_.proving = false;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
 }
@@ -59,11 +61,16 @@ void MissionClient::unsettle(uint16_t nowMs) {
   state_.unsettledMs = nowMs;
 }
 
+void MissionClient::tellCancelled() {
+  state_.cancelDue = true;
+  state_.cancelType = state_.type;
+}
+
 void MissionClient::cancel() {
   if (state_.operation == nullptr) return;
   if (state_.status == Status::Transferring) {
-    state_.cancelDue = true;
-    state_.aboard = aboardAfterUpload(Status::Cancelled);
+    tellCancelled();
+    if (state_.operation == uploadStep) setAboard(aboardAfterUpload(Status::Cancelled));
     unsettle(static_cast<uint16_t>(millis()));
   }
   end(Status::Cancelled);
@@ -85,9 +92,10 @@ void MissionClient::report(uint16_t done) {
   if (state_.progress != nullptr) state_.progress(state_.progressContext, state_.itemsDone, state_.itemsTotal);
 }
 
-void MissionClient::sendCancelled() {
+void MissionClient::sendAck(uint8_t result, PlanType type) {
   mavlink_mission_ack_t ack = mavlink_mission_ack_t();
-  ack.type = MAV_MISSION_OPERATION_CANCELLED;
+  ack.type = result;
+  ack.mission_type = static_cast<uint8_t>(type);
   link_.send(ack);
 }
 
@@ -111,7 +119,7 @@ Status MissionClient::updateAt(uint16_t nowMs) {
   }
   if (state_.cancelDue && link_.canSend()) {
     state_.cancelDue = false;
-    sendCancelled();
+    sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelType);
   }
   if (state_.operation != nullptr) state_.operation(*this, nullptr, nowMs);
   link_.onTime(nowMs);

@@ -3,9 +3,15 @@
 
 #include <stdint.h>
 
+#include "Comparison.h"
+#include "DownloadTransfer.h"
+#include "FlightCommand.h"
+#include "FlightMode.h"
+#include "ItemSink.h"
 #include "ItemSource.h"
 #include "Link.h"
 #include "OpaqueId.h"
+#include "PlanType.h"
 #include "Status.h"
 #include "UploadTransfer.h"
 #include "WirePlan.h"
@@ -19,6 +25,13 @@ typedef void (*ProgressFunction)(void* context, uint16_t done, uint16_t total);
 // Called from update() when an operation has ended, with its status. May start the next operation.
 typedef void (*EndFunction)(void* context, Status status);
 
+// The steps of start(), in their order; a vehicle needs some of them.
+enum class StartStep : uint8_t { None, ReadyMode, Arm, AutoMode, Begin };
+
+// Whether an upload is proven by reading the plan back.
+enum class Proof : uint8_t { WhenInDoubt, Always };
+constexpr Proof Verified = Proof::Always;  // upload(plan, Verified)
+
 // Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
 // At 57600 baud a Mega's receive ring is full after 11 ms: a loop that takes longer loses bytes, and so time, but
 // nothing else. Uses no heap. The Stream must be open, and stay, as long as this.
@@ -28,6 +41,8 @@ class MissionClient {
   static constexpr uint16_t kNoItem = 0xFFFF;
   // The most items that the protocol can count; home is one of them on ArduPilot.
   static constexpr uint16_t kMaxItems = 0xFFFF;
+  // Calls of a plan that looks for a place, within one update().
+  static constexpr uint8_t kMostCalls = 4;
   // How long an earlier transfer may still be answered [ms]: ArduPilot gives one up after 8 s.
   static constexpr uint16_t kLeftoversMs = 10000;
 
@@ -36,9 +51,58 @@ class MissionClient {
   // --- Operations: one at a time; a second one is refused with Status::Busy, and the running one goes on unharmed.
 
   // Puts a plan aboard, in the place of what is there. Waits for the autopilot, checks the plan, then transfers. Returns
-  // the status that it begins with, or Status::Busy. How it ends is what update() returns. The source must stay until
-  // then. (MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".)
-  Status upload(const ItemSource& plan);
+  // the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is said only
+  // when the plan is aboard. When the final answer is lost, the plan is read back and compared to find out, and
+  // Status::Unconfirmed remains where that cannot be done either; with Proof::Always it is read back in any case. The
+  // source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".)
+  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission, Proof proof = Proof::WhenInDoubt);
+  Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
+
+  // Puts the plan of the last upload aboard again: after a failure that left a mixture, for example.
+  Status uploadAgain();
+
+  // Puts `count` items of a plan aboard, from item `first` on, in the place of those that are there. `plan` is the whole
+  // plan, and the rest of it must be aboard already. ArduPilot does this; PX4 does not (Status::WholePlansOnly). (Guide,
+  // MISSION_WRITE_PARTIAL_LIST.)
+  Status uploadPart(const ItemSource& plan, uint16_t first, uint16_t count);
+
+  // Reads the autopilot's plan, item by item, into a sink, and ends with Status::Downloaded. What a sketch uploaded it
+  // gets back: home is kept apart on ArduPilot, jump targets count the sketch's items. The sink must stay until the end.
+  // (Guide, "Download a Mission from the Vehicle".)
+  Status download(const ItemSink& sink, PlanType type = PlanType::Mission);
+
+  // Reads the autopilot's plan and compares it with `plan` while it streams, holding neither in RAM. Ends with
+  // Status::Verified, or with Status::Differs: failedItem() and differingField() say where first. The comparison knows
+  // what each autopilot rewrites, and is no looser.
+  Status verify(const ItemSource& plan, PlanType type = PlanType::Mission);
+
+  // Takes the plan away, or with PlanType::All all three. Ends with Status::Cleared. (Guide, "Clear Missions".)
+  Status clear(PlanType type = PlanType::Mission);
+
+  // --- Flying. Each ends with Status::Done, or says how the autopilot refused (MAVLink guide, Command Protocol). Nothing
+  // arms but arm() and start(), and arming is never forced.
+
+  // Flies the plan that is aboard: does what this autopilot needs, in its order, each step confirmed; startStep() says
+  // which one was refused. Refused with Status::Unproven unless aboard() is our plan; with Status::Armed while the
+  // autopilot is armed, unless that is allowed.
+  Status start();
+
+  Status arm();
+  Status disarm();
+  // The mode by its name, or by the autopilot's own number (HEARTBEAT.custom_mode).
+  Status setMode(FlightMode mode);
+  Status setCustomMode(uint32_t customMode);
+  // Sets an armed aircraft flying its mission, from its current item on; Status::NotArmed otherwise.
+  Status startMission();
+  // Goes on with this item, counted as the sketch counts.
+  Status setCurrentItem(uint16_t item);
+  // Stays where it is; goes on with the mission.
+  Status pause() { return setMode(FlightMode::Hold); }
+  Status resume() { return setMode(FlightMode::Auto); }
+  // How often the autopilot sends a message [us between two]; 0 is its default, -1 never.
+  Status setMessageInterval(uint16_t messageId, int32_t intervalUs);
+  // Any command. It must stay until the end.
+  Status send(const FlightCommand& command, Repeat repeat = Repeat::IfHarmless);
 
   // Ends the running operation with Status::Cancelled, and tells the autopilot (MISSION_ACK with
   // MAV_MISSION_OPERATION_CANCELLED). Without one it does nothing.
@@ -48,6 +112,12 @@ class MissionClient {
   // ended, once; otherwise how the running one stands, or Status::Idle. Neither waits nor delays.
   Status update();
 
+  // Sends a message of the sketch's own, with the right sequence number. False if another frame is still on its way, or
+  // nothing may be sent yet (no autopilot heard, or several): call it again later. The payload must stay until isSent().
+  bool sendMessage(const OutgoingMessage& message) { return link_.sendForeign(message); }
+  // True when every frame has been handed to the stream.
+  bool isSent() const { return link_.isSent(); }
+
   // --- What is going on
 
   Status status() const { return state_.status; }  // of the running operation, or the last one
@@ -56,17 +126,25 @@ class MissionClient {
   uint16_t failedItem() const { return state_.failedItem; }
   uint16_t itemsDone() const { return state_.itemsDone; }    // of the running or last transfer
   uint16_t itemsTotal() const { return state_.itemsTotal; }
-  // The plan that the autopilot holds after the last upload.
-  Aboard aboard() const { return state_.aboard; }
+  // What differs after Status::Differs.
+  Field differingField() const { return state_.field; }
+  // The plan of a type that the autopilot holds after the last upload, verification or clear of that type.
+  Aboard aboard(PlanType type = PlanType::Mission) const { return state_.aboard[static_cast<uint8_t>(type) & 3]; }
   // The autopilot's last MISSION_ACK.type in this operation, or 255: what lies behind Status::Unconfirmed and
   // Status::UnknownResult.
   uint8_t lastResult() const { return state_.lastResult; }
+
+  // The step of start() that runs, or that was refused.
+  StartStep startStep() const { return state_.startStep; }
 
   bool hasAutopilot() const { return link_.finder().isFound(); }
   Firmware firmware() const { return link_.finder().firmware(); }
   uint8_t autopilotSystemId() const { return link_.finder().heartbeat().systemId; }
   uint8_t autopilotComponentId() const { return link_.finder().heartbeat().componentId; }
   bool isArmed() const { return hasAutopilot() && link_.finder().isArmed(); }
+  // The autopilot's own number of the mode that it is in (HEARTBEAT.custom_mode).
+  uint32_t customMode() const { return link_.finder().heartbeat().customMode; }
+  bool isInMode(FlightMode mode) const;
   LinkCounters counters() const { return link_.counters(); }
 
   // --- Callbacks; null, the default, is none. `context` is handed to the function and may be null.
@@ -105,16 +183,53 @@ class MissionClient {
   void limitTransfer(uint16_t seconds) { state_.transferLimitS = seconds; }
 
  private:
+  friend class Listener;
+  friend class MissionFollower;
+
   // An operation's share of update(): a frame of the autopilot's, or null for time to pass.
   typedef void (*Operation)(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
 
   static bool waitForTurn(MissionClient& client, Status refusal);
   static void turnStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static void readStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static void clearStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static Status compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
+  static Status storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
+  Status beginReading(uint16_t nowMs);
+  void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
+  void takeReadCount(const FrameParser& frame);
+  void takeReadItem(const FrameParser& frame);
+  void sendRead(uint16_t nowMs);
+  void endReading(Status status);
+  void proveUpload(uint16_t nowMs);
+  bool isTypeCarried() const;
+  static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static void fillOwn(MissionClient& client, FlightCommand& command);
+  static void fillArm(MissionClient& client, FlightCommand& command);
+  static void fillMode(MissionClient& client, FlightCommand& command);
+  static void fillBegin(MissionClient& client, FlightCommand& command);
+  static void fillCurrent(MissionClient& client, FlightCommand& command);
+  static void fillInterval(MissionClient& client, FlightCommand& command);
+  static Status currentUnsupported(MissionClient& client);
+  static Status nextStartStep(MissionClient& client);
+  static Status prepareStart(MissionClient& client);
+  static Status prepareMode(MissionClient& client);
+  static Status prepareBegin(MissionClient& client);
+  static Status prepareCurrent(MissionClient& client);
+  struct Commanding;
+  Status beginCommand(void (*fill)(MissionClient& client, FlightCommand& command), uint32_t argument);
+  void nextCommand(void (*fill)(MissionClient& client, FlightCommand& command));
+  void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
+  void sendCommand(uint16_t nowMs);
+  bool setModeNumbers(FlightMode mode);
+  Status chooseStartStep();
   Status updateAt(uint16_t nowMs);
   Status startOperation(Operation operation);
   void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
+  void tellCancelled();
+  void setAboard(Aboard what) { state_.aboard[static_cast<uint8_t>(state_.type) & 3] = what; }
   void waitForAutopilot();
   void beginChecking();
   MAVMISSION_APART void checkPlan(uint16_t nowMs);
@@ -130,7 +245,16 @@ class MissionClient {
   MAVMISSION_APART uint16_t ownItem(uint16_t wireItem) const;
   void report(uint16_t done);
   void end(Status status);
-  void sendCancelled();
+  void sendRequestList();
+  void sendRequest(uint16_t wireItem);
+  void sendAck(uint8_t result, PlanType type);
+  void endClearing(Status status);
+  void noteCleared(PlanType type, Aboard what);
+  uint8_t homeBefore() const;
+  static Status announcePart(MissionClient& client);
+  uint16_t itemFromWire(uint16_t wireItem) const;
+  void noteInfeasible();
+  uint32_t acceptedPlanId() const { return aboard() == Aboard::OurPlan ? opaqueId_.value() : 0; }
 
   // All zero at the start but for what the constructor sets.
   struct State {
@@ -150,22 +274,77 @@ class MissionClient {
     uint16_t transferLimitS;
     uint16_t turnLimitS;       // how long to wait for another ground station's transfer [s]
     uint16_t turnAtS;          // when to try again, and when the transfer's own time began [s]
+    // Announces the upload; null: by MISSION_COUNT.
+    Status (*announce)(MissionClient& client);
+    uint16_t partFirst;        // the items of a partial upload, as the sketch counts
+    uint16_t partCount;
     bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
     uint8_t turnPauseS;        // the pause before the next try; 0 before the first
     Status status;
     Status toReturn;
-    Aboard aboard;
+    Aboard aboard[4];          // by PlanType; the last is nobody's
     uint8_t lastResult;
     bool unsettled;            // so after a reset: what ran before it may still be answered
     bool cancelDue;            // the autopilot is to be told that a transfer was cancelled
+    PlanType cancelType;
     bool armedAllowed;
     bool raw;
+    bool tooLong;              // the source has more items than the protocol can count
+    PlanType type;             // of the running operation
+    Proof proof;
+    Field field;               // that differs
+    StartStep startStep;
+    bool infeasible;           // the autopilot has said so of the plan that it accepted
+    bool proving;              // an upload is being read back
     bool floatItems;           // items go out as MISSION_ITEM
     void (*toFloats)(void* itemMessage);  // makes MISSION_ITEM of MISSION_ITEM_INT, where the sketch wants that
   };
 
+  // Reading a plan: by download(), verify(), or to prove an upload.
+  struct Reading {
+    DownloadTransfer transfer;
+    // Takes an item: Transferring, Checking (not yet: ask for it again), or why the operation ends.
+    Status (*take)(MissionClient& client, uint16_t wireItem, MissionItem& item);
+    ItemSink sink;
+  };
+
+  // Clearing a plan.
+  struct Clearing {
+    uint16_t sentMs;
+    uint8_t tries;
+    bool isDue;
+    PlanType type;   // that is being cleared now
+    PlanType last;   // after which it ends
+  };
+
+  // A command, or the steps of start().
+  struct Commanding {
+    void (*fill)(MissionClient& client, FlightCommand& command);
+    // Once the autopilot is there: may it be sent? Null: yes.
+    Status (*prepare)(MissionClient& client);
+    // After one was accepted: Transferring for another, or how it ends. Null: Done.
+    Status (*accepted)(MissionClient& client);
+    // What an unsupported one is done by instead. Null: nothing.
+    Status (*unsupported)(MissionClient& client);
+    const FlightCommand* own;
+    uint32_t argument;
+    uint16_t id;
+    uint16_t sentMs;
+    uint16_t waitMs;
+    uint8_t tries;
+    uint8_t mainMode, subMode;
+    bool isDue;
+    bool repeats;
+    bool byMessage;      // MISSION_SET_CURRENT instead of the command
+  };
+
   State state_;
-  UploadTransfer transfer_;
+  union {  // one operation at a time
+    UploadTransfer transfer_;
+    Reading reading_;
+    Clearing clearing_;
+    Commanding commanding_;
+  };
   WirePlan plan_;
   OpaqueId opaqueId_;
   Link link_;

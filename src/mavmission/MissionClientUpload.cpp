@@ -7,14 +7,24 @@
 
 namespace mavmission {
 
-Status MissionClient::upload(const ItemSource& plan) {
+Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
   if (state_.operation != nullptr) return Status::Busy;
   plan_.setSource(plan);
+  state_.type = type;
+  state_.proof = proof;
+  state_.tooLong = plan.count > kMaxItems;
+  state_.announce = nullptr;
+  state_.partFirst = 0;
+  return uploadAgain();
+}
+
+Status MissionClient::uploadAgain() {
+  if (state_.operation != nullptr) return Status::Busy;
   startOperation(uploadStep);
-  state_.itemsTotal = static_cast<uint16_t>(plan.count);
+  state_.itemsTotal = plan_.count();
   state_.turnPauseS = 0;
   state_.turnAtS = 0;
-  if (plan.count > kMaxItems) end(Status::TooManyItems);
+  if (state_.tooLong) end(Status::TooManyItems);
   return state_.status;
 }
 
@@ -39,7 +49,7 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
 }
 
 void MissionClient::beginChecking() {
-  plan_.begin(firmware(), state_.raw);
+  plan_.begin(firmware(), state_.type, state_.raw);
   state_.next = 0;
 }
 
@@ -54,6 +64,8 @@ void MissionClient::checkPlan(uint16_t nowMs) {
     return;
   }
   if (plan_.isTooLong()) return end(Status::TooManyItems);
+  if (state_.announce != nullptr && plan_.firmware() == Firmware::Px4) return end(Status::WholePlansOnly);
+  if (!isTypeCarried()) return end(Status::NeedsMavlink2);
   if (link_.finder().isArmed() && !state_.armedAllowed) return end(Status::Armed);
   if (link_.systemId() == autopilotSystemId() && link_.componentId() == autopilotComponentId()) {
     return end(Status::SameIdsAsAutopilot);
@@ -72,7 +84,13 @@ void MissionClient::checkPlan(uint16_t nowMs) {
 }
 
 void MissionClient::beginUpload(uint16_t nowMs) {
-  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled, nowMs);
+  uint16_t first = 0;
+  uint16_t behind = plan_.wireCount();
+  if (state_.announce != nullptr) {
+    first = state_.partFirst + plan_.homeItems();
+    behind = first + state_.partCount;
+  }
+  transfer_.begin(first, behind, plan_.firmware(), state_.unsettled, nowMs);
   opaqueId_.begin();
   state_.next = 0;
   if (state_.turnPauseS == 0) beginSeconds(nowMs);
@@ -87,13 +105,13 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(mavlink_mission_request_int_t),
                     "both kinds of request have one layout");
       const mavlink_mission_request_int_t request = messageFrom<mavlink_mission_request_int_t>(frame);
-      if (request.mission_type != MAV_MISSION_TYPE_MISSION) return;
+      if (request.mission_type != static_cast<uint8_t>(state_.type)) return;
       continueUpload(transfer_.onRequest(request.seq, nowMs), nowMs);
       return;
     }
     case MAVLINK_MSG_ID_MISSION_ACK: {
       const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
-      if (ack.mission_type != MAV_MISSION_TYPE_MISSION) return;
+      if (ack.mission_type != static_cast<uint8_t>(state_.type)) return;
       state_.lastResult = ack.type;
       continueUpload(proven(transfer_.onAck(ack.type), ack.opaque_id), nowMs);
       return;
@@ -122,25 +140,30 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
     state_.floatItems = true;  // it knows no MISSION_ITEM_INT: once more, with floats
     return beginUpload(nowMs);
   }
-  if (state_.denied != nullptr && transfer_.itemsAskedFor() == 0 && state_.denied(*this, status)) return;
-  state_.aboard = aboardAfterUpload(status);
+  if (state_.denied != nullptr && !transfer_.hasBegun() && state_.denied(*this, status)) return;
+  const bool isInDoubt = status == Status::Unconfirmed;
+  if (isInDoubt || (status == Status::Accepted && state_.proof == Proof::Always)) {
+    if (isInDoubt) unsettle(nowMs);
+    return proveUpload(nowMs);
+  }
+  setAboard(aboardAfterUpload(status));
   switch (status) {
     case Status::Accepted:
       report(state_.itemsTotal);
+      state_.infeasible = false;
       state_.unsettled = false;
       break;
     case Status::NoAnswer:
     case Status::TimedOut:
     case Status::TookTooLong:
     case Status::SourceRefused:
-    case Status::Unconfirmed:
-      state_.cancelDue = status != Status::Unconfirmed;
+      tellCancelled();
       unsettle(nowMs);
       if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
       break;
     default:
       state_.unsettled = false;
-      if (transfer_.itemsAskedFor() > 0) state_.failedItem = ownItem(transfer_.lastItem());
+      if (transfer_.hasBegun()) state_.failedItem = ownItem(transfer_.lastItem());
       break;
   }
   end(status);
@@ -148,7 +171,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
 
 Aboard MissionClient::aboardAfterUpload(Status status) const {
   if (status == Status::Accepted) return Aboard::OurPlan;
-  const bool begun = transfer_.itemsAskedFor() > 0;
+  const bool begun = transfer_.hasBegun();
   const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming;
   const bool refused = status >= Status::Error;  // the autopilot's own word
   if (mayBeWhole && !refused) return Aboard::NotKnown;
@@ -156,6 +179,7 @@ Aboard MissionClient::aboardAfterUpload(Status status) const {
     case Firmware::Px4:
       return Aboard::AsBefore;  // it keeps the old plan until the new one is whole
     case Firmware::ArduPilot:
+      if (state_.type != PlanType::Mission) break;
       if (begun) return Aboard::Mixture;  // it replaces item by item
       return refused ? Aboard::AsBefore : Aboard::NotKnown;
     case Firmware::Other:
@@ -175,13 +199,17 @@ void MissionClient::sendUpload(uint16_t nowMs) {
     case UploadTransfer::Send::Nothing:
       return;
     case UploadTransfer::Send::Count:
-      sendCount(plan_.wireCount());
+      if (state_.announce != nullptr) {
+        state_.announce(*this);
+      } else {
+        sendCount(plan_.wireCount());
+      }
       break;
     case UploadTransfer::Send::Item:
       if (!sendItem(nowMs)) return;
       break;
     case UploadTransfer::Send::Cancel:
-      sendCancelled();
+      sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.type);
       break;
   }
   transfer_.sent(nowMs);
@@ -190,6 +218,7 @@ void MissionClient::sendUpload(uint16_t nowMs) {
 void MissionClient::sendCount(uint16_t items) {
   mavlink_mission_count_t count = mavlink_mission_count_t();
   count.count = items;
+  count.mission_type = static_cast<uint8_t>(state_.type);
   link_.send(count);
 }
 
@@ -220,7 +249,7 @@ bool MissionClient::sendItem(uint16_t nowMs) {
   message.frame = static_cast<uint8_t>(frame);
   message.current = current;
   message.autocontinue = autocontinue;
-  message.mission_type = MAV_MISSION_TYPE_MISSION;
+  message.mission_type = static_cast<uint8_t>(state_.type);
   if (state_.floatItems) {
     state_.toFloats(&message);
     link_.sendAs<mavlink_mission_item_t>(&message);

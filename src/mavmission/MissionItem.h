@@ -30,6 +30,12 @@ enum Command : uint16_t {
   kDoSetRoiNone = 197,
   kDoDigicamControl = 203,
   kDoSetCameraTriggerDistance = 206,
+  kFenceReturnPoint = 5000,
+  kFencePolygonInclusion = 5001,
+  kFencePolygonExclusion = 5002,
+  kFenceCircleInclusion = 5003,
+  kFenceCircleExclusion = 5004,
+  kRallyPoint = 5100,
 };
 
 // A step of a plan: MISSION_ITEM_INT without its addresses. A plain struct that may lie in flash; use the makers below.
@@ -139,5 +145,35 @@ constexpr MissionItem regionOfInterestOff() { return command(kDoSetRoiNone); }
 
 // Turn to a heading while flying on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw there.
 constexpr MissionItem turnTo(Degrees heading) { return command(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
+
+// --- Items of a fence: upload(fence, PlanType::Fence).
+
+// One corner of a polygon that must not be left. All `corners` of a polygon follow one another, each with that number.
+constexpr MissionItem fenceInside(Degrees latitude, Degrees longitude, uint8_t corners) {
+  return commandAt(kFencePolygonInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
+}
+// One corner of a polygon that must not be entered.
+constexpr MissionItem fenceOutside(Degrees latitude, Degrees longitude, uint8_t corners) {
+  return commandAt(kFencePolygonExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
+}
+// A circle that must not be left.
+constexpr MissionItem fenceInsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
+  return commandAt(kFenceCircleInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
+}
+// A circle that must not be entered.
+constexpr MissionItem fenceOutsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
+  return commandAt(kFenceCircleExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
+}
+// Where the aircraft goes when it has broken the fence (ArduPilot's Plane).
+constexpr MissionItem fenceReturnPoint(Degrees latitude, Degrees longitude) {
+  return commandAt(kFenceReturnPoint, latitude, longitude, Altitude(Metres(0), Frame::Global));
+}
+
+// --- Items of a rally plan: upload(points, PlanType::Rally).
+
+// A place to land instead of at home. ArduPilot keeps whole metres of the altitude.
+constexpr MissionItem rallyPoint(Degrees latitude, Degrees longitude, Altitude altitude) {
+  return commandAt(kRallyPoint, latitude, longitude, altitude);
+}
 
 }  // namespace mavmission

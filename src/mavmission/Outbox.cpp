@@ -46,7 +46,8 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
   crc = checksum(crc, fromFlash(&key->crcExtra));
   *out++ = static_cast<uint8_t>(crc);
   *out++ = static_cast<uint8_t>(crc >> 8);
-  length_ = static_cast<uint8_t>(out - frame_);
+  length_ = static_cast<uint16_t>(out - frame_);
+  bodyLength_ = 0;
   sent_ = 0;
 }
 
@@ -66,8 +67,22 @@ void Outbox::flush(Stream& stream, uint16_t nowMs) {
     return;
   }
   stuck_ = false;
-  const uint8_t left = length_ - sent_;
-  sent_ += stream.write(frame_ + sent_, room < left ? room : left);
+  // The piece that is next: what lies in frame_ before a foreign payload, the payload, or what is behind it.
+  const uint8_t* piece = frame_ + sent_;
+  uint16_t left = length_ - sent_;
+  if (bodyLength_ != 0) {
+    const uint16_t bodyEnd = headLength_ + bodyLength_;
+    if (sent_ < headLength_) {
+      left = headLength_ - sent_;
+    } else if (sent_ < bodyEnd) {
+      piece = body_ + (sent_ - headLength_);
+      left = bodyEnd - sent_;
+    } else {
+      piece -= bodyLength_;
+    }
+  }
+  const uint16_t taken = static_cast<uint16_t>(room) < left ? static_cast<uint16_t>(room) : left;
+  sent_ += stream.write(piece, taken);
 }
 
 }  // namespace mavmission

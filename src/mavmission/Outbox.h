@@ -5,6 +5,7 @@
 
 #include "Config.h"
 #include "FrameParser.h"
+#include "OutgoingMessage.h"
 
 class Stream;
 
@@ -12,7 +13,7 @@ namespace mavmission {
 
 class Outbox {
  public:
-  // The longest payload that a message of ours has [bytes]: MISSION_ITEM_INT's.
+  // The longest payload that a message of ours has [bytes]: MISSION_ITEM_INT's; COMMAND_INT has 35.
   static constexpr uint8_t kMaxPayload = 38;
 
   // How long a stream must say that it takes nothing before it is believed not to implement availableForWrite() [ms].
@@ -30,15 +31,22 @@ class Outbox {
   // Completes it with a message: its key, in flash, and a payload of key->length bytes.
   void complete(const MessageKey* key, const uint8_t* payload);
 
+  // Completes it with a message of the sketch's own, whose payload stays where it is until it has been sent.
+  void completeForeign(const OutgoingMessage& message);
+
   // Writes what the stream takes now.
   MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs);
 
  private:
-  uint8_t length_;
-  uint8_t sent_;
+  uint16_t length_;       // of the whole frame
+  uint16_t sent_;
+  const uint8_t* body_;   // the payload of a foreign one, which lies elsewhere
+  uint8_t bodyLength_;    // 0: there is none
+  uint8_t headLength_;    // before it
   uint16_t stuckMs_;    // since when the stream takes nothing
   bool stuck_;
   bool blind_;      // the stream does not say what it takes
+  // The frame, or of a foreign one only what lies around its payload.
   uint8_t frame_[10 + kMaxPayload + 2];
 };
 

@@ -1,5 +1,7 @@
 #include "Status.h"
 
+#include "FlashTable.h"
+
 namespace mavmission {
 namespace {
 
@@ -22,11 +24,6 @@ const char* const kAboardTexts[] PROGMEM = {
     MAVMISSION_ABOARD(MAVMISSION_POINTER)
 #undef MAVMISSION_POINTER
 };
-
-template <uint8_t N>
-FlashText textAt(const char* const (&texts)[N], uint8_t index) {
-  return index < N ? reinterpret_cast<FlashText>(fromFlash(&texts[index])) : nullptr;
-}
 
 }  // namespace
 

@@ -19,8 +19,12 @@ namespace mavmission {
   X(Transferring, "transferring")                   /* talking to the autopilot */ \
   /* ended well */ \
   X(Accepted, "accepted: the plan is aboard")       /* the autopilot acknowledged the whole plan */ \
+  X(Downloaded, "downloaded: the plan has been read")  /* every item has been given to the sink */ \
+  X(Verified, "verified: what is aboard is the plan")  /* read back and compared */ \
+  X(Cleared, "cleared: no plan is aboard")          /* acknowledged by the autopilot */ \
+  X(Done, "done: the autopilot confirmed it")        /* a command, or all steps of start() */ \
   /* ended, not known how */ \
-  X(Unconfirmed, "unconfirmed: all items were sent, the final answer never came") /* may or may not be aboard */ \
+  X(Unconfirmed, "unconfirmed: it was sent, the answer never came") /* may or may not be aboard */ \
   /* ended by the sketch */ \
   X(Cancelled, "cancelled by the sketch") \
   /* refused before the first byte left: nothing aboard has changed */ \
@@ -28,6 +32,7 @@ namespace mavmission {
   X(NoAutopilot, "no autopilot heard in the time allowed") \
   X(SeveralAutopilots, "several autopilots heard: name one with talkTo()") \
   X(SameIdsAsAutopilot, "our system and component id are the autopilot's own: it would ignore us") \
+  X(NeedsMavlink2, "refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1") \
   X(Armed, "refused: the autopilot is armed")       /* allowWhileArmed() allows it */ \
   X(TooManyItems, "refused: more than 65535 items on the wire") \
   X(BadLatitude, "refused: a latitude beyond 90 degrees") \
@@ -36,10 +41,14 @@ namespace mavmission {
   X(NotFinite, "refused: an infinite number") \
   X(BadCurrent, "refused: current is 2 or more, which means fly there now") \
   X(BadJump, "refused: a jump to an item that is not in the plan") \
+  X(BadRange, "refused: the part is not within the plan") \
+  X(WholePlansOnly, "refused: this autopilot takes only whole plans") \
   X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
   X(NeedsPlace, "refused: it needs a place on this autopilot, and has none") \
   /* failed on our side */ \
+  X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
+  X(SinkFull, "the plan aboard is larger than the sink takes") \
   X(SourceRefused, "the plan's source gave no item") \
   X(NoAnswer, "the autopilot did not answer") \
   X(TimedOut, "the autopilot fell silent, or asked for the same item for ever") \
@@ -62,7 +71,17 @@ namespace mavmission {
   X(InvalidSequence, "the autopilot said: item out of sequence") \
   X(Denied, "the autopilot said: denied (another ground station may be transferring)") \
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
-  X(UnknownResult, "the autopilot answered with an unknown code")
+  X(UnknownResult, "the autopilot answered with an unknown code") \
+  /* commands: MAV_RESULT 1 to 4 in its order, and any other */ \
+  X(CommandRejected, "the autopilot said: not now") \
+  X(CommandDenied, "the autopilot said: denied (a parameter is not valid)") \
+  X(CommandUnsupported, "the autopilot said: command not supported") \
+  X(CommandFailed, "the autopilot said: failed") \
+  X(CommandRefused, "the autopilot refused with another code") \
+  X(NoSuchMode, "this vehicle has no such mode") \
+  X(NotArmed, "refused: the autopilot is not armed") \
+  X(Unproven, "refused: what is aboard is not known to be our plan") \
+  X(Infeasible, "the autopilot accepted the plan, then found that it cannot be flown")
 // clang-format on
 
 enum class Status : uint8_t {
@@ -76,7 +95,8 @@ enum class Status : uint8_t {
   X(NotKnown, "not known")                                                      \
   X(AsBefore, "what was aboard before")                                         \
   X(OurPlan, "our plan, whole")                                                 \
-  X(Mixture, "a mixture: our items as far as they came, older ones behind them")
+  X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
+  X(Nothing, "no plan")
 
 enum class Aboard : uint8_t {
 #define MAVMISSION_NAME(name, text) name,

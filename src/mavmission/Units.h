@@ -47,6 +47,24 @@ enum class Frame : uint8_t {
   GlobalTerrainInt = 11, // as GlobalTerrain; the older number for MISSION_ITEM_INT
 };
 
+// The present number of a frame: 0, 3 and 10 for 5, 6 and 11.
+inline Frame modern(Frame frame) {
+  switch (frame) {
+    case Frame::GlobalInt:
+      return Frame::Global;
+    case Frame::GlobalRelativeInt:
+      return Frame::GlobalRelative;
+    case Frame::GlobalTerrainInt:
+      return Frame::GlobalTerrain;
+    case Frame::Global:
+    case Frame::Mission:
+    case Frame::GlobalRelative:
+    case Frame::GlobalTerrain:
+      break;
+  }
+  return frame;
+}
+
 // An altitude and what it is measured from. Plain metres are above home: 20_m.
 class Altitude {
  public:

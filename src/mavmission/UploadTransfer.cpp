@@ -2,11 +2,12 @@
 
 namespace mavmission {
 
-void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs) {
+void UploadTransfer::begin(uint16_t first, uint16_t behind, Firmware firmware, bool leftovers, uint16_t nowMs) {
   progressMs_ = nowMs;
   sentMs_ = nowMs;
-  count_ = count;
-  asked_ = 0;
+  first_ = first;
+  behind_ = behind;
+  asked_ = first;
   item_ = 0;
   state_ = State::Counting;
   send_ = Send::Count;
@@ -21,11 +22,11 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, ui
 Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
   // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an item
   // only when it has the one before. It moves nothing.
-  if (item > asked_ || item >= count_) return Status::Transferring;
+  if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
     ++asked_;
     progressMs_ = nowMs;
-    state_ = asked_ == count_ ? State::Confirming : State::Sending;
+    state_ = State::Sending;
     tries_ = 0;
   } else if (answered_ && item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
     return Status::Transferring;
@@ -37,7 +38,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
 }
 
 Status UploadTransfer::onAcceptance() {
-  if (state_ == State::Confirming || count_ == 0) return Status::Accepted;
+  if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
   if (!leftovers_) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
   return Status::Transferring;
@@ -105,7 +106,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
       if (!overdue) break;
       if (tries_ == kTries) return Status::Unconfirmed;
       ++tries_;
-      item_ = count_ - 1;
+      item_ = behind_ - 1;
       send_ = Send::Item;
       break;
   }
@@ -123,6 +124,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
       send_ = Send::Count;
       break;
     case Send::Item:
+      if (item_ + 1u == behind_) state_ = State::Confirming;
       answered_ = true;
       sentMs_ = nowMs;
       send_ = Send::Nothing;

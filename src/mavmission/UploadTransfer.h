@@ -31,10 +31,10 @@ class UploadTransfer {
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
-  // Begins with `count` items on the wire, for an autopilot of this kind. `leftovers`: an earlier transfer, of this
+  // Begins with wire items `first` (0 but for a part of a plan) to `behind` - 1, for an autopilot of this kind. `leftovers`: an earlier transfer, of this
   // client or from before a reset, may still be answered: what only that can have caused is then not taken for an
   // answer to this one.
-  void begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs);
+  void begin(uint16_t first, uint16_t behind, Firmware firmware, bool leftovers, uint16_t nowMs);
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
   Status onRequest(uint16_t item, uint16_t nowMs);
@@ -47,7 +47,8 @@ class UploadTransfer {
   void sent(uint16_t nowMs);
 
   State state() const { return state_; }
-  // Items that the autopilot has asked for, in their order; it holds all of them but the last.
+  bool hasBegun() const { return asked_ != first_; }
+  // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // The item that went out last: the one that a refusal is about.
   uint16_t lastItem() const { return item_; }
@@ -57,7 +58,8 @@ class UploadTransfer {
 
   uint16_t progressMs_;
   uint16_t sentMs_;
-  uint16_t count_;
+  uint16_t first_;
+  uint16_t behind_;
   uint16_t asked_;
   uint16_t item_;
   State state_;

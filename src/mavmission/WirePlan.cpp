@@ -34,10 +34,10 @@ void WirePlan::setSource(const ItemSource& plan) {
   count_ = static_cast<uint16_t>(plan.count);
 }
 
-void WirePlan::begin(Firmware firmware, bool raw) {
+void WirePlan::begin(Firmware firmware, PlanType type, bool raw) {
   firmware_ = firmware;
-  raw_ = raw;
-  homeItems_ = firmware == Firmware::ArduPilot && !raw && count_ > 0 ? 1 : 0;
+  raw_ = raw || type != PlanType::Mission;
+  homeItems_ = firmware == Firmware::ArduPilot && !raw_ && count_ > 0 ? 1 : 0;
   searched_ = 0;
 }
 
@@ -122,6 +122,16 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     return findPlaceFor(wireIndex, item);
   }
   return Status::Accepted;
+}
+
+void fromWire(MissionItem& item, Firmware firmware) {
+  const uint8_t traits = traitsOf(item.command);
+  item.frame = modern(item.frame);
+  if (traits & kHasNoPlace) item.frame = Frame::Mission;
+  item.current = 0;
+  if (firmware != Firmware::ArduPilot) return;
+  if (traits & kYawInParam4) item.param4 = Yaw().inDegrees();
+  if (item.command == kDoJump) item.param1 = oneLess(item.param1);
 }
 
 }  // namespace mavmission

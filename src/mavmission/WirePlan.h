@@ -8,6 +8,7 @@
 #include "Commands.h"
 #include "Config.h"
 #include "ItemSource.h"
+#include "PlanType.h"
 #include "Status.h"
 
 namespace mavmission {
@@ -18,8 +19,8 @@ class WirePlan {
   void setSource(const ItemSource& plan);
 
   // Sets to whom it is to go. `raw`: item numbers and item 0 are the autopilot's own, nothing is put before or shifted,
-  // and only what is wrong everywhere is refused.
-  void begin(Firmware firmware, bool raw);
+  // and only what is wrong everywhere is refused. So it is with fence and rally, which have no home and no jumps.
+  void begin(Firmware firmware, PlanType type, bool raw);
 
   Firmware firmware() const { return firmware_; }
 
@@ -52,5 +53,10 @@ class WirePlan {
   uint8_t homeItems_;
   bool raw_;
 };
+
+// The way back: makes of an item of the mission, as the autopilot gave it, the item that a sketch would have written. Jump
+// targets count the sketch's items, frames have their present numbers, an item without a place has Frame::Mission, and a
+// yaw that ArduPilot does not keep is NaN, "as you fly".
+void fromWire(MissionItem& item, Firmware firmware);
 
 }  // namespace mavmission

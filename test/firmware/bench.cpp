@@ -250,6 +250,9 @@ static void sleep() {
   interrupts();
 }
 
+// Apart, so that its calls can be watched.
+extern "C" __attribute__((noinline, noclone)) Status updateClient() { return client.update(); }
+
 void setup() {
   Serial.begin(500000);
   Serial1.begin(BENCH_BAUD);
@@ -268,7 +271,7 @@ void loop() {
     stalledMs = nowMs;
     delay(stallMs);
   }
-  const Status status = client.update();
+  const Status status = updateClient();
   if (status != lastReturned || isEnd(status)) {
     lastReturned = status;
     tell(F("returned"), static_cast<uint8_t>(status));

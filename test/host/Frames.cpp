@@ -19,7 +19,7 @@ Bytes packed(const FrameParts& parts) {
   if (parts.version == 1) {
     frame = {0xFE, length, parts.sequence, parts.systemId, parts.componentId, id};
   } else {
-    frame = {0xFD, length, parts.incompatibility, 0, parts.sequence, parts.systemId, parts.componentId, id,
+    frame = {0xFD, length, parts.incompatibility, parts.compatibility, parts.sequence, parts.systemId, parts.componentId, id,
              static_cast<uint8_t>(parts.messageId >> 8), static_cast<uint8_t>(parts.messageId >> 16)};
   }
   frame = frame + parts.payload;

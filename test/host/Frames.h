@@ -18,6 +18,7 @@ struct FrameParts {
   uint8_t systemId = 1;
   uint8_t componentId = 1;
   uint8_t incompatibility = 0;
+  uint8_t compatibility = 0;
 
   FrameParts(uint32_t id, const Bytes& bytes, uint8_t extra) : messageId(id), payload(bytes), crcExtra(extra) {}
 };

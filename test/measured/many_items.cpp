@@ -3,8 +3,10 @@
 #include <MavMission.h>
 using namespace mavmission;
 
+constexpr MissionItem first PROGMEM = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
+
 bool read(void*, uint16_t index, MissionItem& item) {
-  item = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
+  memcpy_P(&item, &first, sizeof item);
   item.x += 1000L * index;
   return true;
 }

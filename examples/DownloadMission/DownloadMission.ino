@@ -1,0 +1,68 @@
+// Reads the autopilot's plan and prints it on the serial monitor (115200 baud), item by item as it comes: a plan of any
+// length, at no cost in RAM.
+#include <MavMission.h>
+using namespace mavmission;
+
+#ifdef HAVE_HWSERIAL1
+#define TELEM Serial1
+#define CONSOLE Serial
+#else
+// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
+#include <SoftwareSerial.h>
+SoftwareSerial console(10, 11);
+#define TELEM Serial
+#define CONSOLE console
+#endif
+
+MissionClient autopilot(TELEM);
+
+// A coordinate with all its digits, which a float would not have.
+void printDegrees(int32_t e7) {
+  if (e7 < 0) CONSOLE.print('-');
+  const uint32_t magnitude = e7 < 0 ? 0 - static_cast<uint32_t>(e7) : static_cast<uint32_t>(e7);
+  CONSOLE.print(magnitude / 10000000);
+  CONSOLE.print('.');
+  uint32_t decimals = magnitude % 10000000;
+  for (uint32_t place = 1000000; place != 0; place /= 10) {
+    CONSOLE.print(static_cast<char>('0' + decimals / place));
+    decimals %= place;
+  }
+}
+
+bool printItem(void*, uint16_t index, const MissionItem& item) {
+  if (index == kHomeIndex) {
+    CONSOLE.print(F("home"));
+  } else {
+    CONSOLE.print(index);
+  }
+  CONSOLE.print(F(": command "));
+  CONSOLE.print(item.command);
+  if (item.frame == Frame::Mission) {
+    CONSOLE.print(F(", param1 "));
+    CONSOLE.print(item.param1);
+    CONSOLE.print(F(", param2 "));
+    CONSOLE.println(item.param2);
+    return true;
+  }
+  CONSOLE.print(F(" at "));
+  printDegrees(item.x);
+  CONSOLE.print(' ');
+  printDegrees(item.y);
+  CONSOLE.print(' ');
+  CONSOLE.print(item.z);
+  CONSOLE.println(item.frame == Frame::GlobalRelative ? F(" m above home")
+                  : item.frame == Frame::Global       ? F(" m above sea level")
+                                                      : F(" m above the ground"));
+  return true;
+}
+
+void setup() {
+  CONSOLE.begin(115200);
+  TELEM.begin(57600);
+  autopilot.download(toFunction(printItem));
+}
+
+void loop() {
+  const Status status = autopilot.update();
+  if (isEnd(status)) CONSOLE.println(toString(status));
+}

@@ -1,0 +1,50 @@
+// Puts a fence and rally points aboard, one after the other. Both need MAVLink 2 on the port (ArduPilot's
+// SERIALn_PROTOCOL 2).
+#include <MavMission.h>
+using namespace mavmission;
+
+#ifdef HAVE_HWSERIAL1
+#define TELEM Serial1
+#define CONSOLE Serial
+#else
+// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
+#include <SoftwareSerial.h>
+SoftwareSerial console(10, 11);
+#define TELEM Serial
+#define CONSOLE console
+#endif
+
+constexpr MissionItem fence[] PROGMEM = {
+    // A field that must not be left: four corners, each with their number.
+    fenceInside(-35.3640_deg, 149.1640_deg, 4),
+    fenceInside(-35.3640_deg, 149.1670_deg, 4),
+    fenceInside(-35.3610_deg, 149.1670_deg, 4),
+    fenceInside(-35.3610_deg, 149.1640_deg, 4),
+    // A mast in it.
+    fenceOutsideCircle(-35.3625_deg, 149.1655_deg, 15_m),
+};
+
+constexpr MissionItem rallyPoints[] PROGMEM = {
+    rallyPoint(-35.3632_deg, 149.1652_deg, 20_m),
+    rallyPoint(-35.3615_deg, 149.1645_deg, 25_m),
+};
+
+MissionClient autopilot(TELEM);
+bool isFenceUp = false;
+
+void setup() {
+  CONSOLE.begin(115200);
+  TELEM.begin(57600);
+  autopilot.upload(inFlash(fence), PlanType::Fence, Verified);
+}
+
+void loop() {
+  const Status status = autopilot.update();
+  if (!isEnd(status)) return;
+  CONSOLE.print(isFenceUp ? F("rally: ") : F("fence: "));
+  CONSOLE.println(toString(status));
+  if (!isFenceUp && status == Status::Accepted) {
+    isFenceUp = true;
+    autopilot.upload(inFlash(rallyPoints), PlanType::Rally, Verified);
+  }
+}

@@ -1,0 +1,44 @@
+// Uploads a plan, has it read back, and says what is aboard, and where it differs if it does.
+#include <MavMission.h>
+using namespace mavmission;
+
+#ifdef HAVE_HWSERIAL1
+#define TELEM Serial1
+#define CONSOLE Serial
+#else
+// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
+#include <SoftwareSerial.h>
+SoftwareSerial console(10, 11);
+#define TELEM Serial
+#define CONSOLE console
+#endif
+
+constexpr MissionItem plan[] PROGMEM = {
+    takeoff(20_m),
+    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m, 3_s),
+    changeSpeed(4_mps),
+    waypoint(-35.3614500_deg, 149.1652374_deg, 25.5_m),
+    land(-35.3632621_deg, 149.1652374_deg),
+};
+
+MissionClient autopilot(TELEM);
+
+void setup() {
+  CONSOLE.begin(115200);
+  TELEM.begin(57600);
+  autopilot.upload(inFlash(plan), Verified);
+}
+
+void loop() {
+  const Status status = autopilot.update();
+  if (!isEnd(status)) return;
+  CONSOLE.println(toString(status));
+  CONSOLE.print(F("aboard: "));
+  CONSOLE.println(toString(autopilot.aboard()));
+  if (status == Status::Differs) {
+    CONSOLE.print(F("item "));
+    CONSOLE.print(autopilot.failedItem());
+    CONSOLE.print(F(": "));
+    CONSOLE.println(toString(autopilot.differingField()));
+  }
+}

@@ -1,0 +1,39 @@
+// A command to be carried out now (MAV_CMD), not as an item of a plan.
+#pragma once
+
+#include "MissionItem.h"
+
+namespace mavmission {
+
+// COMMAND_LONG, or COMMAND_INT where it has a place. A plain struct; the makers below fill it.
+struct FlightCommand {
+  float param1, param2, param3, param4;
+  float param5, param6;  // of COMMAND_LONG
+  float param7;          // or the altitude
+  int32_t x, y;          // of COMMAND_INT: latitude, longitude [1e-7 deg]
+  uint16_t id;           // MAV_CMD
+  Frame frame;           // of COMMAND_INT
+  bool hasPlace;         // it goes as COMMAND_INT
+};
+
+constexpr FlightCommand flightCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0,
+                                      float param4 = 0, float param5 = 0, float param6 = 0, float param7 = 0) {
+  return FlightCommand{param1, param2, param3, param4, param5, param6, param7, 0, 0, id, Frame::Mission, false};
+}
+constexpr FlightCommand flightCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude,
+                                        float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0) {
+  return FlightCommand{param1,           param2,        param3,         param4, 0,
+                       0,                altitude.metres(), latitude.e7(), longitude.e7(), id,
+                       altitude.frame(), true};
+}
+
+// Whether a command that is not answered is sent again.
+enum class Repeat : uint8_t {
+  IfHarmless,  // not one that must not happen twice: servo, relay, gripper, winch, parachute, picture ...
+  Always,
+};
+
+// True for a command that must not happen twice.
+bool isOnceOnly(uint16_t id);
+
+}  // namespace mavmission

@@ -1,0 +1,12 @@
+#include "ItemSink.h"
+
+namespace mavmission {
+namespace sink {
+
+bool writeToRam(void* array, uint16_t index, const MissionItem& item) {
+  if (index != kHomeIndex) static_cast<MissionItem*>(array)[index] = item;
+  return true;
+}
+
+}  // namespace sink
+}  // namespace mavmission

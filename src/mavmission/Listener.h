@@ -1,0 +1,35 @@
+// Something that hears frames beside the running operation. A sketch declares what it needs (MissionFollower, Words,
+// MessageListener); what it does not declare is not in its program.
+#pragma once
+
+#include <stdint.h>
+
+#include "FrameParser.h"
+
+namespace mavmission {
+
+class MissionClient;
+
+class Listener : private MoreKeys {
+ public:
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+ protected:
+  // Takes a frame of one of the messages, of any sender. Called from update(); may start operations.
+  typedef void (*Take)(Listener& listener, const FrameParser& frame);
+
+  // `keys`: of the messages to be heard, in flash. The listener must stay as long as the client.
+  Listener(MissionClient& client, const MessageKey* keys, uint8_t count, Take take);
+
+  // True if the frame is the autopilot's that the client talks to.
+  bool isFromAutopilot(const FrameParser& frame) const;
+
+  MissionClient& client_;
+
+ private:
+  friend class Link;
+  Take take_;
+};
+
+}  // namespace mavmission

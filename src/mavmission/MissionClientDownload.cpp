@@ -1,0 +1,31 @@
+// MissionClient's download to a sink.
+#include <Arduino.h>
+
+#include "FloatBits.h"
+#include "Messages.h"
+#include "MissionClient.h"
+
+namespace mavmission {
+
+Status MissionClient::download(const ItemSink& sink, PlanType type) {
+  if (state_.operation != nullptr) return Status::Busy;
+  state_.type = type;
+  startOperation(readStep);
+  reading_.take = storeItem;
+  reading_.sink = sink;
+  return state_.status;
+}
+
+Status MissionClient::storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
+  const State& state = client.state_;
+  const ItemSink& sink = client.reading_.sink;
+  uint16_t index = wireItem;
+  if (state.type == PlanType::Mission && !state.raw) {
+    const Firmware firmware = client.plan_.firmware();
+    if (firmware == Firmware::ArduPilot) index = wireItem == 0 ? kHomeIndex : wireItem - 1;
+    fromWire(item, firmware);
+  }
+  return sink.write(sink.context, index, item) ? Status::Transferring : Status::SinkFull;
+}
+
+}  // namespace mavmission

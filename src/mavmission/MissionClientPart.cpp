@@ -1,0 +1,29 @@
+// MissionClient's partial upload, which only ArduPilot takes; apart because few sketches need it.
+#include <Arduino.h>
+
+#include "Messages.h"
+#include "MissionClient.h"
+#include "Sending.h"
+
+namespace mavmission {
+
+Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_t count) {
+  if (state_.operation != nullptr) return Status::Busy;
+  const Status status = upload(plan, PlanType::Mission);
+  state_.announce = announcePart;
+  state_.partFirst = first;
+  state_.partCount = count;
+  if (isEnd(status)) return status;
+  if (count == 0 || first >= plan.count || count > plan.count - first) end(Status::BadRange);
+  return state_.status;
+}
+
+Status MissionClient::announcePart(MissionClient& client) {
+  mavlink_mission_write_partial_list_t list = mavlink_mission_write_partial_list_t();
+  list.start_index = static_cast<int16_t>(client.state_.partFirst + client.plan_.homeItems());
+  list.end_index = static_cast<int16_t>(list.start_index + client.state_.partCount - 1);
+  client.link_.send(list);
+  return Status::Transferring;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,220 @@
+// MissionClient reading the autopilot's plan: to hand it to a sink, to compare it with a source, to prove an upload.
+#include <Arduino.h>
+
+#include "FloatBits.h"
+#include "Messages.h"
+#include "MissionClient.h"
+#include "Sending.h"
+
+namespace mavmission {
+
+Status MissionClient::verify(const ItemSource& plan, PlanType type) {
+  if (state_.operation != nullptr) return Status::Busy;
+  plan_.setSource(plan);
+  state_.type = type;
+  startOperation(readStep);
+  reading_.take = compareItem;
+  state_.itemsTotal = plan_.count();
+  if (plan.count > kMaxItems) end(Status::TooManyItems);
+  return state_.status;
+}
+
+// What is aboard is read back, and decides what the upload says.
+void MissionClient::proveUpload(uint16_t nowMs) {
+  state_.operation = readStep;
+  state_.proving = true;
+  reading_.take = compareItem;
+  reading_.transfer.begin(nowMs);
+}
+
+// 1 where the autopilot's own item 0 is home, and not the sketch's.
+uint8_t MissionClient::homeBefore() const {
+  return plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission && !state_.raw ? 1 : 0;
+}
+
+bool MissionClient::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
+
+void MissionClient::readStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+  State& state = client.state_;
+  if (frame != nullptr) {
+    if (state.status == Status::Transferring) client.takeReadFrame(*frame, nowMs);
+    return;
+  }
+  if (state.status == Status::WaitingForAutopilot) {
+    client.waitForAutopilot();
+    if (state.status != Status::Checking) return;
+    if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
+    client.plan_.begin(client.firmware(), state.type, state.raw);
+    client.reading_.transfer.begin(nowMs);
+    client.beginSeconds(nowMs);
+    state.status = Status::Transferring;
+  }
+  const Status status = client.reading_.transfer.onTime(nowMs);
+  if (status != Status::Transferring) return client.endReading(status);
+  const uint32_t limitS =
+      state.transferLimitS != 0 ? state.transferLimitS : 120 + 2UL * client.reading_.transfer.count();
+  if (state.seconds - state.turnAtS >= limitS) return client.endReading(Status::TookTooLong);
+  client.sendRead(nowMs);
+}
+
+void MissionClient::sendRead(uint16_t nowMs) {
+  DownloadTransfer& transfer = reading_.transfer;
+  if (!link_.canSend()) return;
+  switch (transfer.toSend()) {
+    case DownloadTransfer::Send::Nothing:
+      return;
+    case DownloadTransfer::Send::List:
+      sendRequestList();
+      break;
+    case DownloadTransfer::Send::Request:
+      sendRequest(transfer.itemToAsk());
+      break;
+    case DownloadTransfer::Send::Accepted:
+      sendAck(MAV_MISSION_ACCEPTED, state_.type);
+      break;
+  }
+  if (transfer.sent(nowMs)) endReading(Status::Downloaded);
+}
+
+void MissionClient::sendRequestList() {
+  mavlink_mission_request_list_t list = mavlink_mission_request_list_t();
+  list.mission_type = static_cast<uint8_t>(state_.type);
+  link_.send(list);
+}
+
+void MissionClient::sendRequest(uint16_t wireItem) {
+  mavlink_mission_request_int_t request = mavlink_mission_request_int_t();
+  request.seq = wireItem;
+  request.mission_type = static_cast<uint8_t>(state_.type);
+  // An autopilot that is neither ArduPilot nor PX4 may know only the older request.
+  const bool older = plan_.firmware() == Firmware::Other && reading_.transfer.tries() >= 2;
+  if (older) {
+    link_.sendAs<mavlink_mission_request_t>(&request);
+  } else {
+    link_.send(request);
+  }
+}
+
+void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_MISSION_COUNT:
+      return takeReadCount(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM_INT:
+    case MAVLINK_MSG_ID_MISSION_ITEM:
+      return takeReadItem(frame);
+    case MAVLINK_MSG_ID_MISSION_ACK: {
+      const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
+      if (ack.mission_type != static_cast<uint8_t>(state_.type)) return;
+      const Status status = reading_.transfer.onAck(ack.type);
+      if (status == Status::Transferring) return;
+      // While an upload is being proven the autopilot may still hold it open: ArduPilot denies reading until it gives
+      // up, PX4 says error. The request is repeated, and its tries bound the wait.
+      if (state_.proving && reading_.transfer.state() == DownloadTransfer::State::Listing) return;
+      state_.lastResult = ack.type;
+      return endReading(status);
+    }
+    default:
+      return;
+  }
+}
+
+void MissionClient::takeReadCount(const FrameParser& frame) {
+  DownloadTransfer& transfer = reading_.transfer;
+  const mavlink_mission_count_t count = messageFrom<mavlink_mission_count_t>(frame);
+  if (count.mission_type != static_cast<uint8_t>(state_.type)) return;
+  if (transfer.state() != DownloadTransfer::State::Listing) return;
+  transfer.onCount(count.count);
+  const bool isHomeFirst = homeBefore() != 0;
+  if (reading_.take == storeItem) {
+    const uint16_t items = isHomeFirst && count.count > 0 ? count.count - 1 : count.count;
+    state_.itemsTotal = items;
+    if (items > reading_.sink.limit) endReading(Status::SinkFull);
+    return;
+  }
+  // ArduPilot without a plan says 0, or 1 for its home.
+  const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count.count <= 1;
+  if (isBothEmpty || count.count == plan_.wireCount()) return;
+  state_.field = Field::Count;
+  endReading(Status::Differs);
+}
+
+void MissionClient::takeReadItem(const FrameParser& frame) {
+  union {
+    MissionItem item;
+    mavlink_mission_item_int_t message;
+  } piece;
+  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
+  piece.message = messageFrom<mavlink_mission_item_int_t>(frame);
+  const mavlink_mission_item_int_t& message = piece.message;
+  DownloadTransfer& transfer = reading_.transfer;
+  const uint16_t seq = message.seq;
+  if (message.mission_type != static_cast<uint8_t>(state_.type)) return;
+  if (transfer.state() != DownloadTransfer::State::Fetching || seq != transfer.itemToAsk()) return;
+  if (frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM) {
+    // The same layout, but x and y are floats: degrees, or parameters 5 and 6.
+    const uint32_t unit = message.frame == MAV_FRAME_MISSION ? 1 : 10000000;
+    piece.message.x = timesWhole(message.x, unit);
+    piece.message.y = timesWhole(message.y, unit);
+  }
+  const uint16_t command = message.command;
+  const uint8_t frameNumber = message.frame;
+  const uint8_t current = message.current;
+  const uint8_t autocontinue = message.autocontinue;
+  piece.item.command = command;
+  piece.item.frame = static_cast<Frame>(frameNumber);
+  piece.item.current = current;
+  piece.item.autocontinue = autocontinue;
+  const Status taken = reading_.take(*this, seq, piece.item);
+  if (taken == Status::Checking) return;  // it will be asked for again
+  if (taken != Status::Transferring) {
+    state_.failedItem = ownItem(seq);
+    return endReading(taken);
+  }
+  transfer.onItem(seq);
+  // While an upload is proven its progress stands still: it is complete only when it is proven.
+  if (!state_.proving) report(seq + 1 - homeBefore());
+}
+
+Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
+  WirePlan& plan = client.plan_;
+  if (wireItem < plan.homeItems()) return Status::Transferring;  // home is the autopilot's own
+  if (plan.wireCount() == 0) return Status::Transferring;        // its home, where neither side has a plan
+  MissionItem meant;
+  Status read = Status::Checking;
+  for (uint8_t call = 0; call < kMostCalls && read == Status::Checking; ++call) read = plan.read(wireItem, meant);
+  if (read != Status::Accepted) return read;
+  client.state_.field = difference(meant, item, plan.firmware(), client.state_.type);
+  return client.state_.field == Field::None ? Status::Transferring : Status::Differs;
+}
+
+void MissionClient::endReading(Status status) {
+  const bool isCompared = reading_.take == compareItem;
+  if (status == Status::Downloaded) {
+    if (isCompared) status = Status::Verified;
+  } else {
+    tellCancelled();  // PX4 would wait 5 s for us
+  }
+  if (state_.proving) {
+    switch (status) {
+      case Status::Verified:
+        status = Status::Accepted;
+        setAboard(Aboard::OurPlan);
+        state_.unsettled = false;
+        state_.infeasible = false;
+        report(state_.itemsTotal);
+        break;
+      case Status::Differs:
+        setAboard(plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture
+                                                                                                   : Aboard::NotKnown);
+        break;
+      default:
+        status = Status::Unconfirmed;
+        setAboard(Aboard::NotKnown);
+        break;
+    }
+  }
+  if (state_.type == PlanType::Mission && status == Status::Verified) setAboard(Aboard::OurPlan);
+  end(status);
+}
+
+}  // namespace mavmission

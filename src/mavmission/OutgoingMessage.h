@@ -1,0 +1,16 @@
+// A message of the sketch's own, of any dialect.
+#pragma once
+
+#include <stdint.h>
+
+namespace mavmission {
+
+struct OutgoingMessage {
+  uint32_t id;          // below 2^24
+  uint8_t crcExtra;     // CRC_EXTRA of its definition
+  uint8_t length;       // of the payload [bytes], up to 255, extensions included
+  uint8_t lengthV1;     // of the payload in MAVLink 1 [bytes], without extensions
+  const void* payload;  // as it lies on the wire: the fields sorted by size, little-endian
+};
+
+}  // namespace mavmission

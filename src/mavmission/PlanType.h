@@ -1,0 +1,15 @@
+// The three kinds of plan that an autopilot holds (MAV_MISSION_TYPE, MAVLink common messages).
+#pragma once
+
+#include <stdint.h>
+
+namespace mavmission {
+
+enum class PlanType : uint8_t {
+  Mission = 0,  // what is flown
+  Fence = 1,    // where it must stay, or must not go; needs MAVLink 2
+  Rally = 2,    // where it may land instead of at home; needs MAVLink 2
+  All = 255,    // all three; only for clear()
+};
+
+}  // namespace mavmission

@@ -1,0 +1,12 @@
+// No angle is more than 180 degrees.
+// expect: an angle is at most 180 degrees
+#include <MavMission.h>
+using namespace mavmission;
+
+constexpr MissionItem survey[] PROGMEM = {
+#ifdef MENDED
+    waypoint(-35.3632621_deg, 179_deg, 20_m),
+#else
+    waypoint(-35.3632621_deg, 181_deg, 20_m),
+#endif
+};

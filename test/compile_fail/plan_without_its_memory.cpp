@@ -1,0 +1,18 @@
+// An array in flash and one in RAM have one type: the sketch says which it is.
+// expect: upload
+#include <MavMission.h>
+using namespace mavmission;
+
+extern Stream& line;
+MissionClient autopilot(line);
+constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
+const MissionItem* const where = survey;
+
+void start() {
+#ifdef MENDED
+  autopilot.upload(inFlash(survey));
+#else
+  autopilot.upload(survey);
+#endif
+  static_cast<void>(where);
+}

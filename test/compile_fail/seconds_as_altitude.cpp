@@ -1,0 +1,12 @@
+// A time is no altitude.
+// expect: Altitude
+#include <MavMission.h>
+using namespace mavmission;
+
+constexpr MissionItem survey[] PROGMEM = {
+#ifdef MENDED
+    takeoff(20_m),
+#else
+    takeoff(20_s),
+#endif
+};

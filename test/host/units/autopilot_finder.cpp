@@ -1,0 +1,138 @@
+#include "mavmission/AutopilotFinder.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <initializer_list>
+
+#include "mavmission/MavlinkHeaders.h"
+
+using namespace mavmission;
+
+namespace {
+
+struct Finder : AutopilotFinder {
+  Finder() { memset(static_cast<void*>(this), 0, sizeof(*this)); }
+};
+
+Heartbeat from(uint8_t systemId, uint8_t componentId, uint8_t autopilot = MAV_AUTOPILOT_PX4,
+               uint8_t type = MAV_TYPE_QUADROTOR, uint8_t baseMode = 0) {
+  return Heartbeat{0, type, autopilot, baseMode, MAV_STATE_STANDBY, 2, systemId, componentId};
+}
+
+}  // namespace
+
+TEST_CASE("nothing is found before a heartbeat") {
+  Finder finder;
+  CHECK_FALSE(finder.isFound());
+  CHECK_FALSE(finder.isCertain());
+  CHECK(finder.firmware() == Firmware::Unknown);
+  CHECK_FALSE(finder.isFrom(0, 0));
+}
+
+TEST_CASE("an autopilot is found by its heartbeat, and certain when a second would have been heard") {
+  Finder finder;
+  finder.onHeartbeat(from(7, 1), 65000);  // across the wrap of the clock
+  CHECK(finder.isFound());
+  CHECK(finder.isFrom(7, 1));
+  CHECK_FALSE(finder.isFrom(7, 2));
+  finder.onTime(static_cast<uint16_t>(65000 + AutopilotFinder::kSettleMs - 1));
+  CHECK_FALSE(finder.isCertain());
+  finder.onTime(static_cast<uint16_t>(65000 + AutopilotFinder::kSettleMs));
+  CHECK(finder.isCertain());
+}
+
+TEST_CASE("firmware is told by the heartbeat") {
+  for (unsigned autopilot = 0; autopilot < 30; ++autopilot) {
+    Finder finder;
+    finder.onHeartbeat(from(1, 1, static_cast<uint8_t>(autopilot)), 0);
+    const Firmware expected = autopilot == MAV_AUTOPILOT_INVALID         ? Firmware::Unknown
+                              : autopilot == MAV_AUTOPILOT_ARDUPILOTMEGA ? Firmware::ArduPilot
+                              : autopilot == MAV_AUTOPILOT_PX4           ? Firmware::Px4
+                                                                         : Firmware::Other;
+    CAPTURE(autopilot);
+    CHECK(finder.firmware() == expected);
+  }
+}
+
+TEST_CASE("what is not a vehicle is not taken for an autopilot, whatever autopilot it names") {
+  for (unsigned type : {MAV_TYPE_GCS, MAV_TYPE_GIMBAL, MAV_TYPE_ONBOARD_CONTROLLER, MAV_TYPE_CAMERA, MAV_TYPE_ADSB,
+                        MAV_TYPE_ANTENNA_TRACKER, MAV_TYPE_ODID, MAV_TYPE_BATTERY, MAV_TYPE_WINCH}) {
+    Finder finder;
+    finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, static_cast<uint8_t>(type)), 0);
+    CAPTURE(type);
+    CHECK_FALSE(finder.isFound());
+  }
+  for (unsigned type : {MAV_TYPE_QUADROTOR, MAV_TYPE_FIXED_WING, MAV_TYPE_GROUND_ROVER, MAV_TYPE_SUBMARINE,
+                        MAV_TYPE_GENERIC, MAV_TYPE_VTOL_TILTROTOR}) {
+    Finder finder;
+    finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, static_cast<uint8_t>(type)), 0);
+    CHECK(finder.isFound());
+  }
+}
+
+TEST_CASE("an autopilot is lost 5 s after its last heartbeat, and found again by the next") {
+  Finder finder;
+  finder.onHeartbeat(from(1, 1), 0);
+  finder.onHeartbeat(from(1, 1), 1000);
+  finder.onTime(5999);
+  CHECK(finder.isFound());
+  finder.onTime(6000);
+  CHECK_FALSE(finder.isFound());
+  CHECK(finder.firmware() == Firmware::Unknown);
+  finder.onHeartbeat(from(1, 1), 7000);
+  CHECK(finder.isFound());
+  CHECK_FALSE(finder.isCertain());
+}
+
+TEST_CASE("of two autopilots none is found until one is named or falls silent") {
+  Finder finder;
+  finder.onHeartbeat(from(1, 1), 0);
+  finder.onHeartbeat(from(2, 1), 100);
+  CHECK(finder.severalHeard());
+  CHECK_FALSE(finder.isFound());
+  for (uint16_t now = 200; now < 5000; now += 100) {
+    finder.onHeartbeat(from(1, 1), now);
+    finder.onTime(now);
+  }
+  CHECK(finder.severalHeard());
+  finder.onTime(5100);
+  CHECK_FALSE(finder.severalHeard());
+  CHECK(finder.isFrom(1, 1));
+  CHECK(finder.isFound());
+}
+
+TEST_CASE("the autopilot that was named is taken, certain at once, and no other") {
+  Finder finder;
+  finder.onHeartbeat(from(1, 1), 0);
+  finder.onHeartbeat(from(2, 1), 0);
+  finder.talkTo(2, 1);
+  CHECK_FALSE(finder.isFound());
+  finder.onHeartbeat(from(1, 1), 10);
+  CHECK_FALSE(finder.isFound());
+  finder.onHeartbeat(from(2, 1), 20);
+  CHECK(finder.isFound());
+  CHECK(finder.isCertain());
+  finder.onHeartbeat(from(1, 1), 30);
+  CHECK_FALSE(finder.severalHeard());
+  CHECK(finder.isFrom(2, 1));
+}
+
+TEST_CASE("naming the one that is there already keeps it; naming none forgets it") {
+  Finder finder;
+  finder.onHeartbeat(from(1, 1), 0);
+  finder.talkTo(1, 1);
+  CHECK(finder.isCertain());
+  finder.talkTo(0, 0);
+  CHECK_FALSE(finder.isFound());
+  finder.onHeartbeat(from(3, 1), 0);
+  CHECK(finder.isFrom(3, 1));
+}
+
+TEST_CASE("armed is what the last heartbeat says") {
+  Finder finder;
+  finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, MAV_MODE_FLAG_SAFETY_ARMED), 0);
+  CHECK(finder.isArmed());
+  finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, 0x7F), 0);
+  CHECK_FALSE(finder.isArmed());
+}

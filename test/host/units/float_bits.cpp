@@ -1,0 +1,144 @@
+#include "mavmission/FloatBits.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+using namespace mavmission;
+
+namespace {
+
+uint32_t seed = 7;
+uint32_t random32() {
+  seed = seed * 1664525 + 1013904223;
+  const uint32_t high = seed;
+  seed = seed * 1664525 + 1013904223;
+  return (high & 0xFFFF0000) | seed >> 16;
+}
+
+float fromBits(uint32_t bits) {
+  float value;
+  memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+uint32_t bitsOf(float value) {
+  uint32_t bits;
+  memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+bool sameBits(float a, float b) { return bitsOf(a) == bitsOf(b); }
+
+const float kInfinity = std::numeric_limits<float>::infinity();
+const float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+// The quotient as IEEE arithmetic has it: int32 / 10^7 is exact enough in long double to be rounded once more rightly.
+float rounded(int32_t value, uint32_t divisor) {
+  return static_cast<float>(static_cast<long double>(value) / static_cast<long double>(divisor));
+}
+
+}  // namespace
+
+TEST_CASE("the kind of a float is that of its bits") {
+  const float finite[] = {0.f, -0.f, 1.f, -1.f, std::numeric_limits<float>::max(), std::numeric_limits<float>::denorm_min()};
+  for (float value : finite) CHECK(kindOf(&value) == FloatKind::Finite);
+  const float infinite[] = {kInfinity, -kInfinity};
+  for (float value : infinite) CHECK(kindOf(&value) == FloatKind::Infinite);
+  const uint32_t notNumbers[] = {0x7FC00000, 0xFFC00000, 0x7F800001, 0xFFFFFFFF};
+  for (uint32_t bits : notNumbers) CHECK(kindOf(&bits) == FloatKind::NotANumber);
+}
+
+TEST_CASE("the kind of a float may be asked for at any address") {
+  uint8_t bytes[8];
+  for (int offset = 0; offset < 4; ++offset) {
+    memcpy(bytes + offset, &kInfinity, 4);
+    CHECK(kindOf(bytes + offset) == FloatKind::Infinite);
+  }
+}
+
+TEST_CASE("each whole number from 0 to 65535 is one, and what lies between is not") {
+  for (uint32_t number = 0; number <= 65535; ++number) {
+    uint16_t whole = 1;
+    REQUIRE(isWholeNumber(static_cast<float>(number), whole));
+    REQUIRE(whole == number);
+    REQUIRE_FALSE(isWholeNumber(static_cast<float>(number) + 0.5f, whole));
+    REQUIRE(whole == 0);
+  }
+}
+
+TEST_CASE("what is negative, too large, no number or just beside a whole number is none") {
+  uint16_t whole;
+  CHECK(isWholeNumber(-0.f, whole));
+  for (float value : {-1.f, -0.5f, 65536.f, 65535.99f, 1e9f, 1e38f, kInfinity, -kInfinity, kNaN, 0.25f, 1e-30f,
+                      std::nextafter(1.f, 2.f), std::nextafter(1.f, 0.f), std::nextafter(32768.f, 0.f)}) {
+    CAPTURE(value);
+    CHECK_FALSE(isWholeNumber(value, whole));
+  }
+}
+
+TEST_CASE("one more and one less than each whole number") {
+  for (uint32_t number = 0; number <= 65535; ++number) {
+    REQUIRE(oneMore(static_cast<float>(number)) == static_cast<float>(number + 1));
+    REQUIRE(oneLess(static_cast<float>(number)) == static_cast<float>(number == 0 ? 0 : number - 1));
+  }
+}
+
+TEST_CASE("a coordinate as a float is the nearest float there is") {
+  for (int32_t value : {0, 1, -1, 9999999, 10000000, 10000001, -353632621, 1491652374, 1800000000, -1800000000,
+                        900000000, 2147483647, -2147483647 - 1}) {
+    CAPTURE(value);
+    CHECK(sameBits(quotient(value, 10000000), rounded(value, 10000000)));
+    CHECK(sameBits(quotient(value, 1), static_cast<float>(value)));
+  }
+  for (int i = 0; i < 300000; ++i) {
+    const int32_t value = static_cast<int32_t>(random32() >> (i % 32)) * (i % 2 ? 1 : -1);
+    REQUIRE_MESSAGE(sameBits(quotient(value, 10000000), rounded(value, 10000000)), value);
+    REQUIRE_MESSAGE(sameBits(quotient(value, 1), static_cast<float>(value)), value);
+  }
+}
+
+TEST_CASE("a quotient is the nearest float, and the even one of two equally near") {
+  // Ties: halves of the last bit, with a divisor that is a power of two.
+  for (uint32_t shift = 0; shift <= 28; ++shift) {
+    for (int32_t value : {0x1000001, 0x1000002, 0x1000003, 0x2000002, 0x2000006, 0x7FFFFF40, 0x7FFFFFC0, 0x1FFFFFF, 0x3FFFFFE}) {
+      CAPTURE(shift);
+      CAPTURE(value);
+      const uint32_t divisor = 1u << shift;
+      CHECK(sameBits(quotient(value, divisor), rounded(value, divisor)));
+      CHECK(sameBits(quotient(-value, divisor), rounded(-value, divisor)));
+    }
+  }
+}
+
+TEST_CASE("values that differ in their bits alone are the same") {
+  CHECK(isSame(0.f, -0.f));
+  CHECK(isSame(kNaN, fromBits(0xFFC12345)));
+  CHECK(isSame(kInfinity, kInfinity));
+  CHECK_FALSE(isSame(kInfinity, -kInfinity));
+  CHECK_FALSE(isSame(kInfinity, kNaN));
+  CHECK_FALSE(isSame(1.f, std::nextafter(1.f, 2.f)));
+  CHECK_FALSE(isSame(1.f, -1.f));
+  CHECK_FALSE(isSame(0.f, std::numeric_limits<float>::denorm_min()));
+}
+
+TEST_CASE("the whole part of a number is without what is behind the point") {
+  for (int i = 0; i < 100000; ++i) {
+    const float value = fromBits(random32());
+    if (kindOf(&value) != FloatKind::Finite || value < 0) continue;
+    REQUIRE(wholePart(value) == std::floor(value));
+  }
+}
+
+TEST_CASE("a float times a whole number is the nearest whole number to it") {
+  for (int i = 0; i < 100000; ++i) {
+    const float degrees = static_cast<float>(static_cast<int32_t>(random32() % 3600000001u - 1800000000) * 1e-7);
+    const int32_t bits = static_cast<int32_t>(bitsOf(degrees));
+    const double product = static_cast<double>(degrees) * 1e7;
+    if (std::fabs(product) >= 2147483647.0) continue;
+    REQUIRE_MESSAGE(timesWhole(bits, 10000000) == static_cast<int32_t>(std::lround(product)), degrees);
+  }
+}

@@ -1,0 +1,418 @@
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+
+#include "Frames.h"
+
+using mavmission::FrameParser;
+using Result = FrameParser::Result;
+
+namespace {
+
+const uint16_t kTunnel = 385;
+const uint8_t kTunnelExtra = 147;
+
+// A TUNNEL frame with another frame in its payload.
+Bytes tunnelAround(const Bytes& inner) {
+  Bytes payload = {0, 0, 1, 191, static_cast<uint8_t>(inner.size())};
+  payload = payload + inner;
+  return packed(FrameParts(kTunnel, payload, kTunnelExtra));
+}
+
+// A frame of a message that carries nothing of others, with another frame in its payload.
+Bytes telemetryAround(const Bytes& inner) { return packed(FrameParts(30, inner, 39)); }
+
+Bytes part(const Bytes& bytes, size_t from, size_t to) {
+  return Bytes(bytes.begin() + static_cast<long>(from), bytes.begin() + static_cast<long>(to));
+}
+
+Bytes without(const Bytes& bytes, size_t from, size_t count) {
+  return part(bytes, 0, from) + part(bytes, from + count, bytes.size());
+}
+
+}  // namespace
+
+TEST_CASE("a frame is given with its last byte, once") {
+  ParserUnderTest parser;
+  const Bytes frame = request(7, 42);
+  CHECK(parser.take(part(frame, 0, frame.size() - 1)).empty());
+  const std::vector<Found> found = parser.take({frame.back()});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].result == Result::Wanted);
+  CHECK(found[0].messageId == 51);
+  CHECK(found[0].version == 2);
+  CHECK(found[0].sequence == 42);
+  CHECK(found[0].systemId == 1);
+  CHECK(found[0].componentId == 1);
+  CHECK(found[0].payload == requestParts(7).payload);
+  CHECK(parser.parser().isIdle());
+  CHECK(parser.silence().empty());
+}
+
+TEST_CASE("a MAVLink 1 frame is given like one of MAVLink 2") {
+  FrameParts parts = requestParts(300);
+  parts.version = 1;
+  parts.sequence = 9;
+  parts.systemId = 17;
+  parts.componentId = 3;
+  parts.payload.resize(4);
+  ParserUnderTest parser;
+  const std::vector<Found> found = parser.take(packed(parts));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].version == 1);
+  CHECK(found[0].sequence == 9);
+  CHECK(found[0].systemId == 17);
+  CHECK(found[0].componentId == 3);
+  CHECK(found[0].payload == parts.payload);
+  CHECK(parser.parser().payloadByte(4) == 0);
+}
+
+TEST_CASE("a MAVLink 1 frame of another length than its message has is none") {
+  for (uint8_t length = 0; length < 60; ++length) {
+    FrameParts parts = requestParts(3);
+    parts.version = 1;
+    parts.payload.resize(length);
+    CAPTURE(length);
+    CHECK(wantedIn(packed(parts)) == (length == 4 ? "request 3" : ""));
+  }
+}
+
+TEST_CASE("a wanted MAVLink 2 frame of every length that fits is given whole, and a longer one is stepped over") {
+  for (unsigned length = 0; length <= 255; ++length) {
+    FrameParts parts = requestParts(0);
+    parts.payload.assign(length, 0x11);
+    ParserUnderTest parser;
+    const std::vector<Found> found = parser.take(packed(parts) + request(5));
+    CAPTURE(length);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].result == (length <= MAVMISSION_MAX_PAYLOAD ? Result::Wanted : Result::Unwanted));
+    if (length <= MAVMISSION_MAX_PAYLOAD) CHECK(found[0].payload == parts.payload);
+    CHECK(found[1].result == Result::Wanted);
+    CHECK(parser.parser().bytesSkipped() == 0);
+  }
+}
+
+TEST_CASE("a frame of another message is stepped over whatever its length and version") {
+  for (uint8_t version = 1; version <= 2; ++version) {
+    for (unsigned length = 0; length <= 255; ++length) {
+      ParserUnderTest parser;
+      FrameParts parts(30, Bytes(length, 0x11), 39);
+      parts.version = version;
+      parts.sequence = 77;
+      parts.systemId = 8;
+      parts.componentId = 9;
+      const std::vector<Found> found = parser.take(packed(parts) + request(5));
+      CAPTURE(version);
+      CAPTURE(length);
+      REQUIRE(found.size() == 2);
+      CHECK(found[0].result == Result::Unwanted);
+      CHECK(found[0].sequence == 77);
+      CHECK(found[0].systemId == 8);
+      CHECK(found[0].componentId == 9);
+      CHECK(found[1].result == Result::Wanted);
+      CHECK(parser.parser().brokenFrames() == 0);
+      CHECK(parser.parser().bytesSkipped() == 0);
+    }
+  }
+}
+
+TEST_CASE("what MAVLink 2 leaves out at the end of a payload is zero") {
+  const Bytes whole = requestParts(0x0102, 1, 191, 0).payload;
+  for (uint8_t length = 1; length <= 5; ++length) {
+    FrameParts parts = requestParts(0x0102);
+    parts.payload.resize(length);
+    ParserUnderTest parser;
+    REQUIRE(parser.take(packed(parts)).size() == 1);
+    uint8_t copy[7];
+    parser.parser().copyPayload(copy, sizeof(copy));
+    for (uint8_t i = 0; i < 7; ++i) {
+      const uint8_t expected = i < length ? whole[i] : 0;
+      CHECK(copy[i] == expected);
+      CHECK(parser.parser().payloadByte(i) == expected);
+    }
+  }
+}
+
+TEST_CASE("a payload that is longer than what is asked for is cut off in the copy, no byte written behind it") {
+  ParserUnderTest parser;
+  REQUIRE(parser.take(request(0x0102)).size() == 1);
+  uint8_t copy[3] = {0xAA, 0xAA, 0xAA};
+  parser.parser().copyPayload(copy, 2);
+  CHECK(copy[0] == 2);
+  CHECK(copy[1] == 1);
+  CHECK(copy[2] == 0xAA);
+}
+
+TEST_CASE("a frame is for its target, for everyone where a target is 0, and for all where there is none") {
+  for (unsigned system : {0u, 1u, 2u}) {
+    for (unsigned component : {0u, 1u, 191u}) {
+      ParserUnderTest parser;
+      parser.take(packed(requestParts(3, static_cast<uint8_t>(system), static_cast<uint8_t>(component))));
+      CAPTURE(system);
+      CAPTURE(component);
+      CHECK(parser.parser().isFor(1, 191) == (system != 2 && component != 1));
+    }
+  }
+  ParserUnderTest parser;
+  parser.take(heartbeat());
+  CHECK(parser.parser().isFor(77, 77));
+}
+
+TEST_CASE("a target that MAVLink 2 left out is 0, and so for everyone") {
+  FrameParts parts = ackParts(0);
+  parts.payload = {0};
+  ParserUnderTest parser;
+  REQUIRE(parser.take(packed(parts)).size() == 1);
+  CHECK(parser.parser().isFor(1, 191));
+}
+
+TEST_CASE("a signed frame is given, and its signature stepped over") {
+  for (unsigned fill : {0x00u, 0x5Au, 0xFDu, 0xFEu}) {
+    FrameParts parts = requestParts(4);
+    parts.incompatibility = 1;
+    Bytes frame = packed(parts);
+    for (size_t i = frame.size() - 13; i < frame.size(); ++i) frame[i] = static_cast<uint8_t>(fill);
+    CAPTURE(fill);
+    CHECK(wantedIn(frame + frame + request(5)) == "request 4, request 4, request 5");
+    ParserUnderTest parser;
+    CHECK(parser.take(frame + request(5)).size() == 2);
+    CHECK(parser.parser().bytesSkipped() == 0);
+  }
+}
+
+TEST_CASE("a signed frame of another message is stepped over, signature and all") {
+  FrameParts parts(30, Bytes(28, 0x11), 39);
+  parts.incompatibility = 1;
+  ParserUnderTest parser;
+  const std::vector<Found> found = parser.take(packed(parts) + request(5));
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].result == Result::Unwanted);
+  CHECK(found[1].result == Result::Wanted);
+  CHECK(parser.parser().brokenFrames() == 0);
+}
+
+TEST_CASE("a frame with an incompatibility flag that is not understood is discarded") {
+  for (unsigned flags = 0; flags <= 255; ++flags) {
+    FrameParts parts = requestParts(4);
+    parts.incompatibility = static_cast<uint8_t>(flags);
+    CAPTURE(flags);
+    CHECK(wantedIn(packed(parts) + request(5)) == (flags <= 1 ? "request 4, request 5" : "request 5"));
+  }
+}
+
+TEST_CASE("compatibility flags are of no account") {
+  for (unsigned flags = 0; flags <= 255; ++flags) {
+    FrameParts parts = requestParts(4);
+    parts.compatibility = static_cast<uint8_t>(flags);
+    CHECK(wantedIn(packed(parts) + request(5)) == "request 4, request 5");
+  }
+}
+
+TEST_CASE("each bit that is wrong in a frame of the service makes it none") {
+  const Bytes good = request(4);
+  for (size_t byte = 0; byte < good.size(); ++byte) {
+    for (int bit = 0; bit < 8; ++bit) {
+      Bytes damaged = good;
+      damaged[byte] = static_cast<uint8_t>(damaged[byte] ^ 1 << bit);
+      CAPTURE(byte);
+      CAPTURE(bit);
+      CHECK(wantedIn(damaged + request(5)) == "request 5");
+    }
+  }
+}
+
+TEST_CASE("a wrong checksum is counted, once") {
+  ParserUnderTest parser;
+  Bytes damaged = request(4);
+  damaged.back() = static_cast<uint8_t>(damaged.back() ^ 1);
+  parser.take(damaged + request(5));
+  CHECK(parser.parser().badChecksums() == 1);
+  CHECK(parser.parser().bytesSkipped() == damaged.size());
+}
+
+TEST_CASE("the checksum of another edition of a message is wrong") {
+  FrameParts parts = requestParts(4);
+  parts.crcExtra = 195;
+  CHECK(wantedIn(packed(parts) + request(5)) == "request 5");
+}
+
+TEST_CASE("bytes between frames are skipped and counted") {
+  ParserUnderTest parser;
+  const Bytes noise = {'I', 'n', 'i', 't', ' ', 'A', 'r', 'd', 'u', 'P', 'i', 'l', 'o', 't', '\r', '\n'};
+  CHECK(wanted(parser.take(noise + request(1) + noise + request(2) + noise)).size() == 2);
+  CHECK(parser.parser().bytesSkipped() == 3 * noise.size());
+}
+
+TEST_CASE("two frames are found behind each number of lost bytes at each position of a telemetry frame") {
+  const Bytes before = telemetry(28, 0x33);
+  for (size_t count = 1; count < before.size(); ++count) {
+    for (size_t from = 0; from + count <= before.size(); ++from) {
+      CAPTURE(count);
+      CAPTURE(from);
+      CHECK(wantedIn(without(before, from, count) + request(1) + telemetry() + request(2)) == "request 1, request 2");
+    }
+  }
+}
+
+TEST_CASE("a frame that begins inside one with a damaged length is found, however long that says to be") {
+  for (unsigned length = 0; length <= 255; ++length) {
+    Bytes damaged = telemetry(28, 0x33);
+    damaged[1] = static_cast<uint8_t>(length);
+    CAPTURE(length);
+    CHECK(wantedIn(damaged + request(1) + telemetry() + request(2) + telemetry() + request(3)) ==
+          "request 1, request 2, request 3");
+  }
+}
+
+TEST_CASE("a frame behind a wanted one with a damaged length is found") {
+  for (unsigned length = 0; length <= 255; ++length) {
+    if (length == 5) continue;
+    Bytes damaged = request(9);
+    damaged[1] = static_cast<uint8_t>(length);
+    CAPTURE(length);
+    CHECK(wantedIn(damaged + request(1) + telemetry() + request(2)) == "request 1, request 2");
+  }
+}
+
+TEST_CASE("a frame is found behind bytes that begin like one, at the end of a telemetry frame") {
+  // Each tail of a header, complete with the bytes of the real frame behind it, could swallow that frame's first bytes.
+  const Bytes heads[] = {{0xFD, 0xFF, 0, 0, 0x36, 1, 1, 0x6A, 0, 0}, {0xFE, 0xFF, 0x36, 1, 1, 0x1E}};
+  for (const Bytes& head : heads) {
+    for (size_t shown = 1; shown < head.size(); ++shown) {
+      const Bytes last = telemetryAround(Bytes(20, 0x11) + part(head, 0, shown));
+      CAPTURE(shown);
+      CHECK(wantedIn(last + request(1) + telemetry() + request(2)) == "request 1, request 2");
+      // The same with the checksum among the bytes that deceive.
+      for (uint8_t behind = 1; behind < 3; ++behind) {
+        Bytes deceiving = telemetry(20, 0x11);
+        deceiving[deceiving.size() - behind] = head[0];
+        CHECK(wantedIn(deceiving + request(1) + telemetry() + request(2)) == "request 1, request 2");
+      }
+    }
+  }
+}
+
+TEST_CASE("a wanted header that is only data, across the end of a telemetry frame, hides no frame") {
+  for (uint8_t length = 0; length <= MAVMISSION_MAX_PAYLOAD; ++length) {
+    const Bytes last = telemetryAround(Bytes(20, 0x11) + Bytes{0xFD, length, 0, 0, 0, 1, 1, 51, 0, 0});
+    CAPTURE(length);
+    CHECK(wantedIn(last + request(1) + telemetry() + request(2)) == "request 1, request 2");
+  }
+}
+
+TEST_CASE("a frame among the data of a message that carries bytes of others is data") {
+  for (size_t filled = 0; filled < 60; ++filled) {
+    const Bytes carrier = tunnelAround(Bytes(filled, 0x11) + request(66) + Bytes(7, 0x11));
+    CHECK(wantedIn(telemetry() + carrier + request(1)) == "request 1");
+  }
+}
+
+TEST_CASE("a frame among the data of any other message could only be there by damage, and is taken") {
+  CHECK(wantedIn(telemetry() + telemetryAround(Bytes(9, 0x11) + request(66)) + request(1)) == "request 66, request 1");
+}
+
+TEST_CASE("a frame behind what looks like a carrier only because of damage is taken") {
+  // Between frames, but not where one is due: these are the last bytes of a frame whose first were lost.
+  const Bytes data = {0x12, 0xFE, 0x7F, 0x3F, 0x51, 0x5C, 123};
+  CHECK(wantedIn(telemetry() + data + request(1) + telemetry() + request(2)) == "request 1, request 2");
+}
+
+TEST_CASE("a carrier with an id of more than 16 bits is none") {
+  const Bytes inner = Bytes(9, 0x11) + request(66);
+  CHECK(wantedIn(telemetry() + packed(FrameParts(0x10000 + kTunnel, inner, 0)) + request(1)) == "request 66, request 1");
+}
+
+TEST_CASE("an id of more than 16 bits is not that of a wanted message") {
+  FrameParts parts = requestParts(4);
+  parts.messageId = 0x10000 + 51;
+  ParserUnderTest parser;
+  const std::vector<Found> found = parser.take(packed(parts) + request(5));
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].result == Result::Unwanted);
+}
+
+TEST_CASE("a frame cut short is given up in silence, and the next one taken") {
+  for (const Bytes& frame : {request(9), telemetry(), telemetry(255), packed(requestParts(0xFDFD, 0xFD, 0xFD))}) {
+    for (size_t shown = 1; shown < frame.size(); ++shown) {
+      ParserUnderTest parser;
+      parser.take(part(frame, 0, shown));
+      CHECK(wanted(parser.silence()).empty());
+      CHECK(parser.parser().isIdle());
+      CAPTURE(shown);
+      CHECK(wanted(parser.take(request(1))).size() == 1);
+    }
+  }
+}
+
+TEST_CASE("silence gives the frame that damage before it had made part of another") {
+  // A wanted header promises 54 bytes; only a request follows.
+  const Bytes head = {0xFD, 54, 0, 0, 0, 1, 1, 51, 0, 0};
+  ParserUnderTest parser;
+  CHECK(wanted(parser.take(head + request(1))).empty());
+  CHECK(wanted(parser.silence()).size() == 1);
+  CHECK(parser.parser().isIdle());
+}
+
+TEST_CASE("silence behind a whole telemetry frame gives it, and behind a part of one counts it as broken") {
+  ParserUnderTest whole;
+  CHECK(whole.take(telemetry()).empty());
+  const std::vector<Found> found = whole.silence();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].result == Result::Unwanted);
+  CHECK(whole.parser().brokenFrames() == 0);
+
+  ParserUnderTest cut;
+  cut.take(part(telemetry(), 0, 20));
+  CHECK(cut.silence().empty());
+  CHECK(cut.parser().brokenFrames() == 1);
+}
+
+TEST_CASE("a buffer full of beginnings is looked through to its end") {
+  // Each byte could begin a frame: every one is given up in turn.
+  for (unsigned magic : {0xFDu, 0xFEu}) {
+    for (size_t count = 1; count < 300; ++count) {
+      CAPTURE(count);
+      CHECK(wantedIn(Bytes(count, static_cast<uint8_t>(magic)) + request(1) + telemetry() + request(2)) ==
+            "request 1, request 2");
+    }
+  }
+}
+
+TEST_CASE("the longest frame that is kept fills the buffer, and what waits behind it fits") {
+  // A wanted header with the greatest length, a wrong checksum, and beginnings of more of them inside.
+  Bytes nested;
+  while (nested.size() < MAVMISSION_MAX_PAYLOAD) nested = nested + Bytes{0xFD, MAVMISSION_MAX_PAYLOAD, 0, 0, 0, 1, 1, 51, 0, 0};
+  nested.resize(MAVMISSION_MAX_PAYLOAD);
+  FrameParts parts = requestParts(0);
+  parts.payload = nested;
+  Bytes frame = packed(parts);
+  frame.back() = static_cast<uint8_t>(~frame.back());
+  CHECK(wantedIn(frame + frame + frame + request(1) + Bytes(80, 0x11)) == "request 1");
+}
+
+TEST_CASE("a rescan takes one byte a call, so that its time can be shared out") {
+  ParserUnderTest fed;
+  Bytes damaged = request(4);
+  damaged.back() = static_cast<uint8_t>(~damaged.back());
+  FrameParser parser = fed.parser();
+  for (uint8_t byte : damaged) CHECK(parser.take(byte) == Result::Nothing);
+  unsigned calls = 0;
+  for (; parser.hasWaiting(); ++calls) CHECK(parser.takeWaiting() == Result::Nothing);
+  CHECK(calls == damaged.size() - 1);
+  CHECK(parser.isIdle());
+}
+
+TEST_CASE("random bytes lead to no frame that was not there, and to no harm") {
+  uint32_t seed = 1;
+  for (int round = 0; round < 200; ++round) {
+    Bytes noise(1 + round % 90);
+    for (uint8_t& byte : noise) {
+      seed = seed * 1664525 + 1013904223;
+      byte = static_cast<uint8_t>(seed >> 24);
+      if (seed % 7 == 0) byte = seed % 2 ? 0xFD : 0xFE;
+    }
+    CAPTURE(round);
+    CHECK(wantedIn(noise + request(1) + telemetry() + request(2) + Bytes(300, 0) + request(3)) ==
+          "request 1, request 2, request 3");
+  }
+}

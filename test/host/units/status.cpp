@@ -1,0 +1,66 @@
+#include "mavmission/Status.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <set>
+#include <string>
+
+using namespace mavmission;
+
+namespace {
+const Status kAll[] = {
+#define NAME(name, text) Status::name,
+    MAVMISSION_STATUSES(NAME)
+#undef NAME
+};
+const Aboard kAllAboard[] = {
+#define NAME(name, text) Aboard::name,
+    MAVMISSION_ABOARD(NAME)
+#undef NAME
+};
+}  // namespace
+
+TEST_CASE("every status has a text of its own") {
+  std::set<std::string> texts;
+  for (Status status : kAll) {
+    REQUIRE(toString(status) != nullptr);
+    CHECK(strlen(toString(status)) > 3);
+    texts.insert(toString(status));
+  }
+  CHECK(texts.size() == sizeof(kAll) / sizeof(*kAll));
+}
+
+TEST_CASE("everything that can be aboard has a text of its own") {
+  std::set<std::string> texts;
+  for (Aboard aboard : kAllAboard) {
+    REQUIRE(toString(aboard) != nullptr);
+    texts.insert(toString(aboard));
+  }
+  CHECK(texts.size() == sizeof(kAllAboard) / sizeof(*kAllAboard));
+}
+
+TEST_CASE("a value that is no status has no text") {
+  CHECK(toString(static_cast<Status>(sizeof(kAll) / sizeof(*kAll))) == nullptr);
+  CHECK(toString(static_cast<Status>(255)) == nullptr);
+  CHECK(toString(static_cast<Aboard>(255)) == nullptr);
+}
+
+TEST_CASE("an operation is over with every status but the first four") {
+  for (Status status : kAll) {
+    const bool running = status == Status::Idle || status == Status::WaitingForAutopilot || status == Status::Checking ||
+                         status == Status::Transferring;
+    CHECK(isEnd(status) == !running);
+  }
+}
+
+TEST_CASE("each MAV_MISSION_RESULT has its status, and an unknown one its own") {
+  const Status inOrder[] = {Status::Accepted,      Status::Error,         Status::UnsupportedFrame, Status::Unsupported,
+                            Status::NoSpace,       Status::Invalid,       Status::InvalidParam1,    Status::InvalidParam2,
+                            Status::InvalidParam3, Status::InvalidParam4, Status::InvalidParam5,    Status::InvalidParam6,
+                            Status::InvalidParam7, Status::InvalidSequence, Status::Denied, Status::CancelledByAutopilot};
+  for (unsigned result = 0; result <= 255; ++result) {
+    const Status expected = result < 16 ? inOrder[result] : Status::UnknownResult;
+    CHECK((fromMissionResult(static_cast<uint8_t>(result)) == expected));
+  }
+}

@@ -1,0 +1,112 @@
+"""The stack that each public call takes, by itself: without the interrupts, which a sketch has anyway."""
+
+from __future__ import annotations
+
+from fake_autopilot import frames, mavlink
+from mega import Mega
+
+from .firmware import measured
+from .peer import AUTOPILOT, ITEMS, KINDS
+from .report import aligned
+
+# Numbers of test/measured/calls.cpp.
+CALLS = {
+    2: "upload()",
+    3: "cancel()",
+    4: "status()",
+    5: "counters()",
+    6: "failedItem(), itemsDone(), itemsTotal()",
+    7: "onProgress()",
+    8: "onEnd()",
+    9: "setOwnIds()",
+    10: "talkTo()",
+    11: "toString()",
+    12: "hasAutopilot(), isArmed()",
+}
+UPDATE, UPLOAD = 1, 2
+CALLER_BYTES = 3  # the return address of the function around the call, which is the measurement's own
+COMPANION = mavlink.MAV_COMP_ID_ONBOARD_COMPUTER
+
+
+class Caller:
+    """The firmware, a call at a time, its bytes and its clock in the hands of the measurement."""
+
+    def __init__(self, kind: str, items: int = 4) -> None:
+        self.mega = Mega(measured("calls", ITEMS=items))
+        self.mega.run_ms(5)
+        self.kind = kind
+        self._ms = 0
+        self._packer = mavlink.MAVLink(None, 1, 1)
+        self._splitter = frames.FrameSplitter()
+
+    def call(self, which: int) -> int:
+        """The bytes of stack that a call took, its return address included."""
+        mega = self.mega
+        mega.forget_stack()
+        mega.poke_int("callDue", which)
+        while mega.peek_int("callDue"):
+            mega.run_us(100)
+        return mega.deepest_stack - (mega.ram_end - mega.peek_int("stackBefore")) - CALLER_BYTES
+
+    def wait(self, ms: int) -> None:
+        """Let millis() go on."""
+        self._ms += ms
+        self.mega.poke_int("timer0_millis", self._ms)
+
+    def say(self, message) -> None:
+        """Put a message where read() finds it."""
+        frame = bytes(message.pack(self._packer))
+        self.mega.poke("toSketch", frame)
+        self.mega.poke_int("toSketchRead", 0)
+        self.mega.poke_int("toSketchEnd", len(frame))
+
+    def heard(self) -> list:
+        """What was written since the last call."""
+        length = self.mega.peek_int("fromSketchEnd")
+        written = self.mega.peek("fromSketch")[:length]
+        self.mega.poke_int("fromSketchEnd", 0)
+        return [frames.decode(piece) for piece, intact in self._splitter.feed(written) if intact and len(piece) >= 8]
+
+    def heartbeat(self) -> None:
+        self.say(mavlink.MAVLink_heartbeat_message(2, AUTOPILOT[self.kind], 0, 0, 3, 3))
+
+    def upload(self) -> int:
+        """A whole upload; the deepest update() in it."""
+        deepest = 0
+        self.call(UPLOAD)
+        for ms in range(100_000):
+            if ms % 500 == 0 and not self.mega.peek_int("toSketchEnd") > self.mega.peek_int("toSketchRead"):
+                self.heartbeat()
+            self.wait(1)
+            deepest = max(deepest, self.call(UPDATE))
+            for message in self.heard():
+                name = message.get_type()
+                if name == "MISSION_COUNT":
+                    self._count = message.count
+                    self._request(0)
+                elif name in ITEMS and message.seq + 1 < self._count:
+                    self._request(message.seq + 1)
+                elif name in ITEMS:
+                    self.say(mavlink.MAVLink_mission_ack_message(1, COMPANION, 0, 0))
+                    return max(deepest, self.call(UPDATE))
+        raise TimeoutError("the firmware under measurement uploaded nothing in 100 s")
+
+    def _request(self, seq: int) -> None:
+        self.say(mavlink.MAVLink_mission_request_int_message(1, COMPANION, seq, 0))
+
+
+def stacks() -> dict[str, int]:
+    """Bytes of stack by public call."""
+    taken = {"update(), in an upload": max(Caller(kind).upload() for kind in KINDS)}
+    for which, name in CALLS.items():
+        caller = Caller("px4")
+        if which != UPLOAD:
+            caller.call(UPLOAD)
+        taken[name] = caller.call(which)
+    return taken
+
+
+def table() -> str:
+    lines = [["public call", "stack [bytes]"]]
+    lines += [[name, str(taken)] for name, taken in sorted(stacks().items(), key=lambda item: -item[1])]
+    return aligned(lines, left=1)
