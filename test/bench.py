@@ -33,12 +33,15 @@ STATUS_HEADER = ROOT / "src" / "mavmission" / "Status.h"
 PERSONALITIES = {"ArduPilot": ArduPilot, "PX4": Px4}
 
 SERIAL, AUTOPILOT_PORT = 0, 1
+PROOFS = ("ByAnswer", "InDoubt", "Always")  # mavmission::Proof
 PLAN_ITEMS = 60  # room in benchPlan
 NO_ITEM = 0xFFFF
 NO_RESULT = 255
 # The firmware is looked at this often, while bytes move, if the autopilot's delay allows [s].
 LONGEST_SLICE_S = 0.001
 SHORTEST_SLICE_S = 0.0002
+# What the firmware says on Serial is read this often, at the least, where it is waited for [s].
+LISTENING_S = 0.02
 
 _ITEM = struct.Struct("<4fiifHBBB")  # mavmission::MissionItem on AVR
 
@@ -58,8 +61,8 @@ def texts_of(list_name: str) -> dict[str, str]:
 
 
 @cache
-def firmware_image(baud: int, *defines: tuple[str, object]) -> Image:
-    return Image.load(build_firmware("bench", [SOURCE], {"BENCH_BAUD": baud, **dict(defines)}))
+def firmware_image(baud: int, *defines: tuple[str, object], source: Path = SOURCE) -> Image:
+    return Image.load(build_firmware(source.stem, [source], {"BENCH_BAUD": baud, **dict(defines)}))
 
 
 def status_names() -> tuple[str, ...]:
@@ -151,9 +154,11 @@ class Bench:
     defines: for the firmware. mega: a Mega that runs already.
     """
 
+    source = SOURCE  # of the firmware
+
     def __init__(self, personality: str | FakeAutopilot | None = "ArduPilot", *, baud: int = 57600,
                  defines: dict | None = None, wire: Wire | None = None, **options) -> None:  # fmt: skip
-        self.mega = Mega(firmware_image(baud, *(defines or {}).items()))
+        self.mega = Mega(firmware_image(baud, *(defines or {}).items(), source=self.source))
         self.wire = wire or Wire()
         named = personality is None or isinstance(personality, str)
         self.autopilot = fake(personality, baud, **options) if named else personality
@@ -189,7 +194,7 @@ class Bench:
         while len(self.ends) <= self._ends_seen:
             if self.now >= limit:
                 raise AssertionError(f"nothing ended within {limit_s} s: it is {self.state}")
-            self._step(limit)
+            self._step(min(limit, self.now + LISTENING_S))
         self._ends_seen += 1
         return self.ends[self._ends_seen - 1]
 
@@ -206,7 +211,7 @@ class Bench:
         limit = self.now + limit_s
         while not any(event.word == word and event.numbers[: len(numbers)] == numbers for event in self.events):
             assert self.now < limit, f"no '{word}' within {limit_s} s"
-            self._step(limit)
+            self._step(min(limit, self.now + LISTENING_S))
 
     def _step(self, until: float) -> None:
         """Run to the next thing that happens, at most to `until` [s]."""
@@ -261,7 +266,8 @@ class Bench:
     def tell(self, *words) -> list[str]:
         """Say a line to the firmware, wait until it is done, and return what it answered."""
         before = len(self.answers)
-        self.mega.serial(SERIAL).send(" ".join(str(int(w) if isinstance(w, bool) else w) for w in words).encode() + b"\n")
+        line = " ".join(str(int(word) if isinstance(word, bool) else word) for word in words)
+        self.mega.serial(SERIAL).send(line.encode() + b"\n")
         self._run_until_answered("ok", limit_s=2.0)
         return self.answers[before:-1]
 
@@ -290,11 +296,14 @@ class Bench:
         if data:
             self.mega.poke(self.mega.address("benchPlan"), data)
 
-    def upload(self, plan: Sequence[Item] | FunctionPlan | str | None = None) -> str:
-        """Begin an upload (None: of the same plan again); the name of what upload() returned."""
+    def upload(self, plan: Sequence[Item] | FunctionPlan | str | None = None, proof: str = "ByAnswer") -> str:
+        """Begin an upload (None: of the same plan again); the name of what upload() returned.
+
+        proof: one of PROOFS; all but the first read the plan back.
+        """
         if plan is not None:
             self.use(plan)
-        self.tell("upload")
+        self.tell("upload", PROOFS.index(proof))
         return status_names()[self._numbers("began")[-1][0]]
 
     def cancel(self) -> None:

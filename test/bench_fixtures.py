@@ -45,6 +45,24 @@ def line(build_bench):
     return build_bench(None)
 
 
+@pytest.fixture
+def make_service(request, personality):
+    """Makes a Service; with personality=..., for another autopilot than the test's."""
+    from service import Service
+
+    def build(**options) -> Service:
+        made = Service(options.pop("personality", personality), **options)
+        request.node.stash.setdefault(BENCHES, []).append(made)
+        return made
+
+    return build
+
+
+@pytest.fixture
+def service(make_service):
+    return make_service()
+
+
 BENCHES = pytest.StashKey[list]()
 
 

@@ -17,8 +17,10 @@ from bench_fixtures import (  # noqa: E402, F401
     build_bench,
     line,
     make_bench,
+    make_service,
     personality,
     pytest_runtest_makereport,
+    service,
 )
 from scenario_table import pytest_collection_modifyitems, pytest_terminal_summary  # noqa: E402, F401
 

@@ -69,8 +69,11 @@ def sent(bench) -> list[Item]:
 def steps(bench) -> list[tuple]:
     """The firmware's side of all transfers in few words: ("COUNT", 5), ("ITEM_INT", 0), ("ACK", 0), ("REQUEST_LIST", None)."""
     what = {"MISSION_COUNT": "count", "MISSION_ACK": "type"}
-    return [(message.get_type()[len("MISSION_") :], getattr(message, what.get(message.get_type(), "seq"), None))
-            for message in bench.mission_messages()]  # fmt: skip
+    said = []
+    for message in bench.mission_messages():
+        name = message.get_type()
+        said.append((name.removeprefix("MISSION_"), getattr(message, what.get(name, "seq"), None)))
+    return said
 
 
 def smooth_steps(wire_count: int) -> list[tuple]:

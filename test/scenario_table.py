@@ -51,7 +51,8 @@ def pytest_terminal_summary(terminalreporter) -> None:
         return
     width = max(len(title) for _, title, _ in table)
     terminalreporter.section("scenarios")
-    terminalreporter.write_line("  # | " + " | ".join([f"{'title':<{width}}", *(f"{column:<14}" for column in COLUMNS)]))
+    heads = [f"{'title':<{width}}", *(f"{column:<14}" for column in COLUMNS)]
+    terminalreporter.write_line(f"  # | {' | '.join(heads)}".rstrip())
     for number, title, cells in table:
         line = f"{number:3} | " + " | ".join([f"{title:<{width}}", *(f"{text:<14}" for text in cells)])
         terminalreporter.write_line(line.rstrip(), red="FAILED" in line)

@@ -229,7 +229,8 @@ def test_plan_goes_out_by_itself_when_the_second_autopilot_has_gone(bench, perso
 
 @pytest.mark.scenario(39, "The autopilot appears 30 s after the Arduino")
 def test_plan_waits_for_an_autopilot_that_appears_late(make_bench, personality):
-    bench = make_bench(heartbeat_at_s=30.0, tells_at_s=30.5) if personality == "PX4" else make_bench(heartbeat_at_s=30.0)
+    tells = {"tells_at_s": 30.5} if personality == "PX4" else {}
+    bench = make_bench(heartbeat_at_s=30.0, **tells)
     bench.upload(SURVEY)
     assert bench.run_until_ended(limit_s=40) == "Accepted"
     assert min(bench.sent_at("HEARTBEAT")) > 30.0

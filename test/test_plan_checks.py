@@ -76,7 +76,9 @@ def expect_refused(bench, plan, status: str, failed_item: int | None) -> None:
 
 
 @ARGUMENTS
-@pytest.mark.parametrize(("status", "wrong"), WRONG_EVERYWHERE, ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(
+    ("status", "wrong"), WRONG_EVERYWHERE, ids=lambda value: value if isinstance(value, str) else ""
+)
 def test_wrong_item_is_refused_by_its_number(bench, status, wrong):
     expect_refused(bench, with_item(2, wrong), status, 2)
 

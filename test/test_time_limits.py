@@ -109,11 +109,52 @@ def expect_repeats_then(bench, wire_count: int, then: list[tuple]) -> None:
 
 @FINAL_ACK
 @pytest.mark.parametrize("losses", [1, None], ids=["the first ACK lost", "every ACK lost"])
+def test_lost_final_ack_of_ardupilot_is_never_taken_for_either_end(build_bench, losses):
+    """Without a proof. An idle ArduPilot answers the repeated last item with ERROR, though the plan is aboard."""
+    bench = build_bench("ArduPilot")
+    bench.wire.lose("<", name="MISSION_ACK", times=losses)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
+    ended = next(event.ms for event in bench.events if event.word == "end") / 1000
+    assert ended == pytest.approx(bench.sent_at("MISSION_ITEM_INT")[-1] + 1.5, abs=0.012)
+    bench.run(10)
+    expect_repeats_then(bench, 6, [])
+    state = bench.state
+    assert (state.aboard, state.last_result) == ("NotKnown", mavlink.MAV_MISSION_ERROR if losses else None)
+    assert bench.progress[-1] == (4, 5)
+    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, "ArduPilot"))
+
+
+@FINAL_ACK
+def test_final_acks_that_all_are_lost_end_in_bounded_time(bench, personality):
+    bench.wire.lose("<", name="MISSION_ACK", times=None)
+    wire_count = len(on_the_wire(SURVEY, personality))
+    bench.upload(SURVEY)
+    last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
+    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
+    assert bench.now - last < 9.05  # five items and the wait after the last, 1.5 s each
+    bench.run(10)
+    expect_repeats_then(bench, wire_count, [])
+    assert (bench.state.aboard, bench.ends) == ("NotKnown", ["Unconfirmed"])
+
+
+@FINAL_ACK
+def test_plan_that_is_to_be_verified_is_read_back_though_the_final_ack_came(bench, personality):
+    wire_count = len(on_the_wire(SURVEY, personality))
+    bench.upload(SURVEY, proof="Always")
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run(1)
+    assert steps(bench) == [*smooth_steps(wire_count), *read_back(wire_count)]
+    assert bench.progress == [(done, 5) for done in range(1, 6)]
+
+
+@FINAL_ACK
+@pytest.mark.parametrize("losses", [1, None], ids=["the first ACK lost", "every ACK lost"])
 def test_plan_is_read_back_where_the_final_ack_cannot_be_had_again(build_bench, losses):
     """An idle ArduPilot answers the repeated last item with ERROR, though the plan is aboard."""
     bench = build_bench("ArduPilot")
     bench.wire.lose("<", name="MISSION_ACK", times=losses)
-    bench.upload(SURVEY)
+    bench.upload(SURVEY, proof="InDoubt")
     assert bench.run_until_ended(limit_s=20) == "Accepted"
     bench.run(10)
     expect_repeats_then(bench, 6, read_back(6))
@@ -127,7 +168,7 @@ def test_plan_is_read_back_where_the_final_ack_cannot_be_had_again(build_bench, 
 def test_plan_is_read_back_from_px4_when_no_ack_comes_through(build_bench):
     bench = build_bench("PX4")
     bench.wire.lose("<", name="MISSION_ACK", times=None)
-    bench.upload(SURVEY)
+    bench.upload(SURVEY, proof="InDoubt")
     assert bench.run_until_ended(limit_s=20) == "Accepted"
     bench.run(10)
     expect_repeats_then(bench, 5, read_back(5))
@@ -138,7 +179,7 @@ def test_plan_is_read_back_from_px4_when_no_ack_comes_through(build_bench):
 def test_another_plan_that_is_read_back_is_no_acceptance(bench, personality):
     bench.wire.lose("<", name="MISSION_ACK", times=None)
     wire = on_the_wire(SURVEY, personality)
-    bench.upload(SURVEY)
+    bench.upload(SURVEY, proof="InDoubt")
     bench.run_until_sent("MISSION_ITEM_INT", len(wire))
     bench.run(0.1)
     changed = wire[3]._replace(z=wire[3].z + 0.25)
@@ -151,11 +192,11 @@ def test_another_plan_that_is_read_back_is_no_acceptance(bench, personality):
 
 
 @FINAL_ACK
-def test_no_answer_at_all_after_the_last_item_ends_in_bounded_time(bench, personality):
+def test_no_answer_even_to_the_reading_ends_in_bounded_time(bench, personality):
     for name in ("MISSION_ACK", "MISSION_COUNT"):
         bench.wire.lose("<", name=name, times=None)
     wire_count = len(on_the_wire(SURVEY, personality))
-    bench.upload(SURVEY)
+    bench.upload(SURVEY, proof="InDoubt")
     last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
     assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
     assert bench.now - last < 17.0  # five items and five lists, 1.5 s each, and the answer to the last item

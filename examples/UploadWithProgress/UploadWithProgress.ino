@@ -75,7 +75,7 @@ void start() {
   tryAgain = false;
   CONSOLE.print(F("upload, try "));
   CONSOLE.println(tries);
-  autopilot.upload(inFlash(plan));
+  autopilot.upload(inFlash(plan), WhenInDoubt);
 }
 
 void setup() {

@@ -77,7 +77,7 @@ struct LeadingZero<'0', Second, Rest...> {
   static constexpr bool value = isDigit(Second);
 };
 
-// The value in 1e-7 degree; digits beyond the seventh decimal are zeros here. Stops growing beyond 1e12, so that
+// The value in 1e-7 degree; digits beyond the seventh decimal are zeros here. Stops growing beyond 1e10, so that
 // nothing overflows before the range is checked.
 template <char... Rest>
 struct Value;
@@ -94,7 +94,7 @@ struct Value<First, Rest...> {
     return First == '.'                    ? Value<Rest...>::e7(value, true, 0)
            : !isDigit(First)               ? Value<Rest...>::e7(value, behindPoint, decimals)
            : behindPoint && decimals >= 7  ? Value<Rest...>::e7(value, true, decimals)
-           : value > 99999999999           ? Value<Rest...>::e7(value, behindPoint, decimals)
+           : value > 9999999999            ? Value<Rest...>::e7(value, behindPoint, decimals)
            : Value<Rest...>::e7(value * 10 + (First - '0'), behindPoint, decimals + (behindPoint ? 1 : 0));
   }
 };

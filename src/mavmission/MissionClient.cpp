@@ -45,6 +45,8 @@ Status MissionClient::startOperation(Operation operation) {
   state_.lastResult = 255;
   state_.field = Field::None;
   state_.proving = false;
+  state_.turnPauseS = 0;
+  state_.turnAtS = 0;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
 }
@@ -68,9 +70,10 @@ void MissionClient::tellCancelled() {
 
 void MissionClient::cancel() {
   if (state_.operation == nullptr) return;
-  if (state_.status == Status::Transferring) {
+  const bool isUpload = state_.operation == uploadStep;
+  if (state_.status == Status::Transferring && (isUpload || state_.operation == readStep)) {
     tellCancelled();
-    if (state_.operation == uploadStep) setAboard(aboardAfterUpload(Status::Cancelled));
+    if (isUpload) setAboard(aboardAfterUpload(Status::Cancelled));
     unsettle(static_cast<uint16_t>(millis()));
   }
   end(Status::Cancelled);
@@ -79,6 +82,7 @@ void MissionClient::cancel() {
 void MissionClient::waitForAutopilot() {
   const AutopilotFinder& finder = link_.finder();
   if (finder.isCertain()) {
+    if (finder.isFrom(link_.systemId(), link_.componentId())) return end(Status::SameIdsAsAutopilot);
     state_.status = Status::Checking;
     return;
   }

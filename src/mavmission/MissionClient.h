@@ -29,8 +29,9 @@ typedef void (*EndFunction)(void* context, Status status);
 enum class StartStep : uint8_t { None, ReadyMode, Arm, AutoMode, Begin };
 
 // Whether an upload is proven by reading the plan back.
-enum class Proof : uint8_t { WhenInDoubt, Always };
-constexpr Proof Verified = Proof::Always;  // upload(plan, Verified)
+enum class Proof : uint8_t { ByAnswer, InDoubt, Always };
+constexpr Proof WhenInDoubt = Proof::InDoubt;  // upload(plan, WhenInDoubt)
+constexpr Proof Verified = Proof::Always;      // upload(plan, Verified)
 
 // Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
 // At 57600 baud a Mega's receive ring is full after 11 ms: a loop that takes longer loses bytes, and so time, but
@@ -52,10 +53,16 @@ class MissionClient {
 
   // Puts a plan aboard, in the place of what is there. Waits for the autopilot, checks the plan, then transfers. Returns
   // the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is said only
-  // when the plan is aboard. When the final answer is lost, the plan is read back and compared to find out, and
-  // Status::Unconfirmed remains where that cannot be done either; with Proof::Always it is read back in any case. The
-  // source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".)
-  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission, Proof proof = Proof::WhenInDoubt);
+  // when the autopilot has acknowledged the whole plan, and on PX4 with our checksum. When the final answer never comes it
+  // is Status::Unconfirmed. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the
+  // Vehicle".)
+  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission);
+
+  // The same, and finds out what is aboard by reading it back and comparing: when the final answer is in doubt
+  // (WhenInDoubt), or in any case (Verified). Status::Accepted is then said exactly when the plan is aboard,
+  // Status::Differs when it is not; Status::Unconfirmed remains where it cannot be read either. Costs 5 kB of flash in a
+  // sketch that calls it.
+  Status upload(const ItemSource& plan, PlanType type, Proof proof);
   Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
 
   // Puts the plan of the last upload aboard again: after a failure that left a mixture, for example.
@@ -195,6 +202,7 @@ class MissionClient {
   static void readStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void clearStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static Status compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
+  static void fromFloats(void* itemMessage);
   static Status storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
   Status beginReading(uint16_t nowMs);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
@@ -202,7 +210,7 @@ class MissionClient {
   void takeReadItem(const FrameParser& frame);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
-  void proveUpload(uint16_t nowMs);
+  static void proveUpload(MissionClient& client, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void fillOwn(MissionClient& client, FlightCommand& command);
@@ -292,6 +300,7 @@ class MissionClient {
     bool tooLong;              // the source has more items than the protocol can count
     PlanType type;             // of the running operation
     Proof proof;
+    void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
     Field field;               // that differs
     StartStep startStep;
     bool infeasible;           // the autopilot has said so of the plan that it accepted
@@ -305,7 +314,10 @@ class MissionClient {
     DownloadTransfer transfer;
     // Takes an item: Transferring, Checking (not yet: ask for it again), or why the operation ends.
     Status (*take)(MissionClient& client, uint16_t wireItem, MissionItem& item);
+    // MISSION_ITEM to MISSION_ITEM_INT, where a sketch reads plans.
+    void (*fromFloats)(void* itemMessage);
     ItemSink sink;
+    bool isCompared;     // or stored
   };
 
   // Clearing a plan.

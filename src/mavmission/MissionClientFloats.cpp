@@ -26,4 +26,11 @@ void MissionClient::serveFloatItems(bool always) {
   state_.floatItems = always;
 }
 
+void MissionClient::fromFloats(void* itemMessage) {
+  mavlink_mission_item_int_t& message = *static_cast<mavlink_mission_item_int_t*>(itemMessage);
+  const uint32_t unit = message.frame == MAV_FRAME_MISSION ? 1 : 10000000;
+  message.x = timesWhole(message.x, unit);
+  message.y = timesWhole(message.y, unit);
+}
+
 }  // namespace mavmission

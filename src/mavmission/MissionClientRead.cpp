@@ -1,7 +1,6 @@
 // MissionClient reading the autopilot's plan: to hand it to a sink, to compare it with a source, to prove an upload.
 #include <Arduino.h>
 
-#include "FloatBits.h"
 #include "Messages.h"
 #include "MissionClient.h"
 #include "Sending.h"
@@ -14,17 +13,29 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   state_.type = type;
   startOperation(readStep);
   reading_.take = compareItem;
+  reading_.isCompared = true;
+  reading_.fromFloats = fromFloats;
   state_.itemsTotal = plan_.count();
   if (plan.count > kMaxItems) end(Status::TooManyItems);
   return state_.status;
 }
 
 // What is aboard is read back, and decides what the upload says.
-void MissionClient::proveUpload(uint16_t nowMs) {
-  state_.operation = readStep;
-  state_.proving = true;
-  reading_.take = compareItem;
-  reading_.transfer.begin(nowMs);
+void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
+  client.state_.operation = readStep;
+  client.state_.proving = true;
+  client.reading_.take = compareItem;
+  client.reading_.isCompared = true;
+  client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove it
+  client.reading_.transfer.begin(nowMs);
+}
+
+Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
+  const Status status = upload(plan, type);
+  if (status == Status::Busy) return status;
+  state_.proof = proof;
+  state_.prove = proof != Proof::ByAnswer ? proveUpload : nullptr;
+  return status;
 }
 
 // 1 where the autopilot's own item 0 is home, and not the sketch's.
@@ -53,7 +64,7 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
   if (status != Status::Transferring) return client.endReading(status);
   const uint32_t limitS =
       state.transferLimitS != 0 ? state.transferLimitS : 120 + 2UL * client.reading_.transfer.count();
-  if (state.seconds - state.turnAtS >= limitS) return client.endReading(Status::TookTooLong);
+  if (static_cast<uint16_t>(state.seconds - state.turnAtS) >= limitS) return client.endReading(Status::TookTooLong);
   client.sendRead(nowMs);
 }
 
@@ -125,7 +136,7 @@ void MissionClient::takeReadCount(const FrameParser& frame) {
   if (transfer.state() != DownloadTransfer::State::Listing) return;
   transfer.onCount(count.count);
   const bool isHomeFirst = homeBefore() != 0;
-  if (reading_.take == storeItem) {
+  if (!reading_.isCompared) {
     const uint16_t items = isHomeFirst && count.count > 0 ? count.count - 1 : count.count;
     state_.itemsTotal = items;
     if (items > reading_.sink.limit) endReading(Status::SinkFull);
@@ -151,10 +162,8 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
   if (message.mission_type != static_cast<uint8_t>(state_.type)) return;
   if (transfer.state() != DownloadTransfer::State::Fetching || seq != transfer.itemToAsk()) return;
   if (frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM) {
-    // The same layout, but x and y are floats: degrees, or parameters 5 and 6.
-    const uint32_t unit = message.frame == MAV_FRAME_MISSION ? 1 : 10000000;
-    piece.message.x = timesWhole(message.x, unit);
-    piece.message.y = timesWhole(message.y, unit);
+    if (reading_.fromFloats == nullptr) return;
+    reading_.fromFloats(&piece.message);
   }
   const uint16_t command = message.command;
   const uint8_t frameNumber = message.frame;
@@ -188,9 +197,8 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
 }
 
 void MissionClient::endReading(Status status) {
-  const bool isCompared = reading_.take == compareItem;
   if (status == Status::Downloaded) {
-    if (isCompared) status = Status::Verified;
+    if (reading_.isCompared) status = Status::Verified;
   } else {
     tellCancelled();  // PX4 would wait 5 s for us
   }

@@ -7,11 +7,11 @@
 
 namespace mavmission {
 
-Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
+Status MissionClient::upload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   plan_.setSource(plan);
   state_.type = type;
-  state_.proof = proof;
+  state_.prove = nullptr;
   state_.tooLong = plan.count > kMaxItems;
   state_.announce = nullptr;
   state_.partFirst = 0;
@@ -36,7 +36,7 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
     if (client.state_.operation == nullptr) return;
     const uint32_t limitS =
         client.state_.transferLimitS != 0 ? client.state_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
-    if (client.state_.seconds - client.state_.turnAtS >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
+    if (static_cast<uint16_t>(client.state_.seconds - client.state_.turnAtS) >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
     return client.sendUpload(nowMs);
   }
   if (frame != nullptr) return;
@@ -142,10 +142,9 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
   }
   if (state_.denied != nullptr && !transfer_.hasBegun() && state_.denied(*this, status)) return;
   const bool isInDoubt = status == Status::Unconfirmed;
-  if (isInDoubt || (status == Status::Accepted && state_.proof == Proof::Always)) {
-    if (isInDoubt) unsettle(nowMs);
-    return proveUpload(nowMs);
-  }
+  if (isInDoubt) unsettle(nowMs);
+  const bool isProofDue = isInDoubt || (status == Status::Accepted && state_.proof == Proof::Always);
+  if (isProofDue && state_.prove != nullptr) return state_.prove(*this, nowMs);
   setAboard(aboardAfterUpload(status));
   switch (status) {
     case Status::Accepted:
@@ -160,6 +159,8 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
       tellCancelled();
       unsettle(nowMs);
       if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
+      break;
+    case Status::Unconfirmed:
       break;
     default:
       state_.unsettled = false;

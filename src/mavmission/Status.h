@@ -58,7 +58,7 @@ namespace mavmission {
   /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in its order, and any other */ \
   X(Error, "the autopilot said: error") \
   X(UnsupportedFrame, "the autopilot said: coordinate frame not supported") \
-  X(Unsupported, "the autopilot said: command not supported") \
+  X(Unsupported, "the autopilot said: command not supported in a plan") \
   X(NoSpace, "the autopilot said: too many items") \
   X(Invalid, "the autopilot said: a parameter is invalid") \
   X(InvalidParam1, "the autopilot said: param1 is invalid") \

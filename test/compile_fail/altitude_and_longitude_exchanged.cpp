@@ -1,5 +1,5 @@
 // Each argument has its own type.
-// expect: Altitude
+// expect: Degrees
 #include <MavMission.h>
 using namespace mavmission;
 

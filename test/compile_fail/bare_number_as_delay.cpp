@@ -1,5 +1,6 @@
-// It could be seconds or milliseconds.
+// It could be seconds or milliseconds. (On a board it is the core's own delay(), which is no item.)
 // expect: Seconds
+// expect of avr-g++: void value
 #include <MavMission.h>
 using namespace mavmission;
 

@@ -155,8 +155,10 @@ ACTION(function) {
   functionPlan.agreements = numbers[2];
   plan = fromFunction(itemOfFunctionPlan, numbers[0], &functionPlan);
 }
+// A Proof: 0 none but the autopilot's answer, 1 read back when in doubt, 2 always.
 ACTION(upload) {
-  tell(F("began"), static_cast<uint8_t>(client.upload(plan)));
+  const Proof proof = static_cast<Proof>(numbers[0]);
+  tell(F("began"), static_cast<uint8_t>(proof == Proof::ByAnswer ? client.upload(plan) : client.upload(plan, proof)));
   Serial.println();
 }
 ACTION(cancel) { client.cancel(); }

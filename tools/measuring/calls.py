@@ -25,6 +25,8 @@ CALLS = {
 }
 UPDATE, UPLOAD = 1, 2
 CALLER_BYTES = 3  # the return address of the function around the call, which is the measurement's own
+VARIABLES = ("callDue", "stackBefore", "toSketch", "toSketchRead", "toSketchEnd", "fromSketch", "fromSketchEnd",
+             "timer0_millis")  # fmt: skip
 COMPANION = mavlink.MAV_COMP_ID_ONBOARD_COMPUTER
 
 
@@ -34,37 +36,49 @@ class Caller:
     def __init__(self, kind: str, items: int = 4) -> None:
         self.mega = Mega(measured("calls", ITEMS=items))
         self.mega.run_ms(5)
+        # Each variable's address and size: looked up once, a name takes long.
+        self._variables = {name: self.mega.image.symbol(name) for name in VARIABLES}
         self.kind = kind
         self._ms = 0
         self._packer = mavlink.MAVLink(None, 1, 1)
         self._splitter = frames.FrameSplitter()
 
+    def _get(self, name: str) -> int:
+        return self.mega.peek_int(self._variables[name].address, self._variables[name].size)
+
+    def _set(self, name: str, value: int) -> None:
+        self.mega.poke_int(self._variables[name].address, value, self._variables[name].size)
+
     def call(self, which: int) -> int:
         """The bytes of stack that a call took, its return address included."""
         mega = self.mega
         mega.forget_stack()
-        mega.poke_int("callDue", which)
-        while mega.peek_int("callDue"):
+        self._set("callDue", which)
+        while self._get("callDue"):
             mega.run_us(100)
-        return mega.deepest_stack - (mega.ram_end - mega.peek_int("stackBefore")) - CALLER_BYTES
+        return mega.deepest_stack - (mega.ram_end - self._get("stackBefore")) - CALLER_BYTES
 
     def wait(self, ms: int) -> None:
         """Let millis() go on."""
         self._ms += ms
-        self.mega.poke_int("timer0_millis", self._ms)
+        self._set("timer0_millis", self._ms)
 
     def say(self, message) -> None:
-        """Put a message where read() finds it."""
+        """Put a message where read() finds it, behind what it has not read yet."""
         frame = bytes(message.pack(self._packer))
-        self.mega.poke("toSketch", frame)
-        self.mega.poke_int("toSketchRead", 0)
-        self.mega.poke_int("toSketchEnd", len(frame))
+        begin = self._get("toSketchRead")
+        unread = self.mega.peek(self._variables["toSketch"].address, 128)[begin : self._get("toSketchEnd")]
+        self.mega.poke(self._variables["toSketch"].address, unread + frame)
+        self._set("toSketchRead", 0)
+        self._set("toSketchEnd", len(unread + frame))
 
     def heard(self) -> list:
         """What was written since the last call."""
-        length = self.mega.peek_int("fromSketchEnd")
-        written = self.mega.peek("fromSketch")[:length]
-        self.mega.poke_int("fromSketchEnd", 0)
+        length = self._get("fromSketchEnd")
+        if length == 0:
+            return []
+        written = self.mega.peek(self._variables["fromSketch"].address, length)
+        self._set("fromSketchEnd", 0)
         return [frames.decode(piece) for piece, intact in self._splitter.feed(written) if intact and len(piece) >= 8]
 
     def heartbeat(self) -> None:
@@ -75,7 +89,7 @@ class Caller:
         deepest = 0
         self.call(UPLOAD)
         for ms in range(100_000):
-            if ms % 500 == 0 and not self.mega.peek_int("toSketchEnd") > self.mega.peek_int("toSketchRead"):
+            if ms % 500 == 0:
                 self.heartbeat()
             self.wait(1)
             deepest = max(deepest, self.call(UPDATE))

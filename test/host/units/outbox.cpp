@@ -40,6 +40,11 @@ Bytes stock(Encode<T> encode, const T& message, uint8_t version, uint8_t sequenc
   return Bytes(bytes, bytes + mavlink_msg_to_send_buffer(bytes, &frame));
 }
 
+// One field is not the caller's: MAVLink's headers write it themselves.
+template <typename T>
+void settle(T&) {}
+void settle(mavlink_heartbeat_t& message) { message.mavlink_version = 3; }
+
 template <typename T>
 void compare(Encode<T> encode, const char* name) {
   uint32_t seed = 12345;
@@ -54,6 +59,7 @@ void compare(Encode<T> encode, const char* name) {
     // Zeros at the end, down to a message of nothing else.
     const size_t kept = static_cast<size_t>(round) % (sizeof(T) + 1);
     if (round % 2) memset(bytes + kept, 0, sizeof(T) - kept);
+    settle(message);
     const uint8_t sequence = static_cast<uint8_t>(seed >> 16), system = static_cast<uint8_t>(1 + round % 255);
     for (uint8_t version = 1; version <= 2; ++version) {
       CAPTURE(version);

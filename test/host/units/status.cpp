@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <string.h>
 
+#include <initializer_list>
 #include <set>
 #include <string>
 
@@ -46,11 +47,16 @@ TEST_CASE("a value that is no status has no text") {
   CHECK(toString(static_cast<Aboard>(255)) == nullptr);
 }
 
-TEST_CASE("an operation is over with every status but the first four") {
-  for (Status status : kAll) {
-    const bool running = status == Status::Idle || status == Status::WaitingForAutopilot || status == Status::Checking ||
-                         status == Status::Transferring;
-    CHECK(isEnd(status) == !running);
+TEST_CASE("an operation is over with every status but the few at the beginning") {
+  for (Status status : {Status::Idle, Status::WaitingForAutopilot, Status::WaitingForTurn, Status::Checking,
+                        Status::Transferring}) {
+    CHECK_FALSE(isEnd(status));
+  }
+  int running = 0;
+  for (Status status : kAll) running += !isEnd(status);
+  CHECK(running == 5);
+  for (Status status : {Status::Accepted, Status::Unconfirmed, Status::Cancelled, Status::Busy, Status::UnknownResult}) {
+    CHECK(isEnd(status));
   }
 }
 

@@ -1,0 +1,133 @@
+// Any bytes, to our parser and to the one in MAVLink's headers.
+//
+// What must hold: each frame of a wanted message that the other parser gives, ours gives too. But for
+// - frames longer than ours keeps, or with flags or lengths that ours refuses (a MAVLink 1 frame that is longer or
+//   shorter than its message; a MAVLink 2 frame with an id that ours has and an unknown incompatibility flag never gets
+//   that far in either);
+// - a frame that lies inside another frame that ours gave, or inside a message that carries bytes of others: one of the
+//   two is a coincidence of checksums, or data, and the parsers need not choose alike.
+// And whatever ours gives must be there, byte for byte, with a right checksum; frames come in the order of the bytes and
+// do not overlap, one that was found inside a frame that was stepped over included.
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <initializer_list>
+#include <vector>
+
+#include "Frames.h"
+#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/Messages.h"
+
+using mavmission::FrameParser;
+
+namespace {
+
+struct Place {
+  size_t begin, end;
+};
+
+void demand(bool holds, const char* what) {
+  if (holds) return;
+  fprintf(stderr, "%s\n", what);
+  abort();
+}
+
+// The frame as it lies in the bytes, by its length; its end is beyond them if it does not fit.
+Place placeAt(const Bytes& bytes, size_t begin) {
+  const bool v2 = bytes[begin] == 0xFD;
+  const size_t header = v2 ? 10 : 6;
+  if (begin + header > bytes.size()) return Place{begin, bytes.size() + 1};
+  const size_t signature = v2 && (bytes[begin + 2] & 1) ? 13 : 0;
+  return Place{begin, begin + header + bytes[begin + 1] + 2 + signature};
+}
+
+bool isCarrierAt(const Bytes& bytes, size_t begin) {
+  const bool v2 = bytes[begin] == 0xFD;
+  if (begin + (v2 ? 10 : 6) > bytes.size()) return false;
+  const unsigned id = v2 ? static_cast<unsigned>(bytes[begin + 7] | bytes[begin + 8] << 8) : bytes[begin + 5];
+  if (v2 && bytes[begin + 9] != 0) return false;
+  for (unsigned carrier : {110u, 120u, 123u, 126u, 131u, 233u, 248u, 249u, 266u, 267u, 385u, 386u, 387u}) {
+    if (id == carrier) return true;
+  }
+  return false;
+}
+
+// Where the wanted frames lie that ours gives.
+std::vector<Place> ours(const Bytes& bytes) {
+  ParserUnderTest parser;
+  std::vector<Found> found = parser.take(bytes);
+  for (const Found& more : parser.silence()) found.push_back(more);
+  std::vector<Place> places;
+  size_t from = 0;
+  for (const Found& frame : wanted(found)) {
+    const mavmission::MessageKey* key = mavmission::wantedKey(frame.messageId);
+    demand(key != nullptr, "a message that is not wanted was given as wanted");
+    bool there = false;
+    for (; from < bytes.size() && !there; ++from) {
+      if (bytes[from] != (frame.version == 2 ? 0xFD : 0xFE)) continue;
+      for (uint8_t compatibility : {bytes.size() > from + 3 ? bytes[from + 3] : uint8_t(0)}) {
+        FrameParts parts(frame.messageId, frame.payload, key->crcExtra);
+        parts.version = frame.version;
+        parts.sequence = frame.sequence;
+        parts.systemId = frame.systemId;
+        parts.componentId = frame.componentId;
+        parts.compatibility = compatibility;
+        if (frame.version == 2 && bytes.size() > from + 2) parts.incompatibility = bytes[from + 2] & 1;
+        Bytes expected = packed(parts);
+        if (parts.incompatibility) expected.resize(expected.size() - 13);
+        if (expected.size() > bytes.size() - from) continue;
+        if (memcmp(expected.data(), bytes.data() + from, expected.size()) != 0) continue;
+        places.push_back(Place{from, from + expected.size()});
+        there = true;
+      }
+    }
+    demand(there, "a frame was given that is not in the bytes, or twice, or not in their order");
+    from = places.back().end;
+  }
+  return places;
+}
+
+// Where the wanted frames lie that the other parser gives.
+std::vector<Place> stock(const Bytes& bytes) {
+  mavlink_status_t status = mavlink_status_t();
+  mavlink_message_t buffer = mavlink_message_t();
+  *mavlink_get_channel_status(MAVLINK_COMM_0) = status;
+  *mavlink_get_channel_buffer(MAVLINK_COMM_0) = buffer;
+  std::vector<Place> places;
+  for (size_t i = 0; i < bytes.size(); ++i) {
+    mavlink_message_t message;
+    if (mavlink_parse_char(MAVLINK_COMM_0, bytes[i], &message, &status) == 0) continue;
+    if (message.msgid > 65535) continue;
+    const mavmission::MessageKey* key = mavmission::wantedKey(static_cast<uint16_t>(message.msgid));
+    if (key == nullptr || message.len > MAVMISSION_MAX_PAYLOAD) continue;
+    const bool v1 = message.magic == MAVLINK_STX_MAVLINK1;
+    if (v1 && message.len != key->lengthV1) continue;
+    const size_t signature = !v1 && (message.incompat_flags & 1) ? 13 : 0;
+    const size_t size = (v1 ? 6u : 10u) + message.len + 2u + signature;
+    demand(size <= i + 1, "the other parser gave a frame longer than what it was fed");
+    places.push_back(Place{i + 1 - size, i + 1 - signature});
+  }
+  return places;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const Bytes bytes(data, data + size);
+  const std::vector<Place> given = ours(bytes);
+  for (const Place& theirs : stock(bytes)) {
+    bool excused = false;
+    for (const Place& place : given) {
+      if (place.begin == theirs.begin) excused = true;                               // the same frame
+      if (place.begin < theirs.end && theirs.begin < place.end) excused = true;     // it overlaps one of ours
+    }
+    for (size_t begin = theirs.begin > 280 ? theirs.begin - 280 : 0; begin < theirs.begin && !excused; ++begin) {
+      if (bytes[begin] != 0xFD && bytes[begin] != 0xFE) continue;
+      if (isCarrierAt(bytes, begin) && placeAt(bytes, begin).end > theirs.begin) excused = true;
+    }
+    demand(excused, "a frame that MAVLink's own parser gives was lost");
+  }
+  return 0;
+}

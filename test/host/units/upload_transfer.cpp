@@ -1,0 +1,341 @@
+#include "mavmission/UploadTransfer.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <initializer_list>
+#include <vector>
+
+using namespace mavmission;
+using Send = UploadTransfer::Send;
+using State = UploadTransfer::State;
+
+namespace {
+
+const uint8_t kAccepted = 0, kError = 1, kInvalidSequence = 13, kCancelled = 15;
+
+// A transfer and its clock, which begins shortly before it wraps.
+class Upload {
+ public:
+  UploadTransfer transfer;
+  uint16_t now;
+
+  explicit Upload(uint16_t count, Firmware firmware = Firmware::Other, bool leftovers = false, uint16_t start = 65000)
+      : now(start) {
+    memset(static_cast<void*>(&transfer), 0, sizeof(transfer));
+    transfer.begin(0, count, firmware, leftovers, now);
+  }
+
+  Status wait(uint16_t ms) {
+    now = static_cast<uint16_t>(now + ms);
+    return transfer.onTime(now);
+  }
+  Send send() {
+    const Send send = transfer.toSend();
+    transfer.sent(now);
+    return send;
+  }
+  Status request(uint16_t item) { return transfer.onRequest(item, now); }
+  Status ack(uint8_t result) { return transfer.onAck(result); }
+
+  // As far as `items` asked for and answered.
+  Upload& served(uint16_t items) {
+    send();
+    for (uint16_t item = 0; item < items; ++item) {
+      request(item);
+      send();
+    }
+    return *this;
+  }
+};
+
+bool goesOn(Status status) { return status == Status::Transferring; }
+
+}  // namespace
+
+TEST_CASE("a plan goes out item by item, each for one request, and ends with the acknowledgement") {
+  Upload upload(3);
+  CHECK((upload.send() == Send::Count));
+  for (uint16_t item = 0; item < 3; ++item) {
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    CHECK(goesOn(upload.request(item)));
+    CHECK(upload.transfer.itemToSend() == item);
+    CHECK((upload.send() == Send::Item));
+    CHECK(upload.transfer.itemsAskedFor() == item + 1);
+    CHECK(goesOn(upload.wait(20)));
+  }
+  CHECK((upload.transfer.state() == State::Confirming));
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE("COUNT is sent 5 times, 1500 ms apart, and then there is no answer") {
+  Upload upload(3);
+  for (int tries = 0; tries < 5; ++tries) {
+    CHECK((upload.send() == Send::Count));
+    CHECK(goesOn(upload.wait(1499)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    const Status status = upload.wait(1);
+    CHECK((status == (tries < 4 ? Status::Transferring : Status::NoAnswer)));
+  }
+}
+
+TEST_CASE("a COUNT that the line has not taken yet is not counted, and no time runs") {
+  Upload upload(3);
+  CHECK(goesOn(upload.wait(60000)));
+  CHECK((upload.send() == Send::Count));
+  CHECK(goesOn(upload.wait(1499)));
+}
+
+TEST_CASE("an autopilot that falls silent is waited for, 8.5 s from the last new item") {
+  for (uint16_t asked = 1; asked < 4; ++asked) {
+    Upload upload(5);
+    upload.served(asked);
+    CHECK(goesOn(upload.wait(8499)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));  // no item goes out unasked
+    CHECK((upload.wait(1) == Status::TimedOut));
+  }
+}
+
+TEST_CASE("asking for the same item again does not put off the end") {
+  Upload upload(5);
+  upload.served(2);
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    CHECK(goesOn(upload.wait(1000)));
+    CHECK(goesOn(upload.request(1)));
+    CHECK((upload.send() == Send::Item));
+  }
+  CHECK((upload.wait(500) == Status::TimedOut));
+}
+
+TEST_CASE("the last item is repeated when the final answer is overdue, 5 times, 1500 ms apart") {
+  Upload upload(2);
+  upload.served(2);
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    CHECK(goesOn(upload.wait(1499)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    CHECK(goesOn(upload.wait(1)));
+    CHECK(upload.transfer.itemToSend() == 1);
+    CHECK((upload.send() == Send::Item));
+  }
+  CHECK(goesOn(upload.wait(1499)));
+  CHECK((upload.wait(1) == Status::Unconfirmed));
+}
+
+TEST_CASE("requests for the last item again and again do not put off the end beyond 12 s") {
+  Upload upload(2);
+  upload.served(2);
+  Status status = Status::Transferring;
+  uint32_t elapsedMs = 0;
+  while (goesOn(status) && elapsedMs < 60000) {
+    status = upload.wait(100);
+    elapsedMs += 100;
+    if (!goesOn(status)) break;
+    upload.request(1);
+    upload.send();
+  }
+  CHECK((status == Status::Unconfirmed));
+  CHECK(elapsedMs == 12000);
+}
+
+TEST_CASE("an acknowledgement that comes late is one") {
+  Upload upload(2);
+  upload.served(2);
+  upload.wait(1500);
+  upload.send();
+  upload.wait(1000);
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE("a request within 50 ms of its answer is a queue being emptied") {
+  Upload upload(5);
+  upload.served(1);
+  CHECK(goesOn(upload.wait(49)));
+  upload.request(0);
+  CHECK((upload.send() == Send::Nothing));
+  upload.wait(1);
+  upload.request(0);
+  CHECK((upload.send() == Send::Item));
+}
+
+TEST_CASE("a request for an earlier item is answered, though another was answered just now") {
+  Upload upload(5);
+  upload.served(4);
+  upload.request(1);
+  CHECK(upload.transfer.itemToSend() == 1);
+  CHECK((upload.send() == Send::Item));
+  CHECK(upload.transfer.itemsAskedFor() == 4);
+}
+
+TEST_CASE("a request that jumps ahead or beyond the plan moves nothing") {
+  for (unsigned item : {1u, 2u, 3u, 500u, 65535u}) {
+    Upload upload(3);
+    upload.send();
+    CHECK(goesOn(upload.request(static_cast<uint16_t>(item))));
+    CHECK((upload.send() == Send::Nothing));
+    CHECK(upload.transfer.itemsAskedFor() == 0);
+    CHECK((upload.transfer.state() == State::Counting));
+  }
+  Upload upload(3);
+  upload.served(3);
+  upload.request(3);
+  CHECK((upload.send() == Send::Nothing));
+}
+
+TEST_CASE("the longest plan has 65,535 items, and asks for no item behind its end") {
+  Upload upload(65535);
+  upload.served(65535);
+  CHECK((upload.transfer.state() == State::Confirming));
+  upload.request(65535);
+  CHECK((upload.send() == Send::Nothing));
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE("an empty plan is accepted at once") {
+  Upload upload(0);
+  CHECK((upload.send() == Send::Count));
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE("accepted before every item was asked for is said as such") {
+  for (uint16_t asked = 0; asked < 3; ++asked) {
+    Upload upload(3);
+    upload.served(asked);
+    CHECK((upload.ack(kAccepted) == Status::AcceptedEarly));
+  }
+}
+
+TEST_CASE("accepted while the last item is only asked for, and has not left, is early too") {
+  Upload upload(2);
+  upload.served(1);
+  upload.request(1);
+  CHECK((upload.ack(kAccepted) == Status::AcceptedEarly));
+}
+
+TEST_CASE("with leftovers an early acceptance may be of the plan before: it ends nothing, but is the reason if nothing else comes") {
+  Upload upload(3, Firmware::Other, true);
+  upload.send();
+  CHECK(goesOn(upload.ack(kAccepted)));
+  CHECK(goesOn(upload.request(0)));
+  upload.send();
+  CHECK((upload.wait(8500) == Status::AcceptedEarly));
+}
+
+TEST_CASE("each refusal ends the transfer in each state, but for the words that may be noise") {
+  for (uint8_t result = 1; result <= 30; ++result) {
+    for (uint16_t asked = 0; asked <= 3; ++asked) {
+      Upload upload(3, Firmware::Other);
+      upload.served(asked);
+      const Status said = fromMissionResult(result);
+      const bool counting = asked == 0, confirming = asked == 3;
+      const bool noise = (result == kInvalidSequence && !counting) || (result == kError && (counting || confirming));
+      CAPTURE(result);
+      CAPTURE(asked);
+      CHECK((upload.ack(result) == (noise ? Status::Transferring : said)));
+    }
+  }
+}
+
+TEST_CASE("a busy PX4 is told to end what is open, then asked again, once") {
+  Upload upload(3, Firmware::Px4);
+  upload.send();
+  CHECK(goesOn(upload.ack(kError)));
+  CHECK((upload.send() == Send::Cancel));
+  CHECK((upload.send() == Send::Count));
+  CHECK((upload.ack(kError) == Status::Error));
+}
+
+TEST_CASE("ArduPilot's error at COUNT is an error") {
+  Upload upload(3, Firmware::ArduPilot);
+  upload.send();
+  CHECK((upload.ack(kError) == Status::Error));
+}
+
+TEST_CASE("PX4's error in mid-transfer may be to our own second COUNT: the transfer goes on, and it is the reason if nothing else comes") {
+  Upload upload(3, Firmware::Px4);
+  upload.served(1);
+  CHECK(goesOn(upload.ack(kError)));
+  CHECK((upload.wait(8500) == Status::Error));
+
+  Upload ardupilot(3, Firmware::ArduPilot);
+  ardupilot.served(1);
+  CHECK((ardupilot.ack(kError) == Status::Error));
+}
+
+TEST_CASE("an error after the last item tells nothing of the plan") {
+  for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
+    Upload upload(2, firmware);
+    upload.served(2);
+    CHECK(goesOn(upload.ack(kError)));
+    CHECK((upload.ack(kAccepted) == Status::Accepted));
+  }
+}
+
+TEST_CASE("the autopilot's own cancelling ends the transfer, but not one that it has not begun yet if leftovers may be meant") {
+  Upload begun(3, Firmware::ArduPilot, true);
+  begun.served(1);
+  CHECK((begun.ack(kCancelled) == Status::CancelledByAutopilot));
+
+  Upload counting(3, Firmware::ArduPilot, true);
+  counting.send();
+  CHECK(goesOn(counting.ack(kCancelled)));
+  CHECK(goesOn(counting.request(0)));
+
+  Upload alone(3, Firmware::ArduPilot, false);
+  alone.send();
+  CHECK((alone.ack(kCancelled) == Status::CancelledByAutopilot));
+}
+
+TEST_CASE("every wait is the same wherever the clock wraps in it") {
+  for (uint32_t start = 65535 - 9000; start <= 65535; start += 250) {
+    Upload counting(3, Firmware::Other, false, static_cast<uint16_t>(start));
+    counting.send();
+    CHECK(goesOn(counting.wait(1499)));
+    CHECK((counting.transfer.toSend() == Send::Nothing));
+    counting.wait(1);
+    CHECK((counting.transfer.toSend() == Send::Count));
+
+    Upload sending(3, Firmware::Other, false, static_cast<uint16_t>(start));
+    sending.served(1);
+    CHECK(goesOn(sending.wait(8499)));
+    CHECK((sending.wait(1) == Status::TimedOut));
+
+    Upload confirming(1, Firmware::Other, false, static_cast<uint16_t>(start));
+    confirming.served(1);
+    CHECK(goesOn(confirming.wait(1499)));
+    CHECK((confirming.transfer.toSend() == Send::Nothing));
+    confirming.wait(1);
+    CHECK((confirming.transfer.toSend() == Send::Item));
+  }
+}
+
+TEST_CASE("whatever is heard in whatever order, accepted means that every item was asked for and the last one left") {
+  uint32_t seed = 99;
+  for (int round = 0; round < 20000; ++round) {
+    const uint16_t count = static_cast<uint16_t>(round % 4);
+    Upload upload(count, static_cast<Firmware>(1 + round % 3), round % 5 == 0, static_cast<uint16_t>(seed));
+    bool lastLeft = count == 0;
+    Status status = Status::Transferring;
+    uint32_t spentMs = 0;
+    int steps = 0;
+    for (; goesOn(status) && steps < 1000; ++steps) {
+      seed = seed * 1664525 + 1013904223;
+      const uint8_t dice = static_cast<uint8_t>(seed >> 24);
+      if (upload.transfer.toSend() != Send::Nothing && dice % 2) {
+        if (upload.transfer.toSend() == Send::Item && upload.transfer.itemToSend() + 1 == count) lastLeft = true;
+        upload.send();
+      }
+      if (dice < 60) {
+        status = upload.request(static_cast<uint16_t>((seed >> 8) % 5));
+      } else if (dice < 80) {
+        status = upload.ack(static_cast<uint8_t>((seed >> 8) % 18));
+      } else {
+        const uint16_t ms = static_cast<uint16_t>((seed >> 8) % 700);
+        spentMs += ms;
+        status = upload.wait(ms);
+      }
+      if (status == Status::Accepted) REQUIRE(lastLeft);
+    }
+    REQUIRE(steps < 1000);
+    REQUIRE(spentMs < 120000);
+  }
+}

@@ -1,0 +1,297 @@
+#include "mavmission/WirePlan.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <initializer_list>
+#include <limits>
+#include <vector>
+
+#include "mavmission/ItemSource.h"
+
+using namespace mavmission;
+
+namespace {
+
+const float kNaN = std::numeric_limits<float>::quiet_NaN();
+const float kInfinity = std::numeric_limits<float>::infinity();
+
+const MissionItem kHere = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
+
+struct Plan {
+  WirePlan wire;
+  std::vector<MissionItem> items;
+
+  Plan(const std::vector<MissionItem>& given, Firmware firmware, bool raw = false, PlanType type = PlanType::Mission)
+      : items(given) {
+    memset(static_cast<void*>(&wire), 0, sizeof(wire));
+    wire.setSource(inRam(items.data(), static_cast<uint32_t>(items.size())));
+    wire.begin(firmware, type, raw);
+  }
+  Plan(const Plan&) = delete;
+
+  // Item `index` as it goes out, after as many calls as it takes.
+  Status read(uint16_t index, MissionItem& item) {
+    for (int calls = 0; calls < 10000; ++calls) {
+      const Status status = wire.read(index, item);
+      if (status != Status::Checking) return status;
+    }
+    return Status::Checking;
+  }
+  // The last item's status.
+  Status last() {
+    MissionItem item;
+    return read(static_cast<uint16_t>(wire.wireCount() - 1), item);
+  }
+};
+
+Status check(const MissionItem& item, Firmware firmware = Firmware::Other, bool raw = false) {
+  return Plan({kHere, item}, firmware, raw).last();
+}
+
+MissionItem at(int32_t x, int32_t y) {
+  return waypoint(Degrees::fromE7(x), Degrees::fromE7(y), 20_m);
+}
+
+const Firmware kAll[] = {Firmware::ArduPilot, Firmware::Px4, Firmware::Other};
+
+}  // namespace
+
+TEST_CASE("ArduPilot gets home before the plan, the others do not") {
+  MissionItem item;
+  for (Firmware firmware : kAll) {
+    Plan plan({kHere, kHere}, firmware);
+    const bool isArduPilot = firmware == Firmware::ArduPilot;
+    CHECK(plan.wire.homeItems() == (isArduPilot ? 1 : 0));
+    CHECK(plan.wire.wireCount() == (isArduPilot ? 3 : 2));
+    CHECK((plan.read(0, item) == Status::Accepted));
+    CHECK(item.command == kNavWaypoint);
+    CHECK(item.x == (isArduPilot ? 0 : kHere.x));
+    CHECK((item.frame == (isArduPilot ? Frame::Global : Frame::GlobalRelative)));
+  }
+}
+
+TEST_CASE("an empty plan, a raw one, a fence and rally points have no home before them") {
+  CHECK(Plan({}, Firmware::ArduPilot).wire.wireCount() == 0);
+  CHECK(Plan({kHere}, Firmware::ArduPilot, true).wire.wireCount() == 1);
+  CHECK(Plan({kHere}, Firmware::ArduPilot, false, PlanType::Fence).wire.wireCount() == 1);
+  CHECK(Plan({kHere}, Firmware::ArduPilot, false, PlanType::Rally).wire.wireCount() == 1);
+}
+
+TEST_CASE("65,535 items are too many only where home is one more") {
+  WirePlan wire;
+  memset(static_cast<void*>(&wire), 0, sizeof(wire));
+  wire.setSource(fromFunction(nullptr, 65535));
+  wire.begin(Firmware::ArduPilot, PlanType::Mission, false);
+  CHECK(wire.isTooLong());
+  wire.begin(Firmware::ArduPilot, PlanType::Mission, true);
+  CHECK_FALSE(wire.isTooLong());
+  wire.begin(Firmware::Px4, PlanType::Mission, false);
+  CHECK_FALSE(wire.isTooLong());
+  CHECK(wire.wireCount() == 65535);
+  wire.setSource(fromFunction(nullptr, 65534));
+  wire.begin(Firmware::ArduPilot, PlanType::Mission, false);
+  CHECK_FALSE(wire.isTooLong());
+  CHECK(wire.wireCount() == 65535);
+}
+
+TEST_CASE("places are refused exactly beyond 90 and 180 degrees") {
+  for (Firmware firmware : kAll) {
+    for (int sign : {1, -1}) {
+      CHECK((check(at(sign * 900000000, 0), firmware) == Status::Accepted));
+      CHECK((check(at(sign * 900000001, 0), firmware) == Status::BadLatitude));
+      CHECK((check(at(0, sign * 1800000000), firmware) == Status::Accepted));
+      CHECK((check(at(0, sign * 1800000001), firmware) == Status::BadLongitude));
+    }
+    CHECK((check(at(std::numeric_limits<int32_t>::min(), 0), firmware) == Status::BadLatitude));
+    CHECK((check(at(std::numeric_limits<int32_t>::max(), 0), firmware) == Status::BadLatitude));
+    CHECK((check(at(0, std::numeric_limits<int32_t>::min()), firmware) == Status::BadLongitude));
+  }
+}
+
+TEST_CASE("parameters 5 and 6 of an item without a place are no coordinates") {
+  MissionItem picture = takePicture();
+  picture.x = std::numeric_limits<int32_t>::min();
+  picture.y = std::numeric_limits<int32_t>::max();
+  for (Firmware firmware : kAll) CHECK((check(picture, firmware) == Status::Accepted));
+}
+
+TEST_CASE("a NaN is refused but for a yaw, an infinity everywhere") {
+  float MissionItem::*const numbers[] = {&MissionItem::param1, &MissionItem::param2, &MissionItem::param3,
+                                         &MissionItem::param4, &MissionItem::z};
+  for (Firmware firmware : kAll) {
+    for (float MissionItem::*number : numbers) {
+      MissionItem item = kHere;
+      item.*number = kNaN;
+      const bool isYaw = number == &MissionItem::param4;
+      CHECK((check(item, firmware) == (isYaw ? Status::Accepted : Status::NotANumber)));
+      CHECK((check(item, firmware, true) == (isYaw ? Status::Accepted : Status::NotANumber)));
+      item.*number = kInfinity;
+      CHECK((check(item, firmware) == Status::NotFinite));
+      item.*number = -kInfinity;
+      CHECK((check(item, firmware) == Status::NotFinite));
+      item.*number = std::numeric_limits<float>::max();
+      CHECK((check(item, firmware) == Status::Accepted));
+    }
+    MissionItem speed = changeSpeed(5_mps);
+    speed.param4 = kNaN;
+    CHECK((check(speed, firmware) == Status::NotANumber));
+  }
+}
+
+TEST_CASE("current says where to begin, and 2 and more would mean fly there now") {
+  for (unsigned current = 0; current <= 255; ++current) {
+    MissionItem item = kHere;
+    item.current = static_cast<uint8_t>(current);
+    for (Firmware firmware : kAll) {
+      CHECK((check(item, firmware) == (current <= 1 ? Status::Accepted : Status::BadCurrent)));
+    }
+  }
+}
+
+TEST_CASE("a jump leads to an item of the plan") {
+  for (float target : {0.f, 1.f}) CHECK((check(command(kDoJump, target, 3)) == Status::Accepted));
+  for (float target : {2.f, 3.f, -1.f, 0.5f, 65535.f, 65536.f, 1e9f}) {
+    CAPTURE(target);
+    for (Firmware firmware : kAll) {
+      CHECK((check(command(kDoJump, target, 3), firmware) == Status::BadJump));
+      CHECK((check(command(kDoJump, target, 3), firmware, true) == Status::BadJump));
+    }
+  }
+}
+
+TEST_CASE("a jump counts the sketch's items: with home before them it goes one further") {
+  MissionItem item;
+  for (Firmware firmware : kAll) {
+    Plan plan({kHere, kHere, jump(1, 2)}, firmware);
+    REQUIRE((plan.read(static_cast<uint16_t>(plan.wire.wireCount() - 1), item) == Status::Accepted));
+    CHECK(item.param1 == (firmware == Firmware::ArduPilot ? 2.f : 1.f));
+    CHECK(item.param2 == 2.f);
+    CHECK((item.frame == Frame::Mission));
+  }
+  Plan raw({kHere, kHere, jump(1, 2)}, Firmware::ArduPilot, true);
+  REQUIRE((raw.read(2, item) == Status::Accepted));
+  CHECK(item.param1 == 1.f);
+}
+
+TEST_CASE("an item without a place goes out in the frame that both autopilots take") {
+  MissionItem item;
+  for (Firmware firmware : kAll) {
+    MissionItem speed = changeSpeed(5_mps);
+    for (Frame frame : {Frame::Global, Frame::Mission, Frame::GlobalRelative, Frame::GlobalInt}) {
+      speed.frame = frame;
+      Plan plan({kHere, speed}, firmware);
+      REQUIRE((plan.read(static_cast<uint16_t>(plan.wire.wireCount() - 1), item) == Status::Accepted));
+      CHECK((item.frame == Frame::Mission));
+    }
+  }
+}
+
+TEST_CASE("an altitude above the ground is refused for PX4, and a frame without a name for both") {
+  for (Frame frame : {Frame::GlobalTerrain, Frame::GlobalTerrainInt}) {
+    MissionItem item = kHere;
+    item.frame = frame;
+    CHECK((check(item, Firmware::Px4) == Status::BadFrame));
+    CHECK((check(item, Firmware::ArduPilot) == Status::Accepted));
+    CHECK((check(item, Firmware::Other) == Status::Accepted));
+  }
+  for (unsigned number : {1u, 4u, 7u, 9u, 12u, 20u, 255u}) {
+    MissionItem item = kHere;
+    item.frame = static_cast<Frame>(number);
+    CHECK((check(item, Firmware::Px4) == Status::BadFrame));
+    CHECK((check(item, Firmware::ArduPilot) == Status::BadFrame));
+    CHECK((check(item, Firmware::Other) == Status::Accepted));
+  }
+}
+
+TEST_CASE("what an autopilot does not fly is refused for it alone, and not when numbers are raw") {
+  const MissionItem servo = setServo(1, 1500);
+  CHECK((check(servo, Firmware::Px4) == Status::NotFlown));
+  CHECK((check(servo, Firmware::Px4, true) == Status::Accepted));
+  CHECK((check(servo, Firmware::ArduPilot) == Status::Accepted));
+  const MissionItem actuator = command(187);
+  CHECK((check(actuator, Firmware::ArduPilot) == Status::NotFlown));
+  CHECK((check(actuator, Firmware::Px4) == Status::Accepted));
+}
+
+TEST_CASE("an unset yaw is 0 for ArduPilot and stays unset for the others") {
+  MissionItem item;
+  for (Firmware firmware : kAll) {
+    Plan plan({kHere}, firmware);
+    REQUIRE((plan.read(static_cast<uint16_t>(plan.wire.wireCount() - 1), item) == Status::Accepted));
+    CHECK((item.param4 != item.param4) == (firmware != Firmware::ArduPilot));
+    if (firmware == Firmware::ArduPilot) CHECK(item.param4 == 0.f);
+  }
+}
+
+TEST_CASE("on PX4 a takeoff or landing without a place gets that of the nearest item, and keeps its altitude") {
+  const MissionItem west = at(10, -20), east = at(30, 40);
+  MissionItem item;
+
+  Plan takeoffFirst({takeoff(15_m), changeSpeed(5_mps), west, east}, Firmware::Px4);
+  REQUIRE((takeoffFirst.read(0, item) == Status::Accepted));
+  CHECK(item.x == west.x);
+  CHECK(item.y == west.y);
+  CHECK(item.z == 15.f);
+
+  Plan landLast({west, east, changeSpeed(5_mps), land()}, Firmware::Px4);
+  REQUIRE((landLast.read(3, item) == Status::Accepted));
+  CHECK(item.x == east.x);
+
+  // Of two equally near, a landing takes the one before it, a takeoff the one behind it.
+  Plan landBetween({west, land(), east}, Firmware::Px4);
+  REQUIRE((landBetween.read(1, item) == Status::Accepted));
+  CHECK(item.x == west.x);
+  Plan takeoffBetween({west, takeoff(9_m), east}, Firmware::Px4);
+  REQUIRE((takeoffBetween.read(1, item) == Status::Accepted));
+  CHECK(item.x == east.x);
+
+  Plan nowhere({takeoff(15_m), changeSpeed(5_mps), returnToLaunch()}, Firmware::Px4);
+  CHECK((nowhere.read(0, item) == Status::NeedsPlace));
+  Plan alone({takeoff(15_m)}, Firmware::Px4);
+  CHECK((alone.read(0, item) == Status::NeedsPlace));
+
+  Plan onArduPilot({takeoff(15_m), west}, Firmware::ArduPilot);
+  REQUIRE((onArduPilot.read(1, item) == Status::Accepted));
+  CHECK(item.x == 0);
+}
+
+TEST_CASE("a place is looked for a few items a call, and found at either end of a long plan") {
+  for (size_t placed : {size_t(0), size_t(999)}) {
+    std::vector<MissionItem> items(1000, changeSpeed(5_mps));
+    items[placed] = at(10, -20);
+    items[500] = takeoff(15_m);
+    Plan plan(items, Firmware::Px4);
+    MissionItem item;
+    int calls = 1;
+    while (plan.wire.read(500, item) == Status::Checking) ++calls;
+    CHECK(item.x == 10);
+    CHECK(calls >= 499 * 2 / MAVMISSION_ITEMS_PER_UPDATE);
+  }
+}
+
+TEST_CASE("a place that is of no use is not taken: the origin, a ROI off, an item without a place") {
+  MissionItem item;
+  Plan plan({takeoff(15_m), at(0, 0), regionOfInterestOff(), at(30, 40)}, Firmware::Px4);
+  REQUIRE((plan.read(0, item) == Status::Accepted));
+  CHECK(item.x == 30);
+}
+
+TEST_CASE("a source that gives no item is said as such, for the item and for one that was looked at for a place") {
+  struct Refusing {
+    static bool read(void* context, uint16_t index, MissionItem& item) {
+      if (index == *static_cast<uint16_t*>(context)) return false;
+      item = index == 0 ? takeoff(10_m) : changeSpeed(5_mps);
+      return true;
+    }
+  };
+  uint16_t refused = 2;
+  WirePlan wire;
+  memset(static_cast<void*>(&wire), 0, sizeof(wire));
+  wire.setSource(fromFunction(Refusing::read, 5, &refused));
+  wire.begin(Firmware::Px4, PlanType::Mission, false);
+  MissionItem item;
+  CHECK((wire.read(2, item) == Status::SourceRefused));
+  CHECK((wire.read(1, item) == Status::Accepted));
+  CHECK((wire.read(0, item) == Status::SourceRefused));
+}
