@@ -1,7 +1,7 @@
 """A bench for the whole mission service: test/firmware/service.cpp beside a fake autopilot.
 
     service = Service("PX4")
-    service.upload(plan, verified=True)
+    service.upload(plan, proof="Always")
     service.run_until_ended(limit_s=10)
     service.order_of("start")             # any word of the firmware: the status that it begins with
     service.run_until_ended(limit_s=10)
@@ -28,6 +28,7 @@ MISSION, FENCE, RALLY, ALL = 0, 1, 2, 255
 HOME_INDEX = 0xFFFF
 SINK_ITEMS = 60  # room in benchSink
 MODES = ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual")
+PROOFS = ("ByAnswer", "InDoubt", "Always")
 STEPS = ("None", "ReadyMode", "Arm", "AutoMode", "Begin")
 
 _COMMAND = struct.Struct("<7fiiHBB")  # mavmission::FlightCommand on AVR
@@ -122,10 +123,10 @@ class Service(Bench):
         return status_names()[self._numbers("began")[-1][0]]
 
     def upload(self, plan: Sequence[Item] | str | None = None, mission_type: int = MISSION,
-               verified: bool = False) -> str:  # fmt: skip
+               proof: str = "ByAnswer") -> str:  # fmt: skip
         if plan is not None:
             self.use(plan)
-        return self.order_of("upload", mission_type, verified)
+        return self.order_of("upload", mission_type, PROOFS.index(proof))
 
     def upload_part(self, plan: Sequence[Item], first: int, count: int) -> str:
         self.use(plan)

@@ -29,7 +29,7 @@ class AutopilotFinder {
   void talkTo(uint8_t systemId, uint8_t componentId);
 
   void onHeartbeat(const Heartbeat& heartbeat, uint16_t nowMs);
-  void onTime(uint16_t nowMs);
+  MAVMISSION_APART void onTime(uint16_t nowMs);
 
   // An autopilot is there, and it is clear which one.
   bool isFound() const { return heard_ && !severalHeard_; }

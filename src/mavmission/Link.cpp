@@ -27,7 +27,7 @@ bool Link::maySpeak() const {
   return finder_.isFound() || state_.ownSystemId != 0;
 }
 
-bool Link::canSend() const { return outbox_.isEmpty() && maySpeak(); }
+bool Link::canSend() const { return outbox_.isEmpty(); }
 
 void Link::add(Listener& listener) {
   MoreKeys*& first = parser_.moreKeys();
@@ -57,7 +57,8 @@ void Link::takeHeartbeat(uint16_t nowMs) {
 }
 
 bool Link::receive(uint16_t& budget, uint16_t nowMs) {
-  for (; budget != 0; --budget) {
+  while (budget != 0) {
+    --budget;
     FrameParser::Result result;
     if (parser_.hasWaiting()) {
       result = parser_.takeWaiting();
@@ -96,6 +97,7 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
 }
 
 void Link::sendMessage(uint8_t* payload, uint8_t keyIndex) {
+  if (!maySpeak()) return;
   const MessageKey* const key = &kKeys[keyIndex];
   const uint8_t target = fromFlash(&key->target);
   if (target != MessageKey::kNoTarget) {
@@ -109,7 +111,7 @@ void Link::sendMessage(uint8_t* payload, uint8_t keyIndex) {
 
 bool Link::sendForeign(const OutgoingMessage& message) {
   const bool isV1 = version() == 1;
-  if (!canSend() || (isV1 && message.id > 0xFF)) return false;
+  if (!canSend() || !maySpeak() || (isV1 && message.id > 0xFF)) return false;
   outbox_.begin(version(), state_.sequence++, systemId(), componentId());
   outbox_.completeForeign(message);
   ++state_.framesSent;
@@ -118,7 +120,7 @@ bool Link::sendForeign(const OutgoingMessage& message) {
 
 void Link::onTime(uint16_t nowMs) {
   finder_.onTime(nowMs);
-  if (!canSend()) return;
+  if (!canSend() || !maySpeak()) return;
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
   // The next one is due a period after this one was due, so that a late loop does not make them rarer.

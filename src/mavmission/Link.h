@@ -51,7 +51,7 @@ class Link {
   // Adds one that hears frames beside us.
   void add(Listener& listener);
 
-  // True when send() can take a frame.
+  // True when send() can take a frame. It goes nowhere while nothing may be said, as on a line with nobody at its end.
   MAVMISSION_APART bool canSend() const;
 
   // Sends a message of the types in Messages.h, to the autopilot if it has a target. Only when canSend().
@@ -81,7 +81,7 @@ class Link {
   bool maySpeak() const;
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
-  void takeHeartbeat(uint16_t nowMs);
+  MAVMISSION_APART void takeHeartbeat(uint16_t nowMs);
   void sendMessage(uint8_t* payload, uint8_t keyIndex);
 
   struct State {

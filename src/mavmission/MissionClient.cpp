@@ -15,6 +15,7 @@ MissionClient::MissionClient(Stream& stream) {
   state_.failedItem = kNoItem;
   state_.lastResult = 255;
   state_.unsettled = true;
+  state_.planType = PlanType::All;
 }
 
 void MissionClient::onProgress(ProgressFunction function, void* context) {

@@ -65,7 +65,8 @@ class MissionClient {
   Status upload(const ItemSource& plan, PlanType type, Proof proof);
   Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
 
-  // Puts the plan of the last upload aboard again: after a failure that left a mixture, for example.
+  // Puts the plan of the last upload or verification aboard again: after a failure that left a mixture, for example.
+  // Status::SourceRefused if there was none.
   Status uploadAgain();
 
   // Puts `count` items of a plan aboard, from item `first` on, in the place of those that are there. `plan` is the whole
@@ -108,8 +109,10 @@ class MissionClient {
   Status resume() { return setMode(FlightMode::Auto); }
   // How often the autopilot sends a message [us between two]; 0 is its default, -1 never.
   Status setMessageInterval(uint16_t messageId, int32_t intervalUs);
-  // Any command. It must stay until the end.
+  // Any command. It must stay until the end. Arming is not forced by it either, and PX4's MISSION_START, which arms, is
+  // not sent by it to a disarmed one (Status::NotArmed): that is what start() is for.
   Status send(const FlightCommand& command, Repeat repeat = Repeat::IfHarmless);
+  Status send(const FlightCommand&&, Repeat = Repeat::IfHarmless) = delete;  // it would be gone before it is sent
 
   // Ends the running operation with Status::Cancelled, and tells the autopilot (MISSION_ACK with
   // MAV_MISSION_OPERATION_CANCELLED). Without one it does nothing.
@@ -221,6 +224,7 @@ class MissionClient {
   static void fillInterval(MissionClient& client, FlightCommand& command);
   static Status currentUnsupported(MissionClient& client);
   static Status nextStartStep(MissionClient& client);
+  static Status prepareOwn(MissionClient& client);
   static Status prepareStart(MissionClient& client);
   static Status prepareMode(MissionClient& client);
   static Status prepareBegin(MissionClient& client);
@@ -233,7 +237,7 @@ class MissionClient {
   bool setModeNumbers(FlightMode mode);
   Status chooseStartStep();
   Status updateAt(uint16_t nowMs);
-  Status startOperation(Operation operation);
+  MAVMISSION_APART Status startOperation(Operation operation);
   void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
   void tellCancelled();
@@ -244,7 +248,7 @@ class MissionClient {
   void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
   void sendUpload(uint16_t nowMs);
-  Status checkItem(uint16_t wireItem);
+  MAVMISSION_APART Status checkItem(uint16_t wireItem);
   void sendCount(uint16_t items);
   bool sendItem(uint16_t nowMs);
   Status proven(Status status, uint32_t opaqueId) const;
@@ -262,7 +266,9 @@ class MissionClient {
   static Status announcePart(MissionClient& client);
   uint16_t itemFromWire(uint16_t wireItem) const;
   void noteInfeasible();
-  uint32_t acceptedPlanId() const { return aboard() == Aboard::OurPlan ? opaqueId_.value() : 0; }
+  void noteAccepted();
+  void setPlan(const ItemSource& plan, PlanType type);
+  uint32_t acceptedPlanId() const { return state_.planId; }
 
   // All zero at the start but for what the constructor sets.
   struct State {
@@ -299,6 +305,8 @@ class MissionClient {
     bool raw;
     bool tooLong;              // the source has more items than the protocol can count
     PlanType type;             // of the running operation
+    PlanType planType;         // of the plan that uploadAgain() takes; All before there is one
+    uint32_t planId;           // the autopilot's own name for the mission that was accepted or verified last; 0: none
     Proof proof;
     void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
     Field field;               // that differs
@@ -318,6 +326,7 @@ class MissionClient {
     void (*fromFloats)(void* itemMessage);
     ItemSink sink;
     bool isCompared;     // or stored
+    uint32_t planId;     // MISSION_COUNT.opaque_id
   };
 
   // Clearing a plan.

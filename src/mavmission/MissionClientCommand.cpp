@@ -141,11 +141,21 @@ Status MissionClient::send(const FlightCommand& command, Repeat repeat) {
   const Status status = beginCommand(fillOwn, 0);
   if (status == Status::Busy) return status;
   commanding_.own = &command;
+  commanding_.prepare = prepareOwn;
   commanding_.repeats = repeat == Repeat::Always || !isOnceOnly(command.id);
   return status;
 }
 
-void MissionClient::fillOwn(MissionClient& client, FlightCommand& command) { command = *client.commanding_.own; }
+Status MissionClient::prepareOwn(MissionClient& client) {
+  // It would arm.
+  const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && client.firmware() == Firmware::Px4;
+  return arms && !client.isArmed() ? Status::NotArmed : Status::Transferring;
+}
+
+void MissionClient::fillOwn(MissionClient& client, FlightCommand& command) {
+  command = *client.commanding_.own;
+  if (command.id == MAV_CMD_COMPONENT_ARM_DISARM) command.param2 = 0;  // never forced
+}
 
 Status MissionClient::arm() { return beginCommand(fillArm, 1); }
 
@@ -220,7 +230,6 @@ Status MissionClient::currentUnsupported(MissionClient& client) {
 
 Status MissionClient::setMessageInterval(uint16_t messageId, int32_t intervalUs) {
   const Status status = beginCommand(fillInterval, static_cast<uint32_t>(intervalUs));
-  if (status != Status::Busy) commanding_.id = messageId;
   if (status != Status::Busy) state_.next = messageId;
   return status;
 }

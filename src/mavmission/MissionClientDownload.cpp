@@ -22,10 +22,9 @@ Status MissionClient::storeItem(MissionClient& client, uint16_t wireItem, Missio
   const State& state = client.state_;
   const ItemSink& sink = client.reading_.sink;
   uint16_t index = wireItem;
-  if (state.type == PlanType::Mission && !state.raw) {
-    const Firmware firmware = client.plan_.firmware();
-    if (firmware == Firmware::ArduPilot) index = wireItem == 0 ? kHomeIndex : wireItem - 1;
-    fromWire(item, firmware);
+  if (!state.raw) {
+    if (client.homeBefore() != 0) index = wireItem == 0 ? kHomeIndex : wireItem - 1;
+    fromWire(item, client.plan_.firmware());
   }
   return sink.write(sink.context, index, item) ? Status::Transferring : Status::SinkFull;
 }

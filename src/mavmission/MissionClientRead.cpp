@@ -9,14 +9,14 @@ namespace mavmission {
 
 Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
-  plan_.setSource(plan);
+  setPlan(plan, type);
   state_.type = type;
   startOperation(readStep);
   reading_.take = compareItem;
   reading_.isCompared = true;
   reading_.fromFloats = fromFloats;
   state_.itemsTotal = plan_.count();
-  if (plan.count > kMaxItems) end(Status::TooManyItems);
+  if (state_.tooLong) end(Status::TooManyItems);
   return state_.status;
 }
 
@@ -24,6 +24,7 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
 void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
   client.state_.operation = readStep;
   client.state_.proving = true;
+  client.setAboard(Aboard::NotKnown);
   client.reading_.take = compareItem;
   client.reading_.isCompared = true;
   client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove it
@@ -135,6 +136,7 @@ void MissionClient::takeReadCount(const FrameParser& frame) {
   if (count.mission_type != static_cast<uint8_t>(state_.type)) return;
   if (transfer.state() != DownloadTransfer::State::Listing) return;
   transfer.onCount(count.count);
+  reading_.planId = count.opaque_id;
   const bool isHomeFirst = homeBefore() != 0;
   if (!reading_.isCompared) {
     const uint16_t items = isHomeFirst && count.count > 0 ? count.count - 1 : count.count;
@@ -186,8 +188,8 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
 
 Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
   WirePlan& plan = client.plan_;
-  if (wireItem < plan.homeItems()) return Status::Transferring;  // home is the autopilot's own
-  if (plan.wireCount() == 0) return Status::Transferring;        // its home, where neither side has a plan
+  const bool hasHome = plan.firmware() == Firmware::ArduPilot && client.state_.type == PlanType::Mission;
+  if (wireItem == 0 && hasHome) return Status::Transferring;  // the autopilot's own, however the sketch counts
   MissionItem meant;
   Status read = Status::Checking;
   for (uint8_t call = 0; call < kMostCalls && read == Status::Checking; ++call) read = plan.read(wireItem, meant);
@@ -198,30 +200,30 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
 
 void MissionClient::endReading(Status status) {
   if (status == Status::Downloaded) {
-    if (reading_.isCompared) status = Status::Verified;
+    if (reading_.isCompared) {
+      status = Status::Verified;
+      setAboard(Aboard::OurPlan);
+      if (state_.type == PlanType::Mission) state_.planId = reading_.planId;
+    }
   } else {
     tellCancelled();  // PX4 would wait 5 s for us
+    if (status == Status::Differs) setAboard(Aboard::NotKnown);
   }
   if (state_.proving) {
     switch (status) {
       case Status::Verified:
         status = Status::Accepted;
-        setAboard(Aboard::OurPlan);
-        state_.unsettled = false;
-        state_.infeasible = false;
+        noteAccepted();
         report(state_.itemsTotal);
         break;
       case Status::Differs:
-        setAboard(plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture
-                                                                                                   : Aboard::NotKnown);
+        if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission) setAboard(Aboard::Mixture);
         break;
       default:
         status = Status::Unconfirmed;
-        setAboard(Aboard::NotKnown);
         break;
     }
   }
-  if (state_.type == PlanType::Mission && status == Status::Verified) setAboard(Aboard::OurPlan);
   end(status);
 }
 

@@ -9,21 +9,28 @@ namespace mavmission {
 
 Status MissionClient::upload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
-  plan_.setSource(plan);
-  state_.type = type;
+  setPlan(plan, type);
   state_.prove = nullptr;
-  state_.tooLong = plan.count > kMaxItems;
-  state_.announce = nullptr;
   state_.partFirst = 0;
   return uploadAgain();
+}
+
+void MissionClient::setPlan(const ItemSource& plan, PlanType type) {
+  plan_.setSource(plan);
+  state_.planType = type;
+  state_.tooLong = plan.count > kMaxItems;
+  state_.announce = nullptr;
 }
 
 Status MissionClient::uploadAgain() {
   if (state_.operation != nullptr) return Status::Busy;
   startOperation(uploadStep);
+  state_.type = state_.planType;
   state_.itemsTotal = plan_.count();
-  state_.turnPauseS = 0;
-  state_.turnAtS = 0;
+  if (state_.type == PlanType::All) {  // there is no plan yet
+    end(Status::SourceRefused);
+    return state_.status;
+  }
   if (state_.tooLong) end(Status::TooManyItems);
   return state_.status;
 }
@@ -32,8 +39,8 @@ Status MissionClient::uploadAgain() {
 void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
   if (client.state_.status == Status::Transferring) {
     if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
-    client.continueUpload(client.transfer_.onTime(nowMs), nowMs);
-    if (client.state_.operation == nullptr) return;
+    const Status status = client.transfer_.onTime(nowMs);
+    if (status != Status::Transferring) return client.continueUpload(status, nowMs);
     const uint32_t limitS =
         client.state_.transferLimitS != 0 ? client.state_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
     if (static_cast<uint16_t>(client.state_.seconds - client.state_.turnAtS) >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
@@ -67,9 +74,6 @@ void MissionClient::checkPlan(uint16_t nowMs) {
   if (state_.announce != nullptr && plan_.firmware() == Firmware::Px4) return end(Status::WholePlansOnly);
   if (!isTypeCarried()) return end(Status::NeedsMavlink2);
   if (link_.finder().isArmed() && !state_.armedAllowed) return end(Status::Armed);
-  if (link_.systemId() == autopilotSystemId() && link_.componentId() == autopilotComponentId()) {
-    return end(Status::SameIdsAsAutopilot);
-  }
   const uint16_t count = plan_.wireCount();
   for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
     const Status checked = checkItem(state_.next);
@@ -113,7 +117,9 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
       if (ack.mission_type != static_cast<uint8_t>(state_.type)) return;
       state_.lastResult = ack.type;
-      continueUpload(proven(transfer_.onAck(ack.type), ack.opaque_id), nowMs);
+      const Status status = proven(transfer_.onAck(ack.type), ack.opaque_id);
+      if (status == Status::Accepted && state_.type == PlanType::Mission) state_.planId = ack.opaque_id;
+      continueUpload(status, nowMs);
       return;
     }
     default:
@@ -149,8 +155,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
   switch (status) {
     case Status::Accepted:
       report(state_.itemsTotal);
-      state_.infeasible = false;
-      state_.unsettled = false;
+      noteAccepted();
       break;
     case Status::NoAnswer:
     case Status::TimedOut:
@@ -168,6 +173,11 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
       break;
   }
   end(status);
+}
+
+void MissionClient::noteAccepted() {
+  if (state_.type == PlanType::Mission) state_.infeasible = false;
+  state_.unsettled = false;
 }
 
 Aboard MissionClient::aboardAfterUpload(Status status) const {
@@ -191,7 +201,8 @@ Aboard MissionClient::aboardAfterUpload(Status status) const {
 }
 
 uint16_t MissionClient::ownItem(uint16_t wireItem) const {
-  return wireItem < plan_.homeItems() ? kNoItem : wireItem - plan_.homeItems();
+  const uint8_t home = homeBefore();
+  return wireItem < home ? kNoItem : wireItem - home;
 }
 
 void MissionClient::sendUpload(uint16_t nowMs) {

@@ -61,7 +61,7 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   if (state_ == MissionState::NoMission && planId_ != 0 && isOurPlan()) client_.noteInfeasible();
   if (item == current_) return;
   current_ = item;
-  isNewLeg_ = true;
+  if (item == reached_) isNewLeg_ = true;
   if (item != MissionClient::kNoItem && currentFunction_ != nullptr) currentFunction_(currentContext_, item);
 }
 

@@ -26,7 +26,7 @@ class MissionFollower : public Listener {
   uint16_t currentItem() const { return current_; }
   // The item reached last, or MissionClient::kNoItem.
   uint16_t reachedItem() const { return reached_; }
-  // Items aboard, as the autopilot counts them (home included on ArduPilot), or 0 when it does not say.
+  // Items aboard, as the sketch counts them, or 0 when the autopilot does not say.
   uint16_t total() const { return total_; }
   MissionState state() const { return state_; }
   // False when the autopilot names its plan and it is not the one that was accepted last: someone has changed it.
@@ -55,7 +55,7 @@ class MissionFollower : public Listener {
   uint16_t reached_ = 0xFFFF;
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
-  bool isNewLeg_ = true;  // since an item was reached, another has become current
+  bool isNewLeg_ = false;  // the item that was reached last is being flown again
 };
 
 }  // namespace mavmission

@@ -16,6 +16,7 @@ void UploadTransfer::begin(uint16_t first, uint16_t behind, Firmware firmware, b
   firmware_ = firmware;
   leftovers_ = leftovers;
   freed_ = false;
+  recounted_ = false;
   answered_ = false;
 }
 
@@ -45,6 +46,7 @@ Status UploadTransfer::onAcceptance() {
 }
 
 Status UploadTransfer::onAck(uint8_t result) {
+  if (state_ == State::Counting && tries_ == 0) return Status::Transferring;  // of something earlier: nothing of ours has left
   const Status status = fromMissionResult(result);
   switch (status) {
     case Status::Accepted:
@@ -68,12 +70,14 @@ Status UploadTransfer::onAck(uint8_t result) {
         return Status::Transferring;
       }
       if (state_ == State::Confirming) {
-        // An idle autopilot says so of an item that reaches it after the end: it tells nothing of the plan.
+        // An idle autopilot says so of an item that reaches it after the end: it tells nothing of the plan. To our own
+        // repetition ArduPilot will say nothing else; PX4 accepts it again if it holds the plan.
+        if (tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
         suspicion_ = status;
         return Status::Transferring;
       }
       // PX4 says "busy" to our own second COUNT, and the transfer goes on.
-      if (state_ == State::Sending && firmware_ == Firmware::Px4) {
+      if (state_ == State::Sending && firmware_ == Firmware::Px4 && recounted_) {
         suspicion_ = status;
         return Status::Transferring;
       }
@@ -116,6 +120,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
 void UploadTransfer::sent(uint16_t nowMs) {
   switch (send_) {
     case Send::Count:
+      recounted_ = tries_ != 0;
       ++tries_;
       sentMs_ = nowMs;
       send_ = Send::Nothing;

@@ -1,7 +1,7 @@
 // The upload of a plan as a state machine: what the autopilot says and the time go in, what to send comes out. It knows
 // no stream and no bytes. MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".
 //
-//               request 0               request n - 1              ACCEPTED
+//               request 0               item n - 1 sent            ACCEPTED
 //   Counting  -------------> Sending  ---------------> Confirming ----------> Accepted
 //    | COUNT again each       | an item per request     | the last item again each
 //    | 1500 ms, 5 in all      | heard, none unasked     | 1500 ms, 5 times
@@ -38,7 +38,7 @@ class UploadTransfer {
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
   Status onRequest(uint16_t item, uint16_t nowMs);
-  Status onAck(uint8_t result);
+  MAVMISSION_APART Status onAck(uint8_t result);
   MAVMISSION_APART Status onTime(uint16_t nowMs);
 
   // What is to be sent next, and the item if it is one. After it has been handed to the link: sent().
@@ -68,6 +68,7 @@ class UploadTransfer {
   Status suspicion_;   // an answer that may be to an earlier transfer: the reason if no other comes
   Firmware firmware_;
   bool leftovers_;
+  bool recounted_;                    // COUNT was sent more than once
   bool freed_;                        // an open transfer of ours was cancelled first
   bool answered_;                     // item_ has been sent at least once
 };

@@ -180,8 +180,11 @@ static PlanType typeOf(uint32_t number) { return static_cast<PlanType>(number); 
 
 ACTION(ram) { plan = inRam(benchPlan, numbers[0]); }
 ACTION(empty) { plan = emptyPlan(); }
-// Type, 1: verified.
-ACTION(upload) { tellBegun(client.upload(plan, typeOf(numbers[0]), static_cast<Proof>(numbers[1]))); }
+// Type, Proof.
+ACTION(upload) {
+  if (numbers[1] == 0) return tellBegun(client.upload(plan, typeOf(numbers[0])));
+  tellBegun(client.upload(plan, typeOf(numbers[0]), static_cast<Proof>(numbers[1])));
+}
 ACTION(uploadagain) { tellBegun(client.uploadAgain()); }
 ACTION(uploadpart) { tellBegun(client.uploadPart(plan, numbers[0], numbers[1])); }
 ACTION(verify) { tellBegun(client.verify(plan, typeOf(numbers[0]))); }

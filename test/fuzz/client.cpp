@@ -3,7 +3,7 @@
 //
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
-// - an upload is Accepted only if the bytes that came since it was asked for hold a request for its last item, behind it
+// - an upload is Accepted only if it was announced, and the bytes that came since it was asked for hold a request for its last item, behind it
 //   an ACK with MAV_MISSION_ACCEPTED, both right to the checksum, from the autopilot, for us and for a mission;
 // - what is written is whole frames, one behind the other, each with the next sequence number;
 // - items that are done never go back, and are never more than there are;
@@ -95,6 +95,18 @@ bool holdsProof(const Bytes& heard, uint16_t count) {
     if (asked && id == 47 && isForUs(payload[0], payload[1]) && payload[2] == 0 && payload[3] == 0) return true;
   }
   return false;
+}
+
+// How many items the last MISSION_COUNT among frames announces.
+uint16_t announced(const Bytes& written) {
+  uint16_t count = 0xFFFF;
+  for (size_t at = 0; at < written.size(); ++at) {
+    uint32_t id;
+    Bytes payload;
+    size_t size;
+    if (isRight(written, at, id, payload, size) && id == 44) count = static_cast<uint16_t>(payload[0] | payload[1] << 8);
+  }
+  return count;
 }
 
 class Line : public MemoryStream {
@@ -194,6 +206,7 @@ class Session {
     count_ = count;
     done_ = 0;
     line_.heard.clear();
+    written_ = line_.written.size();
   }
 
   // What a sketch may ask for besides. None of it may end with Accepted.
@@ -257,11 +270,15 @@ class Session {
     if (!isEnd(status)) return;
     if (status == Status::Accepted) {
       demand(uploading_, "what was no upload was accepted");
-      const uint16_t onTheWire = static_cast<uint16_t>(count_ + (client_.firmware() == Firmware::ArduPilot && count_ != 0));
-      demand(holdsProof(line_.heard, onTheWire), "accepted, though the autopilot has not said so");
+      const uint16_t onTheWire = announced(Bytes(line_.written.begin() + static_cast<long>(written_), line_.written.end()));
+      // (A stream that takes nothing may hold back the COUNT of an empty plan, which needs no more than an ACK.)
+      const bool heldBack = count_ == 0 && !client_.isSent();
+      const bool home = count_ != 0 && onTheWire == count_ + 1;
+      demand(onTheWire == count_ || home || heldBack, "accepted, though another plan was announced");
+      demand(holdsProof(line_.heard, heldBack ? 0 : onTheWire), "accepted, though the autopilot has not said so");
       demand(client_.itemsDone() == count_, "accepted, though not every item is done");
     }
-    uploading_ = false;
+    uploading_ = uploading_ && client_.isBusy();  // what was cancelled is told by the next update(), when another may run
   }
 
   // Silence. The longest upload: waiting, checking, the transfer's own limit. Others are shorter.
@@ -299,7 +316,8 @@ class Session {
   int room_ = MemoryStream::kAlwaysRoom;  // at the beginning of each update()
   uint8_t sequence_ = 0;
   bool uploading_ = false;
-  uint16_t count_ = 0;
+  uint16_t count_ = 0;     // the items of the upload
+  size_t written_ = 0;     // bytes written before it
   uint16_t done_ = 0;
 };
 

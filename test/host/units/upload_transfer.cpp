@@ -196,6 +196,16 @@ TEST_CASE("an empty plan is accepted at once") {
   CHECK((upload.ack(kAccepted) == Status::Accepted));
 }
 
+TEST_CASE("whatever is said before the first COUNT has left is about something earlier") {
+  for (uint16_t count : {uint16_t(0), uint16_t(3)}) {
+    for (unsigned result = 0; result <= 255; ++result) {
+      Upload upload(count, static_cast<Firmware>(1 + result % 3), result % 2 == 0);
+      CHECK(goesOn(upload.ack(static_cast<uint8_t>(result))));
+      CHECK((upload.send() == Send::Count));
+    }
+  }
+}
+
 TEST_CASE("accepted before every item was asked for is said as such") {
   for (uint16_t asked = 0; asked < 3; ++asked) {
     Upload upload(3);
