@@ -46,16 +46,21 @@ def line(build_bench):
 
 
 @pytest.fixture
-def make_service(request, personality):
-    """Makes a Service; with personality=..., for another autopilot than the test's."""
+def build_service(request):
+    """Makes a Service for an autopilot, whose transcript is shown when the test fails."""
     from service import Service
 
-    def build(**options) -> Service:
-        made = Service(options.pop("personality", personality), **options)
+    def build(*arguments, **options) -> Service:
+        made = Service(*arguments, **options)
         request.node.stash.setdefault(BENCHES, []).append(made)
         return made
 
     return build
+
+
+@pytest.fixture
+def make_service(build_service, personality):
+    return lambda **options: build_service(personality, **options)
 
 
 @pytest.fixture

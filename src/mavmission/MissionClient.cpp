@@ -12,20 +12,20 @@ MissionClient::MissionClient(Stream& stream) {
   // All parts are plain data that begins at zero: one call does it, in 150 bytes less than a constructor for each.
   memset(static_cast<void*>(this), 0, sizeof(*this));
   link_.begin(stream);
-  state_.failedItem = kNoItem;
-  state_.lastResult = 255;
+  rest_.failedItem = kNoItem;
+  rest_.lastResult = 255;
   state_.unsettled = true;
-  state_.planType = PlanType::All;
+  rest_.planType = PlanType::All;
 }
 
 void MissionClient::onProgress(ProgressFunction function, void* context) {
-  state_.progress = function;
-  state_.progressContext = context;
+  rest_.progress = function;
+  rest_.progressContext = context;
 }
 
 void MissionClient::onEnd(EndFunction function, void* context) {
-  state_.ended = function;
-  state_.endedContext = context;
+  rest_.ended = function;
+  rest_.endedContext = context;
 }
 
 void MissionClient::setOwnIds(uint8_t systemId, uint8_t componentId) { link_.setOwnIds(systemId, componentId); }
@@ -40,14 +40,14 @@ void MissionClient::beginSeconds(uint16_t nowMs) {
 Status MissionClient::startOperation(Operation operation) {
   beginSeconds(static_cast<uint16_t>(millis()));
   state_.operation = operation;
-  state_.failedItem = kNoItem;
+  rest_.failedItem = kNoItem;
   state_.itemsDone = 0;
-  state_.itemsTotal = 0;
-  state_.lastResult = 255;
-  state_.field = Field::None;
-  state_.proving = false;
-  state_.turnPauseS = 0;
-  state_.turnAtS = 0;
+  rest_.itemsTotal = 0;
+  rest_.lastResult = 255;
+  rest_.field = Field::None;
+  rest_.proving = false;
+  rest_.turnPauseS = 0;
+  rest_.turnAtS = 0;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
 }
@@ -55,8 +55,8 @@ Status MissionClient::startOperation(Operation operation) {
 void MissionClient::end(Status status) {
   state_.operation = nullptr;
   state_.status = status;
-  state_.toReturn = status;
-  if (state_.ended != nullptr) state_.ended(state_.endedContext, status);
+  rest_.toReturn = status;
+  if (rest_.ended != nullptr) rest_.ended(rest_.endedContext, status);
 }
 
 void MissionClient::unsettle(uint16_t nowMs) {
@@ -87,14 +87,14 @@ void MissionClient::waitForAutopilot() {
     state_.status = Status::Checking;
     return;
   }
-  if (state_.waitingLimitS == 0 || state_.seconds < state_.waitingLimitS) return;
+  if (rest_.waitingLimitS == 0 || state_.seconds < rest_.waitingLimitS) return;
   end(finder.severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
 }
 
 void MissionClient::report(uint16_t done) {
   if (done <= state_.itemsDone) return;
   state_.itemsDone = done;
-  if (state_.progress != nullptr) state_.progress(state_.progressContext, state_.itemsDone, state_.itemsTotal);
+  if (rest_.progress != nullptr) rest_.progress(rest_.progressContext, state_.itemsDone, rest_.itemsTotal);
 }
 
 void MissionClient::sendAck(uint8_t result, PlanType type) {
@@ -130,8 +130,8 @@ Status MissionClient::updateAt(uint16_t nowMs) {
   link_.onTime(nowMs);
   link_.flush(nowMs);
 
-  const Status ended = state_.toReturn;
-  state_.toReturn = Status::Idle;
+  const Status ended = rest_.toReturn;
+  rest_.toReturn = Status::Idle;
   if (ended != Status::Idle) return ended;
   return state_.operation != nullptr ? state_.status : Status::Idle;
 }

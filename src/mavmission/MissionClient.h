@@ -133,19 +133,19 @@ class MissionClient {
   Status status() const { return state_.status; }  // of the running operation, or the last one
   bool isBusy() const { return state_.operation != nullptr; }
   // The item that the status is about, counted as the sketch counts, or kNoItem. ArduPilot's home is no item.
-  uint16_t failedItem() const { return state_.failedItem; }
+  uint16_t failedItem() const { return rest_.failedItem; }
   uint16_t itemsDone() const { return state_.itemsDone; }    // of the running or last transfer
-  uint16_t itemsTotal() const { return state_.itemsTotal; }
+  uint16_t itemsTotal() const { return rest_.itemsTotal; }
   // What differs after Status::Differs.
-  Field differingField() const { return state_.field; }
+  Field differingField() const { return rest_.field; }
   // The plan of a type that the autopilot holds after the last upload, verification or clear of that type.
-  Aboard aboard(PlanType type = PlanType::Mission) const { return state_.aboard[static_cast<uint8_t>(type) & 3]; }
+  Aboard aboard(PlanType type = PlanType::Mission) const { return rest_.aboard[static_cast<uint8_t>(type) & 3]; }
   // The autopilot's last MISSION_ACK.type in this operation, or 255: what lies behind Status::Unconfirmed and
   // Status::UnknownResult.
-  uint8_t lastResult() const { return state_.lastResult; }
+  uint8_t lastResult() const { return rest_.lastResult; }
 
   // The step of start() that runs, or that was refused.
-  StartStep startStep() const { return state_.startStep; }
+  StartStep startStep() const { return rest_.startStep; }
 
   bool hasAutopilot() const { return link_.finder().isFound(); }
   Firmware firmware() const { return link_.finder().firmware(); }
@@ -174,9 +174,9 @@ class MissionClient {
   void setSpeak(Speak speak) { link_.setSpeak(speak); }
   // Allows operations that change the plan while the autopilot is armed. ArduPilot edits its plan in place: an upload
   // that breaks off leaves a flying aircraft with a mixture.
-  void allowWhileArmed(bool allow) { state_.armedAllowed = allow; }
+  void allowWhileArmed(bool allow) { rest_.armedAllowed = allow; }
   // Item numbers and jump targets as the autopilot has them: on ArduPilot item 0 is home, and is given by the plan.
-  void useRawNumbering(bool raw) { state_.raw = raw; }
+  void useRawNumbering(bool raw) { rest_.raw = raw; }
   // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2, 4,
   // then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until then
   // the status is WaitingForTurn. Costs 150 bytes of flash in a sketch that calls it.
@@ -187,10 +187,10 @@ class MissionClient {
   void serveFloatItems(bool always = false);
   // The longest wait for an autopilot [s], after which an operation ends with Status::NoAutopilot; 0, the default, is
   // for ever.
-  void limitWaiting(uint16_t seconds) { state_.waitingLimitS = seconds; }
+  void limitWaiting(uint16_t seconds) { rest_.waitingLimitS = seconds; }
   // The longest that a transfer may take [s], after which it ends with Status::TookTooLong; 0, the default, is
   // 120 s and 2 s for each item.
-  void limitTransfer(uint16_t seconds) { state_.transferLimitS = seconds; }
+  void limitTransfer(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
   friend class Listener;
@@ -241,7 +241,7 @@ class MissionClient {
   void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
   void tellCancelled();
-  void setAboard(Aboard what) { state_.aboard[static_cast<uint8_t>(state_.type) & 3] = what; }
+  void setAboard(Aboard what) { rest_.aboard[static_cast<uint8_t>(state_.type) & 3] = what; }
   void waitForAutopilot();
   void beginChecking();
   MAVMISSION_APART void checkPlan(uint16_t nowMs);
@@ -268,53 +268,58 @@ class MissionClient {
   void noteInfeasible();
   void noteAccepted();
   void setPlan(const ItemSource& plan, PlanType type);
-  uint32_t acceptedPlanId() const { return state_.planId; }
+  uint32_t acceptedPlanId() const { return rest_.planId; }
 
-  // All zero at the start but for what the constructor sets.
+  // What an update() looks at lies first: avr-gcc reaches 64 bytes of an object cheaply. All zero at the start but for
+  // what the constructor sets.
   struct State {
     Operation operation;       // null: idle
-    ProgressFunction progress;
-    void* progressContext;
-    EndFunction ended;
-    void* endedContext;
     uint16_t secondMs;         // when the last whole second of `seconds` was over
     uint16_t seconds;          // that the operation, or its transfer, has taken [s]
     uint16_t unsettledMs;      // when a transfer was last left without an answer
     uint16_t next;             // the wire item to be checked, or to be added to opaqueId_
-    uint16_t failedItem;
     uint16_t itemsDone;
+    // Announces the upload; null: by MISSION_COUNT.
+    Status (*announce)(MissionClient& client);
+    bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
+    Status status;
+    bool unsettled;            // so after a reset: what ran before it may still be answered
+    bool cancelDue;            // the autopilot is to be told that a transfer was cancelled
+    PlanType cancelType;
+    PlanType type;             // of the running operation
+    void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
+    bool floatItems;           // items go out as MISSION_ITEM
+    void (*toFloats)(void* itemMessage);  // makes MISSION_ITEM of MISSION_ITEM_INT, where the sketch wants that
+  };
+
+  // Settings and results.
+  struct Rest {
+    ProgressFunction progress;
+    void* progressContext;
+    EndFunction ended;
+    void* endedContext;
+    uint16_t failedItem;
     uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
     uint16_t turnLimitS;       // how long to wait for another ground station's transfer [s]
     uint16_t turnAtS;          // when to try again, and when the transfer's own time began [s]
-    // Announces the upload; null: by MISSION_COUNT.
-    Status (*announce)(MissionClient& client);
     uint16_t partFirst;        // the items of a partial upload, as the sketch counts
     uint16_t partCount;
-    bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
     uint8_t turnPauseS;        // the pause before the next try; 0 before the first
-    Status status;
     Status toReturn;
     Aboard aboard[4];          // by PlanType; the last is nobody's
     uint8_t lastResult;
-    bool unsettled;            // so after a reset: what ran before it may still be answered
-    bool cancelDue;            // the autopilot is to be told that a transfer was cancelled
-    PlanType cancelType;
     bool armedAllowed;
     bool raw;
     bool tooLong;              // the source has more items than the protocol can count
-    PlanType type;             // of the running operation
     PlanType planType;         // of the plan that uploadAgain() takes; All before there is one
     uint32_t planId;           // the autopilot's own name for the mission that was accepted or verified last; 0: none
     Proof proof;
-    void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
     Field field;               // that differs
     StartStep startStep;
     bool infeasible;           // the autopilot has said so of the plan that it accepted
     bool proving;              // an upload is being read back
-    bool floatItems;           // items go out as MISSION_ITEM
-    void (*toFloats)(void* itemMessage);  // makes MISSION_ITEM of MISSION_ITEM_INT, where the sketch wants that
   };
 
   // Reading a plan: by download(), verify(), or to prove an upload.
@@ -366,6 +371,7 @@ class MissionClient {
     Clearing clearing_;
     Commanding commanding_;
   };
+  Rest rest_;
   WirePlan plan_;
   OpaqueId opaqueId_;
   Link link_;

@@ -22,7 +22,7 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
     if (state.status != Status::Transferring || frame->messageId() != MAVLINK_MSG_ID_MISSION_ACK) return;
     const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(*frame);
     if (ack.mission_type != static_cast<uint8_t>(clearing.type) || clearing.tries == 0) return;
-    state.lastResult = ack.type;
+    client.rest_.lastResult = ack.type;
     const Status status = fromMissionResult(ack.type);
     if (status != Status::Accepted) return client.endClearing(status);
     client.noteCleared(clearing.type, Aboard::Nothing);
@@ -37,7 +37,7 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
     client.waitForAutopilot();
     if (state.status != Status::Checking) return;
     if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-    if (client.isArmed() && !state.armedAllowed) return client.end(Status::Armed);
+    if (client.isArmed() && !client.rest_.armedAllowed) return client.end(Status::Armed);
     const bool isAll = state.type == PlanType::All;
     clearing.type = isAll ? PlanType::Mission : state.type;
     clearing.last = isAll ? PlanType::Rally : state.type;
@@ -64,6 +64,6 @@ void MissionClient::endClearing(Status status) {
   end(status);
 }
 
-void MissionClient::noteCleared(PlanType type, Aboard what) { state_.aboard[static_cast<uint8_t>(type) & 3] = what; }
+void MissionClient::noteCleared(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
 
 }  // namespace mavmission

@@ -113,7 +113,7 @@ void MissionClient::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
   if (frame.messageId() == MAVLINK_MSG_ID_COMMAND_ACK && !commanding_.byMessage) {
     const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
     if (ack.command != commanding_.id || commanding_.tries == 0) return;
-    state_.lastResult = ack.result;
+    rest_.lastResult = ack.result;
     if (ack.result == MAV_RESULT_IN_PROGRESS) {
       commanding_.sentMs = nowMs;
       commanding_.waitMs = kProgressMs;
@@ -213,7 +213,7 @@ Status MissionClient::setCurrentItem(uint16_t item) {
 
 // The sketch's item becomes the autopilot's.
 Status MissionClient::prepareCurrent(MissionClient& client) {
-  if (client.firmware() == Firmware::ArduPilot && !client.state_.raw) ++client.commanding_.argument;
+  if (client.firmware() == Firmware::ArduPilot && !client.rest_.raw) ++client.commanding_.argument;
   return Status::Transferring;
 }
 
@@ -241,14 +241,14 @@ void MissionClient::fillInterval(MissionClient& client, FlightCommand& command) 
 }
 
 uint16_t MissionClient::itemFromWire(uint16_t wireItem) const {
-  const uint8_t home = firmware() == Firmware::ArduPilot && !state_.raw ? 1 : 0;
+  const uint8_t home = firmware() == Firmware::ArduPilot && !rest_.raw ? 1 : 0;
   return wireItem < home ? kNoItem : wireItem - home;
 }
 
 void MissionClient::noteInfeasible() {
   if (state_.status == Status::Infeasible || aboard() != Aboard::OurPlan) return;
   if (state_.operation != nullptr && state_.operation != commandStep) return;
-  state_.infeasible = true;
+  rest_.infeasible = true;
   end(Status::Infeasible);
 }
 

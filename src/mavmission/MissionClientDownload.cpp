@@ -19,10 +19,9 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
 }
 
 Status MissionClient::storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
-  const State& state = client.state_;
   const ItemSink& sink = client.reading_.sink;
   uint16_t index = wireItem;
-  if (!state.raw) {
+  if (!client.rest_.raw) {
     if (client.homeBefore() != 0) index = wireItem == 0 ? kHomeIndex : wireItem - 1;
     fromWire(item, client.plan_.firmware());
   }

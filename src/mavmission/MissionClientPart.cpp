@@ -11,8 +11,8 @@ Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_
   if (state_.operation != nullptr) return Status::Busy;
   const Status status = upload(plan, PlanType::Mission);
   state_.announce = announcePart;
-  state_.partFirst = first;
-  state_.partCount = count;
+  rest_.partFirst = first;
+  rest_.partCount = count;
   if (isEnd(status)) return status;
   if (count == 0 || first >= plan.count || count > plan.count - first) end(Status::BadRange);
   return state_.status;
@@ -20,8 +20,8 @@ Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_
 
 Status MissionClient::announcePart(MissionClient& client) {
   mavlink_mission_write_partial_list_t list = mavlink_mission_write_partial_list_t();
-  list.start_index = static_cast<int16_t>(client.state_.partFirst + client.plan_.homeItems());
-  list.end_index = static_cast<int16_t>(list.start_index + client.state_.partCount - 1);
+  list.start_index = static_cast<int16_t>(client.rest_.partFirst + client.plan_.homeItems());
+  list.end_index = static_cast<int16_t>(list.start_index + client.rest_.partCount - 1);
   client.link_.send(list);
   return Status::Transferring;
 }

@@ -15,15 +15,15 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   reading_.take = compareItem;
   reading_.isCompared = true;
   reading_.fromFloats = fromFloats;
-  state_.itemsTotal = plan_.count();
-  if (state_.tooLong) end(Status::TooManyItems);
+  rest_.itemsTotal = plan_.count();
+  if (rest_.tooLong) end(Status::TooManyItems);
   return state_.status;
 }
 
 // What is aboard is read back, and decides what the upload says.
 void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
   client.state_.operation = readStep;
-  client.state_.proving = true;
+  client.rest_.proving = true;
   client.setAboard(Aboard::NotKnown);
   client.reading_.take = compareItem;
   client.reading_.isCompared = true;
@@ -34,14 +34,14 @@ void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
 Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
   const Status status = upload(plan, type);
   if (status == Status::Busy) return status;
-  state_.proof = proof;
+  rest_.proof = proof;
   state_.prove = proof != Proof::ByAnswer ? proveUpload : nullptr;
   return status;
 }
 
 // 1 where the autopilot's own item 0 is home, and not the sketch's.
 uint8_t MissionClient::homeBefore() const {
-  return plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission && !state_.raw ? 1 : 0;
+  return plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission && !rest_.raw ? 1 : 0;
 }
 
 bool MissionClient::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
@@ -56,7 +56,7 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
     client.waitForAutopilot();
     if (state.status != Status::Checking) return;
     if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-    client.plan_.begin(client.firmware(), state.type, state.raw);
+    client.plan_.begin(client.firmware(), state.type, client.rest_.raw);
     client.reading_.transfer.begin(nowMs);
     client.beginSeconds(nowMs);
     state.status = Status::Transferring;
@@ -64,8 +64,8 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
   const Status status = client.reading_.transfer.onTime(nowMs);
   if (status != Status::Transferring) return client.endReading(status);
   const uint32_t limitS =
-      state.transferLimitS != 0 ? state.transferLimitS : 120 + 2UL * client.reading_.transfer.count();
-  if (static_cast<uint16_t>(state.seconds - state.turnAtS) >= limitS) return client.endReading(Status::TookTooLong);
+      client.rest_.transferLimitS != 0 ? client.rest_.transferLimitS : 120 + 2UL * client.reading_.transfer.count();
+  if (static_cast<uint16_t>(state.seconds - client.rest_.turnAtS) >= limitS) return client.endReading(Status::TookTooLong);
   client.sendRead(nowMs);
 }
 
@@ -121,8 +121,8 @@ void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
       if (status == Status::Transferring) return;
       // While an upload is being proven the autopilot may still hold it open: ArduPilot denies reading until it gives
       // up, PX4 says error. The request is repeated, and its tries bound the wait.
-      if (state_.proving && reading_.transfer.state() == DownloadTransfer::State::Listing) return;
-      state_.lastResult = ack.type;
+      if (rest_.proving && reading_.transfer.state() == DownloadTransfer::State::Listing) return;
+      rest_.lastResult = ack.type;
       return endReading(status);
     }
     default:
@@ -140,14 +140,14 @@ void MissionClient::takeReadCount(const FrameParser& frame) {
   const bool isHomeFirst = homeBefore() != 0;
   if (!reading_.isCompared) {
     const uint16_t items = isHomeFirst && count.count > 0 ? count.count - 1 : count.count;
-    state_.itemsTotal = items;
+    rest_.itemsTotal = items;
     if (items > reading_.sink.limit) endReading(Status::SinkFull);
     return;
   }
   // ArduPilot without a plan says 0, or 1 for its home.
   const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count.count <= 1;
   if (isBothEmpty || count.count == plan_.wireCount()) return;
-  state_.field = Field::Count;
+  rest_.field = Field::Count;
   endReading(Status::Differs);
 }
 
@@ -178,12 +178,12 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
   const Status taken = reading_.take(*this, seq, piece.item);
   if (taken == Status::Checking) return;  // it will be asked for again
   if (taken != Status::Transferring) {
-    state_.failedItem = ownItem(seq);
+    rest_.failedItem = ownItem(seq);
     return endReading(taken);
   }
   transfer.onItem(seq);
   // While an upload is proven its progress stands still: it is complete only when it is proven.
-  if (!state_.proving) report(seq + 1 - homeBefore());
+  if (!rest_.proving) report(seq + 1 - homeBefore());
 }
 
 Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
@@ -194,8 +194,8 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
   Status read = Status::Checking;
   for (uint8_t call = 0; call < kMostCalls && read == Status::Checking; ++call) read = plan.read(wireItem, meant);
   if (read != Status::Accepted) return read;
-  client.state_.field = difference(meant, item, plan.firmware(), client.state_.type);
-  return client.state_.field == Field::None ? Status::Transferring : Status::Differs;
+  client.rest_.field = difference(meant, item, plan.firmware(), client.state_.type);
+  return client.rest_.field == Field::None ? Status::Transferring : Status::Differs;
 }
 
 void MissionClient::endReading(Status status) {
@@ -203,18 +203,18 @@ void MissionClient::endReading(Status status) {
     if (reading_.isCompared) {
       status = Status::Verified;
       setAboard(Aboard::OurPlan);
-      if (state_.type == PlanType::Mission) state_.planId = reading_.planId;
+      if (state_.type == PlanType::Mission) rest_.planId = reading_.planId;
     }
   } else {
     tellCancelled();  // PX4 would wait 5 s for us
     if (status == Status::Differs) setAboard(Aboard::NotKnown);
   }
-  if (state_.proving) {
+  if (rest_.proving) {
     switch (status) {
       case Status::Verified:
         status = Status::Accepted;
         noteAccepted();
-        report(state_.itemsTotal);
+        report(rest_.itemsTotal);
         break;
       case Status::Differs:
         if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission) setAboard(Aboard::Mixture);

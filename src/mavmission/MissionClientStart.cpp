@@ -9,24 +9,23 @@ namespace mavmission {
 Status MissionClient::start() {
   const Status status = beginCommand(fillBegin, 0);
   if (status == Status::Busy) return status;
-  state_.startStep = StartStep::None;
+  rest_.startStep = StartStep::None;
   commanding_.prepare = prepareStart;
   commanding_.accepted = nextStartStep;
   return status;
 }
 
 Status MissionClient::prepareStart(MissionClient& client) {
-  const State& state = client.state_;
-  if (client.isArmed() && !state.armedAllowed) return Status::Armed;
+  if (client.isArmed() && !client.rest_.armedAllowed) return Status::Armed;
   if (client.aboard() != Aboard::OurPlan) return Status::Unproven;
-  if (state.infeasible) return Status::Infeasible;
+  if (client.rest_.infeasible) return Status::Infeasible;
   return nextStartStep(client);
 }
 
 // Goes on with the next step that this vehicle needs; Done when there is none.
 Status MissionClient::nextStartStep(MissionClient& client) {
-  while (client.state_.startStep != StartStep::Begin) {
-    client.state_.startStep = static_cast<StartStep>(static_cast<uint8_t>(client.state_.startStep) + 1);
+  while (client.rest_.startStep != StartStep::Begin) {
+    client.rest_.startStep = static_cast<StartStep>(static_cast<uint8_t>(client.rest_.startStep) + 1);
     const Status status = client.chooseStartStep();
     if (status != Status::Done) return status;
   }
@@ -36,7 +35,7 @@ Status MissionClient::nextStartStep(MissionClient& client) {
 // Sets up the current step: Transferring, or Done if this vehicle does without it.
 Status MissionClient::chooseStartStep() {
   const bool isArduPilot = firmware() == Firmware::ArduPilot;
-  switch (state_.startStep) {
+  switch (rest_.startStep) {
     case StartStep::None:
       return Status::Done;
     case StartStep::ReadyMode: {

@@ -6,7 +6,7 @@
 namespace mavmission {
 
 void MissionClient::retryWhenDenied(uint16_t seconds) {
-  state_.turnLimitS = seconds;
+  rest_.turnLimitS = seconds;
   state_.denied = seconds != 0 ? waitForTurn : nullptr;
 }
 
@@ -14,10 +14,10 @@ void MissionClient::retryWhenDenied(uint16_t seconds) {
 bool MissionClient::waitForTurn(MissionClient& client, Status refusal) {
   State& state = client.state_;
   if (refusal != Status::Denied && !(refusal == Status::Error && client.firmware() == Firmware::Px4)) return false;
-  if (state.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
-  state.turnPauseS = state.turnPauseS == 0 ? 1 : state.turnPauseS >= 8 ? 8 : 2 * state.turnPauseS;
-  if (state.seconds + state.turnPauseS > state.turnLimitS) return false;
-  state.turnAtS = state.seconds + state.turnPauseS;
+  if (client.rest_.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
+  client.rest_.turnPauseS = client.rest_.turnPauseS == 0 ? 1 : client.rest_.turnPauseS >= 8 ? 8 : 2 * client.rest_.turnPauseS;
+  if (state.seconds + client.rest_.turnPauseS > client.rest_.turnLimitS) return false;
+  client.rest_.turnAtS = state.seconds + client.rest_.turnPauseS;
   state.status = Status::WaitingForTurn;
   state.operation = turnStep;
   return true;
@@ -25,7 +25,7 @@ bool MissionClient::waitForTurn(MissionClient& client, Status refusal) {
 
 void MissionClient::turnStep(MissionClient& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
-  if (frame != nullptr || state.seconds < state.turnAtS) return;
+  if (frame != nullptr || state.seconds < client.rest_.turnAtS) return;
   state.operation = uploadStep;
   state.status = Status::WaitingForAutopilot;  // it may have been armed, or lost, meanwhile: from the start
 }

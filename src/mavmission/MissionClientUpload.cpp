@@ -11,27 +11,27 @@ Status MissionClient::upload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   setPlan(plan, type);
   state_.prove = nullptr;
-  state_.partFirst = 0;
+  rest_.partFirst = 0;
   return uploadAgain();
 }
 
 void MissionClient::setPlan(const ItemSource& plan, PlanType type) {
   plan_.setSource(plan);
-  state_.planType = type;
-  state_.tooLong = plan.count > kMaxItems;
+  rest_.planType = type;
+  rest_.tooLong = plan.count > kMaxItems;
   state_.announce = nullptr;
 }
 
 Status MissionClient::uploadAgain() {
   if (state_.operation != nullptr) return Status::Busy;
   startOperation(uploadStep);
-  state_.type = state_.planType;
-  state_.itemsTotal = plan_.count();
+  state_.type = rest_.planType;
+  rest_.itemsTotal = plan_.count();
   if (state_.type == PlanType::All) {  // there is no plan yet
     end(Status::SourceRefused);
     return state_.status;
   }
-  if (state_.tooLong) end(Status::TooManyItems);
+  if (rest_.tooLong) end(Status::TooManyItems);
   return state_.status;
 }
 
@@ -42,8 +42,8 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
     const Status status = client.transfer_.onTime(nowMs);
     if (status != Status::Transferring) return client.continueUpload(status, nowMs);
     const uint32_t limitS =
-        client.state_.transferLimitS != 0 ? client.state_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
-    if (static_cast<uint16_t>(client.state_.seconds - client.state_.turnAtS) >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
+        client.rest_.transferLimitS != 0 ? client.rest_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
+    if (static_cast<uint16_t>(client.state_.seconds - client.rest_.turnAtS) >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
     return client.sendUpload(nowMs);
   }
   if (frame != nullptr) return;
@@ -56,7 +56,7 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
 }
 
 void MissionClient::beginChecking() {
-  plan_.begin(firmware(), state_.type, state_.raw);
+  plan_.begin(firmware(), state_.type, rest_.raw);
   state_.next = 0;
 }
 
@@ -73,13 +73,13 @@ void MissionClient::checkPlan(uint16_t nowMs) {
   if (plan_.isTooLong()) return end(Status::TooManyItems);
   if (state_.announce != nullptr && plan_.firmware() == Firmware::Px4) return end(Status::WholePlansOnly);
   if (!isTypeCarried()) return end(Status::NeedsMavlink2);
-  if (link_.finder().isArmed() && !state_.armedAllowed) return end(Status::Armed);
+  if (link_.finder().isArmed() && !rest_.armedAllowed) return end(Status::Armed);
   const uint16_t count = plan_.wireCount();
   for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
     const Status checked = checkItem(state_.next);
     if (checked == Status::Checking) return;
     if (checked != Status::Accepted) {
-      state_.failedItem = ownItem(state_.next);
+      rest_.failedItem = ownItem(state_.next);
       return end(checked);
     }
     ++state_.next;
@@ -91,13 +91,13 @@ void MissionClient::beginUpload(uint16_t nowMs) {
   uint16_t first = 0;
   uint16_t behind = plan_.wireCount();
   if (state_.announce != nullptr) {
-    first = state_.partFirst + plan_.homeItems();
-    behind = first + state_.partCount;
+    first = rest_.partFirst + plan_.homeItems();
+    behind = first + rest_.partCount;
   }
   transfer_.begin(first, behind, plan_.firmware(), state_.unsettled, nowMs);
   opaqueId_.begin();
   state_.next = 0;
-  if (state_.turnPauseS == 0) beginSeconds(nowMs);
+  if (rest_.turnPauseS == 0) beginSeconds(nowMs);
   state_.status = Status::Transferring;
   sendUpload(nowMs);
 }
@@ -116,9 +116,9 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
     case MAVLINK_MSG_ID_MISSION_ACK: {
       const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
       if (ack.mission_type != static_cast<uint8_t>(state_.type)) return;
-      state_.lastResult = ack.type;
+      rest_.lastResult = ack.type;
       const Status status = proven(transfer_.onAck(ack.type), ack.opaque_id);
-      if (status == Status::Accepted && state_.type == PlanType::Mission) state_.planId = ack.opaque_id;
+      if (status == Status::Accepted && state_.type == PlanType::Mission) rest_.planId = ack.opaque_id;
       continueUpload(status, nowMs);
       return;
     }
@@ -149,12 +149,12 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
   if (state_.denied != nullptr && !transfer_.hasBegun() && state_.denied(*this, status)) return;
   const bool isInDoubt = status == Status::Unconfirmed;
   if (isInDoubt) unsettle(nowMs);
-  const bool isProofDue = isInDoubt || (status == Status::Accepted && state_.proof == Proof::Always);
+  const bool isProofDue = isInDoubt || (status == Status::Accepted && rest_.proof == Proof::Always);
   if (isProofDue && state_.prove != nullptr) return state_.prove(*this, nowMs);
   setAboard(aboardAfterUpload(status));
   switch (status) {
     case Status::Accepted:
-      report(state_.itemsTotal);
+      report(rest_.itemsTotal);
       noteAccepted();
       break;
     case Status::NoAnswer:
@@ -163,20 +163,20 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
     case Status::SourceRefused:
       tellCancelled();
       unsettle(nowMs);
-      if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
+      if (status == Status::TimedOut) rest_.failedItem = ownItem(transfer_.lastItem());
       break;
     case Status::Unconfirmed:
       break;
     default:
       state_.unsettled = false;
-      if (transfer_.hasBegun()) state_.failedItem = ownItem(transfer_.lastItem());
+      if (transfer_.hasBegun()) rest_.failedItem = ownItem(transfer_.lastItem());
       break;
   }
   end(status);
 }
 
 void MissionClient::noteAccepted() {
-  if (state_.type == PlanType::Mission) state_.infeasible = false;
+  if (state_.type == PlanType::Mission) rest_.infeasible = false;
   state_.unsettled = false;
 }
 
@@ -246,7 +246,7 @@ bool MissionClient::sendItem(uint16_t nowMs) {
   const Status read = plan_.read(wireItem, piece.item);
   if (read == Status::Checking) return false;
   if (read != Status::Accepted) {
-    state_.failedItem = ownItem(wireItem);
+    rest_.failedItem = ownItem(wireItem);
     continueUpload(read, nowMs);
     return false;
   }

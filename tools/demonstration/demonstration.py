@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from building import ROOT, BuildFailed, build_sketch
-from fake_autopilot import ArduPilot, FakeAutopilot, Item, Px4, mavlink
+from fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, FakeAutopilot, Item, Px4, item, mavlink
 from mega import Mega
 from mega.realtime import RealTime
 from recordings import repeated
@@ -68,18 +68,22 @@ class Demonstration:
         self.settings = settings
         self._screen = screen
         described = description(settings.example)
-        self._limit_s: float = described.get("limit_s", LIMIT_S)
+        self._limit_s: float = described.get("runs_s") or described.get("limit_s", LIMIT_S)
+        self._uploads = "runs_s" not in described and "reads" not in described
+        self._reads: bool = described.get("reads", False)
         try:
             built = build_sketch(sketch(settings.example))
-            self._plan: Plan | None = plan_in(built.elf, described.get("plan"))
+            self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
         self.autopilot = an_autopilot(settings.autopilot)
+        if self._reads:
+            self.autopilot.load(on_the_wire(HELD, settings.autopilot))
         self._line = SerialLine(self.autopilot, settings.loss_percent, settings.seed)
         self._mega = Mega(built.elf)
         self._console = Console(self)
         self._conversation = Conversation()
-        self._meant: list[Item] | None = None
+        self._meant: dict[int, list[Item]] = {}  # by mission type, as the sketch has them
         self._log: TelemetryLog | None = None
 
     @property
@@ -119,11 +123,11 @@ class Demonstration:
         name = Path(self.settings.example).stem
         loss = f", {self.settings.loss_percent:g} % of the frames lost each way" if self.settings.loss_percent else ""
         self._screen.say(f"{name} on a simulated Mega, Serial1 to a simulated {NAMES[self.settings.autopilot]}{loss}")
-        if self._plan is None:
+        for kind, plan in self._plans.items():
+            where = "RAM" if plan.in_ram else "flash"
+            self._screen.say(f"its {KINDS[kind]}: {plan.name}, {plan.count} items in {where}")
+        if self._uploads and not self._plans:
             self._screen.say("its plan comes from a function: what it sends is what it means")
-        else:
-            where = "RAM" if self._plan.in_ram else "flash"
-            self._screen.say(f"its plan: {self._plan.name}, {self._plan.count} items in {where}")
 
     def _pace(self) -> dict:
         if not self.settings.fast:
@@ -141,15 +145,15 @@ class Demonstration:
     def _hear(self, entry: Entry) -> None:
         talk = self._conversation
         again = talk.add(entry)
-        if talk.count is not None and self._meant is None and self._plan is not None:
-            self._meant = self._plan.items(self._mega.peek)
+        for kind in talk.counts.keys() & self._plans.keys() - self._meant.keys():
+            self._meant[kind] = self._plans[kind].items(self._mega.peek)
         if talk.is_shown(entry):
             where = "Mega -> autopilot" if entry.direction == ">" else "autopilot -> Mega"
             mark = "lost" if entry.fate else "again" if again else ""
             text = message_in_words(entry.message, entry.data)
             self._screen.happened(Line(entry.time, where, text, mark))
-        if talk.count:
-            self._screen.progress(talk.items_aboard, talk.count)
+        if total := sum(talk.counts.values()):
+            self._screen.progress(sum(talk.aboard.values()), total)
 
     def console_line(self, text: str) -> None:
         self._screen.happened(Line(self.now, "Serial", text))
@@ -162,43 +166,59 @@ class Demonstration:
     def _conclude(self) -> Verdict:
         talk = self._conversation
         self._screen.say(f"beside these: {talk.others['HEARTBEAT']} heartbeats, {talk.telemetry} frames of telemetry")
-        aboard = self.autopilot.received()
-        meant = self._meant_on_the_wire()
         name = NAMES[self.settings.autopilot]
-        if talk.count is None:
-            return Verdict(False, f"FAILED: in {self.now:.0f} s the sketch began no upload.")
-        self._screen.say(f"what was meant, as {name} must get it, and what it holds:")
-        rows = compared(meant, aboard)
-        self._screen.compare(rows)
-        held = len(self.autopilot.plan())
-        wrong = sum(row.differs for row in rows)
-        if wrong:
-            return Verdict(False, f"FAILED: {wrong} of {len(rows)} items differ. {talk.last_word()}")
-        if held != len(meant):
-            return Verdict(False, f"FAILED: {name} says that it holds {held} items, not {len(meant)}.")
+        if self._reads:
+            return self._conclude_reading(name)
+        if not self._uploads:
+            return Verdict(True, f"The sketch ran for {self.now:.0f} s; there was nothing to upload.")
+        kinds = sorted(self._plans) or sorted(talk.counts)
+        if not kinds or not talk.counts.keys() >= set(kinds):
+            return Verdict(False, f"FAILED: in {self.now:.0f} s the sketch began no upload{of_kinds(kinds, talk)}.")
+        items = 0
+        for kind in kinds:
+            meant = self._meant_on_the_wire(kind)
+            items += len(meant)
+            self._screen.say(f"the {KINDS[kind]} that was meant, as {name} must get it, and what it holds:")
+            rows = compared(meant, self.autopilot.received(kind))
+            self._screen.compare(rows)
+            held = len(self.autopilot.plan(kind))
+            if wrong := sum(row.differs for row in rows):
+                return Verdict(False, f"FAILED: {wrong} of {len(rows)} items differ. {talk.last_word()}")
+            if held != len(meant):
+                return Verdict(False, f"FAILED: {name} says that it holds {held} items, not {len(meant)}.")
         if talk.contradictions:
             return Verdict(False, f"FAILED: {talk.contradictions[0]}")
-        if not talk.told:
-            return Verdict(
-                True, f"The plan is aboard: all {len(meant)} items as they were meant. {talk.last_word()}"
-            )
-        return Verdict(True, f"The plan is aboard: all {len(meant)} items as they were meant, and the Mega was told so.")
+        aboard = f"The plan is aboard: all {items} items as they were meant"
+        if talk.told >= set(kinds):
+            return Verdict(True, f"{aboard}, and the Mega was told so.")
+        return Verdict(True, f"{aboard}. {talk.last_word()}")
 
-    def _meant_on_the_wire(self) -> list[Item]:
-        if self._plan is None:
-            return [self._conversation.items[seq] for seq in sorted(self._conversation.items)]
-        return on_the_wire(self._meant or [], self.settings.autopilot)
+    def _conclude_reading(self, name: str) -> Verdict:
+        talk = self._conversation
+        held = len(self.autopilot.plan())
+        if talk.delivered == set(range(held)) and talk.thanked:
+            return Verdict(True, f"The Mega has read all {held} items that {name} holds.")
+        return Verdict(False, f"FAILED: the Mega has read {len(talk.delivered)} of the {held} items that {name} holds.")
+
+    def _meant_on_the_wire(self, kind: int) -> list[Item]:
+        if kind not in self._plans:
+            sent = self._conversation.items
+            return [sent[kind, seq] for seq in range(self._conversation.counts[kind]) if (kind, seq) in sent]
+        meant = self._meant.get(kind, [])
+        return on_the_wire(meant, self.settings.autopilot) if kind == MISSION else meant
 
 
 class Conversation:
     """What the two have said, as an eavesdropper understands it."""
 
     def __init__(self) -> None:
-        self.count: int | None = None
-        self.items: dict[int, Item] = {}  # as the Mega first sent each
+        self.counts: dict[int, int] = {}  # items that the Mega announced, by mission type
+        self.items: dict[tuple[int, int], Item] = {}  # by type and number, as the Mega first sent each
         self.contradictions: list[str] = []
-        self.items_aboard = 0
-        self.told = False  # an acceptance reached the Mega
+        self.aboard: Counter[int] = Counter()  # items, by mission type
+        self.told: set[int] = set()  # types whose acceptance reached the Mega
+        self.delivered: set[int] = set()  # items that the Mega got in a download
+        self.thanked = False  # the Mega has acknowledged a download
         self.others: Counter[str] = Counter()  # what is not shown, by name
         self._said: set[tuple] = set()
         self._heartbeats: set[str] = set()
@@ -237,24 +257,30 @@ class Conversation:
         return name.startswith(SHOWN) and name not in NOT_SHOWN
 
     def _from_mega(self, message, name: str) -> None:
-        self._answered = False
+        self._answered = name == "MISSION_ACK"
+        kind = getattr(message, "mission_type", MISSION)
         if name == "MISSION_COUNT":
-            self.count = message.count
+            self.counts[kind] = message.count
+        if name == "MISSION_ACK":
+            self.thanked |= message.type == mavlink.MAV_MISSION_ACCEPTED
         if name in ITEMS:
-            item = Item.of(message)
-            first = self.items.setdefault(message.seq, item)
-            if not item.same_as(first):
+            sent = Item.of(message)
+            if not sent.same_as(self.items.setdefault((kind, message.seq), sent)):
                 self.contradictions.append(f"item {message.seq} was sent with two contents.")
 
     def _from_autopilot(self, entry: Entry, message, name: str) -> None:
+        kind = getattr(message, "mission_type", MISSION)
         if name in ("MISSION_REQUEST", "MISSION_REQUEST_INT"):
-            self.items_aboard = max(self.items_aboard, message.seq)
-        if name == "MISSION_ACK" and message.mission_type == mavlink.MAV_MISSION_TYPE_MISSION:
+            self.aboard[kind] = max(self.aboard[kind], message.seq)
+        if name in ITEMS and not entry.fate:
+            self.delivered.add(message.seq)
+        if name == "MISSION_ACK":
             self._answered = True
             self._last_answer = message.type
             if message.type == mavlink.MAV_MISSION_ACCEPTED:
-                self.items_aboard = self.count or 0
-                self.told |= not entry.fate
+                self.aboard[kind] = self.counts.get(kind, 0)
+                if not entry.fate:
+                    self.told.add(kind)
 
     @property
     def telemetry(self) -> int:
@@ -305,6 +331,14 @@ class Console:
 
 
 NAMES = {"ardupilot": "ArduPilot", "px4": "PX4"}
+KINDS = {MISSION: "plan", FENCE: "fence", RALLY: "rally points"}
+
+# What an autopilot holds before an example that only reads.
+HELD = [
+    item(mavlink.MAV_CMD_NAV_TAKEOFF, x=-353632621, y=1491652374, z=20.0),
+    item(mavlink.MAV_CMD_NAV_WAYPOINT, x=-353614500, y=1491652374, z=25.0),
+    item(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH, frame=mavlink.MAV_FRAME_MISSION),
+]
 
 
 def an_autopilot(name: str) -> FakeAutopilot:
@@ -312,6 +346,20 @@ def an_autopilot(name: str) -> FakeAutopilot:
     if name == "px4":
         return Px4(telemetry=repeated("px4/clean_with_streams"), response_delay_s=Px4.response_delay_on_line_s)
     return ArduPilot(response_delay_s=ArduPilot.response_delay_on_line_s)
+
+
+def plans_of(elf: Path, described: dict) -> dict[int, Plan]:
+    """What an example uploads, by mission type; nothing where it comes from a function."""
+    named = {FENCE: described.get("fence"), RALLY: described.get("rally")}
+    found = {kind: plan_in(elf, name) for kind, name in named.items() if name is not None}
+    if not found or "plan" in described:
+        found[MISSION] = plan_in(elf, described.get("plan"))
+    return {kind: plan for kind, plan in found.items() if plan is not None}
+
+
+def of_kinds(kinds: list[int], talk: Conversation) -> str:
+    missing = [KINDS[kind] for kind in kinds if kind not in talk.counts]
+    return f" of its {' and '.join(missing)}" if missing else ""
 
 
 def description(example: str) -> dict:

@@ -55,14 +55,14 @@ def as_json(rows: list[Row], bounds: dict[str, Bound]) -> str:
     )
 
 
-def for_readme(rows: list[Row]) -> str:
-    """What stands between the README's markers."""
+def for_readme(rows: list[Row], features: str) -> str:
+    """What stands between the README's markers. `features`: the table of what each feature adds."""
     lines = [["", "unit", "baseline (MAVLink 2 / 1)", "MavMission"]]
     for row in rows:
         text = row.figure.text
         older = "–" if row.baseline_2 is None else f"{text(row.baseline_2)} / {text(row.baseline_1)}"
         lines.append([row.figure.label, row.figure.unit, older, text(row.ours)])
-    return f"{NOTE}\n\n{aligned(lines, left=2)}"
+    return f"{NOTE}\n\n{aligned(lines, left=2)}\n\n{features}"
 
 
 def with_table(readme: str, contents: str) -> str:
