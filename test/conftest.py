@@ -27,6 +27,8 @@ from scenario_table import pytest_collection_modifyitems, pytest_terminal_summar
 
 
 def pytest_configure(config):
+    import loss_table
     import tables
 
     config.pluginmanager.register(tables)
+    config.pluginmanager.register(loss_table)

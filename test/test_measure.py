@@ -166,7 +166,7 @@ def test_empty_sketch_is_the_smallest_and_a_client_that_uploads_costs_more():
 def test_ram_does_not_grow_with_the_plan_and_time_grows_with_it():
     ten, hundred = growth.costs((10, 100))
     assert ten.ram == hundred.ram
-    assert hundred.seconds == pytest.approx(10 * ten.seconds, rel=0.1)
+    assert hundred.seconds == pytest.approx(10 * ten.seconds, rel=0.15)
 
 
 @pytest.mark.slow

@@ -36,20 +36,21 @@ void AutopilotFinder::talkTo(uint8_t systemId, uint8_t componentId) {
   heartbeat_.componentId = componentId;
 }
 
-void AutopilotFinder::onHeartbeat(const Heartbeat& heartbeat, uint16_t nowMs) {
-  if (heartbeat.autopilot == MAV_AUTOPILOT_INVALID || !isVehicle(heartbeat.vehicleType)) return;
-  const bool same =
-      heartbeat.systemId == heartbeat_.systemId && heartbeat.componentId == heartbeat_.componentId;
-  if (!same && named_) return;
-  if (!same && heard_) {
-    severalHeard_ = true;
-    otherMs_ = nowMs;
-    return;
+bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t autopilot, uint8_t vehicleType,
+                                  uint16_t nowMs) {
+  if (autopilot == MAV_AUTOPILOT_INVALID || !isVehicle(vehicleType)) return false;
+  if (systemId != heartbeat_.systemId || componentId != heartbeat_.componentId) {
+    if (named_) return false;
+    if (heard_) {
+      severalHeard_ = true;
+      otherMs_ = nowMs;
+      return false;
+    }
   }
   if (!heard_) firstMs_ = nowMs;
   heard_ = true;
   heardMs_ = nowMs;
-  heartbeat_ = heartbeat;
+  return true;
 }
 
 void AutopilotFinder::onTime(uint16_t nowMs) {

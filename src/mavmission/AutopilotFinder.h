@@ -28,7 +28,15 @@ class AutopilotFinder {
   // Names the autopilot to talk to; any other is then nobody. Undone by systemId 0.
   void talkTo(uint8_t systemId, uint8_t componentId);
 
-  void onHeartbeat(const Heartbeat& heartbeat, uint16_t nowMs);
+  // A heartbeat has come. True if it is that of the autopilot that we talk to: it is then to be filled in.
+  bool onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t autopilot, uint8_t vehicleType, uint16_t nowMs);
+  Heartbeat& toFill() { return heartbeat_; }
+  // The same for one that is at hand.
+  void onHeartbeat(const Heartbeat& heartbeat, uint16_t nowMs) {
+    if (onHeartbeat(heartbeat.systemId, heartbeat.componentId, heartbeat.autopilot, heartbeat.vehicleType, nowMs)) {
+      heartbeat_ = heartbeat;
+    }
+  }
   MAVMISSION_APART void onTime(uint16_t nowMs);
 
   // An autopilot is there, and it is clear which one.

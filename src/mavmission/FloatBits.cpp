@@ -47,20 +47,18 @@ bool isSame(float a, float b) {
 
 bool isNegative(float value) { return (bitsOf(value) & kSign) != 0; }
 
-bool isWholeNumber(float value, uint16_t& whole) {
+int32_t wholeNumber(float value) {
   const uint32_t bits = bitsOf(value);
-  whole = 0;
-  if ((bits & ~kSign) == 0) return true;
-  if ((bits & kSign) != 0) return false;
+  if ((bits & ~kSign) == 0) return 0;
+  if ((bits & kSign) != 0) return -1;
   const uint8_t biased = static_cast<uint8_t>(bits >> 23);
-  if (biased < kBias || biased > kBias + 15) return false;
+  if (biased < kBias || biased > kBias + 15) return -1;
   uint32_t mantissa = (bits & (kHidden - 1)) | kHidden;
   for (uint8_t shift = 23 - (biased - kBias); shift != 0; --shift) {
-    if ((mantissa & 1) != 0) return false;
+    if ((mantissa & 1) != 0) return -1;
     mantissa >>= 1;
   }
-  whole = static_cast<uint16_t>(mantissa);
-  return true;
+  return static_cast<int32_t>(mantissa);
 }
 
 int32_t timesWhole(int32_t bits, uint32_t factor) {

@@ -13,8 +13,8 @@ FloatKind kindOf(const void* bytes);
 bool isSame(float a, float b);
 bool isNegative(float value);
 
-// The whole number from 0 to 65535 that `value` is, in `whole`; false if it is none.
-bool isWholeNumber(float value, uint16_t& whole);
+// The whole number from 0 to 65535 that `value` is, or -1 if it is none.
+int32_t wholeNumber(float value);
 
 // A whole number from 0 to 65535 as a float, and one more.
 float oneMore(float whole);

@@ -56,6 +56,14 @@ bool FrameParser::isSigned() const { return isV2() && (bytes_[2] & MAVLINK_IFLAG
 
 void FrameParser::noteSender() { memcpy(&sender_, bytes_ + (isV2() ? 4 : 2), sizeof(sender_)); }
 
+uint16_t FrameParser::payloadWord(uint8_t index) const {
+  return static_cast<uint16_t>(payloadByte(index) | payloadByte(index + 1) << 8);
+}
+
+uint32_t FrameParser::payloadLong(uint8_t index) const {
+  return payloadWord(index) | static_cast<uint32_t>(payloadWord(index + 2)) << 16;
+}
+
 void FrameParser::copyPayload(void* message, uint8_t size) const {
   const uint8_t* from = payload();
   const uint8_t there = length();

@@ -76,6 +76,9 @@ class FrameParser {
   uint8_t length() const { return bytes_[1]; }
   // A byte of it, 0 for one that was left out.
   uint8_t payloadByte(uint8_t index) const { return index < length() ? payload()[index] : 0; }
+  // The number of two or four bytes that begins there.
+  uint16_t payloadWord(uint8_t index) const;
+  uint32_t payloadLong(uint8_t index) const;
   // True if it is addressed to this component, to everyone, or to no one.
   bool isFor(uint8_t systemId, uint8_t componentId) const;
   // Copies the payload to a message of `size` bytes; what the sender left out, or does not know, becomes 0.

@@ -48,12 +48,16 @@ void Link::takeHeartbeat(uint16_t nowMs) {
                     offsetof(Heartbeat, state) == offsetof(mavlink_heartbeat_t, system_status) &&
                     offsetof(Heartbeat, version) == offsetof(mavlink_heartbeat_t, mavlink_version),
                 "Heartbeat begins with the message");
-  Heartbeat heartbeat;
+  const uint8_t systemId = parser_.systemId();
+  const uint8_t componentId = parser_.componentId();
+  const uint8_t autopilot = parser_.payloadByte(offsetof(mavlink_heartbeat_t, autopilot));
+  const uint8_t vehicleType = parser_.payloadByte(offsetof(mavlink_heartbeat_t, type));
+  if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return;
+  Heartbeat& heartbeat = finder_.toFill();
   parser_.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
   heartbeat.version = parser_.version();
-  heartbeat.systemId = parser_.systemId();
-  heartbeat.componentId = parser_.componentId();
-  finder_.onHeartbeat(heartbeat, nowMs);
+  heartbeat.systemId = systemId;
+  heartbeat.componentId = componentId;
 }
 
 bool Link::receive(uint16_t& budget, uint16_t nowMs) {

@@ -241,7 +241,9 @@ class MissionClient {
   void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
   void tellCancelled();
-  void setAboard(Aboard what) { rest_.aboard[static_cast<uint8_t>(state_.type) & 3] = what; }
+  void setAboard(Aboard what) { setAboard(state_.type, what); }
+  void setAboard(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
+  Aboard aboardAfterUpload(Status status) const;
   void waitForAutopilot();
   void beginChecking();
   MAVMISSION_APART void checkPlan(uint16_t nowMs);
@@ -251,9 +253,8 @@ class MissionClient {
   MAVMISSION_APART Status checkItem(uint16_t wireItem);
   void sendCount(uint16_t items);
   bool sendItem(uint16_t nowMs);
-  Status proven(Status status, uint32_t opaqueId) const;
+  Status proven(uint32_t opaqueId);
   void continueUpload(Status status, uint16_t nowMs);
-  Aboard aboardAfterUpload(Status status) const;
   MAVMISSION_APART uint16_t ownItem(uint16_t wireItem) const;
   void report(uint16_t done);
   void end(Status status);
@@ -261,9 +262,8 @@ class MissionClient {
   void sendRequest(uint16_t wireItem);
   void sendAck(uint8_t result, PlanType type);
   void endClearing(Status status);
-  void noteCleared(PlanType type, Aboard what);
   uint8_t homeBefore() const;
-  static Status announcePart(MissionClient& client);
+  static Status announcePart(MissionClient& client, bool isBeginning);
   uint16_t itemFromWire(uint16_t wireItem) const;
   void noteInfeasible();
   void noteAccepted();
@@ -279,8 +279,8 @@ class MissionClient {
     uint16_t unsettledMs;      // when a transfer was last left without an answer
     uint16_t next;             // the wire item to be checked, or to be added to opaqueId_
     uint16_t itemsDone;
-    // Announces the upload; null: by MISSION_COUNT.
-    Status (*announce)(MissionClient& client);
+    // Begins a partial upload, and announces it; null: all of it, by MISSION_COUNT.
+    Status (*announce)(MissionClient& client, bool isBeginning);
     bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
     Status status;
     bool unsettled;            // so after a reset: what ran before it may still be answered

@@ -25,7 +25,7 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
     client.rest_.lastResult = ack.type;
     const Status status = fromMissionResult(ack.type);
     if (status != Status::Accepted) return client.endClearing(status);
-    client.noteCleared(clearing.type, Aboard::Nothing);
+    client.setAboard(clearing.type, Aboard::Nothing);
     if (clearing.type == clearing.last) return client.endClearing(Status::Cleared);
     // All three, one by one: ArduPilot does not know the type for all.
     clearing.type = static_cast<PlanType>(static_cast<uint8_t>(clearing.type) + 1);
@@ -60,10 +60,9 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
 
 void MissionClient::endClearing(Status status) {
   // A refusal leaves the plan; silence may hide an answer that was lost.
-  if (status == Status::NoAnswer) noteCleared(clearing_.type, Aboard::NotKnown);
+  if (status == Status::NoAnswer) setAboard(clearing_.type, Aboard::NotKnown);
   end(status);
 }
 
-void MissionClient::noteCleared(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
 
 }  // namespace mavmission

@@ -18,10 +18,16 @@ Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_
   return state_.status;
 }
 
-Status MissionClient::announcePart(MissionClient& client) {
+Status MissionClient::announcePart(MissionClient& client, bool isBeginning) {
+  const uint16_t first = client.rest_.partFirst + client.plan_.homeItems();
+  const uint16_t behind = first + client.rest_.partCount;
+  if (isBeginning) {
+    client.transfer_.limitTo(first, behind);
+    return Status::Transferring;
+  }
   mavlink_mission_write_partial_list_t list = mavlink_mission_write_partial_list_t();
-  list.start_index = static_cast<int16_t>(client.rest_.partFirst + client.plan_.homeItems());
-  list.end_index = static_cast<int16_t>(list.start_index + client.rest_.partCount - 1);
+  list.start_index = static_cast<int16_t>(first);
+  list.end_index = static_cast<int16_t>(behind - 1);
   client.link_.send(list);
   return Status::Transferring;
 }

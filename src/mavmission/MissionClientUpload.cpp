@@ -41,8 +41,8 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
     if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
     const Status status = client.transfer_.onTime(nowMs);
     if (status != Status::Transferring) return client.continueUpload(status, nowMs);
-    const uint32_t limitS =
-        client.rest_.transferLimitS != 0 ? client.rest_.transferLimitS : 120 + 2UL * client.plan_.wireCount();
+    const uint16_t setS = client.rest_.transferLimitS;
+    const uint16_t limitS = setS != 0 ? setS : UploadTransfer::defaultLimitS(client.plan_.wireCount());
     if (static_cast<uint16_t>(client.state_.seconds - client.rest_.turnAtS) >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
     return client.sendUpload(nowMs);
   }
@@ -88,13 +88,8 @@ void MissionClient::checkPlan(uint16_t nowMs) {
 }
 
 void MissionClient::beginUpload(uint16_t nowMs) {
-  uint16_t first = 0;
-  uint16_t behind = plan_.wireCount();
-  if (state_.announce != nullptr) {
-    first = rest_.partFirst + plan_.homeItems();
-    behind = first + rest_.partCount;
-  }
-  transfer_.begin(first, behind, plan_.firmware(), state_.unsettled, nowMs);
+  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled, nowMs);
+  if (state_.announce != nullptr) state_.announce(*this, true);
   opaqueId_.begin();
   state_.next = 0;
   if (rest_.turnPauseS == 0) beginSeconds(nowMs);
@@ -106,19 +101,19 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_MISSION_REQUEST:
     case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
-      static_assert(sizeof(mavlink_mission_request_t) == sizeof(mavlink_mission_request_int_t),
-                    "both kinds of request have one layout");
-      const mavlink_mission_request_int_t request = messageFrom<mavlink_mission_request_int_t>(frame);
-      if (request.mission_type != static_cast<uint8_t>(state_.type)) return;
-      continueUpload(transfer_.onRequest(request.seq, nowMs), nowMs);
+      typedef mavlink_mission_request_int_t Request;
+      static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request), "both kinds of request have one layout");
+      if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      continueUpload(transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs), nowMs);
       return;
     }
     case MAVLINK_MSG_ID_MISSION_ACK: {
-      const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
-      if (ack.mission_type != static_cast<uint8_t>(state_.type)) return;
-      rest_.lastResult = ack.type;
-      const Status status = proven(transfer_.onAck(ack.type), ack.opaque_id);
-      if (status == Status::Accepted && state_.type == PlanType::Mission) rest_.planId = ack.opaque_id;
+      typedef mavlink_mission_ack_t Ack;
+      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      const uint8_t result = frame.payloadByte(offsetof(Ack, type));
+      rest_.lastResult = result;
+      Status status = transfer_.onAck(result);
+      if (status == Status::Accepted) status = proven(frame.payloadLong(offsetof(Ack, opaque_id)));
       continueUpload(status, nowMs);
       return;
     }
@@ -127,11 +122,13 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
   }
 }
 
-Status MissionClient::proven(Status status, uint32_t opaqueId) const {
-  // PX4 says what it holds. (0: it does not. Items sent as floats are not those that were summed up.)
+// What an acceptance with this opaque_id means. PX4 says what it holds. (0: it does not. Items sent as floats are not those
+// that were summed up.)
+Status MissionClient::proven(uint32_t opaqueId) {
   const bool says = plan_.firmware() == Firmware::Px4 && opaqueId != 0 && !state_.floatItems;
-  if (status == Status::Accepted && says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
-  return status;
+  if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
+  if (state_.type == PlanType::Mission) rest_.planId = opaqueId;
+  return Status::Accepted;
 }
 
 // Takes what the transfer says of how it goes.
@@ -183,21 +180,13 @@ void MissionClient::noteAccepted() {
 Aboard MissionClient::aboardAfterUpload(Status status) const {
   if (status == Status::Accepted) return Aboard::OurPlan;
   const bool begun = transfer_.hasBegun();
-  const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming;
   const bool refused = status >= Status::Error;  // the autopilot's own word
-  if (mayBeWhole && !refused) return Aboard::NotKnown;
-  switch (plan_.firmware()) {
-    case Firmware::Px4:
-      return Aboard::AsBefore;  // it keeps the old plan until the new one is whole
-    case Firmware::ArduPilot:
-      if (state_.type != PlanType::Mission) break;
-      if (begun) return Aboard::Mixture;  // it replaces item by item
-      return refused ? Aboard::AsBefore : Aboard::NotKnown;
-    case Firmware::Other:
-    case Firmware::Unknown:
-      break;
-  }
-  return !begun && refused ? Aboard::AsBefore : Aboard::NotKnown;
+  if (transfer_.state() == UploadTransfer::State::Confirming && !refused) return Aboard::NotKnown;
+  const Firmware firmware = plan_.firmware();
+  if (firmware == Firmware::Px4) return Aboard::AsBefore;  // it keeps the old plan until the new one is whole
+  if (!begun) return refused ? Aboard::AsBefore : Aboard::NotKnown;
+  // ArduPilot replaces a mission item by item; a fence it takes whole.
+  return firmware == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
 }
 
 uint16_t MissionClient::ownItem(uint16_t wireItem) const {
@@ -212,7 +201,7 @@ void MissionClient::sendUpload(uint16_t nowMs) {
       return;
     case UploadTransfer::Send::Count:
       if (state_.announce != nullptr) {
-        state_.announce(*this);
+        state_.announce(*this, false);
       } else {
         sendCount(plan_.wireCount());
       }

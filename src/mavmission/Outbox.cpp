@@ -47,7 +47,7 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
   *out++ = static_cast<uint8_t>(crc);
   *out++ = static_cast<uint8_t>(crc >> 8);
   length_ = static_cast<uint16_t>(out - frame_);
-  bodyLength_ = 0;
+  writeForeign_ = nullptr;
   sent_ = 0;
 }
 
@@ -67,22 +67,9 @@ void Outbox::flush(Stream& stream, uint16_t nowMs) {
     return;
   }
   stuck_ = false;
-  // The piece that is next: what lies in frame_ before a foreign payload, the payload, or what is behind it.
-  const uint8_t* piece = frame_ + sent_;
-  uint16_t left = length_ - sent_;
-  if (bodyLength_ != 0) {
-    const uint16_t bodyEnd = headLength_ + bodyLength_;
-    if (sent_ < headLength_) {
-      left = headLength_ - sent_;
-    } else if (sent_ < bodyEnd) {
-      piece = body_ + (sent_ - headLength_);
-      left = bodyEnd - sent_;
-    } else {
-      piece -= bodyLength_;
-    }
-  }
-  const uint16_t taken = static_cast<uint16_t>(room) < left ? static_cast<uint16_t>(room) : left;
-  sent_ += stream.write(piece, taken);
+  if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
+  const uint8_t left = static_cast<uint8_t>(length_ - sent_);
+  sent_ += stream.write(frame_ + sent_, room < left ? room : left);
 }
 
 }  // namespace mavmission

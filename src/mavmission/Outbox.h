@@ -38,16 +38,27 @@ class Outbox {
   MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs);
 
  private:
+  // A frame whose payload lies elsewhere.
+  struct Foreign {
+    uint8_t around[12];   // header, then checksum
+    uint8_t headLength;
+    uint8_t bodyLength;
+    const uint8_t* body;
+  };
+
+  static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
+
   uint16_t length_;       // of the whole frame
   uint16_t sent_;
-  const uint8_t* body_;   // the payload of a foreign one, which lies elsewhere
-  uint8_t bodyLength_;    // 0: there is none
-  uint8_t headLength_;    // before it
+  // Writes what comes next of a foreign frame; null for a frame of our own, which is one piece.
+  void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
   uint16_t stuckMs_;    // since when the stream takes nothing
   bool stuck_;
   bool blind_;      // the stream does not say what it takes
-  // The frame, or of a foreign one only what lies around its payload.
-  uint8_t frame_[10 + kMaxPayload + 2];
+  union {
+    uint8_t frame_[10 + kMaxPayload + 2];
+    Foreign foreign_;
+  };
 };
 
 }  // namespace mavmission

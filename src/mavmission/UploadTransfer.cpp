@@ -2,12 +2,12 @@
 
 namespace mavmission {
 
-void UploadTransfer::begin(uint16_t first, uint16_t behind, Firmware firmware, bool leftovers, uint16_t nowMs) {
+void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs) {
   progressMs_ = nowMs;
   sentMs_ = nowMs;
-  first_ = first;
-  behind_ = behind;
-  asked_ = first;
+  first_ = 0;
+  behind_ = count;
+  asked_ = 0;
   item_ = 0;
   state_ = State::Counting;
   send_ = Send::Count;
@@ -21,6 +21,8 @@ void UploadTransfer::begin(uint16_t first, uint16_t behind, Firmware firmware, b
 }
 
 Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
+  // Before our COUNT has left, or while it is to be sent again, only an earlier transfer can be asking.
+  if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
   // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an item
   // only when it has the one before. It moves nothing.
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;

@@ -26,15 +26,24 @@ class UploadTransfer {
   static constexpr uint16_t kAnswerMs = 1500;      // wait for an answer to either (guide: 1500 ms)
   static constexpr uint16_t kPassiveMs = 8500;     // ArduPilot asks again each second and gives up after 8.0 s
   static constexpr uint16_t kConfirmingMs = 12000; // the most for the final answer, however often the last item is asked for
+  // The most for a whole transfer by default [s]: 2 minutes, and 2 s an item.
+  static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
   static constexpr uint8_t kSameRequestMs = 50;    // a repeat within that is a queue being emptied, not a new question
 
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
-  // Begins with wire items `first` (0 but for a part of a plan) to `behind` - 1, for an autopilot of this kind. `leftovers`: an earlier transfer, of this
+  // Begins with `count` items on the wire, for an autopilot of this kind.
   // client or from before a reset, may still be answered: what only that can have caused is then not taken for an
   // answer to this one.
-  void begin(uint16_t first, uint16_t behind, Firmware firmware, bool leftovers, uint16_t nowMs);
+  void begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs);
+
+  // Right after begin(): only wire items `first` to `behind` - 1, for a part of a plan.
+  void limitTo(uint16_t first, uint16_t behind) {
+    first_ = first;
+    asked_ = first;
+    behind_ = behind;
+  }
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
   Status onRequest(uint16_t item, uint16_t nowMs);

@@ -57,8 +57,8 @@ Status WirePlan::check(const MissionItem& item, uint8_t traits) const {
     if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
   }
   if (item.command == kDoJump) {
-    uint16_t target;
-    if (!isWholeNumber(item.param1, target) || target >= count_) return Status::BadJump;
+    const int32_t target = wholeNumber(item.param1);
+    if (target < 0 || target >= count_) return Status::BadJump;
   }
   if (raw_) return Status::Accepted;
   if (firmware_ == Firmware::ArduPilot && (traits & kNotFlownByArduPilot)) return Status::NotFlown;

@@ -36,7 +36,7 @@ MissionClient client(line);
 MissionFollower follower(client);
 
 static ItemSource plan = emptyPlan();
-static uint16_t refusedSinkItem = 0xFFFF;
+static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
 static Status lastReturned = Status::Idle;
 static OutgoingMessage outgoing;
 static bool isPosting;

@@ -23,7 +23,7 @@ class Upload {
   explicit Upload(uint16_t count, Firmware firmware = Firmware::Other, bool leftovers = false, uint16_t start = 65000)
       : now(start) {
     memset(static_cast<void*>(&transfer), 0, sizeof(transfer));
-    transfer.begin(0, count, firmware, leftovers, now);
+    transfer.begin(count, firmware, leftovers, now);
   }
 
   Status wait(uint16_t ms) {
@@ -206,6 +206,27 @@ TEST_CASE("whatever is said before the first COUNT has left is about something e
   }
 }
 
+TEST_CASE("a request that is heard before COUNT has left belongs to an earlier transfer, which is not served") {
+  Upload upload(3, Firmware::ArduPilot, true);
+  CHECK(goesOn(upload.request(0)));
+  CHECK(upload.transfer.itemsAskedFor() == 0);
+  CHECK((upload.send() == Send::Count));
+  CHECK(goesOn(upload.request(0)));
+  CHECK((upload.send() == Send::Item));
+}
+
+TEST_CASE("a busy PX4 that still asks in its old transfer is not served before that has been ended and COUNT sent again") {
+  Upload upload(3, Firmware::Px4);
+  upload.send();
+  upload.ack(kError);
+  upload.request(0);
+  CHECK((upload.send() == Send::Cancel));
+  upload.request(0);
+  CHECK((upload.send() == Send::Count));
+  upload.request(0);
+  CHECK((upload.send() == Send::Item));
+}
+
 TEST_CASE("accepted before every item was asked for is said as such") {
   for (uint16_t asked = 0; asked < 3; ++asked) {
     Upload upload(3);
@@ -260,13 +281,21 @@ TEST_CASE("ArduPilot's error at COUNT is an error") {
   CHECK((upload.ack(kError) == Status::Error));
 }
 
-TEST_CASE("PX4's error in mid-transfer may be to our own second COUNT: the transfer goes on, and it is the reason if nothing else comes") {
-  Upload upload(3, Firmware::Px4);
-  upload.served(1);
-  CHECK(goesOn(upload.ack(kError)));
-  CHECK((upload.wait(8500) == Status::Error));
+TEST_CASE("PX4's error in mid-transfer is one, unless it may be to our own second COUNT: then it is the reason if nothing else comes") {
+  Upload once(3, Firmware::Px4);
+  once.served(1);
+  CHECK((once.ack(kError) == Status::Error));
+
+  Upload twice(3, Firmware::Px4);
+  twice.send();
+  twice.wait(1500);
+  twice.served(1);
+  CHECK(goesOn(twice.ack(kError)));
+  CHECK((twice.wait(8500) == Status::Error));
 
   Upload ardupilot(3, Firmware::ArduPilot);
+  ardupilot.send();
+  ardupilot.wait(1500);
   ardupilot.served(1);
   CHECK((ardupilot.ack(kError) == Status::Error));
 }

@@ -1,0 +1,242 @@
+"""Fences and rally points: the same service as for a mission."""
+
+from __future__ import annotations
+
+import pytest
+from bench import same_bits, status_names
+from fake_autopilot import item, mavlink
+from plans import OLD_PLAN, SURVEY, waypoint
+from service import FENCE, MISSION, RALLY
+
+INSIDE, OUTSIDE, INSIDE_CIRCLE, OUTSIDE_CIRCLE, RETURN_POINT, RALLY_POINT = 5001, 5002, 5003, 5004, 5000, 5100
+
+
+def corner(command: int, corners: int, x: int, y: int):
+    return item(command, frame=0, x=x, y=y, param1=float(corners))
+
+
+# A field, a house in it, and two circles; what the makers of MissionItem.h make.
+FIELD = [
+    *(corner(INSIDE, 4, 473970000 + x, 85450000 + y) for x, y in ((0, 0), (0, 9000), (9000, 9000), (9000, 0))),
+    *(corner(OUTSIDE, 3, 473974000 + x, 85454000 + y) for x, y in ((0, 0), (0, 900), (900, 0))),
+    item(INSIDE_CIRCLE, frame=0, x=473974000, y=85454000, param1=250.5),
+    item(OUTSIDE_CIRCLE, frame=0, x=473972000, y=85452000, param1=15.0),
+]
+POINTS = [
+    item(RALLY_POINT, x=473971000, y=85451000, z=20.0),
+    item(RALLY_POINT, frame=0, x=473972000, y=85452000, z=530.0),
+]
+PLANS = {FENCE: FIELD, RALLY: POINTS}
+SERVICE = pytest.mark.scenario(7, "Mission, fence and rally; frames of another type move nothing")
+BOTH = pytest.mark.parametrize("mission_type", [FENCE, RALLY], ids=["fence", "rally"])
+
+
+def aboard(service, mission_type: int) -> str:
+    return service.state.aboard_fence if mission_type == FENCE else service.state.aboard_rally
+
+
+@SERVICE
+@BOTH
+def test_it_arrives_to_the_bit_and_without_a_home(service, mission_type):
+    service.autopilot.load(OLD_PLAN)
+    before = service.autopilot.received()
+    service.upload(PLANS[mission_type], mission_type)
+    assert service.done() == "Accepted"
+    assert same_bits(service.autopilot.received(mission_type), PLANS[mission_type])
+    assert service.autopilot.received() == before
+    assert {message.mission_type for message in service.heard("MISSION_COUNT", "MISSION_ITEM_INT")} == {mission_type}
+    assert (aboard(service, mission_type), service.state.aboard) == ("OurPlan", "NotKnown")
+
+
+@SERVICE
+@BOTH
+def test_it_verifies_and_is_read_back_as_it_was_written(service, mission_type):
+    service.upload(PLANS[mission_type], mission_type, proof="Always")
+    assert service.done() == "Accepted"
+    service.verify(mission_type=mission_type)
+    assert service.done() == "Verified"
+    service.download(mission_type)
+    assert service.done() == "Downloaded"
+    read = service.sink(len(PLANS[mission_type]))
+    assert service.sunk == list(range(len(PLANS[mission_type])))
+    assert same_bits([one._replace(autocontinue=1) for one in read], PLANS[mission_type])
+
+
+@SERVICE
+@BOTH
+def test_verification_alone_knows_what_is_aboard(service, mission_type):
+    service.autopilot.load(PLANS[mission_type], mission_type)
+    service.verify(PLANS[mission_type], mission_type)
+    assert service.done() == "Verified"
+    assert aboard(service, mission_type) == "OurPlan"
+
+
+@SERVICE
+@BOTH
+@pytest.mark.parametrize("field, change", [("Latitude", {"x": 473971001}), ("Longitude", {"y": 85451001})])
+def test_difference_is_named(service, mission_type, field, change):
+    plan = list(PLANS[mission_type])
+    plan[-1] = plan[-1]._replace(**change)
+    service.autopilot.load(plan, mission_type)
+    service.verify(PLANS[mission_type], mission_type)
+    assert service.done() == "Differs"
+    assert (service.state.failed_item, service.state.field) == (len(plan) - 1, field)
+    assert aboard(service, mission_type) == "NotKnown"
+
+
+@SERVICE
+def test_radius_and_height_that_differ_are_named(service):
+    service.autopilot.load([*FIELD[:-1], FIELD[-1]._replace(param1=16.0)], FENCE)
+    service.verify(FIELD, FENCE)
+    assert service.done() == "Differs"
+    assert (service.state.failed_item, service.state.field) == (8, "Param1")
+    service.autopilot.load([POINTS[0], POINTS[1]._replace(z=531.0)], RALLY)
+    service.verify(POINTS, RALLY)
+    assert service.done() == "Differs"
+    assert (service.state.failed_item, service.state.field) == (1, "Height")
+
+
+@SERVICE
+def test_ardupilots_whole_metres_of_a_rally_point_are_no_difference(build_service):
+    service = build_service("ArduPilot")
+    service.upload([POINTS[0]._replace(z=20.75)], RALLY, proof="Always")
+    assert service.done() == "Accepted"
+
+
+@SERVICE
+@BOTH
+def test_lost_final_ack_is_made_up_for(service, mission_type):
+    service.autopilot.faults.swallow_final_ack()
+    service.upload(PLANS[mission_type], mission_type, proof="InDoubt")
+    assert service.done(limit_s=30) == "Accepted"
+    assert same_bits(service.autopilot.received(mission_type), PLANS[mission_type])
+
+
+@SERVICE
+@BOTH
+def test_each_item_may_be_lost_once(service, mission_type):
+    for seq in range(len(PLANS[mission_type])):
+        service.wire.lose(">", name="MISSION_ITEM_INT", seq=seq)
+    service.upload(PLANS[mission_type], mission_type)
+    assert service.done(limit_s=30) == "Accepted"
+    assert same_bits(service.autopilot.received(mission_type), PLANS[mission_type])
+
+
+@SERVICE
+@BOTH
+def test_requests_and_acks_of_another_type_move_nothing(service, mission_type):
+    service.wire.lose("<", name="MISSION_REQUEST*", times=1)
+    service.upload(PLANS[mission_type], mission_type)
+    service.run_until_sent("MISSION_COUNT")
+    service.run(0.1)
+    for other in (MISSION, 3 - mission_type):
+        service.say(mavlink.MAVLink_mission_request_int_message(1, 191, 0, other))
+        service.say(mavlink.MAVLink_mission_ack_message(1, 191, 0, other))
+        service.say(mavlink.MAVLink_mission_ack_message(1, 191, mavlink.MAV_MISSION_NO_SPACE, other))
+    service.run(0.1)
+    assert service.heard("MISSION_ITEM_INT") == []
+    assert service.done() == "Accepted"
+
+
+@SERVICE
+def test_fence_that_the_autopilot_does_not_take_is_never_accepted(service, personality):
+    service.autopilot.load(FIELD, FENCE)
+    service.upload([corner(INSIDE, 2, 473970000, 85450000), corner(INSIDE, 2, 473970000, 85460000)], FENCE, "InDoubt")
+    # PX4 refuses the first corner; ArduPilot says error after the last, which an idle one says too: it is read back.
+    assert service.done(limit_s=15) in (["Differs"] if personality == "ArduPilot" else ["Error", "TimedOut"])
+    assert service.state.aboard_fence in ("NotKnown", "AsBefore")
+    assert same_bits(service.autopilot.received(FENCE), FIELD)
+
+
+@SERVICE
+@pytest.mark.parametrize("result", range(1, 16))
+def test_refusal_at_an_item_names_it_without_a_home(service, result):
+    if result == mavlink.MAV_MISSION_INVALID_SEQUENCE:
+        return  # noise in a transfer
+    service.autopilot.faults.refuse(result, 3)
+    service.upload(FIELD, FENCE)
+    status = service.done(limit_s=15)
+    if service.autopilot.autopilot_type == mavlink.MAV_AUTOPILOT_PX4 and result == mavlink.MAV_MISSION_ERROR:
+        assert status in ("Error", "TimedOut")  # PX4 says error of what it does not know, and goes on
+    else:
+        assert status == status_names()[status_names().index("Error") + result - 1]
+    assert service.state.failed_item == 3
+
+
+@SERVICE
+@BOTH
+def test_empty_plan_leaves_none(service, mission_type):
+    service.autopilot.load(PLANS[mission_type], mission_type)
+    service.upload("empty", mission_type)
+    assert service.done() == "Accepted"
+    assert service.autopilot.plan(mission_type) == []
+
+
+MAVLINK_1 = pytest.mark.scenario(7, "Fence and rally are refused on a MAVLink 1 link")
+
+
+@MAVLINK_1
+@pytest.mark.parametrize("mission_type", [FENCE, RALLY, 255], ids=["fence", "rally", "all"])
+def test_everything_is_refused_on_mavlink_1_before_a_byte_leaves(build_service, mission_type):
+    service = build_service("ArduPilot", mavlink_version=1)
+    service.use(FIELD)
+    orders = [("clear", mission_type)]
+    if mission_type != 255:
+        orders += [("upload", mission_type, 0), ("verify", mission_type), ("download", mission_type, 60, 60)]
+    for order in orders:
+        service.order_of(*order)
+        assert service.done() == "NeedsMavlink2", order
+    assert service.mission_messages() == []
+
+
+@MAVLINK_1
+def test_mission_is_served_on_mavlink_1(build_service):
+    service = build_service("ArduPilot", mavlink_version=1)
+    service.upload(SURVEY, proof="Always")
+    assert service.done() == "Accepted"
+    service.download()
+    assert service.done() == "Downloaded"
+    assert service.state.total == 5
+    service.order_of("clear", MISSION)
+    assert service.done() == "Cleared"
+
+
+@SERVICE
+def test_fence_upload_leaves_the_missions_standing_alone(service):
+    """What start() and the follower know of the mission is not changed by a fence."""
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.upload(FIELD, FENCE)
+    assert service.done() == "Accepted"
+    service.run(2.5)
+    assert service.state.aboard == "OurPlan"
+    assert service.followed.ours
+
+
+@SERVICE
+def test_wrong_fence_item_is_refused_before_a_byte_leaves(service):
+    service.upload([FIELD[0], FIELD[1]._replace(x=900000001)], FENCE)
+    assert service.done() == "BadLatitude"
+    assert service.state.failed_item == 1
+    service.upload([POINTS[0]._replace(z=float("nan"))], RALLY)
+    assert service.done() == "NotANumber"
+    assert service.mission_messages() == []
+
+
+@SERVICE
+def test_mission_and_fence_and_rally_are_uploaded_one_after_the_other(service):
+    for mission_type, plan in ((MISSION, SURVEY), (FENCE, FIELD), (RALLY, POINTS)):
+        service.upload(plan, mission_type, proof="Always")
+        assert service.done() == "Accepted"
+    state = service.state
+    assert (state.aboard, state.aboard_fence, state.aboard_rally) == ("OurPlan",) * 3
+
+
+@SERVICE
+def test_two_ground_stations_fence_is_refused_while_ours_runs(build_service):
+    service = build_service("PX4")
+    service.upload([waypoint(z=float(n)) for n in range(1, 30)])
+    service.run_until_sent("MISSION_ITEM_INT", 5)
+    service.order_of("upload", FENCE, 0)
+    assert service.done(limit_s=20) == "Accepted"
+    assert service.autopilot.plan(FENCE) == []

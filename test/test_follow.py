@@ -1,0 +1,211 @@
+"""Following the mission: current, reached, state, total, whose plan it is, and the autopilot's words."""
+
+from __future__ import annotations
+
+import pytest
+from fake_autopilot import item, mavlink
+from plans import NAN, OLD_PLAN, SURVEY, jump, on_the_wire, waypoint
+from test_start import HOPS, uploaded
+
+FOLLOW = pytest.mark.scenario(51, "An item is reached once; a command that must not happen twice is not repeated")
+ACTIVE, COMPLETE, NO_MISSION, NOT_STARTED = 3, 5, 1, 2
+MISSION_CURRENT = 42
+
+
+def started(service, plan=None):
+    uploaded(service, plan)
+    service.order_of("interval", MISSION_CURRENT, 1000000)
+    assert service.done() == "Done"
+    service.order_of("start")
+    assert service.done() == "Done"
+    return service
+
+
+def fly(service, limit_s: float = 200.0) -> None:
+    """To the end, and a little more."""
+    limit = service.now + limit_s
+    while service.autopilot.armed:
+        assert service.now < limit, f"it still flies item {service.autopilot.flight.index}"
+        service.run(0.5)
+    service.run(3.0)
+
+
+@FOLLOW
+def test_each_item_is_reached_once_in_the_sketchs_numbering(service):
+    started(service)
+    fly(service)
+    assert service.reached == [0, 1, 2]
+    assert service.followed.reached == 2
+    assert service.currents[-3:] == [0, 1, 2] or service.currents[-2:] == [1, 2]
+    assert service.followed.state == COMPLETE
+
+
+@FOLLOW
+def test_px4_says_reached_more_often_than_it_is_reported(build_service):
+    service = started(build_service("PX4"))
+    fly(service)
+    said = [message.seq for message in service.autopilot.messages("<", "MISSION_ITEM_REACHED")]
+    assert len(said) > 3 and sorted(set(said)) == [0, 1, 2]
+    assert service.reached == [0, 1, 2]
+
+
+@FOLLOW
+def test_repeats_of_the_last_item_reached_are_dropped_while_the_next_is_flown(build_service):
+    service = uploaded(build_service("PX4"))
+    for current, reached in ((0, 0), (1, 0), (1, 0), (1, 1), (2, 1), (2, 1), (2, 2)):
+        service.say(mavlink.MAVLink_mission_current_message(current, 3, ACTIVE))
+        service.say(mavlink.MAVLink_mission_item_reached_message(reached))
+        service.run(0.2)
+    assert service.reached == [0, 1, 2]
+
+
+@FOLLOW
+def test_item_that_is_flown_again_is_reached_again(build_service):
+    service = uploaded(build_service("PX4"))
+    for current, reached in ((0, 0), (1, 1), (2, 2), (1, 2), (1, 1), (2, 1), (2, 2)):
+        service.say(mavlink.MAVLink_mission_current_message(current, 3, ACTIVE))
+        service.say(mavlink.MAVLink_mission_item_reached_message(reached))
+        service.run(0.2)
+    assert service.reached == [0, 1, 2, 1, 2]
+
+
+@FOLLOW
+@pytest.mark.slow
+def test_jump_is_followed_round_by_round(service, personality):
+    takeoff, there, land = HOPS[personality]
+    plan = [takeoff, there, there._replace(y=there.y + 100), jump(1, 2), land]
+    started(service, plan)
+    fly(service)
+    assert service.reached == [0, 1, 2, 1, 2, 1, 2, 4]
+
+
+@FOLLOW
+def test_current_item_total_and_state(service, personality):
+    assert service.followed == (None, None, 0, 0, True)
+    started(service)
+    service.run(2.5)
+    followed = service.followed
+    assert (followed.current, followed.total, followed.state) == (0, 3, ACTIVE)
+    assert service.currents[-1] == 0
+
+
+@FOLLOW
+def test_home_is_no_current_item(build_service):
+    service = build_service("ArduPilot")
+    service.run(2.0)
+    service.say(mavlink.MAVLink_mission_current_message(0, 3, NOT_STARTED))
+    service.run(0.1)
+    assert service.followed.current is None and service.currents == []
+    service.say(mavlink.MAVLink_mission_current_message(1, 3, ACTIVE))
+    service.run(0.1)
+    assert service.followed.current == 0 and service.currents == [0]
+
+
+@FOLLOW
+def test_raw_numbering_is_followed_too(build_service):
+    service = build_service("ArduPilot")
+    service.tell("raw", 1)
+    service.run(2.0)
+    service.say(mavlink.MAVLink_mission_current_message(3, 5, ACTIVE))
+    service.say(mavlink.MAVLink_mission_item_reached_message(2))
+    service.run(0.1)
+    assert (service.followed.current, service.followed.reached) == (3, 2)
+
+
+@FOLLOW
+def test_older_autopilots_short_message_says_the_current_item(build_service):
+    service = build_service("ArduPilot", mavlink_version=1)
+    service.run(2.0)
+    service.say(mavlink.MAVLink_mission_current_message(4, 3, ACTIVE), version=1)
+    service.run(0.1)
+    assert service.followed == (3, None, 0, 0, True)
+
+
+@FOLLOW
+def test_only_the_autopilot_is_followed(service):
+    service.run(2.0)
+    for sender in ((9, 1), (1, 154), (255, 190)):
+        service.say(mavlink.MAVLink_mission_current_message(4, 9, ACTIVE), sender)
+        service.say(mavlink.MAVLink_mission_item_reached_message(4), sender)
+        service.say(mavlink.MAVLink_statustext_message(2, b"not you"), sender)
+    service.run(0.5)
+    assert 4 not in service.currents and service.reached == []
+    assert all(words != "not you" for _, words in service.texts)
+
+
+OURS = pytest.mark.scenario(51, "Whose plan is aboard is told at once where the autopilot names it")
+
+
+@OURS
+def test_plan_of_another_ground_station_is_told(build_service):
+    service = uploaded(build_service("PX4"))
+    service.run(2.0)
+    assert service.followed.ours
+    service.autopilot.load([waypoint(), waypoint(1, 2)])
+    service.run(2.0)
+    assert not service.followed.ours
+    service.verify(HOPS["PX4"])
+    assert service.done() == "Differs"
+    assert not service.followed.ours
+    service.upload(HOPS["PX4"])
+    assert service.done() == "Accepted"
+    service.run(2.0)
+    assert service.followed.ours
+
+
+@OURS
+def test_plan_that_was_verified_is_ours(build_service):
+    service = build_service("PX4")
+    service.autopilot.load(HOPS["PX4"])
+    service.verify(HOPS["PX4"])
+    assert service.done() == "Verified"
+    service.run(2.0)
+    assert service.followed.ours
+    service.autopilot.load([waypoint(), waypoint(1, 2)])
+    service.run(2.0)
+    assert not service.followed.ours
+
+
+@OURS
+def test_autopilot_that_does_not_name_its_plan_raises_no_alarm(build_service):
+    service = uploaded(build_service("ArduPilot"))
+    service.autopilot.load(OLD_PLAN)
+    service.order_of("interval", MISSION_CURRENT, 500000)
+    assert service.done() == "Done"
+    service.run(2.0)
+    assert service.followed.ours
+
+
+@OURS
+def test_words_of_the_autopilot_come_whole(service):
+    service.run(2.0)
+    for severity, words in ((0, "x"), (6, "y" * 49), (7, "z" * 50), (3, "")):
+        service.say(mavlink.MAVLink_statustext_message(severity, words.encode()))
+        service.run(0.05)
+    assert [pair for pair in service.texts if pair[1][:1] in "xyz"][-4:] == [(0, "x"), (6, "y" * 49), (7, "z" * 50), (3, "")]
+
+
+@OURS
+def test_words_come_in_mavlink_1_too(build_service):
+    service = build_service("ArduPilot", mavlink_version=1)
+    service.run(2.0)
+    service.say(mavlink.MAVLink_statustext_message(4, b"PreArm: Compass not healthy"), version=1)
+    service.run(0.1)
+    assert (4, "PreArm: Compass not healthy") in service.texts
+
+
+@OURS
+@pytest.mark.slow
+def test_what_was_flown_is_downloaded_again(service, personality):
+    """The whole service in one: upload and verify, start, follow to the last item, download."""
+    service.upload(HOPS[personality], proof="Always")
+    assert service.done() == "Accepted"
+    service.order_of("start")
+    assert service.done() == "Done"
+    fly(service)
+    assert service.reached == [0, 1, 2]
+    service.download()
+    assert service.done() == "Downloaded"
+    assert [one.command for one in service.sink(3)] == [22, 16, 21]
+    service.verify(HOPS[personality])
+    assert service.done() == "Verified"

@@ -1,0 +1,63 @@
+"""Another ground station is transferring: said as such, and with a wait for one's turn all is well."""
+
+from __future__ import annotations
+
+import pytest
+from bench import same_bits
+from fake_autopilot import mavlink
+from plans import OLD_PLAN, SURVEY, on_the_wire
+
+TURNS = pytest.mark.scenario(22, "Denied while another ground station transfers; a retry succeeds")
+GROUND_STATION = (255, 190)
+
+
+def other_begins(service, items: int) -> mavlink.MAVLink:
+    """Another ground station announces a plan, and then sends nothing."""
+    packer = mavlink.MAVLink(None, *GROUND_STATION)
+    message = mavlink.MAVLink_mission_count_message(1, 1, items, 0)
+    service.autopilot.receive(message.pack(packer), service.now)
+    return packer
+
+
+@TURNS
+def test_upload_meanwhile_is_refused_and_said_as_such(service, personality):
+    service.run(2.0)
+    other_begins(service, 3)
+    service.upload(SURVEY)
+    status = service.done(limit_s=15)
+    assert status in (["Denied"] if personality == "ArduPilot" else ["Error", "Accepted"])
+
+
+@TURNS
+def test_upload_that_waits_for_its_turn_comes_aboard_when_it_is_free(service, personality):
+    service.tell("turns", 60)
+    service.run(2.0)
+    other_begins(service, 3)
+    service.upload(SURVEY)
+    assert service.done(limit_s=30) == "Accepted"
+    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, personality))
+
+
+@TURNS
+def test_upload_waits_for_its_turn_no_longer_than_allowed(build_service):
+    service = build_service("ArduPilot")
+    service.autopilot.load(OLD_PLAN)
+    service.tell("turns", 5)
+    service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, times=None)
+    service.upload(SURVEY)
+    assert service.done(limit_s=15) == "Denied"
+    counts = service.sent_at("MISSION_COUNT")
+    pauses = [round(later - sooner) for sooner, later in zip(counts, counts[1:])]
+    assert pauses == [1, 2]
+    assert counts[-1] - counts[0] <= 5.1
+    assert service.state.aboard == "AsBefore"
+
+
+@TURNS
+def test_next_operation_has_its_whole_time(service):
+    service.tell("turns", 60)
+    service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, times=2)
+    service.upload(SURVEY)
+    assert service.done(limit_s=20) == "Accepted"
+    service.verify()
+    assert service.done() == "Verified"
