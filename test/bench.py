@@ -309,6 +309,20 @@ class Bench:
     def cancel(self) -> None:
         self.tell("cancel")
 
+    def reset(self) -> None:
+        """Press the Mega's reset button: all that it was told is forgotten, setup() has run. The line goes on.
+
+        What had ended before is not waited for any more.
+        """
+        self.mega.reset()
+        self._text = b""
+        self._ends_seen = len(self.ends)
+        self._run_until_answered("ready", limit_s=0.1)
+
+    def set_millis(self, value: int) -> None:
+        """Let millis() go on from there."""
+        self.mega.poke_int("timer0_millis", value % 2**32, 4)
+
     # What the firmware said
 
     def _numbers(self, word: str) -> list[tuple[int, ...]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from fake_autopilot import item, mavlink
 from plans import NAN, OLD_PLAN, SURVEY, jump, on_the_wire, waypoint
+from recordings import heard
 from test_start import HOPS, uploaded
 
 FOLLOW = pytest.mark.scenario(51, "An item is reached once; a command that must not happen twice is not repeated")
@@ -51,7 +52,7 @@ def test_px4_says_reached_more_often_than_it_is_reported(build_service):
 
 @FOLLOW
 def test_repeats_of_the_last_item_reached_are_dropped_while_the_next_is_flown(build_service):
-    service = uploaded(build_service("PX4"))
+    service = uploaded(build_service("PX4", tells_at_s=60.0))
     for current, reached in ((0, 0), (1, 0), (1, 0), (1, 1), (2, 1), (2, 1), (2, 2)):
         service.say(mavlink.MAVLink_mission_current_message(current, 3, ACTIVE))
         service.say(mavlink.MAVLink_mission_item_reached_message(reached))
@@ -60,8 +61,24 @@ def test_repeats_of_the_last_item_reached_are_dropped_while_the_next_is_flown(bu
 
 
 @FOLLOW
+@pytest.mark.parametrize("flight, personality, items", [("arducopter/flight", "ArduPilot", [0, 1, 2]),
+                                                         ("px4/flight", "PX4", [0, 1, 2])])  # fmt: skip
+def test_recorded_flight_is_followed_item_by_item(build_service, flight, personality, items):
+    options = {"tells_at_s": 600.0} if personality == "PX4" else {}
+    service = build_service(personality, **options)
+    service.run(2.0)
+    for entry in heard(flight):
+        if entry.direction == "<" and entry.message.get_type() in ("MISSION_CURRENT", "MISSION_ITEM_REACHED"):
+            service.say(entry.message)
+            service.run(0.01)
+    assert service.reached == items
+    assert service.currents[: len(items)] == items
+    assert service.followed.total == 4
+
+
+@FOLLOW
 def test_item_that_is_flown_again_is_reached_again(build_service):
-    service = uploaded(build_service("PX4"))
+    service = uploaded(build_service("PX4", tells_at_s=60.0))
     for current, reached in ((0, 0), (1, 1), (2, 2), (1, 2), (1, 1), (2, 1), (2, 2)):
         service.say(mavlink.MAVLink_mission_current_message(current, 3, ACTIVE))
         service.say(mavlink.MAVLink_mission_item_reached_message(reached))

@@ -49,12 +49,10 @@ def recorded_uploads() -> bytes:
     return packed
 
 
-@pytest.mark.parametrize("unit", UNITS)
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_unit(unit, compiler, tmp_path):
-    uploads = tmp_path / "uploads"
+def run_unit(program: Path, unit: str, folder: Path) -> None:
+    """Runs the tests of one file of host/units, all of which must be there and pass."""
+    uploads = folder / "uploads"
     uploads.write_bytes(recorded_uploads())
-    program = build_units(compiler)
     ran = subprocess.run(
         [program, f"--source-file=*/units/{unit}.cpp", "--no-version"],
         capture_output=True, text=True, check=False, env={**os.environ, "MAVMISSION_UPLOADS": str(uploads)},
@@ -63,3 +61,9 @@ def test_unit(unit, compiler, tmp_path):
     cases = int(re.search(r"test cases: *(\d+)", ran.stdout)[1])
     written = (HOST / "units" / f"{unit}.cpp").read_text().count("TEST_CASE(")
     assert cases == written > 0
+
+
+@pytest.mark.parametrize("unit", UNITS)
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_unit(unit, compiler, tmp_path):
+    run_unit(build_units(compiler), unit, tmp_path)

@@ -1,8 +1,8 @@
-// A soil probe: the plan lands in one field after the other. At each landing the probe works, then the Arduino sends the
-// aircraft on to the next field.
+// A soil probe: the aircraft lands in one field after the other. At each landing the probe works, then the Arduino sends
+// the aircraft on to the next field.
 //
-// After a landing inside a plan the autopilot disarms. The Arduino takes the sample, makes the takeoff of the next leg the
-// current item, and starts the plan again from there.
+// Each leg is a plan of its own, which ends with a landing: then the autopilot disarms, whichever it is. TAKE OFF THE
+// PROPELLERS WHILE YOU TRY IT.
 #include <MavMission.h>
 using namespace mavmission;
 
@@ -17,63 +17,85 @@ SoftwareSerial console(10, 11);
 #define CONSOLE console
 #endif
 
-// Each leg: take off, fly, land. The Arduino does the rest between them.
-constexpr MissionItem legs[] PROGMEM = {
-    takeoff(-35.3632621_deg, 149.1652374_deg, 10_m),
-    waypoint(-35.3630000_deg, 149.1652374_deg, 10_m),
-    land(-35.3630000_deg, 149.1652374_deg),
-    takeoff(-35.3630000_deg, 149.1652374_deg, 10_m),
-    waypoint(-35.3627000_deg, 149.1655000_deg, 10_m),
-    land(-35.3627000_deg, 149.1655000_deg),
+struct Place {
+  Degrees latitude, longitude;
 };
-constexpr uint16_t kItems = sizeof(legs) / sizeof(legs[0]);
+constexpr Place kStart = {-35.3632621_deg, 149.1652374_deg};
+constexpr Place fields[] = {
+    {-35.3631000_deg, 149.1652374_deg},
+    {-35.3631000_deg, 149.1654000_deg},
+};
+constexpr uint8_t kFields = sizeof(fields) / sizeof(fields[0]);
+constexpr Metres kHeight = 10_m;
 constexpr uint32_t kSampleMs = 5000;  // what the probe needs
 
 MissionClient autopilot(TELEM);
 MissionFollower mission(autopilot);
 
-enum class Stage : uint8_t { Uploading, Going, Flying, Sampling, Selecting, Done };
+enum class Stage : uint8_t { Uploading, Starting, Flying, Sampling, Done };
 Stage stage = Stage::Uploading;
-uint16_t nextItem = 0;
+uint8_t field;
+bool wasArmed;
 uint32_t landedAtMs;
+
+// Takes off where the aircraft stands, flies to the field, lands there.
+bool legItem(void*, uint16_t index, MissionItem& item) {
+  const Place& from = field == 0 ? kStart : fields[field - 1];
+  const Place& to = fields[field];
+  item = index == 0   ? takeoff(from.latitude, from.longitude, kHeight)
+         : index == 1 ? waypoint(to.latitude, to.longitude, kHeight)
+                      : land(to.latitude, to.longitude);
+  return true;
+}
+
+void uploadLeg() {
+  stage = Stage::Uploading;
+  autopilot.upload(fromFunction(legItem, 3), Verified);
+}
+
+void onText(void*, uint8_t, const char* text) {
+  CONSOLE.print(F("autopilot: "));
+  CONSOLE.println(text);
+}
 
 void setup() {
   CONSOLE.begin(115200);
   TELEM.begin(57600);
-  autopilot.upload(inFlash(legs), Verified);
+  mission.onText(onText);
+  uploadLeg();
 }
 
 void onEnded(Status status) {
   CONSOLE.println(toString(status));
   if (stage == Stage::Uploading && status == Status::Accepted) {
-    stage = Stage::Going;
+    stage = Stage::Starting;
     autopilot.start();
-  } else if (stage == Stage::Going && status == Status::Done) {
+  } else if (stage == Stage::Starting && status == Status::Done) {
     stage = Stage::Flying;
-  } else if (stage == Stage::Selecting && status == Status::Done) {
-    stage = Stage::Going;
-    autopilot.start();
+    wasArmed = false;
   } else {
     stage = Stage::Done;  // something was refused, and the words above say what: leave it to the pilot
   }
 }
 
-bool hasLanded() {
-  const uint16_t reached = mission.reachedItem();
-  return !autopilot.isArmed() && reached != MissionClient::kNoItem && reached >= nextItem && reached % 3 == 2;
-}
-
 void loop() {
   const Status status = autopilot.update();
   if (isEnd(status)) onEnded(status);
-  if (stage == Stage::Flying && hasLanded()) {
-    nextItem = mission.reachedItem() + 1;
-    landedAtMs = millis();
-    stage = nextItem < kItems ? Stage::Sampling : Stage::Done;
-    CONSOLE.println(nextItem < kItems ? F("landed: sampling") : F("landed: done"));
+  if (stage == Stage::Flying) {
+    if (autopilot.isArmed()) wasArmed = true;
+    if (wasArmed && !autopilot.isArmed()) {
+      CONSOLE.println(F("landed: sampling"));
+      landedAtMs = millis();
+      stage = Stage::Sampling;
+    }
   }
   if (stage == Stage::Sampling && millis() - landedAtMs >= kSampleMs) {
-    stage = Stage::Selecting;
-    autopilot.setCurrentItem(nextItem);
+    ++field;
+    if (field < kFields) {
+      uploadLeg();
+    } else {
+      CONSOLE.println(F("all fields sampled"));
+      stage = Stage::Done;
+    }
   }
 }

@@ -22,7 +22,6 @@ constexpr MissionItem plan[] PROGMEM = {
     waypoint(-35.3630000_deg, 149.1655000_deg, 10_m),
     land(-35.3632621_deg, 149.1652374_deg),
 };
-constexpr uint16_t kItems = sizeof(plan) / sizeof(plan[0]);
 
 MissionClient autopilot(TELEM);
 MissionFollower mission(autopilot);
@@ -32,6 +31,7 @@ Stage stage = Stage::Uploading;
 uint32_t refusedAtMs;
 uint8_t startTries;
 bool startAgain;
+bool wasArmed;
 
 void onReached(void*, uint16_t item) {
   CONSOLE.print(F("reached "));
@@ -95,7 +95,11 @@ void loop() {
   const Status status = autopilot.update();
   if (isEnd(status)) onEnded(status);
   if (startAgain && millis() - refusedAtMs >= 5000) start();
-  if (stage == Stage::Flying && !autopilot.isArmed() && mission.reachedItem() == kItems - 1) {
+  if (stage != Stage::Flying) return;
+  // An autopilot disarms when it has landed; not every one says of a landing that it was reached.
+  if (autopilot.isArmed()) {
+    wasArmed = true;
+  } else if (wasArmed) {
     CONSOLE.println(F("landed"));
     stage = Stage::Reading;
     autopilot.download(toFunction(printCommand));

@@ -99,6 +99,12 @@ struct Value<First, Rest...> {
   }
 };
 
+// A constant that stays one where the literal stands in a function: avr-gcc would otherwise compute it there each time.
+template <int32_t E7>
+struct Constant {
+  static constexpr int32_t value = E7;
+};
+
 }  // namespace literal
 
 // -35.3632621_deg: exact to 1e-7 degree, computed by the compiler, no cost in flash. Up to 180 degrees and seven
@@ -111,7 +117,7 @@ constexpr Degrees operator"" _deg() {
                 "an angle has at most 7 decimals (1e-7 degree is about 1 cm, and is what the autopilot keeps)");
   static_assert(literal::Value<Text...>::e7(0, false, 0) <= 1800000000,
                 "an angle is at most 180 degrees; for west or south write a minus sign before it");
-  return Degrees::fromE7(static_cast<int32_t>(literal::Value<Text...>::e7(0, false, 0)));
+  return Degrees::fromE7(literal::Constant<static_cast<int32_t>(literal::Value<Text...>::e7(0, false, 0))>::value);
 }
 
 }  // namespace mavmission

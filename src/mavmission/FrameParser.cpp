@@ -138,7 +138,7 @@ FrameParser::Result FrameParser::classify() {
       giveUp();
       return Result::Nothing;
     }
-    if (length <= MAVMISSION_MAX_PAYLOAD) {
+    if (uint16_t{length} <= MAVMISSION_MAX_PAYLOAD) {
       messageId_ = id;
       crcExtra_ = fromFlash(&key->crcExtra);
       target_ = fromFlash(&key->target);

@@ -21,15 +21,14 @@ struct ItemSink {
   uint16_t limit;  // items; a longer plan is not begun with (Status::SinkFull)
 };
 
-namespace sink {
-bool writeToRam(void* array, uint16_t index, const MissionItem& item);
-}
+// Puts an item into an array, for toRam().
+bool writeItemToRam(void* array, uint16_t index, const MissionItem& item);
 
 // An array in RAM; itemsDone() says how many items it holds when the download has ended.
 template <size_t N>
 ItemSink toRam(MissionItem (&plan)[N]) {
   static_assert(N < kHomeIndex, "a plan has fewer items");
-  return ItemSink{sink::writeToRam, plan, N};
+  return ItemSink{writeItemToRam, plan, N};
 }
 
 // A function, with `context` handed to it, which may be null.

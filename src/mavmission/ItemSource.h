@@ -22,26 +22,25 @@ struct ItemSource {
   uint32_t count;  // items; more than 65,535 is refused (Status::TooManyItems)
 };
 
-namespace source {
-bool readFromFlash(void* array, uint16_t index, MissionItem& item);
-bool readFromRam(void* array, uint16_t index, MissionItem& item);
-}  // namespace source
+// Items of an array, for inFlash() and inRam().
+bool readItemFromFlash(void* array, uint16_t index, MissionItem& item);
+bool readItemFromRam(void* array, uint16_t index, MissionItem& item);
 
 // A plan in flash: constexpr MissionItem plan[] PROGMEM = {...}; `constexpr`, not `const`, which would let a value that
 // is no constant put the array into RAM without a word.
 template <size_t N>
 ItemSource inFlash(const MissionItem (&plan)[N]) {
-  return ItemSource{source::readFromFlash, const_cast<MissionItem*>(plan), N};
+  return ItemSource{readItemFromFlash, const_cast<MissionItem*>(plan), N};
 }
 
 // A plan in RAM, wholly...
 template <size_t N>
 ItemSource inRam(const MissionItem (&plan)[N]) {
-  return ItemSource{source::readFromRam, const_cast<MissionItem*>(plan), N};
+  return ItemSource{readItemFromRam, const_cast<MissionItem*>(plan), N};
 }
 // ... or its first `count` items.
 inline ItemSource inRam(const MissionItem* plan, uint32_t count) {
-  return ItemSource{source::readFromRam, const_cast<MissionItem*>(plan), count};
+  return ItemSource{readItemFromRam, const_cast<MissionItem*>(plan), count};
 }
 
 // A plan of `count` items that a function computes. `context` is handed to it and may be null.

@@ -122,7 +122,8 @@ Status MissionClient::updateAt(uint16_t nowMs) {
   while (link_.receive(budget, nowMs)) {
     if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
   }
-  if (state_.cancelDue && link_.canSend()) {
+  // An autopilot that is not heard would not hear it either.
+  if (state_.cancelDue && hasAutopilot() && link_.canSend()) {
     state_.cancelDue = false;
     sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelType);
   }

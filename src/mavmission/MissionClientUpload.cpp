@@ -181,10 +181,11 @@ Aboard MissionClient::aboardAfterUpload(Status status) const {
   if (status == Status::Accepted) return Aboard::OurPlan;
   const bool begun = transfer_.hasBegun();
   const bool refused = status >= Status::Error;  // the autopilot's own word
-  if (transfer_.state() == UploadTransfer::State::Confirming && !refused) return Aboard::NotKnown;
+  const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming || status == Status::AcceptedEarly;
+  if (mayBeWhole && !refused) return Aboard::NotKnown;
   const Firmware firmware = plan_.firmware();
   if (firmware == Firmware::Px4) return Aboard::AsBefore;  // it keeps the old plan until the new one is whole
-  if (!begun) return refused ? Aboard::AsBefore : Aboard::NotKnown;
+  if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
   // ArduPilot replaces a mission item by item; a fence it takes whole.
   return firmware == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
 }

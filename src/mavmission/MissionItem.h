@@ -55,13 +55,13 @@ constexpr uint8_t kPlaceBytes = 28;
 static_assert(offsetof(MissionItem, command) == kPlaceBytes, "param1 to z are copied in one piece");
 
 // Any command that has no place, by hand: parameters as in MAV_CMD's table.
-constexpr MissionItem command(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
+constexpr MissionItem anyCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
                               int32_t param5 = 0, int32_t param6 = 0, float param7 = 0) {
   return MissionItem{param1, param2, param3, param4, param5, param6, param7, id, Frame::Mission, 0, 1};
 }
 
 // Any command that has a place, by hand.
-constexpr MissionItem commandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude, float param1 = 0,
+constexpr MissionItem anyCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude, float param1 = 0,
                                 float param2 = 0, float param3 = 0, float param4 = 0) {
   return MissionItem{param1,        param2,           param3, param4,           latitude.e7(), longitude.e7(),
                      altitude.metres(), id, altitude.frame(), 0, 1};
@@ -69,111 +69,111 @@ constexpr MissionItem commandAt(uint16_t id, Degrees latitude, Degrees longitude
 
 // Climb to the altitude where the aircraft stands. (PX4 needs a place; it gets that of the nearest item that has one.)
 constexpr MissionItem takeoff(Altitude altitude, Yaw yaw = Yaw()) {
-  return commandAt(kNavTakeoff, Degrees(), Degrees(), altitude, 0, 0, 0, yaw.inDegrees());
+  return anyCommandAt(kNavTakeoff, Degrees(), Degrees(), altitude, 0, 0, 0, yaw.inDegrees());
 }
 // Climb and fly to a place.
 constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude altitude, Yaw yaw = Yaw()) {
-  return commandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
+  return anyCommandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
 }
 
 // Fly to a place. Wait there for `hold` (a copter; ArduPilot keeps whole seconds). Within `acceptanceRadius` it counts
 // as reached (0: the autopilot's own setting; ArduPilot's copter has only that).
 constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold = Seconds(0),
                                Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
-  return commandAt(kNavWaypoint, latitude, longitude, altitude, hold.value, acceptanceRadius.value, 0,
+  return anyCommandAt(kNavWaypoint, latitude, longitude, altitude, hold.value, acceptanceRadius.value, 0,
                    yaw.inDegrees());
 }
 
 // Stay at a place for a time. A fixed wing circles at `radius`, counter-clockwise if it is negative (0: its default).
 constexpr MissionItem loiterTime(Degrees latitude, Degrees longitude, Altitude altitude, Seconds time,
                                  Metres radius = Metres(0)) {
-  return commandAt(kNavLoiterTime, latitude, longitude, altitude, time.value, 0, radius.value, 0);
+  return anyCommandAt(kNavLoiterTime, latitude, longitude, altitude, time.value, 0, radius.value, 0);
 }
 // Circle a place so many times. PX4 does not fly it (Status::NotFlown).
 constexpr MissionItem loiterTurns(Degrees latitude, Degrees longitude, Altitude altitude, float turns,
                                   Metres radius = Metres(0)) {
-  return commandAt(kNavLoiterTurns, latitude, longitude, altitude, turns, 0, radius.value, 0);
+  return anyCommandAt(kNavLoiterTurns, latitude, longitude, altitude, turns, 0, radius.value, 0);
 }
 // Stay at a place until told otherwise.
 constexpr MissionItem loiterUnlimited(Degrees latitude, Degrees longitude, Altitude altitude,
                                       Metres radius = Metres(0), Yaw yaw = Yaw()) {
-  return commandAt(kNavLoiterUnlimited, latitude, longitude, altitude, 0, 0, radius.value, yaw.inDegrees());
+  return anyCommandAt(kNavLoiterUnlimited, latitude, longitude, altitude, 0, 0, radius.value, yaw.inDegrees());
 }
 
 // Land where the aircraft then is. (PX4 needs a place; it gets that of the nearest item that has one.)
 constexpr MissionItem land(Yaw yaw = Yaw()) {
-  return commandAt(kNavLand, Degrees(), Degrees(), Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
+  return anyCommandAt(kNavLand, Degrees(), Degrees(), Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
 }
 // Fly to a place and land.
 constexpr MissionItem land(Degrees latitude, Degrees longitude, Yaw yaw = Yaw()) {
-  return commandAt(kNavLand, latitude, longitude, Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
+  return anyCommandAt(kNavLand, latitude, longitude, Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
 }
 
 // Fly home and land.
-constexpr MissionItem returnToLaunch() { return command(kNavReturnToLaunch); }
+constexpr MissionItem returnToLaunch() { return anyCommand(kNavReturnToLaunch); }
 
 // Wait at the last waypoint.
-constexpr MissionItem delay(Seconds time) { return command(kNavDelay, time.value, -1, -1, -1); }
+constexpr MissionItem delay(Seconds time) { return anyCommand(kNavDelay, time.value, -1, -1, -1); }
 
 // Fly at this ground speed from here on.
-constexpr MissionItem changeSpeed(MetresPerSecond speed) { return command(kDoChangeSpeed, 1, speed.value, -1); }
+constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDoChangeSpeed, 1, speed.value, -1); }
 
 // Go on with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0: the same number
 // on every autopilot.
-constexpr MissionItem jump(uint16_t target, int16_t repeats) { return command(kDoJump, target, repeats); }
+constexpr MissionItem jump(uint16_t target, int16_t repeats) { return anyCommand(kDoJump, target, repeats); }
 
 // Set an output to a pulse length [us]. PX4 does not take it in a plan (Status::NotFlown).
-constexpr MissionItem setServo(uint8_t output, uint16_t pulseUs) { return command(kDoSetServo, output, pulseUs); }
+constexpr MissionItem setServo(uint8_t output, uint16_t pulseUs) { return anyCommand(kDoSetServo, output, pulseUs); }
 
 // Switch a relay, counted from 0. PX4 does not take it in a plan (Status::NotFlown).
-constexpr MissionItem setRelay(uint8_t relay, bool on) { return command(kDoSetRelay, relay, on ? 1 : 0); }
+constexpr MissionItem setRelay(uint8_t relay, bool on) { return anyCommand(kDoSetRelay, relay, on ? 1 : 0); }
 
 // Take a picture now.
-constexpr MissionItem takePicture() { return command(kDoDigicamControl, 0, 0, 0, 0, 1); }
+constexpr MissionItem takePicture() { return anyCommand(kDoDigicamControl, 0, 0, 0, 0, 1); }
 
 // Take a picture each `distance` from here on; 0 m stops.
 constexpr MissionItem cameraTriggerDistance(Metres distance) {
-  return command(kDoSetCameraTriggerDistance, distance.value);
+  return anyCommand(kDoSetCameraTriggerDistance, distance.value);
 }
 
 // Point the camera (or the nose) at a place from here on.
 constexpr MissionItem regionOfInterest(Degrees latitude, Degrees longitude, Altitude altitude) {
-  return commandAt(kDoSetRoiLocation, latitude, longitude, altitude);
+  return anyCommandAt(kDoSetRoiLocation, latitude, longitude, altitude);
 }
 // Look ahead again.
-constexpr MissionItem regionOfInterestOff() { return command(kDoSetRoiNone); }
+constexpr MissionItem regionOfInterestOff() { return anyCommand(kDoSetRoiNone); }
 
 // Turn to a heading while flying on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw there.
-constexpr MissionItem turnTo(Degrees heading) { return command(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
+constexpr MissionItem turnTo(Degrees heading) { return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
 
 // --- Items of a fence: upload(fence, PlanType::Fence).
 
 // One corner of a polygon that must not be left. All `corners` of a polygon follow one another, each with that number.
 constexpr MissionItem fenceInside(Degrees latitude, Degrees longitude, uint8_t corners) {
-  return commandAt(kFencePolygonInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
+  return anyCommandAt(kFencePolygonInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
 }
 // One corner of a polygon that must not be entered.
 constexpr MissionItem fenceOutside(Degrees latitude, Degrees longitude, uint8_t corners) {
-  return commandAt(kFencePolygonExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
+  return anyCommandAt(kFencePolygonExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
 }
 // A circle that must not be left.
 constexpr MissionItem fenceInsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
-  return commandAt(kFenceCircleInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
+  return anyCommandAt(kFenceCircleInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
 }
 // A circle that must not be entered.
 constexpr MissionItem fenceOutsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
-  return commandAt(kFenceCircleExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
+  return anyCommandAt(kFenceCircleExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
 }
 // Where the aircraft goes when it has broken the fence (ArduPilot's Plane).
 constexpr MissionItem fenceReturnPoint(Degrees latitude, Degrees longitude) {
-  return commandAt(kFenceReturnPoint, latitude, longitude, Altitude(Metres(0), Frame::Global));
+  return anyCommandAt(kFenceReturnPoint, latitude, longitude, Altitude(Metres(0), Frame::Global));
 }
 
 // --- Items of a rally plan: upload(points, PlanType::Rally).
 
 // A place to land instead of at home. ArduPilot keeps whole metres of the altitude.
 constexpr MissionItem rallyPoint(Degrees latitude, Degrees longitude, Altitude altitude) {
-  return commandAt(kRallyPoint, latitude, longitude, altitude);
+  return anyCommandAt(kRallyPoint, latitude, longitude, altitude);
 }
 
 }  // namespace mavmission

@@ -17,6 +17,7 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, ui
   leftovers_ = leftovers;
   freed_ = false;
   recounted_ = false;
+  repeated_ = false;
   answered_ = false;
 }
 
@@ -25,6 +26,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
   if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
   // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an item
   // only when it has the one before. It moves nothing.
+  if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
     ++asked_;
@@ -40,7 +42,20 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
   return Status::Transferring;
 }
 
+// PX4 goes on with an earlier, longer transfer of ours that had come to no item yet, whatever our COUNT said.
+void UploadTransfer::endOlder() {
+  if (firmware_ != Firmware::Px4 || !leftovers_ || freed_) return;
+  freed_ = true;
+  state_ = State::Counting;
+  send_ = Send::Cancel;
+  asked_ = first_;
+  tries_ = 0;
+  repeated_ = false;
+}
+
 Status UploadTransfer::onAcceptance() {
+  // PX4 accepts a repeated last item though it has just failed to store the plan.
+  if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
   if (!leftovers_) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
@@ -71,15 +86,11 @@ Status UploadTransfer::onAck(uint8_t result) {
         send_ = Send::Cancel;
         return Status::Transferring;
       }
-      if (state_ == State::Confirming) {
-        // An idle autopilot says so of an item that reaches it after the end: it tells nothing of the plan. To our own
-        // repetition ArduPilot will say nothing else; PX4 accepts it again if it holds the plan.
-        if (tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
-        suspicion_ = status;
-        return Status::Transferring;
-      }
-      // PX4 says "busy" to our own second COUNT, and the transfer goes on.
-      if (state_ == State::Sending && firmware_ == Firmware::Px4 && recounted_) {
+      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the plan.
+      if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
+      // An idle autopilot says so of an item that reaches it after the end, PX4 "busy" to our own second COUNT: both go
+      // on. Otherwise it is what became of the item.
+      if (repeated_ || (state_ != State::Counting && firmware_ == Firmware::Px4 && recounted_)) {
         suspicion_ = status;
         return Status::Transferring;
       }
@@ -131,7 +142,12 @@ void UploadTransfer::sent(uint16_t nowMs) {
       send_ = Send::Count;
       break;
     case Send::Item:
-      if (item_ + 1u == behind_) state_ = State::Confirming;
+      if (state_ == State::Confirming) {
+        repeated_ = true;
+      } else if (item_ + 1u == behind_) {
+        state_ = State::Confirming;
+        suspicion_ = Status::Transferring;
+      }
       answered_ = true;
       sentMs_ = nowMs;
       send_ = Send::Nothing;

@@ -57,12 +57,15 @@ class UploadTransfer {
 
   State state() const { return state_; }
   bool hasBegun() const { return asked_ != first_; }
+  // An answer was heard that may have been to an earlier transfer.
+  bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // The item that went out last: the one that a refusal is about.
   uint16_t lastItem() const { return item_; }
 
  private:
+  void endOlder();
   Status onAcceptance();
 
   uint16_t progressMs_;
@@ -79,6 +82,7 @@ class UploadTransfer {
   bool leftovers_;
   bool recounted_;                    // COUNT was sent more than once
   bool freed_;                        // an open transfer of ours was cancelled first
+  bool repeated_;                     // an item was sent after the last one
   bool answered_;                     // item_ has been sent at least once
 };
 

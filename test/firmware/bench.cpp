@@ -170,6 +170,7 @@ ACTION(raw) { client.useRawNumbering(numbers[0]); }
 ACTION(floats) { client.serveFloatItems(numbers[0]); }
 ACTION(waiting) { client.limitWaiting(numbers[0]); }
 ACTION(limit) { client.limitTransfer(numbers[0]); }
+ACTION(turn) { client.retryWhenDenied(numbers[0]); }
 ACTION(callbacks) {
   client.onProgress(numbers[0] ? onProgress : nullptr);
   client.onEnd(numbers[0] ? onEnd : nullptr);
@@ -204,7 +205,7 @@ static const Word words[] = {
     WORD(ram),    WORD(flash),     WORD(empty),  WORD(function), WORD(upload),  WORD(cancel),   WORD(ids),
     WORD(talk),   WORD(speak),     WORD(armed),  WORD(raw),      WORD(floats),  WORD(waiting),  WORD(limit),
     WORD(callbacks), WORD(again),  WORD(cancelat), WORD(stall),  WORD(nosleep), WORD(state),    WORD(counters),
-    WORD(text),   WORD(aboard),
+    WORD(text),   WORD(aboard),    WORD(turn),
 #ifndef BENCH_DIRECT
     WORD(room),   WORD(blind),     WORD(blocked),
 #endif

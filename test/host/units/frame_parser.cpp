@@ -293,8 +293,8 @@ TEST_CASE("a frame is found behind bytes that begin like one, at the end of a te
 }
 
 TEST_CASE("a wanted header that is only data, across the end of a telemetry frame, hides no frame") {
-  for (uint8_t length = 0; length <= MAVMISSION_MAX_PAYLOAD; ++length) {
-    const Bytes last = telemetryAround(Bytes(20, 0x11) + Bytes{0xFD, length, 0, 0, 0, 1, 1, 51, 0, 0});
+  for (unsigned length = 0; length <= MAVMISSION_MAX_PAYLOAD; ++length) {
+    const Bytes last = telemetryAround(Bytes(20, 0x11) + Bytes{0xFD, static_cast<uint8_t>(length), 0, 0, 0, 1, 1, 51, 0, 0});
     CAPTURE(length);
     CHECK(wantedIn(last + request(1) + telemetry() + request(2)) == "request 1, request 2");
   }
@@ -345,8 +345,8 @@ TEST_CASE("a frame cut short is given up in silence, and the next one taken") {
 }
 
 TEST_CASE("silence gives the frame that damage before it had made part of another") {
-  // A wanted header promises 54 bytes; only a request follows.
-  const Bytes head = {0xFD, 54, 0, 0, 0, 1, 1, 51, 0, 0};
+  // A wanted header promises 38 bytes; only a request follows.
+  const Bytes head = {0xFD, 38, 0, 0, 0, 1, 1, 51, 0, 0};
   ParserUnderTest parser;
   CHECK(wanted(parser.take(head + request(1))).empty());
   CHECK(wanted(parser.silence()).size() == 1);

@@ -227,6 +227,31 @@ TEST_CASE("a busy PX4 that still asks in its old transfer is not served before t
   CHECK((upload.send() == Send::Item));
 }
 
+TEST_CASE("a PX4 that asks beyond the plan goes on with a longer one from before: that is ended, once, and COUNT sent again") {
+  Upload upload(3, Firmware::Px4, true);
+  upload.served(3);
+  CHECK(goesOn(upload.request(3)));
+  CHECK((upload.send() == Send::Cancel));
+  CHECK((upload.send() == Send::Count));
+  for (uint16_t item = 0; item < 3; ++item) {
+    upload.request(item);
+    CHECK((upload.send() == Send::Item));
+  }
+  CHECK(goesOn(upload.request(3)));
+  CHECK((upload.send() == Send::Nothing));
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE("a request beyond the plan moves nothing where no earlier transfer can be meant") {
+  for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
+    Upload upload(3, firmware, firmware != Firmware::Px4);
+    upload.served(3);
+    CHECK(goesOn(upload.request(3)));
+    CHECK((upload.send() == Send::Nothing));
+    CHECK((upload.ack(kAccepted) == Status::Accepted));
+  }
+}
+
 TEST_CASE("accepted before every item was asked for is said as such") {
   for (uint16_t asked = 0; asked < 3; ++asked) {
     Upload upload(3);
@@ -257,8 +282,8 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
       Upload upload(3, Firmware::Other);
       upload.served(asked);
       const Status said = fromMissionResult(result);
-      const bool counting = asked == 0, confirming = asked == 3;
-      const bool noise = (result == kInvalidSequence && !counting) || (result == kError && (counting || confirming));
+      const bool counting = asked == 0;
+      const bool noise = (result == kInvalidSequence && !counting) || (result == kError && counting);
       CAPTURE(result);
       CAPTURE(asked);
       CHECK((upload.ack(result) == (noise ? Status::Transferring : said)));
@@ -300,13 +325,36 @@ TEST_CASE("PX4's error in mid-transfer is one, unless it may be to our own secon
   CHECK((ardupilot.ack(kError) == Status::Error));
 }
 
-TEST_CASE("an error after the last item tells nothing of the plan") {
+TEST_CASE("an error after the last item is about that item") {
   for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
     Upload upload(2, firmware);
     upload.served(2);
+    CHECK((upload.ack(kError) == Status::Error));
+  }
+}
+
+TEST_CASE("an error after the last item was asked for twice tells nothing of the plan: it may be idle") {
+  for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
+    Upload upload(2, firmware);
+    upload.served(2);
+    upload.wait(200);
+    upload.request(1);
+    CHECK((upload.send() == Send::Item));
     CHECK(goesOn(upload.ack(kError)));
     CHECK((upload.ack(kAccepted) == Status::Accepted));
   }
+}
+
+TEST_CASE("an acceptance of a last item that is repeated after an error is no acceptance of the plan") {
+  Upload upload(2, Firmware::Px4);
+  upload.served(2);
+  upload.wait(200);
+  upload.request(1);
+  upload.send();
+  upload.ack(kError);
+  upload.wait(1500);
+  CHECK((upload.send() == Send::Item));
+  CHECK((upload.ack(kAccepted) == Status::Unconfirmed));
 }
 
 TEST_CASE("the autopilot's own cancelling ends the transfer, but not one that it has not begun yet if leftovers may be meant") {

@@ -150,12 +150,12 @@ TEST_CASE("current says where to begin, and 2 and more would mean fly there now"
 }
 
 TEST_CASE("a jump leads to an item of the plan") {
-  for (float target : {0.f, 1.f}) CHECK((check(command(kDoJump, target, 3)) == Status::Accepted));
+  for (float target : {0.f, 1.f}) CHECK((check(anyCommand(kDoJump, target, 3)) == Status::Accepted));
   for (float target : {2.f, 3.f, -1.f, 0.5f, 65535.f, 65536.f, 1e9f}) {
     CAPTURE(target);
     for (Firmware firmware : kAll) {
-      CHECK((check(command(kDoJump, target, 3), firmware) == Status::BadJump));
-      CHECK((check(command(kDoJump, target, 3), firmware, true) == Status::BadJump));
+      CHECK((check(anyCommand(kDoJump, target, 3), firmware) == Status::BadJump));
+      CHECK((check(anyCommand(kDoJump, target, 3), firmware, true) == Status::BadJump));
     }
   }
 }
@@ -209,7 +209,7 @@ TEST_CASE("what an autopilot does not fly is refused for it alone, and not when 
   CHECK((check(servo, Firmware::Px4) == Status::NotFlown));
   CHECK((check(servo, Firmware::Px4, true) == Status::Accepted));
   CHECK((check(servo, Firmware::ArduPilot) == Status::Accepted));
-  const MissionItem actuator = command(187);
+  const MissionItem actuator = anyCommand(187);
   CHECK((check(actuator, Firmware::ArduPilot) == Status::NotFlown));
   CHECK((check(actuator, Firmware::Px4) == Status::Accepted));
 }
@@ -266,7 +266,7 @@ TEST_CASE("a place is looked for a few items a call, and found at either end of 
     int calls = 1;
     while (plan.wire.read(500, item) == Status::Checking) ++calls;
     CHECK(item.x == 10);
-    CHECK(calls >= 499 * 2 / MAVMISSION_ITEMS_PER_UPDATE);
+    CHECK(calls >= 498 * 2 / MAVMISSION_ITEMS_PER_UPDATE);
   }
 }
 
@@ -293,5 +293,7 @@ TEST_CASE("a source that gives no item is said as such, for the item and for one
   MissionItem item;
   CHECK((wire.read(2, item) == Status::SourceRefused));
   CHECK((wire.read(1, item) == Status::Accepted));
-  CHECK((wire.read(0, item) == Status::SourceRefused));
+  Status status = wire.read(0, item);
+  for (int calls = 0; status == Status::Checking && calls < 10; ++calls) status = wire.read(0, item);
+  CHECK((status == Status::SourceRefused));
 }

@@ -1,0 +1,236 @@
+"""Each example, as it is, on a simulated Mega beside a fake autopilot: what it prints, and what is aboard then."""
+
+from __future__ import annotations
+
+import os
+from functools import cache
+
+import pytest
+from bench import fake
+from fake_autopilot import FENCE, MISSION, RALLY, mavlink
+from firmware import ROOT, build_firmware
+from mega import Image, Mega
+from plans import HOME, NAN, jump, waypoint
+
+EXAMPLES = ROOT / "examples"
+WRAPPED = ROOT / "build" / "examples"
+PLACE = (-353632621, 1491652374, 584.0)  # where the examples fly: latitude, longitude [1e-7 degrees], altitude [m]
+SLICE_S = 0.002
+
+
+@cache
+def image_of(example: str) -> Image:
+    """As the Arduino IDE makes it, but for the prototypes, which no example needs."""
+    source = WRAPPED / f"{example}.cpp"
+    source.parent.mkdir(parents=True, exist_ok=True)
+    sketch = EXAMPLES / example / f"{example}.ino"
+    text = f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
+    if not source.exists() or source.read_text() != text:
+        fresh = source.with_suffix(f".{os.getpid()}")
+        fresh.write_text(text)
+        fresh.replace(source)
+    return Image.load(build_firmware(example, [source]))
+
+
+class Run:
+    """An example on a Mega with an autopilot on Serial1, as it stands where the examples fly."""
+
+    def __init__(self, example: str, personality: str, **options) -> None:
+        self.mega = Mega(image_of(example))
+        self.autopilot = fake(personality, 57600, home=PLACE, **options)
+        self._said = b""
+
+    @property
+    def lines(self) -> list[str]:
+        return self._said.decode(errors="replace").splitlines()
+
+    @property
+    def now(self) -> float:
+        return self.mega.cycle / self.mega.hz
+
+    def run(self, seconds: float) -> None:
+        until = self.mega.cycle + int(seconds * self.mega.hz)
+        port, console = self.mega.serial(1), self.mega.serial(0)
+        while self.mega.cycle < until:
+            self.mega.run_until(self.mega.cycle + int(SLICE_S * self.mega.hz))
+            heard = port.sent_bytes()
+            if heard:
+                self.autopilot.receive(heard, self.now)
+            arriving = self.autopilot.run(self.now)
+            if arriving:
+                port.send(arriving)
+            self._said += console.sent_bytes()
+
+    def until(self, line: str, limit_s: float) -> list[str]:
+        """Go on until it has printed this line; all that it has printed."""
+        limit = self.now + limit_s
+        while line not in self.lines:
+            assert self.now < limit, f"{line!r} was not printed within {limit_s} s:\n" + "\n".join(self.lines)
+            self.run(0.25)
+        return self.lines
+
+
+@pytest.fixture
+def run(personality):
+    return lambda example, **options: Run(example, personality, **options)
+
+
+def is_ardupilot(run: Run) -> bool:
+    return run.autopilot.autopilot_type == mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
+
+
+def commands(run: Run, mission_type: int = MISSION) -> list[int]:
+    """Of the plan aboard, home left out."""
+    items = run.autopilot.received(mission_type)
+    return [one.command for one in items[1 if is_ardupilot(run) and mission_type == MISSION and items else 0 :]]
+
+
+def test_upload_mission(run):
+    example = run("UploadMission")
+    example.run(4.0)
+    assert commands(example) == [22, 16, 16, 20]
+
+
+def test_upload_with_progress(run):
+    example = run("UploadWithProgress")
+    lines = example.until("aboard: our plan, whole", 5.0)
+    assert lines[:8] == ["upload, try 1", "1/6", "2/6", "3/6", "4/6", "5/6", "6/6", "accepted: the plan is aboard"]
+    example.run(0.2)
+    assert example.lines[-1].startswith("bytes ") and ", bad checksums 0, frames lost 0," in example.lines[-1]
+    assert commands(example) == [22, 16, 93, 16, 177, 20]
+
+
+def test_upload_with_progress_tries_again_after_a_failure(run):
+    example = run("UploadWithProgress")
+    example.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, 2)
+    example.until("aboard: our plan, whole", 40.0)
+    assert "upload, try 2" in example.lines
+
+
+def test_upload_with_progress_says_that_the_aircraft_is_armed(run):
+    example = run("UploadWithProgress", armed=True)
+    example.until("refused: the autopilot is armed", 5.0)
+    example.run(8.0)
+    assert "upload, try 2" not in example.lines
+    assert commands(example) == []
+
+
+def test_grid_from_function(run):
+    example = run("GridFromFunction")
+    example.run(12.0)
+    assert commands(example) == [22, *[16] * 300, 20]
+    lanes = [one for one in example.autopilot.received() if one.command == 16][-300:]
+    assert len({(one.x, one.y) for one in lanes}) == 300
+    assert {one.y for one in lanes} == {1491652374, 1491652374 + 11000}
+
+
+def test_download_mission(run):
+    example = run("DownloadMission")
+    plan = [waypoint(-353632621, 1491652374, 20.0, param4=NAN), waypoint(-5, -1799999999, 20.5, frame=0, param4=NAN),
+            jump(0 + is_ardupilot(example), 3)]  # fmt: skip
+    example.autopilot.load([HOME, *plan] if is_ardupilot(example) else plan)
+    lines = example.until("downloaded: the plan has been read", 5.0)
+    home = ["home: command 16 at -35.3632621 149.1652374 584.00 m above sea level"] if is_ardupilot(example) else []
+    assert lines == [
+        *home,
+        "0: command 16 at -35.3632621 149.1652374 20.00 m above home",
+        "1: command 16 at -0.0000005 -179.9999999 20.50 m above sea level",
+        "2: command 177, param1 0.00, param2 3.00",
+        "downloaded: the plan has been read",
+    ]
+
+
+def test_verify_upload(run):
+    example = run("VerifyUpload")
+    lines = example.until("aboard: our plan, whole", 5.0)
+    assert lines == ["accepted: the plan is aboard", "aboard: our plan, whole"]
+    assert commands(example) == [22, 16, 178, 16, 21]
+    assert len(example.autopilot.messages(">", "MISSION_REQUEST_LIST")) == 1
+
+
+def test_verify_upload_says_what_differs(run):
+    example = run("VerifyUpload")
+    while not example.autopilot.messages(">", "MISSION_REQUEST_LIST"):
+        example.run(SLICE_S)
+        assert example.now < 5
+    missions = example.autopilot.missions
+    held = missions[MISSION].held if is_ardupilot(example) else missions.held[MISSION]
+    held[-2] = held[-2]._replace(y=held[-2].y + 1)
+    example.until("item 3: y (longitude)", 5.0)
+    assert example.lines[0] == "what is aboard is not the plan"
+
+
+@pytest.mark.slow
+def test_start_mission(run):
+    example = run("StartMission")
+    lines = example.until("downloaded: the plan has been read", 240.0)
+    own = [line for line in lines if not line.startswith("autopilot: ")]
+    assert [line for line in own if line != "reached 3"] == [
+        "accepted: the plan is aboard", "done: the autopilot confirmed it", "reached 0", "reached 1", "reached 2",
+        "landed", "0: command 22", "1: command 16", "2: command 16", "3: command 21",
+        "downloaded: the plan has been read"]  # fmt: skip
+    assert not example.autopilot.armed
+    assert len(example.autopilot.messages(">", "MISSION_COUNT")) == 1
+
+
+@pytest.mark.slow
+def test_start_mission_waits_until_arming_is_allowed(personality):
+    if personality == "PX4":
+        example = Run("StartMission", personality)
+        example.until("reached 0", 60.0)
+        return
+    example = Run("StartMission", personality, uptime_s=0.0)
+    lines = example.until("done: the autopilot confirmed it", 60.0)
+    assert "autopilot: Arm: AHRS: waiting for home" in lines
+    assert lines.count("the autopilot said: failed") >= 3
+
+
+@pytest.mark.slow
+@pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
+def test_start_mission_that_resets_in_flight_changes_nothing(run):
+    example = run("StartMission")
+    example.until("reached 0", 60.0)
+    plan = example.autopilot.received()
+    said = len(example.autopilot.messages(">"))
+    example.mega.reset()
+    example.until("refused: the autopilot is armed", 5.0)
+    example.run(10.0)
+    after = example.autopilot.messages(">")[said:]
+    assert {message.get_type() for message in after} == {"HEARTBEAT"}
+    assert example.autopilot.received() == plan and example.autopilot.armed
+
+
+@pytest.mark.slow
+def test_next_waypoint(run):
+    example = run("NextWaypoint")
+    lines = example.until("all fields sampled", 400.0)
+    own = [line for line in lines if not line.startswith("autopilot: ")]
+    leg = ["accepted: the plan is aboard", "done: the autopilot confirmed it", "landed: sampling"]
+    assert own == [*leg, *leg, "all fields sampled"]
+    assert not example.autopilot.armed
+    here = example.autopilot.flight.where(example.now)
+    assert (here.lat_e7, here.lon_e7) == (-353631000, 1491654000)
+
+
+def test_fence_and_rally(run):
+    example = run("FenceAndRally")
+    lines = example.until("rally: accepted: the plan is aboard", 6.0)
+    assert lines == ["fence: accepted: the plan is aboard", "rally: accepted: the plan is aboard"]
+    assert commands(example, FENCE) == [5001] * 4 + [5004]
+    assert commands(example, RALLY) == [5100] * 2
+    assert commands(example) == []
+
+
+def test_fence_and_rally_on_mavlink_1():
+    example = Run("FenceAndRally", "ArduPilot", mavlink_version=1)
+    example.until("fence: refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1", 5.0)
+
+
+def test_read_telemetry(run):
+    example = run("ReadTelemetry")
+    lines = example.until("done: the autopilot confirmed it", 5.0)
+    example.run(3.1)
+    lines = example.lines
+    positions = [line for line in lines if line != "done: the autopilot confirmed it"]
+    assert len(positions) == 6
+    assert set(positions) == {"-353632621 1491652374 (1e-7 deg), 0 m above home"}
