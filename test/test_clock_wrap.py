@@ -103,7 +103,7 @@ def expect_the_same(personality: str, name: str, bits: int, at_s: float) -> None
 
 @WRAPS
 @pytest.mark.parametrize("name", COURSES)
-@pytest.mark.parametrize("bits", [16, 32])
+@pytest.mark.parametrize("bits", [32, pytest.param(16, marks=pytest.mark.slow)])
 def test_upload_goes_the_same_way_whenever_millis_wraps(personality, name, bits):
     expected_ends = undisturbed(personality, name)[1]
     assert len(expected_ends) == 1

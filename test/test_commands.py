@@ -6,9 +6,9 @@ import math
 
 import pytest
 from fake_autopilot import mavlink
-from plans import HOME, SURVEY, on_the_wire
+from plans import SURVEY, on_the_wire
 from service import MODES
-from test_download import gcs_frame, loaded
+from test_download import loaded
 
 COMMANDS = pytest.mark.scenario(54, "Commands: acknowledged, lost, in progress, refused")
 SERVO, RELAY, GRIPPER, CHANGE_SPEED, REPOSITION = 183, 181, 211, 178, 192
@@ -121,6 +121,20 @@ def test_silence_after_in_progress_ends_too(service):
     acknowledge(service, CHANGE_SPEED, 5)
     assert service.done(limit_s=20) == "NoAnswer"
     assert len(service.heard("COMMAND_LONG")) == 5
+
+
+@COMMANDS
+def test_autopilot_that_is_in_progress_for_ever_ends_the_command_at_its_limit(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    began = service.run_until_sent("COMMAND_LONG")
+    for _ in range(29):
+        acknowledge(service, CHANGE_SPEED, 5)
+        service.run(4.0)
+    assert not service.ends
+    acknowledge(service, CHANGE_SPEED, 5)
+    assert service.done(limit_s=10) == "TookTooLong"
+    assert service.now - began < 121.5
 
 
 @COMMANDS

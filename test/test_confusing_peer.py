@@ -82,9 +82,35 @@ def test_every_refusal_at_the_end_has_its_own_status_and_names_the_last_item(ben
     state = uploaded_with_refusal(bench, result, "end")
     assert state.status == STATUS_OF[result]
     assert (state.last_result, state.failed_item) == (result, 4)
-    assert state.aboard == ("Mixture" if personality == "ArduPilot" else "AsBefore")
+    # An idle autopilot says error to an item, too, that the line brings it twice: then the plan would be aboard.
+    refused = {"ArduPilot": "Mixture", "PX4": "AsBefore"}[personality]
+    assert state.aboard == ("NotKnown" if result == ERROR else refused)
     assert bench.now - bench.sent_at("MISSION_ITEM_INT")[-1] <= LOOP_S
     expect_truth(bench, SURVEY, personality)
+
+
+@RESULTS
+def test_px4_that_could_not_store_the_plan_is_found_out_by_reading_back(build_bench):
+    """Its error is lost, and to the last item again it says accepted, with the checksum of what it did not store."""
+    bench = build_bench("PX4")
+    bench.autopilot.load(OLD_PLAN)
+    bench.autopilot.faults.refuse(ERROR, step="end")
+    bench.wire.lose("<", name="MISSION_ACK")
+    bench.upload(SURVEY, proof="Always")
+    assert bench.run_until_ended(limit_s=10) == "Differs"
+    expect_truth(bench, SURVEY, "PX4")
+
+
+@RESULTS
+def test_error_at_the_end_is_no_acceptance_when_px4_had_been_announced_the_plan_twice(build_bench):
+    """It may mean the second COUNT: the last item goes out again, and what is said to that proves nothing."""
+    bench = build_bench("PX4")
+    bench.autopilot.load(OLD_PLAN)
+    bench.autopilot.faults.refuse(ERROR, step="end")
+    bench.wire.lose(">", name="MISSION_COUNT")
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=15) == "Unconfirmed"
+    expect_truth(bench, SURVEY, "PX4")
 
 
 @RESULTS

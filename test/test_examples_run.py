@@ -100,6 +100,7 @@ def test_upload_with_progress(run):
     assert commands(example) == [22, 16, 93, 16, 177, 20]
 
 
+@pytest.mark.slow
 def test_upload_with_progress_tries_again_after_a_failure(run):
     example = run("UploadWithProgress")
     example.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, 2)
@@ -107,6 +108,7 @@ def test_upload_with_progress_tries_again_after_a_failure(run):
     assert "upload, try 2" in example.lines
 
 
+@pytest.mark.slow
 def test_upload_with_progress_says_that_the_aircraft_is_armed(run):
     example = run("UploadWithProgress", armed=True)
     example.until("refused: the autopilot is armed", 5.0)
@@ -115,6 +117,7 @@ def test_upload_with_progress_says_that_the_aircraft_is_armed(run):
     assert commands(example) == []
 
 
+@pytest.mark.slow
 def test_grid_from_function(run):
     example = run("GridFromFunction")
     example.run(12.0)
@@ -148,6 +151,7 @@ def test_verify_upload(run):
     assert len(example.autopilot.messages(">", "MISSION_REQUEST_LIST")) == 1
 
 
+@pytest.mark.slow
 def test_verify_upload_says_what_differs(run):
     example = run("VerifyUpload")
     while not example.autopilot.messages(">", "MISSION_REQUEST_LIST"):
@@ -221,6 +225,7 @@ def test_fence_and_rally(run):
     assert commands(example) == []
 
 
+@pytest.mark.slow
 def test_fence_and_rally_on_mavlink_1():
     example = Run("FenceAndRally", "ArduPilot", mavlink_version=1)
     example.until("fence: refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1", 5.0)

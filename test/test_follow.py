@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from fake_autopilot import item, mavlink
-from plans import NAN, OLD_PLAN, SURVEY, jump, on_the_wire, waypoint
+from fake_autopilot import mavlink
+from plans import OLD_PLAN, jump, waypoint
 from recordings import heard
 from test_start import HOPS, uploaded
 
@@ -97,7 +97,7 @@ def test_jump_is_followed_round_by_round(service, personality):
 
 
 @FOLLOW
-def test_current_item_total_and_state(service, personality):
+def test_current_item_total_and_state(service):
     assert service.followed == (None, None, 0, 0, True)
     started(service)
     service.run(2.5)

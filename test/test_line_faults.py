@@ -31,7 +31,7 @@ class Asking:
     def __init__(self, line) -> None:
         self.line = line
         self.item = 0
-        self._packer = mavlink.MAVLink(None, *AUTOPILOT)
+        self.packer = mavlink.MAVLink(None, *AUTOPILOT)
         line.tell("limit", 60000)
         line.upload(FunctionPlan(3000))
         find(line)
@@ -40,7 +40,7 @@ class Asking:
         line.run(0.05)
 
     def packed(self, message, version: int = 2) -> bytes:
-        return frame_of(message, self._packer, version)
+        return frame_of(message, self.packer, version)
 
     def ask_after(self, fault: bytes, what: object = None, version: int = 2, silence_s: float = SILENCE_S) -> None:
         """The request right behind the fault is answered, within so much silence [s]."""
@@ -157,7 +157,7 @@ def test_frame_with_unknown_incompatibility_flags_is_not_taken(asking):
 def test_signed_frames_are_stepped_over_or_taken_whole(asking):
     for length in (0, 1, 9, 100, 255):
         asking.ask_after(framed(12920, bytes(length), flags=1), length)
-    asking.ask_after(framed(0, heartbeat().pack(asking._packer)[10:19], flags=1), "a heartbeat")
+    asking.ask_after(framed(0, heartbeat().pack(asking.packer)[10:19], flags=1), "a heartbeat")
     asking.expect_alive()
 
 

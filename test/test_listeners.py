@@ -74,6 +74,7 @@ def test_any_sender_is_heard_and_named(service):
 
 
 @LISTEN
+@pytest.mark.slow
 def test_each_listener_hears_what_it_asked_for(make_service):
     service = make_service(defines={"BENCH_TWO_LISTENERS": True})
     service.run(2.3)
@@ -115,6 +116,7 @@ def test_damaged_message_is_not_handed_on(service):
 
 
 @LISTEN
+@pytest.mark.slow
 def test_message_longer_than_what_is_kept_is_stepped_over(make_service):
     service = make_service(defines={"MAVMISSION_MAX_PAYLOAD": 40})
     service.run(2.0)
@@ -193,6 +195,7 @@ def test_message_of_any_length_leaves_to_the_byte(build_service, version, room, 
 
 
 @SEND
+@pytest.mark.slow
 def test_every_length_leaves_to_the_byte(build_service):
     for version in (1, 2):
         service = build_service("ArduPilot", mavlink_version=version, baud=115200)

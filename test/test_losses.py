@@ -118,7 +118,7 @@ def cut_positions(personality: str, direction: str, part: int, parts: int) -> li
     return list(range(first, ends[-1]))[part::parts]
 
 
-PARTS = [pytest.param(part, marks=pytest.mark.slow if part else ()) for part in range(10)]
+PARTS = [pytest.param(part, marks=pytest.mark.slow if part else ()) for part in range(20)]
 
 
 @CUT
@@ -197,7 +197,8 @@ DISORDERS = {
     "a third repeated": {"repeat": 33},
     "a third delayed": {"delay": 33},
     "a fifth overtaken": {"hold_past_next": 20},
-    "all of these, and damage": {"repeat": 15, "delay": 15, "hold_past_next": 10, "corrupt": 5, "truncate": 5, "lose": 5},
+    "all of these, and damage": {"repeat": 15, "delay": 15, "hold_past_next": 10, "corrupt": 5, "truncate": 5,
+                                 "lose": 5},  # fmt: skip
 }
 
 

@@ -100,7 +100,7 @@ REBOOT = pytest.mark.scenario(39, "The autopilot reboots in mid-transfer")
 
 
 @REBOOT
-@pytest.mark.parametrize("silent_s", [0.05, 3.0, 12.0])
+@pytest.mark.parametrize("silent_s", [3.0, *(pytest.param(s, marks=pytest.mark.slow) for s in (0.05, 12.0))])
 @pytest.mark.parametrize("items", [-1, 0, 1, 3, ALL_SENT])
 def test_autopilot_that_reboots_ends_the_upload_truthfully_and_takes_the_next_one(bench, personality, items, silent_s):
     go_to(bench, personality, items)
@@ -150,7 +150,7 @@ CABLE = pytest.mark.scenario(39, "The cable is pulled and put back")
 
 @CABLE
 @pytest.mark.parametrize("way", [None, "<", ">"], ids=["both ways", "to us", "to the autopilot"])
-@pytest.mark.parametrize("pulled_s", [0.3, 2.0, 4.5, 7.5, 20.0])
+@pytest.mark.parametrize("pulled_s", [2.0, 7.5, *(pytest.param(s, marks=pytest.mark.slow) for s in (0.3, 4.5, 20.0))])
 @pytest.mark.parametrize("items", [-1, 2, ALL_SENT])
 def test_pulled_cable_ends_truthfully_and_the_next_upload_is_accepted(bench, personality, items, pulled_s, way):
     bench.autopilot.load(OLD_PLAN)

@@ -143,7 +143,7 @@ def test_plan_that_only_was_verified_may_be_started(service, personality):
 
 @START
 @pytest.mark.parametrize("after", ["refused", "silent", "cancelled", "cleared"])
-def test_it_is_refused_after_what_leaves_another_plan_aboard(service, personality, after):
+def test_it_is_refused_after_what_leaves_another_plan_aboard(service, after):
     uploaded(service)
     service.autopilot.load(OLD_PLAN)
     if after == "refused":
@@ -220,7 +220,7 @@ def test_pause_and_resume(service):
 
 
 @ARMED
-def test_start_while_armed_is_refused_unless_allowed(service, personality):
+def test_start_while_armed_is_refused_unless_allowed(service):
     uploaded(service)
     service.autopilot.armed = True
     service.run(1.1)
@@ -252,7 +252,7 @@ def test_arduino_that_resets_in_flight_changes_nothing(service, personality):
 
 
 @ARMED
-def test_uploading_while_armed_is_refused_unless_allowed(make_service, personality):
+def test_uploading_while_armed_is_refused_unless_allowed(make_service):
     service = make_service(armed=True)
     service.upload(SURVEY)
     assert service.done() == "Armed"
@@ -323,4 +323,17 @@ def test_it_may_be_found_while_start_runs(build_service):
     assert service.done() == "Accepted"
     service.order_of("start")
     assert service.done() == "CommandRejected"
-    assert service.done(limit_s=6) == "Infeasible"
+    assert service.done(limit_s=8) == "Infeasible"
+
+
+@INFEASIBLE
+def test_plan_that_px4_has_not_looked_at_yet_is_not_called_infeasible(build_service):
+    """Right after the answer MISSION_CURRENT may name the new plan and say that there is none."""
+    service = build_service("PX4", tells_at_s=60.0)
+    uploaded(service)
+    name = service.autopilot.missions.checksums[0]
+    for states, ended in (((1, 2, 1, 2), []), ((1, 1), ["Infeasible"])):
+        for state in states:
+            service.say(mavlink.MAVLink_mission_current_message(0, 3, state, 2, name))
+            service.run(0.2)
+        assert service.ends[1:] == ended

@@ -40,6 +40,7 @@ class Ports:
 
 
 @TWO
+@pytest.mark.slow
 @pytest.mark.parametrize("kinds", [("ArduPilot", "PX4"), ("PX4", "ArduPilot"), ("PX4", "PX4")], ids=" and ".join)
 def test_two_clients_serve_two_autopilots_at_once(kinds):
     first, second = (fake(kind, 57600, system_id=system) for system, kind in enumerate(kinds, start=1))
@@ -61,6 +62,7 @@ def test_one_client_goes_on_while_the_other_has_nobody():
 
 
 @TWO
+@pytest.mark.slow
 def test_stock_headers_in_the_same_sketch():
     autopilot = fake("ArduPilot", 57600)
     ports = Ports("beside_mavlink", {1: autopilot}, include_dirs=[LIBRARY / "mavmission" / "mavlink"])

@@ -7,10 +7,10 @@ import math
 import pytest
 from fake_autopilot import Item, item, mavlink
 from fake_autopilot.items import f32
-from plans import HOME, NAN, OLD_PLAN, SURVEY, jump, waypoint
+from plans import HOME, SURVEY, jump, waypoint
 from recordings import readback
-from service import ALL, FENCE, MISSION, RALLY, field_names, field_texts
-from test_download import WRITTEN, is_ardupilot, loaded
+from service import FENCE, MISSION, RALLY, field_texts
+from test_download import WRITTEN, loaded
 
 VERIFY = pytest.mark.scenario(41, "Verify: equal, an item differs, the count differs, what autopilots rewrite")
 
@@ -92,6 +92,18 @@ def test_autocontinue_that_differs_is_named(build_service):
     service.verify(WRITTEN)
     assert service.done() == "Differs"
     assert (service.state.failed_item, service.state.field) == (3, "Autocontinue")
+
+
+@VERIFY
+def test_autocontinue_of_0_is_no_difference_where_it_always_reads_as_1(build_service):
+    service = build_service("ArduPilot")
+    plan = [waypoint(autocontinue=0), waypoint(), waypoint(autocontinue=0)]
+    service.upload(plan, proof="Always")
+    assert service.done() == "Accepted"
+    loaded(service, [plan[0], plan[1]._replace(z=21.0), plan[2]])
+    service.verify(plan)
+    assert service.done() == "Differs"
+    assert (service.state.failed_item, service.state.field) == (1, "Height")
 
 
 @VERIFY
@@ -206,7 +218,7 @@ def made(row: dict[str, str], side: str, command: int, current: int, autocontinu
                 int(float(row[f"{side}_x"])), int(float(row[f"{side}_y"])), f32(float(row[f"{side}_z"])))  # fmt: skip
 
 
-VEHICLES = [("arducopter", "ArduPilot"), ("ardurover", "ArduPilot"), ("px4", "PX4")]
+VEHICLES = [("arducopter", "ArduPilot"), pytest.param("ardurover", "ArduPilot", marks=pytest.mark.slow), ("px4", "PX4")]
 
 
 @VERIFY

@@ -94,8 +94,9 @@ Field difference(const MissionItem& sent, const MissionItem& read, Firmware firm
   if (read.x != sent.x) return Field::Latitude;
   if (read.y != sent.y) return Field::Longitude;
   if (!isSameHeight(sent, read, firmware, type)) return Field::Height;
-  // Fence and rally items come back with 0.
-  if (type == PlanType::Mission && read.autocontinue != sent.autocontinue) return Field::Autocontinue;
+  // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
+  const bool isAlways1 = firmware == Firmware::ArduPilot && read.autocontinue == 1;
+  if (type == PlanType::Mission && !isAlways1 && read.autocontinue != sent.autocontinue) return Field::Autocontinue;
   return Field::None;
 }
 

@@ -28,6 +28,14 @@
 #define MAVMISSION_APART
 #endif
 
+// Lets a function return in one place only. avr-gcc makes a jump of a call that comes last, and repeats all the pops of
+// the function before it: 136 bytes in an upload.
+#ifdef __AVR__
+#define MAVMISSION_ONE_EXIT __attribute__((optimize("no-optimize-sibling-calls")))
+#else
+#define MAVMISSION_ONE_EXIT
+#endif
+
 #if MAVMISSION_MAX_PAYLOAD < 38 || MAVMISSION_MAX_PAYLOAD > 255
 #error "MAVMISSION_MAX_PAYLOAD must be 38 to 255: MISSION_ITEM_INT has 38 bytes, no MAVLink payload has more than 255"
 #endif

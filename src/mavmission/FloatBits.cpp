@@ -22,6 +22,9 @@ float fromBits(uint32_t bits) {
   return value;
 }
 
+// Of a float that is not negative. (A shift of the upper half is half the code of one of the whole.)
+uint8_t biasedExponent(uint32_t bits) { return static_cast<uint8_t>(static_cast<uint16_t>(bits >> 16) >> 7); }
+
 // `mantissa` has its highest bit at bit 23; the value is mantissa * 2^(exponent - 23).
 float assemble(uint32_t mantissa, int8_t exponent) {
   const uint8_t biased = static_cast<uint8_t>(kBias + exponent);
@@ -33,8 +36,8 @@ float assemble(uint32_t mantissa, int8_t exponent) {
 FloatKind kindOf(const void* bytes) {
   uint32_t magnitude;
   memcpy(&magnitude, bytes, sizeof(magnitude));
+  if ((~static_cast<uint16_t>(magnitude >> 16) & (kInfinity >> 16)) != 0) return FloatKind::Finite;
   magnitude &= ~kSign;
-  if (magnitude < kInfinity) return FloatKind::Finite;
   return magnitude == kInfinity ? FloatKind::Infinite : FloatKind::NotANumber;
 }
 
@@ -51,7 +54,7 @@ int32_t wholeNumber(float value) {
   const uint32_t bits = bitsOf(value);
   if ((bits & ~kSign) == 0) return 0;
   if ((bits & kSign) != 0) return -1;
-  const uint8_t biased = static_cast<uint8_t>(bits >> 23);
+  const uint8_t biased = biasedExponent(bits);
   if (biased < kBias || biased > kBias + 15) return -1;
   uint32_t mantissa = (bits & (kHidden - 1)) | kHidden;
   for (uint8_t shift = 23 - (biased - kBias); shift != 0; --shift) {
@@ -122,7 +125,7 @@ namespace {
 // One at the place of the units of a whole number from 1 on.
 uint32_t unitBit(uint32_t bits) {
   uint32_t unit = kHidden;
-  for (uint8_t biased = static_cast<uint8_t>(bits >> 23); biased > kBias; --biased) unit >>= 1;
+  for (uint8_t biased = biasedExponent(bits); biased > kBias; --biased) unit >>= 1;
   return unit;
 }
 

@@ -188,8 +188,8 @@ class MissionClient {
   // The longest wait for an autopilot [s], after which an operation ends with Status::NoAutopilot; 0, the default, is
   // for ever.
   void limitWaiting(uint16_t seconds) { rest_.waitingLimitS = seconds; }
-  // The longest that a transfer may take [s], after which it ends with Status::TookTooLong; 0, the default, is
-  // 120 s and 2 s for each item.
+  // The longest that a transfer or a command may take [s], after which it ends with Status::TookTooLong; 0, the default,
+  // is 120 s, and 2 s for each item.
   void limitTransfer(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
@@ -201,7 +201,7 @@ class MissionClient {
 
   static bool waitForTurn(MissionClient& client, Status refusal);
   static void turnStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
-  static void uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  MAVMISSION_ONE_EXIT static void uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void readStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void clearStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static Status compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
@@ -246,15 +246,15 @@ class MissionClient {
   Aboard aboardAfterUpload(Status status) const;
   void waitForAutopilot();
   void beginChecking();
-  MAVMISSION_APART void checkPlan(uint16_t nowMs);
-  void beginUpload(uint16_t nowMs);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT void checkPlan(uint16_t nowMs);
+  MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
   void sendUpload(uint16_t nowMs);
   MAVMISSION_APART Status checkItem(uint16_t wireItem);
   void sendCount(uint16_t items);
   bool sendItem(uint16_t nowMs);
   Status proven(uint32_t opaqueId);
-  void continueUpload(Status status, uint16_t nowMs);
+  MAVMISSION_ONE_EXIT void continueUpload(Status status, uint16_t nowMs);
   MAVMISSION_APART uint16_t ownItem(uint16_t wireItem) const;
   void report(uint16_t done);
   void end(Status status);
@@ -371,8 +371,8 @@ class MissionClient {
     Clearing clearing_;
     Commanding commanding_;
   };
+  WirePlan plan_;  // here, and not behind rest_, within cheap reach: 90 bytes less
   Rest rest_;
-  WirePlan plan_;
   OpaqueId opaqueId_;
   Link link_;
 };

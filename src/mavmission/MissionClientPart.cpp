@@ -10,10 +10,10 @@ namespace mavmission {
 Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_t count) {
   if (state_.operation != nullptr) return Status::Busy;
   const Status status = upload(plan, PlanType::Mission);
+  if (isEnd(status)) return status;
   state_.announce = announcePart;
   rest_.partFirst = first;
   rest_.partCount = count;
-  if (isEnd(status)) return status;
   if (count == 0 || first >= plan.count || count > plan.count - first) end(Status::BadRange);
   return state_.status;
 }

@@ -33,7 +33,7 @@ void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
 
 Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
   const Status status = upload(plan, type);
-  if (status == Status::Busy) return status;
+  if (isEnd(status)) return status;
   rest_.proof = proof;
   state_.prove = proof != Proof::ByAnswer ? proveUpload : nullptr;
   return status;

@@ -182,7 +182,8 @@ Aboard MissionClient::aboardAfterUpload(Status status) const {
   const bool begun = transfer_.hasBegun();
   const bool refused = status >= Status::Error;  // the autopilot's own word
   const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming || status == Status::AcceptedEarly;
-  if (mayBeWhole && !refused) return Aboard::NotKnown;
+  // An error after the last item may yet be to one that a radio has repeated, and that found an idle autopilot.
+  if (mayBeWhole && (!refused || status == Status::Error)) return Aboard::NotKnown;
   const Firmware firmware = plan_.firmware();
   if (firmware == Firmware::Px4) return Aboard::AsBefore;  // it keeps the old plan until the new one is whole
   if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;

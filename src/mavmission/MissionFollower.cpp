@@ -58,7 +58,10 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   total_ = message.total == 0xFFFF ? 0 : message.total;
   state_ = static_cast<MissionState>(message.mission_state);
   planId_ = message.mission_id;
-  if (state_ == MissionState::NoMission && planId_ != 0 && isOurPlan()) client_.noteInfeasible();
+  // PX4 looks at a plan after it has accepted it, and until then says the same of it: it counts when it is said again.
+  const bool isDoubted = state_ == MissionState::NoMission && planId_ != 0 && isOurPlan();
+  if (isDoubted && planId_ == doubtedId_) client_.noteInfeasible();
+  doubtedId_ = isDoubted ? planId_ : 0;
   if (item == current_) return;
   current_ = item;
   if (item == reached_) isNewLeg_ = true;

@@ -51,6 +51,7 @@ class MissionFollower : public Listener {
   TextFunction textFunction_ = nullptr;
   void* textContext_ = nullptr;
   uint32_t planId_ = 0;
+  uint32_t doubtedId_ = 0;  // of a plan that the autopilot has once called none
   uint16_t current_ = 0xFFFF;
   uint16_t reached_ = 0xFFFF;
   uint16_t total_ = 0;

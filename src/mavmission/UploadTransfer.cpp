@@ -35,6 +35,8 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
     tries_ = 0;
   } else if (answered_ && item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
     return Status::Transferring;
+  } else {
+    repeated_ = true;
   }
   item_ = item;
   answered_ = false;
@@ -88,9 +90,10 @@ Status UploadTransfer::onAck(uint8_t result) {
       }
       // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the plan.
       if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
-      // An idle autopilot says so of an item that reaches it after the end, PX4 "busy" to our own second COUNT: both go
-      // on. Otherwise it is what became of the item.
-      if (repeated_ || (state_ != State::Counting && firmware_ == Firmware::Px4 && recounted_)) {
+      // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
+      // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
+      if ((state_ == State::Confirming && repeated_) ||
+          (state_ != State::Counting && firmware_ == Firmware::Px4 && recounted_)) {
         suspicion_ = status;
         return Status::Transferring;
       }
@@ -123,6 +126,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
       if (!overdue) break;
       if (tries_ == kTries) return Status::Unconfirmed;
       ++tries_;
+      repeated_ = true;
       item_ = behind_ - 1;
       send_ = Send::Item;
       break;
@@ -142,9 +146,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
       send_ = Send::Count;
       break;
     case Send::Item:
-      if (state_ == State::Confirming) {
-        repeated_ = true;
-      } else if (item_ + 1u == behind_) {
+      if (state_ != State::Confirming && item_ + 1u == behind_) {
         state_ = State::Confirming;
         suspicion_ = Status::Transferring;
       }

@@ -82,7 +82,7 @@ class UploadTransfer {
   bool leftovers_;
   bool recounted_;                    // COUNT was sent more than once
   bool freed_;                        // an open transfer of ours was cancelled first
-  bool repeated_;                     // an item was sent after the last one
+  bool repeated_;                     // an item was sent more than once
   bool answered_;                     // item_ has been sent at least once
 };
 

@@ -11,19 +11,26 @@ bool isBeyond(int32_t value, int32_t limit) { return value > limit || value < -l
 bool hasPlace(const MissionItem& item) { return item.frame != Frame::Mission; }
 bool isSomewhere(const MissionItem& item) { return hasPlace(item) && (item.x != 0 || item.y != 0); }
 
+constexpr uint16_t bitOf(Frame frame) { return 1u << static_cast<uint8_t>(frame); }
+constexpr uint16_t kPlaceFrames = bitOf(Frame::Global) | bitOf(Frame::GlobalRelative) | bitOf(Frame::GlobalInt) |
+                                  bitOf(Frame::GlobalRelativeInt);
+constexpr uint16_t kTerrainFrames = bitOf(Frame::GlobalTerrain) | bitOf(Frame::GlobalTerrainInt);
+
+// Of an item with a place.
 bool isTakenBy(Firmware firmware, Frame frame) {
-  switch (frame) {
-    case Frame::Global:
-    case Frame::Mission:
-    case Frame::GlobalRelative:
-    case Frame::GlobalInt:
-    case Frame::GlobalRelativeInt:
-      return true;
-    case Frame::GlobalTerrain:
-    case Frame::GlobalTerrainInt:
-      return firmware != Firmware::Px4;
+  uint16_t taken = kPlaceFrames;
+  switch (firmware) {
+    case Firmware::Px4:
+      break;
+    case Firmware::ArduPilot:
+      taken |= kTerrainFrames;
+      break;
+    case Firmware::Other:
+    case Firmware::Unknown:
+      return true;  // it may know frames that have no name here
   }
-  return firmware == Firmware::Other || firmware == Firmware::Unknown;  // a frame that has no name here
+  const uint8_t number = static_cast<uint8_t>(frame);
+  return number < 16 && ((taken >> number) & 1) != 0;
 }
 
 }  // namespace
@@ -60,12 +67,6 @@ Status WirePlan::check(const MissionItem& item, uint8_t traits) const {
     const int32_t target = wholeNumber(item.param1);
     if (target < 0 || target >= count_) return Status::BadJump;
   }
-  if (raw_) return Status::Accepted;
-  if (firmware_ == Firmware::ArduPilot && (traits & kNotFlownByArduPilot)) return Status::NotFlown;
-  if (firmware_ == Firmware::Px4) {
-    if (traits & kNotFlownByPx4) return Status::NotFlown;
-    if (!hasPlace(item) && (traits & (kYawInParam4 | kPlaceIsOptional))) return Status::NeedsPlace;
-  }
   return Status::Accepted;
 }
 
@@ -76,24 +77,28 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
   for (uint8_t looked = 0; looked < MAVMISSION_ITEMS_PER_UPDATE; ++looked) {
     const uint16_t distance = searched_ / 2 + 1;
     const bool isBefore = ((searched_ & 1) ^ firstSide) != 0;
-    if (distance >= count_) {
-      searched_ = 0;
-      return Status::NeedsPlace;
-    }
-    ++searched_;
     const uint16_t near = isBefore ? index - distance : index + distance;  // wraps out of the plan before its start
-    if (near >= count_) continue;
-    MissionItem other;
-    if (!read_(context_, near, other)) return Status::SourceRefused;
-    // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
-    if (other.command < 95 && isSomewhere(other) && !(traitsOf(other.command) & kHasNoPlace)) {
-      item.x = other.x;
-      item.y = other.y;
-      searched_ = 0;
-      return Status::Accepted;
+    ++searched_;
+    Status found = Status::NeedsPlace;
+    if (distance < count_) {
+      if (near >= count_) continue;
+      found = takePlaceOf(near, item);
+      if (found == Status::Checking) continue;
     }
+    searched_ = 0;
+    return found;
   }
   return Status::Checking;
+}
+
+Status WirePlan::takePlaceOf(uint16_t index, MissionItem& item) const {
+  MissionItem other;
+  if (!read_(context_, index, other)) return Status::SourceRefused;
+  // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
+  if (other.command >= 95 || !isSomewhere(other) || (traitsOf(other.command) & kHasNoPlace)) return Status::Checking;
+  item.x = other.x;
+  item.y = other.y;
+  return Status::Accepted;
 }
 
 Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
@@ -113,14 +118,21 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
   const Status checked = check(item, traits);
   if (checked != Status::Accepted || raw_) return checked;
 
-  if ((traits & kHasNoPlace) || ((traits & kNoPlaceOnPx4) && firmware_ == Firmware::Px4)) item.frame = Frame::Mission;
+  uint8_t placeless = kHasNoPlace;
   if (firmware_ == Firmware::ArduPilot) {
+    if (traits & kNotFlownByArduPilot) return Status::NotFlown;
     if (kindOf(&item.param4) == FloatKind::NotANumber) item.param4 = 0;  // what "as you fly" is there
     if (item.command == kDoJump) item.param1 = oneMore(item.param1);
+  } else if (firmware_ == Firmware::Px4) {
+    if (traits & kNotFlownByPx4) return Status::NotFlown;
+    if (!hasPlace(item) && (traits & (kYawInParam4 | kPlaceIsOptional))) return Status::NeedsPlace;
+    if ((traits & kPlaceIsOptional) && !isSomewhere(item)) {
+      const Status found = findPlaceFor(wireIndex, item);
+      if (found != Status::Accepted) return found;
+    }
+    placeless |= kNoPlaceOnPx4;
   }
-  if (firmware_ == Firmware::Px4 && (traits & kPlaceIsOptional) && !isSomewhere(item)) {
-    return findPlaceFor(wireIndex, item);
-  }
+  if (traits & placeless) item.frame = Frame::Mission;
   return Status::Accepted;
 }
 

@@ -44,6 +44,8 @@ class WirePlan {
  private:
   Status check(const MissionItem& item, uint8_t traits) const;
   Status findPlaceFor(uint16_t index, MissionItem& item);
+  // Gives `item` the place of item `index`; Status::Checking if that has none to fly to.
+  MAVMISSION_APART Status takePlaceOf(uint16_t index, MissionItem& item) const;
 
   ItemFunction read_;
   void* context_;
