@@ -346,7 +346,9 @@ UNASKED = {
     "all to be cleared": lambda: mavlink.MAVLink_mission_clear_all_message(*US, 0),
 }
 # Those that end no running transfer.
-HARMLESS = ["a request", "a float request", "an item", "a count", "out of sequence", "a list wanted", "all to be cleared"]
+HARMLESS = [
+    "a request", "a float request", "an item", "a count", "out of sequence", "a list wanted", "all to be cleared",
+]  # fmt: skip
 
 
 @SPURIOUS
