@@ -65,10 +65,8 @@ uint32_t FrameParser::payloadLong(uint8_t index) const {
 }
 
 void FrameParser::copyPayload(void* message, uint8_t size) const {
-  const uint8_t* from = payload();
-  const uint8_t there = length();
   uint8_t* to = static_cast<uint8_t*>(message);
-  for (uint8_t i = 0; i < size; ++i) *to++ = i < there ? *from++ : 0;
+  for (uint8_t i = 0; i < size; ++i) *to++ = payloadByte(i);
 }
 
 bool FrameParser::isFor(uint8_t systemId, uint8_t componentId) const {

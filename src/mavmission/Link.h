@@ -78,10 +78,10 @@ class Link {
 
  private:
   // Nothing leaves before it is clear who is there, unless the sketch has given our ids.
-  bool maySpeak() const;
+  MAVMISSION_APART bool maySpeak() const;
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
-  MAVMISSION_APART void takeHeartbeat(uint16_t nowMs);
+  void takeHeartbeat(uint16_t nowMs);
   void sendMessage(uint8_t* payload, uint8_t keyIndex);
 
   struct State {

@@ -12,9 +12,10 @@ MissionClient::MissionClient(Stream& stream) {
   // All parts are plain data that begins at zero: one call does it, in 150 bytes less than a constructor for each.
   memset(static_cast<void*>(this), 0, sizeof(*this));
   link_.begin(stream);
-  rest_.failedItem = kNoItem;
+  state_.failedItem = kNoItem;
   rest_.lastResult = 255;
   state_.unsettled = true;
+  state_.cancelled = PlanType::All;
   rest_.planType = PlanType::All;
 }
 
@@ -40,14 +41,14 @@ void MissionClient::beginSeconds(uint16_t nowMs) {
 Status MissionClient::startOperation(Operation operation) {
   beginSeconds(static_cast<uint16_t>(millis()));
   state_.operation = operation;
-  rest_.failedItem = kNoItem;
+  state_.failedItem = kNoItem;
   state_.itemsDone = 0;
   rest_.itemsTotal = 0;
   rest_.lastResult = 255;
   rest_.field = Field::None;
   rest_.proving = false;
   rest_.turnPauseS = 0;
-  rest_.turnAtS = 0;
+  state_.turnAtS = 0;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
 }
@@ -65,8 +66,7 @@ void MissionClient::unsettle(uint16_t nowMs) {
 }
 
 void MissionClient::tellCancelled() {
-  state_.cancelDue = true;
-  state_.cancelType = state_.type;
+  state_.cancelled = state_.type;
 }
 
 void MissionClient::cancel() {
@@ -123,9 +123,9 @@ Status MissionClient::updateAt(uint16_t nowMs) {
     if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
   }
   // An autopilot that is not heard would not hear it either.
-  if (state_.cancelDue && hasAutopilot() && link_.canSend()) {
-    state_.cancelDue = false;
-    sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelType);
+  if (state_.cancelled != PlanType::All && hasAutopilot() && link_.canSend()) {
+    sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelled);
+    state_.cancelled = PlanType::All;
   }
   if (state_.operation != nullptr) state_.operation(*this, nullptr, nowMs);
   link_.onTime(nowMs);

@@ -133,7 +133,7 @@ class MissionClient {
   Status status() const { return state_.status; }  // of the running operation, or the last one
   bool isBusy() const { return state_.operation != nullptr; }
   // The item that the status is about, counted as the sketch counts, or kNoItem. ArduPilot's home is no item.
-  uint16_t failedItem() const { return rest_.failedItem; }
+  uint16_t failedItem() const { return state_.failedItem; }
   uint16_t itemsDone() const { return state_.itemsDone; }    // of the running or last transfer
   uint16_t itemsTotal() const { return rest_.itemsTotal; }
   // What differs after Status::Differs.
@@ -246,7 +246,7 @@ class MissionClient {
   Aboard aboardAfterUpload(Status status) const;
   void waitForAutopilot();
   void beginChecking();
-  MAVMISSION_APART MAVMISSION_ONE_EXIT void checkPlan(uint16_t nowMs);
+  void checkPlan(uint16_t nowMs);
   MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
   void sendUpload(uint16_t nowMs);
@@ -279,47 +279,46 @@ class MissionClient {
     uint16_t unsettledMs;      // when a transfer was last left without an answer
     uint16_t next;             // the wire item to be checked, or to be added to opaqueId_
     uint16_t itemsDone;
+    uint16_t failedItem;
+    uint16_t turnAtS;          // when to try again, and when the transfer's own time began [s]
     // Begins a partial upload, and announces it; null: all of it, by MISSION_COUNT.
     Status (*announce)(MissionClient& client, bool isBeginning);
-    bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
     Status status;
     bool unsettled;            // so after a reset: what ran before it may still be answered
-    bool cancelDue;            // the autopilot is to be told that a transfer was cancelled
-    PlanType cancelType;
+    PlanType cancelled;        // of the transfer that the autopilot is to be told was cancelled; All: there is none
     PlanType type;             // of the running operation
-    void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
     bool floatItems;           // items go out as MISSION_ITEM
     void (*toFloats)(void* itemMessage);  // makes MISSION_ITEM of MISSION_ITEM_INT, where the sketch wants that
   };
 
   // Settings and results.
   struct Rest {
+    void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
+    bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
     ProgressFunction progress;
     void* progressContext;
     EndFunction ended;
     void* endedContext;
-    uint16_t failedItem;
     uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
     uint16_t turnLimitS;       // how long to wait for another ground station's transfer [s]
-    uint16_t turnAtS;          // when to try again, and when the transfer's own time began [s]
     uint16_t partFirst;        // the items of a partial upload, as the sketch counts
     uint16_t partCount;
     uint8_t turnPauseS;        // the pause before the next try; 0 before the first
     Status toReturn;
     Aboard aboard[4];          // by PlanType; the last is nobody's
     uint8_t lastResult;
-    bool armedAllowed;
-    bool raw;
-    bool tooLong;              // the source has more items than the protocol can count
     PlanType planType;         // of the plan that uploadAgain() takes; All before there is one
     uint32_t planId;           // the autopilot's own name for the mission that was accepted or verified last; 0: none
     Proof proof;
     Field field;               // that differs
     StartStep startStep;
-    bool infeasible;           // the autopilot has said so of the plan that it accepted
-    bool proving;              // an upload is being read back
+    bool armedAllowed : 1;     // bits, for 4 bytes of RAM at 18 of flash
+    bool raw : 1;
+    bool tooLong : 1;          // the source has more items than the protocol can count
+    bool infeasible : 1;       // the autopilot has said so of the plan that it accepted
+    bool proving : 1;          // an upload is being read back
   };
 
   // Reading a plan: by download(), verify(), or to prove an upload.

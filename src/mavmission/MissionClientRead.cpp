@@ -35,7 +35,7 @@ Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof)
   const Status status = upload(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = proof;
-  state_.prove = proof != Proof::ByAnswer ? proveUpload : nullptr;
+  rest_.prove = proof != Proof::ByAnswer ? proveUpload : nullptr;
   return status;
 }
 
@@ -65,7 +65,7 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
   if (status != Status::Transferring) return client.endReading(status);
   const uint16_t setS = client.rest_.transferLimitS;
   const uint16_t limitS = setS != 0 ? setS : UploadTransfer::defaultLimitS(client.reading_.transfer.count());
-  if (static_cast<uint16_t>(state.seconds - client.rest_.turnAtS) >= limitS) return client.endReading(Status::TookTooLong);
+  if (static_cast<uint16_t>(state.seconds - client.state_.turnAtS) >= limitS) return client.endReading(Status::TookTooLong);
   client.sendRead(nowMs);
 }
 
@@ -178,7 +178,7 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
   const Status taken = reading_.take(*this, seq, piece.item);
   if (taken == Status::Checking) return;  // it will be asked for again
   if (taken != Status::Transferring) {
-    rest_.failedItem = ownItem(seq);
+    state_.failedItem = ownItem(seq);
     return endReading(taken);
   }
   transfer.onItem(seq);

@@ -7,7 +7,7 @@ namespace mavmission {
 
 void MissionClient::retryWhenDenied(uint16_t seconds) {
   rest_.turnLimitS = seconds;
-  state_.denied = seconds != 0 ? waitForTurn : nullptr;
+  rest_.denied = seconds != 0 ? waitForTurn : nullptr;
 }
 
 // Takes up a refusal of COUNT; false if the time allowed is over.
@@ -17,7 +17,7 @@ bool MissionClient::waitForTurn(MissionClient& client, Status refusal) {
   if (client.rest_.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
   client.rest_.turnPauseS = client.rest_.turnPauseS == 0 ? 1 : client.rest_.turnPauseS >= 8 ? 8 : 2 * client.rest_.turnPauseS;
   if (state.seconds + client.rest_.turnPauseS > client.rest_.turnLimitS) return false;
-  client.rest_.turnAtS = state.seconds + client.rest_.turnPauseS;
+  client.state_.turnAtS = state.seconds + client.rest_.turnPauseS;
   state.status = Status::WaitingForTurn;
   state.operation = turnStep;
   return true;
@@ -25,7 +25,7 @@ bool MissionClient::waitForTurn(MissionClient& client, Status refusal) {
 
 void MissionClient::turnStep(MissionClient& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
-  if (frame != nullptr || state.seconds < client.rest_.turnAtS) return;
+  if (frame != nullptr || state.seconds < client.state_.turnAtS) return;
   state.operation = uploadStep;
   state.status = Status::WaitingForAutopilot;  // it may have been armed, or lost, meanwhile: from the start
 }

@@ -10,7 +10,7 @@ namespace mavmission {
 Status MissionClient::upload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   setPlan(plan, type);
-  state_.prove = nullptr;
+  rest_.prove = nullptr;
   rest_.partFirst = 0;
   return uploadAgain();
 }
@@ -43,7 +43,7 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
     if (status != Status::Transferring) return client.continueUpload(status, nowMs);
     const uint16_t setS = client.rest_.transferLimitS;
     const uint16_t limitS = setS != 0 ? setS : UploadTransfer::defaultLimitS(client.plan_.wireCount());
-    if (static_cast<uint16_t>(client.state_.seconds - client.rest_.turnAtS) >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
+    if (static_cast<uint16_t>(client.state_.seconds - client.state_.turnAtS) >= limitS) return client.continueUpload(Status::TookTooLong, nowMs);
     return client.sendUpload(nowMs);
   }
   if (frame != nullptr) return;
@@ -79,7 +79,7 @@ void MissionClient::checkPlan(uint16_t nowMs) {
     const Status checked = checkItem(state_.next);
     if (checked == Status::Checking) return;
     if (checked != Status::Accepted) {
-      rest_.failedItem = ownItem(state_.next);
+      state_.failedItem = ownItem(state_.next);
       return end(checked);
     }
     ++state_.next;
@@ -134,8 +134,8 @@ Status MissionClient::proven(uint32_t opaqueId) {
 // Takes what the transfer says of how it goes.
 void MissionClient::continueUpload(Status status, uint16_t nowMs) {
   // The autopilot holds every item that it asked for but the last one.
-  const uint16_t held = transfer_.itemsAskedFor() > 0 ? transfer_.itemsAskedFor() - 1 : 0;
-  if (held > plan_.homeItems()) report(held - plan_.homeItems());
+  const uint16_t notHeld = plan_.homeItems() + 1;
+  if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
   if (status == Status::Transferring || state_.operation == nullptr) return;
 
   if (status == Status::Unsupported && state_.toFloats != nullptr && !state_.floatItems && plan_.firmware() == Firmware::Other &&
@@ -143,11 +143,11 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
     state_.floatItems = true;  // it knows no MISSION_ITEM_INT: once more, with floats
     return beginUpload(nowMs);
   }
-  if (state_.denied != nullptr && !transfer_.hasBegun() && state_.denied(*this, status)) return;
+  if (rest_.denied != nullptr && !transfer_.hasBegun() && rest_.denied(*this, status)) return;
   const bool isInDoubt = status == Status::Unconfirmed;
   if (isInDoubt) unsettle(nowMs);
   const bool isProofDue = isInDoubt || (status == Status::Accepted && rest_.proof == Proof::Always);
-  if (isProofDue && state_.prove != nullptr) return state_.prove(*this, nowMs);
+  if (isProofDue && rest_.prove != nullptr) return rest_.prove(*this, nowMs);
   setAboard(aboardAfterUpload(status));
   switch (status) {
     case Status::Accepted:
@@ -160,13 +160,13 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
     case Status::SourceRefused:
       tellCancelled();
       unsettle(nowMs);
-      if (status == Status::TimedOut) rest_.failedItem = ownItem(transfer_.lastItem());
+      if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
       break;
     case Status::Unconfirmed:
       break;
     default:
       state_.unsettled = false;
-      if (transfer_.hasBegun()) rest_.failedItem = ownItem(transfer_.lastItem());
+      if (transfer_.hasBegun()) state_.failedItem = ownItem(transfer_.lastItem());
       break;
   }
   end(status);
@@ -237,7 +237,7 @@ bool MissionClient::sendItem(uint16_t nowMs) {
   const Status read = plan_.read(wireItem, piece.item);
   if (read == Status::Checking) return false;
   if (read != Status::Accepted) {
-    rest_.failedItem = ownItem(wireItem);
+    state_.failedItem = ownItem(wireItem);
     continueUpload(read, nowMs);
     return false;
   }
@@ -261,7 +261,7 @@ bool MissionClient::sendItem(uint16_t nowMs) {
   link_.send(message);
   if (wireItem == state_.next && plan_.firmware() == Firmware::Px4) {
     link_.flush(nowMs);  // the item leaves first: the sum takes as long as packing it
-    opaqueId_.add(static_cast<uint8_t>(frame), command, autocontinue, &message);
+    opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
     ++state_.next;
   }
   return true;

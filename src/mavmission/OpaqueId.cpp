@@ -16,10 +16,10 @@ void OpaqueId::add(const void* bytes, uint8_t length) {
   crc_ = crc;
 }
 
-void OpaqueId::add(uint8_t frame, uint16_t command, uint8_t autocontinue, const void* params) {
-  add(&frame, 1);
-  add(&command, 2);
-  add(&autocontinue, 1);
+void OpaqueId::add(const void* frame, const void* command, const void* autocontinue, const void* params) {
+  add(frame, 1);
+  add(command, 2);
+  add(autocontinue, 1);
   add(params, kPlaceBytes);
 }
 

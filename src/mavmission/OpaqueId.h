@@ -13,8 +13,9 @@ namespace mavmission {
 class OpaqueId {
  public:
   void begin() { crc_ = 0; }
-  // Adds an item as it goes out; `params`: its param1 to z, kPlaceBytes bytes as in MISSION_ITEM_INT.
-  void add(uint8_t frame, uint16_t command, uint8_t autocontinue, const void* params);
+  // Adds an item as it goes out. Each points at the bytes of the message, so that nothing is copied: the command's two,
+  // kPlaceBytes of param1 to z at `params`, one of the others.
+  void add(const void* frame, const void* command, const void* autocontinue, const void* params);
   uint32_t value() const { return crc_; }
 
  private:

@@ -29,7 +29,7 @@ class Outbox {
   // Begins a frame. Only when isEmpty(). `version`: MAVLink 1 or 2.
   void begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId);
   // Completes it with a message: its key, in flash, and a payload of key->length bytes.
-  MAVMISSION_APART void complete(const MessageKey* key, const uint8_t* payload);
+  void complete(const MessageKey* key, const uint8_t* payload);
 
   // Completes it with a message of the sketch's own, whose payload stays where it is until it has been sent.
   void completeForeign(const OutgoingMessage& message);

@@ -3,22 +3,14 @@
 namespace mavmission {
 
 void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs) {
+  *this = UploadTransfer();  // all zero: Counting, nothing asked for
   progressMs_ = nowMs;
   sentMs_ = nowMs;
-  first_ = 0;
   behind_ = count;
-  asked_ = 0;
-  item_ = 0;
-  state_ = State::Counting;
   send_ = Send::Count;
-  tries_ = 0;
   suspicion_ = Status::Transferring;
   firmware_ = firmware;
   leftovers_ = leftovers;
-  freed_ = false;
-  recounted_ = false;
-  repeated_ = false;
-  answered_ = false;
 }
 
 Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {

@@ -53,10 +53,10 @@ class UploadTransfer {
   // What is to be sent next, and the item if it is one. After it has been handed to the link: sent().
   Send toSend() const { return send_; }
   uint16_t itemToSend() const { return item_; }
-  void sent(uint16_t nowMs);
+  MAVMISSION_APART void sent(uint16_t nowMs);
 
   State state() const { return state_; }
-  bool hasBegun() const { return asked_ != first_; }
+  bool hasBegun() const { return state_ != State::Counting; }
   // An answer was heard that may have been to an earlier transfer.
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.

@@ -53,7 +53,7 @@ std::vector<Recorded> recordedUploads() {
 uint32_t idOf(const std::vector<Item>& items) {
   OpaqueId id;
   id.begin();
-  for (const Item& item : items) id.add(item.frame, item.command, item.autocontinue, item.params);
+  for (const Item& item : items) id.add(&item.frame, &item.command, &item.autocontinue, item.params);
   return id.value();
 }
 
@@ -85,8 +85,8 @@ TEST_CASE("an empty plan has the id 0, and begin() forgets what was added") {
   OpaqueId id;
   id.begin();
   CHECK(id.value() == 0);
-  const uint8_t params[kPlaceBytes] = {1};
-  id.add(3, 16, 1, params);
+  const Item item = {3, 1, 16, {1}};
+  id.add(&item.frame, &item.command, &item.autocontinue, item.params);
   CHECK(id.value() != 0);
   id.begin();
   CHECK(id.value() == 0);
