@@ -54,11 +54,13 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
 }
 
 void AutopilotFinder::onTime(uint16_t nowMs) {
-  if (heard_ && since(heardMs_, nowMs) >= kLostMs) {
-    heard_ = false;
-    settled_ = false;
+  if (heard_) {
+    if (since(firstMs_, nowMs) >= kSettleMs) settled_ = true;
+    if (since(heardMs_, nowMs) >= kLostMs) {
+      heard_ = false;
+      settled_ = false;
+    }
   }
-  if (heard_ && !settled_ && since(firstMs_, nowMs) >= kSettleMs) settled_ = true;
   if (severalHeard_ && since(otherMs_, nowMs) >= kLostMs) severalHeard_ = false;
 }
 

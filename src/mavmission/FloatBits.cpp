@@ -53,8 +53,7 @@ bool isNegative(float value) { return (bitsOf(value) & kSign) != 0; }
 int32_t wholeNumber(float value) {
   const uint32_t bits = bitsOf(value);
   if ((bits & ~kSign) == 0) return 0;
-  if ((bits & kSign) != 0) return -1;
-  const uint8_t biased = biasedExponent(bits);
+  const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // the sign above it: beyond any
   if (biased < kBias || biased > kBias + 15) return -1;
   uint32_t mantissa = (bits & (kHidden - 1)) | kHidden;
   for (uint8_t shift = 23 - (biased - kBias); shift != 0; --shift) {

@@ -46,8 +46,7 @@ const MessageKey* MoreKeys::find(uint16_t messageId) const {
 
 const MessageKey* FrameParser::keyOf(uint16_t messageId) const {
   const MessageKey* key = wantedKey(messageId);
-  for (const MoreKeys* more = moreKeys_; key == nullptr && more != nullptr; more = more->next) key = more->find(messageId);
-  return key;
+  return key == nullptr && moreKeys_ != nullptr ? moreKeys_->search(moreKeys_, messageId) : key;
 }
 
 bool FrameParser::isV2() const { return bytes_[0] == MAVLINK_STX; }
@@ -61,7 +60,13 @@ uint16_t FrameParser::payloadWord(uint8_t index) const {
 }
 
 uint32_t FrameParser::payloadLong(uint8_t index) const {
-  return payloadWord(index) | static_cast<uint32_t>(payloadWord(index + 2)) << 16;
+  union {  // 12 bytes less than a shift
+    uint16_t words[2];
+    uint32_t value;
+  } both;
+  both.words[0] = payloadWord(index);
+  both.words[1] = payloadWord(index + 2);
+  return both.value;
 }
 
 void FrameParser::copyPayload(void* message, uint8_t size) const {
@@ -104,15 +109,14 @@ FrameParser::Result FrameParser::grow(uint8_t byte) {
       boundary_ = 0;
       crc_ = kChecksumStart;
     } else if (skip_ == 0) {
-      inStep_ = false;
-      ++bytesSkipped_;
+      skipByte();
     }
     return Result::Nothing;
   }
   bytes_[have_++] = byte;
   if (need_ != 0) {
     if (have_ == need_) return complete();
-    if (have_ != need_ - 1) crc_ = checksum(crc_, byte);
+    if (have_ != static_cast<Index>(need_ - 1)) crc_ = checksum(crc_, byte);
     return Result::Nothing;
   }
   crc_ = checksum(crc_, byte);
@@ -150,8 +154,9 @@ FrameParser::Result FrameParser::classify() {
     return Result::Nothing;
   }
   noteSender();
-  skip_ = length + kChecksum + 1;
-  if (isSigned()) skip_ += kSignature;
+  uint16_t skip = length + kChecksum + 1;
+  if (isSigned()) skip += kSignature;
+  skip_ = skip;
   // Data that looks like a carrier's header is common after damage: it must begin where a frame is due, and have a
   // sender (0 is none).
   const bool carries = inStep_ && sender_.systemId != 0 && !(v2 && bytes_[9] != 0) && isCarrier(id);
@@ -167,7 +172,8 @@ FrameParser::Result FrameParser::classify() {
 
 FrameParser::Result FrameParser::complete() {
   const uint16_t crc = checksum(crc_, crcExtra_);
-  if (bytes_[need_ - 2] != static_cast<uint8_t>(crc) || bytes_[need_ - 1] != static_cast<uint8_t>(crc >> 8)) {
+  const uint8_t* const sum = bytes_ + need_ - kChecksum;
+  if (static_cast<uint16_t>(sum[0] | sum[1] << 8) != crc) {
     ++badChecksums_;
     giveUp();
     return Result::Nothing;
@@ -188,6 +194,11 @@ FrameParser::Result FrameParser::complete() {
   return Result::Wanted;
 }
 
+void FrameParser::skipByte() {
+  inStep_ = false;
+  ++bytesSkipped_;
+}
+
 void FrameParser::giveUp() {
   // The first byte began nothing. Those behind it are looked at again, then those that were waiting already.
   if (skip_ != 0) {
@@ -196,8 +207,7 @@ void FrameParser::giveUp() {
     skip_ = boundary_;  // it began inside a frame that has ended: so do those behind it, as far as that frame went
     stepping_ = Stepping::Reported;
   } else {
-    inStep_ = false;
-    ++bytesSkipped_;
+    skipByte();
   }
   const Index waiting = end_ - read_;
   memmove(bytes_ + have_, bytes_ + read_, waiting);

@@ -25,11 +25,17 @@ struct MessageKey {
   uint8_t target;    // where target_system lies in the payload, target_component behind it; kNoTarget if it has none
 };
 
+class FrameParser;
+
 // More messages that are wanted, by a listener; a list of them is walked through.
 struct MoreKeys {
   const MessageKey* keys;  // in flash
   uint8_t count;
   MoreKeys* next;
+  // What is done with the list that begins with this one. It is reached through the list alone, so that a sketch without
+  // a listener has no code for it: the key of a message, in flash, or null; and a frame, to all that want it.
+  const MessageKey* (*search)(const MoreKeys* list, uint16_t messageId);
+  void (*tell)(const MoreKeys* list, const FrameParser& frame);
 
   // The key of a message, in flash, or null.
   const MessageKey* find(uint16_t messageId) const;
@@ -114,13 +120,15 @@ class FrameParser {
   // Reported: a signature, or the rest of a message that has been given as Unwanted already.
   enum class Stepping : uint8_t { Message, MessageWithBytes, Reported };
 
-  Result grow(uint8_t byte);
+  MAVMISSION_ONE_EXIT Result grow(uint8_t byte);
   Result classify();
   Result complete();
   void noteSender();
   const MessageKey* keyOf(uint16_t messageId) const;
   bool isV2() const;
   bool isSigned() const;
+  // Counts a byte that belongs to no frame.
+  MAVMISSION_APART void skipByte();
   void giveUp();
 
   Index have_;        // bytes of the frame that has begun

@@ -33,12 +33,6 @@ void Link::add(Listener& listener) {
   MoreKeys*& first = parser_.moreKeys();
   listener.next = first;
   first = &listener;
-  tell_ = [](const FrameParser& frame, const MoreKeys* listeners) {
-    for (const MoreKeys* one = listeners; one != nullptr; one = one->next) {
-      Listener& hearing = *static_cast<Listener*>(const_cast<MoreKeys*>(one));
-      if (one->find(frame.messageId()) != nullptr) hearing.take_(hearing, frame);
-    }
-  };
 }
 
 void Link::takeHeartbeat(uint16_t nowMs) {
@@ -88,7 +82,8 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
   if (isWanted) {
     ++state_.frames;
     if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) takeHeartbeat(nowMs);
-    if (tell_ != nullptr) tell_(parser_, parser_.moreKeys());
+    const MoreKeys* const listeners = parser_.moreKeys();
+    if (listeners != nullptr) listeners->tell(listeners, parser_);
   } else {
     ++state_.unknownMessages;
   }
@@ -100,9 +95,8 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
   return isWanted && parser_.isFor(systemId(), componentId());
 }
 
-void Link::sendMessage(uint8_t* payload, uint8_t keyIndex) {
+void Link::sendMessage(uint8_t* payload, const MessageKey* key) {
   if (!maySpeak()) return;
-  const MessageKey* const key = &kKeys[keyIndex];
   const uint8_t target = fromFlash(&key->target);
   if (target != MessageKey::kNoTarget) {
     payload[target] = finder_.heartbeat().systemId;

@@ -82,7 +82,7 @@ class Link {
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
-  void sendMessage(uint8_t* payload, uint8_t keyIndex);
+  void sendMessage(uint8_t* payload, const MessageKey* key);
 
   struct State {
     uint16_t heardByteMs;
@@ -102,8 +102,6 @@ class Link {
   };
 
   Stream* stream_;
-  // Null until a listener is added, so that a sketch without one has no code for it.
-  void (*tell_)(const FrameParser& frame, const MoreKeys* listeners);
   State state_;
   AutopilotFinder finder_;
   Outbox outbox_;

@@ -5,8 +5,21 @@
 namespace mavmission {
 
 Listener::Listener(MissionClient& client, const MessageKey* keys, uint8_t count, Take take)
-    : MoreKeys{keys, count, nullptr}, client_(client), take_(take) {
+    : MoreKeys{keys, count, nullptr, keyAmong, tellAll}, client_(client), take_(take) {
   client.link_.add(*this);
+}
+
+const MessageKey* Listener::keyAmong(const MoreKeys* list, uint16_t messageId) {
+  const MessageKey* key = nullptr;
+  for (; key == nullptr && list != nullptr; list = list->next) key = list->find(messageId);
+  return key;
+}
+
+void Listener::tellAll(const MoreKeys* list, const FrameParser& frame) {
+  for (; list != nullptr; list = list->next) {
+    Listener& hearing = *static_cast<Listener*>(const_cast<MoreKeys*>(list));
+    if (list->find(frame.messageId()) != nullptr) hearing.take_(hearing, frame);
+  }
 }
 
 bool Listener::isFromAutopilot(const FrameParser& frame) const {

@@ -29,6 +29,9 @@ class Listener : private MoreKeys {
 
  private:
   friend class Link;
+  static const MessageKey* keyAmong(const MoreKeys* list, uint16_t messageId);
+  static void tellAll(const MoreKeys* list, const FrameParser& frame);
+
   Take take_;
 };
 

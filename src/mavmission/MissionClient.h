@@ -199,6 +199,8 @@ class MissionClient {
   // An operation's share of update(): a frame of the autopilot's, or null for time to pass.
   typedef void (*Operation)(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
 
+  static bool takeUpEnd(MissionClient& client, Status status, uint16_t nowMs);
+  static bool tryFloats(MissionClient& client, Status refusal, uint16_t nowMs);
   static bool waitForTurn(MissionClient& client, Status refusal);
   static void turnStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   MAVMISSION_ONE_EXIT static void uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
@@ -243,13 +245,13 @@ class MissionClient {
   void tellCancelled();
   void setAboard(Aboard what) { setAboard(state_.type, what); }
   void setAboard(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
-  Aboard aboardAfterUpload(Status status) const;
+  MAVMISSION_APART Aboard aboardAfterUpload(Status status) const;
   void waitForAutopilot();
   void beginChecking();
   void checkPlan(uint16_t nowMs);
   MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
-  void sendUpload(uint16_t nowMs);
+  MAVMISSION_APART void sendUpload(uint16_t nowMs);
   MAVMISSION_APART Status checkItem(uint16_t wireItem);
   void sendCount(uint16_t items);
   bool sendItem(uint16_t nowMs);
@@ -294,7 +296,9 @@ class MissionClient {
   // Settings and results.
   struct Rest {
     void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
+    bool (*takeUp)(MissionClient& client, Status status, uint16_t nowMs);  // null until one of these is set
     bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
+    bool (*unsupported)(MissionClient& client, Status refusal, uint16_t nowMs);  // the same, of an item
     ProgressFunction progress;
     void* progressContext;
     EndFunction ended;

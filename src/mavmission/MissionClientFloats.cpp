@@ -21,8 +21,19 @@ void toFloats(void* itemMessage) {
 
 }  // namespace
 
+// Takes up the refusal of an autopilot that knows no MISSION_ITEM_INT: once more, with floats.
+bool MissionClient::tryFloats(MissionClient& client, Status refusal, uint16_t nowMs) {
+  if (refusal != Status::Unsupported || client.state_.floatItems) return false;
+  if (client.plan_.firmware() != Firmware::Other || client.transfer_.itemsAskedFor() != 1) return false;
+  client.state_.floatItems = true;
+  client.beginUpload(nowMs);
+  return true;
+}
+
 void MissionClient::serveFloatItems(bool always) {
   state_.toFloats = toFloats;
+  rest_.unsupported = tryFloats;
+  rest_.takeUp = takeUpEnd;
   state_.floatItems = always;
 }
 

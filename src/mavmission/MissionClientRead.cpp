@@ -36,12 +36,13 @@ Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof)
   if (isEnd(status)) return status;
   rest_.proof = proof;
   rest_.prove = proof != Proof::ByAnswer ? proveUpload : nullptr;
+  rest_.takeUp = takeUpEnd;
   return status;
 }
 
 // 1 where the autopilot's own item 0 is home, and not the sketch's.
 uint8_t MissionClient::homeBefore() const {
-  return plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission && !rest_.raw ? 1 : 0;
+  return plan_.beginsWithHome() ? 1 : 0;
 }
 
 bool MissionClient::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }

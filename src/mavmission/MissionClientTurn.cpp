@@ -8,6 +8,7 @@ namespace mavmission {
 void MissionClient::retryWhenDenied(uint16_t seconds) {
   rest_.turnLimitS = seconds;
   rest_.denied = seconds != 0 ? waitForTurn : nullptr;
+  rest_.takeUp = takeUpEnd;
 }
 
 // Takes up a refusal of COUNT; false if the time allowed is over.

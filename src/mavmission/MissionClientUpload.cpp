@@ -138,16 +138,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
   if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
   if (status == Status::Transferring || state_.operation == nullptr) return;
 
-  if (status == Status::Unsupported && state_.toFloats != nullptr && !state_.floatItems && plan_.firmware() == Firmware::Other &&
-      transfer_.itemsAskedFor() == 1) {
-    state_.floatItems = true;  // it knows no MISSION_ITEM_INT: once more, with floats
-    return beginUpload(nowMs);
-  }
-  if (rest_.denied != nullptr && !transfer_.hasBegun() && rest_.denied(*this, status)) return;
-  const bool isInDoubt = status == Status::Unconfirmed;
-  if (isInDoubt) unsettle(nowMs);
-  const bool isProofDue = isInDoubt || (status == Status::Accepted && rest_.proof == Proof::Always);
-  if (isProofDue && rest_.prove != nullptr) return rest_.prove(*this, nowMs);
+  if (rest_.takeUp != nullptr && rest_.takeUp(*this, status, nowMs)) return;
   setAboard(aboardAfterUpload(status));
   switch (status) {
     case Status::Accepted:
@@ -163,6 +154,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
       if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
       break;
     case Status::Unconfirmed:
+      unsettle(nowMs);
       break;
     default:
       state_.unsettled = false;
@@ -192,8 +184,8 @@ Aboard MissionClient::aboardAfterUpload(Status status) const {
 }
 
 uint16_t MissionClient::ownItem(uint16_t wireItem) const {
-  const uint8_t home = homeBefore();
-  return wireItem < home ? kNoItem : wireItem - home;
+  static_assert(static_cast<uint16_t>(0 - 1) == kNoItem, "home is no item");
+  return wireItem - homeBefore();
 }
 
 void MissionClient::sendUpload(uint16_t nowMs) {
@@ -256,9 +248,9 @@ bool MissionClient::sendItem(uint16_t nowMs) {
   if (state_.floatItems) {
     state_.toFloats(&message);
     link_.sendAs<mavlink_mission_item_t>(&message);
-    return true;
+  } else {
+    link_.send(message);
   }
-  link_.send(message);
   if (wireItem == state_.next && plan_.firmware() == Firmware::Px4) {
     link_.flush(nowMs);  // the item leaves first: the sum takes as long as packing it
     opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);

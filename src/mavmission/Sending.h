@@ -14,7 +14,7 @@ void Link::send(T& message) {
 template <typename T>
 void Link::sendAs(void* payload) {
   static_assert(sizeof(T) <= Outbox::kMaxPayload, "the outbox holds it");
-  sendMessage(static_cast<uint8_t*>(payload), static_cast<uint8_t>(MessageOf<T>::kKey));
+  sendMessage(static_cast<uint8_t*>(payload), &kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)]);
 }
 
 }  // namespace mavmission

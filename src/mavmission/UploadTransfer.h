@@ -47,7 +47,7 @@ class UploadTransfer {
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
   Status onRequest(uint16_t item, uint16_t nowMs);
-  MAVMISSION_APART Status onAck(uint8_t result);
+  Status onAck(uint8_t result);
   MAVMISSION_APART Status onTime(uint16_t nowMs);
 
   // What is to be sent next, and the item if it is one. After it has been handed to the link: sent().

@@ -65,7 +65,7 @@ Status WirePlan::check(const MissionItem& item, uint8_t traits) const {
   }
   if (item.command == kDoJump) {
     const int32_t target = wholeNumber(item.param1);
-    if (target < 0 || target >= count_) return Status::BadJump;
+    if (target < 0 || static_cast<uint16_t>(target) >= count_) return Status::BadJump;
   }
   return Status::Accepted;
 }
@@ -96,8 +96,9 @@ Status WirePlan::takePlaceOf(uint16_t index, MissionItem& item) const {
   if (!read_(context_, index, other)) return Status::SourceRefused;
   // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
   if (other.command >= 95 || !isSomewhere(other) || (traitsOf(other.command) & kHasNoPlace)) return Status::Checking;
-  item.x = other.x;
-  item.y = other.y;
+  // x and y at once, in 16 bytes less.
+  constexpr size_t kFrom = offsetof(MissionItem, x);
+  memcpy(reinterpret_cast<uint8_t*>(&item) + kFrom, reinterpret_cast<const uint8_t*>(&other) + kFrom, 8);
   return Status::Accepted;
 }
 
@@ -121,7 +122,7 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
   uint8_t placeless = kHasNoPlace;
   if (firmware_ == Firmware::ArduPilot) {
     if (traits & kNotFlownByArduPilot) return Status::NotFlown;
-    if (kindOf(&item.param4) == FloatKind::NotANumber) item.param4 = 0;  // what "as you fly" is there
+    if (kindOf(&item.param4) != FloatKind::Finite) item.param4 = 0;  // a NaN, for "as you fly": 0 is that there
     if (item.command == kDoJump) item.param1 = oneMore(item.param1);
   } else if (firmware_ == Firmware::Px4) {
     if (traits & kNotFlownByPx4) return Status::NotFlown;

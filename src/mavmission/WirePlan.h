@@ -24,6 +24,9 @@ class WirePlan {
 
   Firmware firmware() const { return firmware_; }
 
+  // True where wire item 0 is home, whoever supplies it.
+  bool beginsWithHome() const { return firmware_ == Firmware::ArduPilot && !raw_; }
+
   // The sketch's items.
   uint16_t count() const { return count_; }
 

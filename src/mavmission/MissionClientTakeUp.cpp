@@ -1,0 +1,20 @@
+// MissionClient taking up how an upload has ended, where the sketch asked for more than to be told: the options meet here,
+// so that an upload without any of them has one test for all.
+#include "MissionClient.h"
+
+namespace mavmission {
+
+// True if the operation goes on.
+bool MissionClient::takeUpEnd(MissionClient& client, Status status, uint16_t nowMs) {
+  const Rest& rest = client.rest_;
+  if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
+  if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
+  const bool isInDoubt = status == Status::Unconfirmed;
+  const bool isProofDue = isInDoubt || (status == Status::Accepted && rest.proof == Proof::Always);
+  if (!isProofDue || rest.prove == nullptr) return false;
+  if (isInDoubt) client.unsettle(nowMs);
+  rest.prove(client, nowMs);
+  return true;
+}
+
+}  // namespace mavmission
