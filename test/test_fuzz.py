@@ -23,7 +23,7 @@ from firmware import LIBRARY, ROOT
 from host_build import FUZZED, HOST, build_host
 
 FUZZ = ROOT / "test" / "fuzz"
-PARSER = [LIBRARY / "mavmission" / name for name in ("FrameParser.cpp", "Messages.cpp")]
+PARSER = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
 
 # target: (the library's sources, inputs that are tried, the longest one [bytes])
 TARGETS = {"parser": (PARSER, 60_000, 600), "client": (None, 40_000, 400)}

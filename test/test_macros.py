@@ -13,7 +13,7 @@ from test_host import run_unit
 # Macro: its least and its greatest value.
 LIMITS = {
     "MAVMISSION_MAX_PAYLOAD": (38, 255),
-    "MAVMISSION_BYTES_PER_UPDATE": (16, 1000),
+    "MAVMISSION_BYTES_PER_UPDATE": (16, 255),
     "MAVMISSION_ITEMS_PER_UPDATE": (1, 255),
 }
 SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"

@@ -69,7 +69,7 @@ def losses(frames: list[bytes], folder: Path) -> dict[tuple[str, str], Loss]:
     """(kind of damage, parser) -> what it cost."""
     stream = folder / "stream"
     stream.write_bytes(b"".join(struct.pack("<H", len(frame)) + frame for frame in frames))
-    parser = [LIBRARY / "mavmission" / name for name in ("FrameParser.cpp", "Messages.cpp")]
+    parser = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
     program = build_host(
         "resynchronisation", [ROOT / "test/resynchronisation/measure.cpp"], flags=FAST, library=parser
     )

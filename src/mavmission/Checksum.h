@@ -3,22 +3,14 @@
 
 #include <stdint.h>
 
-#ifdef __AVR__
-#include <util/crc16.h>
-#endif
+#include "Config.h"
 
 namespace mavmission {
 
 constexpr uint16_t kChecksumStart = 0xFFFF;
 
-inline uint16_t checksum(uint16_t crc, uint8_t byte) {
-#ifdef __AVR__
-  return _crc_ccitt_update(crc, byte);  // 15 cycles, written in assembler
-#else
-  byte ^= static_cast<uint8_t>(crc);
-  byte ^= static_cast<uint8_t>(byte << 4);
-  return static_cast<uint16_t>(((byte << 8) | (crc >> 8)) ^ (byte >> 4) ^ (byte << 3));
-#endif
-}
+// The checksum `crc` carried on over `length` bytes. One function for all who need it: 26 cycles a byte, where a call for
+// each byte takes 45.
+MAVMISSION_APART uint16_t checksum(uint16_t crc, const uint8_t* bytes, uint8_t length);
 
 }  // namespace mavmission

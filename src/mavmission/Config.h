@@ -9,16 +9,16 @@
 #define MAVMISSION_MAX_PAYLOAD 54
 #endif
 
-// How many received bytes one update() looks at, at most [bytes], 16 to 1000. Bounds the time of an update(); a loop
-// that runs each 5 ms reads 128 * 200 = 25,600 bytes a second, twice what 115200 baud can bring. Costs nothing.
+// How many received bytes one update() looks at, at most [bytes], 16 to 255. Bounds the time of an update(). A Mega's
+// receive ring holds 63: no more can be waiting there, however late the loop is. Costs nothing.
 #ifndef MAVMISSION_BYTES_PER_UPDATE
-#define MAVMISSION_BYTES_PER_UPDATE 128
+#define MAVMISSION_BYTES_PER_UPDATE 64
 #endif
 
 // How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs time only: an
 // item from flash takes about 1,000 cycles, an item from a function what the function takes.
 #ifndef MAVMISSION_ITEMS_PER_UPDATE
-#define MAVMISSION_ITEMS_PER_UPDATE 4
+#define MAVMISSION_ITEMS_PER_UPDATE 2
 #endif
 
 // Keeps a function apart from its callers, where avr-gcc would inline it and the program would grow. Each was tried.
@@ -39,8 +39,8 @@
 #if MAVMISSION_MAX_PAYLOAD < 38 || MAVMISSION_MAX_PAYLOAD > 255
 #error "MAVMISSION_MAX_PAYLOAD must be 38 to 255: MISSION_ITEM_INT has 38 bytes, no MAVLink payload has more than 255"
 #endif
-#if MAVMISSION_BYTES_PER_UPDATE < 16 || MAVMISSION_BYTES_PER_UPDATE > 1000
-#error "MAVMISSION_BYTES_PER_UPDATE must be 16 to 1000"
+#if MAVMISSION_BYTES_PER_UPDATE < 16 || MAVMISSION_BYTES_PER_UPDATE > 255
+#error "MAVMISSION_BYTES_PER_UPDATE must be 16 to 255"
 #endif
 #if MAVMISSION_ITEMS_PER_UPDATE < 1 || MAVMISSION_ITEMS_PER_UPDATE > 255
 #error "MAVMISSION_ITEMS_PER_UPDATE must be 1 to 255"

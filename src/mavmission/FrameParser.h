@@ -12,6 +12,8 @@
 
 #include "Config.h"
 
+class Stream;
+
 namespace mavmission {
 
 // What must be known of a message in order to send it or to keep it.
@@ -57,6 +59,15 @@ class FrameParser {
     Wanted,    // a frame that is wanted, with a right checksum
     Unwanted,  // a frame of another message has been stepped over: only its sender and sequence are known
   };
+
+  // How much may be looked at.
+  struct Budget {
+    uint8_t left;   // bytes, those that are looked at again included
+    uint8_t heard;  // bytes that the last call has read
+  };
+
+  // Takes bytes of the stream until there is a frame, nothing more has come, or the budget is used up.
+  MAVMISSION_APART Result pull(Stream& stream, Budget& budget);
 
   // Takes the next byte of the stream. Only when hasWaiting() is false.
   Result take(uint8_t byte);
@@ -120,9 +131,9 @@ class FrameParser {
   // Reported: a signature, or the rest of a message that has been given as Unwanted already.
   enum class Stepping : uint8_t { Message, MessageWithBytes, Reported };
 
-  MAVMISSION_ONE_EXIT Result grow(uint8_t byte);
-  Result classify();
-  Result complete();
+  Result grow(uint8_t byte);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT Result classify();
+  MAVMISSION_APART MAVMISSION_ONE_EXIT Result complete();
   void noteSender();
   const MessageKey* keyOf(uint16_t messageId) const;
   bool isV2() const;
@@ -132,7 +143,8 @@ class FrameParser {
   void giveUp();
 
   Index have_;        // bytes of the frame that has begun
-  Index need_;        // its whole length, once its header has been understood; 0 before
+  Index need_;        // its whole length, once its header has been understood; the header's before
+  Index summed_;      // bytes that go into the checksum, its first one and crcExtra_ aside; 0 before
   Index read_;        // bytes_[read_] to bytes_[end_ - 1] are waiting
   Index end_;
   uint16_t skip_;     // stepping: bytes up to the first one behind what is stepped over, that one included

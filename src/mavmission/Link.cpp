@@ -47,6 +47,7 @@ void Link::takeHeartbeat(uint16_t nowMs) {
   const uint8_t autopilot = parser_.payloadByte(offsetof(mavlink_heartbeat_t, autopilot));
   const uint8_t vehicleType = parser_.payloadByte(offsetof(mavlink_heartbeat_t, type));
   if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return;
+  outbox_.drop();
   Heartbeat& heartbeat = finder_.toFill();
   parser_.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
   heartbeat.version = parser_.version();
@@ -54,26 +55,19 @@ void Link::takeHeartbeat(uint16_t nowMs) {
   heartbeat.componentId = componentId;
 }
 
-bool Link::receive(uint16_t& budget, uint16_t nowMs) {
-  while (budget != 0) {
-    --budget;
-    FrameParser::Result result;
-    if (parser_.hasWaiting()) {
-      result = parser_.takeWaiting();
-    } else {
-      const int byte = stream_->read();
-      if (byte < 0) {
-        if (parser_.isIdle() || since(state_.heardByteMs, nowMs) < FrameParser::kSilenceMs) return false;
-        result = parser_.silence();
-      } else {
-        ++state_.bytes;
-        state_.heardByteMs = nowMs;
-        result = parser_.take(static_cast<uint8_t>(byte));
-      }
+bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
+  for (;;) {
+    FrameParser::Result result = parser_.pull(*stream_, budget);
+    if (budget.heard != 0) {
+      state_.bytes += budget.heard;
+      state_.heardByteMs = nowMs;
+    }
+    if (result == FrameParser::Result::Nothing) {
+      if (budget.left == 0 || parser_.isIdle() || since(state_.heardByteMs, nowMs) < FrameParser::kSilenceMs) return false;
+      result = parser_.silence();
     }
     if (result != FrameParser::Result::Nothing && isNews(result, nowMs)) return true;
   }
-  return false;
 }
 
 // Counts a frame; true if it is the autopilot's, wanted, and for us.
@@ -95,32 +89,42 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
   return isWanted && parser_.isFor(systemId(), componentId());
 }
 
+void Link::release() {
+  if (!maySpeak()) return outbox_.drop();
+  outbox_.release();
+  ++state_.sequence;
+  ++state_.framesSent;
+}
+
 void Link::sendMessage(uint8_t* payload, const MessageKey* key) {
-  if (!maySpeak()) return;
+  pack(payload, key);
+  release();
+}
+
+void Link::pack(uint8_t* payload, const MessageKey* key) {
   const uint8_t target = fromFlash(&key->target);
   if (target != MessageKey::kNoTarget) {
     payload[target] = finder_.heartbeat().systemId;
     payload[target + 1] = finder_.heartbeat().componentId;
   }
-  outbox_.begin(version(), state_.sequence++, systemId(), componentId());
+  outbox_.begin(version(), state_.sequence, systemId(), componentId());
   outbox_.complete(key, payload);
-  ++state_.framesSent;
 }
 
 bool Link::sendForeign(const OutgoingMessage& message) {
   const bool isV1 = version() == 1;
   if (!canSend() || !maySpeak() || (isV1 && message.id > 0xFF)) return false;
-  outbox_.begin(version(), state_.sequence++, systemId(), componentId());
+  outbox_.begin(version(), state_.sequence, systemId(), componentId());
   outbox_.completeForeign(message);
-  ++state_.framesSent;
+  release();
   return true;
 }
 
 void Link::onTime(uint16_t nowMs) {
   finder_.onTime(nowMs);
-  if (!canSend() || !maySpeak()) return;
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
+  if (!canSend() || !maySpeak()) return;
   // The next one is due a period after this one was due, so that a late loop does not make them rarer.
   const bool late = !state_.heartbeatSent || elapsedMs >= 2 * kHeartbeatMs;
   state_.heartbeatMs = late ? nowMs : state_.heartbeatMs + kHeartbeatMs;

@@ -39,8 +39,8 @@ class Link {
   void setOwnIds(uint8_t systemId, uint8_t componentId);
   void setSpeak(Speak speak) { state_.speak = speak; }
 
-  // Goes on to the autopilot's next frame that is for us; false when nothing more has come or `budget` [bytes] is used up.
-  bool receive(uint16_t& budget, uint16_t nowMs);
+  // Goes on to the autopilot's next frame that is for us; false when nothing more has come or the budget is used up.
+  bool receive(FrameParser::Budget& budget, uint16_t nowMs);
 
   // That frame, until the next call.
   const FrameParser& frame() const { return parser_; }
@@ -61,12 +61,22 @@ class Link {
   template <typename T>
   void sendAs(void* payload);
 
+  // The same in two steps, for a message that may be wanted soon: prepareAs() packs it, only when canSend(); release()
+  // sends it, if isPrepared() still. It is gone when anything else is sent, and with the autopilot's next heartbeat, which
+  // may be another version's or another autopilot's.
+  template <typename T>
+  void prepareAs(void* payload);
+  bool isPrepared() const { return outbox_.isHeld(); }
+  MAVMISSION_APART void release();
+
   // Sends a message of the sketch's own; false if that cannot be done now.
   bool sendForeign(const OutgoingMessage& message);
   bool isSent() const { return outbox_.isEmpty(); }
 
-  // Writes what the stream takes.
-  void flush(uint16_t nowMs) { outbox_.flush(*stream_, nowMs); }
+  // Writes what the stream takes, `most` bytes at most: the core takes 110 cycles for each.
+  void flush(uint16_t nowMs, uint8_t most) {
+    if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
+  }
 
   AutopilotFinder& finder() { return finder_; }
   const AutopilotFinder& finder() const { return finder_; }
@@ -82,6 +92,7 @@ class Link {
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
+  void pack(uint8_t* payload, const MessageKey* key);
   void sendMessage(uint8_t* payload, const MessageKey* key);
 
   struct State {

@@ -16,6 +16,7 @@ MissionClient::MissionClient(Stream& stream) {
   rest_.lastResult = 255;
   state_.unsettled = true;
   state_.cancelled = PlanType::All;
+  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   rest_.planType = PlanType::All;
 }
 
@@ -36,6 +37,7 @@ void MissionClient::talkTo(uint8_t systemId, uint8_t componentId) { link_.finder
 void MissionClient::beginSeconds(uint16_t nowMs) {
   state_.secondMs = nowMs;
   state_.seconds = 0;
+  state_.isLate = false;
 }
 
 Status MissionClient::startOperation(Operation operation) {
@@ -111,25 +113,50 @@ Status MissionClient::update() {
   return client->updateAt(static_cast<uint16_t>(millis()));
 }
 
-Status MissionClient::updateAt(uint16_t nowMs) {
+// What is told by the clock, and need not be exact to the millisecond.
+void MissionClient::onTick(uint16_t nowMs) {
   while (since(state_.secondMs, nowMs) >= 1000) {
     state_.secondMs += 1000;
     ++state_.seconds;
   }
+  uint16_t limitS = rest_.transferLimitS;
+  if (limitS == 0) limitS = rest_.itemsTotal < 32000 ? 120 + 2 * rest_.itemsTotal : 0xFFFF;
+  state_.isLate = static_cast<uint16_t>(state_.seconds - state_.turnAtS) >= limitS;
   if (state_.unsettled && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = false;
+  link_.onTime(nowMs);
+}
 
-  uint16_t budget = MAVMISSION_BYTES_PER_UPDATE;
+// False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half as
+// many.
+bool MissionClient::isHeavyAllowed() {
+  constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
+  const bool isAllowed = state_.bytesLeft >= kHalf;
+  state_.bytesAllowed = isAllowed ? kAll : kHalf;
+  return isAllowed;
+}
+
+Status MissionClient::updateAt(uint16_t nowMs) {
+  FrameParser::Budget budget;
+  const uint8_t allowed = state_.bytesAllowed;
+  budget.left = allowed;
+  state_.bytesLeft = 0;
   while (link_.receive(budget, nowMs)) {
     if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
   }
+  state_.bytesLeft = static_cast<uint8_t>(budget.left + MAVMISSION_BYTES_PER_UPDATE - allowed);
   // An autopilot that is not heard would not hear it either.
   if (state_.cancelled != PlanType::All && hasAutopilot() && link_.canSend()) {
     sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelled);
     state_.cancelled = PlanType::All;
   }
+  const uint8_t tick = static_cast<uint8_t>(nowMs / kTickMs);
+  if (tick != state_.tick) {
+    state_.tick = tick;
+    onTick(nowMs);
+  }
   if (state_.operation != nullptr) state_.operation(*this, nullptr, nowMs);
-  link_.onTime(nowMs);
-  link_.flush(nowMs);
+  // What is left of the time that bytes may take is for those that go out.
+  link_.flush(nowMs, budget.left > kStartBytes ? budget.left : kStartBytes);
 
   const Status ended = rest_.toReturn;
   rest_.toReturn = Status::Idle;

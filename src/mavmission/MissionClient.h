@@ -193,6 +193,11 @@ class MissionClient {
   void limitTransfer(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
+  // Seconds, heartbeats and the autopilot's silence are looked at once in that time [ms]: 100 cycles less for each update().
+  static constexpr uint8_t kTickMs = 16;
+  // Bytes of a frame that are written in any case [bytes].
+  static constexpr uint8_t kStartBytes = 8;
+
   friend class Listener;
   friend class MissionFollower;
 
@@ -239,6 +244,8 @@ class MissionClient {
   bool setModeNumbers(FlightMode mode);
   Status chooseStartStep();
   Status updateAt(uint16_t nowMs);
+  MAVMISSION_APART bool isHeavyAllowed();
+  MAVMISSION_APART void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Operation operation);
   void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
@@ -251,10 +258,12 @@ class MissionClient {
   void checkPlan(uint16_t nowMs);
   MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
-  MAVMISSION_APART void sendUpload(uint16_t nowMs);
+  void sendUpload(uint16_t nowMs);
+  MAVMISSION_APART void sendAnnouncement();
   MAVMISSION_APART Status checkItem(uint16_t wireItem);
   void sendCount(uint16_t items);
-  bool sendItem(uint16_t nowMs);
+  bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && state_.prepared == wireItem; }
+  MAVMISSION_APART void prepareItem(uint16_t wireItem, uint16_t nowMs);
   Status proven(uint32_t opaqueId);
   MAVMISSION_ONE_EXIT void continueUpload(Status status, uint16_t nowMs);
   MAVMISSION_APART uint16_t ownItem(uint16_t wireItem) const;
@@ -280,6 +289,7 @@ class MissionClient {
     uint16_t seconds;          // that the operation, or its transfer, has taken [s]
     uint16_t unsettledMs;      // when a transfer was last left without an answer
     uint16_t next;             // the wire item to be checked, or to be added to opaqueId_
+    uint16_t prepared;         // the wire item that the link holds ready, if it holds one
     uint16_t itemsDone;
     uint16_t failedItem;
     uint16_t turnAtS;          // when to try again, and when the transfer's own time began [s]
@@ -290,6 +300,10 @@ class MissionClient {
     PlanType cancelled;        // of the transfer that the autopilot is to be told was cancelled; All: there is none
     PlanType type;             // of the running operation
     bool floatItems;           // items go out as MISSION_ITEM
+    bool isLate;               // the operation has taken all the time that it may
+    uint8_t bytesAllowed;      // to be looked at in an update()
+    uint8_t bytesLeft;         // that this one might look at still; 0 before it has looked
+    uint8_t tick;              // when onTick() was called last [kTickMs], its low 8 bits
     void (*toFloats)(void* itemMessage);  // makes MISSION_ITEM of MISSION_ITEM_INT, where the sketch wants that
   };
 

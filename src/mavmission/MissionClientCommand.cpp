@@ -9,7 +9,6 @@
 namespace mavmission {
 namespace {
 
-constexpr uint16_t kLimitS = 120;       // the most for all, by default, however often the autopilot says IN_PROGRESS [s]
 constexpr uint16_t kProgressMs = 5000;  // the wait after IN_PROGRESS, and for a command that is sent only once
 
 Status fromCommandResult(uint8_t result) {
@@ -62,8 +61,7 @@ void MissionClient::commandStep(MissionClient& client, const FrameParser* frame,
     state.status = Status::Transferring;
     client.beginSeconds(nowMs);
   }
-  const uint16_t setS = client.rest_.transferLimitS;
-  if (state.seconds >= (setS != 0 ? setS : kLimitS)) return client.end(Status::TookTooLong);
+  if (state.isLate) return client.end(Status::TookTooLong);
   if (!commanding.isDue && since(commanding.sentMs, nowMs) >= commanding.waitMs) {
     // It may have been heard and its answer lost: what must not happen twice is not sent again.
     if (!commanding.repeats) return client.end(Status::Unconfirmed);

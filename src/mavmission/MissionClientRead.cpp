@@ -64,9 +64,7 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
   }
   const Status status = client.reading_.transfer.onTime(nowMs);
   if (status != Status::Transferring) return client.endReading(status);
-  const uint16_t setS = client.rest_.transferLimitS;
-  const uint16_t limitS = setS != 0 ? setS : UploadTransfer::defaultLimitS(client.reading_.transfer.count());
-  if (static_cast<uint16_t>(state.seconds - client.state_.turnAtS) >= limitS) return client.endReading(Status::TookTooLong);
+  if (state.isLate) return client.endReading(Status::TookTooLong);
   client.sendRead(nowMs);
 }
 

@@ -1,18 +1,41 @@
 #include "OpaqueId.h"
 
 namespace mavmission {
+namespace {
+
+constexpr uint32_t kPolynomial = 0xEDB88320;
+
+// One byte more, bit by bit.
+uint32_t withByte(uint32_t crc, uint8_t byte) {
+  crc ^= byte;
+  uint8_t bits = 8;
+#ifdef __AVR__
+  // 90 cycles, where the loop below takes 165.
+  asm("1: lsr %D0\n\t"
+      "ror %C0\n\t"
+      "ror %B0\n\t"
+      "ror %A0\n\t"
+      "brcc 2f\n\t"
+      "eor %A0, %A2\n\t"
+      "eor %B0, %B2\n\t"
+      "eor %C0, %C2\n\t"
+      "eor %D0, %D2\n\t"
+      "2: dec %1\n\t"
+      "brne 1b"
+      : "+r"(crc), "+r"(bits)
+      : "r"(kPolynomial));
+#else
+  for (; bits != 0; --bits) crc = (crc & 1) != 0 ? crc >> 1 ^ kPolynomial : crc >> 1;
+#endif
+  return crc;
+}
+
+}  // namespace
+
 void OpaqueId::add(const void* bytes, uint8_t length) {
   const uint8_t* byte = static_cast<const uint8_t*>(bytes);
   uint32_t crc = crc_;
-  for (; length != 0; --length) {
-    crc ^= *byte++;
-    // Bit by bit: 4,000 cycles an item, after the item has left. A table would save half of them for 250 bytes of flash.
-    for (uint8_t bit = 0; bit < 8; ++bit) {
-      const uint8_t lowest = static_cast<uint8_t>(crc);  // a test of 32 bits would be 32 bytes more
-      crc >>= 1;
-      if (lowest & 1) crc ^= kPolynomial;
-    }
-  }
+  for (; length != 0; --length) crc = withByte(crc, *byte++);
   crc_ = crc;
 }
 

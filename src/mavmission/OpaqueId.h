@@ -19,7 +19,6 @@ class OpaqueId {
   uint32_t value() const { return crc_; }
 
  private:
-  static constexpr uint32_t kPolynomial = 0xEDB88320;
   void add(const void* bytes, uint8_t length);
   uint32_t crc_;
 };

@@ -40,19 +40,17 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
   }
   frame_[1] = length;
   for (; length != 0; --length) *out++ = *payload++;
-
-  uint16_t crc = kChecksumStart;
-  for (const uint8_t* byte = frame_ + 1; byte != out; ++byte) crc = checksum(crc, *byte);
-  crc = checksum(crc, fromFlash(&key->crcExtra));
+  *out = fromFlash(&key->crcExtra);  // where the checksum goes: it is the last byte that is summed up
+  const uint16_t crc = checksum(kChecksumStart, frame_ + 1, static_cast<uint8_t>(out - frame_));
   *out++ = static_cast<uint8_t>(crc);
   *out++ = static_cast<uint8_t>(crc >> 8);
   length_ = static_cast<uint16_t>(out - frame_);
   writeForeign_ = nullptr;
-  sent_ = 0;
+  sent_ = length_;
+  held_ = true;
 }
 
-void Outbox::flush(Stream& stream, uint16_t nowMs) {
-  if (isEmpty()) return;
+void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
   int room = stream.availableForWrite();
   if (room > 0) {
     blind_ = false;
@@ -67,6 +65,7 @@ void Outbox::flush(Stream& stream, uint16_t nowMs) {
     return;
   }
   stuck_ = false;
+  if (room > most) room = most;
   if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
   const uint8_t left = static_cast<uint8_t>(length_ - sent_);
   sent_ += stream.write(frame_ + sent_, room < left ? room : left);

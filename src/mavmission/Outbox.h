@@ -23,19 +23,27 @@ class Outbox {
   // Bytes that such a stream is given in one call: each may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
-  // True when a frame may be put in.
+  // True when a frame may be put in: none is on its way.
   bool isEmpty() const { return sent_ == length_; }
 
   // Begins a frame. Only when isEmpty(). `version`: MAVLink 1 or 2.
   void begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId);
-  // Completes it with a message: its key, in flash, and a payload of key->length bytes.
+  // Completes it with a message: its key, in flash, and a payload of key->length bytes. It is then held.
   void complete(const MessageKey* key, const uint8_t* payload);
 
   // Completes it with a message of the sketch's own, whose payload stays where it is until it has been sent.
   void completeForeign(const OutgoingMessage& message);
 
-  // Writes what the stream takes now.
-  MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs);
+  // A held frame is ready, and waits: it goes out after release(), or never if it is dropped or another one is begun.
+  bool isHeld() const { return held_; }
+  void release() {
+    held_ = false;
+    sent_ = 0;
+  }
+  void drop() { held_ = false; }
+
+  // Writes what the stream takes now, `most` bytes at most. Only when there is a frame on its way.
+  MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs, uint8_t most);
 
  private:
   // A frame whose payload lies elsewhere.
@@ -55,6 +63,7 @@ class Outbox {
   uint16_t stuckMs_;    // since when the stream takes nothing
   bool stuck_;
   bool blind_;      // the stream does not say what it takes
+  bool held_;
   union {
     uint8_t frame_[10 + kMaxPayload + 2];
     Foreign foreign_;

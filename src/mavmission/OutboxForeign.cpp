@@ -24,17 +24,16 @@ void Outbox::completeForeign(const OutgoingMessage& message) {
   frame_[1] = bodyLength;
   foreign_.headLength = static_cast<uint8_t>(out - frame_);
 
-  uint16_t crc = kChecksumStart;
-  for (const uint8_t* byte = frame_ + 1; byte != out; ++byte) crc = checksum(crc, *byte);
-  for (uint8_t i = 0; i < bodyLength; ++i) crc = checksum(crc, body[i]);
-  crc = checksum(crc, message.crcExtra);
+  uint16_t crc = checksum(kChecksumStart, frame_ + 1, static_cast<uint8_t>(out - frame_ - 1));
+  crc = checksum(crc, body, bodyLength);
+  crc = checksum(crc, &message.crcExtra, 1);
   *out++ = static_cast<uint8_t>(crc);
   *out++ = static_cast<uint8_t>(crc >> 8);
   length_ = static_cast<uint16_t>(out - frame_) + bodyLength;
   foreign_.body = body;
   foreign_.bodyLength = bodyLength;
   writeForeign_ = writeForeign;
-  sent_ = 0;
+  held_ = true;
 }
 
 // What lies before the payload, the payload, or what is behind it.

@@ -12,6 +12,12 @@ void Link::send(T& message) {
 }
 
 template <typename T>
+void Link::prepareAs(void* payload) {
+  static_assert(sizeof(T) <= Outbox::kMaxPayload, "the outbox holds it");
+  pack(static_cast<uint8_t*>(payload), &kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)]);
+}
+
+template <typename T>
 void Link::sendAs(void* payload) {
   static_assert(sizeof(T) <= Outbox::kMaxPayload, "the outbox holds it");
   sendMessage(static_cast<uint8_t*>(payload), &kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)]);

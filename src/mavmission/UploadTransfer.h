@@ -26,8 +26,6 @@ class UploadTransfer {
   static constexpr uint16_t kAnswerMs = 1500;      // wait for an answer to either (guide: 1500 ms)
   static constexpr uint16_t kPassiveMs = 8500;     // ArduPilot asks again each second and gives up after 8.0 s
   static constexpr uint16_t kConfirmingMs = 12000; // the most for the final answer, however often the last item is asked for
-  // The most for a whole transfer by default [s]: 2 minutes, and 2 s an item.
-  static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
   static constexpr uint8_t kSameRequestMs = 50;    // a repeat within that is a queue being emptied, not a new question
 
   enum class State : uint8_t { Counting, Sending, Confirming };
@@ -61,6 +59,8 @@ class UploadTransfer {
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
+  // True while it will be asked for the item behind those: it may be made ready.
+  bool expectsRequest() const { return state_ != State::Confirming && asked_ < behind_; }
   // The item that went out last: the one that a refusal is about.
   uint16_t lastItem() const { return item_; }
 

@@ -24,8 +24,8 @@ Bytes packed(const FrameParts& parts) {
   }
   frame = frame + parts.payload;
   uint16_t crc = mavmission::kChecksumStart;
-  for (size_t i = 1; i < frame.size(); ++i) crc = mavmission::checksum(crc, frame[i]);
-  crc = mavmission::checksum(crc, parts.crcExtra);
+  for (size_t i = 1; i < frame.size(); ++i) crc = mavmission::checksum(crc, &frame[i], 1);
+  crc = mavmission::checksum(crc, &parts.crcExtra, 1);
   frame.push_back(static_cast<uint8_t>(crc));
   frame.push_back(static_cast<uint8_t>(crc >> 8));
   if (parts.incompatibility & 1) frame.resize(frame.size() + 13, 0x5A);

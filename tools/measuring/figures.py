@@ -59,6 +59,7 @@ FIGURES = (
     Figure("byte_mean", "received byte, mean over recorded telemetry", "cycles", lambda s: parsing(s).mean, True, 1),
     Figure("byte_worst", "received byte, worst", "cycles", lambda s: parsing(s).worst, True),
     Figure("turnaround", "from a request's last byte to the item's first, longest", "cycles", runs.turnaround, True),
+    Figure("turnaround_of_repeats", "the same, of an item asked for once more", "cycles", runs.turnaround_of_repeats, True),
     Figure("update_longest", "longest update(), interrupts in it included", "cycles", lambda s: longest_update().waited),
     Figure("update_longest_own", "longest update(), by itself", "cycles", lambda s: longest_update().own),
     Figure("update_hostile", "longest update(), of bytes made to cost the most", "cycles",

@@ -22,12 +22,13 @@ class Subject:
     built: Built
     wire: int  # MAVLink 1 or 2
     items: int  # of its plan
-    parse: str  # the function that takes each received byte
+    parse: str  # the function that takes a received byte
+    poll: str | None = None  # the one that reads the stream's bytes and takes most of them itself
 
 
 @functools.cache
 def ours() -> Subject:
-    return Subject("ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take")
+    return Subject("ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take", "mavmission::FrameParser::pull")
 
 
 @functools.cache

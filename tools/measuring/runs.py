@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from mega import Mega
+from mega.measured import Watch
 
 from .firmware import Subject, measured
 from .peer import KINDS, Peer, everything_heard
@@ -15,6 +17,7 @@ SECOND = HZ
 
 # Serial1 of the ATmega2560; the vectors are counted from 0, the reset.
 RECEIVED = "__vector_36"
+READ = "HardwareSerial::read"
 INTERRUPTS = (RECEIVED, "__vector_37", "__vector_23")  # received, to be sent, the millisecond
 RESPONSE_CYCLES = 5 + 3  # to the vector, and its jump to the routine
 
@@ -30,18 +33,31 @@ class Cost(NamedTuple):
 
 
 def parsing(subject: Subject, bytes_each: int = 30_000) -> Cost:
-    """Cycles from having a byte to having, perhaps, a frame; over what real autopilots sent."""
+    """Cycles from having a byte to having, perhaps, a frame; over what real autopilots sent.
+
+    Of a function that polls the stream, what it takes when nothing has come is not the bytes';
+    nor is the stream's own read().
+    """
     total = count = worst = 0
     for kind in KINDS:
         mega = Mega(subject.built.elf)
         peer = Peer(mega, kind, subject.wire, serve=False)
         peer.until_open()
-        watch = mega.watch(subject.parse)
+        byte = mega.watch(subject.parse)
+        polled = mega.watch(subject.poll or subject.parse)
+        read = mega.watch(READ) if subject.poll else None
+
+        def taken() -> int:
+            return polled.calls.own_cycles - (read.calls.own_cycles if read else 0)
+
+        mega.run_cycles(10 * MS)
+        each_poll = taken() / polled.calls.count if subject.poll else 0
+        before, polls = taken(), polled.calls.count
         data = everything_heard(kind, subject.wire)[:bytes_each]
         mega.run_until(peer.put(data) + 10 * MS)
-        total += watch.calls.own_cycles
+        total += taken() - before - each_poll * (polled.calls.count - polls)
         count += len(data)
-        worst = max(worst, watch.calls.longest_own)
+        worst = max(worst, byte.calls.longest_own)
     return Cost(total / count, worst)
 
 
@@ -68,30 +84,49 @@ def deepest_stack(subject: Subject, phases: int = 8) -> int:
 def turnaround(subject: Subject, phases: int = 16) -> int:
     """The longest from the receive interrupt of a request's last byte to the item's first byte in the UART.
 
-    Of each item of the plan, with the request at `phases` points of the firmware's loop, and
+    Of each item of a transfer, with the requests at `phases` points of the firmware's loop, and
     with the line to the autopilot free.
     """
+    return max(
+        answer_time(peer, received, seq, 61 * phase)
+        for kind in KINDS
+        for phase in range(phases)
+        for peer, received, seq in transfer(subject, kind)
+    )
+
+
+def turnaround_of_repeats(subject: Subject, phases: int = 16) -> int:
+    """The same for an item that is asked for once more, as after a loss."""
     longest = 0
     for kind in KINDS:
-        mega = Mega(subject.built.elf)
-        peer = Peer(mega, kind, subject.wire, serve=False)
-        peer.until_open()
-        peer.heartbeat()
-        items = peer.run_until_heard("MISSION_COUNT").message.count
-        received = mega.watch(RECEIVED)
-        for seq in range(items):
-            peer.heartbeat()
+        for peer, received, seq in transfer(subject, kind):
+            answer_time(peer, received, seq, 0)
             for phase in range(phases):
-                # Beyond the time in which a repeated request is not answered again.
-                peer.run(60 * MS)
-                time = answer_time(mega, peer, received, seq, 61 * phase)
-                if len(peer.heard) == 1:  # else a heartbeat was in the way
-                    longest = max(longest, time)
+                peer.run(60 * MS)  # beyond the time in which a repeated request is not answered again
+                longest = max(longest, answer_time(peer, received, seq, 61 * phase))
     return longest
 
 
-def answer_time(mega: Mega, peer: Peer, received, seq: int, phase: int) -> int:
-    """Ask for an item; the cycles from the last byte's interrupt to the answer's first byte."""
+def transfer(subject: Subject, kind: str) -> Iterator[tuple[Peer, Watch, int]]:
+    """An upload, just before each item is to be asked for."""
+    mega = Mega(subject.built.elf)
+    peer = Peer(mega, kind, subject.wire, serve=False)
+    peer.until_open()
+    peer.heartbeat()
+    items = peer.run_until_heard("MISSION_COUNT").message.count
+    received = mega.watch(RECEIVED)
+    for seq in range(items):
+        peer.heartbeat()
+        peer.run(20 * MS)
+        yield peer, received, seq
+
+
+def answer_time(peer: Peer, received: Watch, seq: int, phase: int) -> int:
+    """Ask for an item; the cycles from the last byte's interrupt to the answer's first byte.
+
+    0 if a heartbeat was on the line: it has to leave first.
+    """
+    mega = peer.mega
     peer.heard.clear()
     last = peer.request(seq, mega.cycle + 100 + phase)
     peer.run_until(last - 20)
@@ -99,7 +134,8 @@ def answer_time(mega: Mega, peer: Peer, received, seq: int, phase: int) -> int:
     while received.calls.count == before:
         mega.run_cycles(1)
     interrupted_at = mega.cycle - RESPONSE_CYCLES
-    return peer.run_until_heard("MISSION_ITEM_INT", SECOND).written - interrupted_at
+    written = peer.run_until_heard("MISSION_ITEM_INT", SECOND).written
+    return written - interrupted_at if len(peer.heard) == 1 else 0
 
 
 class Longest(NamedTuple):
@@ -109,7 +145,7 @@ class Longest(NamedTuple):
     own: int
 
 
-def longest_update(bauds: tuple[int, ...] = (57600, 115200), stalls_ms: tuple[int, ...] = (0, 100)) -> Longest:
+def longest_update(bauds: tuple[int, ...] = (57600, 115200), stalls_ms: tuple[int, ...] = (0, 6, 20, 100)) -> Longest:
     """In any state of an upload, on a line full of telemetry, with a loop that stalls or does not."""
     waited = own = 0
     for baud in bauds:
@@ -123,9 +159,9 @@ def longest_update(bauds: tuple[int, ...] = (57600, 115200), stalls_ms: tuple[in
                 mega.poke_int("stallMs", stall_ms)
                 begun = 0
                 # A heartbeat may be lost in a stall: it is said again.
-                while peer.accepted_at is None and begun < 6:
+                while peer.accepted_at is None and begun < 40:
                     peer.heartbeat()
-                    peer.run(SECOND // 2)
+                    peer.run(SECOND // 2 + 7 * MS * (begun % 9))  # another phase of the stalls each time
                     begun += 1
                 waited, own = max(waited, watch.calls.longest), max(own, watch.calls.longest_own)
     return Longest(waited, own)

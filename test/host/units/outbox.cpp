@@ -21,7 +21,8 @@ Bytes sent(const T& message, uint8_t version, uint8_t sequence, uint8_t systemId
   MemoryStream stream;
   outbox.begin(version, sequence, systemId, componentId);
   outbox.complete(&kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)], reinterpret_cast<const uint8_t*>(&message));
-  outbox.flush(stream, 0);
+  outbox.release();
+  outbox.flush(stream, 0, 255);
   CHECK(outbox.isEmpty());
   return stream.written;
 }
@@ -74,13 +75,14 @@ Outbox& holding(EmptyOutbox& outbox) {
   count.count = 3;
   outbox.begin(2, 0, 1, 191);
   outbox.complete(&kKeys[static_cast<uint8_t>(KeyIndex::MISSION_COUNT)], reinterpret_cast<const uint8_t*>(&count));
+  outbox.release();
   return outbox;
 }
 
 Bytes whole() {
   EmptyOutbox outbox;
   MemoryStream stream;
-  holding(outbox).flush(stream, 0);
+  holding(outbox).flush(stream, 0, 255);
   return stream.written;
 }
 
@@ -100,11 +102,34 @@ TEST_CASE("a stream with room takes a frame in one piece") {
   CHECK(outbox.isEmpty());
   holding(outbox);
   CHECK_FALSE(outbox.isEmpty());
-  outbox.flush(stream, 0);
+  outbox.flush(stream, 0, 255);
   CHECK(outbox.isEmpty());
   CHECK(stream.writes == 1);
-  outbox.flush(stream, 1);
-  CHECK(stream.writes == 1);
+}
+
+TEST_CASE("a frame that is held goes out when it is released, and not at all when another one is begun or it is dropped") {
+  const Bytes expected = whole();
+  for (const char* fate : {"released", "dropped", "another"}) {
+    CAPTURE(fate);
+    EmptyOutbox outbox;
+    MemoryStream stream;
+    mavlink_mission_count_t count = mavlink_mission_count_t();
+    count.count = 3;
+    outbox.begin(2, 0, 1, 191);
+    outbox.complete(&kKeys[static_cast<uint8_t>(KeyIndex::MISSION_COUNT)], reinterpret_cast<const uint8_t*>(&count));
+    CHECK(outbox.isHeld());
+    CHECK(outbox.isEmpty());
+    if (fate[0] == 'd') {
+      outbox.drop();
+      CHECK_FALSE(outbox.isHeld());
+      continue;
+    }
+    if (fate[0] == 'a') holding(outbox);
+    if (fate[0] == 'r') outbox.release();
+    CHECK_FALSE(outbox.isHeld());
+    outbox.flush(stream, 0, 255);
+    CHECK(stream.written == expected);
+  }
 }
 
 TEST_CASE("a stream is given no more than it says it takes, and the frame arrives whole") {
@@ -113,7 +138,7 @@ TEST_CASE("a stream is given no more than it says it takes, and the frame arrive
     MemoryStream stream;
     stream.room = room;
     holding(outbox);
-    for (uint16_t now = 0; now < 100 && !outbox.isEmpty(); ++now) outbox.flush(stream, now);
+    for (uint16_t now = 0; now < 100 && !outbox.isEmpty(); ++now) outbox.flush(stream, now, 255);
     CHECK(outbox.isEmpty());
     CHECK(stream.largestWrite <= static_cast<size_t>(room));
     CHECK(stream.written == whole());
@@ -126,7 +151,7 @@ TEST_CASE("a stream that takes less than it said gets the rest later, each byte 
     MemoryStream stream;
     stream.takes = takes;
     holding(outbox);
-    for (uint16_t now = 0; now < 100 && !outbox.isEmpty(); ++now) outbox.flush(stream, now);
+    for (uint16_t now = 0; now < 100 && !outbox.isEmpty(); ++now) outbox.flush(stream, now, 255);
     CHECK(stream.written == whole());
   }
 }
@@ -137,11 +162,11 @@ TEST_CASE("a ring that is full for less than 100 ms is waited for, not written t
   stream.room = 0;
   holding(outbox);
   for (uint16_t now = 65500; now != 63; ++now) {  // across the wrap of the clock
-    outbox.flush(stream, now);
+    outbox.flush(stream, now, 255);
     CHECK(stream.writes == 0);
   }
   stream.room = 63;
-  outbox.flush(stream, 63);
+  outbox.flush(stream, 63, 255);
   CHECK(stream.written == whole());
 }
 
@@ -150,10 +175,10 @@ TEST_CASE("a stream that always says 0 is given a few bytes a call after 100 ms"
   MemoryStream stream;
   stream.room = 0;
   holding(outbox);
-  outbox.flush(stream, 1000);
-  outbox.flush(stream, 1099);
+  outbox.flush(stream, 1000, 255);
+  outbox.flush(stream, 1099, 255);
   CHECK(stream.writes == 0);
-  for (uint16_t now = 1100; now < 1200 && !outbox.isEmpty(); ++now) outbox.flush(stream, now);
+  for (uint16_t now = 1100; now < 1200 && !outbox.isEmpty(); ++now) outbox.flush(stream, now, 255);
   CHECK(outbox.isEmpty());
   CHECK(stream.written == whole());
   CHECK(stream.largestWrite <= +Outbox::kBlindBytes);
@@ -161,12 +186,12 @@ TEST_CASE("a stream that always says 0 is given a few bytes a call after 100 ms"
   // The next frame need not wait again...
   stream.takeWritten();
   holding(outbox);
-  outbox.flush(stream, 5000);
+  outbox.flush(stream, 5000, 255);
   CHECK(stream.written.size() == +Outbox::kBlindBytes);
   // ... and a stream that says after all what it takes is believed.
   stream.room = 1;
   stream.largestWrite = 0;
-  while (!outbox.isEmpty()) outbox.flush(stream, 5001);
+  while (!outbox.isEmpty()) outbox.flush(stream, 5001, 255);
   CHECK(stream.largestWrite == 1);
   CHECK(stream.written == whole());
 }
@@ -176,12 +201,12 @@ TEST_CASE("a ring that fills up twice for a while each time is never written to 
   MemoryStream stream;
   holding(outbox);
   stream.room = 0;
-  outbox.flush(stream, 0);
-  outbox.flush(stream, 90);
+  outbox.flush(stream, 0, 255);
+  outbox.flush(stream, 90, 255);
   stream.room = 5;
-  outbox.flush(stream, 95);
+  outbox.flush(stream, 95, 255);
   stream.room = 0;
-  outbox.flush(stream, 100);
-  outbox.flush(stream, 190);
+  outbox.flush(stream, 100, 255);
+  outbox.flush(stream, 190, 255);
   CHECK(stream.written.size() == 5);
 }
