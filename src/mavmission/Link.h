@@ -68,6 +68,7 @@ class Link {
   // Writes what the stream takes.
   void flush(uint16_t nowMs) { outbox_.flush(*stream_, nowMs); }
 
+  Stream& stream() const { return *stream_; }
   AutopilotFinder& finder() { return finder_; }
   const AutopilotFinder& finder() const { return finder_; }
   uint8_t systemId() const;

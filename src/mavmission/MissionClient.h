@@ -193,6 +193,7 @@ class MissionClient {
   void limitTransfer(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
+  friend class LinkDoctor;
   friend class Listener;
   friend class MissionFollower;
 
