@@ -73,6 +73,7 @@ class Link {
   const AutopilotFinder& finder() const { return finder_; }
   uint8_t systemId() const;
   uint8_t componentId() const;
+  uint8_t ownSystemId() const { return state_.ownSystemId; }  // as the sketch has set it
   // MAVLink 1 or 2, as we speak it now.
   uint8_t version() const;
   LinkCounters counters() const;

@@ -32,7 +32,7 @@ constexpr uint8_t kLostS = 5;
 constexpr uint8_t kDwellS = 3;
 // Damage and telemetry are counted over so long [s].
 constexpr uint8_t kWindowS = 4;
-// A line that is in order damages nothing at all.
+// In a window: a line that is in order damages nothing at all. It is a fault until a window has none.
 constexpr uint8_t kDamageIsFault = 3;
 // In a window; fewer are heartbeats, answers, and the TIMESYNC and PARAM_VALUE of an ArduPilot that nobody asked.
 constexpr uint8_t kFramesAreTelemetry = 20;
@@ -134,17 +134,24 @@ void LinkDoctor::endWindow() {
   const uint16_t frames = counters.frames + counters.unknownMessages - framesAtWindow_ - unknownAtWindow_;
   const uint16_t damage = counters.badChecksums + counters.brokenFrames - damageAtWindow_;
   quiet_ = frames < kFramesAreTelemetry;
-  damage_ = damage < kDamageIsFault ? Verdict::Well : agesS_[LateLoop] <= kWindowS ? Verdict::LoopLate : Verdict::Damaged;
+  if (damage == 0) {
+    damage_ = Verdict::Well;
+  } else if (damage >= kDamageIsFault) {
+    damage_ = agesS_[LateLoop] <= kWindowS ? Verdict::LoopLate : Verdict::Damaged;
+  }
   weighed_ = true;
   beginWindow();
 }
 
 // --- What is heard
 
+uint8_t LinkDoctor::systemId() const {
+  const uint8_t id = client_.link_.systemId();
+  return id != 0 ? id : kSystemId;
+}
+
 bool LinkDoctor::isOurs(const FrameParser& frame) const {
-  const uint8_t systemId = client_.link_.systemId();
-  return frame.componentId() == client_.link_.componentId() &&
-         frame.systemId() == (systemId != 0 ? systemId : kSystemId);
+  return frame.systemId() == systemId() && frame.componentId() == client_.link_.componentId();
 }
 
 void LinkDoctor::take(Listener& listener, const FrameParser& frame) {
@@ -195,11 +202,11 @@ void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
   heartbeat.system_status = MAV_STATE_ACTIVE;
   heartbeat.mavlink_version = 3;
   // The link says nothing before it knows an autopilot, unless it has ids of its own: it is lent some for this frame.
-  const bool hasNone = link.systemId() == 0;
+  const uint8_t own = link.ownSystemId();
   const uint8_t componentId = link.componentId();
-  if (hasNone) link.setOwnIds(kSystemId, componentId);
+  link.setOwnIds(systemId(), componentId);
   link.send(heartbeat);
-  if (hasNone) link.setOwnIds(0, componentId);
+  link.setOwnIds(own, componentId);
 }
 
 void LinkDoctor::ask() {

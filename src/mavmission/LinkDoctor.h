@@ -86,6 +86,7 @@ class LinkDoctor : public Listener {
 
   static void take(Listener& listener, const FrameParser& frame);
   void takeHeartbeat(const FrameParser& frame);
+  uint8_t systemId() const;
   bool isOurs(const FrameParser& frame) const;
   void second(uint16_t nowMs);
   void count();
