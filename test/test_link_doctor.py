@@ -364,6 +364,17 @@ def test_frames_that_arrive_damaged(make_doctor):
     assert bench.verdicts == ["Well", "Damaged"]
 
 
+# Cost -------------------------------------------------------------------------------------------
+
+
+def test_doctor_takes_a_call_less_than_a_third_of_a_millisecond(make_doctor):
+    bench = make_doctor(telemetry=5000.0)
+    watch = bench.mega.watch("updateDoctor")
+    bench.run(12.0)
+    assert bench.verdict == "Well"
+    assert watch.calls.longest < bench.mega.hz / 1000 / 3
+
+
 # Words ------------------------------------------------------------------------------------------
 
 

@@ -226,6 +226,34 @@ def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
     peer.close()
 
 
+def test_udp_that_listens_answers_whoever_sent_last(world):
+    chosen = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    chosen.bind(("127.0.0.1", 0))
+    port = chosen.getsockname()[1]
+    chosen.close()
+    end = open_end(f"udp-listen:{port}")
+    world.connect(1, end)
+    end.write(b"nobody is there yet")
+    world.run(seconds=0.005)
+    for text in (b"one", b"two"):  # the second is the first, restarted at another port
+        peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        peer.setblocking(False)
+        peer.sendto(text, ("127.0.0.1", port))
+        answer = b""
+
+        def answered():
+            nonlocal answer
+            try:
+                answer += peer.recv(100)
+            except BlockingIOError:
+                pass
+            return len(answer) >= len(text)
+
+        slices_until(world, answered)
+        assert answer == bytes(byte + 1 for byte in text)
+        peer.close()
+
+
 def test_a_serial_device_is_opened_again_when_it_comes_back(world, clock, tmp_path):
     device = tmp_path / "ttyACM0"
     said = []

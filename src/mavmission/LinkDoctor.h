@@ -48,9 +48,9 @@ typedef void (*BaudFunction)(void* context, uint32_t baud);
 
 // Who was heard.
 struct Speaker {
-  uint8_t systemId;
-  uint8_t componentId;
-  uint8_t type;  // MAV_TYPE of its heartbeat; 0 if it sent none
+  uint8_t systemId;     // as its frames have it
+  uint8_t componentId;  // MAV_COMPONENT
+  uint8_t type;         // MAV_TYPE of its heartbeat; 0 if it sent none
 };
 
 // Looks at what a client hears, and comes to a verdict within some seconds. Declare one beside the client:
@@ -64,6 +64,7 @@ struct Speaker {
 // answered, then each 5 s. It asks nothing while a transfer is running.
 class LinkDoctor : public Listener {
  public:
+  // The client must stay as long as the doctor.
   explicit LinkDoctor(MissionClient& client);
 
   // Lets it try other baud rates when bytes come, but no frames: 9600 to 921600, as far as the board can do them. `baud` is
@@ -74,6 +75,7 @@ class LinkDoctor : public Listener {
   // To be called from loop(), before the client's update(), so that it sees a receive ring that is full. Returns verdict().
   Verdict update();
 
+  // What it came to last.
   Verdict verdict() const { return verdict_; }
   // The rate that the port is at now [bit/s]; 0 without tryBauds().
   uint32_t baud() const;

@@ -59,6 +59,9 @@ ACTION(text) {
 static const Word words[] = {WORD(upload), WORD(open), WORD(bauds), WORD(ids), WORD(talkto), WORD(stall), WORD(text),
                              {"doctor", doctor_}};
 
+// Apart, so that its calls can be watched.
+extern "C" __attribute__((noinline, noclone)) Verdict updateDoctor() { return doctor.update(); }
+
 void setup() {
   Serial.begin(500000);
   Serial1.begin(baud);
@@ -74,7 +77,7 @@ void loop() {
     stalledMs = nowMs;
     delay(stallMs);
   }
-  const Verdict verdict = doctor.update();
+  const Verdict verdict = updateDoctor();
   const Status status = client.update();
   if (isEnd(status) || status != lastReturned) {
     lastReturned = status;
