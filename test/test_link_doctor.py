@@ -128,6 +128,19 @@ def test_no_bytes_when_the_autopilot_is_switched_off_and_well_when_it_is_on_agai
     assert bench.verdicts == [well, "NoBytes", "Listening", well]
 
 
+@pytest.mark.parametrize("tries", [False, True])
+@pytest.mark.parametrize("silent_s", [1.0, 3.0, 12.0])
+def test_autopilot_that_restarts_is_never_at_another_baud_rate(make_doctor, silent_s, tries):
+    bench = make_doctor(telemetry=1000.0, boot_text=b"Init ArduCopter V4.6.3\n\nFree RAM: 196000\r\n")
+    if tries:
+        bench.tell("bauds")
+    bench.run_until_verdict("Well")
+    bench.autopilot.reboot(bench.now, silent_s)
+    bench.run(silent_s + 10.0)
+    assert bench.verdict == "Well" and bench.opened == []
+    assert set(bench.verdicts) <= {*GOOD, "NoBytes"}
+
+
 # Bytes, and no frames ----------------------------------------------------------------
 
 

@@ -315,8 +315,11 @@ Verdict LinkDoctor::judge() {
 
 Verdict LinkDoctor::judgeWithoutFrames() {
   if (agesS_[LateLoop] <= kRecentS) return Verdict::LoopLate;  // no rate could be told so
-  if (setBaud_ == nullptr) return Verdict::NoFrames;
-  if (baudIndex_ != kOwnBaud ? listenedS_ >= kDwellS : agesS_[Bytes] <= 2) tryNextBaud();
+  if (baudIndex_ == kOwnBaud) {
+    if (agesS_[Bytes] > 2) return verdict_;  // they have ended as well: another second will show
+    if (setBaud_ == nullptr) return Verdict::NoFrames;
+  }
+  if (baudIndex_ == kOwnBaud || listenedS_ >= kDwellS) tryNextBaud();
   return roundDone_ ? Verdict::NoFramesAtAnyBaud : Verdict::TryingBauds;
 }
 
