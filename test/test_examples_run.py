@@ -16,6 +16,7 @@ EXAMPLES = ROOT / "examples"
 WRAPPED = ROOT / "build" / "examples"
 PLACE = (-353632621, 1491652374, 584.0)  # where the examples fly: latitude, longitude [1e-7 degrees], altitude [m]
 SLICE_S = 0.002
+QUIET = "all is well; the autopilot sends little unasked: setMessageInterval() asks for more"
 
 
 @cache
@@ -33,11 +34,15 @@ def image_of(example: str) -> Image:
 
 
 class Run:
-    """An example on a Mega with an autopilot on Serial1, as it stands where the examples fly."""
+    """An example on a Mega with an autopilot on Serial1, as it stands where the examples fly.
 
-    def __init__(self, example: str, personality: str, **options) -> None:
+    baud: of the autopilot's port [bit/s], if it is not the example's.
+    """
+
+    def __init__(self, example: str, personality: str, baud: int | None = None, **options) -> None:
         self.mega = Mega(image_of(example))
-        self.autopilot = fake(personality, 57600, home=PLACE, **options)
+        self.mega.serial(1).peer_baud = baud
+        self.autopilot = fake(personality, baud or 57600, home=PLACE, **options)
         self._said = b""
 
     @property
@@ -239,3 +244,14 @@ def test_read_telemetry(run):
     positions = [line for line in lines if line != "done: the autopilot confirmed it"]
     assert len(positions) == 6
     assert set(positions) == {"-353632621 1491652374 (1e-7 deg), 0 m above home"}
+
+
+def test_link_doctor(run):
+    assert run("LinkDoctor").until(QUIET, 8.0) == [QUIET]
+    assert run("LinkDoctor", telemetry=1000.0).until("all is well", 8.0) == ["all is well"]
+
+
+def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):
+    example = Run("LinkDoctor", personality, baud=115200)
+    lines = example.until("  it speaks at 115200", 15.0)
+    assert lines[-2] == "frames, but at another baud rate"

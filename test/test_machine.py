@@ -108,6 +108,37 @@ def test_a_peer_at_another_rate_hears_and_sends_garbage():
     assert port.sent_bytes() != bytes(range(20))
 
 
+def test_a_byte_of_a_slow_peer_is_heard_as_one_byte_for_each_of_its_falling_edges():
+    mega = machine("stream", BAUD=57600, COUNT=0)
+    port = mega.serial(1)
+    port.peer_baud = 9600
+    mega.run_ms(1)
+    port.send(b"\x55")  # low and high in turn, six of the Mega's bits each
+    mega.run_ms(3)
+    assert (mega.peek_int("arrived"), mega.peek_int("sum")) == (5, 5 * 0xE0)
+
+
+def test_a_slow_peer_hears_bytes_of_the_mega_as_pieces_of_one():
+    mega = machine("stream", BAUD=115200, COUNT=3)  # 0, 1, 2, one right after the other
+    port = mega.serial(1)
+    port.peer_baud = 38400
+    mega.run_ms(3)
+    # The line, three of the Mega's bits to one of the peer's: 000 000 000 101 000 000 010 010 000 001, counting from the
+    # first start bit. In the middle of each the peer hears a start bit, 0 0 0 0 0 1 1 0 0 ...
+    assert port.sent_bytes() == bytes([0b01100000])
+
+
+def test_a_rate_within_a_few_percent_is_understood_both_ways():
+    mega = machine("stream", BAUD=57600, COUNT=256)
+    port = mega.serial(1)
+    port.peer_baud = 60500  # 2.8 % above what the Mega makes of 57600
+    mega.run_ms(1)
+    port.send(bytes(range(256)))
+    mega.run_ms(60)
+    assert (mega.peek_int("arrived"), mega.peek_int("outOfOrder")) == (256, 0)
+    assert port.sent_bytes() == bytes(range(256))
+
+
 def test_flush_returns_as_the_last_byte_leaves():
     mega = machine("flush")
     mega.run_us(250)

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import os
+import queue
+import re
+import signal
 import socket
 import subprocess
+import sys
+import threading
 from pathlib import Path
 
 import pytest
+from bench import firmware_image, status_names
 from firmware import build_firmware
 from mega import Mega
 from mega.ends import BadEnd, Pty, TcpServer, open_end
@@ -15,6 +21,7 @@ from mega.realtime import RealTime
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = Path(__file__).resolve().parent / "machine"
+AUTOPILOT = Path(__file__).resolve().parent / "autopilot_process.py"
 
 
 class Clock:
@@ -166,6 +173,22 @@ def test_a_tcp_server_takes_the_next_client_when_one_has_gone(world, clock):
         slices_until(world, lambda: not end.connected)
 
 
+def test_a_tcp_client_tries_every_address_of_its_peer(world, clock, monkeypatch):
+    listener = socket.create_server(("127.0.0.1", 0))
+    port = listener.getsockname()[1]
+    real = socket.getaddrinfo
+
+    def with_another_first(*arguments, **options):
+        here = real(*arguments, **options)
+        return [(*here[0][:4], ("127.0.0.2", port)), *here]  # nobody listens there
+
+    monkeypatch.setattr(socket, "getaddrinfo", with_another_first)
+    end = open_end(f"tcp:127.0.0.1:{port}", clock, quiet)
+    world.connect(1, end)
+    slices_until(world, lambda: end.connected)
+    listener.close()
+
+
 def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
     peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     peer.bind(("127.0.0.1", 0))
@@ -201,6 +224,34 @@ def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
     slices_until(world, heard)
     assert data == b"L"
     peer.close()
+
+
+def test_udp_that_listens_answers_whoever_sent_last(world):
+    chosen = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    chosen.bind(("127.0.0.1", 0))
+    port = chosen.getsockname()[1]
+    chosen.close()
+    end = open_end(f"udp-listen:{port}")
+    world.connect(1, end)
+    end.write(b"nobody is there yet")
+    world.run(seconds=0.005)
+    for text in (b"one", b"two"):  # the second is the first, restarted at another port
+        peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        peer.setblocking(False)
+        peer.sendto(text, ("127.0.0.1", port))
+        answer = b""
+
+        def answered():
+            nonlocal answer
+            try:
+                answer += peer.recv(100)
+            except BlockingIOError:
+                pass
+            return len(answer) >= len(text)
+
+        slices_until(world, answered)
+        assert answer == bytes(byte + 1 for byte in text)
+        peer.close()
 
 
 def test_a_serial_device_is_opened_again_when_it_comes_back(world, clock, tmp_path):
@@ -287,3 +338,92 @@ def test_simulate_says_what_is_wrong_in_one_line(tmp_path):
     assert ran.returncode == 1
     assert ran.stdout == b""
     assert ran.stderr.decode() == f"tools/simulate: cannot read {tmp_path}/missing.elf: No such file or directory\n"
+
+
+def test_simulate_connects_serial_to_something_else_too():
+    elf = build_firmware("echo", [SOURCES / "echo.cpp"], library=False)
+    ran = simulate(elf, "--for", 0.05, "--serial0", "none", "--serial1", "none", text=b"hello\n")
+    assert ran.stdout == b"Serial is not connected\nSerial1 is not connected\n"
+    assert simulate(elf, "--console", "--serial0", "none").returncode == 2
+
+
+# A peer that is a process -----------------------------------------------------------
+
+
+class Process:
+    """A program whose lines, of stdout and stderr, are waited for."""
+
+    LIMIT_S = 60.0  # of real time, for a computer that is busy with other things
+
+    def __init__(self, *command: object) -> None:
+        self._process = subprocess.Popen(
+            list(map(str, command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        )
+        self._lines: queue.Queue[str | None] = queue.Queue()
+        self._said: list[str] = []
+        threading.Thread(target=self._listen, daemon=True).start()
+
+    def _listen(self) -> None:
+        for line in self._process.stdout:
+            self._lines.put(line.rstrip("\n"))
+        self._lines.put(None)
+
+    def wait_for(self, pattern: str) -> re.Match:
+        """Read on to the first line that has this in it."""
+        while True:
+            try:
+                line = self._lines.get(timeout=self.LIMIT_S)
+            except queue.Empty:
+                line = None
+            assert line is not None, f"no {pattern!r} in:\n" + "\n".join(self._said)
+            self._said.append(line)
+            match = re.search(pattern, line)
+            if match:
+                return match
+
+    def say(self, text: str) -> None:
+        self._process.stdin.write(text)
+        self._process.stdin.flush()
+
+    def stop(self, how: signal.Signals = signal.SIGKILL) -> int:
+        self._process.send_signal(how)
+        code = self._process.wait(self.LIMIT_S)
+        self._process.stdin.close()
+        return code
+
+
+@pytest.fixture
+def start():
+    """Starts a Process, which is killed in the end."""
+    started = []
+
+    def begin(*command) -> Process:
+        started.append(Process(*command))
+        return started[-1]
+
+    yield begin
+    for process in started:
+        if process._process.poll() is None:
+            process.stop()
+
+
+@pytest.mark.slow
+def test_mega_uploads_over_tcp_to_a_process_survives_its_restart_and_uploads_again(start, personality):
+    accepted = rf"returned {status_names().index('Accepted')}$"
+    items = 5 if personality == "ArduPilot" else 4  # with home
+    peer = start(sys.executable, AUTOPILOT, personality)
+    port = peer.wait_for(r"listening on (\d+)")[1]
+    mega = start(
+        ROOT / "tools" / "simulate", firmware_image(57600).path, "--console", "--serial1", f"tcp:127.0.0.1:{port}"
+    )
+    mega.wait_for("ready")
+    for _ in range(2):
+        mega.say("flash\nupload 0\n")
+        mega.wait_for(accepted)
+        peer.wait_for(f"aboard: {items} items")
+        peer.stop()
+        mega.wait_for("connection lost")
+        peer = start(sys.executable, AUTOPILOT, personality, "--port", port)
+        mega.wait_for("127.0.0.1:.*: connected")
+    assert mega.stop(signal.SIGINT) == 0
+    mega.wait_for("s simulated, deepest stack")

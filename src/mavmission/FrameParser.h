@@ -88,6 +88,8 @@ class FrameParser {
   uint8_t sequence() const { return sender_.sequence; }
   // MAVLink 1 or 2.
   uint8_t version() const { return isV2() ? 2 : 1; }
+  // True if it carries a signature, which nobody here has checked.
+  bool isSigned() const;
   // The payload as it came, `length()` bytes: in MAVLink 2 without its trailing zeros.
   const uint8_t* payload() const { return bytes_ + (isV2() ? kHeaderV2 : kHeaderV1); }
   uint8_t length() const { return bytes_[1]; }
@@ -137,7 +139,6 @@ class FrameParser {
   void noteSender();
   const MessageKey* keyOf(uint16_t messageId) const;
   bool isV2() const;
-  bool isSigned() const;
   // Counts a byte that belongs to no frame.
   MAVMISSION_APART void skipByte();
   void giveUp();

@@ -78,10 +78,12 @@ class Link {
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
 
+  Stream& stream() const { return *stream_; }
   AutopilotFinder& finder() { return finder_; }
   const AutopilotFinder& finder() const { return finder_; }
   uint8_t systemId() const;
   uint8_t componentId() const;
+  uint8_t ownSystemId() const { return state_.ownSystemId; }  // as the sketch has set it
   // MAVLink 1 or 2, as we speak it now.
   uint8_t version() const;
   LinkCounters counters() const;

@@ -198,6 +198,7 @@ class MissionClient {
   // Bytes of a frame that are written in any case [bytes].
   static constexpr uint8_t kStartBytes = 8;
 
+  friend class LinkDoctor;
   friend class Listener;
   friend class MissionFollower;
 

@@ -171,6 +171,7 @@ class TcpClient(Tcp):
     def __init__(self, host: str, port: int, clock: Callable[[], float], say: Callable[[str], None]) -> None:
         super().__init__(clock, say)
         self._address = (host, port)
+        self._tries = 0
         self._retry_at = clock()
         self._trying: socket.socket | None = None
         self.name = f"tcp:{host}:{port}"
@@ -191,9 +192,12 @@ class TcpClient(Tcp):
 
     def _begin(self) -> socket.socket | None:
         try:
-            family, kind, protocol, _, address = socket.getaddrinfo(*self._address, type=socket.SOCK_STREAM)[0]
+            found = socket.getaddrinfo(*self._address, type=socket.SOCK_STREAM)
         except OSError:
             return None
+        # localhost may be ::1 first, where few simulated autopilots listen: each address has its turn.
+        family, kind, protocol, _, address = found[self._tries % len(found)]
+        self._tries += 1
         trying = socket.socket(family, kind, protocol)
         trying.setblocking(False)
         if trying.connect_ex(address) in (0, errno.EINPROGRESS):

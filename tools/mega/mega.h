@@ -5,6 +5,7 @@
  *   quick.c    the common instructions, faster than simavr has them
  *   compare.c  each of those instructions, beside simavr's own
  *   usart.c    the serial ports as the data sheet has them, two bytes deep
+ *   ear.c      what a receiver hears of a sender at another baud rate
  *   measure.c  cycles per function, counted while the firmware runs
  *
  * Every time is a count of CPU cycles since power-on.
@@ -18,6 +19,8 @@
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
+
+#include "ear.h"
 
 #define NEVER UINT64_MAX
 #define PORTS 4
@@ -51,6 +54,9 @@ typedef struct {
   uint64_t frame_q16;      /* the length of the arriving frame [cycle / 65536] */
   uint64_t receive_at;     /* the next start or end of a frame [cycle] */
   bool arriving;
+  bool overheard; /* the arriving frame is at another rate: it goes to the ear */
+  ear_t ear;
+  uint64_t hear_at; /* the next decision of the ear [cycle] */
   uint8_t buffer[2];
   uint8_t buffered;
   bool waiting; /* a third byte, complete, in the shift register */
@@ -61,6 +67,9 @@ typedef struct {
   bool sending;
   outbound_t leaving;
   uint64_t send_at; /* the end of the leaving byte's stop bit [cycle] */
+  bool leaving_overheard;
+  ear_t peer_ear;
+  uint64_t peer_hear_at;
   bool queued;
   outbound_t next;
   outbound_t *sent;

@@ -84,7 +84,8 @@ class SerialPort:
     def peer_baud(self) -> int | None:
         """The peer's own rate [bit/s]; None follows the Mega's exactly.
 
-        A few percent of difference do no harm; much more garbles both ways.
+        A few percent of difference do no harm; beyond 5 % both hear what a real receiver would make of the line:
+        other bytes, more of them or fewer.
         """
         return self._peer_baud
 

@@ -47,21 +47,10 @@ static uint64_t peer_bits_q16(const usart_t *port, uint32_t bits) {
   return ((uint64_t)port->mega->avr->frequency * bits << 16) / port->peer_baud;
 }
 
-/* What a receiver hears that samples the middle of each of its own bits. At
- * the same speed this is the byte; a few percent apart it still is. */
-static uint8_t heard(uint8_t byte, uint64_t sender_bit, uint64_t receiver_bit, bool *whole) {
-  uint32_t line = 0xFFFFFE00u | ((uint32_t)byte << 1); /* bit 0: the start bit */
-  line |= 0x200u;
-  uint8_t result = 0;
-  bool stopped = true;
-  for (uint32_t n = 1; n <= 9; n++) {
-    uint64_t bit = (receiver_bit * n + receiver_bit / 2) / sender_bit;
-    bool high = bit > 9 || ((line >> bit) & 1u);
-    if (n < 9) result |= (uint8_t)(high << (n - 1));
-    else stopped = high;
-  }
-  if (whole != NULL) *whole = stopped;
-  return result;
+/* Whether the peer's rate is so far from the Mega's that a byte is not understood. */
+static bool rates_differ(const usart_t *port) {
+  uint64_t own = (uint64_t)bit_cycles(port) << 16, peer = peer_bits_q16(port, 1);
+  return (own > peer ? own - peer : peer - own) > own / 20;
 }
 
 static void schedule(mega_t *mega) {
@@ -70,6 +59,8 @@ static void schedule(mega_t *mega) {
     const usart_t *port = &mega->ports[n];
     if (port->receive_at < earliest) earliest = port->receive_at;
     if (port->send_at < earliest) earliest = port->send_at;
+    if (port->hear_at < earliest) earliest = port->hear_at;
+    if (port->peer_hear_at < earliest) earliest = port->peer_hear_at;
   }
   mega->port_event = earliest;
 }
@@ -103,30 +94,19 @@ static void buffer(usart_t *port, uint8_t byte) {
   *ucsra(port) |= RXC;
 }
 
-static void start_bit(usart_t *port) {
-  port->arriving = true;
-  port->frame_q16 = peer_bits_q16(port, frame_bits(port));
-  port->receive_at = round_up(port->line_free_q16 + port->frame_q16);
+/* A start bit was seen. */
+static void begin_byte(usart_t *port) {
   if (!port->waiting) return;
   port->waiting = false; /* the shift register is needed for the new byte */
   port->lost++;
   *ucsra(port) |= DOR;
 }
 
-static void stop_bit(usart_t *port) {
-  uint8_t byte = port->inbound[port->inbound_first].byte;
-  port->inbound_first = (port->inbound_first + 1) % port->inbound_room;
-  port->inbound_count--;
-  port->arriving = false;
-  port->line_free_q16 += port->frame_q16;
-  expect_next(port);
+/* A byte is complete. */
+static void end_byte(usart_t *port, uint8_t byte, bool whole) {
   if (!(ucsrb(port) & RXEN)) {
     port->unheard++;
     return;
-  }
-  bool whole = true;
-  if (port->peer_baud != 0) {
-    byte = heard(byte, peer_bits_q16(port, 1), (uint64_t)bit_cycles(port) << 16, &whole);
   }
   if (!whole) *ucsra(port) |= FE;
   if (port->buffered < sizeof port->buffer) {
@@ -136,6 +116,48 @@ static void stop_bit(usart_t *port) {
     port->shift = byte;
     port->waiting = true;
   }
+}
+
+static uint64_t next_decision(const ear_t *ear, uint64_t bit_q16) {
+  uint64_t next = ear_next(ear, bit_q16);
+  return next == EAR_NEVER ? NEVER : round_up(next);
+}
+
+static void start_bit(usart_t *port) {
+  port->arriving = true;
+  port->frame_q16 = peer_bits_q16(port, frame_bits(port));
+  port->receive_at = round_up(port->line_free_q16 + port->frame_q16);
+  port->overheard = rates_differ(port);
+  if (!port->overheard) {
+    begin_byte(port);
+    return;
+  }
+  ear_feed(&port->ear, (spoken_t){.start = port->line_free_q16,
+                                  .bit = peer_bits_q16(port, 1),
+                                  .byte = port->inbound[port->inbound_first].byte});
+  port->hear_at = next_decision(&port->ear, (uint64_t)bit_cycles(port) << 16);
+}
+
+static void stop_bit(usart_t *port) {
+  uint8_t byte = port->inbound[port->inbound_first].byte;
+  port->inbound_first = (port->inbound_first + 1) % port->inbound_room;
+  port->inbound_count--;
+  port->arriving = false;
+  port->line_free_q16 += port->frame_q16;
+  expect_next(port);
+  if (!port->overheard) end_byte(port, byte, true);
+}
+
+static void hear(usart_t *port) {
+  uint64_t bit = (uint64_t)bit_cycles(port) << 16;
+  heard_t heard;
+  bool started, ended;
+  do {
+    ended = ear_hear(&port->ear, port->mega->avr->cycle << 16, bit, &heard, &started);
+    if (started) begin_byte(port);
+    if (ended) end_byte(port, heard.byte, heard.whole);
+  } while (ended);
+  port->hear_at = next_decision(&port->ear, bit);
 }
 
 static uint8_t read_udr(avr_t *avr, avr_io_addr_t address, void *context) {
@@ -160,25 +182,41 @@ static void begin_sending(usart_t *port, outbound_t byte, uint64_t at) {
   port->sending = true;
   port->leaving = byte;
   port->send_at = at + (uint64_t)bit_cycles(port) * frame_bits(port);
+  port->leaving_overheard = rates_differ(port);
+  if (!port->leaving_overheard) return;
+  ear_feed(&port->peer_ear, (spoken_t){.start = at << 16,
+                                       .bit = (uint64_t)bit_cycles(port) << 16,
+                                       .tag = byte.written,
+                                       .byte = byte.byte});
+  port->peer_hear_at = next_decision(&port->peer_ear, peer_bits_q16(port, 1));
 }
 
-static void log_sent(usart_t *port) {
+static void log_sent(usart_t *port, outbound_t byte) {
   if (port->sent_count == port->sent_room) {
     port->sent_room = port->sent_room ? 2 * port->sent_room : 256;
     port->sent = realloc(port->sent, port->sent_room * sizeof *port->sent);
     if (port->sent == NULL) abort();
   }
-  outbound_t byte = port->leaving;
-  byte.left = port->send_at;
-  if (port->peer_baud != 0) {
-    byte.byte = heard(byte.byte, (uint64_t)bit_cycles(port) << 16, peer_bits_q16(port, 1), NULL);
-  }
   port->sent[port->sent_count++] = byte;
+  port->mega->sent_on |= 1u << (port - port->mega->ports);
+}
+
+static void hear_as_peer(usart_t *port) {
+  uint64_t bit = peer_bits_q16(port, 1);
+  heard_t heard;
+  bool started;
+  while (ear_hear(&port->peer_ear, port->mega->avr->cycle << 16, bit, &heard, &started)) {
+    log_sent(port, (outbound_t){.written = heard.tag, .left = round_up(heard.at), .byte = heard.byte});
+  }
+  port->peer_hear_at = next_decision(&port->peer_ear, bit);
 }
 
 static void finish_sending(usart_t *port) {
-  log_sent(port);
-  port->mega->sent_on |= 1u << (port - port->mega->ports);
+  if (!port->leaving_overheard) {
+    outbound_t byte = port->leaving;
+    byte.left = port->send_at;
+    log_sent(port, byte);
+  }
   if (port->queued) {
     port->queued = false;
     begin_sending(port, port->next, port->send_at);
@@ -249,6 +287,8 @@ void usart_events(mega_t *mega) {
       if (port->arriving) stop_bit(port);
       else start_bit(port);
     }
+    if (port->hear_at <= now) hear(port);
+    if (port->peer_hear_at <= now) hear_as_peer(port);
   }
   schedule(mega);
 }
@@ -297,7 +337,8 @@ static void take_over(usart_t *port, avr_uart_t *chip) {
 
 void usart_attach(mega_t *mega) {
   for (int n = 0; n < PORTS; n++) {
-    mega->ports[n] = (usart_t){.mega = mega, .receive_at = NEVER, .send_at = NEVER};
+    mega->ports[n] = (usart_t){
+        .mega = mega, .receive_at = NEVER, .send_at = NEVER, .hear_at = NEVER, .peer_hear_at = NEVER};
   }
   mega->port_event = NEVER;
   for (avr_io_t *io = mega->avr->io_port; io != NULL; io = io->next) {
@@ -311,6 +352,8 @@ void usart_attach(mega_t *mega) {
 void usart_free(usart_t *port) {
   free(port->inbound);
   free(port->sent);
+  ear_free(&port->ear);
+  ear_free(&port->peer_ear);
 }
 
 /* --- what the peer does --- */

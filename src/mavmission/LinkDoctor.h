@@ -1,0 +1,130 @@
+// Says in words why nothing works: wiring, baud rate, who speaks, whether we are heard.
+#pragma once
+
+#include "Flash.h"
+#include "Listener.h"
+
+namespace mavmission {
+
+// One line a verdict: this list is the enumeration and its texts at once. docs/troubleshooting.md says more of each.
+// clang-format off
+#define MAVMISSION_VERDICTS(X) \
+  /* not known yet */ \
+  X(Listening, "listening: not known yet") \
+  X(TryingBauds, "bytes, but no frames: trying other baud rates") /* tryBauds() */ \
+  /* faults, from the wire upwards */ \
+  X(NoBytes, "no bytes: look at the wire from its TX to our RX, at GND, and whether that port is on") \
+  X(NoFrames, "bytes, but no frames: another baud rate, or the port does not speak MAVLink") \
+  X(NoFramesAtAnyBaud, "bytes, but no frames at any baud rate: the port does not speak MAVLink, or the levels are wrong") \
+  X(WrongBaud, "frames, but at another baud rate") /* baud() */ \
+  X(OnlyEcho, "nobody but ourselves: our TX is joined to our RX") \
+  X(LoopLate, "bytes are lost: loop() takes too long between two update()") \
+  X(Damaged, "frames arrive damaged: look at GND, levels, cable, and at code that keeps interrupts off") \
+  X(NoAutopilot, "frames, but none of an autopilot: another component is speaking") /* speaker() */ \
+  X(SeveralAutopilots, "several autopilots: name one with talkTo()") \
+  X(OtherAutopilot, "an autopilot, but not the one named with talkTo()") /* speaker() */ \
+  X(SameIds, "our system and component id are the autopilot's own: it ignores us") \
+  X(NotHeard, "the autopilot does not answer: look at the wire from our TX to its RX, and at its port's settings") \
+  X(Signing, "the autopilot signs its messages, and takes no unsigned ones such as ours") \
+  /* no fault */ \
+  X(Quiet, "all is well; the autopilot sends little unasked: setMessageInterval() asks for more") \
+  X(Well, "all is well")
+// clang-format on
+
+enum class Verdict : uint8_t {
+#define MAVMISSION_NAME(name, text) name,
+  MAVMISSION_VERDICTS(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
+};
+
+// The verdict in words, for Serial.print(). Flash text; null for a value that is no Verdict.
+FlashText toString(Verdict verdict);
+
+// True when the autopilot is heard, and hears us.
+constexpr bool isWell(Verdict verdict) { return verdict >= Verdict::Quiet; }
+
+// Opens the port anew at another rate [bit/s]: a Stream cannot. Called from update(); must not wait.
+typedef void (*BaudFunction)(void* context, uint32_t baud);
+
+// Who was heard.
+struct Speaker {
+  uint8_t systemId;     // as its frames have it
+  uint8_t componentId;  // MAV_COMPONENT
+  uint8_t type;         // MAV_TYPE of its heartbeat; 0 if it sent none
+};
+
+// Looks at what a client hears, and comes to a verdict within some seconds. Declare one beside the client:
+//
+//   MissionClient autopilot(Serial1);
+//   LinkDoctor doctor(autopilot);
+//
+// It may run beside any operation. What it says on the line is harmless: as long as no autopilot is heard, a heartbeat a
+// second, by which our own echo is known; then a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which every
+// autopilot answers with COMMAND_ACK, even one that does not know it, and which changes nothing; each second until it is
+// answered, then each 5 s. It asks nothing while a transfer is running.
+class LinkDoctor : public Listener {
+ public:
+  // The client must stay as long as the doctor.
+  explicit LinkDoctor(MissionClient& client);
+
+  // Lets it try other baud rates when bytes come, but no frames: 9600 to 921600, as far as the board can do them. `baud` is
+  // the rate at which the sketch has opened the port [bit/s]; a verdict of WrongBaud leaves it at the one that gave frames,
+  // and it goes back when they end. A round takes about half a minute.
+  void tryBauds(BaudFunction setBaud, uint32_t baud, void* context = nullptr);
+
+  // To be called from loop(), before the client's update(), so that it sees a receive ring that is full. Returns verdict().
+  Verdict update();
+
+  // What it came to last.
+  Verdict verdict() const { return verdict_; }
+  // The rate that the port is at now [bit/s]; 0 without tryBauds().
+  uint32_t baud() const;
+  // Who spoke last and was not the client's autopilot; all zeros: nobody.
+  const Speaker& speaker() const { return speaker_; }
+
+ private:
+  // What may have happened, and how long ago.
+  enum What : uint8_t { Bytes, Frame, Echo, Other, Autopilot, Signature, Answer, Question, LateLoop, kWhats };
+
+  static void take(Listener& listener, const FrameParser& frame);
+  void takeHeartbeat(const FrameParser& frame);
+  uint8_t systemId() const;
+  bool isOurs(const FrameParser& frame) const;
+  void second(uint16_t nowMs);
+  void count();
+  void beginWindow();
+  void endWindow();
+  void listenAnew();
+  void setBaud(uint8_t index);
+  void tryNextBaud();
+  Verdict judge();
+  Verdict judgeWithoutFrames();
+  void speak(uint16_t nowMs);
+  void sendHeartbeat(uint16_t nowMs);
+  void ask();
+
+  BaudFunction setBaud_ = nullptr;
+  void* baudContext_ = nullptr;
+  uint32_t ownBaud_ = 0;
+  uint32_t bytes_ = 0;           // that the client had received a second ago
+  uint16_t framesAtWindow_;      // its counters when the window began
+  uint16_t unknownAtWindow_;
+  uint16_t damageAtWindow_;
+  uint16_t brokenAtWindow_;
+  uint16_t secondMs_ = 0;
+  uint16_t mark_ = 0;            // in our last heartbeat: by it its echo is known
+  Speaker speaker_ = {0, 0, 0};
+  uint8_t agesS_[kWhats];        // 255: never, or long ago
+  uint8_t listenedS_;            // at this rate, or since bytes came back
+  uint8_t windowS_;
+  uint8_t unanswered_;           // questions since the last answer
+  uint8_t baudIndex_;            // of the rate that is tried
+  Verdict verdict_ = Verdict::Listening;
+  Verdict damage_;               // that the last window has shown; Well: none
+  bool weighed_ : 1;             // a window has ended
+  bool quiet_ : 1;               // with hardly any telemetry
+  bool askDue_ : 1;
+  bool roundDone_ : 1;           // every rate was tried in vain
+};
+
+}  // namespace mavmission
