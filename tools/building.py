@@ -282,8 +282,11 @@ def library_folder() -> Path:
     library = BUILD / "libraries" / "MavMission"
     library.mkdir(parents=True, exist_ok=True)
     for name in ("src", "library.properties"):
+        link, target = library / name, ROOT / name
+        if link.is_symlink() and link.readlink() != target:  # build/ was copied from another clone
+            link.unlink(missing_ok=True)
         try:
-            (library / name).symlink_to(ROOT / name)
+            link.symlink_to(target)
         except FileExistsError:
             pass
     return library.parent
