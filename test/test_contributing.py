@@ -13,7 +13,9 @@ from building import ROOT
 
 TEXT = (ROOT / "CONTRIBUTING.md").read_text()
 BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```$", TEXT, re.M | re.S)  # (language, lines)
-COMMANDS = [line.partition(" #")[0].strip() for language, lines in BLOCKS if not language for line in lines.splitlines()]
+COMMANDS = [
+    line.partition(" #")[0].strip() for language, lines in BLOCKS if not language for line in lines.splitlines()
+]
 
 
 def options_of(tool: str) -> str:
@@ -54,7 +56,8 @@ def test_pictures_of_the_readme_are_drawn_by_the_same_commands_here():
 
 def test_trace_of_one_run_is_printed():
     (script,) = [lines for language, lines in BLOCKS if language == "python"]
-    environment = {**os.environ, "PYTHONPATH": ":".join(str(ROOT / folder) for folder in ("test", "tools", "build/dialect"))}
+    folders = ":".join(str(ROOT / folder) for folder in ("test", "tools", "build/dialect"))
+    environment = {**os.environ, "PYTHONPATH": folders}
     ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, env=environment, check=False)
     assert ran.returncode == 0, ran.stderr
     lost = [line for line in ran.stdout.splitlines() if "[lost]" in line]

@@ -20,7 +20,8 @@ def waits_in_the_code() -> dict[str, str]:
     """File::name -> value of each wait and number of tries."""
     found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.glob(pattern)
              for name, value in CONSTANT.findall(file.read_text())}  # fmt: skip
-    (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", (SOURCES / "UploadTransfer.h").read_text())
+    text = (SOURCES / "UploadTransfer.h").read_text()
+    (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", text)
     return {**found, "UploadTransfer::defaultLimitS": limit}
 
 

@@ -12,7 +12,11 @@ import pytest
 from building import build_sketch
 from library_objects import LENT, LibraryObjects
 
-SKETCH = "#include <MavMission.h>\nmavmission::MissionClient autopilot(Serial1);\nvoid setup() {{}}\nvoid loop() {{ {} }}\n"
+SKETCH = """#include <MavMission.h>
+mavmission::MissionClient autopilot(Serial1);
+void setup() {{}}
+void loop() {{ {} }}
+"""
 
 
 def sketch(folder: Path, name: str, loop: str) -> Path:
@@ -65,7 +69,8 @@ def test_lists_of_what_an_object_depends_on_name_the_new_place_and_keep_their_ti
     for name in ("core/main.cpp.d", "includes.cache"):
         assert (out / name).read_text() == f"{out}/core/main.cpp.o {out}/sketch/Two.ino.cpp"
     assert (out / "core/main.cpp.d").stat().st_mtime_ns == 1_000_000_007
-    assert '"here"' in (out / "build.options.json").read_text() and '"a:b:c"' in (out / "build.options.json").read_text()
+    options = (out / "build.options.json").read_text()
+    assert '"here"' in options and '"a:b:c"' in options
 
 
 def test_objects_of_another_library_compiler_or_board_are_not_lent(tmp_path):

@@ -27,7 +27,8 @@ def library(tmp_path) -> Path:
         "src/MavMission.h": '#define MAVMISSION_VERSION "1.2.3"\n',
         "examples/One/One.ino": "void setup() {}\nvoid loop() {}\n",
         "README.md": "[One](examples/One/One.ino)\n",
-        "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - 2031-04-05\n\n### Added\n- All.\n\n## [1.2.2] - 2031-01-01\n- Less.\n",
+        "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - 2031-04-05\n\n### Added\n- All.\n\n"
+                        "## [1.2.2] - 2031-01-01\n- Less.\n",
         "test/test_one.py": "assert True\n",
     }
     for name, text in files.items():
@@ -58,7 +59,7 @@ def test_library_that_is_ready_is_released(library, tmp_path):
     ("src/MavMission.h", "1.2.3", "1.2", "src/MavMission.h says version 1.2,"),
     ("library.properties", "1.2.3", "one", "version=one is not of the form 1.2.3"),
     ("CHANGELOG.md", "## [1.2.3] - 2031-04-05", "## [Unreleased]", "head it ## [1.2.3]"),
-    ("CHANGELOG.md", "## [1.2.3]", "## [Unreleased]\n- More.\n\n## [1.2.3]", "under Unreleased belongs to this release"),
+    ("CHANGELOG.md", "## [1.2.3]", "## [Unreleased]\n- More.\n\n## [1.2.3]", "Unreleased belongs to this release"),
     ("CHANGELOG.md", "[1.2.3]", "[1.2.4]", "no heading ## [1.2.3]"),
     ("CHANGELOG.md", " - 2031-04-05", "", "ends with its day"),
     ("CHANGELOG.md", "- All.", "", "says nothing of 1.2.3"),
@@ -111,8 +112,9 @@ def made(tmp_path_factory) -> Path:
     ran = subprocess.run([sys.executable, TOOL, "--snapshot", "--no-builds", "--output", folder],
                          capture_output=True, text=True, check=False)  # fmt: skip
     assert ran.returncode == 0, ran.stdout + ran.stderr
-    assert ran.stdout.splitlines()[-1] == str(folder / f"MavMission-{versions(ROOT)['library.properties']}-snapshot.zip")
-    return Path(ran.stdout.splitlines()[-1])
+    said = Path(ran.stdout.splitlines()[-1])
+    assert said == folder / f"MavMission-{versions(ROOT)['library.properties']}-snapshot.zip"
+    return said
 
 
 def test_zip_has_the_whole_library_and_neither_tests_nor_tools(made):

@@ -134,8 +134,9 @@ class Demonstration:
     # -- before ---------------------------------------------------------------------------
 
     def _introduce(self) -> None:
-        if self.settings.timeline is not None and not self.settings.timeline.parent.is_dir():
-            raise NoDemonstration(f"cannot write {self.settings.timeline}: there is no folder {self.settings.timeline.parent}")
+        picture = self.settings.timeline
+        if picture is not None and not picture.parent.is_dir():
+            raise NoDemonstration(f"cannot write {picture}: there is no folder {picture.parent}")
         name = Path(self.settings.example).stem
         self._screen.say(
             f"{name} on a simulated Mega, Serial1 to a simulated {NAMES[self.settings.autopilot]}{self._losses()}"

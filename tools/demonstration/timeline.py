@@ -50,7 +50,7 @@ class Burst:
 class Timeline:
     bursts: list[Burst]
     step_s: float  # of the line's use
-    share: dict[str, float]  # of the time from the first frame to the last that each direction was in use, silences included
+    share: dict[str, float]  # of the time from first frame to last that each direction was in use, silences included
 
 
 def mark_of(crossing: OnTheLine, shown: bool, again: bool) -> Mark:

@@ -1,4 +1,4 @@
-"""Where the RAM of a sketch with a MissionClient goes, member by member, from the compiler's and the linker's records."""
+"""Where the RAM of a sketch with a MissionClient goes, member by member, as the compiler and the linker have it."""
 
 from __future__ import annotations
 
