@@ -17,7 +17,7 @@ constexpr uint16_t kHomeIndex = 0xFFFF;
 
 // A sink as a function, its context, and how many items it takes at most. Kept by value.
 struct ItemSink {
-  ItemSinkFunction write;  // null takes nothing
+  ItemSinkFunction write;  // not null
   void* context;   // handed to the function; may be null
   uint16_t limit;  // items; a longer plan is not begun with (Status::SinkFull)
 };

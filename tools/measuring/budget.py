@@ -8,7 +8,7 @@ from pathlib import Path
 from building import BUILD, ROOT, build_sketch
 from elftools.dwarf.die import DIE
 from elftools.elf.elffile import ELFFile
-from firmware import LIBRARY, compiled, run
+from firmware import LIBRARY, compiled, exclusive, run
 from mega.image import demangle
 
 SKETCH = ROOT / "examples" / "UploadMission"
@@ -59,7 +59,11 @@ def records_of_client() -> Path:
         source.write_text(text)
     unit = compiled(source, "atmega2560", ["-gdwarf-2", "-fno-lto"], [LIBRARY])
     elf = unit.with_suffix(".elf")
-    run(["avr-gcc", "-mmcu=atmega2560", "-nostdlib", "-Wl,--unresolved-symbols=ignore-all", "-o", elf, unit])
+    with exclusive(elf):
+        if not elf.exists():
+            fresh = elf.with_suffix(".new")
+            run(["avr-gcc", "-mmcu=atmega2560", "-nostdlib", "-Wl,--unresolved-symbols=ignore-all", "-o", fresh, unit])
+            fresh.replace(elf)
     return elf
 
 
