@@ -2,6 +2,7 @@
 // protocol; README.md begins with an example.
 #pragma once
 
+// By semantic versioning; the same in library.properties.
 #define MAVMISSION_VERSION "0.1.0"
 
 #include "mavmission/LinkDoctor.h"

@@ -59,8 +59,8 @@ def build_firmware(
 ) -> Path:
     """The ELF of `sources`, which define setup() and loop().
 
-    `defines` also reach the library. A value of True defines the bare name.
-    `flags` are further compiler flags for the sources and the library.
+    `defines` also reach the library, if it names them. A value of True defines the
+    bare name. `flags` are further compiler flags for the sources and the library.
     Warnings in either are errors. Without `library`, only the core is linked.
     """
     sources = [Path(source).resolve() for source in sources]
@@ -68,7 +68,9 @@ def build_firmware(
     places = [LIBRARY, *{source.parent for source in sources}, *(Path(d).resolve() for d in include_dirs)]
     units = [compiled(source, mcu, own, places) for source in sources]
     if library:
-        units += [compiled(source, mcu, own, places) for source in library_sources()]
+        # As few different ones as can be: firmware that differs elsewhere shares the library's objects.
+        its_own = [*defined({name: value for name, value in (defines or {}).items() if library_names(name)}), *flags]
+        units += [compiled(source, mcu, its_own, [LIBRARY]) for source in library_sources()]
     core = core_archive(mcu)
     key = digest("elf", mcu, *LINK, *map(str, units), str(core))
     elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
@@ -87,6 +89,12 @@ def defined(defines: Mapping[str, object]) -> list[str]:
 def library_sources() -> list[Path]:
     """What the Arduino builder compiles of a library: every source under src."""
     return sorted(file for kind in ("*.cpp", "*.c", "*.S") for file in LIBRARY.rglob(kind))
+
+
+@functools.cache
+def library_names(word: str) -> bool:
+    """Whether a macro can mean anything to the library: whether the word is in it."""
+    return any(word in file.read_text() for kind in ("*.h", "*.cpp") for file in LIBRARY.rglob(kind))
 
 
 def compiled(source: Path, mcu: str, flags: Sequence[str], places: Sequence[Path]) -> Path:

@@ -7,6 +7,7 @@ import hashlib
 import pickle
 import subprocess
 import sys
+from collections.abc import Callable
 
 import pytest
 from building import BUILD, ROOT
@@ -32,19 +33,31 @@ def tree_digest() -> str:
     return whole.hexdigest()[:16]
 
 
-@pytest.fixture(scope="session")
-def rows() -> list[figures.Row]:
-    """All the figures, measured once for all workers of a test run."""
+def measured_once(name: str, measure: Callable[[], object]):
+    """What `measure` returns, measured once for all workers of a test run."""
     folder = BUILD / "measured"
     folder.mkdir(parents=True, exist_ok=True)
-    kept = folder / f"{tree_digest()}.pickle"
-    with open(folder / "lock", "w") as lock:
+    kept = folder / f"{name}-{tree_digest()}.pickle"
+    with open(folder / f"{name}.lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not kept.exists():
-            values = {row.figure.key: (row.baseline_2, row.baseline_1, row.ours) for row in figures.measure()}
-            kept.write_bytes(pickle.dumps(values))
-    values = pickle.loads(kept.read_bytes())
+            kept.write_bytes(pickle.dumps(measure()))
+    return pickle.loads(kept.read_bytes())
+
+
+@pytest.fixture(scope="session")
+def rows() -> list[figures.Row]:
+    """All the figures."""
+    values = measured_once(
+        "figures", lambda: {row.figure.key: (row.baseline_2, row.baseline_1, row.ours) for row in figures.measure()}
+    )
     return [figures.Row(figure, *values[figure.key]) for figure in figures.FIGURES]
+
+
+@pytest.fixture(scope="session")
+def costs() -> list[growth.Cost]:
+    """How the cost grows with the plan."""
+    return [growth.Cost(*cost) for cost in measured_once("growth", lambda: [tuple(cost) for cost in growth.costs()])]
 
 
 def test_no_figure_is_beyond_its_bound(rows):
@@ -170,15 +183,16 @@ def test_ram_does_not_grow_with_the_plan_and_time_grows_with_it():
 
 
 @pytest.mark.slow
-def test_ram_is_the_same_for_ten_thousand_items():
-    small, large = growth.costs((100, 10_000))
+def test_ram_is_the_same_for_ten_thousand_items(costs):
+    by_items = {cost.items: cost for cost in costs}
+    small, large = by_items[100], by_items[10_000]
     assert small.ram == large.ram
     assert large.seconds == pytest.approx(100 * small.seconds, rel=0.02)
 
 
 @pytest.mark.slow
-def test_picture_in_the_documents_is_not_stale(tmp_path):
-    growth.draw(growth.costs(), tmp_path / "cost.svg")
+def test_picture_in_the_documents_is_not_stale(costs, tmp_path):
+    growth.draw(costs, tmp_path / "cost.svg")
     assert (tmp_path / "cost.svg").read_text() == growth.PICTURE.read_text(), "run tools/measure --growth"
 
 

@@ -24,6 +24,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Iterable, Iterator, Sequence
 
+from library_objects import LibraryObjects
+
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
 HARDWARE = (Path("/usr/share/arduino/hardware"), Path("/usr/share/arduino-builder"))
@@ -119,7 +121,7 @@ def build_sketch(
             if kept:
                 return kept
         forget_vanished_sketches()
-        return compile_into(folder, source, BOARDS[board], backend, extra, strict)
+        return compile_into(folder, source, BOARDS[board], backend, extra, strict, clean)
 
 
 def choose_backend() -> str:
@@ -161,10 +163,13 @@ def digest(file: Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
+def library_sources() -> set[Path]:
+    return {f for f in (ROOT / "src").rglob("*") if f.is_file()} | {ROOT / "library.properties"}
+
+
 def sources_of(source: Path) -> set[Path]:
     """Every file whose appearance or change calls for another build."""
-    files = {f for f in (ROOT / "src").rglob("*") if f.is_file()}
-    files.add(ROOT / "library.properties")
+    files = library_sources()
     if source.is_dir() or source.suffix == ".ino":
         folder = source if source.is_dir() else source.parent
         files |= {f for f in folder.rglob("*") if f.is_file()}
@@ -215,7 +220,7 @@ def forget_vanished_sketches() -> None:
 
 
 def compile_into(
-    folder: Path, source: Path, board: Board, backend: str, extra: Sequence[str], strict: bool
+    folder: Path, source: Path, board: Board, backend: str, extra: Sequence[str], strict: bool, clean: bool
 ) -> Built:
     out = folder / "out"
     shutil.rmtree(out, ignore_errors=True)
@@ -223,6 +228,9 @@ def compile_into(
     (folder / "built.json").unlink(missing_ok=True)
     before = {str(f): digest(f) for f in sources_of(source)}
     sketch = sketch_folder(source, folder)
+    objects = library_objects(board, backend, extra)
+    if objects and not clean:
+        objects.lend(out, sketch, {"sketchLocation": str(sketch / f"{sketch.name}.ino")})
     command = {"arduino-cli": arduino_cli, "arduino-builder": arduino_builder}[backend](
         sketch, board, out, library_folder(), extra
     )
@@ -248,8 +256,18 @@ def compile_into(
     after = {str(f): digest(f) for f in dependencies(out) if str(f) not in before}
     kept = {"elf": str(elf), "hex": str(hex_file), "files": {**before, **after}}
     (folder / "built.json").write_text(json.dumps(kept, indent=1))
+    if objects and not warnings:  # lent objects do not warn again
+        objects.keep(out, sketch)
     shutil.rmtree(out / "core", ignore_errors=True)  # objects only, and most of the room
     return Built(elf, hex_file, *elf_sizes(elf), board)
+
+
+def library_objects(board: Board, backend: str, extra: Sequence[str]) -> LibraryObjects | None:
+    """What the sketches of a board share; arduino-cli shares in its own way."""
+    if backend != "arduino-builder":
+        return None
+    settings = (board.fqbn, compiler_stamp(backend), str(library_folder()), *DEBIAN_CPP_FLAGS, *extra)
+    return LibraryObjects(BUILD / "objects", settings, library_sources())
 
 
 def sketch_folder(source: Path, folder: Path) -> Path:
@@ -282,8 +300,11 @@ def library_folder() -> Path:
     library = BUILD / "libraries" / "MavMission"
     library.mkdir(parents=True, exist_ok=True)
     for name in ("src", "library.properties"):
+        link, target = library / name, ROOT / name
+        if link.is_symlink() and link.readlink() != target:  # build/ was copied from another clone
+            link.unlink(missing_ok=True)
         try:
-            (library / name).symlink_to(ROOT / name)
+            link.symlink_to(target)
         except FileExistsError:
             pass
     return library.parent

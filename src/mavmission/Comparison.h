@@ -27,12 +27,14 @@ namespace mavmission {
   X(Height, "z (altitude)")               \
   X(Autocontinue, "autocontinue")
 
+// A field of an item, as MISSION_ITEM_INT has it, or the number of items.
 enum class Field : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_FIELDS(MAVMISSION_NAME)
 #undef MAVMISSION_NAME
 };
 
+// The field in words, for Serial.print(). Flash text; null for a value that is no Field.
 FlashText toString(Field field);
 
 // The first field in which `read` is not what this autopilot makes of `sent`, or Field::None. `sent` is the item as it

@@ -16,8 +16,10 @@ class Degrees {
   // From whole steps of 1e-7 degree, -1800000000 to 1800000000. Beyond that a plan is refused, naming the item.
   static constexpr Degrees fromE7(int32_t e7) { return Degrees(e7, Exact()); }
 
+  // Whole steps of 1e-7 degree.
   constexpr int32_t e7() const { return e7_; }
 
+  // Exact; the sketch sees to it that nothing leaves the range of fromE7().
   constexpr Degrees operator-() const { return fromE7(-e7_); }
   constexpr Degrees operator+(Degrees other) const { return fromE7(e7_ + other.e7_); }
   constexpr Degrees operator-(Degrees other) const { return fromE7(e7_ - other.e7_); }

@@ -7,7 +7,7 @@ namespace mavmission {
 
 // COMMAND_LONG, or COMMAND_INT where it has a place. A plain struct; the makers below fill it.
 struct FlightCommand {
-  float param1, param2, param3, param4;
+  float param1, param2, param3, param4;  // meaning by command
   float param5, param6;  // of COMMAND_LONG
   float param7;          // or the altitude
   int32_t x, y;          // of COMMAND_INT: latitude, longitude [1e-7 deg]
@@ -16,10 +16,12 @@ struct FlightCommand {
   bool hasPlace;         // it goes as COMMAND_INT
 };
 
+// Any command, with the meaning that MAV_CMD gives its parameters...
 constexpr FlightCommand flightCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0,
                                       float param4 = 0, float param5 = 0, float param6 = 0, float param7 = 0) {
   return FlightCommand{param1, param2, param3, param4, param5, param6, param7, 0, 0, id, Frame::Mission, false};
 }
+// ... and one that has a place.
 constexpr FlightCommand flightCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude,
                                         float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0) {
   return FlightCommand{param1,           param2,        param3,         param4, 0,

@@ -7,6 +7,7 @@
 
 namespace mavmission {
 
+// By what the aircraft then does.
 enum class FlightMode : uint8_t {
   Auto,            // fly the mission: AUTO on ArduPilot, MISSION on PX4
   Guided,          // fly where a companion says: GUIDED, or OFFBOARD on PX4 (which wants setpoints first)

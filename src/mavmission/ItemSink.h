@@ -12,12 +12,13 @@ namespace mavmission {
 // position, which is no item of the plan.
 typedef bool (*ItemSinkFunction)(void* context, uint16_t index, const MissionItem& item);
 
+// The number with which a sink is given the home position.
 constexpr uint16_t kHomeIndex = 0xFFFF;
 
 // A sink as a function, its context, and how many items it takes at most. Kept by value.
 struct ItemSink {
-  ItemSinkFunction write;
-  void* context;
+  ItemSinkFunction write;  // not null
+  void* context;   // handed to the function; may be null
   uint16_t limit;  // items; a longer plan is not begun with (Status::SinkFull)
 };
 

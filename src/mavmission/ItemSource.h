@@ -17,8 +17,8 @@ typedef bool (*ItemFunction)(void* context, uint16_t index, MissionItem& item);
 // A plan as a function, its context and its length. Small; kept by value. What it points at is the sketch's, and must
 // stay until the transfer has ended.
 struct ItemSource {
-  ItemFunction read;
-  void* context;
+  ItemFunction read;  // null with a count of 0
+  void* context;      // handed to the function; may be null
   uint32_t count;  // items; more than 65,535 is refused (Status::TooManyItems)
 };
 

@@ -21,7 +21,7 @@ struct LinkCounters {
   uint16_t badChecksums;     // frames of known messages with a wrong checksum
   uint16_t brokenFrames;     // frames of other messages that did not end where they should
   uint16_t framesLost;       // of the autopilot's, by the gaps in their sequence numbers
-  uint16_t framesSent;
+  uint16_t framesSent;       // of all messages
 };
 
 // Which MAVLink to speak.

@@ -8,17 +8,18 @@ namespace mavmission {
 
 // A received message, valid during the call.
 struct ReceivedMessage {
-  uint16_t id;
-  uint8_t systemId;
-  uint8_t componentId;
+  uint16_t id;             // of the message
+  uint8_t systemId;        // of the sender
+  uint8_t componentId;     // of the sender
   uint8_t version;         // of MAVLink: 1 or 2
   uint8_t length;          // bytes of payload as they came: MAVLink 2 leaves trailing zeros out
-  const uint8_t* payload;
+  const uint8_t* payload;  // as it lies on the wire
 
   // Copies the payload to a message struct of `size` bytes; what was left out becomes 0.
   void copyTo(void* message, uint8_t size) const;
 };
 
+// Called from update() with each message that was asked for; may start operations.
 typedef void (*MessageFunction)(void* context, const ReceivedMessage& message);
 
 // Hears the messages of an array of keys in flash, from any sender, and hands each to a function. The keys are any
@@ -30,6 +31,7 @@ typedef void (*MessageFunction)(void* context, const ReceivedMessage& message);
 // Messages with a payload of more than MAVMISSION_MAX_PAYLOAD bytes are stepped over.
 class MessageListener : public Listener {
  public:
+  // The keys must lie in flash and stay as long as the listener; so must the client.
   template <uint8_t N>
   MessageListener(MissionClient& client, const MessageKey (&keys)[N], MessageFunction function, void* context = nullptr)
       : Listener(client, keys, N, take), function_(function), context_(context) {}

@@ -47,6 +47,7 @@ class MissionClient {
   // How long an earlier transfer may still be answered [ms]: ArduPilot gives one up after 8 s.
   static constexpr uint16_t kLeftoversMs = 10000;
 
+  // Talks over this port, which the sketch opens.
   explicit MissionClient(Stream& stream);
 
   // --- Operations: one at a time; a second one is refused with Status::Busy, and the running one goes on unharmed.
@@ -95,6 +96,7 @@ class MissionClient {
   // autopilot is armed, unless that is allowed.
   Status start();
 
+  // Arms or disarms, as the autopilot's own checks allow.
   Status arm();
   Status disarm();
   // The mode by its name, or by the autopilot's own number (HEARTBEAT.custom_mode).
@@ -131,10 +133,12 @@ class MissionClient {
   // --- What is going on
 
   Status status() const { return state_.status; }  // of the running operation, or the last one
+  // True while an operation runs.
   bool isBusy() const { return state_.operation != nullptr; }
   // The item that the status is about, counted as the sketch counts, or kNoItem. ArduPilot's home is no item.
   uint16_t failedItem() const { return state_.failedItem; }
-  uint16_t itemsDone() const { return state_.itemsDone; }    // of the running or last transfer
+  // Of the running or last transfer.
+  uint16_t itemsDone() const { return state_.itemsDone; }
   uint16_t itemsTotal() const { return rest_.itemsTotal; }
   // What differs after Status::Differs.
   Field differingField() const { return rest_.field; }
@@ -147,6 +151,7 @@ class MissionClient {
   // The step of start() that runs, or that was refused.
   StartStep startStep() const { return rest_.startStep; }
 
+  // The autopilot on the line, by its heartbeats.
   bool hasAutopilot() const { return link_.finder().isFound(); }
   Firmware firmware() const { return link_.finder().firmware(); }
   uint8_t autopilotSystemId() const { return link_.finder().heartbeat().systemId; }
@@ -154,11 +159,14 @@ class MissionClient {
   bool isArmed() const { return hasAutopilot() && link_.finder().isArmed(); }
   // The autopilot's own number of the mode that it is in (HEARTBEAT.custom_mode).
   uint32_t customMode() const { return link_.finder().heartbeat().customMode; }
+  // By the autopilot's last heartbeat.
   bool isInMode(FlightMode mode) const;
+  // What the line does well and badly.
   LinkCounters counters() const { return link_.counters(); }
 
   // --- Callbacks; null, the default, is none. `context` is handed to the function and may be null.
 
+  // One function each; another call replaces it.
   void onProgress(ProgressFunction function, void* context = nullptr);
   void onEnd(EndFunction function, void* context = nullptr);
 

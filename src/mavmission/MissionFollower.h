@@ -20,6 +20,7 @@ typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 //   MissionFollower mission(autopilot);
 class MissionFollower : public Listener {
  public:
+  // The client must stay as long as this.
   explicit MissionFollower(MissionClient& client);
 
   // The item being flown, or MissionClient::kNoItem before the autopilot has said, and while it is home.
@@ -28,14 +29,17 @@ class MissionFollower : public Listener {
   uint16_t reachedItem() const { return reached_; }
   // Items aboard, as the sketch counts them, or 0 when the autopilot does not say.
   uint16_t total() const { return total_; }
+  // What the autopilot says of its mission as a whole.
   MissionState state() const { return state_; }
   // False when the autopilot names its plan and it is not the one that was accepted last: someone has changed it.
   // (PX4: MISSION_CURRENT.mission_id.) True when the autopilot does not say.
   bool isOurPlan() const;
 
+  // Called when another item is flown.
   void onCurrent(ItemNumberFunction function, void* context = nullptr);
   // Called once for each item reached, though PX4 repeats it; again if the item is flown again.
   void onReached(ItemNumberFunction function, void* context = nullptr);
+  // Called with each STATUSTEXT of the autopilot's, whole.
   void onText(TextFunction function, void* context = nullptr);
 
  private:

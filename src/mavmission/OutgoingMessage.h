@@ -5,6 +5,7 @@
 
 namespace mavmission {
 
+// For MissionClient::sendMessage().
 struct OutgoingMessage {
   uint32_t id;          // below 2^24
   uint8_t crcExtra;     // CRC_EXTRA of its definition

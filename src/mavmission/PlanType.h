@@ -5,6 +5,7 @@
 
 namespace mavmission {
 
+// One kind, or all.
 enum class PlanType : uint8_t {
   Mission = 0,  // what is flown
   Fence = 1,    // where it must stay, or must not go; needs MAVLink 2

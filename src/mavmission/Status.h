@@ -98,6 +98,7 @@ enum class Status : uint8_t {
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
   X(Nothing, "no plan")
 
+// What is aboard, in a word each.
 enum class Aboard : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_ABOARD(MAVMISSION_NAME)

@@ -10,23 +10,28 @@ namespace mavmission {
 
 // A length [m].
 struct Metres {
-  float value;
+  float value;  // [m]
+  // From a number that was computed.
   constexpr explicit Metres(float metres) : value(metres) {}
+  // Downwards, or below.
   constexpr Metres operator-() const { return Metres(-value); }
 };
 
 // A duration [s].
 struct Seconds {
-  float value;
+  float value;  // [s]
+  // From a number that was computed.
   constexpr explicit Seconds(float seconds) : value(seconds) {}
 };
 
 // A speed [m/s].
 struct MetresPerSecond {
-  float value;
+  float value;  // [m/s]
+  // From a number that was computed.
   constexpr explicit MetresPerSecond(float metresPerSecond) : value(metresPerSecond) {}
 };
 
+// Lengths, durations and speeds as literals: 20_m, 2.5_s, 5_mps.
 constexpr Metres operator"" _m(unsigned long long value) { return Metres(static_cast<float>(value)); }
 constexpr Metres operator"" _m(long double value) { return Metres(static_cast<float>(value)); }
 constexpr Seconds operator"" _s(unsigned long long value) { return Seconds(static_cast<float>(value)); }
@@ -68,8 +73,10 @@ inline Frame modern(Frame frame) {
 // An altitude and what it is measured from. Plain metres are above home: 20_m.
 class Altitude {
  public:
+  // Above home; or above what `frame` says.
   constexpr Altitude(Metres aboveHome) : metres_(aboveHome.value), frame_(Frame::GlobalRelative) {}
   constexpr Altitude(Metres metres, Frame frame) : metres_(metres.value), frame_(frame) {}
+  // What it was made of.
   constexpr float metres() const { return metres_; }
   constexpr Frame frame() const { return frame_; }
 
@@ -89,6 +96,7 @@ constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::
 class Yaw {
  public:
   constexpr Yaw() : degrees_(__builtin_nanf("")) {}
+  // From north, clockwise.
   constexpr Yaw(Degrees heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
   constexpr float inDegrees() const { return degrees_; }  // NaN: as you fly
 

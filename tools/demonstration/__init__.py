@@ -14,5 +14,6 @@ for _folder in ("build/dialect", "test", "tools"):
         sys.path.append(str(_ROOT / _folder))
 
 from .demonstration import Demonstration, NoDemonstration, Settings, Verdict  # noqa: E402
+from .named_frames import BadName, NamedFrame  # noqa: E402
 
-__all__ = ["Demonstration", "NoDemonstration", "Settings", "Verdict"]
+__all__ = ["BadName", "Demonstration", "NamedFrame", "NoDemonstration", "Settings", "Verdict"]

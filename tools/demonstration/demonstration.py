@@ -18,9 +18,12 @@ from recordings import repeated
 from wire import Entry
 
 from .line import Line as SerialLine
+from .named_frames import NamedFrame
+from .picture import draw
 from .plan_in_firmware import NotOnePlan, Plan, plan_in
 from .screen import Line, Row
 from .telemetry_log import TelemetryLog
+from .timeline import laid_out, mark_of
 from .wire_form import on_the_wire
 from .words import ITEMS, item_in_words, message_in_words
 
@@ -49,7 +52,9 @@ class Settings:
     autopilot: str = "ardupilot"  # or "px4"
     loss_percent: float = 0.0  # of the frames, in each direction
     seed: int = 0
+    lose: tuple[NamedFrame, ...] = ()
     log: Path | None = None
+    timeline: Path | None = None  # an SVG
     fast: bool = False  # as fast as can be, instead of in real time
 
 
@@ -79,8 +84,11 @@ class Demonstration:
         self.autopilot = an_autopilot(settings.autopilot)
         if self._reads:
             self.autopilot.load(on_the_wire(HELD, settings.autopilot))
-        self._line = SerialLine(self.autopilot, settings.loss_percent, settings.seed)
         self._mega = Mega(built.elf)
+        self._line = SerialLine(
+            self.autopilot, self._mega.serial(1), settings.loss_percent, settings.seed, settings.lose
+        )
+        self._remarks: dict[int, tuple[bool, bool]] = {}  # by the entry's id(): is it shown, was it said before
         self._console = Console(self)
         self._conversation = Conversation()
         self._meant: dict[int, list[Item]] = {}  # by mission type, as the sketch has them
@@ -102,7 +110,7 @@ class Demonstration:
                 raise NoDemonstration(f"cannot write {self.settings.log}: {error.strerror}") from error
         world = RealTime(self._mega, **self._pace())
         world.connect(0, self._console)
-        world.connect(1, self._line)
+        world.connect(1, self._line, tap=self._line.hear)
         try:
             while not self._is_over():
                 self._line.step(self.now)
@@ -115,19 +123,33 @@ class Demonstration:
         self._line.step(self.now)
         self._show()
         self._console.flush()
-        return self._conclude()
+        verdict = self._conclude()
+        for named in self.settings.lose:
+            if not named.was_lost:
+                self._screen.say(f"--lose {named.text}: no such frame was sent, and so none was lost")
+        if self.settings.timeline is not None:
+            self._draw(self.settings.timeline, verdict)
+        return verdict
 
     # -- before ---------------------------------------------------------------------------
 
     def _introduce(self) -> None:
+        picture = self.settings.timeline
+        if picture is not None and not picture.parent.is_dir():
+            raise NoDemonstration(f"cannot write {picture}: there is no folder {picture.parent}")
         name = Path(self.settings.example).stem
-        loss = f", {self.settings.loss_percent:g} % of the frames lost each way" if self.settings.loss_percent else ""
-        self._screen.say(f"{name} on a simulated Mega, Serial1 to a simulated {NAMES[self.settings.autopilot]}{loss}")
+        self._screen.say(
+            f"{name} on a simulated Mega, Serial1 to a simulated {NAMES[self.settings.autopilot]}{self._losses()}"
+        )
         for kind, plan in self._plans.items():
             where = "RAM" if plan.in_ram else "flash"
             self._screen.say(f"its {KINDS[kind]}: {plan.name}, {plan.count} items in {where}")
         if self._uploads and not self._plans:
             self._screen.say("its plan comes from a function: what it sends is what it means")
+
+    def _losses(self) -> str:
+        loss = f", {self.settings.loss_percent:g} % of the frames lost each way" if self.settings.loss_percent else ""
+        return loss + "".join(f", {named.text} lost" for named in self.settings.lose)
 
     def _pace(self) -> dict:
         if not self.settings.fast:
@@ -147,7 +169,9 @@ class Demonstration:
         again = talk.add(entry)
         for kind in talk.counts.keys() & self._plans.keys() - self._meant.keys():
             self._meant[kind] = self._plans[kind].items(self._mega.peek)
-        if talk.is_shown(entry):
+        shown = talk.is_shown(entry)
+        self._remarks[id(entry)] = shown, again
+        if shown:
             where = "Mega -> autopilot" if entry.direction == ">" else "autopilot -> Mega"
             mark = "lost" if entry.fate else "again" if again else ""
             text = message_in_words(entry.message, entry.data)
@@ -199,6 +223,17 @@ class Demonstration:
         if talk.delivered == set(range(held)) and talk.thanked:
             return Verdict(True, f"The Mega has read all {held} items that {name} holds.")
         return Verdict(False, f"FAILED: the Mega has read {len(talk.delivered)} of the {held} items that {name} holds.")
+
+    def _draw(self, file: Path, verdict: Verdict) -> None:
+        """The run as a picture."""
+        silent = (False, False)
+        marks = [mark_of(crossing, *self._remarks.get(id(crossing.entry), silent)) for crossing in self._line.crossed]
+        title = f"{Path(self.settings.example).stem} to {NAMES[self.settings.autopilot]}{self._losses()}"
+        try:
+            draw(laid_out(marks), file, title, verdict.sentence)
+        except (OSError, ValueError) as error:
+            raise NoDemonstration(f"cannot draw {file}: {error}") from error
+        self._screen.say(f"drawn: {file}")
 
     def _meant_on_the_wire(self, kind: int) -> list[Item]:
         if kind not in self._plans:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from .ends import End
 from .mega import Mega
+from .serial import Sent
 
 SLICE_US = 1_000
 FALLEN_BEHIND_S = 1.0
@@ -32,16 +33,21 @@ class RealTime:
         self._clock = clock
         self._sleep = sleep
         self._ends: dict[int, End] = {}
+        self._taps: dict[int, Callable[[list[Sent]], None]] = {}
         self._began_at = clock()
         self._began_us = mega.now_us
         self.skipped_s = 0.0  # real time that was given up, this computer being too slow
 
-    def connect(self, number: int, end: End) -> None:
-        """Connect Serial`number` to an end; what was there is closed."""
+    def connect(self, number: int, end: End, tap: Callable[[list[Sent]], None] | None = None) -> None:
+        """Connect Serial`number` to an end; what was there is closed.
+
+        `tap` is told of the Mega's bytes with their times, right before the end gets them.
+        """
         self.mega.serial(number).sent()
         if number in self._ends:
             self._ends[number].close()
         self._ends[number] = end
+        self._taps[number] = tap or (lambda sent: None)
 
     def slice(self) -> None:
         """One millisecond of simulated time, with the traffic of all the ends."""
@@ -49,9 +55,10 @@ class RealTime:
             self._feed(number, end)
         self.mega.run_us(SLICE_US)
         for number, end in self._ends.items():
-            data = self.mega.serial(number).sent_bytes()
-            if data:
-                end.write(data)
+            sent = self.mega.serial(number).sent()
+            if sent:
+                self._taps[number](sent)
+                end.write(bytes(entry.byte for entry in sent))
         self._keep_pace()
 
     def run(self, seconds: float | None = None) -> None:

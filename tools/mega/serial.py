@@ -28,6 +28,7 @@ class SerialPort:
         self._handle = mega._handle
         self._peer_baud: int | None = None
         self.number = number
+        self.hz: int = mega.hz
 
     def send(self, data: bytes, at_cycle: int | None = None) -> None:
         """Queue bytes at the peer's line rate.

@@ -1,0 +1,128 @@
+"""A release: what must be right before one is made, and the zip that the Arduino IDE imports.
+
+In the zip is what library.json exports. The tests and the tools are not: the IDE would copy them into
+each user's sketchbook, where nothing runs them, and they need Debian; a clone has them.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import zipfile
+from collections.abc import Iterable
+from pathlib import Path
+
+SEMVER = r"\d+\.\d+\.\d+(?:-[0-9A-Za-z.-]+)?"
+HEADING = re.compile(rf"^## \[?(Unreleased|{SEMVER})\]?(.*)$", re.M)
+DATED = re.compile(r" - \d{4}-\d{2}-\d{2}")
+# The same for every zip: its bytes are those of its files and nothing else. The earliest that a zip can say.
+NO_DATE = (1980, 1, 1, 0, 0, 0)
+PLAIN_FILE = 0o100644
+UNWANTED = {"__pycache__", ".DS_Store", "Thumbs.db"}
+
+
+class NotReady(Exception):
+    """No release can be made; the text says what to do, a line for each thing."""
+
+
+def versions(root: Path) -> dict[str, str]:
+    """The version that each place says."""
+
+    def said(file: str, pattern: str) -> str:
+        match = re.search(pattern, (root / file).read_text(), re.M)
+        return match[1] if match else "none"
+
+    return {
+        "library.properties": said("library.properties", r"^version=(.*)$"),
+        "library.json": str(json.loads((root / "library.json").read_text()).get("version", "none")),
+        "src/MavMission.h": said("src/MavMission.h", r'^#define MAVMISSION_VERSION "(.*)"$'),
+    }
+
+
+def problems(root: Path, *, snapshot: bool) -> list[str]:
+    """What stands against a release; of a snapshot less is asked."""
+    found = versions(root)
+    version = found["library.properties"]
+    wrong = [f"{file} says version {said}, library.properties {version}: make them the same"
+             for file, said in found.items() if said != version]  # fmt: skip
+    if not re.fullmatch(SEMVER, version):
+        wrong.append(f"library.properties: version={version} is not of the form 1.2.3")
+    if not snapshot:
+        wrong += problems_of_changelog((root / "CHANGELOG.md").read_text(), version)
+        wrong += problems_of_clone(root)
+    return [*wrong, *problems_of_examples(root)]
+
+
+def problems_of_changelog(text: str, version: str) -> list[str]:
+    sections = {}
+    headings = list(HEADING.finditer(text))
+    for heading, behind in zip(headings, [*(one.start() for one in headings[1:]), len(text)]):
+        sections[heading[1]] = (heading[2], re.findall(r"^- \S", text[heading.end() : behind], re.M))
+    if "Unreleased" in sections and (version not in sections or sections["Unreleased"][1]):
+        return [f"CHANGELOG.md: what is under Unreleased belongs to this release: head it ## [{version}] - and the day"]
+    if version not in sections:
+        return [f"CHANGELOG.md has no heading ## [{version}]"]
+    date, entries = sections[version]
+    wrong = []
+    if not DATED.fullmatch(date):
+        wrong.append(f"CHANGELOG.md: the heading of {version} ends with its day, such as - 2031-04-05")
+    if not entries:
+        wrong.append(f"CHANGELOG.md says nothing of {version}")
+    if [name for name in sections if name != "Unreleased"][0] != version:
+        wrong.append(f"CHANGELOG.md: {version} is not the first version there")
+    return wrong
+
+
+def problems_of_clone(root: Path) -> list[str]:
+    """A release is made of what is committed."""
+    ran = subprocess.run(["git", "status", "--porcelain"], cwd=root, capture_output=True, text=True, check=False)
+    if ran.returncode != 0:
+        return ["this is no git clone: a release is made from one"]
+    return [f"not committed: {line[3:]}" for line in ran.stdout.splitlines()]
+
+
+def problems_of_examples(root: Path) -> list[str]:
+    readme = (root / "README.md").read_text()
+    wrong = []
+    for folder in sorted(path for path in (root / "examples").iterdir() if path.is_dir()):
+        sketch = f"examples/{folder.name}/{folder.name}.ino"
+        if not (root / sketch).is_file():
+            wrong.append(f"{folder.name}: Arduino wants {sketch}")
+        elif f"({sketch})" not in readme:
+            wrong.append(f"README.md does not name {sketch}")
+    return wrong
+
+
+def files_of(root: Path) -> list[Path]:
+    """What goes into the zip, in order."""
+    found: set[Path] = set()
+    for name in json.loads((root / "library.json").read_text())["export"]["include"]:
+        place = root / name
+        found |= {file for file in ([place] if place.is_file() else place.rglob("*"))
+                  if file.is_file() and not UNWANTED & set(file.parts) and not file.name.startswith(".")}  # fmt: skip
+    return sorted(found, key=lambda file: file.relative_to(root).as_posix())
+
+
+def write_zip(root: Path, output: Path, files: Iterable[Path]) -> None:
+    """One folder, named after the library as the IDE wants it. The same files make the same bytes."""
+    name = re.search(r"^name=(.*)$", (root / "library.properties").read_text(), re.M)[1]
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for file in files:
+            info = zipfile.ZipInfo(f"{name}/{file.relative_to(root).as_posix()}", NO_DATE)
+            info.compress_type = zipfile.ZIP_DEFLATED
+            info.create_system = 3  # Unix, whose permissions these are
+            info.external_attr = PLAIN_FILE << 16
+            archive.writestr(info, file.read_bytes())
+
+
+def release(root: Path, folder: Path, *, snapshot: bool = False) -> Path:
+    """Make the zip in `folder`; raises NotReady."""
+    wrong = problems(root, snapshot=snapshot)
+    if wrong:
+        raise NotReady("\n".join(wrong))
+    version = versions(root)["library.properties"]
+    output = folder / f"MavMission-{version}{'-snapshot' if snapshot else ''}.zip"
+    write_zip(root, output, files_of(root))
+    return output
