@@ -75,7 +75,7 @@ void start() {
   tryAgain = false;
   CONSOLE.print(F("upload, try "));
   CONSOLE.println(tries);
-  autopilot.upload(inFlash(plan), WhenInDoubt);
+  autopilot.upload(inFlash(plan));
 }
 
 void setup() {

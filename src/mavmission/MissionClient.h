@@ -28,9 +28,9 @@ typedef void (*EndFunction)(void* context, Status status);
 // The steps of start(), in their order; a vehicle needs some of them.
 enum class StartStep : uint8_t { None, ReadyMode, Arm, AutoMode, Begin };
 
-// Whether an upload is proven by reading the plan back.
-enum class Proof : uint8_t { ByAnswer, InDoubt, Always };
-constexpr Proof WhenInDoubt = Proof::InDoubt;  // upload(plan, WhenInDoubt)
+// When an upload is proven by reading the plan back.
+enum class Proof : uint8_t { InDoubt = 1, Always };
+constexpr Proof WhenInDoubt = Proof::InDoubt;  // what upload(plan) does
 constexpr Proof Verified = Proof::Always;      // upload(plan, Verified)
 
 // Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
@@ -53,18 +53,18 @@ class MissionClient {
   // --- Operations: one at a time; a second one is refused with Status::Busy, and the running one goes on unharmed.
 
   // Puts a plan aboard, in the place of what is there. Waits for the autopilot, checks the plan, then transfers. Returns
-  // the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is said only
-  // when the autopilot has acknowledged the whole plan, and on PX4 with our checksum. When the final answer never comes it
-  // is Status::Unconfirmed. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the
+  // the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is said exactly
+  // when the plan is aboard. Where the final answer is in doubt, what is aboard is read back and compared: Status::Differs
+  // says that it is not the plan, and Status::Unconfirmed remains where it cannot be read either. With Verified it is read
+  // back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the
   // Vehicle".)
-  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission);
-
-  // The same, and finds out what is aboard by reading it back and comparing: when the final answer is in doubt
-  // (WhenInDoubt), or in any case (Verified). Status::Accepted is then said exactly when the plan is aboard,
-  // Status::Differs when it is not; Status::Unconfirmed remains where it cannot be read either. Costs 5 kB of flash in a
-  // sketch that calls it.
-  Status upload(const ItemSource& plan, PlanType type, Proof proof);
+  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission, Proof proof = WhenInDoubt);
   Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
+
+  // The same without reading back, for a sketch that has to be small: 3.7 kB of flash less. Status::Accepted is said when
+  // the autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is lost, it is
+  // Status::Unconfirmed.
+  Status uploadByAnswer(const ItemSource& plan, PlanType type = PlanType::Mission);
 
   // Puts the plan of the last upload or verification aboard again: after a failure that left a mixture, for example.
   // Status::SourceRefused if there was none.

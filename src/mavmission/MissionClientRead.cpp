@@ -32,10 +32,10 @@ void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
 }
 
 Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
-  const Status status = upload(plan, type);
+  const Status status = uploadByAnswer(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = proof;
-  rest_.prove = proof != Proof::ByAnswer ? proveUpload : nullptr;
+  rest_.prove = proveUpload;
   rest_.takeUp = takeUpEnd;
   return status;
 }

@@ -7,7 +7,7 @@
 
 namespace mavmission {
 
-Status MissionClient::upload(const ItemSource& plan, PlanType type) {
+Status MissionClient::uploadByAnswer(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   setPlan(plan, type);
   rest_.prove = nullptr;

@@ -90,7 +90,7 @@ static void onEnd(void*, Status status) {
   Serial.println();
   if (uploadsInCallback == 0) return;
   --uploadsInCallback;
-  tell(F("restarted"), static_cast<uint8_t>(client.upload(plan)));
+  tell(F("restarted"), static_cast<uint8_t>(client.uploadByAnswer(plan)));
   Serial.println();
 }
 
@@ -158,7 +158,7 @@ ACTION(function) {
 // A Proof: 0 none but the autopilot's answer, 1 read back when in doubt, 2 always.
 ACTION(upload) {
   const Proof proof = static_cast<Proof>(numbers[0]);
-  tell(F("began"), static_cast<uint8_t>(proof == Proof::ByAnswer ? client.upload(plan) : client.upload(plan, proof)));
+  tell(F("began"), static_cast<uint8_t>(proof == Proof() ? client.uploadByAnswer(plan) : client.upload(plan, proof)));
   Serial.println();
 }
 ACTION(cancel) { client.cancel(); }

@@ -116,7 +116,7 @@ static void onEnd(void*, Status status) {
     case 2:
       return tellBegun(client.start());
     case 3:
-      return tellBegun(client.upload(plan));
+      return tellBegun(client.uploadByAnswer(plan));
     case 4:
       return tellBegun(client.download(toFunction(takeItem)));
     default:
@@ -182,7 +182,7 @@ ACTION(ram) { plan = inRam(benchPlan, numbers[0]); }
 ACTION(empty) { plan = emptyPlan(); }
 // Type, Proof.
 ACTION(upload) {
-  if (numbers[1] == 0) return tellBegun(client.upload(plan, typeOf(numbers[0])));
+  if (numbers[1] == 0) return tellBegun(client.uploadByAnswer(plan, typeOf(numbers[0])));
   tellBegun(client.upload(plan, typeOf(numbers[0]), static_cast<Proof>(numbers[1])));
 }
 ACTION(uploadagain) { tellBegun(client.uploadAgain()); }

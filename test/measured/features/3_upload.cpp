@@ -1,4 +1,4 @@
-// Uploads a plan from flash.
+// Uploads a plan from flash, and reads it back when the answer is in doubt.
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;

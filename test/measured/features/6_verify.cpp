@@ -1,4 +1,4 @@
-// The upload with a button that cancels it.
+// The upload with a verification behind it.
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;
@@ -11,6 +11,5 @@ void setup() {
   autopilot.upload(inFlash(survey));
 }
 void loop() {
-  if (PINA & 1) autopilot.cancel();
-  autopilot.update();
+  if (autopilot.update() == Status::Accepted) autopilot.verify(inFlash(survey));
 }

@@ -1,0 +1,15 @@
+// The upload, and start() when it is aboard.
+#include <Arduino.h>
+#include <MavMission.h>
+using namespace mavmission;
+
+constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
+MissionClient autopilot(Serial1);
+
+void setup() {
+  Serial1.begin(57600);
+  autopilot.upload(inFlash(survey));
+}
+void loop() {
+  if (autopilot.update() == Status::Accepted) autopilot.start();
+}
