@@ -67,7 +67,7 @@ class _Map:
         axes.set(xlabel="east [m]", ylabel="north [m]", title=plan.file.name)
         axes.grid(alpha=0.3)
         axes.margins(0.08)
-        axes.legend(loc="upper left", fontsize=8)
+        axes.legend(loc="best", fontsize=8)
 
     def _way(self, plan: Plan) -> None:
         flown = [(number, item) for number, item in enumerate(plan.items()) if is_flown_to(item)]
