@@ -7,6 +7,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
+import tempfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,9 +17,10 @@ from demonstration import Demonstration, Settings, Verdict
 
 from . import commands, judge
 from .exact import decimal_text
+from .header import header_of
 from .listing import read_listing
 from .plan import GLOBAL, KINDS, RELATIVE, RETURN_POINT, Item, Plan, modern
-from .sketch import write_sketch
+from .sketch import TEMPLATE, write_sketch
 
 SKETCHES = judge.ROOT / "build" / "plans"
 # What tools/demo should look for in the sketch: the names of the header's arrays.
@@ -31,7 +35,7 @@ class RoundTrip:
         """`settings`: of the run; its example and its description are those of the plan's sketch."""
         self._plan, self._screen, self._autopilot = plan, screen, settings.autopilot
         judge.expect_right(plan)
-        sketch = write_sketch(plan, SKETCHES / sketch_name(plan))
+        sketch = sketch_for(plan)
         described = {ARRAYS[kind]: kind for kind in plan.kinds}
         self._run = Demonstration(replace(settings, example=str(sketch.parent), described=described), screen)
         self.aboard: Plan | None = None
@@ -59,6 +63,19 @@ class RoundTrip:
         if kept:
             return Verdict(True, f"The plan went aboard and came back: all {items} items, as {name} keeps them.")
         return Verdict(True, f"The plan went aboard and came back equal in all {items} items.")
+
+
+def sketch_for(plan: Plan) -> Path:
+    """The plan's sketch under build/plans, whole as soon as it is there: several may want it at once."""
+    key = hashlib.sha256("\0".join([header_of(plan), TEMPLATE.read_text()]).encode()).hexdigest()[:12]
+    folder = SKETCHES / key / sketch_name(plan)
+    if not folder.exists():
+        SKETCHES.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=SKETCHES) as fresh:
+            write_sketch(plan, Path(fresh) / "made" / folder.name)
+            with contextlib.suppress(OSError):  # another was quicker
+                (Path(fresh) / "made").rename(folder.parent)
+    return folder / f"{folder.name}.ino"
 
 
 def sketch_name(plan: Plan) -> str:
