@@ -21,7 +21,14 @@ INT32 = range(-(2**31), 2**31)
 
 
 class DoesNotFit(ValueError):
-    """A number that its place on the wire cannot hold; the text says which and why."""
+    """A number that its place on the wire cannot hold; the text says which and why.
+
+    `parameter`: the one of an item's seven parameters that it is about, if it is about one.
+    """
+
+    def __init__(self, text: str, parameter: int | None = None) -> None:
+        super().__init__(text)
+        self.parameter = parameter
 
 
 def decimal_of(text: str) -> Decimal:
@@ -87,6 +94,8 @@ def decimal_text(value: float) -> str:
     """The shortest plain decimal that is read as this 32-bit float, by whoever rounds it, even if rounded twice."""
     if math.isnan(value):
         return "NaN"
+    if math.isinf(value):
+        return "infinite"
     if value == 0:
         return "-0" if math.copysign(1, value) < 0 else "0"
     exact = abs(Fraction(value))

@@ -141,7 +141,8 @@ class _Reader:
             item = settled(command, frame, numbers, 0, autocontinue, number=number, notes=self._notes,
                            unset_as_zero=self._unset_as_zero)  # fmt: skip
         except DoesNotFit as error:
-            raise params.bad(f"{name}: {error}") from None
+            where = params if error.parameter is None else params.raw[error.parameter - 1]
+            raise where.bad(f"{name}: {error}") from None
         if item.frame != NO_PLACE:
             self._check_altitude(value, name, item, number)
         self._plan.mission.append(Step(item, value.line, name, group))

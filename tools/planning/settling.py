@@ -73,23 +73,26 @@ def _unset(command: int, i: int, value: Number, placed: bool, number: int, notes
         notes.add("parameters that the command does not use are unset, and go out as 0", number)
         return Decimal(0)
     if placed and i in PLACE_NAMES:
-        raise DoesNotFit(f"it has no {PLACE_NAMES[i]}: give it a place where the plan was drawn")
+        raise DoesNotFit(f"it has no {PLACE_NAMES[i]}: give it a place where the plan was drawn", i)
     if as_zero:
         notes.add("unset parameters are taken for 0", number)
         return Decimal(0)
     if i in (5, 6):
-        raise DoesNotFit(f"parameter {i} is unset, which a whole number cannot be: give it one, or say --unset-as-zero")
+        raise DoesNotFit(f"parameter {i} is unset, which a whole number cannot be: give it one, or say --unset-as-zero", i)
     return value
 
 
 def _coordinate(command: int, i: int, value: Decimal, placed: bool, number: int, notes: Notes) -> int:
     if placed:
-        return e7_of(value)
+        try:
+            return e7_of(value)
+        except DoesNotFit as error:
+            raise DoesNotFit(f"{PLACE_NAMES[i]} {error}", i) from None
     try:
         return int32_of(value)
     except DoesNotFit as error:
         if commands.uses(command, i):
-            raise DoesNotFit(f"parameter {i}: {error}") from None
+            raise DoesNotFit(f"parameter {i}: {error}", i) from None
         notes.add("places of commands that have none are left out", number)
         return 0
 
@@ -100,4 +103,4 @@ def _float(i: int, value: Number) -> float:
     try:
         return float32_of(value)
     except DoesNotFit as error:
-        raise DoesNotFit(f"parameter {i}: {error}") from None
+        raise DoesNotFit(f"parameter {i}: {error}", i) from None
