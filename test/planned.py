@@ -35,14 +35,31 @@ def f32(value: float) -> float:
 def placed(draw) -> Item:
     command = draw(st.sampled_from(WITH_PLACE))
     yaw = draw(st.one_of(st.just(NAN), FLOATS)) if command in YAWS else draw(FLOATS)
-    return Item(draw(st.sampled_from([0, 3, 10])), command, 0, draw(st.integers(0, 1)), *(draw(FLOATS) for _ in range(3)), yaw,
-                draw(E7_LATITUDES), draw(E7_LONGITUDES), draw(FLOATS))  # fmt: skip
+    return Item(
+        draw(st.sampled_from([0, 3, 10])),
+        command,
+        0,
+        draw(st.integers(0, 1)),
+        *(draw(FLOATS) for _ in range(3)),
+        yaw,
+        draw(E7_LATITUDES),
+        draw(E7_LONGITUDES),
+        draw(FLOATS),
+    )
 
 
 @st.composite
 def placeless(draw) -> Item:
-    return Item(2, draw(st.sampled_from(WITHOUT_PLACE)), 0, draw(st.integers(0, 1)), *(draw(FLOATS) for _ in range(4)),
-                draw(INT32S), draw(INT32S), draw(FLOATS))  # fmt: skip
+    return Item(
+        2,
+        draw(st.sampled_from(WITHOUT_PLACE)),
+        0,
+        draw(st.integers(0, 1)),
+        *(draw(FLOATS) for _ in range(4)),
+        draw(INT32S),
+        draw(INT32S),
+        draw(FLOATS),
+    )
 
 
 @st.composite
@@ -75,8 +92,10 @@ def fences(draw) -> list[Item]:
 
 @st.composite
 def rally_points(draw) -> list[Item]:
-    return [Item(3, 5100, 0, 1, 0.0, 0.0, 0.0, 0.0, draw(E7_LATITUDES), draw(E7_LONGITUDES), draw(FLOATS))
-            for _ in range(draw(st.integers(0, 3)))]  # fmt: skip
+    return [
+        Item(3, 5100, 0, 1, 0.0, 0.0, 0.0, 0.0, draw(E7_LATITUDES), draw(E7_LONGITUDES), draw(FLOATS))
+        for _ in range(draw(st.integers(0, 3)))
+    ]
 
 
 @st.composite

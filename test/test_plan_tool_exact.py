@@ -199,7 +199,12 @@ def test_waypoints_are_what_pymavlink_reads(tmp_path_factory, plan):
     for number, item in enumerate(plan.items(), start=1):
         read = loader.wp(number)
         numbers = [item.param1 + 1 if item.command == 177 else item.param1, *item[5:8], item.z]
-        assert (read.seq, read.command, read.frame, read.autocontinue) == (number, item.command, item.frame, item.autocontinue)
+        assert (read.seq, read.command, read.frame, read.autocontinue) == (
+            number,
+            item.command,
+            item.frame,
+            item.autocontinue,
+        )
         got = [read.param1, read.param2, read.param3, read.param4, read.z]
         assert struct.pack("<5f", *got) == struct.pack("<5f", *numbers)
         scale = 1 if item.frame == 2 else 1e7
@@ -215,10 +220,14 @@ def test_jump_counts_home_in_waypoints_and_from_1_in_a_dot_plan():
 
 
 def test_jump_goes_to_the_item_with_the_id_wherever_that_stands():
-    plan = plan_of([Item(3, 16, 0, 1, 0.0, 0.0, 0.0, NAN, n + 1, 1, 20.0) for n in range(3)]
-                   + [Item(2, 177, 0, 1, 2.0, 3.0, 0.0, 0.0, 0, 0, 0.0)])  # fmt: skip
-    text = qgc_plan.write(plan)[0].replace('"doJumpId": 3', '"doJumpId": 70').replace("                    3,\n                    3,",
-                                                                                  "                    70,\n                    3,")  # fmt: skip
+    plan = plan_of(
+        [Item(3, 16, 0, 1, 0.0, 0.0, 0.0, NAN, n + 1, 1, 20.0) for n in range(3)]
+        + [Item(2, 177, 0, 1, 2.0, 3.0, 0.0, 0.0, 0, 0, 0.0)]
+    )
+    document = json.loads(qgc_plan.write(plan)[0])
+    items = document["mission"]["items"]
+    items[2]["doJumpId"] = items[3]["params"][0] = 70
+    text = json.dumps(document)
     read = qgc_plan.read(FILE, text)
     assert read.items()[3].param1 == 2.0
 
@@ -250,23 +259,65 @@ int main() {{
 
 # What the maker of a command sets: which parameters may be anything, and what the others are.
 SHAPES = {
-    16: {"param1", "param2", "yaw"}, 17: {"param3", "yaw"}, 18: {"param1", "param3"}, 19: {"param1", "param3"}, 20: set(),
-    21: {"yaw"}, 22: {"yaw"}, 93: {"param1"}, 115: {"param1"}, 177: {"param1", "param2"}, 178: {"param2"}, 181: {"param1"},
-    183: {"param1", "param2"}, 195: set(), 197: set(), 203: set(), 206: {"param1"},
-}  # fmt: skip
-FIXED = {93: {"param2": -1.0, "param3": -1.0, "param4": -1.0}, 178: {"param1": 1.0, "param3": -1.0}, 203: {"x": 1},
-         181: {"param2": 1.0}, 21: {"frame": 3, "z": 0.0}}  # fmt: skip
+    16: {"param1", "param2", "yaw"},
+    17: {"param3", "yaw"},
+    18: {"param1", "param3"},
+    19: {"param1", "param3"},
+    20: set(),
+    21: {"yaw"},
+    22: {"yaw"},
+    93: {"param1"},
+    115: {"param1"},
+    177: {"param1", "param2"},
+    178: {"param2"},
+    181: {"param1"},
+    183: {"param1", "param2"},
+    195: set(),
+    197: set(),
+    203: set(),
+    206: {"param1"},
+}
+FIXED = {
+    93: {"param2": -1.0, "param3": -1.0, "param4": -1.0},
+    178: {"param1": 1.0, "param3": -1.0},
+    203: {"x": 1},
+    181: {"param2": 1.0},
+    21: {"frame": 3, "z": 0.0},
+}
 WHOLE = (177, 181, 183)
 
 
 def many_items(seed: int, count: int) -> list[Item]:
     """As the makers make them, and with one member changed; and any others."""
     chance = random.Random(seed)
-    special = [-0.0, 1.0, -1.0, 0.1, 20.1, 90.0, 180.0, -90.5, 359.9, 65535.0, 65536.0, 16777217.0, 1e-7, 1e-30, 3e38, 2.5e9]
+    special = [
+        -0.0,
+        1.0,
+        -1.0,
+        0.1,
+        20.1,
+        90.0,
+        180.0,
+        -90.5,
+        359.9,
+        65535.0,
+        65536.0,
+        16777217.0,
+        1e-7,
+        1e-30,
+        3e38,
+        2.5e9,
+    ]
 
     def number() -> float:
-        drawn = chance.choice([chance.choice(special), round(chance.uniform(-400, 400), chance.randrange(5)),
-                               chance.uniform(-1e6, 1e6), float(chance.randint(0, 300))])  # fmt: skip
+        drawn = chance.choice(
+            [
+                chance.choice(special),
+                round(chance.uniform(-400, 400), chance.randrange(5)),
+                chance.uniform(-1e6, 1e6),
+                float(chance.randint(0, 300)),
+            ]
+        )
         return float32_of(Decimal(repr(drawn)))
 
     def place() -> tuple[int, int]:
@@ -290,30 +341,69 @@ def many_items(seed: int, count: int) -> list[Item]:
     for _ in range(count):
         item = shaped(chance.choice(list(SHAPES)))
         if chance.random() < 0.3:
-            member = chance.choice(["param1", "param2", "param3", "param4", "z", "x", "frame", "current", "autocontinue"])
-            other = {"x": chance.choice([-(2**31), 2**31 - 1, 7]), "current": 1, "autocontinue": 0,
-                     "frame": chance.choice([0, 2, 3, 5, 6, 10, 11])}  # fmt: skip
+            member = chance.choice(
+                ["param1", "param2", "param3", "param4", "z", "x", "frame", "current", "autocontinue"]
+            )
+            other = {
+                "x": chance.choice([-(2**31), 2**31 - 1, 7]),
+                "current": 1,
+                "autocontinue": 0,
+                "frame": chance.choice([0, 2, 3, 5, 6, 10, 11]),
+            }
             item = item._replace(**{member: other.get(member, chance.choice([0.0, number()]))})
         items.append(item)
         command = chance.choice([*WITH_PLACE, *WITHOUT_PLACE, 31999])
-        items.append(Item(3 if command in WITH_PLACE else 2, command, 0, 1, *(number() for _ in range(4)), *place(), number()))
+        items.append(
+            Item(3 if command in WITH_PLACE else 2, command, 0, 1, *(number() for _ in range(4)), *place(), number())
+        )
     return items
 
 
 def test_items_of_the_header_tests_are_written_by_every_maker():
     written = {source_of(item).split("(")[0] for item in many_items(1, 200)}
     assert written >= {
-        "takeoff", "waypoint", "loiterTime", "loiterTurns", "loiterUnlimited", "land", "returnToLaunch", "delay", "changeSpeed",
-        "jump", "setServo", "setRelay", "takePicture", "cameraTriggerDistance", "regionOfInterest", "regionOfInterestOff", "turnTo",
-    }  # fmt: skip
+        "takeoff",
+        "waypoint",
+        "loiterTime",
+        "loiterTurns",
+        "loiterUnlimited",
+        "land",
+        "returnToLaunch",
+        "delay",
+        "changeSpeed",
+        "jump",
+        "setServo",
+        "setRelay",
+        "takePicture",
+        "cameraTriggerDistance",
+        "regionOfInterest",
+        "regionOfInterestOff",
+        "turnTo",
+    }
 
 
 def fence_and_rally(seed: int) -> tuple[list[Item], list[Item]]:
     chance = random.Random(seed)
     place = [chance.randint(-(9 * 10**8), 9 * 10**8) for _ in range(40)]
-    fence = [Item(chance.choice([0, 0, 3]), 5000 + n % 5, 0, 1, float(chance.choice([4, 4, 12.5, 300])), 0.0, 0.0, 0.0, place[n],
-                  place[n + 1], chance.choice([0.0, 0.0, 30.0])) for n in range(20)]  # fmt: skip
-    rally = [Item(chance.choice([0, 3, 10]), 5100, 0, 1, 0.0, 0.0, 0.0, 0.0, place[n], place[n + 2], 25.5) for n in range(6)]
+    fence = [
+        Item(
+            chance.choice([0, 0, 3]),
+            5000 + n % 5,
+            0,
+            1,
+            float(chance.choice([4, 4, 12.5, 300])),
+            0.0,
+            0.0,
+            0.0,
+            place[n],
+            place[n + 1],
+            chance.choice([0.0, 0.0, 30.0]),
+        )
+        for n in range(20)
+    ]
+    rally = [
+        Item(chance.choice([0, 3, 10]), 5100, 0, 1, 0.0, 0.0, 0.0, 0.0, place[n], place[n + 2], 25.5) for n in range(6)
+    ]
     return fence, rally
 
 
@@ -343,20 +433,30 @@ def test_header_means_exactly_the_plan_on_the_mega(tmp_path):
 @pytest.mark.parametrize(
     ("item", "source"),
     [
-        (Item(3, 16, 0, 1, 0.0, 0.0, 0.0, NAN, -353632621, 1491652374, 20.0), "waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)"),
-        (Item(0, 16, 0, 1, 2.5, 0.0, 0.0, NAN, 1, -1, 584.1), "waypoint(0.0000001_deg, -0.0000001_deg, aboveSeaLevel(584.1_m), 2.5_s)"),
+        (
+            Item(3, 16, 0, 1, 0.0, 0.0, 0.0, NAN, -353632621, 1491652374, 20.0),
+            "waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)",
+        ),
+        (
+            Item(0, 16, 0, 1, 2.5, 0.0, 0.0, NAN, 1, -1, 584.1),
+            "waypoint(0.0000001_deg, -0.0000001_deg, aboveSeaLevel(584.1_m), 2.5_s)",
+        ),
         (Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, 0, 0, 20.0), "takeoff(20_m)"),
         (Item(3, 21, 0, 1, 0.0, 0.0, 0.0, NAN, 0, 0, 0.0), "land()"),
         (Item(2, 177, 0, 1, 2.0, -1.0, 0.0, 0.0, 0, 0, 0.0), "jump(2, -1)"),
         (Item(2, 20, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0), "returnToLaunch()"),
         (Item(2, 178, 0, 1, 1.0, 7.5, -1.0, 0.0, 0, 0, 0.0), "changeSpeed(7.5_mps)"),
         (Item(2, 206, 0, 1, 25.0, 0.0, 1.0, 0.0, 0, 0, 0.0), "anyCommand(kDoSetCameraTriggerDistance, 25, 0, 1)"),
-        (Item(3, 16, 1, 1, 0.0, 0.0, 0.0, NAN, 10, 20, 5.0),
-         "MissionItem{0, 0, 0, Yaw().inDegrees(), 10, 20, 5, kNavWaypoint, Frame::GlobalRelative, 1, 1}"),
-        (Item(3, 22, 0, 1, 15.0, 0.0, 0.0, NAN, 10, 20, 5.0),
-         "anyCommandAt(kNavTakeoff, 0.0000010_deg, 0.0000020_deg, 5_m, 15, 0, 0, Yaw().inDegrees())"),
+        (
+            Item(3, 16, 1, 1, 0.0, 0.0, 0.0, NAN, 10, 20, 5.0),
+            "MissionItem{0, 0, 0, Yaw().inDegrees(), 10, 20, 5, kNavWaypoint, Frame::GlobalRelative, 1, 1}",
+        ),
+        (
+            Item(3, 22, 0, 1, 15.0, 0.0, 0.0, NAN, 10, 20, 5.0),
+            "anyCommandAt(kNavTakeoff, 0.0000010_deg, 0.0000020_deg, 5_m, 15, 0, 0, Yaw().inDegrees())",
+        ),
     ],
-)  # fmt: skip
+)
 def test_item_is_written_as_a_person_would_where_that_is_exact(item, source):
     rounded = item._replace(z=float32_of(Decimal(repr(item.z))))
     assert source_of(rounded) == source
@@ -371,16 +471,25 @@ def test_named_commands_are_those_of_the_library():
 
 def test_commands_without_a_place_are_so_in_mavlink_too():
     rows = (Path(__file__).resolve().parent.parent / "src/mavmission/Commands.cpp").read_text()
-    found = [int(line.split("{")[1].split(",")[0]) for line in rows.splitlines() if "kHasNoPlace" in line and "{" in line]
+    found = [
+        int(line.split("{")[1].split(",")[0]) for line in rows.splitlines() if "kHasNoPlace" in line and "{" in line
+    ]
     assert len(found) > 20
     assert [command for command in found if commands.has_place(command)] == []
 
 
 @pytest.mark.parametrize(
     ("file", "name"),
-    [("farm.plan", "farmPlan"), ("North field-2.plan", "northField2Plan"), ("delay.plan", "delayPlan"), ("my_plan.plan", "myPlan"),
-     ("2024.plan", "the2024Plan"), ("plan.plan", "planPlan"), ("äcker.plan", "ckerPlan")],
-)  # fmt: skip
+    [
+        ("farm.plan", "farmPlan"),
+        ("North field-2.plan", "northField2Plan"),
+        ("delay.plan", "delayPlan"),
+        ("my_plan.plan", "myPlan"),
+        ("2024.plan", "the2024Plan"),
+        ("plan.plan", "planPlan"),
+        ("äcker.plan", "ckerPlan"),
+    ],
+)
 def test_namespace_is_made_of_the_files_name(file, name):
     plan = plan_of()
     plan.file = Path(file)

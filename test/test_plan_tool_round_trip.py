@@ -1,4 +1,4 @@
-"""A plan drawn in QGroundControl goes into a sketch, aboard, back by download, and out as a plan equal in every item."""
+"""A plan of QGroundControl goes into a sketch, aboard, back by download, and out as a plan equal in every item."""
 
 from __future__ import annotations
 
@@ -69,7 +69,9 @@ def test_plan_comes_back_by_the_service_equal_in_every_item(service, personality
         assert service.done() == "Downloaded"
         back[kind] = [Item(*item) for item in service.sink(len(items))]
     if personality == "ArduPilot":
-        assert service.autopilot.received()[1:][40].param1 == plan.mission[40].item.param1 + 1  # the jump: home counts there
+        assert (
+            service.autopilot.received()[1:][40].param1 == plan.mission[40].item.param1 + 1
+        )  # the jump: home counts there
     returned = plan_of(back["mission"], back["fence"], back["rally"], plan.home)
     file = tmp_path / "aboard.plan"
     write_plan(returned, file)
@@ -88,12 +90,34 @@ def test_patterns_come_back_as_the_autopilot_keeps_them():
 
 
 # One plan for several tests: a sketch takes long to build.
-NUMBERS = [0.0, -0.0, 0.1, 20.1, -584.09, 1e-7, 3.5e-10, 1.17549435e-38, 1e-45, 16777217.0, 1e9, 9.9e11, 1e18, 2.5e30, 3.4028235e38,
-           -1.5, 0.30000001, 255.99998]  # fmt: skip
+NUMBERS = [
+    0.0,
+    -0.0,
+    0.1,
+    20.1,
+    -584.09,
+    1e-7,
+    3.5e-10,
+    1.17549435e-38,
+    1e-45,
+    16777217.0,
+    1e9,
+    9.9e11,
+    1e18,
+    2.5e30,
+    3.4028235e38,
+    -1.5,
+    0.30000001,
+    255.99998,
+]
 EXACT = [from_bits(float_bits(number)) for number in NUMBERS]
-ODD = plan_of([Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, 473977420, 85455970, 20.0),
-               Item(3, 16, 0, 1, 2.5, 3.0, 0.0, 45.0, 473977420, 85456970, 20.125),
-               *(Item(2, 1000, 0, 1, number, 0.0, 0.0, -number, 5, 0, number) for number in EXACT)])  # fmt: skip
+ODD = plan_of(
+    [
+        Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, 473977420, 85455970, 20.0),
+        Item(3, 16, 0, 1, 2.5, 3.0, 0.0, 45.0, 473977420, 85456970, 20.125),
+        *(Item(2, 1000, 0, 1, number, 0.0, 0.0, -number, 5, 0, number) for number in EXACT),
+    ]
+)
 
 
 def test_what_an_autopilot_does_not_keep_is_told():
@@ -151,7 +175,10 @@ def test_listing_that_is_not_whole_is_refused(text, line, says):
 def test_differences_are_in_words():
     item = Item(3, 16, 0, 1, 0.0, 0.0, 0.0, NAN, 1, 2, 3.5)
     assert difference_in_words(item, item._replace(frame=6)) == ""
-    assert difference_in_words(item, item._replace(z=4.0, autocontinue=0)) == f"z: 3.5 -> {decimal_text(4.0)}, autocontinue: 1 -> 0"
+    assert (
+        difference_in_words(item, item._replace(z=4.0, autocontinue=0))
+        == f"z: 3.5 -> {decimal_text(4.0)}, autocontinue: 1 -> 0"
+    )
     assert difference_in_words(item, item._replace(command=82)) == "command: NAV_WAYPOINT -> NAV_SPLINE_WAYPOINT"
 
 
@@ -162,8 +189,12 @@ def test_the_two_items_are_laid_out_alike():
 
 def test_tool_shows_the_round_trip_and_saves_what_came_back(tmp_path):
     file = tmp_path / "aboard.waypoints"
-    ran = subprocess.run([sys.executable, ROOT / "tools" / "demo", "--fast", "--plan", FARM, "--save", file, "--autopilot", "px4"],
-                         capture_output=True, text=True, check=False)  # fmt: skip
+    ran = subprocess.run(
+        [sys.executable, ROOT / "tools" / "demo", "--fast", "--plan", FARM, "--save", file, "--autopilot", "px4"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert (ran.returncode, ran.stderr) == (0, "")
     assert "equal in all 51 items" in ran.stdout
     assert bits(read_plan(file).items()) == bits(read_plan(FARM).items())

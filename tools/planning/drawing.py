@@ -25,8 +25,12 @@ def draw(plan: Plan, file: Path, speeds: Speeds) -> None:
     """Writes the drawing: equal for equal plans. Raises BadPlan."""
     if file.suffix.lower() not in SUFFIXES:
         raise BadPlan(file, None, f"a drawing is written as {' or '.join(SUFFIXES)}")
-    around = [(item.x, item.y) for kind in plan.kinds for item in plan.items(kind) if (item.x, item.y) != (0, 0)
-              and item.frame != 2]  # fmt: skip
+    around = [
+        (item.x, item.y)
+        for kind in plan.kinds
+        for item in plan.items(kind)
+        if (item.x, item.y) != (0, 0) and item.frame != 2
+    ]
     if plan.home is not None:
         around.append((plan.home.x, plan.home.y))
     if not around:
@@ -52,15 +56,23 @@ class _Map:
 
     def _metres(self, item: Item) -> tuple[float, float]:
         east = (item.y - self._origin[1] + 1_800_000_000) % 3_600_000_000 - 1_800_000_000  # across the date line
-        return (math.radians(east / 1e7) * EARTH_RADIUS * self._east_scale,
-                math.radians((item.x - self._origin[0]) / 1e7) * EARTH_RADIUS)  # fmt: skip
+        return (
+            math.radians(east / 1e7) * EARTH_RADIUS * self._east_scale,
+            math.radians((item.x - self._origin[0]) / 1e7) * EARTH_RADIUS,
+        )
 
     def draw(self, plan: Plan) -> None:
         axes = self._axes
         self._fence(plan)
         self._way(plan)
         for number, item in enumerate(plan.items("rally")):
-            axes.plot(*self._metres(item), marker="^", color=RALLY, linestyle="none", label="rally point" if not number else None)
+            axes.plot(
+                *self._metres(item),
+                marker="^",
+                color=RALLY,
+                linestyle="none",
+                label="rally point" if not number else None,
+            )
         if plan.home is not None:
             axes.plot(0, 0, marker="*", markersize=12, color=HOME, linestyle="none", label="home, as it was planned")
         axes.set_aspect("equal", adjustable="datalim")
@@ -86,7 +98,12 @@ class _Map:
         while index < len(items):
             item = items[index]
             inside = item.command in (CORNER_INSIDE, CIRCLE_INSIDE)
-            look = {"fill": not inside, "alpha": 1.0 if inside else 0.25, "color": INSIDE if inside else OUTSIDE, "linewidth": 1.5}
+            look = {
+                "fill": not inside,
+                "alpha": 1.0 if inside else 0.25,
+                "color": INSIDE if inside else OUTSIDE,
+                "linewidth": 1.5,
+            }
             name = "must not leave" if inside else "must not enter"
             label = None if name in labelled else name
             if item.command in CORNERS:

@@ -81,8 +81,13 @@ def distance(start: tuple[int, int], end: tuple[int, int]) -> float:
 
 def is_flown_to(item: Item) -> bool:
     """Whether the aircraft goes to the place of an item, and it has one."""
-    return (item.frame != NO_PLACE and item.command < LAST_NAVIGATION and item.command != RETURN
-            and (item.x, item.y) != (0, 0) and item.command not in (*FENCE_COMMANDS, RALLY_POINT))  # fmt: skip
+    return (
+        item.frame != NO_PLACE
+        and item.command < LAST_NAVIGATION
+        and item.command != RETURN
+        and (item.x, item.y) != (0, 0)
+        and item.command not in (*FENCE_COMMANDS, RALLY_POINT)
+    )
 
 
 def fly(plan: Plan, speeds: Speeds) -> Flight:

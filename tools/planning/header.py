@@ -1,7 +1,7 @@
 """A plan as a C++ header: constexpr arrays in flash, one for each kind of items that the plan has.
 
-    #include "farm.h"
-    autopilot.upload(inFlash(farmPlan::mission));
+#include "farm.h"
+autopilot.upload(inFlash(farmPlan::mission));
 """
 
 from __future__ import annotations
@@ -31,17 +31,34 @@ def header_of(plan: Plan, namespace: str | None = None) -> str:
     """The text of the header. Raises BadPlan for a plan without items, or a name that C++ does not take."""
     namespace = namespace or namespace_of(plan)
     if not NAMESPACE.fullmatch(namespace):
-        raise BadPlan(plan.file, None, f"{namespace!r} is no name in C++: begin with a letter, go on with letters and digits")
+        raise BadPlan(
+            plan.file, None, f"{namespace!r} is no name in C++: begin with a letter, go on with letters and digits"
+        )
     if not plan.kinds:
         raise BadPlan(plan.file, None, "it has no items: there is nothing to put into a header")
     uses = ", ".join(f"inFlash({namespace}::{kind})" for kind in plan.kinds)
     lines = [f"// Made of {plan.file.name} by tools/plan: {uses}."]
     if plan.home is not None:
-        place = f"{degrees_text(plan.home.x)} {degrees_text(plan.home.y)}, {decimal_text(plan.home.z)} m above sea level"
+        place = (
+            f"{degrees_text(plan.home.x)} {degrees_text(plan.home.y)}, {decimal_text(plan.home.z)} m above sea level"
+        )
         lines.append(f"// It was drawn to begin at {place}; home itself is the autopilot's.")
-    lines += ["#pragma once", "", "#include <MavMission.h>", "", f"namespace {namespace} {{", "using namespace mavmission;"]
+    lines += [
+        "#pragma once",
+        "",
+        "#include <MavMission.h>",
+        "",
+        f"namespace {namespace} {{",
+        "using namespace mavmission;",
+    ]
     for kind in plan.kinds:
-        lines += ["", f"// {TITLES[kind]}", f"constexpr MissionItem {kind}[] PROGMEM = {{", *array_lines(plan.steps(kind)), "};"]
+        lines += [
+            "",
+            f"// {TITLES[kind]}",
+            f"constexpr MissionItem {kind}[] PROGMEM = {{",
+            *array_lines(plan.steps(kind)),
+            "};",
+        ]
     return "\n".join([*lines, "", f"}}  // namespace {namespace}", ""])
 
 

@@ -1,5 +1,5 @@
-// Asks the library itself what it says of a plan: the checks that an upload begins with, and whether one plan is what an
-// autopilot makes of another. Made and spoken to by judge.py; a number a word on the standard input:
+// Asks the library itself what it says of a plan: the checks that an upload begins with, and whether one plan is what
+// an autopilot makes of another. Made and spoken to by judge.py; a number a word on the standard input:
 //
 //   check type count ITEMS                 -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text
 //   compare firmware type count ITEMS ITEMS -> for each item: Field, its text

@@ -60,10 +60,12 @@ def refusals(plan: Plan) -> dict[str, list[Refusal]]:
 def wrong_number(status: str, item: Item) -> str:
     """What is wrong of an item, in brackets."""
     shown = {
-        "BadLatitude": degrees_text(item.x), "BadLongitude": degrees_text(item.y), "BadCurrent": str(item.current),
+        "BadLatitude": degrees_text(item.x),
+        "BadLongitude": degrees_text(item.y),
+        "BadCurrent": str(item.current),
         "BadFrame": f"frame {item.frame}",
         "BadJump": f"number {decimal_text(item.param1)}, counted from 0" if item.param1 == item.param1 else "NaN",
-    }  # fmt: skip
+    }
     unset = [str(i) for i, value in zip((1, 2, 3, 4, 7), (*item[4:8], item.z)) if value != value]
     if status == "NotANumber":
         return f" (parameter {', '.join(unset)}); give it one where the plan was drawn, or say --unset-as-zero"
@@ -77,7 +79,7 @@ def expect_right(plan: Plan) -> None:
 
 
 def rewritten(meant: Sequence[Item], read: Sequence[Item], autopilot: str, kind: str) -> list[str]:
-    """Item by item, in which field what was read is not even what this autopilot makes of what was meant; "" for none."""
+    """Item by item, the field in which what was read is not what this autopilot makes of what was meant; or ""."""
     if not meant:
         return []
     head = [FIRMWARE[autopilot], KINDS.index(kind), len(meant)]
@@ -98,7 +100,9 @@ def asked(order: str, head: Sequence[int], items: Sequence[Item]) -> list[tuple[
 def statuses() -> tuple[str, ...]:
     """mavmission::Status, in order."""
     text = (ROOT / "src" / "mavmission" / "Status.h").read_text()
-    return tuple(re.findall(r"X\((\w+),", text.partition("#define MAVMISSION_STATUSES(X)")[2].partition("enum class")[0]))
+    return tuple(
+        re.findall(r"X\((\w+),", text.partition("#define MAVMISSION_STATUSES(X)")[2].partition("enum class")[0])
+    )
 
 
 @functools.cache

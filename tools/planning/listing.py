@@ -22,7 +22,9 @@ def read_listing(file: Path, text: str) -> Plan:
         raise BadPlan(file, None, f'there is no listing in it: no line "{waypoints.HEADER}"')
     plan = Plan(file)
     for start in starts:
-        part = waypoints.read_lines(file, [plain(line) for line in lines[start : end_of(file, lines, start)]], start + 1)
+        part = waypoints.read_lines(
+            file, [plain(line) for line in lines[start : end_of(file, lines, start)]], start + 1
+        )
         for kind in part.kinds:
             if plan.steps(kind):
                 raise BadPlan(file, start + 1, f"a second {kind} is listed: keep one of them")

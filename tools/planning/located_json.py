@@ -1,7 +1,7 @@
 """JSON that remembers the line of each value, and keeps numbers as they are written.
 
-    document = parse(Path("farm.plan"), text)
-    document.need("mission").need("items").array()[3].line
+document = parse(Path("farm.plan"), text)
+document.need("mission").need("items").array()[3].line
 """
 
 from __future__ import annotations
@@ -19,8 +19,14 @@ _NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?")
 _WORDS = {"true": True, "false": False, "null": None}
 DEEPEST = 60  # a plan has ten levels
 
-KINDS = {dict: "an object {...}", list: "a list [...]", str: "a text", Decimal: "a number", bool: "true or false",
-         type(None): "null"}  # fmt: skip
+KINDS = {
+    dict: "an object {...}",
+    list: "a list [...]",
+    str: "a text",
+    Decimal: "a number",
+    bool: "true or false",
+    type(None): "null",
+}
 
 
 class Value:

@@ -17,8 +17,15 @@ from .plan import GLOBAL, NO_PLACE, RELATIVE, TERRAIN, Item
 NAN = math.nan
 Made = tuple[str, Item]
 
-FRAME_NAMES = {0: "Global", 2: "Mission", 3: "GlobalRelative", 5: "GlobalInt", 6: "GlobalRelativeInt", 10: "GlobalTerrain",
-               11: "GlobalTerrainInt"}  # fmt: skip
+FRAME_NAMES = {
+    0: "Global",
+    2: "Mission",
+    3: "GlobalRelative",
+    5: "GlobalInt",
+    6: "GlobalRelativeInt",
+    10: "GlobalTerrain",
+    11: "GlobalTerrainInt",
+}
 
 
 def source_of(item: Item) -> str:
@@ -31,7 +38,9 @@ def source_of(item: Item) -> str:
 
 def _quiet(item: Item) -> Item:
     """With the NaN that the library writes: any is as good as another on the wire."""
-    return item._replace(**{name: NAN for name in ("param1", "param2", "param3", "param4", "z") if _is_nan(getattr(item, name))})
+    return item._replace(
+        **{name: NAN for name in ("param1", "param2", "param3", "param4", "z") if _is_nan(getattr(item, name))}
+    )
 
 
 def _is_nan(value: float) -> bool:
@@ -151,11 +160,31 @@ def in_full(item: Item) -> str:
     return f"MissionItem{{{', '.join(values)}, {name}, {frame_name(item.frame)}, {item.current}, {item.autocontinue}}}"
 
 
-def _at(item: Item, param1: float = 0.0, param2: float = 0.0, param3: float = 0.0, param4: float = 0.0,
-        frame: int | None = None, x: int | None = None, y: int | None = None, z: float | None = None) -> Item:  # fmt: skip
+def _at(
+    item: Item,
+    param1: float = 0.0,
+    param2: float = 0.0,
+    param3: float = 0.0,
+    param4: float = 0.0,
+    frame: int | None = None,
+    x: int | None = None,
+    y: int | None = None,
+    z: float | None = None,
+) -> Item:
     """What a maker makes: everything that is not given is the item's own, as it is handed to the maker."""
-    return Item(item.frame if frame is None else frame, item.command, 0, 1, param1, param2, param3, param4,
-                item.x if x is None else x, item.y if y is None else y, item.z if z is None else z)  # fmt: skip
+    return Item(
+        item.frame if frame is None else frame,
+        item.command,
+        0,
+        1,
+        param1,
+        param2,
+        param3,
+        param4,
+        item.x if x is None else x,
+        item.y if y is None else y,
+        item.z if z is None else z,
+    )
 
 
 def _without(item: Item, *params: float, x: int = 0, y: int = 0) -> Item:
@@ -216,7 +245,10 @@ def _loiter_turns(item: Item) -> Iterator[Made]:
 def _loiter_unlimited(item: Item) -> Iterator[Made]:
     for argument, yaw in _yaws(item):
         radius = [metres(item.param3)] if argument else _with_radius(item)
-        yield called("loiterUnlimited", *_place(item), altitude(item), *radius, *argument), _at(item, 0.0, 0.0, item.param3, yaw)
+        yield (
+            called("loiterUnlimited", *_place(item), altitude(item), *radius, *argument),
+            _at(item, 0.0, 0.0, item.param3, yaw),
+        )
 
 
 def _whole_within(value: float, low: int, high: int) -> int:
@@ -294,13 +326,33 @@ MAKERS = {
 
 # mavmission::Command, the enumerators that a header may name.
 NAMED = {
-    16: "kNavWaypoint", 17: "kNavLoiterUnlimited", 18: "kNavLoiterTurns", 19: "kNavLoiterTime", 20: "kNavReturnToLaunch",
-    21: "kNavLand", 22: "kNavTakeoff", 82: "kNavSplineWaypoint", 84: "kNavVtolTakeoff", 85: "kNavVtolLand", 93: "kNavDelay",
-    115: "kConditionYaw", 177: "kDoJump", 178: "kDoChangeSpeed", 181: "kDoSetRelay", 183: "kDoSetServo",
-    195: "kDoSetRoiLocation", 197: "kDoSetRoiNone", 203: "kDoDigicamControl", 206: "kDoSetCameraTriggerDistance",
-    5000: "kFenceReturnPoint", 5001: "kFencePolygonInclusion", 5002: "kFencePolygonExclusion", 5003: "kFenceCircleInclusion",
-    5004: "kFenceCircleExclusion", 5100: "kRallyPoint",
-}  # fmt: skip
+    16: "kNavWaypoint",
+    17: "kNavLoiterUnlimited",
+    18: "kNavLoiterTurns",
+    19: "kNavLoiterTime",
+    20: "kNavReturnToLaunch",
+    21: "kNavLand",
+    22: "kNavTakeoff",
+    82: "kNavSplineWaypoint",
+    84: "kNavVtolTakeoff",
+    85: "kNavVtolLand",
+    93: "kNavDelay",
+    115: "kConditionYaw",
+    177: "kDoJump",
+    178: "kDoChangeSpeed",
+    181: "kDoSetRelay",
+    183: "kDoSetServo",
+    195: "kDoSetRoiLocation",
+    197: "kDoSetRoiNone",
+    203: "kDoDigicamControl",
+    206: "kDoSetCameraTriggerDistance",
+    5000: "kFenceReturnPoint",
+    5001: "kFencePolygonInclusion",
+    5002: "kFencePolygonExclusion",
+    5003: "kFenceCircleInclusion",
+    5004: "kFenceCircleExclusion",
+    5100: "kRallyPoint",
+}
 
 
 def comment_of(item: Item) -> str:

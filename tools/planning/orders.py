@@ -119,6 +119,11 @@ def from_download(args: argparse.Namespace, tell: Tell) -> int:
 
 
 ORDERS = {
-    "check": check, "show": show, "draw": draw, "to-header": to_header, "to-sketch": to_sketch, "convert": convert,
+    "check": check,
+    "show": show,
+    "draw": draw,
+    "to-header": to_header,
+    "to-sketch": to_sketch,
+    "convert": convert,
     "from-download": from_download,
-}  # fmt: skip
+}

@@ -59,8 +59,10 @@ def read(file: Path, text: str, unset_as_zero: bool = False) -> Plan:
 def _version(value: Value, wanted: int) -> None:
     version = value.need("version")
     if version.number() != wanted:
-        raise version.bad(f"{value.name} is of version {version.raw}, and only version {wanted} is read: open it in a"
-                          " present QGroundControl and save it again")  # fmt: skip
+        raise version.bad(
+            f"{value.name} is of version {version.raw}, and only version {wanted} is read: open it in a"
+            " present QGroundControl and save it again"
+        )
 
 
 class _Reader:
@@ -119,8 +121,10 @@ class _Reader:
         carrier = value.get("TransectStyleComplexItem") or value
         items = carrier.get("Items")
         if items is None or not items.array():
-            raise value.bad(f"{value.name}, a {name}, does not carry its items: QGroundControl works them out when it uploads."
-                            " Upload the plan from there to a simulated vehicle, download it again and save that")  # fmt: skip
+            raise value.bad(
+                f"{value.name}, a {name}, does not carry its items: QGroundControl works them out to upload."
+                " Upload it from there to a simulated vehicle, download it again and save that"
+            )
         for number, item in enumerate(items.array(), start=1):
             self._simple(item.called(f"item {number} of mission item {value.name.split()[-1]}, a {name},"), name)
 
@@ -138,8 +142,16 @@ class _Reader:
         numbers = [entry.number_or_null() for entry in params.raw]
         autocontinue = int(value.need("autoContinue").flag())
         try:
-            item = settled(command, frame, numbers, 0, autocontinue, number=number, notes=self._notes,
-                           unset_as_zero=self._unset_as_zero)  # fmt: skip
+            item = settled(
+                command,
+                frame,
+                numbers,
+                0,
+                autocontinue,
+                number=number,
+                notes=self._notes,
+                unset_as_zero=self._unset_as_zero,
+            )
         except DoesNotFit as error:
             where = params if error.parameter is None else params.raw[error.parameter - 1]
             raise where.bad(f"{name}: {error}") from None
@@ -155,17 +167,23 @@ class _Reader:
             return
         known = FRAME_OF_MODE.get(mode.whole(UINT8))
         if known is None:
-            raise mode.bad(f"{name}: AltitudeMode {mode.raw} is not known: 1 is above home, 2 above sea level, 3 above sea"
-                           " level as worked out from terrain data, 4 above the ground")  # fmt: skip
+            raise mode.bad(
+                f"{name}: AltitudeMode {mode.raw} is not known: 1 is above home, 2 above sea level,"
+                " 3 above sea level as worked out from terrain data, 4 above the ground"
+            )
         if modern(item.frame) != known:
             raise mode.bad(f"{name}: AltitudeMode {mode.raw} says another reference than frame {item.frame}")
         key = "AMSLAltAboveTerrain" if mode.raw == MODE_CALCULATED else "Altitude"
         altitude = value.get(key)
         if mode.raw == MODE_CALCULATED:
             if altitude is None or altitude.raw is None:
-                raise mode.bad(f"{name}: its altitude above sea level was to be worked out from terrain data, and was not:"
-                               " open the plan in QGroundControl with a network, and save it again")  # fmt: skip
-            self._notes.add("the altitude above sea level is what QGroundControl worked out from its terrain data", number)
+                raise mode.bad(
+                    f"{name}: its altitude above sea level was to be worked out from terrain data, and"
+                    " was not: open the plan in QGroundControl with a network, and save it again"
+                )
+            self._notes.add(
+                "the altitude above sea level is what QGroundControl worked out from its terrain data", number
+            )
         if altitude is not None and altitude.raw is not None and self._float(altitude) != item.z:
             raise altitude.bad(f"{name}: {key} is {altitude.raw}, and the altitude in params {decimal_text(item.z)}")
 
@@ -180,7 +198,9 @@ class _Reader:
             params = self._values[number]
             if len(found) != 1:
                 target = "NaN" if math.isnan(wanted) else decimal_text(wanted)
-                raise params.bad(f"{step.name}: it jumps to doJumpId {target}, and {len(found) or 'no'} items have that")
+                raise params.bad(
+                    f"{step.name}: it jumps to doJumpId {target}, and {len(found) or 'no'} items have that"
+                )
             item = step.item._replace(param1=float(found[0]))
             self._plan.mission[number] = Step(item, step.line, step.name, step.group)
 
@@ -198,11 +218,15 @@ class _Reader:
         for number, value in enumerate(self._list(fence, "circles"), start=1):
             circle = value.need("circle")
             command = CIRCLE_INSIDE if value.need("inclusion").flag() else CIRCLE_OUTSIDE
-            self._add_fence(command, circle.need("center"), f"fence circle {number}", self._float(circle.need("radius")))
+            self._add_fence(
+                command, circle.need("center"), f"fence circle {number}", self._float(circle.need("radius"))
+            )
         back = fence.get("breachReturn")
         if back is not None and back.raw is not None:
             place = self._numbers(back, 3)
-            item = Item(RELATIVE, RETURN_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, *map(self._e7, place[:2]), self._float(place[2]))
+            item = Item(
+                RELATIVE, RETURN_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, *map(self._e7, place[:2]), self._float(place[2])
+            )
             self._plan.fence.append(Step(item, back.line, "fence return point"))
 
     def _add_fence(self, command: int, value: Value, name: str, param1: float) -> None:
@@ -215,7 +239,9 @@ class _Reader:
         for number, value in enumerate(self._list(rally, "points"), start=1):
             name = f"rally point {number}"
             place = self._numbers(value.called(name), 3)
-            item = Item(RELATIVE, RALLY_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, *map(self._e7, place[:2]), self._float(place[2]))
+            item = Item(
+                RELATIVE, RALLY_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, *map(self._e7, place[:2]), self._float(place[2])
+            )
             self._plan.rally.append(Step(item, value.line, name))
 
     # -- values -----------------------------------------------------------------------------
@@ -254,7 +280,7 @@ class _Reader:
 
 
 def write(plan: Plan) -> tuple[str, list[str]]:
-    """The text of a .plan, and what of the plan it does not carry. Raises DoesNotFit for an item that it cannot have."""
+    """The text of a .plan, and what of the plan it does not carry. Raises DoesNotFit for what it cannot have."""
     notes = Notes()
     for number, step in enumerate(plan.mission):
         if step.item.current:
@@ -336,15 +362,29 @@ def _fence(steps: list[Step], notes: Notes) -> dict:
         if item.command in CORNERS:
             count = int(item.param1)
             corners = [other.item for other in steps[index : index + count]]
-            if count < 3 or any((c.command, c.param1) != (item.command, item.param1) for c in corners) or len(corners) < count:
+            if (
+                count < 3
+                or any((c.command, c.param1) != (item.command, item.param1) for c in corners)
+                or len(corners) < count
+            ):
                 raise DoesNotFit(f"{step.name}: its polygon has not the {count} corners that it names, 3 or more")
-            polygons.append({"inclusion": item.command == CORNER_INSIDE, "polygon": [_place(c.x, c.y) for c in corners],
-                             "version": 1})  # fmt: skip
+            polygons.append(
+                {
+                    "inclusion": item.command == CORNER_INSIDE,
+                    "polygon": [_place(c.x, c.y) for c in corners],
+                    "version": 1,
+                }
+            )
             index += count - 1
             order.append(0)
         elif item.command in CIRCLES:
-            circles.append({"circle": {"center": _place(item.x, item.y), "radius": _number(item.param1)},
-                            "inclusion": item.command == CIRCLE_INSIDE, "version": 1})  # fmt: skip
+            circles.append(
+                {
+                    "circle": {"center": _place(item.x, item.y), "radius": _number(item.param1)},
+                    "inclusion": item.command == CIRCLE_INSIDE,
+                    "version": 1,
+                }
+            )
             order.append(1)
         elif "breachReturn" in fence:
             raise DoesNotFit(f"{step.name}: a .plan has one return point")
@@ -362,5 +402,7 @@ def _fence(steps: list[Step], notes: Notes) -> dict:
 def _rally_point(step: Step) -> list:
     item = step.item
     if item.frame != RELATIVE:
-        raise DoesNotFit(f"{step.name}: the altitude of a .plan's rally point is above home, and this one has frame {item.frame}")
+        raise DoesNotFit(
+            f"{step.name}: the altitude of a .plan's rally point is above home, and this one has frame {item.frame}"
+        )
     return [*_place(item.x, item.y), _number(item.z)]

@@ -1,8 +1,8 @@
 """A plan from its file into a sketch, aboard a simulated autopilot, back by download, and compared with what it was.
 
-    trip = RoundTrip(read_plan(Path("farm.plan")), "px4", screen)
-    verdict = trip.run()
-    write_plan(trip.aboard, Path("aboard.plan"))
+trip = RoundTrip(read_plan(Path("farm.plan")), "px4", screen)
+verdict = trip.run()
+write_plan(trip.aboard, Path("aboard.plan"))
 """
 
 from __future__ import annotations
@@ -80,7 +80,10 @@ def sketch_for(plan: Plan) -> Path:
 
 def sketch_name(plan: Plan) -> str:
     """Of the plan's file, as Arduino takes it."""
-    return "".join(letter if letter.isascii() and letter.isalnum() else "_" for letter in plan.file.stem)[:40].lstrip("_") or "plan"
+    return (
+        "".join(letter if letter.isascii() and letter.isalnum() else "_" for letter in plan.file.stem)[:40].lstrip("_")
+        or "plan"
+    )
 
 
 def aboard_like(plan: Plan, listing: str) -> Plan:

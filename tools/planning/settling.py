@@ -35,8 +35,17 @@ def listed(numbers: list[str]) -> str:
     return f"item{'s' if len(numbers) > 1 else ''} {', '.join(shown)}"
 
 
-def settled(command: int, frame: int, numbers: Sequence[Number], current: int, autocontinue: int, *,
-            number: int, notes: Notes, unset_as_zero: bool) -> Item:  # fmt: skip
+def settled(
+    command: int,
+    frame: int,
+    numbers: Sequence[Number],
+    current: int,
+    autocontinue: int,
+    *,
+    number: int,
+    notes: Notes,
+    unset_as_zero: bool,
+) -> Item:
     """The item of a command and its seven parameters. `number`: the item's, for notes. Raises DoesNotFit."""
     placed = _has_place(command, frame, number, notes)
     if not placed:
@@ -56,15 +65,19 @@ def is_unset(value: Number) -> bool:
 
 def _has_place(command: int, frame: int, number: int, notes: Notes) -> bool:
     if modern(frame) not in (*PLACE_FRAMES, NO_PLACE):
-        raise DoesNotFit(f"frame {frame} is no altitude reference of a plan: 0 is above sea level, 3 above home, 10 above"
-                         " the ground, 2 for items without a place")  # fmt: skip
+        raise DoesNotFit(
+            f"frame {frame} is no altitude reference of a plan: 0 is above sea level, 3 above home,"
+            " 10 above the ground, 2 for items without a place"
+        )
     if frame == NO_PLACE:
         if not commands.is_known(command):
             notes.add("the command is not known; its numbers go out as they are", number)
         return False
     if not commands.is_known(command):
-        raise DoesNotFit("the command is not known, and so not whether its parameters 5 and 6 are a place or plain numbers;"
-                         " frame 2 says that they are numbers")  # fmt: skip
+        raise DoesNotFit(
+            "the command is not known, and so not whether its parameters 5 and 6 are a place or plain"
+            " numbers; frame 2 says that they are numbers"
+        )
     return commands.has_place(command)
 
 
@@ -78,7 +91,9 @@ def _unset(command: int, i: int, value: Number, placed: bool, number: int, notes
         notes.add("unset parameters are taken for 0", number)
         return Decimal(0)
     if i in (5, 6):
-        raise DoesNotFit(f"parameter {i} is unset, which a whole number cannot be: give it one, or say --unset-as-zero", i)
+        raise DoesNotFit(
+            f"parameter {i} is unset, which a whole number cannot be: give it one, or say --unset-as-zero", i
+        )
     return value
 
 

@@ -1,4 +1,4 @@
-"""A sketch of a plan: it puts the plan aboard, reads it back and lists it; for tools/demo --plan and for a real Mega."""
+"""A sketch of a plan: it puts the plan aboard and lists what came back; for tools/demo --plan and a real Mega."""
 
 from __future__ import annotations
 

@@ -35,7 +35,9 @@ def home_text(home: Home) -> str:
 
 
 def mission_table(plan: Plan, flight: Flight) -> Table:
-    table = Table("item", "command", "latitude", "longitude", "altitude", "parameters", "leg [m]", "climb [m]", "sum [m]")
+    table = Table(
+        "item", "command", "latitude", "longitude", "altitude", "parameters", "leg [m]", "climb [m]", "sum [m]"
+    )
     for column in (0, 6, 7, 8):
         table.columns[column].justify = "right"
     group = ""
@@ -50,10 +52,14 @@ def mission_table(plan: Plan, flight: Flight) -> Table:
         upto = sum(leg.distance for leg in flight.legs[: flight.legs.index(first[-1]) + 1]) if first else None
         name = commands.name_of(item.command) + (f" ({group})" if group else "")
         table.add_row(
-            str(index), escape(name), *place_cells(item), escape(parameters(item)),
-            f"{sum(leg.distance for leg in first):.0f}" if first else "", f"{sum(climbs):+.1f}" if climbs else "",
+            str(index),
+            escape(name),
+            *place_cells(item),
+            escape(parameters(item)),
+            f"{sum(leg.distance for leg in first):.0f}" if first else "",
+            f"{sum(climbs):+.1f}" if climbs else "",
             f"{upto:.0f}" if upto is not None else "",
-        )  # fmt: skip
+        )
     return table
 
 
@@ -92,11 +98,14 @@ def times(repeats: float) -> str:
 
 def summary(flight: Flight, speeds: Speeds) -> list[str]:
     minutes, seconds = divmod(round(flight.seconds), 60)
-    length = f"{minutes} min {seconds:02} s" if flight.ends else f"{minutes} min {seconds:02} s, and then without an end"
+    length = (
+        f"{minutes} min {seconds:02} s" if flight.ends else f"{minutes} min {seconds:02} s, and then without an end"
+    )
     waits = f", {flight.waiting:.0f} s of it waiting" if flight.waiting else ""
     return [
         f"{flight.distance:.0f} m over the ground, {flight.climb:.0f} m of climb; about {length}{waits}",
-        f"(at {speeds.cruise:g} m/s, climbing {speeds.climb:g} and sinking {speeds.descent:g}, in still air; turns take no time)",
+        f"(at {speeds.cruise:g} m/s, climbing {speeds.climb:g} and sinking {speeds.descent:g}, in still air;"
+        " turns take no time)",
         *(f"not in it: {doubt}" for doubt in flight.doubts),
     ]
 

@@ -21,8 +21,20 @@ from .plan import FENCE_COMMANDS, GLOBAL, JUMP, NO_PLACE, RALLY_POINT, WAYPOINT,
 from .settling import Notes, settled
 
 HEADER = "QGC WPL 110"
-COLUMNS = ("its number", "current", "frame", "command", "parameter 1", "parameter 2", "parameter 3", "parameter 4",
-           "latitude", "longitude", "altitude", "autocontinue")  # fmt: skip
+COLUMNS = (
+    "its number",
+    "current",
+    "frame",
+    "command",
+    "parameter 1",
+    "parameter 2",
+    "parameter 3",
+    "parameter 4",
+    "latitude",
+    "longitude",
+    "altitude",
+    "autocontinue",
+)
 WHOLE = {0: 65535, 1: 255, 2: 255, 3: 65535, 11: 1}  # column -> the largest
 
 
@@ -65,7 +77,9 @@ class _Reader:
                 raise self._bad(f"{len(words)} columns, and not {len(COLUMNS)}: {', '.join(COLUMNS)}")
             values = self._values(words)
             if values[0] != expected:
-                raise self._bad(f"this is number {values[0]}, and {expected} is due: lines are missing or in another order")
+                raise self._bad(
+                    f"this is number {values[0]}, and {expected} is due: lines are missing or in another order"
+                )
             if expected == 0:
                 self._home(values)
             else:
@@ -96,8 +110,9 @@ class _Reader:
     def _home(self, values: list) -> None:
         _, _, frame, command, *_ = values
         if command not in (0, WAYPOINT):  # Mission Planner writes 0 where it has no home
-            raise self._bad(f"line 0 is home, and here a {commands.name_of(command)}, which would not be flown: put home"
-                            " before it")  # fmt: skip
+            raise self._bad(
+                f"line 0 is home, and here a {commands.name_of(command)}, which would not be flown: put home before it"
+            )
         if modern(frame) != GLOBAL:
             raise self._bad(f"home is above sea level, which is frame 0, and has frame {frame}")
         x, y, z = values[8:11]
@@ -117,8 +132,16 @@ class _Reader:
         if command == JUMP:
             params[0] = self._target(name, params[0])
         try:
-            item = settled(command, frame, params, current, autocontinue, number=index, notes=self._notes,
-                           unset_as_zero=self._unset_as_zero)  # fmt: skip
+            item = settled(
+                command,
+                frame,
+                params,
+                current,
+                autocontinue,
+                number=index,
+                notes=self._notes,
+                unset_as_zero=self._unset_as_zero,
+            )
         except DoesNotFit as error:
             raise self._bad(f"{name}: {error}") from None
         if command == 224 or (command == 201 and item.param1 == 2):
@@ -137,7 +160,9 @@ class _Reader:
             if any(step.item.command in among for step in steps):
                 others = [step for step in steps if step.item.command not in among]
                 if others:
-                    raise self._bad(f"{others[0].name} is not of the {kind}: a .waypoints file is of one kind", others[0].line)
+                    raise self._bad(
+                        f"{others[0].name} is not of the {kind}: a .waypoints file is of one kind", others[0].line
+                    )
                 setattr(self._plan, kind, [plain(step) for step in steps])
                 return
         self._plan.mission = steps
@@ -159,13 +184,17 @@ def write(plan: Plan, kind: str = "mission") -> tuple[str, list[str]]:
         notes.add("there is no home in the plan; line 0 is written as 0, 0, 0")
     for number, step in enumerate(plan.steps(kind)):
         if any(math.isnan(value) for value in (*step.item[4:8], step.item.z)):
-            notes.add("unset numbers are written as NaN; for a program that does not read that, say --unset-as-zero", number)
+            notes.add(
+                "unset numbers are written as NaN; for a program that does not read that, say --unset-as-zero", number
+            )
         if step.group:
             notes.add("patterns are written as the items that they carry")
         lines.append(item_line(number + 1, step.item))
     for other in plan.kinds:
         if other != kind:
-            notes.add(f"the {other} ({len(plan.steps(other))} items) is not in it; --part {other} writes it to a file of its own")
+            notes.add(
+                f"the {other} ({len(plan.steps(other))} items) is not in it; --part {other} writes it to one of its own"
+            )
     if plan.hover_speed is not None or plan.cruise_speed is not None:
         notes.add("the speeds that the plan was drawn for are not in a .waypoints file")
     return "\n".join(lines) + "\n", notes.texts()
@@ -180,5 +209,12 @@ def item_line(number: int, item: Item) -> str:
     param1 = item.param1 + 1 if item.command == JUMP else item.param1
     floats = [decimal_text(value) for value in (param1, item.param2, item.param3, item.param4)]
     place = [str(item.x), str(item.y)] if item.frame == NO_PLACE else [degrees_text(item.x), degrees_text(item.y)]
-    return "\t".join([*map(str, (number, item.current, item.frame, item.command)), *floats, *place, decimal_text(item.z),
-                      str(item.autocontinue)])  # fmt: skip
+    return "\t".join(
+        [
+            *map(str, (number, item.current, item.frame, item.command)),
+            *floats,
+            *place,
+            decimal_text(item.z),
+            str(item.autocontinue),
+        ]
+    )
