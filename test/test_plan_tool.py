@@ -16,8 +16,9 @@ from hypothesis import strategies as st
 from planned import FARM, FILES, NAN, bits, plan_of
 from planning import BadPlan, Home, Item, judge, qgc_plan, read_plan, waypoints
 from planning.flight import Speeds, distance, fly
+from planning.header import header_of
 from planning.orders import autopilots_that_refuse
-from planning.table import summary
+from planning.table import first_flown, summary
 from test_plan_checks import WRONG_EVERYWHERE, WRONG_ON_ONE, with_item
 
 PLAN_TEXT = FARM.read_text()
@@ -225,6 +226,23 @@ def test_fence_of_mission_planner_is_a_fence():
     assert [item.command for item in plan.items("fence")] == [5001] * 4 + [5004]
 
 
+def test_fence_without_a_home_is_read_as_well():
+    lines = (FILES / "fence.waypoints").read_text().splitlines()
+    lines = [lines[0], *(f"{number}{line[line.index(chr(9)) :]}" for number, line in enumerate(lines[2:]))]
+    plan = read("\n".join(lines), ".waypoints")
+    assert bits(plan.items("fence")) == bits(read_plan(FILES / "fence.waypoints").items("fence"))
+    assert plan.home is None
+
+
+def test_version_of_what_is_empty_does_not_matter():
+    document = json.loads(PLAN_TEXT)
+    document["rallyPoints"] = {"points": [], "version": 1}
+    document["geoFence"] = {"polygon": [], "version": 1}
+    assert read(json.dumps(document)).kinds == ["mission"]
+    document["geoFence"]["polygon"] = [[1, 1], [2, 2], [1, 2]]
+    assert '"geoFence" is of version 1' in str(refusal(json.dumps(document)))
+
+
 def test_patterns_are_taken_by_the_items_that_they_carry():
     plan = read_plan(FILES / "patterns.plan")
     groups = [step.group for step in plan.mission]
@@ -330,6 +348,7 @@ def test_flight_takes_its_legs_and_climbs():
     back = (100**2 + 50**2) ** 0.5
     assert flight.distance == pytest.approx(150 + back, abs=0.1)
     assert flight.climb == 30
+    assert first_flown(flight)[1] == ([leg for leg in flight.legs if leg.index == 1], pytest.approx(100, abs=0.1))
     assert flight.seconds == pytest.approx(20 / 2 + 100 / 5 + 50 / 5 + back / 5 + 30 / 1, abs=0.1)
 
 
@@ -435,6 +454,12 @@ def test_tool_writes_a_header_and_refuses_a_plan_that_is_wrong(tmp_path):
     assert ran.stderr.startswith(
         f"{wrong}:{line_of(PLAN_TEXT, '-35.36323345391089') - 13}: item 0 (NAV_TAKEOFF, doJumpId 1): "
     )
+
+
+def test_plan_that_no_array_in_flash_holds_is_refused():
+    assert "1057 items" not in header_of(plan_of([at(n) for n in range(1057)]))
+    with pytest.raises(BadPlan, match="its mission has 1058 items, and an array in a Mega's flash holds 1057"):
+        header_of(plan_of([at(n) for n in range(1058)]))
 
 
 def test_tool_shows_a_table_with_legs_and_times():

@@ -14,7 +14,7 @@ from .plan import FENCE_COMMANDS, GLOBAL, JUMP, LAND, NO_PLACE, RALLY_POINT, REL
 
 EARTH_RADIUS = 6_371_008.8  # [m], the mean
 LOITER_UNLIMITED, LOITER_TURNS, LOITER_TIME, RETURN, WAYPOINT, DELAY, SPEED = 17, 18, 19, 20, 16, 93, 178
-VTOL_TAKEOFF, VTOL_LAND, LAST_NAVIGATION = 84, 85, 95
+VTOL_TAKEOFF, VTOL_LAND, LAST_NAVIGATION, JUMP_TO_TAG = 84, 85, 95, 601
 MOST_STEPS = 100_000  # of a plan whose jumps go round and round
 
 
@@ -119,6 +119,8 @@ class _Flying:
             return self._jump(index, item)
         if item.command == SPEED and item.param2 > 0:
             self._speed = item.param2
+        elif item.command == JUMP_TO_TAG:
+            self.flight.doubt(f"item {index} jumps to a tag: what it repeats is left out")
         elif item.command == RETURN:
             self._return(index)
         elif item.command in (TAKEOFF, VTOL_TAKEOFF) and self._at is not None:

@@ -13,6 +13,7 @@ from .exact import decimal_text, degrees_text
 from .makers import comment_of, source_of
 from .plan import Plan, Step
 
+MOST_ITEMS = 32767 // 31  # avr-gcc has no larger array
 NAMESPACE = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 TITLES = {"mission": "What is flown.", "fence": "upload(..., PlanType::Fence)", "rally": "upload(..., PlanType::Rally)"}
 
@@ -36,6 +37,14 @@ def header_of(plan: Plan, namespace: str | None = None) -> str:
         )
     if not plan.kinds:
         raise BadPlan(plan.file, None, "it has no items: there is nothing to put into a header")
+    for kind in plan.kinds:
+        if len(plan.steps(kind)) > MOST_ITEMS:
+            raise BadPlan(
+                plan.file,
+                None,
+                f"its {kind} has {len(plan.steps(kind))} items, and an array in a Mega's flash holds {MOST_ITEMS}:"
+                " let a function give the items",
+            )
     uses = ", ".join(f"inFlash({namespace}::{kind})" for kind in plan.kinds)
     lines = [f"// Made of {plan.file.name} by tools/plan: {uses}."]
     if plan.home is not None:

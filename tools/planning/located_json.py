@@ -56,6 +56,9 @@ class Value:
         self.name = name
         return self
 
+    def members(self) -> dict[str, Value]:
+        return self._as(dict)
+
     def array(self) -> list[Value]:
         return self._as(list)
 

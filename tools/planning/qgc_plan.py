@@ -207,7 +207,8 @@ class _Reader:
     # -- fence and rally points -------------------------------------------------------------
 
     def _fence(self, fence: Value) -> None:
-        _version(fence, 2)
+        if any(entry.raw for key, entry in fence.members().items() if key != "version"):
+            _version(fence, 2)  # an empty one is of any
         for number, polygon in enumerate(self._list(fence, "polygons"), start=1):
             corners = polygon.need("polygon").array()
             if not 3 <= len(corners) <= 255:
@@ -235,7 +236,8 @@ class _Reader:
         self._plan.fence.append(Step(item, value.line, name))
 
     def _rally(self, rally: Value) -> None:
-        _version(rally, 2)
+        if self._list(rally, "points"):
+            _version(rally, 2)
         for number, value in enumerate(self._list(rally, "points"), start=1):
             name = f"rally point {number}"
             place = self._numbers(value.called(name), 3)

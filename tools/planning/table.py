@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 from rich.console import Console
@@ -10,7 +11,7 @@ from rich.table import Table
 
 from . import commands
 from .exact import decimal_text, degrees_text
-from .flight import Flight, Speeds, fly
+from .flight import Flight, Leg, Speeds, fly
 from .plan import NO_PLACE, Home, Item, Plan
 
 REFERENCES = {0: "above sea level", 3: "above home", 10: "above ground"}
@@ -40,16 +41,15 @@ def mission_table(plan: Plan, flight: Flight) -> Table:
     )
     for column in (0, 6, 7, 8):
         table.columns[column].justify = "right"
+    flown = first_flown(flight)
     group = ""
     for index, step in enumerate(plan.mission):
         if step.group != group:
             group = step.group
             table.add_section()
         item = step.item
-        legs = [leg for leg in flight.legs if leg.index == index]
-        first = first_flown(legs)
+        first, upto = flown.get(index, ([], 0.0))
         climbs = [leg.climb for leg in first if leg.climb is not None]
-        upto = sum(leg.distance for leg in flight.legs[: flight.legs.index(first[-1]) + 1]) if first else None
         name = commands.name_of(item.command) + (f" ({group})" if group else "")
         table.add_row(
             str(index),
@@ -58,16 +58,20 @@ def mission_table(plan: Plan, flight: Flight) -> Table:
             escape(parameters(item)),
             f"{sum(leg.distance for leg in first):.0f}" if first else "",
             f"{sum(climbs):+.1f}" if climbs else "",
-            f"{upto:.0f}" if upto is not None else "",
+            f"{upto:.0f}" if first else "",
         )
     return table
 
 
-def first_flown(legs: list) -> list:
-    """Of an item that jumps come back to, the legs of the first time: two at most, across and up or down."""
-    if len(legs) > 1 and legs[0].end == legs[1].start and legs[0].end[:2] == legs[1].end[:2]:
-        return legs[:2]
-    return legs[:1]
+def first_flown(flight: Flight) -> dict[int, tuple[list[Leg], float]]:
+    """For each item the legs of the first time that it is flown to, and the way up to there [m]."""
+    found: dict[int, tuple[list[Leg], float]] = {}
+    total = 0.0
+    for index, legs in itertools.groupby(flight.legs, key=lambda leg: leg.index):
+        run = list(legs)
+        total += sum(leg.distance for leg in run)
+        found.setdefault(index, (run, total))
+    return found
 
 
 def place_cells(item: Item) -> tuple[str, str, str]:

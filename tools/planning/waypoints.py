@@ -35,6 +35,8 @@ COLUMNS = (
     "altitude",
     "autocontinue",
 )
+# A file of these may begin with one of them instead of home, as MAVProxy writes it.
+OTHER_KINDS = (*FENCE_COMMANDS, RALLY_POINT)
 WHOLE = {0: 65535, 1: 255, 2: 255, 3: 65535, 11: 1}  # column -> the largest
 
 
@@ -80,10 +82,10 @@ class _Reader:
                 raise self._bad(
                     f"this is number {values[0]}, and {expected} is due: lines are missing or in another order"
                 )
-            if expected == 0:
+            if expected == 0 and values[3] not in OTHER_KINDS:
                 self._home(values)
             else:
-                steps.append(self._step(values))
+                steps.append(self._step(values, len(steps)))
             expected += 1
         if expected == 0:
             raise self._bad("there is no line 0, which is home")
@@ -125,9 +127,8 @@ class _Reader:
         if not self._plan.home.is_somewhere:
             self._plan.home = None
 
-    def _step(self, values: list) -> Step:
+    def _step(self, values: list, index: int) -> Step:
         number, current, frame, command, *params, autocontinue = values
-        index = number - 1
         name = f"item {index} ({commands.name_of(command)}, number {number} in the file)"
         if command == JUMP:
             params[0] = self._target(name, params[0])
