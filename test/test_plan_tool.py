@@ -485,6 +485,15 @@ def test_tool_draws_the_same_drawing_of_the_same_plan(tmp_path):
     assert "written as .svg or .png" in run("draw", FARM, "-o", tmp_path / "farm.pdf").stderr
 
 
+def test_tool_writes_a_sketch_for_a_real_board(tmp_path):
+    folder = tmp_path / "farm"
+    assert run("to-sketch", FARM, folder).stdout == f"{folder / 'farm.ino'}\n"
+    assert sorted(file.name for file in folder.iterdir()) == ["farm.ino", "farmPlan.h"]
+    text = (folder / "farm.ino").read_text()
+    assert '#include "farmPlan.h"' in text and "return inFlash(farmPlan::rally);" in text and "@" not in text
+    assert "Arduino wants letters" in run("to-sketch", FARM, tmp_path / "my farm").stderr
+
+
 def test_tool_makes_a_plan_of_a_listing(tmp_path):
     listing, file = tmp_path / "monitor.txt", tmp_path / "aboard.plan"
     text, _ = waypoints.write(read_plan(FARM))

@@ -23,7 +23,7 @@ from planning.exact import DoesNotFit, decimal_of, decimal_text, degrees_text, e
 from planning.header import header_of, namespace_of
 from planning.located_json import Value, parse
 from planning.makers import NAMED, source_of
-from planning.sketch import write_sketch
+from planning.round_trip import sketch_for
 from pymavlink import mavwp
 
 FILE = Path("drawn.plan")
@@ -337,7 +337,8 @@ def many_items(seed: int, count: int) -> list[Item]:
             free["param4"] = chance.choice([NAN, NAN, 0.0, 90.0, -45.5, number()])
         return made._replace(**free)._replace(**FIXED.get(command, {}))
 
-    items = []
+    placed = [command for command in SHAPES if commands.has_place(command)]
+    items = [shaped(command)._replace(frame=frame) for command in placed for frame in (0, 2, 3, 5, 6, 10, 11)]
     for _ in range(count):
         item = shaped(chance.choice(list(SHAPES)))
         if chance.random() < 0.3:
@@ -420,11 +421,11 @@ def test_header_means_exactly_the_plan_on_the_host(tmp_path):
     assert dumped == meant
 
 
-def test_header_means_exactly_the_plan_on_the_mega(tmp_path):
+def test_header_means_exactly_the_plan_on_the_mega():
     # What tools/demo takes for a plan in firmware is finite and known.
     mission = [item for item in many_items(2, 200) if item.command != 31999 and item.z == item.z]
     plan = plan_of(mission, *fence_and_rally(2))
-    elf = build_sketch(write_sketch(plan, tmp_path / "drawn").parent).elf
+    elf = build_sketch(sketch_for(plan).parent).elf
     for kind in plan.kinds:
         read = plan_in(elf, kind).items(lambda *_: b"")
         assert bits(Item(*item) for item in read) == bits(plan.items(kind))

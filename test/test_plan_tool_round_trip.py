@@ -83,7 +83,7 @@ def test_patterns_come_back_as_the_autopilot_keeps_them():
     plan = read_plan(FILES / "patterns.plan")
     made, good, text = trip(plan, autopilot="px4")
     assert good, text
-    assert "item 1 of the mission: PX4 keeps of param1: 15 -> 0" in text  # the pitch of a takeoff
+    assert "item 1 of the mission, as PX4 keeps it: param1: 15 -> 0" in text  # the pitch of a takeoff
     assert [step.item._replace(param1=0.0).packed() for step in made.aboard.mission] == [
         step.item._replace(param1=0.0).packed() for step in plan.mission
     ]
@@ -124,7 +124,7 @@ def test_what_an_autopilot_does_not_keep_is_told():
     _, good, text = trip(ODD, autopilot="ardupilot")
     assert good, text
     kept = "param1: 2.5 -> 2, param2: 3 -> 0, param4: 45 -> NaN, z: 20.125 -> 20.119999"
-    assert f"item 1 of the mission: ArduPilot keeps of {kept}" in text
+    assert f"item 1 of the mission, as ArduPilot keeps it: {kept}" in text
     assert text.splitlines()[-1] == "The plan went aboard and came back: all 20 items, as ArduPilot keeps them."
 
 

@@ -58,7 +58,7 @@ class RoundTrip:
                     return Verdict(False, f"FAILED: item {number} of the {kind} came back with another {difference}.")
                 if difference:
                     kept = True
-                    self._screen.say(f"item {number} of the {kind}: {name} keeps of {difference}")
+                    self._screen.say(f"item {number} of the {kind}, as {name} keeps it: {difference}")
         items = sum(len(self._plan.steps(kind)) for kind in self._plan.kinds)
         if kept:
             return Verdict(True, f"The plan went aboard and came back: all {items} items, as {name} keeps them.")
