@@ -56,6 +56,7 @@ class Settings:
     log: Path | None = None
     timeline: Path | None = None  # an SVG
     fast: bool = False  # as fast as can be, instead of in real time
+    described: dict | None = None  # what examples.toml would say of the sketch
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ class Demonstration:
     def __init__(self, settings: Settings, screen) -> None:
         self.settings = settings
         self._screen = screen
-        described = description(settings.example)
+        described = settings.described or description(settings.example)
         self._limit_s: float = described.get("runs_s") or described.get("limit_s", LIMIT_S)
         self._uploads = "runs_s" not in described and "reads" not in described
         self._reads: bool = described.get("reads", False)
@@ -90,6 +91,7 @@ class Demonstration:
         )
         self._remarks: dict[int, tuple[bool, bool]] = {}  # by the entry's id(): is it shown, was it said before
         self._console = Console(self)
+        self.said: list[str] = []  # the lines of the sketch's Serial
         self._conversation = Conversation()
         self._meant: dict[int, list[Item]] = {}  # by mission type, as the sketch has them
         self._log: TelemetryLog | None = None
@@ -180,6 +182,7 @@ class Demonstration:
             self._screen.progress(sum(talk.aboard.values()), total)
 
     def console_line(self, text: str) -> None:
+        self.said.append(text)
         self._screen.happened(Line(self.now, "Serial", text))
 
     def _is_over(self) -> bool:
@@ -273,7 +276,7 @@ class Conversation:
             self._from_mega(message, name)
         else:
             self._from_autopilot(entry, message, name)
-        said = (entry.direction, name, getattr(message, "seq", None), getattr(message, "command", None))
+        said = (entry.direction, name, *(getattr(message, what, None) for what in ("seq", "command", "mission_type")))
         again = said in self._said and name != "MISSION_ACK"
         self._said.add(said)
         return again

@@ -1,0 +1,120 @@
+"""What the library itself says of a plan: its own checks, compiled for this computer when they are first needed."""
+
+from __future__ import annotations
+
+import functools
+import re
+import struct
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from .bad_plan import BadPlan
+from .exact import decimal_text, degrees_text
+from .plan import KINDS, Item, Plan, Step
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+SOURCE = Path(__file__).resolve().with_name("judge.cpp")
+PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "Status", "WirePlan")
+
+# As judge.cpp checks them, by their names here.
+AUTOPILOTS = ("ardupilot", "px4", "any")
+NAMES = {"ardupilot": "ArduPilot", "px4": "PX4", "any": "any autopilot"}
+FIRMWARE = {"ardupilot": 1, "px4": 2}  # mavmission::Firmware
+AUTOPILOT_OF = {3: "ardupilot", 12: "px4"}  # MAV_AUTOPILOT
+
+ACCEPTED = "Accepted"
+_WORDS = struct.Struct("<7IH3B")
+
+
+class Refusal(NamedTuple):
+    """An item that the library does not send, and its reason."""
+
+    kind: str
+    index: int
+    step: Step
+    status: str  # mavmission::Status
+    text: str  # its text, with the number that is wrong
+
+    def sentence(self, plan: Plan) -> str:
+        return f"{plan.file}:{self.step.line}: {self.step.name}: {self.text}"
+
+
+def refusals(plan: Plan) -> dict[str, list[Refusal]]:
+    """By autopilot ("ardupilot", "px4", "any": what is wrong everywhere), what an upload would be refused for."""
+    found: dict[str, list[Refusal]] = {autopilot: [] for autopilot in AUTOPILOTS}
+    for kind in plan.kinds:
+        steps = plan.steps(kind)
+        answers = asked("check", [KINDS.index(kind), len(steps)], plan.items(kind))
+        for turn, (number, text) in enumerate(answers):
+            index, status = turn % len(steps), statuses()[number]
+            if status != ACCEPTED:
+                step = steps[index]
+                text = text.removeprefix("refused: ") + wrong_number(status, step.item)
+                found[AUTOPILOTS[turn // len(steps)]].append(Refusal(kind, index, step, status, text))
+    return found
+
+
+def wrong_number(status: str, item: Item) -> str:
+    """What is wrong of an item, in brackets."""
+    shown = {
+        "BadLatitude": degrees_text(item.x),
+        "BadLongitude": degrees_text(item.y),
+        "BadCurrent": str(item.current),
+        "BadFrame": f"frame {item.frame}",
+        "BadJump": f"number {decimal_text(item.param1)}, counted from 0" if item.param1 == item.param1 else "NaN",
+    }
+    unset = [str(i) for i, value in zip((1, 2, 3, 4, 7), (*item[4:8], item.z)) if value != value]
+    if status == "NotANumber":
+        return f" (parameter {', '.join(unset)}); give it one where the plan was drawn, or say --unset-as-zero"
+    return f" ({shown[status]})" if status in shown else ""
+
+
+def expect_right(plan: Plan) -> None:
+    """BadPlan for the first item that no autopilot gets."""
+    for refusal in refusals(plan)["any"]:
+        raise BadPlan(plan.file, refusal.step.line, f"{refusal.step.name}: {refusal.text}")
+
+
+def rewritten(meant: Sequence[Item], read: Sequence[Item], autopilot: str, kind: str) -> list[str]:
+    """Item by item, the field in which what was read is not what this autopilot makes of what was meant; or ""."""
+    if not meant:
+        return []
+    head = [FIRMWARE[autopilot], KINDS.index(kind), len(meant)]
+    return [text if number else "" for number, text in asked("compare", head, [*meant, *read])]
+
+
+def words_of(item: Item) -> str:
+    return " ".join(map(str, _WORDS.unpack(item.packed())))
+
+
+def asked(order: str, head: Sequence[int], items: Sequence[Item]) -> list[tuple[int, str]]:
+    text = "\n".join([" ".join(map(str, head)), *map(words_of, items)])
+    said = subprocess.run([program(), order], input=text, capture_output=True, text=True, check=True)
+    return [(int(number), text) for number, _, text in (line.partition(" ") for line in said.stdout.splitlines())]
+
+
+@functools.cache
+def statuses() -> tuple[str, ...]:
+    """mavmission::Status, in order."""
+    text = (ROOT / "src" / "mavmission" / "Status.h").read_text()
+    return tuple(
+        re.findall(r"X\((\w+),", text.partition("#define MAVMISSION_STATUSES(X)")[2].partition("enum class")[0])
+    )
+
+
+@functools.cache
+def program() -> Path:
+    """The judge, compiled from the library's sources as they are now."""
+    folder = str(ROOT / "test")
+    if folder not in sys.path:
+        sys.path.append(folder)
+    from host_build import FAST, HostProgramNotBuilt, build_host
+
+    library = [ROOT / "src" / "mavmission" / f"{part}.cpp" for part in PARTS]
+    try:
+        return build_host("plan_judge", [SOURCE], "g++", FAST, library=library)
+    except HostProgramNotBuilt as error:
+        raise BadPlan("tools/plan", None, f"the library's checks were not compiled: {error}") from error

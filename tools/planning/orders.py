@@ -1,0 +1,129 @@
+"""The orders of tools/plan. Each takes the command line and a way to tell notes, and returns the exit status."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+from . import judge
+from .bad_plan import BadPlan
+from .files import read_plan, text_of, write_plan, write_text
+from .flight import Speeds
+from .header import header_of
+from .listing import read_listing
+from .plan import Plan
+from .qgc_plan import HOVER_SPEED
+
+Tell = Callable[[list[str], Path], None]
+
+
+def loaded(args: argparse.Namespace, tell: Tell) -> Plan:
+    plan = read_plan(args.file, args.unset_as_zero)
+    tell(plan.notes, args.file)
+    return plan
+
+
+def checked(args: argparse.Namespace, tell: Tell) -> Plan:
+    """A plan with nothing in it that is wrong everywhere; what one autopilot refuses is told."""
+    plan = loaded(args, tell)
+    judge.expect_right(plan)
+    tell(autopilots_that_refuse(plan), args.file)
+    return plan
+
+
+def autopilots_that_refuse(plan: Plan) -> list[str]:
+    found = judge.refusals(plan)
+    return [
+        f"{judge.NAMES[autopilot]} would not get it: {refused[0].step.name}: {refused[0].text}"
+        + (f", and {len(refused) - 1} more; tools/plan check --autopilot {autopilot}" if len(refused) > 1 else "")
+        for autopilot in ("ardupilot", "px4")
+        if (refused := found[autopilot])
+    ]
+
+
+def speeds_of(args: argparse.Namespace, plan: Plan) -> Speeds:
+    return Speeds(args.speed or plan.hover_speed or HOVER_SPEED, args.climb, args.descent)
+
+
+def check(args: argparse.Namespace, tell: Tell) -> int:
+    plan = loaded(args, tell)
+    found = judge.refusals(plan)
+    wanted = args.autopilot or judge.AUTOPILOT_OF.get(plan.firmware or 0, "any")
+    for refusal in found[wanted]:
+        print(refusal.sentence(plan))
+    for other in judge.AUTOPILOTS[:2]:
+        if other != wanted and len(found[other]) > len(found["any"]):
+            extra = next(refusal for refusal in found[other] if refusal.index not in {r.index for r in found["any"]})
+            print(f"{plan.file}:{extra.step.line}: on {judge.NAMES[other]}: {extra.step.name}: {extra.text}")
+    counts = ", ".join(f"{kind} of {len(plan.steps(kind))}" for kind in plan.kinds) or "no items"
+    if not plan.kinds:
+        print(f"{plan.file}: it has no items")
+        return 1
+    name = judge.NAMES[wanted] if wanted != "any" else "an autopilot"
+    if not found[wanted]:
+        print(f"{plan.file}: {counts}: nothing in it that {name} would not get")
+    return 1 if found[wanted] else 0
+
+
+def show(args: argparse.Namespace, tell: Tell) -> int:
+    from rich.console import Console
+
+    from . import table
+
+    plan = loaded(args, tell)
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=180)
+    table.show(plan, speeds_of(args, plan), console)
+    return 0
+
+
+def draw(args: argparse.Namespace, tell: Tell) -> int:
+    from . import drawing
+
+    plan = loaded(args, tell)
+    drawing.draw(plan, args.output, speeds_of(args, plan))
+    return 0
+
+
+def to_header(args: argparse.Namespace, tell: Tell) -> int:
+    text = header_of(checked(args, tell), args.namespace)
+    if args.output is None:
+        print(text, end="")
+    else:
+        write_text(args.output, text)
+    return 0
+
+
+def to_sketch(args: argparse.Namespace, tell: Tell) -> int:
+    from .sketch import write_sketch
+
+    print(write_sketch(checked(args, tell), args.folder))
+    return 0
+
+
+def convert(args: argparse.Namespace, tell: Tell) -> int:
+    plan = checked(args, tell)
+    tell(write_plan(plan, args.output, args.part), args.output)
+    return 0
+
+
+def from_download(args: argparse.Namespace, tell: Tell) -> int:
+    plan = read_listing(args.file, text_of(args.file))
+    tell(plan.notes, args.file)
+    if not plan.kinds:
+        raise BadPlan(args.file, None, "the listing has no items: the autopilot held no plan")
+    tell(write_plan(plan, args.output, args.part), args.output)
+    return 0
+
+
+ORDERS = {
+    "check": check,
+    "show": show,
+    "draw": draw,
+    "to-header": to_header,
+    "to-sketch": to_sketch,
+    "convert": convert,
+    "from-download": from_download,
+}

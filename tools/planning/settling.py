@@ -1,0 +1,121 @@
+"""The numbers of a file's item made those of the wire; what they do not say is not guessed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from decimal import Decimal
+
+from . import commands
+from .exact import DoesNotFit, e7_of, float32_of, int32_of
+from .plan import GLOBAL, NO_PLACE, RELATIVE, TERRAIN, Item, modern
+
+PLACE_FRAMES = (GLOBAL, RELATIVE, TERRAIN)
+PLACE_NAMES = {5: "latitude", 6: "longitude", 7: "altitude"}
+Number = Decimal | None  # None and NaN: unset
+
+
+class Notes:
+    """What a person should know of how a file was read, each said once with the items that it concerns."""
+
+    def __init__(self) -> None:
+        self._items: dict[str, list[str]] = {}
+
+    def add(self, text: str, item: object = None) -> None:
+        numbers = self._items.setdefault(text, [])
+        if item is not None and str(item) not in numbers[-1:]:
+            numbers.append(str(item))
+
+    def texts(self) -> list[str]:
+        return [f"{listed(numbers)}: {text}" if numbers else text for text, numbers in self._items.items()]
+
+
+def listed(numbers: list[str]) -> str:
+    shown = numbers if len(numbers) <= 8 else [*numbers[:6], "...", numbers[-1]]
+    return f"item{'s' if len(numbers) > 1 else ''} {', '.join(shown)}"
+
+
+def settled(
+    command: int,
+    frame: int,
+    numbers: Sequence[Number],
+    current: int,
+    autocontinue: int,
+    *,
+    number: int,
+    notes: Notes,
+    unset_as_zero: bool,
+) -> Item:
+    """The item of a command and its seven parameters. `number`: the item's, for notes. Raises DoesNotFit."""
+    placed = _has_place(command, frame, number, notes)
+    if not placed:
+        frame = NO_PLACE
+    values = [
+        _unset(command, i, value, placed, number, notes, unset_as_zero) if is_unset(value) else value
+        for i, value in enumerate(numbers, start=1)
+    ]
+    x, y = (_coordinate(command, i, values[i - 1], placed, number, notes) for i in (5, 6))
+    floats = [_float(i, values[i - 1]) for i in (1, 2, 3, 4, 7)]
+    return Item(modern(frame), command, current, autocontinue, *floats[:4], x, y, floats[4])
+
+
+def is_unset(value: Number) -> bool:
+    return value is None or value.is_nan()
+
+
+def _has_place(command: int, frame: int, number: int, notes: Notes) -> bool:
+    if modern(frame) not in (*PLACE_FRAMES, NO_PLACE):
+        raise DoesNotFit(
+            f"frame {frame} is no altitude reference of a plan: 0 is above sea level, 3 above home,"
+            " 10 above the ground, 2 for items without a place"
+        )
+    if frame == NO_PLACE:
+        if not commands.is_known(command):
+            notes.add("the command is not known; its numbers go out as they are", number)
+        return False
+    if not commands.is_known(command):
+        raise DoesNotFit(
+            "the command is not known, and so not whether its parameters 5 and 6 are a place or plain"
+            " numbers; frame 2 says that they are numbers"
+        )
+    return commands.has_place(command)
+
+
+def _unset(command: int, i: int, value: Number, placed: bool, number: int, notes: Notes, as_zero: bool) -> Number:
+    if not commands.uses(command, i):
+        notes.add("parameters that the command does not use are unset, and go out as 0", number)
+        return Decimal(0)
+    if placed and i in PLACE_NAMES:
+        raise DoesNotFit(f"it has no {PLACE_NAMES[i]}: give it a place where the plan was drawn", i)
+    if as_zero:
+        notes.add("unset parameters are taken for 0", number)
+        return Decimal(0)
+    if i in (5, 6):
+        raise DoesNotFit(
+            f"parameter {i} is unset, which a whole number cannot be: give it one, or say --unset-as-zero", i
+        )
+    return value
+
+
+def _coordinate(command: int, i: int, value: Decimal, placed: bool, number: int, notes: Notes) -> int:
+    if placed:
+        try:
+            return e7_of(value)
+        except DoesNotFit as error:
+            raise DoesNotFit(f"{PLACE_NAMES[i]} {error}", i) from None
+    try:
+        return int32_of(value)
+    except DoesNotFit as error:
+        if commands.uses(command, i):
+            raise DoesNotFit(f"parameter {i}: {error}", i) from None
+        notes.add("places of commands that have none are left out", number)
+        return 0
+
+
+def _float(i: int, value: Number) -> float:
+    if is_unset(value):
+        return math.nan
+    try:
+        return float32_of(value)
+    except DoesNotFit as error:
+        raise DoesNotFit(f"parameter {i}: {error}", i) from None
