@@ -10,4 +10,5 @@
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
+#include "mavmission/PlanConsole.h"
 #include "mavmission/WaypointsSource.h"

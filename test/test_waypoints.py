@@ -303,7 +303,7 @@ def test_a_bad_text_is_refused_with_its_line_and_the_reason(reader, what):
 
 def test_every_reason_but_the_stores_own_has_a_bad_text():
     # A text cannot be made unreadable, or sent too fast, or be too much for a store, by what is written in it.
-    others = {"None", "Unreadable", "TooFast", "NoRoom"}
+    others = {"None", "Unreadable", "NotKept", "TooFast", "NoRoom"}
     assert {error for _, error, _, _ in BAD.values()} | others == set(error_texts())
     assert all(error_texts().values()) and HEADER.exists()
 

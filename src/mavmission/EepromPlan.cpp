@@ -199,8 +199,12 @@ EepromPlan::State EepromPlan::update() {
     ++done_;
     return state_;
   }
+  // Read back, for a cell may be worn out. What is written last makes the plan valid: all before it is good then.
+  for (uint8_t i = 0; i < length_; ++i) {
+    if (readByte(address_ + i) != buffer_[i]) state_ = State::Failed;
+  }
   length_ = 0;
-  stepDone();
+  if (state_ != State::Failed) stepDone();
   return state_;
 }
 
@@ -220,18 +224,9 @@ void EepromPlan::stepDone() {
       buffer_[4] = static_cast<uint8_t>(checksum_ >> 8);
       return write(addressOf(bank) + 1, 5, Step::Header);
     case Step::Header:
-      // Read back before it becomes the plan: a cell may be worn out.
-      if (checksumOf(bank) != checksum_ || readWord(addressOf(bank) + 4) != checksum_) {
-        state_ = State::Failed;
-        return;
-      }
       return writeMark(bank, kValid, Step::Valid);
     case Step::Valid: {
       const uint8_t old = active_;
-      if (!isWhole(bank)) {
-        state_ = State::Failed;
-        return;
-      }
       activate(bank);
       isDamaged_ = false;
       if (old != kNone) return writeMark(old, kInvalid, Step::DropOld);

@@ -10,8 +10,8 @@
 //   ...
 //   plan.update();                             // in loop()
 //
-// The room is two banks, of which one holds the plan. A new one is written to the other bank, read back, and made valid by
-// a single byte; only then is the old one made invalid, by a single byte.
+// The room is two banks, of which one holds the plan. A new one is written to the other bank, read back item by item, and made
+// valid by a single byte; only then is the old one made invalid, by a single byte.
 //
 //   byte 0     0x4D: the bank is valid. Written last.
 //   byte 1     sequence: of two valid banks (the power went between those two bytes) the later one holds the plan

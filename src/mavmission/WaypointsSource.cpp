@@ -48,6 +48,7 @@ WaypointsSource::State WaypointsSource::update() {
   for (uint8_t left = kBytesPerUpdate; left != 0; --left) {
     if (text_.isAtLineStart()) lineStart_ = position_;
     const int byte = next();
+    const bool wasInField = text_.isInField();
     WaypointsText::Step step;
     bool isOver = false;
     if (byte == kUnreadable) {
@@ -66,6 +67,7 @@ WaypointsSource::State WaypointsSource::update() {
       last_.number = 0;  // none was given yet
       return state_ = State::Good;
     }
+    if (wasInField && !text_.isInField()) break;  // a number is enough work
   }
   return state_;
 }

@@ -28,7 +28,7 @@ class WaypointsSource {
   // Reading: not read through yet. Good: source() may be uploaded. Bad: error() says why not.
   enum class State : uint8_t { Reading, Good, Bad };
 
-  // The most that one update() reads [bytes]; a line of a plan has 40 to 120.
+  // The most that one update() reads [bytes]; it reads no further than one field.
   static constexpr uint8_t kBytesPerUpdate = 64;
 
   // A stream that has seek(position), as SD's File has. It must stay, and nobody else may read or seek it.
@@ -40,7 +40,7 @@ class WaypointsSource {
   // Begins to read from the beginning: when the file has been opened, or has changed. Not while it is being uploaded.
   void begin();
 
-  // Reads on, until the whole text has been read once: it is counted and checked before anything of it is used. The state
+  // Reads a field more, until the whole text has been read once: it is counted and checked before anything of it is used. The state
   // is Good or Bad once, from the update() in which it becomes so, until begin().
   State update();
   State state() const { return state_; }
