@@ -217,6 +217,22 @@ def test_a_text_that_comes_faster_than_it_is_stored_is_refused(console):
     assert console.answer("list", "no plan is here: load one")
 
 
+def test_a_text_of_which_bytes_were_lost_is_refused():
+    console = Console("PX4")
+    # Numbers that take longer to read than the line takes to bring the next: the port's ring runs over.
+    row = "\t".join(["1\t0\t3\t16", *["1.234567890123456789e-37"] * 4, "-35.3632621", "149.1652374", "9.99999999999999999e-38", "1"])
+    console.send("load", *HEAD, row, "end")
+    console.until("line 3: it came faster than it could be stored: send it line by line", 3.0)
+    console.run(1.0)
+    console.send("load", *HEAD)
+    console.run(0.5)
+    for field in row.split("\t"):
+        console.send(field, end=" ")
+        console.run(0.1)
+    console.send("", "end")
+    console.until(KEPT, 3.0)
+
+
 def test_status_and_help(console):
     console.run(2.5)
     lines = console.answer("status", "here: items 0")

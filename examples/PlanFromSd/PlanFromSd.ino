@@ -1,8 +1,8 @@
-// Uploads a plan from a file: PLAN.TXT on an SD card, as Mission Planner saves it (.waypoints, QGC WPL 110). The file may be
-// of any length; it is read item by item, when the autopilot asks. What is wrong with it is said with its line.
+// Uploads a plan from a file: PLAN.TXT on an SD card, as Mission Planner saves it (.waypoints, QGC WPL 110). The file
+// may be of any length; it is read item by item, when the autopilot asks. What is wrong with it is said with its line.
 //
-// With a card (any shield; chip select on CARD_SELECT), take away the two slashes of the next line. Without it the text below
-// stands in for the file.
+// With a card (any shield; chip select on CARD_SELECT), take away the two slashes of the next line. Without it the text
+// below stands in for the file.
 // #define CARD_SELECT 10
 #include <MavMission.h>
 using namespace mavmission;

@@ -278,7 +278,7 @@ void printFloat(float value, char* text) {
     }
     *text++ = '.';
     for (int16_t i = before; i < 0; ++i) *text++ = '0';
-    text = before > 0 ? putDigits(text, digits % unit, static_cast<uint8_t>(-exponent)) : putDigits(text, digits, places);
+    text = putDigits(text, before > 0 ? digits % unit : digits, before > 0 ? static_cast<uint8_t>(-exponent) : places);
   } else {
     text = putDigits(text, digits, places);
     *text++ = 'e';

@@ -24,12 +24,12 @@ class DecimalText {
   bool isNan() const { return state_ == State::Nan; }
   bool isNegative() const { return isNegative_; }
 
-  // The number in steps of 10^-decimals, to the nearest, half away from 0; its magnitude. False beyond 2^31 - 1, and for
-  // nan. `isExact`: nothing was rounded.
+  // The number in steps of 10^-decimals, to the nearest, half away from 0; its magnitude. False beyond 2^31 - 1, and
+  // for nan. `isExact`: nothing was rounded.
   bool toSteps(uint8_t decimals, uint32_t& magnitude, bool& isExact) const;
 
-  // The nearest float, the even one of two equally near; of more than 19 digits the rest decides only that. False if it is
-  // no number, or beyond the largest.
+  // The nearest float, the even one of two equally near; of more than 19 digits the rest decides only that. False if it
+  // is no number, or beyond the largest.
   bool toFloat(float& value) const;
 
   // As if the digits of `digits`, with so many places moved to the left, had been taken.

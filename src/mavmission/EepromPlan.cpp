@@ -48,9 +48,11 @@ EepromPlan::EepromPlan(const Eeprom& eeprom, uint16_t first, uint16_t size)
       active_(kNone),
       state_(State::Resting),
       step_(Step::None),
+      isBegun_(false),
       isDamaged_(false) {}
 
 void EepromPlan::begin() {
+  isBegun_ = true;
   state_ = State::Resting;
   step_ = Step::None;
   length_ = 0;
@@ -64,7 +66,8 @@ void EepromPlan::begin() {
   activate(found);
   isDamaged_ = found == kNone && (readByte(addressOf(0)) == kValid || readByte(addressOf(1)) == kValid);
   if (!isWhole0 || !isWhole1) return;
-  // The power went before the old plan was made invalid. Should the new one ever be damaged, the old one must not come back.
+  // The power went before the old plan was made invalid. Should the new one ever be damaged, the old one must not come
+  // back.
   state_ = State::Committing;
   writeMark(target(), kInvalid, Step::DropOld);
 }
@@ -108,7 +111,9 @@ bool EepromPlan::readItem(void* plan, uint16_t index, MissionItem& item) {
     from.cachedIndex_ = 0;
     from.cachedAddress_ = from.addressOf(from.active_) + kHeader;
   }
-  for (; from.cachedIndex_ < index; ++from.cachedIndex_) from.cachedAddress_ += lengthOf(from.readByte(from.cachedAddress_));
+  for (; from.cachedIndex_ < index; ++from.cachedIndex_) {
+    from.cachedAddress_ += lengthOf(from.readByte(from.cachedAddress_));
+  }
   uint16_t address = from.cachedAddress_;
   const uint8_t flags = from.readByte(address++);
   const uint8_t frame = from.readByte(address++);
@@ -125,7 +130,7 @@ bool EepromPlan::readItem(void* plan, uint16_t index, MissionItem& item) {
 }
 
 bool EepromPlan::store() {
-  if (isBusy()) return false;
+  if (isBusy() || !isBegun_) return false;
   state_ = State::Storing;
   taken_ = 0;
   end_ = addressOf(target()) + kHeader;
@@ -170,7 +175,7 @@ ItemSink EepromPlan::sink() {
 }
 
 bool EepromPlan::erase() {
-  if (isBusy()) return false;
+  if (isBusy() || !isBegun_) return false;
   state_ = State::Erasing;
   isDamaged_ = false;
   // First the bank that is not in use: what it held must not come back.

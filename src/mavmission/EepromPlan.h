@@ -10,8 +10,8 @@
 //   ...
 //   plan.update();                             // in loop()
 //
-// The room is two banks, of which one holds the plan. A new one is written to the other bank, read back item by item, and made
-// valid by a single byte; only then is the old one made invalid, by a single byte.
+// The room is two banks, of which one holds the plan. A new one is written to the other bank, read back item by item,
+// and made valid by a single byte; only then is the old one made invalid, by a single byte.
 //
 //   byte 0     0x4D: the bank is valid. Written last.
 //   byte 1     sequence: of two valid banks (the power went between those two bytes) the later one holds the plan
@@ -33,19 +33,20 @@ namespace mavmission {
 
 class EepromPlan {
  public:
-  // Resting: nothing to do. Storing: items are taken, one when isReady(). Committing, Erasing: being written. Failed: no
-  // room, or the EEPROM does not keep what it is given; the old plan is whole.
+  // Resting: nothing to do. Storing: items are taken, one when isReady(). Committing, Erasing: being written. Failed:
+  // no room, or the EEPROM does not keep what it is given; the old plan is whole.
   enum class State : uint8_t { Resting, Storing, Committing, Erasing, Failed };
 
 #ifdef __AVR__
   // All of the board's own EEPROM.
   EepromPlan() : EepromPlan(ownEeprom()) {}
 #endif
-  // `size` bytes of an EEPROM from `first` on (0: as many as there are); 2 * (6 + 32) at the least. Nobody else may write
-  // there.
+  // `size` bytes of an EEPROM from `first` on (0: as many as there are); 2 * (6 + 32) at the least. Nobody else may
+  // write there.
   explicit EepromPlan(const Eeprom& eeprom, uint16_t first = 0, uint16_t size = 0);
 
-  // Looks what is there; needed once, before the rest. Reads all of a plan, and takes as long: about 100 cycles a byte.
+  // Looks what is there; needed once, before the rest: without it there is no plan, and none is stored. Reads all of a
+  // plan, and takes as long: about 100 cycles a byte.
   void begin();
 
   bool hasPlan() const { return active_ != kNone; }
@@ -53,13 +54,14 @@ class EepromPlan {
   bool isDamaged() const { return isDamaged_; }
   uint16_t count() const { return count_; }  // items of the plan
 
-  // The plan; one that is refused (Status::SourceRefused) if there is none. Not while another is being stored: it would be
-  // exchanged in mid-transfer.
+  // The plan; one that is refused (Status::SourceRefused) if there is none. Not while another is being stored: it would
+  // be exchanged in mid-transfer.
   ItemSource source();
 
   // --- Another plan
 
-  // Begins one; what was begun before is forgotten. False: a plan is being committed or erased.
+  // Begins one; what was begun before is forgotten. False: a plan is being committed or erased, or begin() is still to
+  // come.
   bool store();
   // True when put() takes an item.
   bool isReady() const { return state_ == State::Storing && length_ == 0; }
@@ -98,7 +100,9 @@ class EepromPlan {
   uint16_t addressOf(uint8_t bank) const { return first_ + (bank != 0 ? bankSize_ : 0); }
   uint8_t target() const { return active_ == 0 ? 1 : 0; }
   uint8_t readByte(uint16_t address) const { return eeprom_.read(address); }
-  uint16_t readWord(uint16_t address) const { return static_cast<uint16_t>(readByte(address) | readByte(address + 1) << 8); }
+  uint16_t readWord(uint16_t address) const {
+    return static_cast<uint16_t>(readByte(address) | readByte(address + 1) << 8);
+  }
   bool isWhole(uint8_t bank) const;
   uint16_t checksumOf(uint8_t bank) const;
   void activate(uint8_t bank);
@@ -121,6 +125,7 @@ class EepromPlan {
   uint8_t active_;        // bank 0, 1, or kNone
   State state_;
   Step step_;
+  bool isBegun_;
   bool isDamaged_;
   uint8_t buffer_[kLongestItem];
 };

@@ -8,7 +8,8 @@
 namespace mavmission {
 namespace {
 
-// One line a command: its name, and what it does. clang-format off
+// One line a command: its name, and what it does.
+// clang-format off
 #define MAVMISSION_COMMANDS(X)                                            \
   X(help, "these words")                                                  \
   X(status, "the autopilot, the plan aboard, the plan here")              \
@@ -555,8 +556,9 @@ void PlanConsole::composeField(uint8_t field) {
     case 10: {
       const int32_t value = field == 9 ? item.x : item.y;
       if (isPlace) return printDegrees(value, piece_);
+      const uint32_t whole = static_cast<uint32_t>(value);
       piece_[0] = '-';
-      return printWhole(value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value), piece_ + (value < 0));
+      return value < 0 ? printWhole(0 - whole, piece_ + 1) : printWhole(whole, piece_);
     }
     case 11:
       return printFloat(item.z, piece_);

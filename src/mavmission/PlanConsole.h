@@ -1,5 +1,5 @@
-// A text console: by a terminal on a laptop the plan in EEPROM is loaded and listed, put aboard, verified and flown. It does
-// not block: what it says goes out in pieces that the stream takes without waiting.
+// A text console: by a terminal on a laptop the plan in EEPROM is loaded and listed, put aboard, verified and flown. It
+// does not block: what it says goes out in pieces that the stream takes without waiting.
 //
 //   MissionClient autopilot(Serial1);
 //   EepromPlan plan;
@@ -10,13 +10,13 @@
 //   ...
 //   autopilot.update(); plan.update(); console.update();     // in loop()
 //
-// Each line is a command; "help" names them. After "load" the lines are those of a .waypoints file (WaypointsText.h), up to
-// "end". Items are named as such a file numbers them: 0 is home. A bad text is refused with its line, its field and the
-// reason, and the plan that was there stays.
+// Each line is a command; "help" names them. After "load" the lines are those of a .waypoints file (WaypointsText.h),
+// up to "end". Items are named as such a file numbers them: 0 is home. A bad text is refused with its line, its field
+// and the reason, and the plan that was there stays.
 //
-// An EEPROM takes about 18 waypoints a second; a terminal that pastes sends 150. What comes faster waits in `room`. Without it
-// lines may be typed, or sent one by one, each when the number of the one before has been printed; a text that comes too
-// fast is refused.
+// An EEPROM takes about 18 waypoints a second; a terminal that pastes sends 150. What comes faster waits in `room`.
+// Without it lines may be typed, or sent one by one, each when the number of the one before has been printed; a text
+// that comes too fast is refused.
 #pragma once
 
 #include <stdint.h>
@@ -90,12 +90,13 @@ class PlanConsole : private PlanConsoleState {
     static_assert(N <= 255, "no EEPROM holds as many items");
   }
 
-  // The bytes that the port's receive ring holds [bytes], where what comes then is lost: a text in whose midst it was full
-  // is refused, for something may be missing. Known of the board's own ports; 0, nothing is ever lost, for any other.
+  // The bytes that the port's receive ring holds [bytes], where what comes then is lost: a text in whose midst it was
+  // full is refused, for something may be missing. Known of the board's own ports; 0, nothing is ever lost, for any
+  // other.
   void setRing(uint8_t bytes) { ring_ = bytes; }
 
-  // Commands that a sketch offers beside help, status, load, end, upload, erase and cancel, to be called in setup(). One that
-  // is not offered is not in the program: together they take 9 kB of flash.
+  // Commands that a sketch offers beside help, status, load, end, upload, erase and cancel, to be called in setup().
+  // One that is not offered is not in the program: together they take 8 kB of flash.
   void offerList();      // the plan in EEPROM, as a .waypoints text
   void offerVerify();    // is it what is aboard?
   void offerDownload();  // keeps what is aboard

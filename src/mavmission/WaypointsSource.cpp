@@ -81,7 +81,8 @@ bool WaypointsSource::readItem(void* source, uint16_t index, MissionItem& item) 
   WaypointsSource& from = *static_cast<WaypointsSource*>(source);
   if (from.state_ != State::Good || index >= from.count_) return false;
   const uint16_t number = index + 1;
-  const bool isNext = from.last_.number + 1u == number && from.text_.error() == TextError::None && from.last_.number != 0;
+  const uint16_t last = from.last_.number;
+  const bool isNext = last != 0 && last + 1u == number && from.text_.error() == TextError::None;
   if (!isNext && !from.find(number)) return false;
   if (from.readLine() != WaypointsText::Step::Item) return false;
   from.last_ = Mark{from.lineStart_, number};

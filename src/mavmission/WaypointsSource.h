@@ -1,5 +1,5 @@
-// A plan from a .waypoints file (WaypointsText.h) in anything that can be read and sought, such as a File of the SD library:
-// the same RAM for 3 items and for 3,000, since each is read when the autopilot asks for it.
+// A plan from a .waypoints file (WaypointsText.h) in anything that can be read and sought, such as a File of the SD
+// library: the same RAM for 3 items and for 3,000, since each is read when the autopilot asks for it.
 //
 //   File file;
 //   WaypointsSource plan(file);
@@ -40,14 +40,14 @@ class WaypointsSource {
   // Begins to read from the beginning: when the file has been opened, or has changed. Not while it is being uploaded.
   void begin();
 
-  // Reads a field more, until the whole text has been read once: it is counted and checked before anything of it is used. The state
-  // is Good or Bad once, from the update() in which it becomes so, until begin().
+  // Reads a field more, until the whole text has been read once: it is counted and checked before anything of it is
+  // used. Then Good or Bad, until begin().
   State update();
   State state() const { return state_; }
 
   // The plan, when it is Good; before that, and when it is Bad, one that is refused (Status::SourceRefused). To find an
-  // item out of order a text is halved again and again: about 15 seeks and 2 kB read for one of 64 kB. In order, which is
-  // how transfers ask, an item costs its line.
+  // item out of order a text is halved again and again: about 15 seeks and 2 kB read for one of 64 kB. In order, which
+  // is how transfers ask, an item costs its line.
   ItemSource source();
   // Its items: home is none.
   uint16_t count() const { return state_ == State::Good ? count_ : 0; }

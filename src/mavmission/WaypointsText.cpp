@@ -67,10 +67,11 @@ WaypointsText::Step WaypointsText::take(char c) {
   return isComment_ ? Step::More : takeField(c);
 }
 
-// field_ counts the characters of the header that have been seen, from 128 on those of a byte order mark.
+// field_ counts the characters of the header that have been seen.
 WaypointsText::Step WaypointsText::takeHeader(char c) {
   const uint8_t byte = static_cast<uint8_t>(c);
-  if (length_ <= sizeof(kByteOrderMark) && field_ == 0 && byte == fromFlash(&kByteOrderMark[length_ - 1])) return Step::More;
+  const bool mayBeMark = length_ <= sizeof(kByteOrderMark) && field_ == 0;
+  if (mayBeMark && byte == fromFlash(&kByteOrderMark[length_ - 1])) return Step::More;
   if (field_ < kHeaderLength && byte == pgm_read_byte(&kHeader[field_])) {
     ++field_;
     return Step::More;

@@ -1,11 +1,12 @@
-// The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character, item by item:
-// no line is kept, no float is computed with. Line 0 of such a file is home; it is read, and is no item of the plan.
+// The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character, item by
+// item: no line is kept, no float is computed with. Line 0 of such a file is home; it is read, and is no item of the
+// plan.
 //
 //   QGC WPL 110
 //   number current frame command param1 param2 param3 param4 latitude longitude altitude autocontinue
 //
-// Fields are apart by tabs or blanks. Empty lines and those that begin with # are passed over. Lines end with LF or CR LF,
-// the last one with either or with the text.
+// Fields are apart by tabs or blanks. Empty lines and those that begin with # are passed over. Lines end with LF or CR
+// LF, the last one with either or with the text.
 #pragma once
 
 #include <stdint.h>
@@ -17,7 +18,8 @@
 
 namespace mavmission {
 
-// What is wrong with a text, and its words. clang-format off
+// What is wrong with a text, and its words.
+// clang-format off
 #define MAVMISSION_TEXT_ERRORS(X)                                                                  \
   X(None, "no error")                                                                              \
   X(NotWaypoints, "the first line is not QGC WPL 110")                                             \
@@ -71,8 +73,8 @@ class WaypointsText {
   // True if the next character begins a line.
   bool isAtLineStart() const { return length_ == 0; }
 
-  // True within a field. The character that ends one costs most: 2,000 to 7,000 cycles, and 90,000 for a number of 19 digits
-  // near the smallest float.
+  // True within a field. The character that ends one costs most: 2,000 to 7,000 cycles, and 90,000 for a number of 19
+  // digits near the smallest float.
   bool isInField() const { return isInField_; }
 
   // The last item, in the sketch's numbers: 0 is the one behind home. Until the next character is taken.

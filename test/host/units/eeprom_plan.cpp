@@ -79,7 +79,8 @@ Items plan(uint16_t count, int32_t seed) {
   Items items;
   for (uint16_t i = 0; i < count; ++i) {
     const Degrees place = Degrees::fromE7(seed * 1000 + i + 1);
-    if (i % 3 == 0) items.push_back(waypoint(place, -place, Metres(static_cast<float>(seed + i)), Seconds(1), Metres(2), 90_deg));
+    const Metres height(static_cast<float>(seed + i));
+    if (i % 3 == 0) items.push_back(waypoint(place, -place, height, Seconds(1), Metres(2), 90_deg));
     if (i % 3 == 1) items.push_back(changeSpeed(MetresPerSecond(static_cast<float>(seed))));
     if (i % 3 == 2) items.push_back(waypoint(place, place, aboveSeaLevel(Metres(1)), Seconds(-0.f)));
   }
@@ -143,7 +144,7 @@ EepromPlan afterReset(const Eeprom& memory) {
 
 constexpr uint16_t kSize = 400;
 
-// What `act` leaves when the power goes at each of its writes, in each way, must be `before` or `after`, and must stay so.
+// What `act` leaves when the power goes at each of its writes, in each way, must be `before` or `after`, and stay so.
 template <typename Act>
 void cutEverywhere(const Items& older, const Items& before, const Items& after, Act act) {
   for (Torn torn : kTorn) {
@@ -196,6 +197,18 @@ TEST_CASE("what was never written holds no plan, and gives none") {
     CHECK_FALSE(source.read(source.context, 0, item));
     CHECK(chip.writes == 0);
   }
+}
+
+TEST_CASE("nothing is stored before it is known which bank holds the plan") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  CHECK_FALSE(kept.store());
+  CHECK_FALSE(kept.erase());
+  const ItemSink sink = kept.sink();
+  CHECK(sink.isReady(sink.context));
+  CHECK_FALSE(sink.write(sink.context, 0, returnToLaunch()));
+  for (int i = 0; i < 10; ++i) kept.update();
+  CHECK(chip.writes == 0);
 }
 
 TEST_CASE("a plan that was kept is there after a reset, to the bit") {
@@ -309,7 +322,8 @@ TEST_CASE("a plan with more items than there is room for is refused, and the old
   REQUIRE(keep(kept, old));
   CHECK(kept.room() == kSize / 2 - 6);
   Items tooLong;
-  for (uint16_t bytes = 0; bytes <= kept.room(); bytes += 16) tooLong.push_back(waypoint(1_deg, 2_deg, 3_m, Seconds(0), Metres(0), 0_deg));
+  const MissionItem of16Bytes = waypoint(1_deg, 2_deg, 3_m, Seconds(0), Metres(0), 0_deg);
+  for (uint16_t bytes = 0; bytes <= kept.room(); bytes += 16) tooLong.push_back(of16Bytes);
   CHECK_FALSE(keep(kept, tooLong));
   CHECK(kept.state() == EepromPlan::State::Failed);
   CHECK_FALSE(kept.commit());
