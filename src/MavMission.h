@@ -5,8 +5,8 @@
 // By semantic versioning; the same in library.properties.
 #define MAVMISSION_VERSION "0.1.0"
 
-#include "mavmission/LinkDoctor.h"
 #include "mavmission/EepromPlan.h"
+#include "mavmission/LinkDoctor.h"
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"

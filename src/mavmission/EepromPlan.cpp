@@ -8,6 +8,7 @@ namespace {
 constexpr uint8_t kNumbers = 7;      // param1 to z, 4 bytes each, one behind the other in a MissionItem
 constexpr uint8_t kNumberBytes = 4;
 constexpr uint8_t kItemHead = 4;
+constexpr uint8_t kSummed = 3;       // bytes of a bank's head that its checksum is of: sequence and count
 constexpr uint8_t kNumbersMask = 0x7F;
 constexpr uint8_t kAutocontinue = 0x80;
 constexpr uint8_t kCurrent = 0x80;
@@ -84,14 +85,16 @@ uint16_t EepromPlan::checksumOf(uint8_t bank) const {
   const uint16_t start = addressOf(bank);
   uint16_t address = start + kHeader;
   uint16_t crc = kChecksumStart;
+  uint8_t bytes[kLongestItem];
   for (uint16_t left = readWord(start + 2); left != 0; --left) {
     const uint16_t used = address - start;
     const uint8_t length = used + kItemHead <= bankSize_ ? lengthOf(readByte(address)) : kLongestItem;
     if (used + length > bankSize_) return ~readWord(start + 4);
-    for (uint8_t i = 0; i < length; ++i) crc = checksum(crc, readByte(address++));
+    for (uint8_t i = 0; i < length; ++i) bytes[i] = readByte(address++);
+    crc = checksum(crc, bytes, length);
   }
-  for (uint8_t i = 1; i < 4; ++i) crc = checksum(crc, readByte(start + i));
-  return crc;
+  for (uint8_t i = 0; i < kSummed; ++i) bytes[i] = readByte(start + 1 + i);
+  return checksum(crc, bytes, kSummed);
 }
 
 bool EepromPlan::isWhole(uint8_t bank) const {
@@ -146,7 +149,7 @@ bool EepromPlan::put(const MissionItem& item) {
     state_ = State::Failed;
     return false;
   }
-  for (uint8_t i = 0; i < length; ++i) checksum_ = checksum(checksum_, buffer_[i]);
+  checksum_ = checksum(checksum_, buffer_, length);
   write(end_, length, Step::Item);
   end_ += length;
   ++taken_;
@@ -224,7 +227,7 @@ void EepromPlan::stepDone() {
       buffer_[0] = active_ == kNone ? 0 : readByte(addressOf(active_) + 1) + 1;
       buffer_[1] = static_cast<uint8_t>(taken_);
       buffer_[2] = static_cast<uint8_t>(taken_ >> 8);
-      for (uint8_t i = 0; i < 3; ++i) checksum_ = checksum(checksum_, buffer_[i]);
+      checksum_ = checksum(checksum_, buffer_, kSummed);
       buffer_[3] = static_cast<uint8_t>(checksum_);
       buffer_[4] = static_cast<uint8_t>(checksum_ >> 8);
       return write(addressOf(bank) + 1, 5, Step::Header);

@@ -11,8 +11,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 OUTPUT = HERE.parent.parent / "build" / "mega"
-SOURCES = ("mega.c", "quick.c", "compare.c", "usart.c", "ear.c", "measure.c")
-SOURCES = ("mega.c", "quick.c", "compare.c", "eeprom.c", "usart.c", "measure.c")
+SOURCES = ("mega.c", "quick.c", "compare.c", "eeprom.c", "usart.c", "ear.c", "measure.c")
 
 REACHED, SENT, CRASHED, HALTED = range(4)
 
