@@ -5,7 +5,10 @@
 // By semantic versioning; the same in library.properties.
 #define MAVMISSION_VERSION "0.1.0"
 
+#include "mavmission/EepromPlan.h"
 #include "mavmission/LinkDoctor.h"
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
+#include "mavmission/PlanConsole.h"
+#include "mavmission/WaypointsSource.h"

@@ -39,8 +39,10 @@ class Run:
     baud: of the autopilot's port [bit/s], if it is not the example's.
     """
 
-    def __init__(self, example: str, personality: str, baud: int | None = None, **options) -> None:
-        self.mega = Mega(image_of(example))
+    def __init__(
+        self, example: str, personality: str, baud: int | None = None, *, image: Image | None = None, **options
+    ) -> None:
+        self.mega = Mega(image or image_of(example))
         self.mega.serial(1).peer_baud = baud
         self.autopilot = fake(personality, baud or 57600, home=PLACE, **options)
         self._said = b""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 import subprocess
 from pathlib import Path
 
@@ -378,6 +379,22 @@ def test_reset_starts_the_firmware_again_and_keeps_noinit_and_eeprom():
     assert mega.peek_int("starts") == 42
     assert mega.peek_int("causes") & 2  # EXTRF
     assert mega.read_eeprom(0, 4) == b"\x01\x02\x03\x2a"
+
+
+def test_a_byte_of_eeprom_takes_3_4_ms_and_the_next_waits_for_it():
+    mega = machine("eeprom")
+    writing = []
+    for _ in range(300):
+        mega.run_us(50)
+        if mega.eeprom_writing not in writing:
+            writing.append(mega.eeprom_writing)
+    assert [address for address in writing if address is not None] == [100, 101, 102]
+    first, second, third = struct.unpack("<3H", mega.peek("tookUs"))
+    assert first < 50
+    assert 3300 < second < 3450 and 3300 < third < 3450
+    assert mega.peek_int("isDone") == 1 and mega.peek_int("wasReady") == 0
+    assert mega.read_eeprom(100, 3) == b"QRS"
+    assert mega.eeprom_writing is None
 
 
 def test_reset_cuts_off_the_byte_that_is_leaving():

@@ -20,6 +20,8 @@ struct ItemSink {
   ItemSinkFunction write;  // not null
   void* context;   // handed to the function; may be null
   uint16_t limit;  // items; a longer plan is not begun with (Status::SinkFull)
+  // False: write() would not take an item now; the autopilot is asked for it again 250 ms later, 5 times. Null: always.
+  bool (*isReady)(void* context);
 };
 
 // Puts an item into an array, for toRam().
@@ -29,12 +31,12 @@ bool writeItemToRam(void* array, uint16_t index, const MissionItem& item);
 template <size_t N>
 ItemSink toRam(MissionItem (&plan)[N]) {
   static_assert(N < kHomeIndex, "a plan has fewer items");
-  return ItemSink{writeItemToRam, plan, N};
+  return ItemSink{writeItemToRam, plan, N, nullptr};
 }
 
 // A function, with `context` handed to it, which may be null.
 inline ItemSink toFunction(ItemSinkFunction function, void* context = nullptr, uint16_t limit = kHomeIndex - 1) {
-  return ItemSink{function, context, limit};
+  return ItemSink{function, context, limit, nullptr};
 }
 
 }  // namespace mavmission

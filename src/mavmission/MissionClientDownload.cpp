@@ -20,6 +20,7 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
 
 Status MissionClient::storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
   const ItemSink& sink = client.reading_.sink;
+  if (sink.isReady != nullptr && !sink.isReady(sink.context)) return Status::Checking;
   uint16_t index = wireItem;
   if (!client.rest_.raw) {
     if (client.homeBefore() != 0) index = wireItem == 0 ? kHomeIndex : wireItem - 1;

@@ -11,7 +11,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 OUTPUT = HERE.parent.parent / "build" / "mega"
-SOURCES = ("mega.c", "quick.c", "compare.c", "usart.c", "ear.c", "measure.c")
+SOURCES = ("mega.c", "quick.c", "compare.c", "eeprom.c", "usart.c", "ear.c", "measure.c")
 
 REACHED, SENT, CRASHED, HALTED = range(4)
 
@@ -49,6 +49,7 @@ def library() -> ctypes.CDLL:
         "mega_read": (ctypes.c_int, [mega, u32, u32, ctypes.c_char_p]),
         "mega_write": (ctypes.c_int, [mega, u32, u32, ctypes.c_char_p]),
         "mega_eeprom_read": (ctypes.c_int, [mega, u32, u32, ctypes.c_char_p]),
+        "mega_eeprom_writing": (ctypes.c_int, [mega]),
         "mega_eeprom_write": (ctypes.c_int, [mega, u32, u32, ctypes.c_char_p]),
         "mega_has_port": (ctypes.c_bool, [mega, port]),
         "mega_send": (None, [mega, port, ctypes.c_char_p, u32, u64]),

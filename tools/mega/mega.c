@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <simavr/avr_eeprom.h>
 #include <simavr/avr_timer.h>
 
 enum { REACHED = 0, SENT = 1, CRASHED = 2, HALTED = 3 };
@@ -31,6 +30,7 @@ static void start(mega_t *mega, int cause) {
   if (cause == EXTERNAL) avr_regbit_set(avr, avr->reset_flags.extrf);
   for (int n = 0; n < PORTS; n++) usart_reset(&mega->ports[n]);
   mega->asleep = false;
+  mega->eeprom_address = -1;
   if (mega->measure != NULL) measure_reset(mega);
 }
 
@@ -47,6 +47,7 @@ mega_t *mega_new(const char *mcu, uint32_t hz) {
   mega->call_bytes = avr->address_size;
   mega->lowest_sp = avr->ramend;
   usart_attach(mega);
+  eeprom_attach(mega);
   /* SRAM holds noise at power-on; firmware must not count on zeros. */
   uint32_t noise = 2463534242u;
   for (uint32_t at = avr->ioend + 1u; at <= avr->ramend; at++) {

@@ -4,6 +4,7 @@
  *   mega.c     the run loop: instructions, sleep, interrupts, resets
  *   quick.c    the common instructions, faster than simavr has them
  *   compare.c  each of those instructions, beside simavr's own
+ *   eeprom.c   the time that a byte of EEPROM takes
  *   usart.c    the serial ports as the data sheet has them, two bytes deep
  *   ear.c      what a receiver hears of a sender at another baud rate
  *   measure.c  cycles per function, counted while the firmware runs
@@ -16,6 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include <simavr/avr_eeprom.h>
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
@@ -86,6 +88,10 @@ struct mega {
   uint32_t resets;
   uint16_t lowest_sp;
   uint8_t call_bytes; /* bytes of a return address */
+  avr_eeprom_t *eeprom;
+  avr_io_write_t eeprom_control; /* simavr's own write to EECR */
+  void *eeprom_param;
+  int eeprom_address; /* of the byte that is being written, or -1 */
   bool plain; /* leave every instruction to simavr */
   decoded_t *decoded;
   char error[160];
@@ -100,6 +106,9 @@ void usart_events(mega_t *mega);
 uint8_t usart_request(mega_t *mega, usart_t **port);
 void usart_acknowledge(usart_t *port, uint8_t vector);
 void usart_free(usart_t *port);
+
+/* eeprom.c */
+void eeprom_attach(mega_t *mega);
 
 /* quick.c */
 void quick_decode(mega_t *mega);

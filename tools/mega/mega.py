@@ -185,6 +185,12 @@ class Mega:
         if library().mega_eeprom_write(self._handle, address, len(data), bytes(data)) < 0:
             raise ValueError(f"{len(data)} bytes at {address} reach beyond the EEPROM")
 
+    @property
+    def eeprom_writing(self) -> int | None:
+        """The address of the EEPROM byte that is being written, which takes 3.4 ms; None: none is."""
+        address = library().mega_eeprom_writing(self._handle)
+        return None if address < 0 else address
+
     # Cycles
 
     def watch(self, function: str) -> Watch:

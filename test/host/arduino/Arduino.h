@@ -10,6 +10,10 @@
 #include <stdint.h>
 #include <string.h>
 
+// Text in flash, where there is none.
+#define F(text) (text)
+#define PSTR(text) (text)
+
 class Print {
  public:
   virtual size_t write(uint8_t byte) = 0;

@@ -1,0 +1,94 @@
+// Uploads a plan from a file: PLAN.TXT on an SD card, as Mission Planner saves it (.waypoints, QGC WPL 110). The file
+// may be of any length; it is read item by item, when the autopilot asks. What is wrong with it is said with its line.
+//
+// With a card (any shield; chip select on CARD_SELECT), take away the two slashes of the next line. Without it the text
+// below stands in for the file.
+// #define CARD_SELECT 10
+#include <MavMission.h>
+using namespace mavmission;
+
+#ifdef HAVE_HWSERIAL1
+#define TELEM Serial1
+#define CONSOLE Serial
+#else
+// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 9.
+#include <SoftwareSerial.h>
+SoftwareSerial console(8, 9);
+#define TELEM Serial
+#define CONSOLE console
+#endif
+
+#ifdef CARD_SELECT
+#include <SD.h>
+File file;
+bool openFile() {
+  if (!SD.begin(CARD_SELECT)) return false;
+  file = SD.open("PLAN.TXT");
+  return file;
+}
+#else
+const char text[] PROGMEM =
+    "QGC WPL 110\n"
+    "0\t1\t0\t16\t0\t0\t0\t0\t-35.3632621\t149.1652374\t584\t1\n"
+    "1\t0\t3\t22\t0\t0\t0\t0\t0\t0\t20\t1\n"
+    "2\t0\t3\t16\t0\t0\t0\t0\t-35.3632621\t149.1652374\t20\t1\n"
+    "3\t0\t3\t16\t0\t0\t0\t0\t-35.3614500\t149.1652374\t25.5\t1\n"
+    "4\t0\t3\t177\t2\t2\t0\t0\t0\t0\t0\t1\n"
+    "5\t0\t3\t20\t0\t0\t0\t0\t0\t0\t0\t1\n";
+
+// What a file is to the library: a Stream that ends, with seek().
+class TextFile : public Stream {
+ public:
+  bool seek(uint32_t position) {
+    position_ = position;
+    return position < sizeof(text);
+  }
+  int available() override { return sizeof(text) - 1 - position_; }
+  int peek() override { return available() > 0 ? pgm_read_byte(&text[position_]) : -1; }
+  int read() override {
+    const int byte = peek();
+    if (byte >= 0) ++position_;
+    return byte;
+  }
+  size_t write(uint8_t) override { return 0; }
+
+ private:
+  uint16_t position_ = 0;
+};
+TextFile file;
+bool openFile() { return true; }
+#endif
+
+MissionClient autopilot(TELEM);
+WaypointsSource plan(file);
+bool isRead;
+
+void onRead() {
+  isRead = true;
+  if (plan.state() == WaypointsSource::State::Good) {
+    CONSOLE.print(F("items: "));
+    CONSOLE.println(plan.count());
+    autopilot.upload(plan.source());
+    return;
+  }
+  CONSOLE.print(F("line "));
+  CONSOLE.print(plan.errorLine());
+  if (plan.errorField() != 0) {
+    CONSOLE.print(F(", field "));
+    CONSOLE.print(plan.errorField());
+  }
+  CONSOLE.print(F(": "));
+  CONSOLE.println(toString(plan.error()));
+}
+
+void setup() {
+  CONSOLE.begin(115200);
+  TELEM.begin(57600);
+  if (!openFile()) CONSOLE.println(F("no card, or no PLAN.TXT on it"));
+}
+
+void loop() {
+  const Status status = autopilot.update();
+  if (isEnd(status)) CONSOLE.println(toString(status));
+  if (!isRead && plan.update() != WaypointsSource::State::Reading) onRead();
+}

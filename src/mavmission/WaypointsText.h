@@ -1,0 +1,115 @@
+// The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character, item by
+// item: no line is kept, no float is computed with. Line 0 of such a file is home; it is read, and is no item of the
+// plan.
+//
+//   QGC WPL 110
+//   number current frame command param1 param2 param3 param4 latitude longitude altitude autocontinue
+//
+// Fields are apart by tabs or blanks. Empty lines and those that begin with # are passed over. Lines end with LF or CR
+// LF, the last one with either or with the text.
+#pragma once
+
+#include <stdint.h>
+
+#include "Config.h"
+#include "DecimalText.h"
+#include "Flash.h"
+#include "MissionItem.h"
+
+namespace mavmission {
+
+// What is wrong with a text, and its words.
+// clang-format off
+#define MAVMISSION_TEXT_ERRORS(X)                                                                  \
+  X(None, "no error")                                                                              \
+  X(NotWaypoints, "the first line is not QGC WPL 110")                                             \
+  X(LineTooLong, "a line has more than 255 characters")                                            \
+  X(TooFewFields, "a line has fewer than 12 fields")                                               \
+  X(TooManyFields, "a line has more than 12 fields")                                               \
+  X(BadNumber, "not a number")                                                                     \
+  X(TooLarge, "a number too large")                                                                \
+  X(OutOfOrder, "the lines are not numbered 0, 1, 2, ...")                                         \
+  X(NotZeroOrOne, "neither 0 nor 1")                                                               \
+  X(BadTextFrame, "a frame that is not 0, 2, 3, 5, 6, 10 or 11")                                   \
+  X(NotWhole, "not a whole number")                                                                \
+  X(BeyondLatitude, "a latitude beyond 90 degrees")                                                \
+  X(BeyondLongitude, "a longitude beyond 180 degrees")                                             \
+  X(BadTarget, "a jump to home, or to a line that is not there")                                   \
+  X(NoItems, "no item behind home")                                                                \
+  X(Unreadable, "it cannot be read to its end")                                                    \
+  X(NoRoom, "more items than there is room for")                                                   \
+  X(NotKept, "the EEPROM does not keep what it is given")                                          \
+  X(TooFast, "it came faster than it could be stored: send it line by line")
+// clang-format on
+
+enum class TextError : uint8_t {
+#define MAVMISSION_NAME(name, text) name,
+  MAVMISSION_TEXT_ERRORS(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
+};
+
+// In words, for Serial.print(). Flash text; null for a value that is no TextError.
+FlashText toString(TextError error);
+
+class WaypointsText {
+ public:
+  // More: nothing whole yet. Item: item() is the next one. Bad: error() says why; nothing more is taken.
+  enum class Step : uint8_t { More, Item, Bad };
+
+  // The most items behind home.
+  static constexpr uint16_t kMostItems = 0xFFFE;
+
+  WaypointsText() { begin(); }
+
+  // Before the first character of a text.
+  void begin();
+  // Before the first character of the line with this number, in the midst of a text. Line numbers are not known then.
+  MAVMISSION_APART void beginAt(uint16_t number);
+
+  Step take(char c);
+  // The text is over. Item: it ended with an item, and end() is to be called once more. More: it is whole, and good.
+  MAVMISSION_APART Step end();
+
+  // True if the next character begins a line.
+  bool isAtLineStart() const { return length_ == 0; }
+
+  // True within a field. The character that ends one costs most: 2,000 to 7,000 cycles, and 90,000 for a number of 19
+  // digits near the smallest float.
+  bool isInField() const { return isInField_; }
+
+  // The last item, in the sketch's numbers: 0 is the one behind home. Until the next character is taken.
+  const MissionItem& item() const { return item_; }
+  uint16_t count() const { return number_ == 0 ? 0 : number_ - 1; }  // items so far
+
+  TextError error() const { return error_; }
+  uint16_t errorLine() const { return line_; }  // from 1 on; 0: not known
+  uint8_t errorField() const { return field_; }  // from 1 to 12; 0: the line as a whole
+  // Ends the text as bad, for a reason of the reader's.
+  MAVMISSION_APART Step fail(TextError error);
+
+ private:
+  Step takeHeader(char c);
+  MAVMISSION_APART Step takeField(char c);
+  MAVMISSION_APART Step endField();
+  Step endLine();
+  TextError store();
+  MAVMISSION_APART TextError storePlace();
+
+  static constexpr uint8_t kFields = 12;
+
+  DecimalText decimal_;         // the field that is being taken
+  MissionItem item_;
+  uint16_t line_;             // from 1 on
+  uint16_t number_;           // of the next line that is no comment, as the file counts
+  uint16_t farthestTarget_;   // of all jumps, as the file counts
+  uint16_t farthestLine_;     // where that is
+  uint8_t length_;            // of the line so far
+  uint8_t field_;             // that is being taken, from 1 on; 0 before the first
+  bool isHeader_ : 1;
+  bool isInField_ : 1;
+  bool isComment_ : 1;
+  bool isLineUnknown_ : 1;
+  TextError error_;
+};
+
+}  // namespace mavmission

@@ -1,0 +1,471 @@
+#include "mavmission/EepromPlan.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <vector>
+
+using namespace mavmission;
+
+namespace {
+
+// What a byte holds whose writing the power cut short.
+enum class Torn { Old, Erased, New, Other, Zero };
+const Torn kTorn[] = {Torn::Old, Torn::Erased, Torn::New, Torn::Other, Torn::Zero};
+
+// An EEPROM that loses its power at a write. C functions cannot have a context: there is one of it.
+struct Chip {
+  std::vector<uint8_t> bytes;
+  std::vector<uint32_t> wear;
+  uint32_t writes;
+  uint32_t cutAt;      // the write at which the power goes; 0: never
+  Torn torn;
+  bool isOff;
+  bool isReady;
+  uint32_t reads;      // since the last update()
+  uint16_t stuckAt;    // an address whose byte does not change any more
+} chip;
+
+uint8_t readByte(uint16_t address) {
+  REQUIRE(address < chip.bytes.size());
+  ++chip.reads;
+  return chip.bytes[address];
+}
+
+void writeByte(uint16_t address, uint8_t value) {
+  REQUIRE(address < chip.bytes.size());
+  REQUIRE(chip.isReady);
+  if (chip.isOff) return;
+  REQUIRE(chip.bytes[address] != value);  // it would only wear it out
+  ++chip.wear[address];
+  if (++chip.writes != chip.cutAt) {
+    if (address != chip.stuckAt) chip.bytes[address] = value;
+    return;
+  }
+  chip.isOff = true;
+  switch (chip.torn) {
+    case Torn::Old:
+      break;
+    case Torn::Erased:
+      chip.bytes[address] = 0xFF;
+      break;
+    case Torn::New:
+      chip.bytes[address] = value;
+      break;
+    case Torn::Other:
+      chip.bytes[address] ^= 0x5A;
+      break;
+    case Torn::Zero:
+      chip.bytes[address] = 0;
+      break;
+  }
+}
+
+bool isReady() { return chip.isReady; }
+
+Eeprom eeprom(uint16_t size) {
+  chip = Chip();
+  chip.bytes.assign(size, 0xFF);
+  chip.wear.assign(size, 0);
+  chip.isReady = true;
+  chip.stuckAt = 0xFFFF;
+  return Eeprom{readByte, writeByte, isReady, size};
+}
+
+typedef std::vector<MissionItem> Items;
+
+// Items that differ from plan to plan, of every length.
+Items plan(uint16_t count, int32_t seed) {
+  Items items;
+  for (uint16_t i = 0; i < count; ++i) {
+    const Degrees place = Degrees::fromE7(seed * 1000 + i + 1);
+    const Metres height(static_cast<float>(seed + i));
+    if (i % 3 == 0) items.push_back(waypoint(place, -place, height, Seconds(1), Metres(2), 90_deg));
+    if (i % 3 == 1) items.push_back(changeSpeed(MetresPerSecond(static_cast<float>(seed))));
+    if (i % 3 == 2) items.push_back(waypoint(place, place, aboveSeaLevel(Metres(1)), Seconds(-0.f)));
+  }
+  items.back().current = 1;
+  items.back().autocontinue = 0;
+  return items;
+}
+
+bool isEqual(const MissionItem& a, const MissionItem& b) {
+  return memcmp(&a, &b, kPlaceBytes) == 0 && a.command == b.command && a.frame == b.frame && a.current == b.current &&
+         a.autocontinue == b.autocontinue;
+}
+
+bool holds(EepromPlan& kept, const Items& items) {
+  if (kept.hasPlan() == items.empty() || kept.count() != items.size()) return false;
+  const ItemSource source = kept.source();
+  // Backwards and forwards: any item may be asked for.
+  for (size_t i = items.size(); i-- != 0;) {
+    MissionItem item;
+    if (!source.read(source.context, static_cast<uint16_t>(i), item) || !isEqual(item, items[i])) return false;
+  }
+  for (size_t i = 0; i < items.size(); ++i) {
+    MissionItem item;
+    if (!source.read(source.context, static_cast<uint16_t>(i), item) || !isEqual(item, items[i])) return false;
+  }
+  return true;
+}
+
+// One byte at the most, and few reads unless a whole plan is read back.
+EepromPlan::State update(EepromPlan& kept) {
+  const uint32_t before = chip.writes;
+  chip.reads = 0;
+  const EepromPlan::State state = kept.update();
+  CHECK(chip.writes - before <= 1);
+  return state;
+}
+
+void settle(EepromPlan& kept) {
+  for (int i = 0; i < 10000 && kept.isBusy(); ++i) update(kept);
+  REQUIRE_FALSE(kept.isBusy());
+}
+
+bool keep(EepromPlan& kept, const Items& items) {
+  REQUIRE(kept.store());
+  for (const MissionItem& item : items) {
+    for (int i = 0; i < 100 && !kept.isReady(); ++i) update(kept);
+    if (!kept.put(item)) return false;
+  }
+  REQUIRE(kept.commit());
+  settle(kept);
+  return kept.state() == EepromPlan::State::Resting;
+}
+
+EepromPlan afterReset(const Eeprom& memory) {
+  chip.isOff = false;
+  chip.cutAt = 0;
+  EepromPlan kept(memory);
+  kept.begin();
+  return kept;
+}
+
+constexpr uint16_t kSize = 400;
+
+// What `act` leaves when the power goes at each of its writes, in each way, must be `before` or `after`, and stay so.
+template <typename Act>
+void cutEverywhere(const Items& older, const Items& before, const Items& after, Act act) {
+  for (Torn torn : kTorn) {
+    uint32_t writes = 1;
+    for (uint32_t cut = 1; cut <= writes; ++cut) {
+      const Eeprom memory = eeprom(kSize);
+      EepromPlan kept(memory);
+      kept.begin();
+      if (!older.empty()) REQUIRE(keep(kept, older));
+      if (!before.empty()) REQUIRE(keep(kept, before));
+      chip.writes = 0;
+      chip.cutAt = cut;
+      chip.torn = torn;
+      act(kept);
+      if (!chip.isOff) {
+        CHECK(cut == chip.writes + 1);  // the first cut that came too late
+        CHECK(holds(kept, after));
+        break;
+      }
+      writes = cut + 1;
+      EepromPlan again = afterReset(memory);
+      const bool isOld = holds(again, before);
+      CHECK((isOld || holds(again, after)));
+      CHECK_FALSE(again.isDamaged());
+      settle(again);
+      CHECK((isOld ? holds(again, before) : holds(again, after)));
+      EepromPlan once = afterReset(memory);
+      CHECK((isOld ? holds(once, before) : holds(once, after)));
+      // And it works on.
+      CHECK(keep(once, after.empty() ? before : after));
+    }
+    CHECK(writes > 1);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what was never written holds no plan, and gives none") {
+  for (uint8_t fill : {0x00, 0xFF, 0x4D}) {
+    const Eeprom memory = eeprom(kSize);
+    chip.bytes.assign(kSize, fill);
+    EepromPlan kept(memory);
+    kept.begin();
+    CHECK_FALSE(kept.hasPlan());
+    CHECK(kept.count() == 0);
+    CHECK(kept.isDamaged() == (fill == 0x4D));
+    const ItemSource source = kept.source();
+    CHECK(source.count == 1);  // an empty plan would clear what is aboard
+    MissionItem item;
+    CHECK_FALSE(source.read(source.context, 0, item));
+    CHECK(chip.writes == 0);
+  }
+}
+
+TEST_CASE("nothing is stored before it is known which bank holds the plan") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  CHECK_FALSE(kept.store());
+  CHECK_FALSE(kept.erase());
+  const ItemSink sink = kept.sink();
+  CHECK(sink.isReady(sink.context));
+  CHECK_FALSE(sink.write(sink.context, 0, returnToLaunch()));
+  for (int i = 0; i < 10; ++i) kept.update();
+  CHECK(chip.writes == 0);
+}
+
+TEST_CASE("a plan that was kept is there after a reset, to the bit") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  for (uint16_t count = 1; count <= 8; ++count) {
+    const Items items = plan(count, count);
+    REQUIRE(keep(kept, items));
+    CHECK(holds(kept, items));
+    EepromPlan again = afterReset(memory);
+    CHECK(holds(again, items));
+    CHECK_FALSE(again.isBusy());
+  }
+}
+
+TEST_CASE("the power may go at any byte: the old plan or the new one is there, whole") {
+  const Items new5 = plan(5, 70);
+  const auto storeNew = [&](EepromPlan& kept) {
+    kept.store();
+    for (const MissionItem& item : new5) {
+      for (int i = 0; i < 100 && !kept.isReady(); ++i) kept.update();
+      if (!kept.put(item)) return;
+    }
+    kept.commit();
+    for (int i = 0; i < 10000 && kept.isBusy(); ++i) kept.update();
+  };
+  cutEverywhere(Items(), Items(), new5, storeNew);
+  cutEverywhere(Items(), plan(3, 20), new5, storeNew);
+  cutEverywhere(plan(7, 40), plan(3, 20), new5, storeNew);
+  cutEverywhere(plan(3, 20), plan(6, 40), new5, storeNew);
+  cutEverywhere(new5, plan(3, 20), new5, storeNew);
+}
+
+TEST_CASE("the power may go while a plan is erased: it is there or not, and no older one comes back") {
+  const auto erase = [](EepromPlan& kept) {
+    kept.erase();
+    for (int i = 0; i < 100 && kept.isBusy(); ++i) kept.update();
+  };
+  cutEverywhere(plan(4, 10), plan(3, 20), Items(), erase);
+  cutEverywhere(Items(), plan(3, 20), Items(), erase);
+}
+
+TEST_CASE("the power may go again while what the last cut left is put right") {
+  for (Torn first : kTorn) {
+    for (Torn second : kTorn) {
+      const Items before = plan(3, 20);
+      const Items after = plan(2, 30);
+      const Eeprom memory = eeprom(kSize);
+      EepromPlan kept(memory);
+      kept.begin();
+      REQUIRE(keep(kept, before));
+      chip.writes = 0;
+      REQUIRE(keep(kept, after));
+      const uint32_t last = chip.writes;  // by which the old plan was made invalid
+      REQUIRE(keep(kept, before));
+      chip.writes = 0;
+      chip.cutAt = last;
+      chip.torn = first;
+      EepromPlan cut(kept);
+      cut.store();
+      for (const MissionItem& item : after) {
+        for (int i = 0; i < 100 && !cut.isReady(); ++i) cut.update();
+        cut.put(item);
+      }
+      cut.commit();
+      for (int i = 0; i < 10000 && cut.isBusy(); ++i) cut.update();
+      EepromPlan again = afterReset(memory);
+      CHECK(holds(again, after));
+      chip.writes = 0;
+      chip.cutAt = 1;
+      chip.torn = second;
+      for (int i = 0; i < 100 && again.isBusy(); ++i) again.update();
+      EepromPlan then = afterReset(memory);
+      CHECK(holds(then, after));
+      settle(then);
+      CHECK(holds(then, after));
+    }
+  }
+}
+
+TEST_CASE("a plan whose bytes are spoilt is none, and no older one takes its place") {
+  const Items items = plan(4, 5);
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  REQUIRE(keep(kept, plan(3, 20)));
+  REQUIRE(keep(kept, items));
+  const std::vector<uint8_t> good = chip.bytes;
+  uint16_t spoilt = 0;
+  for (uint16_t address = 0; address < kSize; ++address) {
+    for (uint8_t flip : {0x01, 0x80, 0xFF}) {
+      chip.bytes = good;
+      chip.bytes[address] ^= flip;
+      EepromPlan again = afterReset(memory);
+      if (again.hasPlan()) {
+        CHECK(holds(again, items));  // a byte that is not the plan's
+      } else {
+        ++spoilt;
+      }
+    }
+  }
+  CHECK(spoilt >= 3 * (6 + 4 * 16));
+}
+
+TEST_CASE("a plan with more items than there is room for is refused, and the old one stays") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  const Items old = plan(2, 9);
+  REQUIRE(keep(kept, old));
+  CHECK(kept.room() == kSize / 2 - 6);
+  Items tooLong;
+  const MissionItem of16Bytes = waypoint(1_deg, 2_deg, 3_m, Seconds(0), Metres(0), 0_deg);
+  for (uint16_t bytes = 0; bytes <= kept.room(); bytes += 16) tooLong.push_back(of16Bytes);
+  CHECK_FALSE(keep(kept, tooLong));
+  CHECK(kept.state() == EepromPlan::State::Failed);
+  CHECK_FALSE(kept.commit());
+  CHECK(holds(kept, old));
+  tooLong.pop_back();
+  REQUIRE(keep(kept, tooLong));
+  CHECK(holds(kept, tooLong));
+  EepromPlan again = afterReset(memory);
+  CHECK(holds(again, tooLong));
+}
+
+TEST_CASE("a byte that does not keep what it is given is found before the plan is exchanged") {
+  const Items old = plan(3, 20);
+  const Items items = plan(5, 70);
+  uint16_t found = 0;
+  for (uint16_t address = kSize / 2; address < kSize / 2 + 100; ++address) {
+    const Eeprom memory = eeprom(kSize);
+    EepromPlan kept(memory);
+    kept.begin();
+    REQUIRE(keep(kept, old));
+    chip.stuckAt = address;
+    // A stuck byte is written again and again, but not without end.
+    kept.store();
+    bool isTaken = true;
+    for (const MissionItem& item : items) {
+      for (int i = 0; i < 100 && !kept.isReady(); ++i) kept.update();
+      isTaken = isTaken && kept.put(item);
+    }
+    CHECK(kept.commit() == isTaken);
+    settle(kept);
+    const bool isKept = kept.state() == EepromPlan::State::Resting;
+    CHECK((isKept || kept.state() == EepromPlan::State::Failed));
+    if (!isKept) ++found;
+    CHECK((isKept ? holds(kept, items) : holds(kept, old)));
+    EepromPlan again = afterReset(memory);
+    CHECK((isKept ? holds(again, items) : holds(again, old)));
+  }
+  CHECK(found > 90);
+}
+
+TEST_CASE("nothing is written while the last byte is being written, and a plan is stored by a byte each time") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  REQUIRE(keep(kept, plan(3, 20)));
+  REQUIRE(kept.store());
+  chip.isReady = false;
+  chip.reads = 0;
+  for (int i = 0; i < 50; ++i) kept.update();
+  CHECK(chip.reads == 0);
+  chip.isReady = true;
+  CHECK_FALSE(kept.put(plan(1, 1)[0]));  // the bank is still to be made invalid
+  update(kept);
+  update(kept);
+  CHECK(kept.put(plan(1, 1)[0]));
+  CHECK_FALSE(kept.put(plan(1, 1)[0]));
+  CHECK(kept.stored() == 1);
+}
+
+TEST_CASE("the same plan again wears out three bytes, and no byte is written twice for a plan") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  const Items items = plan(5, 7);
+  REQUIRE(keep(kept, items));
+  REQUIRE(keep(kept, items));
+  chip.wear.assign(kSize, 0);
+  REQUIRE(keep(kept, items));
+  uint32_t total = 0;
+  uint32_t most = 0;
+  for (uint32_t one : chip.wear) {
+    total += one;
+    if (one > most) most = one;
+  }
+  CHECK(most == 1);
+  CHECK(total <= 6);  // both marks, the sequence, the checksum
+}
+
+TEST_CASE("another plan is begun, erased or committed only when it may be") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  CHECK_FALSE(kept.commit());
+  REQUIRE(kept.store());
+  CHECK_FALSE(kept.commit());  // an empty plan is no plan
+  const Items items = plan(2, 3);
+  REQUIRE(keep(kept, items));
+  REQUIRE(kept.store());
+  for (int i = 0; i < 10; ++i) kept.update();
+  REQUIRE(kept.put(plan(1, 1)[0]));
+  REQUIRE(kept.store());  // begins anew
+  CHECK(kept.stored() == 0);
+  for (int i = 0; i < 100; ++i) kept.update();
+  REQUIRE(kept.put(items[0]));
+  REQUIRE(kept.commit());
+  CHECK_FALSE(kept.store());
+  CHECK_FALSE(kept.erase());
+  CHECK_FALSE(kept.put(items[0]));
+  settle(kept);
+  CHECK(holds(kept, Items(items.begin(), items.begin() + 1)));
+}
+
+TEST_CASE("a sink takes a download's items as it can, and leaves out home") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  const Items items = plan(4, 8);
+  const ItemSink sink = kept.sink();
+  CHECK(sink.write(sink.context, kHomeIndex, items[0]));
+  for (uint16_t i = 0; i < items.size(); ++i) {
+    uint16_t waited = 0;
+    while (!sink.isReady(sink.context)) {
+      update(kept);
+      REQUIRE(++waited < 100);
+    }
+    CHECK(sink.write(sink.context, i, items[i]));
+  }
+  CHECK_FALSE(kept.hasPlan());
+  REQUIRE(kept.commit());
+  settle(kept);
+  CHECK(holds(kept, items));
+}
+
+TEST_CASE("the sequence of plans goes round") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  for (int32_t round = 0; round < 600; ++round) {
+    const Items items = plan(1, round);
+    REQUIRE(keep(kept, items));
+    EepromPlan again = afterReset(memory);
+    REQUIRE(holds(again, items));
+  }
+}
+
+TEST_CASE("a plan keeps to its part of the EEPROM") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory, 100, 200);
+  kept.begin();
+  CHECK(kept.room() == 94);
+  for (int32_t round = 0; round < 4; ++round) REQUIRE(keep(kept, plan(3, round)));
+  for (uint16_t address = 0; address < kSize; ++address) {
+    if (address < 100 || address >= 300) CHECK(chip.wear[address] == 0);
+  }
+}
