@@ -42,16 +42,16 @@ bool Signing::maySign() {
   return next.high < reserved_;
 }
 
-void Signing::sign(const Piece* pieces, uint8_t count, uint8_t* signature) {
+void Signing::sign(const Piece* pieces, uint8_t count) {
+  pieces_[0] = Piece{key_.bytes, SigningKey::kLength};
+  for (uint8_t i = 0; i < kPieces; ++i) pieces_[1 + i] = i < count ? pieces[i] : Piece{nullptr, 0};
+  Piece& last = pieces_[count];
+  uint8_t* const signature = const_cast<uint8_t*>(last.bytes) + last.length;
+  last.length += kLinkAndTime;
   time_.advance();
   signature[0] = linkId_;
   time_.write(signature + 1);
   toFill_ = signature + kLinkAndTime;
-  Piece* to = pieces_;
-  *to++ = Piece{key_.bytes, SigningKey::kLength};
-  for (uint8_t i = 0; i < count; ++i) *to++ = pieces[i];
-  *to++ = Piece{signature, kLinkAndTime};
-  if (to != pieces_ + 1 + kPieces) to->length = 0;
   start(Job::Signing);
 }
 
@@ -65,7 +65,7 @@ bool Signing::check(const uint8_t* frame, uint16_t length, uint8_t systemId, uin
   pieces_[0] = Piece{key_.bytes, SigningKey::kLength};
   pieces_[1] = Piece{frame, length};
   pieces_[2] = Piece{signature, kLinkAndTime};
-  pieces_[3].length = 0;
+  pieces_[3] = Piece{nullptr, 0};
   start(Job::Checking);
   return true;
 }

@@ -70,10 +70,10 @@ class Signing {
 
   // --- Signing. True if it may begin: the time that it takes has been reserved. If not, keepTime() is reserving it.
   bool maySign();
-  // Puts link id and timestamp into the signature; the rest of it follows when work() says Signed. Only when maySign() and
-  // not isBusy(). `pieces`: of the frame from its first byte to its checksum, up to kPieces - 1; `signature`: of kLength
-  // bytes, that come behind.
-  void sign(const Piece* pieces, uint8_t count, uint8_t* signature);
+  // Puts link id and timestamp into the signature, which is the kLength bytes right behind the last piece; the rest of it
+  // follows when work() says Signed. Only when maySign() and not isBusy(). `pieces`: of the frame, from its first byte to
+  // its checksum, at most kPieces.
+  void sign(const Piece* pieces, uint8_t count);
 
   // --- Checking. False if the frame is refused at once, for its time. Only when not isBusy(). `frame` as it came, from its
   // first byte to its checksum.

@@ -109,15 +109,17 @@ std::string sign(std::istringstream& words) {
     if (++waited > 1000) return "never";
   }
   signing.keepTime();
-  uint8_t signature[Signing::kLength];
+  Bytes first(frame.begin(), frame.begin() + static_cast<long>(cut)), second(frame.begin() + static_cast<long>(cut), frame.end());
+  const size_t length = second.size();
+  second.resize(length + Signing::kLength);
   const Signing::Piece pieces[2] = {
-      {frame.data(), static_cast<uint16_t>(cut)},
-      {frame.data() + cut, static_cast<uint16_t>(frame.size() - cut)},
+      {first.data(), static_cast<uint16_t>(cut)},
+      {second.data(), static_cast<uint16_t>(length)},
   };
-  signing.sign(cut == 0 ? pieces + 1 : pieces, cut == 0 ? 1 : 2, signature);
+  signing.sign(cut == 0 ? pieces + 1 : pieces, cut == 0 ? 1 : 2);
   unsigned calls;
   if (finish(calls) != Signing::Done::Signed) return "not signed";
-  return toHex(signature, sizeof signature) + " " + std::to_string(calls);
+  return toHex(second.data() + length, Signing::kLength) + " " + std::to_string(calls);
 }
 
 // A frame with its signature.
