@@ -3,8 +3,7 @@
 #ifdef __AVR__
 
 #include <avr/eeprom.h>
-
-#include "Checksum.h"
+#include <util/crc16.h>
 
 namespace mavmission {
 namespace {
@@ -23,11 +22,11 @@ EepromTimestamps::EepromTimestamps(uint16_t address, uint8_t slots)
       slot_() {}
 
 void EepromTimestamps::fillSlot(uint32_t time) {
-  uint16_t crc = kChecksumStart;
+  uint16_t crc = 0xFFFF;
   for (uint8_t i = 0; i < kSlot - 2; ++i) {
     slot_[i] = static_cast<uint8_t>(time);
     time >>= 8;
-    crc = checksum(crc, slot_[i]);
+    crc = _crc_ccitt_update(crc, slot_[i]);
   }
   slot_[kSlot - 2] = static_cast<uint8_t>(crc);
   slot_[kSlot - 1] = static_cast<uint8_t>(crc >> 8);
