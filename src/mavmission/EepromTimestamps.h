@@ -4,7 +4,7 @@
 //   autopilot.signWith(key, 1, timestamps);
 //
 // Wear: a save writes one of the slots, in turn, and there is one save in about 39 s of the autopilot's time (see
-// Signing::kReserve), and one or two when it begins. A cell bears 100,000 writes: with 8 slots that is a year of running
+// Signing::kReserve), and one when it begins. A cell bears 100,000 writes: with 8 slots that is a year of running
 // day and night.
 #pragma once
 

@@ -13,18 +13,14 @@ void Signing::begin(const SigningKey& key, uint8_t linkId, const TimestampStore&
   moveTo(kept);
   reserved_ = time_.high;
   saving_ = 0;
-  reserveStep_ = kFirstReserve;
+  hasMoved_ = false;
   job_ = Job::None;
 }
 
 void Signing::moveTo(const SigningTime& time) {
-  if (time_.isBefore(time)) time_ = time;
-}
-
-void Signing::reserve() {
-  if (saving_ != 0) return;
-  saving_ = time_.high + reserveStep_;
-  reserveStep_ = kReserve;
+  if (!time_.isBefore(time)) return;
+  time_ = time;
+  hasMoved_ = true;
 }
 
 void Signing::keepTime() {
@@ -36,9 +32,12 @@ void Signing::keepTime() {
 bool Signing::maySign() {
   SigningTime next = time_;
   next.advance();
-  // In good time, so that signing need not wait for it. Not before something is to be signed: a client that is reset
-  // again and again where nobody hears it must not run a minute ahead of the others.
-  if (next.high + kReserveLeft >= reserved_) reserve();
+  // In good time, so that signing need not wait for it. But not before something is to be signed.
+  const bool isDue = next.high >= reserved_ || (hasMoved_ && next.high + kReserveLeft >= reserved_);
+  if (isDue && saving_ == 0) {
+    saving_ = next.high + (hasMoved_ ? kReserve : kLeastReserve);
+    hasMoved_ = false;
+  }
   return next.high < reserved_;
 }
 
@@ -111,18 +110,24 @@ void Signing::start(Job job) {
 
 // True when the sum is there.
 bool Signing::hash(uint8_t rounds) {
+  if (sum_.isReady()) fill();
   if (!sum_.work(rounds)) return false;
   if (finished_) return true;
+  fill();
+  return false;
+}
+
+// Fills a block.
+void Signing::fill() {
   for (; piece_ <= kPieces; ++piece_) {
     Piece& piece = pieces_[piece_];
     const uint16_t taken = sum_.add(piece.bytes, piece.length);
     piece.bytes += taken;
     piece.length -= taken;
-    if (!sum_.isReady()) return false;
+    if (!sum_.isReady()) return;
   }
   sum_.finish();
   finished_ = true;
-  return false;
 }
 
 Signing::Done Signing::work(uint8_t rounds) {

@@ -37,11 +37,14 @@ class Signing {
   // too old to be taken for a new one.
   static constexpr uint8_t kStreams = 4;
 
-  // What is reserved ahead of our time [0.65536 s]: 42 s, and 5 s at first. Less than the minute that others grant us, so
-  // that after a reset, in which what was reserved is skipped, the autopilot is not a minute behind.
-  static constexpr uint8_t kReserve = 64, kFirstReserve = 8;
+  // What is reserved ahead of our time [0.65536 s]: 42 s. Less than the minute that is granted to the autopilot, which is
+  // behind us by that after a reset, since what was reserved may have been used.
+  static constexpr uint8_t kReserve = 64;
   // How much of it is left when more is reserved [0.65536 s].
   static constexpr uint8_t kReserveLeft = 4;
+  // The same while our time stands, since nobody with a clock has been heard: 65,536 signatures. So a client that is reset
+  // again and again, and heard by nobody, does not run a minute ahead of an autopilot whose time stands too.
+  static constexpr uint8_t kLeastReserve = 1;
 
   // Bytes that are signed together, though they lie apart: `count` pieces, one behind the other. They stay where they are,
   // and as they are, until the work is done.
@@ -104,8 +107,8 @@ class Signing {
   void start(Job job);
   bool hash(uint8_t rounds);
   Done finishChecking();
+  void fill();
   void moveTo(const SigningTime& time);
-  void reserve();
 
   TimestampStore store_;
   SigningTime time_;         // of the last signature
@@ -115,7 +118,7 @@ class Signing {
   Stream streams_[kStreams];
   SigningKey key_;
   uint8_t linkId_;
-  uint8_t reserveStep_;
+  bool hasMoved_;            // our time, to that of a clock or of an accepted frame, since it was reserved last
   Job job_;
   // Of the frame that is being signed or checked.
   uint8_t piece_;            // the next one
