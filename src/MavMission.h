@@ -6,6 +6,7 @@
 #define MAVMISSION_VERSION "0.1.0"
 
 #include "mavmission/LinkDoctor.h"
+#include "mavmission/EepromTimestamps.h"
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
