@@ -1,4 +1,4 @@
-// A TimestampStore in the EEPROM of an AVR.
+// A TimestampStore in the EEPROM of an AVR. For another board, a sketch makes one of its own.
 //
 //   EepromTimestamps timestamps(0);  // in the first EepromTimestamps::bytes(8) = 48 bytes
 //   autopilot.signWith(key, 1, timestamps);
@@ -11,6 +11,8 @@
 #include <stdint.h>
 
 #include "TimestampStore.h"
+
+#ifdef __AVR__
 
 namespace mavmission {
 
@@ -42,3 +44,5 @@ class EepromTimestamps : public TimestampStore {
 };
 
 }  // namespace mavmission
+
+#endif
