@@ -134,6 +134,13 @@ def test_defines_and_flags_reach_the_compiler(tmp_path):
 # Refusals -------------------------------------------------------------------------
 
 
+def test_macros_are_given_on_the_command_line(tmp_path):
+    folder = sketch(tmp_path, "#if FIRST != 3 || !SECOND\n#error not defined\n#endif\nvoid setup() {}\nvoid loop() {}\n")
+    assert "not defined" in tools_build(folder, "--board", "mega").stderr
+    ran = tools_build(folder, "--board", "mega", "--define", "FIRST=3", "--define", "SECOND")
+    assert ran.returncode == 0, ran.stderr
+
+
 def test_an_error_is_shown_with_its_place_and_nothing_on_standard_output(tmp_path):
     folder = sketch(tmp_path, "void setup() {\n  nonsense();\n}\nvoid loop() {}\n")
     ran = tools_build(folder, "--board", "mega")

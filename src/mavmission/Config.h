@@ -21,6 +21,12 @@
 #define MAVMISSION_ITEMS_PER_UPDATE 2
 #endif
 
+// 1: MissionClient::signWith() exists, which signs what is sent and refuses what is not signed (MAVLink guide, Message
+// Signing); 0 to 1 [switch]. Costs nothing at 0; what it costs at 1 is in DESIGN.md.
+#ifndef MAVMISSION_SIGNING
+#define MAVMISSION_SIGNING 0
+#endif
+
 // Keeps a function apart from its callers, where avr-gcc would inline it and the program would grow. Each was tried.
 #ifdef __AVR__
 #define MAVMISSION_APART __attribute__((noinline))
@@ -38,6 +44,9 @@
 
 #if MAVMISSION_MAX_PAYLOAD < 38 || MAVMISSION_MAX_PAYLOAD > 255
 #error "MAVMISSION_MAX_PAYLOAD must be 38 to 255: MISSION_ITEM_INT has 38 bytes, no MAVLink payload has more than 255"
+#endif
+#if MAVMISSION_SIGNING < 0 || MAVMISSION_SIGNING > 1
+#error "MAVMISSION_SIGNING must be 0 to 1"
 #endif
 #if MAVMISSION_BYTES_PER_UPDATE < 16 || MAVMISSION_BYTES_PER_UPDATE > 255
 #error "MAVMISSION_BYTES_PER_UPDATE must be 16 to 255"

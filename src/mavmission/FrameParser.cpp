@@ -98,7 +98,7 @@ FrameParser::Result FrameParser::pull(Stream& stream, Budget& budget) {
       result = takeWaiting();
       continue;
     }
-    uint16_t within = have_ == 0 ? skip_ : 0;
+    uint16_t within = have_ == 0 && !keepsSignature() ? skip_ : 0;
     while ((byte = stream.read()) >= 0) {
       --left;
       ++heard;
@@ -121,6 +121,9 @@ FrameParser::Result FrameParser::takeWaiting() {
 }
 
 FrameParser::Result FrameParser::take(uint8_t byte) {
+#if MAVMISSION_SIGNING
+  if (keepsSignature()) return keepSignature(byte);
+#endif
   if (skip_ == 0 || --skip_ != 0) return grow(byte);
   // This is the first byte behind what was stepped over: where another frame begins, the length was right.
   boundary_ = have_;
@@ -222,11 +225,23 @@ FrameParser::Result FrameParser::complete() {
   inStep_ = true;
   if (isSigned()) {
     skip_ = kSignature + 1;
-    stepping_ = Stepping::Reported;
+    stepping_ = MAVMISSION_SIGNING ? Stepping::Signature : Stepping::Reported;
   }
   have_ = 0;  // the bytes stay where they are until the next one is taken
   return Result::Wanted;
 }
+
+#if MAVMISSION_SIGNING
+// A signature is stepped over like any bytes that follow a frame, so that a frame that begins in it is found if bytes were
+// lost there. Bytes that are looked at again come to the same place.
+FrameParser::Result FrameParser::keepSignature(uint8_t byte) {
+  signature_[kSignature + 1 - skip_] = byte;
+  if (--skip_ != 1) return grow(byte);
+  stepping_ = Stepping::Reported;
+  const Result grown = grow(byte);
+  return grown == Result::Nothing ? Result::Signature : grown;
+}
+#endif
 
 void FrameParser::skipByte() {
   inStep_ = false;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <stdint.h>
+#include <string.h>
 
 #include "Config.h"
 
@@ -58,6 +59,7 @@ class FrameParser {
     Nothing,   // go on
     Wanted,    // a frame that is wanted, with a right checksum
     Unwanted,  // a frame of another message has been stepped over: only its sender and sequence are known
+    Signature,  // with MAVMISSION_SIGNING: the signature of the frame that was Wanted last is whole
   };
 
   // How much may be looked at.
@@ -90,6 +92,12 @@ class FrameParser {
   uint8_t version() const { return isV2() ? 2 : 1; }
   // True if it carries a signature, which nobody here has checked.
   bool isSigned() const;
+#if MAVMISSION_SIGNING
+  bool keepsSignature() const { return stepping_ == Stepping::Signature && skip_ > 1; }
+  Result keepSignature(uint8_t byte);
+#else
+  static constexpr bool keepsSignature() { return false; }
+#endif
   // The payload as it came, `length()` bytes: in MAVLink 2 without its trailing zeros.
   const uint8_t* payload() const { return bytes_ + (isV2() ? kHeaderV2 : kHeaderV1); }
   uint8_t length() const { return bytes_[1]; }
@@ -102,6 +110,17 @@ class FrameParser {
   bool isFor(uint8_t systemId, uint8_t componentId) const;
   // Copies the payload to a message of `size` bytes; what the sender left out, or does not know, becomes 0.
   void copyPayload(void* message, uint8_t size) const;
+
+#if MAVMISSION_SIGNING
+  // True if a signature follows.
+  bool hasSignature() const { return isSigned(); }
+  // The frame from its first byte to its checksum.
+  const uint8_t* bytes() const { return bytes_; }
+  uint16_t frameLength() const { return need_; }
+  // Its signature, after Result::Signature.
+  const uint8_t* signature() const { return signature_; }
+  void takeSignatureOf(const FrameParser& other) { memcpy(signature_, other.signature_, sizeof signature_); }
+#endif
 
   // ---
 
@@ -130,8 +149,8 @@ class FrameParser {
     uint8_t sequence, systemId, componentId;
   };
 
-  // Reported: a signature, or the rest of a message that has been given as Unwanted already.
-  enum class Stepping : uint8_t { Message, MessageWithBytes, Reported };
+  // Reported: a signature, or the rest of a message that has been given as Unwanted already. Signature: one that is kept.
+  enum class Stepping : uint8_t { Message, MessageWithBytes, Reported, Signature };
 
   Result grow(uint8_t byte);
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result classify();
@@ -161,6 +180,9 @@ class FrameParser {
   uint32_t bytesSkipped_;
   MoreKeys* moreKeys_;
   Sender sender_;  // of the frame that was given last, or is being stepped over
+#if MAVMISSION_SIGNING
+  uint8_t signature_[kSignature];
+#endif
   uint8_t bytes_[kKept];  // the frame that has begun, then bytes waiting to be looked at again
 };
 

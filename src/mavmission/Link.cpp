@@ -18,6 +18,9 @@ uint8_t Link::systemId() const { return state_.ownSystemId != 0 ? state_.ownSyst
 uint8_t Link::componentId() const { return state_.ownComponentId != 0 ? state_.ownComponentId : kComponentId; }
 
 uint8_t Link::version() const {
+#if MAVMISSION_SIGNING
+  if (signing_.isOn()) return 2;
+#endif
   if (state_.speak != Speak::AsAutopilot) return static_cast<uint8_t>(state_.speak);
   return finder_.heartbeat().version == 1 ? 1 : 2;
 }
@@ -42,21 +45,31 @@ void Link::takeHeartbeat(uint16_t nowMs) {
                     offsetof(Heartbeat, state) == offsetof(mavlink_heartbeat_t, system_status) &&
                     offsetof(Heartbeat, version) == offsetof(mavlink_heartbeat_t, mavlink_version),
                 "Heartbeat begins with the message");
-  const uint8_t systemId = parser_.systemId();
-  const uint8_t componentId = parser_.componentId();
-  const uint8_t autopilot = parser_.payloadByte(offsetof(mavlink_heartbeat_t, autopilot));
-  const uint8_t vehicleType = parser_.payloadByte(offsetof(mavlink_heartbeat_t, type));
+  const FrameParser& given = frame();
+  const uint8_t systemId = given.systemId();
+  const uint8_t componentId = given.componentId();
+  const uint8_t autopilot = given.payloadByte(offsetof(mavlink_heartbeat_t, autopilot));
+  const uint8_t vehicleType = given.payloadByte(offsetof(mavlink_heartbeat_t, type));
   if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return;
   outbox_.drop();
   Heartbeat& heartbeat = finder_.toFill();
-  parser_.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
-  heartbeat.version = parser_.version();
+  given.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
+  heartbeat.version = given.version();
   heartbeat.systemId = systemId;
   heartbeat.componentId = componentId;
 }
 
 bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
+#if MAVMISSION_SIGNING
+  if (takeAccepted(nowMs)) {
+    budget.left = 0;  // of this update(): what the frame begins takes time too
+    return true;
+  }
+#endif
   for (;;) {
+#if MAVMISSION_SIGNING
+    if (!mayRead()) return false;
+#endif
     FrameParser::Result result = parser_.pull(*stream_, budget);
     if (budget.heard != 0) {
       state_.bytes += budget.heard;
@@ -66,6 +79,12 @@ bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
       if (budget.left == 0 || parser_.isIdle() || since(state_.heardByteMs, nowMs) < FrameParser::kSilenceMs) return false;
       result = parser_.silence();
     }
+#if MAVMISSION_SIGNING
+    if (signing_.isOn() || result == FrameParser::Result::Signature) {
+      takeUnchecked(result, nowMs);
+      continue;
+    }
+#endif
     if (result != FrameParser::Result::Nothing && isNews(result, nowMs)) return true;
   }
 }
@@ -82,11 +101,16 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
     ++state_.unknownMessages;
   }
   if (!finder_.isFrom(parser_.systemId(), parser_.componentId())) return false;
+  noteSequence();
+  return isWanted && parser_.isFor(systemId(), componentId());
+}
+
+// Counts what is missing between this frame and the one before.
+inline void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
-  return isWanted && parser_.isFor(systemId(), componentId());
 }
 
 void Link::release() {

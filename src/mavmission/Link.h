@@ -7,6 +7,9 @@
 #include "FrameParser.h"
 #include "Listener.h"
 #include "Outbox.h"
+#if MAVMISSION_SIGNING
+#include "Signing.h"
+#endif
 
 class Stream;
 
@@ -43,7 +46,11 @@ class Link {
   bool receive(FrameParser::Budget& budget, uint16_t nowMs);
 
   // That frame, until the next call.
+#if MAVMISSION_SIGNING
+  const FrameParser& frame() const { return signing_.isOn() ? checked_ : parser_; }
+#else
   const FrameParser& frame() const { return parser_; }
+#endif
 
   // Counts time: the heartbeat, the autopilot's silence, a frame cut short.
   void onTime(uint16_t nowMs);
@@ -79,6 +86,17 @@ class Link {
   }
 
   Stream& stream() const { return *stream_; }
+#if MAVMISSION_SIGNING
+  void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store);
+  void setSigningTime(const SigningTime& time) { signing_.setTime(time); }
+  const Signing& signing() const { return signing_; }
+  // To be called once in each update(): true if this one has been spent on hashing, and nothing more is to be done in it
+  // than flush().
+  bool hashes();
+#else
+  static constexpr bool hashes() { return false; }
+#endif
+
   AutopilotFinder& finder() { return finder_; }
   const AutopilotFinder& finder() const { return finder_; }
   uint8_t systemId() const;
@@ -92,6 +110,7 @@ class Link {
   // Nothing leaves before it is clear who is there, unless the sketch has given our ids.
   MAVMISSION_APART bool maySpeak() const;
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
+  void noteSequence();
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
   void pack(uint8_t* payload, const MessageKey* key);
@@ -119,6 +138,32 @@ class Link {
   AutopilotFinder finder_;
   Outbox outbox_;
   FrameParser parser_;
+
+#if MAVMISSION_SIGNING
+  // Rounds of SHA-256 in an update() that does nothing else: some 11,000 cycles.
+  static constexpr uint8_t kRoundsAtOnce = 16;
+  // How many bytes may wait in the stream meanwhile: half of what a hardware serial port has room for.
+  static constexpr uint8_t kMayWait = 32;
+
+  enum class Check : uint8_t {
+    None,
+    Collecting,  // checked_ holds a frame, its signature is coming
+    Due,
+    Running,
+    Accepted,
+  };
+
+  bool takeAccepted(uint16_t nowMs);
+  bool mayRead();
+  void takeUnchecked(FrameParser::Result result, uint16_t nowMs);
+  bool matters();
+
+  Signing signing_;
+  FrameParser checked_;  // with the frame that is being checked, or has been accepted, as parser_ had it
+  Check check_;
+  bool isWaiting_;       // parser_ has a frame that is to be checked when checked_ is free; no byte is read until then
+  bool hashedLast_;      // the last update() was spent on hashing
+#endif
 };
 
 }  // namespace mavmission

@@ -136,6 +136,12 @@ bool MissionClient::isHeavyAllowed() {
 }
 
 Status MissionClient::updateAt(uint16_t nowMs) {
+#if MAVMISSION_SIGNING
+  if (link_.hashes()) {  // nothing else is done then, so that the longest update() is no longer
+    link_.flush(nowMs, kStartBytes);
+    return state_.operation != nullptr ? state_.status : Status::Idle;
+  }
+#endif
   FrameParser::Budget budget;
   const uint8_t allowed = state_.bytesAllowed;
   budget.left = allowed;

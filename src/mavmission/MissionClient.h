@@ -14,7 +14,13 @@
 #include "PlanType.h"
 #include "Status.h"
 #include "UploadTransfer.h"
+#include "TimestampStore.h"
 #include "WirePlan.h"
+#if MAVMISSION_SIGNING
+#include "Signing.h"
+#else
+#include "SigningKey.h"
+#endif
 
 namespace mavmission {
 
@@ -178,6 +184,22 @@ class MissionClient {
   void setOwnIds(uint8_t systemId, uint8_t componentId = Link::kComponentId);
   // The autopilot to talk to, where there may be several on the line. System id 0: whichever is alone there.
   void talkTo(uint8_t systemId, uint8_t componentId = 1);
+#if MAVMISSION_SIGNING
+  // From now on signs what is sent, and refuses what is not signed with the key (MAVLink guide, Message Signing): such a
+  // frame is as good as none. Only RADIO_STATUS, which a radio without a key sends, still reaches a MessageListener. All
+  // frames are then MAVLink 2. `linkId`: of this link, the sketch's own choice; the same after each reset. `store`: where
+  // the time of signatures outlives a reset (EepromTimestamps, or the sketch's own).
+  void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store) { link_.signWith(key, linkId, store); }
+  // Tells the time, where the sketch has a clock or a GPS [s, Unix]. Without it the time is the autopilot's.
+  void setSigningTime(uint32_t unixTimeS) { link_.setSigningTime(SigningTime::atUnixTime(unixTimeS)); }
+  // What became of received frames since signWith().
+  const SigningCounters& signingCounters() const { return link_.signing().counters(); }
+#else
+  template <typename... Arguments>
+  void signWith(Arguments&&...) {
+    static_assert(sizeof...(Arguments) == 255, "signWith() is there if the library is compiled with -DMAVMISSION_SIGNING=1 (Config.h)");
+  }
+#endif
   // MAVLink 1 or 2; by default what the autopilot speaks.
   void setSpeak(Speak speak) { link_.setSpeak(speak); }
   // Allows operations that change the plan while the autopilot is armed. ArduPilot edits its plan in place: an upload

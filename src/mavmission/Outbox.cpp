@@ -16,6 +16,9 @@ void Outbox::begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t 
   } else {
     *out++ = MAVLINK_STX;
     *++out = 0;  // incompatibility flags
+#if MAVMISSION_SIGNING
+    if (signs_) *out = MAVLINK_IFLAG_SIGNED;
+#endif
     *++out = 0;  // compatibility flags
   }
   *++out = sequence;
@@ -51,6 +54,9 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
 }
 
 void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
+#if MAVMISSION_SIGNING
+  if (isUnsigned_) return;
+#endif
   int room = stream.availableForWrite();
   if (room > 0) {
     blind_ = false;

@@ -6,6 +6,9 @@
 #include "Config.h"
 #include "FrameParser.h"
 #include "OutgoingMessage.h"
+#if MAVMISSION_SIGNING
+#include "Signing.h"
+#endif
 
 class Stream;
 
@@ -39,16 +42,36 @@ class Outbox {
   void release() {
     held_ = false;
     sent_ = 0;
+#if MAVMISSION_SIGNING
+    isUnsigned_ = signs_;
+#endif
   }
   void drop() { held_ = false; }
+
+#if MAVMISSION_SIGNING
+  // From now on frames are signed: one that has been released waits for startSigning() and, later, setSigned().
+  void beginSigning() { signs_ = true; }
+  bool isUnsigned() const { return isUnsigned_; }
+  void startSigning(Signing& signing);
+  void setSigned() {
+    isUnsigned_ = false;
+    length_ += kSignature;
+  }
+#endif
 
   // Writes what the stream takes now, `most` bytes at most. Only when there is a frame on its way.
   MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs, uint8_t most);
 
  private:
+#if MAVMISSION_SIGNING
+  static constexpr uint8_t kSignature = Signing::kLength;
+#else
+  static constexpr uint8_t kSignature = 0;
+#endif
+
   // A frame whose payload lies elsewhere.
   struct Foreign {
-    uint8_t around[12];   // header, then checksum
+    uint8_t around[12 + kSignature];  // header, then checksum and signature
     uint8_t headLength;
     uint8_t bodyLength;
     const uint8_t* body;
@@ -64,8 +87,12 @@ class Outbox {
   bool stuck_;
   bool blind_;      // the stream does not say what it takes
   bool held_;
+#if MAVMISSION_SIGNING
+  bool signs_;
+  bool isUnsigned_;
+#endif
   union {
-    uint8_t frame_[10 + kMaxPayload + 2];
+    uint8_t frame_[10 + kMaxPayload + 2 + kSignature];
     Foreign foreign_;
   };
 };

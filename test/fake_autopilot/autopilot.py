@@ -39,6 +39,8 @@ class FakeAutopilot:
     simulated too, give response_delay_on_line_s.
     heartbeat_at_s: when the first heartbeat is sent [s]. uptime_s: how long the autopilot has
     been running at time 0 [s]; at 0 it starts then, and sends boot_text.
+    signing_key: the 32 bytes with which it signs all that it sends, and without whose signature
+    it hears nothing; None for neither. signing_time_s: its signing clock at time 0 [s since 2015].
     """
 
     autopilot_type: int = mavlink.MAV_AUTOPILOT_GENERIC
@@ -50,7 +52,8 @@ class FakeAutopilot:
                  telemetry: Union[None, float, Iterable[tuple[float, bytes]]] = None,
                  baud: Optional[int] = None, response_delay_s: Optional[float] = None,
                  boot_text: bytes = b"", heartbeat_at_s: float = 0.0,
-                 uptime_s: float = 0.0) -> None:
+                 uptime_s: float = 0.0, signing_key: Optional[bytes] = None,
+                 signing_time_s: float = 0.0) -> None:
         if mavlink_version not in (1, 2):
             raise ValueError(f"mavlink_version is 1 or 2, not {mavlink_version}")
         if vehicle not in self.vehicle_types:
@@ -67,6 +70,12 @@ class FakeAutopilot:
             self.response_delay_s = response_delay_s
 
         self._packer = mavlink.MAVLink(None, system_id, component_id)
+        self._decode = frames.decode
+        if signing_key is not None:
+            self.signing.secret_key = signing_key
+            self.signing.sign_outgoing = True
+            self._decode = self._decode_signed
+        self._signing_time_s = signing_time_s
         self._splitter = frames.FrameSplitter()
         self._now = 0.0
         self._timers: dict[str, tuple[float, Callable[[float], None]]] = {}
@@ -89,6 +98,11 @@ class FakeAutopilot:
         "rover": mavlink.MAV_TYPE_GROUND_ROVER,
     }
 
+    @property
+    def signing(self):
+        """pymavlink's state of signing: goodsig_count, badsig_count, timestamp..."""
+        return self._packer.signing
+
     # -- driven from outside --------------------------------------------------------------
 
     def receive(self, data: bytes, now: float) -> None:
@@ -98,7 +112,7 @@ class FakeAutopilot:
             if not intact or self.is_silent(now):
                 continue
             try:
-                message = frames.decode(frame)
+                message = self._decode(bytearray(frame))
             except mavlink.MAVError:
                 continue  # too long or too short for its message
             self.log.append(LogEntry(now, ">", message))
@@ -276,7 +290,11 @@ class FakeAutopilot:
         _, frame = self._next_telemetry
         self._next_telemetry = next(self._telemetry, None)
         if not self.is_silent(now):
-            self._release(frames.renumbered(frame, self._packer.seq, *self.address), now)
+            frame = frames.renumbered(frame, self._packer.seq, *self.address)
+            if self.signing.sign_outgoing:
+                self._set_signing_time(now)
+                frame = frames.signed(frame, self.signing)
+            self._release(frame, now)
             self._packer.seq = (self._packer.seq + 1) % 256
 
     def _push(self, time: float, message) -> None:
@@ -289,10 +307,28 @@ class FakeAutopilot:
         if isinstance(message, bytes):
             self._release(message, now)
             return
+        self._set_signing_time(now)
         frame = frames.packed(message, self._packer, self.mavlink_version)
         self._packer.seq = (self._packer.seq + 1) % 256
         self.log.append(LogEntry(now, "<", message))
         self._release(frame, now)
+
+    def _decode_signed(self, frame: bytearray):
+        """As frames.decode(), and raises mavlink.MAVError for what is not signed with the key, or was heard before.
+
+        pymavlink notes a frame's time before it has found the signature right: a frame that was
+        cut could thus shut its sender out. The C library, which the autopilots run, does not.
+        """
+        times = dict(self.signing.stream_timestamps)
+        try:
+            return self._packer.decode(frame)
+        except mavlink.MAVError:
+            self.signing.stream_timestamps = times
+            raise
+
+    def _set_signing_time(self, now: float) -> None:
+        self.signing.timestamp = max(self.signing.timestamp,
+                                     round(100_000 * (self._signing_time_s + now)))
 
     def _release(self, data: bytes, now: float) -> None:
         self._released.append((now, data))

@@ -131,6 +131,28 @@ static void tellCounters() {
   Serial.println();
 }
 
+#if MAVMISSION_SIGNING
+static EepromTimestamps timestamps(16);
+static uint8_t radioHeard;  // RADIO_STATUS
+
+static void onRadio(void*, const ReceivedMessage&) { ++radioHeard; }
+const MessageKey radioKeys[] PROGMEM = {messageKey(109, 185, 9)};
+MessageListener radio(client, radioKeys, onRadio);
+
+static void tellSigning() {
+  const SigningCounters& counters = client.signingCounters();
+  tell(F("signing"), 0);
+  tellNumber(F("accepted"), counters.accepted);
+  tellNumber(F("unsigned"), counters.notSigned);
+  tellNumber(F("wrong"), counters.wrong);
+  tellNumber(F("replayed"), counters.replayed);
+  tellNumber(F("old"), counters.old);
+  tellNumber(F("streams"), counters.tooManyStreams);
+  tellNumber(F("radio"), radioHeard);
+  Serial.println();
+}
+#endif
+
 static void tellText(FlashText text) {
   tell(F("text"), 0);
   Serial.print(' ');
@@ -187,6 +209,18 @@ ACTION(state) { tellState(); }
 ACTION(counters) { tellCounters(); }
 ACTION(text) { tellText(toString(static_cast<Status>(numbers[0]))); }
 ACTION(aboard) { tellText(toString(static_cast<Aboard>(numbers[0]))); }
+#if MAVMISSION_SIGNING
+ACTION(sign) { client.signWith(keyFromPassphrase("a secret of the tests"), numbers[0], timestamps); }
+ACTION(time) { client.setSigningTime(numbers[0]); }
+ACTION(signing) { tellSigning(); }
+// A TUNNEL, the longest message that there is here.
+ACTION(post) {
+  static uint8_t payload[133];
+  for (uint8_t i = 0; i < sizeof payload; ++i) payload[i] = i + 1;
+  tell(F("posted"), client.sendMessage(OutgoingMessage{385, 147, sizeof payload, sizeof payload, payload}));
+  Serial.println();
+}
+#endif
 #ifndef BENCH_DIRECT
 ACTION(room) { line.setRoom(numbers[0]); }
 ACTION(blind) { line.setBlind(numbers[0]); }
@@ -206,6 +240,9 @@ static const Word words[] = {
     WORD(talk),   WORD(speak),     WORD(armed),  WORD(raw),      WORD(floats),  WORD(waiting),  WORD(limit),
     WORD(callbacks), WORD(again),  WORD(cancelat), WORD(stall),  WORD(nosleep), WORD(state),    WORD(counters),
     WORD(text),   WORD(aboard),    WORD(turn),
+#if MAVMISSION_SIGNING
+    WORD(sign),   WORD(time),      WORD(signing), WORD(post),
+#endif
 #ifndef BENCH_DIRECT
     WORD(room),   WORD(blind),     WORD(blocked),
 #endif

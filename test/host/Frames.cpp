@@ -69,7 +69,7 @@ Bytes telemetry(uint8_t length, uint8_t fill, uint8_t version) {
 ParserUnderTest::ParserUnderTest() { memset(static_cast<void*>(&parser_), 0, sizeof(parser_)); }
 
 void ParserUnderTest::note(FrameParser::Result result, std::vector<Found>& found) {
-  if (result == FrameParser::Result::Nothing) return;
+  if (result == FrameParser::Result::Nothing || result == FrameParser::Result::Signature) return;
   Found frame = {result, 0, 0, parser_.sequence(), parser_.systemId(), parser_.componentId(), Bytes()};
   if (result == FrameParser::Result::Wanted) {
     frame.messageId = parser_.messageId();

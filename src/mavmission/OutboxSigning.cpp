@@ -1,0 +1,23 @@
+// Outbox for frames that are signed.
+#include "Outbox.h"
+
+#if MAVMISSION_SIGNING
+
+namespace mavmission {
+
+void Outbox::startSigning(Signing& signing) {
+  if (writeForeign_ == nullptr) {
+    const Signing::Piece whole = {frame_, length_};
+    return signing.sign(&whole, 1);
+  }
+  const Signing::Piece pieces[] = {
+      {foreign_.around, foreign_.headLength},
+      {foreign_.body, foreign_.bodyLength},
+      {foreign_.around + foreign_.headLength, 2},  // the checksum
+  };
+  signing.sign(pieces, 3);
+}
+
+}  // namespace mavmission
+
+#endif

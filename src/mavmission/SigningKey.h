@@ -1,0 +1,33 @@
+// The secret that both ends of a signed link share (MAVLink guide, Message Signing).
+#pragma once
+
+#include <stdint.h>
+
+#include "Flash.h"
+
+namespace mavmission {
+
+struct SigningKey {
+  static constexpr uint8_t kLength = 32;  // [bytes]
+  uint8_t bytes[kLength];
+};
+
+// A key that lies in flash: static const uint8_t secret[32] PROGMEM = {...}.
+inline SigningKey keyInFlash(const uint8_t (&bytes)[SigningKey::kLength]) {
+  SigningKey key;
+  memcpy_P(key.bytes, bytes, sizeof key.bytes);
+  return key;
+}
+
+// A key that lies in RAM.
+inline SigningKey keyInRam(const uint8_t (&bytes)[SigningKey::kLength]) {
+  SigningKey key;
+  memcpy(key.bytes, bytes, sizeof key.bytes);
+  return key;
+}
+
+// The key that ground stations make of a passphrase: its SHA-256. Takes 2 ms for each 64 characters; null is the empty
+// passphrase.
+SigningKey keyFromPassphrase(const char* passphrase);
+
+}  // namespace mavmission
