@@ -87,7 +87,8 @@ const char* Referee::sentInUpload(const Message& message) {
       if (asked != 0) return "COUNT is sent in mid-transfer";
       if (message.number != items) return "COUNT is sent with a wrong number";
       if (counts == kTries) return "COUNT is sent too often";
-      if (counts != 0 && sinceSentMs < kAnswerMs) return "COUNT is sent again too early";
+      if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
+      if (hasFreed) hasFreed = kBefore;
       ++counts;
       return nullptr;
 
@@ -114,8 +115,9 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Ack:
       if (message.number != kCancelled) return "an ACK is sent that is no client's";
       if (!mayFree || hasFreed) return "a running transfer is cancelled";
-      hasFreed = true;
-      counts = asked = open = sentItem = isLastSent = repeats = 0;
+      hasFreed = kJustNow;
+      if (asked != 0) counts = 0;
+      asked = open = sentItem = isLastSent = repeats = 0;
       sinceNewMs = 0;
       return nullptr;
 
@@ -200,7 +202,32 @@ void Referee::heard(const Message& message, Firmwares firmware) {
   }
 }
 
-const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot, const Autopilot& before) {
+// What aboard() says is about the last operation that can tell: only where it is about this one it is looked at.
+const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& autopilot, const Autopilot* before) const {
+  const bool isMeant = isAboard(autopilot, task.plan, task.items);
+  switch (said) {
+    case Aboard::OurPlan:
+      if (!isUpload() && status != Status::Verified) return nullptr;
+      return isMeant ? nullptr : "aboard() says our plan, and it is not";
+    case Aboard::Nothing:
+      if (task.operation != Operation::Clear) return nullptr;
+      return autopilot.heldCount == 0 ? nullptr : "aboard() says no plan, and there is one";
+    case Aboard::AsBefore:
+      if (!isUpload() || before == nullptr) return nullptr;
+      if (autopilot.heldCount == before->heldCount && memcmp(autopilot.held, before->held, sizeof(before->held)) == 0) {
+        return nullptr;
+      }
+      return "aboard() says as before, and it is not";
+    case Aboard::Mixture:
+      return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
+    case Aboard::NotKnown:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot, const Autopilot* before,
+                         bool lineRepeats) {
   const bool isMeant = isAboard(autopilot, task.plan, task.items);
   const bool wasTransferring = isUpload() || isReading;
   isRunning = false;
@@ -209,24 +236,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   owesCancel = isRead || (wasTransferring && (status == Status::Cancelled || status == Status::NoAnswer ||
                                               status == Status::TimedOut));
 
-  switch (said) {
-    case Aboard::OurPlan:
-      if (!isMeant) return "aboard() says our plan, and it is not";
-      break;
-    case Aboard::Nothing:
-      if (autopilot.heldCount != 0) return "aboard() says no plan, and there is one";
-      break;
-    case Aboard::AsBefore:
-      if (autopilot.heldCount != before.heldCount || memcmp(autopilot.held, before.held, sizeof(before.held)) != 0) {
-        return "aboard() says as before, and it is not";
-      }
-      break;
-    case Aboard::Mixture:
-      if (isPx4(autopilot.firmware)) return "aboard() says a mixture, and PX4 holds none";
-      break;
-    case Aboard::NotKnown:
-      break;
-  }
+  const char* const untrue = untrueAboard(status, said, autopilot, before);
+  if (untrue != nullptr) return untrue;
 
   const bool isListedOut = lists == kTries && !isCounted && sinceSentMs >= kAnswerMs;
   const bool isReadOut = isListedOut || (isCounted && requests == kTries && sinceSentMs >= kItemMs);
@@ -290,8 +301,11 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   for (uint8_t result = 1; result < 16; ++result) {
     if (status != mavmission::fromMissionResult(result)) continue;
     if ((heardAcks & (1u << result)) == 0) return "a refusal that the autopilot did not send";
+    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one.
+    if (isUpload() && result == kError && lineRepeats) return nullptr;
     if (isUpload() && isMeant) return "a refusal, and the plan is aboard";
-    if (isUpload() && autopilot.state == Autopilot::State::Receiving && isPx4(autopilot.firmware)) {
+    const bool isOurs = autopilot.count == items && autopilot.expected != 0 && autopilot.staged[0] == itemOf(task.plan, 0);
+    if (isUpload() && autopilot.state == Autopilot::State::Receiving && isPx4(autopilot.firmware) && isOurs) {
       return "a refusal, and the transfer goes on";
     }
     return nullptr;

@@ -19,7 +19,7 @@ struct Task {
 };
 
 struct Referee {
-  static constexpr uint8_t kTries = 5;
+  static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 12000,
                             kSameRequestMs = 50;
 
@@ -33,7 +33,7 @@ struct Referee {
   uint8_t sentItem;       // the item sent last, one more
   uint8_t isLastSent;
   uint8_t repeats;        // of the last item, unasked
-  uint8_t hasFreed;       // an older transfer was cancelled
+  uint8_t hasFreed;       // an older transfer was cancelled: 0, kJustNow or kBefore
   uint8_t isReading;
   uint8_t lists;          // REQUEST_LISTs sent
   uint8_t isCounted;      // COUNT was heard
@@ -54,11 +54,15 @@ struct Referee {
   // Each: null, or what was broken.
   const char* sent(const Message& message, Firmwares firmware);
   void heard(const Message& message, Firmwares firmware);
-  // `said`: aboard(). `before`: the autopilot as it was when the operation began.
-  const char* end(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot, const Autopilot& before);
+  // `said`: aboard(). `before`: the autopilot as it was when the operation began; null where an earlier operation's frames
+  // may still have been on their way to it. `lineRepeats`: frames are repeated or delayed.
+  const char* end(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot, const Autopilot* before,
+                  bool lineRepeats);
   bool isUpload() const { return task.operation <= Operation::UploadVerified; }
 
  private:
+  const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
+                           const Autopilot* before) const;
   const char* sentInUpload(const Message& message);
   const char* sentInReading(const Message& message);
 };

@@ -85,10 +85,9 @@ std::vector<Move> World::moves() const {
     }
   }
   if (reboots_ != 0) moves.push_back(Move{Choice::Reboot, Fate::Delivered});
-  if (task_ == 0 && referee_.isRunning) {
-    if (cancels_ != 0) moves.push_back(Move{Choice::Cancel, Fate::Delivered});
-    if (resets_ != 0) moves.push_back(Move{Choice::Reset, Fate::Delivered});
-  }
+  if (!referee_.isRunning) return moves;
+  if (cancels_ != 0) moves.push_back(Move{Choice::Cancel, Fate::Delivered});
+  if (resets_ != 0 && task_ == 0) moves.push_back(Move{Choice::Reset, Fate::Delivered});
   return moves;
 }
 
@@ -121,7 +120,8 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
       outcome.task = task_;
       outcome.status = doing.status;
       say(log, std::string("it ends: ") + mavmission::toString(doing.status));
-      const char* broken = referee_.end(doing.status, client_.aboard(), autopilot_, before_);
+      const char* broken = referee_.end(doing.status, client_.aboard(), autopilot_, task_ == 0 ? &before_ : nullptr,
+                                        scenario.faults != 0);
       if (broken == nullptr && doing.status == Status::Downloaded &&
           (sunk_.count != autopilot_.heldCount || memcmp(sunk_.items, autopilot_.held, sunk_.count) != 0)) {
         broken = "Downloaded, and what was read is not what is aboard";

@@ -21,7 +21,7 @@ struct Scenario {
   uint8_t losses = kAnyNumber;
   uint8_t faults = 0;          // frames that are repeated, delayed or damaged
   uint8_t reboots = 0;         // of the autopilot
-  uint8_t cancels = 0;         // of the first task, by the sketch
+  uint8_t cancels = 0;         // by the sketch, of what runs then
   uint8_t resets = 0;          // of the Arduino in the first task
 };
 

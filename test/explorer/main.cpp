@@ -24,7 +24,7 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
           "  --losses N     frames lost; `any` for any number (any)\n"
           "  --faults N     frames repeated, delayed, damaged or cut (0)\n"
           "  --reboots N    reboots of the autopilot, at any point (0)\n"
-          "  --cancels N    the sketch cancels the first operation, at any point (0)\n"
+          "  --cancels N    the sketch cancels what runs, at any point (0)\n"
           "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
           "  --most-states N  give up beyond (200000000)\n"
           "  --show-fewest N  1: show how the fewest faults end without success (0)\n"
