@@ -111,6 +111,8 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property):
     for autopilot in ("ArduPilot", "PX4"):
         for options in ("--losses 3", "--losses 2 --cancels 1", "--losses 2 --resets 1"):
             scenarios += [(words, options) for words in pairs(autopilot)]
+        # A shorter plan behind a longer one: PX4 may take it for the beginning of that.
+        scenarios.append((f"{autopilot} upload-in-doubt 2 upload-in-doubt 1", ""))
     expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios)
 
 

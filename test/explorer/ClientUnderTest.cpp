@@ -18,7 +18,8 @@ namespace {
 // It is always this moment between two steps, so that each wait crosses the wrap of millis(), in 16 bits and in 32.
 constexpr uint32_t kNowMs = 0xFFFFFFFC;
 constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
-constexpr int kMostUpdates = 30;  // in one step; a client that sends in each of them would never stop
+constexpr int kQuietUpdates = 3;  // a client that does nothing in so many has come to rest: items are got ready in two
+constexpr int kMostUpdates = 40;  // in one step; a client that sends in each of them would never stop
 
 class FedStream : public Stream {
  public:
@@ -36,9 +37,19 @@ class FedStream : public Stream {
   int availableForWrite() override { return 1000; }
   size_t write(uint8_t byte) override { return write(&byte, 1); }
   size_t write(const uint8_t* data, size_t size) override {
-    frames->push_back(Bytes(data, data + size));
+    begun_.insert(begun_.end(), data, data + size);
+    while (begun_.size() >= kAround && begun_.size() >= kAround + begun_[1]) {
+      const auto end = begun_.begin() + kAround + begun_[1];
+      frames->push_back(Bytes(begun_.begin(), end));
+      begun_.erase(begun_.begin(), end);
+    }
     return size;
   }
+  bool isWhole() const { return begun_.empty(); }
+
+ private:
+  static constexpr size_t kAround = 12;  // header and checksum of a MAVLink 2 frame
+  Bytes begun_;                       // a frame comes in pieces
 };
 
 FedStream stream;
@@ -123,17 +134,20 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   stream.bytes = bytes;
   stream.length = length;
   stream.frames = &doing.frames;
-  doing.isRestless = true;
-  for (int i = 0; i < kMostUpdates && doing.isRestless; ++i) {
+  int quiet = 0;
+  for (int i = 0; i < kMostUpdates && quiet < kQuietUpdates; ++i) {
     const size_t sent = doing.frames.size();
+    client().link_.state_.sequence = 0;
     const Status status = client().update();
     if (isEnd(status)) {
       doing.hasEnded = true;
       doing.status = status;
     }
-    const bool isWaiting = status == Status::Idle || (status == Status::Transferring && i != 0);
-    doing.isRestless = stream.length != 0 || doing.frames.size() != sent || !isWaiting;
+    const bool isWaiting = status == Status::Idle || status == Status::Transferring;
+    const bool isQuiet = stream.length == 0 && stream.isWhole() && doing.frames.size() == sent && isWaiting;
+    quiet = isQuiet ? quiet + 1 : 0;
   }
+  doing.isRestless = quiet < kQuietUpdates;
   rest(ms, isLast);
   return doing;
 }
@@ -185,7 +199,12 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     parser.badChecksums_ = parser.brokenFrames_ = 0;
     parser.bytesSkipped_ = 0;
   }
-  if (c.link_.outbox_.isEmpty()) blank(c.link_.outbox_);
+  if (!c.link_.outbox_.isHeld()) {
+    blank(c.link_.outbox_);
+    c.state_.prepared = 0;
+  }
+  c.state_.bytesLeft = 0;
+  c.state_.tick = static_cast<uint8_t>(kNow / MissionClient::kTickMs);
 
   c.state_.secondMs = kNow;
   c.state_.seconds = 0;

@@ -86,7 +86,7 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Count:
       if (asked != 0) return "COUNT is sent in mid-transfer";
       if (message.number != items) return "COUNT is sent with a wrong number";
-      if (counts == kTries) return "COUNT is sent too often";
+      if (counts == kTries + (hasFreed ? 1 : 0)) return "COUNT is sent too often";  // it is sent again behind the cancellation
       if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
       if (hasFreed) hasFreed = kBefore;
       ++counts;
@@ -279,7 +279,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
         return clears == kTries && sinceSentMs >= kAnswerMs ? nullptr : "NoAnswer before the tries were exhausted";
       }
       if (isReading) return isListedOut ? nullptr : "NoAnswer before the tries were exhausted";
-      return counts == kTries && asked == 0 && sinceSentMs >= kAnswerMs ? nullptr : "NoAnswer before the tries were exhausted";
+      return counts >= kTries && asked == 0 && sinceSentMs >= kAnswerMs ? nullptr : "NoAnswer before the tries were exhausted";
 
     case Status::TimedOut:
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
