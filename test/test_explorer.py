@@ -29,7 +29,8 @@ EXPLORER = ROOT / "test" / "explorer"
 # The rest form and the next timer of a client are about its private members.
 FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]
 AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
-COLUMNS = ["operation", "autopilot", "beside any losses", "states", "transitions", "longest", "fewest faults to fail", "violations"]
+COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
+           "violations"]  # fmt: skip
 
 
 @functools.cache

@@ -1,7 +1,7 @@
 // ArduPilot: it edits its plan in place from COUNT on, asks again each second, gives up 8 s after the last good item,
 // answers INVALID_SEQUENCE to an item that it does not wait for and ERROR to any item while it is idle, and says
-// ACCEPTED once. LateArduPilot is a newer one, whose final ACK comes 700 ms after the last item, and INVALID_SEQUENCE to
-// any item until then.
+// ACCEPTED once. LateArduPilot is a newer one, whose final ACK comes 700 ms after the last item, and
+// INVALID_SEQUENCE to any item until then.
 #include <string.h>
 
 #include "Autopilot.h"

@@ -124,7 +124,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   Doing doing = Doing();
   const uint32_t nowMs = kNowMs + ms;
   setMillis(nowMs);
-  // Heartbeats of both sides come and go unseen: the autopilot was always heard just now, ours was always sent just now.
+  // Heartbeats come and go unseen: the autopilot was always heard just now, ours was always sent just now.
   client().link_.state_.heartbeatMs = static_cast<uint16_t>(nowMs);
   client().link_.state_.heartbeatSent = true;
   client().link_.finder_.heardMs_ = static_cast<uint16_t>(nowMs);
@@ -217,7 +217,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   c.state_.unsettledMs = c.state_.unsettled ? c.state_.unsettledMs : kNow;
   keep(c.state_.unsettledMs, c.state_.unsettled ? ms : 0, MissionClient::kLeftoversMs);
   if (!c.isBusy()) {
-    static_assert(sizeof(c.reading_) >= sizeof(c.transfer_) && sizeof(c.reading_) >= sizeof(c.clearing_), "all of the union");
+    static_assert(sizeof(c.reading_) >= sizeof(c.transfer_) && sizeof(c.reading_) >= sizeof(c.clearing_), "all of it");
     blank(c.reading_);
     blank(c.commanding_);
   }

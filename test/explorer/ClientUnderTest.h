@@ -23,12 +23,12 @@ struct Doing {
 
 class ClientUnderTest {
  public:
-  // As after power-on, the autopilot named and heard. `isFresh`: the first ten seconds, in which an earlier transfer may
-  // still be answered, have not passed.
+  // As after power-on, the autopilot named and heard. `isFresh`: the first ten seconds, in which an earlier transfer
+  // may still be answered, have not passed.
   void construct(Firmwares firmware, bool isFresh);
   void begin(const Task& task);
   void cancel();
-  // Time passes [ms]; the bytes come; update() runs until it has nothing to do. `isLast`: no operation follows this one.
+  // Time passes [ms]; the bytes come; update() runs until it has nothing to do. `isLast`: no operation follows.
   Doing run(uint16_t ms, const uint8_t* bytes, size_t length, bool isLast);
   // Until it does something of its own accord [ms], or kNever.
   uint16_t nextMs() const;
@@ -37,7 +37,9 @@ class ClientUnderTest {
 
  private:
   mavmission::MissionClient& client() { return *reinterpret_cast<mavmission::MissionClient*>(bytes_); }
-  const mavmission::MissionClient& client() const { return *reinterpret_cast<const mavmission::MissionClient*>(bytes_); }
+  const mavmission::MissionClient& client() const {
+    return *reinterpret_cast<const mavmission::MissionClient*>(bytes_);
+  }
   void rest(uint16_t ms, bool isLast);
 
   alignas(8) uint8_t bytes_[(sizeof(mavmission::MissionClient) + 7) / 8 * 8];

@@ -101,7 +101,8 @@ const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Mess
   uint16_t crc = X25_INIT_CRC;
   for (size_t i = 1; i < length - 2; ++i) crc_accumulate(frame[i], &crc);
   crc_accumulate(entry->crc_extra, &crc);
-  if (frame[length - 2] != (crc & 0xFF) || frame[length - 1] != crc >> 8) return "a frame is sent with a wrong checksum";
+  if (frame[length - 2] != (crc & 0xFF) || frame[length - 1] != crc >> 8)
+    return "a frame is sent with a wrong checksum";
   if (frame[5] != kAutopilotSystem || frame[6] != kClientComponent) return "a frame is sent with a wrong sender";
   Bytes payload(frame + 10, frame + 10 + frame[1]);
   payload.resize(entry->max_msg_len, 0);

@@ -33,6 +33,6 @@ std::string inWords(const Message& message);
 // The frame of a message that this autopilot (system 1, component 1) sends to the client (1, 191).
 const Bytes& frameOf(const Message& message, Firmwares firmware);
 
-// The message in a frame of the client's. Null, or what is wrong with the frame: its checksum, length, sender or target,
-// a field that must be 0, an item that is in no plan, a message that has no place in these operations.
+// The message in a frame of the client's. Null, or what is wrong with the frame: its checksum, length, sender or
+// target, a field that must be 0, an item that is in no plan, a message that has no place in these operations.
 const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Message& message);

@@ -1,5 +1,5 @@
-// PX4: it keeps the old plan until the last item of the new one has come, asks again each 265 ms, gives up without a word
-// 5 s after it heard something, ignores an item that it does not wait for, says ERROR ("busy") to a COUNT in
+// PX4: it keeps the old plan until the last item of the new one has come, asks again each 265 ms, gives up without a
+// word 5 s after it heard something, ignores an item that it does not wait for, says ERROR ("busy") to a COUNT in
 // mid-transfer, and ACCEPTED again to the last item repeated. Its ACK and COUNT carry a checksum of the plan.
 #include <string.h>
 
@@ -74,8 +74,8 @@ void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
 }
 
 void hearList(Autopilot& autopilot, Answers& answers) {
-  // All of an earlier download was sent, only its ACK is missing. It also is so when an upload happens to have come just
-  // as far as the old plan is long: that is dropped.
+  // All of an earlier download was sent, only its ACK is missing. It also is so when an upload happens to have come
+  // just as far as the old plan is long: that is dropped.
   if (autopilot.expected == autopilot.heldCount) goIdle(autopilot);
   if (autopilot.state == State::Receiving) return;
   autopilot.state = State::Sending;

@@ -86,7 +86,7 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Count:
       if (asked != 0) return "COUNT is sent in mid-transfer";
       if (message.number != items) return "COUNT is sent with a wrong number";
-      if (counts == kTries + (hasFreed ? 1 : 0)) return "COUNT is sent too often";  // it is sent again behind the cancellation
+      if (counts == kTries + (hasFreed ? 1 : 0)) return "COUNT is sent too often";
       if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
       if (hasFreed) hasFreed = kBefore;
       ++counts;
@@ -94,9 +94,8 @@ const char* Referee::sentInUpload(const Message& message) {
 
     case Kind::Item: {
       if (message.number >= items) return "an item beyond the plan is sent";
-      const uint8_t first = items == task.items ? itemOf(task.plan, 0) : kHome;
-      const uint8_t meant = message.number == 0 ? first
-                                                : itemOf(task.plan, static_cast<uint8_t>(message.number - (items - task.items)));
+      const int own = message.number - (items - task.items);  // as the sketch counts; -1 is home
+      const uint8_t meant = own < 0 ? kHome : itemOf(task.plan, static_cast<uint8_t>(own));
       if (message.item != meant) return "an item is sent that is not the plan's";
       const uint8_t bit = static_cast<uint8_t>(1u << message.number);
       const bool isLast = message.number + 1 == items;
@@ -203,7 +202,8 @@ void Referee::heard(const Message& message, Firmwares firmware) {
 }
 
 // What aboard() says is about the last operation that can tell: only where it is about this one it is looked at.
-const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& autopilot, const Autopilot* before) const {
+const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& autopilot,
+                                  const Autopilot* before) const {
   const bool isMeant = isAboard(autopilot, task.plan, task.items);
   switch (said) {
     case Aboard::OurPlan:
@@ -232,7 +232,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   const bool wasTransferring = isUpload() || isReading;
   isRunning = false;
   ended = status;
-  const bool isRead = isReading && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
+  const bool isRead =
+      isReading && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
   owesCancel = isRead || (wasTransferring && (status == Status::Cancelled || status == Status::NoAnswer ||
                                               status == Status::TimedOut));
 
@@ -268,7 +269,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
 
     case Status::Unconfirmed: {
       if (!isUpload() || (!isLastSent && !isReading)) return "Unconfirmed before the last item was sent";
-      if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries to read were exhausted";
+      if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
       const bool isExhausted = (repeats == kTries && sinceSentMs >= kAnswerMs) || sinceNewMs >= kConfirmingMs;
       const bool isIdle = (heardAcks & (1u << kError)) != 0;
       return isExhausted || isIdle ? nullptr : "Unconfirmed before the tries were exhausted";
@@ -279,7 +280,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
         return clears == kTries && sinceSentMs >= kAnswerMs ? nullptr : "NoAnswer before the tries were exhausted";
       }
       if (isReading) return isListedOut ? nullptr : "NoAnswer before the tries were exhausted";
-      return counts >= kTries && asked == 0 && sinceSentMs >= kAnswerMs ? nullptr : "NoAnswer before the tries were exhausted";
+      if (counts >= kTries && asked == 0 && sinceSentMs >= kAnswerMs) return nullptr;
+      return "NoAnswer before the tries were exhausted";
 
     case Status::TimedOut:
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
@@ -304,7 +306,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     // What a line brings twice draws an error that is no refusal, and that nobody can tell from one.
     if (isUpload() && result == kError && lineRepeats) return nullptr;
     if (isUpload() && isMeant) return "a refusal, and the plan is aboard";
-    const bool isOurs = autopilot.count == items && autopilot.expected != 0 && autopilot.staged[0] == itemOf(task.plan, 0);
+    const bool isOurs =
+        autopilot.count == items && autopilot.expected != 0 && autopilot.staged[0] == itemOf(task.plan, 0);
     if (isUpload() && autopilot.state == Autopilot::State::Receiving && isPx4(autopilot.firmware) && isOurs) {
       return "a refusal, and the transfer goes on";
     }

@@ -1,5 +1,5 @@
-// What the protocol allows a client to send, and what it may say at the end: kept apart from the code under test, by what
-// the client has heard (undamaged) and sent alone. Every breach has its sentence.
+// What the protocol allows a client to send, and what it may say at the end: kept apart from the code under test, by
+// what the client has heard (undamaged) and sent alone. Every breach has its sentence.
 #pragma once
 
 #include <stdint.h>
@@ -54,10 +54,10 @@ struct Referee {
   // Each: null, or what was broken.
   const char* sent(const Message& message, Firmwares firmware);
   void heard(const Message& message, Firmwares firmware);
-  // `said`: aboard(). `before`: the autopilot as it was when the operation began; null where an earlier operation's frames
-  // may still have been on their way to it. `lineRepeats`: frames are repeated or delayed.
-  const char* end(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot, const Autopilot* before,
-                  bool lineRepeats);
+  // `said`: aboard(). `before`: the autopilot as it was when the operation began; null where an earlier operation's
+  // frames may still have been on their way to it. `lineRepeats`: frames are repeated or delayed.
+  const char* end(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
+                  const Autopilot* before, bool lineRepeats);
   bool isUpload() const { return task.operation <= Operation::UploadVerified; }
 
  private:

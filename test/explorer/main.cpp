@@ -16,8 +16,8 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
           "%s\n"
           "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
           "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
-          "  OPERATION  upload, upload-in-doubt, upload-verified, download, verify, clear; a second one begins when the\n"
-          "             first has ended or was broken off\n"
+          "  OPERATION  upload, upload-in-doubt, upload-verified, download, verify, clear; a second one begins when\n"
+          "             the first has ended or was broken off\n"
           "  ITEMS      0 to 4: of the plan that is uploaded or verified\n"
           "  --held N       items aboard at the beginning, 0 to 4 (2)\n"
           "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
@@ -28,8 +28,8 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
           "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
           "  --most-states N  give up beyond (200000000)\n"
           "  --show-fewest N  1: show how the fewest faults end without success (0)\n"
-          "Prints findings as name=value; then, if a rule was broken, the shortest way to it. Exits with 1 then, with 3\n"
-          "when it gave up.\n",
+          "Prints findings as name=value; then, if a rule was broken, the shortest way to it. Exits with 1 then, with\n"
+          "3 when it gave up.\n",
           problem);
   exit(2);
 }
@@ -94,7 +94,8 @@ int main(int argc, char** argv) {
   const Findings findings = explore(scenario, mostStates);
   printf("states=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
          static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.transitions),
-         static_cast<unsigned long long>(findings.violations), findings.isWhole, findings.longestMs, findings.fewestFaults);
+         static_cast<unsigned long long>(findings.violations), findings.isWhole, findings.longestMs,
+         findings.fewestFaults);
   for (const auto& end : findings.ends) {
     printf("end=%s=%llu\n", end.first.c_str(), static_cast<unsigned long long>(end.second));
   }
