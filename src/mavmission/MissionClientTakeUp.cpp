@@ -9,7 +9,9 @@ bool MissionClient::takeUpEnd(MissionClient& client, Status status, uint16_t now
   const Rest& rest = client.rest_;
   if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
-  const bool isInDoubt = status == Status::Unconfirmed;
+  const UploadTransfer& transfer = client.transfer_;
+  const bool isInDoubt = status == Status::Unconfirmed ||
+                         (status == Status::Accepted && transfer.hasBegun() && transfer.isAcceptanceDoubtful());
   const bool isProofDue = isInDoubt || (status == Status::Accepted && rest.proof == Proof::Always);
   if (!isProofDue || rest.prove == nullptr) return false;
   if (isInDoubt) client.unsettle(nowMs);

@@ -181,7 +181,8 @@ Aboard MissionClient::aboardAfterUpload(Status status) const {
   // An error after the last item may yet be to one that a radio has repeated, and that found an idle autopilot.
   if (mayBeWhole && (!refused || status == Status::Error)) return Aboard::NotKnown;
   const Firmware firmware = plan_.firmware();
-  if (firmware == Firmware::Px4) return Aboard::AsBefore;  // it keeps the old plan until the new one is whole
+  // It keeps the old plan until the new one is whole; an empty one is whole at once.
+  if (firmware == Firmware::Px4 && (refused || plan_.count() != 0)) return Aboard::AsBefore;
   if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
   // ArduPilot replaces a mission item by item; a fence it takes whole.
   return firmware == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;

@@ -105,7 +105,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
   switch (state_) {
     case State::Counting:
       if (!overdue) break;
-      if (tries_ == kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
+      if (tries_ >= kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
       send_ = Send::Count;
       break;
 

@@ -57,6 +57,9 @@ class UploadTransfer {
   bool hasBegun() const { return state_ != State::Counting; }
   // An answer was heard that may have been to an earlier transfer.
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
+  // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts our
+  // last item as if it were that one's, repeated, with the sum of what it had until then.
+  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && leftovers_ && tries_ != 0; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.

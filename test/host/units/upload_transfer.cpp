@@ -291,6 +291,19 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
   }
 }
 
+TEST_CASE("an error to the last COUNT is followed by one more, and not by others for ever") {
+  Upload upload(3, Firmware::Px4);
+  upload.send();
+  for (int tries = 1; tries < 5; ++tries) {
+    CHECK(goesOn(upload.wait(1500)));
+    CHECK((upload.send() == Send::Count));
+  }
+  CHECK(goesOn(upload.ack(kError)));
+  CHECK((upload.send() == Send::Cancel));
+  CHECK((upload.send() == Send::Count));
+  CHECK((upload.wait(1500) == Status::NoAnswer));
+}
+
 TEST_CASE("a busy PX4 is told to end what is open, then asked again, once") {
   Upload upload(3, Firmware::Px4);
   upload.send();

@@ -1,0 +1,58 @@
+// The two autopilots' mission servers as small models: plain data, a message or time in, messages out. What they do was
+// observed on ArduPilot 4.6.3 and PX4 1.17.0 (test/recordings); only the mission, no fence and no rally.
+#pragma once
+
+#include <type_traits>
+
+#include "Message.h"
+
+constexpr uint8_t kMostHeld = 6;
+constexpr uint16_t kNever = 0xFFFF;
+
+// What a model sends in answer to one message or at one moment.
+struct Answers {
+  Message messages[2];
+  int count = 0;
+  void add(const Message& message) { messages[count++] = message; }
+};
+
+// Times are what is left of a wait [ms], or kNever.
+struct Autopilot {
+  static constexpr uint16_t kBootMs = 3000;  // how long it is deaf and silent after a reboot
+
+  enum class State : uint8_t { Idle, Receiving, Sending };
+
+  Firmwares firmware;
+  State state;
+  uint8_t expected;       // the item that it waits for, or will be asked for
+  uint8_t count;          // items of the transfer
+  uint8_t heldCount;
+  uint8_t held[kMostHeld];  // the plan aboard
+  uint8_t staged[kMostHeld];  // PX4: the plan that is being received
+  uint8_t hasPartner;     // PX4: knows with whom it transfers or has transferred
+  uint8_t isUploadOpen;   // PX4: outlives the state in some corners, and then bars COUNT
+  uint8_t spare;
+  uint16_t asksInMs;
+  uint16_t givesUpInMs;
+  uint16_t acceptsInMs;   // LateArduPilot: the final ACK is under way in itself
+  uint16_t bootsInMs;
+  uint32_t heldSum;       // PX4: opaque_id
+  uint32_t stagedSum;
+
+  bool isIdle() const { return state == State::Idle && acceptsInMs == kNever; }
+  // The next moment at which it does something of its own accord [ms from now].
+  uint16_t nextMs() const;
+  void pass(uint16_t ms);
+  void hear(const Message& message, Answers& answers);
+  // Does what is due now.
+  void act(Answers& answers);
+  // Forgets every transfer, keeps the plan.
+  void reboot();
+  void hold(uint8_t plan, uint8_t count);
+};
+static_assert(std::has_unique_object_representations<Autopilot>::value, "folded by its bytes");
+
+void hearAsArduPilot(Autopilot& autopilot, const Message& message, Answers& answers);
+void actAsArduPilot(Autopilot& autopilot, Answers& answers);
+void hearAsPx4(Autopilot& autopilot, const Message& message, Answers& answers);
+void actAsPx4(Autopilot& autopilot, Answers& answers);

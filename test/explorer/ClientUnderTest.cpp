@@ -1,0 +1,235 @@
+#include "ClientUnderTest.h"
+
+#include <Arduino.h>
+#include <string.h>
+
+#include <algorithm>
+#include <new>
+
+#include "Plans.h"
+#include "mavmission/Clock.h"
+
+using namespace mavmission;
+
+Sunk* sunk = nullptr;
+
+namespace {
+
+// It is always this moment between two steps, so that each wait crosses the wrap of millis(), in 16 bits and in 32.
+constexpr uint32_t kNowMs = 0xFFFFFFFC;
+constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
+constexpr int kQuietUpdates = 3;  // a client that does nothing in so many has come to rest: items are got ready in two
+constexpr int kMostUpdates = 40;  // in one step; a client that sends in each of them would never stop
+
+class FedStream : public Stream {
+ public:
+  const uint8_t* bytes = nullptr;
+  size_t length = 0;
+  std::vector<Bytes>* frames = nullptr;
+
+  int available() override { return static_cast<int>(length); }
+  int peek() override { return length == 0 ? -1 : *bytes; }
+  int read() override {
+    if (length == 0) return -1;
+    --length;
+    return *bytes++;
+  }
+  int availableForWrite() override { return 1000; }
+  size_t write(uint8_t byte) override { return write(&byte, 1); }
+  size_t write(const uint8_t* data, size_t size) override {
+    begun_.insert(begun_.end(), data, data + size);
+    while (begun_.size() >= kAround && begun_.size() >= kAround + begun_[1]) {
+      const auto end = begun_.begin() + kAround + begun_[1];
+      frames->push_back(Bytes(begun_.begin(), end));
+      begun_.erase(begun_.begin(), end);
+    }
+    return size;
+  }
+  bool isWhole() const { return begun_.empty(); }
+
+ private:
+  static constexpr size_t kAround = 12;  // header and checksum of a MAVLink 2 frame
+  Bytes begun_;                       // a frame comes in pieces
+};
+
+FedStream stream;
+
+bool sink(void*, uint16_t index, const MissionItem& item) {
+  const uint8_t taken = itemDownloaded(item, index == kHomeIndex);
+  if (sunk->count < sizeof(sunk->items)) sunk->items[sunk->count++] = taken;
+  return true;
+}
+
+uint16_t leftOf(uint16_t waitMs, uint16_t sinceMs) {
+  const uint16_t passed = since(sinceMs, kNow);
+  return static_cast<uint16_t>(passed >= waitMs ? 0 : waitMs - passed);
+}
+
+// Keeps a time as far back as it was, `mostMs` at most, which is where nothing depends on it any more.
+void keep(uint16_t& timeMs, uint16_t stepMs, uint16_t mostMs) {
+  const uint16_t ago = since(timeMs, static_cast<uint16_t>(kNow + stepMs));
+  timeMs = static_cast<uint16_t>(kNow - std::min(ago, mostMs));
+}
+
+template <typename T>
+void blank(T& what) {
+  memset(static_cast<void*>(&what), 0, sizeof(what));
+}
+
+}  // namespace
+
+void ClientUnderTest::construct(Firmwares firmware, bool isFresh) {
+  memset(bytes_, 0, sizeof(bytes_));
+  setMillis(kNowMs);
+  new (bytes_) MissionClient(stream);
+  client().talkTo(1, 1);
+  client().state_.unsettled = isFresh;
+  client().state_.unsettledMs = kNow;
+  const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
+  run(0, heartbeat.data(), heartbeat.size(), false);
+}
+
+void ClientUnderTest::begin(const Task& task) {
+  setMillis(kNowMs);
+  const ItemSource plan = inRam(sketchPlan(task.plan), task.items);
+  switch (task.operation) {
+    case Operation::Upload:
+      client().upload(plan, PlanType::Mission, Proof::ByAnswer);
+      return;
+    case Operation::UploadInDoubt:
+      client().upload(plan, PlanType::Mission, Proof::InDoubt);
+      return;
+    case Operation::UploadVerified:
+      client().upload(plan, PlanType::Mission, Proof::Always);
+      return;
+    case Operation::Download:
+      blank(*sunk);
+      client().download(toFunction(sink));
+      return;
+    case Operation::Verify:
+      client().verify(plan);
+      return;
+    case Operation::Clear:
+      client().clear();
+      return;
+  }
+}
+
+void ClientUnderTest::cancel() {
+  setMillis(kNowMs);
+  client().cancel();
+}
+
+Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, bool isLast) {
+  Doing doing = Doing();
+  const uint32_t nowMs = kNowMs + ms;
+  setMillis(nowMs);
+  // Heartbeats come and go unseen: the autopilot was always heard just now, ours was always sent just now.
+  client().link_.state_.heartbeatMs = static_cast<uint16_t>(nowMs);
+  client().link_.state_.heartbeatSent = true;
+  client().link_.finder_.heardMs_ = static_cast<uint16_t>(nowMs);
+  // The limit on the whole operation is out of the way: it has to end without it.
+  client().state_.secondMs = static_cast<uint16_t>(nowMs);
+
+  stream.bytes = bytes;
+  stream.length = length;
+  stream.frames = &doing.frames;
+  int quiet = 0;
+  for (int i = 0; i < kMostUpdates && quiet < kQuietUpdates; ++i) {
+    const size_t sent = doing.frames.size();
+    client().link_.state_.sequence = 0;
+    const Status status = client().update();
+    if (isEnd(status)) {
+      doing.hasEnded = true;
+      doing.status = status;
+    }
+    const bool isWaiting = status == Status::Idle || status == Status::Transferring;
+    const bool isQuiet = stream.length == 0 && stream.isWhole() && doing.frames.size() == sent && isWaiting;
+    quiet = isQuiet ? quiet + 1 : 0;
+  }
+  doing.isRestless = quiet < kQuietUpdates;
+  rest(ms, isLast);
+  return doing;
+}
+
+uint16_t ClientUnderTest::nextMs() const {
+  const MissionClient& c = client();
+  uint16_t next = kNever;
+  if (!c.link_.parser_.isIdle()) next = leftOf(FrameParser::kSilenceMs, c.link_.state_.heardByteMs);
+  if (c.state_.status != Status::Transferring || !c.isBusy()) return next;
+  if (c.state_.operation == MissionClient::uploadStep) {
+    const UploadTransfer& t = c.transfer_;
+    switch (t.state_) {
+      case UploadTransfer::State::Counting:
+        return std::min(next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_));
+      case UploadTransfer::State::Sending:
+        return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
+      case UploadTransfer::State::Confirming:
+        return std::min({next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_),
+                         leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
+    }
+  }
+  if (c.state_.operation == MissionClient::readStep) {
+    const DownloadTransfer& t = c.reading_.transfer;
+    const bool isListing = t.state_ == DownloadTransfer::State::Listing;
+    return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
+  }
+  return std::min(next, leftOf(UploadTransfer::kAnswerMs, c.clearing_.sentMs));
+}
+
+void ClientUnderTest::rest(uint16_t ms, bool isLast) {
+  MissionClient& c = client();
+  Link::State& link = c.link_.state_;
+  FrameParser& parser = c.link_.parser_;
+  link.bytes = 0;
+  link.frames = link.unknownMessages = link.framesLost = link.framesSent = 0;
+  link.sequence = link.heardSequence = 0;
+  link.sequenceKnown = false;
+  link.heartbeatMs = kNow;
+  c.link_.finder_.heardMs_ = c.link_.finder_.firstMs_ = kNow;
+  if (parser.isIdle()) {
+    const bool inStep = parser.inStep_;
+    blank(parser);
+    parser.inStep_ = inStep;
+    link.heardByteMs = kNow;
+  } else {
+    keep(link.heardByteMs, ms, FrameParser::kSilenceMs);
+    const size_t used = std::max(parser.have_, parser.end_);
+    memset(parser.bytes_ + used, 0, sizeof(parser.bytes_) - used);
+    parser.badChecksums_ = parser.brokenFrames_ = 0;
+    parser.bytesSkipped_ = 0;
+  }
+  if (!c.link_.outbox_.isHeld()) {
+    blank(c.link_.outbox_);
+    c.state_.prepared = 0;
+  }
+  c.state_.bytesLeft = 0;
+  c.state_.tick = static_cast<uint8_t>(kNow / MissionClient::kTickMs);
+
+  c.state_.secondMs = kNow;
+  c.state_.seconds = 0;
+  c.rest_.lastResult = 255;
+  const bool isUpload = c.state_.operation == MissionClient::uploadStep;
+  const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
+  // What earlier transfers left matters when a transfer begins; what an upload leaves it says at its end.
+  const bool isLeftUnread = isLast ? isTransferring || !c.isBusy() : isTransferring && isUpload;
+  if (isLeftUnread) c.state_.unsettled = false;
+  c.state_.unsettledMs = c.state_.unsettled ? c.state_.unsettledMs : kNow;
+  keep(c.state_.unsettledMs, c.state_.unsettled ? ms : 0, MissionClient::kLeftoversMs);
+  if (!c.isBusy()) {
+    static_assert(sizeof(c.reading_) >= sizeof(c.transfer_) && sizeof(c.reading_) >= sizeof(c.clearing_), "all of it");
+    blank(c.reading_);
+    blank(c.commanding_);
+  }
+  if (!isTransferring) return;
+  if (isUpload) {
+    UploadTransfer& t = c.transfer_;
+    keep(t.sentMs_, ms, UploadTransfer::kAnswerMs);
+    keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
+    if (t.state_ == UploadTransfer::State::Counting) t.progressMs_ = kNow;
+  } else if (c.state_.operation == MissionClient::readStep) {
+    keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
+  } else {
+    keep(c.clearing_.sentMs, ms, UploadTransfer::kAnswerMs);
+  }
+}

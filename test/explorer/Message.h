@@ -1,0 +1,38 @@
+// A message of the mission protocol as the models and the referee see it, and the frame that it is on the wire.
+#pragma once
+
+#include <stdint.h>
+
+#include <string>
+#include <type_traits>
+
+#include "Frames.h"
+
+enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4 };
+
+enum class Kind : uint8_t { Heartbeat, Count, Request, Item, Ack, List, ClearAll };
+
+// MAV_MISSION_RESULT, as far as it occurs.
+enum Result : uint8_t { kAccepted = 0, kError = 1, kInvalidSequence = 13, kDenied = 14, kCancelled = 15 };
+
+struct Message {
+  Kind kind;
+  uint8_t item;       // Item: which one of Plans.h
+  uint16_t number;    // Count: how many; Request, Item: sequence number; Ack: MAV_MISSION_RESULT
+  uint32_t opaqueId;  // Count, Ack
+};
+static_assert(std::has_unique_object_representations<Message>::value, "folded by its bytes");
+
+inline Message message(Kind kind, uint16_t number = 0, uint8_t item = 0, uint32_t opaqueId = 0) {
+  return Message{kind, item, number, opaqueId};
+}
+
+// "COUNT 3", "ACK accepted", ...
+std::string inWords(const Message& message);
+
+// The frame of a message that this autopilot (system 1, component 1) sends to the client (1, 191).
+const Bytes& frameOf(const Message& message, Firmwares firmware);
+
+// The message in a frame of the client's. Null, or what is wrong with the frame: its checksum, length, sender or
+// target, a field that must be 0, an item that is in no plan, a message that has no place in these operations.
+const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Message& message);

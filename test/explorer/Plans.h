@@ -1,0 +1,30 @@
+// The items that plans are made of here. An item is a number; what it is on the wire follows from it, so that the
+// models keep bytes and the truth is compared byte by byte all the same.
+#pragma once
+
+#include <stdint.h>
+
+#include "Message.h"
+#include "mavmission/MissionItem.h"
+
+// Items of plan `plan` (0: aboard from before; 1, 2: uploaded) are 16 * plan + 1, + 2, ... Home is ArduPilot's item 0.
+constexpr uint8_t kHome = 0x0F;
+constexpr uint8_t kNoItemAtAll = 0;
+constexpr uint8_t kMostItems = 4;
+constexpr uint8_t itemOf(uint8_t plan, uint8_t index) { return static_cast<uint8_t>(16 * plan + 1 + index); }
+
+// The items as a sketch writes them.
+const mavmission::MissionItem* sketchPlan(uint8_t plan);
+
+// MISSION_ITEM_INT's payload for an item: as it must arrive, and as this autopilot gives it when it is read back.
+// `isFirst` of the mission: PX4 flags it as current.
+Bytes payloadOf(uint8_t item, uint16_t sequence, Firmwares firmware, bool isReadBack, bool isFirst);
+
+// The item that a payload of the client's holds to the last bit, or kNoItemAtAll.
+uint8_t itemIn(const Bytes& payload, Firmwares firmware);
+
+// The item of a MissionItem that a download has given to the sketch, or kNoItemAtAll.
+uint8_t itemDownloaded(const mavmission::MissionItem& item, bool isHome);
+
+// PX4's checksum over a plan, continued by an item (the fields as they arrived).
+uint32_t checksummed(uint32_t sum, uint8_t item);

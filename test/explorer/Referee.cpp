@@ -1,0 +1,317 @@
+#include "Referee.h"
+
+#include <string.h>
+
+#include <algorithm>
+
+#include "Plans.h"
+
+using mavmission::Aboard;
+using mavmission::Status;
+
+namespace {
+
+bool isPx4(Firmwares firmware) { return firmware == Firmwares::Px4; }
+
+uint8_t onTheWire(uint8_t plan, uint8_t number, Firmwares firmware) {
+  if (isPx4(firmware)) return itemOf(plan, number);
+  return number == 0 ? kHome : itemOf(plan, static_cast<uint8_t>(number - 1));
+}
+
+uint8_t wireCount(uint8_t items, Firmwares firmware) {
+  return static_cast<uint8_t>(isPx4(firmware) || items == 0 ? items : items + 1);
+}
+
+}  // namespace
+
+bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items) {
+  const uint8_t count = wireCount(items, autopilot.firmware);
+  if (autopilot.heldCount != count) return false;
+  for (uint8_t i = 0; i < count; ++i) {
+    if (autopilot.held[i] != onTheWire(plan, i, autopilot.firmware)) return false;
+  }
+  return true;
+}
+
+void Referee::begin(const Task& what, Firmwares firmware) {
+  const uint8_t owed = owesCancel;
+  memset(static_cast<void*>(this), 0, sizeof(*this));
+  task = what;
+  owesCancel = owed;
+  isRunning = true;
+  items = wireCount(what.items, firmware);
+  isReading = what.operation == Operation::Download || what.operation == Operation::Verify;
+}
+
+void Referee::pass(uint16_t ms) {
+  if (!isRunning) return;
+  sinceSentMs = static_cast<uint16_t>(std::min<int>(sinceSentMs + ms, kAnswerMs));
+  if (asked != 0) sinceNewMs = static_cast<uint16_t>(std::min<int>(sinceNewMs + ms, kConfirmingMs));
+}
+
+const char* Referee::sent(const Message& message, Firmwares firmware) {
+  const bool isCancel = message.kind == Kind::Ack && message.number == kCancelled;
+  if (isCancel && owesCancel) {
+    owesCancel = false;
+    return nullptr;
+  }
+  if (!isRunning) return "a frame is sent after the end";
+  if (task.operation == Operation::Clear) {
+    if (message.kind != Kind::ClearAll) return "a frame is sent that is not CLEAR_ALL";
+    if (clears == kTries) return "CLEAR_ALL is sent too often";
+    if (clears != 0 && sinceSentMs < kAnswerMs) return "CLEAR_ALL is sent again too early";
+    ++clears;
+    sinceSentMs = 0;
+    return nullptr;
+  }
+  if (isUpload() && !isReading && message.kind == Kind::List) {
+    if (task.operation == Operation::Upload) return "the plan is read back unasked";
+    if (!isLastSent && items != 0) return "the plan is read back before the last item was sent";
+    // What was asked for and sent before no longer counts.
+    const Task upload = task;
+    const uint8_t onTheWire = items;
+    memset(static_cast<void*>(this), 0, sizeof(*this));
+    task = upload;
+    items = onTheWire;
+    isRunning = isReading = true;
+  }
+  if (isCancel && !isPx4(firmware)) return "a running transfer is cancelled";
+  const char* const broken = isReading ? sentInReading(message) : sentInUpload(message);
+  sinceSentMs = 0;
+  return broken;
+}
+
+const char* Referee::sentInUpload(const Message& message) {
+  switch (message.kind) {
+    case Kind::Count:
+      if (asked != 0) return "COUNT is sent in mid-transfer";
+      if (message.number != items) return "COUNT is sent with a wrong number";
+      if (counts == kTries + (hasFreed ? 1 : 0)) return "COUNT is sent too often";
+      if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
+      if (hasFreed) hasFreed = kBefore;
+      ++counts;
+      return nullptr;
+
+    case Kind::Item: {
+      if (message.number >= items) return "an item beyond the plan is sent";
+      const int own = message.number - (items - task.items);  // as the sketch counts; -1 is home
+      const uint8_t meant = own < 0 ? kHome : itemOf(task.plan, static_cast<uint8_t>(own));
+      if (message.item != meant) return "an item is sent that is not the plan's";
+      const uint8_t bit = static_cast<uint8_t>(1u << message.number);
+      const bool isLast = message.number + 1 == items;
+      if ((open & bit) == 0) {
+        if (!isLast || !isLastSent) return "an item is sent that was not asked for";
+        if (sinceSentMs < kAnswerMs) return "the last item is repeated too early";
+        if (repeats == kTries) return "the last item is repeated too often";
+        ++repeats;
+      }
+      open = static_cast<uint8_t>(open & ~bit);
+      sentItem = static_cast<uint8_t>(message.number + 1);
+      if (isLast) isLastSent = true;
+      return nullptr;
+    }
+
+    case Kind::Ack:
+      if (message.number != kCancelled) return "an ACK is sent that is no client's";
+      if (!mayFree || hasFreed) return "a running transfer is cancelled";
+      hasFreed = kJustNow;
+      if (asked != 0) counts = 0;
+      asked = open = sentItem = isLastSent = repeats = 0;
+      sinceNewMs = 0;
+      return nullptr;
+
+    case Kind::Heartbeat:
+    case Kind::Request:
+    case Kind::List:
+    case Kind::ClearAll:
+      break;
+  }
+  return "a frame is sent that has no place in an upload";
+}
+
+const char* Referee::sentInReading(const Message& message) {
+  switch (message.kind) {
+    case Kind::List:
+      if (isCounted) return "REQUEST_LIST is sent in mid-transfer";
+      if (lists == kTries) return "REQUEST_LIST is sent too often";
+      if (lists != 0 && sinceSentMs < kAnswerMs) return "REQUEST_LIST is sent again too early";
+      ++lists;
+      return nullptr;
+
+    case Kind::Request:
+      if (!isCounted || message.number != received || received == announced) return "a wrong item is asked for";
+      if (requests == kTries) return "an item is asked for too often";
+      if (requests != 0 && sinceSentMs < kItemMs) return "an item is asked for again too early";
+      ++requests;
+      return nullptr;
+
+    case Kind::Ack:
+      if (message.number != kAccepted) return "an ACK is sent that is no client's";
+      if (!isCounted || received != announced) return "a download is closed before its last item";
+      if (isClosed) return "a download is closed twice";
+      isClosed = true;
+      return nullptr;
+
+    case Kind::Heartbeat:
+    case Kind::Count:
+    case Kind::Item:
+    case Kind::ClearAll:
+      break;
+  }
+  return "a frame is sent that has no place in a download";
+}
+
+void Referee::heard(const Message& message, Firmwares firmware) {
+  if (!isRunning) return;
+  switch (message.kind) {
+    case Kind::Request:
+      if (!isUpload() || isReading || counts == 0) return;
+      if (message.number >= items && isLastSent && isPx4(firmware)) mayFree = true;
+      if (message.number >= items || message.number > asked) return;
+      if (message.number == asked) {
+        ++asked;
+        sinceNewMs = 0;
+      } else if (message.number + 1 == sentItem && sinceSentMs < kSameRequestMs) {
+        return;  // a queue that is being emptied: answered already
+      }
+      open = static_cast<uint8_t>(open | 1u << message.number);
+      return;
+
+    case Kind::Ack:
+      heardAcks = static_cast<uint16_t>(heardAcks | 1u << message.number);
+      if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;
+      return;
+
+    case Kind::Count:
+      if (!isReading || isCounted || lists == 0) return;
+      isCounted = true;
+      announced = static_cast<uint8_t>(message.number);
+      return;
+
+    case Kind::Item:
+      if (!isCounted || message.number != received || received == announced) return;
+      ++received;
+      requests = 0;
+      return;
+
+    case Kind::Heartbeat:
+    case Kind::List:
+    case Kind::ClearAll:
+      return;
+  }
+}
+
+// What aboard() says is about the last operation that can tell: only where it is about this one it is looked at.
+const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& autopilot,
+                                  const Autopilot* before) const {
+  const bool isMeant = isAboard(autopilot, task.plan, task.items);
+  switch (said) {
+    case Aboard::OurPlan:
+      if (!isUpload() && status != Status::Verified) return nullptr;
+      return isMeant ? nullptr : "aboard() says our plan, and it is not";
+    case Aboard::Nothing:
+      if (task.operation != Operation::Clear) return nullptr;
+      return autopilot.heldCount == 0 ? nullptr : "aboard() says no plan, and there is one";
+    case Aboard::AsBefore:
+      if (!isUpload() || before == nullptr) return nullptr;
+      if (autopilot.heldCount == before->heldCount && memcmp(autopilot.held, before->held, sizeof(before->held)) == 0) {
+        return nullptr;
+      }
+      return "aboard() says as before, and it is not";
+    case Aboard::Mixture:
+      return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
+    case Aboard::NotKnown:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot, const Autopilot* before,
+                         bool lineRepeats) {
+  const bool isMeant = isAboard(autopilot, task.plan, task.items);
+  const bool wasTransferring = isUpload() || isReading;
+  isRunning = false;
+  ended = status;
+  const bool isRead =
+      isReading && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
+  owesCancel = isRead || (wasTransferring && (status == Status::Cancelled || status == Status::NoAnswer ||
+                                              status == Status::TimedOut));
+
+  const char* const untrue = untrueAboard(status, said, autopilot, before);
+  if (untrue != nullptr) return untrue;
+
+  const bool isListedOut = lists == kTries && !isCounted && sinceSentMs >= kAnswerMs;
+  const bool isReadOut = isListedOut || (isCounted && requests == kTries && sinceSentMs >= kItemMs);
+  switch (status) {
+    case Status::Accepted:
+      if (!isUpload()) return "an end that this operation does not have";
+      if ((heardAcks & 1) == 0 && !isClosed) return "Accepted, and nothing was acknowledged";
+      if (task.operation == Operation::UploadVerified && !isClosed) return "Accepted, and not read back";
+      return isMeant ? nullptr : "Accepted, and the plan aboard is not the plan meant";
+
+    case Status::Verified:
+      if (task.operation != Operation::Verify) return "an end that this operation does not have";
+      if (!isClosed) return "Verified, and not read to the end";
+      return isMeant ? nullptr : "Verified, and the plan aboard is not the plan meant";
+
+    case Status::Differs:
+      if (!isReading || task.operation == Operation::Download) return "an end that this operation does not have";
+      return isMeant ? "Differs, and the plan aboard is the plan meant" : nullptr;
+
+    case Status::Downloaded:
+      if (task.operation != Operation::Download) return "an end that this operation does not have";
+      return isClosed ? nullptr : "Downloaded, and not read to the end";  // what was read: see World
+
+    case Status::Cleared:
+      if (task.operation != Operation::Clear) return "an end that this operation does not have";
+      if ((heardAcks & 1) == 0) return "Cleared, and nothing was acknowledged";
+      return autopilot.heldCount == 0 ? nullptr : "Cleared, and a plan is aboard";
+
+    case Status::Unconfirmed: {
+      if (!isUpload() || (!isLastSent && !isReading)) return "Unconfirmed before the last item was sent";
+      if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
+      const bool isExhausted = (repeats == kTries && sinceSentMs >= kAnswerMs) || sinceNewMs >= kConfirmingMs;
+      const bool isIdle = (heardAcks & (1u << kError)) != 0;
+      return isExhausted || isIdle ? nullptr : "Unconfirmed before the tries were exhausted";
+    }
+
+    case Status::NoAnswer:
+      if (task.operation == Operation::Clear) {
+        return clears == kTries && sinceSentMs >= kAnswerMs ? nullptr : "NoAnswer before the tries were exhausted";
+      }
+      if (isReading) return isListedOut ? nullptr : "NoAnswer before the tries were exhausted";
+      if (counts >= kTries && asked == 0 && sinceSentMs >= kAnswerMs) return nullptr;
+      return "NoAnswer before the tries were exhausted";
+
+    case Status::TimedOut:
+      if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
+      return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
+
+    case Status::Cancelled:
+      return nullptr;
+
+    case Status::OtherPlanAboard:
+      if (!isPx4(autopilot.firmware) || (heardAcks & 1) == 0) return "OtherPlanAboard, and nothing was accepted";
+      return isMeant ? "OtherPlanAboard, and the plan aboard is the plan meant" : nullptr;
+
+    case Status::AcceptedEarly:
+      return (heardAcks & 1) != 0 ? nullptr : "AcceptedEarly, and nothing was accepted";
+
+    default:
+      break;
+  }
+  for (uint8_t result = 1; result < 16; ++result) {
+    if (status != mavmission::fromMissionResult(result)) continue;
+    if ((heardAcks & (1u << result)) == 0) return "a refusal that the autopilot did not send";
+    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one.
+    if (isUpload() && result == kError && lineRepeats) return nullptr;
+    if (isUpload() && isMeant) return "a refusal, and the plan is aboard";
+    const bool isOurs =
+        autopilot.count == items && autopilot.expected != 0 && autopilot.staged[0] == itemOf(task.plan, 0);
+    if (isUpload() && autopilot.state == Autopilot::State::Receiving && isPx4(autopilot.firmware) && isOurs) {
+      return "a refusal, and the transfer goes on";
+    }
+    return nullptr;
+  }
+  return "an end that has no place in these operations";
+}

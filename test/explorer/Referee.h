@@ -1,0 +1,72 @@
+// What the protocol allows a client to send, and what it may say at the end: kept apart from the code under test, by
+// what the client has heard (undamaged) and sent alone. Every breach has its sentence.
+#pragma once
+
+#include <stdint.h>
+
+#include <type_traits>
+
+#include "Autopilot.h"
+#include "mavmission/Status.h"
+
+enum class Operation : uint8_t { Upload, UploadInDoubt, UploadVerified, Download, Verify, Clear };
+
+// Plan `plan` with `items` items, or what is to be read.
+struct Task {
+  Operation operation;
+  uint8_t plan;
+  uint8_t items;
+};
+
+struct Referee {
+  static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
+  static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 12000,
+                            kSameRequestMs = 50;
+
+  Task task;
+  uint8_t items;          // of the plan on the wire
+  uint8_t isRunning;
+  mavmission::Status ended;
+  uint8_t counts;         // COUNTs in a row
+  uint8_t asked;          // items asked for, in their order
+  uint8_t open;           // bit i: item i was asked for, and has not been sent since
+  uint8_t sentItem;       // the item sent last, one more
+  uint8_t isLastSent;
+  uint8_t repeats;        // of the last item, unasked
+  uint8_t hasFreed;       // an older transfer was cancelled: 0, kJustNow or kBefore
+  uint8_t isReading;
+  uint8_t lists;          // REQUEST_LISTs sent
+  uint8_t isCounted;      // COUNT was heard
+  uint8_t announced;      // how many items
+  uint8_t received;       // items heard in their order
+  uint8_t requests;       // for the next item
+  uint8_t isClosed;       // our final ACK was sent
+  uint8_t clears;         // CLEAR_ALLs sent
+  uint8_t owesCancel;     // the autopilot is to be told that it is over
+  uint8_t spare;
+  uint8_t mayFree;        // what shows that an older transfer is open was heard
+  uint16_t heardAcks;     // bit r: ACK r was heard
+  uint16_t sinceSentMs;   // since the last frame of ours, 1500 at most
+  uint16_t sinceNewMs;    // since an item was asked for that had not been before, 12000 at most
+
+  void begin(const Task& task, Firmwares firmware);
+  void pass(uint16_t ms);
+  // Each: null, or what was broken.
+  const char* sent(const Message& message, Firmwares firmware);
+  void heard(const Message& message, Firmwares firmware);
+  // `said`: aboard(). `before`: the autopilot as it was when the operation began; null where an earlier operation's
+  // frames may still have been on their way to it. `lineRepeats`: frames are repeated or delayed.
+  const char* end(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
+                  const Autopilot* before, bool lineRepeats);
+  bool isUpload() const { return task.operation <= Operation::UploadVerified; }
+
+ private:
+  const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
+                           const Autopilot* before) const;
+  const char* sentInUpload(const Message& message);
+  const char* sentInReading(const Message& message);
+};
+static_assert(std::has_unique_object_representations<Referee>::value, "folded by its bytes");
+
+// True if the plan aboard is this one.
+bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items);

@@ -1,0 +1,233 @@
+#include "World.h"
+
+#include <string.h>
+
+#include <algorithm>
+
+#include "Plans.h"
+
+using mavmission::Status;
+
+namespace {
+
+const char* const kOperations[] = {"upload",   "upload, read back when in doubt", "upload, read back",
+                                   "download", "verify",                          "clear"};
+const char* const kFateWords[kFates] = {"", " is lost", " is repeated", " is repeated later", " is delayed",
+                                        " is damaged", " is cut"};
+
+void say(std::string* log, const std::string& words) {
+  if (log == nullptr) return;
+  if (!log->empty()) *log += "; ";
+  *log += words;
+}
+
+bool isDelivered(Fate fate) { return fate == Fate::Delivered || fate == Fate::Repeated || fate == Fate::RepeatedLate; }
+
+}  // namespace
+
+Outcome World::begin(const Scenario& scenario) {
+  memset(static_cast<void*>(this), 0, sizeof(*this));
+  losses_ = scenario.losses;
+  faults_ = scenario.faults;
+  reboots_ = scenario.reboots;
+  cancels_ = scenario.cancels;
+  resets_ = scenario.resets;
+  autopilot_.firmware = scenario.firmware;
+  autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
+  autopilot_.hold(scenario.heldPlan, scenario.heldItems);
+  client_.construct(scenario.firmware, false);
+  beginTask(scenario, nullptr);
+  return runClient(scenario, 0, Bytes(), nullptr);
+}
+
+void World::beginTask(const Scenario& scenario, std::string* log) {
+  const Task& task = scenario.tasks[task_];
+  say(log, std::string("the sketch begins: ") + kOperations[static_cast<int>(task.operation)] + ", " +
+               std::to_string(task.items) + " items");
+  before_ = autopilot_;
+  referee_.begin(task, scenario.firmware);
+  sunk = &sunk_;
+  client_.begin(task);
+}
+
+World::Event World::next(uint16_t& ms) const {
+  Event event = Event::None;
+  ms = kNever;
+  const auto consider = [&](Event which, uint16_t when) {
+    if (when >= ms) return;
+    event = which;
+    ms = when;
+  };
+  const int up = toAutopilot_.first(), down = toClient_.first();
+  if (up >= 0) consider(Event::ToAutopilot, toAutopilot_.frames[up].dueMs);
+  consider(Event::Autopilot, autopilot_.nextMs());
+  if (down >= 0) consider(Event::ToClient, toClient_.frames[down].dueMs);
+  consider(Event::Client, client_.nextMs());
+  return event;
+}
+
+std::vector<Move> World::moves() const {
+  std::vector<Move> moves;
+  uint16_t ms;
+  const Event event = next(ms);
+  if (event == Event::None) return moves;
+  moves.push_back(Move{Choice::Event, Fate::Delivered});
+  if (event == Event::ToAutopilot || event == Event::ToClient) {
+    const Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
+    const bool isSpared = line.frames[line.first()].isSpared;
+    if (losses_ != 0 && !isSpared) moves.push_back(Move{Choice::Event, Fate::Lost});
+    if (faults_ != 0 && !isSpared) {
+      for (Fate fate : {Fate::Repeated, Fate::RepeatedLate, Fate::Delayed}) moves.push_back(Move{Choice::Event, fate});
+      // A model has no parser: what is damaged on its way to the autopilot is lost.
+      if (event == Event::ToClient) {
+        for (Fate fate : {Fate::Damaged, Fate::Cut}) moves.push_back(Move{Choice::Event, fate});
+      }
+    }
+  }
+  if (reboots_ != 0) moves.push_back(Move{Choice::Reboot, Fate::Delivered});
+  if (!referee_.isRunning) return moves;
+  if (cancels_ != 0) moves.push_back(Move{Choice::Cancel, Fate::Delivered});
+  if (resets_ != 0 && task_ == 0) moves.push_back(Move{Choice::Reset, Fate::Delivered});
+  return moves;
+}
+
+void World::pass(uint16_t ms) {
+  autopilot_.pass(ms);
+  toAutopilot_.pass(ms);
+  toClient_.pass(ms);
+  referee_.pass(ms);
+}
+
+const char* World::answer(const Answers& answers, std::string* log) {
+  for (int i = 0; i < answers.count; ++i) {
+    say(log, "autopilot: " + inWords(answers.messages[i]));
+    if (!toClient_.send(answers.messages[i])) return "the line to the client is fuller than the exploration foresees";
+  }
+  return nullptr;
+}
+
+Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& bytes, std::string* log) {
+  Outcome outcome;
+  sunk = &sunk_;
+  bool again = true;
+  for (bool isFirst = true; again; isFirst = false) {
+    again = false;
+    const Doing doing = client_.run(isFirst ? ms : 0, bytes.data(), isFirst ? bytes.size() : 0, isLastTask(scenario));
+    if (doing.isRestless) outcome.broken = "the client does not come to rest";
+    // It ended before what it sends behind the end: a cancellation, which the referee then expects.
+    const auto takeEnd = [&] {
+      outcome.hasEnded = true;
+      outcome.task = task_;
+      outcome.status = doing.status;
+      say(log, std::string("it ends: ") + mavmission::toString(doing.status));
+      const char* broken = referee_.end(doing.status, client_.aboard(), autopilot_, task_ == 0 ? &before_ : nullptr,
+                                        scenario.faults != 0);
+      if (broken == nullptr && doing.status == Status::Downloaded &&
+          (sunk_.count != autopilot_.heldCount || memcmp(sunk_.items, autopilot_.held, sunk_.count) != 0)) {
+        broken = "Downloaded, and what was read is not what is aboard";
+      }
+      if (outcome.broken == nullptr) outcome.broken = broken;
+    };
+    bool isEndTaken = !doing.hasEnded;
+    for (const Bytes& frame : doing.frames) {
+      Message sent = Message();
+      const char* broken = decode(frame.data(), frame.size(), scenario.firmware, sent);
+      if (broken == nullptr) {
+        const bool isCancel = sent.kind == Kind::Ack && sent.number == kCancelled;
+        if (!isEndTaken && isCancel && !referee_.owesCancel) {
+          isEndTaken = true;
+          takeEnd();
+        }
+        say(log, "client: " + inWords(sent));
+        broken = referee_.sent(sent, scenario.firmware);
+        if (!toAutopilot_.send(sent)) broken = "the line to the autopilot is fuller than the exploration foresees";
+      } else {
+        say(log, "client: a frame");
+      }
+      if (outcome.broken == nullptr) outcome.broken = broken;
+    }
+    if (!isEndTaken) takeEnd();
+    if (doing.hasEnded && !isLastTask(scenario)) {
+      ++task_;
+      beginTask(scenario, log);
+      again = true;
+    }
+  }
+  return outcome;
+}
+
+Outcome World::step(const Scenario& scenario, const Move& move, std::string* log) {
+  Outcome outcome;
+  switch (move.choice) {
+    case Choice::Reboot:
+      say(log, "the autopilot reboots");
+      --reboots_;
+      autopilot_.reboot();
+      outcome.isFault = true;
+      return outcome;
+    case Choice::Cancel:
+      say(log, "the sketch cancels");
+      --cancels_;
+      client_.cancel();
+      outcome = runClient(scenario, 0, Bytes(), log);
+      outcome.isFault = true;
+      return outcome;
+    case Choice::Reset:
+      say(log, "the Arduino is reset");
+      --resets_;
+      if (!isLastTask(scenario)) ++task_;
+      referee_.owesCancel = false;
+      client_.construct(scenario.firmware, true);
+      beginTask(scenario, log);
+      outcome = runClient(scenario, 0, Bytes(), log);
+      outcome.isFault = true;
+      return outcome;
+    case Choice::Event:
+      break;
+  }
+
+  uint16_t ms;
+  const Event event = next(ms);
+  pass(ms);
+  Bytes bytes;
+  if (event == Event::ToAutopilot || event == Event::ToClient) {
+    Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
+    const Message message = line.take(line.first(), move.fate);
+    say(log, inWords(message) + (isDelivered(move.fate) ? " arrives" : "") + kFateWords[static_cast<int>(move.fate)]);
+    outcome.isFault = move.fate != Fate::Delivered;
+    if (move.fate == Fate::Lost) {
+      if (losses_ != Scenario::kAnyNumber) --losses_;
+    } else if (outcome.isFault) {
+      --faults_;
+    }
+    if (event == Event::ToAutopilot) {
+      Answers answers;
+      if (isDelivered(move.fate)) autopilot_.hear(message, answers);
+      outcome.broken = answer(answers, log);
+    } else if (move.fate != Fate::Lost && move.fate != Fate::Delayed) {
+      bytes = frameOf(message, scenario.firmware);
+      if (move.fate == Fate::Damaged) bytes[bytes.size() - 3] = static_cast<uint8_t>(~bytes[bytes.size() - 3]);
+      if (move.fate == Fate::Cut) bytes.resize(bytes.size() - 3);
+      if (isDelivered(move.fate)) referee_.heard(message, scenario.firmware);
+    }
+  } else if (event == Event::Autopilot) {
+    Answers answers;
+    autopilot_.act(answers);
+    outcome.broken = answer(answers, log);
+  }
+  // Its time is every moment: update() is called in each.
+  const Outcome ran = runClient(scenario, ms, bytes, log);
+  const char* const broken = outcome.broken;
+  const bool isFault = outcome.isFault;
+  outcome = ran;
+  if (outcome.broken == nullptr) outcome.broken = broken;
+  outcome.isFault = isFault;
+  outcome.ms = ms;
+  return outcome;
+}
+
+const char* World::leftUndone() const {
+  if (referee_.isRunning) return "nothing happens any more, and it has not ended";
+  if (referee_.owesCancel) return "the autopilot is not told that it is over";
+  return nullptr;
+}

@@ -1,0 +1,76 @@
+// Everything at one moment: the client, the autopilot, the frames between them, the referee; and the steps from one
+// moment to the next. It is plain data without a gap, so that two worlds are the same when their bytes are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Autopilot.h"
+#include "ClientUnderTest.h"
+#include "Line.h"
+#include "Referee.h"
+
+// What is explored. Losses are counted only where their number is bounded.
+struct Scenario {
+  static constexpr uint8_t kAnyNumber = 255;
+
+  Firmwares firmware = Firmwares::ArduPilot;
+  std::vector<Task> tasks;     // the second begins when the first has ended, however, or is broken off
+  uint8_t heldPlan = 0;        // what is aboard at the beginning
+  uint8_t heldItems = 2;
+  uint8_t losses = kAnyNumber;
+  uint8_t faults = 0;          // frames that are repeated, delayed or damaged
+  uint8_t reboots = 0;         // of the autopilot
+  uint8_t cancels = 0;         // by the sketch, of what runs then
+  uint8_t resets = 0;          // of the Arduino in the first task
+};
+
+enum class Choice : uint8_t { Event, Reboot, Cancel, Reset };
+
+struct Move {
+  Choice choice;
+  Fate fate;  // of the frame that is due, where one is
+};
+
+// What a step did.
+struct Outcome {
+  const char* broken = nullptr;  // the rule
+  uint16_t ms = 0;
+  bool isFault = false;
+  bool hasEnded = false;
+  uint8_t task = 0;
+  mavmission::Status status = mavmission::Status::Idle;
+};
+
+class World {
+ public:
+  // All zero, then this.
+  Outcome begin(const Scenario& scenario);
+  // What can happen next; nothing at the end.
+  std::vector<Move> moves() const;
+  // `log`: what happened, in words; may be null.
+  Outcome step(const Scenario& scenario, const Move& move, std::string* log);
+  // At the end: null, or what is left undone.
+  const char* leftUndone() const;
+
+ private:
+  enum class Event : uint8_t { None, ToAutopilot, Autopilot, ToClient, Client };
+  Event next(uint16_t& ms) const;
+  Outcome runClient(const Scenario& scenario, uint16_t ms, const Bytes& bytes, std::string* log);
+  const char* answer(const Answers& answers, std::string* log);
+  void beginTask(const Scenario& scenario, std::string* log);
+  bool isLastTask(const Scenario& scenario) const { return task_ + 1u >= scenario.tasks.size(); }
+  void pass(uint16_t ms);
+
+  ClientUnderTest client_;
+  Autopilot autopilot_;
+  Autopilot before_;  // as it was when the operation began
+  Line toAutopilot_;
+  Line toClient_;
+  Referee referee_;
+  Sunk sunk_;
+  uint8_t task_;
+  uint8_t losses_, faults_, reboots_, cancels_, resets_;
+  uint8_t spare_[2];
+};
+static_assert(std::is_trivially_copyable<World>::value, "copied and folded by its bytes");

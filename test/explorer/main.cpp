@@ -1,0 +1,105 @@
+// explorer: every way that an operation can go, one scenario a call. See usage().
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "Exploration.h"
+#include "Plans.h"
+
+namespace {
+
+const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "download", "verify", "clear"};
+const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
+
+[[noreturn]] void usage(const char* problem) {
+  fprintf(stderr,
+          "%s\n"
+          "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
+          "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
+          "  OPERATION  upload, upload-in-doubt, upload-verified, download, verify, clear; a second one begins when\n"
+          "             the first has ended or was broken off\n"
+          "  ITEMS      0 to 4: of the plan that is uploaded or verified\n"
+          "  --held N       items aboard at the beginning, 0 to 4 (2)\n"
+          "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
+          "  --losses N     frames lost; `any` for any number (any)\n"
+          "  --faults N     frames repeated, delayed, damaged or cut (0)\n"
+          "  --reboots N    reboots of the autopilot, at any point (0)\n"
+          "  --cancels N    the sketch cancels what runs, at any point (0)\n"
+          "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
+          "  --most-states N  give up beyond (200000000)\n"
+          "  --show-fewest N  1: show how the fewest faults end without success (0)\n"
+          "Prints findings as name=value; then, if a rule was broken, the shortest way to it. Exits with 1 then, with\n"
+          "3 when it gave up.\n",
+          problem);
+  exit(2);
+}
+
+int nameAmong(const char* const* names, int count, const char* name, const char* problem) {
+  for (int i = 0; i < count; ++i) {
+    if (strcmp(names[i], name) == 0) return i;
+  }
+  usage(problem);
+}
+
+uint64_t number(const char* text, uint64_t most) {
+  char* end;
+  const uint64_t value = strtoull(text, &end, 10);
+  if (*text == 0 || *end != 0 || value > most) usage("a number is missing or too large");
+  return value;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 4) usage("arguments are missing");
+  Scenario scenario;
+  scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 3, argv[1], "no such autopilot"));
+  int at = 2;
+  for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {
+    Task task;
+    task.operation = static_cast<Operation>(nameAmong(kOperations, 6, argv[at], "no such operation"));
+    task.items = static_cast<uint8_t>(number(argv[at + 1], kMostItems));
+    task.plan = static_cast<uint8_t>(scenario.tasks.size() + 1);
+    scenario.tasks.push_back(task);
+  }
+  if (scenario.tasks.empty() || scenario.tasks.size() > 2) usage("one or two operations");
+  uint64_t mostStates = 200000000;
+  bool showsFewest = false;
+  for (; at < argc; at += 2) {
+    if (at + 1 == argc) usage("a value is missing");
+    const char* const option = argv[at];
+    const char* const value = argv[at + 1];
+    if (strcmp(option, "--held") == 0) {
+      scenario.heldItems = static_cast<uint8_t>(number(value, kMostItems));
+    } else if (strcmp(option, "--held-plan") == 0) {
+      scenario.heldPlan = static_cast<uint8_t>(number(value, 1));
+    } else if (strcmp(option, "--losses") == 0) {
+      scenario.losses = strcmp(value, "any") == 0 ? Scenario::kAnyNumber : static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--faults") == 0) {
+      scenario.faults = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--reboots") == 0) {
+      scenario.reboots = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--cancels") == 0) {
+      scenario.cancels = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--resets") == 0) {
+      scenario.resets = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--most-states") == 0) {
+      mostStates = number(value, 4000000000u);
+    } else if (strcmp(option, "--show-fewest") == 0) {
+      showsFewest = number(value, 1) != 0;
+    } else {
+      usage("no such option");
+    }
+  }
+  const Findings findings = explore(scenario, mostStates);
+  printf("states=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
+         static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.transitions),
+         static_cast<unsigned long long>(findings.violations), findings.isWhole, findings.longestMs,
+         findings.fewestFaults);
+  for (const auto& end : findings.ends) {
+    printf("end=%s=%llu\n", end.first.c_str(), static_cast<unsigned long long>(end.second));
+  }
+  if (showsFewest) printf("fewest:\n%s", findings.fewestFaultsTrace.c_str());
+  if (findings.violations != 0) printf("broken=%s\n%s", findings.broken.c_str(), findings.trace.c_str());
+  return findings.violations != 0 ? 1 : findings.isWhole ? 0 : 3;
+}
