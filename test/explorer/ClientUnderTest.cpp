@@ -94,7 +94,7 @@ void ClientUnderTest::begin(const Task& task) {
   const ItemSource plan = inRam(sketchPlan(task.plan), task.items);
   switch (task.operation) {
     case Operation::Upload:
-      client().upload(plan, PlanType::Mission, Proof::ByAnswer);
+      client().uploadByAnswer(plan);
       return;
     case Operation::UploadInDoubt:
       client().upload(plan, PlanType::Mission, Proof::InDoubt);
