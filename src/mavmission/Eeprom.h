@@ -5,7 +5,9 @@
 
 namespace mavmission {
 
+// How its bytes are read and written.
 struct Eeprom {
+  // The byte at an address.
   uint8_t (*read)(uint16_t address);
   // Begins to write a byte and returns; isReady() says when that is done. It may also write it at once.
   void (*write)(uint16_t address, uint8_t value);

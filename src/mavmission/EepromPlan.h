@@ -31,6 +31,7 @@
 
 namespace mavmission {
 
+// A plan in EEPROM.
 class EepromPlan {
  public:
   // Resting: nothing to do. Storing: items are taken, one when isReady(). Committing, Erasing: being written. Failed:
@@ -49,6 +50,7 @@ class EepromPlan {
   // plan, and takes as long: about 100 cycles a byte.
   void begin();
 
+  // A plan is there, and whole.
   bool hasPlan() const { return active_ != kNone; }
   // A plan was there whose checksum is wrong: it is none.
   bool isDamaged() const { return isDamaged_; }

@@ -73,6 +73,7 @@ class PlanConsoleState {
   bool (*composeList_)(PlanConsole& console);
 };
 
+// The commands of a terminal.
 class PlanConsole : private PlanConsoleState {
  public:
   // The most that one update() reads, and that it writes [bytes].

@@ -23,6 +23,7 @@ namespace mavmission {
 // Goes to a place in the text [bytes from its beginning]; false if that cannot be done.
 typedef bool (*SeekFunction)(void* context, uint32_t position);
 
+// A plan read from a text, item by item.
 class WaypointsSource {
  public:
   // Reading: not read through yet. Good: source() may be uploaded. Bad: error() says why not.

@@ -51,6 +51,7 @@ enum class TextError : uint8_t {
 // In words, for Serial.print(). Flash text; null for a value that is no TextError.
 FlashText toString(TextError error);
 
+// The reader of such a text.
 class WaypointsText {
  public:
   // More: nothing whole yet. Item: item() is the next one. Bad: error() says why; nothing more is taken.
@@ -66,6 +67,7 @@ class WaypointsText {
   // Before the first character of the line with this number, in the midst of a text. Line numbers are not known then.
   MAVMISSION_APART void beginAt(uint16_t number);
 
+  // The next character.
   Step take(char c);
   // The text is over. Item: it ended with an item, and end() is to be called once more. More: it is whole, and good.
   MAVMISSION_APART Step end();
@@ -81,6 +83,7 @@ class WaypointsText {
   const MissionItem& item() const { return item_; }
   uint16_t count() const { return number_ == 0 ? 0 : number_ - 1; }  // items so far
 
+  // Why it is bad, and where.
   TextError error() const { return error_; }
   uint16_t errorLine() const { return line_; }  // from 1 on; 0: not known
   uint8_t errorField() const { return field_; }  // from 1 to 12; 0: the line as a whole
