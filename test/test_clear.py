@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from bench import status_names
 from fake_autopilot import mavlink
-from plans import OLD_PLAN, SURVEY, steps, waypoint
+from plans import OLD_PLAN, SURVEY, on_the_wire, steps, waypoint
 from service import ALL, FENCE, MISSION, RALLY
 from test_fence_and_rally import FIELD, POINTS
 
@@ -184,3 +184,28 @@ def test_clearing_while_armed_is_refused_unless_allowed(make_service, mission_ty
     service.tell("armed", 1)
     clear(service, mission_type)
     assert service.done() == "Cleared"
+
+
+@CLEAR
+def test_answer_to_the_upload_before_is_not_taken_for_the_clears(service, personality):
+    """The upload is cancelled while its ACCEPTED is on its way, and the first CLEAR_ALL is lost."""
+    service.autopilot.faults.delay_final_ack(0.3)
+    service.upload(SURVEY)
+    service.run_until_sent("MISSION_ITEM_INT", count=len(on_the_wire(SURVEY, personality)))
+    service.run(0.02)
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    service.wire.lose(">", name="MISSION_CLEAR_ALL")
+    clear(service, MISSION)
+    assert service.done() == "Cleared"
+    assert left(service) == []
+
+
+@pytest.mark.parametrize("operation", ["upload", "download", "verify"])
+def test_all_types_at_once_are_only_for_clearing(service, operation):
+    service.use(SURVEY)
+    ask = {"upload": service.upload, "download": service.download, "verify": service.verify}[operation]
+    assert ask(mission_type=ALL) == "BadPlanType"
+    assert service.done() == "BadPlanType"
+    service.run(0.5)
+    assert not service.heard("MISSION_COUNT") and not service.heard("MISSION_REQUEST_LIST")

@@ -65,7 +65,7 @@ def pairs(autopilot: str) -> list[str]:
     return [f"{autopilot} {first} {second}" for first, second in (
         ("upload-in-doubt 2", "upload-in-doubt 1"), ("upload-in-doubt 1", "upload-in-doubt 2"),
         ("upload-in-doubt 1", "verify 1"), ("upload 2", "download 0"), ("download 0", "upload-in-doubt 1"),
-        ("clear 0", "upload-in-doubt 1"),
+        ("clear 0", "upload-in-doubt 1"), ("upload 1", "clear 0"),
     )]  # fmt: skip
 
 

@@ -310,6 +310,7 @@ class MissionClient {
   void noteInfeasible();
   void noteAccepted();
   void setPlan(const ItemSource& plan, PlanType type);
+  MAVMISSION_APART Status refuseType();
   uint32_t acceptedPlanId() const { return rest_.planId; }
 
   // What an update() looks at lies first: avr-gcc reaches 64 bytes of an object cheaply. All zero at the start but for

@@ -49,6 +49,8 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
     if (clearing.tries == UploadTransfer::kTries) return client.endClearing(Status::NoAnswer);
     clearing.isDue = true;
   }
+  // An answer to a transfer that was left open may still be on its way, and would look like the answer to this.
+  if (clearing.tries == 0 && state.unsettled && since(state.unsettledMs, nowMs) < UploadTransfer::kAnswerMs) return;
   if (!clearing.isDue || !client.link_.canSend()) return;
   clearing.isDue = false;
   ++clearing.tries;
@@ -63,6 +65,5 @@ void MissionClient::endClearing(Status status) {
   if (status == Status::NoAnswer) setAboard(clearing_.type, Aboard::NotKnown);
   end(status);
 }
-
 
 }  // namespace mavmission

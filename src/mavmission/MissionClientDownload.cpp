@@ -9,6 +9,7 @@ namespace mavmission {
 
 Status MissionClient::download(const ItemSink& sink, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
+  if (type == PlanType::All) return refuseType();
   state_.type = type;
   startOperation(readStep);
   reading_.take = storeItem;

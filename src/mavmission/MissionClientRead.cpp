@@ -9,6 +9,7 @@ namespace mavmission {
 
 Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
+  if (type == PlanType::All) return refuseType();
   setPlan(plan, type);
   state_.type = type;
   startOperation(readStep);

@@ -9,10 +9,17 @@ namespace mavmission {
 
 Status MissionClient::uploadByAnswer(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
+  if (type == PlanType::All) return refuseType();
   setPlan(plan, type);
   rest_.prove = nullptr;
   rest_.partFirst = 0;
   return uploadAgain();
+}
+
+Status MissionClient::refuseType() {
+  startOperation(uploadStep);
+  end(Status::BadPlanType);
+  return state_.status;
 }
 
 void MissionClient::setPlan(const ItemSource& plan, PlanType type) {

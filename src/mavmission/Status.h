@@ -42,6 +42,7 @@ namespace mavmission {
   X(BadCurrent, "refused: current is 2 or more, which means fly there now") \
   X(BadJump, "refused: a jump to an item that is not in the plan") \
   X(BadRange, "refused: the part is not within the plan") \
+  X(BadPlanType, "refused: PlanType::All is for clear() alone") \
   X(WholePlansOnly, "refused: this autopilot takes only whole plans") \
   X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \

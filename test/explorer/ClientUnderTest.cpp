@@ -174,7 +174,8 @@ uint16_t ClientUnderTest::nextMs() const {
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
   }
-  return std::min(next, leftOf(UploadTransfer::kAnswerMs, c.clearing_.sentMs));
+  const bool waits = c.clearing_.tries == 0 && c.state_.unsettled;
+  return std::min(next, leftOf(UploadTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs));
 }
 
 void ClientUnderTest::rest(uint16_t ms, bool isLast) {
@@ -211,8 +212,10 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   c.rest_.lastResult = 255;
   const bool isUpload = c.state_.operation == MissionClient::uploadStep;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
-  // What earlier transfers left matters when a transfer begins; what an upload leaves it says at its end.
-  const bool isLeftUnread = isLast ? isTransferring || !c.isBusy() : isTransferring && isUpload;
+  // What earlier transfers left matters when a transfer begins, and until a clear has been sent; what an upload leaves it
+  // says at its end.
+  const bool isClear = c.state_.operation == MissionClient::clearStep;
+  const bool isLeftUnread = isLast ? (isTransferring && !isClear) || !c.isBusy() : isTransferring && isUpload;
   if (isLeftUnread) c.state_.unsettled = false;
   c.state_.unsettledMs = c.state_.unsettled ? c.state_.unsettledMs : kNow;
   keep(c.state_.unsettledMs, c.state_.unsettled ? ms : 0, MissionClient::kLeftoversMs);
