@@ -101,16 +101,11 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
     ++state_.unknownMessages;
   }
   if (!finder_.isFrom(parser_.systemId(), parser_.componentId())) return false;
-  noteSequence();
-  return isWanted && parser_.isFor(systemId(), componentId());
-}
-
-// Counts what is missing between this frame and the one before.
-inline void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
+  return isWanted && parser_.isFor(systemId(), componentId());
 }
 
 void Link::release() {

@@ -110,7 +110,6 @@ class Link {
   // Nothing leaves before it is clear who is there, unless the sketch has given our ids.
   MAVMISSION_APART bool maySpeak() const;
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
-  void noteSequence();
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
   void pack(uint8_t* payload, const MessageKey* key);
@@ -157,6 +156,7 @@ class Link {
   bool mayRead();
   void takeUnchecked(FrameParser::Result result, uint16_t nowMs);
   bool matters();
+  void noteSequence();
 
   Signing signing_;
   FrameParser checked_;  // with the frame that is being checked, or has been accepted, as parser_ had it

@@ -108,6 +108,14 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   }
 }
 
+// As isNews() does for frames that need no check: by itself, for 2 bytes less in a sketch that does not sign.
+void Link::noteSequence() {
+  const uint8_t sequence = parser_.sequence();
+  if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
+  state_.heardSequence = sequence;
+  state_.sequenceKnown = true;
+}
+
 // Whether anything would come of this frame: most others need not be checked.
 bool Link::matters() {
   const MoreKeys* const listeners = parser_.moreKeys();
