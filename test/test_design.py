@@ -20,9 +20,9 @@ def waits_in_the_code() -> dict[str, str]:
     """File::name -> value of each wait and number of tries."""
     found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.glob(pattern)
              for name, value in CONSTANT.findall(file.read_text())}  # fmt: skip
-    text = (SOURCES / "UploadTransfer.h").read_text()
+    text = (SOURCES / "MissionClient.h").read_text()
     (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", text)
-    return {**found, "UploadTransfer::defaultLimitS": limit}
+    return {**found, "MissionClient::defaultLimitS": limit}
 
 
 def rules() -> list[list[str]]:

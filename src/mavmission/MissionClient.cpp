@@ -119,8 +119,7 @@ void MissionClient::onTick(uint16_t nowMs) {
     state_.secondMs += 1000;
     ++state_.seconds;
   }
-  uint16_t limitS = rest_.transferLimitS;
-  if (limitS == 0) limitS = rest_.itemsTotal < 32000 ? 120 + 2 * rest_.itemsTotal : 0xFFFF;
+  const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
   state_.isLate = static_cast<uint16_t>(state_.seconds - state_.turnAtS) >= limitS;
   if (state_.unsettled && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = false;
   link_.onTime(nowMs);

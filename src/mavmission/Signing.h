@@ -19,7 +19,7 @@ namespace mavmission {
 
 // What became of received frames. Each counts from the start, and wraps.
 struct SigningCounters {
-  uint16_t accepted;
+  uint16_t accepted;       // rightly signed, and new
   uint16_t notSigned;      // MAVLink 1, or MAVLink 2 without a signature
   uint16_t wrong;          // signed with another key, or changed on the way
   uint16_t replayed;       // older than what the same stream has sent already, or the same again

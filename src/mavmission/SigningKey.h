@@ -7,9 +7,10 @@
 
 namespace mavmission {
 
+// A key, held by the sketch.
 struct SigningKey {
   static constexpr uint8_t kLength = 32;  // [bytes]
-  uint8_t bytes[kLength];
+  uint8_t bytes[kLength];                 // the key itself
 };
 
 // A key that lies in flash: static const uint8_t secret[32] PROGMEM = {...}.

@@ -6,6 +6,7 @@
 
 namespace mavmission {
 
+// Two functions of the sketch's; EepromTimestamps has ready ones.
 struct TimestampStore {
   // The greatest time ever saved [2^16 * 10 us = 0.65536 s, since 1st January 2015 GMT]; 0 if there is none.
   uint32_t (*load)(void* context);
