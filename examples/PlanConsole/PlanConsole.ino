@@ -1,6 +1,6 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
 // EEPROM, where it stays without power; put it aboard, verify it, fly it. Type "help".
-// It needs a Mega for all of its commands; an Uno or a Nano has room for some, and a Leonardo for too few.
+// It needs a Mega for all of its commands; an Uno has room for some, a Nano or a Leonardo for too few.
 // TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms.
 #include <MavMission.h>
 using namespace mavmission;
