@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 from building import elf_sizes
@@ -21,12 +22,18 @@ class Feature(NamedTuple):
 
 
 def features() -> list[Feature]:
-    """In the order of the file names; the label is the first line of each file."""
+    """In the order of the file names; the label is the first line of each file, the second may name macros."""
     found = []
     for source in sorted((MEASURED / FOLDER).glob("*.cpp")):
-        label = source.read_text().splitlines()[0].removeprefix("// ").rstrip(".")
-        found.append(Feature(label, *elf_sizes(measured(f"{FOLDER}/{source.stem}"))))
+        first, second, *_ = source.read_text().splitlines()
+        label = first.removeprefix("// ").rstrip(".")
+        found.append(Feature(label, *elf_sizes(measured(f"{FOLDER}/{source.stem}", **macros(second)))))
     return found
+
+
+def macros(line: str) -> dict[str, str]:
+    """Of a comment such as `// -DMAVMISSION_SIGNING=1`: the macros that a sketch is compiled with."""
+    return dict(re.findall(r"-D(\w+)=(\w+)", line)) if line.startswith("// -D") else {}
 
 
 def table() -> str:
