@@ -270,8 +270,9 @@ FrameParser::Result FrameParser::silence() {
   if (skip_ != 0) {
     if (skip_ > 1) {
       ++brokenFrames_;
-    } else if (stepping_ != Stepping::Reported) {
-      result = Result::Unwanted;
+    } else {
+      if (stepping_ != Stepping::Reported) result = Result::Unwanted;
+      boundary_ = have_;  // it is whole: what seemed to begin inside is part of it
     }
     skip_ = 0;
   }
