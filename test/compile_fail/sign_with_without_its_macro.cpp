@@ -2,6 +2,8 @@
 // expect: compiled with -DMAVMISSION_SIGNING=1
 #ifdef MENDED
 #define MAVMISSION_SIGNING 1
+#else
+// As the library comes.
 #endif
 #include <MavMission.h>
 using namespace mavmission;
