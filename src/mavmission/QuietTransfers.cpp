@@ -166,7 +166,10 @@ void QuietTransfers::take(Listener& listener, const FrameParser& frame) {
     return;
   }
   const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
-  if (ack.command == MAV_CMD_SET_MESSAGE_INTERVAL) self.takeResult(ack.result, static_cast<uint16_t>(millis()));
+  // The same frame again would be taken for the answer to the next message.
+  if (ack.command != MAV_CMD_SET_MESSAGE_INTERVAL || frame.sequence() == self.sequence_) return;
+  self.sequence_ = frame.sequence();
+  self.takeResult(ack.result, static_cast<uint16_t>(millis()));
 }
 
 void QuietTransfers::takeResult(uint8_t result, uint16_t nowMs) {

@@ -49,7 +49,7 @@ class QuietTransfers : public Listener {
   // To be called from loop(), before the client's update(). Neither waits nor delays.
   void update();
 
-  // True while a transfer runs and each message of the list has been switched off, or refused to be.
+  // True when each message of the list has been switched off, or refused to be, and none has its interval back.
   bool isQuiet() const { return isHushing_ && index_ == list().count; }
   // True when every message has its interval back, and nothing is being asked. False before an autopilot was heard.
   bool isIdle() const { return muted_ == 0 && !isWaiting_; }
@@ -75,6 +75,7 @@ class QuietTransfers : public Listener {
   uint16_t sentMs_ = 0;
   uint8_t index_ = 0;  // of the message that is asked for, or next
   uint8_t tries_ = 0;
+  uint8_t sequence_ = 0;  // of the last answer's frame
   bool isHushing_ : 1;   // or giving intervals back
   bool isWaiting_ : 1;   // for an answer, or for late ones
   bool isAnswered_ : 1;

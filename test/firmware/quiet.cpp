@@ -13,7 +13,7 @@ using namespace mavmission;
 
 static MissionClient client(Serial1);
 #ifdef BENCH_QUIET_LIST
-const QuietMessage silent[] PROGMEM = {{0, 0}, {30, 200}, {42, 0}, {253, 0}, {9999, 0}, {24, 0}};
+const QuietMessage silent[] PROGMEM = {{0, 0}, {30, 500}, {42, 0}, {253, 0}, {9999, 0}, {24, 0}};
 static QuietTransfers quiet(client, silent);
 #else
 static QuietTransfers quiet(client);
