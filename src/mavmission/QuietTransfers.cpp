@@ -178,8 +178,8 @@ void QuietTransfers::takeResult(uint8_t result, uint16_t nowMs) {
     sentMs_ = nowMs;
     return;
   }
-  // What was refused to be silenced is not silent; what is refused to be given back has no such interval.
-  if (!isHushing_ || result != MAV_RESULT_ACCEPTED) muted_ &= ~bitOf(index_);
+  // What is refused to be given back has no such interval.
+  if (!isHushing_) muted_ &= ~bitOf(index_);
   if (tries_ == 1) {
     isWaiting_ = false;
     tries_ = 0;

@@ -12,30 +12,30 @@ struct QuietMessage {
   uint16_t intervalMs;  // between two of them afterwards [ms]; 0: as often as the autopilot sends it by default
 };
 
-// Asks the autopilot to stop its telemetry (MAV_CMD_SET_MESSAGE_INTERVAL) while items of a plan are transferred by upload(),
-// download(), verify() and their like, and gives every message its interval back when that has ended, however it ended.
-// Declare one beside the client:
+// Asks the autopilot to stop its telemetry (MAV_CMD_SET_MESSAGE_INTERVAL) while items of a plan are transferred by
+// upload(), download(), verify() and their like, and gives every message its interval back when that has ended, however
+// it ended. Declare one beside the client:
 //
 //   MissionClient autopilot(Serial1);
 //   QuietTransfers quiet(autopilot);
 //
-// It switches off what makes up nine tenths of the telemetry of ArduPilot with all its streams, or of PX4, or the sketch's
-// own list. Each message is a command of its own, of which one is under way at a time, beside the transfer: that pays for
-// long plans and full or slow lines (DESIGN.md, "Quiet transfers").
+// It switches off what makes up nine tenths of the telemetry of ArduPilot with all its streams, or of PX4, or the
+// sketch's own list. Each message is a command of its own, of which one is under way at a time, beside the transfer:
+// that pays for long plans and full or slow lines (DESIGN.md, "Quiet transfers").
 //
-// Nothing stays silent: intervals are given back until each was confirmed by COMMAND_ACK, and once when the sketch starts
-// and the autopilot has been heard, in case that a reset came in the middle of a transfer. So an interval that the sketch
-// has set by setMessageInterval() for a message of the list is lost: name it in a list instead.
+// Nothing stays silent: intervals are given back until each was confirmed by COMMAND_ACK, and once when the sketch
+// starts and the autopilot has been heard, in case that a reset came in the middle of a transfer. So an interval that
+// the sketch has set by setMessageInterval() for a message of the list is lost: name it in a list instead.
 //
-// COMMAND_ACK does not say which message it is about: call setMessageInterval() only while isIdle(), or its answer may be
-// one that was meant for this.
+// COMMAND_ACK does not say which message it is about: call setMessageInterval() only while isIdle(), or its answer may
+// be one that was meant for this.
 class QuietTransfers : public Listener {
  public:
   // The most messages of a list.
   static constexpr uint8_t kMostMessages = 32;
 
-  // For the telemetry of ArduPilot or PX4, whichever is heard; of another autopilot, what PX4 sends. The client must stay as
-  // long as this.
+  // For the telemetry of ArduPilot or PX4, whichever is heard; of another autopilot, what PX4 sends. The client must
+  // stay as long as this.
   explicit QuietTransfers(MissionClient& client);
 
   // For messages of the sketch's own choice, the loudest first; they must lie in flash, and stay. Those without which a
