@@ -12,4 +12,5 @@
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
 #include "mavmission/PlanConsole.h"
+#include "mavmission/QuietTransfers.h"
 #include "mavmission/WaypointsSource.h"

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from itertools import dropwhile, takewhile
 
 from bench import same_bits
-from plans import OLD_PLAN, SURVEY, on_the_wire
+from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
 from service import FENCE, MISSION, RALLY, Service
 from test_download import WRITTEN, same
 from test_fence_and_rally import FIELD, POINTS
@@ -136,6 +136,19 @@ def infeasible(make: Make, personality: str) -> str:
     return f"`{later[0]}`" if later else "-"
 
 
+def quiet_transfers(make: Make, personality: str) -> str:
+    """A full line is silent at the end of a transfer, and full again soon after it."""
+    service = make(telemetry=5000.0, defines={"BENCH_QUIET": 1})
+    service.upload([waypoint(473977420 + 100 * n) for n in range(50)])
+    if (ended := service.done(limit_s=20)) != "Accepted":
+        return refused(ended)
+    end = service.now
+    service.run(3.0)
+    heard = [entry.time for entry in service.wire.frames("<", "ATTITUDE")]
+    silent = not any(end - 0.3 <= time < end for time in heard)
+    return "yes" if silent and any(time > end + 2.5 for time in heard) else "no"
+
+
 PROOFS: dict[str, Callable[[Make, str], str]] = {
     "upload, download, verify, clear a mission": whole_service,
     "proof of an upload whose last answer was lost": proof_of_a_lost_answer,
@@ -144,13 +157,14 @@ PROOFS: dict[str, Callable[[Make, str], str]] = {
     "start, arm, modes, current item": flying,
     "current item and items reached": followed,
     "a plan found infeasible after it was accepted": infeasible,
+    "telemetry silent during transfers (`QuietTransfers`)": quiet_transfers,
 }
 
 
 def proven(row: str, column: str, build: Make) -> str:
     """The cell's words, by the firmware. `build` makes a bench for a personality."""
     personality, options = COLUMNS[column]
-    return PROOFS[row](lambda: build(personality, **options), personality)
+    return PROOFS[row](lambda **more: build(personality, **options, **more), personality)
 
 
 def cells(readme: str) -> list[tuple[str, str, str]]:

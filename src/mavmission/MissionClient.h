@@ -233,6 +233,7 @@ class MissionClient {
   friend class LinkDoctor;
   friend class Listener;
   friend class MissionFollower;
+  friend class QuietTransfers;
 
   // An operation's share of update(): a frame of the autopilot's, or null for time to pass.
   typedef void (*Operation)(MissionClient& client, const FrameParser* frame, uint16_t nowMs);

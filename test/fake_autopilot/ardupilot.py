@@ -51,6 +51,9 @@ GLOBAL_POSITION_INT = mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT
 _STREAMS = {0: (MISSION_CURRENT, GLOBAL_POSITION_INT),  # MAV_DATA_STREAM_ALL
             2: (MISSION_CURRENT,), 6: (GLOBAL_POSITION_INT,)}
 
+# Of its own dialect, and in its streams: MEMINFO, AHRS, SIMSTATE, WIND, AHRS2, EKF_STATUS_REPORT.
+_ARDUPILOTMEGA = {152, 163, 164, 168, 178, 193}
+
 
 class ArduPilot(FakeAutopilot):
     """ArduCopter, ArduRover or ArduPlane.
@@ -184,7 +187,7 @@ class ArduPilot(FakeAutopilot):
     def _on_request_data_stream(self, message, sender, now: float) -> None:
         for identity in _STREAMS.get(message.req_stream_id, ()):
             on = message.start_stop and message.req_message_rate
-            self.stream(identity, 1.0 / message.req_message_rate if on else 0.0, now)
+            self.default_stream(identity, 1.0 / message.req_message_rate if on else 0.0, now)
 
     def _on_set_mode(self, message, sender, now: float) -> None:
         """SET_MODE has no acknowledgement: the next HEARTBEAT tells."""
@@ -254,9 +257,10 @@ class ArduPilot(FakeAutopilot):
 
     def _set_message_interval(self, message, now: float) -> int:
         identity = whole_number(message.param1)
-        if identity not in mavlink.mavlink_map or not math.isfinite(message.param2):
+        known = identity in mavlink.mavlink_map or identity in _ARDUPILOTMEGA
+        if not known or not math.isfinite(message.param2):
             return RESULT_FAILED
-        self.stream(identity, message.param2 * 1e-6, now)
+        self.set_interval(identity, message.param2, now)
         return RESULT_ACCEPTED
 
     def _request_message(self, message, now: float) -> int:

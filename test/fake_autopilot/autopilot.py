@@ -32,6 +32,7 @@ class FakeAutopilot:
 
     telemetry: None for only what the personality always sends; a number for that many bytes
     per second of ATTITUDE; or an iterable of (time [s], frame) pairs, renumbered as they go.
+    It obeys SET_MESSAGE_INTERVAL: what is stopped or thinned out takes no time on the line.
     baud: None for a line that takes any amount at once; else the autopilot paces its output
     as a serial port of that speed would, its answers before its telemetry.
     response_delay_s: from hearing to answering [s]. By default as seen by a client at 57600
@@ -86,6 +87,9 @@ class FakeAutopilot:
         self._line_free_at = -math.inf
         self._telemetry = self._telemetry_source(telemetry)
         self._next_telemetry: Optional[tuple[float, bytes]] = next(self._telemetry, None)
+        self._intervals: dict[int, float] = {}  # message -> between two of its telemetry [s]
+        self._telemetry_sent_at: dict[int, float] = {}
+        self._default_periods: dict[int, float] = {}  # of streams, to which interval 0 goes back [s]
         self._hears = {}
 
         self.at("heartbeat", heartbeat_at_s, self._beat)
@@ -160,6 +164,8 @@ class FakeAutopilot:
         self._splitter = frames.FrameSplitter()
         self.booted_at_s = now + silent_for_s
         self._packer.seq = 0
+        self._intervals.clear()
+        self._default_periods.clear()
         self.faults.fall_silent(from_time=now, for_s=silent_for_s)
         self._restart(self.booted_at_s)
         self.at("heartbeat", self.booted_at_s, self._beat)
@@ -200,6 +206,22 @@ class FakeAutopilot:
                 self.send_now(message, time)
                 self.at(name, time + period_s, send)
         self.at(name, now + period_s, send)
+
+    def set_interval(self, identity: int, interval_us: float, now: float) -> None:
+        """SET_MESSAGE_INTERVAL: the time between two messages [us]; 0: the default; less: no more of them."""
+        made_here = self.message_of(identity, now) is not None
+        if interval_us == 0:
+            self._intervals.pop(identity, None)
+            self.stream(identity, self._default_periods.get(identity, 0.0), now)
+            return
+        stopped = interval_us < 0
+        self._intervals[identity] = math.inf if stopped or made_here else interval_us * 1e-6
+        self.stream(identity, 0.0 if stopped else interval_us * 1e-6, now)
+
+    def default_stream(self, identity: int, period_s: float, now: float) -> None:
+        """As stream(), and SET_MESSAGE_INTERVAL with 0 comes back to it."""
+        self._default_periods[identity] = period_s
+        self.stream(identity, period_s, now)
 
     def message_of(self, identity: int, now: float):
         """The message of this id as of now [s]; None for one that the fake does not make."""
@@ -289,13 +311,22 @@ class FakeAutopilot:
             return
         _, frame = self._next_telemetry
         self._next_telemetry = next(self._telemetry, None)
-        if not self.is_silent(now):
+        if not self.is_silent(now) and self._is_wanted(frame, now):
             frame = frames.renumbered(frame, self._packer.seq, *self.address)
             if self.signing.sign_outgoing:
                 self._set_signing_time(now)
                 frame = frames.signed(frame, self.signing)
             self._release(frame, now)
             self._packer.seq = (self._packer.seq + 1) % 256
+
+    def _is_wanted(self, frame: bytes, now: float) -> bool:
+        """Whether the interval of a telemetry message, if one is set, lets this one go out."""
+        identity = frames.message_id(frame)
+        interval = self._intervals.get(identity, 0.0)
+        if interval and now - self._telemetry_sent_at.get(identity, -math.inf) < interval:
+            return False
+        self._telemetry_sent_at[identity] = now
+        return interval != math.inf
 
     def _push(self, time: float, message) -> None:
         self._pending_number += 1

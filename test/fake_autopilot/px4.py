@@ -233,7 +233,7 @@ class Px4(FakeAutopilot):
             return RESULT_DENIED
         if identity == MISSION_CURRENT:
             return RESULT_ACCEPTED  # and nothing changes: it is no stream, it comes each second
-        self.stream(identity, message.param2 * 1e-6, now)
+        self.set_interval(identity, message.param2, now)
         return RESULT_ACCEPTED
 
     def _request_message(self, message, now: float) -> int:

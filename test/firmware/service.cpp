@@ -34,6 +34,9 @@ const MessageKey attitudeKeys[] PROGMEM = {messageKey(30, 39, 28), messageKey(0,
 Line line(Serial1);
 MissionClient client(line);
 MissionFollower follower(client);
+#ifdef BENCH_QUIET
+QuietTransfers quiet(client);
+#endif
 
 static ItemSource plan = emptyPlan();
 static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
@@ -272,6 +275,9 @@ void setup() {
 
 void loop() {
   listen(words);
+#ifdef BENCH_QUIET
+  quiet.update();
+#endif
   const Status status = client.update();
   if (status != lastReturned || isEnd(status)) {
     lastReturned = status;

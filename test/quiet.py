@@ -1,0 +1,102 @@
+"""A bench for QuietTransfers: test/firmware/quiet.cpp beside a fake autopilot that fills the line with telemetry.
+
+    bench = Quiet("PX4")
+    bench.run(4.0)
+    bench.tell("upload", 50)
+    bench.run_until_ended(limit_s=10)
+    bench.telemetry(bench.now - 1.0, bench.now)     # {message id: bytes}
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import recordings
+from bench import Bench
+from fake_autopilot import mavlink
+from fake_autopilot.frames import message_id
+from firmware import ROOT
+
+SOURCE = ROOT / "src" / "mavmission" / "QuietTransfers.cpp"
+RECORDED = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
+_NO_STREAM = ("HEARTBEAT", "STATUSTEXT", "TIMESYNC", "PARAM_VALUE", "MISSION_", "COMMAND_")
+
+
+def default_list(personality: str) -> list[int]:
+    """The ids that the library silences, in its order."""
+    name = {"ArduPilot": "kArduPilots", "PX4": "kPx4s"}[personality]
+    table = SOURCE.read_text().partition(f"{name}[] PROGMEM = {{")[2].partition("};")[0]
+    return [int(number) for number in re.findall(r"\{(\d+), 0\}", table)]
+
+
+def evenly(personality: str, baud: int) -> Iterator[tuple[float, bytes]]:
+    """Every recorded message of telemetry at the same rate, as fast as a line takes them, for ever."""
+    frames = {message_id(frame): frame for _, frame in recordings.telemetry(RECORDED[personality])}
+    time = 0.0
+    for frame in itertools.cycle(frames.values()):
+        yield time, frame
+        time += recordings.BITS_PER_BYTE * len(frame) / baud
+
+
+class Quiet(Bench):
+    """The line is full of telemetry, each message at the same rate, unless `telemetry` says otherwise."""
+
+    source = Path(__file__).resolve().parent / "firmware" / "quiet.cpp"
+
+    def __init__(self, personality: str = "ArduPilot", *, baud: int = 57600, **options) -> None:
+        filled = {"telemetry": evenly(personality, baud), **options}
+        super().__init__(personality, baud=baud, **filled)
+
+    def telemetry(self, begin: float, end: float) -> Counter[int]:
+        """Bytes of each message that the autopilot streamed from `begin` to `end` [s]."""
+        counted: Counter[int] = Counter()
+        for entry in self.wire.frames("<"):
+            name = entry.message.get_type() if entry.message is not None else ""
+            if begin <= entry.time < end and not name.startswith(_NO_STREAM):
+                counted[message_id(entry.data)] += len(entry.data)
+        return counted
+
+    def rates(self, seconds: float = 2.0) -> dict[int, float]:
+        """Bytes per second of each message of telemetry, from now on."""
+        began = self.now
+        self.run(seconds)
+        return {identity: count / seconds for identity, count in self.telemetry(began, self.now).items()}
+
+    @property
+    def asked(self) -> list[tuple[float, int, float]]:
+        """(when [s], message, interval [us]) of each SET_MESSAGE_INTERVAL that has left."""
+        return [(entry.time, int(entry.message.param1), entry.message.param2)
+                for entry in self.wire.frames(">", "COMMAND_LONG")
+                if entry.message.command == mavlink.MAV_CMD_SET_MESSAGE_INTERVAL]  # fmt: skip
+
+    def asked_since(self, time: float, interval_us: float) -> list[int]:
+        return [identity for when, identity, interval in self.asked if when >= time and interval == interval_us]
+
+    def _flag(self, name: str) -> bool:
+        (line,) = self.tell("quiet")
+        words = line.split(" ")
+        return bool(int({"quiet": words[2], "idle": words[3].partition("=")[2]}[name]))
+
+    @property
+    def is_quiet(self) -> bool:
+        return self._flag("quiet")
+
+    @property
+    def is_idle(self) -> bool:
+        return self._flag("idle")
+
+    def run_until_quiet(self, limit_s: float = 5.0) -> None:
+        limit = self.now + limit_s
+        while not self.is_quiet:
+            assert self.now < limit, f"not quiet within {limit_s} s"
+            self.run(0.02)
+
+    def run_until_idle(self, limit_s: float = 5.0) -> None:
+        limit = self.now + limit_s
+        while not self.is_idle:
+            assert self.now < limit, f"not idle within {limit_s} s"
+            self.run(0.05)
