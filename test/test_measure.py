@@ -154,7 +154,8 @@ def test_stall_fills_the_receive_ring():
     peer.run(90 * runs.MS)
     read.forget()
     peer.run(20 * runs.MS)  # one update() in it
-    assert read.calls.count >= 63
+    # Of the 64 that it may look at; the others it looks at again, behind the gap.
+    assert 40 <= read.calls.count <= 65
 
 
 def test_stack_of_update_is_the_deepest_of_the_public_calls():
