@@ -3,6 +3,9 @@
     @pytest.mark.scenario(9, "The first COUNT is lost")
     def test_lost_count_is_sent_again(bench): ...
 
+    @pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
+    def test_infeasible_plan_is_its_own_status(build_service): ...   # of that personality alone
+
 One row each: its number, its title, and how its tests went under both personalities of the
 fake autopilot, or with neither. The hooks below are brought into test/conftest.py.
 """
@@ -18,10 +21,15 @@ COLUMNS = ("ArduPilot", "PX4", "either")
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         parameters = getattr(item, "callspec", None)
-        personality = parameters.params.get("personality") if parameters else None
         for mark in item.iter_markers("scenario"):
-            number, title = mark.args
-            item.user_properties.append((PROPERTY, [number, title, personality or "either"]))
+            number, title, *named = mark.args
+            where = column(parameters.params if parameters else {}, *(named or [None]))
+            item.user_properties.append((PROPERTY, [number, title, where]))
+
+
+def column(parameters: dict, named: str | None) -> str:
+    """That of a test with these parameters, or whose mark names the personality."""
+    return parameters.get("personality") or named or "either"
 
 
 def rows(reports) -> list[tuple[int, str, list[str]]]:

@@ -158,10 +158,10 @@ def test_ardupilots_complaint_of_an_item_that_came_twice_is_noise(build_bench):
     expect_truth(bench, SURVEY, "ArduPilot")
 
 
-GIVEN_UP = pytest.mark.scenario(21, "The autopilot cancels")
+GIVEN_UP = 21, "The autopilot cancels"
 
 
-@GIVEN_UP
+@pytest.mark.scenario(*GIVEN_UP, "ArduPilot")
 def test_ardupilots_own_time_out_is_said_and_the_next_upload_may_begin_at_once(build_bench):
     bench = build_bench("ArduPilot")
     bench.autopilot.load(OLD_PLAN)
@@ -181,7 +181,7 @@ def test_ardupilots_own_time_out_is_said_and_the_next_upload_may_begin_at_once(b
     expect_truth(bench, SURVEY, "ArduPilot")
 
 
-@GIVEN_UP
+@pytest.mark.scenario(*GIVEN_UP, "PX4")
 def test_px4_that_gives_up_without_a_word_is_a_timed_out_transfer(build_bench):
     bench = build_bench("PX4")
     bench.autopilot.load(OLD_PLAN)

@@ -10,7 +10,7 @@ from test_fence_and_rally import FIELD
 
 ARM, SET_MODE, MISSION_START = 400, 176, 300
 START = pytest.mark.scenario(49, "start(): each step confirmed; refused while what is aboard is unproven")
-INFEASIBLE = pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible")
+INFEASIBLE = pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
 ARMED = pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
 
 # Near where each fake stands, and short.

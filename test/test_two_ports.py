@@ -55,16 +55,16 @@ def test_two_clients_serve_two_autopilots_at_once(kinds):
 
 
 @TWO
-def test_one_client_goes_on_while_the_other_has_nobody():
-    first = fake("ArduPilot", 57600)
+def test_one_client_goes_on_while_the_other_has_nobody(personality):
+    first = fake(personality, 57600)
     ports = Ports("two_ports", {1: first})
     assert ports.run(6.0) == ["first accepted: the plan is aboard"]
 
 
 @TWO
 @pytest.mark.slow
-def test_stock_headers_in_the_same_sketch():
-    autopilot = fake("ArduPilot", 57600)
+def test_stock_headers_in_the_same_sketch(personality):
+    autopilot = fake(personality, 57600)
     ports = Ports("beside_mavlink", {1: autopilot}, include_dirs=[LIBRARY / "mavmission" / "mavlink"])
     ports.run(4.0)
     gps = mavlink.MAVLink_gps_raw_int_message(1, 3, -353632621, 1491652374, 584090, 1, 2, 3, 4, 14)

@@ -269,7 +269,8 @@ def test_float_items_from_the_first_on_are_taken_by_both_autopilots(bench, perso
     assert bench.autopilot.received() == expected
 
 
-SWITCH = pytest.mark.scenario(5, "The kind of request changes in mid-transfer")
+SWITCHES = 5, "The kind of request changes in mid-transfer"
+SWITCH = pytest.mark.scenario(*SWITCHES)
 
 
 @SWITCH
@@ -284,7 +285,7 @@ def test_requests_of_both_kinds_in_turn_are_answered_alike(line):
     assert steps(line) == smooth_steps(5)
 
 
-@SWITCH
+@pytest.mark.scenario(*SWITCHES, "PX4")
 def test_px4_switches_when_another_ground_station_asks_in_floats(build_bench):
     bench = build_bench("PX4")
     bench.wire.lose(">", name="MISSION_ITEM_INT", seq=2)
