@@ -257,6 +257,7 @@ void printFloat(float value, char* text) {
     const int16_t raised = exponent + (unit == 1000 ? 3 : unit == 100 ? 2 : 1);
     again.set(shorter, raised, isNegative);
     float found;
+    // Bit by bit is what is meant: -0 and 0 are two texts.  NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     if (!again.toFloat(found) || memcmp(&found, &value, sizeof(value)) != 0) continue;
     digits = shorter;
     exponent = raised;

@@ -70,6 +70,7 @@ int32_t timesWhole(int32_t bits, uint32_t factor) {
   uint64_t product = static_cast<uint64_t>((magnitude & (kHidden - 1)) | kHidden) * factor;
   int16_t exponent = static_cast<int16_t>(biased) - kBias - 23;
   for (; exponent > 0; --exponent) product <<= 1;
+  // From -149 on at most.  NOLINTNEXTLINE(bugprone-too-small-loop-variable)
   for (; exponent < -1; ++exponent) product >>= 1;
   if (exponent < 0) product = (product + 1) >> 1;
   if (product > 0x7FFFFFFF) return 0;

@@ -112,7 +112,7 @@ TextError WaypointsText::store() {
       item_.z = value;
     } else {
       // param1 to param4 lie one behind the other.
-      memcpy(reinterpret_cast<uint8_t*>(&item_) + 4 * (field_ - 5), &value, sizeof(value));
+      memcpy(reinterpret_cast<uint8_t*>(&item_) + static_cast<uint8_t>(4 * (field_ - 5)), &value, sizeof(value));
     }
     return TextError::None;
   }

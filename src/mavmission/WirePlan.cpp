@@ -106,6 +106,7 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
   if (homeItems_ != 0) {
     if (wireIndex == 0) {
       // ArduPilot parses item 0 and puts its own home in its place.
+      // cppcheck-suppress memsetClassFloat ; a float of zero bits is 0 wherever there is an Arduino core
       memset(&item, 0, sizeof(item));  // a constant to copy from would lie in RAM
       item.command = kNavWaypoint;
       item.frame = Frame::Global;

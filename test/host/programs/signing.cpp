@@ -79,7 +79,7 @@ std::string hash(std::istringstream& words) {
   while (!sum.work(Sha256::kRoundsAtOnce)) {
   }
   uint8_t digest[Sha256::kDigest];
-  for (uint8_t i = 0; i < sizeof digest; ++i) digest[i] = sum.digest(i);
+  for (uint8_t i = 0; i < Sha256::kDigest; ++i) digest[i] = sum.digest(i);
   return toHex(digest, sizeof digest);
 }
 
