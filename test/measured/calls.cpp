@@ -55,9 +55,39 @@ CALL(callTalkTo, autopilot.talkTo(1, 1))
 CALL(callToString, result = toString(autopilot.status()) != nullptr)
 CALL(callAutopilot, result = autopilot.hasAutopilot() + autopilot.isArmed())
 
+#ifdef EVERY_CALL
+const MessageKey keys[] PROGMEM = {messageKey(24, 24, 30)};
+void onMessage(void*, const ReceivedMessage&) {}
+MissionFollower mission(autopilot);
+MessageListener messages(autopilot, keys, onMessage);
+LinkDoctor doctor(autopilot);
+MissionItem sink[4];
+const FlightCommand servo = flightCommand(183, 1, 1500);
+CALL(callDownload, result = static_cast<uint8_t>(autopilot.download(toRam(sink))))
+CALL(callVerify, result = static_cast<uint8_t>(autopilot.verify(fromFunction(read, ITEMS))))
+CALL(callClear, result = static_cast<uint8_t>(autopilot.clear()))
+CALL(callUploadAgain, result = static_cast<uint8_t>(autopilot.uploadAgain()))
+CALL(callUploadPart, result = static_cast<uint8_t>(autopilot.uploadPart(fromFunction(read, ITEMS), 1, 1)))
+CALL(callStart, result = static_cast<uint8_t>(autopilot.start()))
+CALL(callArm, result = static_cast<uint8_t>(autopilot.arm()))
+CALL(callSetMode, result = static_cast<uint8_t>(autopilot.setMode(FlightMode::Auto)))
+CALL(callSetCurrent, result = static_cast<uint8_t>(autopilot.setCurrentItem(1)))
+CALL(callInterval, result = static_cast<uint8_t>(autopilot.setMessageInterval(24, 100000)))
+CALL(callSend, result = static_cast<uint8_t>(autopilot.send(servo)))
+CALL(callIsInMode, result = autopilot.isInMode(FlightMode::Auto))
+CALL(callRetry, autopilot.retryWhenDenied(10))
+CALL(callFloats, autopilot.serveFloatItems())
+CALL(callFollowed, result = mission.currentItem() + mission.isOurPlan())
+CALL(callDoctor, result = static_cast<uint8_t>(doctor.update()))
+#endif
+
 void (*const calls[])() = {
     callUpdate,     callUpload, callCancel,    callStatus, callCounters, callItems,
     callOnProgress, callOnEnd,  callSetOwnIds, callTalkTo, callToString, callAutopilot,
+#ifdef EVERY_CALL
+    callDownload,   callVerify, callClear,     callUploadAgain, callUploadPart, callStart, callArm, callSetMode,
+    callSetCurrent, callInterval, callSend,    callIsInMode, callRetry, callFloats, callFollowed, callDoctor,
+#endif
 };
 
 void setup() { noInterrupts(); }

@@ -23,6 +23,25 @@ CALLS = {
     11: "toString()",
     12: "hasAutopilot(), isArmed()",
 }
+# The same, where EVERY_CALL is defined.
+MORE_CALLS = {
+    13: "download()",
+    14: "verify()",
+    15: "clear()",
+    16: "uploadAgain()",
+    17: "uploadPart()",
+    18: "start()",
+    19: "arm(), disarm()",
+    20: "setMode(), pause(), resume()",
+    21: "setCurrentItem()",
+    22: "setMessageInterval()",
+    23: "send()",
+    24: "isInMode()",
+    25: "retryWhenDenied()",
+    26: "serveFloatItems()",
+    27: "MissionFollower: currentItem(), isOurPlan()",
+    28: "LinkDoctor: update()",
+}
 UPDATE, UPLOAD = 1, 2
 CALLER_BYTES = 3  # the return address of the function around the call, which is the measurement's own
 VARIABLES = ("callDue", "stackBefore", "toSketch", "toSketchRead", "toSketchEnd", "fromSketch", "fromSketchEnd",
@@ -33,8 +52,8 @@ COMPANION = mavlink.MAV_COMP_ID_ONBOARD_COMPUTER
 class Caller:
     """The firmware, a call at a time, its bytes and its clock in the hands of the measurement."""
 
-    def __init__(self, kind: str, items: int = 4) -> None:
-        self.mega = Mega(measured("calls", ITEMS=items))
+    def __init__(self, kind: str, items: int = 4, **defines: object) -> None:
+        self.mega = Mega(measured("calls", ITEMS=items, **defines))
         self.mega.run_ms(5)
         # Each variable's address and size: looked up once, a name takes long.
         self._variables = {name: self.mega.image.symbol(name) for name in VARIABLES}
@@ -117,6 +136,8 @@ def stacks() -> dict[str, int]:
         if which != UPLOAD:
             caller.call(UPLOAD)
         taken[name] = caller.call(which)
+    for which, name in MORE_CALLS.items():
+        taken[name] = Caller("px4", EVERY_CALL=True).call(which)
     return taken
 
 
