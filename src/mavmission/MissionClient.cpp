@@ -147,6 +147,7 @@ Status MissionClient::updateAt(uint16_t nowMs) {
   state_.bytesLeft = 0;
   while (link_.receive(budget, nowMs)) {
     if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
+    budget.left = budget.left > kFrameBytes ? budget.left - kFrameBytes : 0;
   }
   state_.bytesLeft = static_cast<uint8_t>(budget.left + MAVMISSION_BYTES_PER_UPDATE - allowed);
   // An autopilot that is not heard would not hear it either.

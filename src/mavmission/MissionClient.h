@@ -227,6 +227,8 @@ class MissionClient {
   static constexpr uint8_t kTickMs = 16;
   // The most for a whole operation by default [s]: 2 minutes, and 2 s an item.
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
+  // What a frame for us takes, in bytes that could be looked at in that time [bytes].
+  static constexpr uint8_t kFrameBytes = 16;
   // Bytes of a frame that are written in any case [bytes].
   static constexpr uint8_t kStartBytes = 8;
 

@@ -37,7 +37,7 @@ OPERATIONS = {
 }
 STALLS_MS = (0, 6, 20, 100)
 BAUDS = (57600, 115200)
-ENOUGH_S = 3.0  # for an operation, or for what it does over and over
+ENOUGH_S = 10.0  # for an operation, or for what it does over and over
 SLICE_CYCLES = 16_000
 
 
