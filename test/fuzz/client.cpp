@@ -223,11 +223,11 @@ class Session {
 
   void begin(const Asked& asked) {
     asked_ = asked;
-    if (asked.isUpload()) again_ = asked;
+    if (asked.isUpload()) again_ = client_.status() == Status::BadRange ? Asked() : asked;
     if (asked.kind == Asked::Kind::Verification) {  // its plan is the one that is uploaded next, as the last one was proven
       again_.count = asked.count;
-      if (again_.kind == Asked::Kind::Nothing) again_.kind = Asked::Kind::ByAnswer;
-      if (again_.kind == Asked::Kind::Part) again_.kind = Asked::Kind::InDoubt;
+      const bool isProofKept = again_.kind == Asked::Kind::ByAnswer || again_.kind == Asked::Kind::Verified;
+      if (!isProofKept) again_.kind = Asked::Kind::InDoubt;
     }
     uploading_ = asked.isUpload();
     done_ = 0;
