@@ -143,7 +143,8 @@ class Session {
       case 6:
       case 7:
       case 8: {
-        FrameParts parts = requestParts(input.next() % (kPlanItems + 3), what >= 128 ? 0 : kAutopilot, kClient, what >= 224);
+        const uint8_t sequence = input.next() % (kPlanItems + 3);
+        FrameParts parts = requestParts(sequence, what >= 128 ? 0 : kAutopilot, kClient, what >= 224);
         if (what & 64) {
           parts.messageId = 40;
           parts.crcExtra = 230;
@@ -197,7 +198,11 @@ class Session {
         return uploadAgain();
       case 25: {
         const uint16_t current = input.next();
-        mavlink_mission_current_t message = {current, uint16_t(what >= 128 ? 6 : 0), uint8_t(current % 6), 0, current * 7u, 0, 0};
+        mavlink_mission_current_t message = mavlink_mission_current_t();
+        message.seq = current;
+        message.total = what >= 128 ? 6 : 0;
+        message.mission_state = static_cast<uint8_t>(current % 6);
+        message.mission_id = current * 7u;
         return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC), input);
       }
       case 26: {
@@ -271,7 +276,8 @@ class Session {
     demand(wasBusy == (status == Status::Busy), "an operation was begun while another one ran, or refused without one");
     if (wasBusy) return;
     Asked asked = again_;
-    demand(asked.kind != Asked::Kind::Nothing || status == Status::SourceRefused, "a plan was uploaded that was never given");
+    const bool isRefused = status == Status::SourceRefused;
+    demand(asked.kind != Asked::Kind::Nothing || isRefused, "a plan was uploaded that was never given");
     begin(asked);
   }
 
