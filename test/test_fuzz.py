@@ -25,13 +25,14 @@ from host_build import FUZZED, HOST, build_host
 FUZZ = ROOT / "test" / "fuzz"
 PARSER = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
 
-# target: (the library's sources, inputs that are tried, the longest one [bytes])
-TARGETS = {"parser": (PARSER, 60_000, 600), "client": (None, 40_000, 400)}
+# target: (its other sources, the library's, inputs that are tried, the longest one [bytes])
+TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 25_000, 400)}
 
 
 def build_target(target: str) -> Path:
-    sources = [FUZZ / f"{target}.cpp", HOST / "Frames.cpp"]
-    return build_host(f"fuzz-{target}", sources, "clang++", FUZZED, library=TARGETS[target][0], link=["-fsanitize=fuzzer"])
+    others, library, *_ = TARGETS[target]
+    sources = [FUZZ / f"{target}.cpp", *(FUZZ / name for name in others), HOST / "Frames.cpp"]
+    return build_host(f"fuzz-{target}", sources, "clang++", FUZZED, library=library, link=["-fsanitize=fuzzer"])
 
 
 def fuzz(target: str, found: Path, *options: str) -> subprocess.CompletedProcess:
@@ -52,7 +53,7 @@ def test_what_must_hold_holds_for_the_corpus(target):
 @pytest.mark.slow
 @pytest.mark.parametrize("target", TARGETS)
 def test_what_must_hold_holds_for_inputs_grown_from_it(target, tmp_path):
-    _, runs, longest = TARGETS[target]
+    *_, runs, longest = TARGETS[target]
     ran = fuzz(target, tmp_path, f"-runs={runs}", "-seed=1", f"-max_len={longest}")
     assert ran.returncode == 0, ran.stderr[-6000:]
     assert f"Done {runs} runs" in ran.stderr

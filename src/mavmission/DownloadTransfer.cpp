@@ -15,7 +15,7 @@ void DownloadTransfer::begin(uint16_t nowMs) {
 
 void DownloadTransfer::onCount(uint16_t count) {
   // A second COUNT answers a REQUEST_LIST that was repeated; the items are on their way already.
-  if (state_ != State::Listing) return;
+  if (!expectsAnswer(State::Listing)) return;
   count_ = count;
   tries_ = 0;
   state_ = count == 0 ? State::Closing : State::Fetching;
@@ -23,7 +23,7 @@ void DownloadTransfer::onCount(uint16_t count) {
 }
 
 bool DownloadTransfer::onItem(uint16_t item) {
-  if (state_ != State::Fetching || item != next_) return false;
+  if (!expectsAnswer(State::Fetching) || item != next_) return false;
   ++next_;
   tries_ = 0;
   const bool isLast = next_ == count_;

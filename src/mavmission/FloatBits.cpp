@@ -116,7 +116,7 @@ int32_t centimetresKept(float metres) {
 }
 
 int32_t centimetresRead(float metres) {
-  const int32_t nearest = (doubledCentimetres(metres, false) + 1) / 2;
+  const int32_t nearest = static_cast<int32_t>((static_cast<uint32_t>(doubledCentimetres(metres, false)) + 1) / 2);
   return (bitsOf(metres) & kSign) != 0 ? -nearest : nearest;
 }
 

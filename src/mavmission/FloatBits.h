@@ -29,9 +29,10 @@ int32_t timesWhole(int32_t bits, uint32_t factor);
 float wholePart(float value);
 
 // An altitude [m] in the centimetres that ArduPilot keeps of it: a float product with 100, cut off, as its own code has
-// it. Below 0.01 m it is 0; beyond 21 km it is 0x7FFFFFFF, with the sign.
+// it. Below 0.01 m it is 0; from 32,768 m on, with the sign, 0x3FFFFFFF.
 int32_t centimetresKept(float metres);
-// The nearest centimetres to an altitude [m] that was read back.
+// The nearest centimetres to an altitude [m] that was read back; from 32,768 m on, with the sign, 0x40000000, which is
+// never what was kept.
 int32_t centimetresRead(float metres);
 
 // value / divisor as the nearest float. `divisor` is 1 to 2^28.

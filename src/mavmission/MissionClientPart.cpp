@@ -14,7 +14,10 @@ Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_
   state_.announce = announcePart;
   rest_.partFirst = first;
   rest_.partCount = count;
-  if (count == 0 || first >= plan.count || count > plan.count - first) end(Status::BadRange);
+  if (count == 0 || first >= plan.count || count > plan.count - first) {
+    rest_.planType = PlanType::All;  // there is nothing that uploadAgain() could take
+    end(Status::BadRange);
+  }
   return state_.status;
 }
 

@@ -134,7 +134,7 @@ void MissionClient::takeReadCount(const FrameParser& frame) {
   DownloadTransfer& transfer = reading_.transfer;
   const mavlink_mission_count_t count = messageFrom<mavlink_mission_count_t>(frame);
   if (count.mission_type != static_cast<uint8_t>(state_.type)) return;
-  if (transfer.state() != DownloadTransfer::State::Listing) return;
+  if (!transfer.expectsAnswer(DownloadTransfer::State::Listing)) return;
   transfer.onCount(count.count);
   reading_.planId = count.opaque_id;
   const bool isHomeFirst = homeBefore() != 0;
@@ -162,7 +162,7 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
   DownloadTransfer& transfer = reading_.transfer;
   const uint16_t seq = message.seq;
   if (message.mission_type != static_cast<uint8_t>(state_.type)) return;
-  if (transfer.state() != DownloadTransfer::State::Fetching || seq != transfer.itemToAsk()) return;
+  if (!transfer.expectsAnswer(DownloadTransfer::State::Fetching) || seq != transfer.itemToAsk()) return;
   if (frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM) {
     if (reading_.fromFloats == nullptr) return;
     reading_.fromFloats(&piece.message);

@@ -3,19 +3,24 @@
 //
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
-// - an upload is Accepted only if it was announced, and the bytes that came since it was asked for hold a request for its last item, behind it
-//   an ACK with MAV_MISSION_ACCEPTED, both right to the checksum, from the autopilot, for us and for a mission;
-// - what is written is whole frames, one behind the other, each with the next sequence number;
+// - an upload is Accepted only if it was announced, and the bytes that came since it was asked for hold either a request
+//   for its last item and behind it an ACK with MAV_MISSION_ACCEPTED, or, once they were asked for, the right number of
+//   items and each of them as it was meant; all right to the checksum, from the autopilot, for us and for a mission.
+//   uploadByAnswer() takes only the first, upload(plan, Verified) only the second. verify() ends with Verified only by
+//   the second, too;
+// - what is written is whole frames, one behind the other, each with the next sequence number; a message of the sketch's
+//   own is among them as it was given;
+// - nothing is announced to an autopilot that is refused for being armed;
 // - items that are done never go back, and are never more than there are;
+// - listeners are told of nothing that they did not ask for, and of no text without an end;
 // - when nothing comes any more, an operation ends in the time that its limits add up to.
 #include <Arduino.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <deque>
 #include <vector>
 
+#include "Evidence.h"
 #include "Frames.h"
 #include "MavMission.h"
 #include "MemoryStream.h"
@@ -26,13 +31,7 @@ using namespace mavmission;
 namespace {
 
 const uint16_t kWaitingLimitS = 10;
-const uint8_t kAutopilot = 1;  // system and component
-
-void demand(bool holds, const char* what) {
-  if (holds) return;
-  fprintf(stderr, "%s\n", what);
-  abort();
-}
+const uint16_t kTurnLimitS = 20;
 
 // The bytes of the input, as far as they go.
 struct Input {
@@ -56,62 +55,16 @@ const MissionItem kPlan[] = {
 };
 const uint8_t kPlanItems = sizeof(kPlan) / sizeof(*kPlan);
 
-// A frame of the mission service that lies in the bytes at `at` and is right, whatever lies around it.
-bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t& size) {
-  const bool v2 = bytes[at] == 0xFD;
-  const size_t header = v2 ? 10 : 6;
-  if ((!v2 && bytes[at] != 0xFE) || bytes.size() - at < header + 2) return false;
-  const size_t length = bytes[at + 1];
-  size = header + length + 2;
-  if (bytes.size() - at < size) return false;
-  id = v2 ? static_cast<uint32_t>(bytes[at + 7] | bytes[at + 8] << 8 | bytes[at + 9] << 16) : bytes[at + 5];
-  const mavlink_msg_entry_t* entry = mavlink_get_msg_entry(id);
-  if (entry == nullptr) return false;
-  uint16_t crc = X25_INIT_CRC;
-  for (size_t i = 1; i < size - 2; ++i) crc_accumulate(bytes[at + i], &crc);
-  crc_accumulate(entry->crc_extra, &crc);
-  if (bytes[at + size - 2] != (crc & 0xFF) || bytes[at + size - 1] != crc >> 8) return false;
-  payload.assign(bytes.begin() + static_cast<long>(at + header), bytes.begin() + static_cast<long>(at + header + length));
-  payload.resize(64, 0);
-  return true;
-}
+const MessageKey kListened[] = {messageKey(24, 24, 30), messageKey(MAVLINK_MSG_ID_MISSION_ACK, 153, 3)};
 
-bool isForUs(uint8_t system, uint8_t component) {
-  return (system == 0 || system == kAutopilot) && (component == 0 || component == 191);
-}
-
-// True if the bytes hold what an upload of `count` items on the wire needs to be accepted.
-bool holdsProof(const Bytes& heard, uint16_t count) {
-  bool asked = count == 0;
-  for (size_t at = 0; at < heard.size(); ++at) {
-    uint32_t id;
-    Bytes payload;
-    size_t size;
-    if (!isRight(heard, at, id, payload, size)) continue;
-    if ((id == 40 || id == 51) && isForUs(payload[2], payload[3]) && payload[4] == 0 &&
-        (payload[0] | payload[1] << 8) == count - 1) {
-      asked = true;
-    }
-    if (asked && id == 47 && isForUs(payload[0], payload[1]) && payload[2] == 0 && payload[3] == 0) return true;
-  }
-  return false;
-}
-
-// How many items the last MISSION_COUNT among frames announces.
-uint16_t announced(const Bytes& written) {
-  uint16_t count = 0xFFFF;
-  for (size_t at = 0; at < written.size(); ++at) {
-    uint32_t id;
-    Bytes payload;
-    size_t size;
-    if (isRight(written, at, id, payload, size) && id == 44) count = static_cast<uint16_t>(payload[0] | payload[1] << 8);
-  }
-  return count;
-}
+// Longer than the outbox: a message of 254 bytes that each MAVLink has, and one of 255 that only MAVLink 2 has.
+const Bytes kLongPayload(255, 0xA5);
+const OutgoingMessage kLong[] = {{MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, 84, 254, 254, kLongPayload.data()},
+                                 {MAVLINK_MSG_ID_LOGGING_DATA, 193, 255, 255, kLongPayload.data()}};
 
 class Line : public MemoryStream {
  public:
-  Bytes heard;  // since the upload was asked for
+  Bytes heard;  // since an operation was asked for
   int read() override {
     const int byte = MemoryStream::read();
     if (byte >= 0) heard.push_back(static_cast<uint8_t>(byte));
@@ -126,11 +79,23 @@ class Line : public MemoryStream {
   }
 };
 
+// The last operation about a plan.
+struct Asked {
+  enum class Kind : uint8_t { Nothing, InDoubt, Verified, ByAnswer, Part, Verification };
+  Kind kind = Kind::Nothing;
+  uint16_t count = 0;  // items of the plan
+  uint16_t first = 0, part = 0;
+  bool isUpload() const { return kind != Kind::Nothing && kind != Kind::Verification; }
+};
+
 class Session {
  public:
-  Session() : client_(line_) {
+  Session() : client_(line_), follower_(client_), listener_(client_, kListened, message, this) {
     client_.limitWaiting(kWaitingLimitS);
     client_.onProgress(progress, this);
+    follower_.onCurrent(item);
+    follower_.onReached(item);
+    follower_.onText(text);
     setMillis(nowMs_);
   }
 
@@ -146,9 +111,21 @@ class Session {
     session.done_ = done;
   }
 
+  static void item(void*, uint16_t item) { demand(item != MissionClient::kNoItem, "no item was said to be flown"); }
+
+  static void text(void*, uint8_t, const char* text) { demand(strnlen(text, 51) <= 50, "a text is too long"); }
+
+  static void message(void*, const ReceivedMessage& message) {
+    demand(message.id == kListened[0].id || message.id == kListened[1].id, "a message came that nobody asked for");
+    demand(message.length <= MAVMISSION_MAX_PAYLOAD, "a message came that is longer than what is kept");
+    uint8_t copy[MAVMISSION_MAX_PAYLOAD];
+    message.copyTo(copy, sizeof(copy));
+    demand(memcmp(copy, message.payload, message.length) == 0, "a message came and is not what it is");
+  }
+
   void step(Input& input) {
     const uint8_t what = input.next();
-    switch (what % 16) {
+    switch (what % 32) {
       case 0:
       case 1:
         return wait(input.next());
@@ -166,7 +143,8 @@ class Session {
       case 6:
       case 7:
       case 8: {
-        FrameParts parts = requestParts(input.next() % (kPlanItems + 3), what >= 128 ? 0 : kAutopilot, 191, what >= 224);
+        const uint8_t sequence = input.next() % (kPlanItems + 3);
+        FrameParts parts = requestParts(sequence, what >= 128 ? 0 : kAutopilot, kClient, what >= 224);
         if (what & 64) {
           parts.messageId = 40;
           parts.crcExtra = 230;
@@ -177,10 +155,12 @@ class Session {
       case 10: {
         const uint8_t result = input.next();
         const uint32_t opaqueId = what >= 192 ? input.next() * 0x01010101u : 0;
-        return bring(ackParts(what & 32 ? 0 : result % 20, kAutopilot, 191, result >= 224, opaqueId), input);
+        return bring(ackParts(what & 32 ? 0 : result % 20, kAutopilot, kClient, result >= 224, opaqueId), input);
       }
-      case 11:
-        return upload(input.next());
+      case 11: {
+        const uint8_t how = input.next();
+        return upload(how, how / 7 % 4 == 3 ? input.next() : uint8_t(0));
+      }
       case 12:
         client_.cancel();
         if (uploading_) uploading_ = client_.isBusy();
@@ -193,20 +173,112 @@ class Session {
         return;
       case 15:
         return other(input.next());
+      case 16:
+      case 17:
+      case 18:
+        return answer(input);
+      case 19: {
+        const uint8_t to = input.next();
+        return bring(altered(countParts(to % (kPlanItems + 3)), to >= 128 ? input.next() : uint8_t(0)), input);
+      }
+      case 20: {
+        const uint8_t sequence = input.next();
+        return bring(altered(itemInPlan(sequence % (kPlanItems + 2)), input.next()), input);
+      }
+      case 21:
+        if (!client_.isBusy()) client_.retryWhenDenied(input.next() % kTurnLimitS);
+        return;
+      case 22:
+        if (!client_.isBusy()) client_.allowWhileArmed(what >= 128);
+        return;
+      case 23:
+        client_.sendMessage(kLong[what >= 128 ? 1 : 0]);
+        return;
+      case 24:
+        return uploadAgain();
+      case 25: {
+        const uint16_t current = input.next();
+        mavlink_mission_current_t message = mavlink_mission_current_t();
+        message.seq = current;
+        message.total = what >= 128 ? 6 : 0;
+        message.mission_state = static_cast<uint8_t>(current % 6);
+        message.mission_id = current * 7u;
+        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC), input);
+      }
+      case 26: {
+        mavlink_mission_item_reached_t message = {input.next()};
+        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC), input);
+      }
+      case 27: {
+        mavlink_statustext_t message = mavlink_statustext_t();
+        if (what >= 128) memcpy(message.text, "Mission rejected", 16);
+        memset(message.text + 16, 'x', input.next() % 35);
+        return bring(partsOf(message, MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC), input);
+      }
+      case 28:
+        return bring(FrameParts(24, Bytes(what >= 128 ? 52 : 30, input.next()), 24), input);
+      case 29:  // the other autopilot of two, which is not listened to
+        other_ = !other_;
+        return;
+      default:
+        for (uint8_t n = 4; n != 0; --n) wait(what);
+        return;
     }
   }
 
-  void upload(uint8_t how) {
-    const bool wasBusy = client_.isBusy();
-    const uint16_t count = how % (kPlanItems + 1);
-    const Status status = client_.upload(inRam(kPlan, count));
-    demand(wasBusy == (status == Status::Busy), "an operation was begun while another one ran, or refused without one");
-    if (wasBusy) return;
-    uploading_ = true;
-    count_ = count;
+  void begin(const Asked& asked) {
+    asked_ = asked;
+    if (asked.isUpload()) again_ = client_.status() == Status::BadRange ? Asked() : asked;
+    if (asked.kind == Asked::Kind::Verification) {  // its plan is the one that is uploaded next, as the last one was proven
+      again_.count = asked.count;
+      const bool isProofKept = again_.kind == Asked::Kind::ByAnswer || again_.kind == Asked::Kind::Verified;
+      if (!isProofKept) again_.kind = Asked::Kind::InDoubt;
+    }
+    uploading_ = asked.isUpload();
     done_ = 0;
+    hasTurned_ = false;
     line_.heard.clear();
     written_ = line_.written.size();
+  }
+
+  void upload(uint8_t how, uint8_t which) {
+    const bool wasBusy = client_.isBusy();
+    Asked asked;
+    asked.count = how % (kPlanItems + 1);
+    const ItemSource plan = inRam(kPlan, asked.count);
+    Status status;
+    switch (how / 7 % 4) {
+      case 0:
+        asked.kind = Asked::Kind::InDoubt;
+        status = client_.upload(plan);
+        break;
+      case 1:
+        asked.kind = Asked::Kind::Verified;
+        status = client_.upload(plan, Verified);
+        break;
+      case 2:
+        asked.kind = Asked::Kind::ByAnswer;
+        status = client_.uploadByAnswer(plan);
+        break;
+      default:
+        asked.kind = Asked::Kind::Part;
+        asked.first = which % 8;
+        asked.part = which / 8 % 8;
+        status = client_.uploadPart(plan, asked.first, asked.part);
+    }
+    demand(wasBusy == (status == Status::Busy), "an operation was begun while another one ran, or refused without one");
+    if (!wasBusy) begin(asked);
+  }
+
+  void uploadAgain() {
+    const bool wasBusy = client_.isBusy();
+    const Status status = client_.uploadAgain();
+    demand(wasBusy == (status == Status::Busy), "an operation was begun while another one ran, or refused without one");
+    if (wasBusy) return;
+    Asked asked = again_;
+    const bool isRefused = status == Status::SourceRefused;
+    demand(asked.kind != Asked::Kind::Nothing || isRefused, "a plan was uploaded that was never given");
+    begin(asked);
   }
 
   // What a sketch may ask for besides. None of it may end with Accepted.
@@ -215,7 +287,10 @@ class Session {
       demand(client_.clear() == Status::Busy, "an operation was begun while another one ran");
       return;
     }
-    done_ = 0;
+    Asked asked;
+    if (what % 6 == 1) asked.kind = Asked::Kind::Verification;
+    asked.count = kPlanItems;
+    begin(asked);
     switch (what % 6) {
       case 0:
         client_.clear(what & 64 ? PlanType::All : PlanType::Mission);
@@ -238,13 +313,78 @@ class Session {
     }
   }
 
+  template <typename T>
+  static FrameParts partsOf(const T& message, uint32_t id, uint8_t crcExtra) {
+    const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
+    return FrameParts(id, Bytes(begin, begin + sizeof(message)), crcExtra);
+  }
+
+  // How = 0: as it is; otherwise a bit of its payload is another.
+  static FrameParts altered(FrameParts parts, uint8_t how) {
+    if (how != 0) parts.payload[(how - 1u) % parts.payload.size()] ^= static_cast<uint8_t>(1 << how % 8);
+    return parts;
+  }
+
+  FrameParts itemInPlan(uint16_t sequence) const {
+    return itemParts(sequence < meant_.size() ? meant_[sequence] : kPlan[1], sequence);
+  }
+
+  // What an autopilot says to the client's last message, right or altered.
+  void answer(Input& input) {
+    uint32_t id;
+    Bytes payload;
+    size_t size;
+    while (answered_ < line_.written.size() && isRight(line_.written, answered_, id, payload, size)) {
+      answered_ += size;
+      if (id == MAVLINK_MSG_ID_HEARTBEAT || size > 100) continue;
+      said_ = id;
+      saidPayload_ = payload;
+    }
+    const uint8_t how = input.next();
+    const uint16_t sequence = static_cast<uint16_t>(saidPayload_[0] | saidPayload_[1] << 8);
+    switch (said_) {
+      case MAVLINK_MSG_ID_MISSION_COUNT:
+        if (sequence != 0) return bring(altered(requestParts(0), how), input);
+        return bring(altered(ackParts(0), how), input);
+      case MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST:
+        return bring(altered(requestParts(sequence), how), input);
+      case MAVLINK_MSG_ID_MISSION_ITEM_INT: {
+        const uint16_t item = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
+        if (item + 1u == behindLast()) return bring(altered(ackParts(0), how), input);
+        return bring(altered(requestParts(item + 1), how), input);
+      }
+      case MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
+        return bring(altered(countParts(static_cast<uint16_t>(meant_.size())), how), input);
+      case MAVLINK_MSG_ID_MISSION_REQUEST:
+      case MAVLINK_MSG_ID_MISSION_REQUEST_INT:
+        return bring(altered(itemInPlan(sequence), how), input);
+      case MAVLINK_MSG_ID_COMMAND_LONG: {
+        mavlink_command_ack_t ack = mavlink_command_ack_t();
+        ack.command = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
+        ack.target_system = kAutopilot;
+        ack.target_component = kClient;
+        return bring(altered(partsOf(ack, MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC), how), input);
+      }
+      default:
+        return bring(altered(ackParts(0), how), input);
+    }
+  }
+
+  // The wire item behind those that are uploaded.
+  uint16_t behindLast() const {
+    if (asked_.kind != Asked::Kind::Part) return static_cast<uint16_t>(meant_.size());
+    const size_t home = meant_.size() - asked_.count;
+    return static_cast<uint16_t>(home + asked_.first + asked_.part);
+  }
+
   void bring(FrameParts parts, Input& input) {
     const uint8_t how = input.next();
     parts.sequence = sequence_++;
+    if (other_) parts.systemId = 2;
     if (how & 1) {
       parts.version = 1;
-      if (parts.messageId == 40 || parts.messageId == 51) parts.payload.resize(4);
-      if (parts.messageId == 47) parts.payload.resize(3);
+      const mavlink_msg_entry_t* const entry = mavlink_get_msg_entry(parts.messageId);
+      if (parts.payload.size() > entry->min_msg_len) parts.payload.resize(entry->min_msg_len);
     } else {
       while (parts.payload.size() > 1 && parts.payload.back() == 0) parts.payload.pop_back();
       if (how & 2) parts.incompatibility = 1;
@@ -260,36 +400,60 @@ class Session {
     setMillis(nowMs_);
     const size_t read = line_.bytesRead, written = line_.written.size();
     line_.room = room_;
+    const Status before = client_.status();
     const Status status = client_.update();
     demand(line_.bytesRead - read <= MAVMISSION_BYTES_PER_UPDATE, "update() read more than it may");
     if (room_ > 0) demand(line_.written.size() - written <= static_cast<size_t>(room_), "more was written than there was room");
     demand(client_.itemsDone() <= client_.itemsTotal(), "more items are done than there are");
-    demand(client_.failedItem() == MissionClient::kNoItem || !uploading_ || client_.failedItem() < count_,
+    demand(client_.failedItem() == MissionClient::kNoItem || !uploading_ || client_.failedItem() < asked_.count,
            "an item failed that is not in the plan");
     demand(client_.isBusy() || status == Status::Idle || isEnd(status), "an operation that is over was said to run");
-    if (!isEnd(status)) return;
+    if (client_.status() == Status::WaitingForTurn) hasTurned_ = true;
+    if (client_.isBusy() && client_.status() == Status::Transferring && before != Status::Transferring) {
+      firmware_ = client_.firmware();
+      meant_ = wireItems(kPlan, asked_.count, firmware_);
+    }
+    if (isEnd(status)) judge(status);
+  }
+
+  // How an operation may end.
+  void judge(Status status) {
+    const Bytes written(line_.written.begin() + static_cast<long>(written_), line_.written.end());
+    uint16_t announced = static_cast<uint16_t>(meant_.size());
+    const bool isAnnounced = announces(written, announced);
     if (status == Status::Accepted) {
       demand(uploading_, "what was no upload was accepted");
-      const uint16_t onTheWire = announced(Bytes(line_.written.begin() + static_cast<long>(written_), line_.written.end()));
       // (Of an empty plan nothing is asked for. Its COUNT may be held back by a stream that takes nothing.)
-      const bool home = count_ != 0 && onTheWire == count_ + 1;
-      demand(count_ == 0 || onTheWire == count_ || home, "accepted, though another plan was announced");
-      demand(holdsProof(line_.heard, count_ == 0 ? 0 : onTheWire), "accepted, though the autopilot has not said so");
-      demand(client_.itemsDone() == count_, "accepted, though not every item is done");
+      demand(isAnnounced || asked_.count == 0, "accepted, though it was not announced");
+      demand(asked_.count == 0 || announced == meant_.size(), "accepted, though another plan was announced");
+      const bool isAnswered = holdsAnswer(line_.heard, asked_.count == 0, static_cast<uint16_t>(behindLast() - 1));
+      const bool isRead = holdsReading(line_.heard, written, meant_, firmware_);
+      demand(asked_.kind != Asked::Kind::ByAnswer || isAnswered, "accepted, though the autopilot has not said so");
+      demand(asked_.kind != Asked::Kind::Verified || isRead, "accepted, though it was not read back as it was meant");
+      demand(isAnswered || isRead, "accepted, though neither the autopilot said so nor it was read back");
+      demand(client_.itemsDone() == asked_.count, "accepted, though not every item is done");
+    }
+    if (status == Status::Verified) {
+      demand(asked_.kind == Asked::Kind::Verification, "what was no verification ended as one");
+      demand(holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
+    }
+    if (status == Status::Armed && uploading_ && !hasTurned_) {
+      demand(!isAnnounced, "a plan was announced to an armed autopilot that is refused for it");
     }
     uploading_ = uploading_ && client_.isBusy();  // what was cancelled is told by the next update(), when another may run
   }
 
-  // Silence. The longest upload: waiting, checking, the transfer's own limit. Others are shorter.
+  // Silence. The longest upload: waiting, checking, the transfer's own limit, turns that are waited for. Others are shorter.
   void finish() {
     room_ = MemoryStream::kAlwaysRoom;
     line_.takes = 1000;
-    const uint32_t limitMs = 1000u * (kWaitingLimitS + 120 + 2 * (kPlanItems + 1) + 40);
+    const uint32_t limitMs = 1000u * (kWaitingLimitS + 120 + 2 * (kPlanItems + 1) + 40 + kTurnLimitS + kWaitingLimitS);
     const uint32_t beganMs = nowMs_;
     while (client_.isBusy() || !line_.toRead.empty()) {
       wait(50);
       demand(nowMs_ - beganMs <= limitMs, "an operation does not end");
     }
+    for (int i = 0; i < 20 && !client_.isSent(); ++i) wait(50);
     wait(50);
     wait(50);
     checkWritten();
@@ -304,19 +468,33 @@ class Session {
       size_t size = 0;
       demand(isRight(bytes, at, id, payload, size), "what was written is no frame");
       demand(bytes[at + (bytes[at] == 0xFD ? 4 : 2)] == sequence, "a sequence number was left out or used twice");
+      for (const OutgoingMessage& own : kLong) {
+        demand(id != own.id || memcmp(payload.data(), kLongPayload.data(), own.length) == 0,
+               "a message of the sketch's own was written as another");
+      }
       at += size;
     }
   }
 
   Line line_;
   MissionClient client_;
-  MissionItem space_[4];
+  MissionFollower follower_;
+  MessageListener listener_;
+  MissionItem space_[kPlanItems];
   uint32_t nowMs_ = 0xFFFFF000;  // it wraps soon, in 16 bits and in 32
   int room_ = MemoryStream::kAlwaysRoom;  // at the beginning of each update()
   uint8_t sequence_ = 0;
+  bool other_ = false;     // frames are another system's
   bool uploading_ = false;
-  uint16_t count_ = 0;     // the items of the upload
-  size_t written_ = 0;     // bytes written before it
+  bool hasTurned_ = false;  // it has waited for its turn
+  Asked asked_;
+  Asked again_;            // what uploadAgain() uploads
+  Firmware firmware_ = Firmware();  // that the transfer began with
+  WireItems meant_;        // and the plan for it
+  size_t written_ = 0;     // bytes written before the operation
+  size_t answered_ = 0;    // bytes written before the first frame that answer() has not looked at
+  uint32_t said_ = 0xFFFFFFFF;  // the client's last message that is answered
+  Bytes saidPayload_ = Bytes(255);
   uint16_t done_ = 0;
 };
 

@@ -138,3 +138,12 @@ TEST_CASE("a float times a whole number is the nearest whole number to it") {
     REQUIRE_MESSAGE(timesWhole(bits, 10000000) == static_cast<int32_t>(std::lround(product)), degrees);
   }
 }
+
+TEST_CASE("an altitude beyond what centimetres can count is that of no other") {
+  for (float metres : {32768.0f, 40000.0f, 1e30f, kInfinity, kNaN, -32768.0f, -1e30f, -kInfinity}) {
+    for (float read : {20.0f, 32767.0f, 32768.0f, 40000.5f, 3e38f, kInfinity, kNaN, -32768.0f, -3e38f}) {
+      CHECK_MESSAGE(centimetresKept(metres) != centimetresRead(read), metres << " and " << read);
+      CHECK_MESSAGE(centimetresKept(read) != centimetresRead(metres), read << " and " << metres);
+    }
+  }
+}

@@ -1,0 +1,41 @@
+// What the bytes of a line prove of an upload, found without the library's parser: frames that are right to the checksum,
+// wherever they lie.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "Frames.h"
+#include "mavmission/Commands.h"
+#include "mavmission/MissionItem.h"
+
+constexpr uint8_t kAutopilot = 1;  // its system and component, and the system of the client
+constexpr uint8_t kClient = 191;   // the client's component
+
+// Ends the program with what was violated.
+void demand(bool holds, const char* what);
+
+// True if a frame of a known message lies at `at`; its payload is filled up with zeros.
+bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t& size);
+
+// A plan as it is to go over the wire.
+typedef std::vector<mavmission::MissionItem> WireItems;
+
+// The wire items of the first `count` items of `plan` for an autopilot of this kind.
+WireItems wireItems(const mavmission::MissionItem* plan, uint16_t count, mavmission::Firmware firmware);
+
+// A MISSION_ITEM_INT of a mission, as the autopilot gives it.
+FrameParts itemParts(const mavmission::MissionItem& item, uint16_t sequence);
+FrameParts countParts(uint16_t count, uint32_t opaqueId = 0);
+
+// True if, in these bytes, item `last` is asked for, and behind that a mission is accepted, both by the autopilot and for
+// us; of an empty plan (`isEmpty`) nothing is asked for.
+bool holdsAnswer(const Bytes& heard, bool isEmpty, uint16_t last);
+
+// True if `asked`, bytes that were written, asks for what is aboard and for each item, and `heard` gives their right
+// number and each of them as `meant` says. ArduPilot's item 0 is its own home.
+bool holdsReading(const Bytes& heard, const Bytes& asked, const WireItems& meant, mavmission::Firmware firmware);
+
+// True if these bytes begin an upload: MISSION_COUNT, or MISSION_WRITE_PARTIAL_LIST. `announced`: how many items the last
+// MISSION_COUNT announces, if there is one.
+bool announces(const Bytes& written, uint16_t& announced);
