@@ -3,7 +3,8 @@
 //
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
-// - an upload is Accepted only if it was announced, and the bytes that came since it was asked for hold either a request
+// - an upload is Accepted only if it was announced, and the bytes that came since it was asked for (and those that the
+//   parser may still hold then) hold either a request
 //   for its last item and behind it an ACK with MAV_MISSION_ACCEPTED, or, once they were asked for, the right number of
 //   items and each of them as it was meant; all right to the checksum, from the autopilot, for us and for a mission.
 //   uploadByAnswer() takes only the first, upload(plan, Verified) only the second. verify() ends with Verified only by
@@ -32,6 +33,7 @@ namespace {
 
 const uint16_t kWaitingLimitS = 10;
 const uint16_t kTurnLimitS = 20;
+const long kMostHeldBack = 66;  // bytes that the parser keeps of a frame
 
 // The bytes of the input, as far as they go.
 struct Input {
@@ -64,7 +66,7 @@ const OutgoingMessage kLong[] = {{MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, 84, 254
 
 class Line : public MemoryStream {
  public:
-  Bytes heard;  // since an operation was asked for
+  Bytes heard;  // since an operation was asked for, and a few before
   int read() override {
     const int byte = MemoryStream::read();
     if (byte >= 0) heard.push_back(static_cast<uint8_t>(byte));
@@ -237,7 +239,9 @@ class Session {
     uploading_ = asked.isUpload();
     done_ = 0;
     hasTurned_ = false;
-    line_.heard.clear();
+    // The parser may hold the latest bytes still, within a frame that was cut off, and find a frame among them later.
+    Bytes& heard = line_.heard;
+    if (heard.size() > static_cast<size_t>(kMostHeldBack)) heard.erase(heard.begin(), heard.end() - kMostHeldBack);
     written_ = line_.written.size();
   }
 
