@@ -78,7 +78,7 @@ WireItems wireItems(const MissionItem* plan, uint16_t count, Firmware firmware) 
   wire.setSource(inRam(plan, count));
   wire.begin(firmware, PlanType::Mission, false);
   WireItems items(wire.wireCount());
-  for (uint16_t i = 0; i < items.size(); ++i) {
+  for (uint16_t i = 0; i < wire.wireCount(); ++i) {
     while (wire.read(i, items[i]) == Status::Checking) {
     }
   }
