@@ -13,7 +13,7 @@ WRAPS = pytest.mark.scenario(16, "millis() wraps in every state")
 
 # loop() runs each 1.024 ms, and millis() moves in steps of 1 and at times 2 ms: they fall differently in each run, and
 # a course has up to ten waits in a row. [s]
-SAME_S = 0.017  # limits in seconds are looked at each 16 ms
+SAME_S = 0.005
 
 
 def without_loss(bench: Bench) -> None:

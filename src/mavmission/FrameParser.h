@@ -152,12 +152,16 @@ class FrameParser {
   // Reported: a signature, or the rest of a message that has been given as Unwanted already. Signature: one that is kept.
   enum class Stepping : uint8_t { Message, MessageWithBytes, Reported, Signature };
 
+  bool takePlainly(uint8_t byte);
+  void keep(uint8_t byte);
   Result grow(uint8_t byte);
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result classify();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result complete();
   void noteSender();
   const MessageKey* keyOf(uint16_t messageId) const;
   bool isV2() const;
+  // True if what has begun did so inside another frame.
+  bool isInside() const { return skip_ != 0 || boundary_ != 0; }
   // Counts a byte that belongs to no frame.
   MAVMISSION_APART void skipByte();
   void giveUp();

@@ -74,6 +74,11 @@ class Link {
   template <typename T>
   void prepareAs(void* payload);
   bool isPrepared() const { return outbox_.isHeld(); }
+  // Where the payload for prepareAs() may be made; what was prepared before is gone. Only when canSend().
+  void* draft() {
+    outbox_.drop();
+    return outbox_.draft();
+  }
   MAVMISSION_APART void release();
 
   // Sends a message of the sketch's own; false if that cannot be done now.

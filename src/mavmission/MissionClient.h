@@ -224,7 +224,7 @@ class MissionClient {
 
  private:
   // Seconds, heartbeats and the autopilot's silence are looked at once in that time [ms]: 100 cycles less for each update().
-  static constexpr uint8_t kTickMs = 16;
+  static constexpr uint8_t kTickMs = 2;
   // The most for a whole operation by default [s]: 2 minutes, and 2 s an item.
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
   // What a frame for us takes, in bytes that could be looked at in that time [bytes].

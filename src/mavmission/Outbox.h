@@ -34,6 +34,10 @@ class Outbox {
   // Completes it with a message: its key, in flash, and a payload of key->length bytes. It is then held.
   void complete(const MessageKey* key, const uint8_t* payload);
 
+  // Where a payload may be made, kMaxPayload bytes, aligned as its fields need it. Only when isEmpty() and not isHeld().
+  // complete() moves it from here to its place, which begins further to the front.
+  void* draft() { return frame_ + kDraft; }
+
   // Completes it with a message of the sketch's own, whose payload stays where it is until it has been sent.
   void completeForeign(const OutgoingMessage& message);
 
@@ -91,10 +95,13 @@ class Outbox {
   bool signs_;
   bool isUnsigned_;
 #endif
+  static constexpr uint8_t kDraft = 12;
   union {
     uint8_t frame_[10 + kMaxPayload + 2 + kSignature];
     Foreign foreign_;
+    uint32_t alignment_;
   };
+  static_assert(kDraft >= 10 && kDraft % 4 == 0 && kDraft + kMaxPayload <= sizeof(frame_), "behind the header, and aligned");
 };
 
 }  // namespace mavmission

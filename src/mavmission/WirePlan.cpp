@@ -33,6 +33,21 @@ bool isTakenBy(Firmware firmware, Frame frame) {
   return number < 16 && ((taken >> number) & 1) != 0;
 }
 
+// Where an item is.
+struct Place {
+  int32_t x, y;
+
+  bool isFound() const { return (x | y) != 0; }
+  void takeFrom(const MissionItem& item) {
+    x = item.x;
+    y = item.y;
+  }
+  void give(MissionItem& item) const {
+    item.x = x;
+    item.y = y;
+  }
+};
+
 }  // namespace
 
 void WirePlan::setSource(const ItemSource& plan) {
@@ -82,24 +97,17 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
     Status found = Status::NeedsPlace;
     if (distance < count_) {
       if (near >= count_) continue;
-      found = takePlaceOf(near, item);
-      if (found == Status::Checking) continue;
+      found = Status::SourceRefused;
+      if (read_(context_, near, item)) {
+        // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
+        if (item.command >= 95 || !isSomewhere(item) || (traitsOf(item.command) & kHasNoPlace)) continue;
+        found = Status::Accepted;
+      }
     }
     searched_ = 0;
     return found;
   }
   return Status::Checking;
-}
-
-Status WirePlan::takePlaceOf(uint16_t index, MissionItem& item) const {
-  MissionItem other;
-  if (!read_(context_, index, other)) return Status::SourceRefused;
-  // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
-  if (other.command >= 95 || !isSomewhere(other) || (traitsOf(other.command) & kHasNoPlace)) return Status::Checking;
-  // x and y at once, in 16 bytes less.
-  constexpr size_t kFrom = offsetof(MissionItem, x);
-  memcpy(reinterpret_cast<uint8_t*>(&item) + kFrom, reinterpret_cast<const uint8_t*>(&other) + kFrom, 8);
-  return Status::Accepted;
 }
 
 Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
@@ -115,27 +123,34 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     }
     --wireIndex;
   }
-  if (!read_(context_, wireIndex, item)) return Status::SourceRefused;
-  const uint8_t traits = traitsOf(item.command);
-  const Status checked = check(item, traits);
-  if (checked != Status::Accepted || raw_) return checked;
+  Place place = Place();
+  for (;;) {
+    if (!read_(context_, wireIndex, item)) return Status::SourceRefused;
+    if (place.isFound()) place.give(item);
+    const uint8_t traits = traitsOf(item.command);
+    const Status checked = check(item, traits);
+    if (checked != Status::Accepted || raw_) return checked;
 
-  uint8_t placeless = kHasNoPlace;
-  if (firmware_ == Firmware::ArduPilot) {
-    if (traits & kNotFlownByArduPilot) return Status::NotFlown;
-    if (kindOf(&item.param4) != FloatKind::Finite) item.param4 = 0;  // a NaN, for "as you fly": 0 is that there
-    if (item.command == kDoJump) item.param1 = oneMore(item.param1);
-  } else if (firmware_ == Firmware::Px4) {
-    if (traits & kNotFlownByPx4) return Status::NotFlown;
-    if (!hasPlace(item) && (traits & (kYawInParam4 | kPlaceIsOptional))) return Status::NeedsPlace;
-    if ((traits & kPlaceIsOptional) && !isSomewhere(item)) {
-      const Status found = findPlaceFor(wireIndex, item);
-      if (found != Status::Accepted) return found;
+    uint8_t placeless = kHasNoPlace;
+    if (firmware_ == Firmware::ArduPilot) {
+      if (traits & kNotFlownByArduPilot) return Status::NotFlown;
+      if (kindOf(&item.param4) != FloatKind::Finite) item.param4 = 0;  // a NaN, for "as you fly": 0 is that there
+      if (item.command == kDoJump) item.param1 = oneMore(item.param1);
+    } else if (firmware_ == Firmware::Px4) {
+      if (traits & kNotFlownByPx4) return Status::NotFlown;
+      if (!hasPlace(item) && (traits & (kYawInParam4 | kPlaceIsOptional))) return Status::NeedsPlace;
+      if ((traits & kPlaceIsOptional) && !isSomewhere(item)) {
+        // Other items are read where this one is, and it is read again behind them: it saves a second one on the stack.
+        const Status found = findPlaceFor(wireIndex, item);
+        if (found != Status::Accepted) return found;
+        place.takeFrom(item);
+        continue;
+      }
+      placeless |= kNoPlaceOnPx4;
     }
-    placeless |= kNoPlaceOnPx4;
+    if (traits & placeless) item.frame = Frame::Mission;
+    return Status::Accepted;
   }
-  if (traits & placeless) item.frame = Frame::Mission;
-  return Status::Accepted;
 }
 
 void fromWire(MissionItem& item, Firmware firmware) {

@@ -46,9 +46,8 @@ class WirePlan {
 
  private:
   Status check(const MissionItem& item, uint8_t traits) const;
-  Status findPlaceFor(uint16_t index, MissionItem& item);
-  // Gives `item` the place of item `index`; Status::Checking if that has none to fly to.
-  MAVMISSION_APART Status takePlaceOf(uint16_t index, MissionItem& item) const;
+  // Looks for an item near item `index`, which is `item`, whose place that one can have, and puts it there instead.
+  MAVMISSION_APART Status findPlaceFor(uint16_t index, MissionItem& item);
 
   ItemFunction read_;
   void* context_;
