@@ -1,5 +1,8 @@
 #include "Comparison.h"
 
+#include <stddef.h>
+#include <string.h>
+
 #include "Flash.h"
 #include "FloatBits.h"
 
@@ -41,25 +44,23 @@ const Row kRows[] PROGMEM = {
 
 constexpr uint16_t kDoMountControl = 205;
 
-uint8_t rulesOf(uint16_t command, Firmware firmware) {
-  for (const Row& row : kRows) {
-    if (fromFlash(&row.command) == command) return fromFlash(firmware == Firmware::Px4 ? &row.px4 : &row.arduPilot);
-  }
-  return 0;
-}
-
+// Whether `read` is what the rule makes of `sent`, or `sent` itself.
 bool obeys(uint8_t rule, float sent, float read) {
-  if (isSame(sent, read)) return true;
+  float kept = sent;
   switch (rule) {
     case D:
-      return isSame(read, 0);
+      kept = 0;
+      break;
     case W:
-      return isSame(read, wholePart(sent));
+      kept = wholePart(sent);
+      break;
     case S:
-      return isSame(read, isNegative(sent) ? -1 : 1);
+      kept = isNegative(sent) ? -1 : 1;
+      break;
     default:
-      return false;
+      break;
   }
+  return isSame(read, sent) || isSame(read, kept);
 }
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firmware) {
@@ -69,31 +70,50 @@ bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firm
   return firmware == Firmware::ArduPilot && read.frame == Frame::Global && hasNoPlace;
 }
 
-bool isSameHeight(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
-  if (isSame(sent.z, read.z)) return true;
-  if (firmware != Firmware::ArduPilot) return false;
-  if (type == PlanType::Rally) return isSame(read.z, wholePart(sent.z));  // rally heights are whole metres
-  if (sent.command == kDoMountControl) return isSame(read.z, 2);          // MAV_MOUNT_MODE_MAVLINK_TARGETING, always
+// The rules of param1 to param4, of an item of this plan.
+uint8_t rulesOf(const MissionItem& sent, Firmware firmware, PlanType type) {
+  if (type != PlanType::Mission || (firmware != Firmware::ArduPilot && firmware != Firmware::Px4)) return 0;
+  for (const Row& row : kRows) {
+    if (fromFlash(&row.command) == sent.command) return fromFlash(firmware == Firmware::Px4 ? &row.px4 : &row.arduPilot);
+  }
+  return 0;
+}
+
+// Heights that ArduPilot gives back another way than whole, dropped, or as a sign.
+bool isHeightKept(const MissionItem& sent, const MissionItem& read) {
+  if (sent.command == kDoMountControl) return isSame(read.z, 2);  // MAV_MOUNT_MODE_MAVLINK_TARGETING, always
   return centimetresKept(sent.z) == centimetresRead(read.z);
 }
+
+// param1 to param4, x, y, z lie one behind the other, four bytes each.
+constexpr uint8_t kX = 4, kY = 5, kZ = 6;
+static_assert(offsetof(MissionItem, x) == 4 * kX && offsetof(MissionItem, y) == 4 * kY && offsetof(MissionItem, z) == 4 * kZ,
+              "in their order");
+static_assert(static_cast<uint8_t>(Field::Latitude) == static_cast<uint8_t>(Field::Param1) + kX &&
+                  static_cast<uint8_t>(Field::Height) == static_cast<uint8_t>(Field::Param1) + kZ,
+              "fields have the same order");
 
 }  // namespace
 
 Field difference(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
   if (read.command != sent.command) return Field::Command;
   if (!isSameFrame(sent, read, firmware)) return Field::Reference;
-  const bool rewrites = type == PlanType::Mission && (firmware == Firmware::ArduPilot || firmware == Firmware::Px4);
-  uint8_t left = rewrites ? rulesOf(sent.command, firmware) : 0;
-  const float sentParams[] = {sent.param1, sent.param2, sent.param3, sent.param4};
-  const float readParams[] = {read.param1, read.param2, read.param3, read.param4};
-  for (uint8_t i = 0; i < 4; ++i, left >>= 2) {
-    if (!obeys(left & 3, sentParams[i], readParams[i])) {
-      return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + i);
+  uint8_t rules = rulesOf(sent, firmware, type);
+  const uint8_t* sentBytes = reinterpret_cast<const uint8_t*>(&sent);
+  const uint8_t* readBytes = reinterpret_cast<const uint8_t*>(&read);
+  for (uint8_t i = 0; i <= kZ; ++i, rules >>= 2, sentBytes += 4, readBytes += 4) {
+    if (memcmp(sentBytes, readBytes, 4) == 0) continue;
+    if (i != kX && i != kY) {
+      float sentNumber, readNumber;
+      memcpy(&sentNumber, sentBytes, 4);
+      memcpy(&readNumber, readBytes, 4);
+      const bool isArduPilots = i == kZ && firmware == Firmware::ArduPilot;
+      if (isArduPilots && type == PlanType::Rally) rules = W;  // rally heights are whole metres
+      if (obeys(rules & 3, sentNumber, readNumber)) continue;
+      if (isArduPilots && type != PlanType::Rally && isHeightKept(sent, read)) continue;
     }
+    return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + i);
   }
-  if (read.x != sent.x) return Field::Latitude;
-  if (read.y != sent.y) return Field::Longitude;
-  if (!isSameHeight(sent, read, firmware, type)) return Field::Height;
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
   const bool isAlways1 = firmware == Firmware::ArduPilot && read.autocontinue == 1;
   if (type == PlanType::Mission && !isAlways1 && read.autocontinue != sent.autocontinue) return Field::Autocontinue;

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "Commands.h"
+#include "Config.h"
 #include "Flash.h"
 #include "MissionItem.h"
 #include "PlanType.h"
@@ -39,6 +40,6 @@ FlashText toString(Field field);
 
 // The first field in which `read` is not what this autopilot makes of `sent`, or Field::None. `sent` is the item as it
 // went out (WirePlan), `read` as it came back.
-Field difference(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type);
+MAVMISSION_APART Field difference(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type);
 
 }  // namespace mavmission

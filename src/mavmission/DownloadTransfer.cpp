@@ -13,13 +13,14 @@ void DownloadTransfer::begin(uint16_t nowMs) {
   tries_ = 0;
 }
 
-void DownloadTransfer::onCount(uint16_t count) {
+bool DownloadTransfer::onCount(uint16_t count) {
   // A second COUNT answers a REQUEST_LIST that was repeated; the items are on their way already.
-  if (!expectsAnswer(State::Listing)) return;
+  if (!expectsAnswer(State::Listing)) return false;
   count_ = count;
   tries_ = 0;
   state_ = count == 0 ? State::Closing : State::Fetching;
   send_ = count == 0 ? Send::Accepted : Send::Request;
+  return true;
 }
 
 bool DownloadTransfer::onItem(uint16_t item) {
@@ -30,6 +31,11 @@ bool DownloadTransfer::onItem(uint16_t item) {
   if (isLast) state_ = State::Closing;
   send_ = isLast ? Send::Accepted : Send::Request;
   return true;
+}
+
+void DownloadTransfer::askAgain() {
+  tries_ = 0;
+  send_ = Send::Request;
 }
 
 Status DownloadTransfer::onAck(uint8_t result) const {

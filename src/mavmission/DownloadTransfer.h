@@ -27,9 +27,12 @@ class DownloadTransfer {
   void begin(uint16_t nowMs);
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how it has ended.
-  void onCount(uint16_t count);
+  // True if it is the answer to our question.
+  bool onCount(uint16_t count);
   // True if it is the item that was asked for; the next one is then asked for.
   bool onItem(uint16_t item);
+  // The item that has just come, and was not taken, is asked for again at once.
+  void askAgain();
   Status onAck(uint8_t result) const;
   Status onTime(uint16_t nowMs);
 

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "Config.h"
+
 namespace mavmission {
 namespace {
 
@@ -22,7 +24,7 @@ float fromBits(uint32_t bits) {
   return value;
 }
 
-// Of a float that is not negative. (A shift of the upper half is half the code of one of the whole.)
+// (A shift of the upper half is half the code of one of the whole.)
 uint8_t biasedExponent(uint32_t bits) { return static_cast<uint8_t>(static_cast<uint16_t>(bits >> 16) >> 7); }
 
 // `mantissa` has its highest bit at bit 23; the value is mantissa * 2^(exponent - 23).
@@ -79,7 +81,7 @@ int32_t timesWhole(int32_t bits, uint32_t factor) {
 
 float wholePart(float value) {
   const uint32_t bits = bitsOf(value);
-  const uint8_t biased = static_cast<uint8_t>(bits >> 23);
+  const uint8_t biased = biasedExponent(bits);
   if (biased < kBias) return 0;
   if (biased >= kBias + 23) return value;
   return fromBits(bits & ~((kHidden - 1) >> (biased - kBias)));
@@ -88,36 +90,36 @@ float wholePart(float value) {
 namespace {
 
 // The magnitude of metres * 100, times two, cut off; `rounded`: the product is rounded to a float's 24 bits first.
-int32_t doubledCentimetres(float metres, bool rounded) {
+MAVMISSION_APART uint32_t doubledCentimetres(float metres, bool rounded) {
   const uint32_t bits = bitsOf(metres);
+  const uint8_t biased = biasedExponent(bits);
+  if (biased >= kBias + 14 + 1) return 0x7FFFFFFF;
+  if (biased < kBias - 8) return 0;
   // The exponent of the last bit of the doubled product.
-  int8_t exponent = static_cast<int8_t>(static_cast<uint8_t>(bits >> 23) - kBias - 23 + 1);
-  if (static_cast<uint8_t>(bits >> 23) >= kBias + 14 + 1) return 0x7FFFFFFF;
-  if (static_cast<uint8_t>(bits >> 23) < kBias - 8) return 0;
+  int8_t exponent = static_cast<int8_t>(biased - kBias - 23 + 1);
   uint32_t product = ((bits & (kHidden - 1)) | kHidden) * 100;
   if (rounded) {
-    uint8_t dropped = 0;
-    while (product >> dropped >= kHidden << 1) ++dropped;
-    const uint32_t half = (1UL << dropped) >> 1;
-    const uint32_t rest = product & ((1UL << dropped) - 1);
-    product >>= dropped;
-    if (rest > half || (rest == half && (product & 1) != 0)) ++product;
-    product <<= dropped;
+    bool half = false, more = false;  // what is cut off: its highest bit, and any below
+    for (; static_cast<uint8_t>(product >> 24) != 0; product >>= 1, ++exponent) {
+      more |= half;
+      half = (product & 1) != 0;
+    }
+    if (half && (more || (product & 1) != 0)) ++product;
   }
   for (; exponent < 0 && product != 0; ++exponent) product >>= 1;
-  return static_cast<int32_t>(product);
+  return product;
 }
 
 }  // namespace
 
 int32_t centimetresKept(float metres) {
-  const int32_t kept = doubledCentimetres(metres, true) / 2;
-  return (bitsOf(metres) & kSign) != 0 ? -kept : kept;
+  const int32_t kept = static_cast<int32_t>(doubledCentimetres(metres, true) >> 1);
+  return isNegative(metres) ? -kept : kept;
 }
 
 int32_t centimetresRead(float metres) {
-  const int32_t nearest = static_cast<int32_t>((static_cast<uint32_t>(doubledCentimetres(metres, false)) + 1) / 2);
-  return (bitsOf(metres) & kSign) != 0 ? -nearest : nearest;
+  const int32_t nearest = static_cast<int32_t>((doubledCentimetres(metres, false) + 1) >> 1);
+  return isNegative(metres) ? -nearest : nearest;
 }
 
 namespace {
@@ -139,7 +141,7 @@ float oneMore(float whole) {
 
 float oneLess(float whole) {
   const uint32_t bits = bitsOf(whole);
-  const uint8_t biased = static_cast<uint8_t>(bits >> 23);
+  const uint8_t biased = biasedExponent(bits);
   if (biased <= kBias) return 0;
   // Below a power of two the unit is worth twice as many bits.
   const bool isPower = (bits & (kHidden - 1)) == 0;

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "Config.h"
+
 namespace mavmission {
 
 enum class FloatKind : uint8_t { Finite, Infinite, NotANumber };
@@ -10,7 +12,7 @@ enum class FloatKind : uint8_t { Finite, Infinite, NotANumber };
 FloatKind kindOf(const void* bytes);
 
 // The same value: any NaN is the same as any other, 0 the same as -0.
-bool isSame(float a, float b);
+MAVMISSION_APART bool isSame(float a, float b);
 bool isNegative(float value);
 
 // The whole number from 0 to 65535 that `value` is, or -1 if it is none.

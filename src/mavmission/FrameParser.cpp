@@ -80,7 +80,15 @@ uint32_t FrameParser::payloadLong(uint8_t index) const {
 
 void FrameParser::copyPayload(void* message, uint8_t size) const {
   uint8_t* to = static_cast<uint8_t*>(message);
-  for (uint8_t i = 0; i < size; ++i) *to++ = payloadByte(i);
+  const uint8_t* from = payload();
+  for (uint8_t left = length(); size != 0; --size) {
+    uint8_t byte = 0;
+    if (left != 0) {
+      byte = *from++;
+      --left;
+    }
+    *to++ = byte;
+  }
 }
 
 bool FrameParser::isFor(uint8_t systemId, uint8_t componentId) const {

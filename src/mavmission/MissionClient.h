@@ -48,8 +48,6 @@ class MissionClient {
   static constexpr uint16_t kNoItem = 0xFFFF;
   // The most items that the protocol can count; home is one of them on ArduPilot.
   static constexpr uint16_t kMaxItems = 0xFFFF;
-  // Calls of a plan that looks for a place, within one update().
-  static constexpr uint8_t kMostCalls = 4;
   // How long an earlier transfer may still be answered [ms]: ArduPilot gives one up after 8 s.
   static constexpr uint16_t kLeftoversMs = 10000;
 

@@ -115,14 +115,15 @@ void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
     case MAVLINK_MSG_ID_MISSION_ITEM:
       return takeReadItem(frame);
     case MAVLINK_MSG_ID_MISSION_ACK: {
-      const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
-      if (ack.mission_type != static_cast<uint8_t>(state_.type)) return;
-      const Status status = reading_.transfer.onAck(ack.type);
+      typedef mavlink_mission_ack_t Ack;
+      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      const uint8_t result = frame.payloadByte(offsetof(Ack, type));
+      const Status status = reading_.transfer.onAck(result);
       if (status == Status::Transferring) return;
       // While an upload is being proven the autopilot may still hold it open: ArduPilot denies reading until it gives
       // up, PX4 says error. The request is repeated, and its tries bound the wait.
       if (rest_.proving && reading_.transfer.state() == DownloadTransfer::State::Listing) return;
-      rest_.lastResult = ack.type;
+      rest_.lastResult = result;
       return endReading(status);
     }
     default:
@@ -131,22 +132,21 @@ void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
 }
 
 void MissionClient::takeReadCount(const FrameParser& frame) {
-  DownloadTransfer& transfer = reading_.transfer;
-  const mavlink_mission_count_t count = messageFrom<mavlink_mission_count_t>(frame);
-  if (count.mission_type != static_cast<uint8_t>(state_.type)) return;
-  if (!transfer.expectsAnswer(DownloadTransfer::State::Listing)) return;
-  transfer.onCount(count.count);
-  reading_.planId = count.opaque_id;
+  typedef mavlink_mission_count_t Count;
+  if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+  const uint16_t count = frame.payloadWord(offsetof(Count, count));
+  if (!reading_.transfer.onCount(count)) return;
+  reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
   const bool isHomeFirst = homeBefore() != 0;
   if (!reading_.isCompared) {
-    const uint16_t items = isHomeFirst && count.count > 0 ? count.count - 1 : count.count;
+    const uint16_t items = isHomeFirst && count > 0 ? count - 1 : count;
     rest_.itemsTotal = items;
     if (items > reading_.sink.limit) endReading(Status::SinkFull);
     return;
   }
   // ArduPilot without a plan says 0, or 1 for its home.
-  const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count.count <= 1;
-  if (isBothEmpty || count.count == plan_.wireCount()) return;
+  const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count <= 1;
+  if (isBothEmpty || count == plan_.wireCount()) return;
   rest_.field = Field::Count;
   endReading(Status::Differs);
 }
@@ -157,7 +157,7 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
     mavlink_mission_item_int_t message;
   } piece;
   static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
-  piece.message = messageFrom<mavlink_mission_item_int_t>(frame);
+  frame.copyPayload(&piece.message, sizeof(piece.message));
   const mavlink_mission_item_int_t& message = piece.message;
   DownloadTransfer& transfer = reading_.transfer;
   const uint16_t seq = message.seq;
@@ -176,7 +176,7 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
   piece.item.current = current;
   piece.item.autocontinue = autocontinue;
   const Status taken = reading_.take(*this, seq, piece.item);
-  if (taken == Status::Checking) return;  // it will be asked for again
+  if (taken == Status::Checking) return;  // it will be asked for again, by askAgain() or in time
   if (taken != Status::Transferring) {
     state_.failedItem = ownItem(seq);
     return endReading(taken);
@@ -191,8 +191,8 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
   const bool hasHome = plan.firmware() == Firmware::ArduPilot && client.state_.type == PlanType::Mission;
   if (wireItem == 0 && hasHome) return Status::Transferring;  // the autopilot's own, however the sketch counts
   MissionItem meant;
-  Status read = Status::Checking;
-  for (uint8_t call = 0; call < kMostCalls && read == Status::Checking; ++call) read = plan.read(wireItem, meant);
+  const Status read = plan.read(wireItem, meant);
+  if (read == Status::Checking) client.reading_.transfer.askAgain();  // the looking for a place goes on then
   if (read != Status::Accepted) return read;
   client.rest_.field = difference(meant, item, plan.firmware(), client.state_.type);
   return client.rest_.field == Field::None ? Status::Transferring : Status::Differs;
