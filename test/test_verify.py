@@ -7,7 +7,7 @@ import math
 import pytest
 from fake_autopilot import Item, item, mavlink
 from fake_autopilot.items import f32
-from plans import HOME, SURVEY, jump, waypoint
+from plans import HOME, LAND, NO_PLACE, SPEED, SURVEY, jump, waypoint
 from recordings import readback
 from service import FENCE, MISSION, RALLY, field_texts
 from test_download import WRITTEN, loaded
@@ -41,6 +41,18 @@ def test_longer_plan_verifies(service):
     assert service.done(limit_s=20) == "Accepted"
     service.verify()
     assert service.done(limit_s=20) == "Verified"
+
+
+@VERIFY
+def test_landing_far_from_any_place_verifies(service):
+    """On PX4 it gets a place: that of the nearest waypoint in the plan, 45 items off; it is looked for while items come."""
+    plan = [waypoint(z=5.0), *[item(SPEED, frame=NO_PLACE, param1=1.0, param2=3.0, param3=-1.0)] * 45, item(LAND)]
+    service.upload(plan, proof="Always")
+    assert service.done(limit_s=20) == "Accepted"
+    service.verify()
+    began = service.now
+    assert service.done(limit_s=20) == "Verified"
+    assert service.now - began < 5.0
 
 
 # What becomes of one field, and how it is named. All are kept by both autopilots in these commands.

@@ -45,7 +45,7 @@ struct MoreKeys {
 };
 
 // The key, in flash, of a message that is wanted, or null. Defined beside the messages.
-const MessageKey* wantedKey(uint16_t messageId);
+MAVMISSION_APART const MessageKey* wantedKey(uint16_t messageId);
 
 class FrameParser {
  public:
@@ -157,7 +157,7 @@ class FrameParser {
   Result grow(uint8_t byte);
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result classify();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result complete();
-  void noteSender();
+  MAVMISSION_APART void noteSender();
   const MessageKey* keyOf(uint16_t messageId) const;
   bool isV2() const;
   // True if what has begun did so inside another frame.

@@ -52,7 +52,7 @@ class MissionClient {
   static constexpr uint16_t kLeftoversMs = 10000;
 
   // Talks over this port, which the sketch opens.
-  explicit MissionClient(Stream& stream);
+  MAVMISSION_APART explicit MissionClient(Stream& stream);
 
   // --- Operations: one at a time; a second one is refused with Status::Busy, and the running one goes on unharmed.
 
