@@ -68,7 +68,7 @@ void MissionClient::commandStep(MissionClient& client, const FrameParser* frame,
     if (commanding.tries == UploadTransfer::kTries) return client.end(Status::NoAnswer);
     commanding.isDue = true;
   }
-  if (commanding.isDue && client.link_.canSend()) client.sendCommand(nowMs);
+  if (commanding.isDue && client.link_.canSend() && client.isHeavyAllowed()) client.sendCommand(nowMs);
 }
 
 void MissionClient::sendCommand(uint16_t nowMs) {
