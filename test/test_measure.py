@@ -60,6 +60,7 @@ def costs() -> list[growth.Cost]:
     return [growth.Cost(*cost) for cost in measured_once("growth", lambda: [tuple(cost) for cost in growth.costs()])]
 
 
+@pytest.mark.slow
 def test_no_figure_is_beyond_its_bound(rows):
     failures = [finding.text for finding in bounds.compare(rows, bounds.load()) if finding.failed]
     assert not failures, "\n".join(failures)
@@ -69,12 +70,14 @@ def test_each_bound_has_its_figure():
     assert list(bounds.load()) == [figure.key for figure in figures.FIGURES]
 
 
+@pytest.mark.slow
 def test_table_in_the_readme_is_not_stale(rows):
     text = README.read_text()
     fresh = report.with_table(text, report.for_readme(rows, features.table()))
     assert fresh == text, "run tools/measure --write-readme"
 
 
+@pytest.mark.slow
 def test_ours_is_better_than_either_baseline_where_both_are_measured(rows):
     for row in rows:
         if row.figure.key in ("globals", "globals_and_stack", "byte_mean", "byte_worst", "turnaround"):

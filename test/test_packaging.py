@@ -266,11 +266,12 @@ def examples() -> list[Path]:
     return sorted((ROOT / "examples").rglob("*.ino"))
 
 
+SLOW = pytest.mark.slow
 # What its comment says does not fit; if it does one day, its test says so.
 TOO_LARGE = {("PlanConsole", "leonardo"), ("PlanConsole", "nano")}
 
 
-@pytest.mark.parametrize("board", BOARDS)
+@pytest.mark.parametrize("board", [pytest.param(board, marks=() if board == "mega" else SLOW) for board in BOARDS])
 @pytest.mark.parametrize("example", examples(), ids=lambda example: example.stem)
 def test_every_example_compiles_for_every_board(example, board):
     if (example.stem, board) in TOO_LARGE:
