@@ -88,6 +88,7 @@ def test_plan_in_ram_is_judged_as_it_was_when_the_upload_began():
     assert "-35.3620276" in text  # 12,345 further north than the linker left it
 
 
+@pytest.mark.slow
 def test_plan_from_a_function_is_judged_by_what_was_sent():
     good, text = shown(sketch("computed"))
     assert good, text

@@ -125,6 +125,7 @@ def test_line_is_loud_again_after_a_failure(loud):
     assert is_back(loud, before)
 
 
+@pytest.mark.slow
 def test_transfer_that_begins_while_intervals_are_given_back_is_quiet_too(loud, personality):
     before = loud.rates()
     loud.tell("upload", LONG_PLAN)
@@ -299,6 +300,7 @@ def test_nobody_is_asked_before_an_autopilot_was_heard_or_when_there_are_several
 # The sketch's own list -----------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(make_quiet):
     bench = make_quiet(defines={"BENCH_QUIET_LIST": 1})
     bench.run(2.0)
