@@ -34,6 +34,7 @@ FAST = ["-O2"]
 UNITS = HOST / "units"
 LONG_RUNNING = (UNITS / "float_bits.cpp",)
 AS_IT_IS = ["-O0"]
+FAST_ASSERTS = ["-DDOCTEST_CONFIG_SUPER_FAST_ASSERTS"]
 
 
 class HostProgramNotBuilt(Exception):
@@ -58,10 +59,11 @@ def build_host(
     units = [*sources, *(library_sources() if library is None else library), SHIM / "Arduino.cpp"]
     places = [f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
     command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), *places]
-    unit = [*command, *AS_IT_IS]
-    unoptimised = {source for source in units if source.parent == UNITS} - {*LONG_RUNNING}
+    unit = [*command, *FAST_ASSERTS]
+    kinds = {source: [*unit, *AS_IT_IS] for source in units if source.parent == UNITS}
+    kinds |= {source: unit for source in LONG_RUNNING}
     with ThreadPoolExecutor(os.cpu_count()) as workers:
-        commands = [unit if source in unoptimised else command for source in units]
+        commands = [kinds.get(source, command) for source in units]
         objects = list(workers.map(make_object, units, commands))
     linking = [compiler, *flags, *link]
     key = digest("program", *linking, *map(str, objects))

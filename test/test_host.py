@@ -22,7 +22,7 @@ UNITS = sorted(file.stem for file in (HOST / "units").glob("*.cpp") if file.stem
 @functools.cache
 def build_units(compiler: str) -> Path:
     sources = [*sorted((HOST / "units").glob("*.cpp")), *sorted(HOST.glob("*.cpp"))]
-    return build_host("units", sources, compiler, defines={"DOCTEST_CONFIG_SUPER_FAST_ASSERTS": True})
+    return build_host("units", sources, compiler)
 
 
 def recorded_uploads() -> bytes:

@@ -142,6 +142,7 @@ def test_core_alone_leaves_what_its_interrupts_leave(baud, left):
     assert runs.cpu_left(baud, library=False, seconds=0.2) == pytest.approx(left, abs=1)
 
 
+@pytest.mark.slow
 def test_ratio_of_an_upload_cannot_be_better_than_the_line():
     upload = runs.upload_of(10)
     assert upload.cycles > upload.on_the_wire
@@ -161,6 +162,7 @@ def test_stall_fills_the_receive_ring():
     assert 40 <= read.calls.count <= 65
 
 
+@pytest.mark.slow
 def test_stack_of_update_is_the_deepest_of_the_public_calls():
     taken = calls.stacks()
     assert max(taken, key=taken.get).startswith("update()")
