@@ -169,12 +169,14 @@ def test_stack_of_update_is_the_deepest_of_the_public_calls():
     assert all(0 <= depth < 400 for depth in taken.values())
 
 
+@pytest.mark.slow
 def test_stack_of_a_call_is_part_of_the_stack_of_the_upload(rows):
     by_key = {row.figure.key: row.ours for row in rows}
     deepest = by_key["globals_and_stack"] - by_key["globals"]
     assert deepest - 60 < max(calls.Caller(kind).upload() for kind in KINDS) < deepest + 60
 
 
+@pytest.mark.slow
 def test_empty_sketch_is_the_smallest_and_a_client_that_uploads_costs_more():
     rows = features.features()
     assert min(row.flash for row in rows) == rows[0].flash
@@ -183,6 +185,7 @@ def test_empty_sketch_is_the_smallest_and_a_client_that_uploads_costs_more():
     assert rows[0].flash < upload.flash < by_name["The upload with its status printed in words"].flash
 
 
+@pytest.mark.slow
 def test_ram_does_not_grow_with_the_plan_and_time_grows_with_it():
     ten, hundred = growth.costs((10, 100))
     assert ten.ram == hundred.ram
