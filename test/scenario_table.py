@@ -38,7 +38,7 @@ def rows(reports) -> list[tuple[int, str, list[str]]]:
     for report in reports:
         if report.when != "call" and report.passed:
             continue
-        for name, value in report.user_properties:
+        for name, value in getattr(report, "user_properties", ()):  # a file that was not collected has none
             if name == PROPERTY:
                 number, title, column = value
                 outcomes.setdefault((number, title), {}).setdefault(column, []).append(report.passed)

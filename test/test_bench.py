@@ -75,5 +75,11 @@ def test_table_counts_a_test_that_could_not_be_set_up_as_failed():
     assert rows([report(False, "ArduPilot", when="setup")]) == [(9, "COUNT is lost", ["1 of 1 FAILED", "-", "-"])]
 
 
+def test_table_passes_over_a_file_that_could_not_be_collected():
+    assert rows([SimpleNamespace(passed=False, when="collect"), report(True, "PX4")]) == [
+        (9, "COUNT is lost", ["-", "1 passed", "-"])
+    ]
+
+
 def test_cell_without_a_test_is_a_dash():
     assert cell([]) == "-"

@@ -79,6 +79,7 @@ def test_limits_are_those_of_the_boards_in_the_arduino_core(board):
     assert (BOARDS[board].flash, BOARDS[board].ram) == (limits["maximum_size"], limits["maximum_data_size"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("board", ["uno", "nano", "leonardo"])
 def test_a_sketch_builds_for_the_smaller_boards(board, tmp_path):
     built = build_sketch(sketch(tmp_path, BLINK, "Blink"), board)
@@ -101,6 +102,7 @@ def test_a_second_build_compiles_nothing(tmp_path, monkeypatch):
         build_sketch(tmp_path / "Echo", "mega", clean=True)
 
 
+@pytest.mark.slow
 def test_a_change_in_any_file_of_the_sketch_builds_it_again(tmp_path):
     code = '#include "Size.h"\nvolatile char room[kRoom];\nvoid setup() { room[0] = 1; }\nvoid loop() {}\n'
     folder = sketch(tmp_path, code)
@@ -111,6 +113,7 @@ def test_a_change_in_any_file_of_the_sketch_builds_it_again(tmp_path):
     assert large.ram - small.ram == 50
 
 
+@pytest.mark.slow
 def test_firmware_in_a_cpp_builds_and_finds_what_is_beside_it(tmp_path):
     (tmp_path / "beside.h").write_text("constexpr long kBaud = 57600;\n")
     (tmp_path / "firmware.cpp").write_text(
@@ -121,6 +124,7 @@ def test_firmware_in_a_cpp_builds_and_finds_what_is_beside_it(tmp_path):
     assert built.hex.read_bytes() != build_sketch(tmp_path / "firmware.cpp", "mega").hex.read_bytes()
 
 
+@pytest.mark.slow
 def test_defines_and_flags_reach_the_compiler(tmp_path):
     # avr-gcc 5.4 calls its unfinished C++17 gnu++1z.
     code = "#if __cplusplus < 201500L\n#error not C++17\n#endif\nvolatile char room[ROOM];\n"
@@ -149,6 +153,7 @@ def test_an_error_is_shown_with_its_place_and_nothing_on_standard_output(tmp_pat
     assert f"{folder}/Echo.ino:2:" in ran.stderr and "nonsense" in ran.stderr
 
 
+@pytest.mark.slow
 def test_a_warning_in_the_sketch_fails_each_time_it_is_built(tmp_path):
     folder = sketch(tmp_path, "void setup() {\n  int unused;\n}\nvoid loop() {}\n")
     for _ in range(2):
@@ -212,6 +217,7 @@ cp "$(dirname "$0")"/Echo.ino.* "$out"
 """
 
 
+@pytest.mark.slow
 def test_arduino_cli_is_used_where_it_has_the_avr_core_and_prints_the_same(tmp_path):
     folder = sketch(tmp_path, ECHO)
     by_builder = build_sketch(folder, "mega")
@@ -251,6 +257,7 @@ def avrdude(tmp_path, monkeypatch):
     return lambda: (fake / "said").read_text().splitlines()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "board, told",
     [
@@ -265,12 +272,14 @@ def test_upload_flashes_by_the_boards_own_boot_loader(board, told, avrdude, tmp_
     assert avrdude() == [f"-q {told} -D -U flash:w:{built.hex}:i"]
 
 
+@pytest.mark.slow
 def test_upload_to_an_old_nano_is_tried_at_57600_baud_as_well(avrdude, tmp_path):
     program(tmp_path / "bin", "avrdude", RECORD + '\ncase "$*" in *115200*) exit 1 ;; esac')
     flashing.upload(build_sketch(sketch(tmp_path, BLINK, "Blink"), "nano"), "/dev/null")
     assert [re.search(r"-b (\d+)", line)[1] for line in avrdude()] == ["115200", "57600"]
 
 
+@pytest.mark.slow
 def test_upload_that_fails_shows_what_was_tried_and_said(avrdude, tmp_path):
     program(tmp_path / "bin", "avrdude", "echo 'stk500_recv(): programmer is not responding'; exit 1")
     ran = tools_build(sketch(tmp_path, BLINK, "Blink"), "--board", "uno", "--upload", "/dev/null")
@@ -278,6 +287,7 @@ def test_upload_that_fails_shows_what_was_tried_and_said(avrdude, tmp_path):
     assert "programmer is not responding" in ran.stderr and "-b 115200" in ran.stderr
 
 
+@pytest.mark.slow
 def test_upload_to_a_leonardo_asks_for_its_boot_loader_at_1200_baud(avrdude, tmp_path, monkeypatch):
     built = build_sketch(sketch(tmp_path, BLINK, "Blink"), "leonardo")
     monkeypatch.setattr(flashing, "BOOT_LOADER_APPEARS_S", 0.0)

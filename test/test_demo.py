@@ -62,7 +62,8 @@ def test_each_example_runs_to_a_good_end(example, autopilot):
     assert good, text
 
 
-def test_download_that_misses_an_item_is_a_failure():
+def test_download_that_misses_an_item_is_a_failure(monkeypatch):
+    monkeypatch.setattr(inside, "LIMIT_S", 20.0)
     good, text = shown("DownloadMission", loss_percent=100)
     assert not good
     assert "has read 0 of the" in text
@@ -87,6 +88,7 @@ def test_plan_in_ram_is_judged_as_it_was_when_the_upload_began():
     assert "-35.3620276" in text  # 12,345 further north than the linker left it
 
 
+@pytest.mark.slow
 def test_plan_from_a_function_is_judged_by_what_was_sent():
     good, text = shown(sketch("computed"))
     assert good, text
@@ -94,7 +96,8 @@ def test_plan_from_a_function_is_judged_by_what_was_sent():
     assert "all 13 items" in text
 
 
-def test_line_that_loses_everything_is_a_failure():
+def test_line_that_loses_everything_is_a_failure(monkeypatch):
+    monkeypatch.setattr(inside, "LIMIT_S", 20.0)
     good, text = shown(loss_percent=100)
     assert not good
     assert text.splitlines()[-1].startswith("FAILED: ")
@@ -249,10 +252,14 @@ def run_tool(*arguments: str, **options) -> subprocess.CompletedProcess:
     )
 
 
-def test_tool_exits_with_the_verdict_and_without_colours_in_a_pipe():
+def test_tool_exits_with_a_good_verdict_and_without_colours_in_a_pipe():
     ran = run_tool("--fast", "--autopilot", "px4")
     assert (ran.returncode, ran.stderr) == (0, "")
     assert "\x1b" not in ran.stdout
+
+
+@pytest.mark.slow
+def test_tool_exits_with_a_bad_verdict():
     assert run_tool("--fast", "--loss", "100").returncode == 1
 
 

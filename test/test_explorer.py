@@ -90,6 +90,7 @@ def expect_nothing_broken(record_property, title: str, scenarios: list[tuple[str
     record_property("table", [title, [COLUMNS, *lines, ["all", "", "", *total, "", "", "0"]]])
 
 
+@pytest.mark.slow
 def test_no_way_that_losses_can_lead_breaks_a_rule(record_property):
     scenarios = [(words, "") for autopilot in AUTOPILOTS for words in single(autopilot, 2)]
     expect_nothing_broken(record_property, "explored: any frames lost, plans of 0 to 2 items", scenarios)
@@ -174,6 +175,7 @@ def with_defect(file: str, right: str, wrong: str) -> tuple[Path, ...]:
     return tuple(copy if path == source else path for path in library_sources())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("defect", DEFECTS)
 def test_a_planted_defect_is_found(defect):
     file, right, wrong, words, rule = DEFECTS[defect]

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 import recordings
-from host_build import COMPILERS, HOST, build_host
+from host_build import HOST, build_host
 
 UNITS = sorted(file.stem for file in (HOST / "units").glob("*.cpp") if file.stem != "main")
 
@@ -22,7 +22,7 @@ UNITS = sorted(file.stem for file in (HOST / "units").glob("*.cpp") if file.stem
 @functools.cache
 def build_units(compiler: str) -> Path:
     sources = [*sorted((HOST / "units").glob("*.cpp")), *sorted(HOST.glob("*.cpp"))]
-    return build_host("units", sources, compiler, defines={"DOCTEST_CONFIG_SUPER_FAST_ASSERTS": True})
+    return build_host("units", sources, compiler)
 
 
 def recorded_uploads() -> bytes:
@@ -63,7 +63,9 @@ def run_unit(program: Path, unit: str, folder: Path) -> None:
     assert cases == written > 0
 
 
-@pytest.mark.parametrize("unit", UNITS)
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize(
+    "unit", [pytest.param(unit, marks=pytest.mark.slow if unit == "float_bits" else ()) for unit in UNITS]
+)
+@pytest.mark.parametrize("compiler", [pytest.param("g++", marks=pytest.mark.slow), "clang++"])
 def test_unit(unit, compiler, tmp_path):
     run_unit(build_units(compiler), unit, tmp_path)

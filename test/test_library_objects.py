@@ -38,6 +38,7 @@ def own_build(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.slow
 def test_second_sketch_of_a_board_takes_the_objects_of_the_first_and_is_the_same_to_the_byte(own_build):
     first = build_sketch(sketch(own_build, "First", "autopilot.update();"))
     second_sketch = sketch(own_build, "Second", "autopilot.clear(); autopilot.update();")
@@ -90,6 +91,7 @@ def test_objects_of_another_library_compiler_or_board_are_not_lent(tmp_path):
     assert not is_lent("mega")
 
 
+@pytest.mark.slow
 def test_objects_that_warned_are_not_lent(own_build, monkeypatch):
     monkeypatch.setattr(building, "own_warnings", lambda said, source: ["Link.cpp:1: warning: made up"])
     build_sketch(sketch(own_build, "Plain", "autopilot.update();"), strict=False)

@@ -10,6 +10,10 @@ from peer import heartbeat
 GOOD = ("Listening", "Quiet", "Well")
 
 
+def slow(*values):
+    return pytest.param(*values, marks=pytest.mark.slow)
+
+
 @pytest.fixture
 def build_doctor(request):
     """Makes a Doctor whose transcript is shown when the test fails."""
@@ -47,7 +51,7 @@ def test_ardupilot_that_nobody_asked_is_quiet_and_well_once_it_sends_telemetry(b
     assert bench.verdicts == ["Quiet", "Well"]
 
 
-@pytest.mark.parametrize("baud", [57600, 115200])
+@pytest.mark.parametrize("baud", [57600, slow(115200)])
 def test_saturated_link_is_well(make_doctor, baud):
     bench = make_doctor(baud=baud, peer_baud=baud, telemetry=baud / 10)
     bench.tell("bauds")
@@ -129,7 +133,7 @@ def test_no_bytes_when_the_autopilot_is_switched_off_and_well_when_it_is_on_agai
 
 
 @pytest.mark.parametrize("tries", [False, True])
-@pytest.mark.parametrize("silent_s", [1.0, 3.0, 12.0])
+@pytest.mark.parametrize("silent_s", [slow(1.0), 3.0, slow(12.0)])
 def test_autopilot_that_restarts_is_never_at_another_baud_rate(make_doctor, silent_s, tries):
     bench = make_doctor(telemetry=1000.0, boot_text=b"Init ArduCopter V4.6.3\n\nFree RAM: 196000\r\n")
     if tries:
@@ -144,7 +148,7 @@ def test_autopilot_that_restarts_is_never_at_another_baud_rate(make_doctor, sile
 # Bytes, and no frames ----------------------------------------------------------------
 
 
-@pytest.mark.parametrize("peer_baud", [9600, 38400, 115200, 460800])
+@pytest.mark.parametrize("peer_baud", [slow(9600), slow(38400), 115200, slow(460800)])
 def test_no_frames_at_another_baud_rate_when_it_cannot_be_changed(make_doctor, peer_baud):
     bench = make_doctor(peer_baud=peer_baud)
     bench.run_until_verdict("NoFrames")
@@ -152,8 +156,8 @@ def test_no_frames_at_another_baud_rate_when_it_cannot_be_changed(make_doctor, p
     assert bench.verdicts == ["NoFrames"]
 
 
-@pytest.mark.parametrize("ours, its", [(57600, 115200), (57600, 38400), (57600, 9600), (57600, 500000),
-                                       (115200, 57600), (9600, 57600)])  # fmt: skip
+@pytest.mark.parametrize("ours, its", [(57600, 115200), slow(57600, 38400), slow(57600, 9600),
+                                       slow(57600, 500000), (115200, 57600), slow(9600, 57600)])  # fmt: skip
 def test_another_baud_rate_is_found_and_said(make_doctor, ours, its):
     bench = make_doctor(baud=ours, peer_baud=its)
     bench.tell("bauds")

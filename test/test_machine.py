@@ -439,6 +439,8 @@ def test_sleep_with_interrupts_off_is_for_ever_and_time_goes_on():
     [
         (2, r"halt\.elf crashed in main .* at 5\.\d+ ms: CORE: .* Address f000=01 out of ram$"),
         (4, r"flash address 0xe000\) at 5\.\d+ ms: it ran into erased flash"),
+        (5, r"flash address 0x1fdfdfc\) at 5\.\d+ ms: it jumped beyond the flash"),
+        (6, r"halt\.elf crashed in main .* at 5\.\d+ ms: it used flash beyond the end"),
     ],
 )
 def test_a_crash_says_where_and_why(how, why):

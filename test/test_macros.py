@@ -26,6 +26,7 @@ def test_these_are_all_the_macros_there_are():
     assert set(re.findall(r"^#ifndef (MAVMISSION_\w+)", text, re.M)) == set(LIMITS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("macro", LIMITS)
 @pytest.mark.parametrize("end", [0, 1], ids=["least", "greatest"])
 def test_firmware_is_built_at_the_limits(macro, end):

@@ -60,6 +60,7 @@ def costs() -> list[growth.Cost]:
     return [growth.Cost(*cost) for cost in measured_once("growth", lambda: [tuple(cost) for cost in growth.costs()])]
 
 
+@pytest.mark.slow
 def test_no_figure_is_beyond_its_bound(rows):
     failures = [finding.text for finding in bounds.compare(rows, bounds.load()) if finding.failed]
     assert not failures, "\n".join(failures)
@@ -69,12 +70,14 @@ def test_each_bound_has_its_figure():
     assert list(bounds.load()) == [figure.key for figure in figures.FIGURES]
 
 
+@pytest.mark.slow
 def test_table_in_the_readme_is_not_stale(rows):
     text = README.read_text()
     fresh = report.with_table(text, report.for_readme(rows, features.table()))
     assert fresh == text, "run tools/measure --write-readme"
 
 
+@pytest.mark.slow
 def test_ours_is_better_than_either_baseline_where_both_are_measured(rows):
     for row in rows:
         if row.figure.key in ("globals", "globals_and_stack", "byte_mean", "byte_worst", "turnaround"):
@@ -139,6 +142,7 @@ def test_core_alone_leaves_what_its_interrupts_leave(baud, left):
     assert runs.cpu_left(baud, library=False, seconds=0.2) == pytest.approx(left, abs=1)
 
 
+@pytest.mark.slow
 def test_ratio_of_an_upload_cannot_be_better_than_the_line():
     upload = runs.upload_of(10)
     assert upload.cycles > upload.on_the_wire
@@ -158,18 +162,21 @@ def test_stall_fills_the_receive_ring():
     assert 40 <= read.calls.count <= 65
 
 
+@pytest.mark.slow
 def test_stack_of_update_is_the_deepest_of_the_public_calls():
     taken = calls.stacks()
     assert max(taken, key=taken.get).startswith("update()")
     assert all(0 <= depth < 400 for depth in taken.values())
 
 
+@pytest.mark.slow
 def test_stack_of_a_call_is_part_of_the_stack_of_the_upload(rows):
     by_key = {row.figure.key: row.ours for row in rows}
     deepest = by_key["globals_and_stack"] - by_key["globals"]
     assert deepest - 60 < max(calls.Caller(kind).upload() for kind in KINDS) < deepest + 60
 
 
+@pytest.mark.slow
 def test_empty_sketch_is_the_smallest_and_a_client_that_uploads_costs_more():
     rows = features.features()
     assert min(row.flash for row in rows) == rows[0].flash
@@ -178,6 +185,7 @@ def test_empty_sketch_is_the_smallest_and_a_client_that_uploads_costs_more():
     assert rows[0].flash < upload.flash < by_name["The upload with its status printed in words"].flash
 
 
+@pytest.mark.slow
 def test_ram_does_not_grow_with_the_plan_and_time_grows_with_it():
     ten, hundred = growth.costs((10, 100))
     assert ten.ram == hundred.ram

@@ -37,7 +37,9 @@ def compiled(compiler: str, standard: str, snippet, *more: str) -> subprocess.Co
     return subprocess.run(words, capture_output=True, text=True, check=False, env={"LC_ALL": "C", "PATH": "/usr/bin:/bin"})
 
 
-@pytest.mark.parametrize("compiler", ["avr-g++", *host_build.COMPILERS])
+@pytest.mark.parametrize(
+    "compiler", ["avr-g++", *(pytest.param(name, marks=pytest.mark.slow) for name in host_build.COMPILERS)]
+)
 @pytest.mark.parametrize("snippet", SNIPPETS, ids=lambda file: file.stem)
 def test_mistake_is_refused_with_words_that_help(snippet, compiler):
     wrong = compiled(compiler, "11", snippet)
@@ -48,6 +50,7 @@ def test_mistake_is_refused_with_words_that_help(snippet, compiler):
     assert mended.returncode == 0, mended.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("standard", ["14", "17"])
 @pytest.mark.parametrize("snippet", [file for file in SNIPPETS if "degrees" in file.stem or "decimals" in file.stem], ids=lambda file: file.stem)
 def test_literals_are_refused_by_later_standards_too(snippet, standard):

@@ -266,12 +266,16 @@ def examples() -> list[Path]:
     return sorted((ROOT / "examples").rglob("*.ino"))
 
 
+SLOW = pytest.mark.slow
 # What its comment says does not fit; if it does one day, its test says so.
 TOO_LARGE = {("PlanConsole", "leonardo"), ("PlanConsole", "nano")}
 
 
-@pytest.mark.parametrize("board", BOARDS)
-@pytest.mark.parametrize("example", examples(), ids=lambda example: example.stem)
+@pytest.mark.parametrize("board", [pytest.param(board, marks=() if board == "mega" else SLOW) for board in BOARDS])
+@pytest.mark.parametrize(
+    "example",
+    [pytest.param(file, marks=() if file.stem == "UploadMission" else SLOW, id=file.stem) for file in examples()],
+)
 def test_every_example_compiles_for_every_board(example, board):
     if (example.stem, board) in TOO_LARGE:
         with pytest.raises(BuildFailed, match="Sketch too big|will not fit"):

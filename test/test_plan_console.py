@@ -255,6 +255,7 @@ def test_what_is_aboard_is_downloaded_and_kept(console):
     assert console.nothing_was_lost()
 
 
+@pytest.mark.slow
 def test_a_download_that_fails_leaves_the_plan_that_is_kept(console):
     console.load(*SURVEY)
     before = console.listed()

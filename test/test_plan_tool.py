@@ -474,6 +474,7 @@ def test_tool_shows_a_table_with_legs_and_times():
     assert "CIRCLE_EXCLUSION" in ran.stdout and "25 m above home" in ran.stdout
 
 
+@pytest.mark.slow
 def test_tool_draws_the_same_drawing_of_the_same_plan(tmp_path):
     one, other, png = tmp_path / "one.svg", tmp_path / "other.svg", tmp_path / "farm.png"
     for file in (one, other, png):

@@ -408,22 +408,27 @@ def fence_and_rally(seed: int) -> tuple[list[Item], list[Item]]:
     return fence, rally
 
 
-def test_header_means_exactly_the_plan_on_the_host(tmp_path):
-    plan = plan_of(many_items(1, 200), *fence_and_rally(1))
+HEADERS = pytest.mark.parametrize("items", [30, pytest.param(200, marks=pytest.mark.slow)])
+
+
+@HEADERS
+def test_header_means_exactly_the_plan_on_the_host(tmp_path, items):
+    plan = plan_of(many_items(1, items), *fence_and_rally(1))
     header = tmp_path / "drawn.h"
     header.write_text(header_of(plan))
-    source = OUTPUT / "header_dump.cpp"
+    source = OUTPUT / f"header_dump_{items}.cpp"
     source.parent.mkdir(parents=True, exist_ok=True)
     source.write_text(DUMP.format(header=header, namespace=namespace_of(plan)))
-    program = build_host("header_dump", [source], "g++", FAST)
+    program = build_host("header_dump", [source], "g++", FAST, library=[])
     dumped = subprocess.run([program], capture_output=True, text=True, check=True).stdout.split()
     meant = [packed.hex() for kind in plan.kinds for packed in bits(plan.items(kind))]
     assert dumped == meant
 
 
-def test_header_means_exactly_the_plan_on_the_mega():
+@HEADERS
+def test_header_means_exactly_the_plan_on_the_mega(items):
     # What tools/demo takes for a plan in firmware is finite and known.
-    mission = [item for item in many_items(2, 200) if item.command != 31999 and item.z == item.z]
+    mission = [item for item in many_items(2, items) if item.command != 31999 and item.z == item.z]
     plan = plan_of(mission, *fence_and_rally(2))
     elf = build_sketch(sketch_for(plan).parent).elf
     for kind in plan.kinds:

@@ -125,6 +125,7 @@ def test_line_is_loud_again_after_a_failure(loud):
     assert is_back(loud, before)
 
 
+@pytest.mark.slow
 def test_transfer_that_begins_while_intervals_are_given_back_is_quiet_too(loud, personality):
     before = loud.rates()
     loud.tell("upload", LONG_PLAN)
@@ -144,7 +145,12 @@ def test_transfer_that_begins_while_intervals_are_given_back_is_quiet_too(loud, 
 
 
 @pytest.mark.parametrize(
-    "order, end", [(("arm",), "Done"), (("clear",), "Cleared"), (("interval", 30, 200000), "Done")]
+    "order, end",
+    [
+        pytest.param(("arm",), "Done", marks=pytest.mark.slow),
+        (("clear",), "Cleared"),
+        (("interval", 30, 200000), "Done"),
+    ],
 )
 def test_commands_and_clearing_silence_nothing(loud, order, end):
     loud.run(30.0 if order == ("arm",) else 0.0)  # until an ArduPilot lets itself be armed
@@ -165,6 +171,7 @@ def test_nothing_is_asked_of_an_idle_line(loud):
 # Faults --------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_every_interval_is_given_back_though_commands_and_answers_are_lost(make_quiet, personality):
     bench = make_quiet()
     bench.run(2.0)
@@ -181,6 +188,7 @@ def test_every_interval_is_given_back_though_commands_and_answers_are_lost(make_
     assert is_back(bench, before)
 
 
+@pytest.mark.slow
 def test_lost_commands_and_answers_keep_no_message_loud_for_the_rest_of_a_transfer(make_quiet, personality):
     bench = make_quiet()
     bench.run(2.0)
@@ -206,6 +214,7 @@ def test_late_answer_to_one_message_is_not_taken_for_the_answer_to_the_next(loud
     assert is_back(loud, before)
 
 
+@pytest.mark.slow
 def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud):
     before = loud.rates()
     loud.tell("upload", LONG_PLAN)
@@ -219,6 +228,7 @@ def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud)
     assert is_back(loud, before)
 
 
+@pytest.mark.slow
 def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
     before = loud.rates()
     loud.tell("upload", LONG_PLAN)
@@ -230,6 +240,7 @@ def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
     assert is_back(loud, before)
 
 
+@pytest.mark.slow
 def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
     before = loud.rates()
     loud.tell("upload", LONG_PLAN)
@@ -242,6 +253,7 @@ def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
     assert is_back(loud, before)
 
 
+@pytest.mark.slow
 def test_reboot_of_the_autopilot_in_mid_transfer(loud):
     before = loud.rates()
     loud.tell("upload", LONG_PLAN)
@@ -252,6 +264,7 @@ def test_reboot_of_the_autopilot_in_mid_transfer(loud):
     assert is_back(loud, before)
 
 
+@pytest.mark.slow
 def test_reset_of_the_arduino_in_mid_transfer_leaves_no_silence(loud):
     before = loud.rates()
     loud.tell("upload", LONG_PLAN)
@@ -287,6 +300,7 @@ def test_nobody_is_asked_before_an_autopilot_was_heard_or_when_there_are_several
 # The sketch's own list -----------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(make_quiet):
     bench = make_quiet(defines={"BENCH_QUIET_LIST": 1})
     bench.run(2.0)
@@ -328,6 +342,7 @@ def test_fifty_items_take_a_tenth_less_time_on_a_full_line(recorded, personality
     assert quiet < 0.9 * loud
 
 
+@pytest.mark.slow
 def test_ten_items_take_no_more_than_a_thirtieth_of_a_second_longer(recorded):
     assert transfer_s(recorded(), True, 10) < transfer_s(recorded(), False, 10) + 0.033
 

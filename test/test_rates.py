@@ -15,6 +15,7 @@ LINES = [(autopilot, percent) for autopilot in rates.AUTOPILOTS for percent in r
 RANDOM_LOSS = pytest.mark.scenario(14, "Random loss: an answer in bounded time, never a false Accepted")
 
 
+@pytest.mark.slow
 @RANDOM_LOSS
 @pytest.mark.parametrize("client", rates.OURS)
 @pytest.mark.parametrize("autopilot, percent", [*LINES, *((autopilot, 70) for autopilot in rates.AUTOPILOTS)])
@@ -27,6 +28,7 @@ def test_uploads_on_a_lossy_line_end_truthfully_in_bounded_time(autopilot, clien
     assert [end for end in ends if end.status == "never" or end.took_s > limit_s] == []
 
 
+@pytest.mark.slow
 def test_uploads_succeed_more_often_than_those_of_other_clients_on_the_same_line(record_property):
     for autopilot, percent in LINES:
         succeeded = {
@@ -38,6 +40,7 @@ def test_uploads_succeed_more_often_than_those_of_other_clients_on_the_same_line
     record_property("table", [f"uploads on the same lossy lines, {rates.SEEDS} seeds each, by client", rates.rows()])
 
 
+@pytest.mark.slow
 def test_table_in_the_readme_is_not_stale():
     text = rates.README.read_text()
     assert rates.with_table(text, rates.for_readme()) == text, "run build/venv/bin/python test/rates.py --write-readme"
@@ -51,6 +54,7 @@ def test_readme_without_a_place_for_the_table_is_told_what_to_do():
 # What the measurement itself is worth -----------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("client", rates.CLIENTS)
 @pytest.mark.parametrize("autopilot", rates.AUTOPILOTS)
 def test_every_client_succeeds_on_a_line_that_loses_nothing_and_none_on_one_that_loses_all(autopilot, client):
@@ -60,6 +64,7 @@ def test_every_client_succeeds_on_a_line_that_loses_nothing_and_none_on_one_that
         assert {(end.status, end.is_aboard) for end in rates.uploads(autopilot, client, 100, 5)} == {("TimedOut", False)}
 
 
+@pytest.mark.slow
 def test_each_seed_loses_other_frames_and_always_the_same_ones():
     ends = rates.uploads("PX4", "usual-rule", 25, 20)
     assert len({end.took_s for end in ends}) > 5
@@ -82,6 +87,7 @@ def test_an_upload_that_never_ends_would_be_found():
     assert any(end.took_s > rates.limit_s("ArduPilot", "upload-by-answer") for end in ends)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words, problem", [
     ("ArduPilot upload 5", "four arguments are wanted"),
     ("Ardupilot upload 5 1", "no such autopilot"),

@@ -35,6 +35,7 @@ def reference(tmp_path_factory) -> Path:
     return output / "html"
 
 
+@pytest.mark.slow
 def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(reference):
     assert (reference / "index.html").is_file()
     client = words_of(reference / "classmavmission_1_1MissionClient.html")
@@ -49,6 +50,7 @@ def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(referenc
         assert (reference / f"{page}.html").is_file(), page
 
 
+@pytest.mark.slow
 def test_inner_parts_are_not_in_it(reference):
     assert not list(reference.glob("classmavmission_1_1FrameParser*")) and not list(reference.glob("*mavlink__msg*"))
 

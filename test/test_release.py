@@ -128,6 +128,7 @@ def test_zip_has_the_whole_library_and_neither_tests_nor_tools(made):
     assert sources <= set(names)
 
 
+@pytest.mark.slow
 def test_example_of_the_zip_builds_in_an_empty_sketchbook(made, tmp_path, monkeypatch):
     sketchbook = tmp_path / "sketchbook"
     with zipfile.ZipFile(made) as archive:

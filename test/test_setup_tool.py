@@ -91,6 +91,7 @@ def test_requirements_are_pinned_and_installed():
     assert set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()) == pins
 
 
+@pytest.mark.slow
 def test_quick_leaves_out_the_slow_tests_and_other_arguments_reach_pytest(tmp_path):
     (tmp_path / "test_two.py").write_text(
         "import pytest\ndef test_quick_one(): pass\n@pytest.mark.slow\ndef test_slow_one(): pass\n"

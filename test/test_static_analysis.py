@@ -27,12 +27,14 @@ FAULTS = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @TOOLS
 def test_library_is_clean(tool):
     assert len(LIBRARY_UNITS) > 30
     assert "\n".join(findings(tool, LIBRARY_UNITS)) == ""
 
 
+@pytest.mark.slow
 @TOOLS
 def test_programs_of_the_host_tests_are_clean(tool):
     assert len(HOST_UNITS) > 4

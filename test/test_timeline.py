@@ -50,6 +50,7 @@ def test_readme_shows_each_picture_that_its_commands_draw():
     assert len(drawn) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("command", "picture"), COMMANDS)
 def test_picture_in_the_readme_is_what_its_command_draws(command, picture, tmp_path):
     fresh = tmp_path / "fresh.svg"

@@ -40,6 +40,7 @@ def test_check_names_an_edited_a_missing_and_an_extra_header(copied):
     ]
 
 
+@pytest.mark.slow
 def test_check_ignores_the_day_of_generation_alone(copied):
     version = copied / "common" / "version.h"
     version.write_text(re.sub(r'(BUILD_DATE) ".*"', r'\1 "Thu Jan 01 1970"', version.read_text()))
@@ -48,6 +49,7 @@ def test_check_ignores_the_day_of_generation_alone(copied):
     assert check(copied).returncode == 1
 
 
+@pytest.mark.slow
 def test_vendoring_mends_a_damaged_copy_and_touches_nothing_else(copied):
     (copied / "checksum.h").write_text("damaged\n")
     (copied / "common" / "mine.h").write_text("\n")
@@ -92,6 +94,7 @@ def test_no_message_writes_past_a_payload_buffer_made_smaller(tmp_path):
     assert ran.returncode == 0, ran.stdout + ran.stderr
 
 
+@pytest.mark.slow
 def test_the_bounds_check_catches_headers_without_the_correction(copied, tmp_path):
     parser = copied / "mavlink_helpers.h"
     text = parser.read_text()

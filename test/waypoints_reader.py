@@ -54,7 +54,7 @@ class Read(NamedTuple):
 
 class WaypointsReader:
     def __init__(self) -> None:
-        program = build_host("read_texts", [SOURCE])
+        program = build_host("read_texts", [SOURCE], "clang++")
         self._program = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def close(self) -> None:

@@ -1,9 +1,11 @@
 // Ends in one of the ways that firmware can end.
 #include <Arduino.h>
+#include <avr/pgmspace.h>
 #include <avr/sleep.h>
 #include <avr/wdt.h>
 
-volatile uint8_t how;  // 1: sleep for ever, 2: write beyond RAM, 3: watchdog, 4: jump astray
+volatile uint8_t how;  // 1: sleep for ever, 2: write beyond RAM, 3: watchdog, 4: jump to erased flash,
+                       // 5: jump out of flash, 6: read beyond flash
 
 void setup() {}
 
@@ -23,5 +25,15 @@ void loop() {
       }
     case 4:
       reinterpret_cast<void (*)()>(0x7000)();
+      break;
+    case 5:
+      asm volatile("ldi r24, 0xFE\n push r24\n push r24\n push r24\n ret" ::: "r24");
+      break;
+    case 6:
+#ifdef RAMPZ
+      how = pgm_read_byte_far(0xFEFEFE);
+#else
+      how = pgm_read_byte(0xFEFE);
+#endif
   }
 }

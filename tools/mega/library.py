@@ -7,6 +7,7 @@ import fcntl
 import functools
 import os
 import subprocess
+from collections.abc import Iterable
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -88,12 +89,12 @@ def compiled() -> Path:
     return target
 
 
-def compile_to(target: Path) -> None:
+def compile_to(target: Path, flags: Iterable[str] = ()) -> None:
     # A process that has the old library open must keep it: write beside, then rename.
     fresh = target.with_suffix(".new")
     compiler = os.environ.get("CC", "cc")
     command = [
-        compiler, "-std=gnu11", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared",
+        compiler, "-std=gnu11", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared", *flags,
         *(str(HERE / source) for source in SOURCES), "-o", str(fresh), "-lsimavr", "-lelf",
     ]  # fmt: skip
     try:

@@ -100,7 +100,7 @@ void measure_step(mega_t *mega, uint32_t pc, uint16_t opcode, uint64_t before) {
              measure->calls[measure->call_count - 1].sp + mega->call_bytes) {
     leave(mega);
   }
-  uint8_t entry = measure->entry[avr->pc / 2];
+  uint8_t entry = avr->pc <= avr->flashend ? measure->entry[avr->pc / 2] : 0;
   if (entry != 0) enter(mega, entry - 1u);
 }
 

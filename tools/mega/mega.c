@@ -9,6 +9,10 @@
 #include <simavr/avr_timer.h>
 
 enum { REACHED = 0, SENT = 1, CRASHED = 2, HALTED = 3 };
+enum {
+  ADDRESSES = 0x10000, /* that an AVR can name: registers, I/O, RAM and what is beyond */
+  LARGEST_PAGE = 256   /* of flash [bytes] */
+};
 enum { POWER_ON = 0, EXTERNAL = 1, WATCHDOG = 2 };
 
 static void keep_complaint(avr_t *avr, const int level, const char *format,
@@ -34,6 +38,17 @@ static void start(mega_t *mega, int cause) {
   if (mega->measure != NULL) measure_reset(mega);
 }
 
+/* simavr complains of a store beyond RAM, and then makes it: into whatever this
+ * process has there. And it erases a page of flash from where Z points, wherever
+ * in the page that is. Give it room for both. */
+static void contain_stray_stores(avr_t *avr) {
+  avr->data = realloc(avr->data, ADDRESSES);
+  avr->flash = realloc(avr->flash, avr->flashend + 1u + LARGEST_PAGE);
+  if (avr->data == NULL || avr->flash == NULL) abort();
+  memset(avr->data + avr->ramend + 1, 0, ADDRESSES - (avr->ramend + 1u));
+  memset(avr->flash + avr->flashend + 1, 0xFF, LARGEST_PAGE);
+}
+
 mega_t *mega_new(const char *mcu, uint32_t hz) {
   avr_global_logger_set(keep_complaint);
   avr_t *avr = avr_make_mcu_by_name(mcu);
@@ -43,6 +58,7 @@ mega_t *mega_new(const char *mcu, uint32_t hz) {
   mega->avr = avr;
   avr->custom.data = mega;
   avr_init(avr);
+  contain_stray_stores(avr);
   avr->frequency = hz;
   mega->call_bytes = avr->address_size;
   mega->lowest_sp = avr->ramend;
@@ -87,7 +103,7 @@ int mega_load(mega_t *mega, const uint8_t *code, uint32_t size, uint32_t address
 
 static int eeprom(mega_t *mega, uint32_t ioctl, uint32_t address, uint32_t size,
                   uint8_t *bytes) {
-  if (address + size > mega->avr->e2end + 1) return -1;
+  if ((uint64_t)address + size > mega->avr->e2end + 1u) return -1;
   avr_eeprom_desc_t range = {.ee = bytes, .offset = (uint16_t)address, .size = size};
   avr_ioctl(mega->avr, ioctl, &range); /* answers -1 when all is well */
   return 0;
@@ -102,13 +118,13 @@ int mega_eeprom_write(mega_t *mega, uint32_t address, uint32_t size, uint8_t *fr
 }
 
 int mega_read(mega_t *mega, uint32_t address, uint32_t size, uint8_t *to) {
-  if (address + size > mega->avr->ramend + 1u) return -1;
+  if ((uint64_t)address + size > mega->avr->ramend + 1u) return -1;
   memcpy(to, mega->avr->data + address, size);
   return 0;
 }
 
 int mega_write(mega_t *mega, uint32_t address, uint32_t size, const uint8_t *from) {
-  if (address + size > mega->avr->ramend + 1u) return -1;
+  if ((uint64_t)address + size > mega->avr->ramend + 1u) return -1;
   memcpy(mega->avr->data + address, from, size);
   return 0;
 }
@@ -214,12 +230,28 @@ static uint16_t opcode_at(const avr_t *avr, uint32_t pc) {
   return (uint16_t)(avr->flash[pc] | avr->flash[pc + 1] << 8);
 }
 
+/* Whether LPM, ELPM or SPM is about to use flash that the chip does not have: simavr would. */
+static bool is_beyond_flash(const avr_t *avr, uint16_t opcode) {
+  const bool spm = opcode == 0x95E8;
+  const bool elpm = opcode == 0x95D8 || (opcode & 0xFE0E) == 0x9006;
+  const bool lpm = opcode == 0x95C8 || (opcode & 0xFE0E) == 0x9004;
+  if (!spm && !elpm && !lpm) return false;
+  uint32_t z = avr->data[R_ZL] | (uint32_t)avr->data[R_ZH] << 8;
+  if (elpm || (spm && avr->rampz)) z |= (uint32_t)avr->data[avr->rampz] << 16;
+  return z > avr->flashend;
+}
+
 /* One instruction of simavr's. */
 static void step(mega_t *mega) {
   avr_t *avr = mega->avr;
-  uint16_t opcode = avr->pc < avr->flashend ? opcode_at(avr, avr->pc) : 0;
-  if (opcode == 0xFFFF) {
-    snprintf(mega->error, sizeof mega->error, "it ran into erased flash");
+  bool astray = avr->pc > avr->flashend;
+  uint16_t opcode = astray ? 0 : opcode_at(avr, avr->pc);
+  const char *why = astray                         ? "it jumped beyond the flash"
+                    : opcode == 0xFFFF             ? "it ran into erased flash"
+                    : is_beyond_flash(avr, opcode) ? "it used flash beyond the end"
+                                                   : NULL;
+  if (why != NULL) {
+    snprintf(mega->error, sizeof mega->error, "%s", why);
     avr->state = cpu_Crashed;
     return;
   }
@@ -240,6 +272,7 @@ static void measured_instruction(mega_t *mega) {
   uint32_t pc = avr->pc;
   uint64_t before = avr->cycle;
   instructions(mega, before + 1);
+  if (pc > avr->flashend) return; /* a jump astray: no word to count it at */
   measure_step(mega, pc, opcode_at(avr, pc), before);
 }
 
