@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 import pytest
 from building import BUILD, ROOT
-from measuring import bounds, calls, features, figures, growth, profiling, report, runs
+from measuring import bounds, calls, document, features, figures, growth, profiling, report, runs
 from measuring.firmware import baseline, measured, ours
 from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
 from mega import Mega
@@ -71,7 +71,7 @@ def test_each_bound_has_its_figure():
 
 def test_table_in_the_readme_is_not_stale(rows):
     text = README.read_text()
-    fresh = report.with_table(text, report.for_readme(rows, features.table()))
+    fresh = document.with_table(text, report.MARK, report.for_readme(rows, features.table()))
     assert fresh == text, "run tools/measure --write-readme"
 
 
@@ -255,11 +255,12 @@ def test_file_of_bounds_that_makes_no_sense_is_refused(tmp_path):
         bounds.load(file)
 
 
-def test_readme_without_a_place_for_the_table_is_refused():
-    with pytest.raises(ValueError, match="measured: begin"):
-        report.with_table("# MavMission\n", "table")
-    marked = f"a\n{report.BEGIN}\nold\n{report.END}\nb\n"
-    assert report.with_table(marked, "new") == marked.replace("old", "new")
+def test_document_without_a_place_for_a_table_is_refused():
+    with pytest.raises(ValueError, match="put a line <!-- sizes: begin --> and a line <!-- sizes: end --> there"):
+        document.with_table("# MavMission\n", "sizes", "table")
+    begin, end = document.marks("sizes")
+    marked = f"a\n{begin}\nold\n{end}\nb\n"
+    assert document.with_table(marked, "sizes", "new") == marked.replace("old", "new")
 
 
 # The tool -------------------------------------------------------------------
