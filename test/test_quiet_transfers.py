@@ -8,7 +8,7 @@ import pytest
 import recordings
 from fake_autopilot import mavlink
 from fake_autopilot.frames import message_id
-from quiet import RECORDED, Quiet, default_list
+from quiet import Quiet, default_list, recorded
 
 ATTITUDE, GPS_RAW_INT, MISSION_CURRENT = 30, 24, 42
 SIMSTATE = 164  # an ArduPilot sends it that has no aircraft but a simulated one
@@ -307,33 +307,22 @@ def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(
 # What it is worth, and what it costs ------------------------------------------------------
 
 
-def transfer_s(bench: Quiet, used: bool, items: int) -> float:
-    """From COUNT to the acceptance [s]."""
-    bench.run_until_idle() if used else bench.tell("used", 0)
-    bench.run_until(3.0)
-    bench.tell("upload", items)
-    assert bench.run_until_ended(limit_s=20) == "Accepted"
-    return bench.wire.frames("<", "MISSION_ACK")[-1].time - bench.wire.frames(">", "MISSION_COUNT")[-1].time
-
-
 @pytest.fixture
-def recorded(make_quiet, personality):
-    """A line that is full of what the autopilot sent in the recordings, in their proportions."""
-    return lambda: make_quiet(telemetry=recordings.saturated(RECORDED[personality], 57600))
+def full(make_quiet, personality):
+    """Makes a line that is full of what the autopilot sent in the recordings."""
+    return lambda: make_quiet(telemetry=recorded(personality))
 
 
-def test_fifty_items_take_a_tenth_less_time_on_a_full_line(recorded, personality):
-    loud, quiet = transfer_s(recorded(), False, 50), transfer_s(recorded(), True, 50)
-    print(f"{personality}, 57600 baud, full line, 50 items: {loud:.2f} s, quiet {quiet:.2f} s")
-    assert quiet < 0.9 * loud
+def test_fifty_items_take_a_tenth_less_time_on_a_full_line(full):
+    assert full().transfer_s(True, 50) < 0.9 * full().transfer_s(False, 50)
 
 
-def test_ten_items_take_no_more_than_a_thirtieth_of_a_second_longer(recorded):
-    assert transfer_s(recorded(), True, 10) < transfer_s(recorded(), False, 10) + 0.033
+def test_ten_items_take_no_more_than_a_thirtieth_of_a_second_longer(full):
+    assert full().transfer_s(True, 10) < full().transfer_s(False, 10) + 0.033
 
 
-def test_nine_tenths_of_the_bytes_are_gone(recorded):
-    bench = recorded()
+def test_nine_tenths_of_the_bytes_are_gone(full):
+    bench = full()
     bench.run(2.0)
     before = bench.rates(4.0)
     bench.tell("upload", 600)
