@@ -5,13 +5,14 @@ from __future__ import annotations
 import fcntl
 import hashlib
 import pickle
+import re
 import subprocess
 import sys
 from collections.abc import Callable
 
 import pytest
 from building import BUILD, ROOT
-from measuring import bounds, calls, document, features, figures, growth, profiling, report, runs
+from measuring import bounds, calls, document, features, figures, growth, profiling, report, runs, tricks
 from measuring.firmware import baseline, measured, ours
 from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
 from mega import Mega
@@ -205,6 +206,32 @@ def test_picture_is_the_same_for_the_same_figures(tmp_path):
         growth.draw(costs, file)
     assert files[0].read_bytes() == files[1].read_bytes()
     assert b"<svg" in files[0].read_bytes()
+
+
+def test_every_trick_is_still_in_the_code():
+    assert all(tricks.undone(trick).is_dir() for trick in tricks.tricks().values())
+
+
+def test_trick_that_is_no_longer_in_the_code_is_told():
+    with pytest.raises(ValueError, match="Config.h does not have this once"):
+        tricks.undone(tricks.Trick("Config.h", "no such text", ""))
+
+
+@pytest.mark.slow
+def test_library_without_a_trick_is_what_is_measured():
+    base = tricks.taken()
+    file, text, _ = tricks.tricks()["`update()` hides its object's address from the optimiser"]
+    more = tricks.taken(tricks.undone(tricks.Trick(file, text, text + ' asm volatile("nop\\n nop\\n nop");')))
+    assert more.flash == base.flash + 6 and more.globals == base.globals
+
+
+COSTS = re.compile(r"//.*\d (?:cycles|bytes (?:less|more|of flash|of RAM)|kB)")
+
+
+def test_comments_of_the_library_name_no_cost_that_nothing_measures_anew():
+    """Such a figure is in a table that a tool writes, or is printed by tools/measure --tricks."""
+    places = [file for kind in ("*.h", "*.cpp") for file in (ROOT / "src").rglob(kind) if "mavlink" not in file.parts]
+    assert [f"{file.name}: {line}" for file in places for line in file.read_text().splitlines() if COSTS.search(line)] == []
 
 
 def test_profile_names_the_library_and_the_core():
