@@ -197,6 +197,7 @@ def test_ram_is_the_same_for_ten_thousand_items(costs):
 def test_picture_in_the_documents_is_not_stale(costs, tmp_path):
     growth.draw(costs, tmp_path / "cost.svg")
     assert (tmp_path / "cost.svg").read_text() == growth.PICTURE.read_text(), "run tools/measure --growth"
+    assert "(docs/cost.svg)" in README.read_text()
 
 
 def test_picture_is_the_same_for_the_same_figures(tmp_path):
