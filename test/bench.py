@@ -23,7 +23,7 @@ from enumerators import texts_of
 from fake_autopilot import ArduPilot, FakeAutopilot, Item, Px4, mavlink
 from fake_autopilot.frames import packed as frame_of
 from fake_autopilot.items import f32
-from firmware import ROOT, build_firmware
+from firmware import build_firmware
 from mega import Image, Mega
 from wire import Wire
 

@@ -15,7 +15,6 @@ from typing import NamedTuple
 from bench import AUTOPILOT_PORT, Bench, fake
 from enumerators import texts_of
 from fake_autopilot import FakeAutopilot
-from firmware import ROOT
 
 _TOLD = re.compile(r"(\d+) (verdict|opened) (\d+)")
 

@@ -19,7 +19,6 @@ from typing import NamedTuple
 from bench import _ITEM, NO_ITEM, NO_RESULT, Bench, aboard_names, packed, status_names
 from enumerators import texts_of
 from fake_autopilot import Item
-from firmware import ROOT
 
 SOURCE = Path(__file__).resolve().parent / "firmware" / "service.cpp"
 

@@ -14,7 +14,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from enumerators import texts_of
-from firmware import LIBRARY
 from host_build import build_host
 
 SOURCE = Path(__file__).resolve().parent / "waypoints" / "read_texts.cpp"
