@@ -100,6 +100,11 @@ class Quiet(Bench):
             assert self.now < limit, f"not quiet within {limit_s} s"
             self.run(0.02)
 
+    def upload_quietly(self, items: int, limit_s: float = 5.0) -> None:
+        """Begin an upload, and go on until the line is quiet."""
+        self.tell("upload", items)
+        self.run_until_quiet(limit_s)
+
     def transfer_s(self, used: bool, items: int) -> float:
         """From COUNT to the acceptance [s], with the line as quiet as it gets or as it is."""
         if used:

@@ -94,8 +94,7 @@ def test_line_is_quiet_during_a_transfer_and_as_loud_as_before_after_it(loud, pe
 
 def test_line_is_loud_again_after_a_cancel(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     assert loud.run_until_ended(limit_s=1) == "Cancelled"
     loud.run_until_idle()
@@ -127,13 +126,11 @@ def test_line_is_loud_again_after_a_failure(loud):
 
 def test_transfer_that_begins_while_intervals_are_given_back_is_quiet_too(loud, personality):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     loud.run(0.1)
     assert not loud.is_idle
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     assert loud.run_until_ended(limit_s=1) == "Cancelled"
     assert loud.run_until_ended(limit_s=30) == "Accepted"
     loud.run_until_idle()
@@ -170,8 +167,7 @@ def test_every_interval_is_given_back_though_commands_and_answers_are_lost(make_
     bench.run(2.0)
     bench.run_until_idle()
     before = bench.rates()
-    bench.tell("upload", LONG_PLAN)
-    bench.run_until_quiet()
+    bench.upload_quietly(LONG_PLAN)
     bench.cancel()
     lost = (0, 2, 3, 4, 5, 6, 7, 8, 15)
     faults = [bench.wire.lose(">", name="COMMAND_LONG", index=index) for index in lost]
@@ -187,8 +183,7 @@ def test_lost_commands_and_answers_keep_no_message_loud_for_the_rest_of_a_transf
     bench.run_until_idle()
     bench.wire.lose(">", name="COMMAND_LONG", index=3)
     bench.wire.lose("<", name="COMMAND_ACK", index=5)
-    bench.tell("upload", 600)
-    bench.run_until_quiet(limit_s=9)
+    bench.upload_quietly(600, limit_s=9)
     began = bench.now
     bench.run(0.3)
     assert not set(bench.telemetry(began + 0.05, bench.now)) & set(default_list(personality))
@@ -196,8 +191,7 @@ def test_lost_commands_and_answers_keep_no_message_loud_for_the_rest_of_a_transf
 
 def test_late_answer_to_one_message_is_not_taken_for_the_answer_to_the_next(loud, personality):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     loud.wire.delay("<", 1.6, name="COMMAND_ACK", index=0)  # the first is asked for, and answered, twice
     second = loud.wire.lose(">", name="COMMAND_LONG", index=2)
@@ -208,8 +202,7 @@ def test_late_answer_to_one_message_is_not_taken_for_the_answer_to_the_next(loud
 
 def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     # Each copy comes when the next message has been asked for, in vain.
     repeated = loud.wire.repeat("<", name="COMMAND_ACK", after_s=0.012, times=None)
@@ -221,8 +214,7 @@ def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud)
 
 def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.wire.pull()
     loud.run(60.0)
     loud.wire.plug()
@@ -232,8 +224,7 @@ def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
 
 def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.wire.pull(">")
     loud.run(40.0)
     assert not loud.is_idle
@@ -244,8 +235,7 @@ def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
 
 def test_reboot_of_the_autopilot_in_mid_transfer(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.autopilot.reboot(loud.now, 3.0)
     loud.run_until_ended(limit_s=60)
     loud.run_until_idle(limit_s=10)
@@ -254,8 +244,7 @@ def test_reboot_of_the_autopilot_in_mid_transfer(loud):
 
 def test_reset_of_the_arduino_in_mid_transfer_leaves_no_silence(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.reset()
     loud.run_until_idle(limit_s=5)
     loud.run(10.0)  # until the autopilot has given up
@@ -268,8 +257,7 @@ def test_refused_messages_are_passed_over(make_quiet, personality):
     bench.run(2.0)
     bench.run_until_idle(limit_s=3)
     began = bench.now
-    bench.tell("upload", LONG_PLAN)
-    bench.run_until_quiet(limit_s=3)
+    bench.upload_quietly(LONG_PLAN, limit_s=3)
     assert bench.asked_since(began, -1) == default_list(personality)
     assert bench.run_until_ended(limit_s=20) == "Accepted"
     bench.run_until_idle(limit_s=3)
@@ -294,8 +282,7 @@ def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(
     assert set(bench.asked_since(0.0, 0)) == {9999, GPS_RAW_INT}
     assert bench.asked_since(0.0, 500_000) == [ATTITUDE]
     began = bench.now
-    bench.tell("upload", LONG_PLAN)
-    bench.run_until_quiet()
+    bench.upload_quietly(LONG_PLAN)
     assert bench.asked_since(began, -1) == [ATTITUDE, 9999, GPS_RAW_INT]
     assert bench.run_until_ended(limit_s=20) == "Accepted"
     bench.run_until_idle()
@@ -325,8 +312,7 @@ def test_nine_tenths_of_the_bytes_are_gone(full):
     bench = full()
     bench.run(2.0)
     before = bench.rates(4.0)
-    bench.tell("upload", 600)
-    bench.run_until_quiet()
+    bench.upload_quietly(600)
     bench.run(0.05)
     quiet = bench.rates(4.0)
     before.pop(SIMSTATE, None)
