@@ -6,7 +6,7 @@ import re
 
 import pytest
 from building import ROOT
-from measuring import bounds, budget, design, figures
+from measuring import budget, design
 from measuring.document import with_table
 
 DESIGN = (ROOT / "DESIGN.md").read_text()
@@ -97,7 +97,7 @@ def test_every_name_in_a_diagram_is_one_of_the_code():
 # The budget -------------------------------------------------------------------
 
 
-QUICK = ("RAM budget", "flash budget")
+QUICK = ("RAM budget", "goals", "flash budget")
 
 
 @pytest.mark.parametrize("name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in design.TABLES])
@@ -107,18 +107,6 @@ def test_measured_table_is_not_stale(name):
 
 def test_each_place_for_a_measured_table_is_written_by_the_tool():
     assert set(re.findall(r"<!-- ([\w ]+): begin -->", DESIGN)) == set(design.TABLES)
-
-
-def test_goals_that_are_not_reached_are_those_that_the_bounds_have():
-    section = DESIGN.partition("## Goals not reached")[2].partition("\n## ")[0]
-    told = {cells[0]: cells[1:3] for line in section.splitlines() if line.startswith("| ")
-            if (cells := [cell.strip() for cell in line.strip("|").split("|")])[0]}  # fmt: skip
-    limits = bounds.load()
-    missed = {figure.label: (limits[figure.key].bound, limits[figure.key].goal) for figure in figures.FIGURES
-              if limits[figure.key].goal is not None
-              and bounds.worse(figure.more_is_better, limits[figure.key].bound, limits[figure.key].goal)}  # fmt: skip
-    assert {label: [float(cell.replace(",", "").removesuffix(" %")) for cell in cells] for label, cells in told.items()} == {
-        label: list(pair) for label, pair in missed.items()}  # fmt: skip
 
 
 def test_parts_of_the_budget_add_up_to_the_whole():

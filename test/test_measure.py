@@ -268,6 +268,14 @@ def test_figure_without_a_bound_fails():
     assert bounds.compare([figures.Row(SIZE, None, None, 5)], {})[0].failed
 
 
+def test_goal_that_is_missed_without_a_word_why_is_refused(monkeypatch):
+    assert "| 1.02 |" not in bounds.goals_missed()  # that one is reached
+    limits = bounds.load()
+    monkeypatch.setattr(bounds, "load", lambda: {**limits, "flash": bounds.Bound(9001, 9000)})
+    with pytest.raises(bounds.BadBounds, match="flash misses its goal"):
+        bounds.goals_missed()
+
+
 def test_bounds_only_tighten():
     text = "# why\n\n[flash]\nbound = 100\ngoal = 50\n\n[cpu_left_57600]\nbound = 80.0\n"
     better = [figures.Row(SIZE, None, None, 90), figures.Row(LEFT, None, None, 81.5)]

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from building import ROOT
 
-from . import budget, flash, quieting, signing, work
+from . import bounds, budget, flash, quieting, signing, work
 from .document import with_table
 
 FILE = ROOT / "DESIGN.md"
 # By the name in their marks.
 TABLES = {
     budget.MARK: budget.table,
+    "goals": bounds.goals_missed,
     "flash budget": flash.table,
     "quiet transfers": quieting.table,
     "signing": signing.table,
