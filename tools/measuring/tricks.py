@@ -65,5 +65,5 @@ def table(of: dict[str, Trick] | None = None) -> str:
     for why, trick in (of or tricks()).items():
         other = taken(undone(trick))
         lines.append([why, f"{other.flash - now.flash:+,}", f"{other.globals - now.globals:+,}",
-                      f"{other.cpu_left - now.cpu_left:+.1f} %"])  # fmt: skip
+                      f"{round(other.cpu_left - now.cpu_left, 1) + 0.0:+.1f} %"])  # fmt: skip
     return aligned(lines, left=1)
