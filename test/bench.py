@@ -13,22 +13,21 @@ Time is simulated, in seconds since the Mega's power-on. A run is equal to the c
 from __future__ import annotations
 
 import math
-import re
 import struct
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from enumerators import texts_of
 from fake_autopilot import ArduPilot, FakeAutopilot, Item, Px4, mavlink
 from fake_autopilot.frames import packed as frame_of
 from fake_autopilot.items import f32
-from firmware import ROOT, build_firmware
+from firmware import build_firmware
 from mega import Image, Mega
 from wire import Wire
 
 SOURCE = Path(__file__).resolve().parent / "firmware" / "bench.cpp"
-STATUS_HEADER = ROOT / "src" / "mavmission" / "Status.h"
 
 PERSONALITIES = {"ArduPilot": ArduPilot, "PX4": Px4}
 
@@ -47,30 +46,18 @@ _ITEM = struct.Struct("<4fiifHBBB")  # mavmission::MissionItem on AVR
 
 
 @cache
-def _names(list_name: str) -> tuple[str, ...]:
-    """The enumerators of one of the lists in Status.h, in order."""
-    text = STATUS_HEADER.read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
-    return tuple(re.findall(r'X\((\w+),\s*"', text))
-
-
-@cache
-def texts_of(list_name: str) -> dict[str, str]:
-    """Enumerator -> text, of MAVMISSION_STATUSES or MAVMISSION_ABOARD."""
-    text = STATUS_HEADER.read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
-    return dict(re.findall(r'X\((\w+),\s*"([^"]*)"', text))
-
-
-@cache
 def firmware_image(baud: int, *defines: tuple[str, object], source: Path = SOURCE) -> Image:
     return Image.load(build_firmware(source.stem, [source], {"BENCH_BAUD": baud, **dict(defines)}))
 
 
+@cache
 def status_names() -> tuple[str, ...]:
-    return _names("MAVMISSION_STATUSES")
+    return tuple(texts_of("Status.h", "MAVMISSION_STATUSES"))
 
 
+@cache
 def aboard_names() -> tuple[str, ...]:
-    return _names("MAVMISSION_ABOARD")
+    return tuple(texts_of("Status.h", "MAVMISSION_ABOARD"))
 
 
 def is_end(status: str) -> bool:

@@ -9,23 +9,18 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 from bench import AUTOPILOT_PORT, Bench, fake
+from enumerators import texts_of
 from fake_autopilot import FakeAutopilot
-from firmware import ROOT
 
-HEADER = ROOT / "src" / "mavmission" / "LinkDoctor.h"
 _TOLD = re.compile(r"(\d+) (verdict|opened) (\d+)")
 
 
-@cache
 def verdict_texts() -> dict[str, str]:
-    """Enumerator -> text, of mavmission::Verdict, in order."""
-    text = HEADER.read_text().partition("#define MAVMISSION_VERDICTS(X)")[2].partition("enum class")[0]
-    return dict(re.findall(r'X\((\w+),\s*"([^"]*)"', text))
+    return texts_of("LinkDoctor.h", "MAVMISSION_VERDICTS")
 
 
 def verdict_names() -> list[str]:

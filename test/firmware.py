@@ -53,7 +53,7 @@ def build_firmware(
     defines: Mapping[str, object] | None = None,
     mcu: str = "atmega2560",
     *,
-    library: bool = True,
+    library: bool | Path = True,
     include_dirs: Iterable[str | Path] = (),
     flags: Iterable[str] = (),
 ) -> Path:
@@ -61,16 +61,18 @@ def build_firmware(
 
     `defines` also reach the library, if it names them. A value of True defines the
     bare name. `flags` are further compiler flags for the sources and the library.
-    Warnings in either are errors. Without `library`, only the core is linked.
+    Warnings in either are errors. `library`: the folder src of a changed copy
+    of it; False: only the core is linked.
     """
     sources = [Path(source).resolve() for source in sources]
     own = [*defined(defines or {}), *flags]
-    places = [LIBRARY, *{source.parent for source in sources}, *(Path(d).resolve() for d in include_dirs)]
+    root = library if isinstance(library, Path) else LIBRARY
+    places = [root, *{source.parent for source in sources}, *(Path(d).resolve() for d in include_dirs)]
     units = [compiled(source, mcu, own, places) for source in sources]
     if library:
         # As few different ones as can be: firmware that differs elsewhere shares the library's objects.
         its_own = [*defined({name: value for name, value in (defines or {}).items() if library_names(name)}), *flags]
-        units += [compiled(source, mcu, its_own, [LIBRARY]) for source in library_sources()]
+        units += [compiled(source, mcu, its_own, [root]) for source in library_sources(root)]
     core = core_archive(mcu)
     key = digest("elf", mcu, *LINK, *map(str, units), str(core))
     elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
@@ -86,9 +88,9 @@ def defined(defines: Mapping[str, object]) -> list[str]:
     return [f"-D{name}" if value is True else f"-D{name}={value}" for name, value in defines.items()]
 
 
-def library_sources() -> list[Path]:
+def library_sources(root: Path = LIBRARY) -> list[Path]:
     """What the Arduino builder compiles of a library: every source under src."""
-    return sorted(file for kind in ("*.cpp", "*.c", "*.S") for file in LIBRARY.rglob(kind))
+    return sorted(file for kind in ("*.cpp", "*.c", "*.S") for file in root.rglob(kind))
 
 
 @functools.cache

@@ -42,6 +42,11 @@ def evenly(personality: str, baud: int) -> Iterator[tuple[float, bytes]]:
         time += recordings.BITS_PER_BYTE * len(frame) / baud
 
 
+def recorded(personality: str, baud: int = 57600) -> Iterator[tuple[float, bytes]]:
+    """What the autopilot sent in the recordings, in its proportions, as fast as a line takes it, for ever."""
+    return recordings.saturated(RECORDED[personality], baud)
+
+
 class Quiet(Bench):
     """The line is full of telemetry, each message at the same rate, unless `telemetry` says otherwise."""
 
@@ -94,6 +99,22 @@ class Quiet(Bench):
         while not self.is_quiet:
             assert self.now < limit, f"not quiet within {limit_s} s"
             self.run(0.02)
+
+    def upload_quietly(self, items: int, limit_s: float = 5.0) -> None:
+        """Begin an upload, and go on until the line is quiet."""
+        self.tell("upload", items)
+        self.run_until_quiet(limit_s)
+
+    def transfer_s(self, used: bool, items: int) -> float:
+        """From COUNT to the acceptance [s], with the line as quiet as it gets or as it is."""
+        if used:
+            self.run_until_idle()
+        else:
+            self.tell("used", 0)
+        self.run_until(3.0)
+        self.tell("upload", items)
+        assert self.run_until_ended(limit_s=20) == "Accepted"
+        return self.wire.frames("<", "MISSION_ACK")[-1].time - self.wire.frames(">", "MISSION_COUNT")[-1].time
 
     def run_until_idle(self, limit_s: float = 5.0) -> None:
         limit = self.now + limit_s

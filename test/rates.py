@@ -25,7 +25,6 @@ from host_build import FAST, HOST, build_host  # noqa: E402
 from truth import longest_s  # noqa: E402
 
 README = ROOT / "README.md"
-BEGIN, END = "<!-- rates: begin -->", "<!-- rates: end -->"
 RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
 MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
 
@@ -124,15 +123,6 @@ def for_readme() -> str:
     return f"{note}\n\n{aligned(rows(), left=2)}"
 
 
-def with_table(readme: str, contents: str) -> str:
-    """The README with what is between its markers replaced. Raises ValueError without them."""
-    head, begin, rest = readme.partition(BEGIN)
-    _, end, tail = rest.partition(END)
-    if not begin or not end:
-        raise ValueError(f"README.md has no place for the table: put a line {BEGIN} and a line {END} there")
-    return f"{head}{BEGIN}\n{contents}\n{END}{tail}"
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--write-readme", action="store_true", help="put the table into README.md")
@@ -140,7 +130,9 @@ def main() -> int:
     fresh = for_readme()
     print(fresh)
     if args.write_readme:
-        README.write_text(with_table(README.read_text(), fresh))
+        from measuring.document import with_table
+
+        README.write_text(with_table(README.read_text(), "rates", fresh))
     return 0
 
 

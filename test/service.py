@@ -13,16 +13,14 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Sequence
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 from bench import _ITEM, NO_ITEM, NO_RESULT, Bench, aboard_names, packed, status_names
+from enumerators import texts_of
 from fake_autopilot import Item
-from firmware import ROOT
 
 SOURCE = Path(__file__).resolve().parent / "firmware" / "service.cpp"
-COMPARISON_HEADER = ROOT / "src" / "mavmission" / "Comparison.h"
 
 MISSION, FENCE, RALLY, ALL = 0, 1, 2, 255
 HOME_INDEX = 0xFFFF
@@ -35,11 +33,8 @@ _COMMAND = struct.Struct("<7fiiHBB")  # mavmission::FlightCommand on AVR
 _TOLD = re.compile(r"(\d+) (current|reached|text|message|item|posted) (\d+) ?(.*)", re.DOTALL)
 
 
-@cache
 def field_texts() -> dict[str, str]:
-    """Enumerator -> text, of mavmission::Field, in order."""
-    text = COMPARISON_HEADER.read_text().partition("#define MAVMISSION_FIELDS(X)")[2].partition("enum class")[0]
-    return dict(re.findall(r'X\((\w+),\s*"([^"]*)"', text))
+    return texts_of("Comparison.h", "MAVMISSION_FIELDS")
 
 
 def field_names() -> list[str]:

@@ -239,8 +239,11 @@ def test_px4_gets_the_place_of_the_nearest_item(plan, index, place):
 
 def test_fakes_take_the_form_on_the_wire():
     plan = [item(TAKEOFF, z=10), A, B, item(JUMP, frame=2, param1=1, param2=2), item(LAND)]
-    ArduPilot().load(on_the_wire(plan, "ardupilot"))
-    Px4().load(on_the_wire(plan, "px4"))
+    for name, autopilot in (("ardupilot", ArduPilot()), ("px4", Px4())):
+        sent = on_the_wire(plan, name)
+        autopilot.load(sent)
+        assert autopilot.received() == sent
+        assert [one.command for one in sent[-len(plan) :]] == [one.command for one in plan]
 
 
 # The tool -------------------------------------------------------------------

@@ -6,7 +6,8 @@ import re
 
 import pytest
 from building import ROOT
-from measuring import budget
+from measuring import budget, design
+from measuring.document import with_table
 
 DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
@@ -96,8 +97,16 @@ def test_every_name_in_a_diagram_is_one_of_the_code():
 # The budget -------------------------------------------------------------------
 
 
-def test_budget_of_ram_is_not_stale():
-    assert budget.with_table(DESIGN, budget.table()) == DESIGN, "run tools/ram_budget --write"
+QUICK = ("RAM budget", "goals", "flash budget")
+
+
+@pytest.mark.parametrize("name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in design.TABLES])
+def test_measured_table_is_not_stale(name):
+    assert with_table(DESIGN, name, design.TABLES[name]()) == DESIGN, "run tools/measure --write-design"
+
+
+def test_each_place_for_a_measured_table_is_written_by_the_tool():
+    assert set(re.findall(r"<!-- ([\w ]+): begin -->", DESIGN)) == set(design.TABLES)
 
 
 def test_parts_of_the_budget_add_up_to_the_whole():
@@ -112,8 +121,3 @@ def test_parts_of_the_budget_add_up_to_the_whole():
     whole = budget.client()
     assert {"state_", "link_"} <= {part.name for part in whole.parts}
     check(whole)
-
-
-def test_document_without_a_place_for_the_budget_is_told_what_to_do():
-    with pytest.raises(ValueError, match="put <!-- RAM budget: begin -->"):
-        budget.with_table("no marks", "a table")

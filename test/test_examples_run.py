@@ -235,7 +235,9 @@ def test_fence_and_rally(run):
 @pytest.mark.slow
 def test_fence_and_rally_on_mavlink_1():
     example = Run("FenceAndRally", "ArduPilot", mavlink_version=1)
-    example.until("fence: refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1", 5.0)
+    refused = "refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1"
+    assert f"fence: {refused}" in example.until(f"fence: {refused}", 5.0)
+    assert commands(example, FENCE) == [] and commands(example, RALLY) == []
 
 
 def test_read_telemetry(run):

@@ -8,7 +8,7 @@ import firmware
 import pytest
 from firmware import LIBRARY, ROOT, FirmwareNotBuilt, build_firmware
 from host_build import HOST, build_host
-from test_host import run_unit
+from test_host import cases_of, run_unit
 
 # Macro: its least and its greatest value.
 LIMITS = {
@@ -48,7 +48,8 @@ def test_parts_work_at_the_limits(end, tmp_path):
     sources = [HOST / "units" / f"{unit}.cpp" for unit in ("main", *UNITS)]
     program = build_host("limits", [*sources, *sorted(HOST.glob("*.cpp"))], "clang++", defines=defines)
     for unit in UNITS:
-        run_unit(program, unit, tmp_path)
+        assert cases_of(unit) > 0
+        assert run_unit(program, unit, tmp_path) == (0, cases_of(unit))
 
 
 @pytest.mark.parametrize("macro", LIMITS)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import fcntl
 import hashlib
 import pickle
+import re
 import subprocess
 import sys
 from collections.abc import Callable
 
 import pytest
 from building import BUILD, ROOT
-from measuring import bounds, calls, features, figures, growth, profiling, report, runs
+from measuring import bounds, calls, document, features, figures, growth, profiling, report, runs, tricks
 from measuring.firmware import baseline, measured, ours
 from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
 from mega import Mega
@@ -73,7 +74,7 @@ def test_each_bound_has_its_figure():
 @pytest.mark.slow
 def test_table_in_the_readme_is_not_stale(rows):
     text = README.read_text()
-    fresh = report.with_table(text, report.for_readme(rows, features.table()))
+    fresh = document.with_table(text, report.MARK, report.for_readme(rows, features.table()))
     assert fresh == text, "run tools/measure --write-readme"
 
 
@@ -204,6 +205,7 @@ def test_ram_is_the_same_for_ten_thousand_items(costs):
 def test_picture_in_the_documents_is_not_stale(costs, tmp_path):
     growth.draw(costs, tmp_path / "cost.svg")
     assert (tmp_path / "cost.svg").read_text() == growth.PICTURE.read_text(), "run tools/measure --growth"
+    assert "(docs/cost.svg)" in README.read_text()
 
 
 def test_picture_is_the_same_for_the_same_figures(tmp_path):
@@ -213,6 +215,32 @@ def test_picture_is_the_same_for_the_same_figures(tmp_path):
         growth.draw(costs, file)
     assert files[0].read_bytes() == files[1].read_bytes()
     assert b"<svg" in files[0].read_bytes()
+
+
+def test_every_trick_is_still_in_the_code():
+    assert all(tricks.undone(trick).is_dir() for trick in tricks.tricks().values())
+
+
+def test_trick_that_is_no_longer_in_the_code_is_told():
+    with pytest.raises(ValueError, match="Config.h does not have this once"):
+        tricks.undone(tricks.Trick("Config.h", "no such text", ""))
+
+
+@pytest.mark.slow
+def test_library_without_a_trick_is_what_is_measured():
+    base = tricks.taken()
+    file, text, _ = tricks.tricks()["`update()` hides its object's address from the optimiser"]
+    more = tricks.taken(tricks.undone(tricks.Trick(file, text, text + ' asm volatile("nop\\n nop\\n nop");')))
+    assert more.flash == base.flash + 6 and more.globals == base.globals
+
+
+COSTS = re.compile(r"//.*\d (?:cycles|bytes (?:less|more|of flash|of RAM)|kB)")
+
+
+def test_comments_of_the_library_name_no_cost_that_nothing_measures_anew():
+    """Such a figure is in a table that a tool writes, or is printed by tools/measure --tricks."""
+    places = [file for kind in ("*.h", "*.cpp") for file in (ROOT / "src").rglob(kind) if "mavlink" not in file.parts]
+    assert [f"{file.name}: {line}" for file in places for line in file.read_text().splitlines() if COSTS.search(line)] == []
 
 
 def test_profile_names_the_library_and_the_core():
@@ -248,6 +276,14 @@ def test_figure_without_a_bound_fails():
     assert bounds.compare([figures.Row(SIZE, None, None, 5)], {})[0].failed
 
 
+def test_goal_that_is_missed_without_a_word_why_is_refused(monkeypatch):
+    assert "| 1.02 |" not in bounds.goals_missed()  # that one is reached
+    limits = bounds.load()
+    monkeypatch.setattr(bounds, "load", lambda: {**limits, "flash": bounds.Bound(9001, 9000)})
+    with pytest.raises(bounds.BadBounds, match="flash misses its goal"):
+        bounds.goals_missed()
+
+
 def test_bounds_only_tighten():
     text = "# why\n\n[flash]\nbound = 100\ngoal = 50\n\n[cpu_left_57600]\nbound = 80.0\n"
     better = [figures.Row(SIZE, None, None, 90), figures.Row(LEFT, None, None, 81.5)]
@@ -263,11 +299,12 @@ def test_file_of_bounds_that_makes_no_sense_is_refused(tmp_path):
         bounds.load(file)
 
 
-def test_readme_without_a_place_for_the_table_is_refused():
-    with pytest.raises(ValueError, match="measured: begin"):
-        report.with_table("# MavMission\n", "table")
-    marked = f"a\n{report.BEGIN}\nold\n{report.END}\nb\n"
-    assert report.with_table(marked, "new") == marked.replace("old", "new")
+def test_document_without_a_place_for_a_table_is_refused():
+    with pytest.raises(ValueError, match="put a line <!-- sizes: begin --> and a line <!-- sizes: end --> there"):
+        document.with_table("# MavMission\n", "sizes", "table")
+    begin, end = document.marks("sizes")
+    marked = f"a\n{begin}\nold\n{end}\nb\n"
+    assert document.with_table(marked, "sizes", "new") == marked.replace("old", "new")
 
 
 # The tool -------------------------------------------------------------------

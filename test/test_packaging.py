@@ -207,7 +207,7 @@ def test_manifest_header_and_changelog_agree_on_the_version():
 # PlatformIO ---------------------------------------------------------------------
 
 MANIFEST_FIELDS = {
-    "name": str, "version": str, "description": str, "keywords": list, "repository": dict, "authors": list,
+    "name": str, "version": str, "description": str, "keywords": list, "authors": list,
     "license": str, "frameworks": str, "platforms": str, "headers": str, "export": dict,
 }  # fmt: skip
 
@@ -225,9 +225,6 @@ def test_manifest_has_each_field_with_its_type_and_no_other():
     for name, kind in MANIFEST_FIELDS.items():
         assert isinstance(fields[name], kind) and fields[name], name
     assert all(re.fullmatch(r"[a-z0-9-]+", word) for word in fields["keywords"])
-    assert fields["repository"].keys() == {"type", "url"}
-    assert fields["repository"]["type"] == "git"
-    assert fields["repository"]["url"].startswith("https://")
     assert all(author.keys() == {"name"} for author in fields["authors"])
     assert fields["export"].keys() == {"include"}
 

@@ -6,7 +6,8 @@ import math
 
 import pytest
 import recordings
-from bench import FunctionPlan, is_end, same_bits, status_names
+from bench import FunctionPlan, aboard_names, is_end, same_bits, status_names
+from enumerators import texts_of
 from fake_autopilot import Item, item, mavlink
 from plans import (
     DELAY,
@@ -391,10 +392,8 @@ def test_upload_is_allowed_once_it_is_disarmed(make_bench):
 
 
 def test_every_status_and_aboard_has_its_text(line):
-    from bench import aboard_names, texts_of
-
-    for word, names, texts in (("text", status_names(), texts_of("MAVMISSION_STATUSES")),
-                               ("aboard", aboard_names(), texts_of("MAVMISSION_ABOARD"))):  # fmt: skip
+    for word, names, texts in (("text", status_names(), texts_of("Status.h", "MAVMISSION_STATUSES")),
+                               ("aboard", aboard_names(), texts_of("Status.h", "MAVMISSION_ABOARD"))):  # fmt: skip
         assert len(names) == len(texts)
         for number, name in enumerate(names):
             (answer,) = line.tell(word, number)

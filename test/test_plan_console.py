@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from enumerators import texts_of
 from fake_autopilot import item, mavlink
 from plans import HOME, NAN, jump, waypoint
 from test_examples_run import Run, commands, is_ardupilot
@@ -109,7 +110,7 @@ def test_a_plan_stays_when_the_power_goes(console):
     console.answer("erase", "erased")
     console.mega.reset()
     console.run(0.3)
-    assert console.answer("upload", "no plan is here: load one")
+    assert console.answer("upload", "no plan is here: load one") == ["no plan is here: load one"]
 
 
 @pytest.mark.slow
@@ -189,11 +190,12 @@ def test_bad_text_is_refused_with_its_line_and_the_old_plan_stays(console):
 def test_what_is_said_of_a_mistake(lines, said):
     console = Console("PX4")
     console.send(*lines)
-    console.until(said, 3.0)
+    assert said in console.until(said, 3.0)
+    assert KEPT not in console.lines
     # And the console goes on.
     console.send("end")
     console.run(0.2)
-    console.answer("status", "here: items 0")
+    assert console.answer("status", "here: items 0")[-1] == "here: items 0"
 
 
 def test_more_items_than_the_eeprom_holds_are_refused(console):
@@ -214,7 +216,7 @@ def test_a_text_that_comes_faster_than_it_is_stored_is_refused(console):
     console.until(PASSED_OVER, 20.0)
     assert [line for line in console.lines if line.endswith(": it came faster than it could be stored: send it line by line")]
     console.run(1.0)
-    assert console.answer("list", "no plan is here: load one")
+    assert console.answer("list", "no plan is here: load one")[-1] == "no plan is here: load one"
 
 
 def test_a_text_of_which_bytes_were_lost_is_refused():
@@ -222,15 +224,18 @@ def test_a_text_of_which_bytes_were_lost_is_refused():
     # Numbers that take longer to read than the line takes to bring the next: the port's ring runs over.
     row = "\t".join(["1\t0\t3\t16", *["1.234567890123456789e-37"] * 4, "-35.3632621", "149.1652374", "9.99999999999999999e-38", "1"])
     console.send("load", *HEAD, row, "end")
-    console.until("line 3: it came faster than it could be stored: send it line by line", 3.0)
+    too_fast = "line 3: it came faster than it could be stored: send it line by line"
+    assert too_fast in console.until(too_fast, 3.0)
     console.run(1.0)
+    assert console.answer("list", "no plan is here: load one")[-1] == "no plan is here: load one"
     console.send("load", *HEAD)
     console.run(0.5)
     for field in row.split("\t"):
         console.send(field, end=" ")
         console.run(0.1)
     console.send("", "end")
-    console.until(KEPT, 3.0)
+    assert console.until(KEPT, 3.0)[-1] == KEPT
+    assert len(console.listed()) == 3
 
 
 def test_status_and_help(console):
@@ -286,8 +291,10 @@ def test_an_upload_is_cancelled_and_the_plan_is_not_exchanged_meanwhile(console)
     console.until("5/60", 5.0)
     for command in ("load", "erase", "download"):
         console.answer(command, "busy with another operation")
-    lines = console.answer("cancel", "cancelled by the sketch")
-    assert lines
+    assert console.answer("cancel", "cancelled by the sketch")[-1] == "cancelled by the sketch"
+    left = "Mixture" if is_ardupilot(console) else "AsBefore"
+    aboard = f"aboard: {texts_of('Status.h', 'MAVMISSION_ABOARD')[left]}"
+    assert aboard in console.until(aboard, 1.0)
     assert len(console.listed()) == 62
 
 
@@ -299,5 +306,5 @@ def test_start_flies_what_is_aboard(console):
     console.answer("start", "done: the autopilot confirmed it", limit_s=60.0)
     assert console.autopilot.armed
     console.run(1.5)  # until its next heartbeat says so
-    lines = console.answer("upload", "refused: the autopilot is armed")
-    assert lines
+    assert console.answer("upload", "refused: the autopilot is armed")[-1] == "refused: the autopilot is armed"
+    assert console.autopilot.armed

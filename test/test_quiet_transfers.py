@@ -8,7 +8,7 @@ import pytest
 import recordings
 from fake_autopilot import mavlink
 from fake_autopilot.frames import message_id
-from quiet import RECORDED, Quiet, default_list
+from quiet import Quiet, default_list, recorded
 
 ATTITUDE, GPS_RAW_INT, MISSION_CURRENT = 30, 24, 42
 SIMSTATE = 164  # an ArduPilot sends it that has no aircraft but a simulated one
@@ -94,8 +94,7 @@ def test_line_is_quiet_during_a_transfer_and_as_loud_as_before_after_it(loud, pe
 
 def test_line_is_loud_again_after_a_cancel(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     assert loud.run_until_ended(limit_s=1) == "Cancelled"
     loud.run_until_idle()
@@ -128,13 +127,11 @@ def test_line_is_loud_again_after_a_failure(loud):
 @pytest.mark.slow
 def test_transfer_that_begins_while_intervals_are_given_back_is_quiet_too(loud, personality):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     loud.run(0.1)
     assert not loud.is_idle
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     assert loud.run_until_ended(limit_s=1) == "Cancelled"
     assert loud.run_until_ended(limit_s=30) == "Accepted"
     loud.run_until_idle()
@@ -177,8 +174,7 @@ def test_every_interval_is_given_back_though_commands_and_answers_are_lost(make_
     bench.run(2.0)
     bench.run_until_idle()
     before = bench.rates()
-    bench.tell("upload", LONG_PLAN)
-    bench.run_until_quiet()
+    bench.upload_quietly(LONG_PLAN)
     bench.cancel()
     lost = (0, 2, 3, 4, 5, 6, 7, 8, 15)
     faults = [bench.wire.lose(">", name="COMMAND_LONG", index=index) for index in lost]
@@ -195,8 +191,7 @@ def test_lost_commands_and_answers_keep_no_message_loud_for_the_rest_of_a_transf
     bench.run_until_idle()
     bench.wire.lose(">", name="COMMAND_LONG", index=3)
     bench.wire.lose("<", name="COMMAND_ACK", index=5)
-    bench.tell("upload", 600)
-    bench.run_until_quiet(limit_s=9)
+    bench.upload_quietly(600, limit_s=9)
     began = bench.now
     bench.run(0.3)
     assert not set(bench.telemetry(began + 0.05, bench.now)) & set(default_list(personality))
@@ -204,8 +199,7 @@ def test_lost_commands_and_answers_keep_no_message_loud_for_the_rest_of_a_transf
 
 def test_late_answer_to_one_message_is_not_taken_for_the_answer_to_the_next(loud, personality):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     loud.wire.delay("<", 1.6, name="COMMAND_ACK", index=0)  # the first is asked for, and answered, twice
     second = loud.wire.lose(">", name="COMMAND_LONG", index=2)
@@ -217,8 +211,7 @@ def test_late_answer_to_one_message_is_not_taken_for_the_answer_to_the_next(loud
 @pytest.mark.slow
 def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.cancel()
     # Each copy comes when the next message has been asked for, in vain.
     repeated = loud.wire.repeat("<", name="COMMAND_ACK", after_s=0.012, times=None)
@@ -231,8 +224,7 @@ def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud)
 @pytest.mark.slow
 def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.wire.pull()
     loud.run(60.0)
     loud.wire.plug()
@@ -243,8 +235,7 @@ def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
 @pytest.mark.slow
 def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.wire.pull(">")
     loud.run(40.0)
     assert not loud.is_idle
@@ -256,8 +247,7 @@ def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
 @pytest.mark.slow
 def test_reboot_of_the_autopilot_in_mid_transfer(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.autopilot.reboot(loud.now, 3.0)
     loud.run_until_ended(limit_s=60)
     loud.run_until_idle(limit_s=10)
@@ -267,8 +257,7 @@ def test_reboot_of_the_autopilot_in_mid_transfer(loud):
 @pytest.mark.slow
 def test_reset_of_the_arduino_in_mid_transfer_leaves_no_silence(loud):
     before = loud.rates()
-    loud.tell("upload", LONG_PLAN)
-    loud.run_until_quiet()
+    loud.upload_quietly(LONG_PLAN)
     loud.reset()
     loud.run_until_idle(limit_s=5)
     loud.run(10.0)  # until the autopilot has given up
@@ -281,8 +270,7 @@ def test_refused_messages_are_passed_over(make_quiet, personality):
     bench.run(2.0)
     bench.run_until_idle(limit_s=3)
     began = bench.now
-    bench.tell("upload", LONG_PLAN)
-    bench.run_until_quiet(limit_s=3)
+    bench.upload_quietly(LONG_PLAN, limit_s=3)
     assert bench.asked_since(began, -1) == default_list(personality)
     assert bench.run_until_ended(limit_s=20) == "Accepted"
     bench.run_until_idle(limit_s=3)
@@ -308,8 +296,7 @@ def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(
     assert set(bench.asked_since(0.0, 0)) == {9999, GPS_RAW_INT}
     assert bench.asked_since(0.0, 500_000) == [ATTITUDE]
     began = bench.now
-    bench.tell("upload", LONG_PLAN)
-    bench.run_until_quiet()
+    bench.upload_quietly(LONG_PLAN)
     assert bench.asked_since(began, -1) == [ATTITUDE, 9999, GPS_RAW_INT]
     assert bench.run_until_ended(limit_s=20) == "Accepted"
     bench.run_until_idle()
@@ -321,38 +308,26 @@ def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(
 # What it is worth, and what it costs ------------------------------------------------------
 
 
-def transfer_s(bench: Quiet, used: bool, items: int) -> float:
-    """From COUNT to the acceptance [s]."""
-    bench.run_until_idle() if used else bench.tell("used", 0)
-    bench.run_until(3.0)
-    bench.tell("upload", items)
-    assert bench.run_until_ended(limit_s=20) == "Accepted"
-    return bench.wire.frames("<", "MISSION_ACK")[-1].time - bench.wire.frames(">", "MISSION_COUNT")[-1].time
-
-
 @pytest.fixture
-def recorded(make_quiet, personality):
-    """A line that is full of what the autopilot sent in the recordings, in their proportions."""
-    return lambda: make_quiet(telemetry=recordings.saturated(RECORDED[personality], 57600))
+def full(make_quiet, personality):
+    """Makes a line that is full of what the autopilot sent in the recordings."""
+    return lambda: make_quiet(telemetry=recorded(personality))
 
 
-def test_fifty_items_take_a_tenth_less_time_on_a_full_line(recorded, personality):
-    loud, quiet = transfer_s(recorded(), False, 50), transfer_s(recorded(), True, 50)
-    print(f"{personality}, 57600 baud, full line, 50 items: {loud:.2f} s, quiet {quiet:.2f} s")
-    assert quiet < 0.9 * loud
+def test_fifty_items_take_a_tenth_less_time_on_a_full_line(full):
+    assert full().transfer_s(True, 50) < 0.9 * full().transfer_s(False, 50)
 
 
 @pytest.mark.slow
-def test_ten_items_take_no_more_than_a_thirtieth_of_a_second_longer(recorded):
-    assert transfer_s(recorded(), True, 10) < transfer_s(recorded(), False, 10) + 0.033
+def test_ten_items_take_no_more_than_a_thirtieth_of_a_second_longer(full):
+    assert full().transfer_s(True, 10) < full().transfer_s(False, 10) + 0.033
 
 
-def test_nine_tenths_of_the_bytes_are_gone(recorded):
-    bench = recorded()
+def test_nine_tenths_of_the_bytes_are_gone(full):
+    bench = full()
     bench.run(2.0)
     before = bench.rates(4.0)
-    bench.tell("upload", 600)
-    bench.run_until_quiet()
+    bench.upload_quietly(600)
     bench.run(0.05)
     quiet = bench.rates(4.0)
     before.pop(SIMSTATE, None)

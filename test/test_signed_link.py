@@ -451,15 +451,15 @@ def test_erased_eeprom_holds_no_time(signed_line):
 
 def longest_update(bench) -> int:
     """In an upload on a full line [cycles], as the sketch waits for it."""
+    bench.tell("callbacks", 0)  # which print
     watch = bench.mega.watch("updateClient")
     bench.upload(FunctionPlan(10))
     assert bench.run_until_ended(limit_s=10) == "Accepted"
     return watch.calls.longest
 
 
-def test_longest_update_is_no_longer_for_the_hashing(make_bench, make_signed):
-    plain = longest_update(make_bench(telemetry=5000.0))
-    assert longest_update(make_signed(telemetry=5000.0)) <= max(plain, 13_000)
+def test_longest_update_is_hardly_longer_for_the_hashing(make_bench, make_signed):
+    assert longest_update(make_signed(telemetry=5000.0)) < 1.05 * longest_update(make_bench(telemetry=5000.0))
 
 
 def test_hashing_is_cut_into_pieces_of_10000_cycles(make_signed):

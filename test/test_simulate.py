@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import queue
 import re
@@ -10,6 +11,7 @@ import socket
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -63,6 +65,20 @@ def slices_until(world: RealTime, done) -> int:
             return count
         world.slice()
     pytest.fail("20 s of simulated time were not enough")
+
+
+def answer_of(world: RealTime, read: Callable[[], bytes], length: int) -> bytes:
+    """What comes back through read(), which must not block, until it is so long or more."""
+    answer = b""
+
+    def is_whole() -> bool:
+        nonlocal answer
+        with contextlib.suppress(BlockingIOError):
+            answer += read()
+        return len(answer) >= length
+
+    slices_until(world, is_whole)
+    return answer
 
 
 # Pace ---------------------------------------------------------------------------
@@ -129,18 +145,7 @@ def test_a_tcp_client_finds_its_peer_again_after_the_peer_restarts(world, clock)
         listener.close()
         peer.sendall(b"hello")
         peer.setblocking(False)
-        answer = b""
-
-        def answered():
-            nonlocal answer
-            try:
-                answer += peer.recv(100)
-            except BlockingIOError:
-                pass
-            return len(answer) >= 5
-
-        slices_until(world, answered)
-        assert answer == b"ifmmp"
+        assert answer_of(world, lambda: peer.recv(100), 5) == b"ifmmp"
         peer.close()
         slices_until(world, lambda: not end.connected)
         world.run(seconds=2)
@@ -157,18 +162,7 @@ def test_a_tcp_server_takes_the_next_client_when_one_has_gone(world, clock):
         client = socket.create_connection(("127.0.0.1", end.port))
         client.sendall(text)
         client.setblocking(False)
-        answer = b""
-
-        def answered():
-            nonlocal answer
-            try:
-                answer += client.recv(100)
-            except BlockingIOError:
-                pass
-            return len(answer) >= len(text)
-
-        slices_until(world, answered)
-        assert answer == bytes(byte + 1 for byte in text)
+        assert answer_of(world, lambda: client.recv(100), len(text)) == bytes(byte + 1 for byte in text)
         client.close()
         slices_until(world, lambda: not end.connected)
 
@@ -239,18 +233,7 @@ def test_udp_that_listens_answers_whoever_sent_last(world):
         peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         peer.setblocking(False)
         peer.sendto(text, ("127.0.0.1", port))
-        answer = b""
-
-        def answered():
-            nonlocal answer
-            try:
-                answer += peer.recv(100)
-            except BlockingIOError:
-                pass
-            return len(answer) >= len(text)
-
-        slices_until(world, answered)
-        assert answer == bytes(byte + 1 for byte in text)
+        assert answer_of(world, lambda: peer.recv(100), len(text)) == bytes(byte + 1 for byte in text)
         peer.close()
 
 
@@ -269,18 +252,7 @@ def test_a_serial_device_is_opened_again_when_it_comes_back(world, clock, tmp_pa
         os.set_blocking(master, False)
         slices_until(world, lambda: said)
         os.write(master, b"A")
-        answer = b""
-
-        def answered():
-            nonlocal answer
-            try:
-                answer += os.read(master, 10)
-            except BlockingIOError:
-                pass
-            return answer
-
-        slices_until(world, answered)
-        assert answer == b"B"
+        assert answer_of(world, lambda: os.read(master, 10), 1) == b"B"
         device.unlink()
         os.close(master)
         os.close(slave)

@@ -7,26 +7,20 @@
 
 from __future__ import annotations
 
-import re
 import struct
 import subprocess
 from collections.abc import Sequence
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from firmware import LIBRARY
+from enumerators import texts_of
 from host_build import build_host
 
 SOURCE = Path(__file__).resolve().parent / "waypoints" / "read_texts.cpp"
-HEADER = LIBRARY / "mavmission" / "WaypointsText.h"
 
 
-@cache
 def error_texts() -> dict[str, str]:
-    """Enumerator -> text, of mavmission::TextError, in order."""
-    text = HEADER.read_text().partition("#define MAVMISSION_TEXT_ERRORS(X)")[2].partition("enum class")[0]
-    return dict(re.findall(r'X\((\w+),\s*"([^"]*)"', text))
+    return texts_of("WaypointsText.h", "MAVMISSION_TEXT_ERRORS")
 
 
 class ReadItem(NamedTuple):

@@ -61,7 +61,7 @@ class AutopilotFinder {
   uint16_t heardMs_;
   uint16_t firstMs_;
   uint16_t otherMs_;
-  bool heard_ : 1;  // bits, for 3 bytes of RAM and 10 of flash
+  bool heard_ : 1;  // bits, for RAM: they cost a little flash
   bool settled_ : 1;
   bool severalHeard_ : 1;
   bool named_ : 1;

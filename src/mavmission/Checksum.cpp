@@ -10,7 +10,7 @@ uint16_t checksum(uint16_t crc, const uint8_t* bytes, uint8_t length) {
   for (; length != 0; --length) {
     uint8_t byte = *bytes++;
 #ifdef __AVR__
-    crc = _crc_ccitt_update(crc, byte);  // 15 cycles, written in assembler
+    crc = _crc_ccitt_update(crc, byte);  // written in assembler
 #else
     byte ^= static_cast<uint8_t>(crc);
     byte ^= static_cast<uint8_t>(byte << 4);

@@ -15,8 +15,8 @@
 #define MAVMISSION_BYTES_PER_UPDATE 64
 #endif
 
-// How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs time only: an
-// item from flash takes about 1,000 cycles, an item from a function what the function takes.
+// How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs time only: what
+// reading an item takes, which for one from a function is up to the function.
 #ifndef MAVMISSION_ITEMS_PER_UPDATE
 #define MAVMISSION_ITEMS_PER_UPDATE 2
 #endif
@@ -42,7 +42,7 @@
 #endif
 
 // Lets a function return in one place only. avr-gcc makes a jump of a call that comes last, and repeats all the pops of
-// the function before it: 136 bytes in an upload.
+// the function before it.
 #ifdef __AVR__
 #define MAVMISSION_ONE_EXIT __attribute__((optimize("no-optimize-sibling-calls")))
 #else

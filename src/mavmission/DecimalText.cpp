@@ -290,6 +290,8 @@ void printFloat(float value, char* text) {
   *text = '\0';
 }
 
+void printWhole(uint32_t value, char* text) { *putDigits(text, value, placesOf(value)) = '\0'; }
+
 void printDegrees(int32_t e7, char* text) {
   uint32_t magnitude = static_cast<uint32_t>(e7);
   if (e7 < 0) {

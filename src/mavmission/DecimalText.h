@@ -63,6 +63,10 @@ class DecimalText {
 constexpr uint8_t kFloatText = 20;
 void printFloat(float value, char* text);
 
+// A whole number; `text` has room for kWholeText bytes.
+constexpr uint8_t kWholeText = 11;
+void printWhole(uint32_t value, char* text);
+
 // A coordinate [1e-7 degrees] with its seven decimals; `text` has room for kDegreesText bytes.
 constexpr uint8_t kDegreesText = 13;
 void printDegrees(int32_t e7, char* text);

@@ -47,7 +47,7 @@ class EepromPlan {
   explicit EepromPlan(const Eeprom& eeprom, uint16_t first = 0, uint16_t size = 0);
 
   // Looks what is there; needed once, before the rest: without it there is no plan, and none is stored. Reads all of a
-  // plan, and takes as long: about 100 cycles a byte.
+  // plan, which takes some milliseconds (DESIGN.md, "Plans from text, and in EEPROM").
   void begin();
 
   // A plan is there, and whole.
@@ -83,7 +83,8 @@ class EepromPlan {
   State state() const { return state_; }
   bool isBusy() const { return state_ == State::Committing || state_ == State::Erasing; }
 
-  // The room for the items of a plan [bytes]; one takes 4 to 32, a waypoint 16.
+  // The room for the items of a plan [bytes]; one takes 4 to 32, a waypoint 16, or 20
+  // with an unset yaw.
   uint16_t room() const { return bankSize_ - kHeader; }
 
  private:

@@ -1,4 +1,4 @@
-// The few things done with floats, done on their bits: avr-gcc's float routines would cost 900 bytes of flash.
+// The few things done with floats, done on their bits, for the flash that avr-gcc's float routines would take.
 #pragma once
 
 #include <stdint.h>

@@ -12,8 +12,8 @@ namespace {
 
 bool isMagic(uint8_t byte) { return byte == MAVLINK_STX || byte == MAVLINK_STX_MAVLINK1; }
 
-// Messages that carry bytes of others, among which a whole frame may be. (Looked up by comparisons in a tree: a table in
-// flash would take 200 cycles more.)
+// Messages that carry bytes of others, among which a whole frame may be. (Looked up by comparisons in a tree, which are
+// quicker than a table in flash.)
 bool isCarrier(uint16_t messageId) {
   switch (messageId) {
     case MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL:
@@ -69,7 +69,7 @@ uint16_t FrameParser::payloadWord(uint8_t index) const {
 }
 
 uint32_t FrameParser::payloadLong(uint8_t index) const {
-  union {  // 12 bytes less than a shift
+  union {  // smaller than a shift
     uint16_t words[2];
     uint32_t value;
   } both;
@@ -112,7 +112,7 @@ MAVMISSION_INLINE void FrameParser::keep(uint8_t byte) {
 inline bool FrameParser::takePlainly(uint8_t byte) {
   const Index have = have_;
   if (have == 0) {
-    // Its low byte is enough while that is not used up: 6 cycles less.
+    // Its low byte is enough while that is not used up.
     uint8_t& low = *reinterpret_cast<uint8_t*>(&skip_);
     if (low < 2 || isMagic(byte) || keepsSignature()) return false;
     --low;
@@ -123,8 +123,7 @@ inline bool FrameParser::takePlainly(uint8_t byte) {
   return true;
 }
 
-// By itself, so that everything is in registers. A byte that needs no thought takes 46 cycles here, a third of them to call
-// read(): telemetry is made of such.
+// By itself, so that everything is in registers. Most of telemetry are bytes that need no thought.
 FrameParser::Result FrameParser::pull(Stream& stream, Budget& budget) {
   uint8_t left = budget.left;
   uint8_t heard = 0;

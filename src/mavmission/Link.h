@@ -85,7 +85,7 @@ class Link {
   bool sendForeign(const OutgoingMessage& message);
   bool isSent() const { return outbox_.isEmpty(); }
 
-  // Writes what the stream takes, `most` bytes at most: the core takes 110 cycles for each.
+  // Writes what the stream takes, `most` bytes at most: each costs about as much as one received.
   void flush(uint16_t nowMs, uint8_t most) {
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
@@ -144,7 +144,7 @@ class Link {
   FrameParser parser_;
 
 #if MAVMISSION_SIGNING
-  // Rounds of SHA-256 in an update() that does nothing else: some 11,000 cycles.
+  // Rounds of SHA-256 in an update() that does nothing else (DESIGN.md, "Signing").
   static constexpr uint8_t kRoundsAtOnce = 16;
   // How many bytes may wait in the stream meanwhile: half of what a hardware serial port has room for.
   static constexpr uint8_t kMayWait = 32;

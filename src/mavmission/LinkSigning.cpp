@@ -108,7 +108,7 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   }
 }
 
-// As isNews() does for frames that need no check: by itself, for 2 bytes less in a sketch that does not sign.
+// As isNews() does for frames that need no check: by itself, so that a sketch that does not sign has none of it.
 void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);

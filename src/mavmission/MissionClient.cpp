@@ -9,7 +9,7 @@
 namespace mavmission {
 
 MissionClient::MissionClient(Stream& stream) {
-  // All parts are plain data that begins at zero: one call does it, in 150 bytes less than a constructor for each.
+  // All parts are plain data that begins at zero: one call does it, where a constructor for each would be larger.
   memset(static_cast<void*>(this), 0, sizeof(*this));
   link_.begin(stream);
   state_.failedItem = kNoItem;

@@ -65,8 +65,8 @@ class MissionClient {
   Status upload(const ItemSource& plan, PlanType type = PlanType::Mission, Proof proof = WhenInDoubt);
   Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
 
-  // The same without reading back, for a sketch that has to be small: 3.7 kB of flash less. Status::Accepted is said when
-  // the autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is lost, it is
+  // The same without reading back, for a sketch that has to be small (README.md, "Sizes"). Status::Accepted is said when the
+  // autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is lost, it is
   // Status::Unconfirmed.
   Status uploadByAnswer(const ItemSource& plan, PlanType type = PlanType::Mission);
 
@@ -207,11 +207,11 @@ class MissionClient {
   void useRawNumbering(bool raw) { rest_.raw = raw; }
   // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2, 4,
   // then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until then
-  // the status is WaitingForTurn. Costs 150 bytes of flash in a sketch that calls it.
+  // the status is WaitingForTurn. Costs flash in a sketch that calls it (README.md, "Sizes").
   void retryWhenDenied(uint16_t seconds);
   // Serves autopilots that do not know MISSION_ITEM_INT: one that is neither ArduPilot nor PX4 and refuses the first
   // item as unsupported gets the plan again as MISSION_ITEM, with coordinates as floats, coarser by metres. `always`: no
-  // other is tried. Costs 450 bytes of flash in a sketch that calls it.
+  // other is tried. Costs flash in a sketch that calls it (README.md, "Sizes").
   void serveFloatItems(bool always = false);
   // The longest wait for an autopilot [s], after which an operation ends with Status::NoAutopilot; 0, the default, is
   // for ever.
@@ -221,7 +221,7 @@ class MissionClient {
   void limitTransfer(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
-  // Seconds, heartbeats and the autopilot's silence are looked at once in that time [ms]: 100 cycles less for each update().
+  // Seconds, heartbeats and the autopilot's silence are looked at once in that time [ms], and not in each update().
   static constexpr uint8_t kTickMs = 2;
   // The most for a whole operation by default [s]: 2 minutes, and 2 s an item.
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
@@ -367,7 +367,7 @@ class MissionClient {
     Proof proof;
     Field field;               // that differs
     StartStep startStep;
-    bool armedAllowed : 1;     // bits, for 4 bytes of RAM at 18 of flash
+    bool armedAllowed : 1;     // bits, for RAM: they cost a little flash
     bool raw : 1;
     bool tooLong : 1;          // the source has more items than the protocol can count
     bool infeasible : 1;       // the autopilot has said so of the plan that it accepted
@@ -423,7 +423,7 @@ class MissionClient {
     Clearing clearing_;
     Commanding commanding_;
   };
-  WirePlan plan_;  // here, and not behind rest_, within cheap reach: 90 bytes less
+  WirePlan plan_;  // here, and not behind rest_, within cheap reach
   Rest rest_;
   OpaqueId opaqueId_;
   Link link_;

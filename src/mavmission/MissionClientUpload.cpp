@@ -112,7 +112,7 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request), "both kinds of request have one layout");
       if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
       const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs);
-      // At once, and not behind what else this update() does: 500 cycles.
+      // At once, and not behind what else this update() does.
       sendUpload(nowMs);
       link_.flush(nowMs, kStartBytes);
       continueUpload(status, nowMs);
@@ -201,7 +201,7 @@ uint16_t MissionClient::ownItem(uint16_t wireItem) const {
 }
 
 // Sends what is due. An item is packed before it is asked for, while the line waits for the autopilot: the answer to its
-// request then begins 4,000 cycles earlier, and no update() both packs an item and writes it.
+// request then begins earlier by that, and no update() both packs an item and writes it.
 void MissionClient::sendUpload(uint16_t nowMs) {
   if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
     if (!transfer_.expectsRequest() || isPrepared(transfer_.itemsAskedFor()) || !link_.canSend()) return;
@@ -241,7 +241,7 @@ void MissionClient::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
   if (!isHeavyAllowed()) return;
   // The item becomes the message where it lies, and it lies where the frame is made: param1 to z stay, the rest is moved.
-  // The deepest stack is 38 bytes less by it.
+  // That keeps the deepest stack small.
   union Piece {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -268,7 +268,7 @@ void MissionClient::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   message.autocontinue = autocontinue;
   message.mission_type = static_cast<uint8_t>(state_.type);
   if (wireItem == state_.next && plan_.firmware() == Firmware::Px4) {
-    // The sum alone takes 3,500 cycles: packing is left to the next update().
+    // The sum is enough for an update(): packing is left to the next one.
     ++state_.next;
     return opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
   }

@@ -10,7 +10,7 @@ uint32_t withByte(uint32_t crc, uint8_t byte) {
   crc ^= byte;
   uint8_t bits = 8;
 #ifdef __AVR__
-  // 90 cycles, where the loop below takes 165.
+  // The loop below, in less time.
   asm("1: lsr %D0\n\t"
       "ror %C0\n\t"
       "ror %B0\n\t"

@@ -41,6 +41,7 @@ class PlanConsoleState {
   enum Task : uint8_t { kNothing, kSay, kError, kHelp, kList, kStatus, kProgress, kEnded, kStored };
   typedef void (*Offer)(PlanConsole& console);
   static constexpr uint8_t kOffers = 5;
+  static const char kLineEnd[];  // in flash
 
   Mode mode_;
   TextError error_;        // why the text was refused
@@ -64,7 +65,7 @@ class PlanConsoleState {
   uint8_t step_;           // of it
   uint16_t item_;          // that is listed
   uint16_t stuckMs_;       // when the port first had no room
-  const char* said_;       // the text of kSay, in flash
+  FlashText said_;         // the text of kSay
   const char* flash_;      // what is being printed: this, in flash, if it is not null,
   const char* ram_;        // then this
   char command_[9];
@@ -97,7 +98,7 @@ class PlanConsole : private PlanConsoleState {
   void setRing(uint8_t bytes) { ring_ = bytes; }
 
   // Commands that a sketch offers beside help, status, load, end, upload, erase and cancel, to be called in setup().
-  // One that is not offered is not in the program: together they take 8 kB of flash.
+  // One that is not offered is not in the program (README.md, "Sizes").
   void offerList();      // the plan in EEPROM, as a .waypoints text
   void offerVerify();    // is it what is aboard?
   void offerDownload();  // keeps what is aboard
@@ -141,8 +142,10 @@ class PlanConsole : private PlanConsoleState {
   MAVMISSION_APART void print();
   MAVMISSION_APART void compose();
   void due(Task task) { due_ |= static_cast<uint16_t>(1 << task); }
-  MAVMISSION_APART void say(const char* text);
+  MAVMISSION_APART void say(FlashText text);
   void put(FlashText text) { flash_ = reinterpret_cast<const char*>(text); }
+  void putLineEnd() { flash_ = kLineEnd; }
+  MAVMISSION_APART void putOutcome(uint8_t piece);
   MAVMISSION_APART void putNumber(uint32_t number);
   MAVMISSION_APART bool composeError();
   MAVMISSION_APART bool composeHelp();

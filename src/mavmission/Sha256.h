@@ -1,5 +1,5 @@
-// SHA-256 (FIPS 180-4), a few rounds at a time: a block of 64 bytes is some 25,000 cycles on an AVR, which nobody is to
-// wait for.
+// SHA-256 (FIPS 180-4), a few rounds at a time: a block of 64 bytes takes an AVR longer than anybody is
+// to wait (DESIGN.md, "Signing").
 //
 //   Sha256 sum;
 //   sum.begin();

@@ -47,8 +47,8 @@ class WaypointsSource {
   State state() const { return state_; }
 
   // The plan, when it is Good; before that, and when it is Bad, one that is refused (Status::SourceRefused). To find an
-  // item out of order a text is halved again and again: about 15 seeks and 2 kB read for one of 64 kB. In order, which
-  // is how transfers ask, an item costs its line.
+  // item out of order a text is halved again and again, by a seek each time. In order, which is how transfers ask, an
+  // item costs its line.
   ItemSource source();
   // Its items: home is none.
   uint16_t count() const { return state_ == State::Good ? count_ : 0; }

@@ -75,8 +75,8 @@ class WaypointsText {
   // True if the next character begins a line.
   bool isAtLineStart() const { return length_ == 0; }
 
-  // True within a field. The character that ends one costs most: 2,000 to 7,000 cycles, and 90,000 for a number of 19
-  // digits near the smallest float.
+  // True within a field. The character that ends one costs most, a number of 19 digits near the smallest float by far
+  // (DESIGN.md, "Plans from text, and in EEPROM").
   bool isInField() const { return isInField_; }
 
   // The last item, in the sketch's numbers: 0 is the one behind home. Until the next character is taken.

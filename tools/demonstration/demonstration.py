@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import itertools
-import math
 import time
 import tomllib
-from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +15,7 @@ from mega.realtime import RealTime
 from recordings import repeated
 from wire import Entry
 
+from .conversation import Conversation
 from .line import Line as SerialLine
 from .named_frames import NamedFrame
 from .picture import draw
@@ -25,20 +24,12 @@ from .screen import Line, Row
 from .telemetry_log import TelemetryLog
 from .timeline import laid_out, mark_of
 from .wire_form import on_the_wire
-from .words import ITEMS, item_in_words, message_in_words
+from .words import item_in_words, message_in_words
 
 EXAMPLES = ROOT / "examples"
 DESCRIPTIONS = Path(__file__).resolve().parent / "examples.toml"
 
 LIMIT_S = 120.0
-# Each side speaks again sooner than this while it still hopes: the client after
-# 1.5 s, or after 8.5 s of waiting in vain; ArduPilot after 1 s, until 8 s are over.
-QUIET_AFTER_ANSWER_S = 3.0
-QUIET_S = 10.0
-
-SHOWN = ("MISSION_", "COMMAND_", "STATUSTEXT", "SET_MODE")
-NOT_SHOWN = ("MISSION_CURRENT",)  # PX4 says it each second
-
 
 class NoDemonstration(Exception):
     """It cannot be shown; the text says why and what to do."""
@@ -244,101 +235,6 @@ class Demonstration:
             return [sent[kind, seq] for seq in range(self._conversation.counts[kind]) if (kind, seq) in sent]
         meant = self._meant.get(kind, [])
         return on_the_wire(meant, self.settings.autopilot) if kind == MISSION else meant
-
-
-class Conversation:
-    """What the two have said, as an eavesdropper understands it."""
-
-    def __init__(self) -> None:
-        self.counts: dict[int, int] = {}  # items that the Mega announced, by mission type
-        self.items: dict[tuple[int, int], Item] = {}  # by type and number, as the Mega first sent each
-        self.contradictions: list[str] = []
-        self.aboard: Counter[int] = Counter()  # items, by mission type
-        self.told: set[int] = set()  # types whose acceptance reached the Mega
-        self.delivered: set[int] = set()  # items that the Mega got in a download
-        self.thanked = False  # the Mega has acknowledged a download
-        self.others: Counter[str] = Counter()  # what is not shown, by name
-        self._said: set[tuple] = set()
-        self._heartbeats: set[str] = set()
-        self._last_at = math.inf
-        self._last_answer = None
-        self._answered = False
-
-    def add(self, entry: Entry) -> bool:
-        """Take note of a frame; True if the same was said before."""
-        message = entry.message
-        name = message.get_type() if message is not None else "unknown frames"
-        if not name.startswith(("MISSION_", "COMMAND_")) or name in NOT_SHOWN:
-            self._count_other(entry, name)
-            return False
-        self._last_at = entry.time
-        if entry.direction == ">":
-            self._from_mega(message, name)
-        else:
-            self._from_autopilot(entry, message, name)
-        said = (entry.direction, name, *(getattr(message, what, None) for what in ("seq", "command", "mission_type")))
-        again = said in self._said and name != "MISSION_ACK"
-        self._said.add(said)
-        return again
-
-    def _count_other(self, entry: Entry, name: str) -> None:
-        if name == "HEARTBEAT" and entry.direction not in self._heartbeats and not entry.fate:
-            return
-        if name != "STATUSTEXT":
-            self.others[name] += 1
-
-    def is_shown(self, entry: Entry) -> bool:
-        name = entry.message.get_type() if entry.message is not None else ""
-        if name == "HEARTBEAT" and not entry.fate and entry.direction not in self._heartbeats:
-            self._heartbeats.add(entry.direction)
-            return True
-        return name.startswith(SHOWN) and name not in NOT_SHOWN
-
-    def _from_mega(self, message, name: str) -> None:
-        self._answered = name == "MISSION_ACK"
-        kind = getattr(message, "mission_type", MISSION)
-        if name == "MISSION_COUNT":
-            self.counts[kind] = message.count
-        if name == "MISSION_ACK":
-            self.thanked |= message.type == mavlink.MAV_MISSION_ACCEPTED
-        if name in ITEMS:
-            sent = Item.of(message)
-            if not sent.same_as(self.items.setdefault((kind, message.seq), sent)):
-                self.contradictions.append(f"item {message.seq} was sent with two contents.")
-
-    def _from_autopilot(self, entry: Entry, message, name: str) -> None:
-        kind = getattr(message, "mission_type", MISSION)
-        if name in ("MISSION_REQUEST", "MISSION_REQUEST_INT"):
-            self.aboard[kind] = max(self.aboard[kind], message.seq)
-        if name in ITEMS and not entry.fate:
-            self.delivered.add(message.seq)
-        if name == "MISSION_ACK":
-            self._answered = True
-            self._last_answer = message.type
-            if message.type == mavlink.MAV_MISSION_ACCEPTED:
-                self.aboard[kind] = self.counts.get(kind, 0)
-                if not entry.fate:
-                    self.told.add(kind)
-
-    @property
-    def telemetry(self) -> int:
-        """Frames that are neither shown nor heartbeats."""
-        return self.others.total() - self.others["HEARTBEAT"]
-
-    def is_over(self, now: float) -> bool:
-        """Whether neither side has anything more to say of the upload."""
-        if self._last_at == math.inf:
-            return False
-        return now - self._last_at >= (QUIET_AFTER_ANSWER_S if self._answered else QUIET_S)
-
-    def last_word(self) -> str:
-        """What the autopilot said at the end."""
-        if self._last_answer is None:
-            return "The autopilot never answered."
-        if self._last_answer == mavlink.MAV_MISSION_ACCEPTED:
-            return "The autopilot accepted the plan" + ("." if self.told else ", but the Mega was never told.")
-        result = mavlink.enums["MAV_MISSION_RESULT"].get(self._last_answer)
-        return f"The autopilot's last word was {result.name if result else self._last_answer}."
 
 
 class Console:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from building import ROOT
 
-from .figures import Row
+from .figures import FIGURES, Row
 
 FILE = ROOT / "test" / "measure_bounds.toml"
 
@@ -23,10 +23,11 @@ class BadBounds(Exception):
 
 @dataclass(frozen=True)
 class Bound:
-    """`bound` holds now; `goal` is where it is to go, if that is decided."""
+    """`bound` holds now; `goal` is where it is to go, if that is decided, and `obstacle` what stands in the way."""
 
     bound: float
     goal: float | None = None
+    obstacle: str = ""
 
 
 def load(file: Path = FILE) -> dict[str, Bound]:
@@ -59,6 +60,20 @@ def compare(rows: list[Row], bounds: dict[str, Bound]) -> list[Finding]:
             found.append(Finding(False, f"{figure.key}: {figure.text(row.ours)} is better than its bound "
                                         f"{figure.text(bound.bound)}: tools/measure --tighten"))  # fmt: skip
     return found
+
+
+def goals_missed() -> str:
+    """As DESIGN.md has it: the goals that the bounds do not reach. Raises BadBounds where nothing says why."""
+    limits = load()
+    lines = ["| | is | goal | what stands in the way |", "|---|---:|---:|---|"]
+    for figure in FIGURES:
+        limit = limits[figure.key]
+        if limit.goal is None or not worse(figure.more_is_better, limit.bound, limit.goal):
+            continue
+        if not limit.obstacle:
+            raise BadBounds(f"{FILE}: {figure.key} misses its goal: give it an obstacle")
+        lines.append(f"| {figure.label} | {figure.text(limit.bound)} | {figure.text(limit.goal)} | {limit.obstacle} |")
+    return "\n".join(lines)
 
 
 def worse(more_is_better: bool, value: float, bound: float) -> bool:

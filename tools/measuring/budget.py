@@ -13,7 +13,7 @@ from mega.image import demangle
 
 SKETCH = ROOT / "examples" / "UploadMission"
 DOCUMENT = ROOT / "DESIGN.md"
-BEGIN, END = "<!-- RAM budget: begin -->", "<!-- RAM budget: end -->"
+MARK = "RAM budget"
 CLIENT = "MissionClient"
 ROWS_FROM = 100  # a member as large as that gets a row for each of its own [bytes]
 
@@ -132,12 +132,3 @@ def rows_of(part: Part, path: str) -> list[str]:
     within = (" or " if part.is_choice else ", ").join(f"{inner.name} {inner.size}" for inner in part.parts)
     name = path if part.is_choice else f"`{path}`"
     return [f"| {name} | {part.size} | {within} |"]
-
-
-def with_table(document: str, fresh: str) -> str:
-    """The document with the table between its marks."""
-    head, begin, rest = document.partition(BEGIN)
-    _, end, tail = rest.partition(END)
-    if not begin or not end:
-        raise ValueError(f"{DOCUMENT.name} has no place for the table: put {BEGIN} and {END} there")
-    return f"{head}{BEGIN}\n{fresh}\n{END}{tail}"

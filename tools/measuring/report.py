@@ -7,7 +7,7 @@ import json
 from .bounds import Bound
 from .figures import Row
 
-BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
+MARK = "measured"
 NOTE = "Measured by `tools/measure` on the simulated Mega (16 MHz), the same to the byte and cycle each time."
 
 
@@ -63,12 +63,3 @@ def for_readme(rows: list[Row], features: str) -> str:
         older = "–" if row.baseline_2 is None else f"{text(row.baseline_2)} / {text(row.baseline_1)}"
         lines.append([row.figure.label, row.figure.unit, older, text(row.ours)])
     return f"{NOTE}\n\n{aligned(lines, left=2)}\n\n{features}"
-
-
-def with_table(readme: str, contents: str) -> str:
-    """The README with what is between its markers replaced. Raises ValueError without them."""
-    head, begin, rest = readme.partition(BEGIN)
-    _, end, tail = rest.partition(END)
-    if not begin or not end:
-        raise ValueError(f"README.md has no place for the table: put a line {BEGIN} and a line {END} there")
-    return f"{head}{BEGIN}\n{contents}\n{END}{tail}"

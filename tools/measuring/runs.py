@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import NamedTuple
 
 from mega import Mega
@@ -228,17 +229,18 @@ def upload_of(items: int) -> Upload:
     return Upload(took, sent * FROM_MEGA + answered * TO_MEGA)
 
 
-def cpu_left(baud: int, *, library: bool = True, seconds: float = 1.0) -> float:
+def cpu_left(baud: int, *, library: bool | Path = True, seconds: float = 1.0) -> float:
     """What update() each millisecond leaves of the processor [%].
 
     The receive line is full of telemetry, half of the transmit line is in use. Taken away are
     update(), all interrupts, and the writing of that half. Without `library` the bytes are
-    fetched and thrown away: what the Arduino core takes by itself.
+    fetched and thrown away: what the Arduino core takes by itself; it may be a changed copy's folder.
     """
     defines = {"BAUD": baud} if library else {"BAUD": baud, "WITHOUT_LIBRARY": True}
+    elf = measured("each_millisecond", library=library or True, **defines)
     left = []
     for kind in KINDS:
-        mega = Mega(measured("each_millisecond", **defines))
+        mega = Mega(elf)
         peer = Peer(mega, kind, saturate=True, serve=False)
         peer.until_open()
         peer.heartbeat()

@@ -335,6 +335,19 @@ TEST_CASE("a plan with more items than there is room for is refused, and the old
   CHECK(holds(again, tooLong));
 }
 
+TEST_CASE("a Mega's EEPROM keeps 127 waypoints of a file, an Uno's 31") {
+  const MissionItem ofAFile = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m, Seconds(0), Metres(0), 0_deg);
+  struct Board {
+    uint16_t bytes, items;
+  };
+  for (const Board& board : {Board{4096, 127}, Board{1024, 31}}) {
+    EepromPlan kept(eeprom(board.bytes));
+    kept.begin();
+    CHECK_FALSE(keep(kept, Items(board.items + 1u, ofAFile)));
+    CHECK(keep(kept, Items(board.items, ofAFile)));
+  }
+}
+
 TEST_CASE("a byte that does not keep what it is given is found before the plan is exchanged") {
   const Items old = plan(3, 20);
   const Items items = plan(5, 70);

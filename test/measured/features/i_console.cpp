@@ -1,0 +1,19 @@
+// The same with a PlanConsole on Serial, Serial itself included.
+#include <Arduino.h>
+#include <MavMission.h>
+using namespace mavmission;
+
+MissionClient autopilot(Serial1);
+EepromPlan plan;
+PlanConsole console(Serial, autopilot, plan);
+
+void setup() {
+  Serial1.begin(57600);
+  Serial.begin(115200);
+  plan.begin();
+}
+void loop() {
+  plan.update();
+  console.update();
+  autopilot.update();
+}

@@ -1,0 +1,69 @@
+"""What each trick is worth: the library without it beside the library as it is, in the smallest sketch with an upload."""
+
+from __future__ import annotations
+
+import shutil
+import tomllib
+from pathlib import Path
+from typing import NamedTuple
+
+from building import BUILD, elf_sizes
+from firmware import LIBRARY, digest, exclusive
+
+from . import runs
+from .firmware import MEASURED, measured
+from .report import aligned
+
+FILE = MEASURED / "tricks.toml"
+
+
+class Trick(NamedTuple):
+    """`text`, which is there once in a file of src/mavmission, and what would be there without the trick."""
+
+    file: str
+    text: str
+    instead: str
+
+
+class Taken(NamedTuple):
+    """By the sketch [bytes], and what is left of the processor [%]."""
+
+    flash: int
+    globals: int
+    cpu_left: float
+
+
+def tricks() -> dict[str, Trick]:
+    return {why: Trick(**trick) for why, trick in tomllib.loads(FILE.read_text()).items()}
+
+
+def undone(trick: Trick) -> Path:
+    """A copy of the library's folder without the trick. Raises ValueError if the code is no longer as it says."""
+    text = (LIBRARY / "mavmission" / trick.file).read_text()
+    if text.count(trick.text) != 1:
+        raise ValueError(f"{FILE}: {trick.file} does not have this once; say what is there now: {trick.text}")
+    changed = text.replace(trick.text, trick.instead)
+    copy = BUILD / "tricks" / digest(changed, *(file.read_text() for file in sorted(LIBRARY.rglob("*.*"))))[:12]
+    with exclusive(copy):
+        if not copy.exists():
+            fresh = copy.with_suffix(".new")
+            shutil.rmtree(fresh, ignore_errors=True)
+            shutil.copytree(LIBRARY, fresh)
+            (fresh / "mavmission" / trick.file).write_text(changed)
+            fresh.rename(copy)
+    return copy
+
+
+def taken(library: Path = LIBRARY) -> Taken:
+    flash, ram = elf_sizes(measured("features/3_upload", library=library))
+    return Taken(flash, ram, runs.cpu_left(57600, library=library, seconds=0.2))
+
+
+def table(of: dict[str, Trick] | None = None) -> str:
+    now = taken()
+    lines = [["without it", "flash", "globals", "CPU left, 57600 baud saturated"]]
+    for why, trick in (of or tricks()).items():
+        other = taken(undone(trick))
+        lines.append([why, f"{other.flash - now.flash:+,}", f"{other.globals - now.globals:+,}",
+                      f"{round(other.cpu_left - now.cpu_left, 1) + 0.0:+.1f} %"])  # fmt: skip
+    return aligned(lines, left=1)
