@@ -107,18 +107,21 @@ MAVMISSION_INLINE void FrameParser::keep(uint8_t byte) {
   if (have <= summed_) crc_ = checksum(crc_, place, 1);
 }
 
-// The bytes that need no thought, which are most: the inside of a frame that is stepped over, and of one that is kept and
-// began in no other. False if it is not one.
+// The bytes that need no thought, which are most: the inside of frames that are stepped over, and of those that are kept.
+// False if it is not one.
 inline bool FrameParser::takePlainly(uint8_t byte) {
   const Index have = have_;
+  uint8_t& low = *reinterpret_cast<uint8_t*>(&skip_);  // its low byte is enough while that is not used up
   if (have == 0) {
-    // Its low byte is enough while that is not used up.
-    uint8_t& low = *reinterpret_cast<uint8_t*>(&skip_);
     if (low < 2 || isMagic(byte) || keepsSignature()) return false;
     --low;
     return true;
   }
-  if (skip_ != 0 || static_cast<Index>(have + 1) == need_) return false;
+  if (static_cast<Index>(have + 1) == need_) return false;
+  if (skip_ != 0) {
+    if (have == 1 || low < 2 || keepsSignature()) return false;
+    --low;
+  }
   keep(byte);
   return true;
 }
