@@ -201,7 +201,14 @@ class Day:
     def start(self) -> None:
         if self.upload(HOPS[self.personality]) != "Accepted":
             return
-        self.do("start", lambda: self.client.order("start"), {"Done"})
+        # ArduPilot would go on with the number of the item that was current in the plan before.
+        if self.do("set current", lambda: self.client.order("setcurrent", 0), {"Done"}) != "Done":
+            return
+        flown = self.client.state["reached"]
+        if self.do("start", lambda: self.client.order("start"), {"Done"}) == "Done":
+            assert self.client.autopilot.armed
+            self.client.run(10.0)
+            assert self.client.autopilot.flight.index is not None or self.client.state["reached"] != flown
         limit = self.client.now + 200.0
         while self.client.autopilot.flight.index is not None:
             assert self.client.now < limit, "it flies on and on"
