@@ -5,7 +5,7 @@
     assert client.run_until_ended(limit_s=10) == "Accepted"
     client.run(3600)                      # update() each millisecond
 
-Its other end is host/programs/client.cpp. Time is simulated, in seconds since begin().
+Its other end is day/client.cpp. Time is simulated, in seconds since begin().
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from pathlib import Path
 
 from bench import _ITEM, PERSONALITIES, aboard_names, packed, status_names
 from fake_autopilot import Item
-from firmware import library_sources
-from host_build import FAST, HOST, build_host
+from firmware import ROOT, library_sources
+from host_build import FAST, build_host
 from service import ALL, MISSION, PROOFS, unpacked
 from wire import Wire
 
@@ -29,7 +29,7 @@ PLAN_ITEMS = 60  # room in the program
 
 @functools.cache
 def program() -> Path:
-    sources = [HOST / "programs" / "client.cpp"]
+    sources = [ROOT / "test" / "day" / "client.cpp"]
     return build_host("client", sources, "g++", [*FAST, "-fno-access-control"], library=library_sources())
 
 

@@ -34,6 +34,7 @@ Status MissionClient::nextStartStep(MissionClient& client) {
   if (commanding.fill == nullptr) return Status::Done;
   commanding.fill = nullptr;
   commanding.id = 0;
+  commanding.isDue = false;  // the last step may have been due again when its answer came
   commanding.repeats = false;
   commanding.waitMs = AutopilotFinder::kLostMs;
   return Status::Transferring;
