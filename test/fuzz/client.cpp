@@ -463,6 +463,7 @@ class Session {
     for (int i = 0; i < 20 && !client_.isSent(); ++i) wait(50);
     wait(50);
     wait(50);
+    for (int i = 0; i < 20 && !client_.isSent(); ++i) wait(1);  // a heartbeat may have begun in the last one
     checkWritten();
   }
 
