@@ -87,7 +87,7 @@ bool isHeightKept(const MissionItem& sent, const MissionItem& read) {
 
 // param1 to param4, x, y, z lie one behind the other, four bytes each.
 constexpr uint8_t kX = 4, kY = 5, kZ = 6;
-static_assert(offsetof(MissionItem, x) == 4 * kX && offsetof(MissionItem, y) == 4 * kY && offsetof(MissionItem, z) == 4 * kZ,
+static_assert(offsetof(MissionItem, x) / 4 == kX && offsetof(MissionItem, y) / 4 == kY && offsetof(MissionItem, z) / 4 == kZ,
               "in their order");
 static_assert(static_cast<uint8_t>(Field::Latitude) == static_cast<uint8_t>(Field::Param1) + kX &&
                   static_cast<uint8_t>(Field::Height) == static_cast<uint8_t>(Field::Param1) + kZ,
