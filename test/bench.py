@@ -390,8 +390,9 @@ class Bench:
         return [entry.time for entry in self.wire.frames(">", *names)]
 
     def mission_messages(self) -> list:
-        """All that the firmware has sent but heartbeats."""
-        return [entry.message for entry in self.wire.frames(">") if entry.message.get_type() != "HEARTBEAT"]
+        """All that the firmware has sent but heartbeats, and a frame that a reset has cut short."""
+        frames = self.wire.frames(">")
+        return [entry.message for entry in frames if entry.message and entry.message.get_type() != "HEARTBEAT"]
 
     def transcript(self) -> str:
         """What went over the line, and what the firmware said of it."""

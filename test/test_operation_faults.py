@@ -1,55 +1,104 @@
-"""The operations beside the upload: millis() wraps in them, and the autopilot reboots in them."""
+"""The operations beside the upload: the autopilot reboots in them, the cable is pulled in them."""
 
 from __future__ import annotations
 
 import pytest
+from operations import LOOP_S, OPERATIONS, READING, begin, expect_truth, prepared, took_s
 from plans import SURVEY
 
-WRAPS = pytest.mark.scenario(16, "millis() wraps in a download, a verification, a clear and a command")
-REBOOTS = pytest.mark.scenario(39, "The autopilot reboots in a download, a verification, a clear and a command")
-
-# The order, how it ends where nothing goes wrong, and the message whose first loss makes it wait.
-OPERATIONS = {
-    "download": (("download", 0, 60, 65534), "Downloaded", "MISSION_REQUEST_LIST"),
-    "verify": (("verify", 0), "Verified", "MISSION_REQUEST_INT"),
-    "clear": (("clear", 0), "Cleared", "MISSION_CLEAR_ALL"),
-    "command": (("setcurrent", 2), "Done", "COMMAND_LONG"),
-}
-OPERATION = pytest.mark.parametrize("operation", OPERATIONS)
+ANSWER_S, HEARD_S = 0.010, 0.003  # the autopilot's answer takes so long; a message has been heard, and not answered
 
 
-def with_plan(service):
+def moments() -> list:
+    """(personality, operation, how many messages of it have left when it happens); the second one is quick to play."""
+    found = []
+    for personality in ("ArduPilot", "PX4"):
+        for name in OPERATIONS:
+            has = 3 if name in READING else 4 if (name, personality) == ("start", "ArduPilot") else 1
+            found += [pytest.param(personality, name, messages, marks=() if messages == 1 else pytest.mark.slow)
+                      for messages in range(has + 1)]  # fmt: skip
+    return found
+
+
+AT_EACH_MOMENT = pytest.mark.parametrize("personality, name, messages", moments())
+WAYS = {"both ways": None, "to us": "<", "to the autopilot": ">"}
+
+
+@pytest.fixture
+def service(make_service):
+    return make_service(response_delay_s=ANSWER_S)
+
+
+def go_to(service, personality: str, name: str, messages: int) -> None:
+    """Begin, and go on until so many messages of the operation's have been heard."""
+    prepared(service, personality)
+    before = len(service.wire.frames(">", OPERATIONS[name].lost))
+    begin(service, name)
+    if messages:
+        service.run_until_sent(OPERATIONS[name].lost, before + messages)
+        service.run(HEARD_S)
+
+
+def expect_next_upload(service) -> None:
+    """Once what was left open is over, the service is what it was."""
+    service.tell("armed", 1)
+    service.run(8.0)
     service.upload(SURVEY)
-    assert service.done() == "Accepted"
-    service.run(0.5)
-    return service
+    assert service.done(limit_s=20) == "Accepted"
 
 
-@WRAPS
-@OPERATION
-@pytest.mark.parametrize("before_ms", [1, 30, 700, 1400])
-def test_lost_message_is_made_up_for_whenever_millis_wraps(service, operation, before_ms):
-    order, end, message = OPERATIONS[operation]
-    with_plan(service)
-    lost = service.wire.lose(">", name=message)
-    service.set_millis(2**32 - before_ms)
-    began = service.now
-    service.order_of(*order)
-    assert service.done() == end
-    assert lost.struck == 1
-    assert service.now - began < 3.0
+REBOOTS = pytest.mark.scenario(39, "The autopilot reboots in a download, a verification, a clear, a command, a start()")
 
 
 @REBOOTS
-@OPERATION
-def test_reboot_ends_it_in_bounded_time_and_the_next_upload_is_accepted(service, operation):
-    order, _, message = OPERATIONS[operation]
-    with_plan(service)
-    service.wire.lose(">", name=message)
-    service.order_of(*order)
-    service.run(0.1)
-    service.autopilot.reboot(service.now, silent_for_s=3.0)
-    service.run_until_ended(limit_s=25)
-    service.run(8)
-    service.upload(SURVEY)
-    assert service.done(15) == "Accepted"
+@AT_EACH_MOMENT
+@pytest.mark.parametrize("silent_s", [3.0, *(pytest.param(s, marks=pytest.mark.slow) for s in (0.05, 12.0))])
+def test_reboot_ends_it_truthfully_in_bounded_time(service, personality, name, messages, silent_s):
+    go_to(service, personality, name, messages)
+    service.autopilot.reboot(service.now, silent_for_s=silent_s)
+    status = service.done(limit_s=60)
+    assert took_s(service) <= OPERATIONS[name].longest_s + LOOP_S
+    expect_truth(service, personality, name, status)
+    expect_next_upload(service)
+
+
+CABLE = pytest.mark.scenario(39, "The cable is pulled in a download, a verification, a clear, a command, a start()")
+
+
+@CABLE
+@AT_EACH_MOMENT
+@pytest.mark.parametrize("way", [pytest.param(way, marks=() if way == "both ways" else pytest.mark.slow) for way in WAYS])
+@pytest.mark.parametrize("pulled_s", [2.0, *(pytest.param(s, marks=pytest.mark.slow) for s in (0.6, 6.5))])
+def test_pulled_cable_ends_it_truthfully(service, personality, name, messages, pulled_s, way):
+    go_to(service, personality, name, messages)
+    service.wire.pull(WAYS[way])
+    service.run(pulled_s)
+    service.wire.plug(WAYS[way])
+    status = service.done(limit_s=60)
+    expect_truth(service, personality, name, status)
+    assert took_s(service) <= OPERATIONS[name].longest_s + LOOP_S
+    # A list and a command are asked for five times, 1.5 s apart; an item for 1.25 s.
+    if pulled_s < 1.0 or (pulled_s < 5.0 and (messages == 0 or name not in READING)):
+        assert status == OPERATIONS[name].end
+    expect_next_upload(service)
+
+
+@CABLE
+@pytest.mark.parametrize("name", OPERATIONS)
+@pytest.mark.parametrize("way", WAYS)
+def test_cable_pulled_for_good_ends_it_in_bounded_time_and_the_next_one_waits(service, personality, name, way):
+    go_to(service, personality, name, 1 if name in READING else 0)
+    service.wire.pull(WAYS[way])
+    status = service.done(limit_s=60)
+    assert took_s(service) <= OPERATIONS[name].longest_s + LOOP_S
+    assert status == ("TimedOut" if name in READING else "NoAnswer")
+    expect_truth(service, personality, name, status)
+    service.run(6.0)
+    begin(service, "verify")
+    before = len(service.mission_messages())
+    service.run(9.0)
+    if WAYS[way] == ">":  # the autopilot is heard
+        assert service.done() == "NoAnswer"
+    else:  # nothing is said to nobody
+        assert service.state.status == "WaitingForAutopilot"
+        assert len(service.mission_messages()) == before

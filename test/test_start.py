@@ -124,6 +124,22 @@ def test_step_that_is_never_answered_ends_there(service, personality):
 
 
 @START
+@pytest.mark.parametrize("late_ms", [1495, 1500, 1505, 1510, 1520])
+def test_last_step_that_is_answered_when_it_is_due_again_is_the_last(make_service, personality, late_ms):
+    """A long message of the sketch's own is on the line meanwhile."""
+    service = uploaded(make_service(response_delay_s=0.0))
+    service.run_until(2.15)  # no heartbeat of ours comes between
+    service.wire.delay("<", late_ms / 1000, name="COMMAND_ACK", where=lambda message: message.command == MISSION_START)
+    service.order_of("start")
+    steps_before = {"ArduPilot": 4, "PX4": 1}[personality]
+    sent = service.run_until_sent("COMMAND_LONG", steps_before)
+    service.run_until(sent + 1.470)
+    service.post(267, 35, bytes(range(1, 255)), 255)
+    assert service.done() == "Done"
+    assert is_flying(service)
+
+
+@START
 def test_it_is_refused_before_anything_was_uploaded(service, personality):
     service.autopilot.load(on_the_wire(HOPS[personality], personality))
     service.order_of("start")

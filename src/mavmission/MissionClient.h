@@ -96,8 +96,9 @@ class MissionClient {
   // arms but arm() and start(), and arming is never forced.
 
   // Flies the plan that is aboard: does what this autopilot needs, in its order, each step confirmed; startStep() says
-  // which one was refused. Refused with Status::Unproven unless aboard() is our plan; with Status::Armed while the
-  // autopilot is armed, unless that is allowed.
+  // which one was refused. Done when a heartbeat behind the last step says that it is armed, Status::Unconfirmed if none
+  // does within 5 s. Refused with Status::Unproven unless aboard() is our plan; with Status::Armed while the autopilot is
+  // armed, unless that is allowed.
   Status start();
 
   // Arms or disarms, as the autopilot's own checks allow.
@@ -397,7 +398,7 @@ class MissionClient {
 
   // A command, or the steps of start().
   struct Commanding {
-    void (*fill)(MissionClient& client, FlightCommand& command);
+    void (*fill)(MissionClient& client, FlightCommand& command);  // null: all steps of start() have been accepted
     // Once the autopilot is there: may it be sent? Null: yes.
     Status (*prepare)(MissionClient& client);
     // After one was accepted: Transferring for another, or how it ends. Null: Done.

@@ -128,12 +128,15 @@ void MissionClient::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
     const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(frame);
     if (current.seq != static_cast<uint16_t>(commanding_.argument) || commanding_.tries == 0) return;
     status = Status::Done;
+  } else if (frame.messageId() == MAVLINK_MSG_ID_HEARTBEAT && commanding_.fill == nullptr && isArmed()) {
+    status = Status::Done;  // start(): its last step was accepted before
   } else {
     return;
   }
   if (status == Status::CommandUnsupported && commanding_.unsupported != nullptr) {
     status = commanding_.unsupported(*this);
   } else if (status == Status::Done && commanding_.accepted != nullptr) {
+    commanding_.sentMs = nowMs;
     status = commanding_.accepted(*this);
   }
   if (status != Status::Transferring) end(status);

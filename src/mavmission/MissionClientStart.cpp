@@ -22,14 +22,22 @@ Status MissionClient::prepareStart(MissionClient& client) {
   return nextStartStep(client);
 }
 
-// Goes on with the next step that this vehicle needs; Done when there is none.
+// Goes on with the next step that this vehicle needs. When there is none, a heartbeat is to say that it is armed: one that
+// has restarted between two steps accepts those that are left, and stays on the ground.
 Status MissionClient::nextStartStep(MissionClient& client) {
   while (client.rest_.startStep != StartStep::Begin) {
     client.rest_.startStep = static_cast<StartStep>(static_cast<uint8_t>(client.rest_.startStep) + 1);
     const Status status = client.chooseStartStep();
     if (status != Status::Done) return status;
   }
-  return Status::Done;
+  Commanding& commanding = client.commanding_;
+  if (commanding.fill == nullptr) return Status::Done;
+  commanding.fill = nullptr;
+  commanding.id = 0;
+  commanding.isDue = false;  // the last step may have been due again when its answer came
+  commanding.repeats = false;
+  commanding.waitMs = AutopilotFinder::kLostMs;
+  return Status::Transferring;
 }
 
 // Sets up the current step: Transferring, or Done if this vehicle does without it.

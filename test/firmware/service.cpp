@@ -44,6 +44,7 @@ static Status lastReturned = Status::Idle;
 static OutgoingMessage outgoing;
 static bool isPosting;
 static uint8_t chained;  // what onEnd() starts
+static uint16_t stallEachMs, stallMs;
 
 static void tellBegun(Status status) {
   tell(F("began"), static_cast<uint8_t>(status));
@@ -232,6 +233,11 @@ ACTION(waiting) { client.limitWaiting(numbers[0]); }
 ACTION(limit) { client.limitTransfer(numbers[0]); }
 ACTION(turns) { client.retryWhenDenied(numbers[0]); }
 ACTION(room) { line.setRoom(numbers[0]); }
+// Each so many milliseconds, loop() takes so many milliseconds longer.
+ACTION(stall) {
+  stallEachMs = numbers[0];
+  stallMs = numbers[1];
+}
 ACTION(state) { tellState(); }
 ACTION(followed) { tellFollowed(); }
 ACTION(counters) { tellCounters(); }
@@ -258,6 +264,7 @@ static const Word words[] = {
     WORD(order),     WORD(cancel),  WORD(post),    WORD(chain),       WORD(ids),          WORD(talk),    WORD(speak),
     WORD(armed),     WORD(raw),     WORD(waiting), WORD(limit),       WORD(turns),        WORD(room),    WORD(state),
     WORD(followed),  WORD(counters), WORD(blocked), WORD(compare),    WORD(fieldtext),
+    WORD(stall),
 };
 
 void setup() {
@@ -274,7 +281,13 @@ void setup() {
 }
 
 void loop() {
+  static uint16_t stalledMs;
   listen(words);
+  const uint16_t nowMs = millis();
+  if (stallMs != 0 && static_cast<uint16_t>(nowMs - stalledMs) >= stallEachMs) {
+    stalledMs = nowMs;
+    delay(stallMs);
+  }
 #ifdef BENCH_QUIET
   quiet.update();
 #endif

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from fake_autopilot import frames, mavlink
+from bench import is_end, status_names
+from fake_autopilot import ArduPilot, Px4, frames, mavlink
 from mega import Mega
 
 from .firmware import measured
@@ -42,10 +43,24 @@ MORE_CALLS = {
     27: "MissionFollower: currentItem(), isOurPlan()",
     28: "LinkDoctor: update()",
 }
+# The operations in which update() is looked at, by the call that begins them: beside a follower, a listener and a doctor.
+OPERATIONS = {
+    13: "update(), in a download",
+    14: "update(), in a verification",
+    15: "update(), in a clear",
+    17: "update(), in a partial upload",
+    18: "update(), in a start()",
+    19: "update(), in an arm()",
+    21: "update(), in a setCurrentItem()",
+    23: "update(), in a send()",
+}
+PERSONALITIES = {"ardupilot": ArduPilot, "px4": Px4}
 UPDATE, UPLOAD = 1, 2
 CALLER_BYTES = 3  # the return address of the function around the call, which is the measurement's own
 VARIABLES = ("callDue", "stackBefore", "toSketch", "toSketchRead", "toSketchEnd", "fromSketch", "fromSketchEnd",
-             "timer0_millis")  # fmt: skip
+             "timer0_millis", "result")  # fmt: skip
+ROOM = 128  # bytes that wait for the sketch
+LONGEST_MS = 20_000  # that an operation may take
 COMPANION = mavlink.MAV_COMP_ID_ONBOARD_COMPUTER
 
 
@@ -124,6 +139,38 @@ class Caller:
                     return max(deepest, self.call(UPDATE))
         raise TimeoutError("the firmware under measurement uploaded nothing in 100 s")
 
+    def operation(self, which: int) -> int:
+        """A whole operation with the tests' autopilot, behind an upload; the deepest update() in it."""
+        self.autopilot = PERSONALITIES[self.kind](heartbeat_at_s=0.05, uptime_s=60.0, response_delay_s=0.002)
+        self._waiting = b""  # for room in the sketch
+        self._play(UPLOAD)
+        return self._play(which)
+
+    def _play(self, which: int) -> int:
+        deepest = 0
+        self.call(which)
+        for _ in range(LONGEST_MS):
+            self.wait(1)
+            deepest = max(deepest, self.call(UPDATE))
+            if is_end(status_names()[self._get("result")]):
+                return deepest
+            self._exchange()
+        raise TimeoutError(f"call {which} has not ended within {LONGEST_MS / 1000} s")
+
+    def _exchange(self) -> None:
+        now = self._ms / 1000
+        length = self._get("fromSketchEnd")
+        if length:
+            self.autopilot.receive(self.mega.peek(self._variables["fromSketch"].address, length), now)
+            self._set("fromSketchEnd", 0)
+        self._waiting += self.autopilot.run(now)
+        begin, end = self._get("toSketchRead"), self._get("toSketchEnd")
+        unread = self.mega.peek(self._variables["toSketch"].address, ROOM)[begin:end]
+        arriving, self._waiting = self._waiting[: ROOM - 1 - len(unread)], self._waiting[ROOM - 1 - len(unread) :]
+        self.mega.poke(self._variables["toSketch"].address, unread + arriving)
+        self._set("toSketchRead", 0)
+        self._set("toSketchEnd", len(unread + arriving))
+
     def _request(self, seq: int) -> None:
         self.say(mavlink.MAVLink_mission_request_int_message(1, COMPANION, seq, 0))
 
@@ -136,6 +183,8 @@ def stacks() -> dict[str, int]:
         if which != UPLOAD:
             caller.call(UPLOAD)
         taken[name] = caller.call(which)
+    for which, name in OPERATIONS.items():
+        taken[name] = max(Caller(kind, EVERY_CALL=True).operation(which) for kind in KINDS)
     for which, name in MORE_CALLS.items():
         taken[name] = Caller("px4", EVERY_CALL=True).call(which)
     return taken

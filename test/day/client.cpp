@@ -1,0 +1,331 @@
+// A sketch with a whole MissionClient and a follower, for this computer: it does what lines on its input tell it, in a
+// time that they turn, and answers each with a line. test/host_client.py is the other end. Bytes are in hexadecimal, "-"
+// for none. loop() runs each millisecond.
+//
+// Every allocation that the library makes is counted. This file is compiled without access control: it shows the
+// client's bytes but for those that are times, counters or buffers, which are private.
+#include <Arduino.h>
+#include <MavMission.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <algorithm>
+#include <new>
+#include <string>
+#include <vector>
+
+using namespace mavmission;
+
+typedef std::vector<uint8_t> Bytes;
+
+// ---- Allocations, counted while the library runs.
+
+static bool isCounting;
+static unsigned long allocations;
+
+extern "C" {
+void* __libc_malloc(size_t size);
+void* __libc_calloc(size_t count, size_t size);
+void* __libc_realloc(void* block, size_t size);
+
+void* malloc(size_t size) {
+  allocations += isCounting;
+  return __libc_malloc(size);
+}
+void* calloc(size_t count, size_t size) {
+  allocations += isCounting;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* block, size_t size) {
+  allocations += isCounting;
+  return __libc_realloc(block, size);
+}
+}
+
+namespace {
+
+struct Counting {
+  Counting() { isCounting = true; }
+  ~Counting() { isCounting = false; }
+};
+
+// ---- The sketch.
+
+constexpr size_t kPlanItems = 60, kLine = 4096;
+
+// Takes and gives bytes without allocating.
+class FixedStream : public Stream {
+ public:
+  uint8_t toRead[kLine], written[kLine];
+  size_t readAt = 0, readEnd = 0, writtenEnd = 0;
+
+  int available() override { return static_cast<int>(readEnd - readAt); }
+  int peek() override { return readAt == readEnd ? -1 : toRead[readAt]; }
+  int read() override { return readAt == readEnd ? -1 : toRead[readAt++]; }
+  int availableForWrite() override { return static_cast<int>(kLine - writtenEnd); }
+  size_t write(uint8_t byte) override { return write(&byte, 1); }
+  size_t write(const uint8_t* bytes, size_t size) override {
+    const size_t taken = std::min(size, kLine - writtenEnd);
+    memcpy(written + writtenEnd, bytes, taken);
+    writtenEnd += taken;
+    return taken;
+  }
+};
+
+FixedStream stream;
+alignas(16) uint8_t memory[sizeof(MissionClient)];
+alignas(16) uint8_t followerMemory[sizeof(MissionFollower)];
+uint64_t nowMs;        // since begin()
+uint32_t firstMillis;  // what millis() was then
+uint64_t updates;
+uint64_t ended;
+MissionItem plan[kPlanItems];
+MissionItem sunk[kPlanItems];
+uint16_t sunkCount;
+MissionItem home;
+FlightCommand command;
+uint16_t reached;      // how many items the follower has told of
+
+MissionClient& client() { return *reinterpret_cast<MissionClient*>(memory); }
+MissionFollower& follower() { return *reinterpret_cast<MissionFollower*>(followerMemory); }
+
+void onEnd(void*, Status) { ++ended; }
+void onReached(void*, uint16_t) { ++reached; }
+
+bool takeItem(void*, uint16_t index, const MissionItem& item) {
+  if (index == kHomeIndex) {
+    home = item;
+    return true;
+  }
+  if (index >= kPlanItems) return false;
+  sunk[index] = item;
+  sunkCount = static_cast<uint16_t>(index + 1);
+  return true;
+}
+
+// ---- Words of a line.
+
+struct Words {
+  explicit Words(char* line) : rest(line) {}
+  char* rest;
+  std::string word() {
+    char* found = strtok_r(rest, " \n", &rest);
+    return found == nullptr ? "" : found;
+  }
+  unsigned long long number() { return strtoull(word().c_str(), nullptr, 10); }
+  Bytes bytes() {
+    const std::string text = word();
+    Bytes found;
+    for (size_t i = 0; i + 1 < text.size(); i += 2) {
+      found.push_back(static_cast<uint8_t>(strtoul(text.substr(i, 2).c_str(), nullptr, 16)));
+    }
+    return found;
+  }
+};
+
+void say(const uint8_t* bytes, size_t count) {
+  if (count == 0) putchar('-');
+  for (size_t i = 0; i < count; ++i) printf("%02x", bytes[i]);
+}
+
+// ---- What a line can be.
+
+// The value of millis().
+void begin(Words& words) {
+  firstMillis = static_cast<uint32_t>(words.number());
+  setMillis(firstMillis);
+  nowMs = 0;
+  memset(memory, 0xA5, sizeof(memory));
+  {
+    const Counting counting;
+    new (memory) MissionClient(stream);
+    new (followerMemory) MissionFollower(client());
+    client().onEnd(onEnd);
+    follower().onReached(onReached);
+  }
+  puts("ok");
+}
+
+// A time, and bytes that come now: to that time, or until something has left or ended. The time, what has left, the end.
+void run(Words& words) {
+  const uint64_t until = words.number();
+  const Bytes bytes = words.bytes();
+  if (stream.readAt == stream.readEnd) stream.readAt = stream.readEnd = 0;
+  if (stream.readEnd + bytes.size() > kLine) {
+    puts("too many bytes at once");
+    return;
+  }
+  memcpy(stream.toRead + stream.readEnd, bytes.data(), bytes.size());
+  stream.readEnd += bytes.size();
+  int end = -1;
+  {
+    const Counting counting;
+    while (nowMs < until && end < 0) {
+      ++nowMs;
+      setMillis(static_cast<uint32_t>(firstMillis + nowMs));
+      ++updates;
+      const Status status = client().update();
+      if (isEnd(status)) end = static_cast<int>(status);
+      if (stream.writtenEnd != 0 && client().isSent()) break;
+    }
+  }
+  printf("%llu ", static_cast<unsigned long long>(nowMs));
+  say(stream.written, stream.writtenEnd);
+  stream.writtenEnd = 0;
+  printf(" %d\n", end);
+}
+
+// Items, as they lie in memory, without what fills a MissionItem up.
+void setPlan(Words& words) {
+  const Bytes bytes = words.bytes();
+  constexpr size_t kItem = kPlaceBytes + 5;
+  for (size_t i = 0; i < bytes.size() / kItem && i < kPlanItems; ++i) {
+    memcpy(static_cast<void*>(&plan[i]), bytes.data() + i * kItem, kItem);
+  }
+  puts("ok");
+}
+
+PlanType typeOf(Words& words) { return static_cast<PlanType>(words.number()); }
+
+// An order and its numbers; the status that it begins with.
+void order(Words& words) {
+  const std::string what = words.word();
+  Status status = Status::Idle;
+  sunkCount = 0;
+  {
+    if (what == "upload") {  // type, items, Proof
+      const PlanType type = typeOf(words);
+      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
+      const unsigned proof = static_cast<unsigned>(words.number());
+      const Counting counting;
+      status = proof == 0 ? client().uploadByAnswer(source, type) : client().upload(source, type, static_cast<Proof>(proof));
+    } else if (what == "again") {
+      const Counting counting;
+      status = client().uploadAgain();
+    } else if (what == "part") {  // items, first, count
+      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
+      const uint16_t first = static_cast<uint16_t>(words.number());
+      const uint16_t count = static_cast<uint16_t>(words.number());
+      const Counting counting;
+      status = client().uploadPart(source, first, count);
+    } else if (what == "verify") {  // type, items
+      const PlanType type = typeOf(words);
+      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
+      const Counting counting;
+      status = client().verify(source, type);
+    } else if (what == "download") {  // type
+      const PlanType type = typeOf(words);
+      const Counting counting;
+      status = client().download(toFunction(takeItem, nullptr, kPlanItems), type);
+    } else {
+      const unsigned long long number = words.number();
+      const Counting counting;
+      if (what == "clear") status = client().clear(static_cast<PlanType>(number));
+      if (what == "start") status = client().start();
+      if (what == "arm") status = client().arm();
+      if (what == "disarm") status = client().disarm();
+      if (what == "mode") status = client().setMode(static_cast<FlightMode>(number));
+      if (what == "setcurrent") status = client().setCurrentItem(static_cast<uint16_t>(number));
+      if (what == "interval") status = client().setMessageInterval(42, static_cast<int32_t>(number));
+      if (what == "order") {  // of a command of the sketch's own
+        command = flightCommand(static_cast<uint16_t>(number));
+        status = client().send(command);
+      }
+      if (what == "cancel") client().cancel();
+    }
+  }
+  printf("%d\n", static_cast<int>(status));
+}
+
+void tellState(Words&) {
+  const MissionClient& c = client();
+  printf("status=%d busy=%d failed=%d done=%d total=%d mission=%d fence=%d rally=%d armed=%d found=%d reached=%d\n",
+         static_cast<int>(c.status()), c.isBusy(), c.failedItem(), c.itemsDone(), c.itemsTotal(),
+         static_cast<int>(c.aboard(PlanType::Mission)), static_cast<int>(c.aboard(PlanType::Fence)),
+         static_cast<int>(c.aboard(PlanType::Rally)), c.isArmed(), c.hasAutopilot(), reached);
+}
+
+void tellCounters(Words&) {
+  const LinkCounters counters = client().counters();
+  printf("bytes=%lu skipped=%lu frames=%d unknown=%d bad=%d broken=%d lost=%d sent=%d\n",
+         static_cast<unsigned long>(counters.bytes), static_cast<unsigned long>(counters.bytesSkipped), counters.frames,
+         counters.unknownMessages, counters.badChecksums, counters.brokenFrames, counters.framesLost, counters.framesSent);
+}
+
+// How many update()s, ends and allocations there were.
+void tellTally(Words&) {
+  printf("updates=%llu ends=%llu allocations=%lu size=%zu\n", static_cast<unsigned long long>(updates),
+         static_cast<unsigned long long>(ended), allocations, sizeof(MissionClient));
+}
+
+// The items that the last download gave.
+void tellSunk(Words&) {
+  say(reinterpret_cast<const uint8_t*>(sunk), sunkCount * sizeof(MissionItem));
+  putchar('\n');
+}
+
+// The client's bytes, and the follower's, in Idle: those that something would still read, and that are no time, no
+// counter and no buffer. What is left out has its own checks: times move nothing in Idle, counters are compared with what
+// went over the line, and buffers are empty.
+void tellIdle(Words&) {
+  Bytes bytes(memory, memory + sizeof(memory));
+  const MissionClient& c = client();
+  const auto leftOut = [&](const void* what, size_t size) {
+    const size_t at = static_cast<size_t>(static_cast<const uint8_t*>(what) - memory);
+    std::fill(bytes.begin() + static_cast<long>(at), bytes.begin() + static_cast<long>(at + size), 0);
+  };
+#define LEFT_OUT(member) leftOut(&c.member, sizeof(c.member))
+  LEFT_OUT(state_.secondMs);
+  LEFT_OUT(state_.seconds);
+  LEFT_OUT(state_.unsettledMs);
+  LEFT_OUT(state_.tick);
+  LEFT_OUT(reading_);  // one operation's state: there is none
+  LEFT_OUT(commanding_);
+  LEFT_OUT(link_.state_.heardByteMs);
+  LEFT_OUT(link_.state_.heartbeatMs);
+  LEFT_OUT(link_.state_.bytes);
+  LEFT_OUT(link_.state_.frames);
+  LEFT_OUT(link_.state_.unknownMessages);
+  LEFT_OUT(link_.state_.framesLost);
+  LEFT_OUT(link_.state_.framesSent);
+  LEFT_OUT(link_.state_.sequence);
+  LEFT_OUT(link_.state_.heardSequence);
+  LEFT_OUT(link_.finder_.heardMs_);
+  LEFT_OUT(link_.finder_.firstMs_);
+  LEFT_OUT(link_.finder_.otherMs_);
+  LEFT_OUT(link_.parser_);
+  LEFT_OUT(link_.outbox_);
+#undef LEFT_OUT
+  printf("busy=%d parser=%d outbox=%d ", c.isBusy(), c.link_.parser_.isIdle() ? 0 : 1, c.link_.outbox_.isEmpty() ? 0 : 1);
+  say(bytes.data(), bytes.size());
+  putchar('\n');
+}
+
+struct Word {
+  const char* name;
+  void (*act)(Words& words);
+};
+
+const Word words[] = {
+    {"begin", begin}, {"run", run},           {"plan", setPlan},    {"order", order}, {"state", tellState},
+    {"sunk", tellSunk}, {"counters", tellCounters}, {"tally", tellTally}, {"idle", tellIdle},
+};
+
+}  // namespace
+
+int main() {
+  static char line[2 * kLine + 100];
+  while (fgets(line, sizeof(line), stdin) != nullptr) {
+    Words rest(line);
+    const std::string name = rest.word();
+    const Word* found = std::find_if(std::begin(words), std::end(words), [&](const Word& word) { return name == word.name; });
+    if (found == std::end(words)) {
+      puts("what?");
+    } else {
+      found->act(rest);
+    }
+    fflush(stdout);
+  }
+  return 0;
+}
