@@ -65,9 +65,9 @@ void MissionClient::beginChecking() {
   state_.next = 0;
 }
 
+// Only when the link can send: the item lies where a frame would be made, and not on the stack.
 Status MissionClient::checkItem(uint16_t wireItem) {
-  MissionItem item;
-  return plan_.read(wireItem, item);
+  return plan_.read(wireItem, *static_cast<MissionItem*>(link_.draft()));
 }
 
 void MissionClient::checkPlan(uint16_t nowMs) {
@@ -79,7 +79,7 @@ void MissionClient::checkPlan(uint16_t nowMs) {
   if (state_.announce != nullptr && plan_.firmware() == Firmware::Px4) return end(Status::WholePlansOnly);
   if (!isTypeCarried()) return end(Status::NeedsMavlink2);
   if (link_.finder().isArmed() && !rest_.armedAllowed) return end(Status::Armed);
-  if (!isHeavyAllowed()) return;
+  if (!link_.canSend() || !isHeavyAllowed()) return;
   const uint16_t count = plan_.wireCount();
   for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
     const Status checked = checkItem(state_.next);
