@@ -81,6 +81,7 @@ def test_same_seed_shows_the_same_and_another_seed_another():
     assert shown(loss_percent=20, seed=6) != first
 
 
+@pytest.mark.slow
 def test_plan_in_ram_is_judged_as_it_was_when_the_upload_began():
     good, text = shown(sketch("in_ram"))
     assert good, text
@@ -176,6 +177,7 @@ def test_terminal_gets_the_bar_and_the_table():
 # The plan in the firmware ---------------------------------------------------
 
 
+@pytest.mark.slow
 def test_several_plans_must_be_told_apart():
     elf = build_sketch(sketch("two_plans")).elf
     with pytest.raises(NotOnePlan, match="north, south"):

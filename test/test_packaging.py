@@ -309,7 +309,14 @@ def as_sketch(block: str) -> str:
 
 
 # An unwritten README gives one empty block, which does not compile.
-@pytest.mark.parametrize("number, block", list(enumerate(cpp_blocks() or [""], start=1)))
+# What is signed has a library of its own compiled.
+@pytest.mark.parametrize(
+    "number, block",
+    [
+        pytest.param(number, block, marks=SLOW if "signWith" in block else ())
+        for number, block in enumerate(cpp_blocks() or [""], start=1)
+    ],
+)
 def test_code_in_the_readme_compiles(number, block, tmp_path):
     assert block, "README.md has no ```cpp block"
     sketch = tmp_path / f"Readme{number}" / f"Readme{number}.ino"

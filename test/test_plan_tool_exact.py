@@ -181,6 +181,7 @@ def test_plan_is_the_same_after_waypoints(plan):
         assert read.home == plan.home
 
 
+@pytest.mark.slow
 @QUICK
 @given(plans())
 def test_dot_plan_by_waypoints_is_the_same_dot_plan(plan):
@@ -425,10 +426,10 @@ def test_header_means_exactly_the_plan_on_the_host(tmp_path, items):
     assert dumped == meant
 
 
-@HEADERS
-def test_header_means_exactly_the_plan_on_the_mega(items):
+@pytest.mark.slow
+def test_header_means_exactly_the_plan_on_the_mega():
     # What tools/demo takes for a plan in firmware is finite and known.
-    mission = [item for item in many_items(2, items) if item.command != 31999 and item.z == item.z]
+    mission = [item for item in many_items(2, 200) if item.command != 31999 and item.z == item.z]
     plan = plan_of(mission, *fence_and_rally(2))
     elf = build_sketch(sketch_for(plan).parent).elf
     for kind in plan.kinds:

@@ -117,6 +117,7 @@ def made(tmp_path_factory) -> Path:
     return said
 
 
+@pytest.mark.slow
 def test_zip_has_the_whole_library_and_neither_tests_nor_tools(made):
     names = zipfile.ZipFile(made).namelist()
     assert names == sorted(names) and len(names) == len(set(names))

@@ -86,6 +86,7 @@ def test_each_frame_takes_its_bytes_time_and_none_overlaps_another():
         assert all(after[0] >= before[1] - 1e-6 for before, after in itertools.pairwise(spans))
 
 
+@pytest.mark.slow
 def test_picture_is_the_same_on_a_computer_that_is_too_slow(tmp_path, monkeypatch):
     run(timeline=tmp_path / "fast.svg")
     slow_clock = itertools.accumulate(itertools.cycle((0.0003, 0.9, 0.002)))  # [s], behind by minutes in the end

@@ -7,16 +7,14 @@ from measuring import updates
 
 # Of all loops the one that fills the ring, and still brings every operation to its end.
 STALL_MS = 6
-QUICK = "verify"  # the longest
 
 
 def test_every_operation_has_its_bound():
     assert updates.bounds().keys() == updates.OPERATIONS.keys()
 
 
-@pytest.mark.parametrize(
-    "operation", [pytest.param(name, marks=() if name == QUICK else pytest.mark.slow) for name in updates.OPERATIONS]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("operation", updates.OPERATIONS)
 def test_update_stays_within_its_bound(operation):
     bound = updates.bounds()[operation]
     for played, ended in updates.courses(operation, bauds=(57600,), stalls=(STALL_MS,)):

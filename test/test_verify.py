@@ -253,6 +253,7 @@ def nudged(value: float) -> float:
     return 1.0 if math.isnan(value) else value + 2.0
 
 
+@pytest.mark.slow
 @VERIFY
 @pytest.mark.parametrize("vehicle, firmware", VEHICLES)
 def test_every_field_that_changes_in_a_read_back_is_named(build_service, vehicle, firmware):
