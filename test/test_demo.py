@@ -277,8 +277,8 @@ def test_tool_refuses_nonsense_and_says_what_to_do():
 
 def test_interrupted_tool_leaves_without_a_traceback():
     with subprocess.Popen(
-        [sys.executable, ROOT / "tools" / "demo"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        [sys.executable, ROOT / "tools" / "demo", "--loss", "100"],  # which does not end by itself for two minutes
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
     ) as running:  # fmt: skip
         assert running.stdout.readline()  # it is under way
         assert "its plan" in running.stdout.readline()
