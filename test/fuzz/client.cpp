@@ -4,7 +4,7 @@
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
 // - an upload is Accepted only if it was announced (what is sent while several autopilots are heard, or none, goes nowhere,
-//   and one that asks for its items and accepts them all the same is believed), and the bytes that came since it was asked for (and those that the
+//   and one that asks, answers or accepts all the same is believed), and the bytes that came since it was asked for (and those that the
 //   parser may still hold then) hold either a request
 //   for its last item and behind it an ACK with MAV_MISSION_ACCEPTED, or, once they were asked for, the right number of
 //   items and each of them as it was meant; all right to the checksum, from the autopilot, for us and for a mission.
@@ -434,7 +434,7 @@ class Session {
       demand(isAnnounced || asked_.count == 0 || wasSilent_, "accepted, though it was not announced");
       demand(asked_.count == 0 || announced == meant_.size(), "accepted, though another plan was announced");
       const bool isAnswered = holdsAnswer(line_.heard, asked_.count == 0, static_cast<uint16_t>(behindLast() - 1));
-      const bool isRead = holdsReading(line_.heard, written, meant_, firmware_);
+      const bool isRead = wasSilent_ || holdsReading(line_.heard, written, meant_, firmware_);
       demand(asked_.kind != Asked::Kind::ByAnswer || isAnswered, "accepted, though the autopilot has not said so");
       demand(asked_.kind != Asked::Kind::Verified || isRead, "accepted, though it was not read back as it was meant");
       demand(isAnswered || isRead, "accepted, though neither the autopilot said so nor it was read back");
@@ -442,7 +442,7 @@ class Session {
     }
     if (status == Status::Verified) {
       demand(asked_.kind == Asked::Kind::Verification, "what was no verification ended as one");
-      demand(holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
+      demand(wasSilent_ || holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
     }
     if (status == Status::Armed && uploading_ && !hasTurned_) {
       demand(!isAnnounced, "a plan was announced to an armed autopilot that is refused for it");
