@@ -459,3 +459,50 @@ def test_next_operation_may_begin_in_the_callback_of_each(service, operation):
     service.order_of(*{"upload": ("upload", 0, 0), "verify": ("verify", 0), "clear": ("clear", 0)}[operation])
     assert service.done() in ("Accepted", "Verified", "Cleared")
     assert service.done() == "Downloaded"
+
+
+LATE_ANSWERS = pytest.mark.scenario(54, "A late answer to a command is not taken for one to the next")
+
+
+@LATE_ANSWERS
+@pytest.mark.parametrize("late_s", [1.6, 2.2, 2.9])
+def test_second_late_answer_is_not_taken_for_one_to_the_next_command(service, personality, late_s):
+    """The mode is set twice, as the first answer is late; both come, the second one while another mode is asked for."""
+    service.wire.delay("<", late_s, name="COMMAND_ACK", times=2)
+    service.set_mode("Guided" if personality == "ArduPilot" else "Hold")
+    assert service.done() == "Done"
+    service.wire.lose(">", name="COMMAND_LONG", times=2)
+    service.set_mode("ReturnToLaunch")
+    assert service.done() == "Done"
+    service.run(1.2)
+    assert "ReturnToLaunch" in service.state.modes
+
+
+@LATE_ANSWERS
+def test_late_answer_to_the_first_mode_of_a_start_is_not_taken_for_one_to_the_second(build_service):
+    from test_start import is_flying, uploaded
+
+    service = uploaded(build_service("ArduPilot"))
+    service.wire.delay("<", 1.6, name="COMMAND_ACK", times=2)
+    service.wire.lose(">", name="COMMAND_LONG", where=lambda message: message.command == 176 and message.param2 == 3)
+    service.order_of("start")
+    assert service.done(limit_s=20) == "Done"
+    assert is_flying(service)
+    assert len([one for one in service.heard("COMMAND_LONG") if one.param2 == 3]) == 2
+
+
+@LATE_ANSWERS
+def test_next_command_does_not_wait_where_no_second_answer_can_come(service):
+    service.run(3.0)
+    for _ in range(3):
+        before = service.now
+        service.order_of("interval", 42, 500000)
+        assert service.done() == "Done"
+        assert service.now - before < 0.2
+    service.wire.lose("<", name="COMMAND_ACK")
+    service.order_of("interval", 42, 500000)
+    assert service.done() == "Done"
+    before = service.now
+    service.order_of("disarm")
+    assert service.done() == "Done"
+    assert service.now - before < 0.2

@@ -235,3 +235,27 @@ def test_fence_is_refused_while_the_mission_goes_up(service):
     service.order_of("upload", FENCE, 0)
     assert service.done(limit_s=20) == "Accepted"
     assert service.autopilot.plan(FENCE) == []
+
+
+@pytest.mark.parametrize("frame, z", [(3, 0.0), (3, 45.5), (0, 530.0), (10, 12.0)])
+def test_fence_with_altitudes_is_verified_by_what_ardupilot_keeps_of_it(build_service, frame, z):
+    """It keeps places, corners and radii, and no altitude."""
+    service = build_service("ArduPilot")
+    fence = [one._replace(frame=frame, z=z) for one in [*FIELD, item(RETURN_POINT, x=473973000, y=85453000)]]
+    service.upload(fence, FENCE, proof="Always")
+    assert service.done() == "Accepted"
+    assert same_bits(service.autopilot.received(FENCE), fence)
+    moved = [*fence[:-1], fence[-1]._replace(x=473973001)]
+    service.verify(moved, FENCE)
+    assert service.done() == "Differs"
+    assert (service.state.failed_item, service.state.field) == (len(fence) - 1, "Latitude")
+
+
+def test_altitude_of_a_fence_item_still_counts_where_it_is_kept(build_service):
+    service = build_service("PX4")
+    fence = [one._replace(frame=3, z=45.5) for one in FIELD]
+    service.upload(fence, FENCE, proof="Always")
+    assert service.done() == "Accepted"
+    service.verify([*fence[:-1], fence[-1]._replace(z=46.5)], FENCE)
+    assert service.done() == "Differs"
+    assert service.state.field == "Height"

@@ -50,6 +50,25 @@ def test_lost_announcement_is_sent_again(copter):
 
 
 @PART
+@pytest.mark.parametrize("requests", [1, 2, 3, 4])
+def test_lost_requests_for_its_first_item_are_waited_for(copter, requests):
+    """ArduPilot denies the announcement that is repeated meanwhile: it is receiving the part already."""
+    copter.wire.lose("<", name="MISSION_REQUEST", seq=3, times=requests)
+    copter.upload_part(mixed(2, 3), 2, 3)
+    assert copter.done(limit_s=20) == "Accepted"
+    assert same_bits(copter.autopilot.received(), on_the_wire(mixed(2, 3), "ArduPilot"))
+
+
+@PART
+def test_part_that_is_denied_because_of_another_ground_station_is_said_as_such(copter):
+    copter.autopilot.receive(
+        mavlink.MAVLink_mission_count_message(1, 1, 20, 0).pack(mavlink.MAVLink(None, 255, 190)), copter.now)
+    copter.upload_part(mixed(2, 3), 2, 3)
+    assert copter.done(limit_s=20) == "Denied"
+    assert copter.state.aboard == "AsBefore"
+
+
+@PART
 def test_each_item_of_the_part_may_be_lost_once(copter):
     for seq in (3, 4, 5):
         copter.wire.lose(">", name="MISSION_ITEM_INT", seq=seq)

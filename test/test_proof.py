@@ -231,6 +231,35 @@ def test_random_loss_never_ends_in_a_false_word(make_service, personality, seed)
         assert same_bits(service.autopilot.received(), OLD_PLAN)
 
 
+@LOST
+@pytest.mark.parametrize("proof, end, aboard", [("ByAnswer", "Error", "NotKnown"), ("InDoubt", "Accepted", "OurPlan"),
+                                                ("Always", "Accepted", "OurPlan")])  # fmt: skip
+def test_error_to_a_last_item_that_the_line_repeats_is_no_refusal(build_service, proof, end, aboard):
+    """The acceptance is lost, and an ArduPilot that is idle by then says error to the item's second coming."""
+    service = build_service("ArduPilot")
+    service.autopilot.load(OLD_PLAN)
+    service.wire.repeat(">", name="MISSION_ITEM_INT", seq=len(SURVEY))
+    service.wire.lose("<", name="MISSION_ACK", where=lambda message: message.type == mavlink.MAV_MISSION_ACCEPTED)
+    service.upload(SURVEY, proof=proof)
+    assert service.done(limit_s=30) == end
+    assert is_aboard(service, SURVEY, "ArduPilot")
+    assert service.state.aboard == aboard
+
+
+@LOST
+@pytest.mark.parametrize("old", [OLD_PLAN, []], ids=["a plan before", "no plan before"])
+def test_error_to_a_last_item_that_is_a_refusal_is_found_out_by_reading_back(build_service, old):
+    service = build_service("ArduPilot")
+    service.autopilot.load(old)
+    service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, len(SURVEY))
+    service.upload(SURVEY, proof="InDoubt")
+    assert service.done(limit_s=30) == "Differs"
+    state = service.state
+    assert (state.aboard, state.last_result) == ("Mixture", mavlink.MAV_MISSION_ERROR)
+    assert state.failed_item == (4 if old else None)
+    assert state.field == ("Command" if old else "Count")
+
+
 AFTER = pytest.mark.scenario(12, "A failure that left a mixture is mended by one call")
 
 

@@ -63,11 +63,12 @@ bool obeys(uint8_t rule, float sent, float read) {
   return isSame(read, sent) || isSame(read, kept);
 }
 
-bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firmware) {
+bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
   if (modern(sent.frame) == modern(read.frame)) return true;
-  // ArduPilot gives items without a place as Global, whatever they had.
-  const bool hasNoPlace = sent.frame == Frame::Mission || (traitsOf(sent.command) & kHasNoPlace);
-  return firmware == Firmware::ArduPilot && read.frame == Frame::Global && hasNoPlace;
+  // ArduPilot gives items without a place as Global, whatever they had, and those of a fence, which have no altitude there.
+  const bool hasNoHeight =
+      type == PlanType::Fence || sent.frame == Frame::Mission || (traitsOf(sent.command) & kHasNoPlace);
+  return firmware == Firmware::ArduPilot && read.frame == Frame::Global && hasNoHeight;
 }
 
 // The rules of param1 to param4, of an item of this plan.
@@ -98,7 +99,7 @@ static_assert(static_cast<uint8_t>(Field::Latitude) == static_cast<uint8_t>(Fiel
 
 Field difference(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
   if (read.command != sent.command) return Field::Command;
-  if (!isSameFrame(sent, read, firmware)) return Field::Reference;
+  if (!isSameFrame(sent, read, firmware, type)) return Field::Reference;
   uint8_t rules = rulesOf(sent, firmware, type);
   const uint8_t* sentBytes = reinterpret_cast<const uint8_t*>(&sent);
   const uint8_t* readBytes = reinterpret_cast<const uint8_t*>(&read);
@@ -109,9 +110,10 @@ Field difference(const MissionItem& sent, const MissionItem& read, Firmware firm
       memcpy(&sentNumber, sentBytes, 4);
       memcpy(&readNumber, readBytes, 4);
       const bool isArduPilots = i == kZ && firmware == Firmware::ArduPilot;
-      if (isArduPilots && type == PlanType::Rally) rules = W;  // rally heights are whole metres
+      // Rally heights are whole metres, and a fence has none.
+      if (isArduPilots && type != PlanType::Mission) rules = type == PlanType::Rally ? W : D;
       if (obeys(rules & 3, sentNumber, readNumber)) continue;
-      if (isArduPilots && type != PlanType::Rally && isHeightKept(sent, read)) continue;
+      if (isArduPilots && type == PlanType::Mission && isHeightKept(sent, read)) continue;
     }
     return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + i);
   }

@@ -105,7 +105,7 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
-  return isWanted && parser_.isFor(systemId(), componentId());
+  return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
 }
 
 void Link::release() {

@@ -9,6 +9,7 @@
 namespace mavmission {
 namespace {
 
+constexpr uint16_t kNextAnswerMs = UploadTransfer::kAnswerMs + 100;  // from an answer to that to the next sending
 constexpr uint16_t kProgressMs = 5000;  // the wait after IN_PROGRESS, and for a command that is sent only once
 
 Status fromCommandResult(uint8_t result) {
@@ -33,7 +34,12 @@ Status fromCommandResult(uint8_t result) {
 Status MissionClient::beginCommand(void (*fill)(MissionClient&, FlightCommand&), uint32_t argument) {
   if (state_.operation != nullptr) return Status::Busy;
   startOperation(commandStep);
+  // What the command before leaves to sendCommand(); if it was another operation, any numbers, and at worst a short wait.
+  const uint16_t id = commanding_.id, sentMs = commanding_.sentMs, waitMs = commanding_.waitMs;
   memset(&commanding_, 0, sizeof(commanding_));
+  commanding_.id = id;
+  commanding_.sentMs = sentMs;
+  commanding_.waitMs = waitMs < kProgressMs ? waitMs : kProgressMs;
   commanding_.argument = argument;
   nextCommand(fill);
   return state_.status;
@@ -74,6 +80,10 @@ void MissionClient::commandStep(MissionClient& client, const FrameParser* frame,
 void MissionClient::sendCommand(uint16_t nowMs) {
   FlightCommand command = flightCommand(0);
   commanding_.fill(*this, command);
+  // COMMAND_ACK does not say which sending it answers. One that was sent twice may be answered twice: the same one with
+  // another meaning, and a step of start(), waits until the second answer should have come.
+  const bool isAlike = commanding_.id == command.id || commanding_.accepted != nullptr;
+  if (commanding_.tries == 0 && isAlike && since(commanding_.sentMs, nowMs) < commanding_.waitMs) return;
   commanding_.id = command.id;
   if (commanding_.byMessage) {
     mavlink_mission_set_current_t message = mavlink_mission_set_current_t();
@@ -123,6 +133,9 @@ void MissionClient::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
       return;
     }
     status = fromCommandResult(ack.result);
+    // The others come as long behind this one as they were sent behind the first.
+    commanding_.sentMs = nowMs;
+    commanding_.waitMs = (commanding_.tries - 1) * kNextAnswerMs;
   } else if (frame.messageId() == MAVLINK_MSG_ID_MISSION_CURRENT && commanding_.byMessage) {
     // The older message has no answer of its own: what is current now is the answer. Another item is none.
     const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(frame);
@@ -136,7 +149,6 @@ void MissionClient::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
   if (status == Status::CommandUnsupported && commanding_.unsupported != nullptr) {
     status = commanding_.unsupported(*this);
   } else if (status == Status::Done && commanding_.accepted != nullptr) {
-    commanding_.sentMs = nowMs;
     status = commanding_.accepted(*this);
   }
   if (status != Status::Transferring) end(status);

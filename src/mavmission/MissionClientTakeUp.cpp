@@ -10,7 +10,10 @@ bool MissionClient::takeUpEnd(MissionClient& client, Status status, uint16_t now
   if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
   const UploadTransfer& transfer = client.transfer_;
-  const bool isInDoubt = status == Status::Unconfirmed ||
+  // An idle ArduPilot says so of a last item that the line has repeated, and its acceptance may be what was lost.
+  const bool isDoubtfulError = status == Status::Error && client.plan_.firmware() != Firmware::Px4 &&
+                               transfer.state() == UploadTransfer::State::Confirming;
+  const bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError ||
                          (status == Status::Accepted && transfer.hasBegun() && transfer.isAcceptanceDoubtful());
   const bool isProofDue = isInDoubt || (status == Status::Accepted && rest.proof == Proof::Always);
   if (!isProofDue || rest.prove == nullptr) return false;

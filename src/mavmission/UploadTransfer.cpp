@@ -73,6 +73,12 @@ Status UploadTransfer::onAck(uint8_t result) {
       if (state_ == State::Counting) break;
       return status;
 
+    case Status::Denied:
+      // To a part that was announced twice, since it has been receiving it from the first time on; it asks for the item again.
+      if (state_ != State::Counting || first_ == 0 || tries_ < 2) return status;
+      suspicion_ = status;
+      return Status::Transferring;
+
     case Status::Error:
       if (state_ == State::Counting && firmware_ != Firmware::ArduPilot && !freed_) {
         // PX4 holds a transfer of ours from before a reset: end it, then ask again.
