@@ -373,6 +373,7 @@ class MissionClient {
     bool tooLong : 1;          // the source has more items than the protocol can count
     bool infeasible : 1;       // the autopilot has said so of the plan that it accepted
     bool proving : 1;          // an upload is being read back
+    bool mayBeRefused : 1;     // because of an error that may have been a refusal
   };
 
   // Reading a plan: by download(), verify(), or to prove an upload.

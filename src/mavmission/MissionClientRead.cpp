@@ -218,6 +218,10 @@ void MissionClient::endReading(Status status) {
         break;
       case Status::Differs:
         if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission) setAboard(Aboard::Mixture);
+        if (rest_.mayBeRefused) {  // so it was, and of the last item
+          status = Status::Error;
+          state_.failedItem = plan_.count() - 1;
+        }
         break;
       default:
         status = Status::Unconfirmed;

@@ -6,7 +6,7 @@ namespace mavmission {
 
 // True if the operation goes on.
 bool MissionClient::takeUpEnd(MissionClient& client, Status status, uint16_t nowMs) {
-  const Rest& rest = client.rest_;
+  Rest& rest = client.rest_;
   if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
   const UploadTransfer& transfer = client.transfer_;
@@ -18,6 +18,7 @@ bool MissionClient::takeUpEnd(MissionClient& client, Status status, uint16_t now
   const bool isProofDue = isInDoubt || (status == Status::Accepted && rest.proof == Proof::Always);
   if (!isProofDue || rest.prove == nullptr) return false;
   if (isInDoubt) client.unsettle(nowMs);
+  rest.mayBeRefused = isDoubtfulError;
   rest.prove(client, nowMs);
   return true;
 }
