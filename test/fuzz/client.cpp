@@ -3,10 +3,8 @@
 //
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
-// - an upload is Accepted only if it was announced (what is sent while several autopilots are heard, or none, goes nowhere,
-//   and one that asks, answers or accepts all the same is believed), and the bytes that came since it was asked for (and those that the
-//   parser may still hold then) hold either a request
-//   for its last item and behind it an ACK with MAV_MISSION_ACCEPTED, or, once they were asked for, the right number of
+// - an upload is Accepted only if it was announced, and the bytes that came since it was asked for (and those that the
+//   parser may still hold then) hold either a request for its last item and behind it an ACK with MAV_MISSION_ACCEPTED, or, once they were asked for, the right number of
 //   items and each of them as it was meant; all right to the checksum, from the autopilot, for us and for a mission.
 //   uploadByAnswer() takes only the first, upload(plan, Verified) only the second. verify() ends with Verified only by
 //   the second, too;
@@ -240,7 +238,6 @@ class Session {
     uploading_ = asked.isUpload();
     done_ = 0;
     hasTurned_ = false;
-    wasSilent_ = false;
     // The parser may hold the latest bytes still, within a frame that was cut off, and find a frame among them later.
     Bytes& heard = line_.heard;
     if (heard.size() > static_cast<size_t>(kMostHeldBack)) heard.erase(heard.begin(), heard.end() - kMostHeldBack);
@@ -415,7 +412,6 @@ class Session {
            "an item failed that is not in the plan");
     demand(client_.isBusy() || status == Status::Idle || isEnd(status), "an operation that is over was said to run");
     if (client_.status() == Status::WaitingForTurn) hasTurned_ = true;
-    if (client_.status() == Status::Transferring && !client_.hasAutopilot()) wasSilent_ = true;
     if (client_.isBusy() && client_.status() == Status::Transferring && before != Status::Transferring) {
       firmware_ = client_.firmware();
       meant_ = wireItems(kPlan, asked_.count, firmware_);
@@ -431,10 +427,10 @@ class Session {
     if (status == Status::Accepted) {
       demand(uploading_, "what was no upload was accepted");
       // (Of an empty plan nothing is asked for. Its COUNT may be held back by a stream that takes nothing.)
-      demand(isAnnounced || asked_.count == 0 || wasSilent_, "accepted, though it was not announced");
+      demand(isAnnounced || asked_.count == 0, "accepted, though it was not announced");
       demand(asked_.count == 0 || announced == meant_.size(), "accepted, though another plan was announced");
       const bool isAnswered = holdsAnswer(line_.heard, asked_.count == 0, static_cast<uint16_t>(behindLast() - 1));
-      const bool isRead = wasSilent_ || holdsReading(line_.heard, written, meant_, firmware_);
+      const bool isRead = holdsReading(line_.heard, written, meant_, firmware_);
       demand(asked_.kind != Asked::Kind::ByAnswer || isAnswered, "accepted, though the autopilot has not said so");
       demand(asked_.kind != Asked::Kind::Verified || isRead, "accepted, though it was not read back as it was meant");
       demand(isAnswered || isRead, "accepted, though neither the autopilot said so nor it was read back");
@@ -442,7 +438,7 @@ class Session {
     }
     if (status == Status::Verified) {
       demand(asked_.kind == Asked::Kind::Verification, "what was no verification ended as one");
-      demand(wasSilent_ || holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
+      demand(holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
     }
     if (status == Status::Armed && uploading_ && !hasTurned_) {
       demand(!isAnnounced, "a plan was announced to an armed autopilot that is refused for it");
@@ -495,7 +491,6 @@ class Session {
   bool other_ = false;     // frames are another system's
   bool uploading_ = false;
   bool hasTurned_ = false;  // it has waited for its turn
-  bool wasSilent_ = false;  // nothing could be said for a while
   Asked asked_;
   Asked again_;            // what uploadAgain() uploads
   Firmware firmware_ = Firmware();  // that the transfer began with
