@@ -13,6 +13,10 @@ def test_every_operation_has_its_bound():
     assert updates.bounds().keys() == updates.OPERATIONS.keys()
 
 
+def test_no_bound_is_above_a_millisecond():
+    assert max(bound.waited for bound in updates.bounds().values()) <= updates.GOAL
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("operation", updates.OPERATIONS)
 def test_update_stays_within_its_bound(operation):
