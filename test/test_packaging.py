@@ -265,7 +265,9 @@ def examples() -> list[Path]:
 
 SLOW = pytest.mark.slow
 # What its comment says does not fit; if it does one day, its test says so.
-TOO_LARGE = {("PlanConsole", "leonardo"), ("PlanConsole", "nano")}
+TOO_LARGE = {("PlanConsole", "leonardo")}
+# It fits by less than another version of the compiler may take: the documents and the workflow do not promise it.
+NOT_PROMISED = TOO_LARGE | {("PlanConsole", "nano")}
 
 
 @pytest.mark.parametrize("board", [pytest.param(board, marks=() if board == "mega" else SLOW) for board in BOARDS])

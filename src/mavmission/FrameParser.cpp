@@ -193,7 +193,7 @@ FrameParser::Result FrameParser::grow(uint8_t byte) {
   have = have_;
   if (have == need_) return summed_ == 0 ? classify() : complete();
   // What begins inside another frame can only be a wanted one. Most such bytes are data, and this one tells.
-  if (have == 2 && byte > MAVMISSION_MAX_PAYLOAD && isInside()) giveUp();
+  if (have == 2 && uint16_t{byte} > MAVMISSION_MAX_PAYLOAD && isInside()) giveUp();
   return Result::Nothing;
 }
 

@@ -70,7 +70,9 @@ const char* Referee::sent(const Message& message, Firmwares firmware) {
     // What was asked for and sent before no longer counts.
     const Task upload = task;
     const uint8_t onTheWire = items;
+    const bool isRefused = (heardAcks & (1u << kError)) != 0;
     memset(static_cast<void*>(this), 0, sizeof(*this));
+    wasRefused = isRefused;
     task = upload;
     items = onTheWire;
     isRunning = isReading = true;
@@ -302,9 +304,10 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   }
   for (uint8_t result = 1; result < 16; ++result) {
     if (status != mavmission::fromMissionResult(result)) continue;
-    if ((heardAcks & (1u << result)) == 0) return "a refusal that the autopilot did not send";
-    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one.
-    if (isUpload() && result == kError && lineRepeats) return nullptr;
+    const bool isProven = isReading && result == kError && wasRefused;  // what was read back was not the plan
+    if ((heardAcks & (1u << result)) == 0 && !isProven) return "a refusal that the autopilot did not send";
+    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading back.
+    if (isUpload() && !isReading && result == kError && lineRepeats) return nullptr;
     if (isUpload() && isMeant) return "a refusal, and the plan is aboard";
     const bool isOurs =
         autopilot.count == items && autopilot.expected != 0 && autopilot.staged[0] == itemOf(task.plan, 0);

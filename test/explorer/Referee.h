@@ -43,7 +43,7 @@ struct Referee {
   uint8_t isClosed;       // our final ACK was sent
   uint8_t clears;         // CLEAR_ALLs sent
   uint8_t owesCancel;     // the autopilot is to be told that it is over
-  uint8_t spare;
+  uint8_t wasRefused;     // ERROR was heard before the plan was read back
   uint8_t mayFree;        // what shows that an older transfer is open was heard
   uint16_t heardAcks;     // bit r: ACK r was heard
   uint16_t sinceSentMs;   // since the last frame of ours, 1500 at most
