@@ -9,8 +9,7 @@ namespace mavmission {
 
 constexpr uint16_t kChecksumStart = 0xFFFF;
 
-// The checksum `crc` carried on over `length` bytes. One function for all who need it, and
-// not a call for each byte.
+// The checksum `crc` carried on over `length` bytes. One function for all who need it, and not a call for each byte.
 MAVMISSION_APART uint16_t checksum(uint16_t crc, const uint8_t* bytes, uint8_t length);
 
 }  // namespace mavmission

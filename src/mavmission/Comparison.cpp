@@ -65,7 +65,7 @@ bool obeys(uint8_t rule, float sent, float read) {
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
   if (modern(sent.frame) == modern(read.frame)) return true;
-  // ArduPilot gives items without a place as Global, whatever they had, and those of a fence, which have no altitude there.
+  // ArduPilot gives items without a place as Global, whatever they had, and those of a fence, which has no altitude there.
   const bool hasNoHeight =
       type == PlanType::Fence || sent.frame == Frame::Mission || (traitsOf(sent.command) & kHasNoPlace);
   return firmware == Firmware::ArduPilot && read.frame == Frame::Global && hasNoHeight;

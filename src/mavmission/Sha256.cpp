@@ -27,8 +27,8 @@ const uint32_t kRoundConstants[Sha256::kRounds] PROGMEM = {
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2,
 };
 
-// An AVR rotates a word by one bit with an instruction a byte, and by whole bytes in moves; by any other number avr-gcc makes a
-// loop. So each rotation is put together of these, and what two rotations have in common is done once.
+// An AVR rotates a word by one bit with an instruction a byte, and by whole bytes in moves; by any other number avr-gcc
+// makes a loop. So each rotation is put together of these, and what two rotations have in common is done once.
 inline uint32_t left1(uint32_t x) { return x << 1 | x >> 31; }
 inline uint32_t right1(uint32_t x) { return x >> 1 | x << 31; }
 inline uint32_t right8(uint32_t x) { return x >> 8 | x << 24; }

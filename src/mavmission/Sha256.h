@@ -1,5 +1,5 @@
-// SHA-256 (FIPS 180-4), a few rounds at a time: a block of 64 bytes takes an AVR longer than anybody is
-// to wait (DESIGN.md, "Signing").
+// SHA-256 (FIPS 180-4), a few rounds at a time: a block of 64 bytes takes an AVR longer than anybody is to
+// wait (DESIGN.md, "Signing").
 //
 //   Sha256 sum;
 //   sum.begin();

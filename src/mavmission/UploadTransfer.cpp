@@ -74,7 +74,7 @@ Status UploadTransfer::onAck(uint8_t result) {
       return status;
 
     case Status::Denied:
-      // To a part that was announced twice, since it has been receiving it from the first time on; it asks for the item again.
+      // To a part that was announced twice: it has been receiving it from the first time on, and asks for the item again.
       if (state_ != State::Counting || first_ == 0 || tries_ < 2) return status;
       suspicion_ = status;
       return Status::Transferring;

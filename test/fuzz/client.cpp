@@ -4,8 +4,9 @@
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
 // - an upload is Accepted only if it was announced, and the bytes that came since it was asked for (and those that the
-//   parser may still hold then) hold either a request for its last item and behind it an ACK with MAV_MISSION_ACCEPTED, or, once they were asked for, the right number of
-//   items and each of them as it was meant; all right to the checksum, from the autopilot, for us and for a mission.
+//   parser may still hold then) hold either a request for its last item and behind it an ACK with MAV_MISSION_ACCEPTED,
+//   or, once they were asked for, the right number of items and each of them as it was meant; all right to the checksum,
+//   from the autopilot, for us and for a mission.
 //   uploadByAnswer() takes only the first, upload(plan, Verified) only the second. verify() ends with Verified only by
 //   the second, too;
 // - what is written is whole frames, one behind the other, each with the next sequence number; a message of the sketch's
