@@ -3,15 +3,9 @@
 
 #include <stdint.h>
 
-namespace mavmission {
+#include "Firmware.h"
 
-// Whose software flies (HEARTBEAT.autopilot).
-enum class Firmware : uint8_t {
-  Unknown,    // nothing heard yet
-  ArduPilot,  // MAV_AUTOPILOT_ARDUPILOTMEGA (3)
-  Px4,        // MAV_AUTOPILOT_PX4 (12)
-  Other,      // any other autopilot: the protocol as the guide has it
-};
+namespace mavmission {
 
 // Flags of a command; 0 for a command that is not in the table.
 enum CommandTrait : uint8_t {

@@ -1,21 +1,13 @@
-#include "Comparison.h"
+#include "Field.h"
 #include "FlashTable.h"
 
 namespace mavmission {
 namespace {
 
-#define MAVMISSION_TEXT(name, text) const char kField##name[] PROGMEM = text;
-MAVMISSION_FIELDS(MAVMISSION_TEXT)
-#undef MAVMISSION_TEXT
-
-const char* const kFieldTexts[] PROGMEM = {
-#define MAVMISSION_POINTER(name, text) kField##name,
-    MAVMISSION_FIELDS(MAVMISSION_POINTER)
-#undef MAVMISSION_POINTER
-};
+MAVMISSION_TEXT_TABLE(fields, MAVMISSION_FIELDS)
 
 }  // namespace
 
-FlashText toString(Field field) { return textAt(kFieldTexts, static_cast<uint8_t>(field)); }
+FlashText toString(Field field) { return textAt(fields::kTexts, static_cast<uint8_t>(field)); }
 
 }  // namespace mavmission

@@ -4,6 +4,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "FlashText.h"
+
 #if defined(__AVR__) || defined(ARDUINO)
 #include <avr/pgmspace.h>
 #endif
@@ -14,17 +16,6 @@
 #define pgm_read_word(address) (*reinterpret_cast<const uint16_t*>(address))
 #define memcpy_P memcpy
 #define strncmp_P strncmp
-#endif
-
-#ifdef ARDUINO
-class __FlashStringHelper;
-namespace mavmission {
-typedef const __FlashStringHelper* FlashText;  // what Serial.print() takes as text in flash
-}
-#else
-namespace mavmission {
-typedef const char* FlashText;
-}
 #endif
 
 namespace mavmission {

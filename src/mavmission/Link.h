@@ -5,7 +5,9 @@
 
 #include "AutopilotFinder.h"
 #include "FrameParser.h"
+#include "LinkCounters.h"
 #include "Listener.h"
+#include "MavlinkVersion.h"
 #include "Outbox.h"
 #if MAVMISSION_SIGNING
 #include "Signing.h"
@@ -14,21 +16,6 @@
 class Stream;
 
 namespace mavmission {
-
-// What makes a fault of the line visible. Each counts from the start, and wraps.
-struct LinkCounters {
-  uint32_t bytes;            // received
-  uint32_t bytesSkipped;     // received, but part of no frame: another baud rate, text, rings that overflowed
-  uint16_t frames;           // received of messages that the library knows, undamaged
-  uint16_t unknownMessages;  // frames of other messages, stepped over
-  uint16_t badChecksums;     // frames of known messages with a wrong checksum
-  uint16_t brokenFrames;     // frames of other messages that did not end where they should
-  uint16_t framesLost;       // of the autopilot's, by the gaps in their sequence numbers
-  uint16_t framesSent;       // of all messages
-};
-
-// Which MAVLink to speak.
-enum class Speak : uint8_t { AsAutopilot = 0, Version1 = 1, Version2 = 2 };
 
 class Link {
  public:

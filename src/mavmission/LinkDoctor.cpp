@@ -12,15 +12,7 @@
 namespace mavmission {
 namespace {
 
-#define MAVMISSION_TEXT(name, text) const char kVerdict##name[] PROGMEM = text;
-MAVMISSION_VERDICTS(MAVMISSION_TEXT)
-#undef MAVMISSION_TEXT
-
-const char* const kVerdictTexts[] PROGMEM = {
-#define MAVMISSION_POINTER(name, text) kVerdict##name,
-    MAVMISSION_VERDICTS(MAVMISSION_POINTER)
-#undef MAVMISSION_POINTER
-};
+MAVMISSION_TEXT_TABLE(verdicts, MAVMISSION_VERDICTS)
 
 // An autopilot that speaks at all sends a heartbeat each second: after three and a bit it is not only late.
 constexpr uint8_t kListenS = 4;
@@ -79,7 +71,7 @@ constexpr uint8_t kBaudCount = sizeof(kBauds) / sizeof(kBauds[0]);
 
 }  // namespace
 
-FlashText toString(Verdict verdict) { return textAt(kVerdictTexts, static_cast<uint8_t>(verdict)); }
+FlashText toString(Verdict verdict) { return textAt(verdicts::kTexts, static_cast<uint8_t>(verdict)); }
 
 LinkDoctor::LinkDoctor(MissionClient& client)
     : Listener(client, kKeys, static_cast<uint8_t>(KeyIndex::kReceived), take),

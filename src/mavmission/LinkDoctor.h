@@ -1,7 +1,7 @@
 // Says in words why nothing works: wiring, baud rate, who speaks, whether we are heard.
 #pragma once
 
-#include "Flash.h"
+#include "FlashText.h"
 #include "Listener.h"
 
 namespace mavmission {

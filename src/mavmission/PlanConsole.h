@@ -22,7 +22,7 @@
 #include <stdint.h>
 
 #include "EepromPlan.h"
-#include "Flash.h"
+#include "FlashText.h"
 #include "MissionClient.h"
 #include "WaypointsText.h"
 

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "Flash.h"
+#include "FlashText.h"
 
 namespace mavmission {
 

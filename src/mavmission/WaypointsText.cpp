@@ -1,21 +1,11 @@
 #include "WaypointsText.h"
 
 #include "Commands.h"
-#include "FlashTable.h"
+#include "Flash.h"
 #include "FloatBits.h"
 
 namespace mavmission {
 namespace {
-
-#define MAVMISSION_TEXT(name, text) const char kText##name[] PROGMEM = text;
-MAVMISSION_TEXT_ERRORS(MAVMISSION_TEXT)
-#undef MAVMISSION_TEXT
-
-const char* const kTexts[] PROGMEM = {
-#define MAVMISSION_POINTER(name, text) kText##name,
-    MAVMISSION_TEXT_ERRORS(MAVMISSION_POINTER)
-#undef MAVMISSION_POINTER
-};
 
 const char kHeader[] PROGMEM = "QGC WPL 110";
 constexpr uint8_t kHeaderLength = sizeof(kHeader) - 1;
@@ -24,8 +14,6 @@ const uint8_t kByteOrderMark[] PROGMEM = {0xEF, 0xBB, 0xBF};  // some editors pu
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 }  // namespace
-
-FlashText toString(TextError error) { return textAt(kTexts, static_cast<uint8_t>(error)); }
 
 void WaypointsText::begin() {
   beginAt(0);

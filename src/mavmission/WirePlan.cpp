@@ -1,5 +1,7 @@
 #include "WirePlan.h"
 
+#include <string.h>
+
 #include "Config.h"
 #include "FloatBits.h"
 

@@ -1,0 +1,14 @@
+#include "TextError.h"
+
+#include "FlashTable.h"
+
+namespace mavmission {
+namespace {
+
+MAVMISSION_TEXT_TABLE(errors, MAVMISSION_TEXT_ERRORS)
+
+}  // namespace
+
+FlashText toString(TextError error) { return textAt(errors::kTexts, static_cast<uint8_t>(error)); }
+
+}  // namespace mavmission
