@@ -65,7 +65,7 @@ class MissionClient {
   Status upload(const ItemSource& plan, PlanType type = PlanType::Mission, Proof proof = WhenInDoubt);
   Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
 
-  // The same without reading back, for a sketch that has to be small (README.md, "Sizes"). Status::Accepted is said when the
+  // The same without reading back, for a sketch that has to be small (docs/measurements.md). Status::Accepted is said when the
   // autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is lost, it is
   // Status::Unconfirmed.
   Status uploadByAnswer(const ItemSource& plan, PlanType type = PlanType::Mission);
@@ -208,11 +208,11 @@ class MissionClient {
   void useRawNumbering(bool raw) { rest_.raw = raw; }
   // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2, 4,
   // then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until then
-  // the status is WaitingForTurn. Costs flash in a sketch that calls it (README.md, "Sizes").
+  // the status is WaitingForTurn. Costs flash in a sketch that calls it (docs/measurements.md).
   void retryWhenDenied(uint16_t seconds);
   // Serves autopilots that do not know MISSION_ITEM_INT: one that is neither ArduPilot nor PX4 and refuses the first
   // item as unsupported gets the plan again as MISSION_ITEM, with coordinates as floats, coarser by metres. `always`: no
-  // other is tried. Costs flash in a sketch that calls it (README.md, "Sizes").
+  // other is tried. Costs flash in a sketch that calls it (docs/measurements.md).
   void serveFloatItems(bool always = false);
   // The longest wait for an autopilot [s], after which an operation ends with Status::NoAutopilot; 0, the default, is
   // for ever.

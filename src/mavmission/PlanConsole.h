@@ -98,7 +98,7 @@ class PlanConsole : private PlanConsoleState {
   void setRing(uint8_t bytes) { ring_ = bytes; }
 
   // Commands that a sketch offers beside help, status, load, end, upload, erase and cancel, to be called in setup().
-  // One that is not offered is not in the program (README.md, "Sizes").
+  // One that is not offered is not in the program (docs/measurements.md).
   void offerList();      // the plan in EEPROM, as a .waypoints text
   void offerVerify();    // is it what is aboard?
   void offerDownload();  // keeps what is aboard

@@ -12,7 +12,6 @@ from firmware import LIBRARY, compiled, exclusive, run
 from mega.image import demangle
 
 SKETCH = ROOT / "examples" / "UploadMission"
-DOCUMENT = ROOT / "DESIGN.md"
 MARK = "RAM budget"
 CLIENT = "MissionClient"
 ROWS_FROM = 100  # a member as large as that gets a row for each of its own [bytes]
@@ -112,7 +111,7 @@ def size_of(kind: DIE) -> int:
 
 
 def table() -> str:
-    """The budget as DESIGN.md has it."""
+    """The budget as the documents have it."""
     whole = globals_of(build_sketch(SKETCH, "mega").elf)
     ours = client()
     if whole.pop("autopilot") != ours.size:

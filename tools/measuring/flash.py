@@ -45,7 +45,7 @@ def parts(elf: Path) -> dict[str, list[tuple[int, str]]]:
 
 
 def table() -> str:
-    """As DESIGN.md has it."""
+    """As the documents have it."""
     built = build_sketch(EXAMPLE, "mega")
     found = parts(built.elf)
     sums = {owner: sum(size for size, _ in functions) for owner, functions in found.items()}

@@ -34,7 +34,7 @@ def hushing_s(personality: str) -> float:
 
 
 def table() -> str:
-    """As DESIGN.md has it."""
+    """As the documents have it."""
     lines = [["57600 baud, full line; seconds, as it is / quiet", *RECORDED]]
     for items in PLANS:
         lines.append([f"upload of {items} items, from COUNT to the acceptance", *(transfer(name, items) for name in RECORDED)])

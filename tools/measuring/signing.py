@@ -97,7 +97,7 @@ def accepted(on: Bench) -> int:
 
 
 def table() -> str:
-    """As DESIGN.md has it."""
+    """As the documents have it."""
     frames = " / ".join(str(checked_in_a_second(loop_ms)) for loop_ms in LOOPS_MS)
     loops = " / ".join(map(str, LOOPS_MS))
     return aligned([
