@@ -2,7 +2,7 @@
 
 An End never waits: read() hands over what has come, write() passes on what it
 can. An end whose peer is away drops what is sent to it, as a loose cable does,
-and finds the peer again when it is back.
+and finds the peer again when it is back. So does one whose peer does not read.
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ import time
 import tty
 from collections.abc import Callable
 from typing import Protocol
+
+from .words import Words
 
 RETRY_S = 0.5  # between two tries to reach a peer that is away
 
@@ -43,6 +45,12 @@ class End(Protocol):
     def close(self) -> None: ...
 
 
+class Outside:
+    """An end whose peer is no serial port, and knows nothing of the line's rate."""
+
+    can_wait = True  # whether the peer is held back while it is not read
+
+
 class Nothing:
     """A cable with nothing at its end."""
 
@@ -63,10 +71,12 @@ class Terminal:
 
     name = "this terminal"
 
-    def __init__(self, listen: bool = True) -> None:
+    def __init__(self, listen: bool = True, words: Words | None = None) -> None:
         self._listen = listen and sys.stdin is not None
+        self._words = words or Words()
 
     def read(self, most: int) -> bytes:
+        self._words.tick()
         if not self._listen or not select.select([sys.stdin], [], [], 0)[0]:
             return b""
         data = os.read(sys.stdin.fileno(), most)
@@ -74,14 +84,13 @@ class Terminal:
         return data
 
     def write(self, data: bytes) -> None:
-        sys.stdout.buffer.write(data)
-        sys.stdout.buffer.flush()
+        self._words.print(data)
 
     def close(self) -> None:
         pass
 
 
-class Pty:
+class Pty(Outside):
     """A new pseudo-terminal, for any program that opens a serial device."""
 
     def __init__(self) -> None:
@@ -108,7 +117,7 @@ class Pty:
         os.close(self._slave)
 
 
-class Tcp:
+class Tcp(Outside):
     """One TCP connection at a time, made again whenever it breaks."""
 
     def __init__(self, clock: Callable[[], float], say: Callable[[str], None]) -> None:
@@ -233,8 +242,10 @@ class TcpServer(Tcp):
         self._listener.close()
 
 
-class Udp:
+class Udp(Outside):
     """Datagrams: to a fixed peer, or to whoever sent last."""
+
+    can_wait = False
 
     def __init__(self, peer: tuple[str, int] | None, port: int = 0) -> None:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -267,7 +278,7 @@ class Udp:
         self._socket.close()
 
 
-class Device:
+class Device(Outside):
     """A serial device of this computer, opened again when it was unplugged."""
 
     def __init__(self, path: str, baud: int, clock: Callable[[], float], say: Callable[[str], None]) -> None:
