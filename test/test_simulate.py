@@ -193,7 +193,7 @@ def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
     peer.bind(("127.0.0.1", 0))
     peer.setblocking(False)
     port = peer.getsockname()[1]
-    end = open_end(f"udp:127.0.0.1:{port}")
+    end = open_end(f"udp:127.0.0.1:{port}", say=quiet)
     world.connect(1, end)
     world.run(seconds=0.005)
     end.write(b"x")
@@ -227,15 +227,19 @@ def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
 
 def test_udp_that_listens_answers_whoever_sent_last(world):
     port = free_port(socket.SOCK_DGRAM)
-    end = open_end(f"udp-listen:{port}")
+    said = []
+    end = open_end(f"udp-listen:{port}", say=said.append)
     world.connect(1, end)
     end.write(b"nobody is there yet")
     world.run(seconds=0.005)
+    assert said == []
     for text in (b"one", b"two"):  # the second is the first, restarted at another port
         peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         peer.setblocking(False)
         peer.sendto(text, ("127.0.0.1", port))
         assert answer_of(world, lambda: peer.recv(100), len(text)) == bytes(byte + 1 for byte in text)
+        assert said.pop() == f"udp-listen:{port}: hears 127.0.0.1:{peer.getsockname()[1]}"
+        assert said == []
         peer.close()
 
 
@@ -569,7 +573,7 @@ def test_nothing_is_said_of_a_peer_that_the_line_can_take(world, clock):
     said = []
     world._say = said.append
     peer = UdpPeer()
-    world.connect(1, open_end(peer.form))
+    world.connect(1, open_end(peer.form, say=quiet))
     for _ in range(3000):  # 10 kB/s
         peer.send(bytes(10))
         world.slice()

@@ -247,21 +247,28 @@ class Udp(Outside):
 
     can_wait = False
 
-    def __init__(self, peer: tuple[str, int] | None, port: int = 0) -> None:
+    def __init__(
+        self, peer: tuple[str, int] | None, port: int = 0, say: Callable[[str], None] = lambda text: None
+    ) -> None:
+        self._say = say
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.setblocking(False)
         if port:
             self._socket.bind(("", port))
         self._peer = peer
+        self._heard: tuple[str, int] | None = None
         self._kept = b""
         self.name = f"udp:{peer[0]}:{peer[1]}" if peer else f"udp-listen:{port}"
 
     def read(self, most: int) -> bytes:
         while len(self._kept) < most:
             try:
-                data, self._peer = self._socket.recvfrom(65536)
+                data, sender = self._socket.recvfrom(65536)
             except OSError:  # nothing there, or the peer's port is closed just now
                 break
+            if sender != self._heard:
+                self._say(f"{self.name}: hears {sender[0]}:{sender[1]}")
+                self._peer = self._heard = sender
             self._kept += data
         data, self._kept = self._kept[:most], self._kept[most:]
         return data
@@ -361,11 +368,11 @@ def _open_end(form: str, clock: Callable[[], float], say: Callable[[str], None])
         return Device(path, number(form, baud or "57600"), clock, say)
     if kind in ("tcp-listen", "udp-listen"):
         port = number(form, rest, 65535)
-        return TcpServer(port, clock, say) if kind == "tcp-listen" else Udp(None, port)
+        return TcpServer(port, clock, say) if kind == "tcp-listen" else Udp(None, port, say)
     if kind in ("tcp", "udp") and ":" in rest:
         host, _, port_text = rest.rpartition(":")
         port = number(form, port_text, 65535)
-        return TcpClient(host, port, clock, say) if kind == "tcp" else Udp((host, port))
+        return TcpClient(host, port, clock, say) if kind == "tcp" else Udp((host, port), say=say)
     raise BadEnd(f"{form!r} is nothing to connect to; it must be one of\n{FORMS}")
 
 
