@@ -47,8 +47,10 @@ def table() -> str:
     """As DESIGN.md has it."""
     lines = [["57600 baud, full line; seconds, as it is / quiet", *RECORDED]]
     for items in PLANS:
-        lines.append([f"upload of {items} items, from COUNT to the acceptance", *(upload(name, items) for name in RECORDED)])
+        took = [upload(name, items) for name in RECORDED]
+        lines.append([f"upload of {items} items, from COUNT to the acceptance", *took])
     for items in PLANS:
-        lines.append([f"reading back {items} items, to the last of them", *(reading_back(name, items) for name in RECORDED)])
+        took = [reading_back(name, items) for name in RECORDED]
+        lines.append([f"reading back {items} items, to the last of them", *took])
     lines.append(["switching off, beside the first items", *(f"{hushing_s(name):.2f}" for name in RECORDED)])
     return aligned(lines, left=1)

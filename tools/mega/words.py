@@ -12,9 +12,9 @@ from typing import BinaryIO
 class Words:
     """The sketch's lines and the tool's, none of which falls into another.
 
-    say() waits until the sketch's line has ended. If that takes long, as at a prompt, the tool's words stand on a line of
-    their own, and what there was of the sketch's line is printed again below. Where the sketch prints to another place
-    than the tool, a file for example, nothing waits.
+    say() waits until the sketch's line has ended. If that takes long, as at a prompt, the tool's words stand on a line
+    of their own, and what there was of the sketch's line is printed again below. Where the sketch prints to another
+    place than the tool, a file for example, nothing waits.
     """
 
     PATIENCE_S = 0.5
