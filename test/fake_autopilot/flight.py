@@ -11,6 +11,7 @@ from .items import Item
 
 METRES_PER_E7 = 0.011131884502145034  # a 1e-7 degree of latitude [m]
 HIGHEST = 1e6  # [m]; no plan means more, and GLOBAL_POSITION_INT could not tell of it
+ELSEWHERE = 2.0  # [m] away, at least
 MOST_JUMPS_AT_ONCE = 1000  # a plan of nothing but jumps must not hang the test
 
 WAYPOINT = mavlink.MAV_CMD_NAV_WAYPOINT
@@ -64,7 +65,8 @@ class Pace(NamedTuple):
     descent: float  # of a landing [m/s]
     spool_up_s: float  # from the start of a takeoff to leaving the ground
     flies: bool = True  # or keeps to the ground, whatever altitude an item has
-    reaches_land_above: bool = False  # whether a landing counts as reached when it begins to sink
+    # Whether a landing that is elsewhere counts as reached when it begins to sink there; else on the ground.
+    reaches_land_above: bool = False
 
     def leg_s(self, distance: float) -> float:
         """How long a leg of so many metres takes."""
@@ -92,6 +94,7 @@ class Flight:
         self.ends_at = math.inf  # when that item ends [s]
         self.waiting = False  # at the beginning of that item, for begin()
         self.sinking = False  # at the end of a landing
+        self._moves_to_land = False
         self._items = items
         self._begun, self._reached, self._over, self._landed = begun, reached, over, landed
         self._from, self._to = home, home
@@ -151,7 +154,8 @@ class Flight:
         if index is None:
             return
         lands = item is not None and item.command in LANDINGS and self.pace.flies
-        if item is not None and (not lands or sank != self.pace.reaches_land_above):
+        reached_above = self.pace.reaches_land_above and self._moves_to_land
+        if item is not None and (not lands or sank != reached_above):
             self._reached(index, item, now)
         if lands and not sank:
             self.sink(now)
@@ -222,6 +226,7 @@ class Flight:
         takes_s = max(self.pace.leg_s(here.distance(target)), 0.02)
         if item.command in LANDINGS:
             target = target._replace(height=here.height)
+            self._moves_to_land = here.distance(target) > ELSEWHERE
             takes_s = max(self.pace.leg_s(here.distance(target)), 0.02)
         elif item.command == LOITER_UNLIM:
             takes_s = math.inf

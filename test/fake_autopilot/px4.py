@@ -360,9 +360,11 @@ class Px4(FakeAutopilot):
 
     def _landed(self, now: float) -> bool:
         """On the ground: the plan is complete, in LAND too, but for a landing in its middle."""
-        index = self.flight.index
-        if index is not None and index + 1 < len(self.missions.held[MISSION]):
+        index, held = self.flight.index, self.missions.held[MISSION]
+        if index is not None and index + 1 < len(held):
             return True
+        if index is not None and index < len(held) and self._reached != index:
+            self._item_reached(index, held[index], now)
         self.complete = True
         now -= self.response_delay_s  # of its own accord
         self.text(INFO, "Landing detected\t", now, later_s=0.0)
