@@ -166,6 +166,8 @@ class Missions:
             self.forget_transfer()
             return
         self._store(seq, item, held, now)
+        if self.mission_type == MISSION:
+            self.autopilot.item_stored(now)
         self._last_good_at = now
         self._expected = seq + 1
         if self._expected > self._last:

@@ -203,7 +203,7 @@ class Missions:
             self._put_aboard(self._type, [sent for sent, _ in self._staged],
                              [kept for _, kept in self._staged], self._staged_checksum)
             if self._type == MISSION:
-                self.autopilot.plan_changed(self._flagged_current or 0, now)
+                self.autopilot.plan_changed(self._flagged_current, now)
         self._final_ack(ACCEPTED, self._staged_checksum, now)
 
     def _put_aboard(self, mission_type: int, sent: list[Item], held: list[Item],
