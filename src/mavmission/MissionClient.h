@@ -317,7 +317,7 @@ class MissionClient {
   void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
   void setStartArming(StartArming arming) { rest_.startArming = static_cast<uint8_t>(arming); }
   Status readyToStart(uint16_t nowMs);
-  void lookFrom(uint16_t wireItem);
+  void lookFromFirst();
   Status lookAtItem();
   Status nextStartStep(uint16_t nowMs);
   bool beginStartStep(uint16_t nowMs);
@@ -325,6 +325,7 @@ class MissionClient {
   Status onStartSilent(Status status, uint16_t nowMs);
   Status onStartHeartbeat(uint16_t nowMs);
   Status onStartCurrent(const FrameParser& frame, uint16_t nowMs);
+  bool isArmingStep() const;
   Status leaveStart(Status status, uint16_t nowMs);
   Status otherItem();
   Status confirmStart();
@@ -452,8 +453,8 @@ class MissionClient {
   // What start() keeps in mind. Items are the wire's.
   struct Start {
     // Looking: for the item that will be flown first. Shown: a heartbeat shows that it flies. Judging: is it at the right
-    // item? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
-    enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, Leaving, Disarming };
+    // item, or at the next one? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
+    enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
 
     uint16_t first;   // that it is to begin with
     uint16_t seen;    // that the autopilot is at, kNoItem before it has said

@@ -17,7 +17,7 @@ namespace {
 constexpr uint8_t kAutoTriesS = 15;      // a rover can be armed ten seconds before its position is good enough for AUTO
 constexpr uint16_t kAutoAgainMs = 1000;  // from a refusal of AUTO to the next attempt
 constexpr uint16_t kConfirmMs = 7500;    // for what the autopilot sends by itself, once a second
-constexpr uint8_t kMostLooked = 100;     // items looked at for the first one that can be flown
+constexpr uint8_t kCannotLook = 100;     // of items looked at: that many, and it is given up; or they are not at hand
 
 // True for a command that an autopilot flies, and is at for a while. The others are carried out on the way.
 bool isFlown(uint16_t command) {
@@ -71,7 +71,9 @@ Status MissionClient::onStart(MissionClient& client, CommandEvent event, Status 
     case CommandEvent::Time:
       break;
   }
-  return client.commanding_.start.phase == Start::Phase::Judging ? client.judgeStart() : status;
+  const Start::Phase phase = client.commanding_.start.phase;
+  const bool isJudging = phase == Start::Phase::Judging || phase == Start::Phase::JudgingNext;
+  return isJudging ? client.judgeStart() : status;
 }
 
 // May it be flown, and from which item on? Checking until that is known.
@@ -86,15 +88,16 @@ Status MissionClient::readyToStart(uint16_t nowMs) {
     plan_.begin(firmware(), PlanType::Mission, rest_.raw);
     // ArduPilot's item 0 is home. Set to that it forgets the jumps that it has counted, and begins with item 1.
     if (item != 0) start.first = item + homeBefore();
-    lookFrom(start.first != 0 ? start.first : plan_.firmware() == Firmware::ArduPilot ? 1 : 0);
-    if (rest_.planType != PlanType::Mission) state_.next = kNoItem;  // plan_ is a fence by now: its items are not at hand
+    lookFromFirst();
+    if (rest_.planType != PlanType::Mission) start.looked = kCannotLook;  // plan_ is a fence by now
     start.phase = Start::Phase::Looking;
   }
-  if (state_.next != kNoItem) {
-    const Status looked = lookAtItem();
-    if (looked == Status::Transferring) return Status::Checking;
-    if (looked == Status::NothingToFly) return looked;
-    if (looked != Status::Done) state_.next = kNoItem;
+  const Status looked = lookAtItem();
+  if (looked == Status::Transferring) return Status::Checking;
+  if (looked == Status::NothingToFly) return looked;
+  if (looked != Status::Done) {
+    start.looked = kCannotLook;
+    state_.next = kNoItem;
   }
   start.phase = Start::Phase::Steps;
   start.mode = shownMode();
@@ -103,18 +106,19 @@ Status MissionClient::readyToStart(uint16_t nowMs) {
   return nextStartStep(nowMs);
 }
 
-void MissionClient::lookFrom(uint16_t wireItem) {
-  state_.next = wireItem;
-  commanding_.start.jump = kNoItem;
-  commanding_.start.looked = 0;
+void MissionClient::lookFromFirst() {
+  Start& start = commanding_.start;
+  state_.next = start.first == 0 && firmware() == Firmware::ArduPilot ? 1 : start.first;
+  start.jump = kNoItem;
+  start.looked = 0;
 }
 
-// Looks at one item on the way from the first to the one that will be flown: Transferring to go on, Done when it is
+// Looks at one item on the way from the first to one that will be flown: Transferring to go on, Done when it is
 // state_.next, SourceRefused if that cannot be known.
 Status MissionClient::lookAtItem() {
   Start& start = commanding_.start;
+  if (start.looked == kCannotLook) return Status::SourceRefused;
   if (state_.next >= plan_.wireCount()) return Status::NothingToFly;
-  if (start.looked == kMostLooked) return Status::SourceRefused;
   if (!link_.canSend() || !isHeavyAllowed()) return Status::Transferring;
   const Status read = checkItem(state_.next);
   if (read == Status::Checking) return Status::Transferring;
@@ -203,8 +207,7 @@ Status MissionClient::onStartRefused(Status status, uint16_t nowMs) {
     transfer.pause(kAutoAgainMs, nowMs);
     return Status::Transferring;
   }
-  const bool arms = step == StartStep::Arm || (step == StartStep::Begin && firmware() == Firmware::Px4);
-  if (arms && transfer.tries() == 1 && !isArmed()) setStartArming(StartArming::Untouched);
+  if (isArmingStep() && transfer.tries() == 1 && !isArmed()) setStartArming(StartArming::Untouched);
   return leaveStart(status, nowMs);
 }
 
@@ -219,6 +222,10 @@ Status MissionClient::onStartSilent(Status status, uint16_t nowMs) {
     if (isInMode(FlightMode::Auto)) return status;  // it may well fly
   }
   return leaveStart(status, nowMs);
+}
+
+bool MissionClient::isArmingStep() const {
+  return startStep() == StartStep::Arm || (startStep() == StartStep::Begin && firmware() == Firmware::Px4);
 }
 
 // It cannot be flown. What start() has armed is disarmed, when a heartbeat says that it is armed and nobody else's.
@@ -246,8 +253,10 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
   const bool isTaken = !isAuto && mode != start.mode;
   const bool isSent = commanding_.transfer.tries() != 0;
   const bool isFlying = isArmed() && isAuto;
+  const bool isJudging = start.phase == Start::Phase::Judging || start.phase == Start::Phase::JudgingNext;
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
-    if (!isArmed()) setStartArming(step == StartStep::Arm ? StartArming::Untouched : StartArming::Disarmed);
+    const bool wasArmed = start.phase == Start::Phase::Disarming || !isArmingStep();
+    if (!isArmed()) setStartArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
     const bool isLate = step >= StartStep::Begin && firmware() == Firmware::Px4 && isFlying;  // it has begun after all
     if (!isArmed() || isTaken || isLate) return start.refusal;
     if (start.phase == Start::Phase::Leaving) {
@@ -273,7 +282,7 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
       isDone = isSent && firmware() == Firmware::Px4 && isFlying;
       break;
     case StartStep::Confirm:
-      if (start.phase != Start::Phase::Judging) start.phase = isFlying ? Start::Phase::Shown : Start::Phase::Steps;
+      if (!isJudging) start.phase = isFlying ? Start::Phase::Shown : Start::Phase::Steps;
       return confirmStart();
     case StartStep::None:
     case StartStep::FirstItem:
@@ -304,29 +313,38 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
   if (current.mission_state != MISSION_STATE_UNKNOWN && current.mission_state != MISSION_STATE_ACTIVE) {
     return Status::Transferring;
   }
-  if (start.phase != Start::Phase::Judging) start.seen = item;
+  if (start.phase <= Start::Phase::Shown) start.seen = item;
   return confirmStart();
 }
 
 // When a heartbeat shows that it flies, and it has said at which item it is.
 Status MissionClient::confirmStart() {
   Start& start = commanding_.start;
-  if (start.phase == Start::Phase::Shown && start.seen != kNoItem) {
-    if (start.seen == start.first && firmware() != Firmware::ArduPilot) return Status::Done;
-    start.phase = Start::Phase::Judging;
-    if (firmware() != Firmware::ArduPilot && state_.next != kNoItem) lookFrom(start.first);
-  }
+  if (start.phase != Start::Phase::Shown || start.seen == kNoItem) return Status::Transferring;
+  const bool isArduPilot = firmware() == Firmware::ArduPilot;
+  if (start.seen == (isArduPilot ? state_.next : start.first)) return Status::Done;
+  if (start.looked == kCannotLook) return isArduPilot && state_.next == kNoItem ? Status::Unconfirmed : otherItem();
+  start.phase = Start::Phase::Judging;
+  lookFromFirst();
   return Status::Transferring;
 }
 
-// Is the item at which it is the one to begin with? ArduPilot names only items that it flies; PX4 names those on the way
-// too.
+// Is the item at which it is the one to begin with? ArduPilot names only items that it flies, PX4 those on the way too.
 Status MissionClient::judgeStart() {
-  const uint16_t seen = commanding_.start.seen;
-  if (seen == state_.next) return Status::Done;
-  if (firmware() == Firmware::ArduPilot) return state_.next == kNoItem ? Status::Unconfirmed : otherItem();
-  if (state_.next != kNoItem && lookAtItem() == Status::Transferring) return Status::Transferring;
-  return otherItem();
+  Start& start = commanding_.start;
+  const bool isThere = start.seen == state_.next;
+  if (isThere && firmware() != Firmware::ArduPilot) return Status::Done;
+  const Status looked = lookAtItem();
+  if (looked == Status::Transferring) return looked;
+  if (looked != Status::Done) return otherItem();
+  if (isThere) return Status::Done;
+  // Where a rover stands already, or an aircraft in the air need not climb to, it is through with the first at once.
+  const bool mayBeThrough = isRover(link_.finder().heartbeat().vehicleType) || startArming() != StartArming::Armed;
+  const bool wasSetBack = start.mode != numberOf(FlightMode::Auto);
+  if (start.phase == Start::Phase::JudgingNext || !mayBeThrough || !wasSetBack) return otherItem();
+  start.phase = Start::Phase::JudgingNext;
+  ++state_.next;
+  return Status::Transferring;
 }
 
 void MissionClient::fillFirst(MissionClient& client, FlightCommand& command) {
