@@ -30,6 +30,7 @@ _ITEM_NAMES = {16: "WP", 22: "Takeoff", 20: "RTL", 21: "Land", 17: "LoitUnlim",
 TIMESYNC_PERIOD_S = 10.0
 RUNTIME_PERIOD_S = 30.0
 DISARM_AFTER_LANDING_S = 2.0
+ON_THE_GROUND_S = 0.02  # a copter in LAND that stands on the ground disarms after so long
 LANDED_AFTER_ARMING_S = 2.0  # a copter in LAND that never left the ground disarms no earlier
 WITHOUT_POSITION_S = 1.0  # after so long, armed, an EKF failsafe; and so long after the position it ends
 NOTHING_REACHED = 65535
@@ -90,6 +91,7 @@ class ArduPilot(FakeAutopilot):
         self._last_reached = NOTHING_REACHED
         self._may_take_off = armed
         self._armed_at = 0.0
+        self._command = 0  # of the item being flown, whatever has been uploaded since
         self._of_its_own_accord = False  # what it does just now, and not because it was told
         self._in_silence = False
         self._seen: set[Address] = set()
@@ -147,8 +149,9 @@ class ArduPilot(FakeAutopilot):
 
     def item_stored(self, now: float) -> None:
         """On its way to a waypoint it begins the leg again with each item of an upload."""
-        index, held = self.flight.index, self.missions[MISSION].held
-        if not self.running or index is None or index >= len(held) or held[index].command not in _WAYPOINTS:
+        index = self.flight.index
+        if not self.running or index is None or index >= len(self.missions[MISSION].held) \
+                or self._command not in _WAYPOINTS:
             return
         self._fly_from(index, now)
         self.text(CRITICAL, "Auto mission changed, restarted command", now, later_s=3 * TEXT_LAG_S)
@@ -399,7 +402,8 @@ class ArduPilot(FakeAutopilot):
             self.flight.sink(now)
             self._follow_flight()
         else:
-            self.at("disarm", max(now, self._armed_at + LANDED_AFTER_ARMING_S), self._disarm_landed)
+            self.at("disarm", max(now + ON_THE_GROUND_S, self._armed_at + LANDED_AFTER_ARMING_S),
+                    self._disarm_landed)
 
     # -- flying ---------------------------------------------------------------------------
 
@@ -449,7 +453,7 @@ class ArduPilot(FakeAutopilot):
         self._leg_over(now)
 
     def _item_begun(self, index: int, item: Item, now: float) -> None:
-        self.current = index
+        self.current, self._command = index, item.command
         if not self._in_silence:
             self._announce(index, now)
 

@@ -67,6 +67,7 @@ class Pace(NamedTuple):
     flies: bool = True  # or keeps to the ground, whatever altitude an item has
     # Whether a landing that is elsewhere counts as reached when it begins to sink there; else on the ground.
     reaches_land_above: bool = False
+    takes_off_at_place: bool = False  # in the air, a takeoff is a waypoint; else it only climbs
 
     def leg_s(self, distance: float) -> float:
         """How long a leg of so many metres takes."""
@@ -207,7 +208,8 @@ class Flight:
     def _leg(self, item: Item) -> tuple[Place, float]:
         """Where the item leads, and how long it takes [s]; 0 for what is done on the spot."""
         here = self._from
-        if item.command in (TAKEOFF, VTOL_TAKEOFF):
+        is_waypoint = self.pace.takes_off_at_place and here.height > 0.1
+        if item.command in (TAKEOFF, VTOL_TAKEOFF) and not is_waypoint:
             target = here._replace(height=self._height(item))
             climb_s = max(0.0, target.height - here.height) / self.pace.climb
             on_ground_s = self.pace.spool_up_s if here.height <= 0.1 else 0.0
@@ -219,7 +221,7 @@ class Flight:
                             + here.height / self.pace.descent)
         if item.command in (DELAY, CONDITION_DELAY):
             return here, max(0.0, item.param1)
-        if item.command not in _TO_A_PLACE:
+        if item.command not in (*_TO_A_PLACE, TAKEOFF, VTOL_TAKEOFF):
             return here, 0.0
         lat, lon = (item.x, item.y) if item.x or item.y else (here.lat_e7, here.lon_e7)
         target = Place(lat, lon, self._height(item))

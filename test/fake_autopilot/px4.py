@@ -28,18 +28,21 @@ _PLAN_MODES = (SUB_TAKEOFF, SUB_MISSION, SUB_LAND)
 _FOR_A_WHILE = (SUB_TAKEOFF, SUB_RTL, SUB_LAND)  # it does not go back to these when it is disarmed
 MODE_NAMES = {(AUTO, SUB_MISSION): "Mission", (6, 0): "Offboard"}  # those that need something first
 
-PACE = Pace(acceleration=1.88, speed=5.0, climb=0.89, descent=0.7, spool_up_s=2.0, reaches_land_above=True)
+PACE = Pace(acceleration=1.88, speed=5.0, climb=0.89, descent=0.7, spool_up_s=2.0, reaches_land_above=True,
+            takes_off_at_place=True)
 
 TELLS_PERIOD_S = 1.02  # of MISSION_CURRENT and of a repeated MISSION_ITEM_REACHED
 REACHED_AGAIN = 10  # times, at the most
 DISARM_AFTER_LANDING_S = 2.0  # in LAND; at the end of a plan at once
 MISSION_LANDED_S = 0.18  # from the landing to the text, and as long again to the disarming
 LOOKS_AFTER_S = 0.025  # after it has accepted a plan; 0.010 to 0.062 seen
-SECOND_ACK_S = 0.005  # after the first, of DO_SET_MODE; 0.004 to 0.014 seen
+COMMANDER_S = 0.005  # so much later answers the part that arms and changes modes; 0.004 to 0.014 seen
 TEXT_LENGTH = 50  # of a STATUSTEXT; what is longer comes in several
 
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
 MISSION_ITEM_REACHED = mavlink.MAVLINK_MSG_ID_MISSION_ITEM_REACHED
+_TO_THE_COMMANDER = (mavlink.MAV_CMD_DO_SET_MODE, mavlink.MAV_CMD_COMPONENT_ARM_DISARM,
+                     mavlink.MAV_CMD_MISSION_START)
 _NO_STREAMS = (MISSION_CURRENT, MISSION_ITEM_REACHED)  # they come as they come, and cannot be asked for
 GLOBAL_POSITION_INT = mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT
 
@@ -78,7 +81,7 @@ class Px4(FakeAutopilot):
         self.takeoff_required = takeoff_required
         self.complete = False
         self._mode_when_disarmed = (self.main_mode, self.sub_mode)
-        self._told_current = 0
+        self._known_current = self._told_current = 0  # see _on_set_current
         self._state_before: Optional[int] = None  # of the mission, until it has looked at a new plan
         self._text_number = 0
         self._reached: Optional[int] = None
@@ -115,6 +118,7 @@ class Px4(FakeAutopilot):
 
     def load(self, items: Iterable[Item], mission_type: int = MISSION) -> None:
         self.missions.load(list(items), mission_type)
+        self._known_current = self.missions.current
 
     @property
     def objection(self) -> Optional[str]:
@@ -132,6 +136,7 @@ class Px4(FakeAutopilot):
         state_before = self._mission_state()
         last = max(len(missions.held[MISSION]) - 1, 0)
         missions.current = min(missions.current, last) if flagged is None else flagged
+        self._known_current = missions.current
         self.complete = False
         self._state_before = state_before
         self.flight.forget_jumps()
@@ -153,7 +158,7 @@ class Px4(FakeAutopilot):
 
     def _tell_if_changed(self, now: float) -> None:
         """A MISSION_CURRENT beside those of each second, for an item it has not told of yet."""
-        if self.missions.current != self._told_current:
+        if self._known_current != self._told_current:
             self.answer(self._mission_current(), now, later_s=0.005)
 
     def forget_reached(self) -> None:
@@ -163,6 +168,11 @@ class Px4(FakeAutopilot):
     # -- what it hears --------------------------------------------------------------------
 
     def _on_set_current(self, message, sender, now: float) -> None:
+        """MISSION_CURRENT tells of it when its turn comes, within about a second.
+
+        But of one that comes while a new plan is still being looked at, it tells nothing until the
+        next plan or start, though that is the current item then.
+        """
         if message.target_system != self.address[0]:
             return
         if self.missions.state is not State.IDLE:
@@ -171,10 +181,11 @@ class Px4(FakeAutopilot):
             self.text(CRITICAL, "WPM: WP CURR CMD: Not in list\t", now)
 
     def _set_current(self, seq: int, now: float) -> bool:
-        """MISSION_CURRENT tells of it when its turn comes, within about a second."""
         if not 0 <= seq < len(self.missions.held[MISSION]):
             return False
         self.missions.current = seq
+        if self._state_before is None:
+            self._known_current = seq
         if self.flight.index is not None:
             self._fly_from(seq, now)
         return True
@@ -204,12 +215,12 @@ class Px4(FakeAutopilot):
         if act is None:
             self._command_ack(message.command, RESULT_UNSUPPORTED, sender, now)
             return
-        result, lag_s = act(message, now), 0.0
+        result = act(message, now)
         if message.command == mavlink.MAV_CMD_DO_SET_MODE:
             # Two of its parts answer, and the first knows nothing yet.
             self._command_ack(message.command, RESULT_ACCEPTED, sender, now)
-            lag_s = SECOND_ACK_S
-        self._command_ack(message.command, result, sender, now, lag_s)
+        by_commander = message.command in _TO_THE_COMMANDER
+        self._command_ack(message.command, result, sender, now, COMMANDER_S if by_commander else 0.0)
 
     def _command_ack(self, command: int, result: int, sender, now: float, later_s: float = 0.0) -> None:
         self.answer(mavlink.MAVLink_command_ack_message(command, result, 0, 0, *sender), now, later_s)
@@ -221,10 +232,10 @@ class Px4(FakeAutopilot):
                 return RESULT_ACCEPTED
             in_mission_mode = (self.main_mode, self.sub_mode) == (AUTO, SUB_MISSION)
             if in_mission_mode and not self._can_fly_plan():
-                self.text(CRITICAL, "Arming denied: Resolve system health failures first\t", now, later_s=0.010)
+                self.text(CRITICAL, "Arming denied: Resolve system health failures first\t", now, later_s=COMMANDER_S + TEXT_LAG_S)
                 return RESULT_REJECTED_FOR_NOW
             self.armed = True
-            self.text(INFO, "Armed by external command\t", now, later_s=0.001)
+            self.text(INFO, "Armed by external command\t", now, later_s=COMMANDER_S + 0.001)
             if in_mission_mode:
                 self._fly_plan(now)
             return RESULT_ACCEPTED
@@ -235,7 +246,7 @@ class Px4(FakeAutopilot):
             return RESULT_REJECTED_FOR_NOW
         if self.armed:
             self._disarm(now)
-            self.text(INFO, "Disarmed by external command\t", now, later_s=0.001)  # by source
+            self.text(INFO, "Disarmed by external command\t", now, later_s=COMMANDER_S + 0.001)  # by source
         return RESULT_ACCEPTED
 
     def _disarm(self, now: float) -> None:
@@ -254,7 +265,7 @@ class Px4(FakeAutopilot):
             return RESULT_UNSUPPORTED
         name = MODE_NAMES.get((main, sub))
         if self.armed and name and not (name == "Mission" and self._can_fly_plan()):
-            self.text(CRITICAL, f"Switching to {name} is currently not available\t", now, later_s=0.015)
+            self.text(CRITICAL, f"Switching to {name} is currently not available\t", now, later_s=COMMANDER_S + TEXT_LAG_S)
             return RESULT_REJECTED_FOR_NOW
         self._set_mode(main, sub, now)
         return RESULT_ACCEPTED
@@ -265,17 +276,19 @@ class Px4(FakeAutopilot):
     def _mission_start(self, message, now: float) -> int:
         """Arms by itself, and begins at item param1, in the air too."""
         if not self._can_fly_plan():
-            self.text(CRITICAL, "Mission start denied! No valid mission\t", now)
+            self.text(CRITICAL, "Mission start denied! No valid mission\t", now,
+                      later_s=COMMANDER_S + TEXT_LAG_S)
             return RESULT_DENIED
         first = whole_number(message.param1)
         if 0 <= first < len(self.missions.held[MISSION]):
-            self.missions.current, self.complete = first, False
+            self.missions.current = self._known_current = first
+            self.complete = False
         if self.flight.index is not None:
             self._fly_from(self.missions.current, now)
         else:
             if not self.armed:
                 self.armed = True
-                self.text(INFO, "Armed by mission start\t", now, later_s=0.001)
+                self.text(INFO, "Armed by mission start\t", now, later_s=COMMANDER_S + 0.001)
             self._set_mode(AUTO, SUB_MISSION, now)
         self._tell_if_changed(now)
         return RESULT_ACCEPTED
@@ -348,7 +361,7 @@ class Px4(FakeAutopilot):
         self._follow_flight()
 
     def _item_begun(self, index: int, item: Item, now: float) -> None:
-        self.missions.current = index
+        self.missions.current = self._known_current = index
         if not self.flight.airborne(now) and item.command in AT_A_PLACE and item.command not in LANDINGS:
             height = item.z - self.home[2] if item.frame == 5 else item.z
             self.text(INFO, f"Climb to {height:.1f} meters above home\t", now, later_s=0.35)
@@ -417,7 +430,7 @@ class Px4(FakeAutopilot):
 
     def _tell(self, now: float) -> None:
         self.send_now(self._mission_current(), now)
-        self._told_current = self.missions.current
+        self._told_current = self._known_current
         if self.missions.held[MISSION] and self._reached is not None \
                 and self._reached_again < REACHED_AGAIN:
             self._reached_again += 1
@@ -443,7 +456,7 @@ class Px4(FakeAutopilot):
     def _mission_current(self):
         checksums = self.missions.checksums
         return mavlink.MAVLink_mission_current_message(
-            self.missions.current, len(self.missions.held[MISSION]) or 65535, self._mission_state(),
+            self._known_current, len(self.missions.held[MISSION]) or 65535, self._mission_state(),
             1 if self._in_plan_mode() else 2, checksums[MISSION], checksums[FENCE], checksums[RALLY])
 
     def message_of(self, identity: int, now: float):
@@ -480,7 +493,7 @@ class Px4(FakeAutopilot):
         self.armed = self.complete = False
         self.main_mode, self.sub_mode = self._mode_when_disarmed = (AUTO, SUB_LOITER)
         self._reached = self._state_before = None
-        self._told_current = 0
+        self._known_current = self._told_current = 0
         self._text_number = 0
         self.flight.land_at_once()
         self.flight.forget_jumps()
