@@ -317,6 +317,7 @@ class MissionClient {
   void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
   void setStartArming(StartArming arming) { rest_.startArming = static_cast<uint8_t>(arming); }
   Status readyToStart(uint16_t nowMs);
+  uint16_t firstItem() const;
   void lookFromFirst();
   Status lookAtItem();
   Status nextStartStep(uint16_t nowMs);

@@ -106,9 +106,15 @@ Status MissionClient::readyToStart(uint16_t nowMs) {
   return nextStartStep(nowMs);
 }
 
+// Behind home.
+uint16_t MissionClient::firstItem() const {
+  const uint16_t first = commanding_.start.first;
+  return first == 0 && firmware() == Firmware::ArduPilot ? 1 : first;
+}
+
 void MissionClient::lookFromFirst() {
   Start& start = commanding_.start;
-  state_.next = start.first == 0 && firmware() == Firmware::ArduPilot ? 1 : start.first;
+  state_.next = firstItem();
   start.jump = kNoItem;
   start.looked = 0;
 }
@@ -307,7 +313,8 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
       return Status::Transferring;
     }
     if (state_.next == kNoItem && item != 0) state_.next = item;
-    return item == state_.next ? nextStartStep(nowMs) : Status::Transferring;
+    // (On the ground it may stand before the commands that it will carry out on its way to the first that it flies.)
+    return item == state_.next || item == firstItem() ? nextStartStep(nowMs) : Status::Transferring;
   }
   if (startStep() != StartStep::Confirm) return Status::Transferring;
   if (current.mission_state != MISSION_STATE_UNKNOWN && current.mission_state != MISSION_STATE_ACTIVE) {
