@@ -272,7 +272,7 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
     return Status::Transferring;
   }
   if (step != StartStep::ReadyMode && isTaken) {
-    if (!isArmed()) setStartArming(StartArming::Untouched);
+    if (isArmingStep() && !isSent) setStartArming(StartArming::Untouched);
     return Status::TakenOver;
   }
   bool isDone = false;
