@@ -345,3 +345,26 @@ def test_item_that_the_autopilot_is_at_is_asked_for_where_no_stream_tells_it(bui
     assert len(service.wire.frames("<", "MISSION_CURRENT")) == before + 3  # set back, looked at, confirmed
     assert mavlink.MAVLINK_MSG_ID_MISSION_CURRENT in [
         one.param1 for one in service.heard("COMMAND_LONG") if one.command == 512]  # fmt: skip
+
+
+@pytest.mark.scenario(54, "A command waits for nothing that another operation has left")
+@ON_VEHICLES
+@pytest.mark.parametrize("operation", ["upload", "download", "verify"])
+def test_start_behind_another_operation_begins_at_once(build_service, vehicle, operation):
+    """At whatever time: what another operation leaves behind may look like a time that has just been."""
+    service = made(build_service, vehicle)
+    plan = hops(vehicle, 2)
+    upload(service, plan)
+    names = ("COMMAND_LONG", "MISSION_SET_CURRENT")
+    for _ in range(30):
+        next_at = service.now + 2.3
+        {"upload": lambda: service.upload(plan), "download": service.download, "verify": service.verify}[operation]()
+        service.done(limit_s=2.2)
+        before, sent = service.now, len(service.wire.frames(">", *names))
+        service.order_of("start")
+        while len(service.wire.frames(">", *names)) == sent:
+            assert service.now - before < 0.05, f"{before:.1f} s after power-on"
+            service.run(0.005)
+        service.tell("cancel")
+        assert service.done() == "Cancelled"
+        service.run_until(next_at)
