@@ -467,6 +467,12 @@ class MissionClient {
     Phase phase;
   };
 
+  // SET_MESSAGE_INTERVAL.
+  struct Interval {
+    int32_t us;
+    uint16_t message;
+  };
+
   // A command, or several.
   struct Commanding {
     FillCommand fill;    // what is to be sent
@@ -477,10 +483,7 @@ class MissionClient {
       const FlightCommand* own;
       FlightMode named;
       uint16_t item;     // to be set as current, on the wire
-      struct {
-        int32_t us;
-        uint16_t message;
-      } interval;
+      Interval interval;
       Start start;
     };
   };
