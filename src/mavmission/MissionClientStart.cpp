@@ -288,7 +288,8 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
       isDone = isSent && firmware() == Firmware::Px4 && isFlying;
       break;
     case StartStep::Confirm:
-      if (!isJudging) start.phase = isFlying ? Start::Phase::Shown : Start::Phase::Steps;
+      if (!isFlying) start.phase = Start::Phase::Steps;
+      if (isFlying && !isJudging) start.phase = Start::Phase::Shown;
       return confirmStart();
     case StartStep::None:
     case StartStep::FirstItem:
