@@ -27,7 +27,8 @@ HOME_INDEX = 0xFFFF
 SINK_ITEMS = 60  # room in benchSink
 MODES = ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual")
 PROOFS = ("ByAnswer", "InDoubt", "Always")
-STEPS = ("None", "ReadyMode", "Arm", "AutoMode", "Begin")
+STEPS = ("None", "ReadyMode", "FirstItem", "Arm", "AutoMode", "Begin", "Confirm")
+ARMING = ("Untouched", "Armed", "Disarmed")
 
 _COMMAND = struct.Struct("<7fiiHBB")  # mavmission::FlightCommand on AVR
 _TOLD = re.compile(r"(\d+) (current|reached|text|message|item|posted) (\d+) ?(.*)", re.DOTALL)
@@ -54,6 +55,7 @@ class ServiceState(NamedTuple):
     aboard_rally: str
     field: str
     step: str
+    arming: str
     last_result: int | None
     firmware: str
     armed: bool
@@ -238,6 +240,7 @@ class Service(Bench):
             aboard_rally=aboard_names()[value["rally"]],
             field=field_names()[value["field"]],
             step=STEPS[value["step"]],
+            arming=ARMING[value["arming"]],
             last_result=None if value["result"] == NO_RESULT else value["result"],
             firmware=("Unknown", "ArduPilot", "Px4", "Other")[value["firmware"]],
             armed=bool(value["armed"]),

@@ -37,28 +37,21 @@ const uint8_t* arduPilotModes(uint8_t vehicleType) {
 
 }  // namespace
 
-bool modeNumbers(FlightMode mode, Firmware firmware, uint8_t vehicleType, uint8_t& mainMode, uint8_t& subMode) {
+uint16_t modeNumber(FlightMode mode, Firmware firmware, uint8_t vehicleType) {
   const uint8_t index = static_cast<uint8_t>(mode);
-  subMode = 0;
+  uint8_t mainMode = kNone, subMode = 0;
   if (firmware == Firmware::Px4) {
     mainMode = fromFlash(&kPx4Main[index]);
     subMode = fromFlash(&kPx4Sub[index]);
   } else if (firmware == Firmware::ArduPilot) {
     mainMode = fromFlash(&arduPilotModes(vehicleType)[index]);
-  } else {
-    mainMode = kNone;
   }
-  return mainMode != kNone;
+  return mainMode == kNone ? kNoMode : static_cast<uint16_t>(mainMode | subMode << 8);
 }
 
 bool isInMode(FlightMode mode, Firmware firmware, uint8_t vehicleType, uint32_t customMode) {
-  uint8_t mainMode;
-  uint8_t subMode;
-  if (!modeNumbers(mode, firmware, vehicleType, mainMode, subMode)) return false;
-  if (firmware == Firmware::Px4) {
-    return static_cast<uint8_t>(customMode >> 16) == mainMode && static_cast<uint8_t>(customMode >> 24) == subMode;
-  }
-  return customMode == mainMode;
+  const uint16_t number = modeNumber(mode, firmware, vehicleType);
+  return number != kNoMode && modeNumberOf(customMode) == number;
 }
 
 }  // namespace mavmission

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "CommandTransfer.h"
 #include "Comparison.h"
 #include "DownloadTransfer.h"
 #include "FlightCommand.h"
@@ -32,7 +33,11 @@ typedef void (*ProgressFunction)(void* context, uint16_t done, uint16_t total);
 typedef void (*EndFunction)(void* context, Status status);
 
 // The steps of start(), in their order; a vehicle needs some of them.
-enum class StartStep : uint8_t { None, ReadyMode, Arm, AutoMode, Begin };
+enum class StartStep : uint8_t { None, ReadyMode, FirstItem, Arm, AutoMode, Begin, Confirm };
+
+// What start() has done about the arming. Armed: it has armed the aircraft, and left it so. Disarmed: it has armed it,
+// could not fly it, and it is disarmed again.
+enum class StartArming : uint8_t { Untouched, Armed, Disarmed };
 
 // When an upload is proven by reading the plan back.
 enum class Proof : uint8_t { InDoubt = 1, Always };
@@ -95,21 +100,29 @@ class MissionClient {
   // --- Flying. Each ends with Status::Done, or says how the autopilot refused (MAVLink guide, Command Protocol). Nothing
   // arms but arm() and start(), and arming is never forced.
 
-  // Flies the plan that is aboard: does what this autopilot needs, in its order, each step confirmed; startStep() says
-  // which one was refused. Done when a heartbeat behind the last step says that it is armed, Status::Unconfirmed if none
-  // does within 5 s. Refused with Status::Unproven unless aboard() is our plan; with Status::Armed while the autopilot is
-  // armed, unless that is allowed.
-  Status start();
+  // Flies the plan that is aboard from this item on, by the sketch's numbers: does what this autopilot needs, in its order,
+  // each step confirmed; startStep() says which one was refused. Done when the autopilot is armed, in its mission mode, and
+  // at the first item that can be flown from there on (behind DO_ commands and jumps); Status::OtherItem when it flies
+  // another one, Status::Unconfirmed when it does not say. Where it flies its mission already, nothing is sent that would
+  // change that. Refused with Status::Unproven unless aboard() is our plan; with Status::Armed while the autopilot is
+  // armed, unless that is allowed. The plan's source must still be there.
+  //
+  // What it has armed and then cannot fly it disarms, on the ground, never by force: the status stays the refusal, and
+  // startArming() says so. Not when somebody else has set another mode meanwhile (Status::TakenOver), and not after
+  // cancel(). A rover may be armed seconds before AUTO is to be had: there AUTO is tried for 15 s.
+  Status start(uint16_t item = 0);
 
   // Arms or disarms, as the autopilot's own checks allow.
   Status arm();
   Status disarm();
-  // The mode by its name, or by the autopilot's own number (HEARTBEAT.custom_mode).
+  // The mode by its name, or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows the mode;
+  // Status::Unconfirmed when it was accepted and no heartbeat shows it.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);
   // Sets an armed aircraft flying its mission, from its current item on; Status::NotArmed otherwise.
   Status startMission();
-  // Goes on with this item, counted as the sketch counts.
+  // Goes on with this item, counted as the sketch counts: at once when the aircraft flies its mission. Status::NoSuchItem
+  // for one that is not in the plan, where that is known; otherwise the autopilot refuses it.
   Status setCurrentItem(uint16_t item);
   // Stays where it is; goes on with the mission.
   Status pause() { return setMode(FlightMode::Hold); }
@@ -154,7 +167,8 @@ class MissionClient {
   uint8_t lastResult() const { return rest_.lastResult; }
 
   // The step of start() that runs, or that was refused.
-  StartStep startStep() const { return rest_.startStep; }
+  StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
+  StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
 
   // The autopilot on the line, by its heartbeats.
   bool hasAutopilot() const { return link_.finder().isFound(); }
@@ -228,6 +242,8 @@ class MissionClient {
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
   // What a frame for us takes, in bytes that could be looked at in that time [bytes].
   static constexpr uint8_t kFrameBytes = 16;
+  // In turnPauseS, which each operation sets anew: the running or last one is a command, which waits for no turn.
+  static constexpr uint8_t kCommand = 255;
   // Bytes of a frame that are written in any case [bytes].
   static constexpr uint8_t kStartBytes = 8;
 
@@ -258,26 +274,63 @@ class MissionClient {
   static void proveUpload(MissionClient& client, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  // What an operation made of commands is told, with the status that it leads to if the operation does nothing about it.
+  enum class CommandEvent : uint8_t {
+    Ready,      // the autopilot is there, nothing has been sent: Transferring, or Checking to be asked again
+    Accepted,   // Done
+    Refused,    // why
+    Silent,     // NoAnswer, Unconfirmed, TookTooLong
+    Heartbeat,  // Transferring, as the rest
+    Current,    // a MISSION_CURRENT
+    Time,
+  };
+  // Takes an event: Transferring to go on, or how the operation ends. `frame`: of a message, else null.
+  typedef Status (*OnCommand)(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
+                              uint16_t nowMs);
+  typedef void (*FillCommand)(MissionClient& client, FlightCommand& command);
   static void fillOwn(MissionClient& client, FlightCommand& command);
   static void fillArm(MissionClient& client, FlightCommand& command);
+  static void fillDisarm(MissionClient& client, FlightCommand& command);
   static void fillMode(MissionClient& client, FlightCommand& command);
   static void fillBegin(MissionClient& client, FlightCommand& command);
+  static void fillStart(MissionClient& client, FlightCommand& command);
+  static void fillFirst(MissionClient& client, FlightCommand& command);
+  static void fillAskCurrent(MissionClient& client, FlightCommand& command);
   static void fillCurrent(MissionClient& client, FlightCommand& command);
+  static void fillCurrentMessage(MissionClient& client, FlightCommand& command);
   static void fillInterval(MissionClient& client, FlightCommand& command);
-  static Status currentUnsupported(MissionClient& client);
-  static Status nextStartStep(MissionClient& client);
-  static Status prepareOwn(MissionClient& client);
-  static Status prepareStart(MissionClient& client);
-  static Status prepareMode(MissionClient& client);
-  static Status prepareBegin(MissionClient& client);
-  static Status prepareCurrent(MissionClient& client);
+  static Status onOwn(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static Status onMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static Status onNamedMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static Status onStartMission(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static Status onSetCurrent(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static Status onStart(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
   struct Commanding;
-  Status beginCommand(void (*fill)(MissionClient& client, FlightCommand& command), uint32_t argument);
-  void nextCommand(void (*fill)(MissionClient& client, FlightCommand& command));
+  Status beginCommand(FillCommand fill, OnCommand on);
+  void nextCommand(FillCommand fill, uint16_t nowMs);
   void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
   void sendCommand(uint16_t nowMs);
-  bool setModeNumbers(FlightMode mode);
-  Status chooseStartStep();
+  void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
+  bool hasItem(uint16_t item);
+  uint16_t numberOf(FlightMode mode) const;
+  uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
+  void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
+  void setStartArming(StartArming arming) { rest_.startArming = static_cast<uint8_t>(arming); }
+  Status readyToStart(uint16_t nowMs);
+  uint16_t firstItem() const;
+  void lookFromFirst();
+  Status lookAtItem();
+  Status nextStartStep(uint16_t nowMs);
+  bool beginStartStep(uint16_t nowMs);
+  Status onStartRefused(Status status, uint16_t nowMs);
+  Status onStartSilent(Status status, uint16_t nowMs);
+  Status onStartHeartbeat(uint16_t nowMs);
+  Status onStartCurrent(const FrameParser& frame, uint16_t nowMs);
+  bool isArmingStep() const;
+  Status leaveStart(Status status, uint16_t nowMs);
+  Status otherItem();
+  Status confirmStart();
+  Status judgeStart();
   Status updateAt(uint16_t nowMs);
   MAVMISSION_APART bool isHeavyAllowed();
   MAVMISSION_APART void onTick(uint16_t nowMs);
@@ -359,15 +412,16 @@ class MissionClient {
     uint16_t turnLimitS;       // how long to wait for another ground station's transfer [s]
     uint16_t partFirst;        // the items of a partial upload, as the sketch counts
     uint16_t partCount;
-    uint8_t turnPauseS;        // the pause before the next try; 0 before the first
+    uint8_t turnPauseS;        // the pause before the next try; 0 before the first; kCommand while commanding_ is in use
     Status toReturn;
     Aboard aboard[4];          // by PlanType; the last is nobody's
     uint8_t lastResult;
     PlanType planType;         // of the plan that uploadAgain() takes; All before there is one
     uint32_t planId;           // the autopilot's own name for the mission that was accepted or verified last; 0: none
+    uint8_t startStep : 4;     // StartStep
+    uint8_t startArming : 4;   // StartArming
     Proof proof;
     Field field;               // that differs
-    StartStep startStep;
     bool armedAllowed : 1;     // bits, for RAM: they cost a little flash
     bool raw : 1;
     bool tooLong : 1;          // the source has more items than the protocol can count
@@ -397,25 +451,41 @@ class MissionClient {
     PlanType last;   // after which it ends
   };
 
-  // A command, or the steps of start().
+  // What start() keeps in mind. Items are the wire's.
+  struct Start {
+    // Looking: for the item that will be flown first. Shown: a heartbeat shows that it flies. Judging: is it at the right
+    // item, or at the next one? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
+    enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
+
+    uint16_t first;   // that it is to begin with
+    uint16_t seen;    // that the autopilot is at, kNoItem before it has said
+    uint16_t mode;    // in which the aircraft was behind ReadyMode: another one, but for AUTO, is somebody else's
+    uint16_t jump;    // the last one that was followed on the way to the item that will be flown
+    uint8_t looked;   // items on that way
+    uint8_t beganS;   // when AUTO was asked for first [s], its low 8 bits
+    Status refusal;   // why it cannot be flown: how it will end
+    Phase phase;
+  };
+
+  // SET_MESSAGE_INTERVAL.
+  struct Interval {
+    int32_t us;
+    uint16_t message;
+  };
+
+  // A command, or several.
   struct Commanding {
-    void (*fill)(MissionClient& client, FlightCommand& command);  // null: all steps of start() have been accepted
-    // Once the autopilot is there: may it be sent? Null: yes.
-    Status (*prepare)(MissionClient& client);
-    // After one was accepted: Transferring for another, or how it ends. Null: Done.
-    Status (*accepted)(MissionClient& client);
-    // What an unsupported one is done by instead. Null: nothing.
-    Status (*unsupported)(MissionClient& client);
-    const FlightCommand* own;
-    uint32_t argument;
-    uint16_t id;
-    uint16_t sentMs;
-    uint16_t waitMs;
-    uint8_t tries;
-    uint8_t mainMode, subMode;
-    bool isDue;
-    bool repeats;
-    bool byMessage;      // MISSION_SET_CURRENT instead of the command
+    FillCommand fill;    // what is to be sent
+    OnCommand on;        // what comes of it; null: what the answer says
+    CommandTransfer transfer;
+    uint16_t mode;       // that is to be set
+    union {
+      const FlightCommand* own;
+      FlightMode named;
+      uint16_t item;     // to be set as current, on the wire
+      Interval interval;
+      Start start;
+    };
   };
 
   State state_;

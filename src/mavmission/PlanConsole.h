@@ -51,6 +51,7 @@ class PlanConsoleState {
   bool wasReturn_ : 1;     // the last character was CR: an LF behind it is no further line
   bool isOperation_ : 1;   // the client does what the console began
   bool isDownload_ : 1;    // that is one
+  bool isStart_ : 1;       // that is start()
   bool isPlanAwaited_ : 1; // it is being committed or erased
   bool isStuck_ : 1;       // the port had no room
   bool isBlind_ : 1;       // it does not say when it has

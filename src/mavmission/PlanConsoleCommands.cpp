@@ -174,7 +174,10 @@ void PlanConsole::runDownload(PlanConsole& console) {
 }
 
 void PlanConsole::runClear(PlanConsole& console) { console.began(console.autopilot_.clear()); }
-void PlanConsole::runStart(PlanConsole& console) { console.began(console.autopilot_.start()); }
+void PlanConsole::runStart(PlanConsole& console) {
+  console.began(console.autopilot_.start());
+  console.isStart_ = true;
+}
 
 bool PlanConsole::composeHelp() {
   while (!isOffered(static_cast<Command>(step_ / 2))) step_ += 2;

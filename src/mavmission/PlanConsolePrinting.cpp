@@ -212,6 +212,7 @@ bool PlanConsole::composeEnded() {
       return true;
     case 2:
       if (autopilot_.status() == Status::Differs) put(F("\r\nwhat differs: "));
+      if (isStart_ && autopilot_.startArming() == StartArming::Disarmed) put(F("\r\nit is disarmed again"));
       return true;
     case 3:
       if (autopilot_.status() == Status::Differs) put(toString(autopilot_.differingField()));

@@ -139,6 +139,7 @@ static void tellState() {
   tellNumber(F("rally"), static_cast<uint8_t>(client.aboard(PlanType::Rally)));
   tellNumber(F("field"), static_cast<uint8_t>(client.differingField()));
   tellNumber(F("step"), static_cast<uint8_t>(client.startStep()));
+  tellNumber(F("arming"), static_cast<uint8_t>(client.startArming()));
   tellNumber(F("result"), client.lastResult());
   tellNumber(F("found"), client.hasAutopilot());
   tellNumber(F("firmware"), static_cast<uint8_t>(client.firmware()));
@@ -204,7 +205,7 @@ ACTION(downloadtosmall) {
   memcpy(benchSink, smallSink, sizeof(smallSink));
 }
 ACTION(clear) { tellBegun(client.clear(typeOf(numbers[0]))); }
-ACTION(start) { tellBegun(client.start()); }
+ACTION(start) { tellBegun(client.start(numbers[0])); }
 ACTION(arm) { tellBegun(client.arm()); }
 ACTION(disarm) { tellBegun(client.disarm()); }
 ACTION(mode) { tellBegun(client.setMode(static_cast<FlightMode>(numbers[0]))); }

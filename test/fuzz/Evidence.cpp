@@ -179,3 +179,13 @@ bool announces(const Bytes& written, uint16_t& announced) {
   }
   return isThere;
 }
+
+bool holdsMessage(const Bytes& bytes, uint32_t messageId) {
+  for (size_t at = 0; at < bytes.size(); ++at) {
+    uint32_t id;
+    Bytes payload;
+    size_t size;
+    if (isRight(bytes, at, id, payload, size) && id == messageId) return true;
+  }
+  return false;
+}

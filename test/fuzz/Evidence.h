@@ -39,3 +39,6 @@ bool holdsReading(const Bytes& heard, const Bytes& asked, const WireItems& meant
 // True if these bytes begin an upload: MISSION_COUNT, or MISSION_WRITE_PARTIAL_LIST. `announced`: how many items the last
 // MISSION_COUNT announces, if there is one.
 bool announces(const Bytes& written, uint16_t& announced);
+
+// True if a frame of this message, right to the checksum, lies among these bytes.
+bool holdsMessage(const Bytes& bytes, uint32_t messageId);

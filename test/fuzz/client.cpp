@@ -12,6 +12,8 @@
 // - what is written is whole frames, one behind the other, each with the next sequence number; a message of the sketch's
 //   own is among them as it was given;
 // - nothing is announced to an autopilot that is refused for being armed;
+// - start() is Done only for an autopilot that was heard to be armed, in its mission mode, since it was asked for, and to
+//   be at an item; it sends nothing that forces;
 // - items that are done never go back, and are never more than there are;
 // - listeners are told of nothing that they did not ask for, and of no text without an end;
 // - when nothing comes any more, an operation ends in the time that its limits add up to.
@@ -140,7 +142,14 @@ class Session {
       case 4:
       case 5: {
         const uint8_t kinds[] = {3, 12, 0, 8};
-        return bring(heartbeatParts(kinds[input.next() % 4], what >= 128 ? 0x80 : 0), input);
+        // In the mission mode of a copter, or of PX4, in one of four.
+        const uint8_t kind = kinds[input.next() % 4];
+        FrameParts heartbeat = heartbeatParts(kind, what >= 128 ? 0x80 : 0);
+        if ((what & 0x60) == 0x60) {
+          const uint32_t mode = kind == 12 ? 0x04040000u : what & 1 ? 4 : 3;
+          memcpy(heartbeat.payload.data(), &mode, sizeof(mode));
+        }
+        return bring(heartbeat, input);
       }
       case 6:
       case 7:
@@ -237,6 +246,7 @@ class Session {
       if (!isProofKept) again_.kind = Asked::Kind::InDoubt;
     }
     uploading_ = asked.isUpload();
+    isStart_ = false;
     done_ = 0;
     hasTurned_ = false;
     // The parser may hold the latest bytes still, within a frame that was cut off, and find a frame among them later.
@@ -312,7 +322,8 @@ class Session {
         client_.arm();
         return;
       case 5:
-        client_.start();
+        isStart_ = true;
+        client_.start(what / 6 % 8);
         return;
     }
   }
@@ -362,7 +373,18 @@ class Session {
       case MAVLINK_MSG_ID_MISSION_REQUEST:
       case MAVLINK_MSG_ID_MISSION_REQUEST_INT:
         return bring(altered(itemInPlan(sequence), how), input);
+      case MAVLINK_MSG_ID_MISSION_SET_CURRENT: {
+        mavlink_mission_current_t current = mavlink_mission_current_t();
+        current.seq = sequence;
+        return bring(altered(partsOf(current, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC), how), input);
+      }
       case MAVLINK_MSG_ID_COMMAND_LONG: {
+        if (saidPayload_[28] == (MAV_CMD_REQUEST_MESSAGE & 0xFF) && saidPayload_[29] == MAV_CMD_REQUEST_MESSAGE >> 8) {
+          mavlink_mission_current_t current = mavlink_mission_current_t();
+          current.seq = 1;
+          current.mission_state = MISSION_STATE_ACTIVE;
+          return bring(altered(partsOf(current, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC), how), input);
+        }
         mavlink_command_ack_t ack = mavlink_command_ack_t();
         ack.command = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
         ack.target_system = kAutopilot;
@@ -437,6 +459,15 @@ class Session {
       demand(isAnswered || isRead, "accepted, though neither the autopilot said so nor it was read back");
       demand(client_.itemsDone() == asked_.count, "accepted, though not every item is done");
     }
+    if (isStart_ && status == Status::Done) {
+      demand(client_.isArmed() && client_.isInMode(FlightMode::Auto), "it is started, and does not fly its mission");
+      demand(holdsMessage(line_.heard, MAVLINK_MSG_ID_HEARTBEAT) && holdsMessage(line_.heard, MAVLINK_MSG_ID_MISSION_CURRENT),
+             "it is started, though nothing showed it");
+      demand(client_.aboard() == Aboard::OurPlan, "what is started is not our plan");
+    }
+    if (client_.startArming() == StartArming::Disarmed) {
+      demand(holdsMessage(line_.written, MAVLINK_MSG_ID_COMMAND_LONG), "it was disarmed without a command");
+    }
     if (status == Status::Verified) {
       demand(asked_.kind == Asked::Kind::Verification, "what was no verification ended as one");
       demand(holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
@@ -477,8 +508,19 @@ class Session {
         demand(id != own.id || memcmp(payload.data(), kLongPayload.data(), own.length) == 0,
                "a message of the sketch's own was written as another");
       }
+      if (id == MAVLINK_MSG_ID_COMMAND_LONG) {
+        mavlink_command_long_t command;
+        memcpy(&command, payload.data(), sizeof(command));
+        demand(command.command != MAV_CMD_COMPONENT_ARM_DISARM || isZero(command.param2), "it arms or disarms by force");
+      }
       at += size;
     }
+  }
+
+  static bool isZero(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof(bits));
+    return bits == 0;
   }
 
   Line line_;
@@ -491,6 +533,7 @@ class Session {
   uint8_t sequence_ = 0;
   bool other_ = false;     // frames are another system's
   bool uploading_ = false;
+  bool isStart_ = false;    // the last operation is start()
   bool hasTurned_ = false;  // it has waited for its turn
   Asked asked_;
   Asked again_;            // what uploadAgain() uploads
