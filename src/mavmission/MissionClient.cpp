@@ -74,7 +74,7 @@ void MissionClient::tellCancelled() {
 void MissionClient::cancel() {
   if (state_.operation == nullptr) return;
   const bool isUpload = state_.operation == uploadStep;
-  if (state_.status == Status::Transferring && (isUpload || state_.operation == readStep)) {
+  if (state_.status == Status::Transferring && (isUpload || rest_.proving || state_.operation == readStep)) {
     tellCancelled();
     if (isUpload) setAboard(aboardAfterUpload(Status::Cancelled));
     unsettle(static_cast<uint16_t>(millis()));

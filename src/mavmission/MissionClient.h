@@ -62,8 +62,12 @@ class MissionClient {
   // says that it is not the plan, and Status::Unconfirmed remains where it cannot be read either. With Verified it is read
   // back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the
   // Vehicle".)
-  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission, Proof proof = WhenInDoubt);
-  Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
+  Status upload(const ItemSource& plan, Proof proof = WhenInDoubt) {
+    return uploadProven(plan, PlanType::Mission, proof);
+  }
+  // The same for a fence or rally points. A fence of one item is always read back, and sent again if ArduPilot, which has
+  // accepted it, holds none then.
+  Status upload(const ItemSource& plan, PlanType type, Proof proof = WhenInDoubt);
 
   // The same without reading back, for a sketch that has to be small (README.md, "Sizes"). Status::Accepted is said when the
   // autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is lost, it is
@@ -233,6 +237,7 @@ class MissionClient {
 
   friend class LinkDoctor;
   friend class Listener;
+  friend class MessageIntervals;
   friend class MissionFollower;
   friend class QuietTransfers;
 
@@ -255,7 +260,11 @@ class MissionClient {
   void takeReadItem(const FrameParser& frame);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
+  Status uploadProven(const ItemSource& plan, PlanType type, Proof proof);
   static void proveUpload(MissionClient& client, uint16_t nowMs);
+  static void proveFence(MissionClient& client, uint16_t nowMs);
+  static void proveFenceAgain(MissionClient& client, uint16_t nowMs);
+  static void fenceStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void fillOwn(MissionClient& client, FlightCommand& command);

@@ -32,7 +32,7 @@ void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
   client.reading_.transfer.begin(nowMs);
 }
 
-Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
+Status MissionClient::uploadProven(const ItemSource& plan, PlanType type, Proof proof) {
   const Status status = uploadByAnswer(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = proof;
@@ -207,7 +207,9 @@ void MissionClient::endReading(Status status) {
     }
   } else {
     tellCancelled();  // PX4 would wait 5 s for us
-    if (status == Status::Differs) setAboard(Aboard::NotKnown);
+    // What was to be compared, and was not found to be the plan, may be anything; so may what is aboard of an autopilot
+    // that refuses to be read: another ground station may be putting its plan there.
+    if (reading_.isCompared || status >= Status::Error) setAboard(Aboard::NotKnown);
   }
   if (rest_.proving) {
     switch (status) {

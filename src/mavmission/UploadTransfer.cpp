@@ -25,6 +25,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
+    if (suspicion_ == Status::Error) suspicion_ = Status::Transferring;  // it is not busy with anything else
   } else if (answered_ && item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
     return Status::Transferring;
   } else {
@@ -80,10 +81,17 @@ Status UploadTransfer::onAck(uint8_t result) {
       return Status::Transferring;
 
     case Status::Error:
-      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot && !freed_) {
-        // PX4 holds a transfer of ours from before a reset: end it, then ask again.
-        freed_ = true;
-        send_ = Send::Cancel;
+      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot) {
+        // PX4 is busy, perhaps with a transfer of ours: of before a reset, or a download whose closing ACK was lost. End
+        // it, and ask again. If that has not helped, let PX4 give up what it hears nothing of, and ask once more.
+        if (suspicion_ == status) return status;
+        if (freed_) {
+          suspicion_ = status;
+          tries_ = 0;
+        } else {
+          freed_ = true;
+          send_ = Send::Cancel;
+        }
         return Status::Transferring;
       }
       // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the plan.
@@ -107,7 +115,7 @@ Status UploadTransfer::onAck(uint8_t result) {
 
 Status UploadTransfer::onTime(uint16_t nowMs) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  const bool overdue = since(sentMs_, nowMs) >= kAnswerMs;
+  const bool overdue = since(sentMs_, nowMs) >= (tries_ == 0 && state_ == State::Counting ? kBusyMs : kAnswerMs);
   switch (state_) {
     case State::Counting:
       if (!overdue) break;
@@ -135,7 +143,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
 void UploadTransfer::sent(uint16_t nowMs) {
   switch (send_) {
     case Send::Count:
-      recounted_ = tries_ != 0;
+      recounted_ = tries_ != 0 || freed_;
       ++tries_;
       sentMs_ = nowMs;
       send_ = Send::Nothing;

@@ -24,6 +24,7 @@ class UploadTransfer {
  public:
   static constexpr uint8_t kTries = 5;             // COUNTs, and repeated last items (guide: 5 tries)
   static constexpr uint16_t kAnswerMs = 1500;      // wait for an answer to either (guide: 1500 ms)
+  static constexpr uint16_t kBusyMs = 5500;        // PX4 gives a transfer up 5.0 to 5.1 s after it has heard of it
   static constexpr uint16_t kPassiveMs = 8500;     // ArduPilot asks again each second and gives up after 8.0 s
   static constexpr uint16_t kConfirmingMs = 12000; // the most for the final answer, however often the last item is asked for
   static constexpr uint8_t kSameRequestMs = 50;    // a repeat within that is a queue being emptied, not a new question
@@ -31,9 +32,9 @@ class UploadTransfer {
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
-  // Begins with `count` items on the wire, for an autopilot of this kind.
-  // client or from before a reset, may still be answered: what only that can have caused is then not taken for an
-  // answer to this one.
+  // Begins with `count` items on the wire, for an autopilot of this kind. `leftovers`: an earlier transfer, of this client
+  // or from before a reset, may still be answered: what only that can have caused is then not taken for an answer to this
+  // one.
   void begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs);
 
   // Right after begin(): only wire items `first` to `behind` - 1, for a part of a plan.

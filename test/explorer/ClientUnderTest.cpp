@@ -71,6 +71,12 @@ void keep(uint16_t& timeMs, uint16_t stepMs, uint16_t mostMs) {
   timeMs = static_cast<uint16_t>(kNow - std::min(ago, mostMs));
 }
 
+// How long it waits for an answer to COUNT, or while PX4 is busy; otherwise as long as for one to its last item.
+uint16_t waitForRequestMs(const UploadTransfer& transfer) {
+  const bool isBusy = transfer.state_ == UploadTransfer::State::Counting && transfer.tries_ == 0;
+  return isBusy ? UploadTransfer::kBusyMs : UploadTransfer::kAnswerMs;
+}
+
 template <typename T>
 void blank(T& what) {
   memset(static_cast<void*>(&what), 0, sizeof(what));
@@ -161,7 +167,7 @@ uint16_t ClientUnderTest::nextMs() const {
     const UploadTransfer& t = c.transfer_;
     switch (t.state_) {
       case UploadTransfer::State::Counting:
-        return std::min(next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_));
+        return std::min(next, leftOf(waitForRequestMs(t), t.sentMs_));
       case UploadTransfer::State::Sending:
         return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
       case UploadTransfer::State::Confirming:
@@ -227,7 +233,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   if (!isTransferring) return;
   if (isUpload) {
     UploadTransfer& t = c.transfer_;
-    keep(t.sentMs_, ms, UploadTransfer::kAnswerMs);
+    keep(t.sentMs_, ms, waitForRequestMs(t));
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
     if (t.state_ == UploadTransfer::State::Counting) t.progressMs_ = kNow;
   } else if (c.state_.operation == MissionClient::readStep) {

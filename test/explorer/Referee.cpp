@@ -46,6 +46,7 @@ void Referee::begin(const Task& what, Firmwares firmware) {
 void Referee::pass(uint16_t ms) {
   if (!isRunning) return;
   sinceSentMs = static_cast<uint16_t>(std::min<int>(sinceSentMs + ms, kAnswerMs));
+  if (mayFree) sinceBusyMs = static_cast<uint16_t>(std::min<int>(sinceBusyMs + ms, kBusyMs));
   if (asked != 0) sinceNewMs = static_cast<uint16_t>(std::min<int>(sinceNewMs + ms, kConfirmingMs));
 }
 
@@ -88,7 +89,7 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Count:
       if (asked != 0) return "COUNT is sent in mid-transfer";
       if (message.number != items) return "COUNT is sent with a wrong number";
-      if (counts == kTries + (hasFreed ? 1 : 0)) return "COUNT is sent too often";
+      if (counts == kTries + (hasFreed ? 1 + kTries : 0)) return "COUNT is sent too often";
       if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
       if (hasFreed) hasFreed = kBefore;
       ++counts;
@@ -306,6 +307,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     if (status != mavmission::fromMissionResult(result)) continue;
     const bool isProven = isReading && result == kError && wasRefused;  // what was read back was not the plan
     if ((heardAcks & (1u << result)) == 0 && !isProven) return "a refusal that the autopilot did not send";
+    const bool isBusy = isUpload() && !isReading && result == kError && isPx4(autopilot.firmware) && asked == 0;
+    if (isBusy && sinceBusyMs < kBusyMs) return "busy, and PX4's own wait was not over";
     // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading back.
     if (isUpload() && !isReading && result == kError && lineRepeats) return nullptr;
     if (isUpload() && isMeant) return "a refusal, and the plan is aboard";

@@ -21,7 +21,7 @@ struct Task {
 struct Referee {
   static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 12000,
-                            kSameRequestMs = 50;
+                            kSameRequestMs = 50, kBusyMs = 5000;
 
   Task task;
   uint8_t items;          // of the plan on the wire
@@ -47,6 +47,7 @@ struct Referee {
   uint8_t mayFree;        // what shows that an older transfer is open was heard
   uint16_t heardAcks;     // bit r: ACK r was heard
   uint16_t sinceSentMs;   // since the last frame of ours, 1500 at most
+  uint16_t sinceBusyMs;   // since PX4 showed first that an older transfer is open, 5000 at most
   uint16_t sinceNewMs;    // since an item was asked for that had not been before, 12000 at most
 
   void begin(const Task& task, Firmwares firmware);

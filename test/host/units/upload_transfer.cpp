@@ -291,6 +291,43 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
   }
 }
 
+TEST_CASE("a busy PX4 is told to end what is open, asked again at once, and once more when its own 5 s are over") {
+  for (int unanswered = 1; unanswered <= 5; ++unanswered) {
+    Upload upload(3, Firmware::Px4);
+    upload.send();
+    for (int tries = 1; tries < unanswered; ++tries) {
+      CHECK(goesOn(upload.wait(1500)));
+      CHECK((upload.send() == Send::Count));
+    }
+    CHECK(goesOn(upload.ack(kError)));
+    CHECK((upload.send() == Send::Cancel));
+    CHECK((upload.send() == Send::Count));
+    CHECK(goesOn(upload.ack(kError)));
+    CHECK(goesOn(upload.ack(kError)));  // the same, brought twice
+    CHECK(goesOn(upload.wait(5499)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    CHECK(goesOn(upload.wait(1)));
+    CHECK((upload.send() == Send::Count));
+    CHECK((upload.ack(kError) == Status::Error));
+  }
+}
+
+TEST_CASE("a PX4 that falls silent when it has been busy is asked as often as any") {
+  Upload upload(3, Firmware::Px4);
+  upload.send();
+  upload.ack(kError);
+  upload.send();
+  upload.send();
+  upload.ack(kError);
+  upload.wait(5500);
+  CHECK((upload.send() == Send::Count));
+  for (int tries = 1; tries < 5; ++tries) {
+    CHECK(goesOn(upload.wait(1500)));
+    CHECK((upload.send() == Send::Count));
+  }
+  CHECK((upload.wait(1500) == Status::Error));
+}
+
 TEST_CASE("an error to the last COUNT is followed by one more, and not by others for ever") {
   Upload upload(3, Firmware::Px4);
   upload.send();
@@ -304,13 +341,35 @@ TEST_CASE("an error to the last COUNT is followed by one more, and not by others
   CHECK((upload.wait(1500) == Status::NoAnswer));
 }
 
-TEST_CASE("a busy PX4 is told to end what is open, then asked again, once") {
-  Upload upload(3, Firmware::Px4);
+TEST_CASE("a PX4 that was busy and then asks for items is served, and what it said before is no reason for anything") {
+  for (uint16_t afterMs : {uint16_t(0), uint16_t(3000)}) {
+    Upload upload(2, Firmware::Px4);
+    upload.send();
+    upload.ack(kError);
+    upload.send();
+    upload.send();
+    upload.ack(kError);
+    CHECK(goesOn(upload.wait(afterMs)));
+    CHECK(goesOn(upload.request(0)));
+    CHECK((upload.send() == Send::Item));
+    CHECK((upload.wait(8500) == Status::TimedOut));
+  }
+}
+
+TEST_CASE("the error of a COUNT that was sent before PX4 was freed is noise in mid-transfer") {
+  Upload upload(2, Firmware::Px4);
+  upload.send();
+  upload.wait(1500);
+  upload.send();
+  upload.ack(kError);
+  upload.send();
+  upload.send();
+  upload.request(0);
   upload.send();
   CHECK(goesOn(upload.ack(kError)));
-  CHECK((upload.send() == Send::Cancel));
-  CHECK((upload.send() == Send::Count));
-  CHECK((upload.ack(kError) == Status::Error));
+  upload.request(1);
+  upload.send();
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
 }
 
 TEST_CASE("ArduPilot's error at COUNT is an error") {
