@@ -41,7 +41,9 @@ def ordered(service) -> list[tuple]:
 
 
 def is_flying(service) -> bool:
-    return service.autopilot.armed and service.autopilot.flight.index is not None
+    """Or has flown, while it was asked once more."""
+    autopilot = service.autopilot
+    return autopilot.armed and (autopilot.flight.index is not None or autopilot.complete)
 
 
 @START
@@ -338,7 +340,7 @@ def test_it_may_be_found_while_start_runs(build_service):
     service.upload(LANDING_FIRST, proof="Always")
     assert service.done() == "Accepted"
     service.order_of("start")
-    assert service.done() == "CommandRejected"
+    assert service.done() == "CommandDenied"
     assert service.done(limit_s=8) == "Infeasible"
 
 

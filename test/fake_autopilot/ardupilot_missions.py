@@ -166,6 +166,8 @@ class Missions:
             self.forget_transfer()
             return
         self._store(seq, item, held, now)
+        if self.mission_type == MISSION:
+            self.autopilot.item_stored(now)
         self._last_good_at = now
         self._expected = seq + 1
         if self._expected > self._last:
@@ -237,7 +239,10 @@ class Missions:
         result = ACCEPTED
         if self._staged is not None:
             held = [kept for _, kept in self._staged]
-            if rewriting.fence_is_whole(held):
+            if len(held) == 1 < len(self.held) and self.autopilot.faults.loses_short_fence():
+                self.received, self.held = [], []
+                self._tell_count(now)
+            elif rewriting.fence_is_whole(held):
                 self.received = [item for item, _ in self._staged]
                 self.held = held
                 self._tell_count(now)
@@ -301,6 +306,8 @@ class Missions:
             refusal = DENIED
         elif message.seq >= len(self.held) and (message.seq or self.mission_type != MISSION):
             refusal = ERROR
+        elif self.mission_type == RALLY and not (self.held[message.seq].x or self.held[message.seq].y):
+            refusal = INVALID_SEQUENCE  # of a point that it has accepted
         if refusal is not None:
             self._ack(sender, refusal, now)
             return

@@ -89,6 +89,7 @@ class FakeAutopilot:
         self._next_telemetry: Optional[tuple[float, bytes]] = next(self._telemetry, None)
         self._intervals: dict[int, float] = {}  # message -> between two of its telemetry [s]
         self._telemetry_sent_at: dict[int, float] = {}
+        self._stream_periods: dict[int, float] = {}  # of what is made here [s]
         self._default_periods: dict[int, float] = {}  # of streams, to which interval 0 goes back [s]
         self._hears = {}
 
@@ -166,6 +167,7 @@ class FakeAutopilot:
         self._packer.seq = 0
         self._intervals.clear()
         self._default_periods.clear()
+        self._stream_periods.clear()
         self.faults.fall_silent(from_time=now, for_s=silent_for_s)
         self._restart(self.booted_at_s)
         self.at("heartbeat", self.booted_at_s, self._beat)
@@ -195,10 +197,12 @@ class FakeAutopilot:
     def stream(self, identity: int, period_s: float, now: float) -> None:
         """Send message_of(identity) every period_s [s] from now on; 0 or less: no more."""
         name = f"stream of {identity}"
+        self._stream_periods.pop(identity, None)
         if period_s <= 0:
             self.never(name)
             return
         period_s = max(period_s, SHORTEST_INTERVAL_S)
+        self._stream_periods[identity] = period_s
 
         def send(time: float) -> None:
             message = self.message_of(identity, time)
@@ -206,6 +210,10 @@ class FakeAutopilot:
                 self.send_now(message, time)
                 self.at(name, time + period_s, send)
         self.at(name, now + period_s, send)
+
+    def interval_us(self, identity: int) -> int:
+        """As in MESSAGE_INTERVAL: [us], -1 for a message that does not come by itself."""
+        return round(self._stream_periods.get(identity, -1e-6) * 1e6)
 
     def set_interval(self, identity: int, interval_us: float, now: float) -> None:
         """SET_MESSAGE_INTERVAL: the time between two messages [us]; 0: the default; less: no more of them."""
