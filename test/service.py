@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from bench import _ITEM, NO_ITEM, NO_RESULT, Bench, aboard_names, packed, status_names
 from enumerators import texts_of
-from fake_autopilot import Item
+from fake_autopilot import Item, mavlink
 
 SOURCE = Path(__file__).resolve().parent / "firmware" / "service.cpp"
 
@@ -27,6 +27,7 @@ HOME_INDEX = 0xFFFF
 SINK_ITEMS = 60  # room in benchSink
 MODES = ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual")
 PROOFS = ("ByAnswer", "InDoubt", "Always")
+ASKED_FOR = (mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAVLINK_MSG_ID_MISSION_CURRENT, 1e6)
 STEPS = ("None", "ReadyMode", "Arm", "AutoMode", "Begin")
 
 _COMMAND = struct.Struct("<7fiiHBB")  # mavmission::FlightCommand on AVR
@@ -109,6 +110,10 @@ class Service(Bench):
                 self.answers.append(line)
 
     _wants_text = False
+
+    def _sent(self, *names: str) -> list:
+        """What the client has sent, and not what its follower asks for beside it."""
+        return [entry for entry in super()._sent(*names) if not is_followers(entry.message)]
 
     # Orders
 
@@ -255,6 +260,12 @@ class Service(Bench):
             state=value["state"],
             ours=bool(value["ours"]),
         )
+
+
+def is_followers(message) -> bool:
+    """Whether this asks for MISSION_CURRENT every second, as a follower does that hears none."""
+    return (message is not None and message.get_type() == "COMMAND_LONG"
+            and (message.command, message.param1, message.param2) == ASKED_FOR)  # fmt: skip
 
 
 def unpacked(data: bytes) -> Item:

@@ -39,6 +39,71 @@ def test_upload_that_waits_for_its_turn_comes_aboard_when_it_is_free(service, pe
 
 
 @TURNS
+@pytest.mark.parametrize("word", ["verify", "download"])
+def test_reading_that_is_refused_meanwhile_leaves_it_unknown_what_is_aboard(service, personality, word):
+    """ArduPilot says denied; PX4 says nothing, which only a verification can take for a sign."""
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    assert service.state.aboard == "OurPlan"
+    packer = other_begins(service, 3)
+    service.order_of(*((word, 0) if word == "verify" else (word, 0, 60, 60)))
+    for _ in range(16):  # it asks for its item 0, and is answered too late, again and again
+        service.run(0.5)
+        service.autopilot.receive(mavlink.MAVLink_mission_count_message(1, 1, 3, 0).pack(packer), service.now)
+    assert service.done() == ("Denied" if personality == "ArduPilot" else "NoAnswer")
+    if personality == "PX4" and word == "download":
+        return
+    assert service.state.aboard == "NotKnown"
+    service.order_of("start")
+    assert service.done() == "Unproven"
+
+
+@TURNS
+def test_verification_that_the_sketch_ends_leaves_it_as_it_was(service):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.verify()
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    assert service.state.aboard == "OurPlan"
+
+
+@TURNS
+@pytest.mark.parametrize("order, end", [(("download", 0, 2, 60), "SinkFull")])
+def test_download_that_our_own_sink_ends_leaves_it_as_it_was(service, order, end):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.order_of(*order)
+    assert service.done() == end
+    assert service.state.aboard == "OurPlan"
+
+
+@TURNS
+def test_px4s_error_is_taken_for_busy_and_waited_for_like_ardupilots_denied(build_service):
+    service = build_service("PX4")
+    service.autopilot.load(OLD_PLAN)
+    service.tell("turns", 30)
+    service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=5)
+    service.upload(SURVEY)
+    assert service.done(limit_s=40) == "Accepted"
+    assert "WaitingForTurn" in service.returned
+    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, "PX4"))
+
+
+@TURNS
+def test_px4_that_stays_busy_is_waited_for_no_longer_than_allowed(build_service):
+    service = build_service("PX4")
+    service.autopilot.load(OLD_PLAN)
+    service.tell("turns", 15)
+    service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=None)
+    service.upload(SURVEY)
+    assert service.done(limit_s=40) == "Error"
+    counts = service.sent_at("MISSION_COUNT")
+    assert counts[-1] - counts[0] <= 15 + 2 * 5.6
+    assert service.state.aboard == "AsBefore"
+
+
+@TURNS
 def test_upload_waits_for_its_turn_no_longer_than_allowed(build_service):
     service = build_service("ArduPilot")
     service.autopilot.load(OLD_PLAN)

@@ -1,0 +1,124 @@
+"""PX4 is busy with a transfer of ours that has ended for us: a lost ACK must cost no more than PX4's own 5 s."""
+
+from __future__ import annotations
+
+import pytest
+from bench import same_bits
+from fake_autopilot import mavlink
+from plans import OLD_PLAN, SURVEY, on_the_wire
+from service import FENCE, MISSION, RALLY
+from test_fence_and_rally import FIELD, POINTS
+
+BUSY = pytest.mark.scenario(23, "PX4 is busy with what was ours: ended, or waited for", "PX4")
+PLANS = {MISSION: SURVEY, FENCE: FIELD, RALLY: POINTS}
+GIVES_UP_S = 5.1  # PX4 does, after it has heard of a transfer
+WAITED_S = 5.6  # by the client: a little longer
+TYPES = pytest.mark.parametrize("mission_type", PLANS, ids=["mission", "fence", "rally"])
+
+
+def read_back(service, mission_type: int, lost: int | None) -> float:
+    """A plan is aboard and has been verified, and so many of our ACKs from the closing one on are lost; when."""
+    service.autopilot.load(PLANS[mission_type], mission_type)
+    service.run(2.0)
+    service.wire.lose(">", name="MISSION_ACK", times=lost)
+    service.verify(PLANS[mission_type], mission_type)
+    assert service.done() == "Verified"
+    return service.now
+
+
+@pytest.fixture
+def px4(build_service):
+    return build_service("PX4")
+
+
+@BUSY
+@TYPES
+@pytest.mark.parametrize("lost, within_s", [(0, 1.0), (1, 1.0), (2, WAITED_S), (None, WAITED_S)])
+def test_upload_after_a_reading_whose_closing_ack_was_lost_goes_on_trying(px4, mission_type, lost, within_s):
+    """The cancelling that ends PX4's side at once may be lost too."""
+    began = read_back(px4, mission_type, lost)
+    plan = [one._replace(y=one.y + 7) for one in PLANS[mission_type]]
+    px4.upload(plan, mission_type)
+    assert px4.done() == "Accepted"
+    assert px4.now - began < within_s + 0.4
+    assert same_bits(px4.autopilot.received(mission_type), on_the_wire(plan, "PX4"))
+
+
+@BUSY
+@pytest.mark.parametrize("read, written", [(FENCE, MISSION), (MISSION, FENCE), (RALLY, MISSION)])
+def test_upload_of_another_type_goes_on_trying_too(px4, read, written):
+    """PX4's error then names the type that it is busy with."""
+    began = read_back(px4, read, 1)
+    px4.upload(PLANS[written], written)
+    assert px4.done() == "Accepted"
+    assert px4.now - began < GIVES_UP_S + 1.5
+
+
+@BUSY
+@pytest.mark.parametrize("read", PLANS)
+@pytest.mark.parametrize("word, end", [("clear", "Cleared"), ("verify", "Verified")])
+def test_clear_and_another_reading_go_on_trying_too(px4, read, word, end):
+    px4.autopilot.load(PLANS[FENCE], FENCE)
+    began = read_back(px4, read, 1)
+    if word == "verify":
+        px4.use(PLANS[FENCE])
+    px4.order_of(word, FENCE)
+    assert px4.done() == end
+    assert px4.now - began < GIVES_UP_S + 1.5
+
+
+@BUSY
+def test_no_plan_at_all_goes_aboard_as_well(px4):
+    began = read_back(px4, MISSION, None)
+    px4.upload("empty")
+    assert px4.done() == "Accepted"
+    assert px4.now - began < WAITED_S + 0.4
+    assert px4.autopilot.received() == []
+
+
+@BUSY
+def test_download_that_a_reset_has_broken_off_is_waited_for(px4):
+    px4.autopilot.load(OLD_PLAN)
+    px4.download()
+    px4.run_until_sent("MISSION_REQUEST_INT", 3)
+    px4.wire.lose(">", name="MISSION_ACK", times=None)
+    px4.reset()
+    px4.upload(SURVEY)
+    assert px4.done() == "Accepted"
+    assert px4.now - px4.sent_at("MISSION_COUNT")[0] < WAITED_S + 0.4
+
+
+@BUSY
+def test_upload_that_a_reset_has_broken_off_is_waited_for_though_cancelling_it_is_lost(px4):
+    px4.upload(SURVEY)
+    px4.run_until_sent("MISSION_ITEM_INT", 3)
+    px4.wire.lose(">", name="MISSION_ACK", times=None)
+    px4.reset()
+    px4.upload(SURVEY[1:])
+    assert px4.done() == "Accepted"
+    assert same_bits(px4.autopilot.received(), SURVEY[1:])
+
+
+@BUSY
+def test_other_ground_stations_transfer_that_has_died_is_outlived(px4):
+    """Each COUNT of ours would give it another 5 s."""
+    px4.run(2.0)
+    other = mavlink.MAVLink(None, 255, 190)
+    px4.autopilot.receive(mavlink.MAVLink_mission_count_message(1, 1, 3, 0).pack(other), px4.now)
+    px4.upload(SURVEY)
+    assert px4.done() == "Accepted"
+    assert len(px4.heard("MISSION_COUNT")) == 3
+
+
+@BUSY
+def test_px4_that_stays_busy_is_said_to_be_after_its_own_5_s_and_keeps_its_plan(px4):
+    px4.autopilot.load(OLD_PLAN)
+    px4.run(2.0)
+    px4.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=None)
+    px4.upload(SURVEY)
+    assert px4.done() == "Error"
+    counts = px4.sent_at("MISSION_COUNT")
+    assert [round(later - counts[0], 1) for later in counts] == [0.0, 0.0, 5.5]
+    assert px4.now - counts[-1] < 0.1
+    assert len(px4.heard("MISSION_ACK")) == 1
+    assert (px4.state.aboard, px4.state.last_result) == ("AsBefore", mavlink.MAV_MISSION_ERROR)
