@@ -196,7 +196,8 @@ class Demonstration:
         for kind in kinds:
             meant = self._meant_on_the_wire(kind)
             items += len(meant)
-            self._screen.say(f"the {KINDS[kind]} that was meant, as {name} must get it, and what it holds:")
+            were, them = ("were", "them") if kind == RALLY else ("was", "it")
+            self._screen.say(f"the {KINDS[kind]} that {were} meant, as {name} must get {them}, and what it holds:")
             rows = compared(meant, self.autopilot.received(kind))
             self._screen.compare(rows)
             held = len(self.autopilot.plan(kind))
