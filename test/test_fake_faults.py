@@ -4,7 +4,18 @@ from __future__ import annotations
 
 import pytest
 from fake_autopilot import FENCE, RALLY, ArduPilot, Px4, item, mavlink
-from fake_talk import ACCEPTED, BOTH, DENIED, ERROR, INVALID_SEQUENCE, NO_SPACE, UNSUPPORTED, client_of, missions, waypoints
+from fake_talk import (
+    ACCEPTED,
+    BOTH,
+    DENIED,
+    ERROR,
+    INVALID_SEQUENCE,
+    NO_SPACE,
+    UNSUPPORTED,
+    client_of,
+    missions,
+    waypoints,
+)
 
 
 @BOTH
@@ -156,7 +167,8 @@ def test_ardupilot_may_accept_a_fence_of_one_item_and_keep_none():
     fake = ArduPilot()
     fake.faults.lose_short_fence()
     client = client_of(fake)
-    for fence, kept in (([circle(30.0), circle(40.0)], 2), ([circle(50.0)], 0), ([circle(50.0)], 1), ([circle(60.0)], 1)):
+    two, one, another = [circle(30.0), circle(40.0)], [circle(50.0)], [circle(60.0)]
+    for fence, kept in ((two, 2), (one, 0), (one, 1), (another, 1)):
         assert client.upload(fence, FENCE) == ACCEPTED
         assert client.ask(client.request_list(FENCE)).count == kept
 

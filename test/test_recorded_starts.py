@@ -10,7 +10,12 @@ ground, when the real one did.
   from time to time is compared with what the fake would tell then.
 - HEARTBEAT is compared with what the fake would tell then, but for ArduCopter's system_status:
   when that says that it flies depends on how it flies.
-- A text is compared with its time too: to the 10 seconds after which a copter disarms itself.
+- Texts and items reached are compared with their times too.
+
+Not compared, because the fakes do not imitate it: texts about sensors, of the simulator and of the
+log file; telemetry and parameters; how often MISSION_CURRENT is told (but for request_messages):
+ArduPilot holds its streams back during an upload, and PX4 tells of an item once more, now and
+then, when it was reached.
 """
 
 from __future__ import annotations
@@ -39,7 +44,8 @@ ON_ARDUPILOT = pytest.mark.parametrize("name", [name for name in NAMES if not na
 
 ALIKE_WITHIN_S = 0.4  # what is told from time to time, by both
 LASTING_S = 1.2  # told each second, this is told once at the least
-TEXT_WITHIN_S = 0.7  # spooling up takes PX4 1.3 to 1.9 s
+TOLD_WITHIN_S = 0.2  # now and then a recorded answer is late by so much
+SPOOLED_UP_WITHIN_S = 0.7  # it takes PX4 1.3 to 1.9 s
 ANSWERED_WITHIN_S = 0.060
 MISSION_CURRENT = 42
 
@@ -63,7 +69,7 @@ class Before(NamedTuple):
 
 BEFORE = {
     "arducopter/request_messages": Before(reached=1),
-    "ardurover/request_messages": Before(reached=1),
+    "ardurover/request_messages": Before({"streams": {MISSION_CURRENT: 1.0}}, reached=1),
     # The position is good when it says "EKF3 IMU0 is using GPS".
     "ardurover/mission_start_first_2_last_4": Before({"ready_s": 90.0, "position_s": 13.66}),
     "ardurover/auto_and_arming": Before({"ready_s": 103.0, "position_s": 6.07}),
@@ -98,6 +104,7 @@ def fake_for(name: str):
         fake.load(uploads[1])
         if before.reached is not None:
             fake._last_reached = before.reached
+            fake.stream(MISSION_CURRENT, 0.25, 0.0)
     return fake
 
 
@@ -189,7 +196,8 @@ def answers(said) -> list[tuple]:
 
 
 def said_in_recording(name: str) -> list[tuple[float, object]]:
-    return [(one.time, one.message) for one in recordings.heard(name) if one.direction == "<" and is_compared(one.message)]
+    return [(one.time, one.message) for one in recordings.heard(name)
+            if one.direction == "<" and is_compared(one.message)]
 
 
 @EACH
@@ -198,15 +206,18 @@ def test_it_answers_as_the_real_one(played, name):
     assert answers(said_by(fake)) == answers(said_in_recording(name)), transcript(fake)
 
 
-def reached(said) -> list[int]:
-    """Without repetitions."""
-    numbers = [message.seq for _, message in said if message.get_type() == "MISSION_ITEM_REACHED"]
-    return [seq for before, seq in zip([None, *numbers], numbers) if seq != before]
+def reached(said) -> list[tuple[float, int]]:
+    """(time, item), without repetitions."""
+    told = [(time, message.seq) for time, message in said if message.get_type() == "MISSION_ITEM_REACHED"]
+    return [one for before, one in zip([(0.0, None), *told], told) if one[1] != before[1]]
 
 
 @EACH
-def test_it_calls_the_same_items_reached(played, name):
-    assert reached(said_by(played(name).fake)) == reached(said_in_recording(name))
+def test_it_calls_the_same_items_reached_and_not_later(played, name):
+    said, real = reached(said_by(played(name).fake)), reached(said_in_recording(name))
+    assert [seq for _, seq in said] == [seq for _, seq in real]
+    for (said_time, seq), (real_time, _) in zip(said, real):
+        assert said_time - real_time < TOLD_WITHIN_S, seq
 
 
 def texts(said) -> list[tuple[float, str, int]]:
@@ -226,7 +237,36 @@ def test_it_says_in_words_what_the_real_one_said_and_when(played, name):
     said, real = texts(said_by(fake)), texts(said_in_recording(name))
     assert [one[1:] for one in said] == [one[1:] for one in real], transcript(fake)
     for (said_time, words, _), (real_time, _, _) in zip(said, real):
-        assert abs(said_time - real_time) < TEXT_WITHIN_S, words
+        within_s = SPOOLED_UP_WITHIN_S if words.startswith("Takeoff detected") else TOLD_WITHIN_S
+        assert abs(said_time - real_time) < within_s, f"{words}: {said_time:.3f} s, not {real_time:.3f} s"
+
+
+REQUESTS = pytest.mark.parametrize("name", [name for name in NAMES if name.endswith("request_messages")])
+
+
+@REQUESTS
+def test_it_sends_what_was_asked_for_beside_its_acknowledgement(played, name):
+    """AUTOPILOT_VERSION, of which nothing else is compared, and MESSAGE_INTERVAL."""
+    kinds = ("AUTOPILOT_VERSION", "MESSAGE_INTERVAL", "COMMAND_ACK")
+
+    def brief(messages) -> list:
+        return [message.get_type() if message.get_type() == kinds[0] else fields(message)
+                for message in messages if message.get_type() in kinds]
+
+    assert brief(played(name).fake.messages("<")) == brief(one.message for one in recorded(name, "<", *kinds))
+
+
+@REQUESTS
+def test_it_sends_mission_current_at_the_interval_that_was_asked_for(played, name):
+    """4 Hz, then 5 Hz, then none for 3 s, then none or one each second; but PX4 always one each second."""
+    orders = [one.time for one in recorded(name, ">", "COMMAND_LONG")
+              if (one.message.command, one.message.param1) == (511, MISSION_CURRENT)]
+    theirs = [one.time for one in recorded(name, "<", "MISSION_CURRENT")]
+    mine = [time for time, direction, message in played(name).fake.log
+            if direction == "<" and message.get_type() == "MISSION_CURRENT"]
+    for begins, ends in zip([0.0, *orders], [*orders, recordings.heard(name)[-1].time]):
+        counts = [sum(begins + ANSWERED_WITHIN_S < time < ends for time in times) for times in (mine, theirs)]
+        assert abs(counts[0] - counts[1]) <= 1, f"from {begins:.3f} to {ends:.3f} s"
 
 
 # -- what it tells from time to time --------------------------------------------------------------

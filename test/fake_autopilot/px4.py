@@ -232,7 +232,8 @@ class Px4(FakeAutopilot):
                 return RESULT_ACCEPTED
             in_mission_mode = (self.main_mode, self.sub_mode) == (AUTO, SUB_MISSION)
             if in_mission_mode and not self._can_fly_plan():
-                self.text(CRITICAL, "Arming denied: Resolve system health failures first\t", now, later_s=COMMANDER_S + TEXT_LAG_S)
+                self.text(CRITICAL, "Arming denied: Resolve system health failures first\t", now,
+                          later_s=COMMANDER_S + TEXT_LAG_S)
                 return RESULT_REJECTED_FOR_NOW
             self.armed = True
             self.text(INFO, "Armed by external command\t", now, later_s=COMMANDER_S + 0.001)
@@ -265,7 +266,8 @@ class Px4(FakeAutopilot):
             return RESULT_UNSUPPORTED
         name = MODE_NAMES.get((main, sub))
         if self.armed and name and not (name == "Mission" and self._can_fly_plan()):
-            self.text(CRITICAL, f"Switching to {name} is currently not available\t", now, later_s=COMMANDER_S + TEXT_LAG_S)
+            self.text(CRITICAL, f"Switching to {name} is currently not available\t", now,
+                      later_s=COMMANDER_S + TEXT_LAG_S)
             return RESULT_REJECTED_FOR_NOW
         self._set_mode(main, sub, now)
         return RESULT_ACCEPTED
