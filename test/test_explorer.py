@@ -138,10 +138,10 @@ DEFECTS = {
     ),
     "a PX4 that is busy is asked once more, and then given up": (
         "UploadTransfer.cpp",
-        "if (suspicion_ == status) return status;",
+        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;",
         "if (freed_) return status;",
         "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
-        "busy, and PX4's own wait was not over",
+        "busy with what was ours, and the tries were not exhausted",
     ),
     "the tries of a list are not counted": (
         "DownloadTransfer.cpp",

@@ -24,9 +24,6 @@ def reached_in(service, *items: int) -> list[int]:
 
 def started(service, plan=None):
     uploaded(service, plan)
-    if not flies_px4(service):  # PX4 sends MISSION_CURRENT each second, and takes no other interval for it
-        service.order_of("interval", MISSION_CURRENT, 1000000)
-        assert service.done() == "Done"
     service.order_of("start")
     assert service.done() == "Done"
     return service

@@ -32,10 +32,24 @@ void MessageIntervals::ask(float messageId, float intervalUs, uint8_t tries, uin
   isWaiting_ = true;
   askedMs_ = nowMs;
   if (client_.isBusy()) return;
-  // The client's next command of this kind waits until the answer to ours should have come.
+  // The client's next command of this kind waits until the answer to ours has come, or should have.
   client_.commanding_.id = MAV_CMD_SET_MESSAGE_INTERVAL;
   client_.commanding_.sentMs = nowMs;
   client_.commanding_.waitMs = UploadTransfer::kAnswerMs;
+}
+
+bool MessageIntervals::isAnswer(const FrameParser& frame) const {
+  typedef mavlink_command_ack_t Ack;
+  const Link& link = client_.link_;
+  return isWaiting_ && isFromAutopilot(frame) && frame.isFor(link.systemId(), link.componentId()) &&
+         frame.payloadWord(offsetof(Ack, command)) == MAV_CMD_SET_MESSAGE_INTERVAL;
+}
+
+void MessageIntervals::settle() {
+  isWaiting_ = false;
+  const bool isOurs = !client_.isBusy() && client_.commanding_.id == MAV_CMD_SET_MESSAGE_INTERVAL &&
+                      client_.commanding_.sentMs == askedMs_;
+  if (isOurs) client_.commanding_.waitMs = 0;
 }
 
 }  // namespace mavmission

@@ -19,6 +19,12 @@ class MessageIntervals : public Listener {
   // send. `tries`: how often that has been asked before.
   void ask(float messageId, float intervalUs, uint8_t tries, uint16_t nowMs);
 
+  // True for a COMMAND_ACK that answers such a command.
+  bool isAnswer(const FrameParser& frame) const;
+
+  // The only answer to the last command has been heard.
+  void settle();
+
   uint16_t askedMs_ = 0;    // when the last command left, or was answered while others may still be
   bool isWaiting_ = false;  // for an answer, or for late ones
 

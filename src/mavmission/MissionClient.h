@@ -332,7 +332,7 @@ class MissionClient {
     Operation operation;       // null: idle
     uint16_t secondMs;         // when the last whole second of `seconds` was over
     uint16_t seconds;          // that the operation, or its transfer, has taken [s]
-    uint16_t unsettledMs;      // when a transfer was last left without an answer
+    uint16_t unsettledMs;      // when a transfer was last left without an answer, or a reading ended
     uint16_t next;             // the wire item to be checked, or to be added to opaqueId_
     uint16_t prepared;         // the wire item that the link holds ready, if it holds one
     uint16_t itemsDone;
@@ -341,7 +341,7 @@ class MissionClient {
     // Begins a partial upload, and announces it; null: all of it, by MISSION_COUNT.
     Status (*announce)(MissionClient& client, bool isBeginning);
     Status status;
-    bool unsettled;            // so after a reset: what ran before it may still be answered
+    uint8_t unsettled;         // UploadTransfer::kAnswers, so after a reset, and kBusy
     PlanType cancelled;        // of the transfer that the autopilot is to be told was cancelled; All: there is none
     PlanType type;             // of the running operation
     bool floatItems;           // items go out as MISSION_ITEM

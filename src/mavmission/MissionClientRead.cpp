@@ -207,9 +207,8 @@ void MissionClient::endReading(Status status) {
     }
   } else {
     tellCancelled();  // PX4 would wait 5 s for us
-    // What was to be compared, and was not found to be the plan, may be anything; so may what is aboard of an autopilot
-    // that refuses to be read: another ground station may be putting its plan there.
-    if (reading_.isCompared || status >= Status::Error) setAboard(Aboard::NotKnown);
+    // Where the autopilot refuses to be read another ground station may be putting its plan there.
+    if (status == Status::Differs || status >= Status::Error) setAboard(Aboard::NotKnown);
   }
   if (rest_.proving) {
     switch (status) {
@@ -230,6 +229,8 @@ void MissionClient::endReading(Status status) {
         break;
     }
   }
+  state_.unsettled |= UploadTransfer::kBusy;  // our last word may be lost
+  state_.unsettledMs = state_.secondMs;       // now, less than a second ago
   end(status);
 }
 

@@ -17,6 +17,8 @@ const MessageKey kFollowed[] PROGMEM = {
      MAVLINK_MSG_ID_HEARTBEAT_LEN, MessageKey::kNoTarget},
     {MAVLINK_MSG_ID_MISSION_COUNT, MAVLINK_MSG_ID_MISSION_COUNT_CRC, MAVLINK_MSG_ID_MISSION_COUNT_MIN_LEN,
      MAVLINK_MSG_ID_MISSION_COUNT_LEN, MessageKey::kNoTarget},
+    {MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC, MAVLINK_MSG_ID_COMMAND_ACK_MIN_LEN,
+     MAVLINK_MSG_ID_COMMAND_ACK_LEN, MessageKey::kNoTarget},
     {MAVLINK_MSG_ID_MISSION_ACK, MAVLINK_MSG_ID_MISSION_ACK_CRC, MAVLINK_MSG_ID_MISSION_ACK_MIN_LEN,
      MAVLINK_MSG_ID_MISSION_ACK_LEN, MessageKey::kNoTarget},
     {MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, MAVLINK_MSG_ID_MISSION_CURRENT_MIN_LEN,
@@ -31,7 +33,7 @@ const char kRejected[] PROGMEM = "Mission rejected";
 
 }  // namespace
 
-MissionFollower::MissionFollower(MissionClient& client) : MessageIntervals(client, kFollowed, 6, take) {}
+MissionFollower::MissionFollower(MissionClient& client) : MessageIntervals(client, kFollowed, sizeof(kFollowed) / sizeof(kFollowed[0]), take) {}
 
 void MissionFollower::onCurrent(ItemNumberFunction function, void* context) {
   currentFunction_ = function;
@@ -54,6 +56,9 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_HEARTBEAT:
       return self.takeHeartbeat();
+    case MAVLINK_MSG_ID_COMMAND_ACK:
+      if (self.isAnswer(frame)) self.settle();
+      return;
     case MAVLINK_MSG_ID_MISSION_COUNT: {
       typedef mavlink_mission_count_t Count;
       return self.takeName(frame.payloadByte(offsetof(Count, mission_type)),

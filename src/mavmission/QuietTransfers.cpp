@@ -145,17 +145,11 @@ void QuietTransfers::askNext(uint16_t nowMs) {
 
 void QuietTransfers::take(Listener& listener, const FrameParser& frame) {
   QuietTransfers& self = static_cast<QuietTransfers&>(listener);
-  const Link& link = self.client_.link_;
   const uint16_t nowMs = static_cast<uint16_t>(millis());
-  if (!self.isWaiting_ || self.isAnswered_ || !self.mayAsk(nowMs) || !self.isFromAutopilot(frame) ||
-      !frame.isFor(link.systemId(), link.componentId())) {
-    return;
-  }
-  const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
   // The same frame again would be taken for the answer to the next message.
-  if (ack.command != MAV_CMD_SET_MESSAGE_INTERVAL || frame.sequence() == self.sequence_) return;
+  if (self.isAnswered_ || !self.isAnswer(frame) || !self.mayAsk(nowMs) || frame.sequence() == self.sequence_) return;
   self.sequence_ = frame.sequence();
-  self.takeResult(ack.result, nowMs);
+  self.takeResult(frame.payloadByte(offsetof(mavlink_command_ack_t, result)), nowMs);
 }
 
 void QuietTransfers::takeResult(uint8_t result, uint16_t nowMs) {
@@ -167,7 +161,7 @@ void QuietTransfers::takeResult(uint8_t result, uint16_t nowMs) {
   // What is refused to be given back has no such interval.
   if (!isHushing_) muted_ &= ~bitOf(index_);
   if (tries_ == 1) {
-    isWaiting_ = false;
+    settle();
     tries_ = 0;
     ++index_;
     return;

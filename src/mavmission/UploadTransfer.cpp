@@ -2,7 +2,7 @@
 
 namespace mavmission {
 
-void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs) {
+void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs) {
   *this = UploadTransfer();  // all zero: Counting, nothing asked for
   progressMs_ = nowMs;
   sentMs_ = nowMs;
@@ -25,7 +25,6 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
-    if (suspicion_ == Status::Error) suspicion_ = Status::Transferring;  // it is not busy with anything else
   } else if (answered_ && item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
     return Status::Transferring;
   } else {
@@ -39,7 +38,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
 
 // PX4 goes on with an earlier, longer transfer of ours that had come to no item yet, whatever our COUNT said.
 void UploadTransfer::endOlder() {
-  if (firmware_ != Firmware::Px4 || !leftovers_ || freed_) return;
+  if (firmware_ != Firmware::Px4 || !mayBeAnswered() || freed_) return;
   freed_ = true;
   state_ = State::Counting;
   send_ = Send::Cancel;
@@ -52,7 +51,7 @@ Status UploadTransfer::onAcceptance() {
   // PX4 accepts a repeated last item though it has just failed to store the plan.
   if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
-  if (!leftovers_) return Status::AcceptedEarly;
+  if (!mayBeAnswered()) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
   return Status::Transferring;
 }
@@ -82,16 +81,12 @@ Status UploadTransfer::onAck(uint8_t result) {
 
     case Status::Error:
       if (state_ == State::Counting && firmware_ != Firmware::ArduPilot) {
-        // PX4 is busy, perhaps with a transfer of ours: of before a reset, or a download whose closing ACK was lost. End
-        // it, and ask again. If that has not helped, let PX4 give up what it hears nothing of, and ask once more.
-        if (suspicion_ == status) return status;
-        if (freed_) {
-          suspicion_ = status;
-          tries_ = 0;
-        } else {
-          freed_ = true;
-          send_ = Send::Cancel;
-        }
+        // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well, and
+        // PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
+        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;
+        freed_ = true;
+        tries_ = 0;
+        send_ = Send::Cancel;
         return Status::Transferring;
       }
       // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the plan.
@@ -108,19 +103,19 @@ Status UploadTransfer::onAck(uint8_t result) {
     default:
       return status;
   }
-  if (!leftovers_) return status;
+  if (!mayBeAnswered()) return status;
   suspicion_ = status;
   return Status::Transferring;
 }
 
 Status UploadTransfer::onTime(uint16_t nowMs) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  const bool overdue = since(sentMs_, nowMs) >= (tries_ == 0 && state_ == State::Counting ? kBusyMs : kAnswerMs);
+  const bool overdue = since(sentMs_, nowMs) >= kAnswerMs;
   switch (state_) {
     case State::Counting:
       if (!overdue) break;
       if (tries_ >= kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
-      send_ = Send::Count;
+      send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
     case State::Sending:

@@ -71,12 +71,6 @@ void keep(uint16_t& timeMs, uint16_t stepMs, uint16_t mostMs) {
   timeMs = static_cast<uint16_t>(kNow - std::min(ago, mostMs));
 }
 
-// How long it waits for an answer to COUNT, or while PX4 is busy; otherwise as long as for one to its last item.
-uint16_t waitForRequestMs(const UploadTransfer& transfer) {
-  const bool isBusy = transfer.state_ == UploadTransfer::State::Counting && transfer.tries_ == 0;
-  return isBusy ? UploadTransfer::kBusyMs : UploadTransfer::kAnswerMs;
-}
-
 template <typename T>
 void blank(T& what) {
   memset(static_cast<void*>(&what), 0, sizeof(what));
@@ -89,7 +83,7 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh) {
   setMillis(kNowMs);
   new (bytes_) MissionClient(stream);
   client().talkTo(1, 1);
-  client().state_.unsettled = isFresh;
+  client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
   client().state_.unsettledMs = kNow;
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
   run(0, heartbeat.data(), heartbeat.size(), false);
@@ -167,7 +161,7 @@ uint16_t ClientUnderTest::nextMs() const {
     const UploadTransfer& t = c.transfer_;
     switch (t.state_) {
       case UploadTransfer::State::Counting:
-        return std::min(next, leftOf(waitForRequestMs(t), t.sentMs_));
+        return std::min(next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_));
       case UploadTransfer::State::Sending:
         return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
       case UploadTransfer::State::Confirming:
@@ -180,7 +174,7 @@ uint16_t ClientUnderTest::nextMs() const {
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
   }
-  const bool waits = c.clearing_.tries == 0 && c.state_.unsettled;
+  const bool waits = c.clearing_.tries == 0 && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
   return std::min(next, leftOf(UploadTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs));
 }
 
@@ -222,9 +216,9 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   // says at its end.
   const bool isClear = c.state_.operation == MissionClient::clearStep;
   const bool isLeftUnread = isLast ? (isTransferring && !isClear) || !c.isBusy() : isTransferring && isUpload;
-  if (isLeftUnread) c.state_.unsettled = false;
-  c.state_.unsettledMs = c.state_.unsettled ? c.state_.unsettledMs : kNow;
-  keep(c.state_.unsettledMs, c.state_.unsettled ? ms : 0, MissionClient::kLeftoversMs);
+  if (isLeftUnread) c.state_.unsettled = 0;
+  c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
+  keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
   if (!c.isBusy()) {
     static_assert(sizeof(c.reading_) >= sizeof(c.transfer_) && sizeof(c.reading_) >= sizeof(c.clearing_), "all of it");
     blank(c.reading_);
@@ -233,7 +227,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   if (!isTransferring) return;
   if (isUpload) {
     UploadTransfer& t = c.transfer_;
-    keep(t.sentMs_, ms, waitForRequestMs(t));
+    keep(t.sentMs_, ms, UploadTransfer::kAnswerMs);
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
     if (t.state_ == UploadTransfer::State::Counting) t.progressMs_ = kNow;
   } else if (c.state_.operation == MissionClient::readStep) {
