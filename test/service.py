@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from bench import _ITEM, NO_ITEM, NO_RESULT, Bench, aboard_names, packed, status_names
 from enumerators import texts_of
-from fake_autopilot import Item
+from fake_autopilot import Item, mavlink
 
 SOURCE = Path(__file__).resolve().parent / "firmware" / "service.cpp"
 
@@ -29,6 +29,7 @@ MODES = ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual")
 PROOFS = ("ByAnswer", "InDoubt", "Always")
 STEPS = ("None", "ReadyMode", "FirstItem", "Arm", "AutoMode", "Begin", "Confirm")
 ARMING = ("Untouched", "Armed", "Disarmed")
+ASKED_FOR = (mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAVLINK_MSG_ID_MISSION_CURRENT, 1e6)
 
 _COMMAND = struct.Struct("<7fiiHBB")  # mavmission::FlightCommand on AVR
 _TOLD = re.compile(r"(\d+) (current|reached|text|message|item|posted) (\d+) ?(.*)", re.DOTALL)
@@ -111,6 +112,10 @@ class Service(Bench):
                 self.answers.append(line)
 
     _wants_text = False
+
+    def _sent(self, *names: str) -> list:
+        """What the client has sent, and not what its follower asks for beside it."""
+        return [entry for entry in super()._sent(*names) if not is_followers(entry.message)]
 
     # Orders
 
@@ -258,6 +263,12 @@ class Service(Bench):
             state=value["state"],
             ours=bool(value["ours"]),
         )
+
+
+def is_followers(message) -> bool:
+    """Whether this asks for MISSION_CURRENT every second, as a follower does that hears none."""
+    return (message is not None and message.get_type() == "COMMAND_LONG"
+            and (message.command, message.param1, message.param2) == ASKED_FOR)  # fmt: skip
 
 
 def unpacked(data: bytes) -> Item:

@@ -209,6 +209,65 @@ def test_fence_upload_leaves_the_missions_standing_alone(service):
     assert service.followed.ours
 
 
+SHORT = [FIELD[-2]]  # a circle to stay in
+
+
+@SERVICE
+@pytest.mark.parametrize("proof", ["InDoubt", "Always"])
+@pytest.mark.parametrize("lost", [0, 1])
+def test_fence_of_one_item_that_ardupilot_accepts_and_loses_is_sent_again(build_service, proof, lost):
+    service = build_service("ArduPilot")
+    service.autopilot.load(FIELD, FENCE)
+    service.autopilot.faults.lose_short_fence(lost)
+    service.upload(SHORT, FENCE, proof=proof)
+    assert service.done() == "Accepted"
+    assert same_bits(service.autopilot.received(FENCE), SHORT)
+    assert service.state.aboard_fence == "OurPlan"
+    assert len(service.heard("MISSION_COUNT")) == lost + 1
+    assert len(service.heard("MISSION_REQUEST_LIST")) == lost + 1
+    assert (service.state.done, service.state.total) == (1, 1)
+
+
+@SERVICE
+def test_fence_of_one_item_that_is_not_there_when_it_was_sent_again_is_said_to_differ(build_service):
+    service = build_service("ArduPilot")
+    service.autopilot.load(FIELD, FENCE)
+    service.autopilot.faults.lose_short_fence(1)
+    service.upload(SHORT, FENCE, proof="InDoubt")
+    service.run_until_sent("MISSION_COUNT", 2)
+    service.autopilot.load(FIELD, FENCE)  # so that it is one in the place of a longer one again
+    service.autopilot.faults.lose_short_fence(1)
+    assert service.done() == "Differs"
+    assert (service.state.field, service.state.aboard_fence) == ("Count", "NotKnown")
+    # And once more, from the beginning.
+    service.autopilot.load(FIELD, FENCE)
+    service.autopilot.faults.lose_short_fence(1)
+    service.order_of("uploadagain")
+    assert service.done() == "Accepted"
+    assert same_bits(service.autopilot.received(FENCE), SHORT)
+
+
+@SERVICE
+def test_fence_of_one_item_is_cancelled_while_it_is_looked_at(service):
+    service.upload(SHORT, FENCE, proof="InDoubt")
+    service.run_until_sent("MISSION_REQUEST_LIST")
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    assert service.state.aboard_fence == "NotKnown"
+    service.run(0.2)
+    service.upload(SHORT, FENCE, proof="InDoubt")
+    assert service.done() == "Accepted"
+
+
+@SERVICE
+@pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (FENCE, FIELD[-2:]), (RALLY, POINTS[:1]),
+                                                (MISSION, SURVEY[:1])])  # fmt: skip
+def test_other_plans_are_read_back_only_where_it_is_asked_for(service, mission_type, plan):
+    service.upload(plan, mission_type, proof="InDoubt")
+    assert service.done() == "Accepted"
+    assert service.heard("MISSION_REQUEST_LIST") == []
+
+
 @SERVICE
 def test_wrong_fence_item_is_refused_before_a_byte_leaves(service):
     service.upload([FIELD[0], FIELD[1]._replace(x=900000001)], FENCE)

@@ -57,6 +57,7 @@ class Link {
 
   // Adds one that hears frames beside us.
   void add(Listener& listener);
+  const MoreKeys* listeners() { return parser_.moreKeys(); }
 
   // True when send() can take a frame. It goes nowhere while nothing may be said, as on a line with nobody at its end.
   MAVMISSION_APART bool canSend() const;

@@ -67,8 +67,12 @@ class MissionClient {
   // says that it is not the plan, and Status::Unconfirmed remains where it cannot be read either. With Verified it is read
   // back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the
   // Vehicle".)
-  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission, Proof proof = WhenInDoubt);
-  Status upload(const ItemSource& plan, Proof proof) { return upload(plan, PlanType::Mission, proof); }
+  Status upload(const ItemSource& plan, Proof proof = WhenInDoubt) {
+    return uploadProven(plan, PlanType::Mission, proof);
+  }
+  // The same for a fence or rally points. A fence of one item is always read back, and sent again if ArduPilot, which has
+  // accepted it, holds none then.
+  Status upload(const ItemSource& plan, PlanType type, Proof proof = WhenInDoubt);
 
   // The same without reading back, for a sketch that has to be small (README.md, "Sizes"). Status::Accepted is said when the
   // autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is lost, it is
@@ -249,6 +253,7 @@ class MissionClient {
 
   friend class LinkDoctor;
   friend class Listener;
+  friend class MessageIntervals;
   friend class MissionFollower;
   friend class QuietTransfers;
 
@@ -271,7 +276,11 @@ class MissionClient {
   void takeReadItem(const FrameParser& frame);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
+  Status uploadProven(const ItemSource& plan, PlanType type, Proof proof);
   static void proveUpload(MissionClient& client, uint16_t nowMs);
+  static void proveFence(MissionClient& client, uint16_t nowMs);
+  static void proveFenceAgain(MissionClient& client, uint16_t nowMs);
+  static void fenceStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   // What an operation made of commands is told, with the status that it leads to if the operation does nothing about it.
@@ -376,7 +385,7 @@ class MissionClient {
     Operation operation;       // null: idle
     uint16_t secondMs;         // when the last whole second of `seconds` was over
     uint16_t seconds;          // that the operation, or its transfer, has taken [s]
-    uint16_t unsettledMs;      // when a transfer was last left without an answer
+    uint16_t unsettledMs;      // when a transfer was last left without an answer, or a reading ended
     uint16_t next;             // the wire item to be checked, or to be added to opaqueId_
     uint16_t prepared;         // the wire item that the link holds ready, if it holds one
     uint16_t itemsDone;
@@ -385,7 +394,7 @@ class MissionClient {
     // Begins a partial upload, and announces it; null: all of it, by MISSION_COUNT.
     Status (*announce)(MissionClient& client, bool isBeginning);
     Status status;
-    bool unsettled;            // so after a reset: what ran before it may still be answered
+    uint8_t unsettled;         // UploadTransfer::kAnswers, so after a reset, and kBusy
     PlanType cancelled;        // of the transfer that the autopilot is to be told was cancelled; All: there is none
     PlanType type;             // of the running operation
     bool floatItems;           // items go out as MISSION_ITEM

@@ -32,7 +32,7 @@ void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
   client.reading_.transfer.begin(nowMs);
 }
 
-Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
+Status MissionClient::uploadProven(const ItemSource& plan, PlanType type, Proof proof) {
   const Status status = uploadByAnswer(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = proof;
@@ -207,7 +207,8 @@ void MissionClient::endReading(Status status) {
     }
   } else {
     tellCancelled();  // PX4 would wait 5 s for us
-    if (status == Status::Differs) setAboard(Aboard::NotKnown);
+    // Where the autopilot refuses to be read another ground station may be putting its plan there.
+    if (status == Status::Differs || status >= Status::Error) setAboard(Aboard::NotKnown);
   }
   if (rest_.proving) {
     switch (status) {
@@ -228,6 +229,8 @@ void MissionClient::endReading(Status status) {
         break;
     }
   }
+  state_.unsettled |= UploadTransfer::kBusy;  // our last word may be lost
+  state_.unsettledMs = state_.secondMs;       // now, less than a second ago
   end(status);
 }
 

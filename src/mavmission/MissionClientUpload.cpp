@@ -168,7 +168,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
       unsettle(nowMs);
       break;
     default:
-      state_.unsettled = false;
+      state_.unsettled = 0;
       if (transfer_.hasBegun()) state_.failedItem = ownItem(transfer_.lastItem());
       break;
   }
@@ -177,7 +177,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
 
 void MissionClient::noteAccepted() {
   if (state_.type == PlanType::Mission) rest_.infeasible = false;
-  state_.unsettled = false;
+  state_.unsettled = 0;
 }
 
 Aboard MissionClient::aboardAfterUpload(Status status) const {

@@ -2,7 +2,7 @@
 
 namespace mavmission {
 
-void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs) {
+void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs) {
   *this = UploadTransfer();  // all zero: Counting, nothing asked for
   progressMs_ = nowMs;
   sentMs_ = nowMs;
@@ -38,7 +38,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
 
 // PX4 goes on with an earlier, longer transfer of ours that had come to no item yet, whatever our COUNT said.
 void UploadTransfer::endOlder() {
-  if (firmware_ != Firmware::Px4 || !leftovers_ || freed_) return;
+  if (firmware_ != Firmware::Px4 || !mayBeAnswered() || freed_) return;
   freed_ = true;
   state_ = State::Counting;
   send_ = Send::Cancel;
@@ -51,7 +51,7 @@ Status UploadTransfer::onAcceptance() {
   // PX4 accepts a repeated last item though it has just failed to store the plan.
   if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
-  if (!leftovers_) return Status::AcceptedEarly;
+  if (!mayBeAnswered()) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
   return Status::Transferring;
 }
@@ -80,9 +80,12 @@ Status UploadTransfer::onAck(uint8_t result) {
       return Status::Transferring;
 
     case Status::Error:
-      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot && !freed_) {
-        // PX4 holds a transfer of ours from before a reset: end it, then ask again.
+      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot) {
+        // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well, and
+        // PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
+        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;
         freed_ = true;
+        tries_ = 0;
         send_ = Send::Cancel;
         return Status::Transferring;
       }
@@ -100,7 +103,7 @@ Status UploadTransfer::onAck(uint8_t result) {
     default:
       return status;
   }
-  if (!leftovers_) return status;
+  if (!mayBeAnswered()) return status;
   suspicion_ = status;
   return Status::Transferring;
 }
@@ -112,7 +115,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
     case State::Counting:
       if (!overdue) break;
       if (tries_ >= kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
-      send_ = Send::Count;
+      send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
     case State::Sending:
@@ -135,7 +138,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
 void UploadTransfer::sent(uint16_t nowMs) {
   switch (send_) {
     case Send::Count:
-      recounted_ = tries_ != 0;
+      recounted_ = tries_ != 0 || freed_;
       ++tries_;
       sentMs_ = nowMs;
       send_ = Send::Nothing;

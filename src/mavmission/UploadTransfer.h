@@ -31,10 +31,12 @@ class UploadTransfer {
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
+  // What an earlier transfer may have left. kAnswers: it may still be answered, also if it is from before a reset: what
+  // only that can have caused is not taken for an answer to this one. kBusy: PX4 may not have heard that it is over.
+  static constexpr uint8_t kAnswers = 1, kBusy = 2;
+
   // Begins with `count` items on the wire, for an autopilot of this kind.
-  // client or from before a reset, may still be answered: what only that can have caused is then not taken for an
-  // answer to this one.
-  void begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs);
+  void begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs);
 
   // Right after begin(): only wire items `first` to `behind` - 1, for a part of a plan.
   void limitTo(uint16_t first, uint16_t behind) {
@@ -59,7 +61,7 @@ class UploadTransfer {
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts our
   // last item as if it were that one's, repeated, with the sum of what it had until then.
-  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && leftovers_ && tries_ != 0; }
+  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && tries_ != 0; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.
@@ -68,6 +70,7 @@ class UploadTransfer {
   uint16_t lastItem() const { return item_; }
 
  private:
+  bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
   Status onAcceptance();
 
@@ -82,7 +85,7 @@ class UploadTransfer {
   uint8_t tries_;                         // COUNTs sent; then unasked repeats of the last item
   Status suspicion_;   // an answer that may be to an earlier transfer: the reason if no other comes
   Firmware firmware_;
-  bool leftovers_;
+  uint8_t leftovers_;
   bool recounted_;                    // COUNT was sent more than once
   bool freed_;                        // an open transfer of ours was cancelled first
   bool repeated_;                     // an item was sent more than once

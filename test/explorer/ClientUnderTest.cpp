@@ -83,7 +83,7 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh) {
   setMillis(kNowMs);
   new (bytes_) MissionClient(stream);
   client().talkTo(1, 1);
-  client().state_.unsettled = isFresh;
+  client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
   client().state_.unsettledMs = kNow;
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
   run(0, heartbeat.data(), heartbeat.size(), false);
@@ -174,7 +174,7 @@ uint16_t ClientUnderTest::nextMs() const {
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
   }
-  const bool waits = c.clearing_.tries == 0 && c.state_.unsettled;
+  const bool waits = c.clearing_.tries == 0 && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
   return std::min(next, leftOf(UploadTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs));
 }
 
@@ -216,9 +216,9 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   // says at its end.
   const bool isClear = c.state_.operation == MissionClient::clearStep;
   const bool isLeftUnread = isLast ? (isTransferring && !isClear) || !c.isBusy() : isTransferring && isUpload;
-  if (isLeftUnread) c.state_.unsettled = false;
-  c.state_.unsettledMs = c.state_.unsettled ? c.state_.unsettledMs : kNow;
-  keep(c.state_.unsettledMs, c.state_.unsettled ? ms : 0, MissionClient::kLeftoversMs);
+  if (isLeftUnread) c.state_.unsettled = 0;
+  c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
+  keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
   if (!c.isBusy()) {
     static_assert(sizeof(c.reading_) >= sizeof(c.transfer_) && sizeof(c.reading_) >= sizeof(c.clearing_), "all of it");
     blank(c.reading_);

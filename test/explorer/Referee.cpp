@@ -34,10 +34,11 @@ bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items) {
 }
 
 void Referee::begin(const Task& what, Firmwares firmware) {
-  const uint8_t owed = owesCancel;
+  const uint8_t owed = owesCancel, hasEnded = hasEndedOne;
   memset(static_cast<void*>(this), 0, sizeof(*this));
   task = what;
   owesCancel = owed;
+  hasEndedBefore = hasEnded;
   isRunning = true;
   items = wireCount(what.items, firmware);
   isReading = what.operation == Operation::Download || what.operation == Operation::Verify;
@@ -88,7 +89,7 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Count:
       if (asked != 0) return "COUNT is sent in mid-transfer";
       if (message.number != items) return "COUNT is sent with a wrong number";
-      if (counts == kTries + (hasFreed ? 1 : 0)) return "COUNT is sent too often";
+      if (counts == kTries) return "COUNT is sent too often";
       if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
       if (hasFreed) hasFreed = kBefore;
       ++counts;
@@ -115,9 +116,10 @@ const char* Referee::sentInUpload(const Message& message) {
 
     case Kind::Ack:
       if (message.number != kCancelled) return "an ACK is sent that is no client's";
-      if (!mayFree || hasFreed) return "a running transfer is cancelled";
+      if (!mayFree || (hasFreed && asked != 0)) return "a running transfer is cancelled";
+      if (hasFreed && sinceSentMs < kAnswerMs) return "an older transfer is cancelled again too early";
+      if (!hasFreed) counts = 0;  // as many tries again: PX4 gives it up by itself 5 s after it has heard something
       hasFreed = kJustNow;
-      if (asked != 0) counts = 0;
       asked = open = sentItem = isLastSent = repeats = 0;
       sinceNewMs = 0;
       return nullptr;
@@ -233,6 +235,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   const bool isMeant = isAboard(autopilot, task.plan, task.items);
   const bool wasTransferring = isUpload() || isReading;
   isRunning = false;
+  hasEndedOne = true;
   ended = status;
   const bool isRead =
       isReading && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
@@ -306,6 +309,10 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     if (status != mavmission::fromMissionResult(result)) continue;
     const bool isProven = isReading && result == kError && wasRefused;  // what was read back was not the plan
     if ((heardAcks & (1u << result)) == 0 && !isProven) return "a refusal that the autopilot did not send";
+    // With what this client has read. PX4 gives that up by itself before all tries are used up.
+    const bool isBusy = isUpload() && !isReading && result == kError && isPx4(autopilot.firmware) && asked == 0 &&
+                        hasEndedBefore && autopilot.state == Autopilot::State::Sending;
+    if (isBusy && counts != kTries) return "busy with what was ours, and the tries were not exhausted";
     // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading back.
     if (isUpload() && !isReading && result == kError && lineRepeats) return nullptr;
     if (isUpload() && isMeant) return "a refusal, and the plan is aboard";

@@ -176,7 +176,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       say(log, "the Arduino is reset");
       --resets_;
       if (!isLastTask(scenario)) ++task_;
-      referee_.owesCancel = false;
+      referee_.owesCancel = referee_.hasEndedOne = false;
       client_.construct(scenario.firmware, true);
       beginTask(scenario, log);
       outcome = runClient(scenario, 0, Bytes(), log);
