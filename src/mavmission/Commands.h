@@ -1,7 +1,10 @@
-// What is known of a command in a plan, command by command, on both autopilots: one row each, in flash.
+// What is known of a command in a plan: who keeps it, and whether it has a place.
 #pragma once
 
 #include <stdint.h>
+
+#include "Config.h"
+#include "PlanType.h"
 
 namespace mavmission {
 
@@ -13,17 +16,25 @@ enum class Firmware : uint8_t {
   Other,      // any other autopilot: the protocol as the guide has it
 };
 
-// Flags of a command; 0 for a command that is not in the table.
-enum CommandTrait : uint8_t {
-  kHasNoPlace = 1,         // goes out with Frame::Mission, the only one that both autopilots take for it
-  kYawInParam4 = 2,        // param4 may be NaN: as you fly
-  kPlaceIsOptional = 4,    // ArduPilot takes off or lands where it is when there is no place; PX4 needs one
-  kNotFlownByArduPilot = 8,
-  kNotFlownByPx4 = 16,
-  kNoPlaceOnPx4 = 32,      // PX4 takes it only with Frame::Mission
+// Who keeps a plan, and which kind of plan it is.
+struct Keeper {
+  Firmware firmware;
+  bool isPlane;  // ArduPilot's Plane, which keeps some fields that its Copter drops
+  PlanType type;
 };
 
-// The traits of a MAV_CMD, an or of CommandTrait.
+// True for the MAV_TYPE of a fixed wing, or of one that can hover.
+bool isPlane(uint8_t vehicleType);
+
+// Flags of a command.
+enum CommandTrait : uint8_t {
+  kHasNoPlace = 1,      // goes out with Frame::Mission
+  kIsNotTaken = 2,      // by this autopilot, in a plan
+  kPlaceIsOptional = 4, // ArduPilot takes off or lands where it is when there is no place; PX4 needs one
+  kAsItsFrameSays = 8,  // has a place, or has none: of a command that is not in the table
+};
+
+// The flags of a MAV_CMD wherever it may be sent, an or of CommandTrait: whether it has a place.
 uint8_t traitsOf(uint16_t command);
 
 }  // namespace mavmission

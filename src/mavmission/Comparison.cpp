@@ -5,89 +5,38 @@
 
 #include "Flash.h"
 #include "FloatBits.h"
+#include "Rules.h"
 
 namespace mavmission {
+
+using namespace keeping;
+
 namespace {
 
-// What becomes of a parameter. Kept as it was is right for each.
-enum Rule : uint8_t {
-  K = 0,  // kept
-  D = 1,  // dropped: read as 0
-  W = 2,  // whole: what is behind the point is dropped
-  S = 3,  // sign: read as 1, or as -1 if it was negative
+// The whole numbers that a kind keeps, from U1 on.
+struct Limit {
+  uint16_t positive, negative;
 };
 
-constexpr uint8_t rules(Rule param1, Rule param2, Rule param3, Rule param4) {
-  return static_cast<uint8_t>(param1 | param2 << 2 | param3 << 4 | param4 << 6);
-}
-
-struct Row {
-  uint16_t command;
-  uint8_t arduPilot;
-  uint8_t px4;
+const Limit kLimits[] PROGMEM = {
+    {1, 0},          // U1
+    {255, 0},        // U8
+    {127, 128},      // I8
+    {65535, 0},      // U16
+    {32767, 32768},  // I16
+    {65535, 65535},  // Radius
+    {180, 180},      // To180
+    {90, 90},        // To90
+    {360, 180},      // To360
 };
 
-// Observed: test/recordings/readback_arducopter.csv, readback_ardurover.csv and readback_px4.csv. Commands that are not
-// here keep their parameters on both.
-const Row kRows[] PROGMEM = {
-    {16, rules(W, D, D, D), rules(K, K, D, K)},   // NAV_WAYPOINT: seconds whole; PX4 drops the pass radius
-    {17, rules(K, K, K, D), rules(K, K, K, K)},   // NAV_LOITER_UNLIM
-    {18, rules(K, D, K, K), rules(K, K, K, K)},   // NAV_LOITER_TURNS
-    {19, rules(W, D, S, K), rules(K, K, K, K)},   // NAV_LOITER_TIME: of the radius only the direction
-    {21, rules(K, D, K, S), rules(D, K, K, K)},   // NAV_LAND
-    {22, rules(K, K, K, D), rules(D, K, K, K)},   // NAV_TAKEOFF
-    {31, rules(D, K, K, K), rules(K, K, K, K)},   // NAV_LOITER_TO_ALT
-    {84, rules(K, K, K, D), rules(K, K, K, K)},   // NAV_VTOL_TAKEOFF
-    {85, rules(K, K, K, D), rules(K, K, K, K)},   // NAV_VTOL_LAND
-    {201, rules(K, K, K, K), rules(D, K, K, K)},  // DO_SET_ROI
-};
-
-constexpr uint16_t kDoMountControl = 205;
-
-// Whether `read` is what the rule makes of `sent`, or `sent` itself.
-bool obeys(uint8_t rule, float sent, float read) {
-  float kept = sent;
-  switch (rule) {
-    case D:
-      kept = 0;
-      break;
-    case W:
-      kept = wholePart(sent);
-      break;
-    case S:
-      kept = isNegative(sent) ? -1 : 1;
-      break;
-    default:
-      break;
-  }
-  return isSame(read, sent) || isSame(read, kept);
-}
-
-bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
-  if (modern(sent.frame) == modern(read.frame)) return true;
-  // ArduPilot gives items without a place as Global, whatever they had, and those of a fence, which has no altitude there.
-  const bool hasNoHeight =
-      type == PlanType::Fence || sent.frame == Frame::Mission || (traitsOf(sent.command) & kHasNoPlace);
-  return firmware == Firmware::ArduPilot && read.frame == Frame::Global && hasNoHeight;
-}
-
-// The rules of param1 to param4, of an item of this plan.
-uint8_t rulesOf(const MissionItem& sent, Firmware firmware, PlanType type) {
-  if (type != PlanType::Mission || (firmware != Firmware::ArduPilot && firmware != Firmware::Px4)) return 0;
-  for (const Row& row : kRows) {
-    if (fromFlash(&row.command) == sent.command) return fromFlash(firmware == Firmware::Px4 ? &row.px4 : &row.arduPilot);
-  }
-  return 0;
-}
-
-// Heights that ArduPilot gives back another way than whole, dropped, or as a sign.
-bool isHeightKept(const MissionItem& sent, const MissionItem& read) {
-  if (sent.command == kDoMountControl) return isSame(read.z, 2);  // MAV_MOUNT_MODE_MAVLINK_TARGETING, always
-  return centimetresKept(sent.z) == centimetresRead(read.z);
+bool isWithin(uint8_t kind, uint32_t magnitude, bool isBelow0) {
+  const Limit* limit = &kLimits[kind - U1];
+  return magnitude <= (isBelow0 ? fromFlash(&limit->negative) : fromFlash(&limit->positive));
 }
 
 // param1 to param4, x, y, z lie one behind the other, four bytes each.
-constexpr uint8_t kX = 4, kY = 5, kZ = 6;
+constexpr uint8_t kParam3 = 2, kX = 4, kY = 5, kZ = 6;
 static_assert(offsetof(MissionItem, x) == sizeof(float) * kX && offsetof(MissionItem, y) == sizeof(float) * kY &&
                   offsetof(MissionItem, z) == sizeof(float) * kZ,
               "in their order");
@@ -95,31 +44,129 @@ static_assert(static_cast<uint8_t>(Field::Latitude) == static_cast<uint8_t>(Fiel
                   static_cast<uint8_t>(Field::Height) == static_cast<uint8_t>(Field::Param1) + kZ,
               "fields have the same order");
 
+// What one field of an item is asked about.
+struct Asked {
+  const MissionItem& item;
+  Keeper keeper;
+  uint8_t field;
+
+  bool isIn(Firmware firmware) const { return keeper.firmware == firmware; }
+  bool isInFloats() const { return isIn(Firmware::Px4) && item.frame == Frame::Mission; }  // x and y are
+};
+
+// Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a region of
+// interest: none or a place, or without a place none or an item. `whole`: its magnitude, -1 if that is no whole number.
+bool isSpecialKept(float value, int32_t whole, const Asked& asked) {
+  if (asked.isIn(Firmware::Px4)) {
+    whole = wholeNumber(wholePart(value));
+    return asked.isInFloats() ? whole >= 0 && whole <= 2 : whole == 0 || whole == 3;
+  }
+  const bool isBelow0 = isNegative(value);
+  if (asked.keeper.type == PlanType::Fence) return !isBelow0 && whole != 0;
+  if (asked.field == kParam3) {
+    if (whole <= 255) return whole >= 0;
+    for (; whole > 0; whole -= 10) {
+      if (whole > 2550) return false;
+    }
+    return whole == 0;
+  }
+  if (whole < 0) whole = wholeNumber(product(value, 256));
+  return !isBelow0 && whole >= 0 && whole <= 255;
+}
+
+// Whether what is kept of a number means the same, and was read; or what was sent was.
+bool isNumberKept(uint8_t kind, float sent, float read, const Asked& asked) {
+  const bool isZ = asked.field == kZ;
+  const bool same = isSame(read, sent);
+  if (kind == K) return same;
+  const bool isBelow0 = isNegative(sent);
+  const int32_t whole = wholeNumber(magnitudeOf(sent));
+  float kept = 0;
+  switch (kind) {
+    case D:
+    case NoYaw:
+      break;
+    case Yaw360:  // or Height
+      if (isZ ? !asked.isIn(Firmware::ArduPilot) : !isHeading(sent)) return same && isZ;
+      if (same) return true;
+      kept = isZ ? inHundredths(sent) : throughRadians(sent);
+      break;
+    case Sign:  // or MountMode
+      if (isZ) {
+        kept = 2;
+      } else {
+        if (asked.keeper.isPlane && (whole < 0 || whole > 1)) return false;
+        kept = isBelow0 ? -1 : 1;
+      }
+      break;
+    case Special:
+      if (!isSpecialKept(sent, whole, asked)) return false;
+      if (!asked.isIn(Firmware::Px4) || asked.isInFloats()) return same;
+      break;
+    case Centimetres: {
+      const float centimetres = product(sent, 100);
+      if (wholeNumber(wholePart(centimetres)) < 0) return false;  // negative, too
+      kept = inHundredths(sent);
+      break;
+    }
+    default:
+      return same && whole >= 0 && isWithin(kind, static_cast<uint32_t>(whole), isBelow0);
+  }
+  return same || isSame(read, kept);
+}
+
+// The same of x and y.
+bool isIntegerKept(uint8_t kind, int32_t sent, int32_t read, const Asked& asked) {
+  int32_t kept = sent;
+  if (kind == D) {
+    kept = 0;
+  } else if (kind >= U1) {
+    const bool isBelow0 = sent < 0;
+    if (!isWithin(kind, isBelow0 ? 0 - static_cast<uint32_t>(sent) : static_cast<uint32_t>(sent), isBelow0)) return false;
+  } else if (asked.isInFloats()) {
+    kept = throughFloat(sent);
+    if (kind == K && kept != sent) return false;
+  }
+  return read == sent || read == kept;
+}
+
+bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
+  if (modern(sent.frame) == modern(read.frame)) return true;
+  if (modern(read.frame) != Frame::Global || keeper.firmware == Firmware::Other) return false;
+  // So come those of a fence, which has no altitude, and on ArduPilot those of items without a place, whatever they had.
+  const bool isNowhere = sent.frame == Frame::Mission || rules.has(kHasNoPlace);
+  return keeper.type == PlanType::Fence || (keeper.firmware == Firmware::ArduPilot && isNowhere);
+}
+
 }  // namespace
 
-Field difference(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
+Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper) {
   if (read.command != sent.command) return Field::Command;
-  if (!isSameFrame(sent, read, firmware, type)) return Field::Reference;
-  uint8_t rules = rulesOf(sent, firmware, type);
+  const Rules rules = rulesOf(sent, keeper);
+  if (!isSameFrame(sent, read, rules, keeper)) return Field::Reference;
+  const bool isKnown = keeper.firmware == Firmware::ArduPilot || keeper.firmware == Firmware::Px4;
   const uint8_t* sentBytes = reinterpret_cast<const uint8_t*>(&sent);
   const uint8_t* readBytes = reinterpret_cast<const uint8_t*>(&read);
-  for (uint8_t i = 0; i <= kZ; ++i, rules >>= 2, sentBytes += 4, readBytes += 4) {
-    if (memcmp(sentBytes, readBytes, 4) == 0) continue;
-    if (i != kX && i != kY) {
+  Asked asked = {sent, keeper, 0};
+  for (; asked.field <= kZ; ++asked.field, sentBytes += 4, readBytes += 4) {
+    const uint8_t kind = isKnown ? rules.kindOf(asked.field) : static_cast<uint8_t>(K);
+    bool isKept;
+    if (asked.field == kX || asked.field == kY) {
+      int32_t sentInteger, readInteger;
+      memcpy(&sentInteger, sentBytes, 4);
+      memcpy(&readInteger, readBytes, 4);
+      isKept = isIntegerKept(kind, sentInteger, readInteger, asked);
+    } else {
       float sentNumber, readNumber;
       memcpy(&sentNumber, sentBytes, 4);
       memcpy(&readNumber, readBytes, 4);
-      const bool isArduPilots = i == kZ && firmware == Firmware::ArduPilot;
-      // Rally heights are whole metres, and a fence has none.
-      if (isArduPilots && type != PlanType::Mission) rules = type == PlanType::Rally ? W : D;
-      if (obeys(rules & 3, sentNumber, readNumber)) continue;
-      if (isArduPilots && type == PlanType::Mission && isHeightKept(sent, read)) continue;
+      isKept = isNumberKept(kind, sentNumber, readNumber, asked);
     }
-    return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + i);
+    if (!isKept) return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + asked.field);
   }
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
-  const bool isAlways1 = firmware == Firmware::ArduPilot && read.autocontinue == 1;
-  if (type == PlanType::Mission && !isAlways1 && read.autocontinue != sent.autocontinue) return Field::Autocontinue;
+  const bool isAlways1 = keeper.firmware == Firmware::ArduPilot && read.autocontinue == 1;
+  if (keeper.type == PlanType::Mission && !isAlways1 && read.autocontinue != sent.autocontinue) return Field::Autocontinue;
   return Field::None;
 }
 

@@ -89,37 +89,83 @@ float wholePart(float value) {
 
 namespace {
 
-// The magnitude of metres * 100, times two, cut off; `rounded`: the product is rounded to a float's 24 bits first.
-MAVMISSION_APART uint32_t doubledCentimetres(float metres, bool rounded) {
-  const uint32_t bits = bitsOf(metres);
-  const uint8_t biased = biasedExponent(bits);
-  if (biased >= kBias + 14 + 1) return 0x7FFFFFFF;
-  if (biased < kBias - 8) return 0;
-  // The exponent of the last bit of the doubled product.
-  int8_t exponent = static_cast<int8_t>(biased - kBias - 23 + 1);
-  uint32_t product = ((bits & (kHidden - 1)) | kHidden) * 100;
-  if (rounded) {
-    bool half = false, more = false;  // what is cut off: its highest bit, and any below
-    for (; static_cast<uint8_t>(product >> 24) != 0; product >>= 1, ++exponent) {
-      more |= half;
-      half = (product & 1) != 0;
-    }
-    if (half && (more || (product & 1) != 0)) ++product;
+uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
+
+// The nearest float; `biased` is the exponent that it has if the leading 1 of `mantissa` is at bit 23. `more`: something is
+// behind the mantissa's last bit.
+MAVMISSION_APART float rounded(uint32_t mantissa, uint8_t biased, bool more) {
+  bool half = false;  // the highest bit of what is cut off; `more`: there is any below it
+  while (static_cast<uint8_t>(mantissa >> 24) != 0) {
+    more |= half;
+    half = (mantissa & 1) != 0;
+    mantissa >>= 1;
+    ++biased;
   }
-  for (; exponent < 0 && product != 0; ++exponent) product >>= 1;
-  return product;
+  if (half && (more || (mantissa & 1) != 0)) ++mantissa;
+  // The leading 1 raises the exponent by one, and so does a carry out of the mantissa.
+  return fromBits(mantissa + (static_cast<uint32_t>(static_cast<uint8_t>(biased - 1)) << 23));
 }
 
 }  // namespace
 
-int32_t centimetresKept(float metres) {
-  const int32_t kept = static_cast<int32_t>(doubledCentimetres(metres, true) >> 1);
-  return isNegative(metres) ? -kept : kept;
+float product(float a, float b) {
+  const uint8_t exponentOfA = biasedExponent(bitsOf(a));
+  const int16_t biased = static_cast<int16_t>(exponentOfA) + biasedExponent(bitsOf(b)) - (kBias + 7);
+  if (exponentOfA == 0 || biased <= 0) return 0;
+  const uint32_t shifted = mantissaOf(bitsOf(a)) << 7;
+  uint32_t factor = mantissaOf(bitsOf(b));
+  uint32_t sum = 0;
+  bool more = false;
+  for (uint8_t i = 0; i < 24; ++i) {
+    more |= (sum & 1) != 0;
+    sum >>= 1;
+    if ((factor & 1) != 0) sum += shifted;
+    factor >>= 1;
+  }
+  return fromBits(bitsOf(rounded(sum, static_cast<uint8_t>(biased), more)) | (bitsOf(a) & kSign));
 }
 
-int32_t centimetresRead(float metres) {
-  const int32_t nearest = static_cast<int32_t>((doubledCentimetres(metres, false) + 1) >> 1);
-  return isNegative(metres) ? -nearest : nearest;
+float minus(float a, float b) {
+  uint8_t biased = biasedExponent(bitsOf(a));
+  uint32_t rest = mantissaOf(bitsOf(b)) << 7;
+  bool more = false;
+  for (uint8_t shift = biased - biasedExponent(bitsOf(b)); shift != 0; --shift) {
+    more |= (rest & 1) != 0;
+    rest >>= 1;
+  }
+  rest = (mantissaOf(bitsOf(a)) << 7) - rest - (more ? 1 : 0);
+  if (rest == 0) return 0;
+  for (; rest < kHidden; rest <<= 1) --biased;
+  return rounded(rest, static_cast<uint8_t>(biased - 7), more);
+}
+
+float magnitudeOf(float value) { return fromBits(bitsOf(value) & ~kSign); }
+
+float inHundredths(float value) { return product(wholePart(product(value, 100)), 0.01f); }
+
+float throughRadians(float degrees) {
+  constexpr float kRadians = 0.0174532924f, kDegrees = 57.2957764f, kTurn = 6.28318548f;  // of one degree; of one radian
+  float radians = product(magnitudeOf(degrees), kRadians);
+  if (isNegative(degrees)) {
+    if (bitsOf(radians) != 0) radians = minus(kTurn, radians);
+  } else if (bitsOf(radians) >= bitsOf(kTurn)) {
+    radians = 0;
+  }
+  return product(radians, kDegrees);
+}
+
+bool isHeading(float degrees) {
+  const uint32_t magnitude = bitsOf(degrees) & ~kSign;
+  return magnitude > kInfinity || magnitude <= bitsOf(isNegative(degrees) ? 180.f : 360.f);
+}
+
+int32_t throughFloat(int32_t value) {
+  const uint32_t magnitude = value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
+  if (static_cast<uint8_t>(magnitude >> 24) == 0) return value;
+  const uint32_t bits = bitsOf(rounded(magnitude, kBias + 23, false));
+  uint32_t near = mantissaOf(bits);
+  for (uint8_t shift = biasedExponent(bits) - (kBias + 23); shift != 0; --shift) near <<= 1;
+  return static_cast<int32_t>(value < 0 ? 0 - near : near);
 }
 
 namespace {

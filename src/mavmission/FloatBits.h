@@ -30,12 +30,26 @@ int32_t timesWhole(int32_t bits, uint32_t factor);
 // `value` without what is behind the point.
 float wholePart(float value);
 
-// An altitude [m] in the centimetres that ArduPilot keeps of it: a float product with 100, cut off, as its own code has
-// it. Below 0.01 m it is 0; from 32,768 m on, with the sign, 0x3FFFFFFF.
-int32_t centimetresKept(float metres);
-// The nearest centimetres to an altitude [m] that was read back; from 32,768 m on, with the sign, 0x40000000, which is
-// never what was kept.
-int32_t centimetresRead(float metres);
+// a * b, to the nearest float; 0 where that is far below 1e-30. Both are finite, b is not 0, the product is below 2^127.
+MAVMISSION_APART float product(float a, float b);
+// a - b, to the nearest float, for a from b on, and b from 0 on.
+MAVMISSION_APART float minus(float a, float b);
+
+// `value` without its sign.
+float magnitudeOf(float value);
+
+// A number that has been cut to whole hundredths and put together again by ArduPilot's own way: as floats, one after the
+// other. Below 83,886.08.
+float inHundredths(float value);
+
+// A heading from -180 to 360 degrees as PX4 gives it back, from 0 to 360: made radians, put into one turn, made degrees
+// again, each as floats.
+float throughRadians(float degrees);
+// False for what is beyond that, and not NaN.
+bool isHeading(float degrees);
+
+// The integer that is left of one that has been a float, as far as it fits.
+int32_t throughFloat(int32_t value);
 
 // value / divisor as the nearest float. `divisor` is 1 to 2^28.
 float quotient(int32_t value, uint32_t divisor);
