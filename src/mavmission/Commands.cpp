@@ -9,27 +9,25 @@ using namespace keeping;
 
 namespace {
 
-constexpr uint8_t pair(uint8_t low, uint8_t high) { return static_cast<uint8_t>(low | high << 4); }
+constexpr uint16_t four(uint8_t first, uint8_t second, uint8_t third, uint8_t fourth) {
+  return static_cast<uint16_t>(first | second << 4 | third << 8 | static_cast<uint16_t>(fourth) << 12);
+}
 
 // What ArduPilot does with x, y and z.
 enum class InArduPilot : uint8_t { NotTaken, None, Place, Optional, Configure, Shoot, Mount, Gimbal, Attitude, Fence, Rally };
 
-struct More {
-  uint8_t xy, zAndTraits;
-};
-
-const More kInArduPilot[] PROGMEM = {
-    {pair(K, K), pair(K, kIsNotTaken)},
-    {pair(D, D), pair(D, kHasNoPlace)},
-    {pair(K, K), pair(Height, 0)},
-    {pair(K, K), pair(Height, kPlaceIsOptional)},
-    {pair(U8, U8), pair(K, kHasNoPlace)},
-    {pair(U8, U8), pair(D, kHasNoPlace)},
-    {pair(D, D), pair(MountMode, kHasNoPlace)},
-    {pair(U8, D), pair(U8, kHasNoPlace)},
-    {pair(I16, D), pair(D, kHasNoPlace)},
-    {pair(K, K), pair(D, 0)},
-    {pair(K, K), pair(I16, 0)},
+const uint16_t kInArduPilot[] PROGMEM = {
+    four(K, K, K, kIsNotTaken),
+    four(D, D, D, kHasNoPlace),
+    four(K, K, Height, 0),
+    four(K, K, Height, kPlaceIsOptional),
+    four(U8, U8, K, kHasNoPlace),
+    four(U8, U8, D, kHasNoPlace),
+    four(D, D, MountMode, kHasNoPlace),
+    four(U8, D, U8, kHasNoPlace),
+    four(I16, D, D, kHasNoPlace),
+    four(K, K, D, 0),
+    four(K, K, I16, 0),
 };
 
 // What PX4 does with such an item.
@@ -37,32 +35,37 @@ enum class InPx4 : uint8_t {
   NotTaken, Command, Place, Waypoint, Loiter, LoiterTime, LoiterToAltitude, Land, Takeoff, Roi, Jump, LandStart, Corner, Circle
 };
 
-const Rules kInPx4[] PROGMEM = {
-    {{pair(K, K), pair(K, K), pair(K, K), pair(K, kIsNotTaken)}},
-    {{pair(K, K), pair(K, K), pair(K, K), pair(K, kHasNoPlace)}},
-    {{pair(D, D), pair(D, D), pair(K, K), pair(K, 0)}},
-    {{pair(K, K), pair(D, Yaw360), pair(K, K), pair(K, 0)}},
-    {{pair(D, D), pair(K, Yaw360), pair(K, K), pair(K, 0)}},
-    {{pair(K, U1), pair(K, U1), pair(K, K), pair(K, 0)}},
-    {{pair(U1, K), pair(D, U1), pair(K, K), pair(K, 0)}},
-    {{pair(D, U16), pair(D, Yaw360), pair(K, K), pair(K, kPlaceIsOptional)}},
-    {{pair(D, D), pair(D, Yaw360), pair(K, K), pair(K, kPlaceIsOptional)}},
-    {{pair(Special, D), pair(D, D), pair(K, K), pair(K, kAsItsFrameSays)}},
-    {{pair(I16, U16), pair(K, K), pair(K, K), pair(K, kHasNoPlace)}},
-    {{pair(K, K), pair(K, K), pair(Rounded, Rounded), pair(K, kHasNoPlace)}},
-    {{pair(U16, D), pair(D, D), pair(K, K), pair(K, 0)}},
-    {{pair(K, D), pair(D, D), pair(K, K), pair(K, 0)}},
+struct Both {
+  uint16_t params, more;
+};
+
+const Both kInPx4[] PROGMEM = {
+    {four(K, K, K, K), four(K, K, K, kIsNotTaken)},
+    {four(K, K, K, K), four(K, K, K, kHasNoPlace)},
+    {four(D, D, D, D), four(K, K, K, 0)},
+    {four(K, K, D, Yaw360), four(K, K, K, 0)},
+    {four(D, D, K, Yaw360), four(K, K, K, 0)},
+    {four(K, U1, K, U1), four(K, K, K, 0)},
+    {four(U1, K, D, U1), four(K, K, K, 0)},
+    {four(D, U16, D, Yaw360), four(K, K, K, kPlaceIsOptional)},
+    {four(D, D, D, Yaw360), four(K, K, K, kPlaceIsOptional)},
+    {four(Special, D, D, D), four(K, K, K, kAsItsFrameSays)},
+    {four(I16, U16, K, K), four(K, K, K, kHasNoPlace)},
+    {four(K, K, K, K), four(Rounded, Rounded, K, kHasNoPlace)},
+    {four(U16, D, D, D), four(K, K, K, 0)},
+    {four(K, D, D, D), four(K, K, K, 0)},
 };
 
 struct Row {
   uint16_t command;
-  uint8_t params12, params34, where;  // on ArduPilot; and what each autopilot does else
+  uint16_t params;  // on ArduPilot
+  uint8_t where;    // InArduPilot, and InPx4 above it
 };
 
 constexpr Row row(uint16_t command, uint8_t param1, uint8_t param2, uint8_t param3, uint8_t param4, InArduPilot arduPilot,
                   InPx4 px4) {
-  return Row{command, pair(param1, param2), pair(param3, param4),
-             pair(static_cast<uint8_t>(arduPilot), static_cast<uint8_t>(px4))};
+  return Row{command, four(param1, param2, param3, param4),
+             static_cast<uint8_t>(static_cast<uint8_t>(arduPilot) | static_cast<uint8_t>(px4) << 4)};
 }
 
 constexpr uint8_t kPlaneRows = 2;  // of planes alone, before all others
@@ -156,50 +159,50 @@ const Row kRows[] PROGMEM = {
     row(42703, U16, To180, To90, To360, InArduPilot::Attitude, InPx4::NotTaken),  // NAV_ATTITUDE_TIME
 };
 
-// The row of a command, in flash; null: there is none.
-const Row* findRow(uint16_t command, bool isPlane) {
-  for (const Row* row = isPlane ? kRows : kRows + kPlaneRows; row != kRows + sizeof(kRows) / sizeof(kRows[0]); ++row) {
-    if (fromFlash(&row->command) == command) return row;
+// The rules of a command. For an autopilot that is neither they are ArduPilot's, or PX4's where ArduPilot does not take it.
+Rules find(uint16_t command, Keeper keeper) {
+  Both found = {0, four(K, K, Height, kAsItsFrameSays)};
+  for (const Row* row = (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows; row != kRows + sizeof(kRows) / sizeof(*kRows);
+       ++row) {
+    if (fromFlash(&row->command) != command) continue;
+    const uint8_t where = fromFlash(&row->where);
+    const uint8_t inArduPilot = where & 15;
+    if ((keeper & kByPx4) != 0 || ((keeper & kByArduPilot) == 0 && inArduPilot == 0)) {
+      const Both* both = &kInPx4[where >> 4];
+      found.params = fromFlash(&both->params);
+      found.more = fromFlash(&both->more);
+    } else {
+      found.params = fromFlash(&row->params);
+      found.more = fromFlash(&kInArduPilot[inArduPilot]);
+    }
+    break;
   }
-  return nullptr;
+  return Rules{found.params | static_cast<uint32_t>(found.more) << 16};
 }
 
 }  // namespace
 
-bool isPlane(uint8_t vehicleType) {
-  return vehicleType == 1 || (vehicleType >= 19 && vehicleType <= 25);  // MAV_TYPE_FIXED_WING, MAV_TYPE_VTOL_...
+Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
+  static_assert(static_cast<uint8_t>(Firmware::ArduPilot) == kByArduPilot && static_cast<uint8_t>(Firmware::Px4) == kByPx4 &&
+                    static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence && static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
+                "flags are made of the numbers");
+  Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3);
+  if (firmware != Firmware::Other) keeper |= static_cast<uint8_t>(firmware);
+  // MAV_TYPE_FIXED_WING, MAV_TYPE_VTOL_...
+  const bool isPlane = vehicleType == 1 || static_cast<uint8_t>(vehicleType - 19) <= 25 - 19;
+  if (isPlane && firmware == Firmware::ArduPilot) keeper |= kByPlane;
+  return keeper;
 }
 
 Rules rulesOf(const MissionItem& item, Keeper keeper) {
-  Rules rules = {{0, 0, 0, pair(Height, kAsItsFrameSays)}};
-  const Row* row = findRow(item.command, keeper.isPlane);
-  if (row != nullptr) {
-    const uint8_t where = fromFlash(&row->where);
-    if (keeper.firmware == Firmware::Px4 || (keeper.firmware != Firmware::ArduPilot && (where & 15) == 0)) {
-      const Rules* found = &kInPx4[where >> 4];
-      for (uint8_t i = 0; i < 4; ++i) rules.pairs[i] = fromFlash(&found->pairs[i]);
-    } else {
-      const More* more = &kInArduPilot[where & 15];
-      rules.pairs[0] = fromFlash(&row->params12);
-      rules.pairs[1] = fromFlash(&row->params34);
-      rules.pairs[2] = fromFlash(&more->xy);
-      rules.pairs[3] = fromFlash(&more->zAndTraits);
-    }
-  }
+  Rules rules = find(item.command, keeper);
+  // Without a place all is kept, but for what is special in param1.
   if (rules.has(kAsItsFrameSays) && item.frame == Frame::Mission) {
-    // All is kept, but for what is special in param1.
-    rules.pairs[0] &= 15;
-    rules.pairs[1] = 0;
-    rules.pairs[3] = pair(Height, kHasNoPlace);
+    rules.bits = (rules.bits & 15) | static_cast<uint32_t>(four(K, K, Height, kHasNoPlace)) << 16;
   }
   return rules;
 }
 
-uint8_t traitsOf(uint16_t command) {
-  const Row* row = findRow(command, false);
-  if (row == nullptr) return 0;
-  const uint8_t where = fromFlash(&row->where);
-  return ((where & 15) != 0 ? fromFlash(&kInArduPilot[where & 15].zAndTraits) : fromFlash(&kInPx4[where >> 4].pairs[3])) >> 4;
-}
+uint8_t traitsOf(uint16_t command) { return static_cast<uint8_t>(find(command, 0).bits >> 28); }
 
 }  // namespace mavmission

@@ -16,15 +16,18 @@ enum class Firmware : uint8_t {
   Other,      // any other autopilot: the protocol as the guide has it
 };
 
-// Who keeps a plan, and which kind of plan it is.
-struct Keeper {
-  Firmware firmware;
-  bool isPlane;  // ArduPilot's Plane, which keeps some fields that its Copter drops
-  PlanType type;
+// Who keeps a plan, and of which kind it is: an or of these. None of the first two: the protocol as the guide has it.
+enum KeeperFlag : uint8_t {
+  kByArduPilot = 1,
+  kByPx4 = 2,
+  kByPlane = 4,  // ArduPilot's Plane, which keeps some fields that its Copter drops
+  kOfFence = 8,
+  kOfRally = 16,
 };
+typedef uint8_t Keeper;
 
-// True for the MAV_TYPE of a fixed wing, or of one that can hover.
-bool isPlane(uint8_t vehicleType);
+// `vehicleType`: HEARTBEAT.type.
+Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type);
 
 // Flags of a command.
 enum CommandTrait : uint8_t {

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "Config.h"
+#include "Flash.h"
 
 namespace mavmission {
 namespace {
@@ -43,14 +44,13 @@ FloatKind kindOf(const void* bytes) {
   return magnitude == kInfinity ? FloatKind::Infinite : FloatKind::NotANumber;
 }
 
-bool isSame(float a, float b) {
-  const uint32_t bitsA = bitsOf(a);
-  const uint32_t bitsB = bitsOf(b);
+bool isSame(const void* a, const void* b) {
+  uint32_t bitsA, bitsB;
+  memcpy(&bitsA, a, sizeof(bitsA));
+  memcpy(&bitsB, b, sizeof(bitsB));
   if (bitsA == bitsB || ((bitsA | bitsB) & ~kSign) == 0) return true;
   return (bitsA & ~kSign) > kInfinity && (bitsB & ~kSign) > kInfinity;
 }
-
-bool isNegative(float value) { return (bitsOf(value) & kSign) != 0; }
 
 int32_t wholeNumber(float value) {
   const uint32_t bits = bitsOf(value);
@@ -79,21 +79,21 @@ int32_t timesWhole(int32_t bits, uint32_t factor) {
   return bits < 0 ? -static_cast<int32_t>(product) : static_cast<int32_t>(product);
 }
 
-float wholePart(float value) {
-  const uint32_t bits = bitsOf(value);
-  const uint8_t biased = biasedExponent(bits);
-  if (biased < kBias) return 0;
-  if (biased >= kBias + 23) return value;
-  return fromBits(bits & ~((kHidden - 1) >> (biased - kBias)));
+namespace {
+
+uint32_t load(const void* number) {
+  uint32_t bits;
+  memcpy(&bits, number, sizeof(bits));
+  return bits;
 }
 
-namespace {
+void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
 
 uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
 
-// The nearest float; `biased` is the exponent that it has if the leading 1 of `mantissa` is at bit 23. `more`: something is
-// behind the mantissa's last bit.
-MAVMISSION_APART float rounded(uint32_t mantissa, uint8_t biased, bool more) {
+// Stores the nearest float; `biased` is the exponent that it has if the leading 1 of `mantissa` is at bit 23. `more`:
+// something is behind the mantissa's last bit.
+MAVMISSION_APART void storeRounded(void* number, uint32_t mantissa, uint8_t biased, bool more) {
   bool half = false;  // the highest bit of what is cut off; `more`: there is any below it
   while (static_cast<uint8_t>(mantissa >> 24) != 0) {
     more |= half;
@@ -103,69 +103,73 @@ MAVMISSION_APART float rounded(uint32_t mantissa, uint8_t biased, bool more) {
   }
   if (half && (more || (mantissa & 1) != 0)) ++mantissa;
   // The leading 1 raises the exponent by one, and so does a carry out of the mantissa.
-  return fromBits(mantissa + (static_cast<uint32_t>(static_cast<uint8_t>(biased - 1)) << 23));
+  store(number, mantissa + (static_cast<uint32_t>(static_cast<uint8_t>(biased - 1)) << 23));
 }
+
+struct Factor {
+  uint32_t mantissa;
+  int8_t exponent;
+};
+
+const Factor kFactors[] PROGMEM = {{0xC80000, 6}, {0xA3D70A, -7}, {0x8EFA35, -6}, {0xE52EE0, 5}, {0x800000, 8}};
 
 }  // namespace
 
-float product(float a, float b) {
-  const uint8_t exponentOfA = biasedExponent(bitsOf(a));
-  const int16_t biased = static_cast<int16_t>(exponentOfA) + biasedExponent(bitsOf(b)) - (kBias + 7);
-  if (exponentOfA == 0 || biased <= 0) return 0;
-  const uint32_t shifted = mantissaOf(bitsOf(a)) << 7;
-  uint32_t factor = mantissaOf(bitsOf(b));
+void makeWhole(void* number) {
+  uint32_t bits = load(number);
+  const uint8_t biased = biasedExponent(bits);
+  if (biased >= kBias + 23) return;
+  if (biased < kBias) bits = 0;
+  uint32_t mask = kHidden - 1;
+  for (uint8_t below = biased - kBias; below != 0; --below) mask >>= 1;
+  store(number, bits & ~mask);
+}
+
+void multiply(void* number, Times by) {
+  const uint32_t bits = load(number);
+  const uint8_t biased = biasedExponent(bits);
+  const Factor* factor = &kFactors[static_cast<uint8_t>(by)];
+  uint32_t bitsLeft = fromFlash(&factor->mantissa);
+  const uint32_t shifted = mantissaOf(bits) << 7;
   uint32_t sum = 0;
   bool more = false;
   for (uint8_t i = 0; i < 24; ++i) {
     more |= (sum & 1) != 0;
     sum >>= 1;
-    if ((factor & 1) != 0) sum += shifted;
-    factor >>= 1;
+    if ((bitsLeft & 1) != 0) sum += shifted;
+    bitsLeft >>= 1;
   }
-  return fromBits(bitsOf(rounded(sum, static_cast<uint8_t>(biased), more)) | (bitsOf(a) & kSign));
+  const uint8_t exponent = fromFlash(reinterpret_cast<const uint8_t*>(&factor->exponent));
+  if (biased < 16) return store(number, 0);
+  storeRounded(number, sum, static_cast<uint8_t>(biased + exponent - 7), more);
+  uint8_t* top = static_cast<uint8_t*>(number) + 3;
+  *top |= static_cast<uint8_t>(bits >> 24) & 0x80;
 }
 
-float minus(float a, float b) {
-  uint8_t biased = biasedExponent(bitsOf(a));
-  uint32_t rest = mantissaOf(bitsOf(b)) << 7;
-  bool more = false;
-  for (uint8_t shift = biased - biasedExponent(bitsOf(b)); shift != 0; --shift) {
-    more |= (rest & 1) != 0;
-    rest >>= 1;
+void makeHundredths(void* number) {
+  multiply(number, Times::Hundred);
+  makeWhole(number);
+  multiply(number, Times::Hundredth);
+}
+
+void makeTurn(void* degrees) {
+  multiply(degrees, Times::Radian);
+  constexpr uint32_t kTurn = 0x40C90FDB;  // in radians
+  uint32_t radians = load(degrees);
+  if ((radians & kSign) != 0) {
+    // A turn less that, with 7 bits more than a float has.
+    uint8_t biased = biasedExponent(radians);
+    radians = mantissaOf(radians) << 7;
+    bool more = false;
+    for (; biased < kBias + 2; ++biased) {
+      more |= (radians & 1) != 0;
+      radians >>= 1;
+    }
+    storeRounded(degrees, (mantissaOf(kTurn) << 7) - radians - (more ? 1 : 0), kBias + 2 - 7, more);
+  } else if (radians == kTurn) {
+    store(degrees, 0);
   }
-  rest = (mantissaOf(bitsOf(a)) << 7) - rest - (more ? 1 : 0);
-  if (rest == 0) return 0;
-  for (; rest < kHidden; rest <<= 1) --biased;
-  return rounded(rest, static_cast<uint8_t>(biased - 7), more);
-}
-
-float magnitudeOf(float value) { return fromBits(bitsOf(value) & ~kSign); }
-
-float inHundredths(float value) { return product(wholePart(product(value, 100)), 0.01f); }
-
-float throughRadians(float degrees) {
-  constexpr float kRadians = 0.0174532924f, kDegrees = 57.2957764f, kTurn = 6.28318548f;  // of one degree; of one radian
-  float radians = product(magnitudeOf(degrees), kRadians);
-  if (isNegative(degrees)) {
-    if (bitsOf(radians) != 0) radians = minus(kTurn, radians);
-  } else if (bitsOf(radians) >= bitsOf(kTurn)) {
-    radians = 0;
-  }
-  return product(radians, kDegrees);
-}
-
-bool isHeading(float degrees) {
-  const uint32_t magnitude = bitsOf(degrees) & ~kSign;
-  return magnitude > kInfinity || magnitude <= bitsOf(isNegative(degrees) ? 180.f : 360.f);
-}
-
-int32_t throughFloat(int32_t value) {
-  const uint32_t magnitude = value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
-  if (static_cast<uint8_t>(magnitude >> 24) == 0) return value;
-  const uint32_t bits = bitsOf(rounded(magnitude, kBias + 23, false));
-  uint32_t near = mantissaOf(bits);
-  for (uint8_t shift = biasedExponent(bits) - (kBias + 23); shift != 0; --shift) near <<= 1;
-  return static_cast<int32_t>(value < 0 ? 0 - near : near);
+  multiply(degrees, Times::Degree);
 }
 
 namespace {

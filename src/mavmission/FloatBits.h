@@ -12,8 +12,7 @@ enum class FloatKind : uint8_t { Finite, Infinite, NotANumber };
 FloatKind kindOf(const void* bytes);
 
 // The same value: any NaN is the same as any other, 0 the same as -0.
-MAVMISSION_APART bool isSame(float a, float b);
-bool isNegative(float value);
+MAVMISSION_APART bool isSame(const void* a, const void* b);
 
 // The whole number from 0 to 65535 that `value` is, or -1 if it is none.
 int32_t wholeNumber(float value);
@@ -27,29 +26,23 @@ float oneLess(float whole);
 // is 0.
 int32_t timesWhole(int32_t bits, uint32_t factor);
 
-// `value` without what is behind the point.
-float wholePart(float value);
+// The following work on the float that lies at `number`: calls are small, and that is what counts on AVR.
 
-// a * b, to the nearest float; 0 where that is far below 1e-30. Both are finite, b is not 0, the product is below 2^127.
-MAVMISSION_APART float product(float a, float b);
-// a - b, to the nearest float, for a from b on, and b from 0 on.
-MAVMISSION_APART float minus(float a, float b);
+// Cuts off what is behind the point.
+MAVMISSION_APART void makeWhole(void* number);
 
-// `value` without its sign.
-float magnitudeOf(float value);
+// What a number is multiplied with.
+enum class Times : uint8_t { Hundred, Hundredth, Radian, Degree, T256 };  // a radian: of one degree, and the other way round
+// Multiplies, to the nearest float. What is below 1e-33 becomes 0.
+MAVMISSION_APART void multiply(void* number, Times factor);
 
-// A number that has been cut to whole hundredths and put together again by ArduPilot's own way: as floats, one after the
-// other. Below 83,886.08.
-float inHundredths(float value);
+// Makes of a number what is left of it when whole hundredths have been kept, and put together again as floats: ArduPilot's
+// own way.
+void makeHundredths(void* number);
 
-// A heading from -180 to 360 degrees as PX4 gives it back, from 0 to 360: made radians, put into one turn, made degrees
-// again, each as floats.
-float throughRadians(float degrees);
-// False for what is beyond that, and not NaN.
-bool isHeading(float degrees);
-
-// The integer that is left of one that has been a float, as far as it fits.
-int32_t throughFloat(int32_t value);
+// Makes of a heading from -180 to 360 degrees what PX4 gives back: made radians, put into one turn, made degrees again, as
+// floats.
+MAVMISSION_APART void makeTurn(void* degrees);
 
 // value / divisor as the nearest float. `divisor` is 1 to 2^28.
 float quotient(int32_t value, uint32_t divisor);

@@ -35,14 +35,16 @@ enum Kind : uint8_t {
 
 }  // namespace keeping
 
-// The Kind of param1 to param4, x, y and z, four bits each, and the flags of a command.
+// The Kind of param1 to param4, x, y and z, four bits each from the lowest on, and then the flags of a command.
 struct Rules {
-  uint8_t pairs[4];
+  uint32_t bits;
 
-  uint8_t kindOf(uint8_t field) const { return (field & 1) != 0 ? pairs[field >> 1] >> 4 : pairs[field >> 1] & 15; }
-  bool has(CommandTrait trait) const { return (pairs[3] & trait << 4) != 0; }
+  bool has(CommandTrait trait) const { return (static_cast<uint8_t>(bits >> 24) >> 4 & trait) != 0; }
   // param4 may be NaN: as you fly.
-  bool hasYaw() const { return (pairs[1] >> 4) >= keeping::Yaw360 && (pairs[1] >> 4) <= keeping::Sign; }
+  bool hasYaw() const {
+    const uint8_t kind = static_cast<uint8_t>(bits >> 8) >> 4;
+    return kind >= keeping::Yaw360 && kind <= keeping::Sign;
+  }
 };
 
 // What this keeper makes of the fields of such an item: its command and its frame count.

@@ -10,6 +10,9 @@ namespace {
 
 bool isBeyond(int32_t value, int32_t limit) { return value > limit || value < -limit; }
 
+bool is(const float& number, uint32_t bits) { return memcmp(&number, &bits, sizeof(bits)) == 0; }
+constexpr uint32_t kMinus1 = 0xBF800000, k65535 = 0x477FFF00;
+
 // ArduPilot's largest altitude, in metres. (NaN and infinity are refused before.)
 bool isBelow83km(float metres) {
   uint32_t bits;
@@ -67,10 +70,9 @@ void WirePlan::setSource(const ItemSource& plan) {
 
 void WirePlan::begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool raw) {
   firmware_ = firmware;
-  isPlane_ = firmware == Firmware::ArduPilot && isPlane(vehicleType);
-  type_ = static_cast<uint8_t>(type);
-  raw_ = raw || type != PlanType::Mission;
-  homeItems_ = firmware == Firmware::ArduPilot && !raw_ && count_ > 0 ? 1 : 0;
+  keeper_ = keeperOf(firmware, vehicleType, type);
+  if (raw || type != PlanType::Mission) keeper_ |= kIsRaw;
+  homeItems_ = beginsWithHome() && count_ > 0 ? 1 : 0;
   searched_ = 0;
 }
 
@@ -85,18 +87,18 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     if (kind == FloatKind::NotANumber && !(i == 4 && rules.hasYaw())) return Status::NotANumber;
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
-  const bool isArduPilot = firmware_ == Firmware::ArduPilot;
-  const bool isMission = type_ == static_cast<uint8_t>(PlanType::Mission);
+  const bool isArduPilot = (keeper_ & kByArduPilot) != 0;
+  const bool isMission = (keeper_ & (kOfFence | kOfRally)) == 0;
   if (!rules.has(kHasNoPlace)) {
     // ArduPilot takes a place in a mission whatever its frame says.
     if (isBeyond(item.x, 900000000)) return Status::BadLatitude;
     if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
     if (hasPlace(item)) {
       if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
-    } else if (!isMission || firmware_ == Firmware::Px4) {
+    } else if (!isMission || (keeper_ & kByPx4) != 0) {
       return Status::NeedsPlace;
     }
-    if (isArduPilot && type_ != static_cast<uint8_t>(PlanType::Fence)) {
+    if (isArduPilot && (keeper_ & kOfFence) == 0) {
       if (!isBelow83km(item.z)) return Status::BadAltitude;
       if (!isMission && (item.x | item.y) == 0) return Status::NeedsPlace;  // taken, and never given back
     }
@@ -104,7 +106,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
   if (item.command == kDoJump) {
     const int32_t target = wholeNumber(item.param1);
     // Home, which raw numbers count as well, is no item to jump to.
-    if (target < (raw_ && isArduPilot ? 1 : 0) || static_cast<uint16_t>(target) >= count_) return Status::BadJump;
+    if (target < ((keeper_ & (kByArduPilot | kIsRaw)) == (kByArduPilot | kIsRaw) ? 1 : 0) || static_cast<uint16_t>(target) >= count_) return Status::BadJump;
   }
   return notKept(item, keeper()) == Field::None ? Status::Accepted : Status::NotKept;
 }
@@ -152,20 +154,20 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     if (!read_(context_, wireIndex, item)) return Status::SourceRefused;
     if (place.isFound()) place.give(item);
     const bool isJump = item.command == kDoJump;
-    if (firmware_ == Firmware::Px4) {
+    if ((keeper_ & kByPx4) != 0) {
       if (item.command == kNavRoi) item.command = kDoSetRoi;  // as it is kept
       // For ever. What a float below 0 becomes where PX4 counts from 0 depends on the board.
-      if (isJump && isSame(item.param2, -1)) item.param2 = 65535;
+      if (isJump && is(item.param2, kMinus1)) item.param2 = 65535;
     }
     const Rules rules = rulesOf(item, keeper());
     // A NaN, for "as you fly": 0 is that there.
-    if (firmware_ == Firmware::ArduPilot && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber) item.param4 = 0;
+    if ((keeper_ & kByArduPilot) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber) item.param4 = 0;
     if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
     const Status checked = check(item, rules);
     if (checked != Status::Accepted) return checked;
     if (homeItems_ != 0) {
       if (isJump) item.param1 = oneMore(item.param1);
-    } else if (firmware_ == Firmware::Px4 && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
+    } else if ((keeper_ & kByPx4) != 0 && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
       // Other items are read where this one is, and it is read again behind them: it saves a second one on the stack.
       const Status found = findPlaceFor(wireIndex, item);
       if (found != Status::Accepted) return found;
@@ -178,11 +180,11 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
 
 void fromWire(MissionItem& item, Firmware firmware) {
   item.frame = modern(item.frame);
-  const Rules rules = rulesOf(item, Keeper{firmware, false, PlanType::Mission});
+  const Rules rules = rulesOf(item, keeperOf(firmware, 0, PlanType::Mission));
   if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
   item.current = 0;
   const bool isJump = item.command == kDoJump;
-  if (firmware == Firmware::Px4 && isJump && isSame(item.param2, 65535)) item.param2 = -1;
+  if (firmware == Firmware::Px4 && isJump && is(item.param2, k65535)) item.param2 = -1;
   if (firmware != Firmware::ArduPilot) return;
   if (rules.hasYaw()) item.param4 = Yaw().inDegrees();
   if (isJump) item.param1 = oneLess(item.param1);

@@ -26,10 +26,10 @@ class WirePlan {
 
   Firmware firmware() const { return firmware_; }
   // Who is to keep it.
-  Keeper keeper() const { return Keeper{firmware_, isPlane_, static_cast<PlanType>(type_)}; }
+  Keeper keeper() const { return keeper_; }
 
   // True where wire item 0 is home, whoever supplies it.
-  bool beginsWithHome() const { return firmware_ == Firmware::ArduPilot && !raw_; }
+  bool beginsWithHome() const { return (keeper_ & (kByArduPilot | kIsRaw)) == kByArduPilot; }
 
   // The sketch's items.
   uint16_t count() const { return count_; }
@@ -49,6 +49,7 @@ class WirePlan {
   Status read(uint16_t wireIndex, MissionItem& item);
 
  private:
+  static constexpr uint8_t kIsRaw = 64;  // beside the flags of a Keeper
   Status check(const MissionItem& item, const Rules& rules) const;
   // Looks for an item near item `index`, which is `item`, whose place that one can have, and puts it there instead.
   MAVMISSION_APART Status findPlaceFor(uint16_t index, MissionItem& item);
@@ -59,9 +60,7 @@ class WirePlan {
   uint16_t searched_;  // places that have been looked at around an item that needs one
   Firmware firmware_;
   uint8_t homeItems_;
-  bool raw_ : 1;      // bits, for RAM
-  bool isPlane_ : 1;
-  uint8_t type_ : 2;  // PlanType
+  Keeper keeper_;  // and kIsRaw
 };
 
 // The way back: makes of an item of the mission, as the autopilot gave it, the item that a sketch would have written. Jump
