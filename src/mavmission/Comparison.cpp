@@ -61,100 +61,89 @@ MAVMISSION_APART bool fitsFloat(uint32_t integer) {
   return true;
 }
 
-MAVMISSION_APART bool isIntegerKept(uint8_t kind, uint32_t sent, uint32_t read, Keeper keeper) {
-  if (kind == D && read == 0) return true;
-  if (kind == Rounded && fitsFloat(read) && static_cast<uint8_t>(read >> 24) != 0) {
-    constexpr uint8_t kHalfStep = 64;  // of a float, at most
-    return read - sent + kHalfStep <= 2 * kHalfStep;
-  }
-  if (read != sent) return false;
-  if (kind == U8) return sent <= 0xFF;
-  if (kind == I16) return sent + 0x8000 <= 0xFFFF;
-  return kind != K || (keeper & kInFloats) == 0 || fitsFloat(sent);
+MAVMISSION_APART // `sent` is no float, and `read` one beside it: floats have steps of 2 to 128 there.
+bool isRounded(uint32_t sent, uint32_t read) {
+  return !fitsFloat(sent) && fitsFloat(read) && read - sent + 64 <= 128;
 }
 
 // Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a region of
-// interest: none or a place, or where it has no place none or an item. `whole`: its magnitude, -1 if that is not whole.
-MAVMISSION_APART bool isSpecialKept(Four sent, int32_t whole, uint8_t field, Keeper keeper) {
+// interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is spoilt.
+bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
+  if ((keeper & kByPx4) != 0) makeWhole(&value);
+  int32_t whole = wholeNumber(value.number);
   if ((keeper & kByPx4) != 0) {
-    makeWhole(&sent);
-    const uint32_t mode = static_cast<uint32_t>(wholeNumber(sent.number));
-    return mode <= 3 && mode != ((keeper & kInFloats) != 0 ? 3 : 2) && (mode != 1 || (keeper & kInFloats) != 0);
+    const uint8_t modes = (keeper & kInFloats) != 0 ? 1 << 0 | 1 << 1 | 1 << 2 : 1 << 0 | 1 << 3;
+    return static_cast<uint32_t>(whole) < 8 && (modes >> static_cast<uint8_t>(whole) & 1) != 0;
   }
+  if ((keeper & kOfFence) != 0) return !isBelow0 && whole != 0;
   if (field == kParam3) {
-    if (whole > 2550) return false;
-    while (whole > 255) {
-      whole -= 10;
-      if (whole <= 250) return whole == 250;
+    if (whole > 255 && whole <= 2550) {
+      do whole -= 10;
+      while (whole > 255);
+      return whole == 250;
     }
-    return whole >= 0;
-  }
-  if (sent.isBelow0()) return false;
-  if ((keeper & kOfFence) != 0) return whole != 0;
-  if (whole < 0) {
-    multiply(&sent, Times::T256);
-    whole = wholeNumber(sent.number);
+  } else {
+    if (isBelow0) return false;
+    if (whole < 0) {
+      multiply(&value, Times::T256);
+      whole = wholeNumber(value.number);
+    }
   }
   return static_cast<uint32_t>(whole) <= 255;
 }
 
-MAVMISSION_APART bool isNumberKept(uint8_t kind, const Four& sent, const Four& read, uint8_t field, Keeper keeper) {
-  const bool same = isSame(&read, &sent);
-  if (kind == K) return same;
-  Four kept = sent;
-  kept.bytes[3] &= 0x7F;
-  const int32_t whole = wholeNumber(kept.number);
-  if (kind >= U1) {
-    const uint16_t* limit = &kLimits[kind - U1].positive;
-    if (sent.isBelow0()) ++limit;
-    return same && whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
-  }
+// `sent` becomes what is kept of it; false if that does not mean the same.
+MAVMISSION_APART bool keep(Four& sent, uint8_t kind, uint8_t field, Keeper keeper) {
+  const uint8_t sign = sent.bytes[3] & 0x80;
   const bool isZ = field == kZ;
-  switch (kind) {
-    case Special:
-      if (!isSpecialKept(sent, whole, field, keeper)) return false;
-      if ((keeper & (kByPx4 | kInFloats)) != kByPx4) return same;
-      kept.bits = 0;
-      break;
-    case Sign:
-      if ((keeper & kByPlane) != 0 && !isZ && static_cast<uint32_t>(whole) > 1) return false;
-      kept.number = 1;
-      if (isZ) kept.number = 2;
-      kept.bytes[3] |= sent.bytes[3] & 0x80;
-      break;
-    case Yaw360:
-      if (!isZ) {
-        constexpr uint32_t k360 = 0x43B40000, k180 = 0x43340000;
-        if (kept.bits <= 0x7F800000 && kept.bits > (sent.isBelow0() ? k180 : k360)) return false;
-      } else if ((keeper & kByArduPilot) == 0) {
-        return same;
-      }
-      if (same) return true;
-      kept = sent;
-      if (isZ) {
-        makeHundredths(&kept);
-      } else {
-        makeTurn(&kept);
-      }
-      break;
-    case Centimetres:
-      if (sent.bits >= 0x4423D70A) return false;  // 655.36, and what is negative
-      makeHundredths(&kept);
-      break;
-    default:
-      kept.bits = 0;
-      break;
+  if (kind == Yaw360) {
+    if (isZ) {
+      if ((keeper & kByArduPilot) != 0) makeHundredths(&sent);
+      return true;
+    }
+    const uint32_t magnitude = sent.bits & 0x7FFFFFFF;
+    if (magnitude > 0x7F800000) return true;  // NaN
+    if (magnitude > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
+    makeTurn(&sent);
+    return true;
   }
-  return same || isSame(&read, &kept);
+  if (kind == Centimetres) {
+    const bool isWithin = sent.bits < 0x4423D70A;  // 655.36, and what is negative
+    makeHundredths(&sent);
+    return isWithin;
+  }
+  if (kind >= Sign) {
+    sent.bytes[3] &= 0x7F;
+    const int32_t whole = wholeNumber(sent.number);
+    if (kind >= U1) {
+      const uint16_t* limit = &kLimits[kind - U1].positive;
+      if (sign != 0) ++limit;
+      sent.bytes[3] |= sign;
+      return whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
+    }
+    if (kind == Special) {
+      Four number = sent;
+      sent.bytes[3] |= sign;
+      // Of a region of interest with a place the mode is not given back.
+      if ((keeper & (kByPx4 | kInFloats)) == kByPx4) sent.bits = 0;
+      return isSpecialKept(number, sign != 0, field, keeper);
+    }
+    const bool isKept = (keeper & kByPlane) == 0 || isZ || static_cast<uint32_t>(whole) <= 1;
+    sent.number = 1;
+    sent.bytes[3] |= sign;
+    if (isZ) sent.number = 2;
+    return isKept;
+  }
+  if (kind != K) sent.bits = 0;
+  return true;
 }
 
-MAVMISSION_APART bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
+bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
   const Frame found = modern(read.frame);
   if (modern(sent.frame) == found) return true;
-  if (found != Frame::Global || (keeper & (kByArduPilot | kByPx4)) == 0) return false;
   // So come those of a fence, which has no altitude, and on ArduPilot those of items without a place, whatever they had.
-  const bool isNowhere = sent.frame == Frame::Mission || rules.has(kHasNoPlace);
-  return (keeper & kOfFence) != 0 || ((keeper & kByArduPilot) != 0 && isNowhere);
+  if ((keeper & kByArduPilot) != 0 && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
+  return found == Frame::Global && (keeper & (kByArduPilot | kByPx4)) != 0 && (keeper & kOfFence) != 0;
 }
 
 }  // namespace
@@ -170,8 +159,16 @@ Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper
   const Four* wasRead = reinterpret_cast<const Four*>(&read);
   for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, rules.bits >>= 4) {
     const uint8_t kind = static_cast<uint8_t>(rules.bits) & 15;
-    const bool isKept = field == kX || field == kY ? isIntegerKept(kind, wasSent->bits, wasRead->bits, flags)
-                                                   : isNumberKept(kind, *wasSent, *wasRead, field, flags);
+    Four kept = *wasSent;
+    bool isKept;
+    if (field == kX || field == kY) {
+      isKept = wasRead->bits == kept.bits || (kind == D && wasRead->bits == 0) ||
+               (kind == Rounded && isRounded(kept.bits, wasRead->bits));
+      if (kind >= U1) isKept = isKept && kept.bits + (kind == I16 ? 0x8000 : 0) <= (kind == I16 ? 0xFFFF : 0xFF);
+      if (kind == K && (flags & kInFloats) != 0) isKept = isKept && fitsFloat(kept.bits);
+    } else {
+      isKept = keep(kept, kind, field, flags) && (isSame(wasRead, wasSent) || isSame(wasRead, &kept));
+    }
     if (!isKept) return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + field);
   }
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.

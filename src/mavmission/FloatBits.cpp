@@ -91,27 +91,38 @@ void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
 
 uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
 
-// Stores the nearest float; `biased` is the exponent that it has if the leading 1 of `mantissa` is at bit 23. `more`:
-// something is behind the mantissa's last bit.
-MAVMISSION_APART void storeRounded(void* number, uint32_t mantissa, uint8_t biased, bool more) {
-  bool half = false;  // the highest bit of what is cut off; `more`: there is any below it
+// Stores the nearest float, with the sign that is there already; `biased` is the exponent that it has if the leading 1 of
+// `mantissa` is at bit 23. `more`: something is behind the mantissa's last bit.
+MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased, uint8_t more) {
+  uint8_t half = 0;  // the highest bit of what is cut off; `more`: there is any below it
   while (static_cast<uint8_t>(mantissa >> 24) != 0) {
     more |= half;
-    half = (mantissa & 1) != 0;
+    half = static_cast<uint8_t>(mantissa) & 1;
     mantissa >>= 1;
     ++biased;
   }
-  if (half && (more || (mantissa & 1) != 0)) ++mantissa;
-  // The leading 1 raises the exponent by one, and so does a carry out of the mantissa.
-  store(number, mantissa + (static_cast<uint32_t>(static_cast<uint8_t>(biased - 1)) << 23));
+  if (half != 0 && ((more | static_cast<uint8_t>(mantissa)) & 1) != 0) {
+    if (++mantissa == kHidden << 1) ++biased;  // its other bits are 0
+  }
+  number[0] = static_cast<uint8_t>(mantissa);
+  number[1] = static_cast<uint8_t>(mantissa >> 8);
+  uint8_t high = static_cast<uint8_t>(mantissa >> 16) & 0x7F;
+  if ((biased & 1) != 0) high |= 0x80;
+  number[2] = high;
+  number[3] = (number[3] & 0x80) | biased >> 1;
 }
 
 struct Factor {
   uint32_t mantissa;
-  int8_t exponent;
+  uint8_t exponent;  // less 7, for the 7 bits that a product has more
 };
 
-const Factor kFactors[] PROGMEM = {{0xC80000, 6}, {0xA3D70A, -7}, {0x8EFA35, -6}, {0xE52EE0, 5}, {0x800000, 8}};
+constexpr Factor factor(uint32_t mantissa, int8_t exponent) {
+  return Factor{mantissa, static_cast<uint8_t>(exponent - 7)};
+}
+
+const Factor kFactors[] PROGMEM = {factor(0xC80000, 6), factor(0xA3D70A, -7), factor(0x8EFA35, -6), factor(0xE52EE0, 5),
+                                   factor(0x800000, 8)};
 
 }  // namespace
 
@@ -126,24 +137,21 @@ void makeWhole(void* number) {
 }
 
 void multiply(void* number, Times by) {
-  const uint32_t bits = load(number);
+  uint32_t bits = load(number);
   const uint8_t biased = biasedExponent(bits);
-  const Factor* factor = &kFactors[static_cast<uint8_t>(by)];
-  uint32_t bitsLeft = fromFlash(&factor->mantissa);
-  const uint32_t shifted = mantissaOf(bits) << 7;
-  uint32_t sum = 0;
-  bool more = false;
-  for (uint8_t i = 0; i < 24; ++i) {
-    more |= (sum & 1) != 0;
-    sum >>= 1;
-    if ((bitsLeft & 1) != 0) sum += shifted;
-    bitsLeft >>= 1;
-  }
-  const uint8_t exponent = fromFlash(reinterpret_cast<const uint8_t*>(&factor->exponent));
   if (biased < 16) return store(number, 0);
-  storeRounded(number, sum, static_cast<uint8_t>(biased + exponent - 7), more);
-  uint8_t* top = static_cast<uint8_t*>(number) + 3;
-  *top |= static_cast<uint8_t>(bits >> 24) & 0x80;
+  const Factor* factor = &kFactors[static_cast<uint8_t>(by)];
+  bits = mantissaOf(bits) << 7;
+  uint32_t left = fromFlash(&factor->mantissa);
+  uint32_t sum = 0;
+  uint8_t more = 0;
+  do {
+    more |= static_cast<uint8_t>(sum) & 1;
+    sum >>= 1;
+    if ((static_cast<uint8_t>(left) & 1) != 0) sum += bits;
+    left >>= 1;
+  } while (left != 0);
+  storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(&factor->exponent)), more);
 }
 
 void makeHundredths(void* number) {
@@ -160,12 +168,13 @@ void makeTurn(void* degrees) {
     // A turn less that, with 7 bits more than a float has.
     uint8_t biased = biasedExponent(radians);
     radians = mantissaOf(radians) << 7;
-    bool more = false;
+    uint8_t more = 0;
     for (; biased < kBias + 2; ++biased) {
-      more |= (radians & 1) != 0;
+      more |= static_cast<uint8_t>(radians) & 1;
       radians >>= 1;
     }
-    storeRounded(degrees, (mantissaOf(kTurn) << 7) - radians - (more ? 1 : 0), kBias + 2 - 7, more);
+    store(degrees, 0);
+    storeRounded(static_cast<uint8_t*>(degrees), (mantissaOf(kTurn) << 7) - radians - more, kBias + 2 - 7, more);
   } else if (radians == kTurn) {
     store(degrees, 0);
   }

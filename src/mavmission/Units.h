@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "Config.h"
 #include "Degrees.h"
 
 namespace mavmission {
@@ -53,20 +54,10 @@ enum class Frame : uint8_t {
 };
 
 // The present number of a frame: 0, 3 and 10 for 5, 6 and 11.
-inline Frame modern(Frame frame) {
-  switch (frame) {
-    case Frame::GlobalInt:
-      return Frame::Global;
-    case Frame::GlobalRelativeInt:
-      return Frame::GlobalRelative;
-    case Frame::GlobalTerrainInt:
-      return Frame::GlobalTerrain;
-    case Frame::Global:
-    case Frame::Mission:
-    case Frame::GlobalRelative:
-    case Frame::GlobalTerrain:
-      break;
-  }
+MAVMISSION_APART inline Frame modern(Frame frame) {
+  if (frame == Frame::GlobalInt) return Frame::Global;
+  if (frame == Frame::GlobalRelativeInt) return Frame::GlobalRelative;
+  if (frame == Frame::GlobalTerrainInt) return Frame::GlobalTerrain;
   return frame;
 }
 
