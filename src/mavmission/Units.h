@@ -83,12 +83,13 @@ constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, Frame:
 // Above the ground below. Needs terrain data aboard; PX4 1.17 does not take it in a plan (Status::BadFrame).
 constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::GlobalTerrain); }
 
-// A heading [degrees from north, clockwise], or "as you fly", which is the default everywhere.
+// A heading [degrees from north, clockwise, -180 to 360], or "as you fly", which is the default everywhere.
 class Yaw {
  public:
   constexpr Yaw() : degrees_(__builtin_nanf("")) {}
   // From north, clockwise.
   constexpr Yaw(Degrees heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
+  constexpr Yaw(WideHeading heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
   constexpr float inDegrees() const { return degrees_; }  // NaN: as you fly
 
  private:
