@@ -78,7 +78,15 @@ void check() {
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
       const Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
-      printf("%u %s\n", static_cast<unsigned>(status), toString(status));
+      printf("%u %s", static_cast<unsigned>(status), toString(status));
+      if (status == Status::NotKept) {
+        const Keeper keeper = keeperOf(firmware, kCopter, type);
+        const Field field = notKept(out, keeper);
+        const double kept = static_cast<double>(keptValue(out, field, keeper));
+        printf(" of %s", toString(field));
+        if (kept == kept) printf(": %.9g", kept);
+      }
+      putchar('\n');
     }
   }
 }
