@@ -76,7 +76,7 @@ constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude alti
   return anyCommandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
 }
 
-// Fly to a place. Wait there for `hold` (a copter; ArduPilot keeps whole seconds). Within `acceptanceRadius` it counts
+// Fly to a place. Wait there for `hold` (a copter; ArduPilot takes whole seconds alone). Within `acceptanceRadius` it counts
 // as reached (0: the autopilot's own setting; ArduPilot's copter has only that).
 constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold = Seconds(0),
                                Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
@@ -118,9 +118,18 @@ constexpr MissionItem delay(Seconds time) { return anyCommand(kNavDelay, time.va
 // Fly at this ground speed from here on.
 constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDoChangeSpeed, 1, speed.value, -1); }
 
+// No constant plan may call it: a jump is repeated at most 32,767 times, -1 is for ever. One that is computed is refused when
+// the plan is checked.
+inline MissionItem jumpRepeatsMustBeFromMinus1To32767(uint16_t target, int32_t repeats) {
+  return anyCommand(kDoJump, target, repeats);
+}
+
 // Go on with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0: the same number
 // on every autopilot.
-constexpr MissionItem jump(uint16_t target, int16_t repeats) { return anyCommand(kDoJump, target, repeats); }
+constexpr MissionItem jump(uint16_t target, int32_t repeats) {
+  return repeats >= -1 && repeats <= 32767 ? anyCommand(kDoJump, target, repeats)
+                                           : jumpRepeatsMustBeFromMinus1To32767(target, repeats);
+}
 
 // Set an output to a pulse length [us]. PX4 does not take it in a plan (Status::NotFlown).
 constexpr MissionItem setServo(uint8_t output, uint16_t pulseUs) { return anyCommand(kDoSetServo, output, pulseUs); }
@@ -145,6 +154,7 @@ constexpr MissionItem regionOfInterestOff() { return anyCommand(kDoSetRoiNone); 
 
 // Turn to a heading while flying on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw there.
 constexpr MissionItem turnTo(Degrees heading) { return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
+constexpr MissionItem turnTo(WideHeading heading) { return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
 
 // --- Items of a fence: upload(fence, PlanType::Fence).
 
@@ -171,7 +181,7 @@ constexpr MissionItem fenceReturnPoint(Degrees latitude, Degrees longitude) {
 
 // --- Items of a rally plan: upload(points, PlanType::Rally).
 
-// A place to land instead of at home. ArduPilot keeps whole metres of the altitude.
+// A place to land instead of at home. ArduPilot takes whole metres of altitude alone.
 constexpr MissionItem rallyPoint(Degrees latitude, Degrees longitude, Altitude altitude) {
   return anyCommandAt(kRallyPoint, latitude, longitude, altitude);
 }

@@ -20,6 +20,8 @@ using namespace mavmission;
 
 namespace {
 
+constexpr uint8_t kCopter = 2;  // MAV_TYPE_QUADROTOR
+
 bool broken = false;
 
 unsigned long number() {
@@ -54,7 +56,7 @@ class Wired {
   Wired(const std::vector<MissionItem>& plan, Firmware firmware, PlanType type) {
     memset(static_cast<void*>(&wire_), 0, sizeof(wire_));
     wire_.setSource(inRam(plan.data(), static_cast<uint32_t>(plan.size())));
-    wire_.begin(firmware, type, false);
+    wire_.begin(firmware, kCopter, type, false);
   }
   bool isTooLong() const { return wire_.isTooLong(); }
   Status read(size_t index, MissionItem& out) {
@@ -76,7 +78,15 @@ void check() {
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
       const Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
-      printf("%u %s\n", static_cast<unsigned>(status), toString(status));
+      printf("%u %s", static_cast<unsigned>(status), toString(status));
+      if (status == Status::NotKept) {
+        const Keeper keeper = keeperOf(firmware, kCopter, type);
+        const Field field = notKept(out, keeper);
+        const double kept = static_cast<double>(keptValue(out, field, keeper));
+        printf(" of %s", toString(field));
+        if (kept == kept) printf(": %.9g", kept);
+      }
+      putchar('\n');
     }
   }
 }
@@ -92,7 +102,7 @@ void compare() {
   for (size_t i = 0; i < count && !broken; ++i) {
     MissionItem one, other;
     const bool fits = sent.read(i, one) == Status::Accepted && read.read(i, other) == Status::Accepted;
-    const Field field = fits ? difference(one, other, firmware, type) : Field::Count;
+    const Field field = fits ? difference(one, other, keeperOf(firmware, kCopter, type)) : Field::Count;
     printf("%u %s\n", static_cast<unsigned>(field), toString(field));
   }
 }

@@ -17,7 +17,7 @@ from .plan import KINDS, Item, Plan, Step
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
-PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "Status", "WirePlan")
+PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "KeptValue", "Status", "WirePlan")
 
 # As judge.cpp checks them, by their names here.
 AUTOPILOTS = ("ardupilot", "px4", "any")
