@@ -61,6 +61,18 @@ class CommandTransfer {
   }
   void sent(uint16_t id, uint16_t nowMs);
 
+  // A listener has sent a command with this id beside us; our next one with the same id waits until the answer to it has
+  // come, or should have.
+  void sentByListener(uint16_t id, uint16_t nowMs) {
+    id_ = id;
+    tries_ = 0;
+    wait(State::Due, kAnswerMs, nowMs);
+  }
+  // That command, which left at `sentMs`, has been answered.
+  void answeredToListener(uint16_t id, uint16_t sentMs) {
+    if (id_ == id && sentMs_ == sentMs) waitMs_ = 0;
+  }
+
   State state() const { return static_cast<State>(state_); }
   // How often the command has been sent.
   uint8_t tries() const { return tries_; }

@@ -32,10 +32,9 @@ void MessageIntervals::ask(float messageId, float intervalUs, uint8_t tries, uin
   isWaiting_ = true;
   askedMs_ = nowMs;
   if (client_.isBusy()) return;
-  // The client's next command of this kind waits until the answer to ours has come, or should have.
-  client_.commanding_.id = MAV_CMD_SET_MESSAGE_INTERVAL;
-  client_.commanding_.sentMs = nowMs;
-  client_.commanding_.waitMs = UploadTransfer::kAnswerMs;
+  client_.rest_.turnPauseS = MissionClient::kCommand;
+  client_.beginSeconds(nowMs);
+  client_.commanding_.transfer.sentByListener(MAV_CMD_SET_MESSAGE_INTERVAL, nowMs);
 }
 
 bool MessageIntervals::isAnswer(const FrameParser& frame) const {
@@ -47,9 +46,8 @@ bool MessageIntervals::isAnswer(const FrameParser& frame) const {
 
 void MessageIntervals::settle() {
   isWaiting_ = false;
-  const bool isOurs = !client_.isBusy() && client_.commanding_.id == MAV_CMD_SET_MESSAGE_INTERVAL &&
-                      client_.commanding_.sentMs == askedMs_;
-  if (isOurs) client_.commanding_.waitMs = 0;
+  if (client_.isBusy() || client_.rest_.turnPauseS != MissionClient::kCommand) return;
+  client_.commanding_.transfer.answeredToListener(MAV_CMD_SET_MESSAGE_INTERVAL, askedMs_);
 }
 
 }  // namespace mavmission

@@ -33,6 +33,13 @@ bool isFlown(uint16_t command) {
   }
 }
 
+// For ever, in a jump's repeats.
+bool isNegative(float number) {
+  uint8_t bytes[sizeof(number)];
+  memcpy(bytes, &number, sizeof(number));
+  return (bytes[3] & 0x80) != 0;
+}
+
 bool isRover(uint8_t vehicleType) {
   return vehicleType == MAV_TYPE_GROUND_ROVER || vehicleType == MAV_TYPE_SURFACE_BOAT;
 }
@@ -85,7 +92,7 @@ Status MissionClient::readyToStart(uint16_t nowMs) {
     if (rest_.infeasible) return Status::Infeasible;
     const uint16_t item = start.first;
     if (!hasItem(item)) return Status::NoSuchItem;
-    plan_.begin(firmware(), PlanType::Mission, rest_.raw);
+    plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, PlanType::Mission, rest_.raw);
     // ArduPilot's item 0 is home. Set to that it forgets the jumps that it has counted, and begins with item 1.
     if (item != 0) start.first = item + homeBefore();
     lookFromFirst();
