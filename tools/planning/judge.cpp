@@ -3,6 +3,7 @@
 //
 //   check type count ITEMS                 -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text
 //   compare firmware type count ITEMS ITEMS -> for each item: Field, its text
+//   placeless                              -> the commands whose items have neither a place nor an altitude
 //
 // An item is param1 to param4, x, y, z as 32 bits each, command, frame, current, autocontinue.
 #include <stdio.h>
@@ -97,11 +98,18 @@ void compare() {
   }
 }
 
+void placeless() {
+  for (unsigned command = 0; command <= 0xFFFF; ++command) {
+    if (traitsOf(static_cast<uint16_t>(command)) & kHasNoPlace) printf("%u \n", command);
+  }
+}
+
 }  // namespace
 
 int main(int, char** arguments) {
   const std::string order = arguments[1] != nullptr ? arguments[1] : "";
   if (order == "check") check();
   if (order == "compare") compare();
+  if (order == "placeless") placeless();
   return broken ? 1 : 0;
 }

@@ -86,6 +86,12 @@ def rewritten(meant: Sequence[Item], read: Sequence[Item], autopilot: str, kind:
     return [text if number else "" for number, text in asked("compare", head, [*meant, *read])]
 
 
+@functools.cache
+def placeless() -> frozenset[int]:
+    """The commands whose items have neither a place nor an altitude, by the table that the firmware goes by."""
+    return frozenset(command for command, _ in asked("placeless", [], []))
+
+
 def words_of(item: Item) -> str:
     return " ".join(map(str, _WORDS.unpack(item.packed())))
 
