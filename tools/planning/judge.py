@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from .bad_plan import BadPlan
+from . import fences
+from .bad_plan import BadPlan, shown
 from .exact import decimal_text, degrees_text
 from .plan import KINDS, Item, Plan, Step
 
@@ -26,6 +27,7 @@ FIRMWARE = {"ardupilot": 1, "px4": 2}  # mavmission::Firmware
 AUTOPILOT_OF = {3: "ardupilot", 12: "px4"}  # MAV_AUTOPILOT
 
 ACCEPTED = "Accepted"
+NOT_WHOLE = "NotWhole"  # no Status: a fence that the items do not make
 _WORDS = struct.Struct("<7IH3B")
 
 
@@ -35,11 +37,11 @@ class Refusal(NamedTuple):
     kind: str
     index: int
     step: Step
-    status: str  # mavmission::Status
+    status: str  # mavmission::Status, or NOT_WHOLE
     text: str  # its text, with the number that is wrong
 
     def sentence(self, plan: Plan) -> str:
-        return f"{plan.file}:{self.step.line}: {self.step.name}: {self.text}"
+        return f"{shown(plan.file)}:{self.step.line}: {self.step.name}: {self.text}"
 
 
 def refusals(plan: Plan) -> dict[str, list[Refusal]]:
@@ -54,7 +56,17 @@ def refusals(plan: Plan) -> dict[str, list[Refusal]]:
                 step = steps[index]
                 text = text.removeprefix("refused: ") + wrong_number(status, step.item)
                 found[AUTOPILOTS[turn // len(steps)]].append(Refusal(kind, index, step, status, text))
+        if kind != "mission":
+            add_troubles(found, kind, steps)
     return found
+
+
+def add_troubles(found: dict[str, list[Refusal]], kind: str, steps: list[Step]) -> None:
+    """What the library does not look at, since it has one item at a time: polygons that are not whole, and the like."""
+    for index, text in fences.troubles(kind, [step.item for step in steps]):
+        for refused in found.values():
+            if (kind, index) not in {(other.kind, other.index) for other in refused}:
+                refused.append(Refusal(kind, index, steps[index], NOT_WHOLE, text))
 
 
 def wrong_number(status: str, item: Item) -> str:

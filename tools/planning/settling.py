@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from decimal import Decimal
 
 from . import commands
-from .exact import DoesNotFit, e7_of, float32_of, int32_of
+from .exact import DoesNotFit, e7_of, float32_of, int32_of, is_whole
 from .plan import GLOBAL, NO_PLACE, RELATIVE, TERRAIN, Item, modern
 
 PLACE_FRAMES = (GLOBAL, RELATIVE, TERRAIN)
@@ -66,6 +66,14 @@ def settled(
     return Item(modern(frame), command, current, autocontinue, *floats[:4], x, y, floats[4])
 
 
+def settled_current(current: int, number: int, notes: Notes) -> int:
+    """An item's `current`, which is 0 or 1 in a plan. Others are what some programs write without a meaning."""
+    if current in (0, 1):
+        return current
+    notes.add('"current" is neither 0 nor 1, which means nothing in a plan, and goes out as 0', number)
+    return 0
+
+
 def is_unset(value: Number) -> bool:
     return value is None or value.is_nan()
 
@@ -101,7 +109,7 @@ def _has_place(command: int, frame: int, numbers: Sequence[Number], number: int,
 
 def _without_degrees(command: int, values: list[Number], number: int, notes: Notes) -> list[Number]:
     """The place that some programs write in degrees into an item whose frame says that it has none."""
-    if all(is_unset(value) or value % 1 == 0 for value in values[4:6]):
+    if all(is_unset(value) or is_whole(value) for value in values[4:6]):
         return values
     if command == MOUNT_CONTROL and values[6] != MOUNT_AT_A_PLACE:
         notes.add("a camera mount that is not pointed at a place has none: parameters 5 and 6 go out as 0", number)
