@@ -471,7 +471,7 @@ def test_tool_shows_a_table_with_legs_and_times():
         ran.stdout,
     )
     assert "to item 38, 2 times" in ran.stdout
-    assert "(at 7 m/s, climbing 2.5 and sinking 1.5, in still air" in ran.stdout
+    assert "(at 7 m/s, as was asked for, climbing 2.5 and sinking 1.5, in still air" in ran.stdout
     assert "CIRCLE_EXCLUSION" in ran.stdout and "25 m above home" in ran.stdout
 
 

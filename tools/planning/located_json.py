@@ -185,9 +185,9 @@ class _Reader:
         match = _NUMBER.match(self._text, self._at)
         if not match:
             raise self._bad(f"this is no JSON: {self._seen()} is no value")
-        self._at = match.end()
         if len(match[0]) > MOST_CHARACTERS:
             raise self._bad(
                 f"a number of {len(match[0]):,} characters: none of more than {MOST_CHARACTERS} is read"
             )
+        self._at = match.end()
         return Decimal(match[0])

@@ -9,11 +9,10 @@ from pathlib import Path
 from . import judge
 from .bad_plan import BadPlan, shown
 from .files import expect_another, read_plan, text_of, write_plan, write_text
-from .flight import Speeds
+from .flight import Speeds, speed_of
 from .header import header_of
 from .listing import read_listing
 from .plan import Plan
-from .qgc_plan import HOVER_SPEED
 
 Tell = Callable[[list[str], Path], None]
 
@@ -43,7 +42,7 @@ def autopilots_that_refuse(plan: Plan) -> list[str]:
 
 
 def speeds_of(args: argparse.Namespace, plan: Plan) -> Speeds:
-    return Speeds(args.speed or plan.hover_speed or HOVER_SPEED, args.climb, args.descent)
+    return Speeds(args.speed or speed_of(plan)[0], args.climb, args.descent)
 
 
 def check(args: argparse.Namespace, tell: Tell) -> int:
@@ -84,7 +83,7 @@ def show(args: argparse.Namespace, tell: Tell) -> int:
     console = Console(highlight=False)
     if not console.is_terminal:
         console = Console(highlight=False, width=180)
-    table.show(plan, speeds_of(args, plan), console)
+    table.show(plan, speeds_of(args, plan), console, "as was asked for" if args.speed else speed_of(plan)[1])
     return 0
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from . import commands, landing_pattern
 from .bad_plan import BadPlan, cut
 from .exact import DoesNotFit, decimal_text, degrees_text, e7_of, float32_of
+from .flight import CRUISE_SPEED, HOVER_SPEED
 from .json_text import json_text
 from .located_json import Value, parse
 from .plan import (
@@ -47,8 +48,7 @@ FRAME_OF_OLD_MODE = {mode - 1: frame for mode, frame in FRAME_OF_MODE.items()}
 QUOTE = '"'
 UINT8, UINT16 = range(256), range(65536)
 
-# Where a file does not say for what it was drawn: QGroundControl's own defaults.
-HOVER_SPEED, CRUISE_SPEED = 5.0, 15.0
+# Where a file does not say for what it was drawn.
 GENERIC = 0  # MAV_AUTOPILOT and MAV_TYPE
 
 
