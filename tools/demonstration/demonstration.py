@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from building import ROOT, BuildFailed, build_sketch
+from enumerators import texts_of
 from fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, FakeAutopilot, Item, Px4, item, mavlink
 from mega import Mega
 from mega.realtime import RealTime
@@ -30,6 +31,9 @@ EXAMPLES = ROOT / "examples"
 DESCRIPTIONS = Path(__file__).resolve().parent / "examples.toml"
 
 LIMIT_S = 120.0
+# What a sketch says of an upload that the library refuses, and how long it may take to say which item it is.
+REFUSALS = tuple(text for text in texts_of("Status.h", "MAVMISSION_STATUSES").values() if text.startswith("refused: "))
+REFUSED_AFTER_S = 0.3
 
 class NoDemonstration(Exception):
     """It cannot be shown; the text says why and what to do."""
@@ -83,6 +87,7 @@ class Demonstration:
         self._remarks: dict[int, tuple[bool, bool]] = {}  # by the entry's id(): is it shown, was it said before
         self._console = Console(self)
         self.said: list[str] = []  # the lines of the sketch's Serial
+        self._refused_at: float | None = None
         self._conversation = Conversation()
         self._meant: dict[int, list[Item]] = {}  # by mission type, as the sketch has them
         self._log: TelemetryLog | None = None
@@ -174,10 +179,22 @@ class Demonstration:
 
     def console_line(self, text: str) -> None:
         self.said.append(text)
+        if text.strip() in REFUSALS and self._refused_at is None:
+            self._refused_at = self.now
         self._screen.happened(Line(self.now, "Serial", text))
 
     def _is_over(self) -> bool:
-        return self.now >= self._limit_s or self._conversation.is_over(self.now)
+        is_refused = self._refused_at is not None and self.now >= self._refused_at + REFUSED_AFTER_S
+        return is_refused or self.now >= self._limit_s or self._conversation.is_over(self.now)
+
+    @property
+    def refusal(self) -> str:
+        """Why the library did not send what the sketch asked it to, and of which item, as the sketch said it; or ""."""
+        for number, line in enumerate(self.said):
+            if line.strip() in REFUSALS:
+                behind = self.said[number + 1].strip() if number + 1 < len(self.said) else ""
+                return line.strip() + (f" ({behind})" if behind.startswith("item ") else "")
+        return ""
 
     # -- after ----------------------------------------------------------------------------
 
@@ -187,6 +204,8 @@ class Demonstration:
         name = NAMES[self.settings.autopilot]
         if self._reads:
             return self._conclude_reading(name)
+        if self._uploads and self.refusal:
+            return Verdict(False, f"FAILED: the library did not send the plan to {name}. {self.refusal}.")
         if not self._uploads:
             return Verdict(True, f"The sketch ran for {self.now:.0f} s; there was nothing to upload.")
         kinds = sorted(self._plans) or sorted(talk.counts)

@@ -237,7 +237,8 @@ class _Map:
         for text, point, colour in self._labels:
             x, y = self._axes.transData.transform(point)
             width = 7 + 5 * len(text)
-            for side, left in (("left", x + 2), ("right", x - 2 - width)):
+            sides = (("left", x + 2), ("right", x - 2 - width))
+            for side, left in sides[:1] if text.isdigit() else sides:
                 box = (left, y + 1, left + width, y + 15)
                 within = bounds.x0 <= box[0] and box[2] <= bounds.x1 and bounds.y0 <= box[1] and box[3] <= bounds.y1
                 if not within or any(overlap(box, other) for other in taken):

@@ -2,6 +2,7 @@
 // an autopilot makes of another. Made and spoken to by judge.py; a number a word on the standard input:
 //
 //   check type count ITEMS                 -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text
+//   wire firmware count ITEMS              -> for each item of a mission: Status, and what goes out, as an item is here
 //   compare firmware type count ITEMS ITEMS -> for each item: Field, its text
 //   placeless                              -> the commands whose items have neither a place nor an altitude
 //
@@ -82,6 +83,24 @@ void check() {
   }
 }
 
+void put(const MissionItem& item) {
+  uint32_t words[7];
+  memcpy(words, &item, sizeof(words));
+  for (uint32_t word : words) printf("%lu ", static_cast<unsigned long>(word));
+  printf("%u %u %u %u\n", item.command, static_cast<unsigned>(item.frame), item.current, item.autocontinue);
+}
+
+void wire() {
+  const Firmware firmware = static_cast<Firmware>(number());
+  const std::vector<MissionItem> plan = items(number());
+  Wired wired(plan, firmware, PlanType::Mission);
+  for (size_t i = 0; i < plan.size() && !broken; ++i) {
+    MissionItem out = plan[i];
+    printf("%u ", static_cast<unsigned>(wired.read(i, out)));
+    put(out);
+  }
+}
+
 void compare() {
   const Firmware firmware = static_cast<Firmware>(number());
   const PlanType type = static_cast<PlanType>(number());
@@ -109,6 +128,7 @@ void placeless() {
 int main(int, char** arguments) {
   const std::string order = arguments[1] != nullptr ? arguments[1] : "";
   if (order == "check") check();
+  if (order == "wire") wire();
   if (order == "compare") compare();
   if (order == "placeless") placeless();
   return broken ? 1 : 0;

@@ -98,6 +98,14 @@ def rewritten(meant: Sequence[Item], read: Sequence[Item], autopilot: str, kind:
     return [text if number else "" for number, text in asked("compare", head, [*meant, *read])]
 
 
+def on_the_wire(mission: Sequence[Item], autopilot: str) -> list[Item | None]:
+    """What the library sends of a mission, item by item, home apart; None for an item that it refuses."""
+    if not mission:
+        return []
+    answers = asked("wire", [FIRMWARE[autopilot], len(mission)], mission)
+    return [item_of(words) if statuses()[number] == ACCEPTED else None for number, words in answers]
+
+
 @functools.cache
 def placeless() -> frozenset[int]:
     """The commands whose items have neither a place nor an altitude, by the table that the firmware goes by."""
@@ -106,6 +114,12 @@ def placeless() -> frozenset[int]:
 
 def words_of(item: Item) -> str:
     return " ".join(map(str, _WORDS.unpack(item.packed())))
+
+
+def item_of(words: str) -> Item:
+    *packed, command, frame, current, autocontinue = map(int, words.split())
+    param1, param2, param3, param4, x, y, z = struct.unpack("<4f2if", struct.pack("<7I", *packed))
+    return Item(frame, command, current, autocontinue, param1, param2, param3, param4, x, y, z)
 
 
 def asked(order: str, head: Sequence[int], items: Sequence[Item]) -> list[tuple[int, str]]:

@@ -43,6 +43,7 @@ class RoundTrip:
     def run(self) -> Verdict:
         verdict = self._run.run()
         if not verdict.good:
+            self._explain()
             return verdict
         self.aboard = aboard_like(self._plan, "\n".join(self._run.said))
         name = judge.NAMES[self._autopilot]
@@ -63,6 +64,13 @@ class RoundTrip:
         if kept:
             return Verdict(True, f"The plan went aboard and came back: all {items} items, as {name} keeps them.")
         return Verdict(True, f"The plan went aboard and came back equal in all {items} items.")
+
+
+    def _explain(self) -> None:
+        """Where the file has what the library refuses for this autopilot."""
+        if self._run.refusal:
+            for refusal in judge.refusals(self._plan)[self._autopilot]:
+                self._screen.say(refusal.sentence(self._plan))
 
 
 def sketch_for(plan: Plan) -> Path:
