@@ -56,7 +56,7 @@ def shapes(items: list[Item]) -> Iterator[Shape]:
     while index < len(items):
         item = items[index]
         if item.command in CORNERS:
-            count = int(item.param1) if 1 <= item.param1 <= len(items) else 1
+            count = int(min(item.param1, len(items))) if item.param1 >= 1 else 1
             corners = [item]
             for other in items[index + 1 : index + count]:
                 if (other.command, other.param1) != (item.command, item.param1):
