@@ -9,8 +9,8 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
-from planned import FARM, NAN, plan_of
-from planning import Home, Item, kml, read_plan
+from planned import FARM, FILES, NAN, plan_of
+from planning import Home, Item, kml, qgc_plan, read_plan
 from planning.drawing import draw, height_lines, title_of
 from planning.flight import Speeds, distance, distance_from_home, fly, speed_of
 from planning.table import show, summary
@@ -124,7 +124,7 @@ def test_change_of_altitude_goes_to_no_place():
 def test_heights_over_ground_stand_where_they_are_flown():
     over_ground = [at(north, z=z)._replace(frame=10) for north, z in ((200, 60.0), (300, 70.0))]
     flight = fly(plan_of([at(100), *over_ground, at(400), at(500, z=40.0)], home=HOME), Speeds(5.0))
-    lines = {reference: line for reference, line, _ in height_lines(flight)}
+    lines = dict(height_lines(flight))
     rounded = {
         reference: [None if along != along else (round(along), height) for along, height in line]
         for reference, line in lines.items()
@@ -133,6 +133,26 @@ def test_heights_over_ground_stand_where_they_are_flown():
         "above home": [(0, 0.0), (100, 20.0), None, (400, 20.0), (500, 40.0)],
         "above the ground": [(200, 60.0), (300, 70.0)],
     }
+
+
+def test_ground_is_drawn_where_the_file_says_how_high_it_is(picture, tmp_path):
+    over_ground = [at(north, z=30.0)._replace(frame=10) for north in (100, 200, 300)]
+    plan = plan_of([at(0), *over_ground], home=HOME)
+    plan.ground = {1: 110.0, 2: 150.0}
+    flight = fly(plan, Speeds(5.0))
+    assert flight.climb == pytest.approx(20 + (40 - 20) + 40)  # to 40, and 80 m above home
+    lines = dict(height_lines(flight))
+    assert [height for _, height in lines["the ground, above home"]] == [10.0, 50.0]
+    assert Picture(plan, tmp_path).has("the ground, above home")
+    assert not picture([at(0), *over_ground]).has("the ground, above home")
+
+
+def test_ground_is_that_of_qgroundcontrols_terrain_data():
+    text = (FILES / "above_the_ground.plan").read_text()
+    assert qgc_plan.read(FARM, text).ground == {}
+    known = text.replace('"AMSLAltAboveTerrain": null', '"AMSLAltAboveTerrain": 512.5')
+    plan = qgc_plan.read(FARM, known)
+    assert plan.ground == {1: 482.5, 2: 482.5}  # the takeoff is above home
 
 
 def test_plan_far_from_its_home_is_flown_without_the_way_to_it():

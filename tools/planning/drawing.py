@@ -26,6 +26,7 @@ from .table import length_text  # noqa: E402
 
 SUFFIXES = (".svg", ".png")
 PATH, INSIDE, OUTSIDE, RALLY, HOME = "#1f5fa8", "#2e8b57", "#c0392b", "#8e44ad", "#222222"
+GROUND = "#7d5a3c"
 START, END = "#27ae60", "#d35400"
 NOT_FLOWN, OTHER_HEIGHT = "#888888", "#b9770e"
 IN_KILOMETRES = 5_000.0  # [m] that a picture shows, beyond which its axes count kilometres
@@ -43,7 +44,7 @@ def draw(plan: Plan, file: Path, speeds: Speeds) -> None:
     if not places_of(plan) and (plan.home is None or not plan.home.is_somewhere):
         raise BadPlan(plan.file, None, "it has no places: there is nothing to draw")
     flight = fly(plan, speeds)
-    has_heights = any(line for _, line, *_ in height_lines(flight))
+    has_heights = any(line for _, line in height_lines(flight))
     look = {"svg.hashsalt": "plan", "svg.fonttype": "path", "font.size": 9, "figure.dpi": 100}
     picture = io.BytesIO()
     with matplotlib.rc_context({**look, "text.parse_math": False}):
@@ -268,10 +269,12 @@ def in_kilometres(axes, *sides) -> str:
 # The height ------------------------------------------------------------------------------
 
 
-def height_lines(flight: Flight) -> Iterator[tuple[str, list[tuple[float, float]], bool]]:
-    """By what a height is measured from, its line along the way [m], with a gap where it is not known; and whether that
-    is home."""
-    ends: dict[str, list[tuple[float, float]]] = {"above home": []}
+HOME_LINE, GROUND_LINE = "above home", "the ground, above home"
+
+
+def height_lines(flight: Flight) -> Iterator[tuple[str, list[tuple[float, float]]]]:
+    """By what a height is measured from, its line along the way [m], with a gap where it is not known."""
+    ends: dict[str, list[tuple[float, float]]] = {HOME_LINE: []}
     travelled = 0.0
     for leg in flight.legs:
         for reference, start, end in references(leg):
@@ -282,35 +285,39 @@ def height_lines(flight: Flight) -> Iterator[tuple[str, list[tuple[float, float]
                 line.append((travelled, start))
             line.append((travelled + leg.distance, end))
         travelled += leg.distance
-    yield from ((reference, line, reference == "above home") for reference, line in ends.items())
+    yield from ends.items()
 
 
 def references(leg: Leg) -> Iterator[tuple[str, float, float]]:
     """What both ends of a leg are measured from, and their heights above that."""
-    if leg.start.z is not None and leg.end.z is not None:
-        yield "above home", leg.start.z, leg.end.z
-    elif leg.start.other and leg.end.other and leg.start.other[0] == leg.end.other[0]:
-        yield leg.end.other[0], leg.start.other[1], leg.end.other[1]
+    start, end = leg.start, leg.end
+    if start.z is not None and end.z is not None:
+        yield HOME_LINE, start.z, end.z
+    elif start.other and end.other and start.other[0] == end.other[0]:
+        yield end.other[0], start.other[1], end.other[1]
+    if start.ground is not None and end.ground is not None:
+        yield GROUND_LINE, start.ground, end.ground
 
 
 def _height(axes, flight: Flight) -> None:
-    lines = [(reference, line, is_home) for reference, line, is_home in height_lines(flight) if line]
-    for reference, line, is_home in lines:
+    lines = [(reference, line) for reference, line in height_lines(flight) if line]
+    for reference, line in lines:
+        is_home = reference == HOME_LINE
         along, heights = zip(*line)
         many = len(line) > 2 * MOST_MARKS
         axes.plot(
             along,
             heights,
-            color=PATH if is_home else OTHER_HEIGHT,
-            linestyle="-" if is_home else "--",
+            color=PATH if is_home else GROUND if reference == GROUND_LINE else OTHER_HEIGHT,
+            linestyle="-" if is_home or reference == GROUND_LINE else "--",
             marker=None if many else "o",
             markersize=3,
             linewidth=0.8 if many else 1.4,
             label=reference,
         )
-        if is_home:
+        if is_home or reference == GROUND_LINE:
             known = [height for height in heights if height == height]
-            axes.fill_between(along, heights, min(0.0, *known), color=PATH, alpha=0.12)
+            axes.fill_between(along, heights, min(0.0, *known), color=PATH if is_home else GROUND, alpha=0.12)
     total = flight.distance
     axes.set_xlim(-0.02 * total, 1.02 * total or 1.0)
     unit = in_kilometres(axes, axes.xaxis)

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from .plan import GLOBAL, JUMP, LAND, NO_PLACE, RELATIVE, TAKEOFF, Item, Plan
+from .plan import GLOBAL, JUMP, LAND, NO_PLACE, RELATIVE, TAKEOFF, TERRAIN, Item, Plan
 
 EARTH_RADIUS = 6_371_008.8  # [m], the mean
 LOITER_UNLIMITED, LOITER_TURNS, LOITER_TIME, RETURN, WAYPOINT, DELAY, SPEED = 17, 18, 19, 20, 16, 93, 178
@@ -52,6 +52,7 @@ class Point(NamedTuple):
     y: int
     z: float | None  # [m] above home; None where that cannot be known
     other: tuple[str, float] | None = None  # what else it is measured from, and its height [m] above that
+    ground: float | None = None  # [m] above home, where the file says it
 
 
 class Leg(NamedTuple):
@@ -175,14 +176,14 @@ class _Flying:
         elif item.command == RETURN:
             self._return(index)
         elif item.command in (TAKEOFF, VTOL_TAKEOFF, CHANGE_ALTITUDE) and self._at is not None:
-            self._go(index, self._point(self._at.x, self._at.y, item))
+            self._go(index, self._point(index, self._at.x, self._at.y))
             if item.command == CHANGE_ALTITUDE:
                 self.flight.doubt(f"item {index} flies on while it climbs or sinks: how far is left out")
         if is_flown_to(item):
             landing = item.command in (LAND, VTOL_LAND)
             if landing and self._at is not None:
-                self._go(index, self._at._replace(x=item.x, y=item.y))
-            self._go(index, self._point(item.x, item.y, item))
+                self._go(index, self._at._replace(x=item.x, y=item.y, ground=None))
+            self._go(index, self._point(index, item.x, item.y))
         elif item.command in (LAND, VTOL_LAND) and self._at is not None:
             self._go(index, Point(self._at.x, self._at.y, 0.0))
         return self._wait(index, item)
@@ -214,15 +215,21 @@ class _Flying:
             if self._plan.home is None:
                 self.flight.doubt("without a home the way back to it is left out")
             return
-        self._go(index, self._at._replace(x=self._home.x, y=self._home.y))
+        self._go(index, self._at._replace(x=self._home.x, y=self._home.y, ground=None))
         self._go(index, self._home)
 
-    def _point(self, x: int, y: int, item: Item) -> Point:
+    def _point(self, index: int, x: int, y: int) -> Point:
         """A place at the height of an item."""
+        item, home = self._plan.mission[index].item, self._plan.home
+        ground = self._plan.ground.get(index)
+        if ground is not None:
+            ground = ground - home.z if home is not None else None
         if item.frame == RELATIVE:
-            return Point(x, y, item.z)
-        if item.frame == GLOBAL and self._plan.home is not None:
-            return Point(x, y, item.z - self._plan.home.z)
+            return Point(x, y, item.z, ground=ground)
+        if item.frame == GLOBAL and home is not None:
+            return Point(x, y, item.z - home.z, ground=ground)
+        if item.frame == TERRAIN and ground is not None:
+            return Point(x, y, ground + item.z, ("above the ground", item.z), ground)
         is_sea = item.frame in (GLOBAL, NO_PLACE)
         what = "above sea level, without a home" if is_sea else "above the ground"
         self.flight.doubt(f"altitudes {what}: their climbs are left out")

@@ -94,6 +94,8 @@ def rewritten(meant: Sequence[Item], read: Sequence[Item], autopilot: str, kind:
     """Item by item, the field in which what was read is not what this autopilot makes of what was meant; or ""."""
     if not meant:
         return []
+    if autopilot == "ardupilot":  # a download gives NaN for a yaw that ArduPilot does not keep, whatever it was
+        read = [theirs._replace(param4=ours.param4) if theirs.param4 != theirs.param4 else theirs for ours, theirs in zip(meant, read)]
     head = [FIRMWARE[autopilot], KINDS.index(kind), len(meant)]
     return [text if number else "" for number, text in asked("compare", head, [*meant, *read])]
 

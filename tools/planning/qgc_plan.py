@@ -249,6 +249,10 @@ class Reader:
             self._notes.add(
                 "the altitude above sea level is what QGroundControl worked out from its terrain data", number
             )
+        if meaning in (MODE_CALCULATED, MODE_TERRAIN):
+            over_sea, over_ground = value.get("AMSLAltAboveTerrain"), value.get("Altitude")
+            if over_sea is not None and over_ground is not None and None not in (over_sea.raw, over_ground.raw):
+                self._plan.ground[number] = float(over_sea.number() - over_ground.number())
         if altitude is not None and altitude.raw is not None and self._float(altitude) != step.item.z:
             raise altitude.bad(
                 f"{step.name}: {key} is {altitude.raw}, and the altitude in params {decimal_text(step.item.z)}: open the"
