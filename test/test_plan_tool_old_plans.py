@@ -260,7 +260,7 @@ def test_packed_waypoints_are_read_as_they_were(tmp_path):
     [
         (b"no gzip", "is no gzip file, or is damaged"),
         (gzip.compress(FARM.read_bytes())[:-9], "is a gzip file that was cut off"),
-        (gzip.compress(b"0" * 21_000_000), "is larger than 20 MB"),
+        (gzip.compress(b"0" * 65_000_000), "is larger than 64 MB"),
     ],
 )
 def test_packed_file_that_is_damaged_or_swells_is_refused(tmp_path, data, says):

@@ -26,7 +26,7 @@ READERS = {
 }
 PACKED = ".gz"
 WRITTEN = (".plan", ".waypoints", ".txt", ".kml")
-LARGEST = 20_000_000  # bytes; 65,535 items are some 15 MB
+LARGEST = 64_000_000  # bytes; 65,535 items are some 35 MB of a .plan
 
 
 def read_plan(file: Path, unset_as_zero: bool = False, renumber: bool = False) -> Plan:

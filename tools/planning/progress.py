@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import sys
 import time
-from typing import TextIO
+from collections.abc import Iterable, Iterator
+from typing import TextIO, TypeVar
+
+Thing = TypeVar("Thing")
 
 LOOKED_AT_EVERY = 64  # steps: the clock costs more than most of them
 FIRST_S, EVERY_S = 1.0, 0.2
@@ -24,6 +27,13 @@ class Progress:
     def __enter__(self) -> Progress:
         self._next_s = time.monotonic() + FIRST_S
         return self
+
+    def of(self, things: Iterable[Thing]) -> Iterator[Thing]:
+        """The same things, each of them a step."""
+        with self:
+            for thing in things:
+                self.step()
+                yield thing
 
     def step(self) -> None:
         self._steps += 1

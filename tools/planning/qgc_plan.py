@@ -378,7 +378,7 @@ def write(plan: Plan) -> tuple[str, list[str]]:
         "firmwareType": GENERIC if plan.firmware is None else plan.firmware,
         "globalPlanAltitudeMode": 0,
         "hoverSpeed": _number(HOVER_SPEED if plan.hover_speed is None else plan.hover_speed),
-        "items": [_simple_item(index, step) for index, step in enumerate(plan.mission)],
+        "items": list(Progress("items written").of(_simple_item(index, step) for index, step in enumerate(plan.mission))),
         "plannedHomePosition": [*_place(home.x, home.y), _number(home.z)],
         "vehicleType": GENERIC if plan.vehicle is None else plan.vehicle,
         "version": 2,

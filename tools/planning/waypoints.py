@@ -247,7 +247,7 @@ def write(plan: Plan, kind: str = "mission") -> tuple[str, list[str]]:
     lines = [HEADER, _home_line(plan.home or Home(0, 0, 0.0))]
     if plan.home is None:
         notes.add("there is no home in the plan; line 0 is written as 0, 0, 0")
-    for number, step in enumerate(plan.steps(kind)):
+    for number, step in enumerate(Progress("lines written").of(plan.steps(kind))):
         if any(math.isnan(value) for value in (*step.item[4:8], step.item.z)):
             notes.add(
                 "unset numbers are written as NaN; for a program that does not read that, say --unset-as-zero", number
