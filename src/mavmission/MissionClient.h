@@ -145,8 +145,11 @@ class MissionClient {
   // Of the running or last transfer.
   uint16_t itemsDone() const { return state_.itemsDone; }
   uint16_t itemsTotal() const { return rest_.itemsTotal; }
-  // What differs after Status::Differs.
+  // What differs after Status::Differs, or after Status::NotKept would be kept as another value.
   Field differingField() const { return rest_.field; }
+  // After Status::NotKept: what the autopilot would make of the value of that field. NaN where that is not known: where it
+  // would not take it, or where what it makes of it depends on its board. The plan's source is asked for the item again.
+  float keptValue();
   // The plan of a type that the autopilot holds after the last upload, verification or clear of that type.
   Aboard aboard(PlanType type = PlanType::Mission) const { return rest_.aboard[static_cast<uint8_t>(type) & 3]; }
   // The autopilot's last MISSION_ACK.type in this operation, or 255: what lies behind Status::Unconfirmed and
@@ -289,6 +292,8 @@ class MissionClient {
   void setAboard(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
   MAVMISSION_APART Aboard aboardAfterUpload(Status status) const;
   void waitForAutopilot();
+  MAVMISSION_APART void beginPlan();
+  MAVMISSION_APART Status refused(Status why, const MissionItem& item);
   void beginChecking();
   void checkPlan(uint16_t nowMs);
   MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);

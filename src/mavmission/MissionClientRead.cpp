@@ -58,7 +58,7 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
     client.waitForAutopilot();
     if (state.status != Status::Checking) return;
     if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-    client.plan_.begin(client.firmware(), state.type, client.rest_.raw);
+    client.beginPlan();
     client.reading_.transfer.begin(nowMs);
     client.beginSeconds(nowMs);
     state.status = Status::Transferring;
@@ -193,8 +193,8 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
   MissionItem meant;
   const Status read = plan.read(wireItem, meant);
   if (read == Status::Checking) client.reading_.transfer.askAgain();  // the looking for a place goes on then
-  if (read != Status::Accepted) return read;
-  client.rest_.field = difference(meant, item, plan.firmware(), client.state_.type);
+  if (read != Status::Accepted) return client.refused(read, meant);
+  client.rest_.field = difference(meant, item, plan.keeper());
   return client.rest_.field == Field::None ? Status::Transferring : Status::Differs;
 }
 
@@ -217,7 +217,11 @@ void MissionClient::endReading(Status status) {
         report(rest_.itemsTotal);
         break;
       case Status::Differs:
-        if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission) setAboard(Aboard::Mixture);
+        // One that was accepted is whole, but another one.
+        if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission &&
+            rest_.lastResult != MAV_MISSION_ACCEPTED) {
+          setAboard(Aboard::Mixture);
+        }
         if (rest_.mayBeRefused) {  // so it was, and of the last item
           status = Status::Error;
           state_.failedItem = plan_.count() - 1;

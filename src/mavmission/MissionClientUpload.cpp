@@ -60,14 +60,25 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
   client.checkPlan(nowMs);
 }
 
+void MissionClient::beginPlan() {
+  plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw);
+}
+
+// Notes which field of an item it is that the autopilot would not keep.
+Status MissionClient::refused(Status why, const MissionItem& item) {
+  if (why == Status::NotKept) rest_.field = notKept(item, plan_.keeper());
+  return why;
+}
+
 void MissionClient::beginChecking() {
-  plan_.begin(firmware(), state_.type, rest_.raw);
+  beginPlan();
   state_.next = 0;
 }
 
 // Only when the link can send: the item lies where a frame would be made, and not on the stack.
 Status MissionClient::checkItem(uint16_t wireItem) {
-  return plan_.read(wireItem, *static_cast<MissionItem*>(link_.draft()));
+  MissionItem& item = *static_cast<MissionItem*>(link_.draft());
+  return refused(plan_.read(wireItem, item), item);
 }
 
 void MissionClient::checkPlan(uint16_t nowMs) {

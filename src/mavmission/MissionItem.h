@@ -17,6 +17,7 @@ enum Command : uint16_t {
   kNavReturnToLaunch = 20,
   kNavLand = 21,
   kNavTakeoff = 22,
+  kNavRoi = 80,
   kNavSplineWaypoint = 82,
   kNavVtolTakeoff = 84,
   kNavVtolLand = 85,
@@ -28,6 +29,7 @@ enum Command : uint16_t {
   kDoSetServo = 183,
   kDoSetRoiLocation = 195,
   kDoSetRoiNone = 197,
+  kDoSetRoi = 201,
   kDoDigicamControl = 203,
   kDoSetCameraTriggerDistance = 206,
   kFenceReturnPoint = 5000,
@@ -118,9 +120,18 @@ constexpr MissionItem delay(Seconds time) { return anyCommand(kNavDelay, time.va
 // Fly at this ground speed from here on.
 constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDoChangeSpeed, 1, speed.value, -1); }
 
+// No constant plan may call it: a jump is repeated at most 32,767 times, -1 is for ever. One that is computed is refused when
+// the plan is checked.
+inline MissionItem jumpRepeatsMustBeFromMinus1To32767(uint16_t target, int32_t repeats) {
+  return anyCommand(kDoJump, target, repeats);
+}
+
 // Go on with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0: the same number
 // on every autopilot.
-constexpr MissionItem jump(uint16_t target, int16_t repeats) { return anyCommand(kDoJump, target, repeats); }
+constexpr MissionItem jump(uint16_t target, int32_t repeats) {
+  return repeats >= -1 && repeats <= 32767 ? anyCommand(kDoJump, target, repeats)
+                                           : jumpRepeatsMustBeFromMinus1To32767(target, repeats);
+}
 
 // Set an output to a pulse length [us]. PX4 does not take it in a plan (Status::NotFlown).
 constexpr MissionItem setServo(uint8_t output, uint16_t pulseUs) { return anyCommand(kDoSetServo, output, pulseUs); }
@@ -145,6 +156,7 @@ constexpr MissionItem regionOfInterestOff() { return anyCommand(kDoSetRoiNone); 
 
 // Turn to a heading while flying on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw there.
 constexpr MissionItem turnTo(Degrees heading) { return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
+constexpr MissionItem turnTo(WideHeading heading) { return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
 
 // --- Items of a fence: upload(fence, PlanType::Fence).
 

@@ -47,6 +47,8 @@ namespace mavmission {
   X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
   X(NeedsPlace, "refused: it needs a place on this autopilot, and has none") \
+  X(BadAltitude, "refused: an altitude beyond what this autopilot takes") \
+  X(NotKept, "refused: this autopilot would keep another value") /* of differingField(): keptValue() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
   X(SinkFull, "the plan aboard is larger than the sink takes") \

@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "Config.h"
 #include "Degrees.h"
 
 namespace mavmission {
@@ -53,20 +54,10 @@ enum class Frame : uint8_t {
 };
 
 // The present number of a frame: 0, 3 and 10 for 5, 6 and 11.
-inline Frame modern(Frame frame) {
-  switch (frame) {
-    case Frame::GlobalInt:
-      return Frame::Global;
-    case Frame::GlobalRelativeInt:
-      return Frame::GlobalRelative;
-    case Frame::GlobalTerrainInt:
-      return Frame::GlobalTerrain;
-    case Frame::Global:
-    case Frame::Mission:
-    case Frame::GlobalRelative:
-    case Frame::GlobalTerrain:
-      break;
-  }
+MAVMISSION_APART inline Frame modern(Frame frame) {
+  if (frame == Frame::GlobalInt) return Frame::Global;
+  if (frame == Frame::GlobalRelativeInt) return Frame::GlobalRelative;
+  if (frame == Frame::GlobalTerrainInt) return Frame::GlobalTerrain;
   return frame;
 }
 
@@ -92,12 +83,13 @@ constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, Frame:
 // Above the ground below. Needs terrain data aboard; PX4 1.17 does not take it in a plan (Status::BadFrame).
 constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::GlobalTerrain); }
 
-// A heading [degrees from north, clockwise], or "as you fly", which is the default everywhere.
+// A heading [degrees from north, clockwise, -180 to 360], or "as you fly", which is the default everywhere.
 class Yaw {
  public:
   constexpr Yaw() : degrees_(__builtin_nanf("")) {}
   // From north, clockwise.
   constexpr Yaw(Degrees heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
+  constexpr Yaw(WideHeading heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
   constexpr float inDegrees() const { return degrees_; }  // NaN: as you fly
 
  private:
