@@ -86,6 +86,64 @@ def test_tool_refuses_a_fence_that_is_not_whole(tmp_path, rows, says):
         assert ran.returncode == 1 and f"{file}:3: " in ran.stdout + ran.stderr and says in ran.stdout + ran.stderr
 
 
+# What each autopilot takes -----------------------------------------------------------------
+
+
+def check(tmp_path, rows: list[str], autopilot: str) -> tuple[int, str]:
+    """What tools/plan check ends with and says of a mission of these lines behind the number."""
+    file = tmp_path / "drawn.waypoints"
+    file.write_text("\n".join(["QGC WPL 110", HOME, *(f"{n} {row}" for n, row in enumerate(rows, 1))]) + "\n")
+    command = [sys.executable, ROOT / "tools" / "plan", "check", file, "--autopilot", autopilot]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert ran.stderr == "", ran.stderr
+    return ran.returncode, ran.stdout
+
+
+@pytest.mark.parametrize(
+    ("row", "takes", "refuses"),
+    [
+        ("0 2 530 0 2 0 0 0 0 0 1", "px4", "ardupilot"),  # SET_CAMERA_MODE
+        ("0 3 30 0 0 0 0 0 0 150 1", "ardupilot", "px4"),  # NAV_CONTINUE_AND_CHANGE_ALT
+        ("0 3 92 1 0 0 0 0 0 0 1", "ardupilot", "px4"),  # NAV_GUIDED_ENABLE
+        ("0 2 222 10 0 0 0 0 0 0 1", "ardupilot", "px4"),  # DO_GUIDED_LIMITS
+        ("0 2 187 1 0 0 0 0 0 0 1", "px4", "ardupilot"),  # DO_SET_ACTUATOR
+    ],
+)
+def test_command_that_one_autopilot_refuses_is_found_for_it_alone(tmp_path, row, takes, refuses):
+    names = {"ardupilot": "ArduPilot", "px4": "PX4"}
+    status, text = check(tmp_path, [row], takes)
+    assert status == 0 and f"nothing in it that {names[takes]} is known to refuse" in text
+    assert f"on {names[refuses]}: item 0 (" in text
+    status, text = check(tmp_path, [row], refuses)
+    assert status == 1 and ":3: item 0 (" in text and "a command that this autopilot does not take in a plan" in text
+    assert "is known to refuse" not in text
+
+
+def test_command_of_which_nothing_is_known_is_said_to_be_so(tmp_path):
+    status, text = check(tmp_path, ["0 3 16 0 0 0 0 47.5 8.5 20 1", "0 3 36 90 0 0 0 47.5 8.6 20 1"], "px4")
+    lines = text.splitlines()
+    assert status == 0
+    assert ":4: not known: item 1 (NAV_ARC_WAYPOINT, number 2 in the file): no autopilot that was tried takes this" in lines[0]
+    assert lines[-1].endswith("nothing in it that PX4 is known to refuse; of 1 item it is not known")
+    assert "not known" not in check(tmp_path, ["0 3 16 0 0 0 0 47.5 8.5 20 1"], "px4")[1]
+
+
+def test_number_that_an_autopilot_would_keep_as_another_is_found_with_both(tmp_path):
+    turns = "0 3 18 300 0 10 0 47.5 8.5 20 1"
+    status, text = check(tmp_path, [turns], "ardupilot")
+    assert status == 1 and "this autopilot would keep another value: param1, 300 -> 255" in text
+
+
+def test_plan_is_judged_for_the_vehicle_that_it_was_drawn_for():
+    """A copter drops the distances at which a plane passes a waypoint, and a plane has no splines."""
+    plan = plan_of([at(0, command=82, param4=0.0)])
+    assert judge.refusals(plan)["ardupilot"] == []
+    plan.vehicle = 1
+    assert [refusal.status for refusal in judge.refusals(plan)["ardupilot"]] == ["NotFlown"]
+    plan = plan_of([at(0, command=84), at(0, command=82, param4=0.0)])  # of a plane that can hover
+    assert [refusal.index for refusal in judge.refusals(plan)["ardupilot"]] == [1]
+
+
 # The demonstration -----------------------------------------------------------------------
 
 

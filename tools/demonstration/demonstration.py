@@ -51,6 +51,7 @@ class Settings:
     log: Path | None = None
     timeline: Path | None = None  # an SVG
     fast: bool = False  # as fast as can be, instead of in real time
+    vehicle: str = "copter"  # or "plane" or "rover", on ArduPilot
     described: dict | None = None  # what examples.toml would say of the sketch
 
 
@@ -77,7 +78,7 @@ class Demonstration:
             self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
-        self.autopilot = an_autopilot(settings.autopilot)
+        self.autopilot = an_autopilot(settings.autopilot, settings.vehicle)
         if self._reads:
             self.autopilot.load(on_the_wire(HELD, settings.autopilot))
         self._mega = Mega(built.elf)
@@ -253,7 +254,9 @@ class Demonstration:
             sent = self._conversation.items
             return [sent[kind, seq] for seq in range(self._conversation.counts[kind]) if (kind, seq) in sent]
         meant = self._meant.get(kind, [])
-        return on_the_wire(meant, self.settings.autopilot) if kind == MISSION else meant
+        if kind != MISSION:
+            return meant
+        return on_the_wire(meant, self.settings.autopilot, self.autopilot.vehicle_types[self.autopilot.vehicle])
 
 
 class Console:
@@ -294,11 +297,11 @@ HELD = [
 ]
 
 
-def an_autopilot(name: str) -> FakeAutopilot:
+def an_autopilot(name: str, vehicle: str = "copter") -> FakeAutopilot:
     """With what it sends unasked on a telemetry port; the line's own time is the simulator's."""
     if name == "px4":
         return Px4(telemetry=repeated("px4/clean_with_streams"), response_delay_s=Px4.response_delay_on_line_s)
-    return ArduPilot(response_delay_s=ArduPilot.response_delay_on_line_s)
+    return ArduPilot(vehicle=vehicle, response_delay_s=ArduPilot.response_delay_on_line_s)
 
 
 def plans_of(elf: Path, described: dict) -> dict[int, Plan]:

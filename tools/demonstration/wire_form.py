@@ -12,11 +12,11 @@ from planning import judge
 HOME = Item(mavlink.MAV_FRAME_GLOBAL, mavlink.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0)
 
 
-def on_the_wire(plan: list[Item], autopilot: str) -> list[Item]:
-    """The items of a mission that must arrive, at "ardupilot" home before them. One that the library refuses is as it
-    was: it is not sent, and neither is the plan."""
+def on_the_wire(plan: list[Item], autopilot: str, vehicle: int = mavlink.MAV_TYPE_QUADROTOR) -> list[Item]:
+    """The items of a mission that must arrive, at "ardupilot" home before them. `vehicle`: a MAV_TYPE. An item that the
+    library refuses is as it was: it is not sent, and neither is the plan."""
     if not plan:
         return []
-    sent = judge.on_the_wire([PlannedItem(*item) for item in plan], autopilot)
+    sent = judge.on_the_wire([PlannedItem(*item) for item in plan], autopilot, vehicle)
     items = [item if made is None else Item(*made) for item, made in zip(plan, sent)]
     return [HOME, *items] if autopilot == "ardupilot" else items

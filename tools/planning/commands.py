@@ -35,7 +35,7 @@ def name_of(command: int) -> str:
 
 def is_placeless(command: int) -> bool:
     """Whether an item of this command has neither a place nor an altitude, so that its frame says nothing."""
-    return command in judge.placeless()
+    return judge.known().get(command, False)
 
 
 def is_at_a_place(command: int) -> bool:

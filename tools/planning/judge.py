@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 import re
 import struct
 import subprocess
@@ -18,7 +19,7 @@ from .plan import KINDS, Item, Plan, Step
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
-PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "Status", "WirePlan")
+PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "KeptValue", "Status", "WirePlan")
 
 # As judge.cpp checks them, by their names here.
 AUTOPILOTS = ("ardupilot", "px4", "any")
@@ -26,6 +27,8 @@ NAMES = {"ardupilot": "ArduPilot", "px4": "PX4", "any": "any autopilot"}
 FIRMWARE = {"ardupilot": 1, "px4": 2}  # mavmission::Firmware
 AUTOPILOT_OF = {3: "ardupilot", 12: "px4"}  # MAV_AUTOPILOT
 
+QUADROTOR, VTOL = 2, 22  # MAV_TYPE
+VTOL_COMMANDS = (84, 85)
 ACCEPTED = "Accepted"
 NOT_WHOLE = "NotWhole"  # no Status: a fence that the items do not make
 _WORDS = struct.Struct("<7IH3B")
@@ -49,7 +52,7 @@ def refusals(plan: Plan) -> dict[str, list[Refusal]]:
     found: dict[str, list[Refusal]] = {autopilot: [] for autopilot in AUTOPILOTS}
     for kind in plan.kinds:
         steps = plan.steps(kind)
-        answers = asked("check", [KINDS.index(kind), len(steps)], plan.items(kind))
+        answers = asked("check", [KINDS.index(kind), vehicle_of(plan), len(steps)], plan.items(kind))
         for turn, (number, text) in enumerate(answers):
             index, status = turn % len(steps), statuses()[number]
             if status != ACCEPTED:
@@ -59,6 +62,19 @@ def refusals(plan: Plan) -> dict[str, list[Refusal]]:
         if kind != "mission":
             add_troubles(found, kind, steps)
     return found
+
+
+def vehicle_of(plan: Plan) -> int:
+    """The MAV_TYPE that a plan is judged for: what its file says, and else what can fly it."""
+    if plan.vehicle:
+        return plan.vehicle
+    return VTOL if any(item.command in VTOL_COMMANDS for item in plan.items()) else QUADROTOR
+
+
+def unknown(plan: Plan) -> list[Step]:
+    """The items of the mission of which it is not known whether an autopilot takes them: their commands are in none of
+    the library's rows."""
+    return [step for step in plan.mission if step.item.command not in known()]
 
 
 def add_troubles(found: dict[str, list[Refusal]], kind: str, steps: list[Step]) -> None:
@@ -90,28 +106,37 @@ def expect_right(plan: Plan) -> None:
         raise BadPlan(plan.file, refusal.step.line, f"{refusal.step.name}: {refusal.text}")
 
 
-def rewritten(meant: Sequence[Item], read: Sequence[Item], autopilot: str, kind: str) -> list[str]:
-    """Item by item, the field in which what was read is not what this autopilot makes of what was meant; or ""."""
+def rewritten(plan: Plan, read: Sequence[Item], autopilot: str, kind: str) -> list[str]:
+    """Item by item, the field in which what was read is not what this autopilot makes of the plan's; or ""."""
+    meant = plan.items(kind)
     if not meant:
         return []
     if autopilot == "ardupilot":  # a download gives NaN for a yaw that ArduPilot does not keep, whatever it was
-        read = [theirs._replace(param4=ours.param4) if theirs.param4 != theirs.param4 else theirs for ours, theirs in zip(meant, read)]
-    head = [FIRMWARE[autopilot], KINDS.index(kind), len(meant)]
+        read = [
+            theirs._replace(param4=ours.param4) if math.isnan(theirs.param4) else theirs
+            for ours, theirs in zip(meant, read)
+        ]
+    head = [FIRMWARE[autopilot], KINDS.index(kind), vehicle_of(plan), len(meant)]
     return [text if number else "" for number, text in asked("compare", head, [*meant, *read])]
 
 
-def on_the_wire(mission: Sequence[Item], autopilot: str) -> list[Item | None]:
+def on_the_wire(mission: Sequence[Item], autopilot: str, vehicle: int = QUADROTOR) -> list[Item | None]:
     """What the library sends of a mission, item by item, home apart; None for an item that it refuses."""
     if not mission:
         return []
-    answers = asked("wire", [FIRMWARE[autopilot], len(mission)], mission)
+    answers = asked("wire", [FIRMWARE[autopilot], vehicle, len(mission)], mission)
     return [item_of(words) if statuses()[number] == ACCEPTED else None for number, words in answers]
 
 
 @functools.cache
+def known() -> dict[int, bool]:
+    """The commands in the table that the firmware goes by, and whether their items have neither a place nor an
+    altitude."""
+    return {command: flag == "1" for command, flag in asked("commands", [], [])}
+
+
 def placeless() -> frozenset[int]:
-    """The commands whose items have neither a place nor an altitude, by the table that the firmware goes by."""
-    return frozenset(command for command, _ in asked("placeless", [], []))
+    return frozenset(command for command, is_placeless in known().items() if is_placeless)
 
 
 def words_of(item: Item) -> str:

@@ -63,6 +63,12 @@ def check(args: argparse.Namespace, tell: Tell) -> int:
                 f"{shown(plan.file)}:{extra[0].step.line}: on {judge.NAMES[other]}: {extra[0].step.name}:"
                 f" {extra[0].text}{more}"
             )
+    unknown = judge.unknown(plan)
+    for step in unknown:
+        print(
+            f"{shown(plan.file)}:{step.line}: not known: {step.name}: no autopilot that was tried takes this command, and a"
+            " newer one may"
+        )
     counts = ", ".join(f"{kind} of {len(plan.steps(kind))}" for kind in plan.kinds)
     if found[wanted]:
         return 1
@@ -70,7 +76,8 @@ def check(args: argparse.Namespace, tell: Tell) -> int:
         verdict = "nothing in it that is wrong for every autopilot; --autopilot checks it for one"
     else:
         verdict = f"nothing in it that {judge.NAMES[wanted]} is known to refuse"
-    print(f"{shown(plan.file)}: {counts}: {verdict}")
+    doubts = f"; of {len(unknown)} item{'s' if len(unknown) > 1 else ''} it is not known" if unknown else ""
+    print(f"{shown(plan.file)}: {counts}: {verdict}{doubts}")
     return 0
 
 
