@@ -257,7 +257,7 @@ def _whole_within(value: float, low: int, high: int) -> int:
 
 
 def _jump(item: Item) -> Iterator[Made]:
-    target, repeats = _whole_within(item.param1, 0, 65535), _whole_within(item.param2, -32768, 32767)
+    target, repeats = _whole_within(item.param1, 0, 65535), _whole_within(item.param2, -1, 32767)
     yield called("jump", str(target), str(repeats)), _without(item, float(target), float(repeats))
 
 
@@ -333,6 +333,7 @@ NAMED = {
     20: "kNavReturnToLaunch",
     21: "kNavLand",
     22: "kNavTakeoff",
+    80: "kNavRoi",
     82: "kNavSplineWaypoint",
     84: "kNavVtolTakeoff",
     85: "kNavVtolLand",
@@ -344,6 +345,7 @@ NAMED = {
     183: "kDoSetServo",
     195: "kDoSetRoiLocation",
     197: "kDoSetRoiNone",
+    201: "kDoSetRoi",
     203: "kDoDigicamControl",
     206: "kDoSetCameraTriggerDistance",
     5000: "kFenceReturnPoint",
