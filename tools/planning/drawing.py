@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 import textwrap
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -32,6 +33,9 @@ NOT_FLOWN, OTHER_HEIGHT = "#888888", "#b9770e"
 IN_KILOMETRES = 5_000.0  # [m] that a picture shows, beyond which its axes count kilometres
 MOST_MARKS = 60  # of items; more would hide the way
 ARROWS = 14
+THINNEST, WIDEST = 0.06, 1.4  # [points]
+MAP_POINTS, CELLS = 400, 40  # the map's shorter side on the paper, and how many parts of it are looked at by themselves
+INKED = 0.35  # of the paper, where lines are closest
 TITLE_WIDTH, TITLE_LINES = 72, 3
 COMPASS = ("north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west")
 
@@ -135,14 +139,21 @@ class _Map:
         if not placed:
             return
         points = [self._metres(item) for _, item in placed]
-        width = 1.4 if len(points) <= MOST_MARKS else 0.8 if len(points) <= 400 else 0.5
         flown = self._flown(flight)
+        # Of two widths: lanes of a survey are thin, and the way to it is not.
+        possible = widths(flown)
+        width = WIDEST if len(points) <= MOST_MARKS else 0.8
+        thin = min(possible, default=width)
+        is_thin = [one < width for one in possible]
+        single = [line for line, narrow in zip(flown, is_thin) if not narrow]
+        lanes = [line for line, narrow in zip(flown, is_thin) if narrow]
         others = [line for line in zip(points, points[1:]) if line not in flown and line[::-1] not in flown]
-        self._lines(others, color=NOT_FLOWN, linewidth=width * 0.7, linestyle=":", label="next in the file, not flown")
-        self._lines(flown, color=PATH, linewidth=width, label="mission")
+        self._lines(others, color=NOT_FLOWN, linewidth=min(0.6, thin), linestyle=":", label="next in the file, not flown")
+        self._lines(lanes, color=PATH, linewidth=thin, label=None if single else "mission")
+        self._lines(single, color=PATH, linewidth=width, label="mission")
         if len(points) <= MOST_MARKS:
             self._axes.plot(*zip(*points), color=PATH, marker="o", markersize=4, linestyle="none")
-        self._arrows(flown, width)
+        self._arrows(flown, max(thin, 0.3))
         start, end = (flown[0][0], flown[-1][1]) if flown else (points[0], points[-1])
         # Both are seen where they are one place, and home with them.
         self._axes.plot(*start, marker="o", markersize=10, color=START, linestyle="none", label="start", zorder=4)
@@ -151,7 +162,7 @@ class _Map:
         order = [0, len(placed) - 1, *range(1, len(placed) - 1)]
         self._labels += [(str(placed[i][0]), points[i], PATH) for i in dict.fromkeys(order)]
 
-    def _flown(self, flight: Flight) -> dict[int, tuple[Point, Point]] | list[tuple[Point, Point]]:
+    def _flown(self, flight: Flight) -> list[tuple[Point, Point]]:
         """The legs over the ground, in their order, each once."""
         legs = [(self._metres(leg.start), self._metres(leg.end)) for leg in flight.legs if leg.distance]
         if self._far is not None and self._plan.home is not None:
@@ -159,7 +170,7 @@ class _Map:
             legs = [leg for leg in legs if home not in leg]
         return list(dict.fromkeys(legs))
 
-    def _lines(self, lines, label: str, **look) -> None:
+    def _lines(self, lines, label: str | None, **look) -> None:
         """One line for all: points that do not follow one another are set apart by a gap."""
         xs: list[float] = []
         ys: list[float] = []
@@ -249,6 +260,33 @@ class _Map:
                 away = (4 if side == "left" else -4, 3)
                 self._axes.annotate(text, point, textcoords="offset points", xytext=away, **look)
                 break
+
+
+def widths(lines: list[tuple[Point, Point]]) -> list[float]:
+    """How wide each line may be drawn [points] so that paper is seen between it and those beside it."""
+    east, north = ([point[side] for line in lines for point in line] for side in (0, 1))
+    size = max(max(east) - min(east), max(north) - min(north)) if lines else 0
+    if not size:
+        return [WIDEST] * len(lines)
+    cell = size / CELLS
+
+    def cells(start: Point, end: Point) -> list[tuple[int, int]]:
+        """Of a grid, those that a line crosses, about: one for each length of a cell."""
+        steps = math.ceil(math.dist(start, end) / cell)
+        along = [(step + 0.5) / steps for step in range(steps)]
+        return [
+            (
+                int((start[0] + part * (end[0] - start[0]) - min(east)) // cell),
+                int((start[1] + part * (end[1] - start[1]) - min(north)) // cell),
+            )
+            for part in along
+        ]
+
+    crossed = [cells(*line) for line in lines]
+    lines_in = Counter(place for places in crossed for place in places)
+    ink = INKED * MAP_POINTS / CELLS
+    most = [sorted(lines_in[place] for place in places)[len(places) // 2] if places else 1 for places in crossed]
+    return [max(THINNEST, min(WIDEST, ink / count)) for count in most]
 
 
 def overlap(one, other) -> bool:

@@ -121,11 +121,13 @@ def length_text(metres: float) -> str:
     return f"{metres:.0f} m" if metres < 10_000 else f"{metres / 1000:,.1f} km"
 
 
+def time_text(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest:02} s" if minutes < 120 else f"{minutes // 60} h {minutes % 60:02} min"
+
+
 def summary(flight: Flight, speeds: Speeds, why: str = "") -> list[str]:
-    minutes, seconds = divmod(round(flight.seconds), 60)
-    length = (
-        f"{minutes} min {seconds:02} s" if flight.ends else f"{minutes} min {seconds:02} s, and then without an end"
-    )
+    length = time_text(flight.seconds) + ("" if flight.ends else ", and then without an end")
     waits = f", {flight.waiting:.0f} s of it waiting" if flight.waiting else ""
     speed = f"{speeds.cruise:g} m/s" + (f", {why}" if why else "")
     return [
