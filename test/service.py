@@ -206,11 +206,13 @@ class Service(Bench):
                                    bytes.fromhex(payload)))  # fmt: skip
         return heard
 
-    def compared(self, sent: Item, read: Item, firmware: str, mission_type: int = MISSION) -> str:
+    def compared(
+        self, sent: Item, read: Item, firmware: str, mission_type: int = MISSION, vehicle_type: int = 2
+    ) -> str:
         """The name of the Field in which difference() sees one."""
         self.mega.poke("benchPlan", packed(sent))
         self.mega.poke("benchSink", packed(read))
-        (line,) = self.tell("compare", ("Unknown", "ArduPilot", "PX4", "Other").index(firmware), mission_type)
+        (line,) = self.tell("compare", ("Unknown", "ArduPilot", "PX4", "Other").index(firmware), mission_type, vehicle_type)
         return field_names()[int(line.split(" ")[2])]
 
     def text_of_field(self, name: str) -> str:

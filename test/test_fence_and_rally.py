@@ -97,10 +97,19 @@ def test_radius_and_height_that_differ_are_named(service):
 
 
 @SERVICE
-def test_ardupilots_whole_metres_of_a_rally_point_are_no_difference(build_service):
+def test_altitude_of_a_rally_point_that_ardupilot_would_cut_to_whole_metres_is_refused(build_service):
     service = build_service("ArduPilot")
     service.upload([POINTS[0]._replace(z=20.75)], RALLY, proof="Always")
+    assert service.done() == "NotKept"
+    assert (service.state.failed_item, service.state.field) == (0, "Height")
+    assert service.heard("MISSION_COUNT") == []
+    service.upload([POINTS[0]._replace(z=20.0)], RALLY, proof="Always")
     assert service.done() == "Accepted"
+
+
+def test_rally_point_at_the_origin_is_refused_where_it_could_never_be_read(service, personality):
+    service.upload([POINTS[0]._replace(x=0, y=0)], RALLY, proof="Always")
+    assert service.done() == ("NeedsPlace" if personality == "ArduPilot" else "Accepted")
 
 
 @SERVICE

@@ -86,7 +86,9 @@ def test_long_text_is_refused_at_once_and_not_repeated_in_the_message(text):
     assert len(str(caught.value)) < 300
 
 
-@pytest.mark.parametrize("text", ["\x00", "\x1b[2J", "{" * 100_000, "QGC WPL 110\n" * 3, "[" * 59, "9" * 4000, "\ufeff"])
+@pytest.mark.parametrize(
+    "text", ["\x00", "\x1b[2J", "{" * 100_000, "QGC WPL 110\n" * 3, "[" * 59, "9" * 4000, "\ufeff"]
+)
 @pytest.mark.parametrize("suffix", [".plan", ".waypoints", ".mission"])
 def test_nonsense_is_refused_on_one_printable_line(tmp_path, text, suffix):
     file = tmp_path / f"a{suffix}"
@@ -138,7 +140,8 @@ def test_output_that_cannot_be_written_is_said(words):
 
 
 @pytest.mark.parametrize(
-    "words", [["to-header", FARM, "-o", "/dev/full"], ["draw", FARM, "-o", "/dev/full/a.svg"], ["convert", FARM, "/x/a.kml"]]
+    "words",
+    [["to-header", FARM, "-o", "/dev/full"], ["draw", FARM, "-o", "/dev/full/a.svg"], ["convert", FARM, "/x/a.kml"]],
 )
 def test_place_that_cannot_be_written_to_is_said(words):
     refused(run(*words), "cannot be written: ")
@@ -199,10 +202,21 @@ def test_input_is_never_the_output(tmp_path, words):
 
 # Names --------------------------------------------------------------------------------
 
-NAMES = [b"caf\xe9.plan", b"a$b$.plan", b"$x^{.plan", b"a\nb.plan", b'a"b.plan', b"a\\.plan", b"<&>.plan", b"a\x1bb.plan"]
+NAMES = [
+    b"caf\xe9.plan",
+    b"a$b$.plan",
+    b"$x^{.plan",
+    b"a\nb.plan",
+    b'a"b.plan',
+    b"a\\.plan",
+    b"<&>.plan",
+    b"a\x1bb.plan",
+]
 
 
-@pytest.mark.parametrize("name", [*NAMES[:2], *(pytest.param(name, marks=pytest.mark.slow) for name in NAMES[2:])], ids=repr)
+@pytest.mark.parametrize(
+    "name", [*NAMES[:2], *(pytest.param(name, marks=pytest.mark.slow) for name in NAMES[2:])], ids=repr
+)
 def test_name_of_any_kind_does_no_harm(tmp_path, name):
     file = tmp_path / os.fsdecode(name)
     file.write_bytes(FARM.read_bytes())
@@ -217,7 +231,9 @@ def test_name_of_any_kind_does_no_harm(tmp_path, name):
         ["check", os.fsencode(file) + b".gz"],
     ):
         ran = run(*words)
-        assert b"Traceback" not in ran.stderr and ran.returncode == (1 if words[-1] != file and words[0] == "check" else 0)
+        assert b"Traceback" not in ran.stderr and ran.returncode == (
+            1 if words[-1] != file and words[0] == "check" else 0
+        )
     for text in (header_of(read_plan(file)), sketch_of(read_plan(file), "a.h", "aPlan")):
         first = text.split("\n")[0]
         assert first.startswith("// Made of ") and text.split("\n")[1].startswith(("//", "#"))

@@ -21,7 +21,8 @@ PLACE = {"x": 473977420, "y": 85455970}
 
 def corners(count: int, says: float, command: int = 5001) -> list[Item]:
     return [
-        Item(0, command, 0, 1, says, 0.0, 0.0, 0.0, 474000000 + n * n * 1000, 85000000 + n * 1000, 0.0) for n in range(count)
+        Item(0, command, 0, 1, says, 0.0, 0.0, 0.0, 474000000 + n * n * 1000, 85000000 + n * 1000, 0.0)
+        for n in range(count)
     ]
 
 
@@ -82,7 +83,9 @@ def test_tool_refuses_a_fence_that_is_not_whole(tmp_path, rows, says):
     file = tmp_path / "fence.waypoints"
     file.write_text("\n".join(["QGC WPL 110", HOME, *rows]) + "\n")
     for words in (["check", file], ["to-header", file]):
-        ran = subprocess.run([sys.executable, ROOT / "tools" / "plan", *words], capture_output=True, text=True, check=False)
+        ran = subprocess.run(
+            [sys.executable, ROOT / "tools" / "plan", *words], capture_output=True, text=True, check=False
+        )
         assert ran.returncode == 1 and f"{file}:3: " in ran.stdout + ran.stderr and says in ran.stdout + ran.stderr
 
 
@@ -123,7 +126,10 @@ def test_command_of_which_nothing_is_known_is_said_to_be_so(tmp_path):
     status, text = check(tmp_path, ["0 3 16 0 0 0 0 47.5 8.5 20 1", "0 3 36 90 0 0 0 47.5 8.6 20 1"], "px4")
     lines = text.splitlines()
     assert status == 0
-    assert ":4: not known: item 1 (NAV_ARC_WAYPOINT, number 2 in the file): no autopilot that was tried takes this" in lines[0]
+    assert (
+        ":4: not known: item 1 (NAV_ARC_WAYPOINT, number 2 in the file): no autopilot that was tried takes this"
+        in lines[0]
+    )
     assert lines[-1].endswith("nothing in it that PX4 is known to refuse; of 1 item it is not known")
     assert "not known" not in check(tmp_path, ["0 3 16 0 0 0 0 47.5 8.5 20 1"], "px4")[1]
 
@@ -188,7 +194,10 @@ def test_plan_whose_differences_mean_nothing_comes_back_good():
 
 def test_commands_that_ardupilot_takes_come_back_as_it_keeps_them():
     commands = [83, 92, 208, 216, 218, 222, 223]
-    mission = [at(0, command=22, **PLACE), *(Item(2, command, 0, 1, 1.0, *[0.0] * 3, 0, 0, 0.0) for command in commands)]
+    mission = [
+        at(0, command=22, **PLACE),
+        *(Item(2, command, 0, 1, 1.0, *[0.0] * 3, 0, 0, 0.0) for command in commands),
+    ]
     good, text = shown(plan_of([*mission, at(0, **PLACE)]), autopilot="ardupilot")
     assert good, text
 

@@ -106,7 +106,14 @@ def dot_plan(command: int, *numbers) -> str:
     """The farm with one item more, in frame 2."""
     document = json.loads(FARM.read_text())
     document["mission"]["items"].append(
-        {"autoContinue": True, "command": command, "doJumpId": 99, "frame": 2, "params": [*numbers], "type": "SimpleItem"}
+        {
+            "autoContinue": True,
+            "command": command,
+            "doJumpId": 99,
+            "frame": 2,
+            "params": [*numbers],
+            "type": "SimpleItem",
+        }
     )
     return json.dumps(document)
 

@@ -87,12 +87,16 @@ def test_present_numbering_of_altitude_mode_needs_no_note():
 def test_altitude_modes_that_contradict_the_frames_are_refused_with_the_cure(said, says):
     with pytest.raises(BadPlan, match=says) as caught:
         frames(altitudes(*said))
-    assert "open the plan in a present QGroundControl, look at this item's altitude, and save it again" in str(caught.value)
+    assert "open the plan in a present QGroundControl, look at this item's altitude, and save it again" in str(
+        caught.value
+    )
 
 
 def test_height_worked_out_from_terrain_is_the_third_mode_of_the_older_numbering():
     text = altitudes((2, 0), (0, 3))
-    assert "AMSLAltAboveTerrain is 500, and the altitude in params 20" in str(pytest.raises(BadPlan, frames, text).value)
+    assert "AMSLAltAboveTerrain is 500, and the altitude in params 20" in str(
+        pytest.raises(BadPlan, frames, text).value
+    )
     plan = qgc_plan.read(Path("old.plan"), altitudes((2, 0), (0, 3), AMSLAltAboveTerrain=20))
     assert any("what QGroundControl worked out from its terrain data" in note for note in plan.notes)
 
@@ -119,7 +123,9 @@ def test_version_120_has_no_home():
     plan = read(*rows, header="QGC WPL 120")
     assert plan.home is None and len(plan.mission) == 3 and plan.items()[2].param1 == 0.0
     assert '"QGC WPL 120" has no home' in note_of(plan, "the first line")
-    assert 'must be "QGC WPL 110" (or "QGC WPL 120"), and is \'QGC WPL 100\'' in str(refused(*rows, header="QGC WPL 100"))
+    assert 'must be "QGC WPL 110" (or "QGC WPL 120"), and is \'QGC WPL 100\'' in str(
+        refused(*rows, header="QGC WPL 100")
+    )
 
 
 def test_mission_and_fence_in_one_file_are_refused():

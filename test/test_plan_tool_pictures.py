@@ -111,7 +111,9 @@ def test_speed_of_climbing_is_no_speed_over_the_ground():
     climbing = Item(2, 178, 0, 1, 2.0, 1.0, -1.0, 0.0, 0, 0, 0.0)
     assert fly(plan_of([at(0), climbing, at(500)], home=HOME), Speeds(5.0)).seconds == pytest.approx(8 + 100, abs=0.5)
     over_ground = climbing._replace(param1=1.0)
-    assert fly(plan_of([at(0), over_ground, at(500)], home=HOME), Speeds(5.0)).seconds == pytest.approx(8 + 500, abs=0.5)
+    assert fly(plan_of([at(0), over_ground, at(500)], home=HOME), Speeds(5.0)).seconds == pytest.approx(
+        8 + 500, abs=0.5
+    )
 
 
 def test_change_of_altitude_goes_to_no_place():
@@ -192,7 +194,9 @@ def test_labels_do_not_lie_on_one_another(tmp_path, monkeypatch):
     def label(self):
         kept(self)
         figure = self._axes.figure
-        boxes.extend(text.get_window_extent(figure.canvas.get_renderer()) for text in self._axes.texts if text.get_text())
+        boxes.extend(
+            text.get_window_extent(figure.canvas.get_renderer()) for text in self._axes.texts if text.get_text()
+        )
 
     monkeypatch.setattr(drawing._Map, "label", label)
     draw(plan_of(survey(200), square(-50, 900), home=HOME), tmp_path / "a.svg", Speeds(5.0))
@@ -216,7 +220,9 @@ def test_plan_across_the_180th_meridian_is_in_one_piece(picture):
 
 
 def test_continent_is_as_wide_as_in_its_middle(tmp_path):
-    places = [at(0)._replace(x=x, y=y, frame=0) for x, y in ((406_000_000, -738_000_000), (340_000_000, -1_184_000_000))]
+    places = [
+        at(0)._replace(x=x, y=y, frame=0) for x, y in ((406_000_000, -738_000_000), (340_000_000, -1_184_000_000))
+    ]
     from planning import drawing
 
     flight = fly(plan_of(places), Speeds(5.0))
@@ -255,7 +261,8 @@ def test_picture_of_a_goto_has_its_heights(picture):
 
 
 @pytest.mark.parametrize(
-    ("name", "lines"), [("farm.plan", 1), ("a field " * 12 + ".plan", 2), ("x" * 240 + ".plan", 3), ("$\\frac{1}{0}$ $.plan", 1)]
+    ("name", "lines"),
+    [("farm.plan", 1), ("a field " * 12 + ".plan", 2), ("x" * 240 + ".plan", 3), ("$\\frac{1}{0}$ $.plan", 1)],
 )
 def test_title_fits_whatever_the_name(tmp_path, name, lines):
     plan = plan_of([at(0), at(100)])
@@ -322,7 +329,10 @@ def test_kml_without_the_height_of_home_is_above_the_ground_and_says_so():
     assert any("shown as above the ground" in note for note in notes)
     root, notes = earth([at(0), at(100)._replace(frame=10)])
     assert root.find(".//k:LineString/k:altitudeMode", NAMES).text == "clampToGround"
-    assert [mode.text for mode in root.iterfind(".//k:Point/k:altitudeMode", NAMES)][1:] == ["absolute", "relativeToGround"]
+    assert [mode.text for mode in root.iterfind(".//k:Point/k:altitudeMode", NAMES)][1:] == [
+        "absolute",
+        "relativeToGround",
+    ]
 
 
 def test_kml_has_the_fence_and_the_rally_points():

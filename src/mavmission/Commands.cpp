@@ -159,27 +159,6 @@ const Row kRows[] PROGMEM = {
     row(42703, U16, To180, To90, To360, InArduPilot::Attitude, InPx4::NotTaken),  // NAV_ATTITUDE_TIME
 };
 
-// The rules of a command. For an autopilot that is neither they are ArduPilot's, or PX4's where ArduPilot does not take it.
-Rules find(uint16_t command, Keeper keeper) {
-  Both found = {0, four(K, K, Height, kAsItsFrameSays)};
-  for (const Row* row = (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows; row != kRows + sizeof(kRows) / sizeof(*kRows);
-       ++row) {
-    if (fromFlash(&row->command) != command) continue;
-    const uint8_t where = fromFlash(&row->where);
-    const uint8_t inArduPilot = where & 15;
-    if ((keeper & kByPx4) != 0 || ((keeper & kByArduPilot) == 0 && inArduPilot == 0)) {
-      const Both* both = &kInPx4[where >> 4];
-      found.params = fromFlash(&both->params);
-      found.more = fromFlash(&both->more);
-    } else {
-      found.params = fromFlash(&row->params);
-      found.more = fromFlash(&kInArduPilot[inArduPilot]);
-    }
-    break;
-  }
-  return Rules{found.params | static_cast<uint32_t>(found.more) << 16};
-}
-
 }  // namespace
 
 Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
@@ -195,14 +174,36 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
 }
 
 Rules rulesOf(const MissionItem& item, Keeper keeper) {
-  Rules rules = find(item.command, keeper);
-  // Without a place all is kept, but for what is special in param1.
-  if (rules.has(kAsItsFrameSays) && item.frame == Frame::Mission) {
-    rules.bits = (rules.bits & 15) | static_cast<uint32_t>(four(K, K, Height, kHasNoPlace)) << 16;
+  uint16_t params = 0, more = four(K, K, Height, kAsItsFrameSays);
+  for (const Row* row = (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows; row != kRows + sizeof(kRows) / sizeof(*kRows);
+       ++row) {
+    if (fromFlash(&row->command) != item.command) continue;
+    const uint8_t where = fromFlash(&row->where);
+    const uint8_t inArduPilot = where & 15;
+    const uint16_t* inFlash = &row->params;
+    const uint16_t* moreInFlash = &kInArduPilot[inArduPilot];
+    // An autopilot that is neither of the two is as ArduPilot, or as PX4 where ArduPilot does not take the command.
+    if ((keeper & kByPx4) != 0 || ((keeper & kByArduPilot) == 0 && inArduPilot == 0)) {
+      inFlash = &kInPx4[where >> 4].params;
+      moreInFlash = inFlash + 1;
+    }
+    params = fromFlash(inFlash);
+    more = fromFlash(moreInFlash);
+    break;
   }
-  return rules;
+  if ((more & kAsItsFrameSays << 12) != 0 && item.frame == Frame::Mission) {
+    // Without a place all is kept, but for what is special in param1.
+    params &= 15;
+    more = four(K, K, Height, kHasNoPlace);
+  }
+  return Rules{params | static_cast<uint32_t>(more) << 16};
 }
 
-uint8_t traitsOf(uint16_t command) { return static_cast<uint8_t>(find(command, 0).bits >> 28); }
+uint8_t traitsOf(uint16_t command) {
+  MissionItem item;
+  item.command = command;
+  item.frame = Frame::Global;
+  return static_cast<uint8_t>(rulesOf(item, 0).bits >> 28);
+}
 
 }  // namespace mavmission

@@ -31,7 +31,7 @@ const Limit kLimits[] PROGMEM = {
 };
 
 // param1 to param4, x, y, z lie one behind the other, four bytes each.
-constexpr uint8_t kParam3 = 2, kX = 4, kY = 5, kZ = 6;
+constexpr uint8_t kParam3 = 2, kYaw = 3, kX = 4, kY = 5, kZ = 6;
 static_assert(offsetof(MissionItem, x) == sizeof(float) * kX && offsetof(MissionItem, y) == sizeof(float) * kY &&
                   offsetof(MissionItem, z) == sizeof(float) * kZ,
               "in their order");
@@ -52,19 +52,7 @@ struct Four {
   bool isBelow0() const { return (bytes[3] & 0x80) != 0; }
 };
 
-// An integer that a float holds.
-MAVMISSION_APART bool fitsFloat(uint32_t integer) {
-  uint32_t magnitude = static_cast<int32_t>(integer) < 0 ? 0 - integer : integer;
-  for (; static_cast<uint8_t>(magnitude >> 24) != 0; magnitude >>= 1) {
-    if ((magnitude & 1) != 0) return false;
-  }
-  return true;
-}
-
-MAVMISSION_APART // `sent` is no float, and `read` one beside it: floats have steps of 2 to 128 there.
-bool isRounded(uint32_t sent, uint32_t read) {
-  return !fitsFloat(sent) && fitsFloat(read) && read - sent + 64 <= 128;
-}
+MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(&a, &b, sizeof(a)) == 0; }
 
 // Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a region of
 // interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is spoilt.
@@ -92,50 +80,60 @@ bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
   return static_cast<uint32_t>(whole) <= 255;
 }
 
-// `sent` becomes what is kept of it; false if that does not mean the same.
-MAVMISSION_APART bool keep(Four& sent, uint8_t kind, uint8_t field, Keeper keeper) {
-  const uint8_t sign = sent.bytes[3] & 0x80;
+bool areNoNumbers(const void* a, const void* b) {
+  return kindOf(a) == FloatKind::NotANumber && kindOf(b) == FloatKind::NotANumber;
+}
+
+// `kept`, which is what was sent, becomes what is kept of it; false if that does not mean the same.
+MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper) {
+  const uint8_t sign = kept.bytes[3] & 0x80;
   const bool isZ = field == kZ;
+  const bool isInteger = field == kX || field == kY;
+  if (isInteger ? kind == Rounded || (kind == K && (keeper & kInFloats) != 0) : false) {
+    const Four sent = kept;
+    throughFloat(&kept);
+    return kind == Rounded || isEqual(kept, sent);
+  }
   if (kind == Yaw360) {
     if (isZ) {
-      if ((keeper & kByArduPilot) != 0) makeHundredths(&sent);
+      if ((keeper & kByArduPilot) != 0) makeHundredths(&kept);
       return true;
     }
-    const uint32_t magnitude = sent.bits & 0x7FFFFFFF;
+    const uint32_t magnitude = kept.bits & 0x7FFFFFFF;
     if (magnitude > 0x7F800000) return true;  // NaN
     if (magnitude > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
-    makeTurn(&sent);
+    makeTurn(&kept);
     return true;
   }
   if (kind == Centimetres) {
-    const bool isWithin = sent.bits < 0x4423D70A;  // 655.36, and what is negative
-    makeHundredths(&sent);
+    const bool isWithin = kept.bits < 0x4423D70A;  // 655.36, and what is negative
+    makeHundredths(&kept);
     return isWithin;
   }
-  if (kind >= Sign) {
-    sent.bytes[3] &= 0x7F;
-    const int32_t whole = wholeNumber(sent.number);
-    if (kind >= U1) {
-      const uint16_t* limit = &kLimits[kind - U1].positive;
-      if (sign != 0) ++limit;
-      sent.bytes[3] |= sign;
-      return whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
-    }
-    if (kind == Special) {
-      Four number = sent;
-      sent.bytes[3] |= sign;
-      // Of a region of interest with a place the mode is not given back.
-      if ((keeper & (kByPx4 | kInFloats)) == kByPx4) sent.bits = 0;
-      return isSpecialKept(number, sign != 0, field, keeper);
-    }
-    const bool isKept = (keeper & kByPlane) == 0 || isZ || static_cast<uint32_t>(whole) <= 1;
-    sent.number = 1;
-    sent.bytes[3] |= sign;
-    if (isZ) sent.number = 2;
-    return isKept;
+  if (kind == K) return true;
+  if (kind < Sign) {
+    kept.bits = 0;
+    return true;
   }
-  if (kind != K) sent.bits = 0;
-  return true;
+  Four magnitude = kept;
+  magnitude.bytes[3] &= 0x7F;
+  uint32_t whole = static_cast<uint32_t>(wholeNumber(magnitude.number));
+  if (isInteger) whole = sign != 0 ? 0 - kept.bits : kept.bits;
+  if (kind >= U1) {
+    const uint16_t* limit = &kLimits[kind - U1].positive;
+    if (sign != 0) ++limit;
+    if (whole == 0) kept.bits = 0;
+    return whole <= fromFlash(limit);
+  }
+  if (kind == Special) {
+    // Of a region of interest with a place the mode is not given back.
+    if ((keeper & (kByPx4 | kInFloats)) == kByPx4) kept.bits = 0;
+    return isSpecialKept(magnitude, sign != 0, field, keeper);
+  }
+  kept.number = 1;
+  kept.bytes[3] |= sign;
+  if (isZ) kept.number = 2;
+  return (keeper & kByPlane) == 0 || isZ || whole <= 1;
 }
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
@@ -160,15 +158,8 @@ Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper
   for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, rules.bits >>= 4) {
     const uint8_t kind = static_cast<uint8_t>(rules.bits) & 15;
     Four kept = *wasSent;
-    bool isKept;
-    if (field == kX || field == kY) {
-      isKept = wasRead->bits == kept.bits || (kind == D && wasRead->bits == 0) ||
-               (kind == Rounded && isRounded(kept.bits, wasRead->bits));
-      if (kind >= U1) isKept = isKept && kept.bits + (kind == I16 ? 0x8000 : 0) <= (kind == I16 ? 0xFFFF : 0xFF);
-      if (kind == K && (flags & kInFloats) != 0) isKept = isKept && fitsFloat(kept.bits);
-    } else {
-      isKept = keep(kept, kind, field, flags) && (isSame(wasRead, wasSent) || isSame(wasRead, &kept));
-    }
+    const bool isKept = keep(kept, kind, field, flags) && (isEqual(*wasRead, *wasSent) || isEqual(*wasRead, kept) ||
+                                                           (field == kYaw && areNoNumbers(wasRead, wasSent)));
     if (!isKept) return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + field);
   }
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.

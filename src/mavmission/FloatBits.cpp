@@ -154,6 +154,18 @@ void multiply(void* number, Times by) {
   storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(&factor->exponent)), more);
 }
 
+void throughFloat(void* integer) {
+  const uint32_t value = load(integer);
+  const bool isBelow0 = (value & kSign) != 0;
+  const uint32_t magnitude = isBelow0 ? 0 - value : value;
+  if (static_cast<uint8_t>(magnitude >> 24) == 0) return;
+  storeRounded(static_cast<uint8_t*>(integer), magnitude, kBias + 23, 0);
+  const uint32_t bits = load(integer);
+  uint32_t near = mantissaOf(bits);
+  for (uint8_t biased = biasedExponent(bits); biased != kBias + 23; --biased) near <<= 1;
+  store(integer, isBelow0 ? 0 - near : near);
+}
+
 void makeHundredths(void* number) {
   multiply(number, Times::Hundred);
   makeWhole(number);

@@ -44,6 +44,9 @@ void makeHundredths(void* number);
 // floats.
 MAVMISSION_APART void makeTurn(void* degrees);
 
+// Makes of an integer what is left of one that has been a float.
+void throughFloat(void* integer);
+
 // value / divisor as the nearest float. `divisor` is 1 to 2^28.
 float quotient(int32_t value, uint32_t divisor);
 

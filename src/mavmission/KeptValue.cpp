@@ -107,7 +107,8 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
     const int32_t integer = static_cast<int32_t>(bits);
     value = number(integer);
     if (kind == U8) return number(integer & 0xFF);
-    return kind == I16 ? number(static_cast<int16_t>(bits)) : value;
+    if (kind == I16) return number(static_cast<int16_t>(bits));
+    return bitsOf(value) == 0x4F000000 ? fromBits(kNotKnown) : value;  // 2^31, which does not fit
   }
   const bool isPlanesDistance = (keeper & kByPlane) != 0 && item.command == kNavWaypoint;
   const bool isAttitude = item.command == 42703;  // NAV_ATTITUDE_TIME

@@ -17,7 +17,6 @@ enum Command : uint16_t {
   kNavReturnToLaunch = 20,
   kNavLand = 21,
   kNavTakeoff = 22,
-  kNavRoi = 80,
   kNavSplineWaypoint = 82,
   kNavVtolTakeoff = 84,
   kNavVtolLand = 85,
@@ -29,7 +28,6 @@ enum Command : uint16_t {
   kDoSetServo = 183,
   kDoSetRoiLocation = 195,
   kDoSetRoiNone = 197,
-  kDoSetRoi = 201,
   kDoDigicamControl = 203,
   kDoSetCameraTriggerDistance = 206,
   kFenceReturnPoint = 5000,
@@ -78,7 +76,7 @@ constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude alti
   return anyCommandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
 }
 
-// Fly to a place. Wait there for `hold` (a copter; ArduPilot keeps whole seconds). Within `acceptanceRadius` it counts
+// Fly to a place. Wait there for `hold` (a copter; ArduPilot takes whole seconds alone). Within `acceptanceRadius` it counts
 // as reached (0: the autopilot's own setting; ArduPilot's copter has only that).
 constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold = Seconds(0),
                                Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
@@ -183,7 +181,7 @@ constexpr MissionItem fenceReturnPoint(Degrees latitude, Degrees longitude) {
 
 // --- Items of a rally plan: upload(points, PlanType::Rally).
 
-// A place to land instead of at home. ArduPilot keeps whole metres of the altitude.
+// A place to land instead of at home. ArduPilot takes whole metres of altitude alone.
 constexpr MissionItem rallyPoint(Degrees latitude, Degrees longitude, Altitude altitude) {
   return anyCommandAt(kRallyPoint, latitude, longitude, altitude);
 }

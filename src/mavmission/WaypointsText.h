@@ -1,8 +1,9 @@
 // The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character, item by
 // item: no line is kept, no float is computed with.
 //
-// Line 0 of such a file is home, which is read and is no item of the plan, if its command is NAV_WAYPOINT, or 0. Any other
-// command there is the first item: so it is in files of fences and rally points, and in those that begin with a takeoff.
+// Line 0 of such a file is home, which is read and is no item of the plan, if its command is NAV_WAYPOINT, or 0. Any
+// other command there is the first item: so it is in files of fences and rally points, and in those that begin with a
+// takeoff.
 //
 //   QGC WPL 110
 //   number current frame command param1 param2 param3 param4 latitude longitude altitude autocontinue

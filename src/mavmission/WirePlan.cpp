@@ -10,6 +10,8 @@ namespace {
 
 bool isBeyond(int32_t value, int32_t limit) { return value > limit || value < -limit; }
 
+constexpr uint16_t kNavRoi = 80, kDoSetRoi = 201;  // MAV_CMD
+
 bool is(const float& number, uint32_t bits) { return memcmp(&number, &bits, sizeof(bits)) == 0; }
 constexpr uint32_t kMinus1 = 0xBF800000, k65535 = 0x477FFF00;
 
@@ -126,7 +128,7 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
       found = Status::SourceRefused;
       if (read_(context_, near, item)) {
         // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
-        if (item.command >= 95 || !isSomewhere(item) || (traitsOf(item.command) & kHasNoPlace)) continue;
+        if (item.command >= 95 || !isSomewhere(item) || rulesOf(item, keeper_).has(kHasNoPlace)) continue;
         found = Status::Accepted;
       }
     }

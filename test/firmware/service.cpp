@@ -245,10 +245,11 @@ ACTION(blocked) {
   tell(F("blocked"), line.blocked());
   Serial.println();
 }
-// Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type.
+// Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type, HEARTBEAT.type.
 ACTION(compare) {
   tell(F("field"), static_cast<uint8_t>(
-                       difference(benchPlan[0], benchSink[0], static_cast<Firmware>(numbers[0]), typeOf(numbers[1]))));
+                       difference(benchPlan[0], benchSink[0],
+                                  keeperOf(static_cast<Firmware>(numbers[0]), numbers[2], typeOf(numbers[1])))));
   Serial.println();
 }
 ACTION(fieldtext) {

@@ -76,7 +76,7 @@ bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t
 WireItems wireItems(const MissionItem* plan, uint16_t count, Firmware firmware) {
   WirePlan wire = WirePlan();
   wire.setSource(inRam(plan, count));
-  wire.begin(firmware, PlanType::Mission, false);
+  wire.begin(firmware, 2, PlanType::Mission, false);
   WireItems items(wire.wireCount());
   for (uint16_t i = 0; i < wire.wireCount(); ++i) {
     while (wire.read(i, items[i]) == Status::Checking) {

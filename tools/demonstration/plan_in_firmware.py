@@ -67,7 +67,7 @@ def listed(plans: dict[str, Plan]) -> str:
 
 
 def plans_in(elf: Path, named: str | None = None) -> list[Plan]:
-    """Every variable that can be an array of items; the one of that name may have commands that MAVLink does not know."""
+    """Every variable that can be an array of items; the one of that name may have any commands."""
     found = []
     with elf.open("rb") as file:
         image = ELFFile(file)

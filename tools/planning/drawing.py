@@ -54,7 +54,12 @@ def draw(plan: Plan, file: Path, speeds: Speeds) -> None:
     with matplotlib.rc_context({**look, "text.parse_math": False}):
         rows = 2 if has_heights else 1
         figure, axes = pyplot.subplots(
-            rows, 1, figsize=(8, 9 if has_heights else 7), height_ratios=(3, 1)[:rows], layout="constrained", squeeze=False
+            rows,
+            1,
+            figsize=(8, 9 if has_heights else 7),
+            height_ratios=(3, 1)[:rows],
+            layout="constrained",
+            squeeze=False,
         )
         try:
             figure.suptitle(title_of(plan), fontsize=11)
@@ -123,14 +128,18 @@ class _Map:
         axes.set(xlabel=f"east of {self._from} [{unit}]", ylabel=f"north of {self._from} [{unit}]")
         handles, names = axes.get_legend_handles_labels()
         if handles:
-            axes.legend(handles, names, loc="upper center", bbox_to_anchor=(0.5, -0.09), ncols=4, fontsize=8, frameon=False)
+            axes.legend(
+                handles, names, loc="upper center", bbox_to_anchor=(0.5, -0.09), ncols=4, fontsize=8, frameon=False
+            )
 
     def _tell_home(self) -> None:
         """Home is too far to be in the picture."""
         assert self._plan.home is not None and self._far is not None
         east, north = self._metres(self._plan.home)
         towards = COMPASS[round(math.degrees(math.atan2(east, north)) / 45) % 8]
-        self._axes.set_title(f"its home is {length_text(self._far)} away, to the {towards}: not drawn", fontsize=9, color=OUTSIDE)
+        self._axes.set_title(
+            f"its home is {length_text(self._far)} away, to the {towards}: not drawn", fontsize=9, color=OUTSIDE
+        )
 
     # -- the way ---------------------------------------------------------------------------
 
@@ -148,7 +157,9 @@ class _Map:
         single = [line for line, narrow in zip(flown, is_thin) if not narrow]
         lanes = [line for line, narrow in zip(flown, is_thin) if narrow]
         others = [line for line in zip(points, points[1:]) if line not in flown and line[::-1] not in flown]
-        self._lines(others, color=NOT_FLOWN, linewidth=min(0.6, thin), linestyle=":", label="next in the file, not flown")
+        self._lines(
+            others, color=NOT_FLOWN, linewidth=min(0.6, thin), linestyle=":", label="next in the file, not flown"
+        )
         self._lines(lanes, color=PATH, linewidth=thin, label=None if single else "mission")
         self._lines(single, color=PATH, linewidth=width, label="mission")
         if len(points) <= MOST_MARKS:
@@ -157,7 +168,9 @@ class _Map:
         start, end = (flown[0][0], flown[-1][1]) if flown else (points[0], points[-1])
         # Both are seen where they are one place, and home with them.
         self._axes.plot(*start, marker="o", markersize=10, color=START, linestyle="none", label="start", zorder=4)
-        self._axes.plot(*end, marker="s", markersize=13, color=END, fillstyle="none", linestyle="none", label="end", zorder=4)
+        self._axes.plot(
+            *end, marker="s", markersize=13, color=END, fillstyle="none", linestyle="none", label="end", zorder=4
+        )
         # First and last first: what is in between gets what room is left.
         order = [0, len(placed) - 1, *range(1, len(placed) - 1)]
         self._labels += [(str(placed[i][0]), points[i], PATH) for i in dict.fromkeys(order)]

@@ -35,7 +35,9 @@ def read_plan(file: Path, unset_as_zero: bool = False, renumber: bool = False) -
     suffix = suffix_of(file)
     reader = READERS.get(suffix)
     if reader is None:
-        raise BadPlan(file, None, f"what kind of file is it? The suffixes known are {', '.join(READERS)}, and .gz behind")
+        raise BadPlan(
+            file, None, f"what kind of file is it? The suffixes known are {', '.join(READERS)}, and .gz behind"
+        )
     more = {"renumber": renumber} if reader is waypoints.read else {}
     return reader(file, text_of(file), unset_as_zero, **more)
 
@@ -104,7 +106,7 @@ def write_plan(plan: Plan, file: Path, part: str = "mission") -> list[str]:
 
 
 def expect_another(file: Path, read: Path) -> None:
-    """BadPlan if what is to be written is the file that was read: what the other format does not carry would be lost."""
+    """BadPlan if what is to be written is the file that was read: what is not carried over would be lost."""
     with contextlib.suppress(OSError, ValueError):
         if os.path.samefile(file, read):
             raise BadPlan(file, None, "is the file that is read: name another one to write")

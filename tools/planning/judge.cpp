@@ -1,12 +1,12 @@
 // Asks the library itself what it says of a plan: the checks that an upload begins with, what goes out, and whether one
 // plan is what an autopilot makes of another. Made and spoken to by judge.py; a number a word on the standard input:
 //
-//   check type vehicle count ITEMS       -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text; behind
-//                                           NotKept the field, what it is, and what would be kept
-//   wire firmware vehicle count ITEMS    -> for each item of a mission: Status, and what goes out, as an item is here
+//   check type vehicle count ITEMS    -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text; behind
+//                                        NotKept the field, what it is, and what would be kept
+//   wire firmware vehicle count ITEMS -> for each item of a mission: Status, and what goes out, as an item is here
 //   compare firmware type vehicle count ITEMS ITEMS -> for each item: Field, its text
-//   commands                             -> each command that the library knows: its number, 1 if its items have neither a
-//                                           place nor an altitude
+//   commands                          -> each command that the library knows: its number, 1 if its items have neither a
+//                                        place nor an altitude
 //
 // An item is param1 to param4, x, y, z as 32 bits each, command, frame, current, autocontinue. A vehicle is a MAV_TYPE.
 #include <stdio.h>

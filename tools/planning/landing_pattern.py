@@ -22,8 +22,8 @@ def items_of(pattern: Value, kind: str) -> list[Item]:
     speed = pattern.get("useDoChangeSpeed")
     if speed is not None and speed.flag():
         raise speed.bad(
-            f"{pattern.name}, a {kind}, changes the speed on its way in, for which no item is known here: upload the plan"
-            " from QGroundControl to a simulated vehicle, download it again and save that"
+            f"{pattern.name}, a {kind}, changes the speed on its way in, for which no item is known here: upload the"
+            " plan from QGroundControl to a simulated vehicle, download it again and save that"
         )
     frame = RELATIVE if is_above_home(pattern, kind) else GLOBAL
     items = [plain(LAND_START)]
@@ -51,8 +51,8 @@ def is_above_home(pattern: Value, kind: str) -> bool:
     approach, landing = (pattern.need(key).flag() for key in ("loiterAltitudeRelative", "landingAltitudeRelative"))
     if approach != landing:
         raise pattern.bad(
-            f"{pattern.name}, a {kind}, measures one altitude from home and the other from sea level: draw it again in a"
-            " present QGroundControl"
+            f"{pattern.name}, a {kind}, measures one altitude from home and the other from sea level: draw it again in"
+            " a present QGroundControl"
         )
     return approach
 

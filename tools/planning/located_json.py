@@ -186,8 +186,6 @@ class _Reader:
         if not match:
             raise self._bad(f"this is no JSON: {self._seen()} is no value")
         if len(match[0]) > MOST_CHARACTERS:
-            raise self._bad(
-                f"a number of {len(match[0]):,} characters: none of more than {MOST_CHARACTERS} is read"
-            )
+            raise self._bad(f"a number of {len(match[0]):,} characters: none of more than {MOST_CHARACTERS} is read")
         self._at = match.end()
         return Decimal(match[0])

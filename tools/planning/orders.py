@@ -66,8 +66,8 @@ def check(args: argparse.Namespace, tell: Tell) -> int:
     unknown = judge.unknown(plan)
     for step in unknown:
         print(
-            f"{shown(plan.file)}:{step.line}: not known: {step.name}: no autopilot that was tried takes this command, and a"
-            " newer one may"
+            f"{shown(plan.file)}:{step.line}: not known: {step.name}: no autopilot that was tried takes this command,"
+            " and a newer one may"
         )
     counts = ", ".join(f"{kind} of {len(plan.steps(kind))}" for kind in plan.kinds)
     if found[wanted]:

@@ -23,7 +23,9 @@ def read(file: Path, text: str, unset_as_zero: bool = False) -> Plan:
     if version.raw == "1.0" or version.raw == 1:
         return _FirstVersion(file, unset_as_zero).plan(document)
     if version.raw != 2:
-        raise version.bad("only versions 1.0 and 2 of a .mission are known: open it in QGroundControl, save it as .plan")
+        raise version.bad(
+            "only versions 1.0 and 2 of a .mission are known: open it in QGroundControl, save it as .plan"
+        )
     return _Reader(file, unset_as_zero).plan(document)
 
 

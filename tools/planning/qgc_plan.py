@@ -129,7 +129,9 @@ class Reader:
         elif kind.text() == "ComplexItem":
             self._pattern(value)
         else:
-            raise kind.bad(f'{value.name} is a {cut(kind.raw, QUOTE)}, which is not known: "SimpleItem" and "ComplexItem" are')
+            raise kind.bad(
+                f'{value.name} is a {cut(kind.raw, QUOTE)}, which is not known: "SimpleItem" and "ComplexItem" are'
+            )
 
     def _pattern(self, value: Value) -> None:
         name = cut(value.need("complexItemType").text(), "")
@@ -255,8 +257,8 @@ class Reader:
                 self._plan.ground[number] = float(over_sea.number() - over_ground.number())
         if altitude is not None and altitude.raw is not None and self._float(altitude) != step.item.z:
             raise altitude.bad(
-                f"{step.name}: {key} is {altitude.raw}, and the altitude in params {decimal_text(step.item.z)}: open the"
-                " plan in a present QGroundControl, look at this item's altitude, and save it again"
+                f"{step.name}: {key} is {altitude.raw}, and the altitude in params {decimal_text(step.item.z)}: open"
+                " the plan in a present QGroundControl, look at this item's altitude, and save it again"
             )
 
     def _resolve_jumps(self) -> None:
@@ -378,7 +380,9 @@ def write(plan: Plan) -> tuple[str, list[str]]:
         "firmwareType": GENERIC if plan.firmware is None else plan.firmware,
         "globalPlanAltitudeMode": 0,
         "hoverSpeed": _number(HOVER_SPEED if plan.hover_speed is None else plan.hover_speed),
-        "items": list(Progress("items written").of(_simple_item(index, step) for index, step in enumerate(plan.mission))),
+        "items": list(
+            Progress("items written").of(_simple_item(index, step) for index, step in enumerate(plan.mission))
+        ),
         "plannedHomePosition": [*_place(home.x, home.y), _number(home.z)],
         "vehicleType": GENERIC if plan.vehicle is None else plan.vehicle,
         "version": 2,

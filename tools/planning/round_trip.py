@@ -40,7 +40,9 @@ class RoundTrip:
         sketch = sketch_for(plan)
         described = {ARRAYS[kind]: kind for kind in plan.kinds}
         self._run = Demonstration(
-            replace(settings, example=str(sketch.parent), described=described, vehicle=vehicle_for(plan, settings.autopilot)),
+            replace(
+                settings, example=str(sketch.parent), described=described, vehicle=vehicle_for(plan, settings.autopilot)
+            ),
             screen,
         )
         self.aboard: Plan | None = None
@@ -69,7 +71,6 @@ class RoundTrip:
         if kept:
             return Verdict(True, f"The plan went aboard and came back: all {items} items, as {name} keeps them.")
         return Verdict(True, f"The plan went aboard and came back equal in all {items} items.")
-
 
     def _explain(self) -> None:
         """Where the file has what the library refuses for this autopilot."""

@@ -155,4 +155,3 @@ def fence_size(item: Item) -> str:
     if item.command == 5000:
         return f"{decimal_text(item.z)} m {REFERENCES.get(item.frame, '')}"
     return f"{decimal_text(item.param1)} {'m' if item.command in (5003, 5004) else 'corners'}"
-

@@ -4,9 +4,9 @@
     0  1  0  16  0 0 0 0    -35.3632621 149.1652374 584  1
     1  0  3  22  0 0 0 NaN  -35.3632621 149.1652374 20   1
 
-The columns: number, current, frame, command, parameters 1 to 4, latitude, longitude, altitude, autocontinue. A file of a
-fence or of rally points has the same form. Line 0 is home only if it is a waypoint; any other command there is an item.
-QGC WPL 120, of an old QGroundControl, has no home.
+The columns: number, current, frame, command, parameters 1 to 4, latitude, longitude, altitude, autocontinue. A file of
+a fence or of rally points has the same form. Line 0 is home only if it is a waypoint; any other command there is an
+item. QGC WPL 120, of an old QGroundControl, has no home.
 """
 
 from __future__ import annotations
@@ -19,7 +19,20 @@ from pathlib import Path
 from . import commands
 from .bad_plan import BadPlan, cut
 from .exact import DoesNotFit, decimal_of, decimal_text, degrees_text, e7_of, float32_of, is_whole
-from .plan import FENCE_COMMANDS, GLOBAL, JUMP, NO_PLACE, RALLY_POINT, RELATIVE, WAYPOINT, Home, Item, Plan, Step, modern
+from .plan import (
+    FENCE_COMMANDS,
+    GLOBAL,
+    JUMP,
+    NO_PLACE,
+    RALLY_POINT,
+    RELATIVE,
+    WAYPOINT,
+    Home,
+    Item,
+    Plan,
+    Step,
+    modern,
+)
 from .progress import Progress
 from .settling import Notes, settled, settled_current
 
@@ -58,9 +71,7 @@ def lines_of(text: str) -> list[str]:
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
-def read_lines(
-    file: Path, lines: list[str], first: int, unset_as_zero: bool = False, renumber: bool = False
-) -> Plan:
+def read_lines(file: Path, lines: list[str], first: int, unset_as_zero: bool = False, renumber: bool = False) -> Plan:
     """The same, of the lines from line `first` of a file on."""
     return _Reader(file, first, unset_as_zero, renumber).plan(lines)
 
