@@ -33,7 +33,7 @@ void setup() {
   plan.begin();
 #if FLASHEND >= 0x10000
   commands.offerAll();
-#else
+#elif !defined(ARDUINO_AVR_NANO)
   commands.offerVerify();  // there is no room for all of them
 #endif
 }

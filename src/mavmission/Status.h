@@ -85,10 +85,10 @@ namespace mavmission {
   X(NotArmed, "refused: the autopilot is not armed") \
   X(Unproven, "refused: what is aboard is not known to be our plan") \
   X(Infeasible, "the autopilot accepted the plan, then found that it cannot be flown") \
-  X(NoSuchItem, "refused: the plan has no item with this number") \
-  X(NothingToFly, "refused: from this item on the plan has nothing to fly to") \
-  X(OtherItem, "the autopilot is at another item than the one to begin with")  /* failedItem() is the one it is at */ \
-  X(TakenOver, "somebody else has set another mode: nothing more was sent")
+  X(NoSuchItem, "refused: the plan has no such item") \
+  X(NothingToFly, "refused: nothing to fly to from this item on") \
+  X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the one it is at */ \
+  X(TakenOver, "somebody else has set another mode")
 // clang-format on
 
 enum class Status : uint8_t {
