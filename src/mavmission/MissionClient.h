@@ -307,17 +307,17 @@ class MissionClient {
   static Status onStart(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
   struct Commanding;
   Status beginCommand(FillCommand fill, OnCommand on);
-  void nextCommand(FillCommand fill, uint16_t nowMs);
+  MAVMISSION_APART void nextCommand(FillCommand fill, uint16_t nowMs);
   void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
   void sendCommand(uint16_t nowMs);
   void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint16_t numberOf(FlightMode mode) const;
-  uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
+  MAVMISSION_APART uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
   void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
   void setStartArming(StartArming arming) { rest_.startArming = static_cast<uint8_t>(arming); }
   Status readyToStart(uint16_t nowMs);
-  uint16_t firstItem() const;
+  MAVMISSION_APART uint16_t firstItem() const;
   void lookFromFirst();
   Status lookAtItem();
   Status nextStartStep(uint16_t nowMs);
@@ -327,7 +327,7 @@ class MissionClient {
   Status onStartHeartbeat(uint16_t nowMs);
   Status onStartCurrent(const FrameParser& frame, uint16_t nowMs);
   bool isArmingStep() const;
-  Status leaveStart(Status status, uint16_t nowMs);
+  MAVMISSION_APART Status leaveStart(Status status, uint16_t nowMs);
   Status otherItem();
   Status confirmStart();
   Status judgeStart();
