@@ -263,8 +263,8 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
     const bool wasArmed = start.phase == Start::Phase::Disarming || !isArmingStep();
     if (!isArmed()) setStartArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
-    const bool isLate = step >= StartStep::Begin && plan_.firmware() == Firmware::Px4 && isFlying;  // it has begun after all
-    if (!isArmed() || isTaken || isLate) return start.refusal;
+    const bool hasBegun = step >= StartStep::Begin && plan_.firmware() == Firmware::Px4 && isFlying;  // after all
+    if (!isArmed() || isTaken || hasBegun) return start.refusal;
     if (start.phase == Start::Phase::Leaving) {
       start.phase = Start::Phase::Disarming;
       nextCommand(fillDisarm, nowMs);
@@ -305,7 +305,9 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
   if (startStep() == StartStep::FirstItem) {
     if (commanding_.transfer.tries() == 0) return Status::Transferring;
     start.seen = item;
-    if (plan_.firmware() != Firmware::ArduPilot) return item == start.first ? nextStartStep(nowMs) : Status::Transferring;
+    if (plan_.firmware() != Firmware::ArduPilot) {
+      return item == start.first ? nextStartStep(nowMs) : Status::Transferring;
+    }
     if (commanding_.fill == fillFirst) {
       // ArduPilot's answer names the item as it was asked for, and may come unasked: it is asked where it is then.
       if (item != start.first && item != state_.next) return Status::Transferring;
