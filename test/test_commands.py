@@ -342,8 +342,8 @@ def test_px4_that_accepts_a_mode_and_then_refuses_it_has_refused_it(build_servic
     for name in ("Guided", "Auto"):
         service.set_mode(name)
         assert service.done(limit_s=3) == "CommandRejected"
-        results = [entry.message.result for entry in service.wire.frames("<", "COMMAND_ACK") if entry.message.command == SET_MODE]
-        assert results[-2:] == [0, 1]
+        answers = [entry.message for entry in service.wire.frames("<", "COMMAND_ACK")]
+        assert [one.result for one in answers if one.command == SET_MODE][-2:] == [0, 1]
 
 
 @SHOWN
@@ -630,7 +630,8 @@ def test_command_behind_another_operation_is_sent_at_once(service, operation, or
     assert service.done() == "Done"
     begun = {"upload": lambda: service.upload(SURVEY), "verified": lambda: service.upload(SURVEY, proof="Always"),
              "part": lambda: service.upload_part(SURVEY, 1, 2), "download": service.download, "verify": service.verify,
-             "clear": lambda: service.order_of("clear", 0), "refused": lambda: service.order_of("upload", 255, 0)}  # fmt: skip
+             "clear": lambda: service.order_of("clear", 0),
+             "refused": lambda: service.order_of("upload", 255, 0)}  # fmt: skip
     begun[operation]()
     service.done(limit_s=15)
     before = service.now

@@ -12,8 +12,8 @@ from measuring.document import with_table
 DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
-PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h", "Link.h", "Outbox.h",
-            "MissionClient*.h", "MissionClient*.cpp")  # fmt: skip
+PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
+            "Link.h", "Outbox.h", "MissionClient*.h", "MissionClient*.cpp")  # fmt: skip
 CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
 
 

@@ -196,8 +196,9 @@ def test_start_mission_ends_on_a_rover_which_stays_armed(make_run_on_rover):
     own = [line for line in lines if not line.startswith("autopilot: ")]
     assert "autopilot: Mission Complete" in lines
     assert own[0] == "accepted: the plan is aboard" and own.count("done: the autopilot confirmed it") == 2
-    assert own[-7:] == ["arrived: disarm", "done: the autopilot confirmed it", "0: command 22", "1: command 16", "2: command 16",
-                        "3: command 21", "downloaded: the plan has been read"]  # fmt: skip
+    assert own[-7:] == [
+        "arrived: disarm", "done: the autopilot confirmed it", "0: command 22", "1: command 16", "2: command 16",
+        "3: command 21", "downloaded: the plan has been read"]  # fmt: skip
     assert not example.autopilot.armed
 
 

@@ -99,7 +99,8 @@ def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, veh
     service = made(build_service, vehicle)
     upload(service, hops(vehicle, 4))
     auto = {"copter": 3, "rover": 10}[vehicle]
-    when = {"Arm": (ARM, 1, 0), "AutoMode": (SET_MODE, 1, auto), "Begin": (MISSION_START, 0, 0), "Confirm": (512, 42, 0)}[step]
+    when = {"Arm": (ARM, 1, 0), "AutoMode": (SET_MODE, 1, auto), "Begin": (MISSION_START, 0, 0),
+            "Confirm": (512, 42, 0)}[step]  # fmt: skip
     taken = []
 
     def take(now) -> None:

@@ -81,9 +81,11 @@ void onEnded(Status status) {
         stage = Stage::Flying;
         return;
       }
-      if (autopilot.startArming() == StartArming::Disarmed) CONSOLE.println(F("it could not be flown, and is disarmed again"));
-      // Arming is refused for half a minute after an autopilot starts; it says why in words. What stays armed flies, or is
-      // somebody else's: leave it to the pilot.
+      if (autopilot.startArming() == StartArming::Disarmed) {
+        CONSOLE.println(F("it could not be flown, and is disarmed again"));
+      }
+      // Arming is refused for half a minute after an autopilot starts; it says why in words. What stays armed flies, or
+      // is somebody else's: leave it to the pilot.
       startAgain = startTries < 10 && autopilot.startArming() != StartArming::Armed;
       refusedAtMs = millis();
       if (startAgain) return;

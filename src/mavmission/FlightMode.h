@@ -18,8 +18,8 @@ enum class FlightMode : uint8_t {
   Manual,          // the pilot steers: MANUAL on Rover, Plane and PX4, STABILIZE on Copter
 };
 
-// What this vehicle calls a mode: DO_SET_MODE's parameter 2 in the lower byte, parameter 3 in the upper; kNoMode if it has no
-// such mode.
+// What this vehicle calls a mode: DO_SET_MODE's parameter 2 in the lower byte, parameter 3 in the upper; kNoMode if it
+// has no such mode.
 constexpr uint16_t kNoMode = 0xFFFF;
 uint16_t modeNumber(FlightMode mode, Firmware firmware, uint8_t vehicleType);
 

@@ -104,12 +104,12 @@ class MissionClient {
   // --- Flying. Each ends with Status::Done, or says how the autopilot refused (MAVLink guide, Command Protocol). Nothing
   // arms but arm() and start(), and arming is never forced.
 
-  // Flies the plan that is aboard from this item on, by the sketch's numbers: does what this autopilot needs, in its order,
-  // each step confirmed; startStep() says which one was refused. Done when the autopilot is armed, in its mission mode, and
-  // at the first item that can be flown from there on (behind DO_ commands and jumps); Status::OtherItem when it flies
-  // another one, Status::Unconfirmed when it does not say. Where it flies its mission already, nothing is sent that would
-  // change that. Refused with Status::Unproven unless aboard() is our plan; with Status::Armed while the autopilot is
-  // armed, unless that is allowed. The plan's source must still be there.
+  // Flies the plan that is aboard from this item on, by the sketch's numbers: does what this autopilot needs, in its
+  // order, each step confirmed; startStep() says which one was refused. Done when the autopilot is armed, in its
+  // mission mode, and at the first item that can be flown from there on (behind DO_ commands and jumps);
+  // Status::OtherItem when it flies another one, Status::Unconfirmed when it does not say. Where it flies its mission
+  // already, nothing is sent that would change that. Refused with Status::Unproven unless aboard() is our plan; with
+  // Status::Armed while the autopilot is armed, unless that is allowed. The plan's source must still be there.
   //
   // What it has armed and then cannot fly it disarms, on the ground, never by force: the status stays the refusal, and
   // startArming() says so. Not when somebody else has set another mode meanwhile (Status::TakenOver), and not after
@@ -119,14 +119,14 @@ class MissionClient {
   // Arms or disarms, as the autopilot's own checks allow.
   Status arm();
   Status disarm();
-  // The mode by its name, or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows the mode;
-  // Status::Unconfirmed when it was accepted and no heartbeat shows it.
+  // The mode by its name, or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows the
+  // mode; Status::Unconfirmed when it was accepted and no heartbeat shows it.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);
   // Sets an armed aircraft flying its mission, from its current item on; Status::NotArmed otherwise.
   Status startMission();
-  // Goes on with this item, counted as the sketch counts: at once when the aircraft flies its mission. Status::NoSuchItem
-  // for one that is not in the plan, where that is known; otherwise the autopilot refuses it.
+  // Goes on with this item, counted as the sketch counts: at once when the aircraft flies its mission.
+  // Status::NoSuchItem for one that is not in the plan, where that is known; otherwise the autopilot refuses it.
   Status setCurrentItem(uint16_t item);
   // Stays where it is; goes on with the mission.
   Status pause() { return setMode(FlightMode::Hold); }
@@ -286,7 +286,8 @@ class MissionClient {
   static void fenceStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
-  // What an operation made of commands is told, with the status that it leads to if the operation does nothing about it.
+  // What an operation made of commands is told, with the status that it leads to if the operation does nothing about
+  // it.
   enum class CommandEvent : uint8_t {
     Ready,      // the autopilot is there, nothing has been sent: Transferring, or Checking to be asked again
     Accepted,   // Done
@@ -319,17 +320,17 @@ class MissionClient {
   static Status onStart(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
   struct Commanding;
   Status beginCommand(FillCommand fill, OnCommand on);
-  void nextCommand(FillCommand fill, uint16_t nowMs);
+  MAVMISSION_APART void nextCommand(FillCommand fill, uint16_t nowMs);
   void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
   void sendCommand(uint16_t nowMs);
   void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint16_t numberOf(FlightMode mode) const;
-  uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
+  MAVMISSION_APART uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
   void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
   void setStartArming(StartArming arming) { rest_.startArming = static_cast<uint8_t>(arming); }
   Status readyToStart(uint16_t nowMs);
-  uint16_t firstItem() const;
+  MAVMISSION_APART uint16_t firstItem() const;
   void lookFromFirst();
   Status lookAtItem();
   Status nextStartStep(uint16_t nowMs);
@@ -339,7 +340,7 @@ class MissionClient {
   Status onStartHeartbeat(uint16_t nowMs);
   Status onStartCurrent(const FrameParser& frame, uint16_t nowMs);
   bool isArmingStep() const;
-  Status leaveStart(Status status, uint16_t nowMs);
+  MAVMISSION_APART Status leaveStart(Status status, uint16_t nowMs);
   Status otherItem();
   Status confirmStart();
   Status judgeStart();
@@ -426,7 +427,7 @@ class MissionClient {
     uint16_t turnLimitS;       // how long to wait for another ground station's transfer [s]
     uint16_t partFirst;        // the items of a partial upload, as the sketch counts
     uint16_t partCount;
-    uint8_t turnPauseS;        // the pause before the next try; 0 before the first; kCommand while commanding_ is in use
+    uint8_t turnPauseS;        // the pause before the next try; 0 before the first; kCommand: commanding_ is in use
     Status toReturn;
     Aboard aboard[4];          // by PlanType; the last is nobody's
     uint8_t lastResult;
@@ -467,8 +468,8 @@ class MissionClient {
 
   // What start() keeps in mind. Items are the wire's.
   struct Start {
-    // Looking: for the item that will be flown first. Shown: a heartbeat shows that it flies. Judging: is it at the right
-    // item, or at the next one? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
+    // Looking: for the item that will be flown first. Shown: a heartbeat shows that it flies. Judging: is it at the
+    // right item, or at the next one? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
     enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
 
     uint16_t first;   // that it is to begin with

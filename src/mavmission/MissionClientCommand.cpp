@@ -29,8 +29,8 @@ Status fromCommandResult(uint8_t result) {
 
 Status MissionClient::beginCommand(FillCommand fill, OnCommand on) {
   if (state_.operation != nullptr) return Status::Busy;
-  // Late answers to the last command may still come, if it was one: at its end the seconds began anew. Long after it its
-  // time, of 16 bits, says nothing any more.
+  // Late answers to the last command may still come, if it was one: at its end the seconds began anew. Long after it
+  // its time, of 16 bits, says nothing any more.
   const bool isBehindOne = rest_.turnPauseS == kCommand && state_.seconds < CommandTransfer::kLateAnswersS;
   startOperation(commandStep);
   rest_.turnPauseS = kCommand;
@@ -205,14 +205,15 @@ Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Sta
   return client.commanding_.mode == kNoMode ? Status::NoSuchMode : status;
 }
 
-// A mode is set when a heartbeat shows it: PX4 answers twice, and accepts what it then refuses. Until then it is asked for
-// again, since the refusal may be what was lost.
+// A mode is set when a heartbeat shows it: PX4 answers twice, and accepts what it then refuses. Until then it is asked
+// for again, since the refusal may be what was lost.
 Status MissionClient::onMode(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   switch (event) {
     case CommandEvent::Accepted:
       return Status::Transferring;
     case CommandEvent::Heartbeat:
-      return client.commanding_.transfer.tries() != 0 && client.shownMode() == client.commanding_.mode ? Status::Done : status;
+      if (client.commanding_.transfer.tries() == 0 || client.shownMode() != client.commanding_.mode) return status;
+      return Status::Done;
     case CommandEvent::Silent:
       return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : status;
     default:

@@ -109,14 +109,14 @@ Status MissionClient::readyToStart(uint16_t nowMs) {
   start.phase = Start::Phase::Steps;
   start.mode = shownMode();
   // To an aircraft that flies its mission already, setting the current item would mean to fly there at once.
-  if (isArmed() && isInMode(FlightMode::Auto)) setStartStep(StartStep::Begin);
+  if (isArmed() && shownMode() == numberOf(FlightMode::Auto)) setStartStep(StartStep::Begin);
   return nextStartStep(nowMs);
 }
 
 // Behind home.
 uint16_t MissionClient::firstItem() const {
   const uint16_t first = commanding_.start.first;
-  return first == 0 && firmware() == Firmware::ArduPilot ? 1 : first;
+  return first == 0 && plan_.firmware() == Firmware::ArduPilot ? 1 : first;
 }
 
 void MissionClient::lookFromFirst() {
@@ -163,8 +163,8 @@ Status MissionClient::nextStartStep(uint16_t nowMs) {
 
 // False if this vehicle does without this step.
 bool MissionClient::beginStartStep(uint16_t nowMs) {
-  const bool isArduPilot = firmware() == Firmware::ArduPilot;
-  const bool isPx4 = firmware() == Firmware::Px4;
+  const bool isArduPilot = plan_.firmware() == Firmware::ArduPilot;
+  const bool isPx4 = plan_.firmware() == Firmware::Px4;
   Start& start = commanding_.start;
   switch (startStep()) {
     case StartStep::None:
@@ -232,13 +232,13 @@ Status MissionClient::onStartSilent(Status status, uint16_t nowMs) {
   if (startStep() == StartStep::FirstItem && start.seen != kNoItem) return otherItem();
   if (startStep() == StartStep::Confirm) {
     if (status == Status::NoAnswer) status = Status::Unconfirmed;
-    if (isInMode(FlightMode::Auto)) return status;  // it may well fly
+    if (shownMode() == numberOf(FlightMode::Auto)) return status;  // it may well fly
   }
   return leaveStart(status, nowMs);
 }
 
 bool MissionClient::isArmingStep() const {
-  return startStep() == StartStep::Arm || (startStep() == StartStep::Begin && firmware() == Firmware::Px4);
+  return startStep() == StartStep::Arm || (startStep() == StartStep::Begin && plan_.firmware() == Firmware::Px4);
 }
 
 // It cannot be flown. What start() has armed is disarmed, when a heartbeat says that it is armed and nobody else's.
@@ -253,7 +253,7 @@ Status MissionClient::leaveStart(Status status, uint16_t nowMs) {
 }
 
 Status MissionClient::otherItem() {
-  state_.failedItem = itemFromWire(commanding_.start.seen);
+  state_.failedItem = ownItem(commanding_.start.seen);
   return Status::OtherItem;
 }
 
@@ -270,8 +270,8 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
     const bool wasArmed = start.phase == Start::Phase::Disarming || !isArmingStep();
     if (!isArmed()) setStartArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
-    const bool isLate = step >= StartStep::Begin && firmware() == Firmware::Px4 && isFlying;  // it has begun after all
-    if (!isArmed() || isTaken || isLate) return start.refusal;
+    const bool hasBegun = step >= StartStep::Begin && plan_.firmware() == Firmware::Px4 && isFlying;  // after all
+    if (!isArmed() || isTaken || hasBegun) return start.refusal;
     if (start.phase == Start::Phase::Leaving) {
       start.phase = Start::Phase::Disarming;
       nextCommand(fillDisarm, nowMs);
@@ -292,7 +292,7 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
       isDone = isSent && isArmed();
       break;
     case StartStep::Begin:
-      isDone = isSent && firmware() == Firmware::Px4 && isFlying;
+      isDone = isSent && plan_.firmware() == Firmware::Px4 && isFlying;
       break;
     case StartStep::Confirm:
       if (!isFlying) start.phase = Start::Phase::Steps;
@@ -312,7 +312,9 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
   if (startStep() == StartStep::FirstItem) {
     if (commanding_.transfer.tries() == 0) return Status::Transferring;
     start.seen = item;
-    if (firmware() != Firmware::ArduPilot) return item == start.first ? nextStartStep(nowMs) : Status::Transferring;
+    if (plan_.firmware() != Firmware::ArduPilot) {
+      return item == start.first ? nextStartStep(nowMs) : Status::Transferring;
+    }
     if (commanding_.fill == fillFirst) {
       // ArduPilot's answer names the item as it was asked for, and may come unasked: it is asked where it is then.
       if (item != start.first && item != state_.next) return Status::Transferring;
@@ -336,7 +338,7 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
 Status MissionClient::confirmStart() {
   Start& start = commanding_.start;
   if (start.phase != Start::Phase::Shown || start.seen == kNoItem) return Status::Transferring;
-  const bool isArduPilot = firmware() == Firmware::ArduPilot;
+  const bool isArduPilot = plan_.firmware() == Firmware::ArduPilot;
   if (start.seen == (isArduPilot ? state_.next : start.first)) return Status::Done;
   if (start.looked == kCannotLook) return isArduPilot && state_.next == kNoItem ? Status::Unconfirmed : otherItem();
   start.phase = Start::Phase::Judging;
@@ -348,7 +350,7 @@ Status MissionClient::confirmStart() {
 Status MissionClient::judgeStart() {
   Start& start = commanding_.start;
   const bool isThere = start.seen == state_.next;
-  if (isThere && firmware() != Firmware::ArduPilot) return Status::Done;
+  if (isThere && plan_.firmware() != Firmware::ArduPilot) return Status::Done;
   const Status looked = lookAtItem();
   if (looked == Status::Transferring) return looked;
   if (looked != Status::Done) return otherItem();
@@ -373,7 +375,7 @@ void MissionClient::fillAskCurrent(MissionClient&, FlightCommand& command) {
 
 void MissionClient::fillStart(MissionClient& client, FlightCommand& command) {
   command.id = MAV_CMD_MISSION_START;  // ArduPilot wants its parameters to be 0; PX4 begins with the first
-  if (client.firmware() == Firmware::Px4) command.param1 = client.commanding_.start.first;
+  if (client.plan_.firmware() == Firmware::Px4) command.param1 = client.commanding_.start.first;
 }
 
 void MissionClient::fillBegin(MissionClient&, FlightCommand& command) { command.id = MAV_CMD_MISSION_START; }

@@ -12,7 +12,8 @@
 // - what is written is whole frames, one behind the other, each with the next sequence number; a message of the sketch's
 //   own is among them as it was given;
 // - nothing is announced to an autopilot that is refused for being armed;
-// - start() is Done only for an autopilot that was heard to be armed, in its mission mode, since it was asked for, and to
+// - start() is Done only for an autopilot that was heard to be armed, in its mission mode, since it was asked for, and
+// to
 //   be at an item; it sends nothing that forces;
 // - items that are done never go back, and are never more than there are;
 // - listeners are told of nothing that they did not ask for, and of no text without an end;
@@ -334,6 +335,10 @@ class Session {
     return FrameParts(id, Bytes(begin, begin + sizeof(message)), crcExtra);
   }
 
+  static FrameParts currentParts(const mavlink_mission_current_t& current) {
+    return partsOf(current, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC);
+  }
+
   // How = 0: as it is; otherwise a bit of its payload is another.
   static FrameParts altered(FrameParts parts, uint8_t how) {
     if (how != 0) parts.payload[(how - 1u) % parts.payload.size()] ^= static_cast<uint8_t>(1 << how % 8);
@@ -376,14 +381,14 @@ class Session {
       case MAVLINK_MSG_ID_MISSION_SET_CURRENT: {
         mavlink_mission_current_t current = mavlink_mission_current_t();
         current.seq = sequence;
-        return bring(altered(partsOf(current, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC), how), input);
+        return bring(altered(currentParts(current), how), input);
       }
       case MAVLINK_MSG_ID_COMMAND_LONG: {
         if (saidPayload_[28] == (MAV_CMD_REQUEST_MESSAGE & 0xFF) && saidPayload_[29] == MAV_CMD_REQUEST_MESSAGE >> 8) {
           mavlink_mission_current_t current = mavlink_mission_current_t();
           current.seq = 1;
           current.mission_state = MISSION_STATE_ACTIVE;
-          return bring(altered(partsOf(current, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC), how), input);
+          return bring(altered(currentParts(current), how), input);
         }
         mavlink_command_ack_t ack = mavlink_command_ack_t();
         ack.command = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
@@ -461,8 +466,8 @@ class Session {
     }
     if (isStart_ && status == Status::Done) {
       demand(client_.isArmed() && client_.isInMode(FlightMode::Auto), "it is started, and does not fly its mission");
-      demand(holdsMessage(line_.heard, MAVLINK_MSG_ID_HEARTBEAT) && holdsMessage(line_.heard, MAVLINK_MSG_ID_MISSION_CURRENT),
-             "it is started, though nothing showed it");
+      demand(holdsMessage(line_.heard, MAVLINK_MSG_ID_HEARTBEAT), "it is started, though no heartbeat showed it");
+      demand(holdsMessage(line_.heard, MAVLINK_MSG_ID_MISSION_CURRENT), "it is started, and did not say from where");
       demand(client_.aboard() == Aboard::OurPlan, "what is started is not our plan");
     }
     if (client_.startArming() == StartArming::Disarmed) {
@@ -511,7 +516,8 @@ class Session {
       if (id == MAVLINK_MSG_ID_COMMAND_LONG) {
         mavlink_command_long_t command;
         memcpy(&command, payload.data(), sizeof(command));
-        demand(command.command != MAV_CMD_COMPONENT_ARM_DISARM || isZero(command.param2), "it arms or disarms by force");
+        const bool arms = command.command == MAV_CMD_COMPONENT_ARM_DISARM;
+        demand(!arms || isZero(command.param2), "it arms or disarms by force");
       }
       at += size;
     }
