@@ -311,6 +311,13 @@ def test_autopilots_own_number_of_a_mode(service, personality):
     assert service.state.modes == ["ReturnToLaunch"]
 
 
+def test_number_that_is_none_of_ardupilots_modes_is_refused_and_not_cut(build_service):
+    service = build_service("ArduPilot")
+    service.order_of("custommode", 77777)
+    assert service.done() == "NoSuchMode"
+    assert service.heard("COMMAND_LONG") == []
+
+
 @MODE
 def test_mode_that_the_vehicle_refuses(service, personality):
     """AUTO without a plan, which PX4 takes all the same while it is disarmed."""

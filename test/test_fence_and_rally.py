@@ -218,48 +218,57 @@ def test_fence_upload_leaves_the_missions_standing_alone(service):
     assert service.followed.ours
 
 
-SHORT = [FIELD[-2]]  # a circle to stay in
+CIRCLE = FIELD[-2]  # to stay in
+RETURN_POINT = item(5000, frame=0, x=473973000, y=85453000)
+SHORT = [CIRCLE]
+SHORT_ONES = {"a circle": SHORT, "two circles": [CIRCLE, CIRCLE._replace(x=CIRCLE.x + 9000)], "a return point": [RETURN_POINT],
+              "two circles and a return point": [CIRCLE, CIRCLE._replace(x=CIRCLE.x + 9000), RETURN_POINT]}  # fmt: skip
 
 
 @SERVICE
 @pytest.mark.parametrize("proof", ["InDoubt", "Always"])
-@pytest.mark.parametrize("lost", [0, 1])
-def test_fence_of_one_item_that_ardupilot_accepts_and_loses_is_sent_again(build_service, proof, lost):
+@pytest.mark.parametrize("name", SHORT_ONES)
+@pytest.mark.parametrize("is_wiped", [False, True])
+def test_short_fence_that_ardupilot_accepts_and_wipes_is_sent_again(build_service, proof, name, is_wiped):
+    """In the place of a longer one it is wiped, and only after it could be read."""
+    short = SHORT_ONES[name]
     service = build_service("ArduPilot")
-    service.autopilot.load(FIELD, FENCE)
-    service.autopilot.faults.lose_short_fence(lost)
-    service.upload(SHORT, FENCE, proof=proof)
+    service.autopilot.load(FIELD if is_wiped else [], FENCE)
+    service.upload(short, FENCE, proof=proof)
     assert service.done() == "Accepted"
-    assert same_bits(service.autopilot.received(FENCE), SHORT)
     assert service.state.aboard_fence == "OurPlan"
-    assert len(service.heard("MISSION_COUNT")) == lost + 1
-    assert len(service.heard("MISSION_REQUEST_LIST")) == lost + 1
-    assert (service.state.done, service.state.total) == (1, 1)
+    assert len(service.heard("MISSION_COUNT")) == is_wiped + 1
+    assert len(service.heard("MISSION_REQUEST_LIST")) == is_wiped + 1
+    assert (service.state.done, service.state.total) == (len(short), len(short))
+    service.run(3.0)
+    assert same_bits(service.autopilot.received(FENCE), short)
 
 
 @SERVICE
-def test_fence_of_one_item_that_is_not_there_when_it_was_sent_again_is_said_to_differ(build_service):
+def test_short_fence_that_is_not_there_when_it_was_sent_again_is_said_to_differ(build_service):
     service = build_service("ArduPilot")
     service.autopilot.load(FIELD, FENCE)
-    service.autopilot.faults.lose_short_fence(1)
     service.upload(SHORT, FENCE, proof="InDoubt")
     service.run_until_sent("MISSION_COUNT", 2)
     service.autopilot.load(FIELD, FENCE)  # so that it is one in the place of a longer one again
-    service.autopilot.faults.lose_short_fence(1)
     assert service.done() == "Differs"
     assert (service.state.field, service.state.aboard_fence) == ("Count", "NotKnown")
     # And once more, from the beginning.
     service.autopilot.load(FIELD, FENCE)
-    service.autopilot.faults.lose_short_fence(1)
     service.order_of("uploadagain")
     assert service.done() == "Accepted"
     assert same_bits(service.autopilot.received(FENCE), SHORT)
 
 
 @SERVICE
-def test_fence_of_one_item_is_cancelled_while_it_is_looked_at(service):
+@pytest.mark.parametrize("until", ["accepted", "MISSION_REQUEST_LIST"])
+def test_short_fence_is_cancelled_while_it_is_looked_at(service, until):
     service.upload(SHORT, FENCE, proof="InDoubt")
-    service.run_until_sent("MISSION_REQUEST_LIST")
+    if until == "accepted":
+        service.run_until_sent("MISSION_ITEM_INT")
+        service.run(0.5)
+    else:
+        service.run_until_sent(until)
     service.tell("cancel")
     assert service.done() == "Cancelled"
     assert service.state.aboard_fence == "NotKnown"
@@ -269,7 +278,7 @@ def test_fence_of_one_item_is_cancelled_while_it_is_looked_at(service):
 
 
 @SERVICE
-@pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (FENCE, FIELD[-2:]), (RALLY, POINTS[:1]),
+@pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (RALLY, POINTS[:1]),
                                                 (MISSION, SURVEY[:1])])  # fmt: skip
 def test_other_plans_are_read_back_only_where_it_is_asked_for(service, mission_type, plan):
     service.upload(plan, mission_type, proof="InDoubt")

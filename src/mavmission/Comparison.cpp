@@ -63,7 +63,16 @@ bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
     const uint8_t modes = (keeper & kInFloats) != 0 ? 1 << 0 | 1 << 1 | 1 << 2 : 1 << 0 | 1 << 3;
     return static_cast<uint32_t>(whole) < 8 && (modes >> static_cast<uint8_t>(whole) & 1) != 0;
   }
-  if ((keeper & kOfFence) != 0) return !isBelow0 && whole != 0;
+  if ((keeper & kOfFence) != 0) {
+    // ArduPilot keeps a radius that is less than a millimetre above a whole number of metres as that number, also as 0.
+    if (isBelow0 || value.bits < 0x3A83126F) return false;  // 0.001
+    const uint8_t doublings = static_cast<uint8_t>(value.bits >> 23) - 127;  // from 1 m on
+    if (doublings >= 14) return true;  // below 1 m, or in steps of more than a millimetre
+    Four metres = value;
+    makeWhole(&metres);
+    const uint32_t above = value.bits - metres.bits;  // in steps, of which 1 m has 2^23 >> doublings
+    return above == 0 || above > static_cast<uint16_t>(8388u >> doublings);
+  }
   if (field == kParam3) {
     if (whole > 255 && whole <= 2550) {
       do whole -= 10;

@@ -72,7 +72,8 @@ int32_t atMost(int32_t value, int32_t limit) { return value < limit ? value : li
 
 float keptSpecial(float value, bool isRadius, Keeper keeper) {
   int32_t found;
-  if ((keeper & (kByPx4 | kOfFence)) != 0 || !whole(value, found)) return fromBits(kNotKnown);  // it is not taken
+  if ((keeper & kByPx4) != 0 || !whole(value, found)) return fromBits(kNotKnown);  // it is not taken
+  if ((keeper & kOfFence) != 0) return bitsOf(value) > 0x80000000 || value == 0 ? fromBits(kNotKnown) : number(found);
   if (isRadius) {
     const bool isBelow0 = found < 0;
     if (isBelow0) found = -found;
@@ -134,6 +135,8 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
       return wrapped(value, 8, true);
     case U16:
       if (isAttitude) return number(!isInt32 || found > 65535 ? 65535 : found < 0 ? 0 : found);
+      // PX4 rounds the number of corners.
+      if ((keeper & kByPx4) != 0 && (keeper & kOfFence) != 0 && value > 0) return number((timesWhole(bits, 2) + 1) / 2);
       return wrapped(value, 16, false);
     case I16:
       return wrapped(value, 16, true);

@@ -70,8 +70,8 @@ class MissionClient {
   Status upload(const ItemSource& plan, Proof proof = WhenInDoubt) {
     return uploadProven(plan, PlanType::Mission, proof);
   }
-  // The same for a fence or rally points. A fence of one item is always read back, and sent again if ArduPilot, which has
-  // accepted it, holds none then.
+  // The same for a fence or rally points. A fence of up to three items is always read back, 1 s after it was accepted, and
+  // sent again if ArduPilot, which has accepted it, has wiped it by then.
   Status upload(const ItemSource& plan, PlanType type, Proof proof = WhenInDoubt);
 
   // The same without reading back, for a sketch that has to be small (README.md, "Sizes"). Status::Accepted is said when the
@@ -283,6 +283,8 @@ class MissionClient {
   static void proveUpload(MissionClient& client, uint16_t nowMs);
   static void proveFence(MissionClient& client, uint16_t nowMs);
   static void proveFenceAgain(MissionClient& client, uint16_t nowMs);
+  static void fenceSettleStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static void fenceSettleAgainStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   static void fenceStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);

@@ -209,6 +209,11 @@ Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Sta
 // for again, since the refusal may be what was lost.
 Status MissionClient::onMode(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   switch (event) {
+    case CommandEvent::Ready: {
+      // ArduPilot's modes have one byte. Cut to that a larger number would be another mode.
+      const bool isBeyond = client.firmware() == Firmware::ArduPilot && client.commanding_.mode > 255;
+      return isBeyond ? Status::NoSuchMode : status;
+    }
     case CommandEvent::Accepted:
       return Status::Transferring;
     case CommandEvent::Heartbeat:

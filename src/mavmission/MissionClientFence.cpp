@@ -3,23 +3,45 @@
 #include "MissionClient.h"
 
 namespace mavmission {
+namespace {
 
-// ArduPilot now and then accepts a fence of one item in the place of a longer one, and holds none then. So a fence of one
-// item is always read back, and goes out once more when there is none. That has always helped: then it replaces nothing.
+// ArduPilot accepts a fence of fewer than three corners and circles in the place of a longer one, gives it back when it is
+// read at once, and has wiped it when its fence has next been looked at: 3 to 25 times a second, by vehicle. A return point
+// is neither, so the fence has at most three items [items].
+constexpr uint8_t kShortFence = 3;
+// From the acceptance of such a fence to its read-back [s].
+constexpr uint8_t kFenceSettleS = 1;
+
+}  // namespace
+
+// A short fence is always read back, and sent again when there is none: then it replaces nothing, and stays.
 Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
-  const bool isDoubtful = type == PlanType::Fence && plan.count == 1;
+  const bool isDoubtful = type == PlanType::Fence && plan.count != 0 && plan.count <= kShortFence;
   const Status status = uploadProven(plan, type, isDoubtful ? Proof::Always : proof);
   if (isDoubtful && !isEnd(status)) rest_.prove = proveFence;
   return status;
 }
 
 void MissionClient::proveFence(MissionClient& client, uint16_t nowMs) {
+  client.setAboard(Aboard::NotKnown);
+  client.state_.operation = fenceSettleStep;
+  client.beginSeconds(nowMs);
+}
+
+// The same behind the second upload, which is the last.
+void MissionClient::proveFenceAgain(MissionClient& client, uint16_t nowMs) {
+  proveFence(client, nowMs);
+  client.state_.operation = fenceSettleAgainStep;
+}
+
+void MissionClient::fenceSettleStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+  if (frame != nullptr || client.state_.seconds < kFenceSettleS) return;
   proveUpload(client, nowMs);
   client.state_.operation = fenceStep;
 }
 
-// The same behind the second upload: what it says then is so.
-void MissionClient::proveFenceAgain(MissionClient& client, uint16_t nowMs) {
+void MissionClient::fenceSettleAgainStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+  if (frame != nullptr || client.state_.seconds < kFenceSettleS) return;
   proveUpload(client, nowMs);
   client.rest_.prove = proveFence;  // of the next uploadAgain()
 }

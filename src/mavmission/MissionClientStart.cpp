@@ -323,8 +323,10 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
       return Status::Transferring;
     }
     if (state_.next == kNoItem && item != 0) state_.next = item;
-    // (On the ground it may stand before the commands that it will carry out on its way to the first that it flies.)
-    return item == state_.next || item == firstItem() ? nextStartStep(nowMs) : Status::Transferring;
+    // On the ground it may stand before the commands that it will carry out on its way to the first that it flies; and at
+    // home, from which it begins with its first item.
+    const bool isAtHome = item == 0 && start.first == 0 && state_.next != kNoItem;
+    return isAtHome || item == state_.next || item == firstItem() ? nextStartStep(nowMs) : Status::Transferring;
   }
   if (startStep() != StartStep::Confirm) return Status::Transferring;
   if (current.mission_state != MISSION_STATE_UNKNOWN && current.mission_state != MISSION_STATE_ACTIVE) {

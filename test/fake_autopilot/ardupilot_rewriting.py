@@ -268,12 +268,19 @@ def fence_item(item: Item) -> tuple[int, Optional[Item]]:
             return mavlink.MAV_MISSION_INVALID_PARAM1, None
         param1 = u8(item.param1)
     elif item.command in CIRCLES:
-        param1 = item.param1
+        # Within a millimetre of whole metres they are kept, and nothing of the rest.
+        whole = float(math.trunc(item.param1)) if math.isfinite(item.param1) else item.param1
+        param1 = whole if abs(item.param1 - whole) < f32(0.001) else item.param1
     elif item.command == FENCE_RETURN_POINT:
         param1 = 0.0
     else:
         return UNSUPPORTED, None
     return ACCEPTED, Item(0, item.command, 0, 0, param1, 0.0, 0.0, 0.0, item.x, item.y, 0.0)
+
+
+def fence_shapes(items: list[Item]) -> int:
+    """Corners and circles: what ArduPilot counts where it decides whether a fence is to be indexed anew."""
+    return sum(item.command != FENCE_RETURN_POINT for item in items)
 
 
 def fence_is_whole(items: list[Item]) -> bool:
