@@ -59,9 +59,13 @@ def test_rover_that_gets_auto_late_is_tried_until_then(build_service):
 def test_rover_that_gets_no_auto_in_15_s_is_disarmed(build_service):
     service = made(build_service, "rover", uptime_s=31.0, position_s=60.0)
     upload(service, hops("rover", 4))
-    began = service.now
     assert start(service, limit_s=40) == "CommandFailed"
-    assert 15.0 < service.now - began < 20.0
+    sent = [entry for entry in service.wire.frames(">", "COMMAND_LONG") if entry.message.command in (ARM, SET_MODE)]
+    tries = [entry.time for entry in sent if (entry.message.command, entry.message.param2) == (SET_MODE, 10)]
+    assert 14.5 < tries[-1] - tries[0] < 16.0
+    assert all(0.99 < later - before < 1.1 for before, later in zip(tries, tries[1:], strict=False))
+    assert (sent[-1].message.command, sent[-1].message.param1) == (ARM, 0)
+    assert sent[-1].time - tries[-1] < 1.2  # behind the next heartbeat
     assert (service.state.step, service.state.arming) == ("AutoMode", "Disarmed")
     assert not service.autopilot.armed
 
