@@ -316,6 +316,7 @@ class MissionClient {
   static void fillInterval(MissionClient& client, FlightCommand& command);
   static Status onOwn(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static Status onCustomMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onNamedMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onStartMission(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onSetCurrent(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
@@ -499,6 +500,7 @@ class MissionClient {
     union {
       const FlightCommand* own;
       FlightMode named;
+      bool isLargeMode;  // a custom mode beyond one byte
       uint16_t item;     // to be set as current, on the wire
       Interval interval;
       Start start;

@@ -193,9 +193,19 @@ Status MissionClient::setMode(FlightMode mode) {
 }
 
 Status MissionClient::setCustomMode(uint32_t customMode) {
-  const Status status = beginCommand(fillMode, onMode);
-  if (status != Status::Busy) commanding_.mode = modeNumberOf(customMode);
+  const Status status = beginCommand(fillMode, onCustomMode);
+  if (status == Status::Busy) return status;
+  commanding_.mode = modeNumberOf(customMode);
+  commanding_.isLargeMode = customMode > 255;
   return status;
+}
+
+// ArduPilot's modes have one byte. Of a larger number it would be sent another mode.
+Status MissionClient::onCustomMode(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
+                                   uint16_t nowMs) {
+  if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
+  const bool isNone = client.firmware() == Firmware::ArduPilot && client.commanding_.isLargeMode;
+  return isNone ? Status::NoSuchMode : status;
 }
 
 Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
@@ -209,11 +219,6 @@ Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Sta
 // for again, since the refusal may be what was lost.
 Status MissionClient::onMode(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   switch (event) {
-    case CommandEvent::Ready: {
-      // ArduPilot's modes have one byte. Cut to that a larger number would be another mode.
-      const bool isBeyond = client.firmware() == Firmware::ArduPilot && client.commanding_.mode > 255;
-      return isBeyond ? Status::NoSuchMode : status;
-    }
     case CommandEvent::Accepted:
       return Status::Transferring;
     case CommandEvent::Heartbeat:

@@ -24,7 +24,7 @@ DEBUG = mavlink.MAV_SEVERITY_DEBUG
 
 ASKS_AGAIN_S = 1.0
 GIVES_UP_S = 8.0
-FENCE_LOOKED_AT_S = 0.04  # a copter; a plane looks three times a second
+FENCE_LOOKED_AT_S = 0.33  # a plane; a copter looks 25 times a second
 
 _COUNT_PARAM = {MISSION: ("MIS_TOTAL", mavlink.MAV_PARAM_TYPE_INT16),
                 FENCE: ("FENCE_TOTAL", mavlink.MAV_PARAM_TYPE_INT8),
