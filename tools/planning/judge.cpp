@@ -77,7 +77,8 @@ void check() {
     Wired wired(plan, firmware, type);
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
-      const Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
+      Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
+      if (status == Status::Accepted && notKept(out, keeperOf(firmware, kCopter, type)) != Field::None) status = Status::NotKept;
       printf("%u %s", static_cast<unsigned>(status), toString(status));
       if (status == Status::NotKept) {
         const Keeper keeper = keeperOf(firmware, kCopter, type);
