@@ -93,56 +93,57 @@ bool areNoNumbers(const void* a, const void* b) {
   return kindOf(a) == FloatKind::NotANumber && kindOf(b) == FloatKind::NotANumber;
 }
 
-// `kept`, which is what was sent, becomes what is kept of it; false if that does not mean the same.
-MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper) {
-  const uint8_t sign = kept.bytes[3] & 0x80;
+// `kept`, which is what was sent, becomes what is kept of it, or stays where that `is` what was read; false if it does not
+// mean the same.
+MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
   const bool isZ = field == kZ;
-  const bool isInteger = field == kX || field == kY;
-  if (isInteger ? kind == Rounded || (kind == K && (keeper & kInFloats) != 0) : false) {
+  if (field == kX || field == kY) {
+    if (kind == U8) return kept.bits <= 0xFF;
+    if (kind == I16) return kept.bits + 0x8000 <= 0xFFFF;
+    if (kind == D) kept.bits = 0;
+    if (kind == D || (keeper & kInFloats) == 0) return true;
     const Four sent = kept;
     throughFloat(&kept);
     return kind == Rounded || isEqual(kept, sent);
   }
-  if (kind == Yaw360) {
-    if (isZ) {
-      if ((keeper & kByArduPilot) != 0) makeHundredths(&kept);
-      return true;
-    }
-    const uint32_t magnitude = kept.bits & 0x7FFFFFFF;
-    if (magnitude > 0x7F800000) return true;  // NaN
-    if (magnitude > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
-    makeTurn(&kept);
+  if (kind == K) return true;
+  if (kind == D || kind == NoYaw) {
+    kept.bits = 0;
     return true;
   }
+  if (kind == Height && isZ) {
+    if (!is && (keeper & kByArduPilot) != 0) makeHundredths(&kept);
+    return true;
+  }
+  const uint8_t sign = kept.bytes[3] & 0x80;
   if (kind == Centimetres) {
     const bool isWithin = kept.bits < 0x4423D70A;  // 655.36, and what is negative
     makeHundredths(&kept);
     return isWithin;
   }
-  if (kind == K) return true;
-  if (kind < Sign) {
-    kept.bits = 0;
-    return true;
-  }
   Four magnitude = kept;
   magnitude.bytes[3] &= 0x7F;
-  uint32_t whole = static_cast<uint32_t>(wholeNumber(magnitude.number));
-  if (isInteger) whole = sign != 0 ? 0 - kept.bits : kept.bits;
+  if (kind == Yaw360) {
+    if (kindOf(&kept) == FloatKind::NotANumber) return true;
+    if (magnitude.bits > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
+    if (!is) makeTurn(&kept);
+    return true;
+  }
+  const int32_t whole = wholeNumber(magnitude.number);
   if (kind >= U1) {
     const uint16_t* limit = &kLimits[kind - U1].positive;
     if (sign != 0) ++limit;
     if (whole == 0) kept.bits = 0;
-    return whole <= fromFlash(limit);
+    return whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
   }
   if (kind == Special) {
     // Of a region of interest with a place the mode is not given back.
     if ((keeper & (kByPx4 | kInFloats)) == kByPx4) kept.bits = 0;
     return isSpecialKept(magnitude, sign != 0, field, keeper);
   }
-  kept.number = 1;
-  kept.bytes[3] |= sign;
-  if (isZ) kept.number = 2;
-  return (keeper & kByPlane) == 0 || isZ || whole <= 1;
+  kept.bits = isZ ? 0x40000000 : 0x3F800000;  // 2, 1
+  if (!isZ) kept.bytes[3] |= sign;
+  return (keeper & kByPlane) == 0 || isZ || static_cast<uint32_t>(whole) <= 1;
 }
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
@@ -167,8 +168,9 @@ Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper
   for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, rules.bits >>= 4) {
     const uint8_t kind = static_cast<uint8_t>(rules.bits) & 15;
     Four kept = *wasSent;
-    const bool isKept = keep(kept, kind, field, flags) && (isEqual(*wasRead, *wasSent) || isEqual(*wasRead, kept) ||
-                                                           (field == kYaw && areNoNumbers(wasRead, wasSent)));
+    const bool isSame = isEqual(*wasRead, *wasSent);
+    const bool isKept = keep(kept, kind, field, flags, isSame) &&
+                        (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)));
     if (!isKept) return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + field);
   }
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.

@@ -112,17 +112,17 @@ MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t b
   number[3] = (number[3] & 0x80) | biased >> 1;
 }
 
-struct Factor {
-  uint32_t mantissa;
-  uint8_t exponent;  // less 7, for the 7 bits that a product has more
+// The mantissa of a factor, from its lowest byte on, and its exponent less 7, for the 7 bits that a product has more.
+#define MAVMISSION_FACTOR(mantissa, exponent) \
+  { (mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) - 7) }
+const uint8_t kFactors[][4] PROGMEM = {
+    MAVMISSION_FACTOR(0xC80000, 6),   // 100
+    MAVMISSION_FACTOR(0xA3D70A, -7),  // 0.01
+    MAVMISSION_FACTOR(0x8EFA35, -6),  // a degree in radians
+    MAVMISSION_FACTOR(0xE52EE0, 5),   // a radian in degrees
+    MAVMISSION_FACTOR(0x800000, 8),   // 256
 };
-
-constexpr Factor factor(uint32_t mantissa, int8_t exponent) {
-  return Factor{mantissa, static_cast<uint8_t>(exponent - 7)};
-}
-
-const Factor kFactors[] PROGMEM = {factor(0xC80000, 6), factor(0xA3D70A, -7), factor(0x8EFA35, -6), factor(0xE52EE0, 5),
-                                   factor(0x800000, 8)};
+#undef MAVMISSION_FACTOR
 
 }  // namespace
 
@@ -131,39 +131,44 @@ void makeWhole(void* number) {
   const uint8_t biased = biasedExponent(bits);
   if (biased >= kBias + 23) return;
   if (biased < kBias) bits = 0;
-  uint32_t mask = kHidden - 1;
-  for (uint8_t below = biased - kBias; below != 0; --below) mask >>= 1;
-  store(number, bits & ~mask);
+  const uint8_t behind = kBias + 23 - biased;
+  for (uint8_t i = behind; i != 0; --i) bits >>= 1;
+  for (uint8_t i = behind; i != 0; --i) bits <<= 1;
+  store(number, bits);
 }
 
 void multiply(void* number, Times by) {
   uint32_t bits = load(number);
   const uint8_t biased = biasedExponent(bits);
   if (biased < 16) return store(number, 0);
-  const Factor* factor = &kFactors[static_cast<uint8_t>(by)];
   bits = mantissaOf(bits) << 7;
-  uint32_t left = fromFlash(&factor->mantissa);
+  const uint8_t* factor = kFactors[static_cast<uint8_t>(by)];
   uint32_t sum = 0;
-  uint8_t more = 0;
-  do {
+  uint8_t more = 0, left = 0;
+  for (uint8_t i = 0; i < 24; ++i) {
+    if ((i & 7) == 0) left = fromFlash(factor++);
     more |= static_cast<uint8_t>(sum) & 1;
     sum >>= 1;
-    if ((static_cast<uint8_t>(left) & 1) != 0) sum += bits;
+    if ((left & 1) != 0) sum += bits;
     left >>= 1;
-  } while (left != 0);
-  storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(&factor->exponent)), more);
+  }
+  storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(factor)), more);
 }
 
 void throughFloat(void* integer) {
-  const uint32_t value = load(integer);
+  uint32_t value = load(integer);
   const bool isBelow0 = (value & kSign) != 0;
-  const uint32_t magnitude = isBelow0 ? 0 - value : value;
-  if (static_cast<uint8_t>(magnitude >> 24) == 0) return;
-  storeRounded(static_cast<uint8_t*>(integer), magnitude, kBias + 23, 0);
-  const uint32_t bits = load(integer);
-  uint32_t near = mantissaOf(bits);
-  for (uint8_t biased = biasedExponent(bits); biased != kBias + 23; --biased) near <<= 1;
-  store(integer, isBelow0 ? 0 - near : near);
+  if (isBelow0) value = 0 - value;
+  uint8_t cut = 0, half = 0, more = 0;
+  for (; static_cast<uint8_t>(value >> 24) != 0; ++cut) {
+    more |= half;
+    half = static_cast<uint8_t>(value) & 1;
+    value >>= 1;
+  }
+  if (half != 0 && ((more | static_cast<uint8_t>(value)) & 1) != 0) ++value;
+  for (; cut != 0; --cut) value <<= 1;
+  if (isBelow0) value = 0 - value;
+  store(integer, value);
 }
 
 void makeHundredths(void* number) {

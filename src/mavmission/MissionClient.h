@@ -359,7 +359,7 @@ class MissionClient {
   MAVMISSION_APART Aboard aboardAfterUpload(Status status) const;
   void waitForAutopilot();
   MAVMISSION_APART void beginPlan();
-  MAVMISSION_APART Status refused(Status why, const MissionItem& item);
+  MAVMISSION_APART Status keeping(const MissionItem& item);
   void beginChecking();
   void checkPlan(uint16_t nowMs);
   MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);

@@ -7,9 +7,9 @@ namespace mavmission {
 
 float MissionClient::keptValue() {
   MissionItem item;
-  if (state_.status != Status::NotKept || plan_.read(state_.failedItem + homeBefore(), item) != Status::NotKept) {
-    return Yaw().inDegrees();  // NaN
-  }
+  Status read = Status::Checking;
+  while (read == Status::Checking) read = plan_.read(state_.failedItem + homeBefore(), item);
+  if (state_.status != Status::NotKept || read != Status::Accepted) return Yaw().inDegrees();  // NaN
   return mavmission::keptValue(item, rest_.field, plan_.keeper());
 }
 

@@ -193,9 +193,13 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
   MissionItem meant;
   const Status read = plan.read(wireItem, meant);
   if (read == Status::Checking) client.reading_.transfer.askAgain();  // the looking for a place goes on then
-  if (read != Status::Accepted) return client.refused(read, meant);
-  client.rest_.field = difference(meant, item, plan.keeper());
-  return client.rest_.field == Field::None ? Status::Transferring : Status::Differs;
+  if (read != Status::Accepted) return read;
+  const Field field = difference(meant, item, plan.keeper());
+  if (field == Field::None) return Status::Transferring;
+  // What could never be aboard is no difference.
+  if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
+  client.rest_.field = field;
+  return Status::Differs;
 }
 
 void MissionClient::endReading(Status status) {

@@ -64,10 +64,10 @@ void MissionClient::beginPlan() {
   plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw);
 }
 
-// Notes which field of an item it is that the autopilot would not keep.
-Status MissionClient::refused(Status why, const MissionItem& item) {
-  if (why == Status::NotKept) rest_.field = notKept(item, plan_.keeper());
-  return why;
+// Accepted, or NotKept: and then which field of an item it is that the autopilot would not keep.
+Status MissionClient::keeping(const MissionItem& item) {
+  rest_.field = notKept(item, plan_.keeper());
+  return rest_.field == Field::None ? Status::Accepted : Status::NotKept;
 }
 
 void MissionClient::beginChecking() {
@@ -78,7 +78,8 @@ void MissionClient::beginChecking() {
 // Only when the link can send: the item lies where a frame would be made, and not on the stack.
 Status MissionClient::checkItem(uint16_t wireItem) {
   MissionItem& item = *static_cast<MissionItem*>(link_.draft());
-  return refused(plan_.read(wireItem, item), item);
+  const Status read = plan_.read(wireItem, item);
+  return read == Status::Accepted ? keeping(item) : read;
 }
 
 void MissionClient::checkPlan(uint16_t nowMs) {

@@ -118,17 +118,19 @@ constexpr MissionItem delay(Seconds time) { return anyCommand(kNavDelay, time.va
 // Fly at this ground speed from here on.
 constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDoChangeSpeed, 1, speed.value, -1); }
 
+namespace literal {
 // No constant plan may call it: a jump is repeated at most 32,767 times, -1 is for ever. One that is computed is refused when
 // the plan is checked.
-inline MissionItem jumpRepeatsMustBeFromMinus1To32767(uint16_t target, int32_t repeats) {
+inline auto jumpRepeatsMustBeFromMinus1To32767(uint16_t target, int32_t repeats) -> MissionItem {
   return anyCommand(kDoJump, target, repeats);
 }
+}  // namespace literal
 
 // Go on with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0: the same number
 // on every autopilot.
 constexpr MissionItem jump(uint16_t target, int32_t repeats) {
   return repeats >= -1 && repeats <= 32767 ? anyCommand(kDoJump, target, repeats)
-                                           : jumpRepeatsMustBeFromMinus1To32767(target, repeats);
+                                           : literal::jumpRepeatsMustBeFromMinus1To32767(target, repeats);
 }
 
 // Set an output to a pulse length [us]. PX4 does not take it in a plan (Status::NotFlown).

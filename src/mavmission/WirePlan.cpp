@@ -1,6 +1,5 @@
 #include "WirePlan.h"
 
-#include "Comparison.h"
 #include "Config.h"
 #include "FloatBits.h"
 #include "Rules.h"
@@ -110,7 +109,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     // Home, which raw numbers count as well, is no item to jump to.
     if (target < ((keeper_ & (kByArduPilot | kIsRaw)) == (kByArduPilot | kIsRaw) ? 1 : 0) || static_cast<uint16_t>(target) >= count_) return Status::BadJump;
   }
-  return notKept(item, keeper()) == Field::None ? Status::Accepted : Status::NotKept;
+  return Status::Accepted;
 }
 
 Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {

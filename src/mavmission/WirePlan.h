@@ -45,7 +45,7 @@ class WirePlan {
 
   // Makes wire item `wireIndex` (below wireCount()). Status::Accepted: `item` is what goes out. Status::Checking: not
   // ready yet, call again (a place is being looked for, a few items a call). Anything else: the plan cannot go to this
-  // autopilot, because of this item.
+  // autopilot, because of this item. Whether the autopilot would keep it is another question: notKept().
   Status read(uint16_t wireIndex, MissionItem& item);
 
  private:

@@ -96,7 +96,8 @@ void check() {
     Wired wired(plan, firmware, vehicle, type);
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
-      const Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
+      Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
+      if (status == Status::Accepted && notKept(out, keeperOf(firmware, kCopter, type)) != Field::None) status = Status::NotKept;
       printf("%u %s", static_cast<unsigned>(status), toString(status));
       if (status == Status::NotKept) putNotKept(out, keeperOf(firmware, vehicle, type));
       printf("\n");

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "mavmission/Comparison.h"
 #include "mavmission/ItemSource.h"
 
 using namespace mavmission;
@@ -35,6 +36,7 @@ struct Plan {
   Status read(uint16_t index, MissionItem& item) {
     for (int calls = 0; calls < 10000; ++calls) {
       const Status status = wire.read(index, item);
+      if (status == Status::Accepted && notKept(item, wire.keeper()) != Field::None) return Status::NotKept;
       if (status != Status::Checking) return status;
     }
     return Status::Checking;
