@@ -219,10 +219,10 @@ def test_fence_upload_leaves_the_missions_standing_alone(service):
 
 
 LONE = FIELD[-2]  # a circle to stay in
-RETURN_POINT = item(5000, frame=0, x=473973000, y=85453000)
+BACK = item(5000, frame=0, x=473973000, y=85453000)
 SHORT = [LONE]
-SHORT_ONES = {"a circle": SHORT, "two circles": [LONE, LONE._replace(x=LONE.x + 9000)], "a return point": [RETURN_POINT],
-              "two circles and a return point": [LONE, LONE._replace(x=LONE.x + 9000), RETURN_POINT]}  # fmt: skip
+SHORT_ONES = {"a circle": SHORT, "two circles": [LONE, LONE._replace(x=LONE.x + 9000)], "a return point": [BACK],
+              "two circles and a return point": [LONE, LONE._replace(x=LONE.x + 9000), BACK]}  # fmt: skip
 
 
 @SERVICE

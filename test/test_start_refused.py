@@ -97,9 +97,13 @@ def test_copter_whose_mode_somebody_else_has_set_is_not_disarmed(build_service):
     assert (ARM, 0, 0) not in told(service)
 
 
+AT_STEPS = [(*vehicle, step) for vehicle in (("copter", 5), ("rover", 4)) for step in ("Arm", "AutoMode", "Begin", "Confirm")]
+# The mode in which start() has put it before: behind AUTO it is somebody else's too.
+BACK_IN_ITS_MODE = [(*vehicle, step) for vehicle in (("copter", 4), ("rover", 0)) for step in ("Begin", "Confirm")]
+
+
 @REFUSED
-@pytest.mark.parametrize("vehicle, other", [("copter", 5), ("rover", 4)])
-@pytest.mark.parametrize("step", ["Arm", "AutoMode", "Begin", "Confirm"])
+@pytest.mark.parametrize("vehicle, other, step", [*AT_STEPS, *BACK_IN_ITS_MODE])
 def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, vehicle, other, step):
     service = made(build_service, vehicle)
     upload(service, hops(vehicle, 4))

@@ -479,7 +479,8 @@ class MissionClient {
     uint16_t seen;    // that the autopilot is at, kNoItem before it has said
     uint16_t mode;    // in which the aircraft was behind ReadyMode: another one, but for AUTO, is somebody else's
     uint16_t jump;    // the last one that was followed on the way to the item that will be flown
-    uint8_t looked;   // items on that way
+    uint8_t looked : 7;     // items on that way
+    uint8_t isAutoSeen : 1; // a heartbeat has shown the mission mode that was asked for
     uint8_t beganS;   // when AUTO was asked for first [s], its low 8 bits
     Status refusal;   // why it cannot be flown: how it will end
     Phase phase;

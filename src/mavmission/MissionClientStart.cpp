@@ -263,8 +263,12 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
   const uint16_t mode = shownMode();
   const uint16_t autoMode = numberOf(FlightMode::Auto);
   const bool isAuto = mode == autoMode || autoMode == kNoMode;
-  const bool isTaken = !isAuto && mode != start.mode;
   const bool isSent = commanding_.transfer.tries() != 0;
+  const StartStep asksForAuto = plan_.firmware() == Firmware::Px4 ? StartStep::Begin : StartStep::AutoMode;
+  const bool isAskedFor = step > asksForAuto || (step == asksForAuto && isSent);
+  if (isAskedFor && mode == autoMode) start.isAutoSeen = 1;
+  // Once it has flown its mission, the mode in which start() began is somebody else's choice as well.
+  const bool isTaken = !isAuto && (start.isAutoSeen != 0 || mode != start.mode);
   const bool isFlying = isArmed() && isAuto;
   const bool isJudging = start.phase == Start::Phase::Judging || start.phase == Start::Phase::JudgingNext;
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
