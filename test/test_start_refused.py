@@ -129,13 +129,28 @@ def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, veh
 
 
 @REFUSED
+def test_auto_that_wins_over_somebody_elses_mode_is_not_said_to_be_taken_over(build_service):
+    """Another mode in a heartbeat while AUTO is on its way: it flies, and start() says so."""
+    service = made(build_service, "copter")
+    upload(service, hops("copter", 4))
+
+    def take(now) -> None:
+        service.autopilot._set_mode(5, now)  # LOITER
+        service.autopilot._beat(now)
+
+    before_next(service, SET_MODE, 1, 3, take)
+    assert start(service) == "Done"
+    assert service.autopilot.armed and service.autopilot.mode == "AUTO"
+
+
+@REFUSED
 def test_rover_that_waits_for_auto_gives_way_to_somebody_else(build_service):
     service = made(build_service, "rover", uptime_s=31.0, position_s=60.0)
     upload(service, hops("rover", 4))
     service.order_of("start")
     service.run(4.0)
     service.autopilot._set_mode(4, service.now)  # HOLD
-    assert service.done(limit_s=1) == "TakenOver"
+    assert service.done(limit_s=3) == "TakenOver"
     assert service.state.arming == "Armed" and service.autopilot.armed
 
 

@@ -134,11 +134,13 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
     case I8:
       return wrapped(value, 8, true);
     case U16:
-      if (isAttitude) return number(!isInt32 || found > 65535 ? 65535 : found < 0 ? 0 : found);
+      if (isAttitude) return number((bits & 0x80000000) != 0 ? 0 : !isInt32 || found > 65535 ? 65535 : found);
       // PX4 rounds the number of corners.
       if ((keeper & kByPx4) != 0 && (keeper & kOfFence) != 0 && value > 0) return number((timesWhole(bits, 2) + 1) / 2);
       return wrapped(value, 16, false);
     case I16:
+      // The height of a rally point that does not fit is refused.
+      if ((keeper & kOfRally) != 0 && (!isInt32 || found != static_cast<int16_t>(found))) return fromBits(kNotKnown);
       return wrapped(value, 16, true);
     case Radius: {
       const uint32_t sign = bits & 0x80000000;

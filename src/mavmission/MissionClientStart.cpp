@@ -189,6 +189,7 @@ bool MissionClient::beginStartStep(uint16_t nowMs) {
       return true;
     case StartStep::AutoMode:
       if (!isArduPilot) return false;
+      start.seen = kNoItem;
       start.beganS = static_cast<uint8_t>(state_.seconds);
       commanding_.mode = numberOf(FlightMode::Auto);
       nextCommand(fillMode, nowMs);
@@ -283,6 +284,11 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
     return Status::Transferring;
   }
   if (step != StartStep::ReadyMode && isTaken) {
+    // AUTO is on its way: the next heartbeat may show it, and the aircraft then flies.
+    if (step == StartStep::AutoMode && isSent && start.seen != mode) {
+      start.seen = mode;
+      return Status::Transferring;
+    }
     if (isArmingStep() && !isSent) setStartArming(StartArming::Untouched);
     return Status::TakenOver;
   }
