@@ -24,6 +24,13 @@ def asked(service) -> list[float]:
     return [time for time, message in intervals(service) if message == MISSION_CURRENT]
 
 
+def run_until_asked(service, limit_s: float = 5.0) -> None:
+    limit = service.now + limit_s
+    while not asked(service):
+        assert service.now < limit, f"not asked within {limit_s} s"
+        service.run(0.01)
+
+
 def times(service, name: str) -> list[float]:
     return [entry.time for entry in service.wire.frames("<", name)]
 
@@ -146,8 +153,7 @@ def test_answer_to_the_asking_is_not_taken_for_one_to_the_next_command(build_ser
     service = on_a_default_port(build_service)
     service.wire.delay("<", delay_s, name="COMMAND_ACK")
     service.wire.lose(">", name="COMMAND_LONG", where=lambda message: int(message.param1) == ATTITUDE)
-    while not asked(service):
-        service.run(0.01)
+    run_until_asked(service)
     service.order_of("interval", ATTITUDE, 200000)
     assert service.done() == "Done"
     heard = [int(message.param1) for message in service.autopilot.messages(">", "COMMAND_LONG")]

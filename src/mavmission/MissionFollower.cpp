@@ -33,7 +33,8 @@ const char kRejected[] PROGMEM = "Mission rejected";
 
 }  // namespace
 
-MissionFollower::MissionFollower(MissionClient& client) : MessageIntervals(client, kFollowed, sizeof(kFollowed) / sizeof(kFollowed[0]), take) {}
+MissionFollower::MissionFollower(MissionClient& client)
+    : MessageIntervals(client, kFollowed, sizeof(kFollowed) / sizeof(kFollowed[0]), take) {}
 
 void MissionFollower::onCurrent(ItemNumberFunction function, void* context) {
   currentFunction_ = function;

@@ -304,7 +304,7 @@ TEST_CASE("a busy PX4 is told to end what is open, and asked again at once: that
   }
 }
 
-TEST_CASE("a PX4 that may be busy with what was ours is told so and asked each 1500 ms, beyond its own 5 s") {
+TEST_CASE("a PX4 that may be busy with what was ours is told so and asked every 1500 ms, beyond its own 5 s") {
   for (int unanswered = 1; unanswered <= 5; ++unanswered) {
     Upload upload(3, Firmware::Px4, kBusy);
     upload.send();
