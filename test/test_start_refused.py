@@ -71,7 +71,7 @@ def test_rover_that_gets_no_auto_in_15_s_is_disarmed(build_service):
 
 
 def before_next(service, command: int, param1: float, param2: float | None, do) -> None:
-    """When the autopilot hears this the first time, `do` it first."""
+    """When the autopilot hears this the first time, `do` it first; "swallowed" is all that becomes of it then."""
     react = service.autopilot._hears["COMMAND_LONG"]
     done = []
 
@@ -79,7 +79,8 @@ def before_next(service, command: int, param1: float, param2: float | None, do) 
         hit = (message.command, message.param1) == (command, param1) and param2 in (None, message.param2)
         if hit and not done:
             done.append(True)
-            do(now)
+            if do(now) == "swallowed":
+                return
         react(message, sender, now)
 
     service.autopilot._hears["COMMAND_LONG"] = hear
@@ -118,6 +119,7 @@ def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, veh
         taken.append(now)
         service.autopilot._set_mode(other, now)
         service.autopilot._hears["COMMAND_LONG"] = lambda *_: None
+        return "swallowed"
 
     before_next(service, *when, take)
     assert start(service) == "TakenOver"
@@ -134,11 +136,7 @@ def test_auto_that_wins_over_somebody_elses_mode_is_not_said_to_be_taken_over(bu
     service = made(build_service, "copter")
     upload(service, hops("copter", 4))
 
-    def take(now) -> None:
-        service.autopilot._set_mode(5, now)  # LOITER
-        service.autopilot._beat(now)
-
-    before_next(service, SET_MODE, 1, 3, take)
+    before_next(service, SET_MODE, 1, 3, lambda now: service.autopilot._set_mode(5, now))  # LOITER, in a heartbeat
     assert start(service) == "Done"
     assert service.autopilot.armed and service.autopilot.mode == "AUTO"
 
