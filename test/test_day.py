@@ -201,16 +201,14 @@ class Day:
     def start(self) -> None:
         if self.upload(HOPS[self.personality]) != "Accepted":
             return
-        # ArduPilot would go on with the number of the item that was current in the plan before.
-        if self.do("set current", lambda: self.client.order("setcurrent", 0), {"Done"}) != "Done":
-            return
         flown = self.client.state["reached"]
         if self.do("start", lambda: self.client.order("start"), {"Done"}) == "Done":
             assert self.client.autopilot.armed
             self.client.run(10.0)
             assert self.client.autopilot.flight.index is not None or self.client.state["reached"] != flown
         limit = self.client.now + 200.0
-        while self.client.autopilot.flight.index is not None:
+        # (A copter that has landed waits at its first item, disarmed.)
+        while self.client.autopilot.armed and self.client.autopilot.flight.index is not None:
             assert self.client.now < limit, "it flies on and on"
             self.client.run(1.0)
         self.client.run(3.0)

@@ -227,7 +227,7 @@ void order(Words& words) {
       if (what == "disarm") status = client().disarm();
       if (what == "mode") status = client().setMode(static_cast<FlightMode>(number));
       if (what == "setcurrent") status = client().setCurrentItem(static_cast<uint16_t>(number));
-      if (what == "interval") status = client().setMessageInterval(42, static_cast<int32_t>(number));
+      if (what == "interval") status = client().setMessageInterval(33, static_cast<int32_t>(number));
       if (what == "order") {  // of a command of the sketch's own
         command = flightCommand(static_cast<uint16_t>(number));
         status = client().send(command);
