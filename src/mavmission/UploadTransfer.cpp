@@ -74,8 +74,9 @@ Status UploadTransfer::onAck(uint8_t result) {
       return status;
 
     case Status::Denied:
-      // To a part that was announced twice: it has been receiving it from the first time on, and asks for the item again.
-      if (state_ != State::Counting || first_ == 0 || tries_ < 2) return status;
+      // To a part that was announced more than once: it has been receiving it from the first time on, and asks for its
+      // items; the answer may come behind the first request.
+      if (state_ == State::Confirming || first_ == 0 || !recounted_) return status;
       suspicion_ = status;
       return Status::Transferring;
 

@@ -97,7 +97,9 @@ void check() {
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
       Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
-      if (status == Status::Accepted && notKept(out, keeperOf(firmware, kCopter, type)) != Field::None) status = Status::NotKept;
+      if (status == Status::Accepted && notKept(out, keeperOf(firmware, vehicle, type)) != Field::None) {
+        status = Status::NotKept;
+      }
       printf("%u %s", static_cast<unsigned>(status), toString(status));
       if (status == Status::NotKept) putNotKept(out, keeperOf(firmware, vehicle, type));
       printf("\n");
