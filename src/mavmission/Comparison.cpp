@@ -52,7 +52,7 @@ struct Four {
   bool isBelow0() const { return (bytes[3] & 0x80) != 0; }
 };
 
-MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(&a, &b, sizeof(a)) == 0; }
+MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(a.bytes, b.bytes, sizeof(a.bytes)) == 0; }
 
 // Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a region of
 // interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is spoilt.

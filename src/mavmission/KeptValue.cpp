@@ -99,7 +99,7 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
   const uint8_t index = static_cast<uint8_t>(field) - static_cast<uint8_t>(Field::Param1);
   if (index > 6) return fromBits(kNotKnown);
   uint32_t bits;
-  memcpy(&bits, reinterpret_cast<const uint8_t*>(&item) + 4 * index, 4);
+  memcpy(&bits, reinterpret_cast<const uint8_t*>(&item) + sizeof(bits) * index, 4);
   float value = fromBits(bits);
   uint32_t rules = rulesOf(item, keeper).bits;
   for (uint8_t i = 0; i < index; ++i) rules >>= 4;
