@@ -12,9 +12,7 @@ bool isBeyond(int32_t value, int32_t limit) { return value > limit || value < -l
 constexpr uint16_t kNavRoi = 80, kDoSetRoi = 201;  // MAV_CMD
 
 bool is(const float& number, uint32_t bits) {
-  uint32_t found;
-  memcpy(&found, &number, sizeof(found));
-  return found == bits;
+  return memcmp(reinterpret_cast<const uint8_t*>(&number), &bits, sizeof(bits)) == 0;
 }
 constexpr uint32_t kMinus1 = 0xBF800000, k65535 = 0x477FFF00;
 
