@@ -36,6 +36,7 @@ class Degrees {
 // A heading beyond 180 degrees, as a literal makes it: 270_deg. It is no coordinate.
 class WideHeading {
  public:
+  // From an angle in units of 1e-7 degrees, from 0 to 360 degrees.
   constexpr explicit WideHeading(uint32_t e7) : e7_(e7) {}
   // Steps of 1e-7 degree.
   constexpr uint32_t e7() const { return e7_; }
