@@ -109,7 +109,10 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
   if (item.command == kDoJump) {
     const int32_t target = wholeNumber(item.param1);
     // Home, which raw numbers count as well, is no item to jump to.
-    if (target < ((keeper_ & (kByArduPilot | kIsRaw)) == (kByArduPilot | kIsRaw) ? 1 : 0) || static_cast<uint16_t>(target) >= count_) return Status::BadJump;
+    if (target < ((keeper_ & (kByArduPilot | kIsRaw)) == (kByArduPilot | kIsRaw) ? 1 : 0) ||
+        static_cast<uint16_t>(target) >= count_) {
+      return Status::BadJump;
+    }
   }
   return Status::Accepted;
 }
