@@ -1,5 +1,5 @@
-// A soil probe: the aircraft lands in one field after the other. At each landing the probe works, then the Arduino sends
-// the aircraft on to the next field.
+// A soil probe: the aircraft lands in one field after the other. At each landing the probe works, then the Arduino
+// sends the aircraft on to the next field.
 //
 // Each leg is a plan of its own. At its end Copter and PX4 land and disarm; a rover stays armed, and is disarmed. TAKE
 // OFF THE PROPELLERS WHILE YOU TRY IT.

@@ -96,8 +96,7 @@ void onEnded(Status status) {
       return;
     case Stage::Flying:  // an accepted plan may be found infeasible later
     case Stage::Reading:
-    case Stage::Done:
-      break;
+    case Stage::Done: break;
   }
   stage = Stage::Done;
 }

@@ -22,10 +22,10 @@ namespace mavmission {
 
 class CommandTransfer {
  public:
-  static constexpr uint8_t kTries = 5;            // guide: 5 tries
-  static constexpr uint16_t kAnswerMs = 1500;     // wait for an answer (guide: 1500 ms)
-  static constexpr uint16_t kProgressMs = 5000;   // after IN_PROGRESS, and for a command that is sent only once
-  static constexpr uint8_t kLateAnswersS = 20;    // how long late answers may come, at the most [s]
+  static constexpr uint8_t kTries = 5;           // guide: 5 tries
+  static constexpr uint16_t kAnswerMs = 1500;    // wait for an answer (guide: 1500 ms)
+  static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
+  static constexpr uint8_t kLateAnswersS = 20;   // how long late answers may come, at the most [s]
   static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from an answer to that to the next sending
 
   // In the place of a command's id (MAV_CMD): of a message that no COMMAND_ACK answers.
@@ -61,8 +61,8 @@ class CommandTransfer {
   }
   void sent(uint16_t id, uint16_t nowMs);
 
-  // A listener has sent a command with this id beside us; our next one with the same id waits until the answer to it has
-  // come, or should have.
+  // A listener has sent a command with this id beside us; our next one with the same id waits until the answer to it
+  // has come, or should have.
   void sentByListener(uint16_t id, uint16_t nowMs) {
     id_ = id;
     tries_ = 0;

@@ -31,10 +31,10 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type);
 
 // Flags of a command.
 enum CommandTrait : uint8_t {
-  kHasNoPlace = 1,      // goes out with Frame::Mission
-  kIsNotTaken = 2,      // by this autopilot, in a plan
-  kPlaceIsOptional = 4, // ArduPilot takes off or lands where it is when there is no place; PX4 needs one
-  kAsItsFrameSays = 8,  // has a place, or has none: of a command that is not in the table
+  kHasNoPlace = 1,       // goes out with Frame::Mission
+  kIsNotTaken = 2,       // by this autopilot, in a plan
+  kPlaceIsOptional = 4,  // ArduPilot takes off or lands where it is when there is no place; PX4 needs one
+  kAsItsFrameSays = 8,   // has a place, or has none: of a command that is not in the table
 };
 
 // The flags of a MAV_CMD wherever it may be sent, an or of CommandTrait: whether it has a place.

@@ -54,8 +54,9 @@ struct Four {
 
 MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(a.bytes, b.bytes, sizeof(a.bytes)) == 0; }
 
-// Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a region of
-// interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is spoilt.
+// Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a
+// region of interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is
+// spoilt.
 bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
   if ((keeper & kByPx4) != 0) makeWhole(&value);
   int32_t whole = wholeNumber(value.number);
@@ -65,7 +66,7 @@ bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
   }
   if ((keeper & kOfFence) != 0) {
     // ArduPilot keeps a radius that is less than a millimetre above a whole number of metres as that number, also as 0.
-    if (isBelow0 || value.bits < 0x3A83126F) return false;  // 0.001
+    if (isBelow0 || value.bits < 0x3A83126F) return false;                   // 0.001
     const uint8_t doublings = static_cast<uint8_t>(value.bits >> 23) - 127;  // from 1 m on
     if (doublings >= 14) return true;  // below 1 m, or in steps of more than a millimetre
     Four metres = value;
@@ -93,8 +94,8 @@ bool areNoNumbers(const void* a, const void* b) {
   return kindOf(a) == FloatKind::NotANumber && kindOf(b) == FloatKind::NotANumber;
 }
 
-// `kept`, which is what was sent, becomes what is kept of it, or stays where that `is` what was read; false if it does not
-// mean the same.
+// `kept`, which is what was sent, becomes what is kept of it, or stays where that `is` what was read; false if it does
+// not mean the same.
 MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
   const bool isZ = field == kZ;
   if (field == kX || field == kY) {
@@ -149,7 +150,8 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
   const Frame found = modern(read.frame);
   if (modern(sent.frame) == found) return true;
-  // So come those of a fence, which has no altitude, and on ArduPilot those of items without a place, whatever they had.
+  // So come those of a fence, which has no altitude, and on ArduPilot those of items without a place, whatever they
+  // had.
   if ((keeper & kByArduPilot) != 0 && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
   return found == Frame::Global && (keeper & (kByArduPilot | kByPx4)) != 0 && (keeper & kOfFence) != 0;
 }
@@ -175,7 +177,8 @@ Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper
   }
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
   const bool isAlways1 = (keeper & kByArduPilot) != 0 && read.autocontinue == 1;
-  if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue) return Field::Autocontinue;
+  if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)
+    return Field::Autocontinue;
   return Field::None;
 }
 

@@ -105,16 +105,17 @@ struct Value<> {
 template <char First, char... Rest>
 struct Value<First, Rest...> {
   static constexpr int64_t e7(int64_t value, bool behindPoint, int decimals) {
-    return First == '.'                    ? Value<Rest...>::e7(value, true, 0)
-           : !isDigit(First)               ? Value<Rest...>::e7(value, behindPoint, decimals)
-           : behindPoint && decimals >= 7  ? Value<Rest...>::e7(value, true, decimals)
-           : value > 9999999999            ? Value<Rest...>::e7(value, behindPoint, decimals)
-           : Value<Rest...>::e7(value * 10 + (First - '0'), behindPoint, decimals + (behindPoint ? 1 : 0));
+    return First == '.'                   ? Value<Rest...>::e7(value, true, 0)
+           : !isDigit(First)              ? Value<Rest...>::e7(value, behindPoint, decimals)
+           : behindPoint && decimals >= 7 ? Value<Rest...>::e7(value, true, decimals)
+           : value > 9999999999
+               ? Value<Rest...>::e7(value, behindPoint, decimals)
+               : Value<Rest...>::e7(value * 10 + (First - '0'), behindPoint, decimals + (behindPoint ? 1 : 0));
   }
 };
 
-// What a literal makes. A constant that stays one where the literal stands in a function: avr-gcc would otherwise compute
-// it there each time.
+// What a literal makes. A constant that stays one where the literal stands in a function: avr-gcc would otherwise
+// compute it there each time.
 template <int64_t E7, bool IsWide = (E7 > 1800000000)>
 struct Constant {
   typedef Degrees Type;
@@ -123,7 +124,8 @@ struct Constant {
 };
 template <int64_t E7>
 struct Constant<E7, true> {
-  static_assert(E7 <= 3600000000, "an angle is at most 180 degrees, and a heading 360; for west or south write a minus sign before it");
+  static_assert(E7 <= 3600000000,
+                "an angle is at most 180 degrees, and a heading 360; for west or south write a minus sign before it");
   typedef WideHeading Type;
   static constexpr uint32_t value = static_cast<uint32_t>(E7);
   static constexpr WideHeading make() { return WideHeading(value); }
@@ -131,8 +133,8 @@ struct Constant<E7, true> {
 
 }  // namespace literal
 
-// -35.3632621_deg: exact to 1e-7 degree, computed by the compiler, no cost in flash. Up to seven decimals, and 180 degrees;
-// a heading may have up to 360. A latitude beyond 90 is found when the plan is checked (Status::BadLatitude).
+// -35.3632621_deg: exact to 1e-7 degree, computed by the compiler, no cost in flash. Up to seven decimals, and 180
+// degrees; a heading may have up to 360. A latitude beyond 90 is found when the plan is checked (Status::BadLatitude).
 template <char... Text>
 constexpr typename literal::Constant<literal::Value<Text...>::e7(0, false, 0)>::Type operator"" _deg() {
   static_assert(literal::Plain<Text...>::check(false) && !literal::LeadingZero<Text...>::value,

@@ -91,8 +91,8 @@ void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
 
 uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
 
-// Stores the nearest float, with the sign that is there already; `biased` is the exponent that it has if the leading 1 of
-// `mantissa` is at bit 23. `more`: something is behind the mantissa's last bit.
+// Stores the nearest float, with the sign that is there already; `biased` is the exponent that it has if the leading 1
+// of `mantissa` is at bit 23. `more`: something is behind the mantissa's last bit.
 MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased, uint8_t more) {
   uint8_t half = 0;  // the highest bit of what is cut off; `more`: there is any below it
   while (static_cast<uint8_t>(mantissa >> 24) != 0) {
@@ -114,7 +114,7 @@ MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t b
 
 // The mantissa of a factor, from its lowest byte on, and its exponent less 7, for the 7 bits that a product has more.
 #define MAVMISSION_FACTOR(mantissa, exponent) \
-  { (mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) - 7) }
+  {(mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) - 7)}
 const uint8_t kFactors[][4] PROGMEM = {
     MAVMISSION_FACTOR(0xC80000, 6),   // 100
     MAVMISSION_FACTOR(0xA3D70A, -7),  // 0.01

@@ -116,14 +116,12 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
   int32_t found = 0;
   const bool isInt32 = whole(value, found);
   switch (kind) {
-    case Sign:
-      return (bits & 0x80000000) != 0 ? -1 : 1;
-    case Special:
-      return keptSpecial(value, field == Field::Param3, keeper);
-    case Centimetres:
-      return keptHundredths(value);
+    case Sign: return (bits & 0x80000000) != 0 ? -1 : 1;
+    case Special: return keptSpecial(value, field == Field::Param3, keeper);
+    case Centimetres: return keptHundredths(value);
     case U1:
-      if (item.command == 223 && field == Field::Param4) return found < 0 || !isInt32 ? fromBits(kNotKnown) : number(found & 1);
+      if (item.command == 223 && field == Field::Param4)
+        return found < 0 || !isInt32 ? fromBits(kNotKnown) : number(found & 1);
       return bits != 0 && bits < 0x80000000 ? 1 : 0;
     case U8:
       if (isPlanesDistance) {
@@ -131,8 +129,7 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
         return whole(value, found) ? number(atMost(found, 255)) : fromBits(kNotKnown);
       }
       return wrapped(value, 8, false);
-    case I8:
-      return wrapped(value, 8, true);
+    case I8: return wrapped(value, 8, true);
     case U16:
       if (isAttitude) return number((bits & 0x80000000) != 0 ? 0 : !isInt32 || found > 65535 ? 65535 : found);
       // PX4 rounds the number of corners.
@@ -152,8 +149,7 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
       const int32_t limit = kind == To90 ? 90 : 180;
       return isInt32 && found >= -limit && found <= (kind == To360 ? 360 : limit) ? number(found) : 0;
     }
-    default:
-      return fromBits(kNotKnown);
+    default: return fromBits(kNotKnown);
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace mavmission {
 
-// COMMAND_ACK names the command, and not the message whose interval it is about. So of all listeners of a client one has
-// such a command under way at a time, and none beside a command of the client's own.
+// COMMAND_ACK names the command, and not the message whose interval it is about. So of all listeners of a client one
+// has such a command under way at a time, and none beside a command of the client's own.
 class MessageIntervals : public Listener {
  protected:
   MessageIntervals(MissionClient& client, const MessageKey* keys, uint8_t count, Take take)
@@ -15,8 +15,8 @@ class MessageIntervals : public Listener {
   // True if no answer that is still to come could be taken for the answer to a command that leaves now.
   bool mayAsk(uint16_t nowMs) const;
 
-  // Asks for a message at this interval [us]; -1 is never, 0 the autopilot's default. Only when mayAsk() and the link can
-  // send. `tries`: how often that has been asked before.
+  // Asks for a message at this interval [us]; -1 is never, 0 the autopilot's default. Only when mayAsk() and the link
+  // can send. `tries`: how often that has been asked before.
   void ask(float messageId, float intervalUs, uint8_t tries, uint16_t nowMs);
 
   // True for a COMMAND_ACK that answers such a command.

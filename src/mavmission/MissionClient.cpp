@@ -67,9 +67,7 @@ void MissionClient::unsettle(uint16_t nowMs) {
   state_.unsettledMs = nowMs;
 }
 
-void MissionClient::tellCancelled() {
-  state_.cancelled = state_.type;
-}
+void MissionClient::tellCancelled() { state_.cancelled = state_.type; }
 
 void MissionClient::cancel() {
   if (state_.operation == nullptr) return;
@@ -125,8 +123,8 @@ void MissionClient::onTick(uint16_t nowMs) {
   link_.onTime(nowMs);
 }
 
-// False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half as
-// many.
+// False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half
+// as many.
 bool MissionClient::isHeavyAllowed() {
   constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
   const bool isAllowed = state_.bytesLeft >= kHalf;

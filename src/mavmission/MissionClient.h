@@ -14,8 +14,8 @@
 #include "OpaqueId.h"
 #include "PlanType.h"
 #include "Status.h"
-#include "UploadTransfer.h"
 #include "TimestampStore.h"
+#include "UploadTransfer.h"
 #include "WirePlan.h"
 #if MAVMISSION_SIGNING
 #include "Signing.h"
@@ -61,36 +61,36 @@ class MissionClient {
 
   // --- Operations: one at a time; a second one is refused with Status::Busy, and the running one goes on unharmed.
 
-  // Puts a plan aboard, in the place of what is there. Waits for the autopilot, checks the plan, then transfers. Returns
-  // the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is said exactly
-  // when the plan is aboard. Where the final answer is in doubt, what is aboard is read back and compared: Status::Differs
-  // says that it is not the plan, and Status::Unconfirmed remains where it cannot be read either. With Verified it is read
-  // back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload a Mission to the
-  // Vehicle".)
+  // Puts a plan aboard, in the place of what is there. Waits for the autopilot, checks the plan, then transfers.
+  // Returns the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is
+  // said exactly when the plan is aboard. Where the final answer is in doubt, what is aboard is read back and compared:
+  // Status::Differs says that it is not the plan, and Status::Unconfirmed remains where it cannot be read either. With
+  // Verified it is read back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload
+  // a Mission to the Vehicle".)
   Status upload(const ItemSource& plan, Proof proof = WhenInDoubt) {
     return uploadProven(plan, PlanType::Mission, proof);
   }
-  // The same for a fence or rally points. A fence of up to three items is always read back, 1 s after it was accepted, and
-  // sent again if ArduPilot, which has accepted it, has wiped it by then.
+  // The same for a fence or rally points. A fence of up to three items is always read back, 1 s after it was accepted,
+  // and sent again if ArduPilot, which has accepted it, has wiped it by then.
   Status upload(const ItemSource& plan, PlanType type, Proof proof = WhenInDoubt);
 
-  // The same without reading back, for a sketch that has to be small (README.md, "Sizes"). Status::Accepted is said when the
-  // autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is lost, it is
-  // Status::Unconfirmed.
+  // The same without reading back, for a sketch that has to be small (README.md, "Sizes"). Status::Accepted is said
+  // when the autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is
+  // lost, it is Status::Unconfirmed.
   Status uploadByAnswer(const ItemSource& plan, PlanType type = PlanType::Mission);
 
   // Puts the plan of the last upload or verification aboard again: after a failure that left a mixture, for example.
   // Status::SourceRefused if there was none.
   Status uploadAgain();
 
-  // Puts `count` items of a plan aboard, from item `first` on, in the place of those that are there. `plan` is the whole
-  // plan, and the rest of it must be aboard already. ArduPilot does this; PX4 does not (Status::WholePlansOnly). (Guide,
-  // MISSION_WRITE_PARTIAL_LIST.)
+  // Puts `count` items of a plan aboard, from item `first` on, in the place of those that are there. `plan` is the
+  // whole plan, and the rest of it must be aboard already. ArduPilot does this; PX4 does not (Status::WholePlansOnly).
+  // (Guide, MISSION_WRITE_PARTIAL_LIST.)
   Status uploadPart(const ItemSource& plan, uint16_t first, uint16_t count);
 
   // Reads the autopilot's plan, item by item, into a sink, and ends with Status::Downloaded. What a sketch uploaded it
-  // gets back: home is kept apart on ArduPilot, jump targets count the sketch's items. The sink must stay until the end.
-  // (Guide, "Download a Mission from the Vehicle".)
+  // gets back: home is kept apart on ArduPilot, jump targets count the sketch's items. The sink must stay until the
+  // end. (Guide, "Download a Mission from the Vehicle".)
   Status download(const ItemSink& sink, PlanType type = PlanType::Mission);
 
   // Reads the autopilot's plan and compares it with `plan` while it streams, holding neither in RAM. Ends with
@@ -101,8 +101,8 @@ class MissionClient {
   // Takes the plan away, or with PlanType::All all three. Ends with Status::Cleared. (Guide, "Clear Missions".)
   Status clear(PlanType type = PlanType::Mission);
 
-  // --- Flying. Each ends with Status::Done, or says how the autopilot refused (MAVLink guide, Command Protocol). Nothing
-  // arms but arm() and start(), and arming is never forced.
+  // --- Flying. Each ends with Status::Done, or says how the autopilot refused (MAVLink guide, Command Protocol).
+  // Nothing arms but arm() and start(), and arming is never forced.
 
   // Flies the plan that is aboard from this item on, by the sketch's numbers: does what this autopilot needs, in its
   // order, each step confirmed; startStep() says which one was refused. Done when the autopilot is armed, in its
@@ -147,7 +147,8 @@ class MissionClient {
   Status update();
 
   // Sends a message of the sketch's own, with the right sequence number. False if another frame is still on its way, or
-  // nothing may be sent yet (no autopilot heard, or several): call it again later. The payload must stay until isSent().
+  // nothing may be sent yet (no autopilot heard, or several): call it again later. The payload must stay until
+  // isSent().
   bool sendMessage(const OutgoingMessage& message) { return link_.sendForeign(message); }
   // True when every frame has been handed to the stream.
   bool isSent() const { return link_.isSent(); }
@@ -164,8 +165,9 @@ class MissionClient {
   uint16_t itemsTotal() const { return rest_.itemsTotal; }
   // What differs after Status::Differs, or after Status::NotKept would be kept as another value.
   Field differingField() const { return rest_.field; }
-  // After Status::NotKept: what the autopilot would make of the value of that field. NaN where that is not known: where it
-  // would not take it, or where what it makes of it depends on its board. The plan's source is asked for the item again.
+  // After Status::NotKept: what the autopilot would make of the value of that field. NaN where that is not known: where
+  // it would not take it, or where what it makes of it depends on its board. The plan's source is asked for the item
+  // again.
   float keptValue();
   // The plan of a type that the autopilot holds after the last upload, verification or clear of that type.
   Aboard aboard(PlanType type = PlanType::Mission) const { return rest_.aboard[static_cast<uint8_t>(type) & 3]; }
@@ -205,11 +207,13 @@ class MissionClient {
   // The autopilot to talk to, where there may be several on the line. System id 0: whichever is alone there.
   void talkTo(uint8_t systemId, uint8_t componentId = 1);
 #if MAVMISSION_SIGNING
-  // From now on signs what is sent, and refuses what is not signed with the key (MAVLink guide, Message Signing): such a
-  // frame is as good as none. Only RADIO_STATUS, which a radio without a key sends, still reaches a MessageListener. All
-  // frames are then MAVLink 2. `linkId`: of this link, the sketch's own choice; the same after each reset. `store`: where
-  // the time of signatures outlives a reset (EepromTimestamps, or the sketch's own).
-  void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store) { link_.signWith(key, linkId, store); }
+  // From now on signs what is sent, and refuses what is not signed with the key (MAVLink guide, Message Signing): such
+  // a frame is as good as none. Only RADIO_STATUS, which a radio without a key sends, still reaches a MessageListener.
+  // All frames are then MAVLink 2. `linkId`: of this link, the sketch's own choice; the same after each reset. `store`:
+  // where the time of signatures outlives a reset (EepromTimestamps, or the sketch's own).
+  void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store) {
+    link_.signWith(key, linkId, store);
+  }
   // Tells the time, where the sketch has a clock or a GPS [s, Unix]. Without it the time is the autopilot's.
   void setSigningTime(uint32_t unixTimeS) { link_.setSigningTime(SigningTime::atUnixTime(unixTimeS)); }
   // What became of received frames since signWith().
@@ -217,7 +221,8 @@ class MissionClient {
 #else
   template <typename... Arguments>
   void signWith(Arguments&&...) {
-    static_assert(sizeof...(Arguments) == 255, "signWith() is there if the library is compiled with -DMAVMISSION_SIGNING=1 (Config.h)");
+    static_assert(sizeof...(Arguments) == 255,
+                  "signWith() is there if the library is compiled with -DMAVMISSION_SIGNING=1 (Config.h)");
   }
 #endif
   // MAVLink 1 or 2; by default what the autopilot speaks.
@@ -227,19 +232,19 @@ class MissionClient {
   void allowWhileArmed(bool allow) { rest_.armedAllowed = allow; }
   // Item numbers and jump targets as the autopilot has them: on ArduPilot item 0 is home, and is given by the plan.
   void useRawNumbering(bool raw) { rest_.raw = raw; }
-  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2, 4,
-  // then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until then
-  // the status is WaitingForTurn. Costs flash in a sketch that calls it (README.md, "Sizes").
+  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2,
+  // 4, then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until
+  // then the status is WaitingForTurn. Costs flash in a sketch that calls it (README.md, "Sizes").
   void retryWhenDenied(uint16_t seconds);
   // Serves autopilots that do not know MISSION_ITEM_INT: one that is neither ArduPilot nor PX4 and refuses the first
-  // item as unsupported gets the plan again as MISSION_ITEM, with coordinates as floats, coarser by metres. `always`: no
-  // other is tried. Costs flash in a sketch that calls it (README.md, "Sizes").
+  // item as unsupported gets the plan again as MISSION_ITEM, with coordinates as floats, coarser by metres. `always`:
+  // no other is tried. Costs flash in a sketch that calls it (README.md, "Sizes").
   void serveFloatItems(bool always = false);
   // The longest wait for an autopilot [s], after which an operation ends with Status::NoAutopilot; 0, the default, is
   // for ever.
   void limitWaiting(uint16_t seconds) { rest_.waitingLimitS = seconds; }
-  // The longest that a transfer or a command may take [s], after which it ends with Status::TookTooLong; 0, the default,
-  // is 120 s, and 2 s for each item.
+  // The longest that a transfer or a command may take [s], after which it ends with Status::TookTooLong; 0, the
+  // default, is 120 s, and 2 s for each item.
   void limitTransfer(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
@@ -391,32 +396,32 @@ class MissionClient {
   // What an update() looks at lies first: avr-gcc reaches 64 bytes of an object cheaply. All zero at the start but for
   // what the constructor sets.
   struct State {
-    Operation operation;       // null: idle
-    uint16_t secondMs;         // when the last whole second of `seconds` was over
-    uint16_t seconds;          // that the operation, or its transfer, has taken [s]
-    uint16_t unsettledMs;      // when a transfer was last left without an answer, or a reading ended
-    uint16_t next;             // the wire item to be checked, or to be added to opaqueId_
-    uint16_t prepared;         // the wire item that the link holds ready, if it holds one
+    Operation operation;   // null: idle
+    uint16_t secondMs;     // when the last whole second of `seconds` was over
+    uint16_t seconds;      // that the operation, or its transfer, has taken [s]
+    uint16_t unsettledMs;  // when a transfer was last left without an answer, or a reading ended
+    uint16_t next;         // the wire item to be checked, or to be added to opaqueId_
+    uint16_t prepared;     // the wire item that the link holds ready, if it holds one
     uint16_t itemsDone;
     uint16_t failedItem;
-    uint16_t turnAtS;          // when to try again, and when the transfer's own time began [s]
+    uint16_t turnAtS;  // when to try again, and when the transfer's own time began [s]
     // Begins a partial upload, and announces it; null: all of it, by MISSION_COUNT.
     Status (*announce)(MissionClient& client, bool isBeginning);
     Status status;
-    uint8_t unsettled;         // UploadTransfer::kAnswers, so after a reset, and kBusy
-    PlanType cancelled;        // of the transfer that the autopilot is to be told was cancelled; All: there is none
-    PlanType type;             // of the running operation
-    bool floatItems;           // items go out as MISSION_ITEM
-    bool isLate;               // the operation has taken all the time that it may
-    uint8_t bytesAllowed;      // to be looked at in an update()
-    uint8_t bytesLeft;         // that this one might look at still; 0 before it has looked
-    uint8_t tick;              // when onTick() was called last [kTickMs], its low 8 bits
+    uint8_t unsettled;     // UploadTransfer::kAnswers, so after a reset, and kBusy
+    PlanType cancelled;    // of the transfer that the autopilot is to be told was cancelled; All: there is none
+    PlanType type;         // of the running operation
+    bool floatItems;       // items go out as MISSION_ITEM
+    bool isLate;           // the operation has taken all the time that it may
+    uint8_t bytesAllowed;  // to be looked at in an update()
+    uint8_t bytesLeft;     // that this one might look at still; 0 before it has looked
+    uint8_t tick;          // when onTick() was called last [kTickMs], its low 8 bits
     void (*toFloats)(void* itemMessage);  // makes MISSION_ITEM of MISSION_ITEM_INT, where the sketch wants that
   };
 
   // Settings and results.
   struct Rest {
-    void (*prove)(MissionClient& client, uint16_t nowMs);  // where the sketch wants a proof
+    void (*prove)(MissionClient& client, uint16_t nowMs);                  // where the sketch wants a proof
     bool (*takeUp)(MissionClient& client, Status status, uint16_t nowMs);  // null until one of these is set
     bool (*denied)(MissionClient& client, Status refusal);  // takes a refusal up, where the sketch wants that
     bool (*unsupported)(MissionClient& client, Status refusal, uint16_t nowMs);  // the same, of an item
@@ -427,25 +432,25 @@ class MissionClient {
     uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
-    uint16_t turnLimitS;       // how long to wait for another ground station's transfer [s]
-    uint16_t partFirst;        // the items of a partial upload, as the sketch counts
+    uint16_t turnLimitS;  // how long to wait for another ground station's transfer [s]
+    uint16_t partFirst;   // the items of a partial upload, as the sketch counts
     uint16_t partCount;
-    uint8_t turnPauseS;        // the pause before the next try; 0 before the first; kCommand: commanding_ is in use
+    uint8_t turnPauseS;  // the pause before the next try; 0 before the first; kCommand: commanding_ is in use
     Status toReturn;
-    Aboard aboard[4];          // by PlanType; the last is nobody's
+    Aboard aboard[4];  // by PlanType; the last is nobody's
     uint8_t lastResult;
-    PlanType planType;         // of the plan that uploadAgain() takes; All before there is one
-    uint32_t planId;           // the autopilot's own name for the mission that was accepted or verified last; 0: none
-    uint8_t startStep : 4;     // StartStep
-    uint8_t startArming : 4;   // StartArming
+    PlanType planType;        // of the plan that uploadAgain() takes; All before there is one
+    uint32_t planId;          // the autopilot's own name for the mission that was accepted or verified last; 0: none
+    uint8_t startStep : 4;    // StartStep
+    uint8_t startArming : 4;  // StartArming
     Proof proof;
-    Field field;               // that differs
-    bool armedAllowed : 1;     // bits, for RAM: they cost a little flash
+    Field field;            // that differs
+    bool armedAllowed : 1;  // bits, for RAM: they cost a little flash
     bool raw : 1;
-    bool tooLong : 1;          // the source has more items than the protocol can count
-    bool infeasible : 1;       // the autopilot has said so of the plan that it accepted
-    bool proving : 1;          // an upload is being read back
-    bool mayBeRefused : 1;     // because of an error that may have been a refusal
+    bool tooLong : 1;       // the source has more items than the protocol can count
+    bool infeasible : 1;    // the autopilot has said so of the plan that it accepted
+    bool proving : 1;       // an upload is being read back
+    bool mayBeRefused : 1;  // because of an error that may have been a refusal
   };
 
   // Reading a plan: by download(), verify(), or to prove an upload.
@@ -456,8 +461,8 @@ class MissionClient {
     // MISSION_ITEM to MISSION_ITEM_INT, where a sketch reads plans.
     void (*fromFloats)(void* itemMessage);
     ItemSink sink;
-    bool isCompared;     // or stored
-    uint32_t planId;     // MISSION_COUNT.opaque_id
+    bool isCompared;  // or stored
+    uint32_t planId;  // MISSION_COUNT.opaque_id
   };
 
   // Clearing a plan.
@@ -465,8 +470,8 @@ class MissionClient {
     uint16_t sentMs;
     uint8_t tries;
     bool isDue;
-    PlanType type;   // that is being cleared now
-    PlanType last;   // after which it ends
+    PlanType type;  // that is being cleared now
+    PlanType last;  // after which it ends
   };
 
   // What start() keeps in mind. Items are the wire's.
@@ -475,14 +480,14 @@ class MissionClient {
     // right item, or at the next one? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
     enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
 
-    uint16_t first;   // that it is to begin with
-    uint16_t seen;    // that the autopilot is at, kNoItem before it has said
-    uint16_t mode;    // in which the aircraft was behind ReadyMode: another one, but for AUTO, is somebody else's
-    uint16_t jump;    // the last one that was followed on the way to the item that will be flown
-    uint8_t looked : 7;     // items on that way
-    uint8_t isAutoSeen : 1; // a heartbeat has shown the mission mode that was asked for
-    uint8_t beganS;   // when AUTO was asked for first [s], its low 8 bits
-    Status refusal;   // why it cannot be flown: how it will end
+    uint16_t first;      // that it is to begin with
+    uint16_t seen;       // that the autopilot is at, kNoItem before it has said
+    uint16_t mode;       // in which the aircraft was behind ReadyMode: another one, but for AUTO, is somebody else's
+    uint16_t jump;       // the last one that was followed on the way to the item that will be flown
+    uint8_t looked : 7;  // items on that way
+    uint8_t isAutoSeen : 1;  // a heartbeat has shown the mission mode that was asked for
+    uint8_t beganS;          // when AUTO was asked for first [s], its low 8 bits
+    Status refusal;          // why it cannot be flown: how it will end
     Phase phase;
   };
 
@@ -494,10 +499,10 @@ class MissionClient {
 
   // A command, or several.
   struct Commanding {
-    FillCommand fill;    // what is to be sent
-    OnCommand on;        // what comes of it; null: what the answer says
+    FillCommand fill;  // what is to be sent
+    OnCommand on;      // what comes of it; null: what the answer says
     CommandTransfer transfer;
-    uint16_t mode;       // that is to be set
+    uint16_t mode;  // that is to be set
     union {
       const FlightCommand* own;
       FlightMode named;

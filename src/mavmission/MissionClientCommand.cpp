@@ -10,18 +10,12 @@ namespace {
 
 Status fromCommandResult(uint8_t result) {
   switch (result) {
-    case MAV_RESULT_ACCEPTED:
-      return Status::Done;
-    case MAV_RESULT_TEMPORARILY_REJECTED:
-      return Status::CommandRejected;
-    case MAV_RESULT_DENIED:
-      return Status::CommandDenied;
-    case MAV_RESULT_UNSUPPORTED:
-      return Status::CommandUnsupported;
-    case MAV_RESULT_FAILED:
-      return Status::CommandFailed;
-    default:
-      return Status::CommandRefused;
+    case MAV_RESULT_ACCEPTED: return Status::Done;
+    case MAV_RESULT_TEMPORARILY_REJECTED: return Status::CommandRejected;
+    case MAV_RESULT_DENIED: return Status::CommandDenied;
+    case MAV_RESULT_UNSUPPORTED: return Status::CommandUnsupported;
+    case MAV_RESULT_FAILED: return Status::CommandFailed;
+    default: return Status::CommandRefused;
   }
 }
 
@@ -57,8 +51,8 @@ void MissionClient::commandStep(MissionClient& client, const FrameParser* frame,
   if (state.status == Status::WaitingForAutopilot) client.waitForAutopilot();
   if (state.status == Status::Checking) {
     OnCommand const on = client.commanding_.on;
-    const Status ready = on != nullptr ? on(client, CommandEvent::Ready, Status::Transferring, nullptr, nowMs)
-                                       : Status::Transferring;
+    const Status ready =
+        on != nullptr ? on(client, CommandEvent::Ready, Status::Transferring, nullptr, nowMs) : Status::Transferring;
     if (ready == Status::Checking) return;
     if (ready != Status::Transferring) return client.end(ready);
     state.status = Status::Transferring;
@@ -132,14 +126,9 @@ void MissionClient::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
       event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
       break;
     }
-    case MAVLINK_MSG_ID_HEARTBEAT:
-      event = CommandEvent::Heartbeat;
-      break;
-    case MAVLINK_MSG_ID_MISSION_CURRENT:
-      event = CommandEvent::Current;
-      break;
-    default:
-      return;
+    case MAVLINK_MSG_ID_HEARTBEAT: event = CommandEvent::Heartbeat; break;
+    case MAVLINK_MSG_ID_MISSION_CURRENT: event = CommandEvent::Current; break;
+    default: return;
   }
   takeCommandEvent(event, status, &frame, nowMs);
 }
@@ -219,15 +208,12 @@ Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Sta
 // for again, since the refusal may be what was lost.
 Status MissionClient::onMode(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   switch (event) {
-    case CommandEvent::Accepted:
-      return Status::Transferring;
+    case CommandEvent::Accepted: return Status::Transferring;
     case CommandEvent::Heartbeat:
       if (client.commanding_.transfer.tries() == 0 || client.shownMode() != client.commanding_.mode) return status;
       return Status::Done;
-    case CommandEvent::Silent:
-      return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : status;
-    default:
-      return status;
+    case CommandEvent::Silent: return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : status;
+    default: return status;
   }
 }
 
@@ -277,8 +263,7 @@ Status MissionClient::onSetCurrent(MissionClient& client, CommandEvent event, St
       client.state_.failedItem = client.itemFromWire(commanding.item);
       return Status::NoSuchItem;
     }
-    default:
-      break;
+    default: break;
   }
   return status;
 }

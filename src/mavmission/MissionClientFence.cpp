@@ -5,9 +5,9 @@
 namespace mavmission {
 namespace {
 
-// ArduPilot accepts a fence of fewer than three corners and circles in the place of a longer one, gives it back when it is
-// read at once, and has wiped it when its fence has next been looked at: 3 to 25 times a second, by vehicle. A return point
-// is neither, so the fence has at most three items [items].
+// ArduPilot accepts a fence of fewer than three corners and circles in the place of a longer one, gives it back when it
+// is read at once, and has wiped it when its fence has next been looked at: 3 to 25 times a second, by vehicle. A
+// return point is neither, so the fence has at most three items [items].
 constexpr uint8_t kShortFence = 3;
 // From the acceptance of such a fence to its read-back [s].
 constexpr uint8_t kFenceSettleS = 1;

@@ -42,9 +42,7 @@ Status MissionClient::uploadProven(const ItemSource& plan, PlanType type, Proof 
 }
 
 // 1 where the autopilot's own item 0 is home, and not the sketch's.
-uint8_t MissionClient::homeBefore() const {
-  return plan_.beginsWithHome() ? 1 : 0;
-}
+uint8_t MissionClient::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
 
 bool MissionClient::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
 
@@ -63,7 +61,8 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
     client.beginSeconds(nowMs);
     state.status = Status::Transferring;
   }
-  // Comparing an item comes on top of the bytes that its frame has ended: fewer of them leave an update() the time for it.
+  // Comparing an item comes on top of the bytes that its frame has ended: fewer of them leave an update() the time for
+  // it.
   state.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
   const Status status = client.reading_.transfer.onTime(nowMs);
   if (status != Status::Transferring) return client.endReading(status);
@@ -75,17 +74,10 @@ void MissionClient::sendRead(uint16_t nowMs) {
   DownloadTransfer& transfer = reading_.transfer;
   if (!link_.canSend()) return;
   switch (transfer.toSend()) {
-    case DownloadTransfer::Send::Nothing:
-      return;
-    case DownloadTransfer::Send::List:
-      sendRequestList();
-      break;
-    case DownloadTransfer::Send::Request:
-      sendRequest(transfer.itemToAsk());
-      break;
-    case DownloadTransfer::Send::Accepted:
-      sendAck(MAV_MISSION_ACCEPTED, state_.type);
-      break;
+    case DownloadTransfer::Send::Nothing: return;
+    case DownloadTransfer::Send::List: sendRequestList(); break;
+    case DownloadTransfer::Send::Request: sendRequest(transfer.itemToAsk()); break;
+    case DownloadTransfer::Send::Accepted: sendAck(MAV_MISSION_ACCEPTED, state_.type); break;
   }
   if (transfer.sent(nowMs)) endReading(Status::Downloaded);
 }
@@ -111,11 +103,9 @@ void MissionClient::sendRequest(uint16_t wireItem) {
 
 void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_MISSION_COUNT:
-      return takeReadCount(frame);
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-    case MAVLINK_MSG_ID_MISSION_ITEM:
-      return takeReadItem(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame);
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
@@ -128,8 +118,7 @@ void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
       rest_.lastResult = result;
       return endReading(status);
     }
-    default:
-      return;
+    default: return;
   }
 }
 
@@ -235,9 +224,7 @@ void MissionClient::endReading(Status status) {
           state_.failedItem = plan_.count() - 1;
         }
         break;
-      default:
-        status = Status::Unconfirmed;
-        break;
+      default: status = Status::Unconfirmed; break;
     }
   }
   state_.unsettled |= UploadTransfer::kBusy;  // our last word may be lost

@@ -22,14 +22,11 @@ constexpr uint8_t kCannotLook = 100;     // of items looked at: that many, and i
 // True for a command that an autopilot flies, and is at for a while. The others are carried out on the way.
 bool isFlown(uint16_t command) {
   switch (command) {
-    case MAV_CMD_NAV_ROI:
-      return false;
+    case MAV_CMD_NAV_ROI: return false;
     case MAV_CMD_NAV_SET_YAW_SPEED:
     case 42702:  // NAV_SCRIPT_TIME and NAV_ATTITUDE_TIME, of ArduPilot's own dialect
-    case 42703:
-      return true;
-    default:
-      return command <= MAV_CMD_NAV_LAST;
+    case 42703: return true;
+    default: return command <= MAV_CMD_NAV_LAST;
   }
 }
 
@@ -58,8 +55,7 @@ Status MissionClient::start(uint16_t item) {
 Status MissionClient::onStart(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
                               uint16_t nowMs) {
   switch (event) {
-    case CommandEvent::Ready:
-      return client.readyToStart(nowMs);
+    case CommandEvent::Ready: return client.readyToStart(nowMs);
     case CommandEvent::Accepted: {
       // The others are confirmed by what they change: a heartbeat, a MISSION_CURRENT.
       const StartStep step = client.startStep();
@@ -67,16 +63,11 @@ Status MissionClient::onStart(MissionClient& client, CommandEvent event, Status 
       const bool isConfirmed = isStep && (step == StartStep::Arm || step == StartStep::Begin);
       return isConfirmed ? client.nextStartStep(nowMs) : Status::Transferring;
     }
-    case CommandEvent::Refused:
-      return client.onStartRefused(status, nowMs);
-    case CommandEvent::Silent:
-      return client.onStartSilent(status, nowMs);
-    case CommandEvent::Heartbeat:
-      return client.onStartHeartbeat(nowMs);
-    case CommandEvent::Current:
-      return client.onStartCurrent(*frame, nowMs);
-    case CommandEvent::Time:
-      break;
+    case CommandEvent::Refused: return client.onStartRefused(status, nowMs);
+    case CommandEvent::Silent: return client.onStartSilent(status, nowMs);
+    case CommandEvent::Heartbeat: return client.onStartHeartbeat(nowMs);
+    case CommandEvent::Current: return client.onStartCurrent(*frame, nowMs);
+    case CommandEvent::Time: break;
   }
   const Start::Phase phase = client.commanding_.start.phase;
   const bool isJudging = phase == Start::Phase::Judging || phase == Start::Phase::JudgingNext;
@@ -167,8 +158,7 @@ bool MissionClient::beginStartStep(uint16_t nowMs) {
   const bool isPx4 = plan_.firmware() == Firmware::Px4;
   Start& start = commanding_.start;
   switch (startStep()) {
-    case StartStep::None:
-      return false;
+    case StartStep::None: return false;
     case StartStep::ReadyMode: {
       // Copter refuses to be armed in AUTO: GUIDED. Rover: MANUAL. Plane arms in the mode that it is in.
       const uint8_t vehicleType = link_.finder().heartbeat().vehicleType;
@@ -295,22 +285,15 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
   bool isDone = false;
   switch (step) {
     case StartStep::ReadyMode:
-    case StartStep::AutoMode:
-      isDone = isSent && mode == commanding_.mode;
-      break;
-    case StartStep::Arm:
-      isDone = isSent && isArmed();
-      break;
-    case StartStep::Begin:
-      isDone = isSent && plan_.firmware() == Firmware::Px4 && isFlying;
-      break;
+    case StartStep::AutoMode: isDone = isSent && mode == commanding_.mode; break;
+    case StartStep::Arm: isDone = isSent && isArmed(); break;
+    case StartStep::Begin: isDone = isSent && plan_.firmware() == Firmware::Px4 && isFlying; break;
     case StartStep::Confirm:
       if (!isFlying) start.phase = Start::Phase::Steps;
       if (isFlying && !isJudging) start.phase = Start::Phase::Shown;
       return confirmStart();
     case StartStep::None:
-    case StartStep::FirstItem:
-      break;
+    case StartStep::FirstItem: break;
   }
   return isDone ? nextStartStep(nowMs) : Status::Transferring;
 }
@@ -333,8 +316,8 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
       return Status::Transferring;
     }
     if (state_.next == kNoItem && item != 0) state_.next = item;
-    // On the ground it may stand before the commands that it will carry out on its way to the first that it flies; and at
-    // home, from which it begins with its first item.
+    // On the ground it may stand before the commands that it will carry out on its way to the first that it flies; and
+    // at home, from which it begins with its first item.
     const bool isAtHome = item == 0 && start.first == 0 && state_.next != kNoItem;
     return isAtHome || item == state_.next || item == firstItem() ? nextStartStep(nowMs) : Status::Transferring;
   }

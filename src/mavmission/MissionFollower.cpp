@@ -55,8 +55,7 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
   MissionFollower& self = static_cast<MissionFollower&>(listener);
   if (!self.isFromAutopilot(frame)) return;
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_HEARTBEAT:
-      return self.takeHeartbeat();
+    case MAVLINK_MSG_ID_HEARTBEAT: return self.takeHeartbeat();
     case MAVLINK_MSG_ID_COMMAND_ACK:
       if (self.isAnswer(frame)) self.settle();
       return;
@@ -70,17 +69,14 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
       if (frame.payloadByte(offsetof(Ack, type)) != MAV_MISSION_ACCEPTED) return;
       return self.takeName(frame.payloadByte(offsetof(Ack, mission_type)), frame.payloadLong(offsetof(Ack, opaque_id)));
     }
-    case MAVLINK_MSG_ID_MISSION_CURRENT:
-      return self.takeCurrent(frame);
-    case MAVLINK_MSG_ID_MISSION_ITEM_REACHED:
-      return self.takeReached(frame);
-    default:
-      return self.takeText(frame);
+    case MAVLINK_MSG_ID_MISSION_CURRENT: return self.takeCurrent(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM_REACHED: return self.takeReached(frame);
+    default: return self.takeText(frame);
   }
 }
 
-// Asks for MISSION_CURRENT when none has come for a while. Whether that was heard is told by what comes then, and not by
-// the answer: PX4 refuses, and sends it all the same.
+// Asks for MISSION_CURRENT when none has come for a while. Whether that was heard is told by what comes then, and not
+// by the answer: PX4 refuses, and sends it all the same.
 void MissionFollower::takeHeartbeat() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (since(askedMs_, nowMs) >= UploadTransfer::kAnswerMs) isWaiting_ = false;

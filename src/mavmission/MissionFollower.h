@@ -1,4 +1,5 @@
-// What the aircraft does with its mission: the current item, items reached, state, and what the autopilot says in words.
+// What the aircraft does with its mission: the current item, items reached, state, and what the autopilot says in
+// words.
 #pragma once
 
 #include "MessageIntervals.h"
@@ -19,9 +20,10 @@ typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 //   MissionClient autopilot(Serial1);
 //   MissionFollower mission(autopilot);
 //
-// PX4 sends MISSION_CURRENT every second by itself, ArduPilot only where its port's streams are set so. An autopilot that
-// has not sent one for two seconds is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL), beside the transfers
-// of the client and between its commands: again after 2, 4, 8 s and so on, at the most once a minute, until one comes.
+// PX4 sends MISSION_CURRENT every second by itself, ArduPilot only where its port's streams are set so. An autopilot
+// that has not sent one for two seconds is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL), beside the
+// transfers of the client and between its commands: again after 2, 4, 8 s and so on, at the most once a minute, until
+// one comes.
 class MissionFollower : public MessageIntervals {
  public:
   // The client must stay as long as this.
@@ -36,8 +38,8 @@ class MissionFollower : public MessageIntervals {
   // What the autopilot says of its mission as a whole.
   MissionState state() const { return state_; }
   // False when the autopilot names its plan and it is not the one that was accepted last: someone has changed it.
-  // (PX4: the checksum in MISSION_CURRENT and MISSION_COUNT, and in the MISSION_ACK of an upload.) True when the autopilot
-  // does not say.
+  // (PX4: the checksum in MISSION_CURRENT and MISSION_COUNT, and in the MISSION_ACK of an upload.) True when the
+  // autopilot does not say.
   bool isOurPlan() const;
 
   // Called when another item is flown.
@@ -48,11 +50,11 @@ class MissionFollower : public MessageIntervals {
   void onText(TextFunction function, void* context = nullptr);
 
  private:
-  // How often another plan may be named behind an answer to the client before that is believed: what was sent before the
-  // answer may come after it.
+  // How often another plan may be named behind an answer to the client before that is believed: what was sent before
+  // the answer may come after it.
   static constexpr uint8_t kPatience = 3;
-  // Heartbeats of the autopilot's, which come every second: without MISSION_CURRENT before that is asked for, and the pause
-  // before it is asked for again.
+  // Heartbeats of the autopilot's, which come every second: without MISSION_CURRENT before that is asked for, and the
+  // pause before it is asked for again.
   static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
 
   static void take(Listener& listener, const FrameParser& frame);
@@ -77,7 +79,7 @@ class MissionFollower : public MessageIntervals {
   bool isNewLeg_ = false;  // the item that was reached last is being flown again
   uint8_t patience_ = 0;
   uint8_t heartbeatsLeft_ = kSilence;  // before MISSION_CURRENT is asked for
-  uint8_t pause_ = kFirstPause;           // the next one
+  uint8_t pause_ = kFirstPause;        // the next one
 };
 
 }  // namespace mavmission

@@ -69,10 +69,8 @@ bool isNeeded(uint16_t id) {
     case MAVLINK_MSG_ID_COMMAND_INT:
     case MAVLINK_MSG_ID_COMMAND_LONG:
     case MAVLINK_MSG_ID_COMMAND_ACK:
-    case MAVLINK_MSG_ID_STATUSTEXT:
-      return true;
-    default:
-      return id >= MAVLINK_MSG_ID_MISSION_REQUEST_PARTIAL_LIST && id <= MAVLINK_MSG_ID_MISSION_ACK;
+    case MAVLINK_MSG_ID_STATUSTEXT: return true;
+    default: return id >= MAVLINK_MSG_ID_MISSION_REQUEST_PARTIAL_LIST && id <= MAVLINK_MSG_ID_MISSION_ACK;
   }
 }
 

@@ -71,10 +71,10 @@ class QuietTransfers : public MessageIntervals {
   List forArduPilot_;
   List forOthers_;
   uint32_t muted_ = 0xFFFFFFFF;  // a bit for each message that may be silent: after a reset, all of them
-  uint8_t index_ = 0;  // of the message that is asked for, or next
+  uint8_t index_ = 0;            // of the message that is asked for, or next
   uint8_t tries_ = 0;
   uint8_t sequence_ = 0;  // of the last answer's frame
-  bool isHushing_ : 1;   // or giving intervals back
+  bool isHushing_ : 1;    // or giving intervals back
   bool isAnswered_ : 1;
 };
 

@@ -98,10 +98,10 @@ enum class Status : uint8_t {
 };
 
 // The plan that the autopilot holds when an operation has ended.
-#define MAVMISSION_ABOARD(X)                                                    \
-  X(NotKnown, "not known")                                                      \
-  X(AsBefore, "what was aboard before")                                         \
-  X(OurPlan, "our plan, whole")                                                 \
+#define MAVMISSION_ABOARD(X)                                                     \
+  X(NotKnown, "not known")                                                       \
+  X(AsBefore, "what was aboard before")                                          \
+  X(OurPlan, "our plan, whole")                                                  \
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
   X(Nothing, "no plan")
 

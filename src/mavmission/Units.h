@@ -44,13 +44,13 @@ constexpr MetresPerSecond operator"" _mps(long double value) { return MetresPerS
 
 // MAV_FRAME (MAVLink common messages): what the numbers of a place mean.
 enum class Frame : uint8_t {
-  Global = 0,            // altitude [m above mean sea level]
-  Mission = 2,           // no place: x, y and z are parameters 5 to 7
-  GlobalRelative = 3,    // altitude [m above home]
-  GlobalInt = 5,         // as Global; the older number for MISSION_ITEM_INT
-  GlobalRelativeInt = 6, // as GlobalRelative; the older number for MISSION_ITEM_INT
-  GlobalTerrain = 10,    // altitude [m above the ground below]
-  GlobalTerrainInt = 11, // as GlobalTerrain; the older number for MISSION_ITEM_INT
+  Global = 0,             // altitude [m above mean sea level]
+  Mission = 2,            // no place: x, y and z are parameters 5 to 7
+  GlobalRelative = 3,     // altitude [m above home]
+  GlobalInt = 5,          // as Global; the older number for MISSION_ITEM_INT
+  GlobalRelativeInt = 6,  // as GlobalRelative; the older number for MISSION_ITEM_INT
+  GlobalTerrain = 10,     // altitude [m above the ground below]
+  GlobalTerrainInt = 11,  // as GlobalTerrain; the older number for MISSION_ITEM_INT
 };
 
 // The present number of a frame: 0, 3 and 10 for 5, 6 and 11.

@@ -16,8 +16,8 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers,
 Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
   // Before our COUNT has left, or while it is to be sent again, only an earlier transfer can be asking.
   if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
-  // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an item
-  // only when it has the one before. It moves nothing.
+  // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an
+  // item only when it has the one before. It moves nothing.
   if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
@@ -57,11 +57,11 @@ Status UploadTransfer::onAcceptance() {
 }
 
 Status UploadTransfer::onAck(uint8_t result) {
-  if (state_ == State::Counting && tries_ == 0) return Status::Transferring;  // of something earlier: nothing of ours has left
+  if (state_ == State::Counting && tries_ == 0)
+    return Status::Transferring;  // of something earlier: nothing of ours has left
   const Status status = fromMissionResult(result);
   switch (status) {
-    case Status::Accepted:
-      return onAcceptance();
+    case Status::Accepted: return onAcceptance();
 
     case Status::InvalidSequence:
       // Noise while it moves: ArduPilot says so of each item that reaches it twice, and goes on.
@@ -82,15 +82,16 @@ Status UploadTransfer::onAck(uint8_t result) {
 
     case Status::Error:
       if (state_ == State::Counting && firmware_ != Firmware::ArduPilot) {
-        // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well, and
-        // PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
+        // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well,
+        // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
         if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;
         freed_ = true;
         tries_ = 0;
         send_ = Send::Cancel;
         return Status::Transferring;
       }
-      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the plan.
+      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the
+      // plan.
       if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
       // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
       // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
@@ -101,8 +102,7 @@ Status UploadTransfer::onAck(uint8_t result) {
       }
       return status;
 
-    default:
-      return status;
+    default: return status;
   }
   if (!mayBeAnswered()) return status;
   suspicion_ = status;
@@ -144,9 +144,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
       sentMs_ = nowMs;
       send_ = Send::Nothing;
       break;
-    case Send::Cancel:
-      send_ = Send::Count;
-      break;
+    case Send::Cancel: send_ = Send::Count; break;
     case Send::Item:
       if (state_ != State::Confirming && item_ + 1u == behind_) {
         state_ = State::Confirming;
@@ -156,8 +154,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
       sentMs_ = nowMs;
       send_ = Send::Nothing;
       break;
-    case Send::Nothing:
-      break;
+    case Send::Nothing: break;
   }
 }
 

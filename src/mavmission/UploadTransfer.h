@@ -22,11 +22,11 @@ namespace mavmission {
 
 class UploadTransfer {
  public:
-  static constexpr uint8_t kTries = 5;             // COUNTs, and repeated last items (guide: 5 tries)
-  static constexpr uint16_t kAnswerMs = 1500;      // wait for an answer to either (guide: 1500 ms)
-  static constexpr uint16_t kPassiveMs = 8500;     // ArduPilot asks again each second and gives up after 8.0 s
-  static constexpr uint16_t kConfirmingMs = 12000; // the most for the final answer, however often the last item is asked for
-  static constexpr uint8_t kSameRequestMs = 50;    // a repeat within that is a queue being emptied, not a new question
+  static constexpr uint8_t kTries = 5;              // COUNTs, and repeated last items (guide: 5 tries)
+  static constexpr uint16_t kAnswerMs = 1500;       // wait for an answer to either (guide: 1500 ms)
+  static constexpr uint16_t kPassiveMs = 8500;      // ArduPilot asks again each second and gives up after 8.0 s
+  static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
+  static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
 
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
@@ -59,8 +59,8 @@ class UploadTransfer {
   bool hasBegun() const { return state_ != State::Counting; }
   // An answer was heard that may have been to an earlier transfer.
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
-  // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts our
-  // last item as if it were that one's, repeated, with the sum of what it had until then.
+  // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
+  // our last item as if it were that one's, repeated, with the sum of what it had until then.
   bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && tries_ != 0; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
@@ -82,14 +82,14 @@ class UploadTransfer {
   uint16_t item_;
   State state_;
   Send send_;
-  uint8_t tries_;                         // COUNTs sent; then unasked repeats of the last item
-  Status suspicion_;   // an answer that may be to an earlier transfer: the reason if no other comes
+  uint8_t tries_;     // COUNTs sent; then unasked repeats of the last item
+  Status suspicion_;  // an answer that may be to an earlier transfer: the reason if no other comes
   Firmware firmware_;
   uint8_t leftovers_;
-  bool recounted_;                    // COUNT was sent more than once
-  bool freed_;                        // an open transfer of ours was cancelled first
-  bool repeated_;                     // an item was sent more than once
-  bool answered_;                     // item_ has been sent at least once
+  bool recounted_;  // COUNT was sent more than once
+  bool freed_;      // an open transfer of ours was cancelled first
+  bool repeated_;   // an item was sent more than once
+  bool answered_;   // item_ has been sent at least once
 };
 
 }  // namespace mavmission

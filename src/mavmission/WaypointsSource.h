@@ -84,14 +84,14 @@ class WaypointsSource {
   SeekFunction seek_;
   void* context_;
   WaypointsText text_;
-  uint32_t position_;    // of the next byte
-  uint32_t lineStart_;   // of the line that is being read, or was read last
-  uint32_t size_;        // of the text, once it is known
-  Mark first_;           // the first item
-  Mark last_;            // the item that was given last; number 0: none, or not known
+  uint32_t position_;   // of the next byte
+  uint32_t lineStart_;  // of the line that is being read, or was read last
+  uint32_t size_;       // of the text, once it is known
+  Mark first_;          // the first item
+  Mark last_;           // the item that was given last; number 0: none, or not known
   uint16_t count_;
   State state_;
-  bool isBegun_;         // the first update() has been
+  bool isBegun_;  // the first update() has been
 };
 
 }  // namespace mavmission

@@ -131,8 +131,7 @@ TextError WaypointsText::store() {
   if (!decimal_.toSteps(0, whole, isExact)) return TextError::TooLarge;
   if (decimal_.isNegative() && whole != 0) return field_ == 1 ? TextError::OutOfOrder : TextError::BadNumber;
   switch (field_) {
-    case 1:
-      return whole == number_ ? TextError::None : TextError::OutOfOrder;
+    case 1: return whole == number_ ? TextError::None : TextError::OutOfOrder;
     case 2:
       if (whole > 1) return TextError::NotZeroOrOne;
       item_.current = static_cast<uint8_t>(whole);

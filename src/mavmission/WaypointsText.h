@@ -94,7 +94,7 @@ class WaypointsText {
 
   // Why it is bad, and where.
   TextError error() const { return error_; }
-  uint16_t errorLine() const { return line_; }  // from 1 on; 0: not known
+  uint16_t errorLine() const { return line_; }   // from 1 on; 0: not known
   uint8_t errorField() const { return field_; }  // from 1 to 12; 0: the line as a whole
   // Ends the text as bad, for a reason of the reader's.
   MAVMISSION_APART Step fail(TextError error);
@@ -109,15 +109,15 @@ class WaypointsText {
 
   static constexpr uint8_t kFields = 12;
 
-  DecimalText decimal_;         // the field that is being taken
+  DecimalText decimal_;  // the field that is being taken
   MissionItem item_;
-  uint16_t line_;             // from 1 on
-  uint16_t number_;           // of the next line that is no comment, as the file counts
-  uint16_t farthestTarget_;   // of all jumps, as the file counts
-  uint16_t farthestLine_;     // where that is
-  uint8_t length_;            // of the line so far
-  uint8_t field_;             // that is being taken, from 1 on; 0 before the first
-  uint8_t firstNumber_;       // of the first item; 0 up to the end of line 0
+  uint16_t line_;            // from 1 on
+  uint16_t number_;          // of the next line that is no comment, as the file counts
+  uint16_t farthestTarget_;  // of all jumps, as the file counts
+  uint16_t farthestLine_;    // where that is
+  uint8_t length_;           // of the line so far
+  uint8_t field_;            // that is being taken, from 1 on; 0 before the first
+  uint8_t firstNumber_;      // of the first item; 0 up to the end of line 0
   PlanType type_;
   bool isHeader_ : 1;
   bool isInField_ : 1;

@@ -27,22 +27,18 @@ bool hasPlace(const MissionItem& item) { return item.frame != Frame::Mission; }
 bool isSomewhere(const MissionItem& item) { return hasPlace(item) && (item.x != 0 || item.y != 0); }
 
 constexpr uint16_t bitOf(Frame frame) { return 1u << static_cast<uint8_t>(frame); }
-constexpr uint16_t kPlaceFrames = bitOf(Frame::Global) | bitOf(Frame::GlobalRelative) | bitOf(Frame::GlobalInt) |
-                                  bitOf(Frame::GlobalRelativeInt);
+constexpr uint16_t kPlaceFrames =
+    bitOf(Frame::Global) | bitOf(Frame::GlobalRelative) | bitOf(Frame::GlobalInt) | bitOf(Frame::GlobalRelativeInt);
 constexpr uint16_t kTerrainFrames = bitOf(Frame::GlobalTerrain) | bitOf(Frame::GlobalTerrainInt);
 
 // Of an item with a place.
 bool isTakenBy(Firmware firmware, Frame frame) {
   uint16_t taken = kPlaceFrames;
   switch (firmware) {
-    case Firmware::Px4:
-      break;
-    case Firmware::ArduPilot:
-      taken |= kTerrainFrames;
-      break;
+    case Firmware::Px4: break;
+    case Firmware::ArduPilot: taken |= kTerrainFrames; break;
     case Firmware::Other:
-    case Firmware::Unknown:
-      return true;  // it may know frames that have no name here
+    case Firmware::Unknown: return true;  // it may know frames that have no name here
   }
   const uint8_t number = static_cast<uint8_t>(frame);
   return number < 16 && ((taken >> number) & 1) != 0;
@@ -131,7 +127,8 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
       if (near >= count_) continue;
       found = Status::SourceRefused;
       if (read_(context_, near, item)) {
-        // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is 95).
+        // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is
+        // 95).
         if (item.command >= 95 || !isSomewhere(item) || rulesOf(item, keeper_).has(kHasNoPlace)) continue;
         found = Status::Accepted;
       }
@@ -167,7 +164,8 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     }
     const Rules rules = rulesOf(item, keeper());
     // A NaN, for "as you fly": 0 is that there.
-    if ((keeper_ & kByArduPilot) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber) item.param4 = 0;
+    if ((keeper_ & kByArduPilot) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
+      item.param4 = 0;
     if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
     const Status checked = check(item, rules);
     if (checked != Status::Accepted) return checked;

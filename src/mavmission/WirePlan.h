@@ -20,8 +20,8 @@ class WirePlan {
   // Sets what is to go: a source of at most 65,535 items.
   void setSource(const ItemSource& plan);
 
-  // Sets to whom it is to go, by HEARTBEAT.type too. `raw`: item numbers and item 0 are the autopilot's own, nothing is put
-  // before or shifted. So it is with fence and rally, which have no home and no jumps.
+  // Sets to whom it is to go, by HEARTBEAT.type too. `raw`: item numbers and item 0 are the autopilot's own, nothing is
+  // put before or shifted. So it is with fence and rally, which have no home and no jumps.
   void begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool raw);
 
   Firmware firmware() const { return firmware_; }
@@ -63,9 +63,9 @@ class WirePlan {
   Keeper keeper_;  // and kIsRaw
 };
 
-// The way back: makes of an item of the mission, as the autopilot gave it, the item that a sketch would have written. Jump
-// targets count the sketch's items, frames have their present numbers, an item without a place has Frame::Mission, and a
-// yaw that ArduPilot does not keep is NaN, "as you fly".
+// The way back: makes of an item of the mission, as the autopilot gave it, the item that a sketch would have written.
+// Jump targets count the sketch's items, frames have their present numbers, an item without a place has Frame::Mission,
+// and a yaw that ArduPilot does not keep is NaN, "as you fly".
 void fromWire(MissionItem& item, Firmware firmware);
 
 }  // namespace mavmission

@@ -127,8 +127,7 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Heartbeat:
     case Kind::Request:
     case Kind::List:
-    case Kind::ClearAll:
-      break;
+    case Kind::ClearAll: break;
   }
   return "a frame is sent that has no place in an upload";
 }
@@ -159,8 +158,7 @@ const char* Referee::sentInReading(const Message& message) {
     case Kind::Heartbeat:
     case Kind::Count:
     case Kind::Item:
-    case Kind::ClearAll:
-      break;
+    case Kind::ClearAll: break;
   }
   return "a frame is sent that has no place in a download";
 }
@@ -200,8 +198,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
 
     case Kind::Heartbeat:
     case Kind::List:
-    case Kind::ClearAll:
-      return;
+    case Kind::ClearAll: return;
   }
 }
 
@@ -222,10 +219,8 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
         return nullptr;
       }
       return "aboard() says as before, and it is not";
-    case Aboard::Mixture:
-      return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
-    case Aboard::NotKnown:
-      return nullptr;
+    case Aboard::Mixture: return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
+    case Aboard::NotKnown: return nullptr;
   }
   return nullptr;
 }
@@ -239,8 +234,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   ended = status;
   const bool isRead =
       isReading && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
-  owesCancel = isRead || (wasTransferring && (status == Status::Cancelled || status == Status::NoAnswer ||
-                                              status == Status::TimedOut));
+  owesCancel = isRead || (wasTransferring &&
+                          (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut));
 
   const char* const untrue = untrueAboard(status, said, autopilot, before);
   if (untrue != nullptr) return untrue;
@@ -292,18 +287,15 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
       return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
 
-    case Status::Cancelled:
-      return nullptr;
+    case Status::Cancelled: return nullptr;
 
     case Status::OtherPlanAboard:
       if (!isPx4(autopilot.firmware) || (heardAcks & 1) == 0) return "OtherPlanAboard, and nothing was accepted";
       return isMeant ? "OtherPlanAboard, and the plan aboard is the plan meant" : nullptr;
 
-    case Status::AcceptedEarly:
-      return (heardAcks & 1) != 0 ? nullptr : "AcceptedEarly, and nothing was accepted";
+    case Status::AcceptedEarly: return (heardAcks & 1) != 0 ? nullptr : "AcceptedEarly, and nothing was accepted";
 
-    default:
-      break;
+    default: break;
   }
   for (uint8_t result = 1; result < 16; ++result) {
     if (status != mavmission::fromMissionResult(result)) continue;
@@ -313,7 +305,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     const bool isBusy = isUpload() && !isReading && result == kError && isPx4(autopilot.firmware) && asked == 0 &&
                         hasEndedBefore && autopilot.state == Autopilot::State::Sending;
     if (isBusy && counts != kTries) return "busy with what was ours, and the tries were not exhausted";
-    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading back.
+    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading
+    // back.
     if (isUpload() && !isReading && result == kError && lineRepeats) return nullptr;
     if (isUpload() && isMeant) return "a refusal, and the plan is aboard";
     const bool isOurs =

@@ -68,7 +68,8 @@ bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t
   for (size_t i = 1; i < size - 2; ++i) crc_accumulate(bytes[at + i], &crc);
   crc_accumulate(entry->crc_extra, &crc);
   if (bytes[at + size - 2] != (crc & 0xFF) || bytes[at + size - 1] != crc >> 8) return false;
-  payload.assign(bytes.begin() + static_cast<long>(at + header), bytes.begin() + static_cast<long>(at + header + length));
+  payload.assign(bytes.begin() + static_cast<long>(at + header),
+                 bytes.begin() + static_cast<long>(at + header + length));
   payload.resize(255, 0);
   return true;
 }

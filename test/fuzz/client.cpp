@@ -1,15 +1,15 @@
-// A whole MissionClient on a line where anything may happen, driven by the bytes of the input: what is received, how time
-// passes, what the sketch asks for, what the stream takes.
+// A whole MissionClient on a line where anything may happen, driven by the bytes of the input: what is received, how
+// time passes, what the sketch asks for, what the stream takes.
 //
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
 // - an upload is Accepted only if it was announced, and the bytes that came since it was asked for (and those that the
 //   parser may still hold then) hold either a request for its last item and behind it an ACK with MAV_MISSION_ACCEPTED,
-//   or, once they were asked for, the right number of items and each of them as it was meant; all right to the checksum,
-//   from the autopilot, for us and for a mission.
-//   uploadByAnswer() takes only the first, upload(plan, Verified) only the second. verify() ends with Verified only by
-//   the second, too;
-// - what is written is whole frames, one behind the other, each with the next sequence number; a message of the sketch's
+//   or, once they were asked for, the right number of items and each of them as it was meant; all right to the
+//   checksum, from the autopilot, for us and for a mission. uploadByAnswer() takes only the first, upload(plan,
+//   Verified) only the second. verify() ends with Verified only by the second, too;
+// - what is written is whole frames, one behind the other, each with the next sequence number; a message of the
+// sketch's
 //   own is among them as it was given;
 // - nothing is announced to an autopilot that is refused for being armed;
 // - start() is Done only for an autopilot that was heard to be armed, in its mission mode, since it was asked for, and
@@ -51,12 +51,8 @@ struct Input {
 };
 
 const MissionItem kPlan[] = {
-    takeoff(20_m),
-    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
-    changeSpeed(5_mps),
-    jump(1, 2),
-    waypoint(-35.3614500_deg, 149.1652374_deg, 20_m),
-    returnToLaunch(),
+    takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), changeSpeed(5_mps),
+    jump(1, 2),    waypoint(-35.3614500_deg, 149.1652374_deg, 20_m), returnToLaunch(),
 };
 const uint8_t kPlanItems = sizeof(kPlan) / sizeof(*kPlan);
 
@@ -132,8 +128,7 @@ class Session {
     const uint8_t what = input.next();
     switch (what % 32) {
       case 0:
-      case 1:
-        return wait(input.next());
+      case 1: return wait(input.next());
       case 2:
         for (uint8_t n = input.next() % 40; n != 0; --n) wait(50);
         return;
@@ -177,18 +172,12 @@ class Session {
         client_.cancel();
         if (uploading_) uploading_ = client_.isBusy();
         return;
-      case 13:
-        room_ = input.next() % 70;
-        return;
-      case 14:
-        line_.takes = 1 + input.next() % 64;
-        return;
-      case 15:
-        return other(input.next());
+      case 13: room_ = input.next() % 70; return;
+      case 14: line_.takes = 1 + input.next() % 64; return;
+      case 15: return other(input.next());
       case 16:
       case 17:
-      case 18:
-        return answer(input);
+      case 18: return answer(input);
       case 19: {
         const uint8_t to = input.next();
         return bring(altered(countParts(to % (kPlanItems + 3)), to >= 128 ? input.next() : uint8_t(0)), input);
@@ -203,11 +192,8 @@ class Session {
       case 22:
         if (!client_.isBusy()) client_.allowWhileArmed(what >= 128);
         return;
-      case 23:
-        client_.sendMessage(kLong[what >= 128 ? 1 : 0]);
-        return;
-      case 24:
-        return uploadAgain();
+      case 23: client_.sendMessage(kLong[what >= 128 ? 1 : 0]); return;
+      case 24: return uploadAgain();
       case 25: {
         const uint16_t current = input.next();
         mavlink_mission_current_t message = mavlink_mission_current_t();
@@ -219,7 +205,8 @@ class Session {
       }
       case 26: {
         mavlink_mission_item_reached_t message = {input.next()};
-        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC), input);
+        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC),
+                     input);
       }
       case 27: {
         mavlink_statustext_t message = mavlink_statustext_t();
@@ -227,8 +214,7 @@ class Session {
         memset(message.text + 16, 'x', input.next() % 35);
         return bring(partsOf(message, MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC), input);
       }
-      case 28:
-        return bring(FrameParts(24, Bytes(what >= 128 ? 52 : 30, input.next()), 24), input);
+      case 28: return bring(FrameParts(24, Bytes(what >= 128 ? 52 : 30, input.next()), 24), input);
       case 29:  // the other autopilot of two, which is not listened to
         other_ = !other_;
         return;
@@ -241,7 +227,8 @@ class Session {
   void begin(const Asked& asked) {
     asked_ = asked;
     if (asked.isUpload()) again_ = client_.status() == Status::BadRange ? Asked() : asked;
-    if (asked.kind == Asked::Kind::Verification) {  // its plan is the one that is uploaded next, as the last one was proven
+    if (asked.kind ==
+        Asked::Kind::Verification) {  // its plan is the one that is uploaded next, as the last one was proven
       again_.count = asked.count;
       const bool isProofKept = again_.kind == Asked::Kind::ByAnswer || again_.kind == Asked::Kind::Verified;
       if (!isProofKept) again_.kind = Asked::Kind::InDoubt;
@@ -307,21 +294,11 @@ class Session {
     asked.count = kPlanItems;
     begin(asked);
     switch (what % 6) {
-      case 0:
-        client_.clear(what & 64 ? PlanType::All : PlanType::Mission);
-        return;
-      case 1:
-        client_.verify(inRam(kPlan, kPlanItems));
-        return;
-      case 2:
-        client_.download(toRam(space_));
-        return;
-      case 3:
-        client_.setCurrentItem(what);
-        return;
-      case 4:
-        client_.arm();
-        return;
+      case 0: client_.clear(what & 64 ? PlanType::All : PlanType::Mission); return;
+      case 1: client_.verify(inRam(kPlan, kPlanItems)); return;
+      case 2: client_.download(toRam(space_)); return;
+      case 3: client_.setCurrentItem(what); return;
+      case 4: client_.arm(); return;
       case 5:
         isStart_ = true;
         client_.start(what / 6 % 8);
@@ -366,8 +343,7 @@ class Session {
       case MAVLINK_MSG_ID_MISSION_COUNT:
         if (sequence != 0) return bring(altered(requestParts(0), how), input);
         return bring(altered(ackParts(0), how), input);
-      case MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST:
-        return bring(altered(requestParts(sequence), how), input);
+      case MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST: return bring(altered(requestParts(sequence), how), input);
       case MAVLINK_MSG_ID_MISSION_ITEM_INT: {
         const uint16_t item = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
         if (item + 1u == behindLast()) return bring(altered(ackParts(0), how), input);
@@ -376,8 +352,7 @@ class Session {
       case MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
         return bring(altered(countParts(static_cast<uint16_t>(meant_.size())), how), input);
       case MAVLINK_MSG_ID_MISSION_REQUEST:
-      case MAVLINK_MSG_ID_MISSION_REQUEST_INT:
-        return bring(altered(itemInPlan(sequence), how), input);
+      case MAVLINK_MSG_ID_MISSION_REQUEST_INT: return bring(altered(itemInPlan(sequence), how), input);
       case MAVLINK_MSG_ID_MISSION_SET_CURRENT: {
         mavlink_mission_current_t current = mavlink_mission_current_t();
         current.seq = sequence;
@@ -396,8 +371,7 @@ class Session {
         ack.target_component = kClient;
         return bring(altered(partsOf(ack, MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC), how), input);
       }
-      default:
-        return bring(altered(ackParts(0), how), input);
+      default: return bring(altered(ackParts(0), how), input);
     }
   }
 
@@ -434,7 +408,8 @@ class Session {
     const Status before = client_.status();
     const Status status = client_.update();
     demand(line_.bytesRead - read <= MAVMISSION_BYTES_PER_UPDATE, "update() read more than it may");
-    if (room_ > 0) demand(line_.written.size() - written <= static_cast<size_t>(room_), "more was written than there was room");
+    if (room_ > 0)
+      demand(line_.written.size() - written <= static_cast<size_t>(room_), "more was written than there was room");
     demand(client_.itemsDone() <= client_.itemsTotal(), "more items are done than there are");
     demand(client_.failedItem() == MissionClient::kNoItem || !uploading_ || client_.failedItem() < asked_.count,
            "an item failed that is not in the plan");
@@ -475,15 +450,18 @@ class Session {
     }
     if (status == Status::Verified) {
       demand(asked_.kind == Asked::Kind::Verification, "what was no verification ended as one");
-      demand(holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
+      demand(holdsReading(line_.heard, written, meant_, firmware_),
+             "verified, though what was read is not what was meant");
     }
     if (status == Status::Armed && uploading_ && !hasTurned_) {
       demand(!isAnnounced, "a plan was announced to an armed autopilot that is refused for it");
     }
-    uploading_ = uploading_ && client_.isBusy();  // what was cancelled is told by the next update(), when another may run
+    uploading_ =
+        uploading_ && client_.isBusy();  // what was cancelled is told by the next update(), when another may run
   }
 
-  // Silence. The longest upload: waiting, checking, the transfer's own limit, turns that are waited for. Others are shorter.
+  // Silence. The longest upload: waiting, checking, the transfer's own limit, turns that are waited for. Others are
+  // shorter.
   void finish() {
     room_ = MemoryStream::kAlwaysRoom;
     line_.takes = 1000;
@@ -534,20 +512,20 @@ class Session {
   MissionFollower follower_;
   MessageListener listener_;
   MissionItem space_[kPlanItems];
-  uint32_t nowMs_ = 0xFFFFF000;  // it wraps soon, in 16 bits and in 32
+  uint32_t nowMs_ = 0xFFFFF000;           // it wraps soon, in 16 bits and in 32
   int room_ = MemoryStream::kAlwaysRoom;  // at the beginning of each update()
   uint8_t sequence_ = 0;
-  bool other_ = false;     // frames are another system's
+  bool other_ = false;  // frames are another system's
   bool uploading_ = false;
   bool isStart_ = false;    // the last operation is start()
   bool hasTurned_ = false;  // it has waited for its turn
   Asked asked_;
-  Asked again_;            // what uploadAgain() uploads
+  Asked again_;                     // what uploadAgain() uploads
   Firmware firmware_ = Firmware();  // that the transfer began with
-  WireItems meant_;        // and the plan for it
-  size_t written_ = 0;     // bytes written before the operation
-  size_t answered_ = 0;    // bytes written before the first frame that answer() has not looked at
-  uint32_t said_ = 0xFFFFFFFF;  // the client's last message that is answered
+  WireItems meant_;                 // and the plan for it
+  size_t written_ = 0;              // bytes written before the operation
+  size_t answered_ = 0;             // bytes written before the first frame that answer() has not looked at
+  uint32_t said_ = 0xFFFFFFFF;      // the client's last message that is answered
   Bytes saidPayload_ = Bytes(255);
   uint16_t done_ = 0;
 };

@@ -1,12 +1,13 @@
-// The library's own upload(plan, Verified), compiled for this computer, against an autopilot that keeps what its other end
-// (test/replayed.py) says that a real one kept. A line on the standard input for each plan:
+// The library's own upload(plan, Verified), compiled for this computer, against an autopilot that keeps what its other
+// end (test/replayed.py) says that a real one kept. A line on the standard input for each plan:
 //
 //   autopilot vehicle type raw ITEM...    HEARTBEAT.autopilot and .type, PlanType, numbering, items in hexadecimal
 //
-// For each item of it that reaches the autopilot, and was not seen before in such a plan, "item ITEM" is said, and a line is
-// taken: a MAV_MISSION_RESULT, and the item as it is read back where it is accepted. Then "end status item field aboard
-// value": how it ended, and what keptValue() is. Behind an accepted plan each field of each of its items is altered by its
-// smallest step, one at a time, and verify() is asked; "passed item field" for each that did not end in Differs.
+// For each item of it that reaches the autopilot, and was not seen before in such a plan, "item ITEM" is said, and a
+// line is taken: a MAV_MISSION_RESULT, and the item as it is read back where it is accepted. Then "end status item
+// field aboard value": how it ended, and what keptValue() is. Behind an accepted plan each field of each of its items
+// is altered by its smallest step, one at a time, and verify() is asked; "passed item field" for each that did not end
+// in Differs.
 //
 // An ITEM is the 37 bytes of MISSION_ITEM_INT without its mission_type.
 #include <Arduino.h>
@@ -73,7 +74,9 @@ struct Autopilot {
   std::vector<Bytes> held, coming;
   size_t count = 0;
 
-  static Bytes message(uint32_t id, const Bytes& payload, uint8_t extra) { return packed(FrameParts(id, payload, extra)); }
+  static Bytes message(uint32_t id, const Bytes& payload, uint8_t extra) {
+    return packed(FrameParts(id, payload, extra));
+  }
   Bytes heartbeat() const { return message(0, {0, 0, 0, 0, vehicle, autopilot, 0, 3, 3}, 50); }
   Bytes request(size_t seq) const {
     return message(51, {static_cast<uint8_t>(seq), static_cast<uint8_t>(seq >> 8), 1, 191, type}, 196);
@@ -128,8 +131,7 @@ struct Autopilot {
         item.push_back(type);
         return message(73, item, 38);
       }
-      default:
-        return Bytes();
+      default: return Bytes();
     }
   }
 };
@@ -146,7 +148,8 @@ Status finished(MissionClient& client, Autopilot& autopilot) {
     if (isEnd(status)) return status;
     const Bytes sent = stream.takeWritten();
     for (size_t at = 0; at + 12 <= sent.size(); at += static_cast<size_t>(sent[at + 1]) + 12) {
-      const Bytes payload(sent.begin() + static_cast<long>(at + 10), sent.begin() + static_cast<long>(at + 10 + sent[at + 1]));
+      const Bytes payload(sent.begin() + static_cast<long>(at + 10),
+                          sent.begin() + static_cast<long>(at + 10 + sent[at + 1]));
       stream.bring(autopilot.hear(sent[at + 7], payload));
     }
   }
@@ -224,7 +227,8 @@ int main() {
     client.upload(source, static_cast<PlanType>(type), Verified);
     Status status = finished(client, autopilot);
     printf("end %s|%u|%u|%u|%u|%.9g\n", toString(status), static_cast<unsigned>(status), client.failedItem(),
-           static_cast<unsigned>(client.differingField()), static_cast<unsigned>(client.aboard(static_cast<PlanType>(type))),
+           static_cast<unsigned>(client.differingField()),
+           static_cast<unsigned>(client.aboard(static_cast<PlanType>(type))),
            status == Status::NotKept ? static_cast<double>(client.keptValue()) : 0.0);
     fflush(stdout);
     const bool hasHome = autopilotNumber == 3 && type == 0;

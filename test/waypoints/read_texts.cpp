@@ -2,9 +2,10 @@
 // test_waypoints.py. Numbers are little-endian.
 //
 //   in:   length (4), text; number of items to be asked for again (4), their indices (2 each)
-//   out:  state (1), error (1), line (2), field (1), type (1), items (2), the most bytes read for one item asked for again (4), each
-//         item of the plan in order and then each that was asked for again: 1 if it was given (1), param1 to param4, x, y,
-//         z (28), command (2), frame (1), current (1), autocontinue (1)
+//   out:  state (1), error (1), line (2), field (1), type (1), items (2), the most bytes read for one item asked for
+//   again (4), each
+//         item of the plan in order and then each that was asked for again: 1 if it was given (1), param1 to param4, x,
+//         y, z (28), command (2), frame (1), current (1), autocontinue (1)
 #include <Arduino.h>
 #include <MavMission.h>
 #include <stdio.h>

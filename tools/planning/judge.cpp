@@ -1,7 +1,8 @@
 // Asks the library itself what it says of a plan: the checks that an upload begins with, what goes out, and whether one
 // plan is what an autopilot makes of another. Made and spoken to by judge.py; a number a word on the standard input:
 //
-//   check type vehicle count ITEMS    -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text; behind
+//   check type vehicle count ITEMS    -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text;
+//   behind
 //                                        NotKept the field, what it is, and what would be kept
 //   wire firmware vehicle count ITEMS -> for each item of a mission: Status, and what goes out, as an item is here
 //   compare firmware type vehicle count ITEMS ITEMS -> for each item: Field, its text

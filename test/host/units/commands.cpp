@@ -15,10 +15,9 @@ TEST_CASE("a command that is not in the table has a place or not as its frame sa
 }
 
 TEST_CASE("each maker of an item without a place makes one that is known to have none") {
-  const MissionItem items[] = {returnToLaunch(),  delay(1_s),           changeSpeed(1_mps),
-                               jump(0, 1),        setServo(1, 1500),    setRelay(0, true),
-                               takePicture(),     cameraTriggerDistance(5_m), regionOfInterestOff(),
-                               turnTo(90_deg)};
+  const MissionItem items[] = {returnToLaunch(),      delay(1_s),        changeSpeed(1_mps), jump(0, 1),
+                               setServo(1, 1500),     setRelay(0, true), takePicture(),      cameraTriggerDistance(5_m),
+                               regionOfInterestOff(), turnTo(90_deg)};
   for (const MissionItem& item : items) {
     CAPTURE(item.command);
     CHECK((item.frame == Frame::Mission));
@@ -27,8 +26,8 @@ TEST_CASE("each maker of an item without a place makes one that is known to have
 }
 
 TEST_CASE("each maker that leaves the yaw open makes a command whose yaw may be open") {
-  const MissionItem items[] = {takeoff(1_m), takeoff(1_deg, 1_deg, 1_m), waypoint(1_deg, 1_deg, 1_m), land(),
-                               land(1_deg, 1_deg), loiterUnlimited(1_deg, 1_deg, 1_m)};
+  const MissionItem items[] = {takeoff(1_m), takeoff(1_deg, 1_deg, 1_m), waypoint(1_deg, 1_deg, 1_m),
+                               land(),       land(1_deg, 1_deg),         loiterUnlimited(1_deg, 1_deg, 1_m)};
   for (const MissionItem& item : items) {
     CAPTURE(item.command);
     CHECK(item.param4 != item.param4);

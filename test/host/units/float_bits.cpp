@@ -38,13 +38,15 @@ const float kNaN = std::numeric_limits<float>::quiet_NaN();
 bool isNearest(float found, int32_t value, uint32_t divisor) {
   const long double exact = static_cast<long double>(value) / static_cast<long double>(divisor);
   const long double away = std::fabs(found - exact);
-  return away <= std::fabs(std::nextafter(found, kInfinity) - exact) && away <= std::fabs(std::nextafter(found, -kInfinity) - exact);
+  return away <= std::fabs(std::nextafter(found, kInfinity) - exact) &&
+         away <= std::fabs(std::nextafter(found, -kInfinity) - exact);
 }
 
 }  // namespace
 
 TEST_CASE("the kind of a float is that of its bits") {
-  const float finite[] = {0.f, -0.f, 1.f, -1.f, std::numeric_limits<float>::max(), std::numeric_limits<float>::denorm_min()};
+  const float finite[] = {
+      0.f, -0.f, 1.f, -1.f, std::numeric_limits<float>::max(), std::numeric_limits<float>::denorm_min()};
   for (float value : finite) CHECK(kindOf(&value) == FloatKind::Finite);
   const float infinite[] = {kInfinity, -kInfinity};
   for (float value : infinite) CHECK(kindOf(&value) == FloatKind::Infinite);
@@ -100,7 +102,8 @@ TEST_CASE("a coordinate as a float is the nearest float there is") {
 TEST_CASE("a quotient is the nearest float, or one of two equally near") {
   // Ties: halves of the last bit, with a divisor that is a power of two.
   for (uint32_t shift = 0; shift <= 28; ++shift) {
-    for (int32_t value : {0x1000001, 0x1000002, 0x1000003, 0x2000002, 0x2000006, 0x7FFFFF40, 0x7FFFFFC0, 0x1FFFFFF, 0x3FFFFFE}) {
+    for (int32_t value :
+         {0x1000001, 0x1000002, 0x1000003, 0x2000002, 0x2000006, 0x7FFFFF40, 0x7FFFFFC0, 0x1FFFFFF, 0x3FFFFFE}) {
       CAPTURE(shift);
       CAPTURE(value);
       const uint32_t divisor = 1u << shift;
@@ -147,7 +150,11 @@ TEST_CASE("a product is that of floats, to the last bit") {
   const struct {
     Times times;
     float factor;
-  } kAll[] = {{Times::Hundred, 100.f}, {Times::Hundredth, 0.01f}, {Times::Radian, pi / 180}, {Times::Degree, 180 / pi}, {Times::T256, 256.f}};
+  } kAll[] = {{Times::Hundred, 100.f},
+              {Times::Hundredth, 0.01f},
+              {Times::Radian, pi / 180},
+              {Times::Degree, 180 / pi},
+              {Times::T256, 256.f}};
   for (const auto& one : kAll) {
     for (int i = 0; i < 100000; ++i) {
       const float value = fromBits(random32());

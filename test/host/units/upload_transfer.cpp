@@ -215,7 +215,8 @@ TEST_CASE("a request that is heard before COUNT has left belongs to an earlier t
   CHECK((upload.send() == Send::Item));
 }
 
-TEST_CASE("a busy PX4 that still asks in its old transfer is not served before that has been ended and COUNT sent again") {
+TEST_CASE(
+    "a busy PX4 that still asks in its old transfer is not served before that has been ended and COUNT sent again") {
   Upload upload(3, Firmware::Px4);
   upload.send();
   upload.ack(kError);
@@ -227,7 +228,9 @@ TEST_CASE("a busy PX4 that still asks in its old transfer is not served before t
   CHECK((upload.send() == Send::Item));
 }
 
-TEST_CASE("a PX4 that asks beyond the plan goes on with a longer one from before: that is ended, once, and COUNT sent again") {
+TEST_CASE(
+    "a PX4 that asks beyond the plan goes on with a longer one from before: that is ended, once, and COUNT sent "
+    "again") {
   Upload upload(3, Firmware::Px4, true);
   upload.served(3);
   CHECK(goesOn(upload.request(3)));
@@ -267,7 +270,9 @@ TEST_CASE("accepted while the last item is only asked for, and has not left, is 
   CHECK((upload.ack(kAccepted) == Status::AcceptedEarly));
 }
 
-TEST_CASE("with leftovers an early acceptance may be of the plan before: it ends nothing, but is the reason if nothing else comes") {
+TEST_CASE(
+    "with leftovers an early acceptance may be of the plan before: it ends nothing, but is the reason if nothing else "
+    "comes") {
   Upload upload(3, Firmware::Other, true);
   upload.send();
   CHECK(goesOn(upload.ack(kAccepted)));
@@ -375,7 +380,9 @@ TEST_CASE("ArduPilot's error at COUNT is an error") {
   CHECK((upload.ack(kError) == Status::Error));
 }
 
-TEST_CASE("PX4's error in mid-transfer is one, unless it may be to our own second COUNT: then it is the reason if nothing else comes") {
+TEST_CASE(
+    "PX4's error in mid-transfer is one, unless it may be to our own second COUNT: then it is the reason if nothing "
+    "else comes") {
   Upload once(3, Firmware::Px4);
   once.served(1);
   CHECK((once.ack(kError) == Status::Error));
@@ -426,7 +433,9 @@ TEST_CASE("an acceptance of a last item that is repeated after an error is no ac
   CHECK((upload.ack(kAccepted) == Status::Unconfirmed));
 }
 
-TEST_CASE("the autopilot's own cancelling ends the transfer, but not one that it has not begun yet if leftovers may be meant") {
+TEST_CASE(
+    "the autopilot's own cancelling ends the transfer, but not one that it has not begun yet if leftovers may be "
+    "meant") {
   Upload begun(3, Firmware::ArduPilot, true);
   begun.served(1);
   CHECK((begun.ack(kCancelled) == Status::CancelledByAutopilot));

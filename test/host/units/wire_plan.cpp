@@ -52,9 +52,7 @@ Status check(const MissionItem& item, Firmware firmware = Firmware::Other, bool 
   return Plan({kHere, item}, firmware, raw).last();
 }
 
-MissionItem at(int32_t x, int32_t y) {
-  return waypoint(Degrees::fromE7(x), Degrees::fromE7(y), 20_m);
-}
+MissionItem at(int32_t x, int32_t y) { return waypoint(Degrees::fromE7(x), Degrees::fromE7(y), 20_m); }
 
 const Firmware kAll[] = {Firmware::ArduPilot, Firmware::Px4, Firmware::Other};
 
@@ -330,7 +328,8 @@ TEST_CASE("a rally point at the origin is refused for ArduPilot, which would tak
   const MissionItem nowhere = rallyPoint(0_deg, 0_deg, 20_m);
   CHECK((Plan({nowhere}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::NeedsPlace));
   CHECK((Plan({nowhere}, Firmware::Px4, false, PlanType::Rally).last() == Status::Accepted));
-  CHECK((Plan({rallyPoint(0_deg, 1_deg, 20_m)}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::Accepted));
+  CHECK(
+      (Plan({rallyPoint(0_deg, 1_deg, 20_m)}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::Accepted));
 }
 
 TEST_CASE("rally points and fences without a place are refused") {
@@ -360,9 +359,12 @@ TEST_CASE("what would be kept as another value is refused, and a value that is k
       {delay(1.5_s), anyCommand(kNavDelay, 1, 128), Firmware::ArduPilot, 2},
       {anyCommand(kDoJump, 0, 32767), anyCommand(kDoJump, 0, 32768), Firmware::ArduPilot, 2},
       {anyCommand(kDoJump, 0, 65535), anyCommand(kDoJump, 0, -2), Firmware::Px4, 2},
-      {waypoint(1_deg, 1_deg, 20_m, 0_s, 0_m, -180_deg), anyCommandAt(kNavWaypoint, 1_deg, 1_deg, 20_m, 0, 0, 0, -181), Firmware::Px4, 2},
-      {waypoint(1_deg, 1_deg, 20_m, 0_s, 0_m, 360_deg), anyCommandAt(kNavWaypoint, 1_deg, 1_deg, 20_m, 0, 0, 0, 361), Firmware::Px4, 2},
-      {anyCommand(kNavReturnToLaunch, 0, 0, 0, 0, 1 << 24), anyCommand(kNavReturnToLaunch, 0, 0, 0, 0, (1 << 24) + 1), Firmware::Px4, 2},
+      {waypoint(1_deg, 1_deg, 20_m, 0_s, 0_m, -180_deg), anyCommandAt(kNavWaypoint, 1_deg, 1_deg, 20_m, 0, 0, 0, -181),
+       Firmware::Px4, 2},
+      {waypoint(1_deg, 1_deg, 20_m, 0_s, 0_m, 360_deg), anyCommandAt(kNavWaypoint, 1_deg, 1_deg, 20_m, 0, 0, 0, 361),
+       Firmware::Px4, 2},
+      {anyCommand(kNavReturnToLaunch, 0, 0, 0, 0, 1 << 24), anyCommand(kNavReturnToLaunch, 0, 0, 0, 0, (1 << 24) + 1),
+       Firmware::Px4, 2},
   };
   for (const auto& pair : kPairs) {
     CAPTURE(pair.kept.command);
