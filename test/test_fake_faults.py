@@ -163,13 +163,14 @@ def circle(radius: float):
     return item(5003, x=-353632620, y=1491652370, param1=radius)
 
 
-def test_ardupilot_may_accept_a_fence_of_one_item_and_keep_none():
+def test_ardupilot_accepts_a_short_fence_in_the_place_of_a_longer_one_and_wipes_it_when_it_could_be_read():
     fake = ArduPilot()
-    fake.faults.lose_short_fence()
     client = client_of(fake)
-    two, one, another = [circle(30.0), circle(40.0)], [circle(50.0)], [circle(60.0)]
-    for fence, kept in ((two, 2), (one, 0), (one, 1), (another, 1)):
+    three, two, one = [circle(30.0), circle(40.0), circle(45.0)], [circle(30.0), circle(40.0)], [circle(60.0)]
+    for fence, kept in ((three, 3), (two, 0), (two, 2), (one, 1), (three, 3), (one, 0), (one, 1)):
         assert client.upload(fence, FENCE) == ACCEPTED
+        assert client.ask(client.request_list(FENCE)).count == len(fence)
+        client.wait(1.0)
         assert client.ask(client.request_list(FENCE)).count == kept
 
 

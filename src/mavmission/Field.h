@@ -8,18 +8,18 @@
 namespace mavmission {
 
 // The part of a plan that differs.
-#define MAVMISSION_FIELDS(X)              \
-  X(None, "nothing")                      \
-  X(Count, "number of items")             \
-  X(Command, "command")                   \
-  X(Reference, "frame")                   \
-  X(Param1, "param1")                     \
-  X(Param2, "param2")                     \
-  X(Param3, "param3")                     \
-  X(Param4, "param4")                     \
-  X(Latitude, "x (latitude)")             \
-  X(Longitude, "y (longitude)")           \
-  X(Height, "z (altitude)")               \
+#define MAVMISSION_FIELDS(X)    \
+  X(None, "nothing")            \
+  X(Count, "number of items")   \
+  X(Command, "command")         \
+  X(Reference, "frame")         \
+  X(Param1, "param1")           \
+  X(Param2, "param2")           \
+  X(Param3, "param3")           \
+  X(Param4, "param4")           \
+  X(Latitude, "x (latitude)")   \
+  X(Longitude, "y (longitude)") \
+  X(Height, "z (altitude)")     \
   X(Autocontinue, "autocontinue")
 
 // A field of an item, as MISSION_ITEM_INT has it, or the number of items.

@@ -14,9 +14,9 @@ FlashText textAt(const char* const (&texts)[N], uint8_t index) {
 }  // namespace mavmission
 
 // Defines NAME::kTexts, the table of a list such as MAVMISSION_STATUSES, whose rows are X(enumerator, "text").
-#define MAVMISSION_TEXT_TABLE(NAME, LIST) \
-  namespace NAME {                        \
-  LIST(MAVMISSION_TEXT_OF)                \
+#define MAVMISSION_TEXT_TABLE(NAME, LIST)                               \
+  namespace NAME {                                                      \
+  LIST(MAVMISSION_TEXT_OF)                                              \
   const char* const kTexts[] PROGMEM = {LIST(MAVMISSION_TEXT_ADDRESS)}; \
   }
 #define MAVMISSION_TEXT_OF(name, text) const char kText##name[] PROGMEM = text;

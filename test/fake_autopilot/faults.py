@@ -22,7 +22,6 @@ class Faults:
         self.asks_for_ever: Optional[int] = None
         self.acks_every_item = False
         self.takes_only_float_items = False
-        self._short_fences_to_lose = 0
         self.gives_plan_before_for_s = 0.0
 
     # -- orders -------------------------------------------------------------------------
@@ -69,10 +68,6 @@ class Faults:
         """Answer every MISSION_ITEM_INT with ACK UNSUPPORTED."""
         self.takes_only_float_items = True
 
-    def lose_short_fence(self, times: int = 1) -> None:
-        """Accept a fence of one item in the place of a longer one, and keep none (ArduPilot does so now and then)."""
-        self._short_fences_to_lose = times
-
     def give_plan_before(self, seconds: float) -> None:
         """Give the plan before to a download that begins so soon [s] after ACCEPTED (PX4, a few milliseconds)."""
         self.gives_plan_before_for_s = seconds
@@ -104,11 +99,6 @@ class Faults:
             self._final_acks_to_swallow -= 1
             return None
         return self._final_ack_delay_s
-
-    def loses_short_fence(self) -> bool:
-        """Whether the fence of one item that has just come in the place of a longer one is lost."""
-        self._short_fences_to_lose -= 1
-        return self._short_fences_to_lose >= 0
 
     def requested(self, expected: int) -> int:
         """The item to ask for when `expected` is due."""
