@@ -19,9 +19,9 @@ import recordings
 from bench import Bench
 from fake_autopilot import ArduPilot, mavlink
 from fake_autopilot.frames import message_id
-from firmware import ROOT
+from firmware import library_file
 
-SOURCE = ROOT / "src" / "mavmission" / "QuietTransfers.cpp"
+SOURCE = library_file("QuietTransfers.cpp")
 ASKED_FOR_HZ = 10  # each stream, in ArduPilot's recording
 RECORDED = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
 _NO_STREAM = ("HEARTBEAT", "STATUSTEXT", "TIMESYNC", "PARAM_VALUE", "MISSION_", "COMMAND_")

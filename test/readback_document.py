@@ -1,4 +1,4 @@
-"""docs/readback.md is made of the table in src/mavmission/Commands.cpp:
+"""docs/readback.md is made of the table in src/mavmission/autopilot/Commands.cpp:
 
     build/venv/bin/python test/readback_document.py --write
 """
@@ -9,9 +9,11 @@ import re
 import sys
 from pathlib import Path
 
+from firmware import library_file
+
 ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "readback.md"
-SOURCE = ROOT / "src" / "mavmission" / "Commands.cpp"
+SOURCE = library_file("Commands.cpp")
 
 KINDS = {
     "K": "kept",

@@ -12,13 +12,13 @@ DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
 PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
-            "Link.h", "Outbox.h", "MissionClient*.h", "MissionClient*.cpp")  # fmt: skip
+            "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
 CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
 
 
 def waits_in_the_code() -> dict[str, str]:
     """File::name -> value of each wait and number of tries."""
-    found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.glob(pattern)
+    found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.rglob(pattern)
              for name, value in CONSTANT.findall(file.read_text())}  # fmt: skip
     text = (SOURCES / "MissionClient.h").read_text()
     (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", text)

@@ -22,7 +22,7 @@ if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import pytest
-from firmware import LIBRARY, ROOT, digest, library_sources
+from firmware import ROOT, digest, library_file, library_sources
 from host_build import FAST, HOST, build_host
 
 EXPLORER = ROOT / "test" / "explorer"
@@ -151,7 +151,7 @@ DEFECTS = {
         "REQUEST_LIST is sent too often",
     ),
     "an item that comes again is taken for the next": (
-        "MissionClientRead.cpp",
+        "Read.cpp",
         "seq != transfer.itemToAsk()) return;",
         "seq > transfer.itemToAsk()) return;",
         "PX4 download 0 --held 3 --faults 1",
@@ -170,11 +170,11 @@ DEFECTS = {
 
 
 def with_defect(file: str, right: str, wrong: str) -> tuple[Path, ...]:
-    """The library's sources, one of them a copy in which `right`, which must be there once, is `wrong`."""
-    source = LIBRARY / "mavmission" / file
+    """The library's sources, one of them (by its name) a copy in which `right`, which must be there once, is `wrong`."""
+    source = library_file(file)
     text = source.read_text()
     assert text.count(right) == 1, f"{source}: the line that the defect is planted in has changed: {right}"
-    changed = text.replace(right, wrong).replace('#include "', '#include "mavmission/')
+    changed = text.replace(right, wrong).replace('#include "', f'#include "{source.parent}/')
     copy = ROOT / "build" / "planted" / digest(changed)[:12] / file
     if not copy.exists():
         copy.parent.mkdir(parents=True, exist_ok=True)

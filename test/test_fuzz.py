@@ -19,11 +19,11 @@ if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import pytest
-from firmware import LIBRARY, ROOT
+from firmware import ROOT, library_file
 from host_build import FUZZED, HOST, build_host
 
 FUZZ = ROOT / "test" / "fuzz"
-PARSER = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
+PARSER = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
 
 # target: (its other sources, the library's, inputs that are tried, the longest one [bytes])
 TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 25_000, 400)}

@@ -243,7 +243,7 @@ def test_comments_of_the_library_name_no_cost_that_nothing_measures_anew():
 
 def test_profile_names_the_library_and_the_core():
     text = profiling.profile("ardupilot")
-    assert "mavmission::FrameParser" in text
+    assert "mavmission::detail::FrameParser" in text
     assert runs.RECEIVED in text
 
 
@@ -300,7 +300,7 @@ def test_file_of_bounds_that_makes_no_sense_is_refused(tmp_path):
 def test_document_without_a_place_for_a_table_is_refused():
     with pytest.raises(ValueError, match="put a line <!-- sizes: begin --> and a line <!-- sizes: end --> there"):
         documents.with_table("# MavMission\n", "sizes", "table")
-    begin, end = document.marks("sizes")
+    begin, end = documents.marks("sizes")
     marked = f"a\n{begin}\nold\n{end}\nb\n"
     assert documents.with_table(marked, "sizes", "new") == marked.replace("old", "new")
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import pytest
 import recordings
 from fake_autopilot import mavlink
-from firmware import LIBRARY, ROOT, digest, exclusive
+from firmware import LIBRARY, ROOT, digest, exclusive, library_file
 from host_build import FAST, OUTPUT, build_host
 
 # A frame of the mission service after so many others: there is always a next one that damage could cost.
@@ -71,7 +71,7 @@ def losses(frames: list[bytes], folder: Path) -> dict[tuple[str, str], Loss]:
     """(kind of damage, parser) -> what it cost."""
     stream = folder / "stream"
     stream.write_bytes(b"".join(struct.pack("<H", len(frame)) + frame for frame in frames))
-    parser = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
+    parser = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
     program = build_host(
         "resynchronisation", [ROOT / "test/resynchronisation/measure.cpp"], flags=FAST, library=parser
     )

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "FlashText.h"
-#include "Listener.h"
+#include "service/Listener.h"
 
 namespace mavmission {
 
@@ -62,7 +62,7 @@ struct Speaker {
 // a second, by which our own echo is known; then a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which every
 // autopilot answers with COMMAND_ACK, even one that does not know it, and which changes nothing; each second until it
 // is answered, then each 5 s. It asks nothing while a transfer is running.
-class LinkDoctor : public Listener {
+class LinkDoctor : public detail::Listener {
  public:
   // The client must stay as long as the doctor.
   explicit LinkDoctor(MissionClient& client);
@@ -87,10 +87,10 @@ class LinkDoctor : public Listener {
   // What may have happened, and how long ago.
   enum What : uint8_t { Bytes, Frame, Echo, Other, Autopilot, Signature, Answer, Question, LateLoop, kWhats };
 
-  static void take(Listener& listener, const FrameParser& frame);
-  void takeHeartbeat(const FrameParser& frame);
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
+  void takeHeartbeat(const detail::FrameParser& frame);
   uint8_t systemId() const;
-  bool isOurs(const FrameParser& frame) const;
+  bool isOurs(const detail::FrameParser& frame) const;
   void second(uint16_t nowMs);
   void count();
   void beginWindow();

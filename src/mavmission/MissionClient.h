@@ -3,22 +3,22 @@
 
 #include <stdint.h>
 
-#include "CommandTransfer.h"
-#include "Comparison.h"
-#include "DownloadTransfer.h"
 #include "FlightCommand.h"
 #include "FlightMode.h"
 #include "ItemSink.h"
 #include "ItemSource.h"
-#include "Link.h"
-#include "OpaqueId.h"
 #include "PlanType.h"
 #include "Status.h"
 #include "TimestampStore.h"
-#include "UploadTransfer.h"
-#include "WirePlan.h"
+#include "link/Link.h"
+#include "plan/Comparison.h"
+#include "plan/WirePlan.h"
+#include "transfer/CommandTransfer.h"
+#include "transfer/DownloadTransfer.h"
+#include "transfer/OpaqueId.h"
+#include "transfer/UploadTransfer.h"
 #if MAVMISSION_SIGNING
-#include "Signing.h"
+#include "signing/Signing.h"
 #else
 #include "SigningKey.h"
 #endif
@@ -47,6 +47,11 @@ constexpr Proof Verified = Proof::Always;      // upload(plan, Verified)
 // Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
 // At 57600 baud a Mega's receive ring is full after 11 ms: a loop that takes longer loses bytes, and so time, but
 // nothing else. Uses no heap. The Stream must be open, and stay, as long as this.
+namespace detail {
+class Listener;
+class MessageIntervals;
+}  // namespace detail
+
 class MissionClient {
  public:
   // What failedItem() is when no item failed.
@@ -203,7 +208,7 @@ class MissionClient {
   // Our system id (1 to 255) and component id. By default those of a companion of the autopilot: its system id, 191.
   // When they are set, heartbeats go out at once; by default not before an autopilot has been heard. Must not be the
   // autopilot's own pair, which would not hear us.
-  void setOwnIds(uint8_t systemId, uint8_t componentId = Link::kComponentId);
+  void setOwnIds(uint8_t systemId, uint8_t componentId = detail::Link::kComponentId);
   // The autopilot to talk to, where there may be several on the line. System id 0: whichever is alone there.
   void talkTo(uint8_t systemId, uint8_t componentId = 1);
 #if MAVMISSION_SIGNING
@@ -215,7 +220,7 @@ class MissionClient {
     link_.signWith(key, linkId, store);
   }
   // Tells the time, where the sketch has a clock or a GPS [s, Unix]. Without it the time is the autopilot's.
-  void setSigningTime(uint32_t unixTimeS) { link_.setSigningTime(SigningTime::atUnixTime(unixTimeS)); }
+  void setSigningTime(uint32_t unixTimeS) { link_.setSigningTime(detail::SigningTime::atUnixTime(unixTimeS)); }
   // What became of received frames since signWith().
   const SigningCounters& signingCounters() const { return link_.signing().counters(); }
 #else
@@ -260,39 +265,39 @@ class MissionClient {
   static constexpr uint8_t kStartBytes = 8;
 
   friend class LinkDoctor;
-  friend class Listener;
-  friend class MessageIntervals;
+  friend class detail::Listener;
+  friend class detail::MessageIntervals;
   friend class MissionFollower;
   friend class QuietTransfers;
 
   // An operation's share of update(): a frame of the autopilot's, or null for time to pass.
-  typedef void (*Operation)(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  typedef void (*Operation)(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
 
   static bool takeUpEnd(MissionClient& client, Status status, uint16_t nowMs);
   static bool tryFloats(MissionClient& client, Status refusal, uint16_t nowMs);
   static bool waitForTurn(MissionClient& client, Status refusal);
-  static void turnStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
-  MAVMISSION_ONE_EXIT static void uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
-  static void readStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
-  static void clearStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static void turnStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
+  MAVMISSION_ONE_EXIT static void uploadStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
+  static void readStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
+  static void clearStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
   static Status compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
   static void fromFloats(void* itemMessage);
   static Status storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
   Status beginReading(uint16_t nowMs);
-  void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
-  void takeReadCount(const FrameParser& frame);
-  void takeReadItem(const FrameParser& frame);
+  void takeReadFrame(const detail::FrameParser& frame, uint16_t nowMs);
+  void takeReadCount(const detail::FrameParser& frame);
+  void takeReadItem(const detail::FrameParser& frame);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
   Status uploadProven(const ItemSource& plan, PlanType type, Proof proof);
   static void proveUpload(MissionClient& client, uint16_t nowMs);
   static void proveFence(MissionClient& client, uint16_t nowMs);
   static void proveFenceAgain(MissionClient& client, uint16_t nowMs);
-  static void fenceSettleStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
-  static void fenceSettleAgainStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
-  static void fenceStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static void fenceSettleStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
+  static void fenceSettleAgainStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
+  static void fenceStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
-  static void commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs);
+  static void commandStep(MissionClient& client, const detail::FrameParser* frame, uint16_t nowMs);
   // What an operation made of commands is told, with the status that it leads to if the operation does nothing about
   // it.
   enum class CommandEvent : uint8_t {
@@ -305,8 +310,8 @@ class MissionClient {
     Time,
   };
   // Takes an event: Transferring to go on, or how the operation ends. `frame`: of a message, else null.
-  typedef Status (*OnCommand)(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
-                              uint16_t nowMs);
+  typedef Status (*OnCommand)(MissionClient& client, CommandEvent event, Status status,
+                              const detail::FrameParser* frame, uint16_t nowMs);
   typedef void (*FillCommand)(MissionClient& client, FlightCommand& command);
   static void fillOwn(MissionClient& client, FlightCommand& command);
   static void fillArm(MissionClient& client, FlightCommand& command);
@@ -319,19 +324,19 @@ class MissionClient {
   static void fillCurrent(MissionClient& client, FlightCommand& command);
   static void fillCurrentMessage(MissionClient& client, FlightCommand& command);
   static void fillInterval(MissionClient& client, FlightCommand& command);
-  static Status onOwn(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onCustomMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onNamedMode(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onStartMission(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onSetCurrent(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onStart(MissionClient&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static Status onOwn(MissionClient&, CommandEvent, Status, const detail::FrameParser*, uint16_t);
+  static Status onMode(MissionClient&, CommandEvent, Status, const detail::FrameParser*, uint16_t);
+  static Status onCustomMode(MissionClient&, CommandEvent, Status, const detail::FrameParser*, uint16_t);
+  static Status onNamedMode(MissionClient&, CommandEvent, Status, const detail::FrameParser*, uint16_t);
+  static Status onStartMission(MissionClient&, CommandEvent, Status, const detail::FrameParser*, uint16_t);
+  static Status onSetCurrent(MissionClient&, CommandEvent, Status, const detail::FrameParser*, uint16_t);
+  static Status onStart(MissionClient&, CommandEvent, Status, const detail::FrameParser*, uint16_t);
   struct Commanding;
   Status beginCommand(FillCommand fill, OnCommand on);
   MAVMISSION_APART void nextCommand(FillCommand fill, uint16_t nowMs);
-  void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
+  void takeCommandFrame(const detail::FrameParser& frame, uint16_t nowMs);
   void sendCommand(uint16_t nowMs);
-  void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
+  void takeCommandEvent(CommandEvent event, Status status, const detail::FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint16_t numberOf(FlightMode mode) const;
   MAVMISSION_APART uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
@@ -346,7 +351,7 @@ class MissionClient {
   Status onStartRefused(Status status, uint16_t nowMs);
   Status onStartSilent(Status status, uint16_t nowMs);
   Status onStartHeartbeat(uint16_t nowMs);
-  Status onStartCurrent(const FrameParser& frame, uint16_t nowMs);
+  Status onStartCurrent(const detail::FrameParser& frame, uint16_t nowMs);
   bool isArmingStep() const;
   MAVMISSION_APART Status leaveStart(Status status, uint16_t nowMs);
   Status otherItem();
@@ -368,7 +373,7 @@ class MissionClient {
   void beginChecking();
   void checkPlan(uint16_t nowMs);
   MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);
-  void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
+  void takeUploadFrame(const detail::FrameParser& frame, uint16_t nowMs);
   void sendUpload(uint16_t nowMs);
   MAVMISSION_APART void sendAnnouncement();
   MAVMISSION_APART Status checkItem(uint16_t wireItem);
@@ -455,7 +460,7 @@ class MissionClient {
 
   // Reading a plan: by download(), verify(), or to prove an upload.
   struct Reading {
-    DownloadTransfer transfer;
+    detail::DownloadTransfer transfer;
     // Takes an item: Transferring, Checking (not yet: ask for it again), or why the operation ends.
     Status (*take)(MissionClient& client, uint16_t wireItem, MissionItem& item);
     // MISSION_ITEM to MISSION_ITEM_INT, where a sketch reads plans.
@@ -501,7 +506,7 @@ class MissionClient {
   struct Commanding {
     FillCommand fill;  // what is to be sent
     OnCommand on;      // what comes of it; null: what the answer says
-    CommandTransfer transfer;
+    detail::CommandTransfer transfer;
     uint16_t mode;  // that is to be set
     union {
       const FlightCommand* own;
@@ -515,15 +520,15 @@ class MissionClient {
 
   State state_;
   union {  // one operation at a time
-    UploadTransfer transfer_;
+    detail::UploadTransfer transfer_;
     Reading reading_;
     Clearing clearing_;
     Commanding commanding_;
   };
-  WirePlan plan_;  // here, and not behind rest_, within cheap reach
+  detail::WirePlan plan_;  // here, and not behind rest_, within cheap reach
   Rest rest_;
-  OpaqueId opaqueId_;
-  Link link_;
+  detail::OpaqueId opaqueId_;
+  detail::Link link_;
 };
 
 }  // namespace mavmission

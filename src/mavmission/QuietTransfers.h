@@ -1,8 +1,8 @@
 // A quiet line while a plan is transferred: telemetry is switched off meanwhile, and on again afterwards.
 #pragma once
 
-#include "AutopilotFinder.h"
-#include "MessageIntervals.h"
+#include "autopilot/AutopilotFinder.h"
+#include "service/MessageIntervals.h"
 
 namespace mavmission {
 
@@ -29,7 +29,7 @@ struct QuietMessage {
 //
 // COMMAND_ACK does not say which message it is about: call setMessageInterval() only while isIdle(), or its answer may
 // be one that was meant for this.
-class QuietTransfers : public MessageIntervals {
+class QuietTransfers : public detail::MessageIntervals {
  public:
   // The most messages of a list.
   static constexpr uint8_t kMostMessages = 32;
@@ -61,7 +61,7 @@ class QuietTransfers : public MessageIntervals {
   };
 
   QuietTransfers(MissionClient& client, const List& forArduPilot, const List& forOthers);
-  static void take(Listener& listener, const FrameParser& frame);
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeResult(uint8_t result, uint16_t nowMs);
   const List& list() const;
   bool isTransferring() const;

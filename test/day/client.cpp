@@ -16,6 +16,7 @@
 #include <vector>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 typedef std::vector<uint8_t> Bytes;
 

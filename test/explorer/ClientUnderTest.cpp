@@ -7,9 +7,10 @@
 #include <new>
 
 #include "Plans.h"
-#include "mavmission/Clock.h"
+#include "mavmission/base/Clock.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 Sunk* sunk = nullptr;
 

@@ -10,6 +10,7 @@
 #include "Line.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 #ifndef BENCH_BAUD
 #define BENCH_BAUD 57600

@@ -6,6 +6,7 @@
 #include <common/mavlink.h>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 constexpr MissionItem plan[] PROGMEM = {
     takeoff(20_m),

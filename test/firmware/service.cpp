@@ -8,6 +8,7 @@
 #include "Talk.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 #ifndef BENCH_BAUD
 #define BENCH_BAUD 57600

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "Frames.h"
-#include "mavmission/Commands.h"
+#include "mavmission/autopilot/Commands.h"
 #include "mavmission/MissionItem.h"
 
 constexpr uint8_t kAutopilot = 1;  // its system and component, and the system of the client

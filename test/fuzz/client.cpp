@@ -28,9 +28,10 @@
 #include "Frames.h"
 #include "MavMission.h"
 #include "MemoryStream.h"
-#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/link/MavlinkHeaders.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;
+using namespace mavmission::detail;
 
 // Bytes that the tests put in and take out.
 volatile uint8_t toSketch[128], toSketchRead, toSketchEnd;

@@ -6,6 +6,7 @@
 #include "items.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 // Ids, CRC_EXTRA and lengths of common.xml: GPS_RAW_INT, ATTITUDE, GLOBAL_POSITION_INT, HEARTBEAT.
 const MessageKey keys[] PROGMEM = {messageKey(24, 24, 30), messageKey(30, 39, 28), messageKey(33, 104, 28),

@@ -10,6 +10,7 @@
 #include "MemoryStream.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

@@ -28,7 +28,7 @@ class Subject:
 
 @functools.cache
 def ours() -> Subject:
-    return Subject("ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take", "mavmission::FrameParser::pull")
+    return Subject("ours", build_sketch(EXAMPLE), 2, 4, "mavmission::detail::FrameParser::take", "mavmission::detail::FrameParser::pull")
 
 
 @functools.cache

@@ -41,7 +41,7 @@ def longest_update(*, signed: bool) -> int:
 def longest_piece() -> int:
     """Of hashing, in one update() [cycles]."""
     on = bench(signed=True)
-    watch = on.mega.watch("mavmission::Sha256::work")
+    watch = on.mega.watch("mavmission::detail::Sha256::work")
     upload(on, 10)
     return watch.calls.longest_own
 

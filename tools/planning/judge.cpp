@@ -16,13 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "mavmission/Comparison.h"
+#include "mavmission/plan/Comparison.h"
 #include "mavmission/ItemSource.h"
-#include "mavmission/Rules.h"
+#include "mavmission/autopilot/Rules.h"
 #include "mavmission/Status.h"
-#include "mavmission/WirePlan.h"
+#include "mavmission/plan/WirePlan.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

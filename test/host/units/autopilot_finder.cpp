@@ -1,13 +1,14 @@
-#include "mavmission/AutopilotFinder.h"
+#include "mavmission/autopilot/AutopilotFinder.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
 
 #include <initializer_list>
 
-#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/link/MavlinkHeaders.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "mavmission/WirePlan.h"
+#include "mavmission/plan/WirePlan.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
@@ -7,10 +7,11 @@
 #include <limits>
 #include <vector>
 
-#include "mavmission/Comparison.h"
+#include "mavmission/plan/Comparison.h"
 #include "mavmission/ItemSource.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
