@@ -16,7 +16,7 @@ Status MissionClient::clear(PlanType type) {
   return state_.status;
 }
 
-void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
   Clearing& clearing = client.clearing_;
   if (frame != nullptr) {
@@ -62,7 +62,7 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
   client.link_.send(message);
 }
 
-void MissionClient::endClearing(Status status) {
+void Client::endClearing(Status status) {
   // A refusal leaves the plan; silence may hide an answer that was lost.
   if (status == Status::NoAnswer) setAboard(clearing_.type, Aboard::NotKnown);
   end(status);

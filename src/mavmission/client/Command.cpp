@@ -22,7 +22,7 @@ Status fromCommandResult(uint8_t result) {
 
 }  // namespace
 
-Status MissionClient::beginCommand(FillCommand fill, OnCommand on) {
+Status Client::beginCommand(FillCommand fill, OnCommand on) {
   if (state_.operation != nullptr) return Status::Busy;
   // Late answers to the last command may still come, if it was one: at its end the seconds began anew. Long after it
   // its time, of 16 bits, says nothing any more.
@@ -38,12 +38,12 @@ Status MissionClient::beginCommand(FillCommand fill, OnCommand on) {
   return state_.status;
 }
 
-void MissionClient::nextCommand(FillCommand fill, uint16_t nowMs) {
+void Client::nextCommand(FillCommand fill, uint16_t nowMs) {
   commanding_.fill = fill;
   commanding_.transfer.next(true, nowMs);
 }
 
-void MissionClient::commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
   if (frame != nullptr) {
     if (state.status == Status::Transferring) client.takeCommandFrame(*frame, nowMs);
@@ -69,7 +69,7 @@ void MissionClient::commandStep(MissionClient& client, const FrameParser* frame,
   if (isDue && client.link_.canSend() && client.isHeavyAllowed()) client.sendCommand(nowMs);
 }
 
-void MissionClient::takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
+void Client::takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
   OnCommand const on = commanding_.on;
   if (on != nullptr) status = on(*this, event, status, frame, nowMs);
   if (status == Status::Transferring) return;
@@ -78,7 +78,7 @@ void MissionClient::takeCommandEvent(CommandEvent event, Status status, const Fr
   end(status);
 }
 
-void MissionClient::sendCommand(uint16_t nowMs) {
+void Client::sendCommand(uint16_t nowMs) {
   FlightCommand command = flightCommand(CommandTransfer::kNoCommand);
   commanding_.fill(*this, command);
   if (!commanding_.transfer.isDue(command.id, nowMs)) return;
@@ -114,7 +114,7 @@ void MissionClient::sendCommand(uint16_t nowMs) {
   commanding_.transfer.sent(command.id, nowMs);
 }
 
-void MissionClient::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
+void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
   CommandEvent event;
   Status status = Status::Transferring;
   switch (frame.messageId()) {
@@ -142,14 +142,14 @@ Status MissionClient::send(const FlightCommand& command, Repeat repeat) {
   return status;
 }
 
-Status MissionClient::onOwn(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   if (event != CommandEvent::Ready) return status;
   // It would arm.
   const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && client.firmware() == Firmware::Px4;
   return arms && !client.isArmed() ? Status::NotArmed : status;
 }
 
-void MissionClient::fillOwn(MissionClient& client, FlightCommand& command) {
+void Client::fillOwn(Client& client, FlightCommand& command) {
   command = *client.commanding_.own;
   if (command.id == MAV_CMD_COMPONENT_ARM_DISARM) command.param2 = 0;  // never forced
 }
@@ -158,14 +158,14 @@ Status MissionClient::arm() { return beginCommand(fillArm, nullptr); }
 
 Status MissionClient::disarm() { return beginCommand(fillDisarm, nullptr); }
 
-void MissionClient::fillArm(MissionClient&, FlightCommand& command) {
+void Client::fillArm(Client&, FlightCommand& command) {
   command.id = MAV_CMD_COMPONENT_ARM_DISARM;
   command.param1 = 1;  // param2 stays 0: never forced
 }
 
-void MissionClient::fillDisarm(MissionClient&, FlightCommand& command) { command.id = MAV_CMD_COMPONENT_ARM_DISARM; }
+void Client::fillDisarm(Client&, FlightCommand& command) { command.id = MAV_CMD_COMPONENT_ARM_DISARM; }
 
-uint16_t MissionClient::numberOf(FlightMode mode) const {
+uint16_t Client::numberOf(FlightMode mode) const {
   return modeNumber(mode, firmware(), link_.finder().heartbeat().vehicleType);
 }
 
@@ -174,7 +174,7 @@ bool MissionClient::isInMode(FlightMode mode) const {
   return mavmission::isInMode(mode, firmware(), heartbeat.vehicleType, heartbeat.customMode);
 }
 
-uint16_t MissionClient::shownMode() const { return modeNumberOf(customMode()); }
+uint16_t Client::shownMode() const { return modeNumberOf(customMode()); }
 
 Status MissionClient::setMode(FlightMode mode) {
   const Status status = beginCommand(fillMode, onNamedMode);
@@ -191,15 +191,15 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
 }
 
 // ArduPilot's modes have one byte. Of a larger number it would be sent another mode.
-Status MissionClient::onCustomMode(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
-                                   uint16_t nowMs) {
+Status Client::onCustomMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                            uint16_t nowMs) {
   if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
   const bool isNone = client.firmware() == Firmware::ArduPilot && client.commanding_.isLargeMode;
   return isNone ? Status::NoSuchMode : status;
 }
 
-Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
-                                  uint16_t nowMs) {
+Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                           uint16_t nowMs) {
   if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
   client.commanding_.mode = client.numberOf(client.commanding_.named);
   return client.commanding_.mode == kNoMode ? Status::NoSuchMode : status;
@@ -207,7 +207,7 @@ Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Sta
 
 // A mode is set when a heartbeat shows it: PX4 answers twice, and accepts what it then refuses. Until then it is asked
 // for again, since the refusal may be what was lost.
-Status MissionClient::onMode(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+Status Client::onMode(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   switch (event) {
     case CommandEvent::Accepted: return Status::Transferring;
     case CommandEvent::Heartbeat:
@@ -218,7 +218,7 @@ Status MissionClient::onMode(MissionClient& client, CommandEvent event, Status s
   }
 }
 
-void MissionClient::fillMode(MissionClient& client, FlightCommand& command) {
+void Client::fillMode(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_DO_SET_MODE;
   command.param1 = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
   command.param2 = static_cast<uint8_t>(client.commanding_.mode);
@@ -226,7 +226,7 @@ void MissionClient::fillMode(MissionClient& client, FlightCommand& command) {
 }
 
 // False for an item that the plan aboard is known not to have.
-bool MissionClient::hasItem(uint16_t item) {
+bool Client::hasItem(uint16_t item) {
   const bool isKnown = aboard() == Aboard::OurPlan && rest_.planType == PlanType::Mission;
   if (item != kNoItem && (!isKnown || item < plan_.count())) return true;
   state_.failedItem = item;
@@ -239,8 +239,8 @@ Status MissionClient::setCurrentItem(uint16_t item) {
   return status;
 }
 
-Status MissionClient::onSetCurrent(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
-                                   uint16_t nowMs) {
+Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                            uint16_t nowMs) {
   Commanding& commanding = client.commanding_;
   const bool hasHome = client.firmware() == Firmware::ArduPilot;
   switch (event) {
@@ -269,14 +269,12 @@ Status MissionClient::onSetCurrent(MissionClient& client, CommandEvent event, St
   return status;
 }
 
-void MissionClient::fillCurrent(MissionClient& client, FlightCommand& command) {
+void Client::fillCurrent(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_DO_SET_MISSION_CURRENT;
   command.param1 = client.commanding_.item;
 }
 
-void MissionClient::fillCurrentMessage(MissionClient& client, FlightCommand& command) {
-  command.x = client.commanding_.item;
-}
+void Client::fillCurrentMessage(Client& client, FlightCommand& command) { command.x = client.commanding_.item; }
 
 Status MissionClient::setMessageInterval(uint16_t messageId, int32_t intervalUs) {
   const Status status = beginCommand(fillInterval, nullptr);
@@ -286,18 +284,18 @@ Status MissionClient::setMessageInterval(uint16_t messageId, int32_t intervalUs)
   return status;
 }
 
-void MissionClient::fillInterval(MissionClient& client, FlightCommand& command) {
+void Client::fillInterval(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_SET_MESSAGE_INTERVAL;
   command.param1 = client.commanding_.interval.message;
   command.param2 = static_cast<float>(client.commanding_.interval.us);
 }
 
-uint16_t MissionClient::itemFromWire(uint16_t wireItem) const {
+uint16_t Client::itemFromWire(uint16_t wireItem) const {
   const uint8_t home = firmware() == Firmware::ArduPilot && !rest_.raw ? 1 : 0;
   return wireItem < home ? kNoItem : wireItem - home;
 }
 
-void MissionClient::noteInfeasible() {
+void Client::noteInfeasible() {
   if (state_.status == Status::Infeasible || aboard() != Aboard::OurPlan) return;
   if (state_.operation != nullptr && state_.operation != commandStep) return;
   rest_.infeasible = true;

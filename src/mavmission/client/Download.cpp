@@ -20,7 +20,7 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
   return state_.status;
 }
 
-Status MissionClient::storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
+Status Client::storeItem(Client& client, uint16_t wireItem, MissionItem& item) {
   const ItemSink& sink = client.reading_.sink;
   if (sink.isReady != nullptr && !sink.isReady(sink.context)) return Status::Checking;
   uint16_t index = wireItem;

@@ -23,31 +23,31 @@ Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof)
   return status;
 }
 
-void MissionClient::proveFence(MissionClient& client, uint16_t nowMs) {
+void Client::proveFence(Client& client, uint16_t nowMs) {
   client.setAboard(Aboard::NotKnown);
   client.state_.operation = fenceSettleStep;
   client.beginSeconds(nowMs);
 }
 
 // The same behind the second upload, which is the last.
-void MissionClient::proveFenceAgain(MissionClient& client, uint16_t nowMs) {
+void Client::proveFenceAgain(Client& client, uint16_t nowMs) {
   proveFence(client, nowMs);
   client.state_.operation = fenceSettleAgainStep;
 }
 
-void MissionClient::fenceSettleStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::fenceSettleStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr || client.state_.seconds < kFenceSettleS) return;
   proveUpload(client, nowMs);
   client.state_.operation = fenceStep;
 }
 
-void MissionClient::fenceSettleAgainStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::fenceSettleAgainStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr || client.state_.seconds < kFenceSettleS) return;
   proveUpload(client, nowMs);
   client.rest_.prove = proveFence;  // of the next uploadAgain()
 }
 
-void MissionClient::fenceStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;
   const bool isNone = frame != nullptr && frame->messageId() == MAVLINK_MSG_ID_MISSION_COUNT &&
                       client.reading_.transfer.expectsAnswer(DownloadTransfer::State::Listing) &&

@@ -23,7 +23,7 @@ void toFloats(void* itemMessage) {
 }  // namespace
 
 // Takes up the refusal of an autopilot that knows no MISSION_ITEM_INT: once more, with floats.
-bool MissionClient::tryFloats(MissionClient& client, Status refusal, uint16_t nowMs) {
+bool Client::tryFloats(Client& client, Status refusal, uint16_t nowMs) {
   if (refusal != Status::Unsupported || client.state_.floatItems) return false;
   if (client.plan_.firmware() != Firmware::Other || client.transfer_.itemsAskedFor() != 1) return false;
   client.state_.floatItems = true;
@@ -38,7 +38,7 @@ void MissionClient::serveFloatItems(bool always) {
   state_.floatItems = always;
 }
 
-void MissionClient::fromFloats(void* itemMessage) {
+void Client::fromFloats(void* itemMessage) {
   mavlink_mission_item_int_t& message = *static_cast<mavlink_mission_item_int_t*>(itemMessage);
   const uint32_t unit = message.frame == MAV_FRAME_MISSION ? 1 : 10000000;
   message.x = timesWhole(message.x, unit);

@@ -9,7 +9,7 @@
 namespace mavmission {
 using namespace detail;
 
-MissionClient::MissionClient(Stream& stream) {
+Client::Client(Stream& stream) {
   // All parts are plain data that begins at zero: one call does it, where a constructor for each would be larger.
   memset(static_cast<void*>(this), 0, sizeof(*this));
   link_.begin(stream);
@@ -35,13 +35,13 @@ void MissionClient::setOwnIds(uint8_t systemId, uint8_t componentId) { link_.set
 
 void MissionClient::talkTo(uint8_t systemId, uint8_t componentId) { link_.finder().talkTo(systemId, componentId); }
 
-void MissionClient::beginSeconds(uint16_t nowMs) {
+void Client::beginSeconds(uint16_t nowMs) {
   state_.secondMs = nowMs;
   state_.seconds = 0;
   state_.isLate = false;
 }
 
-Status MissionClient::startOperation(Operation operation) {
+Status Client::startOperation(Operation operation) {
   beginSeconds(static_cast<uint16_t>(millis()));
   state_.operation = operation;
   state_.failedItem = kNoItem;
@@ -56,19 +56,19 @@ Status MissionClient::startOperation(Operation operation) {
   return state_.status;
 }
 
-void MissionClient::end(Status status) {
+void Client::end(Status status) {
   state_.operation = nullptr;
   state_.status = status;
   rest_.toReturn = status;
   if (rest_.ended != nullptr) rest_.ended(rest_.endedContext, status);
 }
 
-void MissionClient::unsettle(uint16_t nowMs) {
+void Client::unsettle(uint16_t nowMs) {
   state_.unsettled = UploadTransfer::kAnswers | UploadTransfer::kBusy;
   state_.unsettledMs = nowMs;
 }
 
-void MissionClient::tellCancelled() { state_.cancelled = state_.type; }
+void Client::tellCancelled() { state_.cancelled = state_.type; }
 
 void MissionClient::cancel() {
   if (state_.operation == nullptr) return;
@@ -81,7 +81,7 @@ void MissionClient::cancel() {
   end(Status::Cancelled);
 }
 
-void MissionClient::waitForAutopilot() {
+void Client::waitForAutopilot() {
   const AutopilotFinder& finder = link_.finder();
   if (finder.isCertain()) {
     if (finder.isFrom(link_.systemId(), link_.componentId())) return end(Status::SameIdsAsAutopilot);
@@ -92,13 +92,13 @@ void MissionClient::waitForAutopilot() {
   end(finder.severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
 }
 
-void MissionClient::report(uint16_t done) {
+void Client::report(uint16_t done) {
   if (done <= state_.itemsDone) return;
   state_.itemsDone = done;
   if (rest_.progress != nullptr) rest_.progress(rest_.progressContext, state_.itemsDone, rest_.itemsTotal);
 }
 
-void MissionClient::sendAck(uint8_t result, PlanType type) {
+void Client::sendAck(uint8_t result, PlanType type) {
   mavlink_mission_ack_t ack = mavlink_mission_ack_t();
   ack.type = result;
   ack.mission_type = static_cast<uint8_t>(type);
@@ -113,7 +113,7 @@ Status MissionClient::update() {
 }
 
 // What is told by the clock, and need not be exact to the millisecond.
-void MissionClient::onTick(uint16_t nowMs) {
+void Client::onTick(uint16_t nowMs) {
   while (since(state_.secondMs, nowMs) >= 1000) {
     state_.secondMs += 1000;
     ++state_.seconds;
@@ -126,14 +126,14 @@ void MissionClient::onTick(uint16_t nowMs) {
 
 // False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half
 // as many.
-bool MissionClient::isHeavyAllowed() {
+bool Client::isHeavyAllowed() {
   constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
   const bool isAllowed = state_.bytesLeft >= kHalf;
   state_.bytesAllowed = isAllowed ? kAll : kHalf;
   return isAllowed;
 }
 
-Status MissionClient::updateAt(uint16_t nowMs) {
+Status Client::updateAt(uint16_t nowMs) {
 #if MAVMISSION_SIGNING
   if (link_.hashes()) {  // nothing else is done then, so that the longest update() is no longer
     link_.flush(nowMs, kStartBytes);

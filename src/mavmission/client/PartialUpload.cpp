@@ -22,7 +22,7 @@ Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_
   return state_.status;
 }
 
-Status MissionClient::announcePart(MissionClient& client, bool isBeginning) {
+Status Client::announcePart(Client& client, bool isBeginning) {
   const uint16_t first = client.rest_.partFirst + client.plan_.homeItems();
   const uint16_t behind = first + client.rest_.partCount;
   if (isBeginning) {

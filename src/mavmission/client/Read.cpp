@@ -23,7 +23,7 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
 }
 
 // What is aboard is read back, and decides what the upload says.
-void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
+void Client::proveUpload(Client& client, uint16_t nowMs) {
   client.state_.operation = readStep;
   client.rest_.proving = true;
   client.setAboard(Aboard::NotKnown);
@@ -33,8 +33,8 @@ void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
   client.reading_.transfer.begin(nowMs);
 }
 
-Status MissionClient::uploadProven(const ItemSource& plan, PlanType type, Proof proof) {
-  const Status status = uploadByAnswer(plan, type);
+Status Client::uploadProven(const ItemSource& plan, PlanType type, Proof proof) {
+  const Status status = uploadAndBelieve(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = proof;
   rest_.prove = proveUpload;
@@ -43,11 +43,11 @@ Status MissionClient::uploadProven(const ItemSource& plan, PlanType type, Proof 
 }
 
 // 1 where the autopilot's own item 0 is home, and not the sketch's.
-uint8_t MissionClient::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
+uint8_t Client::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
 
-bool MissionClient::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
+bool Client::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
 
-void MissionClient::readStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
   if (frame != nullptr) {
     if (state.status == Status::Transferring) client.takeReadFrame(*frame, nowMs);
@@ -71,7 +71,7 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
   client.sendRead(nowMs);
 }
 
-void MissionClient::sendRead(uint16_t nowMs) {
+void Client::sendRead(uint16_t nowMs) {
   DownloadTransfer& transfer = reading_.transfer;
   if (!link_.canSend()) return;
   switch (transfer.toSend()) {
@@ -83,13 +83,13 @@ void MissionClient::sendRead(uint16_t nowMs) {
   if (transfer.sent(nowMs)) endReading(Status::Downloaded);
 }
 
-void MissionClient::sendRequestList() {
+void Client::sendRequestList() {
   mavlink_mission_request_list_t list = mavlink_mission_request_list_t();
   list.mission_type = static_cast<uint8_t>(state_.type);
   link_.send(list);
 }
 
-void MissionClient::sendRequest(uint16_t wireItem) {
+void Client::sendRequest(uint16_t wireItem) {
   mavlink_mission_request_int_t request = mavlink_mission_request_int_t();
   request.seq = wireItem;
   request.mission_type = static_cast<uint8_t>(state_.type);
@@ -102,7 +102,7 @@ void MissionClient::sendRequest(uint16_t wireItem) {
   }
 }
 
-void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
+void Client::takeReadFrame(const FrameParser& frame, uint16_t) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
@@ -123,7 +123,7 @@ void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
   }
 }
 
-void MissionClient::takeReadCount(const FrameParser& frame) {
+void Client::takeReadCount(const FrameParser& frame) {
   typedef mavlink_mission_count_t Count;
   if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
@@ -143,7 +143,7 @@ void MissionClient::takeReadCount(const FrameParser& frame) {
   endReading(Status::Differs);
 }
 
-void MissionClient::takeReadItem(const FrameParser& frame) {
+void Client::takeReadItem(const FrameParser& frame) {
   union {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -178,7 +178,7 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
   if (!rest_.proving) report(seq + 1 - homeBefore());
 }
 
-Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item) {
+Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item) {
   WirePlan& plan = client.plan_;
   const bool hasHome = plan.firmware() == Firmware::ArduPilot && client.state_.type == PlanType::Mission;
   if (wireItem == 0 && hasHome) return Status::Transferring;  // the autopilot's own, however the sketch counts
@@ -194,7 +194,7 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
   return Status::Differs;
 }
 
-void MissionClient::endReading(Status status) {
+void Client::endReading(Status status) {
   state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   if (status == Status::Downloaded) {
     if (reading_.isCompared) {

@@ -53,8 +53,7 @@ Status MissionClient::start(uint16_t item) {
   return status;
 }
 
-Status MissionClient::onStart(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
-                              uint16_t nowMs) {
+Status Client::onStart(Client& client, CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
   switch (event) {
     case CommandEvent::Ready: return client.readyToStart(nowMs);
     case CommandEvent::Accepted: {
@@ -76,7 +75,7 @@ Status MissionClient::onStart(MissionClient& client, CommandEvent event, Status 
 }
 
 // May it be flown, and from which item on? Checking until that is known.
-Status MissionClient::readyToStart(uint16_t nowMs) {
+Status Client::readyToStart(uint16_t nowMs) {
   Start& start = commanding_.start;
   if (start.phase == Start::Phase::New) {
     if (isArmed() && !rest_.armedAllowed) return Status::Armed;
@@ -106,12 +105,12 @@ Status MissionClient::readyToStart(uint16_t nowMs) {
 }
 
 // Behind home.
-uint16_t MissionClient::firstItem() const {
+uint16_t Client::firstItem() const {
   const uint16_t first = commanding_.start.first;
   return first == 0 && plan_.firmware() == Firmware::ArduPilot ? 1 : first;
 }
 
-void MissionClient::lookFromFirst() {
+void Client::lookFromFirst() {
   Start& start = commanding_.start;
   state_.next = firstItem();
   start.jump = kNoItem;
@@ -120,7 +119,7 @@ void MissionClient::lookFromFirst() {
 
 // Looks at one item on the way from the first to one that will be flown: Transferring to go on, Done when it is
 // state_.next, SourceRefused if that cannot be known.
-Status MissionClient::lookAtItem() {
+Status Client::lookAtItem() {
   Start& start = commanding_.start;
   if (start.looked == kCannotLook) return Status::SourceRefused;
   if (state_.next >= plan_.wireCount()) return Status::NothingToFly;
@@ -146,7 +145,7 @@ Status MissionClient::lookAtItem() {
 }
 
 // Goes on with the next step that this vehicle needs.
-Status MissionClient::nextStartStep(uint16_t nowMs) {
+Status Client::nextStartStep(uint16_t nowMs) {
   do {
     ++rest_.startStep;
   } while (!beginStartStep(nowMs));
@@ -154,7 +153,7 @@ Status MissionClient::nextStartStep(uint16_t nowMs) {
 }
 
 // False if this vehicle does without this step.
-bool MissionClient::beginStartStep(uint16_t nowMs) {
+bool Client::beginStartStep(uint16_t nowMs) {
   const bool isArduPilot = plan_.firmware() == Firmware::ArduPilot;
   const bool isPx4 = plan_.firmware() == Firmware::Px4;
   Start& start = commanding_.start;
@@ -199,7 +198,7 @@ bool MissionClient::beginStartStep(uint16_t nowMs) {
 }
 
 // What the autopilot does when it refuses, and when it says nothing more: how start() ends, or leaves.
-Status MissionClient::onStartRefused(Status status, uint16_t nowMs) {
+Status Client::onStartRefused(Status status, uint16_t nowMs) {
   Start& start = commanding_.start;
   CommandTransfer& transfer = commanding_.transfer;
   if (start.phase == Start::Phase::Disarming) return start.refusal;
@@ -216,7 +215,7 @@ Status MissionClient::onStartRefused(Status status, uint16_t nowMs) {
   return leaveStart(status, nowMs);
 }
 
-Status MissionClient::onStartSilent(Status status, uint16_t nowMs) {
+Status Client::onStartSilent(Status status, uint16_t nowMs) {
   Start& start = commanding_.start;
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
     return status == Status::TookTooLong ? Status::Transferring : start.refusal;
@@ -229,12 +228,12 @@ Status MissionClient::onStartSilent(Status status, uint16_t nowMs) {
   return leaveStart(status, nowMs);
 }
 
-bool MissionClient::isArmingStep() const {
+bool Client::isArmingStep() const {
   return startStep() == StartStep::Arm || (startStep() == StartStep::Begin && plan_.firmware() == Firmware::Px4);
 }
 
 // It cannot be flown. What start() has armed is disarmed, when a heartbeat says that it is armed and nobody else's.
-Status MissionClient::leaveStart(Status status, uint16_t nowMs) {
+Status Client::leaveStart(Status status, uint16_t nowMs) {
   Start& start = commanding_.start;
   if (startArming() != StartArming::Armed) return status;
   start.refusal = status;
@@ -244,12 +243,12 @@ Status MissionClient::leaveStart(Status status, uint16_t nowMs) {
   return Status::Transferring;
 }
 
-Status MissionClient::otherItem() {
+Status Client::otherItem() {
   state_.failedItem = ownItem(commanding_.start.seen);
   return Status::OtherItem;
 }
 
-Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
+Status Client::onStartHeartbeat(uint16_t nowMs) {
   Start& start = commanding_.start;
   const StartStep step = startStep();
   const uint16_t mode = shownMode();
@@ -299,7 +298,7 @@ Status MissionClient::onStartHeartbeat(uint16_t nowMs) {
   return isDone ? nextStartStep(nowMs) : Status::Transferring;
 }
 
-Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
+Status Client::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
   Start& start = commanding_.start;
   const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(frame);
   const uint16_t item = current.seq;
@@ -331,7 +330,7 @@ Status MissionClient::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
 }
 
 // When a heartbeat shows that it flies, and it has said at which item it is.
-Status MissionClient::confirmStart() {
+Status Client::confirmStart() {
   Start& start = commanding_.start;
   if (start.phase != Start::Phase::Shown || start.seen == kNoItem) return Status::Transferring;
   const bool isArduPilot = plan_.firmware() == Firmware::ArduPilot;
@@ -343,7 +342,7 @@ Status MissionClient::confirmStart() {
 }
 
 // Is the item at which it is the one to begin with? ArduPilot names only items that it flies, PX4 those on the way too.
-Status MissionClient::judgeStart() {
+Status Client::judgeStart() {
   Start& start = commanding_.start;
   const bool isThere = start.seen == state_.next;
   if (isThere && plan_.firmware() != Firmware::ArduPilot) return Status::Done;
@@ -360,26 +359,26 @@ Status MissionClient::judgeStart() {
   return Status::Transferring;
 }
 
-void MissionClient::fillFirst(MissionClient& client, FlightCommand& command) {
+void Client::fillFirst(Client& client, FlightCommand& command) {
   command.x = client.commanding_.start.first;  // MISSION_SET_CURRENT
 }
 
-void MissionClient::fillAskCurrent(MissionClient&, FlightCommand& command) {
+void Client::fillAskCurrent(Client&, FlightCommand& command) {
   command.id = MAV_CMD_REQUEST_MESSAGE;
   command.param1 = MAVLINK_MSG_ID_MISSION_CURRENT;
 }
 
-void MissionClient::fillStart(MissionClient& client, FlightCommand& command) {
+void Client::fillStart(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_MISSION_START;  // ArduPilot wants its parameters to be 0; PX4 begins with the first
   if (client.plan_.firmware() == Firmware::Px4) command.param1 = client.commanding_.start.first;
 }
 
-void MissionClient::fillBegin(MissionClient&, FlightCommand& command) { command.id = MAV_CMD_MISSION_START; }
+void Client::fillBegin(Client&, FlightCommand& command) { command.id = MAV_CMD_MISSION_START; }
 
 Status MissionClient::startMission() { return beginCommand(fillBegin, onStartMission); }
 
-Status MissionClient::onStartMission(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
-                                     uint16_t nowMs) {
+Status Client::onStartMission(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                              uint16_t nowMs) {
   const bool isPx4 = client.firmware() == Firmware::Px4;
   if (event != CommandEvent::Ready) return isPx4 ? onMode(client, event, status, frame, nowMs) : status;
   if (!client.isArmed()) return Status::NotArmed;

@@ -6,7 +6,7 @@ namespace mavmission {
 using namespace detail;
 
 // True if the operation goes on.
-bool MissionClient::takeUpEnd(MissionClient& client, Status status, uint16_t nowMs) {
+bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
   Rest& rest = client.rest_;
   if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;

@@ -13,7 +13,7 @@ void MissionClient::retryWhenDenied(uint16_t seconds) {
 }
 
 // Takes up a refusal of COUNT; false if the time allowed is over.
-bool MissionClient::waitForTurn(MissionClient& client, Status refusal) {
+bool Client::waitForTurn(Client& client, Status refusal) {
   State& state = client.state_;
   if (refusal != Status::Denied && !(refusal == Status::Error && client.firmware() == Firmware::Px4)) return false;
   if (client.rest_.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
@@ -27,7 +27,7 @@ bool MissionClient::waitForTurn(MissionClient& client, Status refusal) {
   return true;
 }
 
-void MissionClient::turnStep(MissionClient& client, const FrameParser* frame, uint16_t) {
+void Client::turnStep(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
   if (frame != nullptr || state.seconds < client.state_.turnAtS) return;
   state.operation = uploadStep;

@@ -8,29 +8,29 @@
 namespace mavmission {
 using namespace detail;
 
-Status MissionClient::uploadByAnswer(const ItemSource& plan, PlanType type) {
+Status Client::uploadAndBelieve(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
   setPlan(plan, type);
   rest_.prove = nullptr;
   rest_.partFirst = 0;
-  return uploadAgain();
+  return uploadKeptPlan();
 }
 
-Status MissionClient::refuseType() {
+Status Client::refuseType() {
   startOperation(uploadStep);
   end(Status::BadPlanType);
   return state_.status;
 }
 
-void MissionClient::setPlan(const ItemSource& plan, PlanType type) {
+void Client::setPlan(const ItemSource& plan, PlanType type) {
   plan_.setSource(plan);
   rest_.planType = type;
   rest_.tooLong = plan.count > kMaxItems;
   state_.announce = nullptr;
 }
 
-Status MissionClient::uploadAgain() {
+Status Client::uploadKeptPlan() {
   if (state_.operation != nullptr) return Status::Busy;
   startOperation(uploadStep);
   state_.type = rest_.planType;
@@ -44,7 +44,7 @@ Status MissionClient::uploadAgain() {
 }
 
 // Runs through the states of an upload: WaitingForAutopilot, Checking, Transferring.
-void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (client.state_.status == Status::Transferring) {
     if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
     const Status status = client.transfer_.onTime(nowMs);
@@ -61,29 +61,27 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
   client.checkPlan(nowMs);
 }
 
-void MissionClient::beginPlan() {
-  plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw);
-}
+void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw); }
 
 // Accepted, or NotKept: and then which field of an item it is that the autopilot would not keep.
-Status MissionClient::keeping(const MissionItem& item) {
+Status Client::keeping(const MissionItem& item) {
   rest_.field = notKept(item, plan_.keeper());
   return rest_.field == Field::None ? Status::Accepted : Status::NotKept;
 }
 
-void MissionClient::beginChecking() {
+void Client::beginChecking() {
   beginPlan();
   state_.next = 0;
 }
 
 // Only when the link can send: the item lies where a frame would be made, and not on the stack.
-Status MissionClient::checkItem(uint16_t wireItem) {
+Status Client::checkItem(uint16_t wireItem) {
   MissionItem& item = *static_cast<MissionItem*>(link_.draft());
   const Status read = plan_.read(wireItem, item);
   return read == Status::Accepted ? keeping(item) : read;
 }
 
-void MissionClient::checkPlan(uint16_t nowMs) {
+void Client::checkPlan(uint16_t nowMs) {
   if (!link_.finder().isFound() || link_.finder().firmware() != plan_.firmware()) {
     state_.status = Status::WaitingForAutopilot;  // lost while the plan was being checked, or another one came
     return;
@@ -106,7 +104,7 @@ void MissionClient::checkPlan(uint16_t nowMs) {
   if (state_.next == count) beginUpload(nowMs);
 }
 
-void MissionClient::beginUpload(uint16_t nowMs) {
+void Client::beginUpload(uint16_t nowMs) {
   transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled, nowMs);
   if (state_.announce != nullptr) state_.announce(*this, true);
   opaqueId_.begin();
@@ -117,7 +115,7 @@ void MissionClient::beginUpload(uint16_t nowMs) {
   sendUpload(nowMs);
 }
 
-void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
+void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_MISSION_REQUEST:
     case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
@@ -147,7 +145,7 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
 
 // What an acceptance with this opaque_id means. PX4 says what it holds. (0: it does not. Items sent as floats are not
 // those that were summed up.)
-Status MissionClient::proven(uint32_t opaqueId) {
+Status Client::proven(uint32_t opaqueId) {
   const bool says = plan_.firmware() == Firmware::Px4 && opaqueId != 0 && !state_.floatItems;
   if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
   if (state_.type == PlanType::Mission) rest_.planId = opaqueId;
@@ -155,7 +153,7 @@ Status MissionClient::proven(uint32_t opaqueId) {
 }
 
 // Takes what the transfer says of how it goes.
-void MissionClient::continueUpload(Status status, uint16_t nowMs) {
+void Client::continueUpload(Status status, uint16_t nowMs) {
   // The autopilot holds every item that it asked for but the last one.
   const uint16_t notHeld = plan_.homeItems() + 1;
   if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
@@ -185,12 +183,12 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
   end(status);
 }
 
-void MissionClient::noteAccepted() {
+void Client::noteAccepted() {
   if (state_.type == PlanType::Mission) rest_.infeasible = false;
   state_.unsettled = 0;
 }
 
-Aboard MissionClient::aboardAfterUpload(Status status) const {
+Aboard Client::aboardAfterUpload(Status status) const {
   if (status == Status::Accepted) return Aboard::OurPlan;
   const bool begun = transfer_.hasBegun();
   const bool refused = status >= Status::Error;  // the autopilot's own word
@@ -205,14 +203,14 @@ Aboard MissionClient::aboardAfterUpload(Status status) const {
   return firmware == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
 }
 
-uint16_t MissionClient::ownItem(uint16_t wireItem) const {
+uint16_t Client::ownItem(uint16_t wireItem) const {
   static_assert(static_cast<uint16_t>(0 - 1) == kNoItem, "home is no item");
   return wireItem - homeBefore();
 }
 
 // Sends what is due. An item is packed before it is asked for, while the line waits for the autopilot: the answer to
 // its request then begins earlier by that, and no update() both packs an item and writes it.
-void MissionClient::sendUpload(uint16_t nowMs) {
+void Client::sendUpload(uint16_t nowMs) {
   if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
     if (!transfer_.expectsRequest() || isPrepared(transfer_.itemsAskedFor()) || !link_.canSend()) return;
     return prepareItem(transfer_.itemsAskedFor(), nowMs);
@@ -229,7 +227,7 @@ void MissionClient::sendUpload(uint16_t nowMs) {
 }
 
 // What comes before the items, or instead of them.
-void MissionClient::sendAnnouncement() {
+void Client::sendAnnouncement() {
   if (transfer_.toSend() == UploadTransfer::Send::Cancel) {
     sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.type);
   } else if (state_.announce != nullptr) {
@@ -239,14 +237,14 @@ void MissionClient::sendAnnouncement() {
   }
 }
 
-void MissionClient::sendCount(uint16_t items) {
+void Client::sendCount(uint16_t items) {
   mavlink_mission_count_t count = mavlink_mission_count_t();
   count.count = items;
   count.mission_type = static_cast<uint8_t>(state_.type);
   link_.send(count);
 }
 
-void MissionClient::prepareItem(uint16_t wireItem, uint16_t nowMs) {
+void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
   static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
   if (!isHeavyAllowed()) return;

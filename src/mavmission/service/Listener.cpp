@@ -7,7 +7,7 @@ namespace detail {
 
 Listener::Listener(MissionClient& client, const MessageKey* keys, uint8_t count, Take take)
     : MoreKeys{keys, count, nullptr, keyAmong, tellAll}, client_(client), take_(take) {
-  client.link_.add(*this);
+  client_.link_.add(*this);
 }
 
 const MessageKey* Listener::keyAmong(const MoreKeys* list, uint16_t messageId) {

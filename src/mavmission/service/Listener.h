@@ -12,6 +12,8 @@ class MissionClient;
 
 namespace detail {
 
+class Client;
+
 class Listener : private MoreKeys {
  public:
   Listener(const Listener&) = delete;
@@ -31,7 +33,7 @@ class Listener : private MoreKeys {
   // the client's that are of one kind, this one among them. Null behind the last.
   const Listener* nextAlike(const Listener* one) const;
 
-  MissionClient& client_;
+  Client& client_;
 
  private:
   friend class Link;

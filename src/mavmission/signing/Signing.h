@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "../SigningCounters.h"
 #include "../SigningKey.h"
 #include "../TimestampStore.h"
 #include "Sha256.h"
@@ -17,16 +18,6 @@
 
 namespace mavmission {
 namespace detail {
-
-// What became of received frames. Each counts from the start, and wraps.
-struct SigningCounters {
-  uint16_t accepted;        // rightly signed, and new
-  uint16_t notSigned;       // MAVLink 1, or MAVLink 2 without a signature
-  uint16_t wrong;           // signed with another key, or changed on the way
-  uint16_t replayed;        // older than what the same stream has sent already, or the same again
-  uint16_t old;             // of a stream not heard before, more than a minute behind
-  uint16_t tooManyStreams;  // all of kStreams have been heard within a minute
-};
 
 class Signing {
  public:

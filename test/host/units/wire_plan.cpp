@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "mavmission/plan/Comparison.h"
 #include "mavmission/ItemSource.h"
+#include "mavmission/plan/Comparison.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
