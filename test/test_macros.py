@@ -8,7 +8,7 @@ import firmware
 import pytest
 from firmware import LIBRARY, ROOT, FirmwareNotBuilt, build_firmware
 from host_build import HOST, build_host
-from test_host import cases_of, run_unit
+from units import cases_of, run_unit
 
 # Macro: its least and its greatest value.
 LIMITS = {
