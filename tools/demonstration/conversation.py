@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections import Counter
 
-from fake_autopilot import MISSION, Item, mavlink
-from wire import Entry
+from simulation.fake_autopilot import MISSION, Item, mavlink
+from simulation.wire import Entry
 
 from .words import ITEMS
 

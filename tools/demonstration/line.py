@@ -6,9 +6,9 @@ from collections import deque
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from fake_autopilot import FakeAutopilot
-from mega.serial import Sent, SerialPort
-from wire import Entry, Wire
+from simulation.fake_autopilot import FakeAutopilot
+from simulation.mega.serial import Sent, SerialPort
+from simulation.wire import Entry, Wire
 
 from .named_frames import NamedFrame
 

@@ -15,8 +15,9 @@ from typing import Callable
 
 from elftools.elf.elffile import ELFFile
 from elftools.elf.sections import SymbolTableSection
-from fake_autopilot import Item, mavlink
-from mega.image import EEPROM, RAM, demangle
+
+from simulation.fake_autopilot import Item, mavlink
+from simulation.mega.image import EEPROM, RAM, demangle
 
 # src/mavmission/MissionItem.h, packed as avr-gcc packs everything:
 # param1 to param4, x, y, z, command, frame, current, autocontinue.

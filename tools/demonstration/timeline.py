@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from fake_autopilot import mavlink
+from simulation.fake_autopilot import mavlink
 
 from .line import OnTheLine
 from .words import ITEMS, command_name, message_in_words

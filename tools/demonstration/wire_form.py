@@ -1,13 +1,13 @@
 """What must arrive at an autopilot for a plan to mean there what it means in the sketch: what the library sends of it.
 
-That this is right for each autopilot is shown elsewhere, by what real ones kept of it (test/recordings).
+That this is right for each autopilot is shown elsewhere, by what real ones kept of it (simulation/recordings).
 """
 
 from __future__ import annotations
 
-from fake_autopilot import Item, mavlink
 from planning import Item as PlannedItem
 from planning import judge
+from simulation.fake_autopilot import Item, mavlink
 
 HOME = Item(mavlink.MAV_FRAME_GLOBAL, mavlink.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0)
 

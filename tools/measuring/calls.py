@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from bench import is_end, status_names
-from fake_autopilot import ArduPilot, Px4, frames, mavlink
-from mega import Mega
+from simulation.bench import is_end, status_names
+from simulation.fake_autopilot import ArduPilot, Px4, frames, mavlink
+from simulation.mega import Mega
 
 from .firmware import measured
 from .peer import AUTOPILOT, ITEMS, KINDS

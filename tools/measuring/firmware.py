@@ -8,7 +8,7 @@ from pathlib import Path
 
 from baseline import build_baseline
 from building import ROOT, Built, build_sketch
-from firmware import build_firmware
+from simulation.firmware import build_firmware
 
 MEASURED = ROOT / "test" / "measured"
 EXAMPLE = ROOT / "examples" / "UploadMission"

@@ -10,9 +10,9 @@ import itertools
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from fake_autopilot import frames, mavlink
-from mega import Mega
-from recordings import heard, telemetry
+from simulation.fake_autopilot import frames, mavlink
+from simulation.mega import Mega
+from simulation.recordings import heard, telemetry
 
 RECORDINGS = {"ardupilot": "arducopter/clean_then_streams_10hz", "px4": "px4/clean_with_streams"}
 AUTOPILOT = {"ardupilot": mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA, "px4": mavlink.MAV_AUTOPILOT_PX4}

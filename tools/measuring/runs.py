@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from mega import Mega
-from mega.measured import Watch
+from simulation.mega import Mega
+from simulation.mega.measured import Watch
 
 from .firmware import Subject, measured
 from .peer import KINDS, Peer, everything_heard

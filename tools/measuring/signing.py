@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from bench import Bench, FunctionPlan
-from fake_autopilot import mavlink
-from signing_program import KEY, signer
+from simulation.bench import Bench, FunctionPlan
+from simulation.fake_autopilot import mavlink
+from simulation.signing_program import KEY, signer
 
 from .report import aligned
 from .work import sha256_block

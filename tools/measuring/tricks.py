@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from building import BUILD, elf_sizes
-from firmware import LIBRARY, digest, exclusive
+from simulation.firmware import LIBRARY, digest, exclusive
 
 from . import runs
 from .firmware import MEASURED, measured

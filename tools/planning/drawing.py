@@ -22,7 +22,7 @@ from .bad_plan import BadPlan, shown_name  # noqa: E402
 from .fences import Circle, Polygon, shapes  # noqa: E402
 from .files import write_bytes  # noqa: E402
 from .flight import EARTH_RADIUS, Flight, Leg, Speeds, distance_from_home, fly, is_flown_to, places_of  # noqa: E402
-from .plan import Item, Plan  # noqa: E402
+from .plan import Plan  # noqa: E402
 from .table import length_text  # noqa: E402
 
 SUFFIXES = (".svg", ".png")

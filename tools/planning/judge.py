@@ -7,7 +7,6 @@ import math
 import re
 import struct
 import subprocess
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -167,10 +166,7 @@ def statuses() -> tuple[str, ...]:
 @functools.cache
 def program() -> Path:
     """The judge, compiled from the library's sources as they are now."""
-    folder = str(ROOT / "test")
-    if folder not in sys.path:
-        sys.path.append(folder)
-    from host_build import FAST, HostProgramNotBuilt, build_host
+    from simulation.host_build import FAST, HostProgramNotBuilt, build_host
 
     library = [ROOT / "src" / "mavmission" / f"{part}.cpp" for part in PARTS]
     try:

@@ -11,7 +11,7 @@ from decimal import Decimal
 from pathlib import Path
 
 from . import commands, landing_pattern
-from .bad_plan import BadPlan, cut
+from .bad_plan import cut
 from .exact import DoesNotFit, decimal_text, degrees_text, e7_of, float32_of
 from .flight import CRUISE_SPEED, HOVER_SPEED
 from .json_text import json_text
