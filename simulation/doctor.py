@@ -1,9 +1,9 @@
-"""A bench for LinkDoctor: simulation/sketches/doctor.cpp beside a fake autopilot, or beside whatever else is on the line.
+"""A bench for LinkDoctor: simulation/sketches/doctor.cpp beside a fake autopilot, or whatever else is on the line.
 
-    bench = Doctor("PX4")
-    bench.wire.pull(">")                  # our TX is not wired
-    bench.run_until_verdict("NotHeard")
-    bench.verdicts                        # all that it came to, in order
+bench = Doctor("PX4")
+bench.wire.pull(">")                  # our TX is not wired
+bench.run_until_verdict("NotHeard")
+bench.verdicts                        # all that it came to, in order
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Findings(NamedTuple):
 
 
 class Doctor(Bench):
-    """baud: of our port [bit/s]. peer_baud: the rate of the autopilot's port [bit/s]; None: the same as ours, to the cycle."""
+    """baud: of our port [bit/s]. peer_baud: of the autopilot's port [bit/s]; None: the same as ours, to the cycle."""
 
     source = Path(__file__).resolve().parent / "sketches" / "doctor.cpp"
 

@@ -11,5 +11,7 @@ from simulation.firmware import LIBRARY
 @cache
 def texts_of(header: str, list_name: str) -> dict[str, str]:
     """Enumerator -> text, in order, of a list such as MAVMISSION_STATUSES in src/mavmission/`header`."""
-    text = (LIBRARY / "mavmission" / header).read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
+    text = (
+        (LIBRARY / "mavmission" / header).read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
+    )
     return dict(re.findall(r'X\((\w+),\s*"([^"]*)"', text))

@@ -1,11 +1,11 @@
 """A bench for the whole mission service: simulation/sketches/service.cpp beside a fake autopilot.
 
-    service = Service("PX4")
-    service.upload(plan, proof="Always")
-    service.run_until_ended(limit_s=10)
-    service.order_of("start")             # any word of the firmware: the status that it begins with
-    service.run_until_ended(limit_s=10)
-    service.reached                       # [0, 1, ...]
+service = Service("PX4")
+service.upload(plan, proof="Always")
+service.run_until_ended(limit_s=10)
+service.order_of("start")             # any word of the firmware: the status that it begins with
+service.run_until_ended(limit_s=10)
+service.reached                       # [0, 1, ...]
 """
 
 from __future__ import annotations
@@ -219,7 +219,9 @@ class Service(Bench):
         """The name of the Field in which difference() sees one."""
         self.mega.poke("benchPlan", packed(sent))
         self.mega.poke("benchSink", packed(read))
-        (line,) = self.tell("compare", ("Unknown", "ArduPilot", "PX4", "Other").index(firmware), mission_type, vehicle_type)
+        (line,) = self.tell(
+            "compare", ("Unknown", "ArduPilot", "PX4", "Other").index(firmware), mission_type, vehicle_type
+        )
         return field_names()[int(line.split(" ")[2])]
 
     def text_of_field(self, name: str) -> str:

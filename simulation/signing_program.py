@@ -28,7 +28,9 @@ class SigningProgram:
     """The program, running. An answer is a line of words."""
 
     def __init__(self, compiler: str = "g++") -> None:
-        self._running = subprocess.Popen([program(compiler)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
+        self._running = subprocess.Popen(
+            [program(compiler)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
+        )
 
     def close(self) -> None:
         self._running.stdin.close()
@@ -57,7 +59,7 @@ class SigningProgram:
     @property
     def counters(self) -> dict[str, int]:
         names = ("accepted", "wrong", "replayed", "old", "too many streams")
-        return dict(zip(names, map(int, self.ask("counters").split())))
+        return dict(zip(names, map(int, self.ask("counters").split()), strict=True))
 
     @property
     def time(self) -> int:

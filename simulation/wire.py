@@ -17,8 +17,8 @@ import fnmatch
 import heapq
 import math
 import random
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Callable, Iterable, Optional
 
 from simulation.fake_autopilot.dialect import mavlink
 from simulation.fake_autopilot.frames import FrameSplitter, decode
@@ -32,7 +32,7 @@ class Entry:
 
     time: float  # [s], when it entered the wire
     direction: str
-    number: Optional[int]  # among the frames of its direction; None for bytes between frames
+    number: int | None  # among the frames of its direction; None for bytes between frames
     message: object  # None for bytes that are no frame of the dialect
     data: bytes
     fate: str = ""  # "" if it arrived as it was sent
@@ -49,11 +49,11 @@ class Fault:
     direction: str
     fate: str
     strike: Callable[["Wire", "Entry"], None]
-    index: Optional[int] = None
-    name: Optional[str] = None
-    seq: Optional[int] = None
-    where: Optional[Callable[[object], bool]] = None
-    times: Optional[int] = 1
+    index: int | None = None
+    name: str | None = None
+    seq: int | None = None
+    where: Callable[[object], bool] | None = None
+    times: int | None = 1
     struck: int = field(default=0, init=False)  # how often so far
     named: int = field(default=0, init=False)  # how many frames so far, but for the index
 
@@ -118,7 +118,7 @@ class Wire:
             out += heapq.heappop(way.on_the_way)[2]
         return self._without_dropped(way, bytes(out))
 
-    def next_event(self) -> Optional[float]:
+    def next_event(self) -> float | None:
         """When the next bytes come out of either end [s]; None if none are on the way."""
         times = [way.on_the_way[0][0] for way in self._ways.values() if way.on_the_way]
         return min(times, default=None)
@@ -185,19 +185,19 @@ class Wire:
             raise ValueError(f"bytes {first}..{last} are no range")
         self._way(direction).dropped_bytes.append((first, last))
 
-    def pull(self, direction: Optional[str] = None) -> None:
+    def pull(self, direction: str | None = None) -> None:
         """From now on nothing that is sent arrives, in one direction or both."""
         for way in ([self._way(direction)] if direction else self._ways.values()):
             way.cut = True
 
-    def plug(self, direction: Optional[str] = None) -> None:
+    def plug(self, direction: str | None = None) -> None:
         """The opposite of pull()."""
         for way in ([self._way(direction)] if direction else self._ways.values()):
             way.cut = False
 
     def at_random(self, direction: str, *, lose: float = 0, repeat: float = 0, delay: float = 0,
                   delay_s: float = 0.3, hold_past_next: float = 0, corrupt: float = 0,
-                  truncate: float = 0, where: Optional[Callable[[object], bool]] = None) -> None:
+                  truncate: float = 0, where: Callable[[object], bool] | None = None) -> None:
         """Strike so many percent of the frames, by the wire's seed.
 
         delay_s: the longest delay [s]. where: only frames of these messages.
@@ -254,7 +254,7 @@ class Wire:
         entry.fate = fault.fate
         fault.strike(self, entry)
 
-    def _fault_for(self, entry: Entry) -> Optional[Fault]:
+    def _fault_for(self, entry: Entry) -> Fault | None:
         naming = [fault for fault in self._faults if fault.names(entry)]
         if naming:
             return naming[0]

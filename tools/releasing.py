@@ -57,7 +57,7 @@ def problems(root: Path, *, snapshot: bool) -> list[str]:
 def problems_of_changelog(text: str, version: str) -> list[str]:
     sections = {}
     headings = list(HEADING.finditer(text))
-    for heading, behind in zip(headings, [*(one.start() for one in headings[1:]), len(text)]):
+    for heading, behind in zip(headings, [*(one.start() for one in headings[1:]), len(text)], strict=True):
         sections[heading[1]] = (heading[2], re.findall(r"^- \S", text[heading.end() : behind], re.M))
     if "Unreleased" in sections and (version not in sections or sections["Unreleased"][1]):
         return [f"CHANGELOG.md: what is under Unreleased belongs to this release: head it ## [{version}] - and the day"]

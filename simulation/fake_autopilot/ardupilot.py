@@ -1,6 +1,6 @@
 """ArduPilot 4.6.3: its modes, its commands, its flight, around its mission protocol."""
 import math
-from typing import Iterable, Optional
+from collections.abc import Iterable
 
 from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
@@ -68,10 +68,10 @@ class ArduPilot(FakeAutopilot):
     transmit_buffer_seen = 800
 
     def __init__(self, *, item_limit: int = 650, fence_limit: int = 84, rally_limit: int = 84,
-                 home: Optional[tuple[int, int, float]] = (-353632620, 1491652370, 584.09),
-                 armed: bool = False, mode: Optional[str] = None, radio_slowdown_s: float = 0.0,
-                 ready_s: Optional[float] = None, position_s: Optional[float] = None,
-                 streams: Optional[dict[int, float]] = None, **options) -> None:
+                 home: tuple[int, int, float] | None = (-353632620, 1491652370, 584.09),
+                 armed: bool = False, mode: str | None = None, radio_slowdown_s: float = 0.0,
+                 ready_s: float | None = None, position_s: float | None = None,
+                 streams: dict[int, float] | None = None, **options) -> None:
         super().__init__(**options)
         self.kind = VEHICLES[self.vehicle]
         if ready_s is not None:
@@ -270,7 +270,7 @@ class ArduPilot(FakeAutopilot):
             self._go_on(now)
         return RESULT_ACCEPTED
 
-    def _why_not_armed(self, now: float) -> Optional[str]:
+    def _why_not_armed(self, now: float) -> str | None:
         if now < self.booted_at_s + self.kind.ready_s:
             return self.kind.not_ready
         if self.mode == "AUTO" and int(self.parameters.get("AUTO_OPTIONS", 0)) & 1:

@@ -4,7 +4,6 @@ It edits its plan in place: a COUNT cuts the old plan to the new length, each it
 the one that was there, and an upload that breaks off leaves the mixture aboard. The fence
 alone is put together apart and taken whole (by source).
 """
-from typing import Optional
 
 from . import ardupilot_rewriting as rewriting
 from .dialect import mavlink
@@ -42,7 +41,7 @@ class Missions:
         self.item_limit = item_limit
         self.held: list[Item] = []
         self.received: list[Item] = []
-        self._staged: Optional[list[tuple[Item, Item]]] = None
+        self._staged: list[tuple[Item, Item]] | None = None
         self._told_of_float_items = self._told_of_float_requests = False
         self._timer = f"upload of type {mission_type}"
         self.forget_transfer()
@@ -111,7 +110,7 @@ class Missions:
             self.autopilot.text(WARNING, "Flight plan update rejected", now)
             return
         if self.mission_type == FENCE:
-            self._staged = list(zip(self.received, self.held))
+            self._staged = list(zip(self.received, self.held, strict=True))
         self._begin(sender, first, last, now)
 
     def on_item(self, message, sender, now: float) -> None:
@@ -188,7 +187,7 @@ class Missions:
         if longer:
             self._tell_count(now)
 
-    def _rewritten(self, item: Item, item_count: int, last: int) -> tuple[int, Optional[Item]]:
+    def _rewritten(self, item: Item, item_count: int, last: int) -> tuple[int, Item | None]:
         if self.mission_type == FENCE:
             return rewriting.fence_item(item)
         if self.mission_type == RALLY:

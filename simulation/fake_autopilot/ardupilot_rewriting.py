@@ -4,7 +4,8 @@ It stores a command in a few bytes, so each command keeps its own choice of para
 its own precision; what a download reads is made from those bytes.
 """
 import math
-from typing import Callable, NamedTuple, Optional
+from collections.abc import Callable
+from typing import NamedTuple
 
 from .dialect import mavlink
 from .items import Item, f32, int32
@@ -189,14 +190,14 @@ COMMANDS: dict[int, Rewriting] = {
 }
 
 # What a plane does another way: it has no splines, and keeps two distances of a waypoint.
-PLANE: dict[int, Optional[Rewriting]] = {
+PLANE: dict[int, Rewriting | None] = {
     16: _place(drop, byte_at_most, byte_at_most, drop, unset_yaw=(4,)),
     82: None,
 }
 PLANES = ("plane", "quadplane")
 
 
-def rewriting_of(command: int, vehicle: str) -> Optional[Rewriting]:
+def rewriting_of(command: int, vehicle: str) -> Rewriting | None:
     """None: it is not taken."""
     if vehicle in PLANES and command in PLANE:
         return PLANE[command]
@@ -208,7 +209,7 @@ def _altitude(metres: float) -> float:
     return f32(int(f32(metres * 100.0)) * f32(0.01))
 
 
-def mission_item(item: Item, vehicle: str = "copter") -> tuple[int, Optional[Item]]:
+def mission_item(item: Item, vehicle: str = "copter") -> tuple[int, Item | None]:
     """(MAV_MISSION_RESULT, the item as it will be read back or None)."""
     rewriting = rewriting_of(item.command, vehicle)
     unset_yaw = rewriting.unset_yaw if rewriting else ()
@@ -217,7 +218,7 @@ def mission_item(item: Item, vehicle: str = "copter") -> tuple[int, Optional[Ite
             return mavlink.MAV_MISSION_INVALID_PARAM1 + number - 1, None
     if rewriting is None:
         return UNSUPPORTED, None
-    params = [f32(stored(value)) for stored, value in zip(rewriting.params, item[4:8])]
+    params = [f32(stored(value)) for stored, value in zip(rewriting.params, item[4:8], strict=True)]
     if item.command == mavlink.MAV_CMD_NAV_LOITER_TURNS and item.param1 < 0:
         params[0], params[2] = _negative_turns(item.param1, item.param3)
     if rewriting.has_place:
@@ -228,7 +229,7 @@ def mission_item(item: Item, vehicle: str = "copter") -> tuple[int, Optional[Ite
             return problem, None
         return ACCEPTED, Item(FRAMES[item.frame], item.command, 0, 1, *params,
                               item.x, item.y, _altitude(item.z))
-    x, y, z = (stored(value) for stored, value in zip(rewriting.more, (item.x, item.y, item.z)))
+    x, y, z = (stored(value) for stored, value in zip(rewriting.more, (item.x, item.y, item.z), strict=True))
     return ACCEPTED, Item(0, item.command, 0, 1, *params, int(x), int(y), z)
 
 
@@ -240,7 +241,7 @@ def _negative_turns(turns_sent: float, radius_sent: float) -> tuple[float, float
     return float(wrapped & 255), math.copysign(size * unit, radius_sent)
 
 
-def _place_problem(item: Item) -> Optional[int]:
+def _place_problem(item: Item) -> int | None:
     # Compared as floats, which are some tens of steps apart there.
     if f32(abs(item.x)) > LAT_MAX_E7:
         return INVALID_X
@@ -259,7 +260,7 @@ CIRCLES = (mavlink.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION,
 RALLY_POINT = mavlink.MAV_CMD_NAV_RALLY_POINT
 
 
-def fence_item(item: Item) -> tuple[int, Optional[Item]]:
+def fence_item(item: Item) -> tuple[int, Item | None]:
     """As mission_item(), for a corner or circle of the fence: it has no altitude."""
     if item.frame not in FRAMES or item.frame == mavlink.MAV_FRAME_MISSION:
         return UNSUPPORTED_FRAME, None
@@ -305,7 +306,7 @@ def fence_is_whole(items: list[Item]) -> bool:
     return True
 
 
-def rally_item(item: Item) -> tuple[int, Optional[Item]]:
+def rally_item(item: Item) -> tuple[int, Item | None]:
     """As mission_item(), for a rally point: whole metres of altitude."""
     if item.command != RALLY_POINT:
         return UNSUPPORTED, None

@@ -5,7 +5,8 @@ whoever drives the autopilot says what time it is.
 """
 import heapq
 import math
-from typing import Callable, Iterable, NamedTuple, Optional, Union
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
 
 from . import frames
 from .dialect import mavlink
@@ -53,10 +54,10 @@ class FakeAutopilot:
 
     def __init__(self, *, system_id: int = 1, component_id: int = 1, vehicle: str = "copter",
                  mavlink_version: int = 2,
-                 telemetry: Union[None, float, Iterable[tuple[float, bytes]]] = None,
-                 baud: Optional[int] = None, transmit_buffer: int = 0, response_delay_s: Optional[float] = None,
+                 telemetry: None | float | Iterable[tuple[float, bytes]] = None,
+                 baud: int | None = None, transmit_buffer: int = 0, response_delay_s: float | None = None,
                  boot_text: bytes = b"", heartbeat_at_s: float = 0.0,
-                 uptime_s: float = 0.0, signing_key: Optional[bytes] = None,
+                 uptime_s: float = 0.0, signing_key: bytes | None = None,
                  signing_time_s: float = 0.0) -> None:
         if mavlink_version not in (1, 2):
             raise ValueError(f"mavlink_version is 1 or 2, not {mavlink_version}")
@@ -91,7 +92,7 @@ class FakeAutopilot:
         self._buffer_s = 10 * transmit_buffer / baud if baud else 0.0
         self._passed_over = 0  # telemetry, since the last that went out
         self._telemetry = self._telemetry_source(telemetry)
-        self._next_telemetry: Optional[tuple[float, bytes]] = next(self._telemetry, None)
+        self._next_telemetry: tuple[float, bytes] | None = next(self._telemetry, None)
         self._intervals: dict[int, float] = {}  # message -> between two of its telemetry [s]
         self._telemetry_sent_at: dict[int, float] = {}
         self._stream_periods: dict[int, float] = {}  # of what is made here [s]
@@ -138,7 +139,7 @@ class FakeAutopilot:
         self.outbox, self._released = left, self._released[len(left) :]
         return b"".join(frame for _, frame in self.outbox)
 
-    def next_event(self, now: float) -> Optional[float]:
+    def next_event(self, now: float) -> float | None:
         """When the autopilot will next do something of its own accord [s]; None for never.
 
         Not before now, even if something is overdue.
@@ -394,7 +395,7 @@ class FakeAutopilot:
     def _telemetry_source(self, telemetry):
         if telemetry is None:
             return iter(())
-        if isinstance(telemetry, (int, float)):
+        if isinstance(telemetry, int | float):
             return self._synthetic_telemetry(float(telemetry))
         if self.mavlink_version == 1:
             raise ValueError("recorded telemetry is MAVLink 2: give mavlink_version=2, "

@@ -1,6 +1,5 @@
 """What a test may order to go wrong inside the autopilot itself."""
 import math
-from typing import Optional, Union
 
 
 class Faults:
@@ -15,23 +14,23 @@ class Faults:
         self._refusals: dict = {}
         self._silent_from = math.inf
         self._silent_until = -math.inf
-        self._silence_at_step: Optional[tuple[object, float]] = None
+        self._silence_at_step: tuple[object, float] | None = None
         self._final_acks_to_swallow = 0
         self._final_ack_delay_s = 0.0
         self._requests_instead: dict[int, list[int]] = {}
-        self.asks_for_ever: Optional[int] = None
+        self.asks_for_ever: int | None = None
         self.acks_every_item = False
         self.takes_only_float_items = False
         self.gives_plan_before_for_s = 0.0
 
     # -- orders -------------------------------------------------------------------------
 
-    def refuse(self, result: int, step: Union[str, int, tuple] = "count",
-               times: Optional[int] = 1) -> None:
+    def refuse(self, result: int, step: str | int | tuple = "count",
+               times: int | None = 1) -> None:
         """Answer `step` with MISSION_ACK(result), `times` times (None: always)."""
         self._refusals[step] = [result, math.inf if times is None else times]
 
-    def fall_silent(self, from_time: Optional[float] = None, step=None,
+    def fall_silent(self, from_time: float | None = None, step=None,
                     for_s: float = math.inf) -> None:
         """Neither hear nor speak, for for_s [s], from a time [s] or from a step on.
 
@@ -74,7 +73,7 @@ class Faults:
 
     # -- asked by the autopilot ---------------------------------------------------------
 
-    def refusal(self, step) -> Optional[int]:
+    def refusal(self, step) -> int | None:
         """The result ordered for this step, if any is left."""
         order = self._refusals.get(step)
         if order is None or order[1] <= 0:
@@ -93,7 +92,7 @@ class Faults:
         self._silence_at_step = None
         return True
 
-    def final_ack(self) -> Optional[float]:
+    def final_ack(self) -> float | None:
         """How much later the final ACK goes out [s]; None if it is swallowed."""
         if self._final_acks_to_swallow > 0:
             self._final_acks_to_swallow -= 1

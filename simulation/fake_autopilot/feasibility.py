@@ -1,5 +1,5 @@
 """Whether PX4 will fly a plan that it has accepted (by source)."""
-from typing import Optional, Sequence
+from collections.abc import Sequence
 
 from .flight import DELAY, JUMP, LAND, TAKEOFF, VTOL_LAND, VTOL_TAKEOFF
 from .items import Item
@@ -10,7 +10,7 @@ _RETURN = 20
 
 
 def objection(items: Sequence[Item], home_altitude: float, landed: bool = True,
-              takeoff_required: bool = False) -> Optional[str]:
+              takeoff_required: bool = False) -> str | None:
     """Why the plan will not be flown, in PX4's words; None if it will be.
 
     home_altitude [m above sea level]. takeoff_required stands for its parameter

@@ -4,7 +4,8 @@ Every leg is flown from standstill to standstill at a constant acceleration, up 
 Nothing is steered: what matters to a client is which item is flown when.
 """
 import math
-from typing import Callable, NamedTuple, Optional, Sequence
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from .dialect import mavlink
 from .items import Item
@@ -53,7 +54,7 @@ class Place(NamedTuple):
 
     def towards(self, other: "Place", share: float) -> "Place":
         """The place that share [0..1] of the way to other."""
-        return Place(*(type(a)(a + (b - a) * share) for a, b in zip(self, other)))
+        return Place(*(type(a)(a + (b - a) * share) for a, b in zip(self, other, strict=True)))
 
 
 class Pace(NamedTuple):
@@ -91,7 +92,7 @@ class Flight:
         self.pace = pace
         self.home = home
         self.home_altitude = home_altitude  # [m above sea level]
-        self.index: Optional[int] = None  # of the item being flown; None when not flying one
+        self.index: int | None = None  # of the item being flown; None when not flying one
         self.ends_at = math.inf  # when that item ends [s]
         self.waiting = False  # at the beginning of that item, for begin()
         self.sinking = False  # at the end of a landing

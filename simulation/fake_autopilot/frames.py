@@ -1,8 +1,7 @@
 """Bytes on a line <-> MAVLink frames, without ever touching one byte at a time."""
 import hashlib
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
-from typing import Optional
 from xml.etree import ElementTree
 
 from .dialect import mavlink
@@ -38,7 +37,7 @@ def _crc(body: bytes, crc_extra: int) -> int:
     return mavlink.x25crc(body + bytes((crc_extra,))).crc
 
 
-def crc_extra_of(frame: bytes) -> Optional[int]:
+def crc_extra_of(frame: bytes) -> int | None:
     """CRC_EXTRA of the frame's message; None if the dialect does not know the message."""
     known = mavlink.mavlink_map.get(message_id(frame))
     return known.crc_extra if known else None
@@ -106,7 +105,7 @@ _SIZES = {"char": 1, "uint8_t": 1, "int8_t": 1, "uint16_t": 2, "int16_t": 2, "ui
           "int32_t": 4, "float": 4, "uint64_t": 8, "int64_t": 8, "double": 8}
 
 
-@lru_cache(maxsize=None)
+@cache
 def _lengths_v1() -> dict[int, int]:
     """Message id -> length of its payload without the extension fields."""
     lengths = {}
@@ -178,7 +177,7 @@ class FrameSplitter:
         return pieces
 
     @staticmethod
-    def _frame_length(buffer: bytearray, start: int) -> Optional[int]:
+    def _frame_length(buffer: bytearray, start: int) -> int | None:
         """Length of the frame that begins at start; None if not known yet, 0 if it is none."""
         available = len(buffer) - start
         if buffer[start] == MAGIC_V1:

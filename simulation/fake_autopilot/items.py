@@ -54,7 +54,7 @@ class Item(NamedTuple):
 
     def same_as(self, other: "Item") -> bool:
         """Equality that takes NaN for equal to NaN."""
-        return all(a == b or (math.isnan(a) and math.isnan(b)) for a, b in zip(self, other))
+        return all(a == b or (math.isnan(a) and math.isnan(b)) for a, b in zip(self, other, strict=True))
 
 
 def item(command: int, frame: int = 3, x: int = 0, y: int = 0, z: float = 0.0,

@@ -1,6 +1,6 @@
 """PX4 1.17.0: its modes, its commands, its flight, around its mission protocol."""
 import math
-from typing import Iterable, Optional
+from collections.abc import Iterable
 
 from .autopilot import TEXT_LAG_S, FakeAutopilot
 from .dialect import mavlink
@@ -68,7 +68,7 @@ class Px4(FakeAutopilot):
 
     def __init__(self, *, item_limit: int = 2000, fence_limit: int = 64, rally_limit: int = 32,
                  home: tuple[int, int, float] = (473977428, 85455937, 489.5),
-                 armed: bool = False, mode: Optional[tuple[int, int]] = None,
+                 armed: bool = False, mode: tuple[int, int] | None = None,
                  infeasible_text: bool = True, takeoff_required: bool = False,
                  tells_at_s: float = 0.5, **options) -> None:
         super().__init__(**options)
@@ -82,9 +82,9 @@ class Px4(FakeAutopilot):
         self.complete = False
         self._mode_when_disarmed = (self.main_mode, self.sub_mode)
         self._known_current = self._told_current = 0  # see _on_set_current
-        self._state_before: Optional[int] = None  # of the mission, until it has looked at a new plan
+        self._state_before: int | None = None  # of the mission, until it has looked at a new plan
         self._text_number = 0
-        self._reached: Optional[int] = None
+        self._reached: int | None = None
         self._reached_again = 0
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
                                         RALLY: rally_limit})
@@ -121,12 +121,12 @@ class Px4(FakeAutopilot):
         self._known_current = self.missions.current
 
     @property
-    def objection(self) -> Optional[str]:
+    def objection(self) -> str | None:
         """Why it will not fly the plan aboard; None if it will."""
         return objection(self.missions.held[MISSION], self.home[2],
                          not self.flight.airborne(self._now), self.takeoff_required)
 
-    def plan_changed(self, flagged: Optional[int], now: float) -> None:
+    def plan_changed(self, flagged: int | None, now: float) -> None:
         """A new plan is aboard. The current item stays what it was, if the plan flags no other as current.
 
         MISSION_CURRENT names the new plan at once; its state and the words for what is wrong follow.

@@ -5,7 +5,6 @@ odd corners is which variable outlives a transfer, so those are kept as PX4 keep
 """
 import math
 from enum import Enum
-from typing import Optional
 
 from . import px4_rewriting as rewriting
 from .dialect import mavlink
@@ -59,7 +58,7 @@ class Missions:
         self._given = []
         self._staged: list[tuple[Item, Item]] = []
         self._staged_checksum = 0
-        self._flagged_current: Optional[int] = None
+        self._flagged_current: int | None = None
         self._heard_at = self._sent_at = 0.0
         self.autopilot.never("transfer")
 

@@ -2,7 +2,7 @@
 import math
 import struct
 import zlib
-from typing import Callable, Optional
+from collections.abc import Callable
 
 from .dialect import mavlink
 from .items import FENCE, MISSION, Item, f32, int32
@@ -109,7 +109,7 @@ _CORNERS = (5001, 5002)
 _NOT_IN_A_MISSION = (5001, 5002, 5003, 5004, 5100)
 
 
-def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, Optional[Item]]:
+def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, Item | None]:
     """(MAV_MISSION_RESULT, the item as MISSION_REQUEST_INT will read it, or None).
 
     float_mode: the item came in a MISSION_ITEM, its x and y are in degrees.
@@ -133,11 +133,11 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
     # A fence has no altitude, and so no frame of one.
     frame, autocontinue = (5, 0) if mission_type == FENCE else (FRAMES[item.frame], item.autocontinue)
     return ACCEPTED, Item(frame, KEPT_AS.get(item.command, item.command), 0, autocontinue,
-                          *(stored(value) for stored, value in zip(params, item[4:8])),
+                          *(stored(value) for stored, value in zip(params, item[4:8], strict=True)),
                           x, y, item.z)
 
 
-def _without_a_place(item: Item, float_mode: bool) -> tuple[int, Optional[Item]]:
+def _without_a_place(item: Item, float_mode: bool) -> tuple[int, Item | None]:
     if item.command not in WITHOUT_A_PLACE:
         return UNSUPPORTED, None
     if item.command in ROI and whole(item.param1) not in ROI_MODES_WITHOUT:

@@ -1,5 +1,5 @@
 """What one ArduPilot vehicle does otherwise than the next."""
-from typing import NamedTuple, Optional
+from typing import NamedTuple
 
 from .flight import Pace
 
@@ -17,18 +17,18 @@ class Vehicle(NamedTuple):
     disarmed: str
     reached: str  # what it says at a waypoint
     auto_refused: str  # what it says last when AUTO is not to be had
-    no_plan: Optional[str] = None  # and before that, without a plan
+    no_plan: str | None = None  # and before that, without a plan
     not_armed_in: frozenset = frozenset()  # modes
     # In AUTO, armed and on the ground, it begins with nothing but a takeoff, and waits for MISSION_START to do that.
     needs_takeoff: bool = False
-    disarms_idle_s: Optional[float] = None  # on the ground, after so long
+    disarms_idle_s: float | None = None  # on the ground, after so long
     ready_s: float = 30.0  # from power-on to the first arming
     position_s: float = 0.0  # and from there to a position good enough for the modes that need one
-    land_mode: Optional[str] = None  # in which it comes down and disarms
+    land_mode: str | None = None  # in which it comes down and disarms
     always_stabilized: bool = False  # HEARTBEAT's flags: stabilised in each mode, and deaf to the pilot in none
-    complete: Optional[str] = None  # what it says at the end of the plan
+    complete: str | None = None  # what it says at the end of the plan
     by_itself: frozenset = _BY_ITSELF  # the modes with HEARTBEAT's flag GUIDED
-    idle_modes: Optional[frozenset] = None  # those in which HEARTBEAT says STANDBY; None: in any, on the ground
+    idle_modes: frozenset | None = None  # those in which HEARTBEAT says STANDBY; None: in any, on the ground
     manual_modes: frozenset = frozenset(("MANUAL",))
 
 

@@ -103,6 +103,6 @@ def compile_to(target: Path, flags: Iterable[str] = ()) -> None:
         raise SimulatorNotBuilt(f"no C compiler ({compiler}): run tools/setup") from error
     if said.returncode != 0:
         raise SimulatorNotBuilt(
-            f"the simulator does not compile; run tools/setup, which installs libsimavr-dev and libelf-dev\n{said.stderr}"
+            "the simulator does not compile; run tools/setup: it installs libsimavr-dev and libelf-dev\n" + said.stderr
         )
     fresh.replace(target)

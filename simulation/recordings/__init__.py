@@ -1,9 +1,10 @@
 """Reading what real autopilots said (see README.md beside this file)."""
 import csv
 import itertools
-from functools import lru_cache
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
-from typing import Iterator, NamedTuple
+from typing import NamedTuple
 
 from simulation.fake_autopilot import frames
 
@@ -41,7 +42,7 @@ def _all() -> list[str]:
     return sorted(f"{path.parent.name}/{path.stem}" for path in FOLDER.glob("*/*.txt"))
 
 
-@lru_cache(maxsize=None)
+@cache
 def heard(name: str) -> tuple[Heard, ...]:
     """Every intact frame of a recording, in order."""
     path = FOLDER / f"{name}.txt"

@@ -103,7 +103,9 @@ def test_every_name_in_a_diagram_is_one_of_the_code():
 QUICK = ("RAM budget", "goals", "flash budget")
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in design.TABLES])
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in design.TABLES]
+)
 def test_measured_table_is_not_stale(name):
     assert with_table(DESIGN, name, design.TABLES[name]()) == DESIGN, "run tools/measure --write-design"
 

@@ -8,7 +8,9 @@ from readbacks import VEHICLES, rows
 
 def test_document_has_the_table_of_the_library():
     text = readback_document.DOCUMENT.read_text()
-    assert readback_document.with_table(text) == text, "run build/venv/bin/python test/support/readback_document.py --write"
+    assert (
+        readback_document.with_table(text) == text
+    ), "run build/venv/bin/python test/support/readback_document.py --write"
 
 
 def test_table_has_each_command_that_an_autopilot_was_recorded_with():

@@ -46,7 +46,13 @@ def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(referenc
     assert {"upload", "update"} <= functions
     assert [name for name in functions if f" {name} (" not in client and f" {name}(" not in client] == []
     assert "without ever blocking" in client
-    for name in ("structMissionItem", "classMissionFollower", "classMessageListener", "classDegrees", "structLinkCounters"):
+    for name in (
+        "structMissionItem",
+        "classMissionFollower",
+        "classMessageListener",
+        "classDegrees",
+        "structLinkCounters",
+    ):
         page = re.sub("(?=[A-Z])", "mavmission_1_1", name, count=1)
         assert (reference / f"{page}.html").is_file(), page
 

@@ -81,7 +81,9 @@ def matrix() -> list[dict]:
 
 def test_every_example_is_compiled():
     for board in matrix():
-        paths = yaml.safe_load(compile_step()["sketch-paths"].replace("${{ matrix.board.more }}", board.get("more", "")))
+        paths = yaml.safe_load(
+            compile_step()["sketch-paths"].replace("${{ matrix.board.more }}", board.get("more", ""))
+        )
         assert sorted(paths) == sorted(
             f"examples/{folder.name}" for folder in (ROOT / "examples").iterdir()
             if folder.is_dir() and (folder.name, board["name"]) not in NOT_PROMISED

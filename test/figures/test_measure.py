@@ -20,8 +20,9 @@ from simulation.mega import Mega
 
 README = ROOT / "README.md"
 WHAT_FIGURES_DEPEND_ON = (
-    "src", "examples/UploadMission", "test/measured", "test/baseline", "simulation/fake_autopilot", "simulation/recordings",
-    "simulation/firmware.py", "tools/measuring", "simulation/mega", "tools/building.py", "tools/baseline.py",
+    "src", "examples/UploadMission", "test/measured", "test/baseline", "simulation/fake_autopilot",
+    "simulation/recordings", "simulation/firmware.py", "tools/measuring", "simulation/mega",
+    "tools/building.py", "tools/baseline.py",
 )  # fmt: skip
 
 
@@ -241,7 +242,9 @@ COSTS = re.compile(r"//.*\d (?:cycles|bytes (?:less|more|of flash|of RAM)|kB)")
 def test_comments_of_the_library_name_no_cost_that_nothing_measures_anew():
     """Such a figure is in a table that a tool writes, or is printed by tools/measure --tricks."""
     places = [file for kind in ("*.h", "*.cpp") for file in (ROOT / "src").rglob(kind) if "mavlink" not in file.parts]
-    assert [f"{file.name}: {line}" for file in places for line in file.read_text().splitlines() if COSTS.search(line)] == []
+    assert [
+        f"{file.name}: {line}" for file in places for line in file.read_text().splitlines() if COSTS.search(line)
+    ] == []
 
 
 def test_profile_names_the_library_and_the_core():

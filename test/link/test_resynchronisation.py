@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import struct
 import subprocess
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -73,9 +73,7 @@ def losses(frames: list[bytes], folder: Path) -> dict[tuple[str, str], Loss]:
     stream = folder / "stream"
     stream.write_bytes(b"".join(struct.pack("<H", len(frame)) + frame for frame in frames))
     parser = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
-    program = build_host(
-        "resynchronisation", [ROOT / "test/resynchronisation/measure.cpp"], flags=FAST, library=parser
-    )
+    program = build_host("resynchronisation", [ROOT / "test/resynchronisation/measure.cpp"], flags=FAST, library=parser)
     figures = folder / f"{digest(str(program), stream.read_bytes())[:16]}.txt"  # another test may have measured it
     with exclusive(figures):
         if not figures.exists():
@@ -91,7 +89,7 @@ def losses(frames: list[bytes], folder: Path) -> dict[tuple[str, str], Loss]:
     return found
 
 
-@lru_cache(maxsize=None)
+@cache
 def measured(name: str) -> dict[tuple[str, str], Loss]:
     folder = OUTPUT / "streams" / name.replace("/", "-")
     folder.mkdir(parents=True, exist_ok=True)
@@ -99,7 +97,9 @@ def measured(name: str) -> dict[tuple[str, str], Loss]:
 
 
 def table(found: dict[tuple[str, str], Loss]) -> list[list[str]]:
-    rows = [["damage", "positions", "lost by the stock parser", "lost by ours", "positions where the stock parser loses"]]
+    rows = [
+        ["damage", "positions", "lost by the stock parser", "lost by ours", "positions where the stock parser loses"]
+    ]
     for kind in [*BURSTS, *FLIPS, CUT]:
         stock, ours = found[kind, "stock"], found[kind, "ours"]
         share = f"{100 * stock.struck / stock.positions:.1f} %"

@@ -1,8 +1,9 @@
-"""A signed link: the firmware built with MAVMISSION_SIGNING against an autopilot that signs and hears nothing unsigned."""
+"""A signed link: the firmware with MAVMISSION_SIGNING against an autopilot that signs and hears nothing unsigned."""
 
 from __future__ import annotations
 
 import random
+from itertools import pairwise
 
 import pytest
 
@@ -65,7 +66,7 @@ def assert_times_rise(bench, resets: int) -> list[int]:
     good = verified(frames)
     assert len(frames) - len(good) <= resets
     times = [time for _, time in map(signature, good)]
-    assert all(earlier < later for earlier, later in zip(times, times[1:]))
+    assert all(earlier < later for earlier, later in pairwise(times))
     return times
 
 
@@ -363,7 +364,9 @@ def test_frame_behind_a_signature_that_was_cut_short_is_heard(signed_line, lost)
 def test_signature_may_look_like_frames(signed_line):
     """The bytes with which frames begin, at each place of the signature that the sender chooses."""
     signed_line.upload()
-    for item, (link, low) in enumerate((link, low) for link in (0xFD, 0xFE) for low in (0xFD, 0xFDFE, 0xFEFDFD, 0xFD0001FE)):
+    for item, (link, low) in enumerate(
+        (link, low) for link in (0xFD, 0xFE) for low in (0xFD, 0xFDFE, 0xFEFDFD, 0xFD0001FE)
+    ):
         by = signer(peer.AUTOPILOT, link=link, time=NOW + MINUTE * 500 & ~0xFFFFFFFF | low)
         by.seq = item
         signed_line.say(peer.heartbeat(), by)
@@ -406,7 +409,7 @@ def test_timestamps_rise_across_resets_in_mid_transfer(signed, personality):
 
 
 def test_timestamps_rise_though_the_autopilot_forgets_the_time(signed_line):
-    """The store alone must see to it: an autopilot without a clock that begins anew, or a forger that holds its frames back."""
+    """The store alone must see to it: an autopilot without a clock begins anew, or a forger holds its frames back."""
     bench, latest = signed_line.bench, NOW
     resets = random.Random(3)
     for _ in range(20):
@@ -473,7 +476,7 @@ def test_hashing_is_cut_into_pieces_of_10000_cycles(make_signed):
 
 @pytest.mark.parametrize(("loop_ms", "frames_per_s"), [(0, 180), (1, 60), (2, 36), (5, 18)])
 def test_so_many_frames_in_a_second_are_checked_and_no_byte_is_lost(signed_line, loop_ms, frames_per_s):
-    """Of those that must be checked, 31 bytes each, at 57600 baud: 180 fill the line. loop() takes so long beside update()."""
+    """Of those to be checked, 31 bytes each, at 57600 baud: 180 fill the line. loop() takes so long beside update()."""
     bench = signed_line.bench
     signed_line.say(peer.heartbeat())
     bench.run(0.2)

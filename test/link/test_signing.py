@@ -49,7 +49,9 @@ def test_longest_message_is_hashed_right(signing):
     assert signing.ask("hash", data.hex(), 8191) == hashlib.sha256(data).hexdigest()
 
 
-@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 @given(data=st.binary(max_size=400), slices=st.lists(st.integers(1, 130), min_size=1, max_size=9))
 def test_slicing_changes_nothing(signing, data, slices):
     assert signing.ask("hash", data.hex() or "-", *slices) == hashlib.sha256(data).hexdigest()
@@ -197,7 +199,12 @@ def test_wrong_signature_moves_no_time(signing):
 
 
 @settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(st.lists(st.tuples(st.integers(1, 3), st.integers(0, 2), st.integers(-2 * MINUTE, 2 * MINUTE), st.booleans()), max_size=25))
+@given(
+    st.lists(
+        st.tuples(st.integers(1, 3), st.integers(0, 2), st.integers(-2 * MINUTE, 2 * MINUTE), st.booleans()),
+        max_size=25,
+    )
+)
 def test_it_judges_as_the_rules_of_the_guide_do(signing, frames):
     """Beside a model in Python: a stream's time rises, and begins no more than a minute behind ours."""
     signing.begin(kept=0)
@@ -228,7 +235,13 @@ def test_newer_time_is_taken_over_from_an_accepted_frame(signing):
 
 
 def test_clock_moves_time_forward_only(signing):
-    for unix, expected in ((0, 0), (1420070400, 0), (1420070401, 100_000), (1700000000, 27992960000000), (1600000000, 27992960000000)):
+    for unix, expected in (
+        (0, 0),
+        (1420070400, 0),
+        (1420070401, 100_000),
+        (1700000000, 27992960000000),
+        (1600000000, 27992960000000),
+    ):
         signing.ask("clock", unix)
         assert signing.time == expected, unix
 
@@ -256,7 +269,9 @@ def test_time_rises_across_resets(signing):
         signing.begin()
         for _ in range(random_source.randrange(4)):
             if random_source.random() < 0.5:
-                autopilot.signing.timestamp = max(autopilot.signing.timestamp, latest) + random_source.randrange(1, MINUTE // 2)
+                autopilot.signing.timestamp = max(autopilot.signing.timestamp, latest) + random_source.randrange(
+                    1, MINUTE // 2
+                )
                 assert signing.accepts(ACK.pack(autopilot))
             else:
                 signed = int.from_bytes(signing.sign(unsigned_frame(ACK))[-12:-6], "little")

@@ -38,7 +38,7 @@ def test_one_plan_is_cleared_and_the_others_stay(service, name):
     assert left(service) == [other for other in TYPES if other != name]
     assert [message.mission_type for message in service.heard("MISSION_CLEAR_ALL")] == [TYPES[name]]
     state = service.state
-    aboard = dict(zip(TYPES, (state.aboard, state.aboard_fence, state.aboard_rally)))
+    aboard = dict(zip(TYPES, (state.aboard, state.aboard_fence, state.aboard_rally), strict=True))
     assert aboard == {other: "Nothing" if other == name else "NotKnown" for other in TYPES}
 
 
@@ -80,7 +80,7 @@ def test_all_says_how_far_it_came_when_one_is_refused(service):
     assert service.done() == "Denied"
     state = service.state
     assert "Nothing" in (state.aboard, state.aboard_fence, state.aboard_rally) or left(service) == list(TYPES)
-    for name, aboard in zip(TYPES, (state.aboard, state.aboard_fence, state.aboard_rally)):
+    for name, aboard in zip(TYPES, (state.aboard, state.aboard_fence, state.aboard_rally), strict=True):
         assert (aboard == "Nothing") == (name not in left(service))
 
 

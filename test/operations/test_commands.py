@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 
@@ -81,7 +82,7 @@ def test_lost_command_or_answer_is_made_up_for(service, direction, name):
     assert service.done() == "Done"
     assert [message.confirmation for message in service.heard("COMMAND_LONG")] == [0, 1, 2, 3, 4]
     times = service.sent_at("COMMAND_LONG")
-    assert [later - sooner for sooner, later in zip(times, times[1:])] == [pytest.approx(1.5, abs=0.01)] * 4
+    assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(1.5, abs=0.01)] * 4
 
 
 @COMMANDS
@@ -166,7 +167,9 @@ def test_cancelled_command_says_nothing_more(service):
 
 
 @COMMANDS
-@pytest.mark.parametrize("order", [("arm",), ("mode", 3), ("clear", 0), ("download", 0, 9, 9), ("start",), ("verify", 0)])
+@pytest.mark.parametrize(
+    "order", [("arm",), ("mode", 3), ("clear", 0), ("download", 0, 9, 9), ("start",), ("verify", 0)]
+)
 def test_second_operation_is_refused_and_the_first_goes_on(service, order):
     deafen(service)
     service.send_command(CHANGE_SPEED, 1.0, 5.0)
@@ -271,7 +274,8 @@ def test_resume_and_mode_changes_arm_nothing(service):
 
 MODE = pytest.mark.scenario(54, "Modes by one name on every vehicle")
 NUMBERS = {
-    ("ArduPilot", "copter"): {"Auto": 3, "Guided": 4, "ReturnToLaunch": 6, "Hold": 5, "Land": 9, "Brake": 17, "Manual": 0},
+    ("ArduPilot", "copter"): {"Auto": 3, "Guided": 4, "ReturnToLaunch": 6, "Hold": 5, "Land": 9, "Brake": 17,
+                              "Manual": 0},
     ("ArduPilot", "rover"): {"Auto": 10, "Guided": 15, "ReturnToLaunch": 11, "Hold": 4, "Manual": 0},
     ("ArduPilot", "plane"): {"Auto": 10, "Guided": 15, "ReturnToLaunch": 11, "Hold": 12, "Manual": 0},
     ("PX4", "copter"): {"Auto": (4, 4), "Guided": (6, 0), "ReturnToLaunch": (4, 5), "Hold": (4, 3), "Land": (4, 6),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from downloads import WRITTEN, is_ardupilot, loaded, same
@@ -143,7 +145,7 @@ def test_lost_item_is_asked_for_again_after_250_ms_and_5_times_in_all(service):
     service.run(0.1)
     times = [entry.time for entry in service.wire.frames(">", "MISSION_REQUEST_INT") if entry.message.seq == 2]
     assert len(times) == 5
-    assert [later - sooner for sooner, later in zip(times, times[1:])] == [pytest.approx(0.25, abs=0.01)] * 4
+    assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(0.25, abs=0.01)] * 4
     assert steps(service)[-1] == ("ACK", 15), "the autopilot is told, or it would wait for us"
 
 
@@ -260,7 +262,7 @@ def test_autopilot_that_gives_only_float_items_is_understood(service):
     as_floats(service)
     service.download()
     assert service.done() == "Downloaded"
-    for read, meant in zip(service.sink(5), SURVEY):
+    for read, meant in zip(service.sink(5), SURVEY, strict=True):
         assert abs(read.x - meant.x) < 25 and abs(read.y - meant.y) < 10, "a float has 24 bits"
         assert (read.command, read.z) == (meant.command, meant.z)
 

@@ -43,7 +43,9 @@ def test_cancelled_operation_says_so_and_nothing_after_it(service, personality, 
     assert service.done() == "Accepted"
 
 
-STRANGERS = pytest.mark.scenario(25, "Answers of strangers in a download, a verification, a clear, a command, a start()")
+STRANGERS = pytest.mark.scenario(
+    25, "Answers of strangers in a download, a verification, a clear, a command, a start()"
+)
 OTHERS = [(1, 154), (2, 1), (255, 190), (1, 191)]
 
 

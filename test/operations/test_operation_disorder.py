@@ -1,5 +1,5 @@
-"""The operations beside the upload on a line that repeats, delays and reorders, beside a peer that says what nobody asked
-for, and in a loop that stalls."""
+"""The operations beside the upload on a line that repeats, delays and reorders, beside a peer that says what nobody
+asked for, and in a loop that stalls."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ SPURIOUS = pytest.mark.scenario(26, "Spurious messages in a download, a verifica
 
 
 def unasked(personality: str) -> list:
-    """What is no answer to any of these operations, and what would be one if another item, type or command were meant."""
+    """No answer to any of these operations; some would be one if another item, type or command were meant."""
     place = item_int_message(waypoint(), US, 40)
     return [
         request_int(3), request(3), place, item_int_message(waypoint(), US, 1, 1), ack(0, mission_type=1),

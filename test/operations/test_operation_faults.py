@@ -53,7 +53,9 @@ CABLE = pytest.mark.scenario(39, "The cable is pulled in a download, a verificat
 
 @CABLE
 @AT_EACH_MOMENT
-@pytest.mark.parametrize("way", [pytest.param(way, marks=() if way == "both ways" else pytest.mark.slow) for way in WAYS])
+@pytest.mark.parametrize(
+    "way", [pytest.param(way, marks=() if way == "both ways" else pytest.mark.slow) for way in WAYS]
+)
 @pytest.mark.parametrize("pulled_s", [2.0, *(pytest.param(s, marks=pytest.mark.slow) for s in (0.6, 6.5))])
 def test_pulled_cable_ends_it_truthfully(service, personality, name, messages, pulled_s, way):
     go_to(service, personality, name, messages)

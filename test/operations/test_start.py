@@ -61,7 +61,8 @@ def test_every_step_may_be_lost_once(build_service, kind, direction, name):
 
 REFUSED = [(("ArduPilot", "copter"), 0, "ReadyMode"), (("ArduPilot", "copter"), 1, "Arm"),
            (("ArduPilot", "copter"), 2, "AutoMode"), (("ArduPilot", "copter"), 3, "Begin"),
-           (("ArduPilot", "rover"), 1, "Arm"), (("ArduPilot", "plane"), 0, "Arm"), (("PX4", "copter"), 0, "Begin")]  # fmt: skip
+           (("ArduPilot", "rover"), 1, "Arm"), (("ArduPilot", "plane"), 0, "Arm"),
+           (("PX4", "copter"), 0, "Begin")]  # fmt: skip
 
 
 @START

@@ -99,7 +99,9 @@ def test_copter_whose_mode_somebody_else_has_set_is_not_disarmed(build_service):
     assert (ARM, 0, 0) not in told(service)
 
 
-AT_STEPS = [(*vehicle, step) for vehicle in (("copter", 5), ("rover", 4)) for step in ("Arm", "AutoMode", "Begin", "Confirm")]
+AT_STEPS = [
+    (*vehicle, step) for vehicle in (("copter", 5), ("rover", 4)) for step in ("Arm", "AutoMode", "Begin", "Confirm")
+]
 # The mode in which start() has put it before: behind AUTO it is somebody else's too.
 BACK_IN_ITS_MODE = [(*vehicle, step) for vehicle in (("copter", 4), ("rover", 0)) for step in ("Begin", "Confirm")]
 

@@ -46,7 +46,7 @@ def test_longer_plan_verifies(service):
 
 @VERIFY
 def test_landing_far_from_any_place_verifies(service):
-    """On PX4 it gets a place: that of the nearest waypoint in the plan, 45 items off; it is looked for while items come."""
+    """On PX4 it gets a place: that of the nearest waypoint in the plan, 45 items off, looked for while items come."""
     plan = [waypoint(z=5.0), *[item(SPEED, frame=NO_PLACE, param1=1.0, param2=3.0, param3=-1.0)] * 45, item(LAND)]
     service.upload(plan, proof="Always")
     assert service.done(limit_s=20) == "Accepted"

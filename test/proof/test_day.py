@@ -1,9 +1,9 @@
 """A simulated day of transfers: 24 hours of every operation, one after the other, with idle stretches and losses.
 
-The library's own MissionClient, compiled for this computer, update() each millisecond, on a wire to the fake autopilots.
-millis() wraps within the day. What must hold: every operation ends; what it says is so; without a loss it ends as it
-should; nothing is allocated; the counters count what went over the line, and wrap as they are said to; and at the end of
-the day the client is what it was after its first hour, in its bytes and in what it does.
+The library's own MissionClient, compiled for this computer, update() each millisecond, on a wire to the fake
+autopilots. millis() wraps within the day. What must hold: every operation ends; what it says is so; without a loss it
+ends as it should; nothing is allocated; the counters count what went over the line, and wrap as they are said to; and
+at the end of the day the client is what it was after its first hour, in its bytes and in what it does.
 
     build/venv/bin/python -m pytest -q test/proof/test_day.py     # prints how many operations of each kind there were
 """
@@ -238,6 +238,7 @@ class Day:
 
     def pulled(self) -> None:
         """The cable is pulled in the middle of an upload, and put back while its end is waited for, or later."""
+
         def begin() -> str:
             begun = self.client.upload(LONG)
             self.client.run(self.random.uniform(1.0, 1.8))

@@ -56,8 +56,8 @@ def test_imports_go_one_way(folder):
 
 def test_import_the_wrong_way_is_found():
     assert "plans" in TEST_SIDE and "building" in TOOLS and "planning" in TOOLS and "test_flow" in TESTS
-    source = "from .plans import SURVEY\nimport os.path\ndef late():\n    from plans import SURVEY\n    import planning.plan\n"
-    assert list(imported(source)) == ["os", "plans", "planning"]
+    late = "def late():\n    from plans import SURVEY\n    import planning.plan\n"
+    assert list(imported("from .plans import SURVEY\nimport os.path\n" + late)) == ["os", "plans", "planning"]
 
 
 def test_no_module_of_ours_has_the_name_of_another():

@@ -66,4 +66,7 @@ if __name__ == "__main__":
     keep = ROOT / "build" / "fuzz" / sys.argv[1]
     keep.mkdir(parents=True, exist_ok=True)
     program = build_target(sys.argv[1])
-    os.execv(program, [str(program), *sys.argv[2:], f"-artifact_prefix={keep}/", str(keep), str(FUZZ / "corpus" / sys.argv[1])])
+    os.execv(
+        program,
+        [str(program), *sys.argv[2:], f"-artifact_prefix={keep}/", str(keep), str(FUZZ / "corpus" / sys.argv[1])],
+    )

@@ -27,14 +27,19 @@ def expected(compiler: str, snippet) -> str:
 
 def command(compiler: str, standard: str) -> list[str]:
     if compiler == "avr-g++":
-        ide = [f"-std=gnu++{standard}" if word.startswith("-std=") else word for word in firmware.compiler(SNIPPETS[0], "atmega2560")]
+        ide = [
+            f"-std=gnu++{standard}" if word.startswith("-std=") else word
+            for word in firmware.compiler(SNIPPETS[0], "atmega2560")
+        ]
         return [*ide, "-include", "Arduino.h", "-w", LIBRARY]
     return [compiler, "-c", f"-std=c++{standard}", "-w", f"-I{host_build.SHIM}", "-include", "Arduino.h", LIBRARY]
 
 
 def compiled(compiler: str, standard: str, snippet, *more: str) -> subprocess.CompletedProcess:
     words = [*command(compiler, standard), *more, str(snippet), "-o", "/dev/null"]
-    return subprocess.run(words, capture_output=True, text=True, check=False, env={"LC_ALL": "C", "PATH": "/usr/bin:/bin"})
+    return subprocess.run(
+        words, capture_output=True, text=True, check=False, env={"LC_ALL": "C", "PATH": "/usr/bin:/bin"}
+    )
 
 
 @pytest.mark.parametrize(
@@ -52,7 +57,11 @@ def test_mistake_is_refused_with_words_that_help(snippet, compiler):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("standard", ["14", "17"])
-@pytest.mark.parametrize("snippet", [file for file in SNIPPETS if "degrees" in file.stem or "decimals" in file.stem], ids=lambda file: file.stem)
+@pytest.mark.parametrize(
+    "snippet",
+    [file for file in SNIPPETS if "degrees" in file.stem or "decimals" in file.stem],
+    ids=lambda file: file.stem,
+)
 def test_literals_are_refused_by_later_standards_too(snippet, standard):
     for compiler in ("avr-g++", *host_build.COMPILERS):
         wrong = compiled(compiler, standard, snippet)

@@ -274,7 +274,12 @@ def test_words_of_the_autopilot_come_whole(service):
     for severity, words in ((0, "x"), (6, "y" * 49), (7, "z" * 50), (3, "")):
         service.say(mavlink.MAVLink_statustext_message(severity, words.encode()))
         service.run(0.05)
-    assert [pair for pair in service.texts if pair[1][:1] in "xyz"][-4:] == [(0, "x"), (6, "y" * 49), (7, "z" * 50), (3, "")]
+    assert [pair for pair in service.texts if pair[1][:1] in "xyz"][-4:] == [
+        (0, "x"),
+        (6, "y" * 49),
+        (7, "z" * 50),
+        (3, ""),
+    ]
 
 
 @OURS

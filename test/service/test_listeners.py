@@ -188,7 +188,7 @@ def test_message_of_any_length_leaves_to_the_byte(build_service, version, room, 
         sent.append(payload)
     frames = frames_with(service, OWN, version)
     assert len(frames) == len(sent)
-    for frame, payload in zip(frames, sent):
+    for frame, payload in zip(frames, sent, strict=True):
         sequence = frame[2] if version == 1 else frame[4]
         assert frame == frame_of(version, sequence, OWN, OWN_CRC_EXTRA, payload)
     assert sequences(service) == [number % 256 for number in range(len(sequences(service)))]
@@ -220,7 +220,7 @@ def test_trailing_zeros_are_left_out_in_mavlink_2_but_not_in_mavlink_1(build_ser
         for meant in (payload, bytes(9)):
             service.post(OWN, OWN_CRC_EXTRA, meant)
             service.run(0.1)
-        for frame, meant in zip(frames_with(service, OWN, version), (payload, bytes(9))):
+        for frame, meant in zip(frames_with(service, OWN, version), (payload, bytes(9)), strict=True):
             assert frame == frame_of(version, frame[2 if version == 1 else 4], OWN, OWN_CRC_EXTRA, meant)
             assert len(frame) == {1: 8 + len(meant), 2: 12 + max(1, len(meant.rstrip(b"\0")))}[version]
 

@@ -1,6 +1,8 @@
-"""MISSION_CURRENT where the autopilot's port does not send it unasked: a MissionFollower asks for it, and is no nuisance."""
+"""Where the autopilot's port does not send MISSION_CURRENT unasked, a MissionFollower asks for it, and is no burden."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import pytest
 
@@ -66,9 +68,15 @@ def test_one_asking_is_enough(build_service):
 
 
 @ASKED
-@pytest.mark.parametrize("personality, options", [("PX4", {}), ("PX4", {"tells_at_s": 1.04}),
-                                                  ("ArduPilot", {"vehicle": "rover", "streams": {MISSION_CURRENT: 1.0}})],
-                         ids=["PX4", "PX4 later", "rover with streams"])  # fmt: skip
+@pytest.mark.parametrize(
+    "personality, options",
+    [
+        ("PX4", {}),
+        ("PX4", {"tells_at_s": 1.04}),
+        ("ArduPilot", {"vehicle": "rover", "streams": {MISSION_CURRENT: 1.0}}),
+    ],
+    ids=["PX4", "PX4 later", "rover with streams"],
+)
 def test_autopilot_that_sends_it_by_itself_is_not_asked(build_service, personality, options):
     service = build_service(personality, **options)
     service.run(20.0)
@@ -104,7 +112,7 @@ def test_autopilot_that_never_sends_it_is_asked_less_and_less(build_service):
     service.wire.lose(">", times=None, where=is_followers)
     service.run(200.0)
     began = asked(service)
-    pauses = [round(later - sooner) for sooner, later in zip(began, began[1:])]
+    pauses = [round(later - sooner) for sooner, later in pairwise(began)]
     assert pauses == [2, 4, 8, 16, 32, 64, 64]
 
 
@@ -113,7 +121,7 @@ def test_px4_that_refuses_is_asked_less_and_less_too_and_nothing_comes_of_its_re
     service = build_service("PX4", tells_at_s=600.0)
     service.run(20.0)
     began = asked(service)
-    assert [round(later - sooner) for sooner, later in zip(began, began[1:])] == [2, 4, 8]
+    assert [round(later - sooner) for sooner, later in pairwise(began)] == [2, 4, 8]
     refusals = [message.result for message in service.autopilot.messages("<", "COMMAND_ACK")]
     assert refusals == [mavlink.MAV_RESULT_FAILED] * 4
     assert service.ends == [] and service.status == "Idle"
@@ -189,7 +197,7 @@ def test_beside_quiet_transfers_one_command_is_under_way_at_a_time(build_service
     sent = intervals(service)
     answered = times(service, "COMMAND_ACK")
     assert len(asked(service)) >= 3 and len(sent) > 60
-    for (time, message), (later, next_message) in zip(sent, sent[1:]):
+    for (time, message), (later, next_message) in pairwise(sent):
         if MISSION_CURRENT not in (message, next_message) or message == next_message or later - time >= 1.5:
             continue
         assert next_message == MISSION_CURRENT, "Quiet transfers hear no answer to the asking"

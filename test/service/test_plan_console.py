@@ -21,7 +21,11 @@ TORN = (0xFF, 0x00, 0x4D, 0xA5)  # what may be left of a byte whose writing was 
 
 
 def long_plan(count: int) -> list[str]:
-    return [f"{n}\t0\t3\t16\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t{-35.3632621 + n / 1e6:.8f}\t149.16523740\t{20 + n / 4:.6f}\t1" for n in range(1, count + 1)]  # fmt: skip
+    zeros = "\t".join(["0.00000000"] * 4)
+    return [
+        f"{n}\t0\t3\t16\t{zeros}\t{-35.3632621 + n / 1e6:.8f}\t149.16523740\t{20 + n / 4:.6f}\t1"
+        for n in range(1, count + 1)
+    ]
 
 
 class Console(Run):
@@ -177,7 +181,8 @@ def test_bad_text_is_refused_with_its_line_and_the_old_plan_stays(console):
     (["load", *HEAD, "end"], "line 3: no item behind home"),
     (["load", *HEAD, SURVEY[0], SURVEY[2]], "line 4, field 1: the lines are not numbered 0, 1, 2, ..."),
     (["load", *HEAD, SURVEY[0], SURVEY[1], "upload"], "line 5: not a number"),
-    (["load", *HEAD, SURVEY[0], SURVEY[1], SURVEY[2].replace("\t2\t2", "\t7\t2"), "end"], "line 5, field 5: a jump to home, or to a line that is not there"),
+    (["load", *HEAD, SURVEY[0], SURVEY[1], SURVEY[2].replace("\t2\t2", "\t7\t2"), "end"],
+     "line 5, field 5: a jump to home, or to a line that is not there"),
     (["load", "cancel"], "nothing was loaded"),
     (["end"], "nothing is being loaded: load comes first"),
     (["list"], "no plan is here: load one"),
@@ -214,7 +219,11 @@ def test_more_items_than_the_eeprom_holds_are_refused(console):
 def test_a_text_that_comes_faster_than_it_is_stored_is_refused(console):
     console.send("load", *HEAD, *long_plan(160), "end")
     console.until(PASSED_OVER, 20.0)
-    assert [line for line in console.lines if line.endswith(": it came faster than it could be stored: send it line by line")]
+    assert [
+        line
+        for line in console.lines
+        if line.endswith(": it came faster than it could be stored: send it line by line")
+    ]
     console.run(1.0)
     assert console.answer("list", "no plan is here: load one")[-1] == "no plan is here: load one"
 
@@ -222,7 +231,9 @@ def test_a_text_that_comes_faster_than_it_is_stored_is_refused(console):
 def test_a_text_of_which_bytes_were_lost_is_refused():
     console = Console("PX4")
     # Numbers that take longer to read than the line takes to bring the next: the port's ring runs over.
-    row = "\t".join(["1\t0\t3\t16", *["1.234567890123456789e-37"] * 4, "-35.3632621", "149.1652374", "9.99999999999999999e-38", "1"])
+    row = "\t".join(
+        ["1\t0\t3\t16", *["1.234567890123456789e-37"] * 4, "-35.3632621", "149.1652374", "9.99999999999999999e-38", "1"]
+    )
     console.send("load", *HEAD, row, "end")
     too_fast = "line 3: it came faster than it could be stored: send it line by line"
     assert too_fast in console.until(too_fast, 3.0)
@@ -241,10 +252,16 @@ def test_a_text_of_which_bytes_were_lost_is_refused():
 def test_status_and_help(console):
     console.run(2.5)
     lines = console.answer("status", "here: items 0")
-    assert lines == [f"{'ArduPilot' if is_ardupilot(console) else 'PX4'}, disarmed", "idle", "aboard: not known", "here: items 0"]
+    assert lines == [
+        f"{'ArduPilot' if is_ardupilot(console) else 'PX4'}, disarmed",
+        "idle",
+        "aboard: not known",
+        "here: items 0",
+    ]
     lines = console.answer("help", "start: arm, and fly what is aboard")
     assert [line.partition(":")[0] for line in lines] == [
-        "help", "status", "load", "end", "upload", "cancel", "erase", "list", "verify", "download", "clear", "start"]  # fmt: skip
+        "help", "status", "load", "end", "upload", "cancel", "erase", "list", "verify", "download", "clear",
+        "start"]  # fmt: skip
 
 
 def test_what_is_aboard_is_downloaded_and_kept(console):
@@ -313,7 +330,9 @@ def test_start_that_is_refused_says_that_the_aircraft_is_disarmed_again():
 
 @pytest.mark.slow
 def test_start_flies_what_is_aboard(console):
-    assert console.answer("start", "aboard: not known", limit_s=8.0)[0].startswith("refused: what is aboard is not known")
+    assert console.answer("start", "aboard: not known", limit_s=8.0)[0].startswith(
+        "refused: what is aboard is not known"
+    )
     console.load(*SURVEY[:2], SURVEY[3].replace("4", "3", 1))
     console.answer("upload", "aboard: our plan, whole")
     console.answer("start", "done: the autopilot confirmed it", limit_s=60.0)

@@ -41,7 +41,10 @@ class RunWithCard(Run):
 
 
 def waypoints(count: int) -> str:
-    rows = (f"{n}\t0\t3\t16\t{n % 5}\t0\t0\t0\t{-35.3632621 + n / 1e5:.7f}\t149.1652374\t{20 + n}.25\t1\r\n" for n in range(1, count + 1))
+    rows = (
+        f"{n}\t0\t3\t16\t{n % 5}\t0\t0\t0\t{-35.3632621 + n / 1e5:.7f}\t149.1652374\t{20 + n}.25\t1\r\n"
+        for n in range(1, count + 1)
+    )
     return HEAD + "".join(rows)
 
 
@@ -52,7 +55,10 @@ def test_plan_from_sd(personality):
     assert commands(example) == [22, 16, 16, 177, 20]
     items = example.autopilot.received()
     home = is_ardupilot(example)
-    assert [(one.x, one.y, one.z) for one in items[-4:-2]] == [(-353632621, 1491652374, 20.0), (-353614500, 1491652374, 25.5)]
+    assert [(one.x, one.y, one.z) for one in items[-4:-2]] == [
+        (-353632621, 1491652374, 20.0),
+        (-353614500, 1491652374, 25.5),
+    ]
     assert items[-2].param1 == 1 + home  # the file's item 2
 
 

@@ -66,16 +66,33 @@ wholes = st.integers(-2000, 2000).map(str)
 def lines(draw) -> list[list[str]]:
     """The fields of each line behind the first, numbered as they must be."""
     count = draw(st.integers(2, 12))
-    made = [["0", "1", "0", draw(st.sampled_from(["0", "16"])), *"0000", draw(latitudes), draw(longitudes), "584.1", "1"]]
+    made = [
+        ["0", "1", "0", draw(st.sampled_from(["0", "16"])), *"0000", draw(latitudes), draw(longitudes), "584.1", "1"]
+    ]
     for number in range(1, count):
         command = draw(st.sampled_from([*PLACES, *NO_PLACES, JUMP]))
         params = [draw(numbers) for _ in range(4)]
         params[3] = draw(st.one_of(numbers, st.sampled_from(["nan", "NaN", "-nan"])))
         if command == JUMP:
-            params[0] = draw(st.integers(1, count - 1).map(lambda target: draw(st.sampled_from(["", ".", ".000"])).join([str(target), ""])))
+            params[0] = draw(
+                st.integers(1, count - 1).map(
+                    lambda target: draw(st.sampled_from(["", ".", ".000"])).join([str(target), ""])
+                )
+            )
         place = [draw(latitudes), draw(longitudes)] if command in PLACES else [draw(wholes), draw(wholes)]
         frame = draw(st.sampled_from(["0", "3", "10"]))
-        made.append([str(number), draw(st.sampled_from("01")), frame, str(command), *params, *place, draw(numbers), draw(st.sampled_from("01"))])
+        made.append(
+            [
+                str(number),
+                draw(st.sampled_from("01")),
+                frame,
+                str(command),
+                *params,
+                *place,
+                draw(numbers),
+                draw(st.sampled_from("01")),
+            ]
+        )
     return made
 
 
@@ -146,12 +163,17 @@ def line_with(param1: str = "0", x: str = "0", y: str = "0") -> str:
 
 any_digits = st.text("0123456789", min_size=1, max_size=19)
 any_number = st.builds(
-    lambda sign, digits, point, exponent: f"{sign}{digits[: min(point, len(digits))] or '0'}.{digits[min(point, len(digits)) :]}{exponent}",
-    st.sampled_from(["", "-"]), any_digits, st.integers(0, 30), st.one_of(st.just(""), st.integers(-60, 7).map("e{}".format)),
-)  # fmt: skip
+    lambda sign, digits, point, exponent: f"{sign}{digits[:point] or '0'}.{digits[point:]}{exponent}",
+    st.sampled_from(["", "-"]),
+    any_digits,
+    st.integers(0, 30),
+    st.one_of(st.just(""), st.integers(-60, 7).map("e{}".format)),
+)
 # Midway between two floats, and a hair beside it.
 midways = st.builds(
-    lambda bits, hair: f"{Decimal(2 * bits + 1) / 2**9}{hair}", st.integers(2**23, 2**24 - 1), st.sampled_from(["", "0001"])
+    lambda bits, hair: f"{Decimal(2 * bits + 1) / 2**9}{hair}",
+    st.integers(2**23, 2**24 - 1),
+    st.sampled_from(["", "0001"]),
 )
 
 
@@ -190,7 +212,9 @@ def test_a_number_beyond_the_largest_float_is_refused(reader, text):
     assert (read.error, read.line, read.field) == ("TooLarge", 3, 5)
 
 
-degrees = st.builds(lambda whole, part: f"{whole}.{part}", st.integers(-89, 89), st.text("0123456789", min_size=1, max_size=30))
+degrees = st.builds(
+    lambda whole, part: f"{whole}.{part}", st.integers(-89, 89), st.text("0123456789", min_size=1, max_size=30)
+)
 
 
 @SETTINGS
@@ -212,7 +236,10 @@ def test_a_coordinate_becomes_the_nearest_1e_7_degree(reader, text):
 
 
 def long_text(items: int, comment: str = "") -> str:
-    rows = (f"{n}\t0\t3\t16\t{n % 7}\t0\t0\t0\t{-35 - n / 1e6:.8f}\t{149 + n / 1e6:.8f}\t{n % 100}.5\t1\n{comment}" for n in range(1, items + 1))
+    rows = (
+        f"{n}\t0\t3\t16\t{n % 7}\t0\t0\t0\t{-35 - n / 1e6:.8f}\t{149 + n / 1e6:.8f}\t{n % 100}.5\t1\n{comment}"
+        for n in range(1, items + 1)
+    )
     return text_of([HOME]) + "".join(rows)
 
 
@@ -292,9 +319,12 @@ BAD = {
     "a jump beyond the last line": (spoiled(5, 5, "5"), "BadTarget", 5, 5),
     "a jump to nan": (spoiled(5, 5, "nan"), "BadTarget", 5, 5),
     "a corner of a fence in a mission": (text_of([HOME, *GOOD, "5 0 0 5001 4 0 0 0 1 2 0 1"]), "MixedKinds", 7, 4),
-    "a waypoint among the corners of a fence": (text_of(["0 0 0 5001 4 0 0 0 1 2 0 1", *GOOD[1:]]).replace("2\t0", "1\t0", 1), "MixedKinds", 3, 4),
-    "a rally point behind a fence": (text_of(["0 0 0 5003 4 0 0 0 1 2 0 1", "1 0 3 5100 0 0 0 0 1 2 20 1"]), "MixedKinds", 3, 4),
-    "a jump out of a file without home": (text_of(["0 0 3 22 0 0 0 0 1 2 20 1", "1 0 3 177 2 1 0 0 0 0 0 1"]), "BadTarget", 3, 5),
+    "a waypoint among the corners of a fence": (
+        text_of(["0 0 0 5001 4 0 0 0 1 2 0 1", *GOOD[1:]]).replace("2\t0", "1\t0", 1), "MixedKinds", 3, 4),
+    "a rally point behind a fence": (
+        text_of(["0 0 0 5003 4 0 0 0 1 2 0 1", "1 0 3 5100 0 0 0 0 1 2 20 1"]), "MixedKinds", 3, 4),
+    "a jump out of a file without home": (
+        text_of(["0 0 3 22 0 0 0 0 1 2 20 1", "1 0 3 177 2 1 0 0 0 0 0 1"]), "BadTarget", 3, 5),
 }  # fmt: skip
 
 
@@ -320,7 +350,8 @@ def test_every_reason_but_the_stores_own_has_a_bad_text():
     text_of([HOME, *GOOD]) + "\n\n  \n# end",
     text_of([HOME, *GOOD]).replace("\t", "    "),
     spoiled(5, 5, "4"),
-], ids=["a byte order mark", "CR LF", "no newline at the end", "empty lines at the end", "blanks", "a jump to the last line"])  # fmt: skip
+], ids=["a byte order mark", "CR LF", "no newline at the end", "empty lines at the end", "blanks",
+        "a jump to the last line"])  # fmt: skip
 def test_a_good_text_is_good_however_it_is_laid_out(reader, text):
     read = reader.read(text, [3, 2, 1, 0])
     assert read.good and [item.command for item in read.items] == [22, 16, 177, 20]
@@ -341,7 +372,12 @@ def numbered(rows: list[str], first: int = 0) -> str:
 
 CORNERS = [f"0 0 5001 4 0 0 0 {x} {y} 0 1" for x, y in ((1, 1), (1, 2), (2, 2), (2, 1))]
 RALLY = [f"0 3 5100 0 0 0 0 {x} 2 25 1" for x in (1, 2)]
-FROM_TAKEOFF = ["1 3 22 0 0 0 0 1 2 20 1", "0 3 16 0 0 0 0 3 4 20 1", "0 2 177 0 2 0 0 0 0 0 1", "0 3 21 0 0 0 0 1 2 0 1"]
+FROM_TAKEOFF = [
+    "1 3 22 0 0 0 0 1 2 20 1",
+    "0 3 16 0 0 0 0 3 4 20 1",
+    "0 2 177 0 2 0 0 0 0 0 1",
+    "0 3 21 0 0 0 0 1 2 0 1",
+]
 
 
 @pytest.mark.parametrize(

@@ -148,7 +148,7 @@ def test_a_saturated_line_is_full_and_still_carries_the_answers(baud):
     assert len(fake.run(start + 10.0)) == pytest.approx(baud, rel=0.01)
     ends = [time + 10 * len(frame) / baud for time, frame in fake.outbox]
     assert all(later >= earlier - 1e-9 for earlier, later in
-               zip(ends, (time for time, _ in fake.outbox[1:])))
+               zip(ends, (time for time, _ in fake.outbox[1:]), strict=False))
 
 
 def test_a_repeated_recording_goes_on_for_ever():
@@ -218,7 +218,7 @@ def odd_message(chance: random.Random):
                "seq": (0, 0, 1, 1, 2, 3), "count": (0, 1, 2, 3), "frame": (0, 2, 3, 5, 6)}
     return kind(*(chance.choice(choices.get(
         name, ODD_FLOATS if of_type == "float" else (0, 1, 2, 4)))
-        for name, of_type in zip(kind.fieldnames, kind.fieldtypes)))
+        for name, of_type in zip(kind.fieldnames, kind.fieldtypes, strict=True)))
 
 
 @BOTH

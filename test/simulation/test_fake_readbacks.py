@@ -31,7 +31,7 @@ def test_every_fence_is_taken_or_refused_as_by_the_real_autopilot(recording):
         if row.mission_type == FENCE:
             plans.setdefault(row.plan, []).append(row)
     for plan in plans.values():
-        results, held = zip(*(kept(recording, FENCE, row.sent) for row in plan))
+        results, held = zip(*(kept(recording, FENCE, row.sent) for row in plan), strict=True)
         refusal = next((result for result in results if result != ACCEPTED), ACCEPTED)
         if refusal == ACCEPTED and recording != "px4" and not ardupilot_rewriting.fence_is_whole(list(held)):
             refusal = mavlink.MAV_MISSION_ERROR

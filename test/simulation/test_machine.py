@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 import subprocess
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -29,7 +30,7 @@ def test_four_thousand_sent_bytes_take_four_thousand_byte_times(baud, byte_cycle
     mega.run_cycles(4020 * byte_cycles)
     sent = mega.serial(1).sent()
     assert bytes(entry.byte for entry in sent) == bytes(n & 0xFF for n in range(4000))
-    gaps = {later.left - earlier.left for earlier, later in zip(sent, sent[1:])}
+    gaps = {later.left - earlier.left for earlier, later in pairwise(sent)}
     assert gaps == {byte_cycles}
     assert mega.serial(1).baud == pytest.approx(160_000_000 / byte_cycles)
 
@@ -125,8 +126,8 @@ def test_a_slow_peer_hears_bytes_of_the_mega_as_pieces_of_one():
     port = mega.serial(1)
     port.peer_baud = 38400
     mega.run_ms(3)
-    # The line, three of the Mega's bits to one of the peer's: 000 000 000 101 000 000 010 010 000 001, counting from the
-    # first start bit. In the middle of each the peer hears a start bit, 0 0 0 0 0 1 1 0 0 ...
+    # The line, three of the Mega's bits to one of the peer's: 000 000 000 101 000 000 010 010 000 001, counting from
+    # the first start bit. In the middle of each the peer hears a start bit, 0 0 0 0 0 1 1 0 0 ...
     assert port.sent_bytes() == bytes([0b01100000])
 
 

@@ -22,6 +22,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
 import pytest
@@ -52,7 +53,7 @@ def recorded(name: str, direction: str, *kinds: str) -> list:
 class Before(NamedTuple):
     """What differs from recording to recording."""
 
-    options: dict = {}  # noqa: RUF012  of the fake
+    options: dict = {}
     reached: int | None = None  # the last item, before
     plan: str = "B"  # the plan aboard a PX4
     current: int = 0
@@ -201,14 +202,14 @@ def test_it_answers_as_the_real_one(played, name):
 def reached(said) -> list[tuple[float, int]]:
     """(time, item), without repetitions."""
     told = [(time, message.seq) for time, message in said if message.get_type() == "MISSION_ITEM_REACHED"]
-    return [one for before, one in zip([(0.0, None), *told], told) if one[1] != before[1]]
+    return [one for before, one in zip([(0.0, None), *told], told, strict=False) if one[1] != before[1]]
 
 
 @EACH
 def test_it_calls_the_same_items_reached_and_not_later(played, name):
     said, real = reached(said_by(played(name).fake)), reached(said_in_recording(name))
     assert [seq for _, seq in said] == [seq for _, seq in real]
-    for (said_time, seq), (real_time, _) in zip(said, real):
+    for (said_time, seq), (real_time, _) in zip(said, real, strict=True):
         assert said_time - real_time < TOLD_WITHIN_S, seq
 
 
@@ -228,7 +229,7 @@ def test_it_says_in_words_what_the_real_one_said_and_when(played, name):
     fake = played(name).fake
     said, real = texts(said_by(fake)), texts(said_in_recording(name))
     assert [one[1:] for one in said] == [one[1:] for one in real], transcript(fake)
-    for (said_time, words, _), (real_time, _, _) in zip(said, real):
+    for (said_time, words, _), (real_time, _, _) in zip(said, real, strict=True):
         within_s = SPOOLED_UP_WITHIN_S if words.startswith("Takeoff detected") else TOLD_WITHIN_S
         assert abs(said_time - real_time) < within_s, f"{words}: {said_time:.3f} s, not {real_time:.3f} s"
 
@@ -256,7 +257,7 @@ def test_it_sends_mission_current_at_the_interval_that_was_asked_for(played, nam
     theirs = [one.time for one in recorded(name, "<", "MISSION_CURRENT")]
     mine = [time for time, direction, message in played(name).fake.log
             if direction == "<" and message.get_type() == "MISSION_CURRENT"]
-    for begins, ends in zip([0.0, *orders], [*orders, recordings.heard(name)[-1].time]):
+    for begins, ends in zip([0.0, *orders], [*orders, recordings.heard(name)[-1].time], strict=True):
         counts = [sum(begins + ANSWERED_WITHIN_S < time < ends for time in times) for times in (mine, theirs)]
         assert abs(counts[0] - counts[1]) <= 1, f"from {begins:.3f} to {ends:.3f} s"
 
@@ -266,13 +267,13 @@ def test_it_sends_mission_current_at_the_interval_that_was_asked_for(played, nam
 
 def in_turn(told: list) -> list:
     """Without repetitions."""
-    return [one for before, one in zip([None, *told], told) if one != before]
+    return [one for before, one in zip([None, *told], told, strict=False) if one != before]
 
 
 def lasting(told: list[tuple[float, tuple]]) -> list[tuple]:
     """What was told for long enough, in turn."""
     result, begun = [], told[0][0]
-    for (_, before), (time, now) in zip(told, told[1:]):
+    for (_, before), (time, now) in pairwise(told):
         if now != before:
             if time - begun > LASTING_S:
                 result.append(before)

@@ -14,6 +14,8 @@ against what the real autopilot did:
   and so may the time between two such messages.
 """
 
+from itertools import pairwise
+
 import pytest
 
 from plain_client import PlainClient
@@ -54,7 +56,7 @@ def test_it_asks_again_and_gives_up_when_the_real_one_does(played):
     name, fake, client_times = played
     real = without_clocked(said_in_recording(name))
     said = without_clocked(said_by(fake))
-    for (real_time, real_message), (said_time, _) in zip(real, said):
+    for (real_time, real_message), (said_time, _) in zip(real, said, strict=True):
         real_quiet = since_client(real_time, [recorded for recorded, _ in client_times])
         if real_quiet is None or real_quiet < OWN_ACCORD_AFTER_S \
                 or name.endswith("streams_10hz"):
@@ -75,7 +77,7 @@ def since_client(time: float, client_times: list[float]):
 def requests_again(said) -> list[float]:
     """The intervals between requests for the same item that follow one another [s]."""
     intervals = []
-    for (before, first), (after, second) in zip(said, said[1:]):
+    for (before, first), (after, second) in pairwise(said):
         if first.get_type().startswith("MISSION_REQUEST") and fields(first) == fields(second) \
                 and after - before > OWN_ACCORD_AFTER_S:
             intervals.append(after - before)
@@ -87,7 +89,7 @@ def test_each_repeated_request_comes_at_the_real_interval(played):
     real = requests_again(without_clocked(said_in_recording(name)))
     said = requests_again(without_clocked(said_by(fake)))
     assert len(said) == len(real)
-    for ours, theirs in zip(said, real):
+    for ours, theirs in zip(said, real, strict=True):
         assert ours == pytest.approx(theirs, rel=TOLERANCE)
 
 
@@ -134,7 +136,7 @@ def test_px4_tells_of_the_current_item_at_the_real_period(name):
 
 def told_intervals(said) -> list[float]:
     times = [time for time, message in said if message.get_type() == "MISSION_CURRENT"]
-    return [after - before for before, after in zip(times, times[1:])]
+    return [after - before for before, after in pairwise(times)]
 
 
 # -- what is read back ------------------------------------------------------------------------
@@ -184,7 +186,7 @@ def test_a_mission_item_is_refused_or_read_back_as_by_the_real_one(vehicle, row)
     if result == mavlink.MAV_MISSION_ACCEPTED:
         read = client.download()
         assert as_printed(read[1]) == {key: row[key] for key in as_printed(read[1])}
-        assert all(a.same_as(b) for a, b in zip(read, client.fake.plan()))
+        assert all(a.same_as(b) for a, b in zip(read, client.fake.plan(), strict=True))
 
 
 @pytest.mark.parametrize("vehicle", ["arducopter", "ardurover", "px4"])

@@ -105,7 +105,7 @@ def test_a_byte_of_a_frame_can_be_corrupted(byte):
     wire = Wire()
     wire.corrupt(">", byte=byte, flip=0x80)
     out = carried(wire, [frame])
-    assert [a ^ b for a, b in zip(out, frame)] \
+    assert [a ^ b for a, b in zip(out, frame, strict=True)] \
         == [0x80 * (number == byte % len(frame)) for number in range(len(frame))]
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from simulation.fake_autopilot import ArduPilot, FakeAutopilot, Px4, mavlink  # noqa: E402
+from simulation.fake_autopilot import ArduPilot, FakeAutopilot, Px4, mavlink
 
 PERSONALITIES = {"ArduPilot": ArduPilot, "PX4": Px4}
 LONGEST_WAIT_S = 1.0

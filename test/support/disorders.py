@@ -12,6 +12,12 @@ DISORDERS = {
     "a third repeated": {"repeat": 33},
     "a third delayed": {"delay": 33},
     "a fifth overtaken": {"hold_past_next": 20},
-    "all of these, and damage": {"repeat": 15, "delay": 15, "hold_past_next": 10, "corrupt": 5, "truncate": 5,
-                                 "lose": 5},  # fmt: skip
+    "all of these, and damage": {
+        "repeat": 15,
+        "delay": 15,
+        "hold_past_next": 10,
+        "corrupt": 5,
+        "truncate": 5,
+        "lose": 5,
+    },  # fmt: skip
 }

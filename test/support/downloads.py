@@ -1,4 +1,4 @@
-"""What the tests of downloads and of verify() share: a plan that comes back as it was written, and how it is put aboard."""
+"""What the tests of downloads and of verify() share: a plan that comes back as written, and how it is put aboard."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WRITTEN = [
 
 
 def same(ones, others) -> bool:
-    return len(ones) == len(others) and all(one.same_as(other) for one, other in zip(ones, others))
+    return len(ones) == len(others) and all(one.same_as(other) for one, other in zip(ones, others, strict=True))
 
 
 def loaded(service, plan):

@@ -1,4 +1,4 @@
-"""A MissionClient compiled for this computer, a faulty wire and a fake autopilot, for runs that are too long for firmware.
+"""A MissionClient compiled for this computer, a faulty wire and a fake autopilot, for runs too long for firmware.
 
     client = HostClient("PX4", first_millis=2**32 - 9 * 3600 * 1000)
     client.upload(plan, proof="Always")
@@ -92,7 +92,9 @@ class HostClient:
         return self.ends[self._ends_seen - 1]
 
     def _step(self, until: float) -> None:
-        due = [time for time in (until, self.autopilot.next_event(self.now), self.wire.next_event()) if time is not None]
+        due = [
+            time for time in (until, self.autopilot.next_event(self.now), self.wire.next_event()) if time is not None
+        ]
         arriving = self.wire.deliver("<", self.now)
         self.bytes_heard += len(arriving)
         until_ms = max(math.ceil(min(due) * 1000 - 1e-6), self.now_ms + 1)

@@ -1,9 +1,9 @@
 """The operations beside the upload, each with its order, its good end, and what is true of each end.
 
-    ready = prepared(service, personality)      # a plan of ours is aboard
-    begin(service, "download")
-    status = service.done(limit_s=LONGEST_S["download"])
-    expect_truth(service, personality, "download", status)
+ready = prepared(service, personality)      # a plan of ours is aboard
+begin(service, "download")
+status = service.done(limit_s=LONGEST_S["download"])
+expect_truth(service, personality, "download", status)
 """
 
 from __future__ import annotations
@@ -72,7 +72,9 @@ def expect_truth(service: Service, personality: str, name: str, status: str) -> 
     assert not state.busy and state.status == status
     assert service.ends == service.ends_called_back
     if status == "Downloaded":
-        assert [item[:2] + item[8:] for item in service.sink(ITEMS)] == [item[:2] + item[8:] for item in HOPS[personality]]
+        assert [item[:2] + item[8:] for item in service.sink(ITEMS)] == [
+            item[:2] + item[8:] for item in HOPS[personality]
+        ]
         assert (state.done, state.total) == (ITEMS, ITEMS)
         home = [HOME_INDEX] if personality == "ArduPilot" else []
         assert service.sunk == [*home, *range(ITEMS)], "an item was given twice, or not at all"

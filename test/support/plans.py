@@ -67,7 +67,7 @@ def sent(bench) -> list[Item]:
 
 
 def steps(bench) -> list[tuple]:
-    """The firmware's side of all transfers in few words: ("COUNT", 5), ("ITEM_INT", 0), ("ACK", 0), ("REQUEST_LIST", None)."""
+    """The firmware's side of all transfers in few words: ("COUNT", 5), ("ITEM_INT", 0), ("REQUEST_LIST", None)."""
     what = {"MISSION_COUNT": "count", "MISSION_ACK": "type"}
     said = []
     for message in bench.mission_messages():

@@ -117,9 +117,11 @@ def for_readme() -> str:
     """What stands between the README's markers."""
     from measuring.report import aligned
 
-    note = (f"Uploads of five items, {SEEDS} for each autopilot on each line, by `test/support/rates.py`. Unsaid: the plan was "
-            f"aboard,\nand the client did not say so, of {SEEDS * len(AUTOPILOTS)}; times are from the first COUNT to the "
-            "end.")  # fmt: skip
+    note = (
+        f"Uploads of five items, {SEEDS} for each autopilot on each line, by `test/support/rates.py`. "
+        "Unsaid: the plan was\naboard, and the client did not say so, "
+        f"of {SEEDS * len(AUTOPILOTS)}; times are from the first COUNT to the end."
+    )
     return f"{note}\n\n{aligned(rows(), left=2)}"
 
 

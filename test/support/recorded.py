@@ -34,8 +34,7 @@ def plans_uploaded(name: str, mission_type: int = MISSION) -> list[list[Item]]:
     for one in recordings.heard(name):
         if one.direction != ">" or getattr(one.message, "mission_type", None) != mission_type:
             continue
-        if one.message.get_type() == "MISSION_COUNT" \
-                and one.message.get_srcSystem() == CLIENT[0]:
+        if one.message.get_type() == "MISSION_COUNT" and one.message.get_srcSystem() == CLIENT[0]:
             plans.append({})
         elif one.message.get_type() == "MISSION_ITEM_INT":
             plans[-1][one.message.seq] = Item.of(one.message)
@@ -52,8 +51,7 @@ def fake_for(name: str):
     if name.startswith("arducopter/"):
         fake = ArduPilot(uptime_s=100.0)
     else:
-        first_told = next(one.time for one in recordings.heard(name)
-                          if one.message.get_type() == "MISSION_CURRENT")
+        first_told = next(one.time for one in recordings.heard(name) if one.message.get_type() == "MISSION_CURRENT")
         fake = Px4(uptime_s=100.0, infeasible_text=False, tells_at_s=first_told)
     for mission_type, earlier in ABOARD_BEFORE.get(name, {}).items():
         fake.load(plan_uploaded(earlier, mission_type), mission_type)
@@ -75,8 +73,7 @@ def is_clocked(message) -> bool:
 
 
 def fields(message) -> tuple:
-    left_out = {"mavpackettype", "id"} if message.get_type() == "STATUSTEXT" \
-        else {"mavpackettype"}
+    left_out = {"mavpackettype", "id"} if message.get_type() == "STATUSTEXT" else {"mavpackettype"}
     values = {}
     for key, value in message.to_dict().items():
         if key not in left_out:
@@ -105,8 +102,7 @@ def play(name: str, fake=None, on_told=None):
                 last_from_autopilot = one.time
             continue
         due = one.time
-        if one.message.get_type() != "HEARTBEAT" \
-                and one.time - last_from_autopilot < ANSWER_WITHIN_S:
+        if one.message.get_type() != "HEARTBEAT" and one.time - last_from_autopilot < ANSWER_WITHIN_S:
             cause = wait_for(fake, answered, now, limit=one.time + 30.0)
             due = cause + one.time - last_from_autopilot
         # Frames written together arrive one after the other.
@@ -125,9 +121,11 @@ def is_repetition(one, heard) -> bool:
         return True
     if one.message.get_type() != "MISSION_ITEM_REACHED":
         return False
-    earlier = [other.message.seq for other in heard if other.direction == "<"
-               and other.time < one.time
-               and other.message.get_type() == "MISSION_ITEM_REACHED"]
+    earlier = [
+        other.message.seq
+        for other in heard
+        if other.direction == "<" and other.time < one.time and other.message.get_type() == "MISSION_ITEM_REACHED"
+    ]
     return bool(earlier) and earlier[-1] == one.message.seq
 
 
@@ -151,18 +149,19 @@ def wait_for(fake, count: int, now: float, limit: float) -> float:
     """Let the fake run until it has sent `count` such messages; the time of the last [s]."""
     while len(causes(fake)) < count:
         due = fake.next_event(now)
-        assert due is not None and due <= limit, \
-            f"the fake says less than the real one:\n{transcript(fake)}"
+        assert due is not None and due <= limit, f"the fake says less than the real one:\n{transcript(fake)}"
         now = due
         fake.run(now)
     return causes(fake)[count - 1]
 
 
 def transcript(fake) -> str:
-    return "\n".join(f"{time:9.4f} {direction} {message}" for time, direction, message in fake.log
-                     if is_compared(message) or direction == ">")
+    return "\n".join(
+        f"{time:9.4f} {direction} {message}"
+        for time, direction, message in fake.log
+        if is_compared(message) or direction == ">"
+    )
 
 
 def said_by(fake):
-    return [(time, message) for time, direction, message in fake.log
-            if direction == "<" and is_compared(message)]
+    return [(time, message) for time, direction, message in fake.log if direction == "<" and is_compared(message)]

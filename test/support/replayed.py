@@ -1,4 +1,4 @@
-"""Plans through the library's own upload(plan, Verified), compiled for this computer, against what real autopilots kept.
+"""Plans through the library's own upload(plan, Verified) on this computer, against what real autopilots kept.
 
 The other end is readbacks/replay.cpp.
 """
@@ -40,7 +40,9 @@ class End:
     aboard: str
     kept_value: float
     sent: list[Item] = field(default_factory=list)  # what reached the autopilot, and was not known from another plan
-    passed: list[tuple[int, str, Item]] = field(default_factory=list)  # altered fields that were not seen: wire item, field
+    passed: list[tuple[int, str, Item]] = field(
+        default_factory=list
+    )  # altered fields that were not seen: wire item, field
 
 
 @functools.cache
@@ -52,7 +54,8 @@ def program() -> Path:
 def replay(
     plans: Iterator[tuple[int, int, int, bool, Sequence[Item], Callable[[Item], tuple[int, Item | None]]]],
 ) -> Iterator[End]:
-    """Each plan is HEARTBEAT.autopilot and .type, the plan's type, whether its numbers are raw, the items, and what the autopilot says to each."""
+    """Each plan is HEARTBEAT.autopilot and .type, the plan's type, whether its numbers are raw, the items, and what the
+    autopilot says to each."""
     running = subprocess.Popen([program()], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
     try:
         for autopilot, vehicle, mission_type, raw, items, answer in plans:

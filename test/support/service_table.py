@@ -67,7 +67,9 @@ def proof_of_a_lost_answer(make: Make, personality: str) -> str:
     service = make()
     service.autopilot.load(OLD_PLAN)
     service.autopilot.faults.swallow_final_ack()
-    service.run(LEFTOVERS_S)  # before that PX4's answer may be to an upload from before a reset: it is read back as well
+    service.run(
+        LEFTOVERS_S
+    )  # before that PX4's answer may be to an upload from before a reset: it is read back as well
     service.upload(SURVEY, proof="InDoubt")
     if (ended := service.done(limit_s=30)) != "Accepted":
         return refused(ended)

@@ -17,7 +17,7 @@ def aligned(rows: list[list[str]]) -> list[str]:
     return [
         " | ".join(
             cell.rjust(width) if column and rows[1:] else cell.ljust(width)
-            for column, (cell, width) in enumerate(zip(row, widths))
+            for column, (cell, width) in enumerate(zip(row, widths, strict=True))
         ).rstrip()
         for row in rows
     ]

@@ -139,7 +139,9 @@ def test_defines_and_flags_reach_the_compiler(tmp_path):
 
 
 def test_macros_are_given_on_the_command_line(tmp_path):
-    folder = sketch(tmp_path, "#if FIRST != 3 || !SECOND\n#error not defined\n#endif\nvoid setup() {}\nvoid loop() {}\n")
+    folder = sketch(
+        tmp_path, "#if FIRST != 3 || !SECOND\n#error not defined\n#endif\nvoid setup() {}\nvoid loop() {}\n"
+    )
     assert "not defined" in tools_build(folder, "--board", "mega").stderr
     ran = tools_build(folder, "--board", "mega", "--define", "FIRST=3", "--define", "SECOND")
     assert ran.returncode == 0, ran.stderr

@@ -249,7 +249,8 @@ def test_name_of_a_pattern_is_no_way_out_of_a_comment():
 
 
 @pytest.mark.parametrize("words", [["check"], ["show"], ["to-header"], ["to-sketch", "a"], ["draw", "-o", "a.svg"],
-                                   ["convert", "a.waypoints"], ["convert", "a.plan"], ["convert", "a.kml"]])  # fmt: skip
+                                   ["convert", "a.waypoints"], ["convert", "a.plan"],
+                                   ["convert", "a.kml"]])  # fmt: skip
 def test_empty_plan_is_said_to_be_one(tmp_path, words):
     file = tmp_path / "empty.waypoints"
     file.write_text(f"QGC WPL 110\n{HOME}\n")

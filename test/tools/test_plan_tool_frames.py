@@ -49,7 +49,7 @@ def test_tool_and_firmware_read_the_same_frame_and_place_of_every_command(reader
     assert theirs.good and len(ours) == len(theirs.items) == len(rows) > 1000
     different = [
         (row[1], row[0], one.frame, other.frame)
-        for row, one, other in zip(rows, ours, theirs.items)
+        for row, one, other in zip(rows, ours, theirs.items, strict=True)
         if (one.frame, one.x, one.y) != (other.frame, other.x, other.y)
     ]
     assert different == []

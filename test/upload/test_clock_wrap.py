@@ -95,9 +95,9 @@ def moments(length_s: float, every_s: float) -> list[float]:
 def expect_the_same(personality: str, name: str, bits: int, at_s: float) -> None:
     *expected, progress = undisturbed(personality, name)
     *found, progressed = course(personality, name, (bits, at_s))
-    for events, expected_events in zip(found, expected):
+    for events, expected_events in zip(found, expected, strict=True):
         assert [what for _, what in events] == [what for _, what in expected_events], at_s
-        for (time, what), (expected_time, _) in zip(events, expected_events):
+        for (time, what), (expected_time, _) in zip(events, expected_events, strict=True):
             assert time == pytest.approx(expected_time, abs=SAME_S), (at_s, what)
     assert progressed == progress
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from plain_client import PlainClient
@@ -429,7 +431,7 @@ def test_same_request_over_and_over_is_answered_each_50_ms_at_most(line):
     line.run(0.1)
     times = line.sent_at("MISSION_ITEM_INT")
     assert 10 <= len(times) <= 1 + 1.1 / 0.05
-    assert all(later - earlier > 0.045 for earlier, later in zip(times, times[1:]))
+    assert all(later - earlier > 0.045 for earlier, later in pairwise(times))
 
 
 STALE = pytest.mark.scenario(27, "A stale ACK of the previous transfer after a new COUNT")

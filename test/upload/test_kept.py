@@ -1,4 +1,4 @@
-"""On the Mega: what an autopilot keeps in another form verifies, and what it would change is refused before MISSION_COUNT."""
+"""On the Mega: what an autopilot keeps in another form verifies; what it would change is refused before COUNT."""
 
 from __future__ import annotations
 
@@ -19,10 +19,13 @@ COMES_ABOARD = [
     ("PX4", "copter", item(LAND_START, x=-353632171, y=1491652721), {"x": -353632160, "y": 1491652736}),
     ("ArduPilot", "copter", jump(1, -1), {"param2": -1.0}),
     ("ArduPilot", "copter", item(LAND, param4=90.0, **PLACE), {"param4": 1.0}),
-    ("ArduPilot", "copter", item(LOITER_TURNS, param1=0.25, param3=-2550.0, **PLACE), {"param1": 0.25, "param3": -2550.0}),
+    ("ArduPilot", "copter", item(LOITER_TURNS, param1=0.25, param3=-2550.0, **PLACE),
+     {"param1": 0.25, "param3": -2550.0}),
     ("ArduPilot", "copter", waypoint(z=f32(28.6)), {"z": f32(28.5999985)}),
-    ("ArduPilot", "plane", waypoint(param1=7.0, param2=30.0, param3=20.0), {"param1": 0.0, "param2": 30.0, "param3": 20.0}),
-    ("ArduPilot", "rover", waypoint(param1=7.0, param2=30.0, param3=20.0), {"param1": 7.0, "param2": 0.0, "param3": 0.0}),
+    ("ArduPilot", "plane", waypoint(param1=7.0, param2=30.0, param3=20.0),
+     {"param1": 0.0, "param2": 30.0, "param3": 20.0}),
+    ("ArduPilot", "rover", waypoint(param1=7.0, param2=30.0, param3=20.0),
+     {"param1": 7.0, "param2": 0.0, "param3": 0.0}),
 ]
 
 REFUSED = [

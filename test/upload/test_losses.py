@@ -6,7 +6,7 @@ Under both personalities, with the real retry times. What an upload may take is 
 from __future__ import annotations
 
 from functools import cache
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import pytest
 
@@ -142,7 +142,8 @@ def test_upload_survives_a_frame_cut_at_any_byte(build_bench, record_property, p
 def where_frames_break(personality: str, direction: str) -> list[int]:
     """The first byte of each frame, one within, and the last."""
     first, ends = bytes_of_upload(personality, direction)
-    return [position for start, end in zip((first, *ends), ends) for position in (start, (start + end) // 2, end - 1)]
+    frames = pairwise((first, *ends))
+    return [position for start, end in frames for position in (start, (start + end) // 2, end - 1)]
 
 
 @CUT

@@ -188,7 +188,9 @@ def is_changed(row: dict[str, str]) -> bool:
     """Something of it is kept, and is another value."""
     if row["result"] != "ACCEPTED":
         return True
-    pairs = [(float(row[f"sent_{name}"]), float(row[f"read_{name}"])) for name in ("p1", "p2", "p3", "p4", "x", "y", "z")]
+    pairs = [
+        (float(row[f"sent_{name}"]), float(row[f"read_{name}"])) for name in ("p1", "p2", "p3", "p4", "x", "y", "z")
+    ]
     return any(sent != read and not math.isnan(sent) for sent, read in pairs)
 
 

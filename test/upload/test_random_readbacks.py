@@ -2,13 +2,13 @@
 
 Each comes aboard and verifies, because what the autopilot keeps of it means the same; or it is refused before
 MISSION_COUNT, naming the item and the field. And of each item that came aboard every field, altered by its smallest
-step, is seen: by a bit of a float, by 1 of an integer. Passed over is only what was sent: a field that one version drops
-may come back as it was written from another one.
+step, is seen: by a bit of a float, by 1 of an integer. Passed over is only what was sent: a field that one version
+drops may come back as it was written from another one.
 
-The autopilot answers as the row says. Where the library sends another item than the row's (it numbers jumps, chooses the
-frame of what has no place, finds one for a landing), and for the waypoints around it, the fake autopilots answer, which
-keep every row as the real ones did (test_fake_readbacks.py). A fence of one item that was accepted, and then not there, is
-answered as it is when it is sent again.
+The autopilot answers as the row says. Where the library sends another item than the row's (it numbers jumps, chooses
+the frame of what has no place, finds one for a landing), and for the waypoints around it, the fake autopilots answer,
+which keep every row as the real ones did (test_fake_readbacks.py). A fence of one item that was accepted, and then not
+there, is answered as it is when it is sent again.
 """
 
 from __future__ import annotations
@@ -33,7 +33,8 @@ VEHICLES = {
     "px4": (mavlink.MAV_AUTOPILOT_PX4, mavlink.MAV_TYPE_QUADROTOR),
 }
 JUMP = mavlink.MAV_CMD_DO_JUMP
-REFUSALS = {"BadLatitude", "BadLongitude", "BadAltitude", "BadFrame", "BadJump", "NeedsPlace", "NotANumber", "NotFlown", "NotKept"}  # fmt: skip
+REFUSALS = {"BadLatitude", "BadLongitude", "BadAltitude", "BadFrame", "BadJump", "NeedsPlace", "NotANumber",
+            "NotFlown", "NotKept"}  # fmt: skip
 FIRST_FIELD = 4  # of Field: param1
 
 WAYPOINT = item(mavlink.MAV_CMD_NAV_WAYPOINT, frame=3, x=-353632170, y=1491652720, z=20.0)
@@ -201,7 +202,7 @@ def test_what_the_autopilot_would_make_of_a_refused_value_is_told_where_it_is_kn
 
 @EACH
 def test_numbers_whose_meaning_depends_on_the_board_are_refused(recording):
-    """What a float below 0 becomes where it is kept without a sign, and one beyond 2^31 where it is kept as an integer."""
+    """What a float below 0 becomes where it is kept unsigned, and one beyond 2^31 where it is kept as an integer."""
     refused = 0
     for group, end in ends(recording):
         for row in group:
@@ -220,7 +221,8 @@ def test_numbers_whose_meaning_depends_on_the_board_are_refused(recording):
 def test_a_command_that_is_in_no_recording_goes_out():
     unknown = item(31337, frame=3, x=1, y=2, z=3.0, param1=1.5)
     plans = (
-        (*vehicle, MISSION, False, [WAYPOINT, unknown, WAYPOINT], lambda sent: (ACCEPTED, sent)) for vehicle in VEHICLES.values()
+        (*vehicle, MISSION, False, [WAYPOINT, unknown, WAYPOINT], lambda sent: (ACCEPTED, sent))
+        for vehicle in VEHICLES.values()
     )
     for end in replay(plans):
         assert end.status == "Accepted"
@@ -240,6 +242,6 @@ def test_commands_that_one_vehicle_refused_are_not_flown_there():
 def test_rally_points_at_the_origin_are_refused_where_they_could_not_be_read():
     for recording in ("arducopter", "ardurover", "arduplane"):
         lost = [(group, end) for group, end in ends(recording)
-                if group[0].mission_type == RALLY and group[0].result == ACCEPTED and group[0].read is None]  # fmt: skip
+                if (group[0].mission_type, group[0].result, group[0].read) == (RALLY, ACCEPTED, None)]  # fmt: skip
         assert len(lost) > 3
         assert {end.status for _, end in lost} <= {"NeedsPlace", "NotANumber"}

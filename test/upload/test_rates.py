@@ -45,7 +45,9 @@ def test_uploads_succeed_more_often_than_those_of_other_clients_on_the_same_line
 @pytest.mark.slow
 def test_table_in_the_readme_is_not_stale():
     text = rates.README.read_text()
-    assert with_table(text, "rates", rates.for_readme()) == text, "run build/venv/bin/python test/support/rates.py --write-readme"
+    assert (
+        with_table(text, "rates", rates.for_readme()) == text
+    ), "run build/venv/bin/python test/support/rates.py --write-readme"
 
 
 # What the measurement itself is worth -----------------------------------------
@@ -58,7 +60,9 @@ def test_every_client_succeeds_on_a_line_that_loses_nothing_and_none_on_one_that
     assert all(end.is_success and end.took_s < 2 for end in rates.uploads(autopilot, client, 0, 5))
     # (The library's waits for an autopilot for ever, by default: it has not begun then.)
     if client not in rates.OURS:
-        assert {(end.status, end.is_aboard) for end in rates.uploads(autopilot, client, 100, 5)} == {("TimedOut", False)}
+        assert {(end.status, end.is_aboard) for end in rates.uploads(autopilot, client, 100, 5)} == {
+            ("TimedOut", False)
+        }
 
 
 @pytest.mark.slow

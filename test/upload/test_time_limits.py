@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from plans import HOME, OLD_PLAN, SURVEY, on_the_wire, smooth_steps, steps, waypoint
@@ -25,7 +27,7 @@ def test_lost_count_is_sent_again_after_1500_ms(bench, personality, losses):
     assert bench.run_until_ended(limit_s=15) == "Accepted"
     counts = bench.sent_at("MISSION_COUNT")
     assert len(counts) == losses + 1
-    for earlier, later in zip(counts, counts[1:]):
+    for earlier, later in pairwise(counts):
         assert later - earlier == pytest.approx(1.5, abs=LOOP_S)
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
 
@@ -104,7 +106,7 @@ def expect_repeats_then(bench, wire_count: int, then: list[tuple]) -> None:
     assert repeats == [("ITEM_INT", wire_count - 1)] * len(repeats)
     assert 1 <= len(repeats) <= 5
     times = bench.sent_at("MISSION_ITEM_INT")[wire_count - 1 :]
-    for earlier, later in zip(times, times[1:]):
+    for earlier, later in pairwise(times):
         assert later - earlier == pytest.approx(1.5, abs=LOOP_S)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from plans import OLD_PLAN, SURVEY, on_the_wire
@@ -112,7 +114,7 @@ def test_upload_waits_for_its_turn_no_longer_than_allowed(build_service):
     service.upload(SURVEY)
     assert service.done(limit_s=15) == "Denied"
     counts = service.sent_at("MISSION_COUNT")
-    pauses = [round(later - sooner) for sooner, later in zip(counts, counts[1:])]
+    pauses = [round(later - sooner) for sooner, later in pairwise(counts)]
     assert pauses == [1, 2]
     assert counts[-1] - counts[0] <= 5.1
     assert service.state.aboard == "AsBefore"

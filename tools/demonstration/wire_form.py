@@ -18,5 +18,5 @@ def on_the_wire(plan: list[Item], autopilot: str, vehicle: int = mavlink.MAV_TYP
     if not plan:
         return []
     sent = judge.on_the_wire([PlannedItem(*item) for item in plan], autopilot, vehicle)
-    items = [item if made is None else Item(*made) for item, made in zip(plan, sent)]
+    items = [item if made is None else Item(*made) for item, made in zip(plan, sent, strict=True)]
     return [HOME, *items] if autopilot == "ardupilot" else items

@@ -43,7 +43,7 @@ MORE_CALLS = {
     27: "MissionFollower: currentItem(), isOurPlan()",
     28: "LinkDoctor: update()",
 }
-# The operations in which update() is looked at, by the call that begins them: beside a follower, a listener and a doctor.
+# The operations in which update() is looked at, by the call that begins them, beside follower, listener and doctor.
 OPERATIONS = {
     13: "update(), in a download",
     14: "update(), in a verification",

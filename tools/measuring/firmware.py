@@ -28,7 +28,9 @@ class Subject:
 
 @functools.cache
 def ours() -> Subject:
-    return Subject("ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take", "mavmission::FrameParser::pull")
+    return Subject(
+        "ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take", "mavmission::FrameParser::pull"
+    )
 
 
 @functools.cache

@@ -106,6 +106,7 @@ def table() -> str:
         ["the longest piece of hashing in an update()", "cycles", f"{longest_piece():,}", "–"],
         ["longest update() of an upload on a full line", "cycles",
          f"{longest_update(signed=True):,}", f"{longest_update(signed=False):,}"],
-        ["an item of an upload to ArduPilot at 57600 baud", "ms", f"{item_ms(signed=True):.1f}", f"{item_ms(signed=False):.1f}"],
+        ["an item of an upload to ArduPilot at 57600 baud", "ms",
+         f"{item_ms(signed=True):.1f}", f"{item_ms(signed=False):.1f}"],
         [f"frames checked in a second, no byte lost, loop of {loops} ms", "frames", frames, "–"],
     ], left=2)  # fmt: skip

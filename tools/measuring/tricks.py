@@ -1,4 +1,4 @@
-"""What each trick is worth: the library without it beside the library as it is, in the smallest sketch with an upload."""
+"""What each trick is worth: the library without it beside the library as it is, in the smallest sketch that uploads."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ class RoundTrip:
             if len(meant) != len(read):
                 return Verdict(False, f"FAILED: {len(read)} items of the {kind} came back, not {len(meant)}.")
             beyond = judge.rewritten(self._plan, read, self._autopilot, kind)
-            for number, (ours, theirs) in enumerate(zip(meant, read)):
+            for number, (ours, theirs) in enumerate(zip(meant, read, strict=True)):
                 difference = difference_in_words(ours, theirs)
                 if difference and beyond[number] and not is_return_kept(ours, theirs, self._autopilot):
                     return Verdict(False, f"FAILED: item {number} of the {kind} came back with another {difference}.")
