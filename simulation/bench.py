@@ -29,7 +29,7 @@ from simulation.wire import Wire
 
 SOURCE = Path(__file__).resolve().parent / "sketches" / "bench.cpp"
 
-PERSONALITIES = {"ArduPilot": ArduPilot, "PX4": Px4}
+PERSONALITIES: dict[str, type[FakeAutopilot]] = {"ArduPilot": ArduPilot, "PX4": Px4}
 
 SERIAL, AUTOPILOT_PORT = 0, 1
 PROOFS = ("ByAnswer", "InDoubt", "Always")  # mavmission::Proof
@@ -92,7 +92,7 @@ class State(NamedTuple):
 class FunctionPlan(NamedTuple):
     """A plan that the firmware computes; see item_of_function_plan()."""
 
-    count: int
+    count: int  # type: ignore[assignment]  # a tuple has a method of this name, which nobody calls here
     refused_item: int = NO_ITEM
     given_before: int = 0  # how often the refused item is given before it is refused
 
@@ -143,12 +143,13 @@ class Bench:
 
     source = SOURCE  # of the firmware
 
-    def __init__(self, personality: str | FakeAutopilot | None = "ArduPilot", *, baud: int = 57600,
+    def __init__(self, personality: str | FakeAutopilot | Nobody | None = "ArduPilot", *, baud: int = 57600,
                  defines: dict | None = None, wire: Wire | None = None, **options) -> None:  # fmt: skip
         self.mega = Mega(firmware_image(baud, *(defines or {}).items(), source=self.source))
         self.wire = wire or Wire()
-        named = personality is None or isinstance(personality, str)
-        self.autopilot = fake(personality, baud, **options) if named else personality
+        if personality is None or isinstance(personality, str):
+            personality = fake(personality, baud, **options)
+        self.autopilot: FakeAutopilot | Nobody = personality
         self.events: list[Event] = []
         self.ends: list[str] = []  # those that update() returned
         self.answers: list[str] = []

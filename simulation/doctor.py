@@ -12,7 +12,7 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
-from simulation.bench import AUTOPILOT_PORT, Bench, fake
+from simulation.bench import AUTOPILOT_PORT, Bench, Nobody, fake
 from simulation.enumerators import texts_of
 from simulation.fake_autopilot import FakeAutopilot
 
@@ -40,7 +40,7 @@ class Doctor(Bench):
 
     source = Path(__file__).resolve().parent / "sketches" / "doctor.cpp"
 
-    def __init__(self, personality: str | FakeAutopilot | None = "ArduPilot", *, baud: int = 57600,
+    def __init__(self, personality: str | FakeAutopilot | Nobody | None = "ArduPilot", *, baud: int = 57600,
                  peer_baud: int | None = None, **options) -> None:  # fmt: skip
         self.verdicts_at: list[tuple[float, str]] = []  # millis() [s] and the verdict, each time that it changed
         self.opened: list[int] = []  # the rates at which the port was opened again

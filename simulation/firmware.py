@@ -64,11 +64,11 @@ def build_firmware(
     Warnings in either are errors. `library`: the folder src of a changed copy
     of it; False: only the core is linked.
     """
-    sources = [Path(source).resolve() for source in sources]
+    files = [Path(source).resolve() for source in sources]
     own = [*defined(defines or {}), *flags]
     root = library if isinstance(library, Path) else LIBRARY
-    places = [root, *{source.parent for source in sources}, *(Path(d).resolve() for d in include_dirs)]
-    units = [compiled(source, mcu, own, places) for source in sources]
+    places = [root, *{file.parent for file in files}, *(Path(d).resolve() for d in include_dirs)]
+    units = [compiled(file, mcu, own, places) for file in files]
     if library:
         # As few different ones as can be: firmware that differs elsewhere shares the library's objects.
         its_own = [*defined({name: value for name, value in (defines or {}).items() if library_names(name)}), *flags]

@@ -124,8 +124,9 @@ class Service(Bench):
         self.tell(*words)
         return status_names()[self._numbers("began")[-1][0]]
 
-    def upload(self, plan: Sequence[Item] | str | None = None, mission_type: int = MISSION,
-               proof: str = "ByAnswer") -> str:  # fmt: skip
+    def upload(  # type: ignore[override]  # of plans of all types
+        self, plan: Sequence[Item] | str | None = None, mission_type: int = MISSION, proof: str = "ByAnswer"
+    ) -> str:
         if plan is not None:
             self.use(plan)
         return self.order_of("upload", mission_type, PROOFS.index(proof))
@@ -236,7 +237,7 @@ class Service(Bench):
         return int(words[2]), {key: int(number) for key, _, number in (pair.partition("=") for pair in words[3:])}
 
     @property
-    def state(self) -> ServiceState:
+    def state(self) -> ServiceState:  # type: ignore[override]  # it says more
         status, value = self._values("state")
         return ServiceState(
             status=status_names()[status],

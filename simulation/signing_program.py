@@ -31,15 +31,17 @@ class SigningProgram:
         self._running = subprocess.Popen(
             [program(compiler)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
         )
+        assert self._running.stdin is not None and self._running.stdout is not None
+        self._asked, self._answers = self._running.stdin, self._running.stdout
 
     def close(self) -> None:
-        self._running.stdin.close()
+        self._asked.close()
         assert self._running.wait() == 0, "it ended with a finding of the sanitizers"
-        self._running.stdout.close()
+        self._answers.close()
 
     def ask(self, *words: object) -> str:
-        self._running.stdin.write(" ".join(map(str, words)) + "\n")
-        answer = self._running.stdout.readline().rstrip("\n")
+        self._asked.write(" ".join(map(str, words)) + "\n")
+        answer = self._answers.readline().rstrip("\n")
         assert answer not in ("", "what?"), f"{words[0]}: {answer or 'it has ended'}"
         return answer
 

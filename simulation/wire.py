@@ -19,6 +19,7 @@ import math
 import random
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 from simulation.fake_autopilot.dialect import mavlink
 from simulation.fake_autopilot.frames import FrameSplitter, decode
@@ -33,7 +34,7 @@ class Entry:
     time: float  # [s], when it entered the wire
     direction: str
     number: int | None  # among the frames of its direction; None for bytes between frames
-    message: object  # None for bytes that are no frame of the dialect
+    message: Any  # None for bytes that are no frame of the dialect
     data: bytes
     fate: str = ""  # "" if it arrived as it was sent
 
@@ -52,7 +53,7 @@ class Fault:
     index: int | None = None
     name: str | None = None
     seq: int | None = None
-    where: Callable[[object], bool] | None = None
+    where: Callable[[Any], bool] | None = None
     times: int | None = 1
     struck: int = field(default=0, init=False)  # how often so far
     named: int = field(default=0, init=False)  # how many frames so far, but for the index
@@ -197,7 +198,7 @@ class Wire:
 
     def at_random(self, direction: str, *, lose: float = 0, repeat: float = 0, delay: float = 0,
                   delay_s: float = 0.3, hold_past_next: float = 0, corrupt: float = 0,
-                  truncate: float = 0, where: Callable[[object], bool] | None = None) -> None:
+                  truncate: float = 0, where: Callable[[Any], bool] | None = None) -> None:
         """Strike so many percent of the frames, by the wire's seed.
 
         delay_s: the longest delay [s]. where: only frames of these messages.

@@ -106,7 +106,7 @@ def files_of(root: Path) -> list[Path]:
 
 def write_zip(root: Path, output: Path, files: Iterable[Path]) -> None:
     """One folder, named after the library as the IDE wants it. The same files make the same bytes."""
-    name = re.search(r"^name=(.*)$", (root / "library.properties").read_text(), re.M)[1]
+    (name,) = re.findall(r"^name=(.*)$", (root / "library.properties").read_text(), re.M)
     output.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for file in files:

@@ -426,6 +426,7 @@ class ArduPilot(FakeAutopilot):
 
     def _go_on(self, now: float) -> None:
         """Fly the item that was waited with."""
+        assert self.flight.index is not None, "no item is flown"
         self._in_silence = True
         self._fly_from(self.flight.index, now)
         self._in_silence = False

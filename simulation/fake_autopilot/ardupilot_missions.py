@@ -64,7 +64,7 @@ class Missions:
         pairs = []
         for seq, item in enumerate(items):
             result, held = self._rewritten(item, item_count=seq, last=len(items) - 1)
-            if result != ACCEPTED:
+            if result != ACCEPTED or held is None:
                 raise ValueError(f"item {seq} would be refused with MAV_MISSION_RESULT "
                                  f"{result}: {item}")
             pairs.append((item, held))
@@ -155,13 +155,14 @@ class Missions:
         faults = self.autopilot.faults
         target = self._staged if self._staged is not None else self.held
         refusal = faults.refusal(seq)
+        held: Item | None = None
         if refusal is not None:
-            result, held = refusal, None
+            result = refusal
         else:
             result, held = self._rewritten(converted, len(target), self._last)
         if result == ACCEPTED and seq > len(target):
             result = ERROR
-        if result != ACCEPTED:
+        if result != ACCEPTED or held is None:
             self._ack(sender, result, now)
             self.forget_transfer()
             return
@@ -193,7 +194,7 @@ class Missions:
         if self.mission_type == RALLY:
             return rewriting.rally_item(item)
         result, held = rewriting.mission_item(item, self.autopilot.vehicle)
-        if result == ACCEPTED and item.command == mavlink.MAV_CMD_DO_JUMP:
+        if held is not None and item.command == mavlink.MAV_CMD_DO_JUMP:
             target = int(held.param1)
             if target == 0 or (target >= item_count and target > last):
                 return ERROR, None

@@ -227,10 +227,10 @@ def mission_item(item: Item, vehicle: str = "copter") -> tuple[int, Item | None]
             problem = UNSUPPORTED_FRAME
         if problem is not None:
             return problem, None
-        return ACCEPTED, Item(FRAMES[item.frame], item.command, 0, 1, *params,
-                              item.x, item.y, _altitude(item.z))
+        return ACCEPTED, Item._make((FRAMES[item.frame], item.command, 0, 1, *params,
+                                     item.x, item.y, _altitude(item.z)))
     x, y, z = (stored(value) for stored, value in zip(rewriting.more, (item.x, item.y, item.z), strict=True))
-    return ACCEPTED, Item(0, item.command, 0, 1, *params, int(x), int(y), z)
+    return ACCEPTED, Item._make((0, item.command, 0, 1, *params, int(x), int(y), z))
 
 
 def _negative_turns(turns_sent: float, radius_sent: float) -> tuple[float, float]:

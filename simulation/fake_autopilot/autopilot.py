@@ -6,7 +6,7 @@ whoever drives the autopilot says what time it is.
 import heapq
 import math
 from collections.abc import Callable, Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from . import frames
 from .dialect import mavlink
@@ -25,7 +25,7 @@ class LogEntry(NamedTuple):
 
     time: float
     direction: str
-    message: object
+    message: Any
 
 
 class FakeAutopilot:
@@ -75,7 +75,7 @@ class FakeAutopilot:
             self.response_delay_s = response_delay_s
 
         self._packer = mavlink.MAVLink(None, system_id, component_id)
-        self._decode = frames.decode
+        self._decode: Callable[[bytes], Any] = frames.decode
         if signing_key is not None:
             self.signing.secret_key = signing_key
             self.signing.sign_outgoing = True
@@ -84,7 +84,7 @@ class FakeAutopilot:
         self._splitter = frames.FrameSplitter()
         self._now = 0.0
         self._timers: dict[str, tuple[float, Callable[[float], None]]] = {}
-        self._pending: list[tuple[float, int, object]] = []  # a heap of what waits to be sent
+        self._pending: list[tuple[float, int, Any]] = []  # a heap of what waits to be sent
         self._pending_number = 0
         self._released: list[tuple[float, bytes]] = []
         self._baud = baud
@@ -97,7 +97,7 @@ class FakeAutopilot:
         self._telemetry_sent_at: dict[int, float] = {}
         self._stream_periods: dict[int, float] = {}  # of what is made here [s]
         self._default_periods: dict[int, float] = {}  # of streams, to which interval 0 goes back [s]
-        self._hears = {}
+        self._hears: dict[str, Callable] = {}
 
         self.at("heartbeat", heartbeat_at_s, self._beat)
         if boot_text and uptime_s == 0.0:
@@ -322,6 +322,7 @@ class FakeAutopilot:
             _, _, message = heapq.heappop(self._pending)
             self._transmit(message, now)
             return
+        assert self._next_telemetry is not None, "nothing is due"
         time, frame = self._next_telemetry
         self._next_telemetry = next(self._telemetry, None)
         # What an autopilot has no room for in time, it leaves out.
@@ -368,7 +369,7 @@ class FakeAutopilot:
         self.log.append(LogEntry(now, "<", message))
         self._release(frame, now)
 
-    def _decode_signed(self, frame: bytearray):
+    def _decode_signed(self, frame: bytes):
         """As frames.decode(), and raises mavlink.MAVError for what is not signed with the key, or was heard before.
 
         pymavlink notes a frame's time before it has found the signature right: a frame that was

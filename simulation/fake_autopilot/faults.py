@@ -38,7 +38,7 @@ class Faults:
         """
         if (from_time is None) == (step is None):
             raise ValueError("say when: give either from_time or step")
-        if step is not None:
+        if from_time is None:
             self._silence_at_step = (step, for_s)
         else:
             self._silent_from, self._silent_until = from_time, from_time + for_s

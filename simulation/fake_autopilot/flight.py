@@ -54,7 +54,7 @@ class Place(NamedTuple):
 
     def towards(self, other: "Place", share: float) -> "Place":
         """The place that share [0..1] of the way to other."""
-        return Place(*(type(a)(a + (b - a) * share) for a, b in zip(self, other, strict=True)))
+        return Place._make(type(a)(a + (b - a) * share) for a, b in zip(self, other, strict=True))
 
 
 class Pace(NamedTuple):
@@ -225,7 +225,7 @@ class Flight:
         if item.command not in (*_TO_A_PLACE, TAKEOFF, VTOL_TAKEOFF):
             return here, 0.0
         lat, lon = (item.x, item.y) if item.x or item.y else (here.lat_e7, here.lon_e7)
-        target = Place(lat, lon, self._height(item))
+        target = Place(int(lat), int(lon), self._height(item))
         takes_s = max(self.pace.leg_s(here.distance(target)), 0.02)
         if item.command in LANDINGS:
             target = target._replace(height=here.height)

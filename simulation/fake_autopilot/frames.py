@@ -111,7 +111,7 @@ def _lengths_v1() -> dict[int, int]:
     lengths = {}
     for path in _DEFINITIONS.glob("*.xml"):
         for message in ElementTree.parse(path).iterfind("messages/message"):
-            lengths[int(message.get("id"))] = _base_length(message)
+            lengths[int(message.attrib["id"])] = _base_length(message)
     return lengths
 
 
@@ -121,7 +121,7 @@ def _base_length(message: ElementTree.Element) -> int:
         if part.tag == "extensions":
             break
         if part.tag == "field":
-            kind, _, count = part.get("type").partition("[")
+            kind, _, count = part.attrib["type"].partition("[")
             length += _SIZES[kind.replace("_mavlink_version", "")] * int(count.rstrip("]") or 1)
     return length
 

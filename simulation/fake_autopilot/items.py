@@ -41,8 +41,8 @@ class Item(NamedTuple):
     param2: float
     param3: float
     param4: float
-    x: int  # latitude [1e-7 degrees], or a parameter
-    y: int  # longitude [1e-7 degrees], or a parameter
+    x: float  # latitude, a whole number of 1e-7 degrees (in a MISSION_ITEM: degrees), or a parameter
+    y: float  # longitude, in the same way
     z: float  # altitude [m] above what the frame says, or a parameter
 
     @classmethod

@@ -71,10 +71,11 @@ class Missions:
         return [item._replace(current=int(seq == self.current)) for seq, item in enumerate(items)]
 
     def load(self, items, mission_type: int) -> None:
-        held, checksum = [], 0
+        held: list[Item] = []
+        checksum = 0
         for seq, item in enumerate(items):
             result, kept = rewriting.item_as_held(item, mission_type, float_mode=False)
-            if result != ACCEPTED:
+            if result != ACCEPTED or kept is None:
                 raise ValueError(f"item {seq} would be refused with MAV_MISSION_RESULT "
                                  f"{result}: {item}")
             held.append(kept)
@@ -177,11 +178,12 @@ class Missions:
     def _take(self, item: Item, now: float) -> None:
         faults = self.autopilot.faults
         refusal = faults.refusal(self._seq)
+        held: Item | None = None
         if refusal is not None:
-            result, held = refusal, None
+            result = refusal
         else:
             result, held = rewriting.item_as_held(item, self._type, not self._int_mode)
-        if result != ACCEPTED:
+        if result != ACCEPTED or held is None:
             self._ack(self._partner, result, now)
             if result != ERROR:
                 self._complain("IGN MISSION_ITEM: Invalid item", now)

@@ -62,7 +62,7 @@ def _nearest(value: float) -> int:
     return int32(value + math.copysign(0.5, value))
 
 
-def _through_float(value: int) -> int:
+def _through_float(value: float) -> int:
     """An integer as the nearest float; one beyond the largest integer wraps around, as on the simulator's computer."""
     near = int(f32(value))
     return near if near < 2 ** 31 else -2 ** 31
@@ -132,9 +132,8 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
         x, y = _nearest(x * 1e7), _nearest(y * 1e7)
     # A fence has no altitude, and so no frame of one.
     frame, autocontinue = (5, 0) if mission_type == FENCE else (FRAMES[item.frame], item.autocontinue)
-    return ACCEPTED, Item(frame, KEPT_AS.get(item.command, item.command), 0, autocontinue,
-                          *(stored(value) for stored, value in zip(params, item[4:8], strict=True)),
-                          x, y, item.z)
+    kept = (stored(value) for stored, value in zip(params, item[4:8], strict=True))
+    return ACCEPTED, Item._make((frame, KEPT_AS.get(item.command, item.command), 0, autocontinue, *kept, x, y, item.z))
 
 
 def _without_a_place(item: Item, float_mode: bool) -> tuple[int, Item | None]:

@@ -15,9 +15,12 @@ import sys
 import time
 import tty
 from collections.abc import Callable
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from .words import Words
+
+if TYPE_CHECKING:
+    from serial import Serial
 
 RETRY_S = 0.5  # between two tries to reach a peer that is away
 
@@ -294,10 +297,11 @@ class Device(Outside):
         self._clock = clock
         self._say = say
         self._retry_at = clock()
-        self._open = None
+        self._open: Serial | None = None
         self.name = f"{path}@{baud}"
 
-    def _reach(self) -> bool:
+    def _reach(self) -> Serial | None:
+        """The device, if it is open, or can be opened again."""
         from serial import Serial, SerialException
 
         if self._open is None and self._clock() >= self._retry_at:
@@ -306,32 +310,34 @@ class Device(Outside):
                 self._open = Serial(self._path, self._baud, timeout=0, write_timeout=0)
                 self._say(f"{self.name}: open")
             except (SerialException, OSError):
-                return False
-        return self._open is not None
+                return None
+        return self._open
 
     def read(self, most: int) -> bytes:
-        if not self._reach():
+        device = self._reach()
+        if device is None:
             return b""
         try:
-            return self._open.read(most)
+            return device.read(most)
         except OSError:  # SerialException is one
-            self._lose()
+            self._lose(device)
             return b""
 
     def write(self, data: bytes) -> None:
         from serial import SerialTimeoutException
 
-        if not self._reach():
+        device = self._reach()
+        if device is None:
             return
         try:
-            self._open.write(data)
+            device.write(data)
         except SerialTimeoutException:
             pass  # its buffer is full
         except OSError:
-            self._lose()
+            self._lose(device)
 
-    def _lose(self) -> None:
-        self._open.close()
+    def _lose(self, device: Serial) -> None:
+        device.close()
         self._open = None
         self._say(f"{self.name}: gone; waiting for it")
 

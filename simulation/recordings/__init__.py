@@ -4,7 +4,7 @@ import itertools
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from simulation.fake_autopilot import frames
 
@@ -21,7 +21,7 @@ class Heard(NamedTuple):
 
     time: float  # [s], when its last byte was read
     direction: str  # '>' to the autopilot, '<' from it
-    message: object
+    message: Any
     frame: bytes
 
 

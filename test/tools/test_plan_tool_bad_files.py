@@ -145,7 +145,9 @@ def test_output_that_cannot_be_written_is_said(words):
     [["to-header", FARM, "-o", "/dev/full"], ["draw", FARM, "-o", "/dev/full/a.svg"], ["convert", FARM, "/x/a.kml"]],
 )
 def test_place_that_cannot_be_written_to_is_said(words):
-    refused(run(*words), "cannot be written: ")
+    ran = run(*words)
+    refused(ran, "cannot be written: ")
+    assert ran.stdout == b""
 
 
 def test_output_may_be_a_device():

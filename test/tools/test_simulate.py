@@ -187,7 +187,12 @@ def test_a_tcp_client_tries_every_address_of_its_peer(world, clock, monkeypatch)
     end = open_end(f"tcp:127.0.0.1:{port}", clock, quiet)
     world.connect(1, end)
     slices_until(world, lambda: end.connected)
+    peer, _ = listener.accept()
     listener.close()
+    peer.sendall(b"hello")
+    peer.setblocking(False)
+    assert answer_of(world, functools.partial(peer.recv, 100), 5) == b"ifmmp"
+    peer.close()
 
 
 def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):

@@ -17,6 +17,6 @@ def on_the_wire(plan: list[Item], autopilot: str, vehicle: int = mavlink.MAV_TYP
     library refuses is as it was: it is not sent, and neither is the plan."""
     if not plan:
         return []
-    sent = judge.on_the_wire([PlannedItem(*item) for item in plan], autopilot, vehicle)
-    items = [item if made is None else Item(*made) for item, made in zip(plan, sent, strict=True)]
+    sent = judge.on_the_wire([PlannedItem._make(item) for item in plan], autopilot, vehicle)
+    items = [item if made is None else Item._make(made) for item, made in zip(plan, sent, strict=True)]
     return [HOME, *items] if autopilot == "ardupilot" else items

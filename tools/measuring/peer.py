@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from simulation.fake_autopilot import frames, mavlink
 from simulation.mega import Mega
@@ -23,7 +23,7 @@ KINDS = tuple(RECORDINGS)
 class Frame(NamedTuple):
     """What the firmware sent [cycles]."""
 
-    message: object
+    message: Any
     length: int
     written: int  # its first byte into the data register
     left: int  # the end of its last stop bit

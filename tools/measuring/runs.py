@@ -39,7 +39,7 @@ def parsing(subject: Subject, bytes_each: int = 30_000) -> Cost:
     Of a function that polls the stream, what it takes when nothing has come is not the bytes';
     nor is the stream's own read().
     """
-    total = count = worst = 0
+    total, count, worst = 0.0, 0, 0
     for kind in KINDS:
         mega = Mega(subject.built.elf)
         peer = Peer(mega, kind, subject.wire, serve=False)

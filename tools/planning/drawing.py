@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 
@@ -50,7 +51,7 @@ def draw(plan: Plan, file: Path, speeds: Speeds) -> None:
         raise BadPlan(plan.file, None, "it has no places: there is nothing to draw")
     flight = fly(plan, speeds)
     has_heights = any(line for _, line in height_lines(flight))
-    look = {"svg.hashsalt": "plan", "svg.fonttype": "path", "font.size": 9, "figure.dpi": 100}
+    look: dict[Any, Any] = {"svg.hashsalt": "plan", "svg.fonttype": "path", "font.size": 9, "figure.dpi": 100}
     picture = io.BytesIO()
     with matplotlib.rc_context({**look, "text.parse_math": False}):
         rows = 2 if has_heights else 1
@@ -97,7 +98,7 @@ class _Map:
         self._far = distance_from_home(plan)
         self._home = home if self._far is None else None
         places = places_of(plan)
-        self._origin = (home.x, home.y) if self._home is not None else (places[0].x, places[0].y)
+        self._origin = (self._home.x, self._home.y) if self._home is not None else (places[0].x, places[0].y)
         self._from = "home" if self._home is not None else "the first item"
         # Where east is as long as it looks: in the middle of what is drawn.
         latitudes = [item.x for item in places] or [self._origin[0]]

@@ -37,7 +37,7 @@ class Refusal(NamedTuple):
     """An item that the library does not send, and its reason."""
 
     kind: str
-    index: int
+    index: int  # type: ignore[assignment]  # a tuple has a method of this name, which nobody calls here
     step: Step
     status: str  # mavmission::Status, or NOT_WHOLE
     text: str  # its text, with the number that is wrong
