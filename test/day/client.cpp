@@ -1,5 +1,6 @@
 // A sketch with a whole MissionClient and a follower, for this computer: it does what lines on its input tell it, in a
-// time that they turn, and answers each with a line. test/host_client.py is the other end. Bytes are in hexadecimal,
+// time that they turn, and answers each with a line. test/support/host_client.py is the other end. Bytes are in
+// hexadecimal,
 // "-" for none. loop() runs each millisecond.
 //
 // Every allocation that the library makes is counted. This file is compiled without access control: it shows the

@@ -1,5 +1,5 @@
 // The library's own upload(plan, Verified), compiled for this computer, against an autopilot that keeps what its other
-// end (test/replayed.py) says that a real one kept. A line on the standard input for each plan:
+// end (test/support/replayed.py) says that a real one kept. A line on the standard input for each plan:
 //
 //   autopilot vehicle type raw ITEM...    HEARTBEAT.autopilot and .type, PlanType, numbering, items in hexadecimal
 //

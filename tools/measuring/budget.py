@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from building import BUILD, ROOT, build_sketch
 from elftools.dwarf.die import DIE
 from elftools.elf.elffile import ELFFile
-from firmware import LIBRARY, compiled, exclusive, run
-from mega.image import demangle
+
+from building import BUILD, ROOT, build_sketch
+from simulation.firmware import LIBRARY, compiled, exclusive, run
+from simulation.mega.image import demangle
 
 SKETCH = ROOT / "examples" / "UploadMission"
 MARK = "RAM budget"

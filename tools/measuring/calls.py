@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from bench import is_end, status_names
-from fake_autopilot import ArduPilot, Px4, frames, mavlink
-from mega import Mega
+from simulation.bench import is_end, status_names
+from simulation.fake_autopilot import ArduPilot, Px4, frames, mavlink
+from simulation.mega import Mega
 
 from .firmware import measured
 from .peer import AUTOPILOT, ITEMS, KINDS
@@ -43,7 +43,7 @@ MORE_CALLS = {
     27: "MissionFollower: currentItem(), isOurPlan()",
     28: "LinkDoctor: update()",
 }
-# The operations in which update() is looked at, by the call that begins them: beside a follower, a listener and a doctor.
+# The operations in which update() is looked at, by the call that begins them, beside follower, listener and doctor.
 OPERATIONS = {
     13: "update(), in a download",
     14: "update(), in a verification",

@@ -6,9 +6,10 @@ import re
 from collections import defaultdict
 from pathlib import Path
 
-from building import build_sketch
 from elftools.elf.elffile import ELFFile
-from mega.image import demangle
+
+from building import build_sketch
+from simulation.mega.image import demangle
 
 from .firmware import EXAMPLE
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from quiet import RECORDED, Quiet, as_recorded, default_list
+from simulation.quiet import RECORDED, Quiet, as_recorded, default_list
 
 from .report import aligned
 

@@ -27,10 +27,10 @@ def table(rows: list[Row], bounds: dict[str, Bound]) -> str:
 
 def aligned(lines: list[list[str]], left: int) -> str:
     """A Markdown table: the first line is its head, the first `left` columns are words."""
-    widths = [max(len(cell) for cell in column) for column in zip(*lines)]
+    widths = [max(len(cell) for cell in column) for column in zip(*lines, strict=True)]
 
     def line(cells: list[str]) -> str:
-        padded = [c.ljust(w) if n < left else c.rjust(w) for n, (c, w) in enumerate(zip(cells, widths))]
+        padded = [c.ljust(w) if n < left else c.rjust(w) for n, (c, w) in enumerate(zip(cells, widths, strict=True))]
         return "| " + " | ".join(padded) + " |"
 
     rule = ["-" * w if n < left else "-" * (w - 1) + ":" for n, w in enumerate(widths)]

@@ -1,4 +1,4 @@
-"""What each trick is worth: the library without it beside the library as it is, in the smallest sketch with an upload."""
+"""What each trick is worth: the library without it beside the library as it is, in the smallest sketch that uploads."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from building import BUILD, elf_sizes
-from firmware import LIBRARY, digest, exclusive, library_file
+from simulation.firmware import LIBRARY, digest, exclusive, library_file
 
 from . import runs
 from .firmware import MEASURED, measured

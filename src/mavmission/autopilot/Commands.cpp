@@ -96,9 +96,9 @@ constexpr Row row(uint16_t command, uint8_t param1, uint8_t param2, uint8_t para
 
 constexpr uint8_t kPlaneRows = 2;  // of planes alone, before all others
 
-// Observed on ArduCopter, ArduRover and ArduPlane 4.6.3 and on PX4 1.17.0: test/recordings has what each said to each
-// of these, and what it kept (readback_*.csv, readback_random_*.csv); docs/readback.md has it in words. A command that
-// is in no row was taken by none of them: it goes out, for a newer autopilot may.
+// Observed on ArduCopter, ArduRover and ArduPlane 4.6.3 and on PX4 1.17.0: simulation/recordings has what each said to
+// each of these, and what it kept (readback_*.csv, readback_random_*.csv); docs/readback.md has it in words. A command
+// that is in no row was taken by none of them: it goes out, for a newer autopilot may.
 const Row kRows[] PROGMEM = {
     row(16, D, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),               // NAV_WAYPOINT of a plane: no hold
     row(82, K, K, K, K, InArduPilot::NotTaken, InPx4::NotTaken),                  // NAV_SPLINE_WAYPOINT on a plane

@@ -1,5 +1,5 @@
-// Signs, checks and hashes what lines on its input tell it, and answers each with a line: test/signing_program.py is
-// the other end. Bytes are in hexadecimal, "-" for none.
+// Signs, checks and hashes what lines on its input tell it, and answers each with a line: simulation/signing_program.py
+// is the other end. Bytes are in hexadecimal, "-" for none.
 #include "mavmission/signing/Signing.h"
 
 #include <stdio.h>
