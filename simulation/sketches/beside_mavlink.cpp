@@ -40,7 +40,7 @@ void setup() {
   request.target_component = 1;
   request.req_stream_id = 6;
   request.start_stop = 1;
-  autopilot.upload(inFlash(plan), Verified);
+  autopilot.upload(inFlash(plan), Readback::Always);
 }
 
 void loop() {

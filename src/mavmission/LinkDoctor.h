@@ -21,8 +21,8 @@ namespace mavmission {
   X(LoopLate, "bytes are lost: loop() takes too long between two update()") \
   X(Damaged, "frames arrive damaged: look at GND, levels, cable, and at code that keeps interrupts off") \
   X(NoAutopilot, "frames, but none of an autopilot: another component is speaking") /* speaker() */ \
-  X(SeveralAutopilots, "several autopilots: name one with talkTo()") \
-  X(OtherAutopilot, "an autopilot, but not the one named with talkTo()") /* speaker() */ \
+  X(SeveralAutopilots, "several autopilots: name one with setTargetIds()") \
+  X(OtherAutopilot, "an autopilot, but not the one named with setTargetIds()") /* speaker() */ \
   X(SameIds, "our system and component id are the autopilot's own: it ignores us") \
   X(NotHeard, "the autopilot does not answer: look at the wire from our TX to its RX, and at its port's settings") \
   X(Signing, "the autopilot signs its messages, and takes no unsigned ones such as ours") \

@@ -6,6 +6,6 @@
 namespace mavmission {
 
 // Which MAVLink to speak.
-enum class Speak : uint8_t { AsAutopilot = 0, Version1 = 1, Version2 = 2 };
+enum class MavlinkVersion : uint8_t { AsAutopilot = 0, Version1 = 1, Version2 = 2 };
 
 }  // namespace mavmission

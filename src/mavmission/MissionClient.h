@@ -23,6 +23,9 @@ namespace detail {
 class Listener;
 }  // namespace detail
 
+// Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
+// At 57600 baud a Mega's receive ring is full after 11 ms: a loop that takes longer loses bytes, and so time, but
+// nothing else. Uses no heap. The Stream must be open, and stay, as long as this.
 class MissionClient : private detail::Client {
  public:
   // What failedItem() is when no item failed.
@@ -39,20 +42,20 @@ class MissionClient : private detail::Client {
   // Returns the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is
   // said exactly when the plan is aboard. Where the final answer is in doubt, what is aboard is read back and compared:
   // Status::Differs says that it is not the plan, and Status::Unconfirmed remains where it cannot be read either. With
-  // Verified it is read back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol, "Upload
-  // a Mission to the Vehicle".)
-  Status upload(const ItemSource& plan, Proof proof = WhenInDoubt) {
+  // Readback::Always it is read back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol,
+  // "Upload a Mission to the Vehicle".)
+  Status upload(const ItemSource& plan, Readback proof = Readback::InDoubt) {
     return uploadProven(plan, PlanType::Mission, proof);
   }
   // The same for a fence or rally points. A fence of up to three items is always read back, 1 s after it was accepted,
   // and sent again if ArduPilot, which has accepted it, has wiped it by then.
-  Status upload(const ItemSource& plan, PlanType type, Proof proof = WhenInDoubt);
+  Status upload(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
 
   // The same without reading back, for a sketch that has to be small (docs/measurements.md). Status::Accepted is said
   // when the autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is
   // lost, it is Status::Unconfirmed.
-  Status uploadByAnswer(const ItemSource& plan, PlanType type = PlanType::Mission) {
-    return uploadAndBelieve(plan, type);
+  Status uploadWithoutReadback(const ItemSource& plan, PlanType type = PlanType::Mission) {
+    return startUpload(plan, type);
   }
 
   // Puts the plan of the last upload or verification aboard again: after a failure that left a mixture, for example.
@@ -62,7 +65,7 @@ class MissionClient : private detail::Client {
   // Puts `count` items of a plan aboard, from item `first` on, in the place of those that are there. `plan` is the
   // whole plan, and the rest of it must be aboard already. ArduPilot does this; PX4 does not (Status::WholePlansOnly).
   // (Guide, MISSION_WRITE_PARTIAL_LIST.)
-  Status uploadPart(const ItemSource& plan, uint16_t first, uint16_t count);
+  Status uploadPartial(const ItemSource& plan, uint16_t first, uint16_t count);
 
   // Reads the autopilot's plan, item by item, into a sink, and ends with Status::Downloaded. What a sketch uploaded it
   // gets back: home is kept apart on ArduPilot, jump targets count the sketch's items. The sink must stay until the
@@ -111,8 +114,9 @@ class MissionClient : private detail::Client {
   Status setMessageInterval(uint16_t messageId, int32_t intervalUs);
   // Any command. It must stay until the end. Arming is not forced by it either, and PX4's MISSION_START, which arms, is
   // not sent by it to a disarmed one (Status::NotArmed): that is what start() is for.
-  Status send(const FlightCommand& command, Repeat repeat = Repeat::IfHarmless);
-  Status send(const FlightCommand&&, Repeat = Repeat::IfHarmless) = delete;  // it would be gone before it is sent
+  Status send(const FlightCommand& command, CommandRepeat repeat = CommandRepeat::IfHarmless);
+  Status send(const FlightCommand&&,
+              CommandRepeat = CommandRepeat::IfHarmless) = delete;  // it would be gone before it is sent
 
   // Ends the running operation with Status::Cancelled, and tells the autopilot (MISSION_ACK with
   // MAV_MISSION_OPERATION_CANCELLED). Without one it does nothing.
@@ -140,7 +144,7 @@ class MissionClient : private detail::Client {
   uint16_t itemsDone() const { return state_.itemsDone; }
   uint16_t itemsTotal() const { return Client::itemsTotal(); }
   // What differs after Status::Differs, or after Status::NotKept would be kept as another value.
-  Field differingField() const { return rest_.field; }
+  ItemField differingField() const { return rest_.field; }
   // After Status::NotKept: what the autopilot would make of the value of that field. NaN where that is not known: where
   // it would not take it, or where what it makes of it depends on its board. The plan's source is asked for the item
   // again.
@@ -179,9 +183,9 @@ class MissionClient : private detail::Client {
   // Our system id (1 to 255) and component id. By default those of a companion of the autopilot: its system id, 191.
   // When they are set, heartbeats go out at once; by default not before an autopilot has been heard. Must not be the
   // autopilot's own pair, which would not hear us.
-  void setOwnIds(uint8_t systemId, uint8_t componentId = detail::Link::kComponentId);
+  void setSourceIds(uint8_t systemId, uint8_t componentId = detail::Link::kComponentId);
   // The autopilot to talk to, where there may be several on the line. System id 0: whichever is alone there.
-  void talkTo(uint8_t systemId, uint8_t componentId = 1);
+  void setTargetIds(uint8_t systemId, uint8_t componentId = 1);
 #if MAVMISSION_SIGNING
   // From now on signs what is sent, and refuses what is not signed with the key (MAVLink guide, Message Signing): such
   // a frame is as good as none. Only RADIO_STATUS, which a radio without a key sends, still reaches a MessageListener.
@@ -202,7 +206,7 @@ class MissionClient : private detail::Client {
   }
 #endif
   // MAVLink 1 or 2; by default what the autopilot speaks.
-  void setSpeak(Speak speak) { link_.setSpeak(speak); }
+  void setMavlinkVersion(MavlinkVersion speak) { link_.setMavlinkVersion(speak); }
   // Allows operations that change the plan while the autopilot is armed. ArduPilot edits its plan in place: an upload
   // that breaks off leaves a flying aircraft with a mixture.
   void allowWhileArmed(bool allow) { rest_.armedAllowed = allow; }
@@ -210,18 +214,18 @@ class MissionClient : private detail::Client {
   void useRawNumbering(bool raw) { rest_.raw = raw; }
   // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2,
   // 4, then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until
-  // then the status is WaitingForTurn. Costs flash in a sketch that calls it (docs/measurements.md).
-  void retryWhenDenied(uint16_t seconds);
+  // then the status is BackingOff. Costs flash in a sketch that calls it (docs/measurements.md).
+  void retryWhenBusy(uint16_t seconds);
   // Serves autopilots that do not know MISSION_ITEM_INT: one that is neither ArduPilot nor PX4 and refuses the first
   // item as unsupported gets the plan again as MISSION_ITEM, with coordinates as floats, coarser by metres. `always`:
   // no other is tried. Costs flash in a sketch that calls it (docs/measurements.md).
-  void serveFloatItems(bool always = false);
+  void useMissionItemFallback(bool always = false);
   // The longest wait for an autopilot [s], after which an operation ends with Status::NoAutopilot; 0, the default, is
   // for ever.
-  void limitWaiting(uint16_t seconds) { rest_.waitingLimitS = seconds; }
+  void setAutopilotTimeout(uint16_t seconds) { rest_.waitingLimitS = seconds; }
   // The longest that a transfer or a command may take [s], after which it ends with Status::TookTooLong; 0, the
   // default, is 120 s, and 2 s for each item.
-  void limitTransfer(uint16_t seconds) { rest_.transferLimitS = seconds; }
+  void setOperationTimeout(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
   friend class detail::Listener;

@@ -21,13 +21,7 @@ enum class StartStep : uint8_t { None, ReadyMode, FirstItem, Arm, AutoMode, Begi
 // could not fly it, and it is disarmed again.
 enum class StartArming : uint8_t { Untouched, Armed, Disarmed };
 
-// When an upload is proven by reading the plan back.
-enum class Proof : uint8_t { InDoubt = 1, Always };
-constexpr Proof WhenInDoubt = Proof::InDoubt;  // what upload(plan) does
-constexpr Proof Verified = Proof::Always;      // upload(plan, Verified)
-
-// Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
-// At 57600 baud a Mega's receive ring is full after 11 ms: a loop that takes longer loses bytes, and so time, but
-// nothing else. Uses no heap. The Stream must be open, and stay, as long as this.
+// When an upload reads the plan back: when the autopilot's answer leaves a doubt, or always.
+enum class Readback : uint8_t { InDoubt = 1, Always };
 
 }  // namespace mavmission

@@ -34,7 +34,7 @@ void begin(uint8_t operation) {
   ended = 0;
   const ItemSource source = inFlash(plan);
   switch (operation) {
-    case 1: autopilot.upload(source, Verified); break;
+    case 1: autopilot.upload(source, Readback::Always); break;
     case 2: autopilot.download(toRam(sink)); break;
     case 3: autopilot.verify(source); break;
     case 4: autopilot.clear(PlanType::All); break;
@@ -44,7 +44,7 @@ void begin(uint8_t operation) {
       command = flightCommand(183, 1, 1500);
       autopilot.send(command);
       break;
-    case 8: autopilot.uploadPart(source, 3, 4); break;
+    case 8: autopilot.uploadPartial(source, 3, 4); break;
   }
 }
 

@@ -32,7 +32,7 @@ AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", 
 CLIENTS = {
     "no-retries": "without retries",
     "usual-rule": "usual rule",
-    "upload-by-answer": "`uploadByAnswer()`",
+    "upload-by-answer": "`uploadWithoutReadback()`",
     "upload": "`upload()`",
 }
 OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it

@@ -1,4 +1,4 @@
-"""What QuietTransfers is worth: the time of an upload, and of reading back, on a full line, as it is and quiet."""
+"""What TelemetryPause is worth: the time of an upload, and of reading back, on a full line, as it is and quiet."""
 
 from __future__ import annotations
 

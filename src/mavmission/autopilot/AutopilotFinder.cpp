@@ -27,7 +27,7 @@ bool isVehicle(uint8_t type) {
 
 }  // namespace
 
-void AutopilotFinder::talkTo(uint8_t systemId, uint8_t componentId) {
+void AutopilotFinder::setTargetIds(uint8_t systemId, uint8_t componentId) {
   const bool isOther = !isFrom(systemId, componentId);
   named_ = systemId != 0;
   severalHeard_ = false;

@@ -27,7 +27,7 @@ class AutopilotFinder {
   static constexpr uint16_t kSettleMs = 1200;  // a second autopilot on the line is heard within a heartbeat's period
 
   // Names the autopilot to talk to; any other is then nobody. Undone by systemId 0.
-  void talkTo(uint8_t systemId, uint8_t componentId);
+  void setTargetIds(uint8_t systemId, uint8_t componentId);
 
   // A heartbeat has come. True if it is that of the autopilot that we talk to: it is then to be filled in.
   bool onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t autopilot, uint8_t vehicleType, uint16_t nowMs);

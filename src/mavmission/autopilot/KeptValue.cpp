@@ -96,8 +96,8 @@ float keptHundredths(float value) {
 
 }  // namespace
 
-float keptValue(const MissionItem& item, Field field, Keeper keeper) {
-  const uint8_t index = static_cast<uint8_t>(field) - static_cast<uint8_t>(Field::Param1);
+float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
+  const uint8_t index = static_cast<uint8_t>(field) - static_cast<uint8_t>(ItemField::Param1);
   if (index > 6) return fromBits(kNotKnown);
   uint32_t bits;
   memcpy(&bits, reinterpret_cast<const uint8_t*>(&item) + sizeof(bits) * index, 4);
@@ -105,7 +105,7 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
   uint32_t rules = rulesOf(item, keeper).bits;
   for (uint8_t i = 0; i < index; ++i) rules >>= 4;
   const uint8_t kind = static_cast<uint8_t>(rules) & 15;
-  if (field == Field::Latitude || field == Field::Longitude) {
+  if (field == ItemField::Latitude || field == ItemField::Longitude) {
     const int32_t integer = static_cast<int32_t>(bits);
     value = number(integer);
     if (kind == U8) return number(integer & 0xFF);
@@ -118,10 +118,10 @@ float keptValue(const MissionItem& item, Field field, Keeper keeper) {
   const bool isInt32 = whole(value, found);
   switch (kind) {
     case Sign: return (bits & 0x80000000) != 0 ? -1 : 1;
-    case Special: return keptSpecial(value, field == Field::Param3, keeper);
+    case Special: return keptSpecial(value, field == ItemField::Param3, keeper);
     case Centimetres: return keptHundredths(value);
     case U1:
-      if (item.command == 223 && field == Field::Param4)
+      if (item.command == 223 && field == ItemField::Param4)
         return found < 0 || !isInt32 ? fromBits(kNotKnown) : number(found & 1);
       return bits != 0 && bits < 0x80000000 ? 1 : 0;
     case U8:

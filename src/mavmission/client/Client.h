@@ -74,9 +74,9 @@ class Client {
   void takeReadItem(const FrameParser& frame);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
-  Status uploadAndBelieve(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
-  Status uploadKeptPlan();                                         // of the last upload or verification
-  Status uploadProven(const ItemSource& plan, PlanType type, Proof proof);
+  Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
+  Status uploadKeptPlan();                                    // of the last upload or verification
+  Status uploadProven(const ItemSource& plan, PlanType type, Readback proof);
   static void proveUpload(Client& client, uint16_t nowMs);
   static void proveFence(Client& client, uint16_t nowMs);
   static void proveFenceAgain(Client& client, uint16_t nowMs);
@@ -237,8 +237,8 @@ class Client {
     uint32_t planId;          // the autopilot's own name for the mission that was accepted or verified last; 0: none
     uint8_t startStep : 4;    // StartStep
     uint8_t startArming : 4;  // StartArming
-    Proof proof;
-    Field field;            // that differs
+    Readback proof;
+    ItemField field;        // that differs
     bool armedAllowed : 1;  // bits, for RAM: they cost a little flash
     bool raw : 1;
     bool tooLong : 1;       // the source has more items than the protocol can count

@@ -134,11 +134,11 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
   takeCommandEvent(event, status, &frame, nowMs);
 }
 
-Status MissionClient::send(const FlightCommand& command, Repeat repeat) {
+Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
   const Status status = beginCommand(fillOwn, onOwn);
   if (status == Status::Busy) return status;
   commanding_.own = &command;
-  commanding_.transfer.setRepeats(repeat == Repeat::Always || !isOnceOnly(command.id));
+  commanding_.transfer.setRepeats(repeat == CommandRepeat::Always || !isOnceOnly(command.id));
   return status;
 }
 

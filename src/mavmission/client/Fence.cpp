@@ -16,9 +16,9 @@ constexpr uint8_t kFenceSettleS = 1;
 }  // namespace
 
 // A short fence is always read back, and sent again when there is none: then it replaces nothing, and stays.
-Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
+Status MissionClient::upload(const ItemSource& plan, PlanType type, Readback proof) {
   const bool isDoubtful = type == PlanType::Fence && plan.count != 0 && plan.count <= kShortFence;
-  const Status status = uploadProven(plan, type, isDoubtful ? Proof::Always : proof);
+  const Status status = uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
   if (isDoubtful && !isEnd(status)) rest_.prove = proveFence;
   return status;
 }

@@ -31,7 +31,7 @@ bool Client::tryFloats(Client& client, Status refusal, uint16_t nowMs) {
   return true;
 }
 
-void MissionClient::serveFloatItems(bool always) {
+void MissionClient::useMissionItemFallback(bool always) {
   state_.toFloats = toFloats;
   rest_.unsupported = tryFloats;
   rest_.takeUp = takeUpEnd;

@@ -31,9 +31,11 @@ void MissionClient::onEnd(EndFunction function, void* context) {
   rest_.endedContext = context;
 }
 
-void MissionClient::setOwnIds(uint8_t systemId, uint8_t componentId) { link_.setOwnIds(systemId, componentId); }
+void MissionClient::setSourceIds(uint8_t systemId, uint8_t componentId) { link_.setSourceIds(systemId, componentId); }
 
-void MissionClient::talkTo(uint8_t systemId, uint8_t componentId) { link_.finder().talkTo(systemId, componentId); }
+void MissionClient::setTargetIds(uint8_t systemId, uint8_t componentId) {
+  link_.finder().setTargetIds(systemId, componentId);
+}
 
 void Client::beginSeconds(uint16_t nowMs) {
   state_.secondMs = nowMs;
@@ -48,7 +50,7 @@ Status Client::startOperation(Operation operation) {
   state_.itemsDone = 0;
   rest_.itemsTotal = 0;
   rest_.lastResult = 255;
-  rest_.field = Field::None;
+  rest_.field = ItemField::None;
   rest_.proving = false;
   rest_.turnPauseS = 0;
   state_.turnAtS = 0;

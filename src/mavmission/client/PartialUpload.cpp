@@ -8,7 +8,7 @@
 namespace mavmission {
 using namespace detail;
 
-Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_t count) {
+Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint16_t count) {
   if (state_.operation != nullptr) return Status::Busy;
   const Status status = upload(plan);
   if (isEnd(status)) return status;

@@ -33,8 +33,8 @@ void Client::proveUpload(Client& client, uint16_t nowMs) {
   client.reading_.transfer.begin(nowMs);
 }
 
-Status Client::uploadProven(const ItemSource& plan, PlanType type, Proof proof) {
-  const Status status = uploadAndBelieve(plan, type);
+Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proof) {
+  const Status status = startUpload(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = proof;
   rest_.prove = proveUpload;
@@ -139,7 +139,7 @@ void Client::takeReadCount(const FrameParser& frame) {
   // ArduPilot without a plan says 0, or 1 for its home.
   const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count <= 1;
   if (isBothEmpty || count == plan_.wireCount()) return;
-  rest_.field = Field::Count;
+  rest_.field = ItemField::Count;
   endReading(Status::Differs);
 }
 
@@ -186,8 +186,8 @@ Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item)
   const Status read = plan.read(wireItem, meant);
   if (read == Status::Checking) client.reading_.transfer.askAgain();  // the looking for a place goes on then
   if (read != Status::Accepted) return read;
-  const Field field = difference(meant, item, plan.keeper());
-  if (field == Field::None) return Status::Transferring;
+  const ItemField field = difference(meant, item, plan.keeper());
+  if (field == ItemField::None) return Status::Transferring;
   // What could never be aboard is no difference.
   if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
   client.rest_.field = field;

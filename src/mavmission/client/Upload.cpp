@@ -8,7 +8,7 @@
 namespace mavmission {
 using namespace detail;
 
-Status Client::uploadAndBelieve(const ItemSource& plan, PlanType type) {
+Status Client::startUpload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
   setPlan(plan, type);
@@ -66,7 +66,7 @@ void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().ve
 // Accepted, or NotKept: and then which field of an item it is that the autopilot would not keep.
 Status Client::keeping(const MissionItem& item) {
   rest_.field = notKept(item, plan_.keeper());
-  return rest_.field == Field::None ? Status::Accepted : Status::NotKept;
+  return rest_.field == ItemField::None ? Status::Accepted : Status::NotKept;
 }
 
 void Client::beginChecking() {

@@ -9,7 +9,7 @@
 
 namespace mavmission {
 namespace detail {
-void Link::setOwnIds(uint8_t systemId, uint8_t componentId) {
+void Link::setSourceIds(uint8_t systemId, uint8_t componentId) {
   state_.ownSystemId = systemId;
   state_.ownComponentId = componentId;
 }
@@ -22,7 +22,7 @@ uint8_t Link::version() const {
 #if MAVMISSION_SIGNING
   if (signing_.isOn()) return 2;
 #endif
-  if (state_.speak != Speak::AsAutopilot) return static_cast<uint8_t>(state_.speak);
+  if (state_.speak != MavlinkVersion::AsAutopilot) return static_cast<uint8_t>(state_.speak);
   return finder_.heartbeat().version == 1 ? 1 : 2;
 }
 

@@ -27,8 +27,8 @@ class Link {
   void begin(Stream& stream) { stream_ = &stream; }
 
   // Our own ids; 0, 0 is the default: the autopilot's system id and kComponentId.
-  void setOwnIds(uint8_t systemId, uint8_t componentId);
-  void setSpeak(Speak speak) { state_.speak = speak; }
+  void setSourceIds(uint8_t systemId, uint8_t componentId);
+  void setMavlinkVersion(MavlinkVersion speak) { state_.speak = speak; }
 
   // Goes on to the autopilot's next frame that is for us; false when nothing more has come or the budget is used up.
   bool receive(FrameParser::Budget& budget, uint16_t nowMs);
@@ -121,7 +121,7 @@ class Link {
     uint8_t heardSequence;
     uint8_t ownSystemId;
     uint8_t ownComponentId;
-    Speak speak;
+    MavlinkVersion speak;
     bool heartbeatSent;
     bool sequenceKnown;
   };

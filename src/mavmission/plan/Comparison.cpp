@@ -36,8 +36,8 @@ constexpr uint8_t kParam3 = 2, kYaw = 3, kX = 4, kY = 5, kZ = 6;
 static_assert(offsetof(MissionItem, x) == sizeof(float) * kX && offsetof(MissionItem, y) == sizeof(float) * kY &&
                   offsetof(MissionItem, z) == sizeof(float) * kZ,
               "in their order");
-static_assert(static_cast<uint8_t>(Field::Latitude) == static_cast<uint8_t>(Field::Param1) + kX &&
-                  static_cast<uint8_t>(Field::Height) == static_cast<uint8_t>(Field::Param1) + kZ,
+static_assert(static_cast<uint8_t>(ItemField::Latitude) == static_cast<uint8_t>(ItemField::Param1) + kX &&
+                  static_cast<uint8_t>(ItemField::Height) == static_cast<uint8_t>(ItemField::Param1) + kZ,
               "fields have the same order");
 
 // Beside the flags of a Keeper: x and y go through floats, as PX4 has them where there is no place.
@@ -159,10 +159,10 @@ bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& 
 
 }  // namespace
 
-Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper) {
-  if (read.command != sent.command) return Field::Command;
+ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper keeper) {
+  if (read.command != sent.command) return ItemField::Command;
   Rules rules = rulesOf(sent, keeper);
-  if (!isSameFrame(sent, read, rules, keeper)) return Field::Reference;
+  if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
   if ((keeper & (kByArduPilot | kByPx4)) == 0) rules.bits = 0;  // all is kept
   uint8_t flags = keeper;
   if ((keeper & kByPx4) != 0 && sent.frame == Frame::Mission) flags |= kInFloats;
@@ -174,13 +174,13 @@ Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper
     const bool isSame = isEqual(*wasRead, *wasSent);
     const bool isKept = keep(kept, kind, field, flags, isSame) &&
                         (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)));
-    if (!isKept) return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + field);
+    if (!isKept) return static_cast<ItemField>(static_cast<uint8_t>(ItemField::Param1) + field);
   }
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
   const bool isAlways1 = (keeper & kByArduPilot) != 0 && read.autocontinue == 1;
   if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)
-    return Field::Autocontinue;
-  return Field::None;
+    return ItemField::Autocontinue;
+  return ItemField::None;
 }
 
 }  // namespace detail

@@ -98,11 +98,11 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     if (hasPlace(item)) {
       if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
     } else if (!isMission || (keeper_ & kByPx4) != 0) {
-      return Status::NeedsPlace;
+      return Status::NeedsCoordinates;
     }
     if (isArduPilot && (keeper_ & kOfFence) == 0) {
       if (!isBelow83km(item.z)) return Status::BadAltitude;
-      if (!isMission && (item.x | item.y) == 0) return Status::NeedsPlace;  // taken, and never given back
+      if (!isMission && (item.x | item.y) == 0) return Status::NeedsCoordinates;  // taken, and never given back
     }
   }
   if (item.command == kDoJump) {
@@ -125,7 +125,7 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
     const bool isBefore = ((searched_ & 1) ^ firstSide) != 0;
     const uint16_t near = isBefore ? index - distance : index + distance;  // wraps out of the plan before its start
     ++searched_;
-    Status found = Status::NeedsPlace;
+    Status found = Status::NeedsCoordinates;
     if (distance < count_) {
       if (near >= count_) continue;
       found = Status::SourceRefused;

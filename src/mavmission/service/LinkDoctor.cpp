@@ -197,9 +197,9 @@ void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
   // The link says nothing before it knows an autopilot, unless it has ids of its own: it is lent some for this frame.
   const uint8_t own = link.ownSystemId();
   const uint8_t componentId = link.componentId();
-  link.setOwnIds(systemId(), componentId);
+  link.setSourceIds(systemId(), componentId);
   link.send(heartbeat);
-  link.setOwnIds(own, componentId);
+  link.setSourceIds(own, componentId);
 }
 
 void LinkDoctor::ask() {

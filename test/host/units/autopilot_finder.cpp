@@ -107,7 +107,7 @@ TEST_CASE("the autopilot that was named is taken, certain at once, and no other"
   Finder finder;
   finder.onHeartbeat(from(1, 1), 0);
   finder.onHeartbeat(from(2, 1), 0);
-  finder.talkTo(2, 1);
+  finder.setTargetIds(2, 1);
   CHECK_FALSE(finder.isFound());
   finder.onHeartbeat(from(1, 1), 10);
   CHECK_FALSE(finder.isFound());
@@ -122,9 +122,9 @@ TEST_CASE("the autopilot that was named is taken, certain at once, and no other"
 TEST_CASE("naming the one that is there already keeps it; naming none forgets it") {
   Finder finder;
   finder.onHeartbeat(from(1, 1), 0);
-  finder.talkTo(1, 1);
+  finder.setTargetIds(1, 1);
   CHECK(finder.isCertain());
-  finder.talkTo(0, 0);
+  finder.setTargetIds(0, 0);
   CHECK_FALSE(finder.isFound());
   finder.onHeartbeat(from(3, 1), 0);
   CHECK(finder.isFrom(3, 1));

@@ -6,7 +6,7 @@
 namespace mavmission {
 using namespace detail;
 
-void MissionClient::retryWhenDenied(uint16_t seconds) {
+void MissionClient::retryWhenBusy(uint16_t seconds) {
   rest_.turnLimitS = seconds;
   rest_.denied = seconds != 0 ? waitForTurn : nullptr;
   rest_.takeUp = takeUpEnd;
@@ -22,7 +22,7 @@ bool Client::waitForTurn(Client& client, Status refusal) {
                                                            : 2 * client.rest_.turnPauseS;
   if (state.seconds + client.rest_.turnPauseS > client.rest_.turnLimitS) return false;
   client.state_.turnAtS = state.seconds + client.rest_.turnPauseS;
-  state.status = Status::WaitingForTurn;
+  state.status = Status::BackingOff;
   state.operation = turnStep;
   return true;
 }

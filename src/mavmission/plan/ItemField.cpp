@@ -1,4 +1,4 @@
-#include "../Field.h"
+#include "../ItemField.h"
 #include "../base/FlashTable.h"
 
 namespace mavmission {
@@ -9,6 +9,6 @@ MAVMISSION_TEXT_TABLE(fields, MAVMISSION_FIELDS)
 
 }  // namespace
 
-FlashText toString(Field field) { return textAt(fields::kTexts, static_cast<uint8_t>(field)); }
+FlashText toString(ItemField field) { return textAt(fields::kTexts, static_cast<uint8_t>(field)); }
 
 }  // namespace mavmission

@@ -1,4 +1,4 @@
-#include "../QuietTransfers.h"
+#include "../TelemetryPause.h"
 
 #include <Arduino.h>
 
@@ -12,7 +12,7 @@ using namespace detail;
 namespace {
 
 // The fewest that make up nine tenths of the recorded telemetry, the loudest first (test_quiet_transfers.py).
-const QuietMessage kArduPilots[] PROGMEM = {
+const PausableMessage kArduPilots[] PROGMEM = {
     {65, 0},   // RC_CHANNELS
     {24, 0},   // GPS_RAW_INT
     {147, 0},  // BATTERY_STATUS
@@ -34,7 +34,7 @@ const QuietMessage kArduPilots[] PROGMEM = {
     {36, 0},   // SERVO_OUTPUT_RAW
     {32, 0},   // LOCAL_POSITION_NED
 };
-const QuietMessage kPx4s[] PROGMEM = {
+const PausableMessage kPx4s[] PROGMEM = {
     {30, 0},     // ATTITUDE
     {31, 0},     // ATTITUDE_QUATERNION
     {24, 0},     // GPS_RAW_INT
@@ -53,7 +53,7 @@ const QuietMessage kPx4s[] PROGMEM = {
 };
 constexpr uint8_t kArduPilotsCount = sizeof(kArduPilots) / sizeof(kArduPilots[0]);
 constexpr uint8_t kPx4sCount = sizeof(kPx4s) / sizeof(kPx4s[0]);
-static_assert(kArduPilotsCount <= QuietTransfers::kMostMessages && kPx4sCount <= QuietTransfers::kMostMessages,
+static_assert(kArduPilotsCount <= TelemetryPause::kMostMessages && kPx4sCount <= TelemetryPause::kMostMessages,
               "a bit each");
 
 // As commands have it (MAVLink guide, Command Protocol).
@@ -79,27 +79,27 @@ uint32_t bitOf(uint8_t index) { return uint32_t{1} << index; }
 
 }  // namespace
 
-QuietTransfers::QuietTransfers(MissionClient& client)
-    : QuietTransfers(client, List{kArduPilots, kArduPilotsCount}, List{kPx4s, kPx4sCount}) {}
+TelemetryPause::TelemetryPause(MissionClient& client)
+    : TelemetryPause(client, List{kArduPilots, kArduPilotsCount}, List{kPx4s, kPx4sCount}) {}
 
-QuietTransfers::QuietTransfers(MissionClient& client, const List& forArduPilot, const List& forOthers)
+TelemetryPause::TelemetryPause(MissionClient& client, const List& forArduPilot, const List& forOthers)
     : MessageIntervals(client, &kKeys[static_cast<uint8_t>(KeyIndex::COMMAND_ACK)], 1, take),
       forArduPilot_(forArduPilot),
       forOthers_(forOthers),
       isHushing_(false),
       isAnswered_(false) {}
 
-const QuietTransfers::List& QuietTransfers::list() const {
+const TelemetryPause::List& TelemetryPause::list() const {
   return client_.firmware() == Firmware::ArduPilot ? forArduPilot_ : forOthers_;
 }
 
 // Commands have no items, nor has clear(); of a plan that is read it is not known yet how many.
-bool QuietTransfers::isTransferring() const {
+bool TelemetryPause::isTransferring() const {
   return client_.isBusy() && client_.status() == Status::Transferring && client_.itemsTotal() != 0;
 }
 
 // Goes on to the next message that is to be asked for, from index_ on; false if there is none.
-bool QuietTransfers::findNext() {
+bool TelemetryPause::findNext() {
   const List& messages = list();
   if (isHushing_) {
     while (index_ < messages.count && isNeeded(fromFlash(&messages.messages[index_].id))) ++index_;
@@ -115,7 +115,7 @@ bool QuietTransfers::findNext() {
   return false;
 }
 
-void QuietTransfers::update() {
+void TelemetryPause::update() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (isWaiting_) {
     if (since(askedMs_, nowMs) < kAnswerMs) return;
@@ -134,16 +134,16 @@ void QuietTransfers::update() {
   if (findNext() && client_.link_.canSend()) askNext(nowMs);
 }
 
-void QuietTransfers::askNext(uint16_t nowMs) {
-  const QuietMessage message = fromFlash(&list().messages[index_]);
+void TelemetryPause::askNext(uint16_t nowMs) {
+  const PausableMessage message = fromFlash(&list().messages[index_]);
   ask(message.id, isHushing_ ? -1 : static_cast<float>(uint32_t{1000} * message.intervalMs), tries_, nowMs);
   muted_ |= bitOf(index_);
   ++tries_;
   isAnswered_ = false;
 }
 
-void QuietTransfers::take(Listener& listener, const FrameParser& frame) {
-  QuietTransfers& self = static_cast<QuietTransfers&>(listener);
+void TelemetryPause::take(Listener& listener, const FrameParser& frame) {
+  TelemetryPause& self = static_cast<TelemetryPause&>(listener);
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   // The same frame again would be taken for the answer to the next message.
   if (self.isAnswered_ || !self.isAnswer(frame) || !self.mayAsk(nowMs) || frame.sequence() == self.sequence_) return;
@@ -151,7 +151,7 @@ void QuietTransfers::take(Listener& listener, const FrameParser& frame) {
   self.takeResult(frame.payloadByte(offsetof(mavlink_command_ack_t, result)), nowMs);
 }
 
-void QuietTransfers::takeResult(uint8_t result, uint16_t nowMs) {
+void TelemetryPause::takeResult(uint8_t result, uint16_t nowMs) {
   if (result == MAV_RESULT_TEMPORARILY_REJECTED) return;  // asked for again when the wait is over
   if (result == MAV_RESULT_IN_PROGRESS) {
     askedMs_ = nowMs;

@@ -23,13 +23,13 @@ namespace mavmission {
   X(Autocontinue, "autocontinue")
 
 // A field of an item, as MISSION_ITEM_INT has it, or the number of items.
-enum class Field : uint8_t {
+enum class ItemField : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_FIELDS(MAVMISSION_NAME)
 #undef MAVMISSION_NAME
 };
 
 // The field in words, for Serial.print(). Flash text; null for a value that is no Field.
-FlashText toString(Field field);
+FlashText toString(ItemField field);
 
 }  // namespace mavmission

@@ -7,7 +7,7 @@
 namespace mavmission {
 
 // A message that is to be silent during transfers. In flash.
-struct QuietMessage {
+struct PausableMessage {
   uint16_t id;          // of the message
   uint16_t intervalMs;  // between two of them afterwards [ms]; 0: as often as the autopilot sends it by default
 };
@@ -17,7 +17,7 @@ struct QuietMessage {
 // it ended. Declare one beside the client:
 //
 //   MissionClient autopilot(Serial1);
-//   QuietTransfers quiet(autopilot);
+//   TelemetryPause quiet(autopilot);
 //
 // It switches off what makes up nine tenths of the telemetry of ArduPilot with all its streams, or of PX4, or the
 // sketch's own list. Each message is a command of its own, of which one is under way at a time, beside the transfer:
@@ -29,38 +29,38 @@ struct QuietMessage {
 //
 // COMMAND_ACK does not say which message it is about: call setMessageInterval() only while isIdle(), or its answer may
 // be one that was meant for this.
-class QuietTransfers : public detail::MessageIntervals {
+class TelemetryPause : public detail::MessageIntervals {
  public:
   // The most messages of a list.
   static constexpr uint8_t kMostMessages = 32;
 
   // For the telemetry of ArduPilot or PX4, whichever is heard; of another autopilot, what PX4 sends. The client must
   // stay as long as this.
-  explicit QuietTransfers(MissionClient& client);
+  explicit TelemetryPause(MissionClient& client);
 
   // For messages of the sketch's own choice, the loudest first; they must lie in flash, and stay. Those without which a
   // transfer cannot be followed are not silenced even so: HEARTBEAT, STATUSTEXT, those of missions and of commands.
   template <uint8_t N>
-  QuietTransfers(MissionClient& client, const QuietMessage (&messages)[N])
-      : QuietTransfers(client, List{messages, N}, List{messages, N}) {
-    static_assert(N <= kMostMessages, "QuietTransfers takes at most 32 messages");
+  TelemetryPause(MissionClient& client, const PausableMessage (&messages)[N])
+      : TelemetryPause(client, List{messages, N}, List{messages, N}) {
+    static_assert(N <= kMostMessages, "TelemetryPause takes at most 32 messages");
   }
 
   // To be called from loop(), before the client's update(). Neither waits nor delays.
   void update();
 
   // True when each message of the list has been switched off, or refused to be, and none has its interval back.
-  bool isQuiet() const { return isHushing_ && index_ == list().count; }
+  bool isPaused() const { return isHushing_ && index_ == list().count; }
   // True when every message has its interval back, and nothing is being asked. False before an autopilot was heard.
   bool isIdle() const { return muted_ == 0 && !isWaiting_; }
 
  private:
   struct List {
-    const QuietMessage* messages;
+    const PausableMessage* messages;
     uint8_t count;
   };
 
-  QuietTransfers(MissionClient& client, const List& forArduPilot, const List& forOthers);
+  TelemetryPause(MissionClient& client, const List& forArduPilot, const List& forOthers);
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeResult(uint8_t result, uint16_t nowMs);
   const List& list() const;
