@@ -8,6 +8,7 @@ import pytest
 
 from building import ROOT
 from measuring import budget, documents, report
+from simulation.firmware import library_file
 
 DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
@@ -21,9 +22,9 @@ def waits_in_the_code() -> dict[str, str]:
     """File::name -> value of each wait and number of tries."""
     found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.rglob(pattern)
              for name, value in CONSTANT.findall(file.read_text())}  # fmt: skip
-    text = (SOURCES / "MissionClient.h").read_text()
+    text = (SOURCES / "client" / "Client.h").read_text()
     (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", text)
-    return {**found, "MissionClient::defaultLimitS": limit}
+    return {**found, "Client::defaultLimitS": limit}
 
 
 def rules() -> list[list[str]]:
@@ -62,7 +63,7 @@ def test_every_rule_says_where_it_is_from():
 
 
 def enumerators(file: str, name: str) -> set[str]:
-    text = (SOURCES / file).read_text()
+    text = library_file(file).read_text()
     return set(re.findall(r"\w+", re.search(rf"enum class {name} : uint8_t \{{(.*?)\}}", text, re.S)[1]))
 
 
@@ -78,8 +79,8 @@ STATES = {
     "upload": ("UploadTransfer.h", "State"),
     "download": ("DownloadTransfer.h", "State"),
     "command": ("CommandTransfer.h", "State"),
-    "start": ("MissionClient.h", "StartStep"),
-    "phases of start": ("MissionClient.h", "Phase"),
+    "start": ("Operations.h", "StartStep"),
+    "phases of start": ("Client.h", "Phase"),
 }
 
 

@@ -84,6 +84,9 @@ def parts_of(owner: DIE) -> tuple[Part, ...]:
         if member.tag not in ("DW_TAG_member", "DW_TAG_inheritance") or "DW_AT_external" in member.attributes:
             continue
         kind = kind_of(member)
+        if member.tag == "DW_TAG_inheritance":
+            parts += parts_of(kind)
+            continue
         if "DW_AT_bit_size" in member.attributes:
             bits.append(name_of(member))
             width += member.attributes["DW_AT_bit_size"].value

@@ -32,7 +32,7 @@ def owner_of(name: str) -> tuple[str, str]:
     bare = re.sub(r"\(.*", "", name.replace("(anonymous namespace)::", ""))
     if not bare.startswith("mavmission::"):
         return OTHERS, bare
-    parts = bare.split("::")[1:]
+    parts = [part for part in bare.split("::")[1:] if part != "detail"]
     return (parts[0], parts[-1]) if len(parts) > 1 else (TABLES, parts[0])
 
 
