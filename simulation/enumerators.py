@@ -14,4 +14,4 @@ def texts_of(header: str, list_name: str) -> dict[str, str]:
     text = (
         (LIBRARY / "mavmission" / header).read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
     )
-    return dict(re.findall(r'X\((\w+),\s*"([^"]*)"', text))
+    return dict(re.findall(r'X\((\w+),[\s\\]*"([^"]*)"', text))

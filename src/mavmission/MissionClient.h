@@ -278,7 +278,6 @@ class MissionClient {
   static Status compareItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
   static void fromFloats(void* itemMessage);
   static Status storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
-  Status beginReading(uint16_t nowMs);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
   void takeReadCount(const FrameParser& frame);
   void takeReadItem(const FrameParser& frame);
