@@ -32,7 +32,7 @@ SOURCE = Path(__file__).resolve().parent / "sketches" / "bench.cpp"
 PERSONALITIES: dict[str, type[FakeAutopilot]] = {"ArduPilot": ArduPilot, "PX4": Px4}
 
 SERIAL, AUTOPILOT_PORT = 0, 1
-PROOFS = ("ByAnswer", "InDoubt", "Always")  # mavmission::Proof
+PROOFS = ("ByAnswer", "InDoubt", "Always")  # mavmission::Readback
 PLAN_ITEMS = 60  # room in benchPlan
 NO_ITEM = 0xFFFF
 NO_RESULT = 255

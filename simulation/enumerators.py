@@ -5,13 +5,11 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from simulation.firmware import LIBRARY
+from simulation.firmware import library_file
 
 
 @cache
 def texts_of(header: str, list_name: str) -> dict[str, str]:
-    """Enumerator -> text, in order, of a list such as MAVMISSION_STATUSES in src/mavmission/`header`."""
-    text = (
-        (LIBRARY / "mavmission" / header).read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
-    )
+    """Enumerator -> text, in order, of a list such as MAVMISSION_STATUSES in the library's `header`."""
+    text = library_file(header).read_text().partition(f"#define {list_name}(X)")[2].partition("enum class")[0]
     return dict(re.findall(r'X\((\w+),[\s\\]*"([^"]*)"', text))

@@ -88,6 +88,12 @@ def defined(defines: Mapping[str, object]) -> list[str]:
     return [f"-D{name}" if value is True else f"-D{name}={value}" for name, value in defines.items()]
 
 
+def library_file(name: str) -> Path:
+    """The library's file of this name, whichever folder below src it is in."""
+    (file,) = LIBRARY.rglob(name)
+    return file
+
+
 def library_sources(root: Path = LIBRARY) -> list[Path]:
     """What the Arduino builder compiles of a library: every source under src."""
     return sorted(file for kind in ("*.cpp", "*.c", "*.S") for file in root.rglob(kind))

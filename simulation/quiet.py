@@ -1,4 +1,4 @@
-"""A bench for QuietTransfers: simulation/sketches/quiet.cpp beside a fake autopilot that fills the line with telemetry.
+"""A bench for TelemetryPause: simulation/sketches/quiet.cpp beside a fake autopilot that fills the line with telemetry.
 
     bench = Quiet("PX4")
     bench.run(4.0)
@@ -19,9 +19,9 @@ from simulation import recordings
 from simulation.bench import Bench
 from simulation.fake_autopilot import ArduPilot, mavlink
 from simulation.fake_autopilot.frames import message_id
-from simulation.firmware import ROOT
+from simulation.firmware import library_file
 
-SOURCE = ROOT / "src" / "mavmission" / "QuietTransfers.cpp"
+SOURCE = library_file("TelemetryPause.cpp")
 ASKED_FOR_HZ = 10  # each stream, in ArduPilot's recording
 RECORDED = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
 _NO_STREAM = ("HEARTBEAT", "STATUSTEXT", "TIMESYNC", "PARAM_VALUE", "MISSION_", "COMMAND_")

@@ -36,7 +36,7 @@ _TOLD = re.compile(r"(\d+) (current|reached|text|message|item|posted) (\d+) ?(.*
 
 
 def field_texts() -> dict[str, str]:
-    return texts_of("Comparison.h", "MAVMISSION_FIELDS")
+    return texts_of("ItemField.h", "MAVMISSION_FIELDS")
 
 
 def field_names() -> list[str]:

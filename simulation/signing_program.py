@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 from simulation.fake_autopilot import mavlink
-from simulation.firmware import LIBRARY
+from simulation.firmware import library_file
 from simulation.host_build import HOST, build_host
 
 KEY = hashlib.sha256(b"a secret of the tests").digest()
@@ -20,7 +20,7 @@ SIGNATURE = 13  # [bytes]
 
 @functools.cache
 def program(compiler: str = "g++") -> Path:
-    parts = [LIBRARY / "mavmission" / f"{name}.cpp" for name in ("Sha256", "Signing")]
+    parts = [library_file(f"{name}.cpp") for name in ("Sha256", "Signing")]
     return build_host("signing", [HOST / "programs" / "signing.cpp"], compiler, library=parts)
 
 

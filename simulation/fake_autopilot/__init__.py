@@ -9,7 +9,7 @@ wrong inside them is ordered through their `faults`; what is to go wrong on the 
 business of wire.py.
 
 Where a comment says "by source", the behaviour was read in the autopilot's source and never
-observed; everything else was observed, most of it in test/recordings.
+observed; everything else was observed, most of it in simulation/recordings.
 """
 from .ardupilot import ArduPilot
 from .autopilot import FakeAutopilot, LogEntry

@@ -10,6 +10,7 @@
 #include "Line.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 #ifndef BENCH_BAUD
 #define BENCH_BAUD 57600
@@ -90,7 +91,7 @@ static void onEnd(void*, Status status) {
   Serial.println();
   if (uploadsInCallback == 0) return;
   --uploadsInCallback;
-  tell(F("restarted"), static_cast<uint8_t>(client.uploadByAnswer(plan)));
+  tell(F("restarted"), static_cast<uint8_t>(client.uploadWithoutReadback(plan)));
   Serial.println();
 }
 
@@ -177,22 +178,23 @@ ACTION(function) {
   functionPlan.agreements = numbers[2];
   plan = fromFunction(itemOfFunctionPlan, numbers[0], &functionPlan);
 }
-// A Proof: 0 none but the autopilot's answer, 1 read back when in doubt, 2 always.
+// A Readback: 0 none but the autopilot's answer, 1 read back when in doubt, 2 always.
 ACTION(upload) {
-  const Proof proof = static_cast<Proof>(numbers[0]);
-  tell(F("began"), static_cast<uint8_t>(proof == Proof() ? client.uploadByAnswer(plan) : client.upload(plan, proof)));
+  const Readback proof = static_cast<Readback>(numbers[0]);
+  tell(F("began"),
+       static_cast<uint8_t>(proof == Readback() ? client.uploadWithoutReadback(plan) : client.upload(plan, proof)));
   Serial.println();
 }
 ACTION(cancel) { client.cancel(); }
-ACTION(ids) { client.setOwnIds(numbers[0], numbers[1]); }
-ACTION(talk) { client.talkTo(numbers[0], numbers[1]); }
-ACTION(speak) { client.setSpeak(static_cast<Speak>(numbers[0])); }
+ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
+ACTION(talk) { client.setTargetIds(numbers[0], numbers[1]); }
+ACTION(speak) { client.setMavlinkVersion(static_cast<MavlinkVersion>(numbers[0])); }
 ACTION(armed) { client.allowWhileArmed(numbers[0]); }
 ACTION(raw) { client.useRawNumbering(numbers[0]); }
-ACTION(floats) { client.serveFloatItems(numbers[0]); }
-ACTION(waiting) { client.limitWaiting(numbers[0]); }
-ACTION(limit) { client.limitTransfer(numbers[0]); }
-ACTION(turn) { client.retryWhenDenied(numbers[0]); }
+ACTION(floats) { client.useMissionItemFallback(numbers[0]); }
+ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
+ACTION(limit) { client.setOperationTimeout(numbers[0]); }
+ACTION(turn) { client.retryWhenBusy(numbers[0]); }
 ACTION(callbacks) {
   client.onProgress(numbers[0] ? onProgress : nullptr);
   client.onEnd(numbers[0] ? onEnd : nullptr);

@@ -6,6 +6,7 @@
 #include <common/mavlink.h>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 constexpr MissionItem plan[] PROGMEM = {
     takeoff(20_m),
@@ -39,7 +40,7 @@ void setup() {
   request.target_component = 1;
   request.req_stream_id = 6;
   request.start_stop = 1;
-  autopilot.upload(inFlash(plan), Verified);
+  autopilot.upload(inFlash(plan), Readback::Always);
 }
 
 void loop() {

@@ -34,8 +34,8 @@ ACTION(open) {
   Serial1.begin(baud);
 }
 ACTION(bauds) { doctor.tryBauds(setBaud, baud); }
-ACTION(ids) { client.setOwnIds(numbers[0], numbers[1]); }
-ACTION(talkto) { client.talkTo(numbers[0], numbers[1]); }
+ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
+ACTION(talkto) { client.setTargetIds(numbers[0], numbers[1]); }
 ACTION(stall) {
   stallEachMs = numbers[0];
   stallMs = numbers[1];

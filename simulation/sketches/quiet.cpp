@@ -1,4 +1,4 @@
-// The firmware of the tests of QuietTransfers: a client beside it on Serial1, told by lines on Serial what to do.
+// The firmware of the tests of TelemetryPause: a client beside it on Serial1, told by lines on Serial what to do.
 // simulation/quiet.py is the other end.
 #include <Arduino.h>
 #include <MavMission.h>
@@ -13,10 +13,10 @@ using namespace mavmission;
 
 static MissionClient client(Serial1);
 #ifdef BENCH_QUIET_LIST
-const QuietMessage silent[] PROGMEM = {{0, 0}, {30, 500}, {42, 0}, {253, 0}, {9999, 0}, {24, 0}};
-static QuietTransfers quiet(client, silent);
+const PausableMessage silent[] PROGMEM = {{0, 0}, {30, 500}, {42, 0}, {253, 0}, {9999, 0}, {24, 0}};
+static TelemetryPause quiet(client, silent);
 #else
-static QuietTransfers quiet(client);
+static TelemetryPause quiet(client);
 #endif
 static bool isUsed = true;
 static Status lastReturned = Status::Idle;
@@ -37,7 +37,7 @@ ACTION(interval) { client.setMessageInterval(numbers[0], numbers[1]); }
 ACTION(cancel) { client.cancel(); }
 ACTION(used) { isUsed = numbers[0]; }
 ACTION(quiet_) {
-  tell(F("quiet"), quiet.isQuiet());
+  tell(F("quiet"), quiet.isPaused());
   tellNumber(F("idle"), quiet.isIdle());
   Serial.println();
 }

@@ -8,6 +8,7 @@
 #include "Talk.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 #ifndef BENCH_BAUD
 #define BENCH_BAUD 57600
@@ -35,7 +36,7 @@ Line line(Serial1);
 MissionClient client(line);
 MissionFollower follower(client);
 #ifdef BENCH_QUIET
-QuietTransfers quiet(client);
+TelemetryPause quiet(client);
 #endif
 
 static ItemSource plan = emptyPlan();
@@ -117,7 +118,7 @@ static void onEnd(void*, Status status) {
   switch (next) {
     case 1: return tellBegun(client.verify(plan));
     case 2: return tellBegun(client.start());
-    case 3: return tellBegun(client.uploadByAnswer(plan));
+    case 3: return tellBegun(client.uploadWithoutReadback(plan));
     case 4: return tellBegun(client.download(toFunction(takeItem)));
     default: return;
   }
@@ -182,11 +183,11 @@ ACTION(ram) { plan = inRam(benchPlan, numbers[0]); }
 ACTION(empty) { plan = emptyPlan(); }
 // Type, Proof.
 ACTION(upload) {
-  if (numbers[1] == 0) return tellBegun(client.uploadByAnswer(plan, typeOf(numbers[0])));
-  tellBegun(client.upload(plan, typeOf(numbers[0]), static_cast<Proof>(numbers[1])));
+  if (numbers[1] == 0) return tellBegun(client.uploadWithoutReadback(plan, typeOf(numbers[0])));
+  tellBegun(client.upload(plan, typeOf(numbers[0]), static_cast<Readback>(numbers[1])));
 }
 ACTION(uploadagain) { tellBegun(client.uploadAgain()); }
-ACTION(uploadpart) { tellBegun(client.uploadPart(plan, numbers[0], numbers[1])); }
+ACTION(uploadpart) { tellBegun(client.uploadPartial(plan, numbers[0], numbers[1])); }
 ACTION(verify) { tellBegun(client.verify(plan, typeOf(numbers[0]))); }
 // Type, the items that the function takes at most, the item that it refuses.
 ACTION(download) {
@@ -211,7 +212,7 @@ ACTION(pause) { tellBegun(client.pause()); }
 ACTION(resume) { tellBegun(client.resume()); }
 ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
 // benchCommand; 1: repeat it always.
-ACTION(order) { tellBegun(client.send(benchCommand, static_cast<Repeat>(numbers[0]))); }
+ACTION(order) { tellBegun(client.send(benchCommand, static_cast<CommandRepeat>(numbers[0]))); }
 ACTION(cancel) { client.cancel(); }
 // benchPayload: id, CRC_EXTRA, length, MAVLink 1 length.
 ACTION(post) {
@@ -220,14 +221,14 @@ ACTION(post) {
   isPosting = true;
 }
 ACTION(chain) { chained = numbers[0]; }
-ACTION(ids) { client.setOwnIds(numbers[0], numbers[1]); }
-ACTION(talk) { client.talkTo(numbers[0], numbers[1]); }
-ACTION(speak) { client.setSpeak(static_cast<Speak>(numbers[0])); }
+ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
+ACTION(talk) { client.setTargetIds(numbers[0], numbers[1]); }
+ACTION(speak) { client.setMavlinkVersion(static_cast<MavlinkVersion>(numbers[0])); }
 ACTION(armed) { client.allowWhileArmed(numbers[0]); }
 ACTION(raw) { client.useRawNumbering(numbers[0]); }
-ACTION(waiting) { client.limitWaiting(numbers[0]); }
-ACTION(limit) { client.limitTransfer(numbers[0]); }
-ACTION(turns) { client.retryWhenDenied(numbers[0]); }
+ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
+ACTION(limit) { client.setOperationTimeout(numbers[0]); }
+ACTION(turns) { client.retryWhenBusy(numbers[0]); }
 ACTION(room) { line.setRoom(numbers[0]); }
 // Each so many milliseconds, loop() takes so many milliseconds longer.
 ACTION(stall) {
@@ -251,7 +252,7 @@ ACTION(compare) {
 ACTION(fieldtext) {
   tell(F("text"), 0);
   Serial.print(' ');
-  Serial.println(toString(static_cast<Field>(numbers[0])));
+  Serial.println(toString(static_cast<ItemField>(numbers[0])));
 }
 
 static const Word words[] = {

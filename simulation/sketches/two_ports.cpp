@@ -36,8 +36,8 @@ void setup() {
   Serial2.begin(57600);
   first.onEnd(onEnd, firstName);
   second.onEnd(onEnd, secondName);
-  first.upload(inFlash(firstPlan), Verified);
-  second.upload(inFlash(secondPlan), Verified);
+  first.upload(inFlash(firstPlan), Readback::Always);
+  second.upload(inFlash(secondPlan), Readback::Always);
 }
 
 void loop() {

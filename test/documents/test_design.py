@@ -7,24 +7,24 @@ import re
 import pytest
 
 from building import ROOT
-from measuring import budget, design
-from measuring.document import with_table
+from measuring import budget, documents, report
+from simulation.firmware import library_file
 
 DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
 PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
-            "Link.h", "Outbox.h", "MissionClient*.h", "MissionClient*.cpp")  # fmt: skip
+            "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
 CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
 
 
 def waits_in_the_code() -> dict[str, str]:
     """File::name -> value of each wait and number of tries."""
-    found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.glob(pattern)
+    found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.rglob(pattern)
              for name, value in CONSTANT.findall(file.read_text())}  # fmt: skip
-    text = (SOURCES / "MissionClient.h").read_text()
+    text = (SOURCES / "client" / "Client.h").read_text()
     (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", text)
-    return {**found, "MissionClient::defaultLimitS": limit}
+    return {**found, "Client::defaultLimitS": limit}
 
 
 def rules() -> list[list[str]]:
@@ -63,7 +63,7 @@ def test_every_rule_says_where_it_is_from():
 
 
 def enumerators(file: str, name: str) -> set[str]:
-    text = (SOURCES / file).read_text()
+    text = library_file(file).read_text()
     return set(re.findall(r"\w+", re.search(rf"enum class {name} : uint8_t \{{(.*?)\}}", text, re.S)[1]))
 
 
@@ -79,8 +79,8 @@ STATES = {
     "upload": ("UploadTransfer.h", "State"),
     "download": ("DownloadTransfer.h", "State"),
     "command": ("CommandTransfer.h", "State"),
-    "start": ("MissionClient.h", "StartStep"),
-    "phases of start": ("MissionClient.h", "Phase"),
+    "start": ("Operations.h", "StartStep"),
+    "phases of start": ("Client.h", "Phase"),
 }
 
 
@@ -100,18 +100,20 @@ def test_every_name_in_a_diagram_is_one_of_the_code():
 # The budget -------------------------------------------------------------------
 
 
-QUICK = ("RAM budget", "goals", "flash budget")
+QUICK = ("in short", "RAM budget", "goals", "flash budget")
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in design.TABLES]
+    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in documents.TABLES]
 )
 def test_measured_table_is_not_stale(name):
-    assert with_table(DESIGN, name, design.TABLES[name]()) == DESIGN, "run tools/measure --write-design"
+    assert documents.is_current(name, documents.TABLES[name]()), "run tools/measure --write-docs"
 
 
 def test_each_place_for_a_measured_table_is_written_by_the_tool():
-    assert set(re.findall(r"<!-- ([\w ]+): begin -->", DESIGN)) == set(design.TABLES)
+    texts = [place.read_text() for place in documents.DOCUMENTS]
+    marked = [name for text in texts for name in re.findall(r"<!-- ([\w ]+): begin -->", text)]
+    assert sorted(marked) == sorted([*documents.TABLES, report.MARK, "rates"])
 
 
 def test_parts_of_the_budget_add_up_to_the_whole():

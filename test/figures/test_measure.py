@@ -1,4 +1,4 @@
-"""The figures hold their bounds, mean what they say, and are what the README prints."""
+"""The figures hold their bounds, mean what they say, and are what the documents print."""
 
 from __future__ import annotations
 
@@ -13,12 +13,11 @@ from collections.abc import Callable
 import pytest
 
 from building import BUILD, ROOT
-from measuring import bounds, calls, document, features, figures, growth, profiling, report, runs, tricks
+from measuring import bounds, calls, documents, features, figures, growth, profiling, report, runs, tricks
 from measuring.firmware import baseline, measured, ours
 from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
 from simulation.mega import Mega
 
-README = ROOT / "README.md"
 WHAT_FIGURES_DEPEND_ON = (
     "src", "examples/UploadMission", "test/measured", "test/baseline", "simulation/fake_autopilot",
     "simulation/recordings", "simulation/firmware.py", "tools/measuring", "simulation/mega",
@@ -74,10 +73,9 @@ def test_each_bound_has_its_figure():
 
 
 @pytest.mark.slow
-def test_table_in_the_readme_is_not_stale(rows):
-    text = README.read_text()
-    fresh = document.with_table(text, report.MARK, report.for_readme(rows, features.table()))
-    assert fresh == text, "run tools/measure --write-readme"
+def test_table_in_the_documents_is_not_stale(rows):
+    fresh = report.for_documents(rows, features.table())
+    assert documents.is_current(report.MARK, fresh), "run tools/measure --write-docs"
 
 
 @pytest.mark.slow
@@ -207,7 +205,7 @@ def test_ram_is_the_same_for_ten_thousand_items(costs):
 def test_picture_in_the_documents_is_not_stale(costs, tmp_path):
     growth.draw(costs, tmp_path / "cost.svg")
     assert (tmp_path / "cost.svg").read_text() == growth.PICTURE.read_text(), "run tools/measure --growth"
-    assert "(docs/cost.svg)" in README.read_text()
+    assert any("cost.svg)" in place.read_text() for place in documents.DOCUMENTS)
 
 
 def test_picture_is_the_same_for_the_same_figures(tmp_path):
@@ -249,7 +247,7 @@ def test_comments_of_the_library_name_no_cost_that_nothing_measures_anew():
 
 def test_profile_names_the_library_and_the_core():
     text = profiling.profile("ardupilot")
-    assert "mavmission::FrameParser" in text
+    assert "mavmission::detail::FrameParser" in text
     assert runs.RECEIVED in text
 
 
@@ -305,10 +303,10 @@ def test_file_of_bounds_that_makes_no_sense_is_refused(tmp_path):
 
 def test_document_without_a_place_for_a_table_is_refused():
     with pytest.raises(ValueError, match="put a line <!-- sizes: begin --> and a line <!-- sizes: end --> there"):
-        document.with_table("# MavMission\n", "sizes", "table")
-    begin, end = document.marks("sizes")
+        documents.with_table("# MavMission\n", "sizes", "table")
+    begin, end = documents.marks("sizes")
     marked = f"a\n{begin}\nold\n{end}\nb\n"
-    assert document.with_table(marked, "sizes", "new") == marked.replace("old", "new")
+    assert documents.with_table(marked, "sizes", "new") == marked.replace("old", "new")
 
 
 # The tool -------------------------------------------------------------------

@@ -16,7 +16,7 @@ import pytest
 
 from simulation import recordings
 from simulation.fake_autopilot import mavlink
-from simulation.firmware import LIBRARY, ROOT, digest, exclusive
+from simulation.firmware import ROOT, digest, exclusive, library_file
 from simulation.host_build import FAST, OUTPUT, build_host
 
 # A frame of the mission service after so many others: there is always a next one that damage could cost.
@@ -72,7 +72,7 @@ def losses(frames: list[bytes], folder: Path) -> dict[tuple[str, str], Loss]:
     """(kind of damage, parser) -> what it cost."""
     stream = folder / "stream"
     stream.write_bytes(b"".join(struct.pack("<H", len(frame)) + frame for frame in frames))
-    parser = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
+    parser = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
     program = build_host("resynchronisation", [ROOT / "test/resynchronisation/measure.cpp"], flags=FAST, library=parser)
     figures = folder / f"{digest(str(program), stream.read_bytes())[:16]}.txt"  # another test may have measured it
     with exclusive(figures):

@@ -468,7 +468,7 @@ def test_longest_update_is_hardly_longer_for_the_hashing(make_bench, make_signed
 
 def test_hashing_is_cut_into_pieces_of_10000_cycles(make_signed):
     bench = make_signed()
-    watch = bench.mega.watch("mavmission::Sha256::work")
+    watch = bench.mega.watch("mavmission::detail::Sha256::work")
     bench.upload(FunctionPlan(3))
     assert bench.run_until_ended(limit_s=10) == "Accepted"
     assert watch.calls.count > 60 and watch.calls.longest_own <= 10_000

@@ -93,7 +93,7 @@ def test_altitude_of_a_rally_point_that_ardupilot_would_cut_to_whole_metres_is_r
 
 def test_rally_point_at_the_origin_is_refused_where_it_could_never_be_read(service, personality):
     service.upload([POINTS[0]._replace(x=0, y=0)], RALLY, proof="Always")
-    assert service.done() == ("NeedsPlace" if personality == "ArduPilot" else "Accepted")
+    assert service.done() == ("NeedsCoordinates" if personality == "ArduPilot" else "Accepted")
 
 
 @SERVICE

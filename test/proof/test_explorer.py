@@ -153,7 +153,7 @@ DEFECTS = {
         "REQUEST_LIST is sent too often",
     ),
     "an item that comes again is taken for the next": (
-        "MissionClientRead.cpp",
+        "Read.cpp",
         "seq != transfer.itemToAsk()) return;",
         "seq > transfer.itemToAsk()) return;",
         "PX4 download 0 --held 3 --faults 1",

@@ -20,11 +20,11 @@ if __name__ == "__main__":
 
 import pytest
 
-from simulation.firmware import LIBRARY, ROOT
+from simulation.firmware import ROOT, library_file
 from simulation.host_build import FUZZED, HOST, build_host
 
 FUZZ = ROOT / "test" / "fuzz"
-PARSER = [LIBRARY / "mavmission" / name for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
+PARSER = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
 
 # target: (its other sources, the library's, inputs that are tried, the longest one [bytes])
 TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 25_000, 400)}

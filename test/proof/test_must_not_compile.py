@@ -74,3 +74,10 @@ def test_every_snippet_holds_a_mistake_and_its_correction():
         text = snippet.read_text()
         assert text.count("// expect: ") == 1 and "#ifdef MENDED" in text and "#else" in text, snippet.name
         assert text.startswith("// "), f"{snippet.name} does not say why it is a mistake"
+
+
+@pytest.mark.parametrize("compiler", ["avr-g++", *host_build.COMPILERS])
+@pytest.mark.parametrize("more", [(), ("-DMAVMISSION_SIGNING=1",)], ids=["", "signing"])
+def test_sketch_may_have_the_names_that_the_library_has_inside(compiler, more):
+    sketch = compiled(compiler, "11", ROOT / "test" / "compile" / "own_names.cpp", *more)
+    assert sketch.returncode == 0, sketch.stderr

@@ -1,4 +1,4 @@
-"""QuietTransfers: telemetry is silent while a plan is transferred, and is never left so."""
+"""TelemetryPause: telemetry is silent while a plan is transferred, and is never left so."""
 
 from __future__ import annotations
 

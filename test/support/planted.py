@@ -5,15 +5,15 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from simulation.firmware import LIBRARY, ROOT, digest, library_sources
+from simulation.firmware import ROOT, digest, library_file, library_sources
 
 
 def with_defect(file: str, right: str, wrong: str) -> tuple[Path, ...]:
-    """The library's sources, one of them a copy in which `right`, which must be there once, is `wrong`."""
-    source = LIBRARY / "mavmission" / file
+    """The library's sources, the one of this name a copy in which `right`, which must be there once, is `wrong`."""
+    source = library_file(file)
     text = source.read_text()
     assert text.count(right) == 1, f"{source}: the line that the defect is planted in has changed: {right}"
-    changed = text.replace(right, wrong).replace('#include "', '#include "mavmission/')
+    changed = text.replace(right, wrong).replace('#include "', f'#include "{source.parent}/')
     copy = ROOT / "build" / "planted" / digest(changed)[:12] / file
     if not copy.exists():
         copy.parent.mkdir(parents=True, exist_ok=True)

@@ -3,9 +3,9 @@
 The library's own MissionClient, compiled for this computer, puts a plan of five items aboard models of both
 autopilots (test/explorer), in simulated time; so do a client without retries (rates/NoRetries.cpp) and one with the
 usual rule (rates/UsualRule.cpp). The n-th frame of a direction is lost or not by the seed alone, so that all four meet
-the same line. The table of README.md is made by
+the same line. The table in the documents is made by
 
-    build/venv/bin/python test/support/rates.py --write-readme
+    build/venv/bin/python test/support/rates.py --write-docs
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ if __name__ == "__main__":
 from simulation.host_build import FAST, HOST, build_host  # noqa: E402
 from truth import longest_s  # noqa: E402
 
-README = ROOT / "README.md"
 RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
 MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
 
@@ -33,7 +32,7 @@ AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", 
 CLIENTS = {
     "no-retries": "without retries",
     "usual-rule": "usual rule",
-    "upload-by-answer": "`uploadByAnswer()`",
+    "upload-by-answer": "`uploadWithoutReadback()`",
     "upload": "`upload()`",
 }
 OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it
@@ -113,8 +112,8 @@ def share(part: int, whole: int) -> str:
     return f"{100 * part / whole:.1f} %"
 
 
-def for_readme() -> str:
-    """What stands between the README's markers."""
+def for_documents() -> str:
+    """What stands between the marks in the documents."""
     from measuring.report import aligned
 
     note = (
@@ -127,14 +126,14 @@ def for_readme() -> str:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write-readme", action="store_true", help="put the table into README.md")
+    parser.add_argument("--write-docs", action="store_true", help="put the table into the documents")
     args = parser.parse_args()
-    fresh = for_readme()
+    fresh = for_documents()
     print(fresh)
-    if args.write_readme:
-        from measuring.document import with_table
+    if args.write_docs:
+        from measuring import documents
 
-        README.write_text(with_table(README.read_text(), "rates", fresh))
+        documents.put("rates", fresh)
     return 0
 
 

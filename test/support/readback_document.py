@@ -1,4 +1,4 @@
-"""docs/readback.md is made of the table in src/mavmission/Commands.cpp:
+"""docs/readback.md is made of the table in src/mavmission/autopilot/Commands.cpp:
 
     build/venv/bin/python test/support/readback_document.py --write
 """
@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENT = ROOT / "docs" / "readback.md"
-SOURCE = ROOT / "src" / "mavmission" / "Commands.cpp"
+SOURCE = ROOT / "src" / "mavmission" / "autopilot" / "Commands.cpp"
 
 KINDS = {
     "K": "kept",
@@ -60,7 +60,7 @@ IN_PX4 = {
     "Corner": "place; to 65535, –, –, –",
     "Circle": "place; kept, –, –, –",
 }
-ROW = re.compile(r"^    row\((\d+), (\w+), (\w+), (\w+), (\w+), InArduPilot::(\w+), InPx4::(\w+)\),  // (.+)$", re.M)
+ROW = re.compile(r"^    row\((\d+), (\w+), (\w+), (\w+), (\w+), InArduPilot::(\w+), InPx4::(\w+)\), +// (.+)$", re.M)
 
 
 def table() -> str:

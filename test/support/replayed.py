@@ -1,4 +1,4 @@
-"""Plans through the library's own upload(plan, Verified) on this computer, against what real autopilots kept.
+"""Plans through the library's own upload(plan, Readback::Always) on this computer, against what real autopilots kept.
 
 The other end is readbacks/replay.cpp.
 """

@@ -159,7 +159,7 @@ PROOFS: dict[str, Callable[[Make, str], str]] = {
     "start, arm, modes, current item": flying,
     "current item and items reached": followed,
     "a plan found infeasible after it was accepted": infeasible,
-    "telemetry silent during transfers (`QuietTransfers`)": quiet_transfers,
+    "telemetry silent during transfers (`TelemetryPause`)": quiet_transfers,
 }
 
 

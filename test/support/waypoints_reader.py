@@ -20,7 +20,7 @@ SOURCE = Path(__file__).resolve().parents[1] / "waypoints" / "read_texts.cpp"
 
 
 def error_texts() -> dict[str, str]:
-    return texts_of("WaypointsText.h", "MAVMISSION_TEXT_ERRORS")
+    return texts_of("TextError.h", "MAVMISSION_TEXT_ERRORS")
 
 
 KINDS = ("mission", "fence", "rally")  # mavmission::PlanType

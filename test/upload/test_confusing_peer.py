@@ -232,7 +232,7 @@ def test_upload_waits_its_turn_and_is_accepted_when_the_other_has_given_up(bench
     ground_station(bench)
     bench.upload(SURVEY)
     assert bench.run_until_ended(limit_s=60) == "Accepted"
-    assert "WaitingForTurn" in bench.returned
+    assert "BackingOff" in bench.returned
     counts = [time - bench.sent_at("MISSION_COUNT")[0] for time in bench.sent_at("MISSION_COUNT")]
     # After 1, 2, 4, then each 8 s. PX4's "error" may be about a transfer of ours: it gets a second COUNT each time.
     pauses = sorted({round(time) for time in counts})
@@ -260,7 +260,7 @@ def test_waiting_for_a_turn_can_be_cancelled(bench):
     bench.upload(SURVEY)
     bench.run_until_sent("MISSION_COUNT")
     bench.run(0.5)
-    assert bench.status == "WaitingForTurn"
+    assert bench.status == "BackingOff"
     bench.cancel()
     assert bench.run_until_ended(limit_s=0.1) == "Cancelled"
     bench.run(20)

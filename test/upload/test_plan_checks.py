@@ -264,7 +264,7 @@ def test_takeoff_and_landing_without_a_place_are_left_to_ardupilot(build_bench):
 @pytest.mark.parametrize("plan", [[nowhere(TAKEOFF)], [PAUSE, nowhere(LAND)], [nowhere(TAKEOFF), *[PAUSE] * 40]])
 def test_takeoff_with_no_place_in_the_whole_plan_needs_one_on_px4(build_bench, plan):
     failed = next(seq for seq, one in enumerate(plan) if one.command != DELAY)
-    expect_refused(build_bench("PX4"), plan, "NeedsPlace", failed)
+    expect_refused(build_bench("PX4"), plan, "NeedsCoordinates", failed)
 
 
 HOME_SLOT = pytest.mark.scenario(40, "ArduPilot's home slot and the sketch's own numbering")

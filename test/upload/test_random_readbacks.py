@@ -1,4 +1,4 @@
-"""Every random item of the recordings through the library's own upload(plan, Verified), compiled for this computer.
+"""Every random item of the recordings through the library's own upload(plan, Readback::Always), on this computer.
 
 Each comes aboard and verifies, because what the autopilot keeps of it means the same; or it is refused before
 MISSION_COUNT, naming the item and the field. And of each item that came aboard every field, altered by its smallest
@@ -33,7 +33,7 @@ VEHICLES = {
     "px4": (mavlink.MAV_AUTOPILOT_PX4, mavlink.MAV_TYPE_QUADROTOR),
 }
 JUMP = mavlink.MAV_CMD_DO_JUMP
-REFUSALS = {"BadLatitude", "BadLongitude", "BadAltitude", "BadFrame", "BadJump", "NeedsPlace", "NotANumber",
+REFUSALS = {"BadLatitude", "BadLongitude", "BadAltitude", "BadFrame", "BadJump", "NeedsCoordinates", "NotANumber",
             "NotFlown", "NotKept"}  # fmt: skip
 FIRST_FIELD = 4  # of Field: param1
 
@@ -244,4 +244,4 @@ def test_rally_points_at_the_origin_are_refused_where_they_could_not_be_read():
         lost = [(group, end) for group, end in ends(recording)
                 if (group[0].mission_type, group[0].result, group[0].read) == (RALLY, ACCEPTED, None)]  # fmt: skip
         assert len(lost) > 3
-        assert {end.status for _, end in lost} <= {"NeedsPlace", "NotANumber"}
+        assert {end.status for _, end in lost} <= {"NeedsCoordinates", "NotANumber"}

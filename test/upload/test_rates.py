@@ -10,7 +10,7 @@ import subprocess
 import pytest
 
 import rates
-from measuring.document import with_table
+from measuring import documents
 from planted import with_defect
 
 LINES = [(autopilot, percent) for autopilot in rates.AUTOPILOTS for percent in rates.PERCENTS]
@@ -43,11 +43,9 @@ def test_uploads_succeed_more_often_than_those_of_other_clients_on_the_same_line
 
 
 @pytest.mark.slow
-def test_table_in_the_readme_is_not_stale():
-    text = rates.README.read_text()
-    assert (
-        with_table(text, "rates", rates.for_readme()) == text
-    ), "run build/venv/bin/python test/support/rates.py --write-readme"
+def test_table_in_the_documents_is_not_stale():
+    current = documents.is_current("rates", rates.for_documents())
+    assert current, "run build/venv/bin/python test/support/rates.py --write-docs"
 
 
 # What the measurement itself is worth -----------------------------------------

@@ -88,7 +88,7 @@ def test_px4s_error_is_taken_for_busy_and_waited_for_like_ardupilots_denied(buil
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=5)
     service.upload(SURVEY)
     assert service.done(limit_s=40) == "Accepted"
-    assert "WaitingForTurn" in service.returned
+    assert "BackingOff" in service.returned
     assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, "PX4"))
 
 

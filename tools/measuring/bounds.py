@@ -63,7 +63,7 @@ def compare(rows: list[Row], bounds: dict[str, Bound]) -> list[Finding]:
 
 
 def goals_missed() -> str:
-    """As DESIGN.md has it: the goals that the bounds do not reach. Raises BadBounds where nothing says why."""
+    """As the documents have it: the goals that the bounds do not reach. Raises BadBounds where nothing says why."""
     limits = load()
     lines = ["| | is | goal | what stands in the way |", "|---|---:|---:|---|"]
     for figure in FIGURES:

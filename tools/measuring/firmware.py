@@ -28,8 +28,9 @@ class Subject:
 
 @functools.cache
 def ours() -> Subject:
+    parser = "mavmission::detail::FrameParser"
     return Subject(
-        "ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take", "mavmission::FrameParser::pull"
+        "ours", build_sketch(EXAMPLE), 2, 4, f"{parser}::take", f"{parser}::pull"
     )
 
 

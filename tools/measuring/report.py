@@ -1,4 +1,4 @@
-"""The figures as a table: for a terminal, for the README, for another program."""
+"""The figures as a table: for a terminal, for the documents, for another program."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ def as_json(rows: list[Row], bounds: dict[str, Bound]) -> str:
     )
 
 
-def for_readme(rows: list[Row], features: str) -> str:
-    """What stands between the README's markers. `features`: the table of what each feature adds."""
+def for_documents(rows: list[Row], features: str) -> str:
+    """What stands between the marks in the documents. `features`: the table of what each feature adds."""
     lines = [["", "unit", "baseline (MAVLink 2 / 1)", "MavMission"]]
     for row in rows:
         text = row.figure.text

@@ -39,7 +39,7 @@ def longest_update(*, signed: bool) -> int:
 def longest_piece() -> int:
     """Of hashing, in one update() [cycles]."""
     on = bench(signed=True)
-    watch = on.mega.watch("mavmission::Sha256::work")
+    watch = on.mega.watch("mavmission::detail::Sha256::work")
     upload(on, 10)
     return watch.calls.longest_own
 
@@ -95,7 +95,7 @@ def accepted(on: Bench) -> int:
 
 
 def table() -> str:
-    """As DESIGN.md has it."""
+    """As the documents have it."""
     frames = " / ".join(str(checked_in_a_second(loop_ms)) for loop_ms in LOOPS_MS)
     loops = " / ".join(map(str, LOOPS_MS))
     return aligned([

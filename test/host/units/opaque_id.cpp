@@ -1,4 +1,4 @@
-#include "mavmission/OpaqueId.h"
+#include "mavmission/transfer/OpaqueId.h"
 
 #include <doctest/doctest.h>
 #include <stdio.h>
@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
