@@ -68,7 +68,6 @@ class Client {
   static Status compareItem(Client& client, uint16_t wireItem, MissionItem& item);
   static void fromFloats(void* itemMessage);
   static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
-  Status beginReading(uint16_t nowMs);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
   void takeReadCount(const FrameParser& frame);
   void takeReadItem(const FrameParser& frame);

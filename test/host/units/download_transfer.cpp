@@ -26,7 +26,6 @@ TEST_CASE("a count that comes before the list was asked for is no answer") {
   transfer.sent(0);
   transfer.onCount(2);
   CHECK(transfer.state() == State::Fetching);
-  CHECK(transfer.count() == 2);
 }
 
 TEST_CASE("an item that comes before it was asked for is no answer") {
