@@ -1,0 +1,92 @@
+// Uploads by a whole client.
+#include <doctest/doctest.h>
+
+#include "ClientOnLine.h"
+
+using namespace mavmission;
+
+namespace {
+
+typedef std::vector<uint32_t> Times;
+
+const uint8_t kAccepted = 0, kDenied = 14;
+const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
+const MissionItem kOne[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)};
+
+uint16_t itemOf(const SentFrame& frame) { return static_cast<uint16_t>(frame.payload[28] | frame.payload[29] << 8); }
+
+// Each COUNT of an upload is refused so many times, and then left without an answer. When they left, from the first one.
+Times countsWhenDenied(ClientOnLine& desk, int times) {
+  desk.sent.clear();
+  desk.client.uploadByAnswer(inRam(kPlan));
+  for (int i = 0; i < times; ++i) {
+    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20000));
+    desk.hear(ackParts(kDenied));
+  }
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20000));
+  return desk.timesOf(ClientOnLine::kCount, desk.sent.front().atMs);
+}
+
+bool isNear(const Times& times, const Times& expected) {
+  bool isSo = times.size() == expected.size();
+  for (size_t i = 0; isSo && i < times.size(); ++i) isSo = times[i] >= expected[i] && times[i] <= expected[i] + 10;
+  return isSo;
+}
+
+}  // namespace
+
+TEST_CASE("an upload goes out item by item as it is asked for, and each is the item that was asked for") {
+  for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4, ClientOnLine::kOther}) {
+    ClientOnLine desk(autopilot);
+    desk.run(3000);
+    desk.client.uploadByAnswer(inRam(kPlan));
+    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+    const uint16_t items = autopilot == ClientOnLine::kArduPilot ? 3 : 2;
+    CHECK(desk.sent.back().payload[0] == items);
+    for (uint16_t item = 0; item < items; ++item) {
+      desk.hear(requestParts(item));
+      REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
+      CHECK(itemOf(desk.sent.back()) == item);
+    }
+    desk.hear(ackParts(kAccepted));
+    desk.run(5);
+    CHECK((desk.ended == Status::Accepted));
+    CHECK((desk.client.aboard() == Aboard::OurPlan));
+  }
+}
+
+TEST_CASE("tries for a turn come 1, 2, 4, 8, 8 s apart, in each upload anew") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.client.retryWhenDenied(60);
+  desk.run(11000);  // what came before can be answered no more
+  const Times counts = countsWhenDenied(desk, 5);
+  CHECK(isNear(counts, {0, 1000, 3000, 7000, 15000, 23000}));
+  desk.client.cancel();
+  desk.run(11000);
+  CHECK(isNear(countsWhenDenied(desk, 2), {0, 1000, 3000}));
+}
+
+TEST_CASE("the time that is allowed for a turn begins with the first refusal of each upload") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.client.retryWhenDenied(4);
+  desk.run(11000);
+  for (int upload = 0; upload < 2; ++upload) {
+    CHECK(isNear(countsWhenDenied(desk, 2), {0, 1000, 3000}));
+    desk.hear(ackParts(kDenied));  // the next one would come 7 s after the first
+    desk.run(20);
+    CHECK((desk.ended == Status::Denied));
+    desk.ended = Status::Idle;
+    desk.run(11000);
+  }
+}
+
+TEST_CASE("an upload that is begun on an autopilot that was not there yet has its whole time from the first COUNT on") {
+  ClientOnLine desk(ClientOnLine::kPx4);
+  desk.client.limitTransfer(3);
+  desk.client.uploadByAnswer(inRam(kOne));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 10000));
+  desk.run(2990);
+  CHECK((desk.ended == Status::Idle));
+  desk.run(20);
+  CHECK((desk.ended == Status::TookTooLong));
+}

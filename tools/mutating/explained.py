@@ -1,0 +1,42 @@
+"""The survivors that are explained: why each changes nothing that matters.
+
+Each is an entry of test/surviving_mutants.toml: the file, the function, the text before (`was`) and after (`becomes`, one
+or several), as `tools/mutate --show` has them, and `why`. `nth` tells those apart that are alike in all that.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+from firmware import ROOT
+
+from .mutants import Mutant
+
+FILE = ROOT / "test" / "surviving_mutants.toml"
+ENTRY = {"file", "function", "was", "becomes", "nth", "why"}
+
+
+class BadEntry(ValueError):
+    pass
+
+
+def explained(file: Path = FILE) -> dict[tuple[str, str, str, str, int], str]:
+    """The reason for each, by the key of the mutant."""
+    found: dict[tuple[str, str, str, str, int], str] = {}
+    for entry in tomllib.loads(file.read_text()).get("survivor", []):
+        if not set(entry) >= ENTRY - {"nth"} or not set(entry) <= ENTRY or not entry["why"].strip():
+            raise BadEntry(f"{file}: an entry has {', '.join(sorted(ENTRY))} (nth may be left out): {entry}")
+        becomes = entry["becomes"]
+        for one in [becomes] if isinstance(becomes, str) else becomes:
+            key = (entry["file"], entry["function"], entry["was"], one, entry.get("nth", 1))
+            if key in found:
+                raise BadEntry(f"{file}: this is explained twice: {key}")
+            found[key] = entry["why"]
+    return found
+
+
+def without_a_mutant(reasons: dict[tuple[str, str, str, str, int], str], mutants: list[Mutant]) -> list[str]:
+    """What is explained and is none of these mutants, of the files that they are in."""
+    files, keys = {mutant.file for mutant in mutants}, {mutant.key for mutant in mutants}
+    return [f"{key[0]} {key[1]}: {key[2]} => {key[3]}" for key in reasons if key[0] in files and key not in keys]
