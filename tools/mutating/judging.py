@@ -40,9 +40,9 @@ class Verdict(NamedTuple):
 @functools.cache
 def killers(subject: Subject) -> list[Program]:
     """In the order of what they cost."""
-    units = units_of(subject)
-    quick = [unit_program(unit, sanitized=False) for unit in units]
-    return [*quick, *(unit_program(unit, sanitized=True) for unit in units), explorer(EXPLORED)]
+    quick = [unit_program(unit, sanitized=False) for unit in units_of(subject)]
+    own = [unit_program(unit, sanitized=True) for unit in units_of(subject) if unit.stem == subject.unit]
+    return [*quick, *own, explorer(EXPLORED)]
 
 
 def judge(mutants: Iterable[tuple[Subject, Mutant]], told: Callable[[Verdict], None] = lambda _: None) -> list[Verdict]:
@@ -74,6 +74,7 @@ class Desk:
     def __init__(self, place: Path) -> None:
         self.place = place
         self.overlay = Overlay(place / "src")
+        self.made: dict[tuple[str, ...], Path | None] = {}  # objects of the mutant at hand, by command
 
     def judge(self, subject: Subject, mutant: Mutant) -> Verdict:
         known = {killer: Remembered(killer, mutant) for killer in killers(subject)}
@@ -81,20 +82,24 @@ class Desk:
             if remembered.outcome == killer.killer:
                 return Verdict(mutant, killer.killer, remembered.reason)
         self.overlay.put(mutant.path, mutant.text)
+        self.made = {}
         try:
             return self.tried(mutant, known)
         finally:
             self.overlay.restore(mutant.path)
 
     def tried(self, mutant: Mutant, known: dict[Program, Remembered]) -> Verdict:
-        differs = False
         for killer, remembered in known.items():
             if not remembered.outcome:
                 remembered.keep(*self.run(killer, mutant))
             if remembered.outcome in (killer.killer, NO_CODE):
                 return Verdict(mutant, remembered.outcome, remembered.reason)
-            differs |= remembered.outcome == SURVIVED
-        return Verdict(mutant, SURVIVED if differs else SAME)
+        return Verdict(mutant, SURVIVED if self.is_other_code(list(known)[-1], mutant) else SAME)
+
+    def is_other_code(self, program: Program, mutant: Mutant) -> bool:
+        """Whether any object of the library is another one with the mutant, compiled as for this program."""
+        sources = [source for source in program.objects if LIBRARY in source.parents and program.includes(source, mutant.path)]
+        return any(self.differs(program, source) for source in sources)
 
     def run(self, killer: Program, mutant: Mutant) -> tuple[str, str]:
         """The outcome with this killer, and its reason."""
@@ -103,10 +108,9 @@ class Desk:
             made = self.compiled(killer, source)
             if made is None:
                 return NO_CODE, ""
-            # A test's own object tells nothing of the library, and a sanitizer's checks are not the code that ships.
-            if made.read_bytes() != killer.objects[source].read_bytes():
+            if self.differs(killer, source):
                 changed[source] = made
-        if not any(LIBRARY in source.parents for source in changed):
+        if not changed:
             return SAME, ""
         program = self.place / "program"
         try:
@@ -116,12 +120,20 @@ class Desk:
         found = killer.finds(program)
         return (killer.killer, found) if found else (SURVIVED, "")
 
+    def differs(self, killer: Program, source: Path) -> bool:
+        made = self.compiled(killer, source)
+        return made is None or made.read_bytes() != killer.objects[source].read_bytes()
+
     def compiled(self, killer: Program, source: Path) -> Path | None:
-        made = self.place / f"{digest(str(source))[:8]}.o"
+        """None if it does not compile. Programs with the same flags share the library's objects."""
         places = [f"-I{self.overlay.place}", *host_build.PLACES]
-        words = [*NICE, *killer.command(source), *places, self.overlay.path(source), "-o", made]
-        ran = subprocess.run(words, capture_output=True, check=False)
-        return made if ran.returncode == 0 else None
+        words = [*NICE, *killer.command(source), *places, str(self.overlay.path(source))]
+        key = tuple(words)
+        if key not in self.made:
+            made = self.place / f"{digest(*words)[:12]}.o"
+            ran = subprocess.run([*words, "-o", made], capture_output=True, check=False)
+            self.made[key] = made if ran.returncode == 0 else None
+        return self.made[key]
 
 
 class Remembered:

@@ -35,17 +35,21 @@ class Run(NamedTuple):
 
 @dataclass(frozen=True)
 class Program:
-    """`killer` is what the report calls it; `runs` the arguments of each run."""
+    """`killer` is what the report calls it; `runs` the arguments of each run.
+
+    `flags` are for the library too, `own_flags` for its own sources alone.
+    """
 
     killer: str
     name: str
     sources: tuple[Path, ...]
     flags: tuple[str, ...]
+    own_flags: tuple[str, ...] = ()
     runs: tuple[str, ...] = ("--abort-after=1 --no-version",)
 
     def command(self, source: Path) -> list[str]:
         """How a source is compiled, where its includes are aside."""
-        own = [*FAST_ASSERTS, *AS_IT_IS] if source.parent == UNITS else []
+        own = [*FAST_ASSERTS, *AS_IT_IS] if source.parent == UNITS else self.own_flags if source in self.sources else []
         return [COMPILER, "-c", *STANDARD, *self.flags, *own, *LAST]
 
     def object(self, source: Path) -> Path:
@@ -100,14 +104,13 @@ class Program:
 
     def includers(self, file: Path) -> list[Path]:
         """Of those, the ones into which this file of the library goes."""
-        return [source for source in self.sources_linked if file.resolve() in self.files(source)]
+        return [source for source in self.sources_linked if self.includes(source, file)]
 
-    def files(self, source: Path) -> set[Path]:
-        """That go into a source."""
+    def includes(self, source: Path, file: Path) -> bool:
         if source not in self._files:
             included = host_build.compilation(source, [*self.command(source), *PLACES])[1]
             self._files[source] = {file.resolve() for file in host_build.files_in(included)}
-        return self._files[source]
+        return file.resolve() in self._files[source]
 
     @functools.cached_property
     def _files(self) -> dict[Path, set[Path]]:
@@ -174,6 +177,6 @@ def unit_program(unit: Path, *, sanitized: bool) -> Program:
 
 
 def explorer(explored: tuple[str, ...]) -> Program:
-    flags = (*FAST, "-std=c++17", "-fno-access-control")
+    own = ("-std=c++17", "-fno-access-control")
     runs = tuple(f"{words} --most-states {MOST_STATES}" for words in explored)
-    return Program("explorer", "explorer", (*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp"), flags, runs)
+    return Program("explorer", "explorer", (*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp"), tuple(FAST), own, runs)

@@ -1,10 +1,15 @@
 #include <doctest/doctest.h>
 
+#include <string.h>
+
 #include <initializer_list>
 
 #include "Frames.h"
+#include "MemoryStream.h"
 
 using mavmission::FrameParser;
+using mavmission::MessageKey;
+using mavmission::MoreKeys;
 using Result = FrameParser::Result;
 
 namespace {
@@ -28,6 +33,65 @@ Bytes part(const Bytes& bytes, size_t from, size_t to) {
 
 Bytes without(const Bytes& bytes, size_t from, size_t count) {
   return part(bytes, 0, from) + part(bytes, from + count, bytes.size());
+}
+
+// What a parser has found and counted.
+struct Told {
+  std::vector<uint32_t> numbers;
+
+  void note(Result result, const FrameParser& parser) {
+    if (result == Result::Nothing) return;
+    numbers.push_back(static_cast<uint32_t>(result));
+    numbers.push_back(parser.sequence());
+    numbers.push_back(parser.systemId());
+    numbers.push_back(parser.componentId());
+    if (result == Result::Wanted) {
+      numbers.push_back(parser.messageId());
+      numbers.insert(numbers.end(), parser.payload(), parser.payload() + parser.length());
+    }
+  }
+  void end(const FrameParser& parser) {
+    numbers.push_back(parser.badChecksums());
+    numbers.push_back(parser.brokenFrames());
+    numbers.push_back(parser.bytesSkipped());
+  }
+};
+
+FrameParser emptyParser() {
+  FrameParser parser;
+  memset(static_cast<void*>(&parser), 0, sizeof(parser));
+  return parser;
+}
+
+Told takenByteByByte(const Bytes& bytes) {
+  Told told;
+  FrameParser parser = emptyParser();
+  for (uint8_t byte : bytes) {
+    told.note(parser.take(byte), parser);
+    while (parser.hasWaiting()) told.note(parser.takeWaiting(), parser);
+  }
+  told.end(parser);
+  return told;
+}
+
+// By pull(), which looks at as many bytes a call as it may, and says how many it read.
+Told pulled(const Bytes& bytes, uint8_t budget) {
+  Told told;
+  FrameParser parser = emptyParser();
+  MemoryStream stream;
+  stream.bring(bytes);
+  for (int calls = 0; stream.available() != 0 || parser.hasWaiting(); ++calls) {
+    if (calls == 100000) FAIL("it goes on for ever");
+    const size_t read = stream.bytesRead;
+    FrameParser::Budget left = {budget, 255};
+    const Result result = parser.pull(stream, left);
+    const bool isCounted = left.heard == stream.bytesRead - read && budget - left.left >= left.heard;
+    const bool isUsedUp = left.left == 0 || stream.available() == 0 || result != Result::Nothing;
+    if (!isCounted || !isUsedUp) FAIL("budget ", int(budget), ", left ", int(left.left), ", heard ", int(left.heard));
+    told.note(result, parser);
+  }
+  told.end(parser);
+  return told;
 }
 
 }  // namespace
@@ -432,4 +496,95 @@ TEST_CASE("random bytes lead to no frame that was not there, and to no harm") {
     CHECK(wantedIn(noise + request(1) + telemetry() + request(2) + Bytes(300, 0) + request(3)) ==
           "request 1, request 2, request 3");
   }
+}
+
+TEST_CASE("what is pulled from a stream is what its bytes are one by one, however few are looked at each time") {
+  uint32_t seed = 7;
+  const auto dice = [&seed](uint32_t sides) {
+    seed = seed * 1664525 + 1013904223;
+    return (seed >> 16) % sides;
+  };
+  for (int round = 0; round < 400; ++round) {
+    Bytes bytes;
+    for (int frames = 0; frames < 8; ++frames) {
+      Bytes frame;
+      switch (dice(6)) {
+        case 0:
+          frame = request(static_cast<uint16_t>(dice(600)), static_cast<uint8_t>(frames));
+          break;
+        case 1:
+          frame = telemetry(static_cast<uint8_t>(dice(256)), static_cast<uint8_t>(dice(3) == 0 ? 0xFD : dice(256)),
+                            static_cast<uint8_t>(1 + dice(2)));
+          break;
+        case 2:
+          frame = tunnelAround(Bytes(dice(9), 0x11) + request(66));
+          break;
+        case 3:
+          frame = telemetryAround(Bytes(dice(9), 0x11) + request(67));
+          break;
+        case 4: {
+          FrameParts parts = requestParts(static_cast<uint16_t>(dice(600)));
+          parts.incompatibility = 1;
+          frame = packed(parts);
+          break;
+        }
+        default:
+          frame = Bytes(dice(12), static_cast<uint8_t>(dice(2) ? 0xFE : dice(256)));
+          break;
+      }
+      const uint32_t harm = dice(8);
+      if (harm == 0 && !frame.empty()) frame[dice(static_cast<uint32_t>(frame.size()))] ^= static_cast<uint8_t>(1 << dice(8));
+      if (harm == 1 && frame.size() > 3) frame = without(frame, dice(static_cast<uint32_t>(frame.size()) - 2), 2);
+      bytes = bytes + frame;
+    }
+    bytes = bytes + request(1);
+    const Told expected = takenByteByByte(bytes);
+    CAPTURE(round);
+    for (uint8_t budget : {uint8_t(1), uint8_t(2), uint8_t(7), uint8_t(64), uint8_t(255)}) {
+      CAPTURE(int(budget));
+      REQUIRE(pulled(bytes, budget).numbers == expected.numbers);
+    }
+  }
+}
+
+TEST_CASE("a listener's messages are wanted too, wherever in its list they are, and no others") {
+  struct Lists {
+    static const MessageKey* search(const MoreKeys* list, uint16_t messageId) { return list->find(messageId); }
+  };
+  const MessageKey keys[] = {{30, 39, 28, 28, MessageKey::kNoTarget}, {33, 104, 28, 28, MessageKey::kNoTarget}};
+  MoreKeys list = {keys, 2, nullptr, Lists::search, nullptr};
+  FrameParser parser = emptyParser();
+  parser.moreKeys() = &list;
+  const auto last = [&parser](const Bytes& bytes) {
+    Result result = Result::Nothing;
+    for (uint8_t byte : bytes) result = parser.take(byte);
+    return result;
+  };
+  CHECK(list.find(30) == &keys[0]);
+  CHECK(list.find(33) == &keys[1]);
+  CHECK(list.find(31) == nullptr);
+  CHECK(last(telemetry(28, 0x11)) == Result::Wanted);
+  CHECK(parser.messageId() == 30);
+  CHECK(last(packed(FrameParts(33, Bytes(28, 0x22), 104))) == Result::Wanted);
+  CHECK(parser.messageId() == 33);
+  CHECK(parser.isFor(9, 9));
+  CHECK(last(request(3)) == Result::Wanted);
+  CHECK(parser.messageId() == 51);
+  list.count = 1;
+  CHECK(list.find(33) == nullptr);
+}
+
+TEST_CASE("a number of a payload is made of its bytes, the first being the lowest, and of 0 where they were left out") {
+  FrameParts parts = ackParts(0);
+  parts.payload = {0x01, 0x82, 0x03, 0xF4, 0x05, 0x96};
+  ParserUnderTest parser;
+  REQUIRE(parser.take(packed(parts)).size() == 1);
+  CHECK(parser.parser().payloadWord(0) == 0x8201);
+  CHECK(parser.parser().payloadWord(3) == 0x05F4);
+  CHECK(parser.parser().payloadWord(5) == 0x0096);
+  CHECK(parser.parser().payloadWord(6) == 0);
+  CHECK(parser.parser().payloadLong(0) == 0xF4038201);
+  CHECK(parser.parser().payloadLong(2) == 0x9605F403);
+  CHECK(parser.parser().payloadLong(4) == 0x9605);
+  CHECK(parser.parser().payloadLong(6) == 0);
 }
