@@ -14,10 +14,11 @@ from typing import NamedTuple
 
 import host_build
 from firmware import LIBRARY, digest
+from host_build import STANDARD
 
 from .mutants import Mutant
 from .overlay import Overlay
-from .programs import NICE, OUTPUT, Program, explorer, unit_program
+from .programs import COMPILER, NICE, OUTPUT, Program, explorer, unit_program
 from .subjects import EXPLORED, Subject, units_of
 
 WORKERS = 2
@@ -77,16 +78,28 @@ class Desk:
         self.made: dict[tuple[str, ...], Path | None] = {}  # objects of the mutant at hand, by command
 
     def judge(self, subject: Subject, mutant: Mutant) -> Verdict:
-        known = {killer: Remembered(killer, mutant) for killer in killers(subject)}
+        known = {killer: Remembered("killed", killer, mutant) for killer in killers(subject)}
         for killer, remembered in known.items():
             if remembered.outcome == killer.killer:
                 return Verdict(mutant, killer.killer, remembered.reason)
         self.overlay.put(mutant.path, mutant.text)
         self.made = {}
         try:
+            if self.is_left_out(mutant):
+                return Verdict(mutant, SAME)
             return self.tried(mutant, known)
         finally:
             self.overlay.restore(mutant.path)
+
+    def is_left_out(self, mutant: Mutant) -> bool:
+        """Whether the preprocessor leaves out what is changed, as it does what is for signing, or for the AVR."""
+        places = [f"-I{self.overlay.place}", *host_build.PLACES]
+        words = [COMPILER, "-E", "-P", "-x", "c++", *STANDARD, *places]
+        texts = [
+            subprocess.run([*words, file], capture_output=True, check=True).stdout
+            for file in (self.overlay.path(mutant.path), mutant.path)
+        ]
+        return texts[0] == texts[1]
 
     def tried(self, mutant: Mutant, known: dict[Program, Remembered]) -> Verdict:
         for killer, remembered in known.items():
@@ -94,12 +107,15 @@ class Desk:
                 remembered.keep(*self.run(killer, mutant))
             if remembered.outcome in (killer.killer, NO_CODE):
                 return Verdict(mutant, remembered.outcome, remembered.reason)
-        return Verdict(mutant, SURVIVED if self.is_other_code(list(known)[-1], mutant) else SAME)
+        code = Remembered("code", list(known)[-1], mutant)
+        if not code.outcome:
+            code.keep(self.code(list(known)[-1], mutant), "")
+        return Verdict(mutant, code.outcome)
 
-    def is_other_code(self, program: Program, mutant: Mutant) -> bool:
-        """Whether any object of the library is another one with the mutant, compiled as for this program."""
+    def code(self, program: Program, mutant: Mutant) -> str:
+        """SURVIVED if any object of the library is another one with the mutant, compiled as for this program."""
         sources = [source for source in program.objects if LIBRARY in source.parents and program.includes(source, mutant.path)]
-        return any(self.differs(program, source) for source in sources)
+        return SURVIVED if any(self.differs(program, source) for source in sources) else SAME
 
     def run(self, killer: Program, mutant: Mutant) -> tuple[str, str]:
         """The outcome with this killer, and its reason."""
@@ -122,12 +138,12 @@ class Desk:
 
     def differs(self, killer: Program, source: Path) -> bool:
         made = self.compiled(killer, source)
-        return made is None or made.read_bytes() != killer.objects[source].read_bytes()
+        return made is None or killer.is_sanitized or made.read_bytes() != killer.objects[source].read_bytes()
 
     def compiled(self, killer: Program, source: Path) -> Path | None:
         """None if it does not compile. Programs with the same flags share the library's objects."""
-        places = [f"-I{self.overlay.place}", *host_build.PLACES]
-        words = [*NICE, *killer.command(source), *places, str(self.overlay.path(source))]
+        command = killer.plainly(source)
+        words = [*NICE, command[0], f"-I{self.overlay.place}", *command[1:], str(self.overlay.path(source))]
         key = tuple(words)
         if key not in self.made:
             made = self.place / f"{digest(*words)[:12]}.o"
@@ -137,10 +153,10 @@ class Desk:
 
 
 class Remembered:
-    """What is known of a mutant and a killer from an earlier run, of the same sources."""
+    """The answer to a question about a mutant and a program from an earlier run, of the same sources."""
 
-    def __init__(self, killer: Program, mutant: Mutant) -> None:
-        key = digest(killer.digest, str(mutant.path), mutant.text)
+    def __init__(self, question: str, program: Program, mutant: Mutant) -> None:
+        key = digest(question, program.digest, str(mutant.path), mutant.text)
         self.file = RESULTS / key[:2] / key[2:18]
         self.outcome, self.reason = json.loads(self.file.read_text()) if self.file.exists() else ("", "")
 

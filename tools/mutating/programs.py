@@ -14,14 +14,14 @@ from typing import NamedTuple
 
 import host_build
 from firmware import LIBRARY, ROOT, digest, exclusive, library_sources
-from host_build import AS_IT_IS, FAST, FAST_ASSERTS, HOST, PLACES, SANITIZED, SHIM, STANDARD, UNITS
+from host_build import AS_IT_IS, FAST, FAST_ASSERTS, HOST, PLACES, SANITIZED, SHIM, STANDARD, UNITS, WARNINGS
 from recorded_uploads import written
 
 OUTPUT = ROOT / "build" / "mutation"
 EXPLORER = ROOT / "test" / "explorer"
 COMPILER = "g++"
-# Without debugging information two objects are the same when their code is.
-LAST = ["-g0", "-w"]
+# Without debugging information two objects are the same when their code is. A mutant may have warnings.
+PLAIN = ["-g0", "-w"]
 NICE = ["nice", "-n", "10"]
 MOST_STATES = 4_000_000  # of an exploration; the library as it is has a seventh of that
 
@@ -37,7 +37,8 @@ class Run(NamedTuple):
 class Program:
     """`killer` is what the report calls it; `runs` the arguments of each run.
 
-    `flags` are for the library too, `own_flags` for its own sources alone.
+    `flags` are for the library too, `own_flags` for its own sources alone. Under the sanitizers, which put places into
+    the code, an object says nothing by being another one; those of the library as it is are shared with test_host.py.
     """
 
     killer: str
@@ -47,20 +48,30 @@ class Program:
     own_flags: tuple[str, ...] = ()
     runs: tuple[str, ...] = ("--abort-after=1 --no-version",)
 
+    @property
+    def is_sanitized(self) -> bool:
+        return self.flags == tuple(SANITIZED)
+
     def command(self, source: Path) -> list[str]:
         """How a source is compiled, where its includes are aside."""
-        own = [*FAST_ASSERTS, *AS_IT_IS] if source.parent == UNITS else self.own_flags if source in self.sources else []
-        return [COMPILER, "-c", *STANDARD, *self.flags, *own, *LAST]
+        own = self.own_flags if source in self.sources else ()
+        units = [*FAST_ASSERTS, *AS_IT_IS] if source.parent == UNITS else []
+        return [COMPILER, "-c", *STANDARD, *self.flags, *own, *WARNINGS, *PLACES, *units]
 
-    def object(self, source: Path) -> Path:
-        return host_build.make_object(source, [*self.command(source), *PLACES])
+    def plainly(self, source: Path) -> list[str]:
+        return [*self.command(source), *PLAIN]
+
+    def base_command(self, source: Path) -> list[str]:
+        """As the library is. The sanitizers' is that of the tests themselves."""
+        return self.command(source) if self.is_sanitized else self.plainly(source)
 
     @functools.cached_property
     def objects(self) -> dict[Path, Path]:
         """By source. Of the library all; the linker takes what is needed."""
         sources = [*self.sources, SHIM / "Arduino.cpp", *library_sources()]
         with ThreadPoolExecutor(os.cpu_count()) as workers:
-            return dict(zip(sources, workers.map(self.object, sources)))
+            made = workers.map(lambda source: host_build.make_object(source, self.base_command(source)), sources)
+            return dict(zip(sources, made))
 
     @functools.cached_property
     def digest(self) -> str:
@@ -108,7 +119,7 @@ class Program:
 
     def includes(self, source: Path, file: Path) -> bool:
         if source not in self._files:
-            included = host_build.compilation(source, [*self.command(source), *PLACES])[1]
+            included = host_build.compilation(source, self.base_command(source))[1]
             self._files[source] = {file.resolve() for file in host_build.files_in(included)}
         return file.resolve() in self._files[source]
 

@@ -60,8 +60,8 @@ def subjects(names: list[str] | None = None) -> list[Subject]:
 
 
 def files_of(name: str) -> list[Path]:
-    """Its header and its source. Raises ValueError if there is none, or two of one name."""
-    files = [list(LIBRARY.rglob(name + ending)) for ending in (".h", ".cpp")]
+    """Its source and its header. Raises ValueError if there is none, or two of one name."""
+    files = [list(LIBRARY.rglob(name + ending)) for ending in (".cpp", ".h")]
     if not any(files) or any(len(same) > 1 for same in files):
         raise ValueError(f"there is not exactly one {name}.h or {name}.cpp under {LIBRARY}")
     return [file for same in files for file in same]
