@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from host_build import HOST, build_host
-from recorded_uploads import written
+from recorded_for_units import environment
 
 UNITS = sorted(file.stem for file in (HOST / "units").glob("*.cpp") if file.stem != "main")
 
@@ -31,10 +31,10 @@ def cases_of(unit: str) -> int:
 
 def run_unit(program: Path, unit: str, folder: Path) -> tuple[int, int]:
     """Runs the tests of one file of host/units: the program's exit code, 0 if all passed, and how many cases it ran."""
-    uploads = written(folder / "uploads")
+    places = environment(folder / "uploads")
     ran = subprocess.run(
         [program, f"--source-file=*/units/{unit}.cpp", "--no-version"],
-        capture_output=True, text=True, check=False, env={**os.environ, "MAVMISSION_UPLOADS": str(uploads)},
+        capture_output=True, text=True, check=False, env=places,
     )  # fmt: skip
     print(ran.stdout, ran.stderr)
     cases = re.search(r"test cases: *(\d+)", ran.stdout)

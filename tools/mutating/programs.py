@@ -15,7 +15,7 @@ from typing import NamedTuple
 import host_build
 from firmware import LIBRARY, ROOT, digest, exclusive, library_sources
 from host_build import AS_IT_IS, FAST, FAST_ASSERTS, HOST, PLACES, SANITIZED, SHIM, STANDARD, UNITS, WARNINGS
-from recorded_uploads import written
+from recorded_for_units import environment
 
 OUTPUT = ROOT / "build" / "mutation"
 EXPLORER = ROOT / "test" / "explorer"
@@ -151,9 +151,8 @@ class Program:
 def run(program: Path, words: str, limit_s: int) -> Run:
     limited = [*NICE, "prlimit", f"--cpu={limit_s}", "--core=0", program, *words.split()]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    environment = {**os.environ, "MAVMISSION_UPLOADS": str(uploads())}
     try:
-        ran = subprocess.run(limited, capture_output=True, text=True, errors="replace", env=environment,
+        ran = subprocess.run(limited, capture_output=True, text=True, errors="replace", env=places(),
                              timeout=60 + 20 * limit_s, check=False)  # fmt: skip
     except subprocess.TimeoutExpired:
         return Run("it waits for ever", limit_s)
@@ -169,14 +168,11 @@ def run(program: Path, words: str, limit_s: int) -> Run:
 
 
 @functools.cache
-def uploads() -> Path:
-    """The recorded uploads, for the tests of the checksum."""
+def places() -> dict[str, str]:
+    """The environment of the units' tests."""
     place = OUTPUT / "uploads"
     with exclusive(place):
-        fresh = place.with_suffix(".new")
-        written(fresh)
-        fresh.replace(place)
-    return place
+        return environment(place)
 
 
 def unit_program(unit: Path, *, sanitized: bool) -> Program:

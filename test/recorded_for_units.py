@@ -1,7 +1,8 @@
-"""The uploads that a recorded PX4 accepted, for host/units/opaque_id.cpp."""
+"""What the tests of host/units read of the recordings."""
 
 from __future__ import annotations
 
+import os
 import struct
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import recordings
 
 
 def packed() -> bytes:
-    """Each upload that it gave an id: how many, then of each the id, how many items, and those."""
+    """Each upload that a recorded PX4 accepted and gave an id, for host/units/opaque_id.cpp: how many, then of each the id, how many items, and those."""
     uploads = []
     for name in recordings.names():
         items = {}
@@ -32,6 +33,7 @@ def packed() -> bytes:
     return data
 
 
-def written(place: Path) -> Path:
-    place.write_bytes(packed())
-    return place
+def environment(uploads: Path) -> dict[str, str]:
+    """With what the units read: the uploads, which are put there, and the recordings."""
+    uploads.write_bytes(packed())
+    return {**os.environ, "MAVMISSION_UPLOADS": str(uploads), "MAVMISSION_RECORDINGS": str(recordings.FOLDER)}
