@@ -38,6 +38,7 @@ Bytes without(const Bytes& bytes, size_t from, size_t count) {
 // What a parser has found and counted.
 struct Told {
   std::vector<uint32_t> numbers;
+  uint32_t looks = 0;  // at bytes, those that were looked at again included
 
   void note(Result result, const FrameParser& parser) {
     if (result == Result::Nothing) return;
@@ -68,7 +69,8 @@ Told takenByteByByte(const Bytes& bytes) {
   FrameParser parser = emptyParser();
   for (uint8_t byte : bytes) {
     told.note(parser.take(byte), parser);
-    while (parser.hasWaiting()) told.note(parser.takeWaiting(), parser);
+    ++told.looks;
+    for (; parser.hasWaiting(); ++told.looks) told.note(parser.takeWaiting(), parser);
   }
   told.end(parser);
   return told;
@@ -88,6 +90,7 @@ Told pulled(const Bytes& bytes, uint8_t budget) {
     const bool isCounted = left.heard == stream.bytesRead - read && budget - left.left >= left.heard;
     const bool isUsedUp = left.left == 0 || stream.available() == 0 || result != Result::Nothing;
     if (!isCounted || !isUsedUp) FAIL("budget ", int(budget), ", left ", int(left.left), ", heard ", int(left.heard));
+    told.looks += budget - left.left;
     told.note(result, parser);
   }
   told.end(parser);
@@ -244,6 +247,20 @@ TEST_CASE("a signed frame is given, and its signature stepped over") {
   }
 }
 
+TEST_CASE("behind a signed frame the next one begins, wanted or not, and a byte between them is counted") {
+  FrameParts parts = requestParts(4);
+  parts.incompatibility = 1;
+  ParserUnderTest parser;
+  const std::vector<Found> found = parser.take(packed(parts) + telemetry() + request(5));
+  REQUIRE(found.size() == 3);
+  CHECK(found[1].result == Result::Unwanted);
+  CHECK(found[2].result == Result::Wanted);
+  CHECK(parser.parser().bytesSkipped() == 0);
+  CHECK(parser.parser().brokenFrames() == 0);
+  parser.take(packed(parts) + Bytes{0x11} + request(5));
+  CHECK(parser.parser().bytesSkipped() == 1);
+}
+
 TEST_CASE("a signed frame of another message is stepped over, signature and all") {
   FrameParts parts(30, Bytes(28, 0x11), 39);
   parts.incompatibility = 1;
@@ -281,6 +298,64 @@ TEST_CASE("each bit that is wrong in a frame of the service makes it none") {
       CAPTURE(byte);
       CAPTURE(bit);
       CHECK(wantedIn(damaged + request(5)) == "request 5");
+    }
+  }
+}
+
+TEST_CASE("what is given up is told as nothing") {
+  FrameParts flagged = requestParts(4);
+  flagged.incompatibility = 2;
+  FrameParts tooLong = requestParts(4);
+  tooLong.version = 1;
+  Bytes damaged = request(4);
+  damaged.back() = static_cast<uint8_t>(damaged.back() ^ 1);
+  for (const Bytes& bytes : {packed(flagged), packed(tooLong), damaged}) {
+    ParserUnderTest parser;
+    CHECK(parser.take(bytes).empty());
+    CHECK(parser.silence().empty());
+    CHECK(parser.parser().bytesSkipped() == bytes.size());
+  }
+}
+
+TEST_CASE("a message that carries bytes of others is told once, behind its end") {
+  ParserUnderTest parser;
+  CHECK(parser.take(telemetry()).empty());
+  const std::vector<Found> found = parser.take(tunnelAround(Bytes(9, 0x11) + request(66)));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].result == Result::Unwanted);  // the one before
+  REQUIRE(parser.silence().size() == 1);
+  CHECK(parser.parser().brokenFrames() == 0);
+}
+
+TEST_CASE("silence behind a signed frame tells nothing more") {
+  FrameParts parts = requestParts(4);
+  parts.incompatibility = 1;
+  ParserUnderTest parser;
+  CHECK(parser.take(packed(parts)).size() == 1);
+  CHECK(parser.silence().empty());
+  CHECK(parser.parser().brokenFrames() == 0);
+}
+
+TEST_CASE("a stepped-over frame behind which none begins is counted as broken, once") {
+  Bytes damaged = telemetry(28, 0x33);
+  damaged[1] = 20;
+  ParserUnderTest parser;
+  CHECK(wanted(parser.take(damaged + request(1))).size() == 1);
+  CHECK(parser.parser().brokenFrames() == 1);
+}
+
+TEST_CASE("frames behind one that ends in what looks like a beginning are stepped over like any") {
+  for (uint8_t magic : {0xFD, 0xFE}) {
+    for (size_t behind = 0; behind < 8; ++behind) {
+      Bytes payload = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+      payload[payload.size() - 1 - behind] = magic;
+      ParserUnderTest parser;
+      const std::vector<Found> found =
+          parser.take(telemetryAround(payload) + telemetry() + telemetry() + request(7) + telemetry() + request(8));
+      CAPTURE(int(magic));
+      CAPTURE(behind);
+      CHECK(found.size() == 6);
+      CHECK(parser.parser().bytesSkipped() == 0);
     }
   }
 }
@@ -328,6 +403,28 @@ TEST_CASE("a frame that begins inside one with a damaged length is found, howeve
   }
 }
 
+TEST_CASE("a frame of any sequence, version and length that begins inside one with a damaged length is found") {
+  Bytes damaged = telemetry(28, 0x33);
+  damaged[1] = 255;
+  for (uint8_t version = 1; version <= 2; ++version) {
+    for (unsigned sequence = 0; sequence <= 255; ++sequence) {
+      FrameParts parts = requestParts(7);
+      parts.version = version;
+      parts.sequence = static_cast<uint8_t>(sequence);
+      if (version == 1) parts.payload.resize(4);
+      CAPTURE(int(version));
+      CAPTURE(sequence);
+      CHECK(wantedIn(damaged + packed(parts) + telemetry() + request(2)) == "request 7, request 2");
+    }
+  }
+  for (unsigned length = 5; length <= MAVMISSION_MAX_PAYLOAD; ++length) {
+    FrameParts parts = requestParts(7);
+    parts.payload.resize(length, 0x11);
+    CAPTURE(length);
+    CHECK(wantedIn(damaged + packed(parts) + telemetry() + request(2)) == "request 7, request 2");
+  }
+}
+
 TEST_CASE("a frame behind a wanted one with a damaged length is found") {
   for (unsigned length = 0; length <= 255; ++length) {
     if (length == 5) continue;
@@ -368,6 +465,41 @@ TEST_CASE("a frame among the data of a message that carries bytes of others is d
   for (size_t filled = 0; filled < 60; ++filled) {
     const Bytes carrier = tunnelAround(Bytes(filled, 0x11) + request(66) + Bytes(7, 0x11));
     CHECK(wantedIn(telemetry() + carrier + request(1)) == "request 1");
+  }
+}
+
+TEST_CASE("a message that carries bytes of others is known as one behind a wanted frame too") {
+  CHECK(wantedIn(request(1) + tunnelAround(Bytes(9, 0x11) + request(66)) + request(2)) == "request 1, request 2");
+}
+
+TEST_CASE("a frame that lacks its first byte is none, wherever it lies") {
+  const Bytes headless = part(request(66), 1, request(66).size());
+  CHECK(wantedIn(telemetry() + telemetryAround(headless) + request(1)) == "request 1");
+  CHECK(wantedIn(telemetry() + tunnelAround(request(67) + headless) + request(1)) == "request 1");
+  CHECK(wantedIn(request(5) + headless + request(1)) == "request 5, request 1");
+  // Its header is the last data of a message that carries bytes of others, the rest lies behind that one.
+  const Bytes carrier = tunnelAround(request(67) + part(request(66, 8), 1, 10));
+  FrameParts across = requestParts(0);
+  across.sequence = 8;
+  across.payload[0] = carrier[carrier.size() - 2];
+  across.payload[1] = carrier[carrier.size() - 1];
+  const Bytes rest = part(packed(across), 12, packed(across).size());
+  CHECK(wantedIn(telemetry() + carrier + rest + request(1)) == "request 1");
+}
+
+TEST_CASE("a frame is found behind stray bytes that look like the beginning of one") {
+  for (uint8_t magic : {0xFD, 0xFE}) {
+    for (uint8_t version = 1; version <= 2; ++version) {
+      for (size_t count = 1; count <= 3; ++count) {
+        FrameParts parts = requestParts(3);
+        parts.version = version;
+        if (version == 1) parts.payload.resize(4);
+        CAPTURE(int(magic));
+        CAPTURE(int(version));
+        CAPTURE(count);
+        CHECK(wantedIn(Bytes(count, magic) + packed(parts) + telemetry() + request(2)) == "request 3, request 2");
+      }
+    }
   }
 }
 
@@ -425,10 +557,13 @@ TEST_CASE("silence behind a whole telemetry frame gives it, and behind a part of
   CHECK(found[0].result == Result::Unwanted);
   CHECK(whole.parser().brokenFrames() == 0);
 
-  ParserUnderTest cut;
-  cut.take(part(telemetry(), 0, 20));
-  CHECK(cut.silence().empty());
-  CHECK(cut.parser().brokenFrames() == 1);
+  for (size_t shown = 10; shown < telemetry().size(); ++shown) {
+    ParserUnderTest cut;
+    cut.take(part(telemetry(), 0, shown));
+    CAPTURE(shown);
+    CHECK(cut.silence().empty());
+    CHECK(cut.parser().brokenFrames() == 1);
+  }
 }
 
 TEST_CASE("what looks like a beginning in the last bytes of a telemetry frame is no lost byte, silence behind it or not") {
@@ -542,7 +677,9 @@ TEST_CASE("what is pulled from a stream is what its bytes are one by one, howeve
     CAPTURE(round);
     for (uint8_t budget : {uint8_t(1), uint8_t(2), uint8_t(7), uint8_t(64), uint8_t(255)}) {
       CAPTURE(int(budget));
-      REQUIRE(pulled(bytes, budget).numbers == expected.numbers);
+      const Told told = pulled(bytes, budget);
+      REQUIRE(told.numbers == expected.numbers);
+      REQUIRE(told.looks == expected.looks);
     }
   }
 }
