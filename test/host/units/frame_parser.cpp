@@ -320,11 +320,12 @@ TEST_CASE("what is given up is told as nothing") {
 TEST_CASE("a message that carries bytes of others is told once, behind its end") {
   ParserUnderTest parser;
   CHECK(parser.take(telemetry()).empty());
-  const std::vector<Found> found = parser.take(tunnelAround(Bytes(9, 0x11) + request(66)));
+  const std::vector<Found> found = parser.take(tunnelAround(Bytes(9, 0x11) + request(66) + Bytes(30, 0x11)));
   REQUIRE(found.size() == 1);
   CHECK(found[0].result == Result::Unwanted);  // the one before
   REQUIRE(parser.silence().size() == 1);
   CHECK(parser.parser().brokenFrames() == 0);
+  CHECK(parser.parser().badChecksums() == 0);
 }
 
 TEST_CASE("silence behind a signed frame tells nothing more") {
@@ -511,6 +512,19 @@ TEST_CASE("a frame behind what looks like a carrier only because of damage is ta
   // Between frames, but not where one is due: these are the last bytes of a frame whose first were lost.
   const Bytes data = {0x12, 0xFE, 0x7F, 0x3F, 0x51, 0x5C, 123};
   CHECK(wantedIn(telemetry() + data + request(1) + telemetry() + request(2)) == "request 1, request 2");
+  CHECK(wantedIn(request(3) + data + request(1) + telemetry() + request(2)) == "request 3, request 1, request 2");
+}
+
+TEST_CASE("a wanted frame that is found inside another ends that one, which is counted as broken") {
+  Bytes damaged = telemetry(28, 0x33);
+  damaged[1] = 255;
+  ParserUnderTest parser;
+  const std::vector<Found> found = parser.take(damaged + request(1) + telemetry() + request(2));
+  REQUIRE(found.size() == 3);
+  CHECK(found[0].result == Result::Wanted);
+  CHECK(found[1].result == Result::Unwanted);
+  CHECK(found[2].result == Result::Wanted);
+  CHECK(parser.parser().brokenFrames() == 1);
 }
 
 TEST_CASE("a carrier with an id of more than 16 bits is none") {
