@@ -10,7 +10,10 @@ import recordings
 
 
 def packed() -> bytes:
-    """Each upload that a recorded PX4 accepted and gave an id, for host/units/opaque_id.cpp: how many, then of each the id, how many items, and those."""
+    """Each upload that a recorded PX4 accepted and gave an id, for host/units/opaque_id.cpp.
+
+    How many, then of each the id, how many items, and those.
+    """
     uploads = []
     for name in recordings.names():
         items = {}

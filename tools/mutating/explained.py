@@ -1,7 +1,8 @@
 """The survivors that are explained: why each changes nothing that matters.
 
-Each is an entry of test/surviving_mutants.toml: the file, the function, the text before (`was`) and after (`becomes`, one
-or several), as `tools/mutate --show` has them, and `why`. `nth` tells those apart that are alike in all that.
+Each is an entry of test/surviving_mutants.toml: the file, the function, the text before (`was`) and after
+(`becomes`, one or several), as `tools/mutate --list` has them, and `why`. `nth` tells those apart that are alike in
+all that. How the text is broken into lines is of no account.
 """
 
 from __future__ import annotations
@@ -29,7 +30,8 @@ def explained(file: Path = FILE) -> dict[tuple[str, str, str, str, int], str]:
             raise BadEntry(f"{file}: an entry has {', '.join(sorted(ENTRY))} (nth may be left out): {entry}")
         becomes = entry["becomes"]
         for one in [becomes] if isinstance(becomes, str) else becomes:
-            key = (entry["file"], entry["function"], entry["was"], one, entry.get("nth", 1))
+            was, after = (" ".join(text.split()) for text in (entry["was"], one))
+            key = (entry["file"], entry["function"], was, after, entry.get("nth", 1))
             if key in found:
                 raise BadEntry(f"{file}: this is explained twice: {key}")
             found[key] = entry["why"]

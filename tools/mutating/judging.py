@@ -51,7 +51,7 @@ def judge(mutants: Iterable[tuple[Subject, Mutant]], told: Callable[[Verdict], N
     work = list(mutants)
     for subject in dict.fromkeys(subject for subject, _ in work):
         for killer in killers(subject):
-            killer.limits_s  # noqa: B018  (each is made, and passes on the library as it is, before anything is mutated)
+            killer.limits_s  # noqa: B018  (each is made, and passes on the library as it is)
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(WORKERS) as pool:
         desks: queue.SimpleQueue[Desk] = queue.SimpleQueue()
         for number in range(WORKERS):
@@ -114,7 +114,8 @@ class Desk:
 
     def code(self, program: Program, mutant: Mutant) -> str:
         """SURVIVED if any object of the library is another one with the mutant, compiled as for this program."""
-        sources = [source for source in program.objects if LIBRARY in source.parents and program.includes(source, mutant.path)]
+        ours = [source for source in program.objects if LIBRARY in source.parents]
+        sources = [source for source in ours if program.includes(source, mutant.path)]
         return SURVIVED if any(self.differs(program, source) for source in sources) else SAME
 
     def run(self, killer: Program, mutant: Mutant) -> tuple[str, str]:

@@ -26,8 +26,10 @@ def binary(source: Node, operators: dict[str, str]) -> Iterator[tuple[Node, str]
 
 
 # What is only for the compiler: most changes there would not compile, or mean nothing.
-FOR_THE_COMPILER = ("static_assert_declaration", "enumerator", "template_argument_list", "optional_parameter_declaration",
-                    "preproc_def", "preproc_function_def", "preproc_call")  # fmt: skip
+FOR_THE_COMPILER = (
+    "static_assert_declaration", "enumerator", "template_argument_list", "optional_parameter_declaration",
+    "preproc_def", "preproc_function_def", "preproc_call",
+)  # fmt: skip
 
 
 def is_executed(node: Node) -> bool:

@@ -186,4 +186,5 @@ def unit_program(unit: Path, *, sanitized: bool) -> Program:
 def explorer(explored: tuple[str, ...]) -> Program:
     own = ("-std=c++17", "-fno-access-control")
     runs = tuple(f"{words} --most-states {MOST_STATES}" for words in explored)
-    return Program("explorer", "explorer", (*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp"), tuple(FAST), own, runs)
+    sources = (*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp")
+    return Program("explorer", "explorer", sources, tuple(FAST), own, runs)

@@ -20,7 +20,8 @@ def drawn(names: list[str], number: int | None, seed: int) -> list[tuple[Subject
 
 
 def of_all(names: list[str]) -> list[tuple[Subject, Mutant]]:
-    return [(subject, mutant) for subject in subjects(names) for file in files_of(subject.name) for mutant in mutants_of(file)]
+    files = [(subject, file) for subject in subjects(names) for file in files_of(subject.name)]
+    return [(subject, mutant) for subject, file in files for mutant in mutants_of(file)]
 
 
 def listed(names: list[str], number: int | None, seed: int) -> str:

@@ -50,7 +50,7 @@ EXPLORED = (
 
 
 def subjects(names: list[str] | None = None) -> list[Subject]:
-    """Those named, by file or without its ending; all by default. A file that has no tests of its own may be named too."""
+    """Those named, by file or without its ending; all by default. A file without tests of its own may be named too."""
     known = {subject.name: subject for subject in SUBJECTS}
     found = []
     for name in [Path(name).stem for name in names or known]:

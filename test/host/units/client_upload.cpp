@@ -15,7 +15,7 @@ const MissionItem kOne[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)};
 
 uint16_t itemOf(const SentFrame& frame) { return static_cast<uint16_t>(frame.payload[28] | frame.payload[29] << 8); }
 
-// Each COUNT of an upload is refused so many times, and then left without an answer. When they left, from the first one.
+// The first COUNTs of an upload are refused, the next one is left without an answer. When they left, from the first on.
 Times countsWhenDenied(ClientOnLine& desk, int times) {
   desk.sent.clear();
   desk.client.uploadByAnswer(inRam(kPlan));

@@ -257,7 +257,7 @@ TEST_CASE("coordinates are compared as the integers that they are") {
   }
 }
 
-TEST_CASE("autocontinue is 1 in what ArduPilot gives of a mission, is not looked at in a fence or rally points, and is kept elsewhere") {
+TEST_CASE("autocontinue may be 1 in a mission from ArduPilot, is of no account in a fence, and is kept elsewhere") {
   for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
     for (PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
       for (uint8_t was : {0, 1}) {
@@ -273,7 +273,7 @@ TEST_CASE("autocontinue is 1 in what ArduPilot gives of a mission, is not looked
   }
 }
 
-TEST_CASE("a frame may come back by its other number, and as Global from ArduPilot where there is no height: no other is the same") {
+TEST_CASE("a frame may come back by its other number, or as Global from ArduPilot where there is no height") {
   const Frame frames[] = {Frame::Global,           Frame::Mission,       Frame::GlobalRelative,  Frame::GlobalInt,
                           Frame::GlobalRelativeInt, Frame::GlobalTerrain, Frame::GlobalTerrainInt};
   const auto number = [](Frame frame) {

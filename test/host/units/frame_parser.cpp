@@ -682,8 +682,9 @@ TEST_CASE("what is pulled from a stream is what its bytes are one by one, howeve
           break;
       }
       const uint32_t harm = dice(8);
-      if (harm == 0 && !frame.empty()) frame[dice(static_cast<uint32_t>(frame.size()))] ^= static_cast<uint8_t>(1 << dice(8));
-      if (harm == 1 && frame.size() > 3) frame = without(frame, dice(static_cast<uint32_t>(frame.size()) - 2), 2);
+      const uint32_t size = static_cast<uint32_t>(frame.size());
+      if (harm == 0 && size != 0) frame[dice(size)] ^= static_cast<uint8_t>(1 << dice(8));
+      if (harm == 1 && size > 3) frame = without(frame, dice(size - 2), 2);
       bytes = bytes + frame;
     }
     bytes = bytes + request(1);

@@ -432,7 +432,7 @@ TEST_CASE("of a part only its own items are served, from its first one on") {
   CHECK((part.ack(kAccepted) == Status::Accepted));
 }
 
-TEST_CASE("denied ends a transfer, but for a part that was announced twice and has not begun: it is the reason if nothing else comes") {
+TEST_CASE("denied ends a transfer, but for a part announced twice that has not begun: it is the reason if nothing comes") {
   for (uint16_t first : {uint16_t(0), uint16_t(2)}) {
     for (int announced = 1; announced <= 3; ++announced) {
       for (bool begun : {false, true}) {
@@ -463,7 +463,7 @@ TEST_CASE("denied ends a transfer, but for a part that was announced twice and h
   }
 }
 
-TEST_CASE("an error to our own repetition of the last item tells nothing of the plan, but on PX4, which may yet accept") {
+TEST_CASE("an error to our own repetition of the last item tells nothing of the plan; PX4 may yet accept") {
   for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
     Upload upload(2, firmware);
     upload.served(2);
