@@ -432,7 +432,7 @@ TEST_CASE("of a part only its own items are served, from its first one on") {
   CHECK((part.ack(kAccepted) == Status::Accepted));
 }
 
-TEST_CASE("denied ends a transfer, but for a part announced twice that has not begun: it is the reason if nothing comes") {
+TEST_CASE("denied ends a transfer, but for a part announced twice: it is the reason if nothing else comes") {
   for (uint16_t first : {uint16_t(0), uint16_t(2)}) {
     for (int announced = 1; announced <= 3; ++announced) {
       for (bool begun : {false, true}) {
