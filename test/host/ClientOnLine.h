@@ -1,4 +1,4 @@
-// A MissionClient on a stream in memory, in simulated time, and what it sends frame by frame. The test is the other end.
+// A MissionClient on a stream in memory, in simulated time, and what it sends frame by frame. The test is the peer.
 #pragma once
 
 #include <MavMission.h>
