@@ -6,8 +6,8 @@
 #define MAVMISSION_VERSION "0.1.0"
 
 #include "mavmission/EepromPlan.h"
-#include "mavmission/LinkDoctor.h"
 #include "mavmission/EepromTimestamps.h"
+#include "mavmission/LinkDoctor.h"
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"

@@ -188,10 +188,10 @@ class Bench:
     def run_until_sent(self, name: str, count: int = 1, limit_s: float = 10.0) -> float:
         """Go on until so many messages of this name have left since power-on; when the last did [s]."""
         limit = self.now + limit_s
-        while len(self.wire.frames(">", name)) < count:
+        while len(self._sent(name)) < count:
             assert self.now < limit, f"no {count} {name} within {limit_s} s"
             self._step(limit)
-        return self.wire.frames(">", name)[count - 1].time
+        return self._sent(name)[count - 1].time
 
     def run_until_event(self, word: str, *numbers: int, limit_s: float = 10.0) -> None:
         """Go on until the firmware says this."""
@@ -383,15 +383,19 @@ class Bench:
 
     def heard(self, *names: str) -> list:
         """The messages that the firmware has sent, in order; of these names only, if any."""
-        return [entry.message for entry in self.wire.frames(">", *names)]
+        return [entry.message for entry in self._sent(*names)]
 
     def sent_at(self, *names: str) -> list[float]:
         """When the last byte of each of them left [s]."""
-        return [entry.time for entry in self.wire.frames(">", *names)]
+        return [entry.time for entry in self._sent(*names)]
+
+    def _sent(self, *names: str) -> list:
+        """What the client has sent, as the wire noted it."""
+        return self.wire.frames(">", *names)
 
     def mission_messages(self) -> list:
-        """All that the firmware has sent but heartbeats, and a frame that a reset has cut short."""
-        frames = self.wire.frames(">")
+        """All that the client has sent but heartbeats, and a frame that a reset has cut short."""
+        frames = self._sent()
         return [entry.message for entry in frames if entry.message and entry.message.get_type() != "HEARTBEAT"]
 
     def transcript(self) -> str:

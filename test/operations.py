@@ -27,7 +27,8 @@ class Operation(NamedTuple):
     longest_s: float  # by its waits
 
 
-# A list and each item 5 times; a clear and a command 5 times; start() has up to four commands.
+# A list and each item 5 times; a clear and a command 5 times; start() has up to four commands, MISSION_SET_CURRENT and
+# two questions, and where all that fails, a heartbeat to wait for and the disarming.
 COMMAND_S = 5 * 1.5
 READING_S = 5 * 1.5 + 5 * 0.25 * (ITEMS + 1)
 OPERATIONS = {
@@ -37,7 +38,7 @@ OPERATIONS = {
     "clear": Operation(("clear", 0), "Cleared", "MISSION_CLEAR_ALL", "MISSION_ACK", COMMAND_S),
     "set current": Operation(("setcurrent", CURRENT), "Done", "COMMAND_LONG", "COMMAND_ACK", COMMAND_S),
     "arm": Operation(("arm",), "Done", "COMMAND_LONG", "COMMAND_ACK", COMMAND_S),
-    "start": Operation(("start",), "Done", "COMMAND_LONG", "COMMAND_ACK", 4 * COMMAND_S),
+    "start": Operation(("start",), "Done", "COMMAND_LONG", "COMMAND_ACK", 8 * COMMAND_S + 5.0),
 }  # fmt: skip
 READING = ("download", "verify")
 LOOP_S = 0.1  # when the bench looks at the end, and a turn of the autopilot's

@@ -22,17 +22,14 @@ struct Parser {
 
   ~Parser() { std::free(message); }
 
-  void feed(uint8_t byte) {
-    mavlink_frame_char_buffer(message, &status, byte, nullptr, nullptr);
-  }
+  void feed(uint8_t byte) { mavlink_frame_char_buffer(message, &status, byte, nullptr, nullptr); }
 };
 
 // An unsigned frame never touches the signature, which follows the payload.
 bool staysInside(uint32_t id, int length, bool v1) {
   Parser parser;
   std::memset(parser.message->signature, kUntouched, sizeof parser.message->signature);
-  const uint8_t ids[] = {static_cast<uint8_t>(id), static_cast<uint8_t>(id >> 8),
-                         static_cast<uint8_t>(id >> 16)};
+  const uint8_t ids[] = {static_cast<uint8_t>(id), static_cast<uint8_t>(id >> 8), static_cast<uint8_t>(id >> 16)};
   parser.feed(v1 ? MAVLINK_STX_MAVLINK1 : MAVLINK_STX);
   parser.feed(static_cast<uint8_t>(length));
   for (int i = 0; i < (v1 ? 0 : 2); i++) parser.feed(0);
@@ -55,8 +52,7 @@ int main() {
       for (bool v1 : {true, false}) {
         if (v1 && entry.msgid > 255) continue;
         if (staysInside(entry.msgid, length, v1)) continue;
-        std::printf("message %u, payload %d: wrote past the buffer\n",
-                    static_cast<unsigned>(entry.msgid), length);
+        std::printf("message %u, payload %d: wrote past the buffer\n", static_cast<unsigned>(entry.msgid), length);
         written = 1;
       }
     }

@@ -17,11 +17,12 @@ from pathlib import Path
 
 import recordings
 from bench import Bench
-from fake_autopilot import mavlink
+from fake_autopilot import ArduPilot, mavlink
 from fake_autopilot.frames import message_id
 from firmware import ROOT
 
 SOURCE = ROOT / "src" / "mavmission" / "QuietTransfers.cpp"
+ASKED_FOR_HZ = 10  # each stream, in ArduPilot's recording
 RECORDED = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
 _NO_STREAM = ("HEARTBEAT", "STATUSTEXT", "TIMESYNC", "PARAM_VALUE", "MISSION_", "COMMAND_")
 
@@ -45,6 +46,21 @@ def evenly(personality: str, baud: int) -> Iterator[tuple[float, bytes]]:
 def recorded(personality: str, baud: int = 57600) -> Iterator[tuple[float, bytes]]:
     """What the autopilot sent in the recordings, in its proportions, as fast as a line takes it, for ever."""
     return recordings.saturated(RECORDED[personality], baud)
+
+
+def as_recorded(personality: str) -> dict:
+    """Options of a fake autopilot on a line of 57600 baud that it fills as in the recordings.
+
+    An ArduPilot that was asked for each message ten times a second has more to send than the line takes: what is left
+    out comes again as soon as there is room, and a transmit buffer full of telemetry stands before each answer. PX4
+    sends what its line takes, and answers at once.
+    """
+    if personality != "ArduPilot":
+        return {"telemetry": recorded(personality)}
+    sizes = {message_id(frame): len(frame) for _, frame in recordings.telemetry(RECORDED[personality])}
+    share = ASKED_FOR_HZ * sum(sizes.values()) * recordings.BITS_PER_BYTE / 57600
+    telemetry = recordings.saturated(RECORDED[personality], 57600, share)
+    return {"telemetry": telemetry, "transmit_buffer": ArduPilot.transmit_buffer_seen}
 
 
 class Quiet(Bench):
@@ -115,6 +131,17 @@ class Quiet(Bench):
         self.tell("upload", items)
         assert self.run_until_ended(limit_s=20) == "Accepted"
         return self.wire.frames("<", "MISSION_ACK")[-1].time - self.wire.frames(">", "MISSION_COUNT")[-1].time
+
+    def read_back_s(self, used: bool, items: int) -> float:
+        """The same of a plan that is read back, from REQUEST_LIST to the last item [s]."""
+        self.transfer_s(used, items)
+        if used:
+            self.run_until_idle(limit_s=10)
+        self.run(3.0)
+        self.tell("verify", items)
+        assert self.run_until_ended(limit_s=60) == "Verified"
+        asked, read = self.wire.frames(">", "MISSION_REQUEST_LIST"), self.wire.frames("<", "MISSION_ITEM_INT")
+        return read[-1].time - asked[-1].time
 
     def run_until_idle(self, limit_s: float = 5.0) -> None:
         limit = self.now + limit_s

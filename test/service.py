@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from bench import _ITEM, NO_ITEM, NO_RESULT, Bench, aboard_names, packed, status_names
 from enumerators import texts_of
-from fake_autopilot import Item
+from fake_autopilot import Item, mavlink
 
 SOURCE = Path(__file__).resolve().parent / "firmware" / "service.cpp"
 
@@ -27,7 +27,9 @@ HOME_INDEX = 0xFFFF
 SINK_ITEMS = 60  # room in benchSink
 MODES = ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual")
 PROOFS = ("ByAnswer", "InDoubt", "Always")
-STEPS = ("None", "ReadyMode", "Arm", "AutoMode", "Begin")
+STEPS = ("None", "ReadyMode", "FirstItem", "Arm", "AutoMode", "Begin", "Confirm")
+ARMING = ("Untouched", "Armed", "Disarmed")
+ASKED_FOR = (mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAVLINK_MSG_ID_MISSION_CURRENT, 1e6)
 
 _COMMAND = struct.Struct("<7fiiHBB")  # mavmission::FlightCommand on AVR
 _TOLD = re.compile(r"(\d+) (current|reached|text|message|item|posted) (\d+) ?(.*)", re.DOTALL)
@@ -54,6 +56,7 @@ class ServiceState(NamedTuple):
     aboard_rally: str
     field: str
     step: str
+    arming: str
     last_result: int | None
     firmware: str
     armed: bool
@@ -109,6 +112,10 @@ class Service(Bench):
                 self.answers.append(line)
 
     _wants_text = False
+
+    def _sent(self, *names: str) -> list:
+        """What the client has sent, and not what its follower asks for beside it."""
+        return [entry for entry in super()._sent(*names) if not is_followers(entry.message)]
 
     # Orders
 
@@ -206,11 +213,13 @@ class Service(Bench):
                                    bytes.fromhex(payload)))  # fmt: skip
         return heard
 
-    def compared(self, sent: Item, read: Item, firmware: str, mission_type: int = MISSION) -> str:
+    def compared(
+        self, sent: Item, read: Item, firmware: str, mission_type: int = MISSION, vehicle_type: int = 2
+    ) -> str:
         """The name of the Field in which difference() sees one."""
         self.mega.poke("benchPlan", packed(sent))
         self.mega.poke("benchSink", packed(read))
-        (line,) = self.tell("compare", ("Unknown", "ArduPilot", "PX4", "Other").index(firmware), mission_type)
+        (line,) = self.tell("compare", ("Unknown", "ArduPilot", "PX4", "Other").index(firmware), mission_type, vehicle_type)
         return field_names()[int(line.split(" ")[2])]
 
     def text_of_field(self, name: str) -> str:
@@ -238,6 +247,7 @@ class Service(Bench):
             aboard_rally=aboard_names()[value["rally"]],
             field=field_names()[value["field"]],
             step=STEPS[value["step"]],
+            arming=ARMING[value["arming"]],
             last_result=None if value["result"] == NO_RESULT else value["result"],
             firmware=("Unknown", "ArduPilot", "Px4", "Other")[value["firmware"]],
             armed=bool(value["armed"]),
@@ -255,6 +265,12 @@ class Service(Bench):
             state=value["state"],
             ours=bool(value["ours"]),
         )
+
+
+def is_followers(message) -> bool:
+    """Whether this asks for MISSION_CURRENT every second, as a follower does that hears none."""
+    return (message is not None and message.get_type() == "COMMAND_LONG"
+            and (message.command, message.param1, message.param2) == ASKED_FOR)  # fmt: skip
 
 
 def unpacked(data: bytes) -> Item:

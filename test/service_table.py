@@ -15,7 +15,7 @@ from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
 from service import FENCE, MISSION, RALLY, Service
 from test_download import WRITTEN, same
 from test_fence_and_rally import FIELD, POINTS
-from test_follow import fly, started
+from test_follow import fly, reached_in, started
 from test_partial_upload import NEW, OLD
 from test_start import HOPS, LANDING_FIRST, is_flying, uploaded
 
@@ -124,7 +124,7 @@ def flying(make: Make, personality: str) -> str:
 def followed(make: Make, personality: str) -> str:
     service = started(make(), HOPS[personality])
     fly(service)
-    is_told = service.reached == [0, 1, 2] and service.currents[-1:] == [2]
+    is_told = service.reached == reached_in(service, 0, 1, 2) and 2 in service.currents
     return "yes" if is_told else f"current {service.currents}, reached {service.reached}"
 
 

@@ -311,13 +311,20 @@ def test_autopilots_own_number_of_a_mode(service, personality):
     assert service.state.modes == ["ReturnToLaunch"]
 
 
+def test_number_that_is_none_of_ardupilots_modes_is_refused_and_not_cut(build_service):
+    service = build_service("ArduPilot")
+    service.order_of("custommode", 77777)
+    assert service.done() == "NoSuchMode"
+    assert service.heard("COMMAND_LONG") == []
+
+
 @MODE
-def test_mode_that_the_vehicle_refuses(service):
-    """AUTO without a plan."""
+def test_mode_that_the_vehicle_refuses(service, personality):
+    """AUTO without a plan, which PX4 takes all the same while it is disarmed."""
     service.set_mode("Auto")
-    assert service.done() in ("CommandFailed", "CommandRejected")
+    assert service.done() == ("CommandFailed" if personality == "ArduPilot" else "Done")
     service.run(1.1)
-    assert "Auto" not in service.state.modes
+    assert ("Auto" in service.state.modes) == (personality == "PX4")
 
 
 @MODE
@@ -328,6 +335,68 @@ def test_mode_waits_until_it_is_known_who_flies(build_service):
     assert service.heard("COMMAND_LONG") == []
     assert service.done() == "Done"
     assert service.heard("COMMAND_LONG")[0].param2 == 11
+
+
+SHOWN = pytest.mark.scenario(54, "A mode is set when a heartbeat shows it")
+
+
+@SHOWN
+def test_px4_that_accepts_a_mode_and_then_refuses_it_has_refused_it(build_service):
+    """OFFBOARD without setpoints, and the mission mode without a plan, of an armed aircraft: two answers."""
+    service = build_service("PX4")
+    service.order_of("arm")
+    assert service.done() == "Done"
+    for name in ("Guided", "Auto"):
+        service.set_mode(name)
+        assert service.done(limit_s=3) == "CommandRejected"
+        answers = [entry.message for entry in service.wire.frames("<", "COMMAND_ACK")]
+        assert [one.result for one in answers if one.command == SET_MODE][-2:] == [0, 1]
+
+
+@SHOWN
+def test_refusal_that_is_lost_is_drawn_again(build_service):
+    service = build_service("PX4")
+    service.order_of("arm")
+    assert service.done() == "Done"
+    service.wire.lose("<", name="COMMAND_ACK", where=lambda message: message.result == 1)
+    service.set_mode("Guided")
+    assert service.done(limit_s=5) == "CommandRejected"
+    assert len([one for one in service.heard("COMMAND_LONG") if one.command == SET_MODE]) == 2
+
+
+@SHOWN
+def test_mode_that_was_accepted_and_is_never_shown_is_unconfirmed(service, personality):
+    deafen(service)
+    service.run(2.0)
+    service.autopilot._hears["COMMAND_LONG"] = lambda message, sender, now: None
+    before = service.now
+    service.set_mode("ReturnToLaunch")
+    service.run(0.2)
+    acknowledge(service, SET_MODE, 0)
+    assert service.done() == "Unconfirmed"
+    assert 7.4 < service.now - before < 7.7
+    service.order_of("custommode", 6 if personality == "ArduPilot" else 4 << 16 | 5 << 24)
+    assert service.done() == "NoAnswer"  # and this one was not accepted either
+
+
+@SHOWN
+def test_mode_whose_answers_are_lost_is_seen_in_the_heartbeat(service):
+    service.wire.lose("<", name="COMMAND_ACK", times=None)
+    service.set_mode("ReturnToLaunch")
+    assert service.done(limit_s=4) == "Done"
+    assert service.state.modes == ["ReturnToLaunch"]
+
+
+@SHOWN
+def test_pause_of_a_flight_is_done_when_it_is_shown(service, personality):
+    from test_start import uploaded
+
+    uploaded(service)
+    service.order_of("start")
+    assert service.done() == "Done"
+    service.order_of("pause")
+    assert service.done() == "Done"
+    assert service.state.modes == ["Hold"]
 
 
 CURRENT = pytest.mark.scenario(46, "Set current: by command, by the older message, out of range, lost")
@@ -352,12 +421,56 @@ def current_of(service) -> int:
 
 
 @CURRENT
-def test_item_out_of_range_is_refused(service):
+def test_item_out_of_range_is_refused(service, personality):
+    """ArduPilot refuses the command. PX4 answers nothing to the message, but says how many items it has."""
     loaded(service, SURVEY)
-    service.order_of("setcurrent", 5)
-    assert service.done() in ("CommandFailed", "CommandDenied")
+    for item in (5, 9, 65534):
+        before = service.now
+        service.order_of("setcurrent", item)
+        assert service.done(limit_s=15) == ("CommandDenied" if personality == "ArduPilot" else "NoSuchItem")
+        assert service.now - before < 2.6  # with the autopilot to be found
+        if personality == "PX4":
+            assert service.state.failed_item == item
     service.order_of("setcurrent", 65535)
-    assert service.done() in ("CommandFailed", "CommandDenied")
+    assert service.done() == "NoSuchItem"
+
+
+@CURRENT
+def test_item_beyond_the_plan_that_was_uploaded_is_refused_at_once(service):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    for item in (5, 9, 65535):
+        before = service.now
+        service.order_of("setcurrent", item)
+        assert service.done() == "NoSuchItem"
+        assert service.now - before < 0.1
+    assert service.heard("COMMAND_LONG", "MISSION_SET_CURRENT") == []
+    service.order_of("setcurrent", 4)
+    assert service.done() == "Done"
+
+
+@CURRENT
+def test_item_beyond_is_not_guessed_behind_a_fence_or_a_plan_of_somebody_elses(service, personality):
+    from service import FENCE
+    from test_fence_and_rally import FIELD
+
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.upload(FIELD, FENCE)
+    assert service.done() == "Accepted"
+    service.order_of("setcurrent", len(FIELD) if len(FIELD) < len(SURVEY) else 4)
+    assert service.done() == "Done"
+    service.order_of("setcurrent", 9)
+    assert service.done(limit_s=3) == ("CommandDenied" if personality == "ArduPilot" else "NoSuchItem")
+
+
+@CURRENT
+def test_no_plan_has_no_item(build_service):
+    service = build_service("PX4")
+    service.order_of("setcurrent", 0)
+    service.done(limit_s=3)
+    service.order_of("setcurrent", 1)
+    assert service.done(limit_s=3) == "NoSuchItem"
 
 
 @CURRENT
@@ -403,11 +516,14 @@ def test_older_message_that_is_lost_is_sent_again(service):
 
 
 @CURRENT
-def test_older_message_for_an_item_out_of_range_is_not_confirmed(service):
+def test_older_message_for_an_item_out_of_range_is_not_confirmed(service, personality):
     loaded(service, SURVEY)
     older(service)
     service.order_of("setcurrent", 7)
-    assert service.done(limit_s=12) == "NoAnswer"
+    if personality == "PX4":
+        assert service.done(limit_s=4) == "NoSuchItem"
+        return
+    assert service.done(limit_s=12) == "NoAnswer"  # it says nothing to the message, and how many it has only when asked
     assert len(service.heard("MISSION_SET_CURRENT")) == 5
 
 
@@ -496,13 +612,53 @@ def test_next_command_does_not_wait_where_no_second_answer_can_come(service):
     service.run(3.0)
     for _ in range(3):
         before = service.now
-        service.order_of("interval", 42, 500000)
+        service.order_of("interval", 33, 500000)
         assert service.done() == "Done"
         assert service.now - before < 0.2
     service.wire.lose("<", name="COMMAND_ACK")
-    service.order_of("interval", 42, 500000)
+    service.order_of("interval", 33, 500000)
     assert service.done() == "Done"
     before = service.now
     service.order_of("disarm")
     assert service.done() == "Done"
     assert service.now - before < 0.2
+
+
+FIRST_WAIT = pytest.mark.scenario(54, "A command waits for nothing that another operation has left")
+
+
+@FIRST_WAIT
+@pytest.mark.parametrize("operation", ["upload", "verified", "part", "download", "verify", "clear", "refused"])
+@pytest.mark.parametrize("order", [("mode", 3), ("arm",), ("interval", 33, 500000), ("setcurrent", 1)])
+def test_command_behind_another_operation_is_sent_at_once(service, operation, order):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.order_of("interval", 33, -1)  # a command before it, too
+    assert service.done() == "Done"
+    begun = {"upload": lambda: service.upload(SURVEY), "verified": lambda: service.upload(SURVEY, proof="Always"),
+             "part": lambda: service.upload_part(SURVEY, 1, 2), "download": service.download, "verify": service.verify,
+             "clear": lambda: service.order_of("clear", 0),
+             "refused": lambda: service.order_of("upload", 255, 0)}  # fmt: skip
+    begun[operation]()
+    service.done(limit_s=15)
+    before = service.now
+    sent = len(service.wire.frames(">", "COMMAND_LONG"))
+    service.order_of(*order)
+    if operation == "clear" and order[0] == "setcurrent":
+        return  # to nothing
+    service.run_until_sent("COMMAND_LONG", sent + 1)
+    assert service.now - before < 0.05
+
+
+@FIRST_WAIT
+@pytest.mark.parametrize("pause_s", [65.54, 66.0, 66.8])
+def test_command_waits_for_no_late_answer_after_a_minute(service, pause_s):
+    """Times of 16 bits come round by then."""
+    service.wire.delay("<", 1.6, name="COMMAND_ACK")
+    service.order_of("interval", 33, -1)
+    assert service.done() == "Done"
+    service.run(pause_s)
+    before = service.now
+    service.order_of("interval", 33, 500000)
+    assert service.done() == "Done"
+    assert service.now - before < 0.1

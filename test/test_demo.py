@@ -130,7 +130,7 @@ class Forgetful(ArduPilot):
     ("fake", "says"), [(Tampered, "FAILED: 1 of 5 items differ."), (Forgetful, "holds 4 items, not 5")]
 )
 def test_one_bit_of_difference_aboard_is_a_failure(monkeypatch, fake, says):
-    monkeypatch.setattr(inside, "an_autopilot", lambda name: fake(response_delay_s=0.006))
+    monkeypatch.setattr(inside, "an_autopilot", lambda name, vehicle: fake(response_delay_s=0.006))
     good, text = shown()
     assert not good
     assert says in text

@@ -12,8 +12,8 @@ from measuring.document import with_table
 DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
-PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "AutopilotFinder.h", "FrameParser.h", "Link.h", "Outbox.h",
-            "MissionClient*.h", "MissionClient*.cpp")  # fmt: skip
+PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
+            "Link.h", "Outbox.h", "MissionClient*.h", "MissionClient*.cpp")  # fmt: skip
 CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
 
 
@@ -77,7 +77,9 @@ def diagrams() -> str:
 STATES = {
     "upload": ("UploadTransfer.h", "State"),
     "download": ("DownloadTransfer.h", "State"),
+    "command": ("CommandTransfer.h", "State"),
     "start": ("MissionClient.h", "StartStep"),
+    "phases of start": ("MissionClient.h", "Phase"),
 }
 
 

@@ -82,6 +82,11 @@ def run(personality):
     return lambda example, **options: Run(example, personality, **options)
 
 
+@pytest.fixture
+def make_run_on_rover():
+    return lambda example: Run(example, "ArduPilot", vehicle="rover", uptime_s=120.0)
+
+
 def is_ardupilot(run: Run) -> bool:
     return run.autopilot.autopilot_type == mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
 
@@ -182,6 +187,36 @@ def test_start_mission(run):
         "downloaded: the plan has been read"]  # fmt: skip
     assert not example.autopilot.armed
     assert len(example.autopilot.messages(">", "MISSION_COUNT")) == 1
+
+
+@pytest.mark.slow
+def test_start_mission_ends_on_a_rover_which_stays_armed(make_run_on_rover):
+    example = make_run_on_rover("StartMission")
+    lines = example.until("downloaded: the plan has been read", 240.0)
+    own = [line for line in lines if not line.startswith("autopilot: ")]
+    assert "autopilot: Mission Complete" in lines
+    assert own[0] == "accepted: the plan is aboard" and own.count("done: the autopilot confirmed it") == 2
+    assert own[-7:] == [
+        "arrived: disarm", "done: the autopilot confirmed it", "0: command 22", "1: command 16", "2: command 16",
+        "3: command 21", "downloaded: the plan has been read"]  # fmt: skip
+    assert not example.autopilot.armed
+
+
+@pytest.mark.slow
+def test_next_waypoint_ends_on_a_rover_which_stays_armed(make_run_on_rover):
+    example = make_run_on_rover("NextWaypoint")
+    lines = example.until("all fields sampled", 400.0)
+    assert lines.count("landed: sampling") == 2
+    assert not example.autopilot.armed
+
+
+@pytest.mark.slow
+def test_start_mission_that_is_refused_auto_says_that_it_is_disarmed():
+    example = Run("StartMission", "ArduPilot")
+    example.autopilot._begins_with_takeoff = lambda: False
+    lines = example.until("it could not be flown, and is disarmed again", 30.0)
+    assert "autopilot: Auto: Missing Takeoff Cmd" in lines
+    assert not example.autopilot.armed
 
 
 @pytest.mark.slow

@@ -136,6 +136,13 @@ DEFECTS = {
         "PX4 upload 2",
         "an item is sent that was not asked for",
     ),
+    "a PX4 that is busy is asked once more, and then given up": (
+        "UploadTransfer.cpp",
+        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;",
+        "if (freed_) return status;",
+        "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
+        "busy with what was ours, and the tries were not exhausted",
+    ),
     "the tries of a list are not counted": (
         "DownloadTransfer.cpp",
         "if (tries_ == kTries) return isListing ? Status::NoAnswer : Status::TimedOut;",

@@ -3,8 +3,19 @@
 from __future__ import annotations
 
 import pytest
-from fake_autopilot import Px4, item, mavlink
-from fake_talk import ACCEPTED, BOTH, DENIED, ERROR, NO_SPACE, UNSUPPORTED, client_of, missions, waypoints
+from fake_autopilot import FENCE, RALLY, ArduPilot, Px4, item, mavlink
+from fake_talk import (
+    ACCEPTED,
+    BOTH,
+    DENIED,
+    ERROR,
+    INVALID_SEQUENCE,
+    NO_SPACE,
+    UNSUPPORTED,
+    client_of,
+    missions,
+    waypoints,
+)
 
 
 @BOTH
@@ -146,3 +157,40 @@ def test_it_can_be_told_to_take_only_float_items(autopilot):
     client.say(client.command(mavlink.MAV_CMD_REQUEST_MESSAGE, 148))
     capabilities = fake.messages("<", "AUTOPILOT_VERSION")[0].capabilities
     assert not capabilities & mavlink.MAV_PROTOCOL_CAPABILITY_MISSION_INT
+
+
+def circle(radius: float):
+    return item(5003, x=-353632620, y=1491652370, param1=radius)
+
+
+def test_ardupilot_accepts_a_short_fence_in_the_place_of_a_longer_one_and_wipes_it_when_it_could_be_read():
+    fake = ArduPilot()
+    client = client_of(fake)
+    three, two, one = [circle(30.0), circle(40.0), circle(45.0)], [circle(30.0), circle(40.0)], [circle(60.0)]
+    for fence, kept in ((three, 3), (two, 0), (two, 2), (one, 1), (three, 3), (one, 0), (one, 1)):
+        assert client.upload(fence, FENCE) == ACCEPTED
+        assert client.ask(client.request_list(FENCE)).count == len(fence)
+        client.wait(1.0)
+        assert client.ask(client.request_list(FENCE)).count == kept
+
+
+def test_ardupilot_accepts_a_rally_point_at_0_0_and_cannot_give_it():
+    fake = ArduPilot()
+    client = client_of(fake)
+    place = item(5100, x=-353632620, y=1491652370)
+    assert client.upload([place, item(5100), place], RALLY) == ACCEPTED
+    assert missions(client.say(client.request_list(RALLY))) == [("COUNT", 3)]
+    assert missions(client.say(client.request_int(0, RALLY))) == [("ITEM", 0)]
+    assert missions(client.say(client.request_int(1, RALLY))) == [("ACK", INVALID_SEQUENCE)]
+    assert missions(client.say(client.request_int(2, RALLY))) == [("ITEM", 2)]
+
+
+def test_px4_may_give_the_plan_before_right_after_it_has_accepted_another():
+    fake = Px4()
+    client = client_of(fake)
+    assert client.upload(waypoints(2)) == ACCEPTED
+    fake.faults.give_plan_before(0.2)
+    assert client.upload(waypoints(3, first=10)) == ACCEPTED
+    assert [one.x for one in client.download()] == [one.x for one in waypoints(2)]
+    client.wait(0.2)
+    assert [one.x for one in client.download()] == [one.x for one in waypoints(3, first=10)]

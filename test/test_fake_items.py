@@ -60,9 +60,9 @@ def test_a_yaw_may_be_unset_on_both(command):
 
 
 @pytest.mark.parametrize("change, result", [
-    (dict(x=900000001), mavlink.MAV_MISSION_INVALID_PARAM5_X),
-    (dict(x=-900000001), mavlink.MAV_MISSION_INVALID_PARAM5_X),
-    (dict(y=1800000001), mavlink.MAV_MISSION_INVALID_PARAM6_Y),
+    (dict(x=900000100), mavlink.MAV_MISSION_INVALID_PARAM5_X),
+    (dict(x=-900000100), mavlink.MAV_MISSION_INVALID_PARAM5_X),
+    (dict(y=1800000200), mavlink.MAV_MISSION_INVALID_PARAM6_Y),
     (dict(z=NAN), mavlink.MAV_MISSION_INVALID_PARAM7),
     (dict(z=90000.0), mavlink.MAV_MISSION_INVALID_PARAM7)])
 def test_ardupilot_checks_the_place_and_px4_does_not(change, result):

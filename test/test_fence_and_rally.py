@@ -97,10 +97,19 @@ def test_radius_and_height_that_differ_are_named(service):
 
 
 @SERVICE
-def test_ardupilots_whole_metres_of_a_rally_point_are_no_difference(build_service):
+def test_altitude_of_a_rally_point_that_ardupilot_would_cut_to_whole_metres_is_refused(build_service):
     service = build_service("ArduPilot")
     service.upload([POINTS[0]._replace(z=20.75)], RALLY, proof="Always")
+    assert service.done() == "NotKept"
+    assert (service.state.failed_item, service.state.field) == (0, "Height")
+    assert service.heard("MISSION_COUNT") == []
+    service.upload([POINTS[0]._replace(z=20.0)], RALLY, proof="Always")
     assert service.done() == "Accepted"
+
+
+def test_rally_point_at_the_origin_is_refused_where_it_could_never_be_read(service, personality):
+    service.upload([POINTS[0]._replace(x=0, y=0)], RALLY, proof="Always")
+    assert service.done() == ("NeedsPlace" if personality == "ArduPilot" else "Accepted")
 
 
 @SERVICE
@@ -207,6 +216,74 @@ def test_fence_upload_leaves_the_missions_standing_alone(service):
     service.run(2.5)
     assert service.state.aboard == "OurPlan"
     assert service.followed.ours
+
+
+LONE = FIELD[-2]  # a circle to stay in
+BACK = item(5000, frame=0, x=473973000, y=85453000)
+SHORT = [LONE]
+SHORT_ONES = {"a circle": SHORT, "two circles": [LONE, LONE._replace(x=LONE.x + 9000)], "a return point": [BACK],
+              "two circles and a return point": [LONE, LONE._replace(x=LONE.x + 9000), BACK]}  # fmt: skip
+
+
+@SERVICE
+@pytest.mark.parametrize("proof", ["InDoubt", "Always"])
+@pytest.mark.parametrize("name", SHORT_ONES)
+@pytest.mark.parametrize("is_wiped", [False, True])
+def test_short_fence_that_ardupilot_accepts_and_wipes_is_sent_again(build_service, proof, name, is_wiped):
+    """In the place of a longer one it is wiped, and only after it could be read."""
+    short = SHORT_ONES[name]
+    service = build_service("ArduPilot")
+    service.autopilot.load(FIELD if is_wiped else [], FENCE)
+    service.upload(short, FENCE, proof=proof)
+    assert service.done() == "Accepted"
+    assert service.state.aboard_fence == "OurPlan"
+    assert len(service.heard("MISSION_COUNT")) == is_wiped + 1
+    assert len(service.heard("MISSION_REQUEST_LIST")) == is_wiped + 1
+    assert (service.state.done, service.state.total) == (len(short), len(short))
+    service.run(3.0)
+    assert same_bits(service.autopilot.received(FENCE), short)
+
+
+@SERVICE
+def test_short_fence_that_is_not_there_when_it_was_sent_again_is_said_to_differ(build_service):
+    service = build_service("ArduPilot")
+    service.autopilot.load(FIELD, FENCE)
+    service.upload(SHORT, FENCE, proof="InDoubt")
+    service.run_until_sent("MISSION_COUNT", 2)
+    service.autopilot.load(FIELD, FENCE)  # so that it is one in the place of a longer one again
+    assert service.done() == "Differs"
+    assert (service.state.field, service.state.aboard_fence) == ("Count", "NotKnown")
+    # And once more, from the beginning.
+    service.autopilot.load(FIELD, FENCE)
+    service.order_of("uploadagain")
+    assert service.done() == "Accepted"
+    assert same_bits(service.autopilot.received(FENCE), SHORT)
+
+
+@SERVICE
+@pytest.mark.parametrize("until", ["accepted", "MISSION_REQUEST_LIST"])
+def test_short_fence_is_cancelled_while_it_is_looked_at(service, until):
+    service.upload(SHORT, FENCE, proof="InDoubt")
+    if until == "accepted":
+        service.run_until_sent("MISSION_ITEM_INT")
+        service.run(0.5)
+    else:
+        service.run_until_sent(until)
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    assert service.state.aboard_fence == "NotKnown"
+    service.run(0.2)
+    service.upload(SHORT, FENCE, proof="InDoubt")
+    assert service.done() == "Accepted"
+
+
+@SERVICE
+@pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (RALLY, POINTS[:1]),
+                                                (MISSION, SURVEY[:1])])  # fmt: skip
+def test_other_plans_are_read_back_only_where_it_is_asked_for(service, mission_type, plan):
+    service.upload(plan, mission_type, proof="InDoubt")
+    assert service.done() == "Accepted"
+    assert service.heard("MISSION_REQUEST_LIST") == []
 
 
 @SERVICE

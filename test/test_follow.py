@@ -13,10 +13,17 @@ ACTIVE, COMPLETE, NO_MISSION, NOT_STARTED = 3, 5, 1, 2
 MISSION_CURRENT = 42
 
 
+def flies_px4(service) -> bool:
+    return hasattr(service.autopilot, "main_mode")
+
+
+def reached_in(service, *items: int) -> list[int]:
+    """Of items that end in a landing: ArduCopter disarms at the end of that, and does not call it reached."""
+    return list(items) if flies_px4(service) else list(items[:-1])
+
+
 def started(service, plan=None):
     uploaded(service, plan)
-    service.order_of("interval", MISSION_CURRENT, 1000000)
-    assert service.done() == "Done"
     service.order_of("start")
     assert service.done() == "Done"
     return service
@@ -35,10 +42,14 @@ def fly(service, limit_s: float = 200.0) -> None:
 def test_each_item_is_reached_once_in_the_sketchs_numbering(service):
     started(service)
     fly(service)
-    assert service.reached == [0, 1, 2]
-    assert service.followed.reached == 2
-    assert service.currents[-3:] == [0, 1, 2] or service.currents[-2:] == [1, 2]
-    assert service.followed.state == COMPLETE
+    assert service.reached == reached_in(service, 0, 1, 2)
+    assert service.followed.reached == service.reached[-1]
+    if flies_px4(service):
+        assert service.currents[-3:] == [0, 1, 2] or service.currents[-2:] == [1, 2]
+        assert service.followed.state == COMPLETE
+    else:  # the plan is rewound, and in AUTO it begins to run again at once, disarmed
+        assert service.currents[-3:] == [1, 2, 0]
+        assert service.followed.state == ACTIVE
 
 
 @FOLLOW
@@ -93,7 +104,7 @@ def test_jump_is_followed_round_by_round(service, personality):
     plan = [takeoff, there, there._replace(y=there.y + 100), jump(1, 2), land]
     started(service, plan)
     fly(service)
-    assert service.reached == [0, 1, 2, 1, 2, 1, 2, 4]
+    assert service.reached == reached_in(service, 0, 1, 2, 1, 2, 1, 2, 4)
 
 
 @FOLLOW
@@ -151,6 +162,22 @@ def test_only_the_autopilot_is_followed(service):
 
 
 OURS = pytest.mark.scenario(51, "Whose plan is aboard is told at once where the autopilot names it")
+OTHER = [waypoint(), waypoint(1, 2)]
+
+
+def named(service, plan_id: int, sender=None) -> None:
+    """The autopilot says in MISSION_CURRENT which plan it holds."""
+    service.say(mavlink.MAVLink_mission_current_message(0, 3, NOT_STARTED, 2, plan_id), sender)
+    service.run(0.05)
+
+
+def known_plan(build_service):
+    """A PX4 that holds our plan, and leaves it to the test to name it; and the plan's name."""
+    service = uploaded(build_service("PX4", tells_at_s=600.0))
+    name = service.autopilot.messages("<", "MISSION_ACK")[-1].opaque_id
+    named(service, name)
+    assert service.followed.ours and name != 0
+    return service, name
 
 
 @OURS
@@ -167,6 +194,77 @@ def test_plan_of_another_ground_station_is_told(build_service):
     service.upload(HOPS["PX4"])
     assert service.done() == "Accepted"
     service.run(2.0)
+    assert service.followed.ours
+
+
+@OURS
+@pytest.mark.parametrize("lost", [0, 1, 3])
+def test_plan_is_ours_from_its_acceptance_on_though_px4_names_it_a_second_later_or_not_at_all(build_service, lost):
+    service = build_service("PX4")
+    service.autopilot.load(OTHER)
+    service.run(2.0)
+    for plan in (HOPS["PX4"], HOPS["PX4"][:2], HOPS["PX4"]):
+        service.wire.lose("<", name="MISSION_CURRENT", times=lost)
+        service.upload(plan)
+        assert service.done() == "Accepted"
+        until = service.now + 1.1 * (lost + 1)
+        while service.now < until:
+            assert service.followed.ours, service.now
+            service.run(0.05)
+        service.autopilot.load(OTHER)
+        service.run(2.2 * (lost + 1))
+        assert not service.followed.ours
+
+
+@OURS
+def test_older_name_that_comes_behind_the_acceptance_raises_no_alarm_but_one_that_stays_does(build_service):
+    service, ours = known_plan(build_service)
+    named(service, 77)
+    assert not service.followed.ours
+    service.upload(HOPS["PX4"])
+    assert service.done() == "Accepted"
+    for _ in range(3):
+        named(service, 77)
+        assert service.followed.ours
+    named(service, 77)
+    assert not service.followed.ours
+    named(service, ours)
+    assert service.followed.ours
+    named(service, 77)
+    assert not service.followed.ours
+
+
+@OURS
+def test_state_that_comes_with_an_older_name_is_no_word_about_the_new_plan(build_service):
+    """Twice "no mission" of our plan means that PX4 will not fly it."""
+    service, ours = known_plan(build_service)
+    service.upload(HOPS["PX4"][:2])
+    assert service.done() == "Accepted"
+    for name in (77, 77, 0, 0):
+        service.say(mavlink.MAVLink_mission_current_message(0, 3, NO_MISSION, 2, name))
+        service.run(0.05)
+    assert service.status == "Accepted"
+
+
+@OURS
+@pytest.mark.parametrize("mission_type, result, ours", [(0, 0, False), (1, 0, True), (2, 0, True), (0, 1, True)])
+def test_acceptance_of_another_ground_stations_plan_tells_of_it_at_once(build_service, mission_type, result, ours):
+    service, _ = known_plan(build_service)
+    service.say(mavlink.MAVLink_mission_ack_message(255, 190, result, mission_type, 77))
+    service.run(0.05)
+    assert service.followed.ours == ours
+
+
+@OURS
+def test_reading_names_the_plan_too(build_service):
+    service, _ = known_plan(build_service)
+    service.autopilot.load(OTHER)
+    service.verify(HOPS["PX4"])
+    assert service.done() == "Differs"
+    assert not service.followed.ours
+    service.autopilot.load(HOPS["PX4"])
+    service.verify(HOPS["PX4"])
+    assert service.done() == "Verified"
     assert service.followed.ours
 
 
@@ -220,7 +318,7 @@ def test_what_was_flown_is_downloaded_again(service, personality):
     service.order_of("start")
     assert service.done() == "Done"
     fly(service)
-    assert service.reached == [0, 1, 2]
+    assert service.reached == reached_in(service, 0, 1, 2)
     service.download()
     assert service.done() == "Downloaded"
     assert [one.command for one in service.sink(3)] == [22, 16, 21]

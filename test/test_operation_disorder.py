@@ -47,7 +47,9 @@ def test_every_frame_repeated_changes_nothing(make_service, personality, name):
     begin(service, name)
     assert service.done() == OPERATIONS[name].end
     expect_truth(service, personality, name, OPERATIONS[name].end)
-    said = [str(message) for message in service.mission_messages()[before:]]
+    asked_twice = 512  # REQUEST_MESSAGE: start() asks for MISSION_CURRENT at its beginning and at its end
+    said = [str(message) for message in service.mission_messages()[before:]
+            if getattr(message, "command", 0) != asked_twice]  # fmt: skip
     assert len(said) == len(set(said)), "something was said twice"
 
 

@@ -32,7 +32,7 @@ def service(make_service):
 def go_to(service, personality: str, name: str, messages: int) -> None:
     """Begin, and go on until so many messages of the operation's have been heard."""
     prepared(service, personality)
-    before = len(service.wire.frames(">", OPERATIONS[name].lost))
+    before = len(service.sent_at(OPERATIONS[name].lost))
     begin(service, name)
     if messages:
         service.run_until_sent(OPERATIONS[name].lost, before + messages)

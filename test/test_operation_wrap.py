@@ -60,7 +60,8 @@ def undisturbed(personality: str, name: str, what: str) -> tuple[list, str, floa
 
 def expect_the_same(personality: str, name: str, what: str, bits: int, every_s: float) -> None:
     sent, status, took = undisturbed(personality, name, what)
-    assert (status == OPERATIONS[name].end) == (what != "never answered")
+    is_shown = (personality, name) == ("PX4", "start")  # by a heartbeat, and its one command is not repeated then
+    assert (status == OPERATIONS[name].end) == (what != "never answered" or is_shown)
     wraps = int(took / every_s) + 1
     for at_s in (BEGINS_S + 0.011 + every_s * n for n in range(wraps)):
         found, found_status, found_took = course(personality, name, what, (bits, at_s))

@@ -299,6 +299,19 @@ def test_an_upload_is_cancelled_and_the_plan_is_not_exchanged_meanwhile(console)
 
 
 @pytest.mark.slow
+def test_start_that_is_refused_says_that_the_aircraft_is_disarmed_again():
+    console = Console("ArduPilot")
+    console.load(*SURVEY[:2], SURVEY[3].replace("4", "3", 1))
+    console.answer("upload", "aboard: our plan, whole")
+    console.autopilot._begins_with_takeoff = lambda: False
+    lines = console.answer("start", "it is disarmed again", limit_s=60.0)
+    assert "the autopilot said: failed" in lines
+    console.run(1.2)
+    assert not console.autopilot.armed
+    assert "it is disarmed again" not in console.answer("verify", "aboard: our plan, whole", limit_s=20.0)
+
+
+@pytest.mark.slow
 def test_start_flies_what_is_aboard(console):
     assert console.answer("start", "aboard: not known", limit_s=8.0)[0].startswith("refused: what is aboard is not known")
     console.load(*SURVEY[:2], SURVEY[3].replace("4", "3", 1))

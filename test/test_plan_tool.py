@@ -149,13 +149,13 @@ def test_structure_scan_without_its_items_says_how_to_get_them():
 
 WRONG_IN_WAYPOINTS = [
     # the line, the column (None: the whole line), what stands there, what it says
-    (1, None, "QGC WPL 120", 'the first line must be "QGC WPL 110"'),
+    (1, None, "QGC WPL 100", 'the first line must be "QGC WPL 110"'),
     (1, None, "", 'the first line must be "QGC WPL 110"'),
     (4, None, "2\t0\t3\t16\t0\t0\t0\t0\t-35.3\t149.1\t20", "11 columns, and not 12"),
     (4, 0, "3", "this is number 3, and 2 is due"),
     (4, 0, "-2", "its number must be a whole number"),
     (4, 1, "256", "current must be a whole number from 0 to 255"),
-    (4, 1, "2", "current is 2 or more, which means fly there now (2)"),
+    (4, 1, "-2", "current must be a whole number"),
     (4, 2, "4", "frame 4 is no altitude reference"),
     (4, 3, "31999", "the command is not known"),
     (4, 3, "16.0", "command must be a whole number"),
@@ -168,11 +168,12 @@ WRONG_IN_WAYPOINTS = [
     (4, 10, "1e39", "more than a 32-bit float can hold"),
     (4, 11, "2", "autocontinue must be a whole number from 0 to 1"),
     (9, 4, "0", "it jumps to number 0, which is home and no item"),
-    (9, 4, "11", "a jump to an item that is not in the plan (number 10, counted from 0)"),
-    (9, 4, "2.5", "a jump to an item that is not in the plan (number 1.5"),
+    (9, 4, "11", "it jumps to number 11, and no line has that"),
+    (9, 4, "2.5", "it jumps to number 2.5, and no line has that"),
+    (9, 4, "nan", "it jumps to number NaN, and no line has that"),
+    (9, 4, "1e30", "it jumps to number 1" + 30 * "0" + ", and no line has that"),
     (8, 8, "1.5", "parameter 5: 1.5 must be a whole number"),
-    (2, 3, "22", "line 0 is home, and here a NAV_TAKEOFF, which would not be flown"),
-    (2, 2, "3", "home is above sea level, which is frame 0, and has frame 3"),
+    (2, 2, "10", "line 0 is home, which is above sea level, and has frame 10: write frame 0"),
     (2, 8, "nan", "home has no place"),
     (5, 3, "5001", "is not of the fence: a .waypoints file is of one kind"),
 ]
@@ -277,7 +278,7 @@ def test_altitudes_keep_what_they_are_measured_from():
 
 def test_file_of_another_kind_is_refused(tmp_path):
     with pytest.raises(BadPlan, match="what kind of file"):
-        read_plan(tmp_path / "plan.kml")
+        read_plan(tmp_path / "plan.gpx")
     with pytest.raises(BadPlan, match="cannot be read: No such file"):
         read_plan(tmp_path / "missing.plan")
     (tmp_path / "binary.plan").write_bytes(b"{\n\xff\xfe")
@@ -396,7 +397,7 @@ def run(*words, **options) -> subprocess.CompletedProcess:
 def test_tool_checks_for_the_autopilot_that_the_plan_was_drawn_for():
     ran = run("check", FARM)
     assert (ran.returncode, ran.stderr) == (0, "")
-    assert ran.stdout == f"{FARM}: mission of 43, fence of 6, rally of 2: nothing in it that PX4 would not get\n"
+    assert ran.stdout == f"{FARM}: mission of 43, fence of 6, rally of 2: nothing in it that PX4 is known to refuse\n"
     file = FILES / "above_the_ground.plan"
     ran = run("check", file)
     assert ran.returncode == 0
@@ -417,7 +418,7 @@ def test_tool_converts_there_and_back_and_tells_what_is_not_carried(tmp_path):
     assert bits(read_plan(there).items("fence")) == bits(
         read_plan(FARM).items("fence")[:5] + [read_plan(FARM).items("fence")[5]]
     )
-    ran = run("convert", FARM, tmp_path / "farm.kml")
+    ran = run("convert", FARM, tmp_path / "farm.gpx")
     assert ran.returncode == 1 and "what kind of file is it to be" in ran.stderr
 
 
@@ -470,7 +471,7 @@ def test_tool_shows_a_table_with_legs_and_times():
         ran.stdout,
     )
     assert "to item 38, 2 times" in ran.stdout
-    assert "(at 7 m/s, climbing 2.5 and sinking 1.5, in still air" in ran.stdout
+    assert "(at 7 m/s, as was asked for, climbing 2.5 and sinking 1.5, in still air" in ran.stdout
     assert "CIRCLE_EXCLUSION" in ran.stdout and "25 m above home" in ran.stdout
 
 

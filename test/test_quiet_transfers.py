@@ -8,7 +8,7 @@ import pytest
 import recordings
 from fake_autopilot import mavlink
 from fake_autopilot.frames import message_id
-from quiet import Quiet, default_list, recorded
+from quiet import RECORDED, Quiet, as_recorded, default_list, recorded
 
 ATTITUDE, GPS_RAW_INT, MISSION_CURRENT = 30, 24, 42
 SIMSTATE = 164  # an ArduPilot sends it that has no aircraft but a simulated one
@@ -44,6 +44,34 @@ def is_back(bench: Quiet, before: dict[int, float]) -> bool:
     return set(after) == set(before) and all(
         after[identity] == pytest.approx(rate, rel=0.1, abs=30) for identity, rate in before.items()
     )
+
+
+# The fake, beside the real one -----------------------------------------------------
+
+
+def recorded_s(name: str, begin: str, end: str) -> float:
+    """From the last message of the client's of this name to the last answer of that name [s]."""
+    heard = recordings.heard(name)
+    asked = [one.time for one in heard if one.direction == ">" and one.message.get_type() == begin]
+    answered = [one.time for one in heard if one.direction == "<" and one.message.get_type() == end]
+    return answered[-1] - asked[-1]
+
+
+@pytest.mark.parametrize("personality", ["ArduPilot"])
+def test_full_line_of_the_fake_ardupilot_is_as_slow_as_the_real_one(make_quiet):
+    bench = make_quiet(**as_recorded("ArduPilot"))
+    assert bench.read_back_s(used=False, items=50) == pytest.approx(
+        recorded_s(RECORDED["ArduPilot"], "MISSION_REQUEST_LIST", "MISSION_ITEM_INT"), rel=0.05
+    )
+    (upload,) = (one.time - bench.wire.frames(">", "MISSION_COUNT")[-1].time
+                 for one in bench.wire.frames("<", "MISSION_ACK")[-1:])  # fmt: skip
+    assert upload == pytest.approx(recorded_s(RECORDED["ArduPilot"], "MISSION_COUNT", "MISSION_ACK"), rel=0.15)
+
+
+@pytest.mark.parametrize("personality", ["ArduPilot"])
+def test_reading_back_on_a_full_line_of_ardupilots_takes_a_quarter_of_the_time_when_it_is_quiet(make_quiet):
+    loud, quiet = (make_quiet(**as_recorded("ArduPilot")).read_back_s(used, 100) for used in (False, True))
+    assert quiet < loud / 4
 
 
 # Which messages -------------------------------------------------------------------

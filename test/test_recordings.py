@@ -29,7 +29,7 @@ BAUD = 57600  # of the recorded line
 
 CLIENT = (255, 190)
 
-NOT_ABOUT_MISSIONS = ("EKF3",)
+NOT_ABOUT_MISSIONS = ("EKF", "AHRS:", "PreArm:", "SIM ", "[logger]")
 TELLS_AGAIN = ("MISSION_CURRENT", "MISSION_ITEM_REACHED")
 
 # The recording whose last accepted plan is aboard when this one begins, by mission type.
@@ -47,18 +47,23 @@ ABOARD_BEFORE = {
 UNRECORDED_FENCE_ID = 2043668742  # of a fence aboard in px4/flight that no recording shows
 
 
-def plan_uploaded(name: str, mission_type: int) -> list[Item]:
-    """The last whole plan of this type that the client of a recording sent."""
-    items: dict[int, Item] = {}
+def plans_uploaded(name: str, mission_type: int = MISSION) -> list[list[Item]]:
+    """The plans of this type that the client of a recording began to send."""
+    plans: list[dict[int, Item]] = [{}]
     for one in recordings.heard(name):
         if one.direction != ">" or getattr(one.message, "mission_type", None) != mission_type:
             continue
         if one.message.get_type() == "MISSION_COUNT" \
                 and one.message.get_srcSystem() == CLIENT[0]:
-            items = {}
+            plans.append({})
         elif one.message.get_type() == "MISSION_ITEM_INT":
-            items[one.message.seq] = Item.of(one.message)
-    return [items[seq] for seq in sorted(items)]
+            plans[-1][one.message.seq] = Item.of(one.message)
+    return [[items[seq] for seq in sorted(items)] for items in plans]
+
+
+def plan_uploaded(name: str, mission_type: int) -> list[Item]:
+    """The last whole plan of this type that the client of a recording sent."""
+    return plans_uploaded(name, mission_type)[-1]
 
 
 def fake_for(name: str):
@@ -98,12 +103,13 @@ def fields(message) -> tuple:
     return (message.get_type(), tuple(values.items()))
 
 
-def play(name: str):
+def play(name: str, fake=None, on_told=None):
     """Play the client's side of a recording to a fake. Returns the fake and what it heard.
 
-    Result: (fake, [(direction, time in the recording, time at the fake)] of client frames).
+    on_told(one, now [s]), if there is one, is called for each frame that the real autopilot sent.
+    Result: (fake, [(time in the recording, time at the fake)] of client frames).
     """
-    fake = fake_for(name)
+    fake = fake or fake_for(name)
     heard = recordings.heard(name)
     answered = 0  # how many compared messages the recorded autopilot has sent so far
     last_from_autopilot = -math.inf
@@ -111,6 +117,8 @@ def play(name: str):
     now = line_free = 0.0
     for one in heard:
         if one.direction == "<":
+            if on_told is not None:
+                now = max(now, on_told(one, now))
             if is_compared(one.message) and not is_repetition(one, heard):
                 answered += 1
                 last_from_autopilot = one.time

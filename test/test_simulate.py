@@ -11,15 +11,20 @@ import socket
 import subprocess
 import sys
 import threading
+import tty
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from bench import firmware_image, status_names
+import recordings
+from bench import PERSONALITIES, firmware_image, status_names
+from fake_autopilot import FakeAutopilot, mavlink
 from firmware import build_firmware
 from mega import Mega
-from mega.ends import BadEnd, Pty, TcpServer, open_end
+from mega.ends import BadEnd, Pty, TcpServer, Terminal, open_end
+from mega.line import MEMORY_S, Line
 from mega.realtime import RealTime
+from mega.words import Words
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = Path(__file__).resolve().parent / "machine"
@@ -188,7 +193,7 @@ def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
     peer.bind(("127.0.0.1", 0))
     peer.setblocking(False)
     port = peer.getsockname()[1]
-    end = open_end(f"udp:127.0.0.1:{port}")
+    end = open_end(f"udp:127.0.0.1:{port}", say=quiet)
     world.connect(1, end)
     world.run(seconds=0.005)
     end.write(b"x")
@@ -221,19 +226,20 @@ def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
 
 
 def test_udp_that_listens_answers_whoever_sent_last(world):
-    chosen = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-    chosen.bind(("127.0.0.1", 0))
-    port = chosen.getsockname()[1]
-    chosen.close()
-    end = open_end(f"udp-listen:{port}")
+    port = free_port(socket.SOCK_DGRAM)
+    said = []
+    end = open_end(f"udp-listen:{port}", say=said.append)
     world.connect(1, end)
     end.write(b"nobody is there yet")
     world.run(seconds=0.005)
+    assert said == []
     for text in (b"one", b"two"):  # the second is the first, restarted at another port
         peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         peer.setblocking(False)
         peer.sendto(text, ("127.0.0.1", port))
         assert answer_of(world, lambda: peer.recv(100), len(text)) == bytes(byte + 1 for byte in text)
+        assert said.pop() == f"udp-listen:{port}: hears 127.0.0.1:{peer.getsockname()[1]}"
+        assert said == []
         peer.close()
 
 
@@ -273,12 +279,406 @@ def test_a_peer_that_sends_faster_than_the_line_is_held_back(world, clock):
     client.close()
 
 
+def free_port(kind: socket.SocketKind) -> int:
+    chosen = socket.socket(socket.AF_INET, kind)
+    chosen.bind(("127.0.0.1", 0))
+    port = chosen.getsockname()[1]
+    chosen.close()
+    return port
+
+
+# More than the line takes -----------------------------------------------------------
+
+
+def numbered_frame(number: int, identity: int = mavlink.MAVLINK_MSG_ID_ATTITUDE, payload: int = 28) -> bytes:
+    """A frame as far as a line looks at it, with a number in it."""
+    return bytes((0xFD, payload, 0, 0, number % 256, 1, 1, identity, 0, 0)) + number.to_bytes(payload, "little") + b"ck"
+
+
+def numbers_in(data: bytes) -> list[int]:
+    """The numbers of the frames; whatever is not whole, or no frame, is an error."""
+    numbers = []
+    while data:
+        size = data[1] + 12
+        assert data[0] == 0xFD and len(data) >= size, f"{data[:size].hex()} is no frame"
+        numbers.append(int.from_bytes(data[10 : size - 2], "little"))
+        data = data[size:]
+    return numbers
+
+
+class Feeder:
+    """Frames for a Line of 5,760 bytes/s, and what goes on the line of them, in simulated milliseconds."""
+
+    def __init__(self) -> None:
+        self.line = Line("a peer")
+        self.now_s = 0.0
+        self.taken: list[tuple[float, bytes]] = []
+
+    def run_ms(self, data: bytes = b"") -> None:
+        self.line.hear(data, self.now_s)
+        self.line.forget(self.now_s, 5760)
+        millisecond = round(1000 * self.now_s)
+        self.taken.append((self.now_s, self.line.take(6 if millisecond % 25 < 19 else 5)))
+        self.now_s += 0.001
+
+    def run_dry(self) -> bytes:
+        for _ in range(200):
+            self.run_ms()
+        return b"".join(data for _, data in self.taken)
+
+
+@pytest.fixture
+def feeder() -> Feeder:
+    return Feeder()
+
+
+def test_what_a_line_takes_in_a_tenth_of_a_second_waits_and_is_not_dropped(feeder):
+    burst = b"".join(numbered_frame(number) for number in range(14))
+    assert 0.9 * MEMORY_S * 5760 < len(burst) < MEMORY_S * 5760
+    feeder.run_ms(burst)
+    assert feeder.run_dry() == burst
+    assert feeder.line.dropped == 0
+
+
+def test_flood_is_thinned_out_by_whole_frames_none_of_which_is_older_than_a_tenth_of_a_second(feeder):
+    sent = 0
+    for millisecond in range(3000):  # 24 kB/s
+        due = 24 * millisecond // 40
+        feeder.run_ms(b"".join(numbered_frame(number) for number in range(sent, due)))
+        sent = due
+    numbers = numbers_in(feeder.run_dry())
+    assert numbers == sorted(set(numbers))
+    assert len(numbers) == pytest.approx(3 * 5760 / 40, rel=0.05)
+    assert feeder.line.dropped == 40 * (sent - len(numbers))
+    assert feeder.line.dropped_frames == sent - len(numbers)
+    data = b""
+    for now_s, part in feeder.taken:
+        before, data = len(data) // 40, data + part
+        for number in numbers[before : len(data) // 40]:
+            assert now_s - number * 40 / 24000 <= MEMORY_S + 0.008  # until its last byte goes
+
+
+@pytest.mark.parametrize("cut", [1, 7, 39])
+def test_frames_that_come_in_pieces_are_dropped_whole_all_the_same(feeder, cut):
+    flood = b"".join(numbered_frame(number) for number in range(600))
+    for begin in range(0, len(flood), cut):
+        feeder.line.hear(flood[begin : begin + cut], feeder.now_s)
+        if begin // 24 != (begin + cut) // 24:
+            feeder.run_ms()
+    numbers = numbers_in(feeder.run_dry())
+    assert 100 < len(numbers) < 300
+    assert feeder.line.dropped == len(flood) - 40 * len(numbers)
+
+
+@pytest.mark.parametrize("name", ["MISSION_REQUEST_INT", "MISSION_ACK", "MISSION_ITEM_INT", "HEARTBEAT", "COMMAND_ACK"])
+def test_answer_goes_on_the_line_in_the_midst_of_a_flood(feeder, name):
+    identity = getattr(mavlink, f"MAVLINK_MSG_ID_{name}")
+    sent = []
+    for millisecond in range(1000):
+        data = b"".join(numbered_frame(1) for _ in range(millisecond % 2 + 1))
+        if millisecond % 100 == 50:
+            sent.append(millisecond)
+            data += numbered_frame(millisecond, identity, payload=9)
+        feeder.run_ms(data)
+    assert [number for number in numbers_in(feeder.run_dry()) if number > 1] == sent
+
+
+def test_answers_that_are_too_many_are_dropped_too(feeder):
+    frames_sent = [numbered_frame(number, mavlink.MAVLINK_MSG_ID_MISSION_ITEM_INT) for number in range(100)]
+    feeder.run_ms(b"".join(frames_sent))
+    numbers = numbers_in(feeder.run_dry())
+    assert numbers == list(range(100 - len(numbers), 100))
+    assert len(numbers) == 14
+
+
+def test_old_mavlink_and_what_is_no_frame_pass_as_they_are(feeder):
+    data = b"\r\nInit\xfe" + numbered_frame(3)[:8] + b"ArduCopter \xfd" + bytes(200)
+    for byte in data:
+        feeder.run_ms(bytes((byte,)))
+    assert feeder.run_dry() == data
+    assert feeder.line.dropped == 0
+
+
+class UdpPeer:
+    """What sends datagrams to udp-listen:PORT, and gets the answers."""
+
+    def __init__(self) -> None:
+        self._port = free_port(socket.SOCK_DGRAM)
+        self.form = f"udp-listen:{self._port}"
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.setblocking(False)
+
+    def send(self, data: bytes) -> None:
+        self._socket.sendto(data, ("127.0.0.1", self._port))
+
+    def heard(self) -> bytes:
+        data = b""
+        with contextlib.suppress(BlockingIOError):
+            while True:
+                data += self._socket.recv(4096)
+        return data
+
+    def close(self) -> None:
+        self._socket.close()
+
+
+class TcpPeer:
+    """The same by TCP; what the connection does not take is kept, as a SITL does."""
+
+    def __init__(self) -> None:
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self._listener.setblocking(False)
+        self.form = f"tcp:127.0.0.1:{self._listener.getsockname()[1]}"
+        self._connection: socket.socket | None = None
+        self._kept = b""
+
+    def send(self, data: bytes) -> None:
+        if self._connection is None:
+            with contextlib.suppress(BlockingIOError):
+                self._connection = self._listener.accept()[0]
+                self._connection.setblocking(False)
+                # Or the computer would hold small pieces back, by its own clock.
+                self._connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            return
+        self._kept += data
+        with contextlib.suppress(BlockingIOError):
+            self._kept = self._kept[self._connection.send(self._kept) :]
+
+    def heard(self) -> bytes:
+        if self._connection is None:
+            return b""
+        with contextlib.suppress(BlockingIOError):
+            return self._connection.recv(4096)
+        return b""
+
+    def close(self) -> None:
+        self._listener.close()
+        if self._connection is not None:
+            self._connection.close()
+
+
+class PtyPeer:
+    """The same by a serial device of this computer."""
+
+    def __init__(self) -> None:
+        self._master, self._slave = os.openpty()
+        tty.setraw(self._slave)
+        os.set_blocking(self._master, False)
+        self.form = f"{os.ttyname(self._slave)}@57600"
+        self._kept = b""
+
+    def send(self, data: bytes) -> None:
+        self._kept += data
+        with contextlib.suppress(BlockingIOError):
+            self._kept = self._kept[os.write(self._master, self._kept) :]
+
+    def heard(self) -> bytes:
+        with contextlib.suppress(BlockingIOError):
+            return os.read(self._master, 4096)
+        return b""
+
+    def close(self) -> None:
+        os.close(self._master)
+        os.close(self._slave)
+
+
+class Talk(Terminal):
+    """The console: what the firmware prints, and what it is told."""
+
+    def __init__(self) -> None:
+        self.text = b""
+        self.typed = b""
+
+    def read(self, most: int) -> bytes:
+        data, self.typed = self.typed[:most], self.typed[most:]
+        return data
+
+    def write(self, data: bytes) -> None:
+        self.text += data
+
+
+FLOOD_BYTES_PER_S = 24_000
+RECORDED = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
+
+
+@pytest.fixture
+def flooded(clock, personality):
+    """Makes a world in which a firmware has an autopilot on Serial1 that sends more than the line takes."""
+    made = []
+
+    def build(peer) -> tuple[RealTime, Talk, FakeAutopilot, list[str]]:
+        mega = Mega(firmware_image(57600))
+        telemetry = recordings.saturated(RECORDED[personality], 10 * FLOOD_BYTES_PER_S)
+        autopilot = PERSONALITIES[personality](telemetry=telemetry, uptime_s=60.0)
+        said: list[str] = []
+        console = Talk()
+        world = RealTime(mega, clock, clock.sleep, said.append)
+        made.extend((world, peer))
+        world.connect(0, console)
+        world.connect(1, open_end(peer.form, clock, quiet))
+        slice_alone = world.slice
+
+        def slice_both() -> None:
+            now = mega.now_us / 1_000_000
+            autopilot.receive(peer.heard(), now)
+            autopilot.run(now)
+            for _, frame in autopilot.outbox:
+                peer.send(frame)
+            slice_alone()
+
+        world.slice = slice_both
+        return world, console, autopilot, said
+
+    yield build
+    for one in made:
+        one.close()
+
+
+@pytest.mark.parametrize("peer", [UdpPeer, TcpPeer, PtyPeer])
+def test_ten_items_go_aboard_within_two_seconds_beside_a_flood(flooded, peer):
+    world, console, autopilot, said = flooded(peer())
+    accepted = b"returned %d\n" % status_names().index("Accepted")
+    slices_until(world, lambda: b"ready" in console.text)
+    console.typed = b"function 10 65535\n"
+    world.run(3.0)  # the flood is as old as it gets
+    began_ms = world.mega.now_ms
+    console.typed = b"upload 0\n"
+    slices_until(world, lambda: accepted in console.text.replace(b"\r", b""))
+    took_ms = world.mega.now_ms - began_ms
+    print(f"{took_ms:.0f} ms")
+    assert took_ms < 2000
+    assert len(autopilot.received()) == 10 + (autopilot.__class__.__name__ == "ArduPilot")
+    assert world.mega.serial(1).lost == 0
+    assert said[0].endswith("telemetry first: more come than the 5,882 bytes/s of the line")
+
+
+@pytest.mark.parametrize("personality", ["PX4"])
+def test_what_is_dropped_is_told_after_a_second_every_ten_seconds_and_in_the_end(flooded):
+    world, _, _, said = flooded(UdpPeer())
+    world.run(0.9)
+    assert said == []
+    world.run(23.0)
+    assert len(said) == 3
+    told = [int(re.search(r": ([\d,]+) bytes dropped", text)[1].replace(",", "")) for text in said]
+    assert told[1] == pytest.approx(10 * (FLOOD_BYTES_PER_S - 5882), rel=0.05)
+    (in_all,) = world.dropped()
+    assert in_all.startswith("Serial1: ")
+    dropped, heard = (int(number.replace(",", "")) for number in re.findall(r"([\d,]+) (?:of|bytes \()", in_all))
+    assert dropped == pytest.approx(22.9 * (FLOOD_BYTES_PER_S - 5882), rel=0.05)
+    assert dropped > sum(told)
+    assert heard == pytest.approx(23.9 * FLOOD_BYTES_PER_S, rel=0.05)
+
+
+def test_nothing_is_said_of_a_peer_that_the_line_can_take(world, clock):
+    said = []
+    world._say = said.append
+    peer = UdpPeer()
+    world.connect(1, open_end(peer.form, say=quiet))
+    for _ in range(3000):  # 10 kB/s
+        peer.send(bytes(10))
+        world.slice()
+    assert said == [] and world.dropped() == []
+    peer.close()
+
+
+def test_text_that_is_pasted_into_serial_over_tcp_arrives_whole(clock):
+    mega = Mega(build_firmware("echo", [SOURCES / "echo.cpp"], library=False))
+    world = RealTime(mega, clock, clock.sleep)
+    end = TcpServer(0, clock, quiet)
+    world.connect(0, end)
+    client = socket.create_connection(("127.0.0.1", end.port))
+    client.setblocking(False)
+    slices_until(world, lambda: end.connected)
+    world.run(0.01)
+    text = b"".join(b"line %d of a text\n" % number for number in range(300))
+    client.sendall(text)
+    answer = answer_of(world, lambda: client.recv(4096), len(text))
+    if answer.startswith(b"ready\r\n"):
+        answer = answer[7:] + answer_of(world, lambda: client.recv(4096), 7)
+    assert answer == text
+    assert world.dropped() == []
+    client.close()
+    world.close()
+
+
 @pytest.mark.parametrize(
     "form", ["", "tcp", "tcp:host", "tcp:host:x", "tcp:host:70000", "udp-listen:0", "/dev/ttyACM0@fast", "com1"]
 )
 def test_a_wrong_end_is_refused_with_what_it_may_be(form):
     with pytest.raises(BadEnd, match="not a number from 1|must be one of"):
         open_end(form)
+
+
+# The tool's words, and the sketch's --------------------------------------------------
+
+
+class Screen:
+    """A terminal on which both print."""
+
+    def __init__(self) -> None:
+        self.text = b""
+
+    def write(self, data: bytes) -> None:
+        self.text += data
+
+    def flush(self) -> None:
+        pass
+
+
+@pytest.fixture
+def screen() -> Screen:
+    return Screen()
+
+
+@pytest.fixture
+def words(clock, screen) -> Words:
+    return Words(clock, screen, screen, same_place=True)
+
+
+def test_words_wait_until_the_sketchs_line_has_ended(words, screen, clock):
+    words.print(b"item 3 ")
+    words.say("tcp: connection lost")
+    clock.now += 0.3
+    words.tick()
+    assert screen.text == b"item 3 "
+    words.print(b"of 10\r\nitem 4")
+    assert screen.text == b"item 3 of 10\r\ntcp: connection lost\nitem 4"
+
+
+def test_words_are_said_at_once_between_two_lines(words, screen):
+    words.say("tcp: connected")
+    words.print(b"ready\r\n")
+    words.say("tcp: connection lost")
+    assert screen.text == b"tcp: connected\nready\r\ntcp: connection lost\n"
+
+
+def test_prompt_is_printed_again_below_the_words(words, screen, clock):
+    words.print(b"Hello\r\n> ")
+    words.say("tcp: connection lost")
+    words.say("tcp: connected")
+    clock.now += 0.6
+    words.tick()
+    words.tick()
+    words.print(b"status\r\n")
+    assert screen.text == b"Hello\r\n> \ntcp: connection lost\ntcp: connected\n> status\r\n"
+
+
+def test_words_do_not_wait_where_the_sketch_prints_to_another_place(clock, screen):
+    console = Screen()
+    words = Words(clock, console, screen, same_place=False)
+    words.print(b"half a ")
+    words.say("tcp: connected")
+    words.print(b"line\r\n")
+    words.print(b"> ")
+    words.end()
+    assert (console.text, screen.text) == (b"half a line\r\n> ", b"tcp: connected\n")
+
+
+def test_nothing_that_was_to_be_said_is_lost_in_the_end(words, screen):
+    words.print(b"> ")
+    words.say("tcp: connected")
+    words.end()
+    assert screen.text == b"> \ntcp: connected\n"
 
 
 # The command ----------------------------------------------------------------------
@@ -303,6 +703,23 @@ def test_simulate_sends_nothing_without_input():
     elf = build_firmware("echo", [SOURCES / "echo.cpp"], library=False)
     ran = simulate(elf, "--for", 0.1, "--no-input", "--serial1", "none", text=b"hello\n")
     assert ran.stdout == b"Serial1 is not connected\nready\r\n"
+
+
+@pytest.mark.parametrize("together", [True, False])
+def test_simulates_last_words_stand_on_a_line_of_their_own(together):
+    elf = build_firmware("echo", [SOURCES / "echo.cpp"], library=False)
+    command = [ROOT / "tools" / "simulate", str(elf), "--for", "0.2", "--serial1", "none"]
+    ran = subprocess.run(
+        command,
+        input=b"half a line",
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT if together else subprocess.PIPE,
+        timeout=60,
+        check=False,
+    )
+    printed, _, rest = ran.stdout.partition(b"half a line")
+    assert printed == b"Serial1 is not connected\nready\r\n"
+    assert rest.startswith(b"\n0.200 s simulated") if together else rest == b""
 
 
 def test_simulate_says_what_is_wrong_in_one_line(tmp_path):

@@ -8,7 +8,7 @@ from plans import NAN, OLD_PLAN, SURVEY, on_the_wire, waypoint
 from service import FENCE
 from test_fence_and_rally import FIELD
 
-ARM, SET_MODE, MISSION_START = 400, 176, 300
+ARM, SET_MODE, MISSION_START, REQUEST_MESSAGE = 400, 176, 300, 512
 START = pytest.mark.scenario(49, "start(): each step confirmed; refused while what is aboard is unproven")
 INFEASIBLE = pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
 ARMED = pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
@@ -37,11 +37,15 @@ def uploaded(service, plan=None, **options):
 
 
 def ordered(service) -> list[tuple]:
-    return [(one.command, one.param1, one.param2) for one in service.heard("COMMAND_LONG", "COMMAND_INT")]
+    """What the autopilot was told to do; not what it was asked."""
+    return [(one.command, one.param1, one.param2) for one in service.heard("COMMAND_LONG", "COMMAND_INT")
+            if one.command != REQUEST_MESSAGE]  # fmt: skip
 
 
 def is_flying(service) -> bool:
-    return service.autopilot.armed and service.autopilot.flight.index is not None
+    """Or has flown, while it was asked once more."""
+    autopilot = service.autopilot
+    return autopilot.armed and (autopilot.flight.index is not None or autopilot.complete)
 
 
 @START
@@ -54,6 +58,7 @@ def test_each_vehicle_gets_what_it_needs_in_its_order(build_service, kind):
     assert ordered(service) == STEPS[kind]
     assert all(one.param3 == one.param4 == one.param5 == one.param6 == one.param7 == 0
                for one in service.heard("COMMAND_LONG") if one.command != SET_MODE)  # fmt: skip
+    assert [one.seq for one in service.heard("MISSION_SET_CURRENT")] == [0]
     assert is_flying(service)
 
 
@@ -94,7 +99,10 @@ def test_refused_step_is_named_and_nothing_follows_it(build_service, kind, numbe
     service.order_of("start")
     assert service.done() == "CommandRejected"
     assert service.state.step == step
-    assert ordered(service) == STEPS[kind][: number + 1]
+    is_armed_by_then = (ARM, 1, 0) in STEPS[kind][:number]
+    assert ordered(service) == STEPS[kind][: number + 1] + [(ARM, 0, 0)] * is_armed_by_then
+    assert service.state.arming == ("Disarmed" if is_armed_by_then else "Untouched")
+    assert not service.autopilot.armed
     service.run(0.2)
     assert (2, "Not like this") in service.texts
 
@@ -117,10 +125,22 @@ def test_arming_refused_after_power_on_is_said_with_the_words_and_works_later(bu
 def test_step_that_is_never_answered_ends_there(service, personality):
     uploaded(service)
     command = ARM if personality == "ArduPilot" else MISSION_START
-    service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command == command)
+    service.wire.lose(">", name="COMMAND_LONG", times=None, where=lambda message: message.command == command)
     service.order_of("start")
     assert service.done(limit_s=15) == "NoAnswer"
     assert service.state.step == ("Arm" if personality == "ArduPilot" else "Begin")
+    assert service.state.arming == "Untouched"
+
+
+@START
+def test_step_whose_answers_are_lost_is_seen_in_the_heartbeat(service, personality):
+    uploaded(service)
+    commands = (SET_MODE, ARM) if personality == "ArduPilot" else (MISSION_START,)
+    service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command in commands)
+    service.order_of("start")
+    assert service.done(limit_s=15) == "Done"
+    assert ordered(service) == STEPS["ArduPilot" if personality == "ArduPilot" else "PX4", "copter"]
+    assert is_flying(service)
 
 
 @START
@@ -338,7 +358,7 @@ def test_it_may_be_found_while_start_runs(build_service):
     service.upload(LANDING_FIRST, proof="Always")
     assert service.done() == "Accepted"
     service.order_of("start")
-    assert service.done() == "CommandRejected"
+    assert service.done() == "CommandDenied"
     assert service.done(limit_s=8) == "Infeasible"
 
 

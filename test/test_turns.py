@@ -39,6 +39,70 @@ def test_upload_that_waits_for_its_turn_comes_aboard_when_it_is_free(service, pe
 
 
 @TURNS
+@pytest.mark.parametrize("order", [("verify", 0), ("download", 0, 60, 60)], ids=lambda order: order[0])
+def test_reading_that_is_refused_meanwhile_leaves_it_unknown_what_is_aboard(build_service, order):
+    """PX4 does not refuse it: it says nothing, and names its plan in MISSION_CURRENT."""
+    service = build_service("ArduPilot")
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    assert service.state.aboard == "OurPlan"
+    other_begins(service, 3)
+    service.order_of(*order)
+    assert service.done() == "Denied"
+    assert service.state.aboard == "NotKnown"
+    service.order_of("start")
+    assert service.done() == "Unproven"
+    service.run(9.0)
+    service.verify()
+    assert service.done() == "Differs"  # it was cut to the other's length
+
+
+@TURNS
+def test_verification_that_the_sketch_ends_leaves_it_as_it_was(service):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.verify()
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    assert service.state.aboard == "OurPlan"
+
+
+@TURNS
+@pytest.mark.parametrize("order, end", [(("download", 0, 2, 60), "SinkFull")])
+def test_download_that_our_own_sink_ends_leaves_it_as_it_was(service, order, end):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.order_of(*order)
+    assert service.done() == end
+    assert service.state.aboard == "OurPlan"
+
+
+@TURNS
+def test_px4s_error_is_taken_for_busy_and_waited_for_like_ardupilots_denied(build_service):
+    service = build_service("PX4")
+    service.autopilot.load(OLD_PLAN)
+    service.tell("turns", 30)
+    service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=5)
+    service.upload(SURVEY)
+    assert service.done(limit_s=40) == "Accepted"
+    assert "WaitingForTurn" in service.returned
+    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, "PX4"))
+
+
+@TURNS
+def test_px4_that_stays_busy_is_waited_for_no_longer_than_allowed(build_service):
+    service = build_service("PX4")
+    service.autopilot.load(OLD_PLAN)
+    service.tell("turns", 15)
+    service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=None)
+    service.upload(SURVEY)
+    assert service.done(limit_s=40) == "Error"
+    counts = service.sent_at("MISSION_COUNT")
+    assert 7.0 < counts[-1] - counts[0] <= 15.1
+    assert service.state.aboard == "AsBefore"
+
+
+@TURNS
 def test_upload_waits_for_its_turn_no_longer_than_allowed(build_service):
     service = build_service("ArduPilot")
     service.autopilot.load(OLD_PLAN)

@@ -290,6 +290,10 @@ BAD = {
     "a jump backwards out of the file": (spoiled(5, 5, "-1"), "BadTarget", 5, 5),
     "a jump beyond the last line": (spoiled(5, 5, "5"), "BadTarget", 5, 5),
     "a jump to nan": (spoiled(5, 5, "nan"), "BadTarget", 5, 5),
+    "a corner of a fence in a mission": (text_of([HOME, *GOOD, "5 0 0 5001 4 0 0 0 1 2 0 1"]), "MixedKinds", 7, 4),
+    "a waypoint among the corners of a fence": (text_of(["0 0 0 5001 4 0 0 0 1 2 0 1", *GOOD[1:]]).replace("2\t0", "1\t0", 1), "MixedKinds", 3, 4),
+    "a rally point behind a fence": (text_of(["0 0 0 5003 4 0 0 0 1 2 0 1", "1 0 3 5100 0 0 0 0 1 2 20 1"]), "MixedKinds", 3, 4),
+    "a jump out of a file without home": (text_of(["0 0 3 22 0 0 0 0 1 2 20 1", "1 0 3 177 2 1 0 0 0 0 0 1"]), "BadTarget", 3, 5),
 }  # fmt: skip
 
 
@@ -325,6 +329,63 @@ def test_a_good_text_is_good_however_it_is_laid_out(reader, text):
 def test_frames_are_given_with_their_present_numbers(reader):
     rows = [f"{n} 0 {frame} 16 0 0 0 0 1 2 3 1" for n, frame in enumerate((0, 3, 5, 6, 10, 11, 2), start=1)]
     assert [item.frame for item in reader.read(text_of([HOME, *rows])).items] == [0, 3, 0, 3, 10, 10, 2]
+
+
+# Line 0 ------------------------------------------------------------------------------
+
+
+def numbered(rows: list[str], first: int = 0) -> str:
+    return text_of([f"{number} {row}" for number, row in enumerate(rows, start=first)])
+
+
+CORNERS = [f"0 0 5001 4 0 0 0 {x} {y} 0 1" for x, y in ((1, 1), (1, 2), (2, 2), (2, 1))]
+RALLY = [f"0 3 5100 0 0 0 0 {x} 2 25 1" for x in (1, 2)]
+FROM_TAKEOFF = ["1 3 22 0 0 0 0 1 2 20 1", "0 3 16 0 0 0 0 3 4 20 1", "0 2 177 0 2 0 0 0 0 0 1", "0 3 21 0 0 0 0 1 2 0 1"]
+
+
+@pytest.mark.parametrize(
+    ("rows", "kind", "commands"),
+    [
+        (CORNERS, "fence", [5001] * 4),
+        (RALLY, "rally", [5100] * 2),
+        (RALLY[:1], "rally", [5100]),
+        (["0 0 5000 0 0 0 0 1 2 0 1", *CORNERS], "fence", [5000] + [5001] * 4),
+        (FROM_TAKEOFF, "mission", [22, 16, 177, 21]),
+        (["0 2 178 1 5 -1 0 0 0 0 1", *FROM_TAKEOFF[:1]], "mission", [178, 22]),
+    ],
+    ids=["a fence", "rally points", "one rally point", "a fence with a return point", "a takeoff", "a speed"],
+)
+def test_line_0_is_an_item_if_it_is_no_waypoint(reader, rows, kind, commands):
+    count = len(rows)
+    read = reader.read(numbered(rows), list(range(count))[::-1])
+    assert read.good and read.kind == kind
+    assert [item.command for item in read.items] == commands
+    assert read.again == read.items[::-1]
+
+
+@pytest.mark.parametrize("command", ["0", "16"])
+@pytest.mark.parametrize("frame", ["0", "3"])
+def test_line_0_is_home_if_it_is_a_waypoint(reader, command, frame):
+    home = f"0 1 {frame} {command} 0 0 0 0 1 2 3 1"
+    for rows, kind in ((GOOD, "mission"), ([f"{n} {row}" for n, row in enumerate(CORNERS, 1)], "fence")):
+        read = reader.read(text_of([home, *rows]))
+        assert read.good and len(read.items) == 4 and read.kind == kind
+
+
+def test_jump_in_a_file_without_home_goes_to_the_line_that_it_names(reader):
+    jump = reader.read(numbered(FROM_TAKEOFF)).items[2]
+    assert (jump.command, jump.params[0]) == (177, FLOAT_BYTES.pack(0))  # to the takeoff
+    behind_home = reader.read(text_of([HOME, *GOOD])).items[2]
+    assert (behind_home.command, behind_home.params[0]) == (177, FLOAT_BYTES.pack(1))
+
+
+def test_plan_without_home_is_read_in_any_order(reader):
+    rows = [f"0 3 21 0 0 0 0 {n / 100:.2f} 1 2 1" for n in range(1, 400)]
+    order = [398, 0, 1, 0, 200, 201, 0, 398, 1]
+    read = reader.read(numbered(rows), order)
+    assert read.good and len(read.items) == 399
+    assert read.again == [read.items[index] for index in order]
+    assert read.most_bytes < 20 * 60
 
 
 @pytest.mark.parametrize("position", range(0, 420, 7))

@@ -136,6 +136,7 @@ def test_every_bit_of_a_nan_yaw_is_kept_where_nan_is_meant(line):
 def test_sequence_numbers_of_frames_wrap_after_255(line):
     line.upload(FunctionPlan(300))
     find(line)
+    line.run(0.5)  # an update() checks one item
     for seq in range(300):
         if seq % 50 == 0:
             line.say(heartbeat(), AUTOPILOT)
@@ -167,6 +168,7 @@ def test_request_for_item_0_of_1_to_4_bytes_is_answered(line, kind, to, length):
 def test_request_for_item_256_to_everyone_has_2_bytes_and_is_answered(line):
     line.upload(FunctionPlan(300))
     find(line)
+    line.run(0.5)  # an update() checks one item
     for seq in range(257):
         if seq % 50 == 0:
             line.say(heartbeat(), AUTOPILOT)

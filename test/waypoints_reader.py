@@ -23,6 +23,9 @@ def error_texts() -> dict[str, str]:
     return texts_of("WaypointsText.h", "MAVMISSION_TEXT_ERRORS")
 
 
+KINDS = ("mission", "fence", "rally")  # mavmission::PlanType
+
+
 class ReadItem(NamedTuple):
     """An item as the library gives it; the numbers as the bits of floats."""
 
@@ -41,6 +44,7 @@ class Read(NamedTuple):
     error: str  # of TextError
     line: int
     field: int
+    kind: str  # of KINDS, where it is good
     items: list[ReadItem | None]  # None: it was refused
     again: list[ReadItem | None]
     most_bytes: int  # read for one of those
@@ -61,10 +65,11 @@ class WaypointsReader:
         asked = struct.pack(f"<I{len(again)}H", len(again), *again)
         self._program.stdin.write(struct.pack("<I", len(data)) + data + asked)
         self._program.stdin.flush()
-        state, error, line, field, count, most = struct.unpack("<BBHBHI", self._take(11))
+        state, error, line, field, kind, count, most = struct.unpack("<BBHBBHI", self._take(12))
         assert state in (1, 2)
         items = [self._item() for _ in range(count)]
-        return Read(state == 1, list(error_texts())[error], line, field, items, [self._item() for _ in again], most)
+        again_read = [self._item() for _ in again]
+        return Read(state == 1, list(error_texts())[error], line, field, KINDS[kind], items, again_read, most)
 
     def _item(self) -> ReadItem | None:
         data = self._take(34)

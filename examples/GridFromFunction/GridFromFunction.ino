@@ -1,5 +1,5 @@
-// A lawn mower's grid of 302 items that is computed while it is uploaded: no item is ever in RAM but the one on its way.
-// Lanes run west to east and back, each one further north.
+// A lawn mower's grid of 302 items that is computed while it is uploaded: no item is ever in RAM but the one on its
+// way. Lanes run west to east and back, each one further north.
 #include <MavMission.h>
 using namespace mavmission;
 
@@ -12,15 +12,15 @@ using namespace mavmission;
 // The south-west corner of the field, and the grid's size.
 constexpr Degrees kSouth = -35.3632621_deg;
 constexpr Degrees kWest = 149.1652374_deg;
-constexpr Degrees kLaneLength = 0.0011000_deg;  // 100 m at this latitude
-constexpr Degrees kLaneSpacing = 0.0000180_deg; // 2 m
+constexpr Degrees kLaneLength = 0.0011000_deg;   // 100 m at this latitude
+constexpr Degrees kLaneSpacing = 0.0000180_deg;  // 2 m
 constexpr uint16_t kLanes = 150;
 constexpr Metres kHeight = 15_m;
 
 constexpr uint16_t kItems = 1 + 2 * kLanes + 1;  // takeoff, two ends of each lane, the way home
 
-// Item `index` of the plan. It depends on nothing but the index: the same index always gives the same item, however often
-// it is asked for.
+// Item `index` of the plan. It depends on nothing but the index: the same index always gives the same item, however
+// often it is asked for.
 bool gridItem(void*, uint16_t index, MissionItem& item) {
   if (index == 0) {
     item = takeoff(kHeight);

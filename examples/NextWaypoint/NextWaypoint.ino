@@ -1,8 +1,8 @@
-// A soil probe: the aircraft lands in one field after the other. At each landing the probe works, then the Arduino sends
-// the aircraft on to the next field.
+// A soil probe: the aircraft lands in one field after the other. At each landing the probe works, then the Arduino
+// sends the aircraft on to the next field.
 //
-// Each leg is a plan of its own, which ends with a landing: then the autopilot disarms, whichever it is. TAKE OFF THE
-// PROPELLERS WHILE YOU TRY IT.
+// Each leg is a plan of its own. At its end Copter and PX4 land and disarm; a rover stays armed, and is disarmed. TAKE
+// OFF THE PROPELLERS WHILE YOU TRY IT.
 #include <MavMission.h>
 using namespace mavmission;
 
@@ -35,7 +35,8 @@ MissionFollower mission(autopilot);
 enum class Stage : uint8_t { Uploading, Starting, Flying, Sampling, Done };
 Stage stage = Stage::Uploading;
 uint8_t field;
-bool wasArmed;
+bool saysComplete;     // what a rover says at the end of its mission
+uint32_t notOverAtMs;  // when the leg was last seen not to be over
 uint32_t landedAtMs;
 
 // Takes off where the aircraft stands, flies to the field, lands there.
@@ -56,6 +57,7 @@ void uploadLeg() {
 void onText(void*, uint8_t, const char* text) {
   CONSOLE.print(F("autopilot: "));
   CONSOLE.println(text);
+  if (strcmp_P(text, PSTR("Mission Complete")) == 0) saysComplete = true;
 }
 
 void setup() {
@@ -69,10 +71,12 @@ void onEnded(Status status) {
   CONSOLE.println(toString(status));
   if (stage == Stage::Uploading && status == Status::Accepted) {
     stage = Stage::Starting;
+    saysComplete = false;
     autopilot.start();
   } else if (stage == Stage::Starting && status == Status::Done) {
     stage = Stage::Flying;
-    wasArmed = false;
+  } else if (stage == Stage::Flying && status == Status::Done) {
+    return;  // disarmed: loop() sees it
   } else {
     stage = Stage::Done;  // something was refused, and the words above say what: leave it to the pilot
   }
@@ -81,12 +85,16 @@ void onEnded(Status status) {
 void loop() {
   const Status status = autopilot.update();
   if (isEnd(status)) onEnded(status);
-  if (stage == Stage::Flying) {
-    if (autopilot.isArmed()) wasArmed = true;
-    if (wasArmed && !autopilot.isArmed()) {
+  if (stage == Stage::Flying && autopilot.hasAutopilot() && !autopilot.isBusy()) {
+    const bool isOver = saysComplete || mission.state() == MissionState::Complete;
+    if (!isOver) notOverAtMs = millis();
+    if (!autopilot.isArmed()) {
       CONSOLE.println(F("landed: sampling"));
       landedAtMs = millis();
       stage = Stage::Sampling;
+    } else if (millis() - notOverAtMs >= 5000) {
+      notOverAtMs = millis();
+      autopilot.disarm();
     }
   }
   if (stage == Stage::Sampling && millis() - landedAtMs >= kSampleMs) {

@@ -1,6 +1,7 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
 // EEPROM, where it stays without power; put it aboard, verify it, fly it. Type "help".
-// It needs a Mega for all of its commands; an Uno has room for some, a Nano or a Leonardo for too few.
+// It needs a Mega for all of its commands; an Uno has room for those that are always there, a Nano or a Leonardo for
+// none.
 // TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms.
 #include <MavMission.h>
 using namespace mavmission;
@@ -32,9 +33,7 @@ void setup() {
   TELEM.begin(57600);
   plan.begin();
 #if FLASHEND >= 0x10000
-  commands.offerAll();
-#else
-  commands.offerVerify();  // there is no room for all of them
+  commands.offerAll();  // a smaller board has no room for them
 #endif
 }
 

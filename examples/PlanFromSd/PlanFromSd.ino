@@ -1,5 +1,6 @@
 // Uploads a plan from a file: PLAN.TXT on an SD card, as Mission Planner saves it (.waypoints, QGC WPL 110). The file
-// may be of any length; it is read item by item, when the autopilot asks. What is wrong with it is said with its line.
+// may be of any length, a mission, a fence or rally points; it is read item by item, when the autopilot asks. What is
+// wrong with it is said with its line.
 //
 // With a card (any shield; chip select on CARD_SELECT), take away the two slashes of the next line. Without it the text
 // below stands in for the file.
@@ -68,7 +69,7 @@ void onRead() {
   if (plan.state() == WaypointsSource::State::Good) {
     CONSOLE.print(F("items: "));
     CONSOLE.println(plan.count());
-    autopilot.upload(plan.source());
+    autopilot.upload(plan.source(), plan.type());
     return;
   }
   CONSOLE.print(F("line "));

@@ -1,5 +1,5 @@
-// Beside the mission: asks the autopilot for its position twice a second, and decodes it. Any message of any dialect can
-// be heard so, and decoded by hand, as here, or with another MAVLink library's headers.
+// Beside the mission: asks the autopilot for its position twice a second, and decodes it. Any message of any dialect
+// can be heard so, and decoded by hand, as here, or with another MAVLink library's headers.
 #include <MavMission.h>
 using namespace mavmission;
 

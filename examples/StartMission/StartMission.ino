@@ -26,12 +26,13 @@ constexpr MissionItem plan[] PROGMEM = {
 MissionClient autopilot(TELEM);
 MissionFollower mission(autopilot);
 
-enum class Stage : uint8_t { Uploading, Starting, Flying, Reading, Done };
+enum class Stage : uint8_t { Uploading, Starting, Flying, Ending, Reading, Done };
 Stage stage = Stage::Uploading;
 uint32_t refusedAtMs;
 uint8_t startTries;
 bool startAgain;
-bool wasArmed;
+bool saysComplete;     // what a rover says at the end of its mission
+uint32_t notOverAtMs;  // when the mission was last seen not to be over
 
 void onReached(void*, uint16_t item) {
   CONSOLE.print(F("reached "));
@@ -41,6 +42,7 @@ void onReached(void*, uint16_t item) {
 void onText(void*, uint8_t, const char* text) {
   CONSOLE.print(F("autopilot: "));
   CONSOLE.println(text);
+  if (strcmp_P(text, PSTR("Mission Complete")) == 0) saysComplete = true;
 }
 
 bool printCommand(void*, uint16_t index, const MissionItem& item) {
@@ -61,6 +63,7 @@ void setup() {
 
 void start() {
   startAgain = false;
+  saysComplete = false;
   ++startTries;
   autopilot.start();
 }
@@ -78,15 +81,22 @@ void onEnded(Status status) {
         stage = Stage::Flying;
         return;
       }
-      // Arming is refused for half a minute after an autopilot starts; it says why in words.
-      startAgain = startTries < 10;
+      if (autopilot.startArming() == StartArming::Disarmed) {
+        CONSOLE.println(F("it could not be flown, and is disarmed again"));
+      }
+      // Arming is refused for half a minute after an autopilot starts; it says why in words. What stays armed flies, or
+      // is somebody else's: leave it to the pilot.
+      startAgain = startTries < 10 && autopilot.startArming() != StartArming::Armed;
       refusedAtMs = millis();
       if (startAgain) return;
       break;
+    case Stage::Ending:
+      stage = Stage::Reading;
+      autopilot.download(toFunction(printCommand));
+      return;
     case Stage::Flying:  // an accepted plan may be found infeasible later
     case Stage::Reading:
-    case Stage::Done:
-      break;
+    case Stage::Done: break;
   }
   stage = Stage::Done;
 }
@@ -96,12 +106,17 @@ void loop() {
   if (isEnd(status)) onEnded(status);
   if (startAgain && millis() - refusedAtMs >= 5000) start();
   if (stage != Stage::Flying) return;
-  // An autopilot disarms when it has landed; not every one says of a landing that it was reached.
-  if (autopilot.isArmed()) {
-    wasArmed = true;
-  } else if (wasArmed) {
+  // Copter and PX4 disarm when they have landed at the end of the mission. A rover stays armed, and in AUTO.
+  const bool isOver = saysComplete || mission.state() == MissionState::Complete;
+  if (!isOver) notOverAtMs = millis();
+  if (!autopilot.hasAutopilot()) return;  // lost for a while
+  if (!autopilot.isArmed()) {
     CONSOLE.println(F("landed"));
     stage = Stage::Reading;
     autopilot.download(toFunction(printCommand));
+  } else if (millis() - notOverAtMs >= 5000) {
+    CONSOLE.println(F("arrived: disarm"));
+    stage = Stage::Ending;
+    autopilot.disarm();
   }
 }

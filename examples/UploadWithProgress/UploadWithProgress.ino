@@ -16,12 +16,9 @@ SoftwareSerial console(10, 11);
 #endif
 
 constexpr MissionItem plan[] PROGMEM = {
-    takeoff(20_m),
-    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
-    delay(5_s),
-    waypoint(-35.3614500_deg, 149.1652374_deg, 25.5_m),
-    jump(1, 2),
-    returnToLaunch(),
+    takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
+    delay(5_s),    waypoint(-35.3614500_deg, 149.1652374_deg, 25.5_m),
+    jump(1, 2),    returnToLaunch(),
 };
 
 constexpr uint32_t kPauseMs = 5000;  // before another try

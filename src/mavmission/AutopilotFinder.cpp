@@ -8,12 +8,14 @@ namespace mavmission {
 namespace {
 
 // What else sends heartbeats, sometimes with another autopilot's name in them. A type that is not known yet may fly.
+// clang-format off
 const uint8_t kNoVehicles[] PROGMEM = {
     MAV_TYPE_ANTENNA_TRACKER, MAV_TYPE_GCS,     MAV_TYPE_ONBOARD_CONTROLLER, MAV_TYPE_GIMBAL,    MAV_TYPE_ADSB,
     MAV_TYPE_CAMERA,          MAV_TYPE_CHARGING_STATION, MAV_TYPE_FLARM,     MAV_TYPE_SERVO,     MAV_TYPE_ODID,
     MAV_TYPE_BATTERY,         MAV_TYPE_PARACHUTE, MAV_TYPE_LOG,              MAV_TYPE_OSD,       MAV_TYPE_IMU,
     MAV_TYPE_GPS,             MAV_TYPE_WINCH,   MAV_TYPE_ILLUMINATOR,        MAV_TYPE_GRIPPER,   MAV_TYPE_RADIO,
 };
+// clang-format on
 
 bool isVehicle(uint8_t type) {
   for (const uint8_t& other : kNoVehicles) {
@@ -67,12 +69,9 @@ void AutopilotFinder::onTime(uint16_t nowMs) {
 Firmware AutopilotFinder::firmware() const {
   if (!heard_) return Firmware::Unknown;
   switch (heartbeat_.autopilot) {
-    case MAV_AUTOPILOT_ARDUPILOTMEGA:
-      return Firmware::ArduPilot;
-    case MAV_AUTOPILOT_PX4:
-      return Firmware::Px4;
-    default:
-      return Firmware::Other;
+    case MAV_AUTOPILOT_ARDUPILOTMEGA: return Firmware::ArduPilot;
+    case MAV_AUTOPILOT_PX4: return Firmware::Px4;
+    default: return Firmware::Other;
   }
 }
 

@@ -5,89 +5,33 @@
 
 #include "Flash.h"
 #include "FloatBits.h"
+#include "Rules.h"
 
 namespace mavmission {
+
+using namespace keeping;
+
 namespace {
 
-// What becomes of a parameter. Kept as it was is right for each.
-enum Rule : uint8_t {
-  K = 0,  // kept
-  D = 1,  // dropped: read as 0
-  W = 2,  // whole: what is behind the point is dropped
-  S = 3,  // sign: read as 1, or as -1 if it was negative
+// The whole numbers that a kind keeps, from U1 on.
+struct Limit {
+  uint16_t positive, negative;
 };
 
-constexpr uint8_t rules(Rule param1, Rule param2, Rule param3, Rule param4) {
-  return static_cast<uint8_t>(param1 | param2 << 2 | param3 << 4 | param4 << 6);
-}
-
-struct Row {
-  uint16_t command;
-  uint8_t arduPilot;
-  uint8_t px4;
+const Limit kLimits[] PROGMEM = {
+    {1, 0},          // U1
+    {255, 0},        // U8
+    {127, 128},      // I8
+    {65535, 0},      // U16
+    {32767, 32768},  // I16
+    {65535, 65535},  // Radius
+    {180, 180},      // To180
+    {90, 90},        // To90
+    {360, 180},      // To360
 };
-
-// Observed: test/recordings/readback_arducopter.csv, readback_ardurover.csv and readback_px4.csv. Commands that are not
-// here keep their parameters on both.
-const Row kRows[] PROGMEM = {
-    {16, rules(W, D, D, D), rules(K, K, D, K)},   // NAV_WAYPOINT: seconds whole; PX4 drops the pass radius
-    {17, rules(K, K, K, D), rules(K, K, K, K)},   // NAV_LOITER_UNLIM
-    {18, rules(K, D, K, K), rules(K, K, K, K)},   // NAV_LOITER_TURNS
-    {19, rules(W, D, S, K), rules(K, K, K, K)},   // NAV_LOITER_TIME: of the radius only the direction
-    {21, rules(K, D, K, S), rules(D, K, K, K)},   // NAV_LAND
-    {22, rules(K, K, K, D), rules(D, K, K, K)},   // NAV_TAKEOFF
-    {31, rules(D, K, K, K), rules(K, K, K, K)},   // NAV_LOITER_TO_ALT
-    {84, rules(K, K, K, D), rules(K, K, K, K)},   // NAV_VTOL_TAKEOFF
-    {85, rules(K, K, K, D), rules(K, K, K, K)},   // NAV_VTOL_LAND
-    {201, rules(K, K, K, K), rules(D, K, K, K)},  // DO_SET_ROI
-};
-
-constexpr uint16_t kDoMountControl = 205;
-
-// Whether `read` is what the rule makes of `sent`, or `sent` itself.
-bool obeys(uint8_t rule, float sent, float read) {
-  float kept = sent;
-  switch (rule) {
-    case D:
-      kept = 0;
-      break;
-    case W:
-      kept = wholePart(sent);
-      break;
-    case S:
-      kept = isNegative(sent) ? -1 : 1;
-      break;
-    default:
-      break;
-  }
-  return isSame(read, sent) || isSame(read, kept);
-}
-
-bool isSameFrame(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
-  if (modern(sent.frame) == modern(read.frame)) return true;
-  // ArduPilot gives items without a place as Global, whatever they had, and those of a fence, which has no altitude there.
-  const bool hasNoHeight =
-      type == PlanType::Fence || sent.frame == Frame::Mission || (traitsOf(sent.command) & kHasNoPlace);
-  return firmware == Firmware::ArduPilot && read.frame == Frame::Global && hasNoHeight;
-}
-
-// The rules of param1 to param4, of an item of this plan.
-uint8_t rulesOf(const MissionItem& sent, Firmware firmware, PlanType type) {
-  if (type != PlanType::Mission || (firmware != Firmware::ArduPilot && firmware != Firmware::Px4)) return 0;
-  for (const Row& row : kRows) {
-    if (fromFlash(&row.command) == sent.command) return fromFlash(firmware == Firmware::Px4 ? &row.px4 : &row.arduPilot);
-  }
-  return 0;
-}
-
-// Heights that ArduPilot gives back another way than whole, dropped, or as a sign.
-bool isHeightKept(const MissionItem& sent, const MissionItem& read) {
-  if (sent.command == kDoMountControl) return isSame(read.z, 2);  // MAV_MOUNT_MODE_MAVLINK_TARGETING, always
-  return centimetresKept(sent.z) == centimetresRead(read.z);
-}
 
 // param1 to param4, x, y, z lie one behind the other, four bytes each.
-constexpr uint8_t kX = 4, kY = 5, kZ = 6;
+constexpr uint8_t kParam3 = 2, kYaw = 3, kX = 4, kY = 5, kZ = 6;
 static_assert(offsetof(MissionItem, x) == sizeof(float) * kX && offsetof(MissionItem, y) == sizeof(float) * kY &&
                   offsetof(MissionItem, z) == sizeof(float) * kZ,
               "in their order");
@@ -95,31 +39,146 @@ static_assert(static_cast<uint8_t>(Field::Latitude) == static_cast<uint8_t>(Fiel
                   static_cast<uint8_t>(Field::Height) == static_cast<uint8_t>(Field::Param1) + kZ,
               "fields have the same order");
 
+// Beside the flags of a Keeper: x and y go through floats, as PX4 has them where there is no place.
+constexpr uint8_t kInFloats = 128;
+
+// Four bytes of an item, whatever they are.
+struct Four {
+  union {
+    uint8_t bytes[4];
+    uint32_t bits;
+    float number;
+  };
+  bool isBelow0() const { return (bytes[3] & 0x80) != 0; }
+};
+
+MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(a.bytes, b.bytes, sizeof(a.bytes)) == 0; }
+
+// Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a
+// region of interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is
+// spoilt.
+bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
+  if ((keeper & kByPx4) != 0) makeWhole(&value);
+  int32_t whole = wholeNumber(value.number);
+  if ((keeper & kByPx4) != 0) {
+    const uint8_t modes = (keeper & kInFloats) != 0 ? 1 << 0 | 1 << 1 | 1 << 2 : 1 << 0 | 1 << 3;
+    return static_cast<uint32_t>(whole) < 8 && (modes >> static_cast<uint8_t>(whole) & 1) != 0;
+  }
+  if ((keeper & kOfFence) != 0) {
+    // ArduPilot keeps a radius that is less than a millimetre above a whole number of metres as that number, also as 0.
+    if (isBelow0 || value.bits < 0x3A83126F) return false;                   // 0.001
+    const uint8_t doublings = static_cast<uint8_t>(value.bits >> 23) - 127;  // from 1 m on
+    if (doublings >= 14) return true;  // below 1 m, or in steps of more than a millimetre
+    Four metres = value;
+    makeWhole(&metres);
+    const uint32_t above = value.bits - metres.bits;  // in steps, of which 1 m has 2^23 >> doublings
+    return above == 0 || above > static_cast<uint16_t>(8388u >> doublings);
+  }
+  if (field == kParam3) {
+    if (whole > 255 && whole <= 2550) {
+      do whole -= 10;
+      while (whole > 255);
+      return whole == 250;
+    }
+  } else {
+    if (isBelow0) return false;
+    if (whole < 0) {
+      multiply(&value, Times::T256);
+      whole = wholeNumber(value.number);
+    }
+  }
+  return static_cast<uint32_t>(whole) <= 255;
+}
+
+bool areNoNumbers(const void* a, const void* b) {
+  return kindOf(a) == FloatKind::NotANumber && kindOf(b) == FloatKind::NotANumber;
+}
+
+// `kept`, which is what was sent, becomes what is kept of it, or stays where that `is` what was read; false if it does
+// not mean the same.
+MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
+  const bool isZ = field == kZ;
+  if (field == kX || field == kY) {
+    if (kind == U8) return kept.bits <= 0xFF;
+    if (kind == I16) return kept.bits + 0x8000 <= 0xFFFF;
+    if (kind == D) kept.bits = 0;
+    if (kind == D || (keeper & kInFloats) == 0) return true;
+    const Four sent = kept;
+    throughFloat(&kept);
+    return kind == Rounded || isEqual(kept, sent);
+  }
+  if (kind == K) return true;
+  if (kind == D || kind == NoYaw) {
+    kept.bits = 0;
+    return true;
+  }
+  if (kind == Height && isZ) {
+    if (!is && (keeper & kByArduPilot) != 0) makeHundredths(&kept);
+    return true;
+  }
+  const uint8_t sign = kept.bytes[3] & 0x80;
+  if (kind == Centimetres) {
+    const bool isWithin = kept.bits < 0x4423D70A;  // 655.36, and what is negative
+    makeHundredths(&kept);
+    return isWithin;
+  }
+  Four magnitude = kept;
+  magnitude.bytes[3] &= 0x7F;
+  if (kind == Yaw360) {
+    if (kindOf(&kept) == FloatKind::NotANumber) return true;
+    if (magnitude.bits > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
+    if (!is) makeTurn(&kept);
+    return true;
+  }
+  const int32_t whole = wholeNumber(magnitude.number);
+  if (kind >= U1) {
+    const uint16_t* limit = &kLimits[kind - U1].positive;
+    if (sign != 0) ++limit;
+    if (whole == 0) kept.bits = 0;
+    return whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
+  }
+  if (kind == Special) {
+    // Of a region of interest with a place the mode is not given back.
+    if ((keeper & (kByPx4 | kInFloats)) == kByPx4) kept.bits = 0;
+    return isSpecialKept(magnitude, sign != 0, field, keeper);
+  }
+  kept.bits = isZ ? 0x40000000 : 0x3F800000;  // 2, 1
+  if (!isZ) kept.bytes[3] |= sign;
+  return (keeper & kByPlane) == 0 || isZ || static_cast<uint32_t>(whole) <= 1;
+}
+
+bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
+  const Frame found = modern(read.frame);
+  if (modern(sent.frame) == found) return true;
+  // So come those of a fence, which has no altitude, and on ArduPilot those of items without a place, whatever they
+  // had.
+  if ((keeper & kByArduPilot) != 0 && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
+  return found == Frame::Global && (keeper & (kByArduPilot | kByPx4)) != 0 && (keeper & kOfFence) != 0;
+}
+
 }  // namespace
 
-Field difference(const MissionItem& sent, const MissionItem& read, Firmware firmware, PlanType type) {
+Field difference(const MissionItem& sent, const MissionItem& read, Keeper keeper) {
   if (read.command != sent.command) return Field::Command;
-  if (!isSameFrame(sent, read, firmware, type)) return Field::Reference;
-  uint8_t rules = rulesOf(sent, firmware, type);
-  const uint8_t* sentBytes = reinterpret_cast<const uint8_t*>(&sent);
-  const uint8_t* readBytes = reinterpret_cast<const uint8_t*>(&read);
-  for (uint8_t i = 0; i <= kZ; ++i, rules >>= 2, sentBytes += 4, readBytes += 4) {
-    if (memcmp(sentBytes, readBytes, 4) == 0) continue;
-    if (i != kX && i != kY) {
-      float sentNumber, readNumber;
-      memcpy(&sentNumber, sentBytes, 4);
-      memcpy(&readNumber, readBytes, 4);
-      const bool isArduPilots = i == kZ && firmware == Firmware::ArduPilot;
-      // Rally heights are whole metres, and a fence has none.
-      if (isArduPilots && type != PlanType::Mission) rules = type == PlanType::Rally ? W : D;
-      if (obeys(rules & 3, sentNumber, readNumber)) continue;
-      if (isArduPilots && type == PlanType::Mission && isHeightKept(sent, read)) continue;
-    }
-    return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + i);
+  Rules rules = rulesOf(sent, keeper);
+  if (!isSameFrame(sent, read, rules, keeper)) return Field::Reference;
+  if ((keeper & (kByArduPilot | kByPx4)) == 0) rules.bits = 0;  // all is kept
+  uint8_t flags = keeper;
+  if ((keeper & kByPx4) != 0 && sent.frame == Frame::Mission) flags |= kInFloats;
+  const Four* wasSent = reinterpret_cast<const Four*>(&sent);
+  const Four* wasRead = reinterpret_cast<const Four*>(&read);
+  for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, rules.bits >>= 4) {
+    const uint8_t kind = static_cast<uint8_t>(rules.bits) & 15;
+    Four kept = *wasSent;
+    const bool isSame = isEqual(*wasRead, *wasSent);
+    const bool isKept = keep(kept, kind, field, flags, isSame) &&
+                        (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)));
+    if (!isKept) return static_cast<Field>(static_cast<uint8_t>(Field::Param1) + field);
   }
   // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
-  const bool isAlways1 = firmware == Firmware::ArduPilot && read.autocontinue == 1;
-  if (type == PlanType::Mission && !isAlways1 && read.autocontinue != sent.autocontinue) return Field::Autocontinue;
+  const bool isAlways1 = (keeper & kByArduPilot) != 0 && read.autocontinue == 1;
+  if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)
+    return Field::Autocontinue;
   return Field::None;
 }
 

@@ -18,7 +18,7 @@
 // How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs time only: what
 // reading an item takes, which for one from a function is up to the function.
 #ifndef MAVMISSION_ITEMS_PER_UPDATE
-#define MAVMISSION_ITEMS_PER_UPDATE 2
+#define MAVMISSION_ITEMS_PER_UPDATE 1
 #endif
 
 // 1: MissionClient::signWith() exists, which signs what is sent and refuses what is not signed (MAVLink guide, Message

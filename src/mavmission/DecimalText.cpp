@@ -70,8 +70,7 @@ void DecimalText::take(char c) {
       if (lower == 'n') next = State::Nan;
       break;
     case State::Nan:
-    case State::Bad:
-      break;
+    case State::Bad: break;
   }
   state_ = next;
   if (!isDigit) return;
@@ -108,9 +107,7 @@ void DecimalText::set(uint32_t digits, int16_t exponent, bool isNegative) {
 }
 
 // The number is mantissa_ * 10^exponent().
-int16_t DecimalText::exponent() const {
-  return zeros_ - places_ + (isExponentNegative_ ? -written_ : written_);
-}
+int16_t DecimalText::exponent() const { return zeros_ - places_ + (isExponentNegative_ ? -written_ : written_); }
 
 LongNumber DecimalText::significant() const {
   LongNumber number;

@@ -48,14 +48,14 @@ class DecimalText {
   static constexpr uint8_t kMantissaBytes = 8;
 
   uint8_t mantissa_[kMantissaBytes];  // the significant digits, the lowest byte first
-  int16_t places_;           // digits behind the point
-  int16_t written_;          // the exponent behind an e
-  uint8_t digits_;           // in mantissa_
-  uint8_t zeros_;            // taken behind those: they count only when another digit follows
+  int16_t places_;                    // digits behind the point
+  int16_t written_;                   // the exponent behind an e
+  uint8_t digits_;                    // in mantissa_
+  uint8_t zeros_;                     // taken behind those: they count only when another digit follows
   State state_;
   bool isNegative_ : 1;
   bool isExponentNegative_ : 1;
-  bool isCut_ : 1;           // a digit other than 0 was left out
+  bool isCut_ : 1;  // a digit other than 0 was left out
 };
 
 // The shortest of 6 to 9 significant digits that are this float again, as text that ends with 0; `text` has room for

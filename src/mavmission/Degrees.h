@@ -33,6 +33,18 @@ class Degrees {
   int32_t e7_;
 };
 
+// A heading beyond 180 degrees, as a literal makes it: 270_deg. It is no coordinate.
+class WideHeading {
+ public:
+  // From an angle in units of 1e-7 degrees, from 0 to 360 degrees.
+  constexpr explicit WideHeading(uint32_t e7) : e7_(e7) {}
+  // Steps of 1e-7 degree.
+  constexpr uint32_t e7() const { return e7_; }
+
+ private:
+  uint32_t e7_;
+};
+
 namespace literal {
 
 constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -93,33 +105,43 @@ struct Value<> {
 template <char First, char... Rest>
 struct Value<First, Rest...> {
   static constexpr int64_t e7(int64_t value, bool behindPoint, int decimals) {
-    return First == '.'                    ? Value<Rest...>::e7(value, true, 0)
-           : !isDigit(First)               ? Value<Rest...>::e7(value, behindPoint, decimals)
-           : behindPoint && decimals >= 7  ? Value<Rest...>::e7(value, true, decimals)
-           : value > 9999999999            ? Value<Rest...>::e7(value, behindPoint, decimals)
-           : Value<Rest...>::e7(value * 10 + (First - '0'), behindPoint, decimals + (behindPoint ? 1 : 0));
+    return First == '.'                   ? Value<Rest...>::e7(value, true, 0)
+           : !isDigit(First)              ? Value<Rest...>::e7(value, behindPoint, decimals)
+           : behindPoint && decimals >= 7 ? Value<Rest...>::e7(value, true, decimals)
+           : value > 9999999999
+               ? Value<Rest...>::e7(value, behindPoint, decimals)
+               : Value<Rest...>::e7(value * 10 + (First - '0'), behindPoint, decimals + (behindPoint ? 1 : 0));
   }
 };
 
-// A constant that stays one where the literal stands in a function: avr-gcc would otherwise compute it there each time.
-template <int32_t E7>
+// What a literal makes. A constant that stays one where the literal stands in a function: avr-gcc would otherwise
+// compute it there each time.
+template <int64_t E7, bool IsWide = (E7 > 1800000000)>
 struct Constant {
-  static constexpr int32_t value = E7;
+  typedef Degrees Type;
+  static constexpr int32_t value = static_cast<int32_t>(E7);
+  static constexpr Degrees make() { return Degrees::fromE7(value); }
+};
+template <int64_t E7>
+struct Constant<E7, true> {
+  static_assert(E7 <= 3600000000,
+                "an angle is at most 180 degrees, and a heading 360; for west or south write a minus sign before it");
+  typedef WideHeading Type;
+  static constexpr uint32_t value = static_cast<uint32_t>(E7);
+  static constexpr WideHeading make() { return WideHeading(value); }
 };
 
 }  // namespace literal
 
-// -35.3632621_deg: exact to 1e-7 degree, computed by the compiler, no cost in flash. Up to 180 degrees and seven
-// decimals; a latitude beyond 90 is found when the plan is checked (Status::BadLatitude).
+// -35.3632621_deg: exact to 1e-7 degree, computed by the compiler, no cost in flash. Up to seven decimals, and 180
+// degrees; a heading may have up to 360. A latitude beyond 90 is found when the plan is checked (Status::BadLatitude).
 template <char... Text>
-constexpr Degrees operator"" _deg() {
+constexpr typename literal::Constant<literal::Value<Text...>::e7(0, false, 0)>::Type operator"" _deg() {
   static_assert(literal::Plain<Text...>::check(false) && !literal::LeadingZero<Text...>::value,
                 "write an angle as plain decimal digits, for example -35.3632621_deg: no exponent, no hexadecimal");
   static_assert(literal::Decimals<Text...>::count(false, 0, 0) <= 7,
                 "an angle has at most 7 decimals (1e-7 degree is about 1 cm, and is what the autopilot keeps)");
-  static_assert(literal::Value<Text...>::e7(0, false, 0) <= 1800000000,
-                "an angle is at most 180 degrees; for west or south write a minus sign before it");
-  return Degrees::fromE7(literal::Constant<static_cast<int32_t>(literal::Value<Text...>::e7(0, false, 0))>::value);
+  return literal::Constant<literal::Value<Text...>::e7(0, false, 0)>::make();
 }
 
 }  // namespace mavmission

@@ -5,10 +5,10 @@
 namespace mavmission {
 namespace {
 
-constexpr uint8_t kNumbers = 7;      // param1 to z, 4 bytes each, one behind the other in a MissionItem
+constexpr uint8_t kNumbers = 7;  // param1 to z, 4 bytes each, one behind the other in a MissionItem
 constexpr uint8_t kNumberBytes = 4;
 constexpr uint8_t kItemHead = 4;
-constexpr uint8_t kSummed = 3;       // bytes of a bank's head that its checksum is of: sequence and count
+constexpr uint8_t kSummed = 3;  // bytes of a bank's head that its checksum is of: sequence and count
 constexpr uint8_t kNumbersMask = 0x7F;
 constexpr uint8_t kAutocontinue = 0x80;
 constexpr uint8_t kCurrent = 0x80;
@@ -231,8 +231,7 @@ void EepromPlan::stepDone() {
       buffer_[3] = static_cast<uint8_t>(checksum_);
       buffer_[4] = static_cast<uint8_t>(checksum_ >> 8);
       return write(addressOf(bank) + 1, 5, Step::Header);
-    case Step::Header:
-      return writeMark(bank, kValid, Step::Valid);
+    case Step::Header: return writeMark(bank, kValid, Step::Valid);
     case Step::Valid: {
       const uint8_t old = active_;
       activate(bank);
@@ -251,9 +250,7 @@ void EepromPlan::stepDone() {
       activate(kNone);
       state_ = State::Resting;
       return;
-    case Step::DropOld:
-      state_ = State::Resting;
-      return;
+    case Step::DropOld: state_ = State::Resting; return;
   }
 }
 

@@ -90,10 +90,10 @@ class EepromPlan {
  private:
   enum class Step : uint8_t { None, Open, Item, Header, Valid, DropOld, EraseOther, EraseActive };
 
-  static constexpr uint8_t kNone = 2;     // no bank
+  static constexpr uint8_t kNone = 2;  // no bank
   static constexpr uint8_t kValid = 0x4D;
   static constexpr uint8_t kInvalid = 0;
-  static constexpr uint8_t kHeader = 6;   // [bytes]
+  static constexpr uint8_t kHeader = 6;  // [bytes]
   static constexpr uint8_t kLongestItem = 32;
 
   static bool readItem(void* plan, uint16_t index, MissionItem& item);
@@ -119,13 +119,13 @@ class EepromPlan {
   uint16_t count_;        // of the active bank's plan
   uint16_t cachedIndex_;  // an item of it, and where that is
   uint16_t cachedAddress_;
-  uint16_t taken_;        // items of the plan that is being stored
-  uint16_t end_;          // behind the last of them
-  uint16_t checksum_;     // of them
-  uint16_t address_;      // of what is being written
-  uint8_t length_;        // of it; 0: nothing
-  uint8_t done_;          // bytes of it that are there
-  uint8_t active_;        // bank 0, 1, or kNone
+  uint16_t taken_;     // items of the plan that is being stored
+  uint16_t end_;       // behind the last of them
+  uint16_t checksum_;  // of them
+  uint16_t address_;   // of what is being written
+  uint8_t length_;     // of it; 0: nothing
+  uint8_t done_;       // bytes of it that are there
+  uint8_t active_;     // bank 0, 1, or kNone
   State state_;
   Step step_;
   bool isBegun_;

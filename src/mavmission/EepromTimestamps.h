@@ -37,8 +37,8 @@ class EepromTimestamps : public TimestampStore {
 
   uint16_t address_;
   uint8_t slots_;
-  uint8_t next_;         // the slot that is written next
-  uint8_t left_;         // bytes of slot_ that are not written yet
+  uint8_t next_;  // the slot that is written next
+  uint8_t left_;  // bytes of slot_ that are not written yet
   bool isWriting_;
   uint8_t slot_[kSlot];
 };

@@ -8,12 +8,12 @@ namespace mavmission {
 // COMMAND_LONG, or COMMAND_INT where it has a place. A plain struct; the makers below fill it.
 struct FlightCommand {
   float param1, param2, param3, param4;  // meaning by command
-  float param5, param6;  // of COMMAND_LONG
-  float param7;          // or the altitude
-  int32_t x, y;          // of COMMAND_INT: latitude, longitude [1e-7 deg]
-  uint16_t id;           // MAV_CMD
-  Frame frame;           // of COMMAND_INT
-  bool hasPlace;         // it goes as COMMAND_INT
+  float param5, param6;                  // of COMMAND_LONG
+  float param7;                          // or the altitude
+  int32_t x, y;                          // of COMMAND_INT: latitude, longitude [1e-7 deg]
+  uint16_t id;                           // MAV_CMD
+  Frame frame;                           // of COMMAND_INT
+  bool hasPlace;                         // it goes as COMMAND_INT
 };
 
 // Any command, with the meaning that MAV_CMD gives its parameters...
@@ -24,9 +24,8 @@ constexpr FlightCommand flightCommand(uint16_t id, float param1 = 0, float param
 // ... and one that has a place.
 constexpr FlightCommand flightCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude,
                                         float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0) {
-  return FlightCommand{param1,           param2,        param3,         param4, 0,
-                       0,                altitude.metres(), latitude.e7(), longitude.e7(), id,
-                       altitude.frame(), true};
+  return FlightCommand{param1,        param2,         param3, param4,           0,   0, altitude.metres(),
+                       latitude.e7(), longitude.e7(), id,     altitude.frame(), true};
 }
 
 // Whether a command that is not answered is sent again.

@@ -18,8 +18,16 @@ enum class FlightMode : uint8_t {
   Manual,          // the pilot steers: MANUAL on Rover, Plane and PX4, STABILIZE on Copter
 };
 
-// DO_SET_MODE's parameters 2 and 3 for a mode; false if this vehicle has no such mode.
-bool modeNumbers(FlightMode mode, Firmware firmware, uint8_t vehicleType, uint8_t& mainMode, uint8_t& subMode);
+// What this vehicle calls a mode: DO_SET_MODE's parameter 2 in the lower byte, parameter 3 in the upper; kNoMode if it
+// has no such mode.
+constexpr uint16_t kNoMode = 0xFFFF;
+uint16_t modeNumber(FlightMode mode, Firmware firmware, uint8_t vehicleType);
+
+// The same of a HEARTBEAT.custom_mode: PX4 has its main and sub mode in the upper half, and nothing in the lower.
+inline uint16_t modeNumberOf(uint32_t customMode) {
+  const uint16_t upper = static_cast<uint16_t>(customMode >> 16);
+  return upper != 0 ? upper : static_cast<uint16_t>(customMode);
+}
 
 // True if HEARTBEAT.custom_mode says that the vehicle is in this mode.
 bool isInMode(FlightMode mode, Firmware firmware, uint8_t vehicleType, uint32_t customMode);

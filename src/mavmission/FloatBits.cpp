@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "Config.h"
+#include "Flash.h"
 
 namespace mavmission {
 namespace {
@@ -43,14 +44,13 @@ FloatKind kindOf(const void* bytes) {
   return magnitude == kInfinity ? FloatKind::Infinite : FloatKind::NotANumber;
 }
 
-bool isSame(float a, float b) {
-  const uint32_t bitsA = bitsOf(a);
-  const uint32_t bitsB = bitsOf(b);
+bool isSame(const void* a, const void* b) {
+  uint32_t bitsA, bitsB;
+  memcpy(&bitsA, a, sizeof(bitsA));
+  memcpy(&bitsB, b, sizeof(bitsB));
   if (bitsA == bitsB || ((bitsA | bitsB) & ~kSign) == 0) return true;
   return (bitsA & ~kSign) > kInfinity && (bitsB & ~kSign) > kInfinity;
 }
-
-bool isNegative(float value) { return (bitsOf(value) & kSign) != 0; }
 
 int32_t wholeNumber(float value) {
   const uint32_t bits = bitsOf(value);
@@ -79,47 +79,123 @@ int32_t timesWhole(int32_t bits, uint32_t factor) {
   return bits < 0 ? -static_cast<int32_t>(product) : static_cast<int32_t>(product);
 }
 
-float wholePart(float value) {
-  const uint32_t bits = bitsOf(value);
-  const uint8_t biased = biasedExponent(bits);
-  if (biased < kBias) return 0;
-  if (biased >= kBias + 23) return value;
-  return fromBits(bits & ~((kHidden - 1) >> (biased - kBias)));
-}
-
 namespace {
 
-// The magnitude of metres * 100, times two, cut off; `rounded`: the product is rounded to a float's 24 bits first.
-MAVMISSION_APART uint32_t doubledCentimetres(float metres, bool rounded) {
-  const uint32_t bits = bitsOf(metres);
-  const uint8_t biased = biasedExponent(bits);
-  if (biased >= kBias + 14 + 1) return 0x7FFFFFFF;
-  if (biased < kBias - 8) return 0;
-  // The exponent of the last bit of the doubled product.
-  int8_t exponent = static_cast<int8_t>(biased - kBias - 23 + 1);
-  uint32_t product = ((bits & (kHidden - 1)) | kHidden) * 100;
-  if (rounded) {
-    bool half = false, more = false;  // what is cut off: its highest bit, and any below
-    for (; static_cast<uint8_t>(product >> 24) != 0; product >>= 1, ++exponent) {
-      more |= half;
-      half = (product & 1) != 0;
-    }
-    if (half && (more || (product & 1) != 0)) ++product;
-  }
-  for (; exponent < 0 && product != 0; ++exponent) product >>= 1;
-  return product;
+uint32_t load(const void* number) {
+  uint32_t bits;
+  memcpy(&bits, number, sizeof(bits));
+  return bits;
 }
+
+void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
+
+uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
+
+// Stores the nearest float, with the sign that is there already; `biased` is the exponent that it has if the leading 1
+// of `mantissa` is at bit 23. `more`: something is behind the mantissa's last bit.
+MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased, uint8_t more) {
+  uint8_t half = 0;  // the highest bit of what is cut off; `more`: there is any below it
+  while (static_cast<uint8_t>(mantissa >> 24) != 0) {
+    more |= half;
+    half = static_cast<uint8_t>(mantissa) & 1;
+    mantissa >>= 1;
+    ++biased;
+  }
+  if (half != 0 && ((more | static_cast<uint8_t>(mantissa)) & 1) != 0) {
+    if (++mantissa == kHidden << 1) ++biased;  // its other bits are 0
+  }
+  number[0] = static_cast<uint8_t>(mantissa);
+  number[1] = static_cast<uint8_t>(mantissa >> 8);
+  uint8_t high = static_cast<uint8_t>(mantissa >> 16) & 0x7F;
+  if ((biased & 1) != 0) high |= 0x80;
+  number[2] = high;
+  number[3] = (number[3] & 0x80) | biased >> 1;
+}
+
+// The mantissa of a factor, from its lowest byte on, and its exponent less 7, for the 7 bits that a product has more.
+#define MAVMISSION_FACTOR(mantissa, exponent) \
+  {(mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) - 7)}
+const uint8_t kFactors[][4] PROGMEM = {
+    MAVMISSION_FACTOR(0xC80000, 6),   // 100
+    MAVMISSION_FACTOR(0xA3D70A, -7),  // 0.01
+    MAVMISSION_FACTOR(0x8EFA35, -6),  // a degree in radians
+    MAVMISSION_FACTOR(0xE52EE0, 5),   // a radian in degrees
+    MAVMISSION_FACTOR(0x800000, 8),   // 256
+};
+#undef MAVMISSION_FACTOR
 
 }  // namespace
 
-int32_t centimetresKept(float metres) {
-  const int32_t kept = static_cast<int32_t>(doubledCentimetres(metres, true) >> 1);
-  return isNegative(metres) ? -kept : kept;
+void makeWhole(void* number) {
+  uint32_t bits = load(number);
+  const uint8_t biased = biasedExponent(bits);
+  if (biased >= kBias + 23) return;
+  if (biased < kBias) bits = 0;
+  const uint8_t behind = kBias + 23 - biased;
+  for (uint8_t i = behind; i != 0; --i) bits >>= 1;
+  for (uint8_t i = behind; i != 0; --i) bits <<= 1;
+  store(number, bits);
 }
 
-int32_t centimetresRead(float metres) {
-  const int32_t nearest = static_cast<int32_t>((doubledCentimetres(metres, false) + 1) >> 1);
-  return isNegative(metres) ? -nearest : nearest;
+void multiply(void* number, Times by) {
+  uint32_t bits = load(number);
+  const uint8_t biased = biasedExponent(bits);
+  if (biased < 16) return store(number, 0);
+  bits = mantissaOf(bits) << 7;
+  const uint8_t* factor = kFactors[static_cast<uint8_t>(by)];
+  uint32_t sum = 0;
+  uint8_t more = 0, left = 0;
+  for (uint8_t i = 0; i < 24; ++i) {
+    if ((i & 7) == 0) left = fromFlash(factor++);
+    more |= static_cast<uint8_t>(sum) & 1;
+    sum >>= 1;
+    if ((left & 1) != 0) sum += bits;
+    left >>= 1;
+  }
+  storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(factor)), more);
+}
+
+void throughFloat(void* integer) {
+  uint32_t value = load(integer);
+  const bool isBelow0 = (value & kSign) != 0;
+  if (isBelow0) value = 0 - value;
+  uint8_t cut = 0, half = 0, more = 0;
+  for (; static_cast<uint8_t>(value >> 24) != 0; ++cut) {
+    more |= half;
+    half = static_cast<uint8_t>(value) & 1;
+    value >>= 1;
+  }
+  if (half != 0 && ((more | static_cast<uint8_t>(value)) & 1) != 0) ++value;
+  for (; cut != 0; --cut) value <<= 1;
+  if (isBelow0) value = 0 - value;
+  store(integer, value);
+}
+
+void makeHundredths(void* number) {
+  multiply(number, Times::Hundred);
+  makeWhole(number);
+  multiply(number, Times::Hundredth);
+}
+
+void makeTurn(void* degrees) {
+  multiply(degrees, Times::Radian);
+  constexpr uint32_t kTurn = 0x40C90FDB;  // in radians
+  uint32_t radians = load(degrees);
+  if ((radians & kSign) != 0) {
+    // A turn less that, with 7 bits more than a float has.
+    uint8_t biased = biasedExponent(radians);
+    radians = mantissaOf(radians) << 7;
+    uint8_t more = 0;
+    for (; biased < kBias + 2; ++biased) {
+      more |= static_cast<uint8_t>(radians) & 1;
+      radians >>= 1;
+    }
+    store(degrees, 0);
+    storeRounded(static_cast<uint8_t*>(degrees), (mantissaOf(kTurn) << 7) - radians - more, kBias + 2 - 7, more);
+  } else if (radians == kTurn) {
+    store(degrees, 0);
+  }
+  multiply(degrees, Times::Degree);
 }
 
 namespace {

@@ -28,10 +28,8 @@ bool isCarrier(uint16_t messageId) {
     case MAVLINK_MSG_ID_LOGGING_DATA_ACKED:
     case MAVLINK_MSG_ID_TUNNEL:
     case MAVLINK_MSG_ID_CAN_FRAME:
-    case MAVLINK_MSG_ID_CANFD_FRAME:
-      return true;
-    default:
-      return false;
+    case MAVLINK_MSG_ID_CANFD_FRAME: return true;
+    default: return false;
   }
 }
 
@@ -107,8 +105,8 @@ MAVMISSION_INLINE void FrameParser::keep(uint8_t byte) {
   if (have <= summed_) crc_ = checksum(crc_, place, 1);
 }
 
-// The bytes that need no thought, which are most: the inside of frames that are stepped over, and of those that are kept.
-// False if it is not one.
+// The bytes that need no thought, which are most: the inside of frames that are stepped over, and of those that are
+// kept. False if it is not one.
 inline bool FrameParser::takePlainly(uint8_t byte) {
   const Index have = have_;
   uint8_t& low = *reinterpret_cast<uint8_t*>(&skip_);  // its low byte is enough while that is not used up
@@ -270,8 +268,8 @@ FrameParser::Result FrameParser::complete() {
 }
 
 #if MAVMISSION_SIGNING
-// A signature is stepped over like any bytes that follow a frame, so that a frame that begins in it is found if bytes were
-// lost there. Bytes that are looked at again come to the same place.
+// A signature is stepped over like any bytes that follow a frame, so that a frame that begins in it is found if bytes
+// were lost there. Bytes that are looked at again come to the same place.
 FrameParser::Result FrameParser::keepSignature(uint8_t byte) {
   signature_[kSignature + 1 - skip_] = byte;
   if (--skip_ != 1) return grow(byte);

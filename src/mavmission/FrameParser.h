@@ -35,8 +35,8 @@ struct MoreKeys {
   const MessageKey* keys;  // in flash
   uint8_t count;
   MoreKeys* next;
-  // What is done with the list that begins with this one. It is reached through the list alone, so that a sketch without
-  // a listener has no code for it: the key of a message, in flash, or null; and a frame, to all that want it.
+  // What is done with the list that begins with this one. It is reached through the list alone, so that a sketch
+  // without a listener has no code for it: the key of a message, in flash, or null; and a frame, to all that want it.
   const MessageKey* (*search)(const MoreKeys* list, uint16_t messageId);
   void (*tell)(const MoreKeys* list, const FrameParser& frame);
 
@@ -56,9 +56,9 @@ class FrameParser {
   static constexpr uint8_t kSilenceMs = 20;
 
   enum class Result : uint8_t {
-    Nothing,   // go on
-    Wanted,    // a frame that is wanted, with a right checksum
-    Unwanted,  // a frame of another message has been stepped over: only its sender and sequence are known
+    Nothing,    // go on
+    Wanted,     // a frame that is wanted, with a right checksum
+    Unwanted,   // a frame of another message has been stepped over: only its sender and sequence are known
     Signature,  // with MAVMISSION_SIGNING: the signature of the frame that was Wanted last is whole
   };
 
@@ -149,7 +149,8 @@ class FrameParser {
     uint8_t sequence, systemId, componentId;
   };
 
-  // Reported: a signature, or the rest of a message that has been given as Unwanted already. Signature: one that is kept.
+  // Reported: a signature, or the rest of a message that has been given as Unwanted already. Signature: one that is
+  // kept.
   enum class Stepping : uint8_t { Message, MessageWithBytes, Reported, Signature };
 
   bool takePlainly(uint8_t byte);
@@ -166,19 +167,19 @@ class FrameParser {
   MAVMISSION_APART void skipByte();
   void giveUp();
 
-  Index have_;        // bytes of the frame that has begun
-  Index need_;        // its whole length, once its header has been understood; the header's before
-  Index summed_;      // bytes that go into the checksum, its first one and crcExtra_ aside; 0 before
-  Index read_;        // bytes_[read_] to bytes_[end_ - 1] are waiting
+  Index have_;    // bytes of the frame that has begun
+  Index need_;    // its whole length, once its header has been understood; the header's before
+  Index summed_;  // bytes that go into the checksum, its first one and crcExtra_ aside; 0 before
+  Index read_;    // bytes_[read_] to bytes_[end_ - 1] are waiting
   Index end_;
-  uint16_t skip_;     // stepping: bytes up to the first one behind what is stepped over, that one included
-  Index boundary_;    // the place in bytes_ of the first byte behind what was stepped over meanwhile; 0: there is none
+  uint16_t skip_;   // stepping: bytes up to the first one behind what is stepped over, that one included
+  Index boundary_;  // the place in bytes_ of the first byte behind what was stepped over meanwhile; 0: there is none
   uint16_t crc_;
   uint16_t messageId_;
   uint8_t crcExtra_;
   uint8_t target_;
   Stepping stepping_;
-  bool inStep_;       // a frame has ended, and nothing but whole frames has come since
+  bool inStep_;  // a frame has ended, and nothing but whole frames has come since
   uint16_t badChecksums_;
   uint16_t brokenFrames_;
   uint32_t bytesSkipped_;

@@ -18,8 +18,8 @@ constexpr uint16_t kHomeIndex = 0xFFFF;
 // A sink as a function, its context, and how many items it takes at most. Kept by value.
 struct ItemSink {
   ItemSinkFunction write;  // not null
-  void* context;   // handed to the function; may be null
-  uint16_t limit;  // items; a longer plan is not begun with (Status::SinkFull)
+  void* context;           // handed to the function; may be null
+  uint16_t limit;          // items; a longer plan is not begun with (Status::SinkFull)
   // False: write() would not take an item now; the autopilot is asked for it again 250 ms later, 5 times. Null: always.
   bool (*isReady)(void* context);
 };

@@ -19,7 +19,7 @@ typedef bool (*ItemFunction)(void* context, uint16_t index, MissionItem& item);
 struct ItemSource {
   ItemFunction read;  // null with a count of 0
   void* context;      // handed to the function; may be null
-  uint32_t count;  // items; more than 65,535 is refused (Status::TooManyItems)
+  uint32_t count;     // items; more than 65,535 is refused (Status::TooManyItems)
 };
 
 // Items of an array, for inFlash() and inRam().

@@ -76,7 +76,8 @@ bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
       state_.heardByteMs = nowMs;
     }
     if (result == FrameParser::Result::Nothing) {
-      if (budget.left == 0 || parser_.isIdle() || since(state_.heardByteMs, nowMs) < FrameParser::kSilenceMs) return false;
+      if (budget.left == 0 || parser_.isIdle() || since(state_.heardByteMs, nowMs) < FrameParser::kSilenceMs)
+        return false;
       result = parser_.silence();
     }
 #if MAVMISSION_SIGNING
@@ -161,14 +162,8 @@ void Link::sendHeartbeat() {
 }
 
 LinkCounters Link::counters() const {
-  return LinkCounters{state_.bytes,
-                      parser_.bytesSkipped(),
-                      state_.frames,
-                      state_.unknownMessages,
-                      parser_.badChecksums(),
-                      parser_.brokenFrames(),
-                      state_.framesLost,
-                      state_.framesSent};
+  return LinkCounters{state_.bytes,           parser_.bytesSkipped(), state_.frames,     state_.unknownMessages,
+                      parser_.badChecksums(), parser_.brokenFrames(), state_.framesLost, state_.framesSent};
 }
 
 }  // namespace mavmission

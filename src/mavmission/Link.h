@@ -32,8 +32,8 @@ enum class Speak : uint8_t { AsAutopilot = 0, Version1 = 1, Version2 = 2 };
 
 class Link {
  public:
-  static constexpr uint16_t kHeartbeatMs = 1000;        // guide, Heartbeat/Connection Protocol: 1 Hz
-  static constexpr uint8_t kComponentId = 191;          // MAV_COMP_ID_ONBOARD_COMPUTER
+  static constexpr uint16_t kHeartbeatMs = 1000;  // guide, Heartbeat/Connection Protocol: 1 Hz
+  static constexpr uint8_t kComponentId = 191;    // MAV_COMP_ID_ONBOARD_COMPUTER
 
   // All zero is how a Link begins, but for this.
   void begin(Stream& stream) { stream_ = &stream; }
@@ -57,6 +57,7 @@ class Link {
 
   // Adds one that hears frames beside us.
   void add(Listener& listener);
+  const MoreKeys* listeners() { return parser_.moreKeys(); }
 
   // True when send() can take a frame. It goes nowhere while nothing may be said, as on a line with nobody at its end.
   MAVMISSION_APART bool canSend() const;
@@ -69,8 +70,8 @@ class Link {
   void sendAs(void* payload);
 
   // The same in two steps, for a message that may be wanted soon: prepareAs() packs it, only when canSend(); release()
-  // sends it, if isPrepared() still. It is gone when anything else is sent, and with the autopilot's next heartbeat, which
-  // may be another version's or another autopilot's.
+  // sends it, if isPrepared() still. It is gone when anything else is sent, and with the autopilot's next heartbeat,
+  // which may be another version's or another autopilot's.
   template <typename T>
   void prepareAs(void* payload);
   bool isPrepared() const { return outbox_.isHeld(); }
@@ -95,8 +96,8 @@ class Link {
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store);
   void setSigningTime(const SigningTime& time) { signing_.setTime(time); }
   const Signing& signing() const { return signing_; }
-  // To be called once in each update(): true if this one has been spent on hashing, and nothing more is to be done in it
-  // than flush().
+  // To be called once in each update(): true if this one has been spent on hashing, and nothing more is to be done in
+  // it than flush().
   bool hashes();
 #else
   static constexpr bool hashes() { return false; }
@@ -166,8 +167,8 @@ class Link {
   Signing signing_;
   FrameParser checked_;  // with the frame that is being checked, or has been accepted, as parser_ had it
   Check check_;
-  bool isWaiting_;       // parser_ has a frame that is to be checked when checked_ is free; no byte is read until then
-  bool hashedLast_;      // the last update() was spent on hashing
+  bool isWaiting_;   // parser_ has a frame that is to be checked when checked_ is free; no byte is read until then
+  bool hashedLast_;  // the last update() was spent on hashing
 #endif
 };
 

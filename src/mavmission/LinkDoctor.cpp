@@ -36,8 +36,8 @@ constexpr uint8_t kWindowS = 4;
 constexpr uint8_t kDamageIsFault = 3;
 // In a window; fewer are heartbeats, answers, and the TIMESYNC and PARAM_VALUE of an ArduPilot that nobody asked.
 constexpr uint8_t kFramesAreTelemetry = 20;
-// Frames of unknown messages that are believed without a checksum, each beginning where the one before ended: what looks
-// so in garbage is one header in a hundred.
+// Frames of unknown messages that are believed without a checksum, each beginning where the one before ended: what
+// looks so in garbage is one header in a hundred.
 constexpr uint8_t kInStep = 8;
 constexpr uint8_t kAskEachS = 5;
 // Not answered so often, the autopilot does not hear us.
@@ -221,7 +221,8 @@ void LinkDoctor::ask() {
 
 void LinkDoctor::speak(uint16_t nowMs) {
   const AutopilotFinder& finder = client_.link_.finder();
-  if (baudIndex_ != kOwnBaud || finder.severalHeard()) return;  // garbage to whoever is there, or for nobody in particular
+  if (baudIndex_ != kOwnBaud || finder.severalHeard())
+    return;  // garbage to whoever is there, or for nobody in particular
   if (!finder.isFound()) {
     if (client_.link_.canSend()) sendHeartbeat(nowMs);
     return;

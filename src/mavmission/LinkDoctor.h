@@ -58,21 +58,22 @@ struct Speaker {
 //   MissionClient autopilot(Serial1);
 //   LinkDoctor doctor(autopilot);
 //
-// It may run beside any operation. What it says on the line is harmless: as long as no autopilot is heard, a heartbeat a
-// second, by which our own echo is known; then a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which every
-// autopilot answers with COMMAND_ACK, even one that does not know it, and which changes nothing; each second until it is
-// answered, then each 5 s. It asks nothing while a transfer is running.
+// It may run beside any operation. What it says on the line is harmless: as long as no autopilot is heard, a heartbeat
+// a second, by which our own echo is known; then a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which every
+// autopilot answers with COMMAND_ACK, even one that does not know it, and which changes nothing; each second until it
+// is answered, then each 5 s. It asks nothing while a transfer is running.
 class LinkDoctor : public Listener {
  public:
   // The client must stay as long as the doctor.
   explicit LinkDoctor(MissionClient& client);
 
-  // Lets it try other baud rates when bytes come, but no frames: 9600 to 921600, as far as the board can do them. `baud` is
-  // the rate at which the sketch has opened the port [bit/s]; a verdict of WrongBaud leaves it at the one that gave frames,
-  // and it goes back when they end. A round takes about half a minute.
+  // Lets it try other baud rates when bytes come, but no frames: 9600 to 921600, as far as the board can do them.
+  // `baud` is the rate at which the sketch has opened the port [bit/s]; a verdict of WrongBaud leaves it at the one
+  // that gave frames, and it goes back when they end. A round takes about half a minute.
   void tryBauds(BaudFunction setBaud, uint32_t baud, void* context = nullptr);
 
-  // To be called from loop(), before the client's update(), so that it sees a receive ring that is full. Returns verdict().
+  // To be called from loop(), before the client's update(), so that it sees a receive ring that is full. Returns
+  // verdict().
   Verdict update();
 
   // What it came to last.
@@ -106,25 +107,25 @@ class LinkDoctor : public Listener {
   BaudFunction setBaud_ = nullptr;
   void* baudContext_ = nullptr;
   uint32_t ownBaud_ = 0;
-  uint32_t bytes_ = 0;           // that the client had received a second ago
-  uint16_t framesAtWindow_;      // its counters when the window began
+  uint32_t bytes_ = 0;       // that the client had received a second ago
+  uint16_t framesAtWindow_;  // its counters when the window began
   uint16_t unknownAtWindow_;
   uint16_t damageAtWindow_;
   uint16_t brokenAtWindow_;
   uint16_t secondMs_ = 0;
-  uint16_t mark_ = 0;            // in our last heartbeat: by it its echo is known
+  uint16_t mark_ = 0;  // in our last heartbeat: by it its echo is known
   Speaker speaker_ = {0, 0, 0};
-  uint8_t agesS_[kWhats];        // 255: never, or long ago
-  uint8_t listenedS_;            // at this rate, or since bytes came back
+  uint8_t agesS_[kWhats];  // 255: never, or long ago
+  uint8_t listenedS_;      // at this rate, or since bytes came back
   uint8_t windowS_;
-  uint8_t unanswered_;           // questions since the last answer
-  uint8_t baudIndex_;            // of the rate that is tried
+  uint8_t unanswered_;  // questions since the last answer
+  uint8_t baudIndex_;   // of the rate that is tried
   Verdict verdict_ = Verdict::Listening;
-  Verdict damage_;               // that the last window has shown; Well: none
-  bool weighed_ : 1;             // a window has ended
-  bool quiet_ : 1;               // with hardly any telemetry
+  Verdict damage_;    // that the last window has shown; Well: none
+  bool weighed_ : 1;  // a window has ended
+  bool quiet_ : 1;    // with hardly any telemetry
   bool askDue_ : 1;
-  bool roundDone_ : 1;           // every rate was tried in vain
+  bool roundDone_ : 1;  // every rate was tried in vain
 };
 
 }  // namespace mavmission

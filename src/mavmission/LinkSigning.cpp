@@ -1,8 +1,8 @@
 // Link for frames that are signed (MAVMISSION_SIGNING).
 //
 // A frame that comes in is told to nobody before its signature is found right. It is copied, so that the parser goes on
-// meanwhile; when a second one is there before the first is done, bytes wait in the stream. A frame that goes out waits in
-// the outbox.
+// meanwhile; when a second one is there before the first is done, bytes wait in the stream. A frame that goes out waits
+// in the outbox.
 #include "Link.h"
 
 #if MAVMISSION_SIGNING
@@ -40,17 +40,10 @@ bool Link::hashes() {
   hashedLast_ = !hashedLast_ || stream_->available() < kMayWait;
   if (!hashedLast_) return false;
   switch (signing_.work(kRoundsAtOnce)) {
-    case Signing::Done::Nothing:
-      break;
-    case Signing::Done::Signed:
-      outbox_.setSigned();
-      break;
-    case Signing::Done::Accepted:
-      check_ = Check::Accepted;
-      break;
-    case Signing::Done::Refused:
-      check_ = Check::None;
-      break;
+    case Signing::Done::Nothing: break;
+    case Signing::Done::Signed: outbox_.setSigned(); break;
+    case Signing::Done::Accepted: check_ = Check::Accepted; break;
+    case Signing::Done::Refused: check_ = Check::None; break;
   }
   return true;
 }
@@ -78,18 +71,14 @@ bool Link::mayRead() {
 
 void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   switch (result) {
-    case FrameParser::Result::Nothing:
-      return;
-    case FrameParser::Result::Unwanted:
-      isNews(result, nowMs);
-      return;
+    case FrameParser::Result::Nothing: return;
+    case FrameParser::Result::Unwanted: isNews(result, nowMs); return;
     case FrameParser::Result::Signature:
       if (check_ != Check::Collecting) return;
       checked_.takeSignatureOf(parser_);
       check_ = Check::Due;
       return;
-    case FrameParser::Result::Wanted:
-      break;
+    case FrameParser::Result::Wanted: break;
   }
   if (check_ == Check::Collecting) check_ = Check::None;  // its signature has been cut off
   if (finder_.isFrom(parser_.systemId(), parser_.componentId())) noteSequence();

@@ -25,6 +25,10 @@ class Listener : private MoreKeys {
   // True if the frame is the autopilot's that the client talks to.
   bool isFromAutopilot(const FrameParser& frame) const;
 
+  // The next listener behind `one`, or the first if that is null, whose frames are taken by the same function: all of
+  // the client's that are of one kind, this one among them. Null behind the last.
+  const Listener* nextAlike(const Listener* one) const;
+
   MissionClient& client_;
 
  private:

@@ -1,5 +1,5 @@
-// Frames of any message for the sketch itself: GPS, attitude, RC channels... to be decoded with any MAVLink library, or by
-// hand.
+// Frames of any message for the sketch itself: GPS, attitude, RC channels... to be decoded with any MAVLink library, or
+// by hand.
 #pragma once
 
 #include "Listener.h"

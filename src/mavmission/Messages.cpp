@@ -5,8 +5,9 @@
 namespace mavmission {
 
 const MessageKey kKeys[] PROGMEM = {
-#define MAVMISSION_KEY(NAME, type, target) \
-  {MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, MAVLINK_MSG_ID_##NAME##_MIN_LEN, MAVLINK_MSG_ID_##NAME##_LEN, target},
+#define MAVMISSION_KEY(NAME, type, target)                                                                           \
+  {MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, MAVLINK_MSG_ID_##NAME##_MIN_LEN, MAVLINK_MSG_ID_##NAME##_LEN, \
+   target},
     MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_KEY) MAVMISSION_SENT_MESSAGES(MAVMISSION_KEY)
 #undef MAVMISSION_KEY
 };
@@ -16,13 +17,10 @@ const MessageKey* wantedKey(uint16_t messageId) {
   KeyIndex index;
   switch (messageId) {
 #define MAVMISSION_CASE(NAME, type, target) \
-  case MAVLINK_MSG_ID_##NAME:               \
-    index = KeyIndex::NAME;                 \
-    break;
+  case MAVLINK_MSG_ID_##NAME: index = KeyIndex::NAME; break;
     MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_CASE)
 #undef MAVMISSION_CASE
-    default:
-      return nullptr;
+    default: return nullptr;
   }
   return &kKeys[static_cast<uint8_t>(index)];
 }

@@ -10,8 +10,8 @@
 namespace mavmission {
 
 // The messages, received ones first: name, type, and where target_system lies in the payload.
-#define MAVMISSION_RECEIVED_MESSAGES(X)                                                          \
-  X(HEARTBEAT, mavlink_heartbeat_t, MessageKey::kNoTarget)                                       \
+#define MAVMISSION_RECEIVED_MESSAGES(X)                                                                         \
+  X(HEARTBEAT, mavlink_heartbeat_t, MessageKey::kNoTarget)                                                      \
   X(MISSION_REQUEST, mavlink_mission_request_t, offsetof(mavlink_mission_request_t, target_system))             \
   X(MISSION_REQUEST_INT, mavlink_mission_request_int_t, offsetof(mavlink_mission_request_int_t, target_system)) \
   X(MISSION_ACK, mavlink_mission_ack_t, offsetof(mavlink_mission_ack_t, target_system))                         \
@@ -20,7 +20,7 @@ namespace mavmission {
   X(MISSION_ITEM, mavlink_mission_item_t, offsetof(mavlink_mission_item_t, target_system))                      \
   X(MISSION_CURRENT, mavlink_mission_current_t, MessageKey::kNoTarget)                                          \
   X(COMMAND_ACK, mavlink_command_ack_t, offsetof(mavlink_command_ack_t, target_system))
-#define MAVMISSION_SENT_MESSAGES(X)                                                                             \
+#define MAVMISSION_SENT_MESSAGES(X)                                                                                \
   X(MISSION_REQUEST_LIST, mavlink_mission_request_list_t, offsetof(mavlink_mission_request_list_t, target_system)) \
   X(MISSION_CLEAR_ALL, mavlink_mission_clear_all_t, offsetof(mavlink_mission_clear_all_t, target_system))          \
   X(MISSION_SET_CURRENT, mavlink_mission_set_current_t, offsetof(mavlink_mission_set_current_t, target_system))    \
@@ -43,10 +43,10 @@ extern const MessageKey kKeys[];
 template <typename T>
 struct MessageOf;
 
-#define MAVMISSION_MESSAGE(NAME, type, target)                          \
-  template <>                                                           \
-  struct MessageOf<type> {                                              \
-    static constexpr KeyIndex kKey = KeyIndex::NAME;                    \
+#define MAVMISSION_MESSAGE(NAME, type, target)                                                           \
+  template <>                                                                                            \
+  struct MessageOf<type> {                                                                               \
+    static constexpr KeyIndex kKey = KeyIndex::NAME;                                                     \
     static_assert(sizeof(type) == MAVLINK_MSG_ID_##NAME##_LEN, "the struct is the wire layout, packed"); \
   };
 MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_MESSAGE)

@@ -14,7 +14,7 @@ MissionClient::MissionClient(Stream& stream) {
   link_.begin(stream);
   state_.failedItem = kNoItem;
   rest_.lastResult = 255;
-  state_.unsettled = true;
+  state_.unsettled = UploadTransfer::kAnswers;
   state_.cancelled = PlanType::All;
   state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   rest_.planType = PlanType::All;
@@ -63,18 +63,16 @@ void MissionClient::end(Status status) {
 }
 
 void MissionClient::unsettle(uint16_t nowMs) {
-  state_.unsettled = true;
+  state_.unsettled = UploadTransfer::kAnswers | UploadTransfer::kBusy;
   state_.unsettledMs = nowMs;
 }
 
-void MissionClient::tellCancelled() {
-  state_.cancelled = state_.type;
-}
+void MissionClient::tellCancelled() { state_.cancelled = state_.type; }
 
 void MissionClient::cancel() {
   if (state_.operation == nullptr) return;
   const bool isUpload = state_.operation == uploadStep;
-  if (state_.status == Status::Transferring && (isUpload || state_.operation == readStep)) {
+  if (state_.status == Status::Transferring && (isUpload || rest_.proving || state_.operation == readStep)) {
     tellCancelled();
     if (isUpload) setAboard(aboardAfterUpload(Status::Cancelled));
     unsettle(static_cast<uint16_t>(millis()));
@@ -121,12 +119,12 @@ void MissionClient::onTick(uint16_t nowMs) {
   }
   const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
   state_.isLate = static_cast<uint16_t>(state_.seconds - state_.turnAtS) >= limitS;
-  if (state_.unsettled && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = false;
+  if (state_.unsettled != 0 && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = 0;
   link_.onTime(nowMs);
 }
 
-// False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half as
-// many.
+// False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half
+// as many.
 bool MissionClient::isHeavyAllowed() {
   constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
   const bool isAllowed = state_.bytesLeft >= kHalf;

@@ -50,7 +50,8 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
     clearing.isDue = true;
   }
   // An answer to a transfer that was left open may still be on its way, and would look like the answer to this.
-  if (clearing.tries == 0 && state.unsettled && since(state.unsettledMs, nowMs) < UploadTransfer::kAnswerMs) return;
+  const bool mayBeAnswered = (state.unsettled & UploadTransfer::kAnswers) != 0;
+  if (clearing.tries == 0 && mayBeAnswered && since(state.unsettledMs, nowMs) < UploadTransfer::kAnswerMs) return;
   if (!clearing.isDue || !client.link_.canSend()) return;
   clearing.isDue = false;
   ++clearing.tries;

@@ -1,7 +1,6 @@
 // MissionClient's commands: one at a time, each confirmed by COMMAND_ACK. MAVLink guide, Command Protocol.
 #include <Arduino.h>
 
-#include "Clock.h"
 #include "Messages.h"
 #include "MissionClient.h"
 #include "Sending.h"
@@ -9,85 +8,82 @@
 namespace mavmission {
 namespace {
 
-constexpr uint16_t kNextAnswerMs = UploadTransfer::kAnswerMs + 100;  // from an answer to that to the next sending
-constexpr uint16_t kProgressMs = 5000;  // the wait after IN_PROGRESS, and for a command that is sent only once
-
 Status fromCommandResult(uint8_t result) {
   switch (result) {
-    case MAV_RESULT_ACCEPTED:
-      return Status::Done;
-    case MAV_RESULT_TEMPORARILY_REJECTED:
-      return Status::CommandRejected;
-    case MAV_RESULT_DENIED:
-      return Status::CommandDenied;
-    case MAV_RESULT_UNSUPPORTED:
-      return Status::CommandUnsupported;
-    case MAV_RESULT_FAILED:
-      return Status::CommandFailed;
-    default:
-      return Status::CommandRefused;
+    case MAV_RESULT_ACCEPTED: return Status::Done;
+    case MAV_RESULT_TEMPORARILY_REJECTED: return Status::CommandRejected;
+    case MAV_RESULT_DENIED: return Status::CommandDenied;
+    case MAV_RESULT_UNSUPPORTED: return Status::CommandUnsupported;
+    case MAV_RESULT_FAILED: return Status::CommandFailed;
+    default: return Status::CommandRefused;
   }
 }
 
 }  // namespace
 
-Status MissionClient::beginCommand(void (*fill)(MissionClient&, FlightCommand&), uint32_t argument) {
+Status MissionClient::beginCommand(FillCommand fill, OnCommand on) {
   if (state_.operation != nullptr) return Status::Busy;
+  // Late answers to the last command may still come, if it was one: at its end the seconds began anew. Long after it
+  // its time, of 16 bits, says nothing any more.
+  const bool isBehindOne = rest_.turnPauseS == kCommand && state_.seconds < CommandTransfer::kLateAnswersS;
   startOperation(commandStep);
-  // What the command before leaves to sendCommand(); if it was another operation, any numbers, and at worst a short wait.
-  const uint16_t id = commanding_.id, sentMs = commanding_.sentMs, waitMs = commanding_.waitMs;
+  rest_.turnPauseS = kCommand;
+  const CommandTransfer last = commanding_.transfer;
   memset(&commanding_, 0, sizeof(commanding_));
-  commanding_.id = id;
-  commanding_.sentMs = sentMs;
-  commanding_.waitMs = waitMs < kProgressMs ? waitMs : kProgressMs;
-  commanding_.argument = argument;
-  nextCommand(fill);
+  if (isBehindOne) commanding_.transfer.beginBehind(last);
+  commanding_.fill = fill;
+  commanding_.on = on;
+  commanding_.transfer.setRepeats(true);
   return state_.status;
 }
 
-void MissionClient::nextCommand(void (*fill)(MissionClient&, FlightCommand&)) {
+void MissionClient::nextCommand(FillCommand fill, uint16_t nowMs) {
   commanding_.fill = fill;
-  commanding_.tries = 0;
-  commanding_.isDue = true;
-  commanding_.repeats = true;
+  commanding_.transfer.next(true, nowMs);
 }
 
 void MissionClient::commandStep(MissionClient& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
-  Commanding& commanding = client.commanding_;
   if (frame != nullptr) {
     if (state.status == Status::Transferring) client.takeCommandFrame(*frame, nowMs);
     return;
   }
-  if (state.status == Status::WaitingForAutopilot) {
-    client.waitForAutopilot();
-    if (state.status != Status::Checking) return;
-    const Status ready = commanding.prepare != nullptr ? commanding.prepare(client) : Status::Transferring;
+  if (state.status == Status::WaitingForAutopilot) client.waitForAutopilot();
+  if (state.status == Status::Checking) {
+    OnCommand const on = client.commanding_.on;
+    const Status ready =
+        on != nullptr ? on(client, CommandEvent::Ready, Status::Transferring, nullptr, nowMs) : Status::Transferring;
+    if (ready == Status::Checking) return;
     if (ready != Status::Transferring) return client.end(ready);
     state.status = Status::Transferring;
     client.beginSeconds(nowMs);
   }
-  if (state.isLate) return client.end(Status::TookTooLong);
-  if (!commanding.isDue && since(commanding.sentMs, nowMs) >= commanding.waitMs) {
-    // It may have been heard and its answer lost: what must not happen twice is not sent again.
-    if (!commanding.repeats) return client.end(Status::Unconfirmed);
-    if (commanding.tries == UploadTransfer::kTries) return client.end(Status::NoAnswer);
-    commanding.isDue = true;
-  }
-  if (commanding.isDue && client.link_.canSend() && client.isHeavyAllowed()) client.sendCommand(nowMs);
+  if (state.status != Status::Transferring) return;
+  Status status = client.commanding_.transfer.onTime(nowMs);
+  if (status == Status::Transferring && state.isLate) status = Status::TookTooLong;
+  const bool goesOn = status == Status::Transferring;
+  client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
+  if (state.status != Status::Transferring) return;
+  const bool isDue = client.commanding_.transfer.state() == CommandTransfer::State::Due;
+  if (isDue && client.link_.canSend() && client.isHeavyAllowed()) client.sendCommand(nowMs);
+}
+
+void MissionClient::takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
+  OnCommand const on = commanding_.on;
+  if (on != nullptr) status = on(*this, event, status, frame, nowMs);
+  if (status == Status::Transferring) return;
+  commanding_.transfer.rest(nowMs);
+  beginSeconds(nowMs);  // so long ago it is when the next one begins
+  end(status);
 }
 
 void MissionClient::sendCommand(uint16_t nowMs) {
-  FlightCommand command = flightCommand(0);
+  FlightCommand command = flightCommand(CommandTransfer::kNoCommand);
   commanding_.fill(*this, command);
-  // COMMAND_ACK does not say which sending it answers. One that was sent twice may be answered twice: the same one with
-  // another meaning, and a step of start(), waits until the second answer should have come.
-  const bool isAlike = commanding_.id == command.id || commanding_.accepted != nullptr;
-  if (commanding_.tries == 0 && isAlike && since(commanding_.sentMs, nowMs) < commanding_.waitMs) return;
-  commanding_.id = command.id;
-  if (commanding_.byMessage) {
+  if (!commanding_.transfer.isDue(command.id, nowMs)) return;
+  if (command.id == CommandTransfer::kNoCommand) {
     mavlink_mission_set_current_t message = mavlink_mission_set_current_t();
-    message.seq = static_cast<uint16_t>(commanding_.argument);
+    message.seq = static_cast<uint16_t>(command.x);
     link_.send(message);
   } else if (command.hasPlace) {
     mavlink_command_int_t message = mavlink_command_int_t();
@@ -111,62 +107,45 @@ void MissionClient::sendCommand(uint16_t nowMs) {
     message.param6 = command.param6;
     message.param7 = command.param7;
     message.command = command.id;
-    message.confirmation = commanding_.tries;
+    message.confirmation = commanding_.transfer.tries();
     link_.send(message);
   }
-  ++commanding_.tries;
-  commanding_.isDue = false;
-  commanding_.sentMs = nowMs;
-  commanding_.waitMs = commanding_.repeats ? UploadTransfer::kAnswerMs : kProgressMs;
+  commanding_.transfer.sent(command.id, nowMs);
 }
 
 void MissionClient::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
-  Status status;
-  if (frame.messageId() == MAVLINK_MSG_ID_COMMAND_ACK && !commanding_.byMessage) {
-    const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
-    if (ack.command != commanding_.id || commanding_.tries == 0) return;
-    rest_.lastResult = ack.result;
-    if (ack.result == MAV_RESULT_IN_PROGRESS) {
-      commanding_.sentMs = nowMs;
-      commanding_.waitMs = kProgressMs;
-      commanding_.isDue = false;
-      return;
+  CommandEvent event;
+  Status status = Status::Transferring;
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_COMMAND_ACK: {
+      const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
+      if (!commanding_.transfer.isAnswer(ack.command)) return;
+      rest_.lastResult = ack.result;
+      if (ack.result == MAV_RESULT_IN_PROGRESS) return commanding_.transfer.onProgress(nowMs);
+      status = fromCommandResult(ack.result);
+      event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
+      break;
     }
-    status = fromCommandResult(ack.result);
-    // The others come as long behind this one as they were sent behind the first.
-    commanding_.sentMs = nowMs;
-    commanding_.waitMs = (commanding_.tries - 1) * kNextAnswerMs;
-  } else if (frame.messageId() == MAVLINK_MSG_ID_MISSION_CURRENT && commanding_.byMessage) {
-    // The older message has no answer of its own: what is current now is the answer. Another item is none.
-    const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(frame);
-    if (current.seq != static_cast<uint16_t>(commanding_.argument) || commanding_.tries == 0) return;
-    status = Status::Done;
-  } else if (frame.messageId() == MAVLINK_MSG_ID_HEARTBEAT && commanding_.fill == nullptr && isArmed()) {
-    status = Status::Done;  // start(): its last step was accepted before
-  } else {
-    return;
+    case MAVLINK_MSG_ID_HEARTBEAT: event = CommandEvent::Heartbeat; break;
+    case MAVLINK_MSG_ID_MISSION_CURRENT: event = CommandEvent::Current; break;
+    default: return;
   }
-  if (status == Status::CommandUnsupported && commanding_.unsupported != nullptr) {
-    status = commanding_.unsupported(*this);
-  } else if (status == Status::Done && commanding_.accepted != nullptr) {
-    status = commanding_.accepted(*this);
-  }
-  if (status != Status::Transferring) end(status);
+  takeCommandEvent(event, status, &frame, nowMs);
 }
 
 Status MissionClient::send(const FlightCommand& command, Repeat repeat) {
-  const Status status = beginCommand(fillOwn, 0);
+  const Status status = beginCommand(fillOwn, onOwn);
   if (status == Status::Busy) return status;
   commanding_.own = &command;
-  commanding_.prepare = prepareOwn;
-  commanding_.repeats = repeat == Repeat::Always || !isOnceOnly(command.id);
+  commanding_.transfer.setRepeats(repeat == Repeat::Always || !isOnceOnly(command.id));
   return status;
 }
 
-Status MissionClient::prepareOwn(MissionClient& client) {
+Status MissionClient::onOwn(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  if (event != CommandEvent::Ready) return status;
   // It would arm.
   const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && client.firmware() == Firmware::Px4;
-  return arms && !client.isArmed() ? Status::NotArmed : Status::Transferring;
+  return arms && !client.isArmed() ? Status::NotArmed : status;
 }
 
 void MissionClient::fillOwn(MissionClient& client, FlightCommand& command) {
@@ -174,18 +153,19 @@ void MissionClient::fillOwn(MissionClient& client, FlightCommand& command) {
   if (command.id == MAV_CMD_COMPONENT_ARM_DISARM) command.param2 = 0;  // never forced
 }
 
-Status MissionClient::arm() { return beginCommand(fillArm, 1); }
+Status MissionClient::arm() { return beginCommand(fillArm, nullptr); }
 
-Status MissionClient::disarm() { return beginCommand(fillArm, 0); }
+Status MissionClient::disarm() { return beginCommand(fillDisarm, nullptr); }
 
-void MissionClient::fillArm(MissionClient& client, FlightCommand& command) {
+void MissionClient::fillArm(MissionClient&, FlightCommand& command) {
   command.id = MAV_CMD_COMPONENT_ARM_DISARM;
-  command.param1 = client.commanding_.argument != 0 ? 1 : 0;  // param2 stays 0: never forced
+  command.param1 = 1;  // param2 stays 0: never forced
 }
 
-bool MissionClient::setModeNumbers(FlightMode mode) {
-  return modeNumbers(mode, firmware(), link_.finder().heartbeat().vehicleType, commanding_.mainMode,
-                     commanding_.subMode);
+void MissionClient::fillDisarm(MissionClient&, FlightCommand& command) { command.id = MAV_CMD_COMPONENT_ARM_DISARM; }
+
+uint16_t MissionClient::numberOf(FlightMode mode) const {
+  return modeNumber(mode, firmware(), link_.finder().heartbeat().vehicleType);
 }
 
 bool MissionClient::isInMode(FlightMode mode) const {
@@ -193,68 +173,122 @@ bool MissionClient::isInMode(FlightMode mode) const {
   return mavmission::isInMode(mode, firmware(), heartbeat.vehicleType, heartbeat.customMode);
 }
 
+uint16_t MissionClient::shownMode() const { return modeNumberOf(customMode()); }
+
 Status MissionClient::setMode(FlightMode mode) {
-  const Status status = beginCommand(fillMode, static_cast<uint32_t>(mode));
-  if (status != Status::Busy) commanding_.prepare = prepareMode;
+  const Status status = beginCommand(fillMode, onNamedMode);
+  if (status != Status::Busy) commanding_.named = mode;
   return status;
 }
 
-Status MissionClient::prepareMode(MissionClient& client) {
-  const FlightMode mode = static_cast<FlightMode>(client.commanding_.argument);
-  return client.setModeNumbers(mode) ? Status::Transferring : Status::NoSuchMode;
+Status MissionClient::setCustomMode(uint32_t customMode) {
+  const Status status = beginCommand(fillMode, onCustomMode);
+  if (status == Status::Busy) return status;
+  commanding_.mode = modeNumberOf(customMode);
+  commanding_.isLargeMode = customMode > 255;
+  return status;
+}
+
+// ArduPilot's modes have one byte. Of a larger number it would be sent another mode.
+Status MissionClient::onCustomMode(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
+                                   uint16_t nowMs) {
+  if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
+  const bool isNone = client.firmware() == Firmware::ArduPilot && client.commanding_.isLargeMode;
+  return isNone ? Status::NoSuchMode : status;
+}
+
+Status MissionClient::onNamedMode(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
+                                  uint16_t nowMs) {
+  if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
+  client.commanding_.mode = client.numberOf(client.commanding_.named);
+  return client.commanding_.mode == kNoMode ? Status::NoSuchMode : status;
+}
+
+// A mode is set when a heartbeat shows it: PX4 answers twice, and accepts what it then refuses. Until then it is asked
+// for again, since the refusal may be what was lost.
+Status MissionClient::onMode(MissionClient& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  switch (event) {
+    case CommandEvent::Accepted: return Status::Transferring;
+    case CommandEvent::Heartbeat:
+      if (client.commanding_.transfer.tries() == 0 || client.shownMode() != client.commanding_.mode) return status;
+      return Status::Done;
+    case CommandEvent::Silent: return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : status;
+    default: return status;
+  }
 }
 
 void MissionClient::fillMode(MissionClient& client, FlightCommand& command) {
   command.id = MAV_CMD_DO_SET_MODE;
   command.param1 = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
-  command.param2 = client.commanding_.mainMode;
-  command.param3 = client.commanding_.subMode;
+  command.param2 = static_cast<uint8_t>(client.commanding_.mode);
+  command.param3 = static_cast<uint8_t>(client.commanding_.mode >> 8);
 }
 
-Status MissionClient::setCustomMode(uint32_t customMode) {
-  const Status status = beginCommand(fillMode, 0);
-  if (status == Status::Busy) return status;
-  const bool isPx4s = customMode > 0xFFFF;  // PX4 has main and sub mode in the upper half
-  commanding_.mainMode = static_cast<uint8_t>(isPx4s ? customMode >> 16 : customMode);
-  commanding_.subMode = static_cast<uint8_t>(isPx4s ? customMode >> 24 : 0);
-  return status;
+// False for an item that the plan aboard is known not to have.
+bool MissionClient::hasItem(uint16_t item) {
+  const bool isKnown = aboard() == Aboard::OurPlan && rest_.planType == PlanType::Mission;
+  if (item != kNoItem && (!isKnown || item < plan_.count())) return true;
+  state_.failedItem = item;
+  return false;
 }
 
 Status MissionClient::setCurrentItem(uint16_t item) {
-  const Status status = beginCommand(fillCurrent, item);
-  if (status == Status::Busy) return status;
-  commanding_.prepare = prepareCurrent;
-  commanding_.unsupported = currentUnsupported;
+  const Status status = beginCommand(fillCurrent, onSetCurrent);
+  if (status != Status::Busy) commanding_.item = item;
   return status;
 }
 
-// The sketch's item becomes the autopilot's.
-Status MissionClient::prepareCurrent(MissionClient& client) {
-  if (client.firmware() == Firmware::ArduPilot && !client.rest_.raw) ++client.commanding_.argument;
-  return Status::Transferring;
+Status MissionClient::onSetCurrent(MissionClient& client, CommandEvent event, Status status, const FrameParser* frame,
+                                   uint16_t nowMs) {
+  Commanding& commanding = client.commanding_;
+  const bool hasHome = client.firmware() == Firmware::ArduPilot;
+  switch (event) {
+    case CommandEvent::Ready:
+      if (!client.hasItem(commanding.item)) return Status::NoSuchItem;
+      if (hasHome && !client.rest_.raw) ++commanding.item;
+      break;
+    case CommandEvent::Refused:
+      if (status != Status::CommandUnsupported) break;
+      client.nextCommand(fillCurrentMessage, nowMs);
+      return Status::Transferring;
+    case CommandEvent::Current: {
+      // The older message has no answer of its own: what is current now is the answer. Another item is none, unless the
+      // plan has no such item, of which PX4 says nothing but in words. (65535 is a PX4 without a plan.)
+      if (commanding.fill != fillCurrentMessage || commanding.transfer.tries() == 0) break;
+      const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
+      if (current.seq == commanding.item) return Status::Done;
+      const uint16_t total = current.total;
+      if (total == 0) break;  // it does not say
+      if (total != 0xFFFF && commanding.item < total + (hasHome ? 1u : 0u)) break;
+      client.state_.failedItem = client.itemFromWire(commanding.item);
+      return Status::NoSuchItem;
+    }
+    default: break;
+  }
+  return status;
 }
 
 void MissionClient::fillCurrent(MissionClient& client, FlightCommand& command) {
   command.id = MAV_CMD_DO_SET_MISSION_CURRENT;
-  command.param1 = client.commanding_.argument;
+  command.param1 = client.commanding_.item;
 }
 
-Status MissionClient::currentUnsupported(MissionClient& client) {
-  client.nextCommand(fillCurrent);
-  client.commanding_.byMessage = true;
-  return Status::Transferring;
+void MissionClient::fillCurrentMessage(MissionClient& client, FlightCommand& command) {
+  command.x = client.commanding_.item;
 }
 
 Status MissionClient::setMessageInterval(uint16_t messageId, int32_t intervalUs) {
-  const Status status = beginCommand(fillInterval, static_cast<uint32_t>(intervalUs));
-  if (status != Status::Busy) state_.next = messageId;
+  const Status status = beginCommand(fillInterval, nullptr);
+  if (status == Status::Busy) return status;
+  commanding_.interval.us = intervalUs;
+  commanding_.interval.message = messageId;
   return status;
 }
 
 void MissionClient::fillInterval(MissionClient& client, FlightCommand& command) {
   command.id = MAV_CMD_SET_MESSAGE_INTERVAL;
-  command.param1 = client.state_.next;
-  command.param2 = static_cast<float>(static_cast<int32_t>(client.commanding_.argument));
+  command.param1 = client.commanding_.interval.message;
+  command.param2 = static_cast<float>(client.commanding_.interval.us);
 }
 
 uint16_t MissionClient::itemFromWire(uint16_t wireItem) const {

@@ -9,7 +9,7 @@ namespace mavmission {
 
 Status MissionClient::uploadPart(const ItemSource& plan, uint16_t first, uint16_t count) {
   if (state_.operation != nullptr) return Status::Busy;
-  const Status status = upload(plan, PlanType::Mission);
+  const Status status = upload(plan);
   if (isEnd(status)) return status;
   state_.announce = announcePart;
   rest_.partFirst = first;

@@ -32,7 +32,7 @@ void MissionClient::proveUpload(MissionClient& client, uint16_t nowMs) {
   client.reading_.transfer.begin(nowMs);
 }
 
-Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof) {
+Status MissionClient::uploadProven(const ItemSource& plan, PlanType type, Proof proof) {
   const Status status = uploadByAnswer(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = proof;
@@ -42,9 +42,7 @@ Status MissionClient::upload(const ItemSource& plan, PlanType type, Proof proof)
 }
 
 // 1 where the autopilot's own item 0 is home, and not the sketch's.
-uint8_t MissionClient::homeBefore() const {
-  return plan_.beginsWithHome() ? 1 : 0;
-}
+uint8_t MissionClient::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
 
 bool MissionClient::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
 
@@ -58,11 +56,14 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
     client.waitForAutopilot();
     if (state.status != Status::Checking) return;
     if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-    client.plan_.begin(client.firmware(), state.type, client.rest_.raw);
+    client.beginPlan();
     client.reading_.transfer.begin(nowMs);
     client.beginSeconds(nowMs);
     state.status = Status::Transferring;
   }
+  // Comparing an item comes on top of the bytes that its frame has ended: fewer of them leave an update() the time for
+  // it.
+  state.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
   const Status status = client.reading_.transfer.onTime(nowMs);
   if (status != Status::Transferring) return client.endReading(status);
   if (state.isLate) return client.endReading(Status::TookTooLong);
@@ -73,17 +74,10 @@ void MissionClient::sendRead(uint16_t nowMs) {
   DownloadTransfer& transfer = reading_.transfer;
   if (!link_.canSend()) return;
   switch (transfer.toSend()) {
-    case DownloadTransfer::Send::Nothing:
-      return;
-    case DownloadTransfer::Send::List:
-      sendRequestList();
-      break;
-    case DownloadTransfer::Send::Request:
-      sendRequest(transfer.itemToAsk());
-      break;
-    case DownloadTransfer::Send::Accepted:
-      sendAck(MAV_MISSION_ACCEPTED, state_.type);
-      break;
+    case DownloadTransfer::Send::Nothing: return;
+    case DownloadTransfer::Send::List: sendRequestList(); break;
+    case DownloadTransfer::Send::Request: sendRequest(transfer.itemToAsk()); break;
+    case DownloadTransfer::Send::Accepted: sendAck(MAV_MISSION_ACCEPTED, state_.type); break;
   }
   if (transfer.sent(nowMs)) endReading(Status::Downloaded);
 }
@@ -109,11 +103,9 @@ void MissionClient::sendRequest(uint16_t wireItem) {
 
 void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_MISSION_COUNT:
-      return takeReadCount(frame);
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-    case MAVLINK_MSG_ID_MISSION_ITEM:
-      return takeReadItem(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame);
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
@@ -126,8 +118,7 @@ void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
       rest_.lastResult = result;
       return endReading(status);
     }
-    default:
-      return;
+    default: return;
   }
 }
 
@@ -194,11 +185,16 @@ Status MissionClient::compareItem(MissionClient& client, uint16_t wireItem, Miss
   const Status read = plan.read(wireItem, meant);
   if (read == Status::Checking) client.reading_.transfer.askAgain();  // the looking for a place goes on then
   if (read != Status::Accepted) return read;
-  client.rest_.field = difference(meant, item, plan.firmware(), client.state_.type);
-  return client.rest_.field == Field::None ? Status::Transferring : Status::Differs;
+  const Field field = difference(meant, item, plan.keeper());
+  if (field == Field::None) return Status::Transferring;
+  // What could never be aboard is no difference.
+  if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
+  client.rest_.field = field;
+  return Status::Differs;
 }
 
 void MissionClient::endReading(Status status) {
+  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   if (status == Status::Downloaded) {
     if (reading_.isCompared) {
       status = Status::Verified;
@@ -207,7 +203,8 @@ void MissionClient::endReading(Status status) {
     }
   } else {
     tellCancelled();  // PX4 would wait 5 s for us
-    if (status == Status::Differs) setAboard(Aboard::NotKnown);
+    // Where the autopilot refuses to be read another ground station may be putting its plan there.
+    if (status == Status::Differs || status >= Status::Error) setAboard(Aboard::NotKnown);
   }
   if (rest_.proving) {
     switch (status) {
@@ -217,17 +214,21 @@ void MissionClient::endReading(Status status) {
         report(rest_.itemsTotal);
         break;
       case Status::Differs:
-        if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission) setAboard(Aboard::Mixture);
+        // One that was accepted is whole, but another one.
+        if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission &&
+            rest_.lastResult != MAV_MISSION_ACCEPTED) {
+          setAboard(Aboard::Mixture);
+        }
         if (rest_.mayBeRefused) {  // so it was, and of the last item
           status = Status::Error;
           state_.failedItem = plan_.count() - 1;
         }
         break;
-      default:
-        status = Status::Unconfirmed;
-        break;
+      default: status = Status::Unconfirmed; break;
     }
   }
+  state_.unsettled |= UploadTransfer::kBusy;  // our last word may be lost
+  state_.unsettledMs = state_.secondMs;       // now, less than a second ago
   end(status);
 }
 

@@ -1,5 +1,5 @@
-// MissionClient taking up how an upload has ended, where the sketch asked for more than to be told: the options meet here,
-// so that an upload without any of them has one test for all.
+// MissionClient taking up how an upload has ended, where the sketch asked for more than to be told: the options meet
+// here, so that an upload without any of them has one test for all.
 #include "MissionClient.h"
 
 namespace mavmission {

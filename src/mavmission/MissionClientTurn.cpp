@@ -16,7 +16,9 @@ bool MissionClient::waitForTurn(MissionClient& client, Status refusal) {
   State& state = client.state_;
   if (refusal != Status::Denied && !(refusal == Status::Error && client.firmware() == Firmware::Px4)) return false;
   if (client.rest_.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
-  client.rest_.turnPauseS = client.rest_.turnPauseS == 0 ? 1 : client.rest_.turnPauseS >= 8 ? 8 : 2 * client.rest_.turnPauseS;
+  client.rest_.turnPauseS = client.rest_.turnPauseS == 0   ? 1
+                            : client.rest_.turnPauseS >= 8 ? 8
+                                                           : 2 * client.rest_.turnPauseS;
   if (state.seconds + client.rest_.turnPauseS > client.rest_.turnLimitS) return false;
   client.state_.turnAtS = state.seconds + client.rest_.turnPauseS;
   state.status = Status::WaitingForTurn;

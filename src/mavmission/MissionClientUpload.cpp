@@ -60,14 +60,26 @@ void MissionClient::uploadStep(MissionClient& client, const FrameParser* frame, 
   client.checkPlan(nowMs);
 }
 
+void MissionClient::beginPlan() {
+  plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw);
+}
+
+// Accepted, or NotKept: and then which field of an item it is that the autopilot would not keep.
+Status MissionClient::keeping(const MissionItem& item) {
+  rest_.field = notKept(item, plan_.keeper());
+  return rest_.field == Field::None ? Status::Accepted : Status::NotKept;
+}
+
 void MissionClient::beginChecking() {
-  plan_.begin(firmware(), state_.type, rest_.raw);
+  beginPlan();
   state_.next = 0;
 }
 
 // Only when the link can send: the item lies where a frame would be made, and not on the stack.
 Status MissionClient::checkItem(uint16_t wireItem) {
-  return plan_.read(wireItem, *static_cast<MissionItem*>(link_.draft()));
+  MissionItem& item = *static_cast<MissionItem*>(link_.draft());
+  const Status read = plan_.read(wireItem, item);
+  return read == Status::Accepted ? keeping(item) : read;
 }
 
 void MissionClient::checkPlan(uint16_t nowMs) {
@@ -128,13 +140,12 @@ void MissionClient::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       continueUpload(status, nowMs);
       return;
     }
-    default:
-      return;
+    default: return;
   }
 }
 
-// What an acceptance with this opaque_id means. PX4 says what it holds. (0: it does not. Items sent as floats are not those
-// that were summed up.)
+// What an acceptance with this opaque_id means. PX4 says what it holds. (0: it does not. Items sent as floats are not
+// those that were summed up.)
 Status MissionClient::proven(uint32_t opaqueId) {
   const bool says = plan_.firmware() == Firmware::Px4 && opaqueId != 0 && !state_.floatItems;
   if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
@@ -164,11 +175,9 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
       unsettle(nowMs);
       if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
       break;
-    case Status::Unconfirmed:
-      unsettle(nowMs);
-      break;
+    case Status::Unconfirmed: unsettle(nowMs); break;
     default:
-      state_.unsettled = false;
+      state_.unsettled = 0;
       if (transfer_.hasBegun()) state_.failedItem = ownItem(transfer_.lastItem());
       break;
   }
@@ -177,7 +186,7 @@ void MissionClient::continueUpload(Status status, uint16_t nowMs) {
 
 void MissionClient::noteAccepted() {
   if (state_.type == PlanType::Mission) rest_.infeasible = false;
-  state_.unsettled = false;
+  state_.unsettled = 0;
 }
 
 Aboard MissionClient::aboardAfterUpload(Status status) const {
@@ -200,8 +209,8 @@ uint16_t MissionClient::ownItem(uint16_t wireItem) const {
   return wireItem - homeBefore();
 }
 
-// Sends what is due. An item is packed before it is asked for, while the line waits for the autopilot: the answer to its
-// request then begins earlier by that, and no update() both packs an item and writes it.
+// Sends what is due. An item is packed before it is asked for, while the line waits for the autopilot: the answer to
+// its request then begins earlier by that, and no update() both packs an item and writes it.
 void MissionClient::sendUpload(uint16_t nowMs) {
   if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
     if (!transfer_.expectsRequest() || isPrepared(transfer_.itemsAskedFor()) || !link_.canSend()) return;
@@ -240,8 +249,8 @@ void MissionClient::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
   static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
   if (!isHeavyAllowed()) return;
-  // The item becomes the message where it lies, and it lies where the frame is made: param1 to z stay, the rest is moved.
-  // That keeps the deepest stack small.
+  // The item becomes the message where it lies, and it lies where the frame is made: param1 to z stay, the rest is
+  // moved. That keeps the deepest stack small.
   union Piece {
     MissionItem item;
     mavlink_mission_item_int_t message;

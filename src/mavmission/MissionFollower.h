@@ -1,7 +1,8 @@
-// What the aircraft does with its mission: the current item, items reached, state, and what the autopilot says in words.
+// What the aircraft does with its mission: the current item, items reached, state, and what the autopilot says in
+// words.
 #pragma once
 
-#include "Listener.h"
+#include "MessageIntervals.h"
 
 namespace mavmission {
 
@@ -18,7 +19,12 @@ typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 //
 //   MissionClient autopilot(Serial1);
 //   MissionFollower mission(autopilot);
-class MissionFollower : public Listener {
+//
+// PX4 sends MISSION_CURRENT every second by itself, ArduPilot only where its port's streams are set so. An autopilot
+// that has not sent one for two seconds is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL), beside the
+// transfers of the client and between its commands: again after 2, 4, 8 s and so on, at the most once a minute, until
+// one comes.
+class MissionFollower : public MessageIntervals {
  public:
   // The client must stay as long as this.
   explicit MissionFollower(MissionClient& client);
@@ -32,7 +38,8 @@ class MissionFollower : public Listener {
   // What the autopilot says of its mission as a whole.
   MissionState state() const { return state_; }
   // False when the autopilot names its plan and it is not the one that was accepted last: someone has changed it.
-  // (PX4: MISSION_CURRENT.mission_id.) True when the autopilot does not say.
+  // (PX4: the checksum in MISSION_CURRENT and MISSION_COUNT, and in the MISSION_ACK of an upload.) True when the
+  // autopilot does not say.
   bool isOurPlan() const;
 
   // Called when another item is flown.
@@ -43,7 +50,16 @@ class MissionFollower : public Listener {
   void onText(TextFunction function, void* context = nullptr);
 
  private:
+  // How often another plan may be named behind an answer to the client before that is believed: what was sent before
+  // the answer may come after it.
+  static constexpr uint8_t kPatience = 3;
+  // Heartbeats of the autopilot's, which come every second: without MISSION_CURRENT before that is asked for, and the
+  // pause before it is asked for again.
+  static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
+
   static void take(Listener& listener, const FrameParser& frame);
+  void takeHeartbeat();
+  void takeName(uint8_t missionType, uint32_t planId);
   void takeCurrent(const FrameParser& frame);
   void takeReached(const FrameParser& frame);
   void takeText(const FrameParser& frame);
@@ -61,6 +77,9 @@ class MissionFollower : public Listener {
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
   bool isNewLeg_ = false;  // the item that was reached last is being flown again
+  uint8_t patience_ = 0;
+  uint8_t heartbeatsLeft_ = kSilence;  // before MISSION_CURRENT is asked for
+  uint8_t pause_ = kFirstPause;        // the next one
 };
 
 }  // namespace mavmission

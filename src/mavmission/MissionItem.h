@@ -56,15 +56,15 @@ static_assert(offsetof(MissionItem, command) == kPlaceBytes, "param1 to z are co
 
 // Any command that has no place, by hand: parameters as in MAV_CMD's table.
 constexpr MissionItem anyCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
-                              int32_t param5 = 0, int32_t param6 = 0, float param7 = 0) {
+                                 int32_t param5 = 0, int32_t param6 = 0, float param7 = 0) {
   return MissionItem{param1, param2, param3, param4, param5, param6, param7, id, Frame::Mission, 0, 1};
 }
 
 // Any command that has a place, by hand.
-constexpr MissionItem anyCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude, float param1 = 0,
-                                float param2 = 0, float param3 = 0, float param4 = 0) {
-  return MissionItem{param1,        param2,           param3, param4,           latitude.e7(), longitude.e7(),
-                     altitude.metres(), id, altitude.frame(), 0, 1};
+constexpr MissionItem anyCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude,
+                                   float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0) {
+  return MissionItem{param1, param2,           param3, param4, latitude.e7(), longitude.e7(), altitude.metres(),
+                     id,     altitude.frame(), 0,      1};
 }
 
 // Climb to the altitude where the aircraft stands. (PX4 needs a place; it gets that of the nearest item that has one.)
@@ -76,12 +76,12 @@ constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude alti
   return anyCommandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
 }
 
-// Fly to a place. Wait there for `hold` (a copter; ArduPilot keeps whole seconds). Within `acceptanceRadius` it counts
-// as reached (0: the autopilot's own setting; ArduPilot's copter has only that).
+// Fly to a place. Wait there for `hold` (a copter; ArduPilot takes whole seconds alone). Within `acceptanceRadius` it
+// counts as reached (0: the autopilot's own setting; ArduPilot's copter has only that).
 constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold = Seconds(0),
                                Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
   return anyCommandAt(kNavWaypoint, latitude, longitude, altitude, hold.value, acceptanceRadius.value, 0,
-                   yaw.inDegrees());
+                      yaw.inDegrees());
 }
 
 // Stay at a place for a time. A fixed wing circles at `radius`, counter-clockwise if it is negative (0: its default).
@@ -95,8 +95,8 @@ constexpr MissionItem loiterTurns(Degrees latitude, Degrees longitude, Altitude 
   return anyCommandAt(kNavLoiterTurns, latitude, longitude, altitude, turns, 0, radius.value, 0);
 }
 // Stay at a place until told otherwise.
-constexpr MissionItem loiterUnlimited(Degrees latitude, Degrees longitude, Altitude altitude,
-                                      Metres radius = Metres(0), Yaw yaw = Yaw()) {
+constexpr MissionItem loiterUnlimited(Degrees latitude, Degrees longitude, Altitude altitude, Metres radius = Metres(0),
+                                      Yaw yaw = Yaw()) {
   return anyCommandAt(kNavLoiterUnlimited, latitude, longitude, altitude, 0, 0, radius.value, yaw.inDegrees());
 }
 
@@ -118,9 +118,20 @@ constexpr MissionItem delay(Seconds time) { return anyCommand(kNavDelay, time.va
 // Fly at this ground speed from here on.
 constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDoChangeSpeed, 1, speed.value, -1); }
 
+namespace literal {
+// No constant plan may call it: a jump is repeated at most 32,767 times, -1 is for ever. One that is computed is
+// refused when the plan is checked.
+inline auto jumpRepeatsMustBeFromMinus1To32767(uint16_t target, int32_t repeats) -> MissionItem {
+  return anyCommand(kDoJump, target, repeats);
+}
+}  // namespace literal
+
 // Go on with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0: the same number
 // on every autopilot.
-constexpr MissionItem jump(uint16_t target, int16_t repeats) { return anyCommand(kDoJump, target, repeats); }
+constexpr MissionItem jump(uint16_t target, int32_t repeats) {
+  return repeats >= -1 && repeats <= 32767 ? anyCommand(kDoJump, target, repeats)
+                                           : literal::jumpRepeatsMustBeFromMinus1To32767(target, repeats);
+}
 
 // Set an output to a pulse length [us]. PX4 does not take it in a plan (Status::NotFlown).
 constexpr MissionItem setServo(uint8_t output, uint16_t pulseUs) { return anyCommand(kDoSetServo, output, pulseUs); }
@@ -145,6 +156,9 @@ constexpr MissionItem regionOfInterestOff() { return anyCommand(kDoSetRoiNone); 
 
 // Turn to a heading while flying on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw there.
 constexpr MissionItem turnTo(Degrees heading) { return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
+constexpr MissionItem turnTo(WideHeading heading) {
+  return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0);
+}
 
 // --- Items of a fence: upload(fence, PlanType::Fence).
 
@@ -171,7 +185,7 @@ constexpr MissionItem fenceReturnPoint(Degrees latitude, Degrees longitude) {
 
 // --- Items of a rally plan: upload(points, PlanType::Rally).
 
-// A place to land instead of at home. ArduPilot keeps whole metres of the altitude.
+// A place to land instead of at home. ArduPilot takes whole metres of altitude alone.
 constexpr MissionItem rallyPoint(Degrees latitude, Degrees longitude, Altitude altitude) {
   return anyCommandAt(kRallyPoint, latitude, longitude, altitude);
 }

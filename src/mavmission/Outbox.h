@@ -34,8 +34,8 @@ class Outbox {
   // Completes it with a message: its key, in flash, and a payload of key->length bytes. It is then held.
   void complete(const MessageKey* key, const uint8_t* payload);
 
-  // Where a payload may be made, kMaxPayload bytes, aligned as its fields need it. Only when isEmpty() and not isHeld().
-  // complete() moves it from here to its place, which begins further to the front.
+  // Where a payload may be made, kMaxPayload bytes, aligned as its fields need it. Only when isEmpty() and not
+  // isHeld(). complete() moves it from here to its place, which begins further to the front.
   void* draft() { return frame_ + kDraft; }
 
   // Completes it with a message of the sketch's own, whose payload stays where it is until it has been sent.
@@ -83,13 +83,13 @@ class Outbox {
 
   static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
 
-  uint16_t length_;       // of the whole frame
+  uint16_t length_;  // of the whole frame
   uint16_t sent_;
   // Writes what comes next of a foreign frame; null for a frame of our own, which is one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
-  uint16_t stuckMs_;    // since when the stream takes nothing
+  uint16_t stuckMs_;  // since when the stream takes nothing
   bool stuck_;
-  bool blind_;      // the stream does not say what it takes
+  bool blind_;  // the stream does not say what it takes
   bool held_;
 #if MAVMISSION_SIGNING
   bool signs_;
@@ -101,7 +101,8 @@ class Outbox {
     Foreign foreign_;
     uint32_t alignment_;
   };
-  static_assert(kDraft >= 10 && kDraft % 4 == 0 && kDraft + kMaxPayload <= sizeof(frame_), "behind the header, and aligned");
+  static_assert(kDraft >= 10 && kDraft % 4 == 0 && kDraft + kMaxPayload <= sizeof(frame_),
+                "behind the header, and aligned");
 };
 
 }  // namespace mavmission

@@ -63,6 +63,7 @@ void PlanConsole::began(Status status) {
   if (status == Status::Busy) return say(toString(status));
   isOperation_ = true;
   isDownload_ = false;
+  isStart_ = false;
   done_ = 0;
 }
 

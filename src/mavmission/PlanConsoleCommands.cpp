@@ -49,7 +49,7 @@ enum class PlanConsole::Command : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_COMMANDS(MAVMISSION_NAME)
 #undef MAVMISSION_NAME
-  unknown,
+      unknown,
 };
 
 void PlanConsole::takeInCommand(char c) {
@@ -84,12 +84,9 @@ void PlanConsole::run(Command command) {
   }
   if (isInText && command != Command::end && command != Command::cancel) return refuse(TextError::BadNumber);
   switch (command) {
-    case Command::help:
-      return due(kHelp);
-    case Command::status:
-      return due(kStatus);
-    case Command::end:
-      return isInText ? endText() : say(F("nothing is being loaded: load comes first"));
+    case Command::help: return due(kHelp);
+    case Command::status: return due(kStatus);
+    case Command::end: return isInText ? endText() : say(F("nothing is being loaded: load comes first"));
     case Command::cancel:
       if (!isInText) return autopilot_.cancel();
       mode_ = Mode::Commands;
@@ -110,8 +107,7 @@ void PlanConsole::run(Command command) {
     case Command::start:
       if (isOffered(command)) return offerOf(command)(*this);
       break;
-    case Command::unknown:
-      break;
+    case Command::unknown: break;
   }
   say(F("no such command here: help names them"));
 }
@@ -174,7 +170,10 @@ void PlanConsole::runDownload(PlanConsole& console) {
 }
 
 void PlanConsole::runClear(PlanConsole& console) { console.began(console.autopilot_.clear()); }
-void PlanConsole::runStart(PlanConsole& console) { console.began(console.autopilot_.start()); }
+void PlanConsole::runStart(PlanConsole& console) {
+  console.began(console.autopilot_.start());
+  console.isStart_ = true;
+}
 
 bool PlanConsole::composeHelp() {
   while (!isOffered(static_cast<Command>(step_ / 2))) step_ += 2;

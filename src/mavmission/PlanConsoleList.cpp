@@ -34,22 +34,14 @@ void PlanConsole::composeField(uint8_t field) {
   ram_ = piece_;
   const bool isPlace = item.frame != Frame::Mission;
   switch (field) {
-    case 1:
-      return putNumber(item_ + 1u);
-    case 2:
-      return putNumber(item.current);
-    case 3:
-      return putNumber(static_cast<uint8_t>(item.frame));
-    case 4:
-      return putNumber(item.command);
-    case 5:
-      return printFloat(item.command == kDoJump ? oneMore(item.param1) : item.param1, piece_);
-    case 6:
-      return printFloat(item.param2, piece_);
-    case 7:
-      return printFloat(item.param3, piece_);
-    case 8:
-      return printFloat(item.param4, piece_);
+    case 1: return putNumber(item_ + 1u);
+    case 2: return putNumber(item.current);
+    case 3: return putNumber(static_cast<uint8_t>(item.frame));
+    case 4: return putNumber(item.command);
+    case 5: return printFloat(item.command == kDoJump ? oneMore(item.param1) : item.param1, piece_);
+    case 6: return printFloat(item.param2, piece_);
+    case 7: return printFloat(item.param3, piece_);
+    case 8: return printFloat(item.param4, piece_);
     case 9:
     case 10: {
       const int32_t value = field == 9 ? item.x : item.y;
@@ -58,10 +50,8 @@ void PlanConsole::composeField(uint8_t field) {
       piece_[0] = '-';
       return value < 0 ? printWhole(0 - whole, piece_ + 1) : printWhole(whole, piece_);
     }
-    case 11:
-      return printFloat(item.z, piece_);
-    default:
-      return putNumber(item.autocontinue);
+    case 11: return printFloat(item.z, piece_);
+    default: return putNumber(item.autocontinue);
   }
 }
 

@@ -79,21 +79,11 @@ void PlanConsole::compose() {
       }
       isMore = step_ == 0;
       break;
-    case kError:
-      isMore = composeError();
-      break;
-    case kHelp:
-      isMore = composeHelp();
-      break;
-    case kList:
-      isMore = composeList_(*this);
-      break;
-    case kStatus:
-      isMore = composeStatus();
-      break;
-    case kEnded:
-      isMore = composeEnded();
-      break;
+    case kError: isMore = composeError(); break;
+    case kHelp: isMore = composeHelp(); break;
+    case kList: isMore = composeList_(*this); break;
+    case kStatus: isMore = composeStatus(); break;
+    case kEnded: isMore = composeEnded(); break;
     case kStored:
       if (step_ == 0) {
         putNumber(++told_);
@@ -117,8 +107,7 @@ void PlanConsole::compose() {
       isMore = step_ < 2;
       break;
     }
-    case kNothing:
-      break;
+    case kNothing: break;
   }
   ++step_;
   if (!isMore) task_ = kNothing;
@@ -141,15 +130,9 @@ bool PlanConsole::composeError() {
         putNumber(text_.errorField());
       }
       return true;
-    case 2:
-      put(F(": "));
-      return true;
-    case 3:
-      put(toString(error_));
-      return true;
-    default:
-      put(F("\r\nnothing was loaded; what is still to come of it is passed over, up to end\r\n"));
-      return false;
+    case 2: put(F(": ")); return true;
+    case 3: put(toString(error_)); return true;
+    default: put(F("\r\nnothing was loaded; what is still to come of it is passed over, up to end\r\n")); return false;
   }
 }
 
@@ -163,47 +146,31 @@ bool PlanConsole::composeStatus() {
   switch (step_) {
     case 0:
       switch (autopilot_.firmware()) {
-        case Firmware::Unknown:
-          put(F("no autopilot is heard"));
-          break;
-        case Firmware::ArduPilot:
-          put(F("ArduPilot"));
-          break;
-        case Firmware::Px4:
-          put(F("PX4"));
-          break;
-        case Firmware::Other:
-          put(F("an autopilot that is neither ArduPilot nor PX4"));
-          break;
+        case Firmware::Unknown: put(F("no autopilot is heard")); break;
+        case Firmware::ArduPilot: put(F("ArduPilot")); break;
+        case Firmware::Px4: put(F("PX4")); break;
+        case Firmware::Other: put(F("an autopilot that is neither ArduPilot nor PX4")); break;
       }
       return true;
     case 1:
       if (autopilot_.hasAutopilot()) put(autopilot_.isArmed() ? F(", armed") : F(", disarmed"));
       return true;
-    case 2:
-      putLineEnd();
-      return true;
+    case 2: putLineEnd(); return true;
     case 3:
     case 4:
-    case 5:
-      putOutcome(step_ - 3);
-      return true;
+    case 5: putOutcome(step_ - 3); return true;
     case 6:
       put(plan_.isDamaged() ? F("\r\nhere: damaged, items ") : F("\r\nhere: items "));
       putNumber(plan_.count());
       return true;
-    default:
-      putLineEnd();
-      return false;
+    default: putLineEnd(); return false;
   }
 }
 
 bool PlanConsole::composeEnded() {
   const bool hasItem = autopilot_.failedItem() != MissionClient::kNoItem;
   switch (step_) {
-    case 0:
-      putOutcome(0);
-      return true;
+    case 0: putOutcome(0); return true;
     case 1:
       if (hasItem) {
         put(F("\r\nitem "));
@@ -212,17 +179,14 @@ bool PlanConsole::composeEnded() {
       return true;
     case 2:
       if (autopilot_.status() == Status::Differs) put(F("\r\nwhat differs: "));
+      if (isStart_ && autopilot_.startArming() == StartArming::Disarmed) put(F("\r\nit is disarmed again"));
       return true;
     case 3:
       if (autopilot_.status() == Status::Differs) put(toString(autopilot_.differingField()));
       return true;
     case 4:
-    case 5:
-      putOutcome(step_ - 3);
-      return true;
-    default:
-      putLineEnd();
-      return false;
+    case 5: putOutcome(step_ - 3); return true;
+    default: putLineEnd(); return false;
   }
 }
 

@@ -16,22 +16,16 @@ void PlanConsole::beginText() {
 
 void PlanConsole::takeInText(char c) {
   switch (text_.take(c)) {
-    case WaypointsText::Step::More:
-      return;
-    case WaypointsText::Step::Item:
-      isItemHeld_ = true;
-      return storeItems();
-    case WaypointsText::Step::Bad:
-      return refuse(text_.error());
+    case WaypointsText::Step::More: return;
+    case WaypointsText::Step::Item: isItemHeld_ = true; return storeItems();
+    case WaypointsText::Step::Bad: return refuse(text_.error());
   }
 }
 
 void PlanConsole::endText() {
   switch (text_.end()) {
     case WaypointsText::Step::Item:  // cannot be: its line had an end
-    case WaypointsText::Step::More:
-      mode_ = Mode::Ending;
-      return;
+    case WaypointsText::Step::More: mode_ = Mode::Ending; return;
     case WaypointsText::Step::Bad:
       refuse(text_.error());
       mode_ = Mode::Commands;

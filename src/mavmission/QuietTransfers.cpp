@@ -6,7 +6,6 @@
 #include "Flash.h"
 #include "Messages.h"
 #include "MissionClient.h"
-#include "Sending.h"
 
 namespace mavmission {
 namespace {
@@ -70,10 +69,8 @@ bool isNeeded(uint16_t id) {
     case MAVLINK_MSG_ID_COMMAND_INT:
     case MAVLINK_MSG_ID_COMMAND_LONG:
     case MAVLINK_MSG_ID_COMMAND_ACK:
-    case MAVLINK_MSG_ID_STATUSTEXT:
-      return true;
-    default:
-      return id >= MAVLINK_MSG_ID_MISSION_REQUEST_PARTIAL_LIST && id <= MAVLINK_MSG_ID_MISSION_ACK;
+    case MAVLINK_MSG_ID_STATUSTEXT: return true;
+    default: return id >= MAVLINK_MSG_ID_MISSION_REQUEST_PARTIAL_LIST && id <= MAVLINK_MSG_ID_MISSION_ACK;
   }
 }
 
@@ -85,11 +82,10 @@ QuietTransfers::QuietTransfers(MissionClient& client)
     : QuietTransfers(client, List{kArduPilots, kArduPilotsCount}, List{kPx4s, kPx4sCount}) {}
 
 QuietTransfers::QuietTransfers(MissionClient& client, const List& forArduPilot, const List& forOthers)
-    : Listener(client, &kKeys[static_cast<uint8_t>(KeyIndex::COMMAND_ACK)], 1, take),
+    : MessageIntervals(client, &kKeys[static_cast<uint8_t>(KeyIndex::COMMAND_ACK)], 1, take),
       forArduPilot_(forArduPilot),
       forOthers_(forOthers),
       isHushing_(false),
-      isWaiting_(false),
       isAnswered_(false) {}
 
 const QuietTransfers::List& QuietTransfers::list() const {
@@ -99,12 +95,6 @@ const QuietTransfers::List& QuietTransfers::list() const {
 // Commands have no items, nor has clear(); of a plan that is read it is not known yet how many.
 bool QuietTransfers::isTransferring() const {
   return client_.isBusy() && client_.status() == Status::Transferring && client_.itemsTotal() != 0;
-}
-
-// Not beside a command of the client's: it would take our answer for its own if it sets an interval too.
-bool QuietTransfers::mayAsk() const {
-  if (client_.isBusy() && client_.status() == Status::Transferring && client_.itemsTotal() == 0) return false;
-  return client_.hasAutopilot();
 }
 
 // Goes on to the next message that is to be asked for, from index_ on; false if there is none.
@@ -127,68 +117,56 @@ bool QuietTransfers::findNext() {
 void QuietTransfers::update() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (isWaiting_) {
-    if (since(sentMs_, nowMs) < kAnswerMs) return;
+    if (since(askedMs_, nowMs) < kAnswerMs) return;
     isWaiting_ = false;
     if (isAnswered_ || tries_ == kTries) {
       tries_ = 0;
       ++index_;
     }
   }
-  if (!mayAsk()) return;
+  if (!mayAsk(nowMs)) return;
   if (isHushing_ != isTransferring()) {
     isHushing_ = !isHushing_;
     index_ = 0;
     tries_ = 0;
   }
-  if (findNext() && client_.link_.canSend()) ask(nowMs);
+  if (findNext() && client_.link_.canSend()) askNext(nowMs);
 }
 
-void QuietTransfers::ask(uint16_t nowMs) {
+void QuietTransfers::askNext(uint16_t nowMs) {
   const QuietMessage message = fromFlash(&list().messages[index_]);
-  mavlink_command_long_t command = mavlink_command_long_t();
-  command.command = MAV_CMD_SET_MESSAGE_INTERVAL;
-  command.param1 = message.id;
-  command.param2 = isHushing_ ? -1 : static_cast<float>(uint32_t{1000} * message.intervalMs);
-  command.confirmation = tries_;
-  client_.link_.send(command);
+  ask(message.id, isHushing_ ? -1 : static_cast<float>(uint32_t{1000} * message.intervalMs), tries_, nowMs);
   muted_ |= bitOf(index_);
   ++tries_;
-  isWaiting_ = true;
   isAnswered_ = false;
-  sentMs_ = nowMs;
 }
 
 void QuietTransfers::take(Listener& listener, const FrameParser& frame) {
   QuietTransfers& self = static_cast<QuietTransfers&>(listener);
-  const Link& link = self.client_.link_;
-  if (!self.isWaiting_ || self.isAnswered_ || !self.mayAsk() || !self.isFromAutopilot(frame) ||
-      !frame.isFor(link.systemId(), link.componentId())) {
-    return;
-  }
-  const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
+  const uint16_t nowMs = static_cast<uint16_t>(millis());
   // The same frame again would be taken for the answer to the next message.
-  if (ack.command != MAV_CMD_SET_MESSAGE_INTERVAL || frame.sequence() == self.sequence_) return;
+  if (self.isAnswered_ || !self.isAnswer(frame) || !self.mayAsk(nowMs) || frame.sequence() == self.sequence_) return;
   self.sequence_ = frame.sequence();
-  self.takeResult(ack.result, static_cast<uint16_t>(millis()));
+  self.takeResult(frame.payloadByte(offsetof(mavlink_command_ack_t, result)), nowMs);
 }
 
 void QuietTransfers::takeResult(uint8_t result, uint16_t nowMs) {
   if (result == MAV_RESULT_TEMPORARILY_REJECTED) return;  // asked for again when the wait is over
   if (result == MAV_RESULT_IN_PROGRESS) {
-    sentMs_ = nowMs;
+    askedMs_ = nowMs;
     return;
   }
   // What is refused to be given back has no such interval.
   if (!isHushing_) muted_ &= ~bitOf(index_);
   if (tries_ == 1) {
-    isWaiting_ = false;
+    settle();
     tries_ = 0;
     ++index_;
     return;
   }
   // An answer to another try may be on its way still, and could not be told from the answer to the next message.
   isAnswered_ = true;
-  sentMs_ = nowMs;
+  askedMs_ = nowMs;
 }
 
 }  // namespace mavmission

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "AutopilotFinder.h"
-#include "Listener.h"
+#include "MessageIntervals.h"
 
 namespace mavmission {
 
@@ -29,7 +29,7 @@ struct QuietMessage {
 //
 // COMMAND_ACK does not say which message it is about: call setMessageInterval() only while isIdle(), or its answer may
 // be one that was meant for this.
-class QuietTransfers : public Listener {
+class QuietTransfers : public MessageIntervals {
  public:
   // The most messages of a list.
   static constexpr uint8_t kMostMessages = 32;
@@ -64,20 +64,17 @@ class QuietTransfers : public Listener {
   static void take(Listener& listener, const FrameParser& frame);
   void takeResult(uint8_t result, uint16_t nowMs);
   const List& list() const;
-  bool mayAsk() const;
   bool isTransferring() const;
   bool findNext();
-  void ask(uint16_t nowMs);
+  void askNext(uint16_t nowMs);
 
   List forArduPilot_;
   List forOthers_;
   uint32_t muted_ = 0xFFFFFFFF;  // a bit for each message that may be silent: after a reset, all of them
-  uint16_t sentMs_ = 0;
-  uint8_t index_ = 0;  // of the message that is asked for, or next
+  uint8_t index_ = 0;            // of the message that is asked for, or next
   uint8_t tries_ = 0;
   uint8_t sequence_ = 0;  // of the last answer's frame
-  bool isHushing_ : 1;   // or giving intervals back
-  bool isWaiting_ : 1;   // for an answer, or for late ones
+  bool isHushing_ : 1;    // or giving intervals back
   bool isAnswered_ : 1;
 };
 

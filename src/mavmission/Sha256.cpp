@@ -159,8 +159,6 @@ void Sha256::doRounds(uint8_t first) {
   memcpy(window_ + 8, window_, 8 * sizeof *window_);
 }
 
-uint8_t Sha256::digest(uint8_t index) const {
-  return reinterpret_cast<const uint8_t*>(hash_)[index ^ 3];
-}
+uint8_t Sha256::digest(uint8_t index) const { return reinterpret_cast<const uint8_t*>(hash_)[index ^ 3]; }
 
 }  // namespace mavmission

@@ -71,7 +71,8 @@ bool Signing::check(const uint8_t* frame, uint16_t length, uint8_t systemId, uin
 
 Signing::Stream* Signing::streamOf(uint8_t systemId, uint8_t componentId, uint8_t linkId) {
   for (Stream& stream : streams_) {
-    if (!stream.time.isNone() && stream.systemId == systemId && stream.componentId == componentId && stream.linkId == linkId) {
+    if (!stream.time.isNone() && stream.systemId == systemId && stream.componentId == componentId &&
+        stream.linkId == linkId) {
       return &stream;
     }
   }

@@ -1,9 +1,9 @@
-// MAVLink 2 message signing (MAVLink guide, Message Signing): signs frames, and tells which were signed with our key, by
-// whom else it may be, and now.
+// MAVLink 2 message signing (MAVLink guide, Message Signing): signs frames, and tells which were signed with our key,
+// by whom else it may be, and now.
 //
 // A signature is 13 bytes behind a frame: link id, timestamp (48 bits, 10 us each since 2015), and the first 48 bits of
-// the SHA-256 of key, frame, link id and timestamp. Each system, component and link id is a stream, whose timestamps must
-// rise. Ours rise over all: by one with each frame that we sign, and to that of any frame that is accepted.
+// the SHA-256 of key, frame, link id and timestamp. Each system, component and link id is a stream, whose timestamps
+// must rise. Ours rise over all: by one with each frame that we sign, and to that of any frame that is accepted.
 //
 // One frame at a time, and a few rounds of SHA-256 at a time.
 #pragma once
@@ -19,35 +19,35 @@ namespace mavmission {
 
 // What became of received frames. Each counts from the start, and wraps.
 struct SigningCounters {
-  uint16_t accepted;       // rightly signed, and new
-  uint16_t notSigned;      // MAVLink 1, or MAVLink 2 without a signature
-  uint16_t wrong;          // signed with another key, or changed on the way
-  uint16_t replayed;       // older than what the same stream has sent already, or the same again
-  uint16_t old;            // of a stream not heard before, more than a minute behind
-  uint16_t tooManyStreams; // all of kStreams have been heard within a minute
+  uint16_t accepted;        // rightly signed, and new
+  uint16_t notSigned;       // MAVLink 1, or MAVLink 2 without a signature
+  uint16_t wrong;           // signed with another key, or changed on the way
+  uint16_t replayed;        // older than what the same stream has sent already, or the same again
+  uint16_t old;             // of a stream not heard before, more than a minute behind
+  uint16_t tooManyStreams;  // all of kStreams have been heard within a minute
 };
 
 class Signing {
  public:
   static constexpr uint8_t kLinkAndTime = 1 + SigningTime::kLength;  // of a signature, these are signed too [bytes]
-  static constexpr uint8_t kSum = 6;                                // the rest of it [bytes]
-  static constexpr uint8_t kLength = kLinkAndTime + kSum;           // the whole signature [bytes]
+  static constexpr uint8_t kSum = 6;                                 // the rest of it [bytes]
+  static constexpr uint8_t kLength = kLinkAndTime + kSum;            // the whole signature [bytes]
 
-  // Streams whose time is remembered. One that has not been heard for a minute gives way: whatever of it was recorded is
-  // too old to be taken for a new one.
+  // Streams whose time is remembered. One that has not been heard for a minute gives way: whatever of it was recorded
+  // is too old to be taken for a new one.
   static constexpr uint8_t kStreams = 4;
 
-  // What is reserved ahead of our time [0.65536 s]: 42 s. Less than the minute that is granted to the autopilot, which is
-  // behind us by that after a reset, since what was reserved may have been used.
+  // What is reserved ahead of our time [0.65536 s]: 42 s. Less than the minute that is granted to the autopilot, which
+  // is behind us by that after a reset, since what was reserved may have been used.
   static constexpr uint8_t kReserve = 64;
   // How much of it is left when more is reserved [0.65536 s].
   static constexpr uint8_t kReserveLeft = 4;
-  // The same while our time stands, since nobody with a clock has been heard: 65,536 signatures. So a client that is reset
-  // again and again, and heard by nobody, does not run a minute ahead of an autopilot whose time stands too.
+  // The same while our time stands, since nobody with a clock has been heard: 65,536 signatures. So a client that is
+  // reset again and again, and heard by nobody, does not run a minute ahead of an autopilot whose time stands too.
   static constexpr uint8_t kLeastReserve = 1;
 
-  // Bytes that are signed together, though they lie apart: `count` pieces, one behind the other. They stay where they are,
-  // and as they are, until the work is done.
+  // Bytes that are signed together, though they lie apart: `count` pieces, one behind the other. They stay where they
+  // are, and as they are, until the work is done.
   struct Piece {
     const uint8_t* bytes;
     uint16_t length;
@@ -55,7 +55,7 @@ class Signing {
   static constexpr uint8_t kPieces = 3;
 
   enum class Done : uint8_t {
-    Nothing,   // go on
+    Nothing,  // go on
     Signed,
     Accepted,
     Refused,
@@ -73,13 +73,13 @@ class Signing {
 
   // --- Signing. True if it may begin: the time that it takes has been reserved. If not, keepTime() is reserving it.
   bool maySign();
-  // Puts link id and timestamp into the signature, which is the kLength bytes right behind the last piece; the rest of it
-  // follows when work() says Signed. Only when maySign() and not isBusy(). `pieces`: of the frame, from its first byte to
-  // its checksum, at most kPieces.
+  // Puts link id and timestamp into the signature, which is the kLength bytes right behind the last piece; the rest of
+  // it follows when work() says Signed. Only when maySign() and not isBusy(). `pieces`: of the frame, from its first
+  // byte to its checksum, at most kPieces.
   void sign(const Piece* pieces, uint8_t count);
 
-  // --- Checking. False if the frame is refused at once, for its time. Only when not isBusy(). `frame` as it came, from its
-  // first byte to its checksum.
+  // --- Checking. False if the frame is refused at once, for its time. Only when not isBusy(). `frame` as it came, from
+  // its first byte to its checksum.
   bool check(const uint8_t* frame, uint16_t length, uint8_t systemId, uint8_t componentId, const uint8_t* signature);
   // A frame without a signature has been refused.
   void noteNotSigned() { ++counters_.notSigned; }
@@ -111,21 +111,21 @@ class Signing {
   void moveTo(const SigningTime& time);
 
   TimestampStore store_;
-  SigningTime time_;         // of the last signature
-  uint32_t reserved_;        // timestamps before this are safe to use [0.65536 s]
-  uint32_t saving_;          // what the store is saving; 0: nothing
+  SigningTime time_;   // of the last signature
+  uint32_t reserved_;  // timestamps before this are safe to use [0.65536 s]
+  uint32_t saving_;    // what the store is saving; 0: nothing
   SigningCounters counters_;
   Stream streams_[kStreams];
   SigningKey key_;
   uint8_t linkId_;
-  bool hasMoved_;            // our time, to that of a clock or of an accepted frame, since it was reserved last
+  bool hasMoved_;  // our time, to that of a clock or of an accepted frame, since it was reserved last
   Job job_;
   // Of the frame that is being signed or checked.
-  uint8_t piece_;            // the next one
-  bool finished_;            // nothing is left but rounds
+  uint8_t piece_;  // the next one
+  bool finished_;  // nothing is left but rounds
   uint8_t systemId_, componentId_;
   const uint8_t* signature_;
-  uint8_t* toFill_;          // where the sum goes
+  uint8_t* toFill_;  // where the sum goes
   Piece pieces_[1 + kPieces];
   Sha256 sum_;
 };

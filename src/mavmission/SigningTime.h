@@ -40,9 +40,7 @@ struct SigningTime {
   // The very first is nobody's.
   bool isNone() const { return high == 0 && low == 0; }
 
-  bool isBefore(const SigningTime& other) const {
-    return high != other.high ? high < other.high : low < other.low;
-  }
+  bool isBefore(const SigningTime& other) const { return high != other.high ? high < other.high : low < other.low; }
 
   // A minute later: how far the time of a sender that was not heard before may lie behind.
   SigningTime aMinuteLater() const {

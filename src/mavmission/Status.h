@@ -47,6 +47,8 @@ namespace mavmission {
   X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
   X(NeedsPlace, "refused: it needs a place on this autopilot, and has none") \
+  X(BadAltitude, "refused: an altitude beyond what this autopilot takes") \
+  X(NotKept, "refused: this autopilot would keep another value") /* of differingField(): keptValue() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
   X(SinkFull, "the plan aboard is larger than the sink takes") \
@@ -82,7 +84,11 @@ namespace mavmission {
   X(NoSuchMode, "this vehicle has no such mode") \
   X(NotArmed, "refused: the autopilot is not armed") \
   X(Unproven, "refused: what is aboard is not known to be our plan") \
-  X(Infeasible, "the autopilot accepted the plan, then found that it cannot be flown")
+  X(Infeasible, "the autopilot accepted the plan, then found that it cannot be flown") \
+  X(NoSuchItem, "refused: the plan has no such item") \
+  X(NothingToFly, "refused: nothing to fly to from this item on") \
+  X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the one it is at */ \
+  X(TakenOver, "somebody else has set another mode")
 // clang-format on
 
 enum class Status : uint8_t {
@@ -92,10 +98,10 @@ enum class Status : uint8_t {
 };
 
 // The plan that the autopilot holds when an operation has ended.
-#define MAVMISSION_ABOARD(X)                                                    \
-  X(NotKnown, "not known")                                                      \
-  X(AsBefore, "what was aboard before")                                         \
-  X(OurPlan, "our plan, whole")                                                 \
+#define MAVMISSION_ABOARD(X)                                                     \
+  X(NotKnown, "not known")                                                       \
+  X(AsBefore, "what was aboard before")                                          \
+  X(OurPlan, "our plan, whole")                                                  \
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
   X(Nothing, "no plan")
 

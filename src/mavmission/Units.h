@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "Config.h"
 #include "Degrees.h"
 
 namespace mavmission {
@@ -43,30 +44,20 @@ constexpr MetresPerSecond operator"" _mps(long double value) { return MetresPerS
 
 // MAV_FRAME (MAVLink common messages): what the numbers of a place mean.
 enum class Frame : uint8_t {
-  Global = 0,            // altitude [m above mean sea level]
-  Mission = 2,           // no place: x, y and z are parameters 5 to 7
-  GlobalRelative = 3,    // altitude [m above home]
-  GlobalInt = 5,         // as Global; the older number for MISSION_ITEM_INT
-  GlobalRelativeInt = 6, // as GlobalRelative; the older number for MISSION_ITEM_INT
-  GlobalTerrain = 10,    // altitude [m above the ground below]
-  GlobalTerrainInt = 11, // as GlobalTerrain; the older number for MISSION_ITEM_INT
+  Global = 0,             // altitude [m above mean sea level]
+  Mission = 2,            // no place: x, y and z are parameters 5 to 7
+  GlobalRelative = 3,     // altitude [m above home]
+  GlobalInt = 5,          // as Global; the older number for MISSION_ITEM_INT
+  GlobalRelativeInt = 6,  // as GlobalRelative; the older number for MISSION_ITEM_INT
+  GlobalTerrain = 10,     // altitude [m above the ground below]
+  GlobalTerrainInt = 11,  // as GlobalTerrain; the older number for MISSION_ITEM_INT
 };
 
 // The present number of a frame: 0, 3 and 10 for 5, 6 and 11.
-inline Frame modern(Frame frame) {
-  switch (frame) {
-    case Frame::GlobalInt:
-      return Frame::Global;
-    case Frame::GlobalRelativeInt:
-      return Frame::GlobalRelative;
-    case Frame::GlobalTerrainInt:
-      return Frame::GlobalTerrain;
-    case Frame::Global:
-    case Frame::Mission:
-    case Frame::GlobalRelative:
-    case Frame::GlobalTerrain:
-      break;
-  }
+MAVMISSION_APART inline Frame modern(Frame frame) {
+  if (frame == Frame::GlobalInt) return Frame::Global;
+  if (frame == Frame::GlobalRelativeInt) return Frame::GlobalRelative;
+  if (frame == Frame::GlobalTerrainInt) return Frame::GlobalTerrain;
   return frame;
 }
 
@@ -92,12 +83,13 @@ constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, Frame:
 // Above the ground below. Needs terrain data aboard; PX4 1.17 does not take it in a plan (Status::BadFrame).
 constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::GlobalTerrain); }
 
-// A heading [degrees from north, clockwise], or "as you fly", which is the default everywhere.
+// A heading [degrees from north, clockwise, -180 to 360], or "as you fly", which is the default everywhere.
 class Yaw {
  public:
   constexpr Yaw() : degrees_(__builtin_nanf("")) {}
   // From north, clockwise.
   constexpr Yaw(Degrees heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
+  constexpr Yaw(WideHeading heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
   constexpr float inDegrees() const { return degrees_; }  // NaN: as you fly
 
  private:

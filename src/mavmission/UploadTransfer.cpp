@@ -2,7 +2,7 @@
 
 namespace mavmission {
 
-void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs) {
+void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs) {
   *this = UploadTransfer();  // all zero: Counting, nothing asked for
   progressMs_ = nowMs;
   sentMs_ = nowMs;
@@ -16,8 +16,8 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, bool leftovers, ui
 Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
   // Before our COUNT has left, or while it is to be sent again, only an earlier transfer can be asking.
   if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
-  // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an item
-  // only when it has the one before. It moves nothing.
+  // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an
+  // item only when it has the one before. It moves nothing.
   if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
@@ -38,7 +38,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
 
 // PX4 goes on with an earlier, longer transfer of ours that had come to no item yet, whatever our COUNT said.
 void UploadTransfer::endOlder() {
-  if (firmware_ != Firmware::Px4 || !leftovers_ || freed_) return;
+  if (firmware_ != Firmware::Px4 || !mayBeAnswered() || freed_) return;
   freed_ = true;
   state_ = State::Counting;
   send_ = Send::Cancel;
@@ -51,17 +51,17 @@ Status UploadTransfer::onAcceptance() {
   // PX4 accepts a repeated last item though it has just failed to store the plan.
   if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
-  if (!leftovers_) return Status::AcceptedEarly;
+  if (!mayBeAnswered()) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
   return Status::Transferring;
 }
 
 Status UploadTransfer::onAck(uint8_t result) {
-  if (state_ == State::Counting && tries_ == 0) return Status::Transferring;  // of something earlier: nothing of ours has left
+  if (state_ == State::Counting && tries_ == 0)
+    return Status::Transferring;  // of something earlier: nothing of ours has left
   const Status status = fromMissionResult(result);
   switch (status) {
-    case Status::Accepted:
-      return onAcceptance();
+    case Status::Accepted: return onAcceptance();
 
     case Status::InvalidSequence:
       // Noise while it moves: ArduPilot says so of each item that reaches it twice, and goes on.
@@ -74,19 +74,24 @@ Status UploadTransfer::onAck(uint8_t result) {
       return status;
 
     case Status::Denied:
-      // To a part that was announced twice: it has been receiving it from the first time on, and asks for the item again.
-      if (state_ != State::Counting || first_ == 0 || tries_ < 2) return status;
+      // To a part that was announced more than once: it has been receiving it from the first time on, and asks for its
+      // items; the answer may come behind the first request.
+      if (state_ == State::Confirming || first_ == 0 || !recounted_) return status;
       suspicion_ = status;
       return Status::Transferring;
 
     case Status::Error:
-      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot && !freed_) {
-        // PX4 holds a transfer of ours from before a reset: end it, then ask again.
+      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot) {
+        // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well,
+        // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
+        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;
         freed_ = true;
+        tries_ = 0;
         send_ = Send::Cancel;
         return Status::Transferring;
       }
-      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the plan.
+      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the
+      // plan.
       if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
       // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
       // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
@@ -97,10 +102,9 @@ Status UploadTransfer::onAck(uint8_t result) {
       }
       return status;
 
-    default:
-      return status;
+    default: return status;
   }
-  if (!leftovers_) return status;
+  if (!mayBeAnswered()) return status;
   suspicion_ = status;
   return Status::Transferring;
 }
@@ -112,7 +116,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
     case State::Counting:
       if (!overdue) break;
       if (tries_ >= kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
-      send_ = Send::Count;
+      send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
     case State::Sending:
@@ -135,14 +139,12 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
 void UploadTransfer::sent(uint16_t nowMs) {
   switch (send_) {
     case Send::Count:
-      recounted_ = tries_ != 0;
+      recounted_ = tries_ != 0 || freed_;
       ++tries_;
       sentMs_ = nowMs;
       send_ = Send::Nothing;
       break;
-    case Send::Cancel:
-      send_ = Send::Count;
-      break;
+    case Send::Cancel: send_ = Send::Count; break;
     case Send::Item:
       if (state_ != State::Confirming && item_ + 1u == behind_) {
         state_ = State::Confirming;
@@ -152,8 +154,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
       sentMs_ = nowMs;
       send_ = Send::Nothing;
       break;
-    case Send::Nothing:
-      break;
+    case Send::Nothing: break;
   }
 }
 

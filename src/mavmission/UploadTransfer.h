@@ -22,19 +22,21 @@ namespace mavmission {
 
 class UploadTransfer {
  public:
-  static constexpr uint8_t kTries = 5;             // COUNTs, and repeated last items (guide: 5 tries)
-  static constexpr uint16_t kAnswerMs = 1500;      // wait for an answer to either (guide: 1500 ms)
-  static constexpr uint16_t kPassiveMs = 8500;     // ArduPilot asks again each second and gives up after 8.0 s
-  static constexpr uint16_t kConfirmingMs = 12000; // the most for the final answer, however often the last item is asked for
-  static constexpr uint8_t kSameRequestMs = 50;    // a repeat within that is a queue being emptied, not a new question
+  static constexpr uint8_t kTries = 5;              // COUNTs, and repeated last items (guide: 5 tries)
+  static constexpr uint16_t kAnswerMs = 1500;       // wait for an answer to either (guide: 1500 ms)
+  static constexpr uint16_t kPassiveMs = 8500;      // ArduPilot asks again each second and gives up after 8.0 s
+  static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
+  static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
 
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
+  // What an earlier transfer may have left. kAnswers: it may still be answered, also if it is from before a reset: what
+  // only that can have caused is not taken for an answer to this one. kBusy: PX4 may not have heard that it is over.
+  static constexpr uint8_t kAnswers = 1, kBusy = 2;
+
   // Begins with `count` items on the wire, for an autopilot of this kind.
-  // client or from before a reset, may still be answered: what only that can have caused is then not taken for an
-  // answer to this one.
-  void begin(uint16_t count, Firmware firmware, bool leftovers, uint16_t nowMs);
+  void begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs);
 
   // Right after begin(): only wire items `first` to `behind` - 1, for a part of a plan.
   void limitTo(uint16_t first, uint16_t behind) {
@@ -57,9 +59,9 @@ class UploadTransfer {
   bool hasBegun() const { return state_ != State::Counting; }
   // An answer was heard that may have been to an earlier transfer.
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
-  // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts our
-  // last item as if it were that one's, repeated, with the sum of what it had until then.
-  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && leftovers_ && tries_ != 0; }
+  // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
+  // our last item as if it were that one's, repeated, with the sum of what it had until then.
+  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && tries_ != 0; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.
@@ -68,6 +70,7 @@ class UploadTransfer {
   uint16_t lastItem() const { return item_; }
 
  private:
+  bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
   Status onAcceptance();
 
@@ -79,14 +82,14 @@ class UploadTransfer {
   uint16_t item_;
   State state_;
   Send send_;
-  uint8_t tries_;                         // COUNTs sent; then unasked repeats of the last item
-  Status suspicion_;   // an answer that may be to an earlier transfer: the reason if no other comes
+  uint8_t tries_;     // COUNTs sent; then unasked repeats of the last item
+  Status suspicion_;  // an answer that may be to an earlier transfer: the reason if no other comes
   Firmware firmware_;
-  bool leftovers_;
-  bool recounted_;                    // COUNT was sent more than once
-  bool freed_;                        // an open transfer of ours was cancelled first
-  bool repeated_;                     // an item was sent more than once
-  bool answered_;                     // item_ has been sent at least once
+  uint8_t leftovers_;
+  bool recounted_;  // COUNT was sent more than once
+  bool freed_;      // an open transfer of ours was cancelled first
+  bool repeated_;   // an item was sent more than once
+  bool answered_;   // item_ has been sent at least once
 };
 
 }  // namespace mavmission

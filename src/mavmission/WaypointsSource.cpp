@@ -59,12 +59,12 @@ WaypointsSource::State WaypointsSource::update() {
     } else {
       step = text_.take(static_cast<char>(byte));
     }
-    if (step == WaypointsText::Step::Item && text_.count() == 1) first_ = Mark{lineStart_, 1};
+    if (step == WaypointsText::Step::Item && text_.count() == 1) first_ = Mark{lineStart_, text_.firstNumber()};
     if (step == WaypointsText::Step::Bad) return state_ = State::Bad;
     if (isOver) {
       count_ = text_.count();
       size_ = position_;
-      last_.number = 0;  // none was given yet
+      last_.number = 0;  // none was given yet, or line 0 was: it is soon found again
       return state_ = State::Good;
     }
     if (wasInField && !text_.isInField()) break;  // a number is enough work
@@ -80,7 +80,7 @@ ItemSource WaypointsSource::source() {
 bool WaypointsSource::readItem(void* source, uint16_t index, MissionItem& item) {
   WaypointsSource& from = *static_cast<WaypointsSource*>(source);
   if (from.state_ != State::Good || index >= from.count_) return false;
-  const uint16_t number = index + 1;
+  const uint16_t number = index + from.text_.firstNumber();
   const uint16_t last = from.last_.number;
   const bool isNext = last != 0 && last + 1u == number && from.text_.error() == TextError::None;
   if (!isNext && !from.find(number)) return false;

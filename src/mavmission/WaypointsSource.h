@@ -8,7 +8,7 @@
 //   plan.begin();
 //   ...
 //   switch (plan.update()) {                               // in loop()
-//     case WaypointsSource::State::Good: autopilot.upload(plan.source()); ...
+//     case WaypointsSource::State::Good: autopilot.upload(plan.source(), plan.type()); ...
 #pragma once
 
 #include <stdint.h>
@@ -52,6 +52,8 @@ class WaypointsSource {
   ItemSource source();
   // Its items: home is none.
   uint16_t count() const { return state_ == State::Good ? count_ : 0; }
+  // What they are, for upload(): all of a mission, all of a fence, or all rally points. When it is Good.
+  PlanType type() const { return text_.type(); }
 
   // Why it is Bad, or why an item could not be read again when it was asked for: toString(error()) has it in words. The
   // line counts from 1, 0: not known. The field counts from 1 to 12, 0: the line as a whole.
@@ -82,14 +84,14 @@ class WaypointsSource {
   SeekFunction seek_;
   void* context_;
   WaypointsText text_;
-  uint32_t position_;    // of the next byte
-  uint32_t lineStart_;   // of the line that is being read, or was read last
-  uint32_t size_;        // of the text, once it is known
-  Mark first_;           // the first item behind home
-  Mark last_;            // the item that was given last; number 0: none
+  uint32_t position_;   // of the next byte
+  uint32_t lineStart_;  // of the line that is being read, or was read last
+  uint32_t size_;       // of the text, once it is known
+  Mark first_;          // the first item
+  Mark last_;           // the item that was given last; number 0: none, or not known
   uint16_t count_;
   State state_;
-  bool isBegun_;         // the first update() has been
+  bool isBegun_;  // the first update() has been
 };
 
 }  // namespace mavmission

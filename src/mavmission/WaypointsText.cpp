@@ -21,6 +21,12 @@ const char kHeader[] PROGMEM = "QGC WPL 110";
 constexpr uint8_t kHeaderLength = sizeof(kHeader) - 1;
 const uint8_t kByteOrderMark[] PROGMEM = {0xEF, 0xBB, 0xBF};  // some editors put it before the text
 
+PlanType typeOf(uint16_t command) {
+  command -= kFenceReturnPoint;
+  if (command == kRallyPoint - kFenceReturnPoint) return PlanType::Rally;
+  return command <= kFenceCircleExclusion - kFenceReturnPoint ? PlanType::Fence : PlanType::Mission;
+}
+
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 }  // namespace
@@ -31,6 +37,8 @@ void WaypointsText::begin() {
   beginAt(0);
   line_ = 1;
   farthestTarget_ = 0;
+  firstNumber_ = 0;
+  type_ = PlanType::Mission;
   isHeader_ = true;
   isLineUnknown_ = false;
 }
@@ -123,8 +131,7 @@ TextError WaypointsText::store() {
   if (!decimal_.toSteps(0, whole, isExact)) return TextError::TooLarge;
   if (decimal_.isNegative() && whole != 0) return field_ == 1 ? TextError::OutOfOrder : TextError::BadNumber;
   switch (field_) {
-    case 1:
-      return whole == number_ ? TextError::None : TextError::OutOfOrder;
+    case 1: return whole == number_ ? TextError::None : TextError::OutOfOrder;
     case 2:
       if (whole > 1) return TextError::NotZeroOrOne;
       item_.current = static_cast<uint8_t>(whole);
@@ -179,9 +186,20 @@ WaypointsText::Step WaypointsText::endLine() {
     field_ = 0;
     return fail(TextError::TooFewFields);
   }
-  if (isItem && item_.command == kDoJump && number_ != 0) {
+  bool isHome = false;
+  if (isItem) {
+    if (number_ == 0 && (item_.command == kNavWaypoint || item_.command == 0)) firstNumber_ = 1;
+    isHome = number_ < firstNumber_;
+    const PlanType type = typeOf(item_.command);
+    if (number_ <= firstNumber_) type_ = type;  // home's is overwritten by the first item's
+    if (type_ != type) {
+      field_ = 4;
+      return fail(TextError::MixedKinds);
+    }
+  }
+  if (isItem && !isHome && item_.command == kDoJump) {
     const int32_t target = wholeNumber(item_.param1);
-    if (target <= 0) {
+    if (target < firstNumber_) {
       field_ = 5;
       return fail(TextError::BadTarget);
     }
@@ -189,7 +207,7 @@ WaypointsText::Step WaypointsText::endLine() {
       farthestTarget_ = static_cast<uint16_t>(target);
       farthestLine_ = line_;
     }
-    item_.param1 = oneLess(item_.param1);
+    if (firstNumber_ != 0) item_.param1 = oneLess(item_.param1);
   }
   length_ = 0;
   field_ = 0;
@@ -198,7 +216,8 @@ WaypointsText::Step WaypointsText::endLine() {
   if (!isLineUnknown_) ++line_;
   if (!isItem) return Step::More;
   if (number_ > kMostItems) return fail(TextError::NoRoom);
-  return number_++ == 0 ? Step::More : Step::Item;
+  ++number_;
+  return isHome ? Step::More : Step::Item;
 }
 
 WaypointsText::Step WaypointsText::end() {
@@ -208,7 +227,7 @@ WaypointsText::Step WaypointsText::end() {
     if (last != Step::More) return last;
   }
   if (count() == 0) return fail(TextError::NoItems);
-  if (farthestTarget_ > count()) {
+  if (farthestTarget_ >= number_) {
     line_ = farthestLine_;
     field_ = 5;
     return fail(TextError::BadTarget);

@@ -1,6 +1,9 @@
 // The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character, item by
-// item: no line is kept, no float is computed with. Line 0 of such a file is home; it is read, and is no item of the
-// plan.
+// item: no line is kept, no float is computed with.
+//
+// Line 0 of such a file is home, which is read and is no item of the plan, if its command is NAV_WAYPOINT, or 0. Any
+// other command there is the first item: so it is in files of fences and rally points, and in those that begin with a
+// takeoff.
 //
 //   QGC WPL 110
 //   number current frame command param1 param2 param3 param4 latitude longitude altitude autocontinue
@@ -15,6 +18,7 @@
 #include "DecimalText.h"
 #include "Flash.h"
 #include "MissionItem.h"
+#include "PlanType.h"
 
 namespace mavmission {
 
@@ -35,6 +39,7 @@ namespace mavmission {
   X(BeyondLatitude, "a latitude beyond 90 degrees")                                                \
   X(BeyondLongitude, "a longitude beyond 180 degrees")                                             \
   X(BadTarget, "a jump to home, or to a line that is not there")                                   \
+  X(MixedKinds, "items of a mission, a fence or rally points together")                           \
   X(NoItems, "no item behind home")                                                                \
   X(Unreadable, "it cannot be read to its end")                                                    \
   X(NoRoom, "more items than there is room for")                                                   \
@@ -79,13 +84,17 @@ class WaypointsText {
   // (DESIGN.md, "Plans from text, and in EEPROM").
   bool isInField() const { return isInField_; }
 
-  // The last item, in the sketch's numbers: 0 is the one behind home. Until the next character is taken.
+  // The last item, in the sketch's numbers: 0 is the first one that is not home. Until the next character is taken.
   const MissionItem& item() const { return item_; }
-  uint16_t count() const { return number_ == 0 ? 0 : number_ - 1; }  // items so far
+  uint16_t count() const { return number_ - firstNumber_; }  // items so far
+  // The number of the first item, as the file counts: 1 behind home, 0 where line 0 is an item. Known behind that line.
+  uint8_t firstNumber() const { return firstNumber_; }
+  // What the items are, all of them. Known behind the first one.
+  PlanType type() const { return type_; }
 
   // Why it is bad, and where.
   TextError error() const { return error_; }
-  uint16_t errorLine() const { return line_; }  // from 1 on; 0: not known
+  uint16_t errorLine() const { return line_; }   // from 1 on; 0: not known
   uint8_t errorField() const { return field_; }  // from 1 to 12; 0: the line as a whole
   // Ends the text as bad, for a reason of the reader's.
   MAVMISSION_APART Step fail(TextError error);
@@ -100,14 +109,16 @@ class WaypointsText {
 
   static constexpr uint8_t kFields = 12;
 
-  DecimalText decimal_;         // the field that is being taken
+  DecimalText decimal_;  // the field that is being taken
   MissionItem item_;
-  uint16_t line_;             // from 1 on
-  uint16_t number_;           // of the next line that is no comment, as the file counts
-  uint16_t farthestTarget_;   // of all jumps, as the file counts
-  uint16_t farthestLine_;     // where that is
-  uint8_t length_;            // of the line so far
-  uint8_t field_;             // that is being taken, from 1 on; 0 before the first
+  uint16_t line_;            // from 1 on
+  uint16_t number_;          // of the next line that is no comment, as the file counts
+  uint16_t farthestTarget_;  // of all jumps, as the file counts
+  uint16_t farthestLine_;    // where that is
+  uint8_t length_;           // of the line so far
+  uint8_t field_;            // that is being taken, from 1 on; 0 before the first
+  uint8_t firstNumber_;      // of the first item; 0 up to the end of line 0
+  PlanType type_;
   bool isHeader_ : 1;
   bool isInField_ : 1;
   bool isComment_ : 1;

@@ -42,19 +42,18 @@ void send(const mavlink_message_t& message) {
 
 void sendHeartbeat() {
   mavlink_message_t message;
-  mavlink_msg_heartbeat_pack(kSystem, kComponent, &message, MAV_TYPE_ONBOARD_CONTROLLER,
-                             MAV_AUTOPILOT_INVALID, 0, 0, MAV_STATE_ACTIVE);
+  mavlink_msg_heartbeat_pack(kSystem, kComponent, &message, MAV_TYPE_ONBOARD_CONTROLLER, MAV_AUTOPILOT_INVALID, 0, 0,
+                             MAV_STATE_ACTIVE);
   send(message);
 }
 
 void sendCount() {
   mavlink_message_t message;
 #ifdef BASELINE_MAVLINK1
-  mavlink_msg_mission_count_pack(kSystem, kComponent, &message, kAutopilotSystem,
-                                 kAutopilotComponent, kItems);
+  mavlink_msg_mission_count_pack(kSystem, kComponent, &message, kAutopilotSystem, kAutopilotComponent, kItems);
 #else
-  mavlink_msg_mission_count_pack(kSystem, kComponent, &message, kAutopilotSystem,
-                                 kAutopilotComponent, kItems, MAV_MISSION_TYPE_MISSION, 0);
+  mavlink_msg_mission_count_pack(kSystem, kComponent, &message, kAutopilotSystem, kAutopilotComponent, kItems,
+                                 MAV_MISSION_TYPE_MISSION, 0);
 #endif
   send(message);
 }
@@ -66,7 +65,7 @@ volatile bool accepted = false;
 
 // The two functions that the measurements watch are not inlined.
 extern "C" __attribute__((noinline)) uint8_t baseline_parse(uint8_t byte, mavlink_message_t* message,
-                                                          mavlink_status_t* status) {
+                                                            mavlink_status_t* status) {
   return mavlink_parse_char(MAVLINK_COMM_0, byte, message, status);
 }
 
@@ -75,16 +74,13 @@ extern "C" __attribute__((noinline)) void baseline_pack(mavlink_message_t* messa
   const int32_t latE7 = static_cast<int32_t>(step.latitude * 1e7);
   const int32_t lonE7 = static_cast<int32_t>(step.longitude * 1e7);
 #ifdef BASELINE_MAVLINK1
-  mavlink_msg_mission_item_int_pack(kSystem, kComponent, message, kAutopilotSystem,
-                                    kAutopilotComponent, seq, MAV_FRAME_GLOBAL_RELATIVE_ALT,
-                                    step.command, 0, 1, step.param1, step.param2, step.param3,
-                                    step.param4, latE7, lonE7, step.altitude);
+  mavlink_msg_mission_item_int_pack(kSystem, kComponent, message, kAutopilotSystem, kAutopilotComponent, seq,
+                                    MAV_FRAME_GLOBAL_RELATIVE_ALT, step.command, 0, 1, step.param1, step.param2,
+                                    step.param3, step.param4, latE7, lonE7, step.altitude);
 #else
-  mavlink_msg_mission_item_int_pack(kSystem, kComponent, message, kAutopilotSystem,
-                                    kAutopilotComponent, seq, MAV_FRAME_GLOBAL_RELATIVE_ALT,
-                                    step.command, 0, 1, step.param1, step.param2, step.param3,
-                                    step.param4, latE7, lonE7, step.altitude,
-                                    MAV_MISSION_TYPE_MISSION);
+  mavlink_msg_mission_item_int_pack(kSystem, kComponent, message, kAutopilotSystem, kAutopilotComponent, seq,
+                                    MAV_FRAME_GLOBAL_RELATIVE_ALT, step.command, 0, 1, step.param1, step.param2,
+                                    step.param3, step.param4, latE7, lonE7, step.altitude, MAV_MISSION_TYPE_MISSION);
 #endif
 }
 
@@ -100,18 +96,13 @@ void sendItem(uint16_t seq) {
 void answer(const mavlink_message_t& received) {
   switch (received.msgid) {
     case MAVLINK_MSG_ID_HEARTBEAT:
-      if (!autopilotHeard &&
-          mavlink_msg_heartbeat_get_autopilot(&received) != MAV_AUTOPILOT_INVALID) {
+      if (!autopilotHeard && mavlink_msg_heartbeat_get_autopilot(&received) != MAV_AUTOPILOT_INVALID) {
         autopilotHeard = true;
         sendCount();
       }
       break;
-    case MAVLINK_MSG_ID_MISSION_REQUEST:
-      sendItem(mavlink_msg_mission_request_get_seq(&received));
-      break;
-    case MAVLINK_MSG_ID_MISSION_REQUEST_INT:
-      sendItem(mavlink_msg_mission_request_int_get_seq(&received));
-      break;
+    case MAVLINK_MSG_ID_MISSION_REQUEST: sendItem(mavlink_msg_mission_request_get_seq(&received)); break;
+    case MAVLINK_MSG_ID_MISSION_REQUEST_INT: sendItem(mavlink_msg_mission_request_int_get_seq(&received)); break;
     case MAVLINK_MSG_ID_MISSION_ACK:
       accepted = mavlink_msg_mission_ack_get_type(&received) == MAV_MISSION_ACCEPTED;
       break;

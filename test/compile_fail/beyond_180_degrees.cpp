@@ -1,5 +1,5 @@
 // No angle is more than 180 degrees.
-// expect: an angle is at most 180 degrees
+// expect: WideHeading
 #include <MavMission.h>
 using namespace mavmission;
 

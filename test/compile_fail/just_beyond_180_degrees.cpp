@@ -1,5 +1,5 @@
 // The limit is exact.
-// expect: an angle is at most 180 degrees
+// expect: WideHeading
 #include <MavMission.h>
 using namespace mavmission;
 

@@ -1,6 +1,6 @@
 // A sketch with a whole MissionClient and a follower, for this computer: it does what lines on its input tell it, in a
-// time that they turn, and answers each with a line. test/host_client.py is the other end. Bytes are in hexadecimal, "-"
-// for none. loop() runs each millisecond.
+// time that they turn, and answers each with a line. test/host_client.py is the other end. Bytes are in hexadecimal,
+// "-" for none. loop() runs each millisecond.
 //
 // Every allocation that the library makes is counted. This file is compiled without access control: it shows the
 // client's bytes but for those that are times, counters or buffers, which are private.
@@ -85,7 +85,7 @@ MissionItem sunk[kPlanItems];
 uint16_t sunkCount;
 MissionItem home;
 FlightCommand command;
-uint16_t reached;      // how many items the follower has told of
+uint16_t reached;  // how many items the follower has told of
 
 MissionClient& client() { return *reinterpret_cast<MissionClient*>(memory); }
 MissionFollower& follower() { return *reinterpret_cast<MissionFollower*>(followerMemory); }
@@ -147,7 +147,8 @@ void begin(Words& words) {
   puts("ok");
 }
 
-// A time, and bytes that come now: to that time, or until something has left or ended. The time, what has left, the end.
+// A time, and bytes that come now: to that time, or until something has left or ended. The time, what has left, the
+// end.
 void run(Words& words) {
   const uint64_t until = words.number();
   const Bytes bytes = words.bytes();
@@ -199,7 +200,8 @@ void order(Words& words) {
       const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
       const unsigned proof = static_cast<unsigned>(words.number());
       const Counting counting;
-      status = proof == 0 ? client().uploadByAnswer(source, type) : client().upload(source, type, static_cast<Proof>(proof));
+      status =
+          proof == 0 ? client().uploadByAnswer(source, type) : client().upload(source, type, static_cast<Proof>(proof));
     } else if (what == "again") {
       const Counting counting;
       status = client().uploadAgain();
@@ -227,7 +229,7 @@ void order(Words& words) {
       if (what == "disarm") status = client().disarm();
       if (what == "mode") status = client().setMode(static_cast<FlightMode>(number));
       if (what == "setcurrent") status = client().setCurrentItem(static_cast<uint16_t>(number));
-      if (what == "interval") status = client().setMessageInterval(42, static_cast<int32_t>(number));
+      if (what == "interval") status = client().setMessageInterval(33, static_cast<int32_t>(number));
       if (what == "order") {  // of a command of the sketch's own
         command = flightCommand(static_cast<uint16_t>(number));
         status = client().send(command);
@@ -250,7 +252,8 @@ void tellCounters(Words&) {
   const LinkCounters counters = client().counters();
   printf("bytes=%lu skipped=%lu frames=%d unknown=%d bad=%d broken=%d lost=%d sent=%d\n",
          static_cast<unsigned long>(counters.bytes), static_cast<unsigned long>(counters.bytesSkipped), counters.frames,
-         counters.unknownMessages, counters.badChecksums, counters.brokenFrames, counters.framesLost, counters.framesSent);
+         counters.unknownMessages, counters.badChecksums, counters.brokenFrames, counters.framesLost,
+         counters.framesSent);
 }
 
 // How many update()s, ends and allocations there were.
@@ -266,8 +269,8 @@ void tellSunk(Words&) {
 }
 
 // The client's bytes, and the follower's, in Idle: those that something would still read, and that are no time, no
-// counter and no buffer. What is left out has its own checks: times move nothing in Idle, counters are compared with what
-// went over the line, and buffers are empty.
+// counter and no buffer. What is left out has its own checks: times move nothing in Idle, counters are compared with
+// what went over the line, and buffers are empty.
 void tellIdle(Words&) {
   Bytes bytes(memory, memory + sizeof(memory));
   const MissionClient& c = client();
@@ -297,7 +300,8 @@ void tellIdle(Words&) {
   LEFT_OUT(link_.parser_);
   LEFT_OUT(link_.outbox_);
 #undef LEFT_OUT
-  printf("busy=%d parser=%d outbox=%d ", c.isBusy(), c.link_.parser_.isIdle() ? 0 : 1, c.link_.outbox_.isEmpty() ? 0 : 1);
+  printf("busy=%d parser=%d outbox=%d ", c.isBusy(), c.link_.parser_.isIdle() ? 0 : 1,
+         c.link_.outbox_.isEmpty() ? 0 : 1);
   say(bytes.data(), bytes.size());
   putchar('\n');
 }
@@ -308,8 +312,9 @@ struct Word {
 };
 
 const Word words[] = {
-    {"begin", begin}, {"run", run},           {"plan", setPlan},    {"order", order}, {"state", tellState},
-    {"sunk", tellSunk}, {"counters", tellCounters}, {"tally", tellTally}, {"idle", tellIdle},
+    {"begin", begin},           {"run", run},         {"plan", setPlan},
+    {"order", order},           {"state", tellState}, {"sunk", tellSunk},
+    {"counters", tellCounters}, {"tally", tellTally}, {"idle", tellIdle},
 };
 
 }  // namespace
@@ -319,7 +324,8 @@ int main() {
   while (fgets(line, sizeof(line), stdin) != nullptr) {
     Words rest(line);
     const std::string name = rest.word();
-    const Word* found = std::find_if(std::begin(words), std::end(words), [&](const Word& word) { return name == word.name; });
+    const Word* found =
+        std::find_if(std::begin(words), std::end(words), [&](const Word& word) { return name == word.name; });
     if (found == std::end(words)) {
       puts("what?");
     } else {

@@ -70,12 +70,9 @@ void hearRequest(Autopilot& autopilot, uint16_t number, Answers& answers) {
 
 void hearAsArduPilot(Autopilot& autopilot, const Message& heard, Answers& answers) {
   switch (heard.kind) {
-    case Kind::Count:
-      return hearCount(autopilot, heard.number, answers);
-    case Kind::Item:
-      return hearItem(autopilot, heard, answers);
-    case Kind::Request:
-      return hearRequest(autopilot, heard.number, answers);
+    case Kind::Count: return hearCount(autopilot, heard.number, answers);
+    case Kind::Item: return hearItem(autopilot, heard, answers);
+    case Kind::Request: return hearRequest(autopilot, heard.number, answers);
     case Kind::List:
       if (autopilot.state == Autopilot::State::Receiving) return acknowledge(answers, kDenied);
       answers.add(message(Kind::Count, autopilot.heldCount));
@@ -85,8 +82,7 @@ void hearAsArduPilot(Autopilot& autopilot, const Message& heard, Answers& answer
       cut(autopilot, 0);
       return acknowledge(answers, kAccepted);
     case Kind::Ack:  // a cancellation too: it times out
-    case Kind::Heartbeat:
-      return;
+    case Kind::Heartbeat: return;
   }
 }
 

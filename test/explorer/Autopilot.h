@@ -24,19 +24,19 @@ struct Autopilot {
 
   Firmwares firmware;
   State state;
-  uint8_t expected;       // the item that it waits for, or will be asked for
-  uint8_t count;          // items of the transfer
+  uint8_t expected;  // the item that it waits for, or will be asked for
+  uint8_t count;     // items of the transfer
   uint8_t heldCount;
-  uint8_t held[kMostHeld];  // the plan aboard
+  uint8_t held[kMostHeld];    // the plan aboard
   uint8_t staged[kMostHeld];  // PX4: the plan that is being received
-  uint8_t hasPartner;     // PX4: knows with whom it transfers or has transferred
-  uint8_t isUploadOpen;   // PX4: outlives the state in some corners, and then bars COUNT
+  uint8_t hasPartner;         // PX4: knows with whom it transfers or has transferred
+  uint8_t isUploadOpen;       // PX4: outlives the state in some corners, and then bars COUNT
   uint8_t spare;
   uint16_t asksInMs;
   uint16_t givesUpInMs;
-  uint16_t acceptsInMs;   // LateArduPilot: the final ACK is under way in itself
+  uint16_t acceptsInMs;  // LateArduPilot: the final ACK is under way in itself
   uint16_t bootsInMs;
-  uint32_t heldSum;       // PX4: opaque_id
+  uint32_t heldSum;  // PX4: opaque_id
   uint32_t stagedSum;
 
   bool isIdle() const { return state == State::Idle && acceptsInMs == kNever; }

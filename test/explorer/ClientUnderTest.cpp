@@ -49,7 +49,7 @@ class FedStream : public Stream {
 
  private:
   static constexpr size_t kAround = 12;  // header and checksum of a MAVLink 2 frame
-  Bytes begun_;                       // a frame comes in pieces
+  Bytes begun_;                          // a frame comes in pieces
 };
 
 FedStream stream;
@@ -83,7 +83,7 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh) {
   setMillis(kNowMs);
   new (bytes_) MissionClient(stream);
   client().talkTo(1, 1);
-  client().state_.unsettled = isFresh;
+  client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
   client().state_.unsettledMs = kNow;
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
   run(0, heartbeat.data(), heartbeat.size(), false);
@@ -93,25 +93,15 @@ void ClientUnderTest::begin(const Task& task) {
   setMillis(kNowMs);
   const ItemSource plan = inRam(sketchPlan(task.plan), task.items);
   switch (task.operation) {
-    case Operation::Upload:
-      client().uploadByAnswer(plan);
-      return;
-    case Operation::UploadInDoubt:
-      client().upload(plan, PlanType::Mission, Proof::InDoubt);
-      return;
-    case Operation::UploadVerified:
-      client().upload(plan, PlanType::Mission, Proof::Always);
-      return;
+    case Operation::Upload: client().uploadByAnswer(plan); return;
+    case Operation::UploadInDoubt: client().upload(plan, PlanType::Mission, Proof::InDoubt); return;
+    case Operation::UploadVerified: client().upload(plan, PlanType::Mission, Proof::Always); return;
     case Operation::Download:
       blank(*sunk);
       client().download(toFunction(sink));
       return;
-    case Operation::Verify:
-      client().verify(plan);
-      return;
-    case Operation::Clear:
-      client().clear();
-      return;
+    case Operation::Verify: client().verify(plan); return;
+    case Operation::Clear: client().clear(); return;
   }
 }
 
@@ -160,13 +150,11 @@ uint16_t ClientUnderTest::nextMs() const {
   if (c.state_.operation == MissionClient::uploadStep) {
     const UploadTransfer& t = c.transfer_;
     switch (t.state_) {
-      case UploadTransfer::State::Counting:
-        return std::min(next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_));
-      case UploadTransfer::State::Sending:
-        return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
+      case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_));
+      case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
       case UploadTransfer::State::Confirming:
-        return std::min({next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_),
-                         leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
+        return std::min(
+            {next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_), leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
     }
   }
   if (c.state_.operation == MissionClient::readStep) {
@@ -174,7 +162,7 @@ uint16_t ClientUnderTest::nextMs() const {
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
   }
-  const bool waits = c.clearing_.tries == 0 && c.state_.unsettled;
+  const bool waits = c.clearing_.tries == 0 && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
   return std::min(next, leftOf(UploadTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs));
 }
 
@@ -212,13 +200,13 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   c.rest_.lastResult = 255;
   const bool isUpload = c.state_.operation == MissionClient::uploadStep;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
-  // What earlier transfers left matters when a transfer begins, and until a clear has been sent; what an upload leaves it
-  // says at its end.
+  // What earlier transfers left matters when a transfer begins, and until a clear has been sent; what an upload leaves
+  // it says at its end.
   const bool isClear = c.state_.operation == MissionClient::clearStep;
   const bool isLeftUnread = isLast ? (isTransferring && !isClear) || !c.isBusy() : isTransferring && isUpload;
-  if (isLeftUnread) c.state_.unsettled = false;
-  c.state_.unsettledMs = c.state_.unsettled ? c.state_.unsettledMs : kNow;
-  keep(c.state_.unsettledMs, c.state_.unsettled ? ms : 0, MissionClient::kLeftoversMs);
+  if (isLeftUnread) c.state_.unsettled = 0;
+  c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
+  keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
   if (!c.isBusy()) {
     static_assert(sizeof(c.reading_) >= sizeof(c.transfer_) && sizeof(c.reading_) >= sizeof(c.clearing_), "all of it");
     blank(c.reading_);

@@ -230,7 +230,7 @@ class Explorer {
   std::vector<uint32_t> order_;      // the states, as they are expanded
   std::vector<uint64_t> firstEdge_;  // of each of them
   std::vector<Edge> edges_;
-  std::vector<Way> ways_;            // how each state was first come to
+  std::vector<Way> ways_;  // how each state was first come to
   size_t expanded_ = 0;
 };
 

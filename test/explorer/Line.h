@@ -22,9 +22,9 @@ constexpr int kFates = 7;
 
 struct InFlight {
   Message message;
-  uint16_t dueMs;   // what is left of its way [ms]
-  uint8_t isHeld;   // it waits for the next one to pass; dueMs counts for nothing
-  uint8_t isSpared; // it suffers nothing more
+  uint16_t dueMs;    // what is left of its way [ms]
+  uint8_t isHeld;    // it waits for the next one to pass; dueMs counts for nothing
+  uint8_t isSpared;  // it suffers nothing more
 };
 
 struct Line {

@@ -58,8 +58,7 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
                         MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC);
     case Kind::Ack:
     case Kind::List:
-    case Kind::ClearAll:
-      break;
+    case Kind::ClearAll: break;
   }
   return ackParts(static_cast<uint8_t>(message.number), 1, kClientComponent, 0, message.opaqueId);
 }
@@ -144,7 +143,6 @@ const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Mess
       decoded = message(Kind::Ack, ack.type);
       return nullptr;
     }
-    default:
-      return "a message is sent that has no place in these operations";
+    default: return "a message is sent that has no place in these operations";
   }
 }

@@ -111,22 +111,16 @@ void hearAck(Autopilot& autopilot, uint16_t result) {
 
 void hearAsPx4(Autopilot& autopilot, const Message& heard, Answers& answers) {
   switch (heard.kind) {
-    case Kind::Count:
-      return hearCount(autopilot, heard.number, answers);
-    case Kind::Item:
-      return hearItem(autopilot, heard, answers);
-    case Kind::Request:
-      return hearRequest(autopilot, heard.number, answers);
-    case Kind::List:
-      return hearList(autopilot, answers);
+    case Kind::Count: return hearCount(autopilot, heard.number, answers);
+    case Kind::Item: return hearItem(autopilot, heard, answers);
+    case Kind::Request: return hearRequest(autopilot, heard.number, answers);
+    case Kind::List: return hearList(autopilot, answers);
     case Kind::ClearAll:
       if (autopilot.state != State::Idle) return;  // without a word
       hold(autopilot, nullptr, 0, 0);
       return acknowledge(answers, kAccepted);
-    case Kind::Ack:
-      return hearAck(autopilot, heard.number);
-    case Kind::Heartbeat:
-      return;
+    case Kind::Ack: return hearAck(autopilot, heard.number);
+    case Kind::Heartbeat: return;
   }
 }
 

@@ -34,10 +34,11 @@ bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items) {
 }
 
 void Referee::begin(const Task& what, Firmwares firmware) {
-  const uint8_t owed = owesCancel;
+  const uint8_t owed = owesCancel, hasEnded = hasEndedOne;
   memset(static_cast<void*>(this), 0, sizeof(*this));
   task = what;
   owesCancel = owed;
+  hasEndedBefore = hasEnded;
   isRunning = true;
   items = wireCount(what.items, firmware);
   isReading = what.operation == Operation::Download || what.operation == Operation::Verify;
@@ -88,7 +89,7 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Count:
       if (asked != 0) return "COUNT is sent in mid-transfer";
       if (message.number != items) return "COUNT is sent with a wrong number";
-      if (counts == kTries + (hasFreed ? 1 : 0)) return "COUNT is sent too often";
+      if (counts == kTries) return "COUNT is sent too often";
       if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
       if (hasFreed) hasFreed = kBefore;
       ++counts;
@@ -115,9 +116,10 @@ const char* Referee::sentInUpload(const Message& message) {
 
     case Kind::Ack:
       if (message.number != kCancelled) return "an ACK is sent that is no client's";
-      if (!mayFree || hasFreed) return "a running transfer is cancelled";
+      if (!mayFree || (hasFreed && asked != 0)) return "a running transfer is cancelled";
+      if (hasFreed && sinceSentMs < kAnswerMs) return "an older transfer is cancelled again too early";
+      if (!hasFreed) counts = 0;  // as many tries again: PX4 gives it up by itself 5 s after it has heard something
       hasFreed = kJustNow;
-      if (asked != 0) counts = 0;
       asked = open = sentItem = isLastSent = repeats = 0;
       sinceNewMs = 0;
       return nullptr;
@@ -125,8 +127,7 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Heartbeat:
     case Kind::Request:
     case Kind::List:
-    case Kind::ClearAll:
-      break;
+    case Kind::ClearAll: break;
   }
   return "a frame is sent that has no place in an upload";
 }
@@ -157,8 +158,7 @@ const char* Referee::sentInReading(const Message& message) {
     case Kind::Heartbeat:
     case Kind::Count:
     case Kind::Item:
-    case Kind::ClearAll:
-      break;
+    case Kind::ClearAll: break;
   }
   return "a frame is sent that has no place in a download";
 }
@@ -198,8 +198,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
 
     case Kind::Heartbeat:
     case Kind::List:
-    case Kind::ClearAll:
-      return;
+    case Kind::ClearAll: return;
   }
 }
 
@@ -220,10 +219,8 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
         return nullptr;
       }
       return "aboard() says as before, and it is not";
-    case Aboard::Mixture:
-      return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
-    case Aboard::NotKnown:
-      return nullptr;
+    case Aboard::Mixture: return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
+    case Aboard::NotKnown: return nullptr;
   }
   return nullptr;
 }
@@ -233,11 +230,12 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   const bool isMeant = isAboard(autopilot, task.plan, task.items);
   const bool wasTransferring = isUpload() || isReading;
   isRunning = false;
+  hasEndedOne = true;
   ended = status;
   const bool isRead =
       isReading && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
-  owesCancel = isRead || (wasTransferring && (status == Status::Cancelled || status == Status::NoAnswer ||
-                                              status == Status::TimedOut));
+  owesCancel = isRead || (wasTransferring &&
+                          (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut));
 
   const char* const untrue = untrueAboard(status, said, autopilot, before);
   if (untrue != nullptr) return untrue;
@@ -289,24 +287,26 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
       return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
 
-    case Status::Cancelled:
-      return nullptr;
+    case Status::Cancelled: return nullptr;
 
     case Status::OtherPlanAboard:
       if (!isPx4(autopilot.firmware) || (heardAcks & 1) == 0) return "OtherPlanAboard, and nothing was accepted";
       return isMeant ? "OtherPlanAboard, and the plan aboard is the plan meant" : nullptr;
 
-    case Status::AcceptedEarly:
-      return (heardAcks & 1) != 0 ? nullptr : "AcceptedEarly, and nothing was accepted";
+    case Status::AcceptedEarly: return (heardAcks & 1) != 0 ? nullptr : "AcceptedEarly, and nothing was accepted";
 
-    default:
-      break;
+    default: break;
   }
   for (uint8_t result = 1; result < 16; ++result) {
     if (status != mavmission::fromMissionResult(result)) continue;
     const bool isProven = isReading && result == kError && wasRefused;  // what was read back was not the plan
     if ((heardAcks & (1u << result)) == 0 && !isProven) return "a refusal that the autopilot did not send";
-    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading back.
+    // With what this client has read. PX4 gives that up by itself before all tries are used up.
+    const bool isBusy = isUpload() && !isReading && result == kError && isPx4(autopilot.firmware) && asked == 0 &&
+                        hasEndedBefore && autopilot.state == Autopilot::State::Sending;
+    if (isBusy && counts != kTries) return "busy with what was ours, and the tries were not exhausted";
+    // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading
+    // back.
     if (isUpload() && !isReading && result == kError && lineRepeats) return nullptr;
     if (isUpload() && isMeant) return "a refusal, and the plan is aboard";
     const bool isOurs =

@@ -24,30 +24,32 @@ struct Referee {
                             kSameRequestMs = 50;
 
   Task task;
-  uint8_t items;          // of the plan on the wire
+  uint8_t items;  // of the plan on the wire
   uint8_t isRunning;
   mavmission::Status ended;
-  uint8_t counts;         // COUNTs in a row
-  uint8_t asked;          // items asked for, in their order
-  uint8_t open;           // bit i: item i was asked for, and has not been sent since
-  uint8_t sentItem;       // the item sent last, one more
+  uint8_t counts;    // COUNTs in a row, since an older transfer was cancelled first
+  uint8_t asked;     // items asked for, in their order
+  uint8_t open;      // bit i: item i was asked for, and has not been sent since
+  uint8_t sentItem;  // the item sent last, one more
   uint8_t isLastSent;
-  uint8_t repeats;        // of the last item, unasked
-  uint8_t hasFreed;       // an older transfer was cancelled: 0, kJustNow or kBefore
+  uint8_t repeats;   // of the last item, unasked
+  uint8_t hasFreed;  // an older transfer was cancelled last: never (0), kJustNow, or kBefore the last COUNT
   uint8_t isReading;
-  uint8_t lists;          // REQUEST_LISTs sent
-  uint8_t isCounted;      // COUNT was heard
-  uint8_t announced;      // how many items
-  uint8_t received;       // items heard in their order
-  uint8_t requests;       // for the next item
-  uint8_t isClosed;       // our final ACK was sent
-  uint8_t clears;         // CLEAR_ALLs sent
-  uint8_t owesCancel;     // the autopilot is to be told that it is over
-  uint8_t wasRefused;     // ERROR was heard before the plan was read back
-  uint8_t mayFree;        // what shows that an older transfer is open was heard
-  uint16_t heardAcks;     // bit r: ACK r was heard
-  uint16_t sinceSentMs;   // since the last frame of ours, 1500 at most
-  uint16_t sinceNewMs;    // since an item was asked for that had not been before, 12000 at most
+  uint8_t lists;           // REQUEST_LISTs sent
+  uint8_t isCounted;       // COUNT was heard
+  uint8_t announced;       // how many items
+  uint8_t received;        // items heard in their order
+  uint8_t requests;        // for the next item
+  uint8_t isClosed;        // our final ACK was sent
+  uint8_t clears;          // CLEAR_ALLs sent
+  uint8_t owesCancel;      // the autopilot is to be told that it is over
+  uint8_t wasRefused;      // ERROR was heard before the plan was read back
+  uint8_t mayFree;         // what shows that an older transfer is open was heard
+  uint8_t hasEndedOne;     // an operation of this client has ended, since the Arduino was reset
+  uint8_t hasEndedBefore;  // before this one
+  uint16_t heardAcks;      // bit r: ACK r was heard
+  uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
+  uint16_t sinceNewMs;     // since an item was asked for that had not been before, 12000 at most
 
   void begin(const Task& task, Firmwares firmware);
   void pass(uint16_t ms);

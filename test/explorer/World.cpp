@@ -10,10 +10,10 @@ using mavmission::Status;
 
 namespace {
 
-const char* const kOperations[] = {"upload",   "upload, read back when in doubt", "upload, read back",
-                                   "download", "verify",                          "clear"};
-const char* const kFateWords[kFates] = {"", " is lost", " is repeated", " is repeated later", " is delayed",
-                                        " is damaged", " is cut"};
+const char* const kOperations[] = {
+    "upload", "upload, read back when in doubt", "upload, read back", "download", "verify", "clear"};
+const char* const kFateWords[kFates] = {
+    "", " is lost", " is repeated", " is repeated later", " is delayed", " is damaged", " is cut"};
 
 void say(std::string* log, const std::string& words) {
   if (log == nullptr) return;
@@ -176,14 +176,13 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       say(log, "the Arduino is reset");
       --resets_;
       if (!isLastTask(scenario)) ++task_;
-      referee_.owesCancel = false;
+      referee_.owesCancel = referee_.hasEndedOne = false;
       client_.construct(scenario.firmware, true);
       beginTask(scenario, log);
       outcome = runClient(scenario, 0, Bytes(), log);
       outcome.isFault = true;
       return outcome;
-    case Choice::Event:
-      break;
+    case Choice::Event: break;
   }
 
   uint16_t ms;

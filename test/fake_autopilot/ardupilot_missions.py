@@ -24,6 +24,7 @@ DEBUG = mavlink.MAV_SEVERITY_DEBUG
 
 ASKS_AGAIN_S = 1.0
 GIVES_UP_S = 8.0
+FENCE_LOOKED_AT_S = 0.33  # a plane; a copter looks 25 times a second
 
 _COUNT_PARAM = {MISSION: ("MIS_TOTAL", mavlink.MAV_PARAM_TYPE_INT16),
                 FENCE: ("FENCE_TOTAL", mavlink.MAV_PARAM_TYPE_INT8),
@@ -166,6 +167,8 @@ class Missions:
             self.forget_transfer()
             return
         self._store(seq, item, held, now)
+        if self.mission_type == MISSION:
+            self.autopilot.item_stored(now)
         self._last_good_at = now
         self._expected = seq + 1
         if self._expected > self._last:
@@ -238,9 +241,14 @@ class Missions:
         if self._staged is not None:
             held = [kept for _, kept in self._staged]
             if rewriting.fence_is_whole(held):
+                is_wiped = bool(held) and rewriting.fence_shapes(held) < 3 <= rewriting.fence_shapes(self.held)
                 self.received = [item for item, _ in self._staged]
                 self.held = held
                 self._tell_count(now)
+                if is_wiped:
+                    self.autopilot.at("short fence", now + FENCE_LOOKED_AT_S, self._wipe)
+                else:
+                    self.autopilot.never("short fence")
             else:
                 result = ERROR
         self.forget_transfer()
@@ -254,6 +262,11 @@ class Missions:
             self.autopilot.text(*_COMPLETE_TEXT[self.mission_type], now)
         if self.mission_type == MISSION:
             self.autopilot.plan_changed(now)
+
+    def _wipe(self, now: float) -> None:
+        """A fence of fewer than three corners and circles does not last in the place of a longer one."""
+        self.received, self.held = [], []
+        self._tell_count(now)
 
     # -- clear ----------------------------------------------------------------------------
 
@@ -301,6 +314,8 @@ class Missions:
             refusal = DENIED
         elif message.seq >= len(self.held) and (message.seq or self.mission_type != MISSION):
             refusal = ERROR
+        elif self.mission_type == RALLY and not (self.held[message.seq].x or self.held[message.seq].y):
+            refusal = INVALID_SEQUENCE  # of a point that it has accepted
         if refusal is not None:
             self._ack(sender, refusal, now)
             return

@@ -35,6 +35,9 @@ class FakeAutopilot:
     It obeys SET_MESSAGE_INTERVAL: what is stopped or thinned out takes no time on the line.
     baud: None for a line that takes any amount at once; else the autopilot paces its output
     as a serial port of that speed would, its answers before its telemetry.
+    transmit_buffer: with a baud, so many bytes of telemetry may wait for the line, and each answer
+    waits behind them. Telemetry that comes too late for it is left out, and a personality may
+    thin out the rest: thinned_by().
     response_delay_s: from hearing to answering [s]. By default as seen by a client at 57600
     baud, which includes the time that both frames spend on the line. Where that time is
     simulated too, give response_delay_on_line_s.
@@ -51,7 +54,7 @@ class FakeAutopilot:
     def __init__(self, *, system_id: int = 1, component_id: int = 1, vehicle: str = "copter",
                  mavlink_version: int = 2,
                  telemetry: Union[None, float, Iterable[tuple[float, bytes]]] = None,
-                 baud: Optional[int] = None, response_delay_s: Optional[float] = None,
+                 baud: Optional[int] = None, transmit_buffer: int = 0, response_delay_s: Optional[float] = None,
                  boot_text: bytes = b"", heartbeat_at_s: float = 0.0,
                  uptime_s: float = 0.0, signing_key: Optional[bytes] = None,
                  signing_time_s: float = 0.0) -> None:
@@ -85,10 +88,13 @@ class FakeAutopilot:
         self._released: list[tuple[float, bytes]] = []
         self._baud = baud
         self._line_free_at = -math.inf
+        self._buffer_s = 10 * transmit_buffer / baud if baud else 0.0
+        self._passed_over = 0  # telemetry, since the last that went out
         self._telemetry = self._telemetry_source(telemetry)
         self._next_telemetry: Optional[tuple[float, bytes]] = next(self._telemetry, None)
         self._intervals: dict[int, float] = {}  # message -> between two of its telemetry [s]
         self._telemetry_sent_at: dict[int, float] = {}
+        self._stream_periods: dict[int, float] = {}  # of what is made here [s]
         self._default_periods: dict[int, float] = {}  # of streams, to which interval 0 goes back [s]
         self._hears = {}
 
@@ -128,7 +134,8 @@ class FakeAutopilot:
         `outbox` then holds the same as (time [s], frame) pairs, with exact times.
         """
         self._advance(now)
-        self.outbox, self._released = self._released, []
+        left = [entry for entry in self._released if entry[0] <= now]
+        self.outbox, self._released = left, self._released[len(left) :]
         return b"".join(frame for _, frame in self.outbox)
 
     def next_event(self, now: float) -> Optional[float]:
@@ -136,9 +143,7 @@ class FakeAutopilot:
 
         Not before now, even if something is overdue.
         """
-        if self._released:
-            return now
-        due = self._next_due()
+        due = min(self._next_due(), self._released[0][0] if self._released else math.inf)
         return None if due == math.inf else max(due, now)
 
     def plan(self, mission_type: int = MISSION) -> list[Item]:
@@ -166,6 +171,7 @@ class FakeAutopilot:
         self._packer.seq = 0
         self._intervals.clear()
         self._default_periods.clear()
+        self._stream_periods.clear()
         self.faults.fall_silent(from_time=now, for_s=silent_for_s)
         self._restart(self.booted_at_s)
         self.at("heartbeat", self.booted_at_s, self._beat)
@@ -195,10 +201,12 @@ class FakeAutopilot:
     def stream(self, identity: int, period_s: float, now: float) -> None:
         """Send message_of(identity) every period_s [s] from now on; 0 or less: no more."""
         name = f"stream of {identity}"
+        self._stream_periods.pop(identity, None)
         if period_s <= 0:
             self.never(name)
             return
         period_s = max(period_s, SHORTEST_INTERVAL_S)
+        self._stream_periods[identity] = period_s
 
         def send(time: float) -> None:
             message = self.message_of(identity, time)
@@ -206,6 +214,10 @@ class FakeAutopilot:
                 self.send_now(message, time)
                 self.at(name, time + period_s, send)
         self.at(name, now + period_s, send)
+
+    def interval_us(self, identity: int) -> int:
+        """As in MESSAGE_INTERVAL: [us], -1 for a message that does not come by itself."""
+        return round(self._stream_periods.get(identity, -1e-6) * 1e6)
 
     def set_interval(self, identity: int, interval_us: float, now: float) -> None:
         """SET_MESSAGE_INTERVAL: the time between two messages [us]; 0: the default; less: no more of them."""
@@ -293,9 +305,9 @@ class FakeAutopilot:
     def _next_due(self) -> float:
         due = min((time for time, _ in self._timers.values()), default=math.inf)
         if self._pending:
-            due = min(due, max(self._pending[0][0], self._line_free_at))
+            due = min(due, max(self._pending[0][0], self._line_free_at - self._buffer_s))
         if self._next_telemetry is not None:
-            due = min(due, max(self._next_telemetry[0], self._line_free_at))
+            due = min(due, max(self._next_telemetry[0], self._line_free_at - self._buffer_s))
         return due
 
     def _step(self, now: float) -> None:
@@ -309,9 +321,11 @@ class FakeAutopilot:
             _, _, message = heapq.heappop(self._pending)
             self._transmit(message, now)
             return
-        _, frame = self._next_telemetry
+        time, frame = self._next_telemetry
         self._next_telemetry = next(self._telemetry, None)
-        if not self.is_silent(now) and self._is_wanted(frame, now):
+        # What an autopilot has no room for in time, it leaves out.
+        is_late = self._buffer_s and now - time > self._buffer_s
+        if not is_late and not self.is_silent(now) and self._is_wanted(frame, now):
             frame = frames.renumbered(frame, self._packer.seq, *self.address)
             if self.signing.sign_outgoing:
                 self._set_signing_time(now)
@@ -319,8 +333,17 @@ class FakeAutopilot:
             self._release(frame, now)
             self._packer.seq = (self._packer.seq + 1) % 256
 
+    def thinned_by(self) -> int:
+        """Of so many telemetry messages one goes out."""
+        return 1
+
     def _is_wanted(self, frame: bytes, now: float) -> bool:
         """Whether the interval of a telemetry message, if one is set, lets this one go out."""
+        if self._buffer_s:
+            self._passed_over += 1
+            if self._passed_over < self.thinned_by():
+                return False
+            self._passed_over = 0
         identity = frames.message_id(frame)
         interval = self._intervals.get(identity, 0.0)
         if interval and now - self._telemetry_sent_at.get(identity, -math.inf) < interval:
@@ -362,6 +385,8 @@ class FakeAutopilot:
                                      round(100_000 * (self._signing_time_s + now)))
 
     def _release(self, data: bytes, now: float) -> None:
+        if self._buffer_s:
+            now = max(now, self._line_free_at)
         self._released.append((now, data))
         if self._baud is not None:
             self._line_free_at = now + 10 * len(data) / self._baud

@@ -22,6 +22,7 @@ class Faults:
         self.asks_for_ever: Optional[int] = None
         self.acks_every_item = False
         self.takes_only_float_items = False
+        self.gives_plan_before_for_s = 0.0
 
     # -- orders -------------------------------------------------------------------------
 
@@ -66,6 +67,10 @@ class Faults:
     def take_only_float_items(self) -> None:
         """Answer every MISSION_ITEM_INT with ACK UNSUPPORTED."""
         self.takes_only_float_items = True
+
+    def give_plan_before(self, seconds: float) -> None:
+        """Give the plan before to a download that begins so soon [s] after ACCEPTED (PX4, a few milliseconds)."""
+        self.gives_plan_before_for_s = seconds
 
     # -- asked by the autopilot ---------------------------------------------------------
 

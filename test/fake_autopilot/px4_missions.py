@@ -3,6 +3,7 @@
 The old plan stays whole until the last item of the new one is taken. What matters for the
 odd corners is which variable outlives a transfer, so those are kept as PX4 keeps them.
 """
+import math
 from enum import Enum
 from typing import Optional
 
@@ -41,6 +42,9 @@ class Missions:
         self.held: dict[int, list[Item]] = {kind: [] for kind in TYPES}
         self.received: dict[int, list[Item]] = {kind: [] for kind in TYPES}
         self.checksums: dict[int, int] = dict.fromkeys(TYPES, 0)
+        self._before: dict[int, tuple[list[Item], int]] = dict.fromkeys(TYPES, ([], 0))
+        self._replaced_at: dict[int, float] = dict.fromkeys(TYPES, -math.inf)
+        self._given: list[Item] = []  # by the download that runs
         self.current = 0
         self.forget_transfer()
 
@@ -52,6 +56,7 @@ class Missions:
         self._partner = (0, 0)
         self._upload_open = False  # outlives the state in some corners, and then bars COUNT
         self._seq = self._count = 0
+        self._given = []
         self._staged: list[tuple[Item, Item]] = []
         self._staged_checksum = 0
         self._flagged_current: Optional[int] = None
@@ -61,8 +66,10 @@ class Missions:
     def as_read(self, mission_type: int) -> list[Item]:
         """The items as MISSION_REQUEST_INT reads them. The current one is flagged, in every
         type alike."""
-        return [item._replace(current=int(seq == self.current))
-                for seq, item in enumerate(self.held[mission_type])]
+        return self._flagged(self.held[mission_type])
+
+    def _flagged(self, items: list[Item]) -> list[Item]:
+        return [item._replace(current=int(seq == self.current)) for seq, item in enumerate(items)]
 
     def load(self, items, mission_type: int) -> None:
         held, checksum = [], 0
@@ -125,7 +132,7 @@ class Missions:
             self._ack(sender, refusal, now)
             return
         if message.count == 0:
-            self._put_aboard(self._type, [], [], 0)
+            self._put_aboard(self._type, [], [], 0, now)
             self._final_ack(ACCEPTED, 0, now)
             return
         self._upload_open = True
@@ -201,13 +208,15 @@ class Missions:
             return
         if self._staged_checksum != self.checksums[self._type]:
             self._put_aboard(self._type, [sent for sent, _ in self._staged],
-                             [kept for _, kept in self._staged], self._staged_checksum)
+                             [kept for _, kept in self._staged], self._staged_checksum, now)
             if self._type == MISSION:
-                self.autopilot.plan_changed(self._flagged_current or 0, now)
+                self.autopilot.plan_changed(self._flagged_current, now)
         self._final_ack(ACCEPTED, self._staged_checksum, now)
 
     def _put_aboard(self, mission_type: int, sent: list[Item], held: list[Item],
-                    checksum: int) -> None:
+                    checksum: int, now: float = -math.inf) -> None:
+        self._before[mission_type] = self.held.get(mission_type, []), self.checksums.get(mission_type, 0)
+        self._replaced_at[mission_type] = now + self.autopilot.response_delay_s
         self.received[mission_type], self.held[mission_type] = sent, held
         self.checksums[mission_type] = checksum
         if mission_type == MISSION and not held:
@@ -272,7 +281,7 @@ class Missions:
             return
         for kind in TYPES:
             if message.mission_type in (kind, ALL):
-                self._put_aboard(kind, [], [], 0)
+                self._put_aboard(kind, [], [], 0, now)
         if message.mission_type in (MISSION, ALL):
             self.autopilot.plan_changed(0, now)
         self._ack(sender, ACCEPTED, now,
@@ -301,9 +310,12 @@ class Missions:
         self.state = State.SENDING
         self._partner = sender
         self._seq = 0
-        self._count = len(self.held.get(self._type, ()))
+        self._given, checksum = self.held.get(self._type, []), self.checksums.get(self._type, 0)
+        if now < self._replaced_at.get(self._type, -math.inf) + self.autopilot.faults.gives_plan_before_for_s:
+            self._given, checksum = self._before.get(self._type, ([], 0))
+        self._count = len(self._given)
         self.autopilot.answer(mavlink.MAVLink_mission_count_message(
-            *sender, self._count, self._type, self.checksums.get(self._type, 0)), now)
+            *sender, self._count, self._type, checksum), now)
         self._set_timer()
 
     def on_request(self, message, sender, now: float) -> None:
@@ -331,10 +343,10 @@ class Missions:
             self._go_idle()
             self._ack(sender, refusal, now)
             return
-        if message.seq >= len(self.held[self._type]):
+        if message.seq >= len(self._given):
             self._refuse_request(now)
             return
-        item = self.as_read(self._type)[message.seq]
+        item = self._flagged(self._given)[message.seq]
         if self._int_mode:
             reply = item_int_message(item, sender, message.seq, self._type)
         else:

@@ -18,6 +18,9 @@ FRAMES = {0: 5, 3: 6, 5: 5, 6: 6}
 FLOAT_FRAMES = {5: 0, 6: 3, 2: 2}  # as read back by MISSION_REQUEST
 
 _PI = f32(math.pi)
+_TURN = f32(2 * math.pi)
+_RADIANS = f32(_PI / 180)
+_DEGREES = f32(180 / _PI)
 
 
 def drop(_: float) -> float:
@@ -36,24 +39,38 @@ def whole(value: float) -> float:
     return float(int(value)) if math.isfinite(value) else 0.0
 
 
+def unsigned16(value: float) -> float:
+    return float(int(value) % 65536) if math.isfinite(value) and abs(value) < 2 ** 31 else 0.0
+
+
+def signed16(value: float) -> float:
+    return (unsigned16(value) + 32768) % 65536 - 32768
+
+
 def yaw(degrees: float) -> float:
     """Through radians and back in 32-bit floats, into 0 to 360 degrees."""
     if math.isnan(degrees) or math.isinf(degrees):
         return math.nan
-    radians = f32(f32(degrees / 180.0) * _PI)
-    turn = 2 * _PI
-    if not 0 <= radians < turn:
-        radians = f32(radians - turn * math.floor(radians / turn))
-    return f32(f32(radians * 180.0) / _PI)
+    radians = f32(degrees * _RADIANS)
+    if not 0 <= radians < _TURN:
+        turns = math.floor(f32(radians * f32(1 / _TURN)))
+        radians = f32(radians - f32(_TURN * turns))
+    return f32(radians * _DEGREES)
 
 
 def _nearest(value: float) -> int:
     return int32(value + math.copysign(0.5, value))
 
 
+def _through_float(value: int) -> int:
+    """An integer as the nearest float; one beyond the largest integer wraps around, as on the simulator's computer."""
+    near = int(f32(value))
+    return near if near < 2 ** 31 else -2 ** 31
+
+
 Params = tuple[Callable[[float], float], ...]
 _NOTHING: Params = (drop, drop, drop, drop)
-_CORNER: Params = (lambda value: whole(value + 0.5), drop, drop, drop)
+_CORNER: Params = (lambda value: unsigned16(value + 0.5), drop, drop, drop)
 _CIRCLE: Params = (keep, drop, drop, drop)
 
 # Commands with a place: what is kept of param1 to param4.
@@ -61,28 +78,30 @@ AT_A_PLACE: dict[int, Params] = {
     16: (keep, keep, drop, yaw),        # NAV_WAYPOINT
     17: (drop, drop, keep, yaw),        # NAV_LOITER_UNLIM
     19: (keep, flag, keep, flag),       # NAV_LOITER_TIME
-    21: (drop, whole, drop, yaw),       # NAV_LAND
+    21: (drop, unsigned16, drop, yaw),       # NAV_LAND
     22: (drop, drop, drop, yaw),        # NAV_TAKEOFF
     31: (flag, keep, drop, flag),       # NAV_LOITER_TO_ALT
     84: (drop, drop, drop, yaw),        # NAV_VTOL_TAKEOFF
     85: (drop, drop, drop, yaw),        # NAV_VTOL_LAND
+    80: _NOTHING,                       # NAV_ROI, as DO_SET_ROI
     195: _NOTHING,                      # DO_SET_ROI_LOCATION
     201: _NOTHING,                      # DO_SET_ROI, which must name a location or none
-    4501: _NOTHING,                     # CONDITION_GATE (by source)
+    400: _NOTHING,                      # COMPONENT_ARM_DISARM
+    4501: _NOTHING,                     # CONDITION_GATE
     5000: _NOTHING,                     # NAV_FENCE_RETURN_POINT
     5001: _CORNER, 5002: _CORNER,       # NAV_FENCE_POLYGON_VERTEX_INCLUSION, _EXCLUSION
     5003: _CIRCLE, 5004: _CIRCLE,       # NAV_FENCE_CIRCLE_INCLUSION, _EXCLUSION
     5100: _NOTHING,                     # NAV_RALLY_POINT
 }
-ROI = 201
+ROI = (80, 201)
+KEPT_AS = {80: 201}
 ROI_MODES_AT_A_PLACE = (0, 3)  # none, location
 ROI_MODES_WITHOUT = (0, 1, 2)  # none, next waypoint, waypoint number
 
-# Commands without one; those after the first two lines are by source.
+# Commands without one.
 WITHOUT_A_PLACE = {
-    20, 93, 112, 114, 177, 178, 187, 189, 197, 203, 205, 206, 211, 1000, 2000, 2001, 42600,
-    ROI,
-    179, 196, 200, 204, 212, 214, 260, 400, 530, 532, 534, 1001, 2003, 2500, 2501, 3000,
+    20, 93, 112, 114, 177, 178, 179, 187, 189, 196, 197, 200, 203, 204, 205, 206, 211, 214, 260,
+    400, 530, 532, 534, 1000, 1001, 2000, 2001, 2003, 2500, 2501, 3000, 42600, *ROI,
 }
 JUMP = mavlink.MAV_CMD_DO_JUMP
 
@@ -102,7 +121,7 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
     params = AT_A_PLACE.get(item.command)
     if params is None:
         return UNSUPPORTED, None
-    if item.command == ROI and whole(item.param1) not in ROI_MODES_AT_A_PLACE:
+    if item.command in ROI and whole(item.param1) not in ROI_MODES_AT_A_PLACE:
         return mavlink.MAV_MISSION_INVALID_PARAM1, None
     if mission_type == MISSION and item.command in _NOT_IN_A_MISSION:
         return ERROR, None
@@ -111,8 +130,9 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
     x, y = item.x, item.y
     if float_mode:
         x, y = _nearest(x * 1e7), _nearest(y * 1e7)
-    autocontinue = 0 if mission_type == FENCE else item.autocontinue
-    return ACCEPTED, Item(FRAMES[item.frame], item.command, 0, autocontinue,
+    # A fence has no altitude, and so no frame of one.
+    frame, autocontinue = (5, 0) if mission_type == FENCE else (FRAMES[item.frame], item.autocontinue)
+    return ACCEPTED, Item(frame, KEPT_AS.get(item.command, item.command), 0, autocontinue,
                           *(stored(value) for stored, value in zip(params, item[4:8])),
                           x, y, item.z)
 
@@ -120,13 +140,13 @@ def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, 
 def _without_a_place(item: Item, float_mode: bool) -> tuple[int, Optional[Item]]:
     if item.command not in WITHOUT_A_PLACE:
         return UNSUPPORTED, None
-    if item.command == ROI and whole(item.param1) not in ROI_MODES_WITHOUT:
+    if item.command in ROI and whole(item.param1) not in ROI_MODES_WITHOUT:
         return mavlink.MAV_MISSION_INVALID_PARAM1, None
     params = item[4:8]
     if item.command == JUMP:
-        params = (whole(params[0]), whole(params[1]), *params[2:])
-    x, y = (_nearest(f32(value)) for value in (item.x, item.y))
-    return ACCEPTED, Item(NO_PLACE_FRAME, item.command, 0, item.autocontinue, *params,
+        params = (signed16(params[0]), unsigned16(params[1]), *params[2:])
+    x, y = (_nearest(value) if float_mode else _through_float(value) for value in (item.x, item.y))
+    return ACCEPTED, Item(NO_PLACE_FRAME, KEPT_AS.get(item.command, item.command), 0, item.autocontinue, *params,
                           x, y, item.z)
 
 

@@ -14,12 +14,12 @@
 enum { PAGE = 4096, LARGE = 2048, WALL = 1 << 17, ALIGNMENT = 16 };
 #define ROOM ((size_t)1 << 40) /* of addresses, not of memory; none is used twice */
 
-extern void *__libc_malloc(size_t size);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *block, size_t size);
-extern void __libc_free(void *block);
+extern void* __libc_malloc(size_t size);
+extern void* __libc_calloc(size_t count, size_t size);
+extern void* __libc_realloc(void* block, size_t size);
+extern void __libc_free(void* block);
 
-static uint8_t *room;
+static uint8_t* room;
 static size_t taken;
 
 __attribute__((constructor)) static void take_room(void) {
@@ -27,44 +27,42 @@ __attribute__((constructor)) static void take_room(void) {
   if (room == MAP_FAILED) _exit(99);
 }
 
-static bool is_fenced(const void *block) {
-  return room != NULL && (const uint8_t *)block >= room && (const uint8_t *)block < room + ROOM;
+static bool is_fenced(const void* block) {
+  return room != NULL && (const uint8_t*)block >= room && (const uint8_t*)block < room + ROOM;
 }
 
 static size_t whole_pages(size_t size) { return (size + PAGE - 1) / PAGE * PAGE; }
 
 /* A page with the size, the block's own pages, the wall. The block ends where the wall begins. */
-static void *fenced(size_t size) {
+static void* fenced(size_t size) {
   size = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
   const size_t pages = PAGE + whole_pages(size);
-  uint8_t *slot = room + __atomic_fetch_add(&taken, pages + WALL, __ATOMIC_RELAXED);
+  uint8_t* slot = room + __atomic_fetch_add(&taken, pages + WALL, __ATOMIC_RELAXED);
   if (slot + pages + WALL > room + ROOM || mprotect(slot, pages, PROT_READ | PROT_WRITE) != 0) _exit(98);
   memcpy(slot, &size, sizeof size);
   return slot + pages - size;
 }
 
-static uint8_t *slot_of(const void *block) {
+static uint8_t* slot_of(const void* block) {
   const uintptr_t page = (uintptr_t)block / PAGE * PAGE;
-  return (uint8_t *)(page - PAGE);
+  return (uint8_t*)(page - PAGE);
 }
 
-static size_t size_of(const void *block) {
+static size_t size_of(const void* block) {
   size_t size;
   memcpy(&size, slot_of(block), sizeof size);
   return size;
 }
 
-void *malloc(size_t size) {
-  return size >= LARGE && room != NULL ? fenced(size) : __libc_malloc(size);
-}
+void* malloc(size_t size) { return size >= LARGE && room != NULL ? fenced(size) : __libc_malloc(size); }
 
-void *calloc(size_t count, size_t size) {
+void* calloc(size_t count, size_t size) {
   size_t all;
   if (__builtin_mul_overflow(count, size, &all)) return NULL;
   return all >= LARGE && room != NULL ? fenced(all) : __libc_calloc(count, size); /* new pages are zero */
 }
 
-void free(void *block) {
+void free(void* block) {
   if (!is_fenced(block)) {
     __libc_free(block);
     return;
@@ -74,17 +72,17 @@ void free(void *block) {
   mprotect(slot_of(block), pages, PROT_NONE);
 }
 
-void *realloc(void *block, size_t size) {
+void* realloc(void* block, size_t size) {
   if (block == NULL) return malloc(size);
   if (!is_fenced(block)) {
-    void *grown = __libc_realloc(block, size);
+    void* grown = __libc_realloc(block, size);
     if (grown == NULL || size < LARGE || room == NULL) return grown;
-    void *moved = fenced(size);
+    void* moved = fenced(size);
     memcpy(moved, grown, size);
     __libc_free(grown);
     return moved;
   }
-  void *moved = malloc(size);
+  void* moved = malloc(size);
   if (moved == NULL) return NULL;
   const size_t old = size_of(block);
   memcpy(moved, block, old < size ? old : size);

@@ -1,7 +1,7 @@
 // The firmware's side of a talk over Serial: lines that order something come in, lines that tell what happened go out.
 //
-// A line is a word and up to four numbers. When it is done, the answer is "ok". What happens is told by lines that begin
-// with millis(): "1234 progress 1 10".
+// A line is a word and up to four numbers. When it is done, the answer is "ok". What happens is told by lines that
+// begin with millis(): "1234 progress 1 10".
 #pragma once
 
 #include <Arduino.h>

@@ -166,7 +166,7 @@ static void tellText(FlashText text) {
 // ---- What a line can be.
 
 typedef void (*Action)(const uint32_t (&numbers)[3]);
-#define ACTION(name) static void name(const uint32_t (&numbers)[3] __attribute__((unused)))
+#define ACTION(name) static void name(const uint32_t(&numbers)[3] __attribute__((unused)))
 
 ACTION(ram) { plan = inRam(benchPlan, numbers[0]); }
 ACTION(flash) { plan = inFlash(flashPlan); }
@@ -236,15 +236,15 @@ struct Word {
 };
 #define WORD(name) {#name, name}
 static const Word words[] = {
-    WORD(ram),    WORD(flash),     WORD(empty),  WORD(function), WORD(upload),  WORD(cancel),   WORD(ids),
-    WORD(talk),   WORD(speak),     WORD(armed),  WORD(raw),      WORD(floats),  WORD(waiting),  WORD(limit),
-    WORD(callbacks), WORD(again),  WORD(cancelat), WORD(stall),  WORD(nosleep), WORD(state),    WORD(counters),
-    WORD(text),   WORD(aboard),    WORD(turn),
+    WORD(ram),     WORD(flash), WORD(empty),     WORD(function), WORD(upload),   WORD(cancel),
+    WORD(ids),     WORD(talk),  WORD(speak),     WORD(armed),    WORD(raw),      WORD(floats),
+    WORD(waiting), WORD(limit), WORD(callbacks), WORD(again),    WORD(cancelat), WORD(stall),
+    WORD(nosleep), WORD(state), WORD(counters),  WORD(text),     WORD(aboard),   WORD(turn),
 #if MAVMISSION_SIGNING
-    WORD(sign),   WORD(time),      WORD(signing), WORD(post),
+    WORD(sign),    WORD(time),  WORD(signing),   WORD(post),
 #endif
 #ifndef BENCH_DIRECT
-    WORD(room),   WORD(blind),     WORD(blocked),
+    WORD(room),    WORD(blind), WORD(blocked),
 #endif
 };
 

@@ -1,5 +1,5 @@
-// Another MAVLink library in the same sketch: MavMission on Serial1, and the stock headers, which decode what a listener
-// hears, pack what the sketch sends, and parse a second line, Serial2.
+// Another MAVLink library in the same sketch: MavMission on Serial1, and the stock headers, which decode what a
+// listener hears, pack what the sketch sends, and parse a second line, Serial2.
 #include <Arduino.h>
 #include <MavMission.h>
 

@@ -56,8 +56,8 @@ ACTION(text) {
   Serial.println();
 }
 
-static const Word words[] = {WORD(upload), WORD(open), WORD(bauds), WORD(ids), WORD(talkto), WORD(stall), WORD(text),
-                             {"doctor", doctor_}};
+static const Word words[] = {WORD(upload), WORD(open),  WORD(bauds), WORD(ids),
+                             WORD(talkto), WORD(stall), WORD(text),  {"doctor", doctor_}};
 
 // Apart, so that its calls can be watched.
 extern "C" __attribute__((noinline, noclone)) Verdict updateDoctor() { return doctor.update(); }

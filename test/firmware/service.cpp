@@ -1,6 +1,6 @@
-// The firmware of the tests of the mission service: a MissionClient on Serial1, with a follower and listeners, that does
-// what lines on Serial tell it, and says on Serial what it sees. test/service.py is the other end; it also writes plans,
-// commands and messages into the arrays below, and reads what was downloaded from there.
+// The firmware of the tests of the mission service: a MissionClient on Serial1, with a follower and listeners, that
+// does what lines on Serial tell it, and says on Serial what it sees. test/service.py is the other end; it also writes
+// plans, commands and messages into the arrays below, and reads what was downloaded from there.
 #include <Arduino.h>
 #include <MavMission.h>
 
@@ -115,16 +115,11 @@ static void onEnd(void*, Status status) {
   const uint8_t next = chained;
   chained = 0;
   switch (next) {
-    case 1:
-      return tellBegun(client.verify(plan));
-    case 2:
-      return tellBegun(client.start());
-    case 3:
-      return tellBegun(client.uploadByAnswer(plan));
-    case 4:
-      return tellBegun(client.download(toFunction(takeItem)));
-    default:
-      return;
+    case 1: return tellBegun(client.verify(plan));
+    case 2: return tellBegun(client.start());
+    case 3: return tellBegun(client.uploadByAnswer(plan));
+    case 4: return tellBegun(client.download(toFunction(takeItem)));
+    default: return;
   }
 }
 
@@ -139,6 +134,7 @@ static void tellState() {
   tellNumber(F("rally"), static_cast<uint8_t>(client.aboard(PlanType::Rally)));
   tellNumber(F("field"), static_cast<uint8_t>(client.differingField()));
   tellNumber(F("step"), static_cast<uint8_t>(client.startStep()));
+  tellNumber(F("arming"), static_cast<uint8_t>(client.startArming()));
   tellNumber(F("result"), client.lastResult());
   tellNumber(F("found"), client.hasAutopilot());
   tellNumber(F("firmware"), static_cast<uint8_t>(client.firmware()));
@@ -204,7 +200,7 @@ ACTION(downloadtosmall) {
   memcpy(benchSink, smallSink, sizeof(smallSink));
 }
 ACTION(clear) { tellBegun(client.clear(typeOf(numbers[0]))); }
-ACTION(start) { tellBegun(client.start()); }
+ACTION(start) { tellBegun(client.start(numbers[0])); }
 ACTION(arm) { tellBegun(client.arm()); }
 ACTION(disarm) { tellBegun(client.disarm()); }
 ACTION(mode) { tellBegun(client.setMode(static_cast<FlightMode>(numbers[0]))); }
@@ -245,10 +241,11 @@ ACTION(blocked) {
   tell(F("blocked"), line.blocked());
   Serial.println();
 }
-// Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type.
+// Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type, HEARTBEAT.type.
 ACTION(compare) {
-  tell(F("field"), static_cast<uint8_t>(
-                       difference(benchPlan[0], benchSink[0], static_cast<Firmware>(numbers[0]), typeOf(numbers[1]))));
+  tell(F("field"),
+       static_cast<uint8_t>(difference(benchPlan[0], benchSink[0],
+                                       keeperOf(static_cast<Firmware>(numbers[0]), numbers[2], typeOf(numbers[1])))));
   Serial.println();
 }
 ACTION(fieldtext) {
@@ -258,12 +255,19 @@ ACTION(fieldtext) {
 }
 
 static const Word words[] = {
-    WORD(ram),       WORD(empty),   WORD(upload),  WORD(uploadagain), WORD(uploadpart),   WORD(verify),  WORD(download),
-    WORD(downloadtoram), WORD(downloadtosmall),    WORD(clear),       WORD(start),        WORD(arm),     WORD(disarm),
-    WORD(mode),      WORD(custommode), WORD(startmission), WORD(setcurrent), WORD(pause), WORD(resume),  WORD(interval),
-    WORD(order),     WORD(cancel),  WORD(post),    WORD(chain),       WORD(ids),          WORD(talk),    WORD(speak),
-    WORD(armed),     WORD(raw),     WORD(waiting), WORD(limit),       WORD(turns),        WORD(room),    WORD(state),
-    WORD(followed),  WORD(counters), WORD(blocked), WORD(compare),    WORD(fieldtext),
+    WORD(ram),          WORD(empty),         WORD(upload),
+    WORD(uploadagain),  WORD(uploadpart),    WORD(verify),
+    WORD(download),     WORD(downloadtoram), WORD(downloadtosmall),
+    WORD(clear),        WORD(start),         WORD(arm),
+    WORD(disarm),       WORD(mode),          WORD(custommode),
+    WORD(startmission), WORD(setcurrent),    WORD(pause),
+    WORD(resume),       WORD(interval),      WORD(order),
+    WORD(cancel),       WORD(post),          WORD(chain),
+    WORD(ids),          WORD(talk),          WORD(speak),
+    WORD(armed),        WORD(raw),           WORD(waiting),
+    WORD(limit),        WORD(turns),         WORD(room),
+    WORD(state),        WORD(followed),      WORD(counters),
+    WORD(blocked),      WORD(compare),       WORD(fieldtext),
     WORD(stall),
 };
 

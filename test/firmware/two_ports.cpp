@@ -1,4 +1,5 @@
-// Two clients, each with an autopilot of its own on a port of its own: both put a plan aboard and read it back, at once.
+// Two clients, each with an autopilot of its own on a port of its own: both put a plan aboard and read it back, at
+// once.
 #include <Arduino.h>
 #include <MavMission.h>
 

@@ -68,7 +68,8 @@ bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t
   for (size_t i = 1; i < size - 2; ++i) crc_accumulate(bytes[at + i], &crc);
   crc_accumulate(entry->crc_extra, &crc);
   if (bytes[at + size - 2] != (crc & 0xFF) || bytes[at + size - 1] != crc >> 8) return false;
-  payload.assign(bytes.begin() + static_cast<long>(at + header), bytes.begin() + static_cast<long>(at + header + length));
+  payload.assign(bytes.begin() + static_cast<long>(at + header),
+                 bytes.begin() + static_cast<long>(at + header + length));
   payload.resize(255, 0);
   return true;
 }
@@ -76,7 +77,7 @@ bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t
 WireItems wireItems(const MissionItem* plan, uint16_t count, Firmware firmware) {
   WirePlan wire = WirePlan();
   wire.setSource(inRam(plan, count));
-  wire.begin(firmware, PlanType::Mission, false);
+  wire.begin(firmware, 2, PlanType::Mission, false);
   WireItems items(wire.wireCount());
   for (uint16_t i = 0; i < wire.wireCount(); ++i) {
     while (wire.read(i, items[i]) == Status::Checking) {
@@ -178,4 +179,14 @@ bool announces(const Bytes& written, uint16_t& announced) {
     isThere = isThere || id == MAVLINK_MSG_ID_MISSION_COUNT || id == MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST;
   }
   return isThere;
+}
+
+bool holdsMessage(const Bytes& bytes, uint32_t messageId) {
+  for (size_t at = 0; at < bytes.size(); ++at) {
+    uint32_t id;
+    Bytes payload;
+    size_t size;
+    if (isRight(bytes, at, id, payload, size) && id == messageId) return true;
+  }
+  return false;
 }

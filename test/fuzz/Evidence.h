@@ -1,5 +1,5 @@
-// What the bytes of a line prove of an upload, found without the library's parser: frames that are right to the checksum,
-// wherever they lie.
+// What the bytes of a line prove of an upload, found without the library's parser: frames that are right to the
+// checksum, wherever they lie.
 #pragma once
 
 #include <stddef.h>
@@ -28,14 +28,17 @@ WireItems wireItems(const mavmission::MissionItem* plan, uint16_t count, mavmiss
 FrameParts itemParts(const mavmission::MissionItem& item, uint16_t sequence);
 FrameParts countParts(uint16_t count, uint32_t opaqueId = 0);
 
-// True if, in these bytes, item `last` is asked for, and behind that a mission is accepted, both by the autopilot and for
-// us; of an empty plan (`isEmpty`) nothing is asked for.
+// True if, in these bytes, item `last` is asked for, and behind that a mission is accepted, both by the autopilot and
+// for us; of an empty plan (`isEmpty`) nothing is asked for.
 bool holdsAnswer(const Bytes& heard, bool isEmpty, uint16_t last);
 
 // True if `asked`, bytes that were written, asks for what is aboard and for each item, and `heard` gives their right
 // number and each of them as `meant` says. ArduPilot's item 0 is its own home.
 bool holdsReading(const Bytes& heard, const Bytes& asked, const WireItems& meant, mavmission::Firmware firmware);
 
-// True if these bytes begin an upload: MISSION_COUNT, or MISSION_WRITE_PARTIAL_LIST. `announced`: how many items the last
-// MISSION_COUNT announces, if there is one.
+// True if these bytes begin an upload: MISSION_COUNT, or MISSION_WRITE_PARTIAL_LIST. `announced`: how many items the
+// last MISSION_COUNT announces, if there is one.
 bool announces(const Bytes& written, uint16_t& announced);
+
+// True if a frame of this message, right to the checksum, lies among these bytes.
+bool holdsMessage(const Bytes& bytes, uint32_t messageId);

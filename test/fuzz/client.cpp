@@ -1,17 +1,20 @@
-// A whole MissionClient on a line where anything may happen, driven by the bytes of the input: what is received, how time
-// passes, what the sketch asks for, what the stream takes.
+// A whole MissionClient on a line where anything may happen, driven by the bytes of the input: what is received, how
+// time passes, what the sketch asks for, what the stream takes.
 //
 // What must hold, whatever that is:
 // - update() reads no more bytes than MAVMISSION_BYTES_PER_UPDATE, and writes no more than the stream said it takes;
 // - an upload is Accepted only if it was announced, and the bytes that came since it was asked for (and those that the
 //   parser may still hold then) hold either a request for its last item and behind it an ACK with MAV_MISSION_ACCEPTED,
-//   or, once they were asked for, the right number of items and each of them as it was meant; all right to the checksum,
-//   from the autopilot, for us and for a mission.
-//   uploadByAnswer() takes only the first, upload(plan, Verified) only the second. verify() ends with Verified only by
-//   the second, too;
-// - what is written is whole frames, one behind the other, each with the next sequence number; a message of the sketch's
+//   or, once they were asked for, the right number of items and each of them as it was meant; all right to the
+//   checksum, from the autopilot, for us and for a mission. uploadByAnswer() takes only the first, upload(plan,
+//   Verified) only the second. verify() ends with Verified only by the second, too;
+// - what is written is whole frames, one behind the other, each with the next sequence number; a message of the
+// sketch's
 //   own is among them as it was given;
 // - nothing is announced to an autopilot that is refused for being armed;
+// - start() is Done only for an autopilot that was heard to be armed, in its mission mode, since it was asked for, and
+// to
+//   be at an item; it sends nothing that forces;
 // - items that are done never go back, and are never more than there are;
 // - listeners are told of nothing that they did not ask for, and of no text without an end;
 // - when nothing comes any more, an operation ends in the time that its limits add up to.
@@ -48,12 +51,8 @@ struct Input {
 };
 
 const MissionItem kPlan[] = {
-    takeoff(20_m),
-    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
-    changeSpeed(5_mps),
-    jump(1, 2),
-    waypoint(-35.3614500_deg, 149.1652374_deg, 20_m),
-    returnToLaunch(),
+    takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), changeSpeed(5_mps),
+    jump(1, 2),    waypoint(-35.3614500_deg, 149.1652374_deg, 20_m), returnToLaunch(),
 };
 const uint8_t kPlanItems = sizeof(kPlan) / sizeof(*kPlan);
 
@@ -129,8 +128,7 @@ class Session {
     const uint8_t what = input.next();
     switch (what % 32) {
       case 0:
-      case 1:
-        return wait(input.next());
+      case 1: return wait(input.next());
       case 2:
         for (uint8_t n = input.next() % 40; n != 0; --n) wait(50);
         return;
@@ -140,7 +138,14 @@ class Session {
       case 4:
       case 5: {
         const uint8_t kinds[] = {3, 12, 0, 8};
-        return bring(heartbeatParts(kinds[input.next() % 4], what >= 128 ? 0x80 : 0), input);
+        // In the mission mode of a copter, or of PX4, in one of four.
+        const uint8_t kind = kinds[input.next() % 4];
+        FrameParts heartbeat = heartbeatParts(kind, what >= 128 ? 0x80 : 0);
+        if ((what & 0x60) == 0x60) {
+          const uint32_t mode = kind == 12 ? 0x04040000u : what & 1 ? 4 : 3;
+          memcpy(heartbeat.payload.data(), &mode, sizeof(mode));
+        }
+        return bring(heartbeat, input);
       }
       case 6:
       case 7:
@@ -167,18 +172,12 @@ class Session {
         client_.cancel();
         if (uploading_) uploading_ = client_.isBusy();
         return;
-      case 13:
-        room_ = input.next() % 70;
-        return;
-      case 14:
-        line_.takes = 1 + input.next() % 64;
-        return;
-      case 15:
-        return other(input.next());
+      case 13: room_ = input.next() % 70; return;
+      case 14: line_.takes = 1 + input.next() % 64; return;
+      case 15: return other(input.next());
       case 16:
       case 17:
-      case 18:
-        return answer(input);
+      case 18: return answer(input);
       case 19: {
         const uint8_t to = input.next();
         return bring(altered(countParts(to % (kPlanItems + 3)), to >= 128 ? input.next() : uint8_t(0)), input);
@@ -193,11 +192,8 @@ class Session {
       case 22:
         if (!client_.isBusy()) client_.allowWhileArmed(what >= 128);
         return;
-      case 23:
-        client_.sendMessage(kLong[what >= 128 ? 1 : 0]);
-        return;
-      case 24:
-        return uploadAgain();
+      case 23: client_.sendMessage(kLong[what >= 128 ? 1 : 0]); return;
+      case 24: return uploadAgain();
       case 25: {
         const uint16_t current = input.next();
         mavlink_mission_current_t message = mavlink_mission_current_t();
@@ -209,7 +205,8 @@ class Session {
       }
       case 26: {
         mavlink_mission_item_reached_t message = {input.next()};
-        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC), input);
+        return bring(partsOf(message, MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC),
+                     input);
       }
       case 27: {
         mavlink_statustext_t message = mavlink_statustext_t();
@@ -217,8 +214,7 @@ class Session {
         memset(message.text + 16, 'x', input.next() % 35);
         return bring(partsOf(message, MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC), input);
       }
-      case 28:
-        return bring(FrameParts(24, Bytes(what >= 128 ? 52 : 30, input.next()), 24), input);
+      case 28: return bring(FrameParts(24, Bytes(what >= 128 ? 52 : 30, input.next()), 24), input);
       case 29:  // the other autopilot of two, which is not listened to
         other_ = !other_;
         return;
@@ -231,12 +227,14 @@ class Session {
   void begin(const Asked& asked) {
     asked_ = asked;
     if (asked.isUpload()) again_ = client_.status() == Status::BadRange ? Asked() : asked;
-    if (asked.kind == Asked::Kind::Verification) {  // its plan is the one that is uploaded next, as the last one was proven
+    if (asked.kind ==
+        Asked::Kind::Verification) {  // its plan is the one that is uploaded next, as the last one was proven
       again_.count = asked.count;
       const bool isProofKept = again_.kind == Asked::Kind::ByAnswer || again_.kind == Asked::Kind::Verified;
       if (!isProofKept) again_.kind = Asked::Kind::InDoubt;
     }
     uploading_ = asked.isUpload();
+    isStart_ = false;
     done_ = 0;
     hasTurned_ = false;
     // The parser may hold the latest bytes still, within a frame that was cut off, and find a frame among them later.
@@ -296,23 +294,14 @@ class Session {
     asked.count = kPlanItems;
     begin(asked);
     switch (what % 6) {
-      case 0:
-        client_.clear(what & 64 ? PlanType::All : PlanType::Mission);
-        return;
-      case 1:
-        client_.verify(inRam(kPlan, kPlanItems));
-        return;
-      case 2:
-        client_.download(toRam(space_));
-        return;
-      case 3:
-        client_.setCurrentItem(what);
-        return;
-      case 4:
-        client_.arm();
-        return;
+      case 0: client_.clear(what & 64 ? PlanType::All : PlanType::Mission); return;
+      case 1: client_.verify(inRam(kPlan, kPlanItems)); return;
+      case 2: client_.download(toRam(space_)); return;
+      case 3: client_.setCurrentItem(what); return;
+      case 4: client_.arm(); return;
       case 5:
-        client_.start();
+        isStart_ = true;
+        client_.start(what / 6 % 8);
         return;
     }
   }
@@ -321,6 +310,10 @@ class Session {
   static FrameParts partsOf(const T& message, uint32_t id, uint8_t crcExtra) {
     const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
     return FrameParts(id, Bytes(begin, begin + sizeof(message)), crcExtra);
+  }
+
+  static FrameParts currentParts(const mavlink_mission_current_t& current) {
+    return partsOf(current, MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC);
   }
 
   // How = 0: as it is; otherwise a bit of its payload is another.
@@ -350,8 +343,7 @@ class Session {
       case MAVLINK_MSG_ID_MISSION_COUNT:
         if (sequence != 0) return bring(altered(requestParts(0), how), input);
         return bring(altered(ackParts(0), how), input);
-      case MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST:
-        return bring(altered(requestParts(sequence), how), input);
+      case MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST: return bring(altered(requestParts(sequence), how), input);
       case MAVLINK_MSG_ID_MISSION_ITEM_INT: {
         const uint16_t item = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
         if (item + 1u == behindLast()) return bring(altered(ackParts(0), how), input);
@@ -360,17 +352,26 @@ class Session {
       case MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
         return bring(altered(countParts(static_cast<uint16_t>(meant_.size())), how), input);
       case MAVLINK_MSG_ID_MISSION_REQUEST:
-      case MAVLINK_MSG_ID_MISSION_REQUEST_INT:
-        return bring(altered(itemInPlan(sequence), how), input);
+      case MAVLINK_MSG_ID_MISSION_REQUEST_INT: return bring(altered(itemInPlan(sequence), how), input);
+      case MAVLINK_MSG_ID_MISSION_SET_CURRENT: {
+        mavlink_mission_current_t current = mavlink_mission_current_t();
+        current.seq = sequence;
+        return bring(altered(currentParts(current), how), input);
+      }
       case MAVLINK_MSG_ID_COMMAND_LONG: {
+        if (saidPayload_[28] == (MAV_CMD_REQUEST_MESSAGE & 0xFF) && saidPayload_[29] == MAV_CMD_REQUEST_MESSAGE >> 8) {
+          mavlink_mission_current_t current = mavlink_mission_current_t();
+          current.seq = 1;
+          current.mission_state = MISSION_STATE_ACTIVE;
+          return bring(altered(currentParts(current), how), input);
+        }
         mavlink_command_ack_t ack = mavlink_command_ack_t();
         ack.command = static_cast<uint16_t>(saidPayload_[28] | saidPayload_[29] << 8);
         ack.target_system = kAutopilot;
         ack.target_component = kClient;
         return bring(altered(partsOf(ack, MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC), how), input);
       }
-      default:
-        return bring(altered(ackParts(0), how), input);
+      default: return bring(altered(ackParts(0), how), input);
     }
   }
 
@@ -407,7 +408,8 @@ class Session {
     const Status before = client_.status();
     const Status status = client_.update();
     demand(line_.bytesRead - read <= MAVMISSION_BYTES_PER_UPDATE, "update() read more than it may");
-    if (room_ > 0) demand(line_.written.size() - written <= static_cast<size_t>(room_), "more was written than there was room");
+    if (room_ > 0)
+      demand(line_.written.size() - written <= static_cast<size_t>(room_), "more was written than there was room");
     demand(client_.itemsDone() <= client_.itemsTotal(), "more items are done than there are");
     demand(client_.failedItem() == MissionClient::kNoItem || !uploading_ || client_.failedItem() < asked_.count,
            "an item failed that is not in the plan");
@@ -437,17 +439,29 @@ class Session {
       demand(isAnswered || isRead, "accepted, though neither the autopilot said so nor it was read back");
       demand(client_.itemsDone() == asked_.count, "accepted, though not every item is done");
     }
+    if (isStart_ && status == Status::Done) {
+      demand(client_.isArmed() && client_.isInMode(FlightMode::Auto), "it is started, and does not fly its mission");
+      demand(holdsMessage(line_.heard, MAVLINK_MSG_ID_HEARTBEAT), "it is started, though no heartbeat showed it");
+      demand(holdsMessage(line_.heard, MAVLINK_MSG_ID_MISSION_CURRENT), "it is started, and did not say from where");
+      demand(client_.aboard() == Aboard::OurPlan, "what is started is not our plan");
+    }
+    if (client_.startArming() == StartArming::Disarmed) {
+      demand(holdsMessage(line_.written, MAVLINK_MSG_ID_COMMAND_LONG), "it was disarmed without a command");
+    }
     if (status == Status::Verified) {
       demand(asked_.kind == Asked::Kind::Verification, "what was no verification ended as one");
-      demand(holdsReading(line_.heard, written, meant_, firmware_), "verified, though what was read is not what was meant");
+      demand(holdsReading(line_.heard, written, meant_, firmware_),
+             "verified, though what was read is not what was meant");
     }
     if (status == Status::Armed && uploading_ && !hasTurned_) {
       demand(!isAnnounced, "a plan was announced to an armed autopilot that is refused for it");
     }
-    uploading_ = uploading_ && client_.isBusy();  // what was cancelled is told by the next update(), when another may run
+    uploading_ =
+        uploading_ && client_.isBusy();  // what was cancelled is told by the next update(), when another may run
   }
 
-  // Silence. The longest upload: waiting, checking, the transfer's own limit, turns that are waited for. Others are shorter.
+  // Silence. The longest upload: waiting, checking, the transfer's own limit, turns that are waited for. Others are
+  // shorter.
   void finish() {
     room_ = MemoryStream::kAlwaysRoom;
     line_.takes = 1000;
@@ -477,8 +491,20 @@ class Session {
         demand(id != own.id || memcmp(payload.data(), kLongPayload.data(), own.length) == 0,
                "a message of the sketch's own was written as another");
       }
+      if (id == MAVLINK_MSG_ID_COMMAND_LONG) {
+        mavlink_command_long_t command;
+        memcpy(&command, payload.data(), sizeof(command));
+        const bool arms = command.command == MAV_CMD_COMPONENT_ARM_DISARM;
+        demand(!arms || isZero(command.param2), "it arms or disarms by force");
+      }
       at += size;
     }
+  }
+
+  static bool isZero(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof(bits));
+    return bits == 0;
   }
 
   Line line_;
@@ -486,19 +512,20 @@ class Session {
   MissionFollower follower_;
   MessageListener listener_;
   MissionItem space_[kPlanItems];
-  uint32_t nowMs_ = 0xFFFFF000;  // it wraps soon, in 16 bits and in 32
+  uint32_t nowMs_ = 0xFFFFF000;           // it wraps soon, in 16 bits and in 32
   int room_ = MemoryStream::kAlwaysRoom;  // at the beginning of each update()
   uint8_t sequence_ = 0;
-  bool other_ = false;     // frames are another system's
+  bool other_ = false;  // frames are another system's
   bool uploading_ = false;
+  bool isStart_ = false;    // the last operation is start()
   bool hasTurned_ = false;  // it has waited for its turn
   Asked asked_;
-  Asked again_;            // what uploadAgain() uploads
+  Asked again_;                     // what uploadAgain() uploads
   Firmware firmware_ = Firmware();  // that the transfer began with
-  WireItems meant_;        // and the plan for it
-  size_t written_ = 0;     // bytes written before the operation
-  size_t answered_ = 0;    // bytes written before the first frame that answer() has not looked at
-  uint32_t said_ = 0xFFFFFFFF;  // the client's last message that is answered
+  WireItems meant_;                 // and the plan for it
+  size_t written_ = 0;              // bytes written before the operation
+  size_t answered_ = 0;             // bytes written before the first frame that answer() has not looked at
+  uint32_t said_ = 0xFFFFFFFF;      // the client's last message that is answered
   Bytes saidPayload_ = Bytes(255);
   uint16_t done_ = 0;
 };

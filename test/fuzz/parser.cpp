@@ -6,8 +6,8 @@
 //   that far in either);
 // - a frame that lies inside another frame that ours gave, or inside a message that carries bytes of others: one of the
 //   two is a coincidence of checksums, or data, and the parsers need not choose alike.
-// And whatever ours gives must be there, byte for byte, with a right checksum; frames come in the order of the bytes and
-// do not overlap, one that was found inside a frame that was stepped over included.
+// And whatever ours gives must be there, byte for byte, with a right checksum; frames come in the order of the bytes
+// and do not overlap, one that was found inside a frame that was stepped over included.
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -127,7 +127,8 @@ std::vector<Place> withTheirLikes(const Bytes& bytes, const std::vector<Place>& 
     const Bytes said = frameAt(bytes, one);
     for (size_t begin = 0; begin < bytes.size(); ++begin) {
       const Place place = {begin, begin + (one.end - one.begin)};
-      if (bytes[begin] == said[0] && place.end <= bytes.size() && frameAt(bytes, place) == said) places.push_back(place);
+      if (bytes[begin] == said[0] && place.end <= bytes.size() && frameAt(bytes, place) == said)
+        places.push_back(place);
     }
   }
   return places;

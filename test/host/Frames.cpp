@@ -19,8 +19,16 @@ Bytes packed(const FrameParts& parts) {
   if (parts.version == 1) {
     frame = {0xFE, length, parts.sequence, parts.systemId, parts.componentId, id};
   } else {
-    frame = {0xFD, length, parts.incompatibility, parts.compatibility, parts.sequence, parts.systemId, parts.componentId, id,
-             static_cast<uint8_t>(parts.messageId >> 8), static_cast<uint8_t>(parts.messageId >> 16)};
+    frame = {0xFD,
+             length,
+             parts.incompatibility,
+             parts.compatibility,
+             parts.sequence,
+             parts.systemId,
+             parts.componentId,
+             id,
+             static_cast<uint8_t>(parts.messageId >> 8),
+             static_cast<uint8_t>(parts.messageId >> 16)};
   }
   frame = frame + parts.payload;
   uint16_t crc = mavmission::kChecksumStart;
@@ -37,16 +45,16 @@ FrameParts heartbeatParts(uint8_t autopilot, uint8_t baseMode) {
 }
 
 FrameParts requestParts(uint16_t item, uint8_t targetSystem, uint8_t targetComponent, uint8_t type) {
-  return FrameParts(51, {static_cast<uint8_t>(item), static_cast<uint8_t>(item >> 8), targetSystem, targetComponent, type},
-                    196);
+  return FrameParts(
+      51, {static_cast<uint8_t>(item), static_cast<uint8_t>(item >> 8), targetSystem, targetComponent, type}, 196);
 }
 
 FrameParts ackParts(uint8_t result, uint8_t targetSystem, uint8_t targetComponent, uint8_t type, uint32_t opaqueId) {
-  return FrameParts(47,
-                    {targetSystem, targetComponent, result, type, static_cast<uint8_t>(opaqueId),
-                     static_cast<uint8_t>(opaqueId >> 8), static_cast<uint8_t>(opaqueId >> 16),
-                     static_cast<uint8_t>(opaqueId >> 24)},
-                    153);
+  return FrameParts(
+      47,
+      {targetSystem, targetComponent, result, type, static_cast<uint8_t>(opaqueId), static_cast<uint8_t>(opaqueId >> 8),
+       static_cast<uint8_t>(opaqueId >> 16), static_cast<uint8_t>(opaqueId >> 24)},
+      153);
 }
 
 namespace {
@@ -114,18 +122,11 @@ std::string wantedIn(const Bytes& bytes) {
     if (!text.empty()) text += ", ";
     const Bytes payload = frame.payload + Bytes(8, 0);
     switch (frame.messageId) {
-      case 0:
-        text += "heartbeat";
-        break;
+      case 0: text += "heartbeat"; break;
       case 40:
-      case 51:
-        text += "request " + std::to_string(payload[0] | payload[1] << 8);
-        break;
-      case 47:
-        text += "ack " + std::to_string(payload[2]);
-        break;
-      default:
-        text += "message " + std::to_string(frame.messageId);
+      case 51: text += "request " + std::to_string(payload[0] | payload[1] << 8); break;
+      case 47: text += "ack " + std::to_string(payload[2]); break;
+      default: text += "message " + std::to_string(frame.messageId);
     }
   }
   return text;

@@ -12,11 +12,11 @@ class MemoryStream : public Stream {
 
   std::deque<uint8_t> toRead;
   std::vector<uint8_t> written;
-  int room = kAlwaysRoom;     // what availableForWrite() says
-  size_t takes = 1000000;     // what one write() takes, at most
+  int room = kAlwaysRoom;  // what availableForWrite() says
+  size_t takes = 1000000;  // what one write() takes, at most
   size_t bytesRead = 0;
-  size_t writes = 0;          // calls of write()
-  size_t largestWrite = 0;    // bytes offered in one call
+  size_t writes = 0;        // calls of write()
+  size_t largestWrite = 0;  // bytes offered in one call
 
   void bring(const std::vector<uint8_t>& bytes) { toRead.insert(toRead.end(), bytes.begin(), bytes.end()); }
 

@@ -11,8 +11,10 @@ void setup() { lastUs = micros(); }
 void loop() {
   const uint32_t nowUs = micros();
   const int32_t stepUs = int32_t(nowUs - lastUs);
-  if (stepUs < 0) backwards++;
-  else if (uint32_t(stepUs) > longestStepUs) longestStepUs = stepUs;
+  if (stepUs < 0)
+    backwards++;
+  else if (uint32_t(stepUs) > longestStepUs)
+    longestStepUs = stepUs;
   noInterrupts();
   lastUs = nowUs;
   interrupts();

@@ -16,19 +16,13 @@ void loop() {
       sleep_enable();
       sleep_cpu();
       break;
-    case 2:
-      *reinterpret_cast<volatile uint8_t *>(0xF000) = 1;
-      break;
+    case 2: *reinterpret_cast<volatile uint8_t*>(0xF000) = 1; break;
     case 3:
       wdt_enable(WDTO_15MS);
       for (;;) {
       }
-    case 4:
-      reinterpret_cast<void (*)()>(0x7000)();
-      break;
-    case 5:
-      asm volatile("ldi r24, 0xFE\n push r24\n push r24\n push r24\n ret" ::: "r24");
-      break;
+    case 4: reinterpret_cast<void (*)()>(0x7000)(); break;
+    case 5: asm volatile("ldi r24, 0xFE\n push r24\n push r24\n push r24\n ret" ::: "r24"); break;
     case 6:
 #ifdef RAMPZ
       how = pgm_read_byte_far(0xFEFEFE);

@@ -21,7 +21,10 @@ class Pipe : public Stream {
 };
 
 constexpr MissionItem four[] PROGMEM = {
-    takeoff(20_m), jump(0, 1), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch(),
+    takeoff(20_m),
+    jump(0, 1),
+    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
+    returnToLaunch(),
 };
 
 // ITEMS items: the four over and over.
@@ -82,11 +85,12 @@ CALL(callDoctor, result = static_cast<uint8_t>(doctor.update()))
 #endif
 
 void (*const calls[])() = {
-    callUpdate,     callUpload, callCancel,    callStatus, callCounters, callItems,
-    callOnProgress, callOnEnd,  callSetOwnIds, callTalkTo, callToString, callAutopilot,
+    callUpdate,     callUpload,  callCancel,     callStatus,      callCounters,   callItems,
+    callOnProgress, callOnEnd,   callSetOwnIds,  callTalkTo,      callToString,   callAutopilot,
 #ifdef EVERY_CALL
-    callDownload,   callVerify, callClear,     callUploadAgain, callUploadPart, callStart, callArm, callSetMode,
-    callSetCurrent, callInterval, callSend,    callIsInMode, callRetry, callFloats, callFollowed, callDoctor,
+    callDownload,   callVerify,  callClear,      callUploadAgain, callUploadPart, callStart,
+    callArm,        callSetMode, callSetCurrent, callInterval,    callSend,       callIsInMode,
+    callRetry,      callFloats,  callFollowed,   callDoctor,
 #endif
 };
 

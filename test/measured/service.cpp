@@ -1,5 +1,5 @@
-// Every operation of a client with a follower, listeners and a doctor, whose update() can be watched, in a loop that can
-// be made to stall.
+// Every operation of a client with a follower, listeners and a doctor, whose update() can be watched, in a loop that
+// can be made to stall.
 #include <Arduino.h>
 #include <MavMission.h>
 
@@ -39,7 +39,10 @@ void begin(uint8_t operation) {
     case 4: autopilot.clear(PlanType::All); break;
     case 5: autopilot.start(); break;
     case 6: autopilot.setCurrentItem(2); break;
-    case 7: command = flightCommand(183, 1, 1500); autopilot.send(command); break;
+    case 7:
+      command = flightCommand(183, 1, 1500);
+      autopilot.send(command);
+      break;
     case 8: autopilot.uploadPart(source, 3, 4); break;
   }
 }

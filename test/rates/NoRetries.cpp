@@ -1,6 +1,6 @@
 // For comparison, a client without retries, as most sketches have one. Its rule: COUNT is sent once; each request is
-// answered by its item, a repeated one too; it ends by the first ACK, whatever that says, or when the autopilot's mission
-// service has been silent for 10 s. (So it gains from every retry of the autopilot's.)
+// answered by its item, a repeated one too; it ends by the first ACK, whatever that says, or when the autopilot's
+// mission service has been silent for 10 s. (So it gains from every retry of the autopilot's.)
 #include "Client.h"
 
 namespace {

@@ -1,5 +1,5 @@
-// The library's own MissionClient as a Client: frames become the bytes that its stream gives, and what it writes becomes
-// messages again. A frame that is not as it must be ends the program.
+// The library's own MissionClient as a Client: frames become the bytes that its stream gives, and what it writes
+// becomes messages again. A frame that is not as it must be ends the program.
 #include <Arduino.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ using namespace mavmission;
 
 namespace {
 
-constexpr size_t kAround = 12;  // header and checksum of a MAVLink 2 frame
+constexpr size_t kAround = 12;             // header and checksum of a MAVLink 2 frame
 constexpr uint32_t kStartMs = 0xFFFFF000;  // millis() wraps soon, in 16 bits and in 32
 
 const char* nameOf(Status status) {

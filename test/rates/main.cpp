@@ -14,17 +14,19 @@ constexpr uint32_t kHeartbeatMs = 1000;
 constexpr uint32_t kGivesUpMs = 600000;  // an upload that has not ended then never will
 
 [[noreturn]] void usage(const char* problem) {
-  fprintf(stderr,
-          "%s\n"
-          "usage: rates AUTOPILOT CLIENT PERCENT SEEDS\n"
-          "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
-          "  CLIENT     upload, upload-by-answer (the library's), no-retries or usual-rule (for comparison)\n"
-          "  PERCENT    of the frames that are lost, in both directions: 0 to 100\n"
-          "  SEEDS      uploads: those of the seeds 0 to SEEDS - 1\n"
-          "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the client\n"
-          "says is aboard, whether that is true, and the time from the first COUNT to the end [ms]. An upload that does\n"
-          "not end has `never` in the place of how it ended.\n",
-          problem);
+  fprintf(
+      stderr,
+      "%s\n"
+      "usage: rates AUTOPILOT CLIENT PERCENT SEEDS\n"
+      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
+      "  CLIENT     upload, upload-by-answer (the library's), no-retries or usual-rule (for comparison)\n"
+      "  PERCENT    of the frames that are lost, in both directions: 0 to 100\n"
+      "  SEEDS      uploads: those of the seeds 0 to SEEDS - 1\n"
+      "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
+      "client\n"
+      "says is aboard, whether that is true, and the time from the first COUNT to the end [ms]. An upload that does\n"
+      "not end has `never` in the place of how it ended.\n",
+      problem);
   exit(2);
 }
 
@@ -80,8 +82,8 @@ class Upload {
 
   void print(unsigned seed) const {
     const std::string status = client_->hasEnded() ? client_->status() : "never";
-    printf("%u %s %d %s %d %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(), isTrue(client_->aboard()),
-           nowMs_ - countedMs_);
+    printf("%u %s %d %s %d %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
+           isTrue(client_->aboard()), nowMs_ - countedMs_);
   }
 
  private:

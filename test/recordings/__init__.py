@@ -24,8 +24,20 @@ class Heard(NamedTuple):
     frame: bytes
 
 
+_OF_STARTS = ("start_", "mission_", "set_current_", "auto_and_arming", "request_messages")
+
+
 def names() -> list[str]:
-    """All recordings, as "px4/item_lost"."""
+    """All recordings of transfers, as "px4/item_lost"."""
+    return [name for name in _all() if not name.split("/")[1].startswith(_OF_STARTS)]
+
+
+def starts() -> list[str]:
+    """All recordings of how a mission is started, changed and ended, as "px4/mission_end"."""
+    return [name for name in _all() if name.split("/")[1].startswith(_OF_STARTS)]
+
+
+def _all() -> list[str]:
     return sorted(f"{path.parent.name}/{path.stem}" for path in FOLDER.glob("*/*.txt"))
 
 
@@ -34,15 +46,31 @@ def heard(name: str) -> tuple[Heard, ...]:
     """Every intact frame of a recording, in order."""
     path = FOLDER / f"{name}.txt"
     if not path.exists():
-        raise ValueError(f"there is no recording {name}: it is one of {', '.join(names())}")
-    splitters = {">": frames.FrameSplitter(), "<": frames.FrameSplitter()}
+        raise ValueError(f"there is no recording {name}: it is one of {', '.join(_all())}")
+    lines = [line.split() for line in path.read_text().splitlines()]
+    splitters, skipped = {}, {}
+    for direction in "><":
+        splitters[direction] = frames.FrameSplitter()
+        skipped[direction] = _before_first_frame(
+            b"".join(bytes.fromhex(data) for _, which, data in lines if which == direction))
     result = []
-    for line in path.read_text().splitlines():
-        time, direction, data = line.split()
-        for frame, intact in splitters[direction].feed(bytes.fromhex(data)):
+    for time, direction, data in lines:
+        raw = bytes.fromhex(data)
+        cut = min(skipped[direction], len(raw))
+        skipped[direction] -= cut
+        for frame, intact in splitters[direction].feed(raw[cut:]):
             if intact:
                 result.append(Heard(float(time), direction, frames.decode(frame), frame))
     return tuple(result)
+
+
+def _before_first_frame(stream: bytes) -> int:
+    """How many bytes belong to a frame that began before the recording did."""
+    for start in range(len(stream)):
+        pieces = frames.FrameSplitter().feed(stream[start:start + 300])
+        if pieces and pieces[0][1] and frames.crc_extra_of(pieces[0][0]) is not None:
+            return start
+    return 0
 
 
 def telemetry(name: str) -> list[tuple[float, bytes]]:

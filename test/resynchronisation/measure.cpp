@@ -106,7 +106,8 @@ class Ours {
   }
   void note(mavmission::FrameParser::Result result) {
     if (result != mavmission::FrameParser::Result::Wanted) return;
-    found.push_back(identity(parser_.messageId(), parser_.sequence(), parser_.systemId(), parser_.payload(), parser_.length()));
+    found.push_back(
+        identity(parser_.messageId(), parser_.sequence(), parser_.systemId(), parser_.payload(), parser_.length()));
   }
   mavmission::FrameParser parser_;
 };
@@ -121,7 +122,9 @@ class Stock {
   void take(uint8_t byte) {
     mavlink_message_t message;
     mavlink_status_t status;
-    if (mavlink_parse_char(MAVLINK_COMM_0, byte, &message, &status) == 0 || mavmission::wantedKey(message.msgid) == nullptr) return;
+    if (mavlink_parse_char(MAVLINK_COMM_0, byte, &message, &status) == 0 ||
+        mavmission::wantedKey(message.msgid) == nullptr)
+      return;
     const uint8_t* payload = reinterpret_cast<const uint8_t*>(&message.payload64[0]);
     found.push_back(identity(message.msgid, message.seq, message.sysid, payload, message.len));
   }
@@ -141,12 +144,18 @@ struct Damage {
 };
 
 const Damage kDamages[] = {
-    {"1 byte lost", Damage::Lost, 1, 0},        {"2 bytes lost", Damage::Lost, 2, 0},
-    {"3 bytes lost", Damage::Lost, 3, 0},       {"5 bytes lost", Damage::Lost, 5, 0},
-    {"8 bytes lost", Damage::Lost, 8, 0},       {"16 bytes lost", Damage::Lost, 16, 0},
-    {"32 bytes lost", Damage::Lost, 32, 0},     {"63 bytes lost", Damage::Lost, 63, 0},
-    {"lowest bit flipped", Damage::Flipped, 1, 0x01}, {"bit 4 flipped", Damage::Flipped, 1, 0x10},
-    {"highest bit flipped", Damage::Flipped, 1, 0x80}, {"all bits flipped", Damage::Flipped, 1, 0xFF},
+    {"1 byte lost", Damage::Lost, 1, 0},
+    {"2 bytes lost", Damage::Lost, 2, 0},
+    {"3 bytes lost", Damage::Lost, 3, 0},
+    {"5 bytes lost", Damage::Lost, 5, 0},
+    {"8 bytes lost", Damage::Lost, 8, 0},
+    {"16 bytes lost", Damage::Lost, 16, 0},
+    {"32 bytes lost", Damage::Lost, 32, 0},
+    {"63 bytes lost", Damage::Lost, 63, 0},
+    {"lowest bit flipped", Damage::Flipped, 1, 0x01},
+    {"bit 4 flipped", Damage::Flipped, 1, 0x10},
+    {"highest bit flipped", Damage::Flipped, 1, 0x80},
+    {"all bits flipped", Damage::Flipped, 1, 0xFF},
     {"frame cut short, then silence", Damage::CutShort, 0, 0},
 };
 
@@ -164,8 +173,7 @@ Loss lossesAt(const Damage& damage, size_t position) {
   bool silent = false;
   switch (damage.kind) {
     case Damage::Lost:
-    case Damage::Flipped:
-      break;
+    case Damage::Flipped: break;
     case Damage::CutShort:
       end = frame(struck).start + frame(struck).bytes.size() + stream.size();
       silent = true;
@@ -229,7 +237,8 @@ void measure(const Damage& damage) {
     if (loss.frames == 0) continue;
     if (++struck <= 10) where += " " + std::to_string(position) + ":" + std::to_string(loss.frames);
   }
-  printf("%s|%s|%zu|%zu|%zu|%zu|%s\n", damage.name, Parser::name(), positions, lost, struck, falseFrames, where.c_str());
+  printf("%s|%s|%zu|%zu|%zu|%zu|%s\n", damage.name, Parser::name(), positions, lost, struck, falseFrames,
+         where.c_str());
 }
 
 // Notes which frames the parser finds where nothing is damaged: the others cannot be lost by damage.

@@ -2,9 +2,10 @@
 // test_waypoints.py. Numbers are little-endian.
 //
 //   in:   length (4), text; number of items to be asked for again (4), their indices (2 each)
-//   out:  state (1), error (1), line (2), field (1), items (2), the most bytes read for one item asked for again (4), each
-//         item of the plan in order and then each that was asked for again: 1 if it was given (1), param1 to param4, x, y,
-//         z (28), command (2), frame (1), current (1), autocontinue (1)
+//   out:  state (1), error (1), line (2), field (1), type (1), items (2), the most bytes read for one item asked for
+//   again (4), each
+//         item of the plan in order and then each that was asked for again: 1 if it was given (1), param1 to param4, x,
+//         y, z (28), command (2), frame (1), current (1), autocontinue (1)
 #include <Arduino.h>
 #include <MavMission.h>
 #include <stdio.h>
@@ -77,6 +78,7 @@ int main() {
     put(source.error());
     put(source.errorLine());
     put(source.errorField());
+    put(source.type());
     put(source.count());
     const ItemSource plan = source.source();
     // In order first, then as asked for; the bytes of the latter are known only then, and go out before.

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from building import ROOT, BuildFailed, build_sketch
+from enumerators import texts_of
 from fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, FakeAutopilot, Item, Px4, item, mavlink
 from mega import Mega
 from mega.realtime import RealTime
@@ -30,6 +31,9 @@ EXAMPLES = ROOT / "examples"
 DESCRIPTIONS = Path(__file__).resolve().parent / "examples.toml"
 
 LIMIT_S = 120.0
+# What a sketch says of an upload that the library refuses, and how long it may take to say which item it is.
+REFUSALS = tuple(text for text in texts_of("Status.h", "MAVMISSION_STATUSES").values() if text.startswith("refused: "))
+REFUSED_AFTER_S = 0.3
 
 class NoDemonstration(Exception):
     """It cannot be shown; the text says why and what to do."""
@@ -47,6 +51,7 @@ class Settings:
     log: Path | None = None
     timeline: Path | None = None  # an SVG
     fast: bool = False  # as fast as can be, instead of in real time
+    vehicle: str = "copter"  # or "plane" or "rover", on ArduPilot
     described: dict | None = None  # what examples.toml would say of the sketch
 
 
@@ -73,7 +78,7 @@ class Demonstration:
             self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
-        self.autopilot = an_autopilot(settings.autopilot)
+        self.autopilot = an_autopilot(settings.autopilot, settings.vehicle)
         if self._reads:
             self.autopilot.load(on_the_wire(HELD, settings.autopilot))
         self._mega = Mega(built.elf)
@@ -83,6 +88,7 @@ class Demonstration:
         self._remarks: dict[int, tuple[bool, bool]] = {}  # by the entry's id(): is it shown, was it said before
         self._console = Console(self)
         self.said: list[str] = []  # the lines of the sketch's Serial
+        self._refused_at: float | None = None
         self._conversation = Conversation()
         self._meant: dict[int, list[Item]] = {}  # by mission type, as the sketch has them
         self._log: TelemetryLog | None = None
@@ -174,10 +180,22 @@ class Demonstration:
 
     def console_line(self, text: str) -> None:
         self.said.append(text)
+        if text.strip() in REFUSALS and self._refused_at is None:
+            self._refused_at = self.now
         self._screen.happened(Line(self.now, "Serial", text))
 
     def _is_over(self) -> bool:
-        return self.now >= self._limit_s or self._conversation.is_over(self.now)
+        is_refused = self._refused_at is not None and self.now >= self._refused_at + REFUSED_AFTER_S
+        return is_refused or self.now >= self._limit_s or self._conversation.is_over(self.now)
+
+    @property
+    def refusal(self) -> str:
+        """Why the library did not send what the sketch asked it to, and of which item, as the sketch said it; or ""."""
+        for number, line in enumerate(self.said):
+            if line.strip() in REFUSALS:
+                behind = self.said[number + 1].strip() if number + 1 < len(self.said) else ""
+                return line.strip() + (f" ({behind})" if behind.startswith("item ") else "")
+        return ""
 
     # -- after ----------------------------------------------------------------------------
 
@@ -187,6 +205,8 @@ class Demonstration:
         name = NAMES[self.settings.autopilot]
         if self._reads:
             return self._conclude_reading(name)
+        if self._uploads and self.refusal:
+            return Verdict(False, f"FAILED: the library did not send the plan to {name}. {self.refusal}.")
         if not self._uploads:
             return Verdict(True, f"The sketch ran for {self.now:.0f} s; there was nothing to upload.")
         kinds = sorted(self._plans) or sorted(talk.counts)
@@ -196,7 +216,8 @@ class Demonstration:
         for kind in kinds:
             meant = self._meant_on_the_wire(kind)
             items += len(meant)
-            self._screen.say(f"the {KINDS[kind]} that was meant, as {name} must get it, and what it holds:")
+            were, them = ("were", "them") if kind == RALLY else ("was", "it")
+            self._screen.say(f"the {KINDS[kind]} that {were} meant, as {name} must get {them}, and what it holds:")
             rows = compared(meant, self.autopilot.received(kind))
             self._screen.compare(rows)
             held = len(self.autopilot.plan(kind))
@@ -234,7 +255,9 @@ class Demonstration:
             sent = self._conversation.items
             return [sent[kind, seq] for seq in range(self._conversation.counts[kind]) if (kind, seq) in sent]
         meant = self._meant.get(kind, [])
-        return on_the_wire(meant, self.settings.autopilot) if kind == MISSION else meant
+        if kind != MISSION:
+            return meant
+        return on_the_wire(meant, self.settings.autopilot, self.autopilot.vehicle_types[self.autopilot.vehicle])
 
 
 class Console:
@@ -275,11 +298,11 @@ HELD = [
 ]
 
 
-def an_autopilot(name: str) -> FakeAutopilot:
+def an_autopilot(name: str, vehicle: str = "copter") -> FakeAutopilot:
     """With what it sends unasked on a telemetry port; the line's own time is the simulator's."""
     if name == "px4":
         return Px4(telemetry=repeated("px4/clean_with_streams"), response_delay_s=Px4.response_delay_on_line_s)
-    return ArduPilot(response_delay_s=ArduPilot.response_delay_on_line_s)
+    return ArduPilot(vehicle=vehicle, response_delay_s=ArduPilot.response_delay_on_line_s)
 
 
 def plans_of(elf: Path, described: dict) -> dict[int, Plan]:

@@ -49,7 +49,7 @@ class Plan:
 
 def plan_in(elf: Path, name: str | None = None) -> Plan | None:
     """The one plan in the firmware, or the one of that name; None if there is none."""
-    plans = {plan.name: plan for plan in plans_in(elf)}
+    plans = {plan.name: plan for plan in plans_in(elf, name)}
     if name is not None:
         if name not in plans:
             raise NotOnePlan(f"{elf.name} holds no plan called {name}; it holds {listed(plans)}")
@@ -66,8 +66,8 @@ def listed(plans: dict[str, Plan]) -> str:
     return ", ".join(sorted(plans)) or "none"
 
 
-def plans_in(elf: Path) -> list[Plan]:
-    """Every variable that can be an array of items."""
+def plans_in(elf: Path, named: str | None = None) -> list[Plan]:
+    """Every variable that can be an array of items; the one of that name may have any commands."""
     found = []
     with elf.open("rb") as file:
         image = ELFFile(file)
@@ -85,11 +85,11 @@ def plans_in(elf: Path) -> list[Plan]:
                     continue
                 start = symbol["st_value"] - place["sh_addr"]
                 contents = place.data()[start : start + size]
-                if not all(is_plausible(item) for item in unpacked(contents)):
+                name = demangle([symbol.name])[0].rpartition("::")[2]
+                if not all(is_plausible(item, name == named) for item in unpacked(contents)):
                     continue
                 in_ram = RAM <= symbol["st_value"] < EEPROM
                 address = symbol["st_value"] - (RAM if in_ram else 0)
-                name = demangle([symbol.name])[0].rpartition("::")[2]
                 found.append(Plan(name, address, size, in_ram, contents))
     return found
 
@@ -101,11 +101,11 @@ def unpacked(contents: bytes) -> list[Item]:
     ]
 
 
-def is_plausible(item: Item) -> bool:
+def is_plausible(item: Item, is_named: bool = False) -> bool:
     """Whether bytes that were taken for an item can have been meant as one."""
     numbers = (item.param1, item.param2, item.param3, item.z)
     return (
-        item.command in mavlink.enums["MAV_CMD"]
+        (is_named or item.command in mavlink.enums["MAV_CMD"])
         and item.frame in FRAMES
         and item.current <= 1
         and item.autocontinue <= 1

@@ -68,21 +68,31 @@ def records_of_client() -> Path:
 
 
 def parts_of(owner: DIE) -> tuple[Part, ...]:
-    """The members of a struct or a union; those of a bit each are one."""
+    """The members of a struct or a union; those of some bits each that lie together are one."""
     parts: list[Part] = []
     bits: list[str] = []
+    width = 0  # of them
+
+    def close() -> None:
+        nonlocal width
+        if bits:
+            parts.append(Part("/".join(bits), (width + 7) // 8))
+        bits.clear()
+        width = 0
+
     for member in owner.iter_children():
         if member.tag not in ("DW_TAG_member", "DW_TAG_inheritance") or "DW_AT_external" in member.attributes:
             continue
         kind = kind_of(member)
         if "DW_AT_bit_size" in member.attributes:
             bits.append(name_of(member))
+            width += member.attributes["DW_AT_bit_size"].value
             continue
+        close()
         is_choice = kind.tag == "DW_TAG_union_type"
         within = parts_of(kind) if is_choice or kind.tag in ("DW_TAG_class_type", "DW_TAG_structure_type") else ()
         parts.append(Part(name_of(member) or "one of", size_of(kind), within, is_choice))
-    if bits:
-        parts.append(Part("/".join(bits), (len(bits) + 7) // 8))
+    close()
     return tuple(parts)
 
 

@@ -1,8 +1,10 @@
-"""What QuietTransfers is worth: the time of an upload on a full line, as it is and quiet."""
+"""What QuietTransfers is worth: the time of an upload, and of reading back, on a full line, as it is and quiet."""
 
 from __future__ import annotations
 
-from quiet import RECORDED, Quiet, default_list, recorded
+from collections.abc import Iterable
+
+from quiet import RECORDED, Quiet, as_recorded, default_list
 
 from .report import aligned
 
@@ -10,13 +12,21 @@ PLANS = (10, 50, 200)
 
 
 def bench(personality: str) -> Quiet:
-    return Quiet(personality, telemetry=recorded(personality))
+    return Quiet(personality, **as_recorded(personality))
 
 
-def transfer(personality: str, items: int) -> str:
+def upload(personality: str, items: int) -> str:
     """[s]"""
-    loud, quiet = (bench(personality).transfer_s(used, items) for used in (False, True))
-    return f"{loud:.2f} / {quiet:.2f}"
+    return loud_and_quiet(bench(personality).transfer_s(used, items) for used in (False, True))
+
+
+def reading_back(personality: str, items: int) -> str:
+    """[s]"""
+    return loud_and_quiet(bench(personality).read_back_s(used, items) for used in (False, True))
+
+
+def loud_and_quiet(seconds: Iterable[float]) -> str:
+    return " / ".join(f"{one:.2f}" for one in seconds)
 
 
 def hushing_s(personality: str) -> float:
@@ -37,6 +47,10 @@ def table() -> str:
     """As DESIGN.md has it."""
     lines = [["57600 baud, full line; seconds, as it is / quiet", *RECORDED]]
     for items in PLANS:
-        lines.append([f"upload of {items} items, from COUNT to the acceptance", *(transfer(name, items) for name in RECORDED)])
+        took = [upload(name, items) for name in RECORDED]
+        lines.append([f"upload of {items} items, from COUNT to the acceptance", *took])
+    for items in PLANS:
+        took = [reading_back(name, items) for name in RECORDED]
+        lines.append([f"reading back {items} items, to the last of them", *took])
     lines.append(["switching off, beside the first items", *(f"{hushing_s(name):.2f}" for name in RECORDED)])
     return aligned(lines, left=1)

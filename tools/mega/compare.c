@@ -13,7 +13,7 @@ typedef struct {
   uint8_t data[65536];
 } state_t;
 
-static void keep(const avr_t *avr, state_t *state) {
+static void keep(const avr_t* avr, state_t* state) {
   state->cycle = avr->cycle;
   state->pc = avr->pc;
   state->interrupt_state = avr->interrupt_state;
@@ -21,7 +21,7 @@ static void keep(const avr_t *avr, state_t *state) {
   memcpy(state->data, avr->data, avr->ramend + 1u);
 }
 
-static void restore(avr_t *avr, const state_t *state) {
+static void restore(avr_t* avr, const state_t* state) {
   avr->cycle = state->cycle;
   avr->pc = state->pc;
   avr->interrupt_state = state->interrupt_state;
@@ -30,14 +30,14 @@ static void restore(avr_t *avr, const state_t *state) {
   memcpy(avr->data, state->data, avr->ramend + 1u);
 }
 
-static uint32_t next(uint32_t *random) {
+static uint32_t next(uint32_t* random) {
   *random ^= *random << 13;
   *random ^= *random >> 17;
   *random ^= *random << 5;
   return *random;
 }
 
-static void disturb(avr_t *avr, uint32_t *random) {
+static void disturb(avr_t* avr, uint32_t* random) {
   for (int n = 0; n < 32; n++) {
     /* Ends of the range and equal registers meet the flags' corners. */
     const uint8_t corners[] = {0x00, 0x01, 0x7F, 0x80, 0xFF};
@@ -57,11 +57,11 @@ static void disturb(avr_t *avr, uint32_t *random) {
 
 /* Run all instruction words from random states. The count of those that quick.c
  * took; or -1 with, in `complaint`, the first that came out otherwise. */
-int mega_compare(mega_t *mega, uint32_t seed, uint32_t rounds, char *complaint, uint32_t room) {
-  avr_t *avr = mega->avr;
-  state_t *start = calloc(1, sizeof *start);
-  state_t *quick = calloc(1, sizeof *quick);
-  state_t *slow = calloc(1, sizeof *slow);
+int mega_compare(mega_t* mega, uint32_t seed, uint32_t rounds, char* complaint, uint32_t room) {
+  avr_t* avr = mega->avr;
+  state_t* start = calloc(1, sizeof *start);
+  state_t* quick = calloc(1, sizeof *quick);
+  state_t* slow = calloc(1, sizeof *slow);
   if (start == NULL || quick == NULL || slow == NULL) abort();
   if (mega->decoded == NULL) quick_decode(mega);
   uint32_t random = seed | 1;
@@ -71,8 +71,7 @@ int mega_compare(mega_t *mega, uint32_t seed, uint32_t rounds, char *complaint, 
     for (uint32_t word = 0; word < 65536 && result >= 0; word++) {
       /* A second word for LDS, CALL...: an address in RAM, or two-word to skip. */
       uint32_t after = next(&random) & 1 ? 0x0300 + next(&random) % 0x300 : 0x9000;
-      const uint8_t code[] = {(uint8_t)word, (uint8_t)(word >> 8), (uint8_t)after,
-                              (uint8_t)(after >> 8), 0, 0, 0, 0};
+      const uint8_t code[] = {(uint8_t)word, (uint8_t)(word >> 8), (uint8_t)after, (uint8_t)(after >> 8), 0, 0, 0, 0};
       avr->pc = 0x1000;
       memcpy(avr->flash + avr->pc, code, sizeof code);
       disturb(avr, &random);
@@ -88,12 +87,12 @@ int mega_compare(mega_t *mega, uint32_t seed, uint32_t rounds, char *complaint, 
       avr->pc = avr_run_one(avr);
       keep(avr, slow);
       restore(avr, start);
-      const char *what = quick->cycle != slow->cycle                      ? "cycles"
-                         : quick->pc != slow->pc                          ? "the program counter"
-                         : quick->interrupt_state != slow->interrupt_state ? "interrupts"
-                         : memcmp(quick->sreg, slow->sreg, 8) != 0        ? "flags"
+      const char* what = quick->cycle != slow->cycle                              ? "cycles"
+                         : quick->pc != slow->pc                                  ? "the program counter"
+                         : quick->interrupt_state != slow->interrupt_state        ? "interrupts"
+                         : memcmp(quick->sreg, slow->sreg, 8) != 0                ? "flags"
                          : memcmp(quick->data, slow->data, avr->ramend + 1u) != 0 ? "memory"
-                                                                          : NULL;
+                                                                                  : NULL;
       if (what == NULL) continue;
       snprintf(complaint, room, "%04x %04x differs in %s (%d and %d cycles)", word, after, what,
                (int)(quick->cycle - start->cycle), (int)(slow->cycle - start->cycle));

@@ -3,36 +3,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const spoken_t *spoken_at(const ear_t *ear, uint32_t n) {
-  return &ear->spoken[ear->first + n];
-}
+static const spoken_t* spoken_at(const ear_t* ear, uint32_t n) { return &ear->spoken[ear->first + n]; }
 
-static uint64_t end_of(const spoken_t *spoken) { return spoken->start + 10 * spoken->bit; }
+static uint64_t end_of(const spoken_t* spoken) { return spoken->start + 10 * spoken->bit; }
 
 /* Bit n of a byte on the line, the start bit being 0; high but for what it says. */
-static bool level_of(const spoken_t *spoken, uint64_t n) {
-  return n > 8 || (n > 0 && (spoken->byte >> (n - 1) & 1));
-}
+static bool level_of(const spoken_t* spoken, uint64_t n) { return n > 8 || (n > 0 && (spoken->byte >> (n - 1) & 1)); }
 
-static bool level(const ear_t *ear, uint64_t at) {
+static bool level(const ear_t* ear, uint64_t at) {
   for (uint32_t n = ear->count; n-- > 0;) {
-    const spoken_t *spoken = spoken_at(ear, n);
+    const spoken_t* spoken = spoken_at(ear, n);
     if (at < spoken->start) continue;
     return level_of(spoken, (at - spoken->start) / spoken->bit);
   }
   return true;
 }
 
-static const spoken_t *byte_at(const ear_t *ear, uint64_t at) {
-  const spoken_t *found = NULL;
+static const spoken_t* byte_at(const ear_t* ear, uint64_t at) {
+  const spoken_t* found = NULL;
   for (uint32_t n = 0; n < ear->count && spoken_at(ear, n)->start <= at; n++) found = spoken_at(ear, n);
   return found;
 }
 
 /* The first fall from high to low that is not before `from`. */
-static uint64_t fall(const ear_t *ear, uint64_t from) {
+static uint64_t fall(const ear_t* ear, uint64_t from) {
   for (uint32_t n = 0; n < ear->count; n++) {
-    const spoken_t *spoken = spoken_at(ear, n);
+    const spoken_t* spoken = spoken_at(ear, n);
     if (end_of(spoken) <= from) continue;
     for (uint64_t bit = 0; bit < 9; bit++) {
       uint64_t at = spoken->start + bit * spoken->bit;
@@ -43,14 +39,14 @@ static uint64_t fall(const ear_t *ear, uint64_t from) {
   return EAR_NEVER;
 }
 
-static void forget_before(ear_t *ear, uint64_t time) {
+static void forget_before(ear_t* ear, uint64_t time) {
   while (ear->count > 0 && end_of(spoken_at(ear, 0)) <= time) {
     ear->first++;
     ear->count--;
   }
 }
 
-void ear_feed(ear_t *ear, spoken_t spoken) {
+void ear_feed(ear_t* ear, spoken_t spoken) {
   if (ear->first + ear->count == ear->room) {
     if (ear->first > ear->count) {
       memmove(ear->spoken, ear->spoken + ear->first, ear->count * sizeof *ear->spoken);
@@ -64,13 +60,13 @@ void ear_feed(ear_t *ear, spoken_t spoken) {
   ear->spoken[ear->first + ear->count++] = spoken;
 }
 
-uint64_t ear_next(const ear_t *ear, uint64_t bit) {
+uint64_t ear_next(const ear_t* ear, uint64_t bit) {
   if (ear->hearing) return ear->start + 9 * ear->bit + ear->bit / 2;
   uint64_t start = fall(ear, ear->ready);
   return start == EAR_NEVER ? EAR_NEVER : start + bit / 2;
 }
 
-bool ear_hear(ear_t *ear, uint64_t now, uint64_t bit, heard_t *heard, bool *started) {
+bool ear_hear(ear_t* ear, uint64_t now, uint64_t bit, heard_t* heard, bool* started) {
   *started = false;
   while (!ear->hearing) {
     forget_before(ear, ear->ready);
@@ -99,7 +95,7 @@ bool ear_hear(ear_t *ear, uint64_t now, uint64_t bit, heard_t *heard, bool *star
   return true;
 }
 
-void ear_free(ear_t *ear) {
+void ear_free(ear_t* ear) {
   free(ear->spoken);
   *ear = (ear_t){0};
 }

@@ -22,7 +22,7 @@ typedef struct {
 } spoken_t;
 
 typedef struct {
-  spoken_t *spoken; /* what may still be looked at, oldest first */
+  spoken_t* spoken; /* what may still be looked at, oldest first */
   uint32_t first, count, room;
   uint64_t ready; /* a start bit may begin from here on */
   uint64_t start; /* of the byte that is being heard */
@@ -38,16 +38,16 @@ typedef struct {
 } heard_t;
 
 /* A byte begins on the line. In their order. */
-void ear_feed(ear_t *ear, spoken_t spoken);
+void ear_feed(ear_t* ear, spoken_t spoken);
 
 /* When something will be decided, if nothing else is spoken before. */
-uint64_t ear_next(const ear_t *ear, uint64_t bit);
+uint64_t ear_next(const ear_t* ear, uint64_t bit);
 
 /* Goes on to `now`, which nothing that is fed later may precede. Returns true
  * with a byte that was heard; to be called until it returns false. `bit`: of
  * the receiver. `started`: set if a start bit was seen. */
-bool ear_hear(ear_t *ear, uint64_t now, uint64_t bit, heard_t *heard, bool *started);
+bool ear_hear(ear_t* ear, uint64_t now, uint64_t bit, heard_t* heard, bool* started);
 
-void ear_free(ear_t *ear);
+void ear_free(ear_t* ear);
 
 #endif

@@ -2,7 +2,7 @@
 
 An End never waits: read() hands over what has come, write() passes on what it
 can. An end whose peer is away drops what is sent to it, as a loose cable does,
-and finds the peer again when it is back.
+and finds the peer again when it is back. So does one whose peer does not read.
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ import time
 import tty
 from collections.abc import Callable
 from typing import Protocol
+
+from .words import Words
 
 RETRY_S = 0.5  # between two tries to reach a peer that is away
 
@@ -43,6 +45,12 @@ class End(Protocol):
     def close(self) -> None: ...
 
 
+class Outside:
+    """An end whose peer is no serial port, and knows nothing of the line's rate."""
+
+    can_wait = True  # whether the peer is held back while it is not read
+
+
 class Nothing:
     """A cable with nothing at its end."""
 
@@ -63,10 +71,12 @@ class Terminal:
 
     name = "this terminal"
 
-    def __init__(self, listen: bool = True) -> None:
+    def __init__(self, listen: bool = True, words: Words | None = None) -> None:
         self._listen = listen and sys.stdin is not None
+        self._words = words or Words()
 
     def read(self, most: int) -> bytes:
+        self._words.tick()
         if not self._listen or not select.select([sys.stdin], [], [], 0)[0]:
             return b""
         data = os.read(sys.stdin.fileno(), most)
@@ -74,14 +84,13 @@ class Terminal:
         return data
 
     def write(self, data: bytes) -> None:
-        sys.stdout.buffer.write(data)
-        sys.stdout.buffer.flush()
+        self._words.print(data)
 
     def close(self) -> None:
         pass
 
 
-class Pty:
+class Pty(Outside):
     """A new pseudo-terminal, for any program that opens a serial device."""
 
     def __init__(self) -> None:
@@ -108,7 +117,7 @@ class Pty:
         os.close(self._slave)
 
 
-class Tcp:
+class Tcp(Outside):
     """One TCP connection at a time, made again whenever it breaks."""
 
     def __init__(self, clock: Callable[[], float], say: Callable[[str], None]) -> None:
@@ -233,24 +242,33 @@ class TcpServer(Tcp):
         self._listener.close()
 
 
-class Udp:
+class Udp(Outside):
     """Datagrams: to a fixed peer, or to whoever sent last."""
 
-    def __init__(self, peer: tuple[str, int] | None, port: int = 0) -> None:
+    can_wait = False
+
+    def __init__(
+        self, peer: tuple[str, int] | None, port: int = 0, say: Callable[[str], None] = lambda text: None
+    ) -> None:
+        self._say = say
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.setblocking(False)
         if port:
             self._socket.bind(("", port))
         self._peer = peer
+        self._heard: tuple[str, int] | None = None
         self._kept = b""
         self.name = f"udp:{peer[0]}:{peer[1]}" if peer else f"udp-listen:{port}"
 
     def read(self, most: int) -> bytes:
         while len(self._kept) < most:
             try:
-                data, self._peer = self._socket.recvfrom(65536)
+                data, sender = self._socket.recvfrom(65536)
             except OSError:  # nothing there, or the peer's port is closed just now
                 break
+            if sender != self._heard:
+                self._say(f"{self.name}: hears {sender[0]}:{sender[1]}")
+                self._peer = self._heard = sender
             self._kept += data
         data, self._kept = self._kept[:most], self._kept[most:]
         return data
@@ -267,7 +285,7 @@ class Udp:
         self._socket.close()
 
 
-class Device:
+class Device(Outside):
     """A serial device of this computer, opened again when it was unplugged."""
 
     def __init__(self, path: str, baud: int, clock: Callable[[], float], say: Callable[[str], None]) -> None:
@@ -350,11 +368,11 @@ def _open_end(form: str, clock: Callable[[], float], say: Callable[[str], None])
         return Device(path, number(form, baud or "57600"), clock, say)
     if kind in ("tcp-listen", "udp-listen"):
         port = number(form, rest, 65535)
-        return TcpServer(port, clock, say) if kind == "tcp-listen" else Udp(None, port)
+        return TcpServer(port, clock, say) if kind == "tcp-listen" else Udp(None, port, say)
     if kind in ("tcp", "udp") and ":" in rest:
         host, _, port_text = rest.rpartition(":")
         port = number(form, port_text, 65535)
-        return TcpClient(host, port, clock, say) if kind == "tcp" else Udp((host, port))
+        return TcpClient(host, port, clock, say) if kind == "tcp" else Udp((host, port), say=say)
     raise BadEnd(f"{form!r} is nothing to connect to; it must be one of\n{FORMS}")
 
 

@@ -24,8 +24,8 @@ typedef struct {
 } call_t;
 
 struct measure {
-  uint64_t *by_word;  /* cycles at each word of flash */
-  uint8_t *entry;     /* per word: number of the watch that begins there, plus 1 */
+  uint64_t* by_word; /* cycles at each word of flash */
+  uint8_t* entry;    /* per word: number of the watch that begins there, plus 1 */
   watch_t watches[255];
   uint32_t watch_count;
   call_t calls[DEEPEST_CALL];
@@ -34,10 +34,10 @@ struct measure {
   uint64_t deeper_than[DEEPEST_INTERRUPT]; /* cycles spent above that depth */
 };
 
-static measure_t *measuring(mega_t *mega) {
+static measure_t* measuring(mega_t* mega) {
   if (mega->measure == NULL) {
     uint32_t words = (mega->avr->flashend + 1) / 2;
-    measure_t *measure = calloc(1, sizeof *measure);
+    measure_t* measure = calloc(1, sizeof *measure);
     if (measure == NULL) abort();
     measure->by_word = calloc(words, sizeof *measure->by_word);
     measure->entry = calloc(words, sizeof *measure->entry);
@@ -47,17 +47,17 @@ static measure_t *measuring(mega_t *mega) {
   return mega->measure;
 }
 
-static void spend(measure_t *measure, uint64_t cycles) {
+static void spend(measure_t* measure, uint64_t cycles) {
   for (uint8_t depth = 0; depth < measure->depth; depth++) {
     measure->deeper_than[depth] += cycles;
   }
 }
 
-static void enter(mega_t *mega, uint32_t watch) {
-  measure_t *measure = mega->measure;
+static void enter(mega_t* mega, uint32_t watch) {
+  measure_t* measure = mega->measure;
   uint16_t sp = stack_pointer(mega->avr);
   if (measure->call_count > 0) {
-    const call_t *last = &measure->calls[measure->call_count - 1];
+    const call_t* last = &measure->calls[measure->call_count - 1];
     /* A loop back to the first instruction is not a call. */
     if (last->watch == watch && last->sp == sp && last->depth == measure->depth) return;
   }
@@ -73,10 +73,10 @@ static void enter(mega_t *mega, uint32_t watch) {
   };
 }
 
-static void leave(mega_t *mega) {
-  measure_t *measure = mega->measure;
+static void leave(mega_t* mega) {
+  measure_t* measure = mega->measure;
   call_t call = measure->calls[--measure->call_count];
-  watch_t *watch = &measure->watches[call.watch];
+  watch_t* watch = &measure->watches[call.watch];
   if (--watch->open > 0) return; /* the outermost call of a recursion counts */
   uint64_t cycles = mega->avr->cycle - call.at;
   uint64_t in_isr = measure->deeper_than[call.depth] - call.isr_at;
@@ -86,9 +86,9 @@ static void leave(mega_t *mega) {
   if (cycles - in_isr > watch->longest_without) watch->longest_without = cycles - in_isr;
 }
 
-void measure_step(mega_t *mega, uint32_t pc, uint16_t opcode, uint64_t before) {
-  measure_t *measure = mega->measure;
-  avr_t *avr = mega->avr;
+void measure_step(mega_t* mega, uint32_t pc, uint16_t opcode, uint64_t before) {
+  measure_t* measure = mega->measure;
+  avr_t* avr = mega->avr;
   uint64_t cycles = avr->cycle - before;
   measure->by_word[pc / 2] += cycles;
   spend(measure, cycles);
@@ -96,32 +96,31 @@ void measure_step(mega_t *mega, uint32_t pc, uint16_t opcode, uint64_t before) {
   if (leaves_stack_pointer_torn(opcode)) return;
   /* A call is over when its return address is off the stack. */
   while (measure->call_count > 0 &&
-         stack_pointer(avr) >=
-             measure->calls[measure->call_count - 1].sp + mega->call_bytes) {
+         stack_pointer(avr) >= measure->calls[measure->call_count - 1].sp + mega->call_bytes) {
     leave(mega);
   }
   uint8_t entry = avr->pc <= avr->flashend ? measure->entry[avr->pc / 2] : 0;
   if (entry != 0) enter(mega, entry - 1u);
 }
 
-void measure_interrupt(mega_t *mega, uint64_t before) {
-  measure_t *measure = mega->measure;
+void measure_interrupt(mega_t* mega, uint64_t before) {
+  measure_t* measure = mega->measure;
   uint64_t cycles = mega->avr->cycle - before;
   if (measure->depth < DEEPEST_INTERRUPT - 1) measure->depth++;
   spend(measure, cycles);
   measure->by_word[mega->avr->pc / 2] += cycles;
 }
 
-void measure_sleep(mega_t *mega, uint64_t cycles) { spend(mega->measure, cycles); }
+void measure_sleep(mega_t* mega, uint64_t cycles) { spend(mega->measure, cycles); }
 
-void measure_reset(mega_t *mega) {
-  measure_t *measure = mega->measure;
+void measure_reset(mega_t* mega) {
+  measure_t* measure = mega->measure;
   measure->call_count = 0;
   measure->depth = 0;
   for (uint32_t n = 0; n < measure->watch_count; n++) measure->watches[n].open = 0;
 }
 
-void measure_free(mega_t *mega) {
+void measure_free(mega_t* mega) {
   if (mega->measure == NULL) return;
   free(mega->measure->by_word);
   free(mega->measure->entry);
@@ -130,22 +129,22 @@ void measure_free(mega_t *mega) {
 }
 
 /* Count cycles by address from now on. */
-void mega_profile(mega_t *mega) {
-  measure_t *measure = measuring(mega);
+void mega_profile(mega_t* mega) {
+  measure_t* measure = measuring(mega);
   uint32_t words = (mega->avr->flashend + 1) / 2;
   memset(measure->by_word, 0, words * sizeof *measure->by_word);
 }
 
-void mega_take_profile(mega_t *mega, uint64_t *by_word) {
+void mega_take_profile(mega_t* mega, uint64_t* by_word) {
   uint32_t words = (mega->avr->flashend + 1) / 2;
   memcpy(by_word, measuring(mega)->by_word, words * sizeof *by_word);
 }
 
-uint32_t mega_flash_words(const mega_t *mega) { return (mega->avr->flashend + 1) / 2; }
+uint32_t mega_flash_words(const mega_t* mega) { return (mega->avr->flashend + 1) / 2; }
 
 /* Watch the calls of the function at a byte address: its number, or -1. */
-int mega_watch(mega_t *mega, uint32_t address) {
-  measure_t *measure = measuring(mega);
+int mega_watch(mega_t* mega, uint32_t address) {
+  measure_t* measure = measuring(mega);
   if (address > mega->avr->flashend) return -1;
   if (measure->entry[address / 2] != 0) return measure->entry[address / 2] - 1;
   if (measure->watch_count == 255) return -1;
@@ -153,8 +152,8 @@ int mega_watch(mega_t *mega, uint32_t address) {
   return (int)measure->watch_count - 1;
 }
 
-void mega_watched(mega_t *mega, int watch, uint64_t figures[5]) {
-  const watch_t *seen = &measuring(mega)->watches[watch];
+void mega_watched(mega_t* mega, int watch, uint64_t figures[5]) {
+  const watch_t* seen = &measuring(mega)->watches[watch];
   figures[0] = seen->count;
   figures[1] = seen->cycles;
   figures[2] = seen->cycles_in_isr;
@@ -162,7 +161,7 @@ void mega_watched(mega_t *mega, int watch, uint64_t figures[5]) {
   figures[4] = seen->longest_without;
 }
 
-void mega_forget_watch(mega_t *mega, int watch) {
+void mega_forget_watch(mega_t* mega, int watch) {
   uint32_t open = measuring(mega)->watches[watch].open;
   measuring(mega)->watches[watch] = (watch_t){.open = open};
 }

@@ -46,15 +46,15 @@ typedef struct {
 } outbound_t;
 
 typedef struct {
-  mega_t *mega;
-  avr_uart_t *chip; /* register addresses and vectors; NULL: no such port */
+  mega_t* mega;
+  avr_uart_t* chip; /* register addresses and vectors; NULL: no such port */
 
-  inbound_t *inbound;
+  inbound_t* inbound;
   uint32_t inbound_first, inbound_count, inbound_room;
-  uint32_t peer_baud;      /* 0: exactly the Mega's own rate */
-  uint64_t line_free_q16;  /* the end of the last stop bit [cycle / 65536] */
-  uint64_t frame_q16;      /* the length of the arriving frame [cycle / 65536] */
-  uint64_t receive_at;     /* the next start or end of a frame [cycle] */
+  uint32_t peer_baud;     /* 0: exactly the Mega's own rate */
+  uint64_t line_free_q16; /* the end of the last stop bit [cycle / 65536] */
+  uint64_t frame_q16;     /* the length of the arriving frame [cycle / 65536] */
+  uint64_t receive_at;    /* the next start or end of a frame [cycle] */
   bool arriving;
   bool overheard; /* the arriving frame is at another rate: it goes to the ear */
   ear_t ear;
@@ -74,12 +74,12 @@ typedef struct {
   uint64_t peer_hear_at;
   bool queued;
   outbound_t next;
-  outbound_t *sent;
+  outbound_t* sent;
   uint32_t sent_count, sent_room;
 } usart_t;
 
 struct mega {
-  avr_t *avr;
+  avr_t* avr;
   usart_t ports[PORTS];
   uint64_t port_event; /* the earliest event of all the ports [cycle] */
   uint32_t sent_on;    /* bit n: a byte left port n since the run began */
@@ -88,39 +88,39 @@ struct mega {
   uint32_t resets;
   uint16_t lowest_sp;
   uint8_t call_bytes; /* bytes of a return address */
-  avr_eeprom_t *eeprom;
+  avr_eeprom_t* eeprom;
   avr_io_write_t eeprom_control; /* simavr's own write to EECR */
-  void *eeprom_param;
+  void* eeprom_param;
   int eeprom_address; /* of the byte that is being written, or -1 */
-  bool plain; /* leave every instruction to simavr */
-  decoded_t *decoded;
+  bool plain;         /* leave every instruction to simavr */
+  decoded_t* decoded;
   char error[160];
-  measure_t *measure;
+  measure_t* measure;
 };
 
 /* usart.c */
-void usart_attach(mega_t *mega);
-void usart_reset(usart_t *port);
-void usart_events(mega_t *mega);
+void usart_attach(mega_t* mega);
+void usart_reset(usart_t* port);
+void usart_events(mega_t* mega);
 /* The lowest requesting vector, or 0; *port is whose it is. */
-uint8_t usart_request(mega_t *mega, usart_t **port);
-void usart_acknowledge(usart_t *port, uint8_t vector);
-void usart_free(usart_t *port);
+uint8_t usart_request(mega_t* mega, usart_t** port);
+void usart_acknowledge(usart_t* port, uint8_t vector);
+void usart_free(usart_t* port);
 
 /* eeprom.c */
-void eeprom_attach(mega_t *mega);
+void eeprom_attach(mega_t* mega);
 
 /* quick.c */
-void quick_decode(mega_t *mega);
-void quick_decode_at(mega_t *mega, uint32_t word);
-bool quick_run(mega_t *mega, uint64_t until);
+void quick_decode(mega_t* mega);
+void quick_decode_at(mega_t* mega, uint32_t word);
+bool quick_run(mega_t* mega, uint64_t until);
 
 /* measure.c */
-void measure_step(mega_t *mega, uint32_t pc, uint16_t opcode, uint64_t before);
-void measure_interrupt(mega_t *mega, uint64_t before);
-void measure_sleep(mega_t *mega, uint64_t cycles);
-void measure_reset(mega_t *mega);
-void measure_free(mega_t *mega);
+void measure_step(mega_t* mega, uint32_t pc, uint16_t opcode, uint64_t before);
+void measure_interrupt(mega_t* mega, uint64_t before);
+void measure_sleep(mega_t* mega, uint64_t cycles);
+void measure_reset(mega_t* mega);
+void measure_free(mega_t* mega);
 
 /* OUT SPH,r and OUT SREG,r: between them and OUT SPL,r the stack pointer is
  * half old and half new, and means nothing. */
@@ -128,8 +128,6 @@ static inline bool leaves_stack_pointer_torn(uint16_t opcode) {
   return (opcode & 0xFE0F) == 0xBE0E || (opcode & 0xFE0F) == 0xBE0F;
 }
 
-static inline uint16_t stack_pointer(const avr_t *avr) {
-  return (uint16_t)(avr->data[R_SPL] | avr->data[R_SPH] << 8);
-}
+static inline uint16_t stack_pointer(const avr_t* avr) { return (uint16_t)(avr->data[R_SPL] | avr->data[R_SPH] << 8); }
 
 #endif

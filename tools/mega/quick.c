@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+// clang-format off: a name a line would be a page
 typedef enum {
   SLOW, NOP, MOVW, MULS, MULSU, MUL, CPC, SBC, ADD, CPSE, CP, SUB, ADC, AND, EOR, OR,
   MOV, CPI, SBCI, SUBI, ORI, ANDI, LDI, LDD_Y, LDD_Z, STD_Y, STD_Z, LDS, STS,
@@ -20,6 +21,7 @@ typedef enum {
   RET, IJMP, ICALL, JMP, CALL, ADIW, SBIW, CBI, SBI, SBIC, SBIS, IN, OUT,
   RJMP, RCALL, BRBS, BRBC, SBRC, SBRS, BLD, BST
 } code_t;
+// clang-format on
 
 struct decoded {
   uint8_t code;
@@ -72,8 +74,10 @@ static decoded_t decode_one_operand(uint16_t word) {
     case 0x7: return make(ROR, d, 0);
     case 0xA: return make(DEC, d, 0);
     /* k: the upper bits of the address; they are 0 below 128 KB. */
-    case 0xC: case 0xD: return make(JMP, 0, word & 0x01F1);
-    case 0xE: case 0xF: return make(CALL, 0, word & 0x01F1);
+    case 0xC:
+    case 0xD: return make(JMP, 0, word & 0x01F1);
+    case 0xE:
+    case 0xF: return make(CALL, 0, word & 0x01F1);
     default: return make(SLOW, 0, 0);
   }
 }
@@ -86,8 +90,7 @@ static decoded_t decode(uint16_t word) {
   const int offset = (word & 7) | ((word >> 7) & 0x18) | ((word >> 8) & 0x20);
   const int io = 32 + ((word & 15) | ((word >> 5) & 0x30));
   const int low_io = 32 + ((word >> 3) & 31);
-  static const uint8_t two_registers[16] = {
-      SLOW, CPC, SBC, ADD, CPSE, CP, SUB, ADC, AND, EOR, OR, MOV};
+  static const uint8_t two_registers[16] = {SLOW, CPC, SBC, ADD, CPSE, CP, SUB, ADC, AND, EOR, OR, MOV};
   switch (word >> 12) {
     case 0x0:
       if (word == 0) return make(NOP, 0, 0);
@@ -96,14 +99,16 @@ static decoded_t decode(uint16_t word) {
       if ((word & 0x0F88) == 0x0300) return make(MULSU, 16 + ((word >> 4) & 7), 16 + (word & 7));
       if ((word & 0x0F00) == 0x0300) return make(SLOW, 0, 0);
       return make(two_registers[word >> 10], d, r);
-    case 0x1: case 0x2: return make(two_registers[word >> 10], d, r);
+    case 0x1:
+    case 0x2: return make(two_registers[word >> 10], d, r);
     case 0x3: return make(CPI, high, constant);
     case 0x4: return make(SBCI, high, constant);
     case 0x5: return make(SUBI, high, constant);
     case 0x6: return make(ORI, high, constant);
     case 0x7: return make(ANDI, high, constant);
     case 0xE: return make(LDI, high, constant);
-    case 0x8: case 0xA:
+    case 0x8:
+    case 0xA:
       if (word & 0x0200) return make(word & 8 ? STD_Y : STD_Z, d, offset);
       return make(word & 8 ? LDD_Y : LDD_Z, d, offset);
     case 0x9: break;
@@ -119,11 +124,14 @@ static decoded_t decode(uint16_t word) {
       return make(word & 0x0200 ? SBRS : SBRC, word & 7, d);
   }
   switch ((word >> 8) & 15) {
-    case 0x0: case 0x1: case 0x2: case 0x3: return decode_load_or_store(word);
-    case 0x4: case 0x5: return decode_one_operand(word);
-    case 0x6: case 0x7:
-      return make(word & 0x0100 ? SBIW : ADIW, 24 + ((word >> 3) & 6),
-                  (word & 15) | ((word >> 2) & 0x30));
+    case 0x0:
+    case 0x1:
+    case 0x2:
+    case 0x3: return decode_load_or_store(word);
+    case 0x4:
+    case 0x5: return decode_one_operand(word);
+    case 0x6:
+    case 0x7: return make(word & 0x0100 ? SBIW : ADIW, 24 + ((word >> 3) & 6), (word & 15) | ((word >> 2) & 0x30));
     case 0x8: return make(CBI, word & 7, low_io);
     case 0x9: return make(SBIC, word & 7, low_io);
     case 0xA: return make(SBI, word & 7, low_io);
@@ -132,12 +140,12 @@ static decoded_t decode(uint16_t word) {
   }
 }
 
-void quick_decode_at(mega_t *mega, uint32_t n) {
-  const uint8_t *flash = mega->avr->flash;
+void quick_decode_at(mega_t* mega, uint32_t n) {
+  const uint8_t* flash = mega->avr->flash;
   mega->decoded[n] = decode((uint16_t)(flash[2 * n] | flash[2 * n + 1] << 8));
 }
 
-void quick_decode(mega_t *mega) {
+void quick_decode(mega_t* mega) {
   const uint32_t words = (mega->avr->flashend + 1) / 2;
   if (mega->decoded == NULL) mega->decoded = malloc(words * sizeof *mega->decoded);
   if (mega->decoded == NULL) abort();
@@ -146,13 +154,13 @@ void quick_decode(mega_t *mega) {
 
 /* --- flags --- */
 
-static inline void set_zns(uint8_t *sreg, uint8_t result) {
+static inline void set_zns(uint8_t* sreg, uint8_t result) {
   sreg[S_Z] = result == 0;
   sreg[S_N] = result >> 7;
   sreg[S_S] = sreg[S_N] ^ sreg[S_V];
 }
 
-static inline uint8_t add(uint8_t *sreg, uint8_t d, uint8_t r, uint8_t carry) {
+static inline uint8_t add(uint8_t* sreg, uint8_t d, uint8_t r, uint8_t carry) {
   const uint8_t result = (uint8_t)(d + r + carry);
   const uint8_t carries = (uint8_t)((d & r) | (r & ~result) | (~result & d));
   sreg[S_H] = (carries >> 3) & 1;
@@ -162,7 +170,7 @@ static inline uint8_t add(uint8_t *sreg, uint8_t d, uint8_t r, uint8_t carry) {
   return result;
 }
 
-static inline uint8_t subtract(uint8_t *sreg, uint8_t d, uint8_t r, uint8_t carry) {
+static inline uint8_t subtract(uint8_t* sreg, uint8_t d, uint8_t r, uint8_t carry) {
   const uint8_t result = (uint8_t)(d - r - carry);
   const uint8_t borrows = (uint8_t)((~d & r) | (r & result) | (result & ~d));
   sreg[S_H] = (borrows >> 3) & 1;
@@ -173,20 +181,20 @@ static inline uint8_t subtract(uint8_t *sreg, uint8_t d, uint8_t r, uint8_t carr
 }
 
 /* With carry, Z stays only if it was set: it speaks for all the bytes. */
-static inline uint8_t subtract_on(uint8_t *sreg, uint8_t d, uint8_t r) {
+static inline uint8_t subtract_on(uint8_t* sreg, uint8_t d, uint8_t r) {
   const uint8_t zero = sreg[S_Z];
   const uint8_t result = subtract(sreg, d, r, sreg[S_C]);
   sreg[S_Z] &= zero;
   return result;
 }
 
-static inline uint8_t logic(uint8_t *sreg, uint8_t result) {
+static inline uint8_t logic(uint8_t* sreg, uint8_t result) {
   sreg[S_V] = 0;
   set_zns(sreg, result);
   return result;
 }
 
-static inline uint8_t shift_right(uint8_t *sreg, uint8_t d, uint8_t top) {
+static inline uint8_t shift_right(uint8_t* sreg, uint8_t d, uint8_t top) {
   const uint8_t result = (uint8_t)((d >> 1) | top);
   sreg[S_C] = d & 1;
   sreg[S_V] = (result >> 7) ^ sreg[S_C];
@@ -194,18 +202,16 @@ static inline uint8_t shift_right(uint8_t *sreg, uint8_t d, uint8_t top) {
   return result;
 }
 
-static inline void multiplied(uint8_t *data, uint8_t *sreg, uint16_t product) {
+static inline void multiplied(uint8_t* data, uint8_t* sreg, uint16_t product) {
   data[0] = (uint8_t)product;
   data[1] = (uint8_t)(product >> 8);
   sreg[S_C] = product >> 15;
   sreg[S_Z] = product == 0;
 }
 
-static inline uint16_t pair(const uint8_t *data, int low) {
-  return (uint16_t)(data[low] | data[low + 1] << 8);
-}
+static inline uint16_t pair(const uint8_t* data, int low) { return (uint16_t)(data[low] | data[low + 1] << 8); }
 
-static inline void set_pair(uint8_t *data, int low, uint16_t value) {
+static inline void set_pair(uint8_t* data, int low, uint16_t value) {
   data[low] = (uint8_t)value;
   data[low + 1] = (uint8_t)(value >> 8);
 }
@@ -213,33 +219,33 @@ static inline void set_pair(uint8_t *data, int low, uint16_t value) {
 /* --- memory --- */
 
 /* RAM, or a register that no peripheral watches. */
-static inline bool plain_to_read(const avr_t *avr, uint16_t at) {
+static inline bool plain_to_read(const avr_t* avr, uint16_t at) {
   if (at > avr->ioend) return at <= avr->ramend;
   if (at < 32) return true;
   const int io = AVR_DATA_TO_IO(at);
   return at != R_SREG && io < MAX_IOs && avr->io[io].r.c == NULL && avr->io[io].irq == NULL;
 }
 
-static inline bool plain_to_write(const avr_t *avr, uint16_t at) {
+static inline bool plain_to_write(const avr_t* avr, uint16_t at) {
   if (at > avr->ioend) return at <= avr->ramend;
   if (at < 32) return false; /* simavr takes it for a fault */
   const int io = AVR_DATA_TO_IO(at);
   return at != R_SREG && io < MAX_IOs && avr->io[io].w.c == NULL && avr->io[io].irq == NULL;
 }
 
-static inline bool two_words(const uint8_t *flash, uint32_t pc) {
+static inline bool two_words(const uint8_t* flash, uint32_t pc) {
   const uint16_t word = (uint16_t)(flash[2 * pc] | flash[2 * pc + 1] << 8);
   return (word & 0xFE0E) == 0x940C || (word & 0xFE0E) == 0x940E || (word & 0xFC0F) == 0x9000;
 }
 
 /* Run until the cycle (or a little beyond), until an interrupt may have to be
  * served, or up to an instruction that is simavr's: false only for that. */
-bool quick_run(mega_t *mega, uint64_t until) {
-  avr_t *const avr = mega->avr;
-  uint8_t *const data = avr->data;
-  uint8_t *const sreg = avr->sreg;
-  const uint8_t *const flash = avr->flash;
-  const decoded_t *const decoded = mega->decoded;
+bool quick_run(mega_t* mega, uint64_t until) {
+  avr_t* const avr = mega->avr;
+  uint8_t* const data = avr->data;
+  uint8_t* const sreg = avr->sreg;
+  const uint8_t* const flash = avr->flash;
+  const decoded_t* const decoded = mega->decoded;
   const uint8_t call_bytes = mega->call_bytes;
   const uint32_t last_word = avr->flashend / 2; /* also the mask that wraps the counter */
   uint64_t cycle = avr->cycle;
@@ -247,20 +253,45 @@ bool quick_run(mega_t *mega, uint64_t until) {
   bool slow = pc > last_word;
 
 #define WORD_AFTER (flash[2 * pc + 2] | (uint32_t)flash[2 * pc + 3] << 8)
-#define LEAVE_TO_SIMAVR { slow = true; goto out; }
-#define READ(address, into) \
-  { const uint16_t at = (address); if (!plain_to_read(avr, at)) LEAVE_TO_SIMAVR; (into) = data[at]; }
-#define WRITE(address, value) \
-  { const uint16_t at = (address); if (!plain_to_write(avr, at)) LEAVE_TO_SIMAVR; data[at] = (value); }
-#define SKIP_IF(condition) \
-  { if (condition) { if (two_words(flash, pc + 1)) { pc++; cycle++; } pc++; cycle++; } }
-#define PUSH_PC(next) \
-  { const uint16_t sp = pair(data, SPL); const uint32_t back = (next); \
-    if (sp > avr->ramend || sp - call_bytes < avr->ioend) LEAVE_TO_SIMAVR; \
-    data[sp] = (uint8_t)back; data[sp - 1] = (uint8_t)(back >> 8); \
-    if (call_bytes == 3) data[sp - 2] = (uint8_t)(back >> 16); \
-    set_pair(data, SPL, (uint16_t)(sp - call_bytes)); \
-    if (sp - call_bytes < mega->lowest_sp) mega->lowest_sp = (uint16_t)(sp - call_bytes); }
+#define LEAVE_TO_SIMAVR \
+  {                     \
+    slow = true;        \
+    goto out;           \
+  }
+#define READ(address, into)                       \
+  {                                               \
+    const uint16_t at = (address);                \
+    if (!plain_to_read(avr, at)) LEAVE_TO_SIMAVR; \
+    (into) = data[at];                            \
+  }
+#define WRITE(address, value)                      \
+  {                                                \
+    const uint16_t at = (address);                 \
+    if (!plain_to_write(avr, at)) LEAVE_TO_SIMAVR; \
+    data[at] = (value);                            \
+  }
+#define SKIP_IF(condition)            \
+  {                                   \
+    if (condition) {                  \
+      if (two_words(flash, pc + 1)) { \
+        pc++;                         \
+        cycle++;                      \
+      }                               \
+      pc++;                           \
+      cycle++;                        \
+    }                                 \
+  }
+#define PUSH_PC(next)                                                                     \
+  {                                                                                       \
+    const uint16_t sp = pair(data, SPL);                                                  \
+    const uint32_t back = (next);                                                         \
+    if (sp > avr->ramend || sp - call_bytes < avr->ioend) LEAVE_TO_SIMAVR;                \
+    data[sp] = (uint8_t)back;                                                             \
+    data[sp - 1] = (uint8_t)(back >> 8);                                                  \
+    if (call_bytes == 3) data[sp - 2] = (uint8_t)(back >> 16);                            \
+    set_pair(data, SPL, (uint16_t)(sp - call_bytes));                                     \
+    if (sp - call_bytes < mega->lowest_sp) mega->lowest_sp = (uint16_t)(sp - call_bytes); \
+  }
 
   while (cycle < until && !slow) {
     const decoded_t now = decoded[pc];
@@ -269,10 +300,22 @@ bool quick_run(mega_t *mega, uint64_t until) {
     switch ((code_t)now.code) {
       case SLOW: LEAVE_TO_SIMAVR;
       case NOP: break;
-      case MOVW: data[d] = data[k]; data[d + 1] = data[k + 1]; break;
-      case MULS: multiplied(data, sreg, (uint16_t)((int8_t)data[d] * (int8_t)data[k])); cycle++; break;
-      case MULSU: multiplied(data, sreg, (uint16_t)((int8_t)data[d] * data[k])); cycle++; break;
-      case MUL: multiplied(data, sreg, (uint16_t)(data[d] * data[k])); cycle++; break;
+      case MOVW:
+        data[d] = data[k];
+        data[d + 1] = data[k + 1];
+        break;
+      case MULS:
+        multiplied(data, sreg, (uint16_t)((int8_t)data[d] * (int8_t)data[k]));
+        cycle++;
+        break;
+      case MULSU:
+        multiplied(data, sreg, (uint16_t)((int8_t)data[d] * data[k]));
+        cycle++;
+        break;
+      case MUL:
+        multiplied(data, sreg, (uint16_t)(data[d] * data[k]));
+        cycle++;
+        break;
       case CPC: subtract_on(sreg, data[d], data[k]); break;
       case SBC: data[d] = subtract_on(sreg, data[d], data[k]); break;
       case ADD: data[d] = add(sreg, data[d], data[k], 0); break;
@@ -291,24 +334,48 @@ bool quick_run(mega_t *mega, uint64_t until) {
       case ANDI: data[d] = logic(sreg, data[d] & (uint8_t)k); break;
       case LDI: data[d] = (uint8_t)k; break;
 
-      case LDD_Y: READ(pair(data, Y) + k, data[d]); cycle++; break;
-      case LDD_Z: READ(pair(data, Z) + k, data[d]); cycle++; break;
-      case STD_Y: WRITE(pair(data, Y) + k, data[d]); cycle++; break;
-      case STD_Z: WRITE(pair(data, Z) + k, data[d]); cycle++; break;
-      case LDS: READ(WORD_AFTER, data[d]); pc++; cycle++; break;
-      case STS: WRITE(WORD_AFTER, data[d]); pc++; cycle++; break;
-#define LOAD(low, before, after) \
-  { const uint16_t p = (uint16_t)(pair(data, low) - before); \
-    uint8_t byte; \
-    READ(p, byte); \
-    set_pair(data, low, (uint16_t)(p + after)); \
-    data[d] = byte; \
-    cycle++; }
-#define STORE(low, before, after) \
-  { const uint16_t p = (uint16_t)(pair(data, low) - before); \
-    WRITE(p, data[d]); \
-    set_pair(data, low, (uint16_t)(p + after)); \
-    cycle++; }
+      case LDD_Y:
+        READ(pair(data, Y) + k, data[d]);
+        cycle++;
+        break;
+      case LDD_Z:
+        READ(pair(data, Z) + k, data[d]);
+        cycle++;
+        break;
+      case STD_Y:
+        WRITE(pair(data, Y) + k, data[d]);
+        cycle++;
+        break;
+      case STD_Z:
+        WRITE(pair(data, Z) + k, data[d]);
+        cycle++;
+        break;
+      case LDS:
+        READ(WORD_AFTER, data[d]);
+        pc++;
+        cycle++;
+        break;
+      case STS:
+        WRITE(WORD_AFTER, data[d]);
+        pc++;
+        cycle++;
+        break;
+#define LOAD(low, before, after)                             \
+  {                                                          \
+    const uint16_t p = (uint16_t)(pair(data, low) - before); \
+    uint8_t byte;                                            \
+    READ(p, byte);                                           \
+    set_pair(data, low, (uint16_t)(p + after));              \
+    data[d] = byte;                                          \
+    cycle++;                                                 \
+  }
+#define STORE(low, before, after)                            \
+  {                                                          \
+    const uint16_t p = (uint16_t)(pair(data, low) - before); \
+    WRITE(p, data[d]);                                       \
+    set_pair(data, low, (uint16_t)(p + after));              \
+    cycle++;                                                 \
+  }
       case LD_X: LOAD(X, 0, 0); break;
       case LD_X_INC: LOAD(X, 0, 1); break;
       case LD_DEC_X: LOAD(X, 1, 0); break;
@@ -354,11 +421,20 @@ bool quick_run(mega_t *mega, uint64_t until) {
         break;
       }
 
-      case COM: sreg[S_C] = 1; data[d] = logic(sreg, (uint8_t)~data[d]); break;
+      case COM:
+        sreg[S_C] = 1;
+        data[d] = logic(sreg, (uint8_t)~data[d]);
+        break;
       case NEG: data[d] = subtract(sreg, 0, data[d], 0); break;
       case SWAP: data[d] = (uint8_t)(data[d] >> 4 | data[d] << 4); break;
-      case INC: sreg[S_V] = ++data[d] == 0x80; set_zns(sreg, data[d]); break;
-      case DEC: sreg[S_V] = --data[d] == 0x7F; set_zns(sreg, data[d]); break;
+      case INC:
+        sreg[S_V] = ++data[d] == 0x80;
+        set_zns(sreg, data[d]);
+        break;
+      case DEC:
+        sreg[S_V] = --data[d] == 0x7F;
+        set_zns(sreg, data[d]);
+        break;
       case ASR: data[d] = shift_right(sreg, data[d], data[d] & 0x80); break;
       case LSR: data[d] = shift_right(sreg, data[d], 0); break;
       case ROR: data[d] = shift_right(sreg, data[d], (uint8_t)(sreg[S_C] << 7)); break;
@@ -387,10 +463,26 @@ bool quick_run(mega_t *mega, uint64_t until) {
         break;
       }
 
-      case CBI: WRITE(k, data[at] & (uint8_t) ~(1 << d)); cycle++; break;
-      case SBI: WRITE(k, data[at] | (uint8_t)(1 << d)); cycle++; break;
-      case SBIC: { uint8_t byte; READ(k, byte); SKIP_IF(!(byte >> d & 1)); break; }
-      case SBIS: { uint8_t byte; READ(k, byte); SKIP_IF(byte >> d & 1); break; }
+      case CBI:
+        WRITE(k, data[at] & (uint8_t) ~(1 << d));
+        cycle++;
+        break;
+      case SBI:
+        WRITE(k, data[at] | (uint8_t)(1 << d));
+        cycle++;
+        break;
+      case SBIC: {
+        uint8_t byte;
+        READ(k, byte);
+        SKIP_IF(!(byte >> d & 1));
+        break;
+      }
+      case SBIS: {
+        uint8_t byte;
+        READ(k, byte);
+        SKIP_IF(byte >> d & 1);
+        break;
+      }
       case IN:
         if (k == R_SREG) {
           uint8_t byte = 0;
@@ -413,9 +505,22 @@ bool quick_run(mega_t *mega, uint64_t until) {
 
       case SBRC: SKIP_IF(!(data[k] >> d & 1)); break;
       case SBRS: SKIP_IF(data[k] >> d & 1); break;
-      case BRBS: if (sreg[d]) { pc += (uint32_t)k; cycle++; } break;
-      case BRBC: if (!sreg[d]) { pc += (uint32_t)k; cycle++; } break;
-      case RJMP: pc += (uint32_t)k; cycle++; break;
+      case BRBS:
+        if (sreg[d]) {
+          pc += (uint32_t)k;
+          cycle++;
+        }
+        break;
+      case BRBC:
+        if (!sreg[d]) {
+          pc += (uint32_t)k;
+          cycle++;
+        }
+        break;
+      case RJMP:
+        pc += (uint32_t)k;
+        cycle++;
+        break;
       case JMP:
         if (k || WORD_AFTER > last_word) LEAVE_TO_SIMAVR;
         pc = WORD_AFTER - 1;
@@ -426,7 +531,11 @@ bool quick_run(mega_t *mega, uint64_t until) {
         pc = pair(data, Z) - 1u;
         cycle++;
         break;
-      case RCALL: PUSH_PC(pc + 1); pc += (uint32_t)k; cycle += call_bytes; break;
+      case RCALL:
+        PUSH_PC(pc + 1);
+        pc += (uint32_t)k;
+        cycle += call_bytes;
+        break;
       case ICALL:
         if (pair(data, Z) > last_word) LEAVE_TO_SIMAVR;
         PUSH_PC(pc + 1);

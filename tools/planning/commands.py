@@ -1,11 +1,15 @@
-"""What MAVLink says of a command: its name, whether it has a place, which parameters it uses.
+"""What is known of a command: its name, which parameters it uses, whether its items have a place or an altitude.
 
-From the messages that pymavlink brings: the common ones and ArduPilot's.
+The names and parameters are those of the messages that pymavlink brings: the common ones and ArduPilot's. Which items
+have neither a place nor an altitude is asked of the library's own table (src/mavmission/Commands.cpp), so that a plan
+is read here as the firmware reads it.
 """
 
 from __future__ import annotations
 
 import functools
+
+from . import judge
 
 NO_MEANING = ("empty", "reserved", "unused", "not used")
 
@@ -29,9 +33,15 @@ def name_of(command: int) -> str:
     return entry.name.removeprefix("MAV_CMD_") if entry else f"command {command}"
 
 
-def has_place(command: int) -> bool:
-    """Whether parameters 5 to 7 of a known command are a place."""
-    return _entries()[command].has_location
+def is_placeless(command: int) -> bool:
+    """Whether an item of this command has neither a place nor an altitude, so that its frame says nothing."""
+    return judge.known().get(command, False)
+
+
+def is_at_a_place(command: int) -> bool:
+    """Whether MAVLink says of a command that parameters 5 to 7 are a place."""
+    entry = _entries().get(command)
+    return entry is not None and entry.has_location
 
 
 def uses(command: int, number: int) -> bool:

@@ -16,6 +16,10 @@ LARGEST_FLOAT = Fraction(2**24 - 1) * 2**104
 # Beyond these powers of ten a number is too large for anything here, or 0 for everything.
 _HIGHEST, _LOWEST = 40, -60
 
+# The longest text of a number that is read [characters]: what people and programs write has up to 25, and the time to
+# read one grows with the square of its digits.
+MOST_CHARACTERS = 100
+
 E7 = 10**7
 INT32 = range(-(2**31), 2**31)
 
@@ -32,7 +36,10 @@ class DoesNotFit(ValueError):
 
 
 def decimal_of(text: str) -> Decimal:
-    """A number as it stands in a file; a ValueError if it is none. "NaN" is a number, an infinite one is not."""
+    """A number as it stands in a file; a ValueError, with the reason, if it is none. "NaN" is a number, an infinite
+    one is not."""
+    if len(text) > MOST_CHARACTERS:
+        raise ValueError(f"it has {len(text):,} characters, and no number of more than {MOST_CHARACTERS} is read")
     try:
         number = Decimal(text)
     except InvalidOperation:
@@ -65,6 +72,10 @@ def int32_of(number: Decimal) -> int:
     if not INT32[0] <= exact <= INT32[-1]:  # "in" would count a range through for a Fraction
         raise DoesNotFit(f"{number} is more than the 32 bits that MISSION_ITEM_INT has for it")
     return int(exact)
+
+
+def is_whole(number: Decimal) -> bool:
+    return number == number.to_integral_value()
 
 
 def float_bits(value: float) -> int:

@@ -1,31 +1,61 @@
-"""A plan from a file and into one, by the file's suffix."""
+"""A plan from a file and into one, by the file's suffix.
+
+A file is written aside and renamed when all of it is on the disk: whoever looks sees what was there before, or all of
+what is there now.
+"""
 
 from __future__ import annotations
 
+import contextlib
+import os
+import stat
+import tempfile
+import zlib
 from pathlib import Path
 
-from . import qgc_plan, waypoints
+from . import qgc_mission, qgc_plan, waypoints
 from .bad_plan import BadPlan
 from .exact import DoesNotFit
 from .plan import Plan
 
-READERS = {".plan": qgc_plan.read, ".waypoints": waypoints.read, ".txt": waypoints.read}
-LARGEST = 20_000_000  # bytes; 65,535 items are some 15 MB
+READERS = {
+    ".plan": qgc_plan.read,
+    ".waypoints": waypoints.read,
+    ".txt": waypoints.read,
+    ".mission": qgc_mission.read,
+}
+PACKED = ".gz"
+WRITTEN = (".plan", ".waypoints", ".txt", ".kml")
+LARGEST = 64_000_000  # bytes; 65,535 items are some 35 MB of a .plan
 
 
-def read_plan(file: Path, unset_as_zero: bool = False) -> Plan:
-    """The plan in a .plan, .waypoints or .txt file. `unset_as_zero`: null and NaN are 0. Raises BadPlan."""
-    reader = READERS.get(file.suffix.lower())
+def read_plan(file: Path, unset_as_zero: bool = False, renumber: bool = False) -> Plan:
+    """The plan in a file. `unset_as_zero`: null and NaN are 0. `renumber`: .waypoints lines count as they stand. Raises
+    BadPlan."""
+    suffix = suffix_of(file)
+    reader = READERS.get(suffix)
     if reader is None:
-        raise BadPlan(file, None, f"what kind of file is it? The suffixes known are {', '.join(READERS)}")
-    return reader(file, text_of(file), unset_as_zero)
+        raise BadPlan(
+            file, None, f"what kind of file is it? The suffixes known are {', '.join(READERS)}, and .gz behind"
+        )
+    more = {"renumber": renumber} if reader is waypoints.read else {}
+    return reader(file, text_of(file), unset_as_zero, **more)
+
+
+def suffix_of(file: Path) -> str:
+    """That of what is in it, where it is packed."""
+    suffix = file.suffix.lower()
+    return Path(file.stem).suffix.lower() if suffix == PACKED else suffix
 
 
 def text_of(file: Path) -> str:
     try:
-        data = file.read_bytes()
-    except OSError as error:
-        raise BadPlan(file, None, f"cannot be read: {error.strerror}") from None
+        with file.open("rb") as stream:
+            data = stream.read(LARGEST + 1)
+    except (OSError, ValueError) as error:  # ValueError: a name with a zero in it
+        raise BadPlan(file, None, f"cannot be read: {reason(error)}") from None
+    if file.suffix.lower() == PACKED:
+        data = unpacked(file, data)
     if len(data) > LARGEST:
         raise BadPlan(file, None, f"is larger than {LARGEST // 1_000_000} MB: this is no plan")
     try:
@@ -35,21 +65,106 @@ def text_of(file: Path) -> str:
         raise BadPlan(file, line, "is no UTF-8 text") from None
 
 
+def unpacked(file: Path, data: bytes) -> bytes:
+    unpacking = zlib.decompressobj(wbits=31)
+    try:
+        text = unpacking.decompress(data, LARGEST + 1)
+    except zlib.error:
+        raise BadPlan(file, None, "is no gzip file, or is damaged") from None
+    if not unpacking.eof and len(text) <= LARGEST:
+        raise BadPlan(file, None, "is a gzip file that was cut off")
+    return text
+
+
+def reason(error: Exception) -> str:
+    return getattr(error, "strerror", None) or str(error)
+
+
 def write_plan(plan: Plan, file: Path, part: str = "mission") -> list[str]:
     """Writes a plan; what the file does not carry. `part`: the kind of items in a .waypoints file. Raises BadPlan."""
     suffix = file.suffix.lower()
-    if suffix not in READERS:
-        raise BadPlan(file, None, f"what kind of file is it to be? The suffixes known are {', '.join(READERS)}")
+    if suffix not in WRITTEN:
+        raise BadPlan(file, None, f"what kind of file is it to be? Those that are written are {', '.join(WRITTEN)}")
+    if not plan.kinds:
+        raise BadPlan(plan.file, None, "it has no items: there is nothing to write")
     try:
-        text, notes = qgc_plan.write(plan) if suffix == ".plan" else waypoints.write(plan, part)
+        if suffix == ".plan":
+            text, notes = qgc_plan.write(plan)
+        elif suffix == ".kml":
+            from . import kml  # which nothing else needs
+
+            text, notes = kml.write(plan)
+        else:
+            if not plan.steps(part):
+                has = " and ".join(plan.kinds)
+                raise BadPlan(plan.file, None, f"it has no {part} to write: it has a {has}; --part says which")
+            text, notes = waypoints.write(plan, part)
     except DoesNotFit as error:
         raise BadPlan(plan.file, None, f"cannot be written as {file.name}: {error}") from None
     write_text(file, text)
     return notes
 
 
+def expect_another(file: Path, read: Path) -> None:
+    """BadPlan if what is to be written is the file that was read: what is not carried over would be lost."""
+    with contextlib.suppress(OSError, ValueError):
+        if os.path.samefile(file, read):
+            raise BadPlan(file, None, "is the file that is read: name another one to write")
+
+
 def write_text(file: Path, text: str) -> None:
+    """Writes a text of UTF-8 and plain line ends. Raises BadPlan."""
+    write_bytes(file, text.encode("utf-8", errors="replace"))
+
+
+def write_bytes(file: Path, data: bytes) -> None:
+    """Writes a file: all of it, or nothing. Raises BadPlan."""
     try:
-        file.write_text(text, newline="\n")
-    except OSError as error:
-        raise BadPlan(file, None, f"cannot be written: {error.strerror}") from None
+        mode = mode_of(file)
+        if mode is not None and not stat.S_ISREG(mode):  # a device, a pipe
+            with file.open("wb") as stream:
+                stream.write(data)
+        else:
+            replace_whole(Path(os.path.realpath(file)), data, mode)
+    except (OSError, ValueError) as error:
+        raise BadPlan(file, None, f"cannot be written: {reason(error)}") from None
+
+
+def mode_of(file: Path) -> int | None:
+    """What it is, and who may do what with it; None if it is not there."""
+    try:
+        return file.stat().st_mode
+    except FileNotFoundError:
+        return None
+
+
+def replace_whole(file: Path, data: bytes, mode: int | None) -> None:
+    descriptor, fresh = tempfile.mkstemp(prefix=".plan-", dir=file.parent)
+    try:
+        with open(descriptor, "wb") as stream:
+            stream.write(data)
+            stream.flush()
+            os.fchmod(descriptor, stat.S_IMODE(mode) if mode is not None else 0o666 & ~umask())
+            os.fsync(descriptor)
+        os.replace(fresh, file)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(fresh)
+        raise
+    sync_folder(file.parent)
+
+
+def umask() -> int:
+    present = os.umask(0o077)
+    os.umask(present)
+    return present
+
+
+def sync_folder(folder: Path) -> None:
+    """The name, too, is then on the disk; some file systems have no such thing."""
+    with contextlib.suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from .bad_plan import BadPlan
+from .bad_plan import BadPlan, shown_name
 from .exact import decimal_text, degrees_text
 from .makers import comment_of, source_of
 from .plan import Plan, Step
@@ -46,7 +46,7 @@ def header_of(plan: Plan, namespace: str | None = None) -> str:
                 " let a function give the items",
             )
     uses = ", ".join(f"inFlash({namespace}::{kind})" for kind in plan.kinds)
-    lines = [f"// Made of {plan.file.name} by tools/plan: {uses}."]
+    lines = [f"// Made of {shown_name(plan.file)} by tools/plan: {uses}."]
     if plan.home is not None:
         place = (
             f"{degrees_text(plan.home.x)} {degrees_text(plan.home.y)}, {decimal_text(plan.home.z)} m above sea level"

@@ -1,10 +1,15 @@
-// Asks the library itself what it says of a plan: the checks that an upload begins with, and whether one plan is what
-// an autopilot makes of another. Made and spoken to by judge.py; a number a word on the standard input:
+// Asks the library itself what it says of a plan: the checks that an upload begins with, what goes out, and whether one
+// plan is what an autopilot makes of another. Made and spoken to by judge.py; a number a word on the standard input:
 //
-//   check type count ITEMS                 -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text
-//   compare firmware type count ITEMS ITEMS -> for each item: Field, its text
+//   check type vehicle count ITEMS    -> for each firmware (ArduPilot, PX4, any other) and item: Status, its text;
+//   behind
+//                                        NotKept the field, what it is, and what would be kept
+//   wire firmware vehicle count ITEMS -> for each item of a mission: Status, and what goes out, as an item is here
+//   compare firmware type vehicle count ITEMS ITEMS -> for each item: Field, its text
+//   commands                          -> each command that the library knows: its number, 1 if its items have neither a
+//                                        place nor an altitude
 //
-// An item is param1 to param4, x, y, z as 32 bits each, command, frame, current, autocontinue.
+// An item is param1 to param4, x, y, z as 32 bits each, command, frame, current, autocontinue. A vehicle is a MAV_TYPE.
 #include <stdio.h>
 #include <string.h>
 
@@ -13,6 +18,7 @@
 
 #include "mavmission/Comparison.h"
 #include "mavmission/ItemSource.h"
+#include "mavmission/Rules.h"
 #include "mavmission/Status.h"
 #include "mavmission/WirePlan.h"
 
@@ -51,10 +57,10 @@ std::vector<MissionItem> items(unsigned long count) {
 // A plan as an autopilot is to get it.
 class Wired {
  public:
-  Wired(const std::vector<MissionItem>& plan, Firmware firmware, PlanType type) {
+  Wired(const std::vector<MissionItem>& plan, Firmware firmware, uint8_t vehicle, PlanType type) {
     memset(static_cast<void*>(&wire_), 0, sizeof(wire_));
     wire_.setSource(inRam(plan.data(), static_cast<uint32_t>(plan.size())));
-    wire_.begin(firmware, type, false);
+    wire_.begin(firmware, vehicle, type, false);
   }
   bool isTooLong() const { return wire_.isTooLong(); }
   Status read(size_t index, MissionItem& out) {
@@ -67,33 +73,85 @@ class Wired {
   WirePlan wire_;
 };
 
+// What of an item would not be kept: the field, what it is, what would be there.
+void putNotKept(const MissionItem& item, Keeper keeper) {
+  const Field field = notKept(item, keeper);
+  const uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(field) - static_cast<uint8_t>(Field::Param1));
+  float value = 0;
+  if (field == Field::Latitude || field == Field::Longitude) {
+    value = static_cast<float>(field == Field::Latitude ? item.x : item.y);
+  } else if (index < 7) {
+    memcpy(&value, reinterpret_cast<const uint8_t*>(&item) + 4 * index, sizeof(value));
+  }
+  const float kept = keptValue(item, field, keeper);
+  printf(": %s, %.9g", toString(field), static_cast<double>(value));
+  if (kept == kept) printf(" -> %.9g", static_cast<double>(kept));
+}
+
 void check() {
   const PlanType type = static_cast<PlanType>(number());
+  const uint8_t vehicle = static_cast<uint8_t>(number());
   const std::vector<MissionItem> plan = items(number());
   const Firmware all[] = {Firmware::ArduPilot, Firmware::Px4, Firmware::Other};
   for (const Firmware firmware : all) {
-    Wired wired(plan, firmware, type);
+    Wired wired(plan, firmware, vehicle, type);
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
-      const Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
-      printf("%u %s\n", static_cast<unsigned>(status), toString(status));
+      Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
+      if (status == Status::Accepted && notKept(out, keeperOf(firmware, vehicle, type)) != Field::None) {
+        status = Status::NotKept;
+      }
+      printf("%u %s", static_cast<unsigned>(status), toString(status));
+      if (status == Status::NotKept) putNotKept(out, keeperOf(firmware, vehicle, type));
+      printf("\n");
     }
+  }
+}
+
+void put(const MissionItem& item) {
+  uint32_t words[7];
+  memcpy(words, &item, sizeof(words));
+  for (uint32_t word : words) printf("%lu ", static_cast<unsigned long>(word));
+  printf("%u %u %u %u\n", item.command, static_cast<unsigned>(item.frame), item.current, item.autocontinue);
+}
+
+void wire() {
+  const Firmware firmware = static_cast<Firmware>(number());
+  const uint8_t vehicle = static_cast<uint8_t>(number());
+  const std::vector<MissionItem> plan = items(number());
+  Wired wired(plan, firmware, vehicle, PlanType::Mission);
+  for (size_t i = 0; i < plan.size() && !broken; ++i) {
+    MissionItem out = plan[i];
+    printf("%u ", static_cast<unsigned>(wired.read(i, out)));
+    put(out);
   }
 }
 
 void compare() {
   const Firmware firmware = static_cast<Firmware>(number());
   const PlanType type = static_cast<PlanType>(number());
+  const uint8_t vehicle = static_cast<uint8_t>(number());
   const unsigned long count = number();
   const std::vector<MissionItem> meant = items(count);
   const std::vector<MissionItem> aboard = items(count);
-  Wired sent(meant, firmware, type);
-  Wired read(aboard, firmware, type);
+  Wired sent(meant, firmware, vehicle, type);
+  Wired read(aboard, firmware, vehicle, type);
+  const Keeper keeper = keeperOf(firmware, vehicle, type);
   for (size_t i = 0; i < count && !broken; ++i) {
     MissionItem one, other;
     const bool fits = sent.read(i, one) == Status::Accepted && read.read(i, other) == Status::Accepted;
-    const Field field = fits ? difference(one, other, firmware, type) : Field::Count;
+    const Field field = fits ? difference(one, other, keeper) : Field::Count;
     printf("%u %s\n", static_cast<unsigned>(field), toString(field));
+  }
+}
+
+void commands() {
+  for (unsigned command = 0; command <= 0xFFFF; ++command) {
+    MissionItem item = anyCommand(static_cast<uint16_t>(command));
+    item.frame = Frame::Global;
+    // What is in no row has a place, or has none, as its frame says, on ArduPilot too.
+    if (rulesOf(item, kByArduPilot).has(kAsItsFrameSays)) continue;
+    printf("%u %u\n", command, (traitsOf(item.command) & kHasNoPlace) != 0 ? 1 : 0);
   }
 }
 
@@ -102,6 +160,8 @@ void compare() {
 int main(int, char** arguments) {
   const std::string order = arguments[1] != nullptr ? arguments[1] : "";
   if (order == "check") check();
+  if (order == "wire") wire();
   if (order == "compare") compare();
+  if (order == "commands") commands();
   return broken ? 1 : 0;
 }

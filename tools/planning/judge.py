@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 import re
 import struct
 import subprocess
@@ -11,13 +12,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from .bad_plan import BadPlan
+from . import fences
+from .bad_plan import BadPlan, shown
 from .exact import decimal_text, degrees_text
 from .plan import KINDS, Item, Plan, Step
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
-PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "Status", "WirePlan")
+PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "KeptValue", "Status", "WirePlan")
 
 # As judge.cpp checks them, by their names here.
 AUTOPILOTS = ("ardupilot", "px4", "any")
@@ -25,7 +27,10 @@ NAMES = {"ardupilot": "ArduPilot", "px4": "PX4", "any": "any autopilot"}
 FIRMWARE = {"ardupilot": 1, "px4": 2}  # mavmission::Firmware
 AUTOPILOT_OF = {3: "ardupilot", 12: "px4"}  # MAV_AUTOPILOT
 
+QUADROTOR, VTOL = 2, 22  # MAV_TYPE
+VTOL_COMMANDS = (84, 85)
 ACCEPTED = "Accepted"
+NOT_WHOLE = "NotWhole"  # no Status: a fence that the items do not make
 _WORDS = struct.Struct("<7IH3B")
 
 
@@ -35,11 +40,11 @@ class Refusal(NamedTuple):
     kind: str
     index: int
     step: Step
-    status: str  # mavmission::Status
+    status: str  # mavmission::Status, or NOT_WHOLE
     text: str  # its text, with the number that is wrong
 
     def sentence(self, plan: Plan) -> str:
-        return f"{plan.file}:{self.step.line}: {self.step.name}: {self.text}"
+        return f"{shown(plan.file)}:{self.step.line}: {self.step.name}: {self.text}"
 
 
 def refusals(plan: Plan) -> dict[str, list[Refusal]]:
@@ -47,14 +52,37 @@ def refusals(plan: Plan) -> dict[str, list[Refusal]]:
     found: dict[str, list[Refusal]] = {autopilot: [] for autopilot in AUTOPILOTS}
     for kind in plan.kinds:
         steps = plan.steps(kind)
-        answers = asked("check", [KINDS.index(kind), len(steps)], plan.items(kind))
+        answers = asked("check", [KINDS.index(kind), vehicle_of(plan), len(steps)], plan.items(kind))
         for turn, (number, text) in enumerate(answers):
             index, status = turn % len(steps), statuses()[number]
             if status != ACCEPTED:
                 step = steps[index]
                 text = text.removeprefix("refused: ") + wrong_number(status, step.item)
                 found[AUTOPILOTS[turn // len(steps)]].append(Refusal(kind, index, step, status, text))
+        if kind != "mission":
+            add_troubles(found, kind, steps)
     return found
+
+
+def vehicle_of(plan: Plan) -> int:
+    """The MAV_TYPE that a plan is judged for: what its file says, and else what can fly it."""
+    if plan.vehicle:
+        return plan.vehicle
+    return VTOL if any(item.command in VTOL_COMMANDS for item in plan.items()) else QUADROTOR
+
+
+def unknown(plan: Plan) -> list[Step]:
+    """The items of the mission of which it is not known whether an autopilot takes them: their commands are in none of
+    the library's rows."""
+    return [step for step in plan.mission if step.item.command not in known()]
+
+
+def add_troubles(found: dict[str, list[Refusal]], kind: str, steps: list[Step]) -> None:
+    """What the library does not look at, since it has one item at a time: polygons that are not whole, and the like."""
+    for index, text in fences.troubles(kind, [step.item for step in steps]):
+        for refused in found.values():
+            if (kind, index) not in {(other.kind, other.index) for other in refused}:
+                refused.append(Refusal(kind, index, steps[index], NOT_WHOLE, text))
 
 
 def wrong_number(status: str, item: Item) -> str:
@@ -78,16 +106,47 @@ def expect_right(plan: Plan) -> None:
         raise BadPlan(plan.file, refusal.step.line, f"{refusal.step.name}: {refusal.text}")
 
 
-def rewritten(meant: Sequence[Item], read: Sequence[Item], autopilot: str, kind: str) -> list[str]:
-    """Item by item, the field in which what was read is not what this autopilot makes of what was meant; or ""."""
+def rewritten(plan: Plan, read: Sequence[Item], autopilot: str, kind: str) -> list[str]:
+    """Item by item, the field in which what was read is not what this autopilot makes of the plan's; or ""."""
+    meant = plan.items(kind)
     if not meant:
         return []
-    head = [FIRMWARE[autopilot], KINDS.index(kind), len(meant)]
+    if autopilot == "ardupilot":  # a download gives NaN for a yaw that ArduPilot does not keep, whatever it was
+        read = [
+            theirs._replace(param4=ours.param4) if math.isnan(theirs.param4) else theirs
+            for ours, theirs in zip(meant, read)
+        ]
+    head = [FIRMWARE[autopilot], KINDS.index(kind), vehicle_of(plan), len(meant)]
     return [text if number else "" for number, text in asked("compare", head, [*meant, *read])]
+
+
+def on_the_wire(mission: Sequence[Item], autopilot: str, vehicle: int = QUADROTOR) -> list[Item | None]:
+    """What the library sends of a mission, item by item, home apart; None for an item that it refuses."""
+    if not mission:
+        return []
+    answers = asked("wire", [FIRMWARE[autopilot], vehicle, len(mission)], mission)
+    return [item_of(words) if statuses()[number] == ACCEPTED else None for number, words in answers]
+
+
+@functools.cache
+def known() -> dict[int, bool]:
+    """The commands in the table that the firmware goes by, and whether their items have neither a place nor an
+    altitude."""
+    return {command: flag == "1" for command, flag in asked("commands", [], [])}
+
+
+def placeless() -> frozenset[int]:
+    return frozenset(command for command, is_placeless in known().items() if is_placeless)
 
 
 def words_of(item: Item) -> str:
     return " ".join(map(str, _WORDS.unpack(item.packed())))
+
+
+def item_of(words: str) -> Item:
+    *packed, command, frame, current, autocontinue = map(int, words.split())
+    param1, param2, param3, param4, x, y, z = struct.unpack("<4f2if", struct.pack("<7I", *packed))
+    return Item(frame, command, current, autocontinue, param1, param2, param3, param4, x, y, z)
 
 
 def asked(order: str, head: Sequence[int], items: Sequence[Item]) -> list[tuple[int, str]]:

@@ -12,7 +12,9 @@ from json.decoder import JSONDecodeError, scanstring
 from pathlib import Path
 from typing import Any
 
-from .bad_plan import BadPlan
+from .bad_plan import BadPlan, cut
+from .exact import MOST_CHARACTERS
+from .progress import Progress
 
 _SPACE = re.compile(r"[ \t\r\n]*")
 _NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?")
@@ -93,7 +95,8 @@ class _Reader:
 
     def document(self) -> Value:
         self._skip()
-        value = self._value("the file")
+        with Progress("values read") as self._progress:
+            value = self._value("the file")
         self._skip()
         if self._at != len(self._text):
             raise self._bad("there is more behind the end of the plan")
@@ -126,6 +129,7 @@ class _Reader:
         return repr(self._text[self._at : self._at + 12].split("\n")[0])
 
     def _value(self, name: str) -> Value:
+        self._progress.step()
         first, line = self._next(), self._here()
         if first in "{[" and first:
             self._depth += 1
@@ -149,9 +153,9 @@ class _Reader:
                 raise self._bad(f"this is no JSON: a name in quotes must stand before {self._seen()}")
             key = self._string()
             if key in members:
-                raise self._bad(f'"{key}" is there twice')
+                raise self._bad(f"{cut(key, chr(34))} is there twice")
             self._take(":", "a colon")
-            members[key] = self._value(f'"{key}"')
+            members[key] = self._value(cut(key, '"'))
         self._at += 1
         return members
 
@@ -181,5 +185,7 @@ class _Reader:
         match = _NUMBER.match(self._text, self._at)
         if not match:
             raise self._bad(f"this is no JSON: {self._seen()} is no value")
+        if len(match[0]) > MOST_CHARACTERS:
+            raise self._bad(f"a number of {len(match[0]):,} characters: none of more than {MOST_CHARACTERS} is read")
         self._at = match.end()
         return Decimal(match[0])

@@ -257,7 +257,7 @@ def _whole_within(value: float, low: int, high: int) -> int:
 
 
 def _jump(item: Item) -> Iterator[Made]:
-    target, repeats = _whole_within(item.param1, 0, 65535), _whole_within(item.param2, -32768, 32767)
+    target, repeats = _whole_within(item.param1, 0, 65535), _whole_within(item.param2, -1, 32767)
     yield called("jump", str(target), str(repeats)), _without(item, float(target), float(repeats))
 
 

@@ -7,19 +7,18 @@ from collections.abc import Callable
 from pathlib import Path
 
 from . import judge
-from .bad_plan import BadPlan
-from .files import read_plan, text_of, write_plan, write_text
-from .flight import Speeds
+from .bad_plan import BadPlan, shown
+from .files import expect_another, read_plan, text_of, write_plan, write_text
+from .flight import Speeds, speed_of
 from .header import header_of
 from .listing import read_listing
 from .plan import Plan
-from .qgc_plan import HOVER_SPEED
 
 Tell = Callable[[list[str], Path], None]
 
 
 def loaded(args: argparse.Namespace, tell: Tell) -> Plan:
-    plan = read_plan(args.file, args.unset_as_zero)
+    plan = read_plan(args.file, args.unset_as_zero, args.renumber)
     tell(plan.notes, args.file)
     return plan
 
@@ -43,27 +42,43 @@ def autopilots_that_refuse(plan: Plan) -> list[str]:
 
 
 def speeds_of(args: argparse.Namespace, plan: Plan) -> Speeds:
-    return Speeds(args.speed or plan.hover_speed or HOVER_SPEED, args.climb, args.descent)
+    return Speeds(args.speed or speed_of(plan)[0], args.climb, args.descent)
 
 
 def check(args: argparse.Namespace, tell: Tell) -> int:
     plan = loaded(args, tell)
+    if not plan.kinds:
+        print(f"{shown(plan.file)}: it has no items")
+        return 1
     found = judge.refusals(plan)
     wanted = args.autopilot or judge.AUTOPILOT_OF.get(plan.firmware or 0, "any")
     for refusal in found[wanted]:
         print(refusal.sentence(plan))
+    everywhere = {(refusal.kind, refusal.index) for refusal in found["any"]}
     for other in judge.AUTOPILOTS[:2]:
-        if other != wanted and len(found[other]) > len(found["any"]):
-            extra = next(refusal for refusal in found[other] if refusal.index not in {r.index for r in found["any"]})
-            print(f"{plan.file}:{extra.step.line}: on {judge.NAMES[other]}: {extra.step.name}: {extra.text}")
-    counts = ", ".join(f"{kind} of {len(plan.steps(kind))}" for kind in plan.kinds) or "no items"
-    if not plan.kinds:
-        print(f"{plan.file}: it has no items")
+        extra = [refusal for refusal in found[other] if (refusal.kind, refusal.index) not in everywhere]
+        if other != wanted and extra:
+            more = f", and {len(extra) - 1} more" if len(extra) > 1 else ""
+            print(
+                f"{shown(plan.file)}:{extra[0].step.line}: on {judge.NAMES[other]}: {extra[0].step.name}:"
+                f" {extra[0].text}{more}"
+            )
+    unknown = judge.unknown(plan)
+    for step in unknown:
+        print(
+            f"{shown(plan.file)}:{step.line}: not known: {step.name}: no autopilot that was tried takes this command,"
+            " and a newer one may"
+        )
+    counts = ", ".join(f"{kind} of {len(plan.steps(kind))}" for kind in plan.kinds)
+    if found[wanted]:
         return 1
-    name = judge.NAMES[wanted] if wanted != "any" else "an autopilot"
-    if not found[wanted]:
-        print(f"{plan.file}: {counts}: nothing in it that {name} would not get")
-    return 1 if found[wanted] else 0
+    if wanted == "any":
+        verdict = "nothing in it that is wrong for every autopilot; --autopilot checks it for one"
+    else:
+        verdict = f"nothing in it that {judge.NAMES[wanted]} is known to refuse"
+    doubts = f"; of {len(unknown)} item{'s' if len(unknown) > 1 else ''} it is not known" if unknown else ""
+    print(f"{shown(plan.file)}: {counts}: {verdict}{doubts}")
+    return 0
 
 
 def show(args: argparse.Namespace, tell: Tell) -> int:
@@ -75,14 +90,18 @@ def show(args: argparse.Namespace, tell: Tell) -> int:
     console = Console(highlight=False)
     if not console.is_terminal:
         console = Console(highlight=False, width=180)
-    table.show(plan, speeds_of(args, plan), console)
+    table.show(plan, speeds_of(args, plan), console, "as was asked for" if args.speed else speed_of(plan)[1])
     return 0
 
 
 def draw(args: argparse.Namespace, tell: Tell) -> int:
+    expect_another(args.output, args.file)
+    plan = loaded(args, tell)
+    if args.output.suffix.lower() == ".kml":
+        tell(write_plan(plan, args.output), args.output)
+        return 0
     from . import drawing
 
-    plan = loaded(args, tell)
     drawing.draw(plan, args.output, speeds_of(args, plan))
     return 0
 
@@ -92,6 +111,7 @@ def to_header(args: argparse.Namespace, tell: Tell) -> int:
     if args.output is None:
         print(text, end="")
     else:
+        expect_another(args.output, args.file)
         write_text(args.output, text)
     return 0
 
@@ -104,17 +124,24 @@ def to_sketch(args: argparse.Namespace, tell: Tell) -> int:
 
 
 def convert(args: argparse.Namespace, tell: Tell) -> int:
+    expect_another(args.output, args.file)
     plan = checked(args, tell)
-    tell(write_plan(plan, args.output, args.part), args.output)
+    tell(write_plan(plan, args.output, part_of(args, plan)), args.output)
     return 0
 
 
+def part_of(args: argparse.Namespace, plan: Plan) -> str:
+    """The kind of items that goes into a .waypoints file: the mission, or the only one that there is."""
+    return args.part or (plan.kinds[0] if len(plan.kinds) == 1 else "mission")
+
+
 def from_download(args: argparse.Namespace, tell: Tell) -> int:
+    expect_another(args.output, args.file)
     plan = read_listing(args.file, text_of(args.file))
     tell(plan.notes, args.file)
     if not plan.kinds:
         raise BadPlan(args.file, None, "the listing has no items: the autopilot held no plan")
-    tell(write_plan(plan, args.output, args.part), args.output)
+    tell(write_plan(plan, args.output, part_of(args, plan)), args.output)
     return 0
 
 

@@ -79,6 +79,8 @@ class Plan:
     cruise_speed: float | None = None  # [m/s]
     hover_speed: float | None = None  # [m/s]
     notes: list[str] = field(default_factory=list)
+    # Of items of the mission, by number: how high the ground is there, where the file says it [m above sea level].
+    ground: dict[int, float] = field(default_factory=dict)
 
     def steps(self, kind: str) -> list[Step]:
         return getattr(self, kind)

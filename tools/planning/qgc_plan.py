@@ -1,6 +1,7 @@
 """QGroundControl's .plan: JSON with a mission, a fence and rally points.
 
-Surveys and the other patterns are taken by the items that they carry. Jumps go to an item's doJumpId.
+Surveys and the other patterns are taken by the items that they carry, landing patterns by the items that QGroundControl
+makes of them (landing_pattern.py). Jumps go to an item's doJumpId.
 """
 
 from __future__ import annotations
@@ -9,8 +10,10 @@ import math
 from decimal import Decimal
 from pathlib import Path
 
-from . import commands
+from . import commands, landing_pattern
+from .bad_plan import BadPlan, cut
 from .exact import DoesNotFit, decimal_text, degrees_text, e7_of, float32_of
+from .flight import CRUISE_SPEED, HOVER_SPEED
 from .json_text import json_text
 from .located_json import Value, parse
 from .plan import (
@@ -33,16 +36,19 @@ from .plan import (
     Step,
     modern,
 )
+from .progress import Progress
 from .settling import Notes, settled
 
 # QGroundControl's AltitudeMode: what the altitude is measured from, and the frame that goes with it.
 MODE_RELATIVE, MODE_ABSOLUTE, MODE_CALCULATED, MODE_TERRAIN = 1, 2, 3, 4
 FRAME_OF_MODE = {MODE_RELATIVE: RELATIVE, MODE_ABSOLUTE: GLOBAL, MODE_CALCULATED: GLOBAL, MODE_TERRAIN: TERRAIN}
 MODE_OF_FRAME = {RELATIVE: MODE_RELATIVE, GLOBAL: MODE_ABSOLUTE, TERRAIN: MODE_TERRAIN}
+# The older numbering counts the same four from 0.
+FRAME_OF_OLD_MODE = {mode - 1: frame for mode, frame in FRAME_OF_MODE.items()}
+QUOTE = '"'
 UINT8, UINT16 = range(256), range(65536)
 
-# Where a file does not say for what it was drawn: QGroundControl's own defaults.
-HOVER_SPEED, CRUISE_SPEED = 5.0, 15.0
+# Where a file does not say for what it was drawn.
 GENERIC = 0  # MAV_AUTOPILOT and MAV_TYPE
 
 
@@ -51,9 +57,9 @@ def read(file: Path, text: str, unset_as_zero: bool = False) -> Plan:
     document = parse(file, text)
     kind = document.need("fileType")
     if kind.text() != "Plan":
-        raise kind.bad(f'fileType is "{kind.raw}": this is no plan. Save the plan itself in QGroundControl')
+        raise kind.bad(f"fileType is {cut(kind.raw, QUOTE)}: this is no plan. Save the plan itself in QGroundControl")
     _version(document, 1)
-    return _Reader(file, unset_as_zero).plan(document)
+    return Reader(file, unset_as_zero).plan(document)
 
 
 def _version(value: Value, wanted: int) -> None:
@@ -65,13 +71,16 @@ def _version(value: Value, wanted: int) -> None:
         )
 
 
-class _Reader:
+class Reader:
+    """Of one file."""
+
     def __init__(self, file: Path, unset_as_zero: bool) -> None:
         self._plan = Plan(file)
         self._notes = Notes()
         self._unset_as_zero = unset_as_zero
         self._jump_ids: list[int | None] = []
         self._values: list[Value] = []
+        self._altitude_modes: list[tuple[int, Value, Value]] = []  # of an item's number, its AltitudeMode, the item
 
     def plan(self, document: Value) -> Plan:
         self._mission(document.need("mission"))
@@ -86,6 +95,9 @@ class _Reader:
 
     def _mission(self, mission: Value) -> None:
         _version(mission, 2)
+        self._mission_of(mission)
+
+    def _mission_of(self, mission: Value) -> None:
         self._home(mission.get("plannedHomePosition"))
         for key, name in (("firmwareType", "firmware"), ("vehicleType", "vehicle")):
             if (value := mission.get(key)) is not None:
@@ -93,8 +105,11 @@ class _Reader:
         for key, name in (("cruiseSpeed", "cruise_speed"), ("hoverSpeed", "hover_speed")):
             if (value := mission.get(key)) is not None and value.raw is not None:
                 setattr(self._plan, name, self._float(value))
-        for number, value in enumerate(mission.need("items").array(), start=1):
-            self._any(value.called(f"mission item {number}"))
+        with Progress("items read") as progress:
+            for number, value in enumerate(mission.need("items").array(), start=1):
+                progress.step()
+                self._any(value.called(f"mission item {number}"))
+        self._check_altitudes()
         self._resolve_jumps()
 
     def _home(self, value: Value | None) -> None:
@@ -114,10 +129,14 @@ class _Reader:
         elif kind.text() == "ComplexItem":
             self._pattern(value)
         else:
-            raise kind.bad(f'{value.name} is a "{kind.raw}", which is not known: "SimpleItem" and "ComplexItem" are')
+            raise kind.bad(
+                f'{value.name} is a {cut(kind.raw, QUOTE)}, which is not known: "SimpleItem" and "ComplexItem" are'
+            )
 
     def _pattern(self, value: Value) -> None:
-        name = value.need("complexItemType").text()
+        name = cut(value.need("complexItemType").text(), "")
+        if name in landing_pattern.LAND:
+            return self._landing(value, name)
         carrier = value.get("TransectStyleComplexItem") or value
         items = carrier.get("Items")
         if items is None or not items.array():
@@ -127,25 +146,35 @@ class _Reader:
             )
         for number, item in enumerate(items.array(), start=1):
             self._simple(item.called(f"item {number} of mission item {value.name.split()[-1]}, a {name},"), name)
+        return None
+
+    def _landing(self, value: Value, kind: str) -> None:
+        first = len(self._plan.mission)
+        for item in landing_pattern.items_of(value, kind):
+            name = f"item {len(self._plan.mission)} ({commands.name_of(item.command)}, in a {kind})"
+            self._add(Step(item, value.line, name, kind), value, None)
+        last = len(self._plan.mission) - 1
+        self._notes.add(f"items {first} to {last} are those that QGroundControl makes of its {kind}")
+
+    def _add(self, step: Step, params: Value, jump_id: int | None) -> None:
+        self._plan.mission.append(step)
+        self._values.append(params)
+        self._jump_ids.append(jump_id)
 
     def _simple(self, value: Value, group: str) -> None:
         number = len(self._plan.mission)
         command = value.need("command").whole(UINT16)
         frame = value.need("frame").whole(UINT8)
-        jump_id = value.get("doJumpId")
-        self._jump_ids.append(None if jump_id is None else jump_id.whole(UINT16))
+        jump_id = self._jump_id(value)
         name = f"item {number} ({commands.name_of(command)}{f', in a {group}' if group else ''}"
-        name += ")" if jump_id is None else f", doJumpId {self._jump_ids[-1]})"
-        params = value.need("params").called(f"{name}: params")
-        if len(params.array()) != 7:
-            raise params.bad(f"{name}: params must be 7 numbers, and are {len(params.raw)}")
-        numbers = [entry.number_or_null() for entry in params.raw]
+        name += ")" if jump_id is None else f", doJumpId {jump_id})"
+        params = self._params(value, name)
         autocontinue = int(value.need("autoContinue").flag())
         try:
             item = settled(
                 command,
                 frame,
-                numbers,
+                [entry.number_or_null() for entry in params.raw],
                 0,
                 autocontinue,
                 number=number,
@@ -155,46 +184,94 @@ class _Reader:
         except DoesNotFit as error:
             where = params if error.parameter is None else params.raw[error.parameter - 1]
             raise where.bad(f"{name}: {error}") from None
-        if item.frame != NO_PLACE:
-            self._check_altitude(value, name, item, number)
-        self._plan.mission.append(Step(item, value.line, name, group))
-        self._values.append(params)
-
-    def _check_altitude(self, value: Value, name: str, item: Item, number: int) -> None:
-        """QGroundControl says an altitude twice: they must agree, or one of them would be guessed."""
         mode = value.get("AltitudeMode")
-        if mode is None:
-            return
-        known = FRAME_OF_MODE.get(mode.whole(UINT8))
-        if known is None:
-            raise mode.bad(
-                f"{name}: AltitudeMode {mode.raw} is not known: 1 is above home, 2 above sea level,"
-                " 3 above sea level as worked out from terrain data, 4 above the ground"
+        if item.frame != NO_PLACE and mode is not None and mode.raw is not None:
+            self._altitude_modes.append((number, mode, value))
+        self._add(Step(item, value.line, name, group), params, jump_id)
+
+    @staticmethod
+    def _jump_id(value: Value) -> int | None:
+        jump_id = value.get("doJumpId")
+        return None if jump_id is None else jump_id.whole(UINT16)
+
+    @staticmethod
+    def _params(value: Value, name: str) -> Value:
+        """The item's seven numbers."""
+        params = value.need("params").called(f"{name}: params")
+        if len(params.array()) != 7:
+            raise params.bad(f"{name}: params must be 7 numbers, and are {len(params.raw)}")
+        return params
+
+    def _check_altitudes(self) -> None:
+        """QGroundControl says an altitude twice, by AltitudeMode and by frame: they must agree, or one of them would be
+        guessed. All of a file agree by the present numbering of AltitudeMode, or all by the older one."""
+        modes = self._altitude_modes
+        present = [self._is_of_mode(number, mode, FRAME_OF_MODE) for number, mode, _ in modes]
+        is_old = not all(present) and all(
+            self._is_of_mode(number, mode, FRAME_OF_OLD_MODE) for number, mode, _ in modes
+        )
+        if is_old:
+            self._notes.add(
+                "AltitudeMode is of an older numbering, in which 0 is above home and 1 above sea level; all of them"
+                " agree with the items' frames"
             )
-        if modern(item.frame) != known:
-            raise mode.bad(f"{name}: AltitudeMode {mode.raw} says another reference than frame {item.frame}")
-        key = "AMSLAltAboveTerrain" if mode.raw == MODE_CALCULATED else "Altitude"
+        elif not all(present):
+            number, mode, _ = modes[present.index(False)]
+            self._refuse_mode(number, mode)
+        for number, mode, value in modes:
+            self._check_altitude(number, mode, value, mode.whole(UINT8) + (1 if is_old else 0))
+
+    def _is_of_mode(self, number: int, mode: Value, frames: dict[int, int]) -> bool:
+        return frames.get(mode.whole(UINT8)) == modern(self._plan.mission[number].item.frame)
+
+    def _refuse_mode(self, number: int, mode: Value) -> None:
+        step = self._plan.mission[number]
+        cure = "; open the plan in a present QGroundControl, look at this item's altitude, and save it again"
+        if mode.whole(UINT8) in FRAME_OF_MODE:
+            raise mode.bad(
+                f"{step.name}: AltitudeMode {mode.raw} says another reference than frame {step.item.frame}{cure}"
+            )
+        raise mode.bad(
+            f"{step.name}: AltitudeMode {mode.raw} is not known: 1 is above home, 2 above sea level, 3 above sea level"
+            " as worked out from terrain data, 4 above the ground (0 to 3 in an older numbering, with which the file as"
+            f" a whole does not agree){cure}"
+        )
+
+    def _check_altitude(self, number: int, mode: Value, value: Value, meaning: int) -> None:
+        """The altitude itself is said twice, too."""
+        step = self._plan.mission[number]
+        key = "AMSLAltAboveTerrain" if meaning == MODE_CALCULATED else "Altitude"
         altitude = value.get(key)
-        if mode.raw == MODE_CALCULATED:
+        if meaning == MODE_CALCULATED:
             if altitude is None or altitude.raw is None:
                 raise mode.bad(
-                    f"{name}: its altitude above sea level was to be worked out from terrain data, and"
+                    f"{step.name}: its altitude above sea level was to be worked out from terrain data, and"
                     " was not: open the plan in QGroundControl with a network, and save it again"
                 )
             self._notes.add(
                 "the altitude above sea level is what QGroundControl worked out from its terrain data", number
             )
-        if altitude is not None and altitude.raw is not None and self._float(altitude) != item.z:
-            raise altitude.bad(f"{name}: {key} is {altitude.raw}, and the altitude in params {decimal_text(item.z)}")
+        if meaning in (MODE_CALCULATED, MODE_TERRAIN):
+            over_sea, over_ground = value.get("AMSLAltAboveTerrain"), value.get("Altitude")
+            if over_sea is not None and over_ground is not None and None not in (over_sea.raw, over_ground.raw):
+                self._plan.ground[number] = float(over_sea.number() - over_ground.number())
+        if altitude is not None and altitude.raw is not None and self._float(altitude) != step.item.z:
+            raise altitude.bad(
+                f"{step.name}: {key} is {altitude.raw}, and the altitude in params {decimal_text(step.item.z)}: open"
+                " the plan in a present QGroundControl, look at this item's altitude, and save it again"
+            )
 
     def _resolve_jumps(self) -> None:
+        numbers_of: dict[float | None, list[int]] = {}
+        for index, jump_id in enumerate(self._jump_ids):
+            numbers_of.setdefault(jump_id, []).append(index)
         for number, step in enumerate(self._plan.mission):
             if step.item.command != JUMP:
                 if step.item.command == 224 or (step.item.command == 201 and step.item.param1 == 2):
                     self._notes.add("names another item by number, which goes out as it is", number)
                 continue
             wanted = step.item.param1
-            found = [index for index, jump_id in enumerate(self._jump_ids) if jump_id == wanted]
+            found = numbers_of.get(wanted, [])
             params = self._values[number]
             if len(found) != 1:
                 target = "NaN" if math.isnan(wanted) else decimal_text(wanted)
@@ -303,7 +380,9 @@ def write(plan: Plan) -> tuple[str, list[str]]:
         "firmwareType": GENERIC if plan.firmware is None else plan.firmware,
         "globalPlanAltitudeMode": 0,
         "hoverSpeed": _number(HOVER_SPEED if plan.hover_speed is None else plan.hover_speed),
-        "items": [_simple_item(index, step) for index, step in enumerate(plan.mission)],
+        "items": list(
+            Progress("items written").of(_simple_item(index, step) for index, step in enumerate(plan.mission))
+        ),
         "plannedHomePosition": [*_place(home.x, home.y), _number(home.z)],
         "vehicleType": GENERIC if plan.vehicle is None else plan.vehicle,
         "version": 2,

@@ -25,6 +25,8 @@ from .sketch import TEMPLATE, write_sketch
 SKETCHES = judge.ROOT / "build" / "plans"
 # What tools/demo should look for in the sketch: the names of the header's arrays.
 ARRAYS = {"mission": "plan", "fence": "fence", "rally": "rally"}
+PLANES = (1, *range(19, 26))  # MAV_TYPE: a fixed wing, and those that hover as well
+ROVERS = (10, 11)  # and boats
 MEMBERS = ("param1", "param2", "param3", "param4", "x", "y", "z", "frame", "current", "autocontinue")
 
 
@@ -37,12 +39,18 @@ class RoundTrip:
         judge.expect_right(plan)
         sketch = sketch_for(plan)
         described = {ARRAYS[kind]: kind for kind in plan.kinds}
-        self._run = Demonstration(replace(settings, example=str(sketch.parent), described=described), screen)
+        self._run = Demonstration(
+            replace(
+                settings, example=str(sketch.parent), described=described, vehicle=vehicle_for(plan, settings.autopilot)
+            ),
+            screen,
+        )
         self.aboard: Plan | None = None
 
     def run(self) -> Verdict:
         verdict = self._run.run()
         if not verdict.good:
+            self._explain()
             return verdict
         self.aboard = aboard_like(self._plan, "\n".join(self._run.said))
         name = judge.NAMES[self._autopilot]
@@ -51,7 +59,7 @@ class RoundTrip:
             meant, read = self._plan.items(kind), self.aboard.items(kind)
             if len(meant) != len(read):
                 return Verdict(False, f"FAILED: {len(read)} items of the {kind} came back, not {len(meant)}.")
-            beyond = judge.rewritten(meant, read, self._autopilot, kind)
+            beyond = judge.rewritten(self._plan, read, self._autopilot, kind)
             for number, (ours, theirs) in enumerate(zip(meant, read)):
                 difference = difference_in_words(ours, theirs)
                 if difference and beyond[number] and not is_return_kept(ours, theirs, self._autopilot):
@@ -63,6 +71,20 @@ class RoundTrip:
         if kept:
             return Verdict(True, f"The plan went aboard and came back: all {items} items, as {name} keeps them.")
         return Verdict(True, f"The plan went aboard and came back equal in all {items} items.")
+
+    def _explain(self) -> None:
+        """Where the file has what the library refuses for this autopilot."""
+        if self._run.refusal:
+            for refusal in judge.refusals(self._plan)[self._autopilot]:
+                self._screen.say(refusal.sentence(self._plan))
+
+
+def vehicle_for(plan: Plan, autopilot: str) -> str:
+    """Who is to keep the plan: ArduPilot's vehicles do not keep the same of it."""
+    vehicle = judge.vehicle_of(plan)
+    if autopilot != "ardupilot":
+        return "copter"
+    return "plane" if vehicle in PLANES else "rover" if vehicle in ROVERS else "copter"
 
 
 def sketch_for(plan: Plan) -> Path:

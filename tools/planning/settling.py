@@ -7,10 +7,15 @@ from collections.abc import Sequence
 from decimal import Decimal
 
 from . import commands
-from .exact import DoesNotFit, e7_of, float32_of, int32_of
+from .exact import DoesNotFit, e7_of, float32_of, int32_of, is_whole
 from .plan import GLOBAL, NO_PLACE, RELATIVE, TERRAIN, Item, modern
 
 PLACE_FRAMES = (GLOBAL, RELATIVE, TERRAIN)
+# Commands whose place some programs write in degrees in frame 2 too.
+LAND_START, MOUNT_CONTROL = 189, 205
+DEGREES_IN_ANY_FRAME = (LAND_START, MOUNT_CONTROL)
+MOUNT_AT_A_PLACE = 4  # MAV_MOUNT_MODE_GPS_POINT, parameter 7
+
 PLACE_NAMES = {5: "latitude", 6: "longitude", 7: "altitude"}
 Number = Decimal | None  # None and NaN: unset
 
@@ -47,23 +52,34 @@ def settled(
     unset_as_zero: bool,
 ) -> Item:
     """The item of a command and its seven parameters. `number`: the item's, for notes. Raises DoesNotFit."""
-    placed = _has_place(command, frame, number, notes)
+    placed = _has_place(command, frame, numbers, number, notes)
     if not placed:
         frame = NO_PLACE
     values = [
         _unset(command, i, value, placed, number, notes, unset_as_zero) if is_unset(value) else value
         for i, value in enumerate(numbers, start=1)
     ]
+    if not placed and command in DEGREES_IN_ANY_FRAME:
+        values = _without_degrees(command, values, number, notes)
     x, y = (_coordinate(command, i, values[i - 1], placed, number, notes) for i in (5, 6))
     floats = [_float(i, values[i - 1]) for i in (1, 2, 3, 4, 7)]
     return Item(modern(frame), command, current, autocontinue, *floats[:4], x, y, floats[4])
+
+
+def settled_current(current: int, number: int, notes: Notes) -> int:
+    """An item's `current`, which is 0 or 1 in a plan. Others are what some programs write without a meaning."""
+    if current in (0, 1):
+        return current
+    notes.add('"current" is neither 0 nor 1, which means nothing in a plan, and goes out as 0', number)
+    return 0
 
 
 def is_unset(value: Number) -> bool:
     return value is None or value.is_nan()
 
 
-def _has_place(command: int, frame: int, number: int, notes: Notes) -> bool:
+def _has_place(command: int, frame: int, numbers: Sequence[Number], number: int, notes: Notes) -> bool:
+    """Whether the item keeps its frame. A frame is changed only where neither a place nor an altitude goes by it."""
     if modern(frame) not in (*PLACE_FRAMES, NO_PLACE):
         raise DoesNotFit(
             f"frame {frame} is no altitude reference of a plan: 0 is above sea level, 3 above home,"
@@ -73,12 +89,39 @@ def _has_place(command: int, frame: int, number: int, notes: Notes) -> bool:
         if not commands.is_known(command):
             notes.add("the command is not known; its numbers go out as they are", number)
         return False
+    if commands.is_placeless(command):
+        return False
     if not commands.is_known(command):
         raise DoesNotFit(
             "the command is not known, and so not whether its parameters 5 and 6 are a place or plain"
             " numbers; frame 2 says that they are numbers"
         )
-    return commands.has_place(command)
+    if not commands.is_at_a_place(command):
+        for i in (5, 6):
+            if numbers[i - 1] and not is_unset(numbers[i - 1]) and commands.uses(command, i):
+                raise DoesNotFit(
+                    f"parameter {i} of this command is a plain number, and frame {frame} says that it is a place:"
+                    " give the item frame 2",
+                    i,
+                )
+    return True
+
+
+def _without_degrees(command: int, values: list[Number], number: int, notes: Notes) -> list[Number]:
+    """The place that some programs write in degrees into an item whose frame says that it has none."""
+    if all(is_unset(value) or is_whole(value) for value in values[4:6]):
+        return values
+    if command == MOUNT_CONTROL and values[6] != MOUNT_AT_A_PLACE:
+        notes.add("a camera mount that is not pointed at a place has none: parameters 5 and 6 go out as 0", number)
+        return [*values[:4], Decimal(0), Decimal(0), values[6]]
+    degrees = []
+    for i in (5, 6):
+        try:
+            degrees.append(Decimal(e7_of(values[i - 1])))
+        except DoesNotFit as error:
+            raise DoesNotFit(f"{PLACE_NAMES[i]} {error}", i) from None
+    notes.add("parameters 5 and 6 are degrees, though frame 2 says that they are no place: sent as a place is", number)
+    return [*values[:4], *degrees, values[6]]
 
 
 def _unset(command: int, i: int, value: Number, placed: bool, number: int, notes: Notes, as_zero: bool) -> Number:
@@ -106,6 +149,12 @@ def _coordinate(command: int, i: int, value: Decimal, placed: bool, number: int,
     try:
         return int32_of(value)
     except DoesNotFit as error:
+        if commands.is_at_a_place(command):
+            raise DoesNotFit(
+                f"frame 2 says that the item has no place, and parameter {i} is {value}: give it the frame of its"
+                " altitude, 3 for above home, 0 for above sea level, 10 for above the ground",
+                i,
+            ) from None
         if commands.uses(command, i):
             raise DoesNotFit(f"parameter {i}: {error}", i) from None
         notes.add("places of commands that have none are left out", number)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from .bad_plan import BadPlan
+from .bad_plan import BadPlan, shown_name
 from .files import write_text
 from .header import header_of, namespace_of
 from .plan import KINDS, Plan
@@ -34,7 +34,7 @@ def write_sketch(plan: Plan, folder: Path) -> Path:
 def sketch_of(plan: Plan, header: str, namespace: str) -> str:
     cases = [f"    case {n}:\n      return inFlash({namespace}::{kind});" for n, kind in enumerate(plan.kinds)]
     filled = {
-        "FILE": plan.file.name,
+        "FILE": shown_name(plan.file),
         "HEADER": header,
         "PARTS": str(len(plan.kinds)),
         "TYPES": ", ".join(TYPES[kind] for kind in plan.kinds),

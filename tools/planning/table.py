@@ -5,42 +5,61 @@ from __future__ import annotations
 import itertools
 import math
 
+from rich import box
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
 from . import commands
 from .exact import decimal_text, degrees_text
-from .flight import Flight, Leg, Speeds, fly
+from .flight import Flight, Leg, Speeds, distance_from_home, fly
 from .plan import NO_PLACE, Home, Item, Plan
 
 REFERENCES = {0: "above sea level", 3: "above home", 10: "above ground"}
 
 
-def show(plan: Plan, speeds: Speeds, console: Console) -> None:
-    """Prints everything that a plan holds, and what flying it takes."""
+# A terminal with fewer columns gets a place in two lines, and a table without walls.
+WIDE = 120
+
+
+def show(plan: Plan, speeds: Speeds, console: Console, why: str = "") -> None:
+    """Prints everything that a plan holds, and what flying it takes. `why` they are these speeds."""
     flight = fly(plan, speeds)
+    is_wide = console.width >= WIDE
+    if not plan.kinds:
+        console.print("it has no items")
     if plan.home is not None:
-        console.print(f"home  {home_text(plan.home)}")
+        console.print(f"home  {home_text(plan.home)}", soft_wrap=True)
+    if (far := distance_from_home(plan)) is not None:
+        console.print(f"its home is {length_text(far)} away from the nearest place of the plan", soft_wrap=True)
     if plan.mission:
-        console.print(mission_table(plan, flight))
-        for line in summary(flight, speeds):
+        console.print(mission_table(plan, flight, is_wide))
+        for line in summary(flight, speeds, why):
             console.print(line)
     for kind in ("fence", "rally"):
         if plan.steps(kind):
-            console.print(other_table(plan, kind))
+            console.print(other_table(plan, kind, is_wide))
 
 
 def home_text(home: Home) -> str:
     return f"{degrees_text(home.x, 7)} {degrees_text(home.y, 7)}, {decimal_text(home.z)} m above sea level"
 
 
-def mission_table(plan: Plan, flight: Flight) -> Table:
-    table = Table(
-        "item", "command", "latitude", "longitude", "altitude", "parameters", "leg [m]", "climb [m]", "sum [m]"
-    )
-    for column in (0, 6, 7, 8):
-        table.columns[column].justify = "right"
+def a_table(is_wide: bool, *names: str) -> Table:
+    look = {} if is_wide else {"box": box.SIMPLE_HEAD, "padding": (0, 1, 0, 0), "pad_edge": False}
+    return Table(*names, **look)
+
+
+def mission_table(plan: Plan, flight: Flight, is_wide: bool = True) -> Table:
+    places = ("latitude", "longitude") if is_wide else ("place",)
+    lengths = ("leg [m]", "climb [m]", "sum [m]") if is_wide else ("leg [m]", "sum [m]")
+    table = a_table(is_wide, "item", "command", *places, "altitude", "parameters", *lengths)
+    for column in table.columns:
+        if column.header in ("item", *lengths):
+            column.justify = "right"
+        # Never cut: what must give way in a narrow terminal is the command and its parameters.
+        column.no_wrap = column.header in ("item", *places, *lengths)
+        column.overflow = "fold"
     flown = first_flown(flight)
     group = ""
     for index, step in enumerate(plan.mission):
@@ -51,15 +70,13 @@ def mission_table(plan: Plan, flight: Flight) -> Table:
         first, upto = flown.get(index, ([], 0.0))
         climbs = [leg.climb for leg in first if leg.climb is not None]
         name = commands.name_of(item.command) + (f" ({group})" if group else "")
-        table.add_row(
-            str(index),
-            escape(name),
-            *place_cells(item),
-            escape(parameters(item)),
-            f"{sum(leg.distance for leg in first):.0f}" if first else "",
-            f"{sum(climbs):+.1f}" if climbs else "",
-            f"{upto:.0f}" if first else "",
-        )
+        latitude, longitude, altitude = place_cells(item)
+        place = (latitude, longitude) if is_wide else (f"{latitude}\n{longitude}".strip(),)
+        leg = f"{sum(leg.distance for leg in first):.0f}" if first else ""
+        climb = f"{sum(climbs):+.1f}" if climbs else ""
+        total = f"{upto:.0f}" if first else ""
+        sizes = (leg, climb, total) if is_wide else (leg, total)
+        table.add_row(str(index), escape(name), *place, altitude, escape(parameters(item)), *sizes)
     return table
 
 
@@ -100,22 +117,32 @@ def times(repeats: float) -> str:
     return "for ever" if repeats < 0 else f"{decimal_text(repeats)} times"
 
 
-def summary(flight: Flight, speeds: Speeds) -> list[str]:
-    minutes, seconds = divmod(round(flight.seconds), 60)
-    length = (
-        f"{minutes} min {seconds:02} s" if flight.ends else f"{minutes} min {seconds:02} s, and then without an end"
-    )
+def length_text(metres: float) -> str:
+    return f"{metres:.0f} m" if metres < 10_000 else f"{metres / 1000:,.1f} km"
+
+
+def time_text(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest:02} s" if minutes < 120 else f"{minutes // 60} h {minutes % 60:02} min"
+
+
+def summary(flight: Flight, speeds: Speeds, why: str = "") -> list[str]:
+    length = time_text(flight.seconds) + ("" if flight.ends else ", and then without an end")
     waits = f", {flight.waiting:.0f} s of it waiting" if flight.waiting else ""
+    speed = f"{speeds.cruise:g} m/s" + (f", {why}" if why else "")
     return [
-        f"{flight.distance:.0f} m over the ground, {flight.climb:.0f} m of climb; about {length}{waits}",
-        f"(at {speeds.cruise:g} m/s, climbing {speeds.climb:g} and sinking {speeds.descent:g}, in still air;"
-        " turns take no time)",
+        f"{length_text(flight.distance)} over the ground, {flight.climb:.0f} m of climb; about {length}{waits}",
+        f"(at {speed}, climbing {speeds.climb:g} and sinking {speeds.descent:g}, in still air; turns take no time)",
         *(f"not in it: {doubt}" for doubt in flight.doubts),
     ]
 
 
-def other_table(plan: Plan, kind: str) -> Table:
-    table = Table("item", kind, "latitude", "longitude", "altitude" if kind == "rally" else "radius or corners")
+def other_table(plan: Plan, kind: str, is_wide: bool = True) -> Table:
+    size = "altitude" if kind == "rally" else "radius or corners"
+    table = a_table(is_wide, "item", kind, "latitude", "longitude", size)
+    for column in table.columns:
+        column.no_wrap = column.header in ("item", "latitude", "longitude")
+        column.overflow = "fold"
     for index, step in enumerate(plan.steps(kind)):
         item = step.item
         what = decimal_text(item.z) + " m " + REFERENCES.get(item.frame, "") if kind == "rally" else fence_size(item)
@@ -128,8 +155,3 @@ def fence_size(item: Item) -> str:
     if item.command == 5000:
         return f"{decimal_text(item.z)} m {REFERENCES.get(item.frame, '')}"
     return f"{decimal_text(item.param1)} {'m' if item.command in (5003, 5004) else 'corners'}"
-
-
-def default_speed(plan: Plan, is_plane: bool) -> float | None:
-    """What the file says of the speed [m/s]."""
-    return plan.cruise_speed if is_plane else plan.hover_speed

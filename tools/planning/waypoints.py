@@ -4,23 +4,40 @@
     0  1  0  16  0 0 0 0    -35.3632621 149.1652374 584  1
     1  0  3  22  0 0 0 NaN  -35.3632621 149.1652374 20   1
 
-The columns: number, current, frame, command, parameters 1 to 4, latitude, longitude, altitude, autocontinue.
-A file of a fence or of rally points has the same form.
+The columns: number, current, frame, command, parameters 1 to 4, latitude, longitude, altitude, autocontinue. A file of
+a fence or of rally points has the same form. Line 0 is home only if it is a waypoint; any other command there is an
+item. QGC WPL 120, of an old QGroundControl, has no home.
 """
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 
 from . import commands
-from .bad_plan import BadPlan
-from .exact import DoesNotFit, decimal_of, decimal_text, degrees_text, e7_of, float32_of
-from .plan import FENCE_COMMANDS, GLOBAL, JUMP, NO_PLACE, RALLY_POINT, WAYPOINT, Home, Item, Plan, Step, modern
-from .settling import Notes, settled
+from .bad_plan import BadPlan, cut
+from .exact import DoesNotFit, decimal_of, decimal_text, degrees_text, e7_of, float32_of, is_whole
+from .plan import (
+    FENCE_COMMANDS,
+    GLOBAL,
+    JUMP,
+    NO_PLACE,
+    RALLY_POINT,
+    RELATIVE,
+    WAYPOINT,
+    Home,
+    Item,
+    Plan,
+    Step,
+    modern,
+)
+from .progress import Progress
+from .settling import Notes, settled, settled_current
 
 HEADER = "QGC WPL 110"
+WITHOUT_HOME = "QGC WPL 120"
 COLUMNS = (
     "its number",
     "current",
@@ -35,14 +52,18 @@ COLUMNS = (
     "altitude",
     "autocontinue",
 )
-# A file of these may begin with one of them instead of home, as MAVProxy writes it.
-OTHER_KINDS = (*FENCE_COMMANDS, RALLY_POINT)
-WHOLE = {0: 65535, 1: 255, 2: 255, 3: 65535, 11: 1}  # column -> the largest
+HOMES = (0, WAYPOINT)  # of line 0; Mission Planner writes 0 where it has no home
+WHOLE = {0: (0, 65535), 1: (-1, 255), 2: (0, 255), 3: (0, 65535), 11: (0, 1)}  # column -> the smallest, the largest
+BLANKS = " \t\r\f\v"
+LONGEST_LINE = 255  # [characters], as the library's own reader takes it
 
 
-def read(file: Path, text: str, unset_as_zero: bool = False) -> Plan:
-    """The plan in `text`; BadPlan, with the line, if it is none or says what cannot be carried exactly."""
-    return read_lines(file, lines_of(text), 1, unset_as_zero)
+def read(file: Path, text: str, unset_as_zero: bool = False, renumber: bool = False) -> Plan:
+    """The plan in `text`; BadPlan, with the line, if it is none or says what cannot be carried exactly.
+
+    `renumber`: lines are numbered as they follow one another, whatever their numbers, and jumps with them.
+    """
+    return read_lines(file, lines_of(text), 1, unset_as_zero, renumber)
 
 
 def lines_of(text: str) -> list[str]:
@@ -50,73 +71,114 @@ def lines_of(text: str) -> list[str]:
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
-def read_lines(file: Path, lines: list[str], first: int, unset_as_zero: bool = False) -> Plan:
+def read_lines(file: Path, lines: list[str], first: int, unset_as_zero: bool = False, renumber: bool = False) -> Plan:
     """The same, of the lines from line `first` of a file on."""
-    return _Reader(file, first, unset_as_zero).plan(lines)
+    return _Reader(file, first, unset_as_zero, renumber).plan(lines)
 
 
 class _Reader:
-    def __init__(self, file: Path, first: int, unset_as_zero: bool) -> None:
+    def __init__(self, file: Path, first: int, unset_as_zero: bool, renumber: bool) -> None:
         self._file = file
         self._plan = Plan(file)
         self._notes = Notes()
-        self._unset_as_zero = unset_as_zero
+        self._unset_as_zero, self._renumber = unset_as_zero, renumber
         self._line = first
+        self._numbers: dict[int, int | None] = {}  # of a line in the file -> of its item; None: home
+        self._is_renumbered = False
+        self._jumps: list[tuple[int, Decimal]] = []  # items that jump, and where to, as the file counts
 
     def _bad(self, text: str, line: int | None = None) -> BadPlan:
         return BadPlan(self._file, line or self._line, text)
 
     def plan(self, lines: list[str]) -> Plan:
-        if not lines or lines[0].split() != HEADER.split():
-            raise self._bad(f'the first line must be "{HEADER}"' + (f", and is {lines[0][:40]!r}" if lines else ""))
+        header = " ".join(lines[0].split()) if lines and len(lines[0]) <= LONGEST_LINE else ""
+        if header not in (HEADER, WITHOUT_HOME):
+            seen = f", and is {cut(lines[0])}" if lines else ""
+            raise self._bad(f'the first line must be "{HEADER}" (or "{WITHOUT_HOME}"){seen}')
         steps: list[Step] = []
         expected = 0
-        for self._line, line in enumerate(lines[1:], start=self._line + 1):
-            words = line.split()
-            if not words or words[0].startswith("#"):
-                continue
-            if len(words) != len(COLUMNS):
-                raise self._bad(f"{len(words)} columns, and not {len(COLUMNS)}: {', '.join(COLUMNS)}")
-            values = self._values(words)
-            if values[0] != expected:
-                raise self._bad(
-                    f"this is number {values[0]}, and {expected} is due: lines are missing or in another order"
-                )
-            if expected == 0 and values[3] not in OTHER_KINDS:
-                self._home(values)
-            else:
-                steps.append(self._step(values, len(steps)))
-            expected += 1
+        with Progress("lines read") as progress:
+            for self._line, line in enumerate(lines[1:], start=self._line + 1):
+                progress.step()
+                values = self._values_of(line)
+                if values is None:
+                    continue
+                number = self._number(values[0], expected)
+                if expected == 0 and number == 0 and values[3] in HOMES and header == HEADER:
+                    self._home(values)
+                    self._numbers[number] = None
+                else:
+                    if expected == 0:
+                        self._begin_without_home(header, values[3])
+                    self._numbers[number] = len(steps)
+                    steps.append(self._step(values, len(steps)))
+                expected += 1
         if expected == 0:
             raise self._bad("there is no line 0, which is home")
+        self._resolve_jumps(steps)
         self._sort(steps)
         self._plan.notes = self._notes.texts()
         return self._plan
+
+    def _values_of(self, line: str) -> list | None:
+        """The numbers of a line; None if it has none to have."""
+        if line.lstrip(BLANKS).startswith("#"):
+            return None
+        if len(line) > LONGEST_LINE:
+            raise self._bad(f"the line has {len(line):,} characters, and {LONGEST_LINE} is the most for an item")
+        words = line.split()
+        if not words:
+            return None
+        if len(words) != len(COLUMNS):
+            raise self._bad(f"{len(words)} columns, and not {len(COLUMNS)}: {', '.join(COLUMNS)}")
+        return self._values(words)
+
+    def _number(self, number: int, expected: int) -> int:
+        """A line's number in the file, which jumps name."""
+        if number in self._numbers:
+            raise self._bad(f"number {number} is there twice")
+        if number != expected:
+            if not self._renumber:
+                raise self._bad(
+                    f"this is number {number}, and {expected} is due: lines are missing or in another order;"
+                    " --renumber numbers them as they stand, and their jumps with them"
+                )
+            if not self._is_renumbered:
+                self._is_renumbered = True
+                self._notes.add(f"from line {self._line} on the items are renumbered, and jumps with them")
+        return number
 
     def _values(self, words: list[str]) -> list:
         values: list = []
         for column, word in enumerate(words):
             name = COLUMNS[column]
             if column in WHOLE:
-                if not (word.isascii() and word.isdigit()) or len(word) > 9 or int(word) > WHOLE[column]:
-                    raise self._bad(f"{name} must be a whole number from 0 to {WHOLE[column]}, and is {word!r}")
+                least, most = WHOLE[column]
+                digits = word[1:] if least < 0 and word.startswith("-") else word
+                if not (digits.isascii() and digits.isdigit()) or len(digits) > 9 or not least <= int(word) <= most:
+                    raise self._bad(f"{name} must be a whole number from {max(least, 0)} to {most}, and is {cut(word)}")
                 values.append(int(word))
                 continue
             try:
                 values.append(decimal_of(word))
             except ValueError:
                 hint = ": write a point, not a comma" if "," in word else ""
-                raise self._bad(f"{name} must be a number, and is {word!r}{hint}") from None
+                raise self._bad(f"{name} must be a number, and is {cut(word)}{hint}") from None
         return values
 
+    def _begin_without_home(self, header: str, command: int) -> None:
+        if command in FENCE_COMMANDS or command == RALLY_POINT:
+            return
+        why = f'"{WITHOUT_HOME}" has no home' if header == WITHOUT_HOME else "there is no line of home before it"
+        self._notes.add(f"the first line, a {commands.name_of(command)}, is the first item: {why}")
+
     def _home(self, values: list) -> None:
-        _, _, frame, command, *_ = values
-        if command not in (0, WAYPOINT):  # Mission Planner writes 0 where it has no home
+        frame = values[2]
+        if modern(frame) not in (GLOBAL, RELATIVE):
             raise self._bad(
-                f"line 0 is home, and here a {commands.name_of(command)}, which would not be flown: put home before it"
+                f"line 0 is home, which is above sea level, and has frame {frame}: write frame 0, or, if it is the"
+                " first item, put a line of home before it"
             )
-        if modern(frame) != GLOBAL:
-            raise self._bad(f"home is above sea level, which is frame 0, and has frame {frame}")
         x, y, z = values[8:11]
         if x.is_nan() or y.is_nan() or z.is_nan():
             raise self._bad("home has no place")
@@ -124,6 +186,11 @@ class _Reader:
             self._plan.home = Home(e7_of(x), e7_of(y), float32_of(z))
         except DoesNotFit as error:
             raise self._bad(f"home: {error}") from None
+        if modern(frame) != GLOBAL:
+            self._notes.add(
+                f"line 0 has frame {frame} and is taken for home, its altitude for one above sea level; if it is the"
+                " first item, put a line of home before it"
+            )
         if not self._plan.home.is_somewhere:
             self._plan.home = None
 
@@ -131,13 +198,14 @@ class _Reader:
         number, current, frame, command, *params, autocontinue = values
         name = f"item {index} ({commands.name_of(command)}, number {number} in the file)"
         if command == JUMP:
-            params[0] = self._target(name, params[0])
+            self._jumps.append((index, params[0]))
+            params[0] = Decimal(0)
         try:
             item = settled(
                 command,
                 frame,
                 params,
-                current,
+                settled_current(current, index, self._notes),
                 autocontinue,
                 number=index,
                 notes=self._notes,
@@ -149,11 +217,18 @@ class _Reader:
             self._notes.add("names another item by number, which goes out as it is", index)
         return Step(item, self._line, name)
 
-    def _target(self, name: str, target: Decimal) -> Decimal:
-        """The sketch's number of the item that a jump goes to: the file's counts home."""
-        if target == 0:
-            raise self._bad(f"{name}: it jumps to number 0, which is home and no item")
-        return target if target.is_nan() else target - 1
+    def _resolve_jumps(self, steps: list[Step]) -> None:
+        """Jumps name lines by their numbers in the file: here they name items."""
+        for index, target in self._jumps:
+            step = steps[index]
+            number = int(target) if not target.is_nan() and is_whole(target) and abs(target) <= 65535 else None
+            if number not in self._numbers:
+                shown = "NaN" if target.is_nan() else cut(f"{target:f}" if target.adjusted() < 40 else str(target), "")
+                raise self._bad(f"{step.name}: it jumps to number {shown}, and no line has that", step.line)
+            item = self._numbers[number]
+            if item is None:
+                raise self._bad(f"{step.name}: it jumps to number {number}, which is home and no item", step.line)
+            steps[index] = replace(step, item=step.item._replace(param1=float(item)))
 
     def _sort(self, steps: list[Step]) -> None:
         """Puts the items where they belong: a file is of one kind."""
@@ -183,7 +258,7 @@ def write(plan: Plan, kind: str = "mission") -> tuple[str, list[str]]:
     lines = [HEADER, _home_line(plan.home or Home(0, 0, 0.0))]
     if plan.home is None:
         notes.add("there is no home in the plan; line 0 is written as 0, 0, 0")
-    for number, step in enumerate(plan.steps(kind)):
+    for number, step in enumerate(Progress("lines written").of(plan.steps(kind))):
         if any(math.isnan(value) for value in (*step.item[4:8], step.item.z)):
             notes.add(
                 "unset numbers are written as NaN; for a program that does not read that, say --unset-as-zero", number

@@ -6,8 +6,8 @@
 // Not cleared when the program starts.
 #define CARD_NOINIT __attribute__((section(".noinit"), used))
 CARD_NOINIT char cardText[4000];
-CARD_NOINIT uint16_t cardSize;       // 0xFFFF: there is no such file
-CARD_NOINIT uint16_t cardReadable;   // of it, as long as the card is in [bytes]
+CARD_NOINIT uint16_t cardSize;      // 0xFFFF: there is no such file
+CARD_NOINIT uint16_t cardReadable;  // of it, as long as the card is in [bytes]
 
 class File : public Stream {
  public:

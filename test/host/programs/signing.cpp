@@ -1,5 +1,5 @@
-// Signs, checks and hashes what lines on its input tell it, and answers each with a line: test/signing_program.py is the
-// other end. Bytes are in hexadecimal, "-" for none.
+// Signs, checks and hashes what lines on its input tell it, and answers each with a line: test/signing_program.py is
+// the other end. Bytes are in hexadecimal, "-" for none.
 #include "mavmission/Signing.h"
 
 #include <stdio.h>
@@ -19,7 +19,8 @@ typedef std::vector<uint8_t> Bytes;
 Bytes fromHex(const std::string& text) {
   Bytes bytes;
   if (text == "-") return bytes;
-  for (size_t i = 0; i + 1 < text.size(); i += 2) bytes.push_back(static_cast<uint8_t>(std::stoul(text.substr(i, 2), nullptr, 16)));
+  for (size_t i = 0; i + 1 < text.size(); i += 2)
+    bytes.push_back(static_cast<uint8_t>(std::stoul(text.substr(i, 2), nullptr, 16)));
   return bytes;
 }
 
@@ -109,7 +110,8 @@ std::string sign(std::istringstream& words) {
     if (++waited > 1000) return "never";
   }
   signing.keepTime();
-  Bytes first(frame.begin(), frame.begin() + static_cast<long>(cut)), second(frame.begin() + static_cast<long>(cut), frame.end());
+  Bytes first(frame.begin(), frame.begin() + static_cast<long>(cut)),
+      second(frame.begin() + static_cast<long>(cut), frame.end());
   const size_t length = second.size();
   second.resize(length + Signing::kLength);
   const Signing::Piece pieces[2] = {
@@ -129,8 +131,10 @@ std::string check(std::istringstream& words) {
   const Bytes bytes = fromHex(text);
   const size_t length = bytes.size() - Signing::kLength;
   // Each in memory of its own, so that a byte read beyond it is noticed.
-  const Bytes frame(bytes.begin(), bytes.begin() + static_cast<long>(length)), signature(bytes.begin() + static_cast<long>(length), bytes.end());
-  if (!signing.check(frame.data(), static_cast<uint16_t>(length), frame[5], frame[6], signature.data())) return "refused";
+  const Bytes frame(bytes.begin(), bytes.begin() + static_cast<long>(length)),
+      signature(bytes.begin() + static_cast<long>(length), bytes.end());
+  if (!signing.check(frame.data(), static_cast<uint16_t>(length), frame[5], frame[6], signature.data()))
+    return "refused";
   unsigned calls;
   return finish(calls) == Signing::Done::Accepted ? "accepted" : "refused";
 }
@@ -143,8 +147,8 @@ std::string counters() {
 }
 
 std::string time() {
-  return std::to_string(static_cast<uint64_t>(signing.time().high) << 16 | signing.time().low) + " " + std::to_string(kept) + " " +
-         std::to_string(saves);
+  return std::to_string(static_cast<uint64_t>(signing.time().high) << 16 | signing.time().low) + " " +
+         std::to_string(kept) + " " + std::to_string(saves);
 }
 
 std::string answer(const std::string& line) {
@@ -164,11 +168,16 @@ std::string answer(const std::string& line) {
   }
   unsigned long number = 0;
   words >> number;
-  if (word == "kept") kept = static_cast<uint32_t>(number);
-  else if (word == "slow") callsToSave = callsLeft = static_cast<unsigned>(number);
-  else if (word == "rounds") roundsAtOnce = static_cast<unsigned>(number);
-  else if (word == "clock") signing.setTime(SigningTime::atUnixTime(static_cast<uint32_t>(number)));
-  else return "what?";
+  if (word == "kept")
+    kept = static_cast<uint32_t>(number);
+  else if (word == "slow")
+    callsToSave = callsLeft = static_cast<unsigned>(number);
+  else if (word == "rounds")
+    roundsAtOnce = static_cast<unsigned>(number);
+  else if (word == "clock")
+    signing.setTime(SigningTime::atUnixTime(static_cast<uint32_t>(number)));
+  else
+    return "what?";
   return "ok";
 }
 

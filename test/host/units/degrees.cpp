@@ -51,6 +51,10 @@ TEST_CASE("lengths, times and speeds are what was written") {
 TEST_CASE("a heading is in degrees, and one that is not given is NaN") {
   CHECK(Yaw(90_deg).inDegrees() == 90.f);
   CHECK(Yaw(-90.5_deg).inDegrees() == -90.5f);
+  CHECK(Yaw(270_deg).inDegrees() == 270.f);
+  CHECK(Yaw(359.9_deg).inDegrees() == 359.9f);
+  CHECK(Yaw(360_deg).inDegrees() == 360.f);
+  CHECK(turnTo(270_deg).param1 == 270.f);
   CHECK(Yaw().inDegrees() != Yaw().inDegrees());
 }
 

@@ -18,12 +18,12 @@ struct Chip {
   std::vector<uint8_t> bytes;
   std::vector<uint32_t> wear;
   uint32_t writes;
-  uint32_t cutAt;      // the write at which the power goes; 0: never
+  uint32_t cutAt;  // the write at which the power goes; 0: never
   Torn torn;
   bool isOff;
   bool isReady;
-  uint32_t reads;      // since the last update()
-  uint16_t stuckAt;    // an address whose byte does not change any more
+  uint32_t reads;    // since the last update()
+  uint16_t stuckAt;  // an address whose byte does not change any more
 } chip;
 
 uint8_t readByte(uint16_t address) {
@@ -44,20 +44,11 @@ void writeByte(uint16_t address, uint8_t value) {
   }
   chip.isOff = true;
   switch (chip.torn) {
-    case Torn::Old:
-      break;
-    case Torn::Erased:
-      chip.bytes[address] = 0xFF;
-      break;
-    case Torn::New:
-      chip.bytes[address] = value;
-      break;
-    case Torn::Other:
-      chip.bytes[address] ^= 0x5A;
-      break;
-    case Torn::Zero:
-      chip.bytes[address] = 0;
-      break;
+    case Torn::Old: break;
+    case Torn::Erased: chip.bytes[address] = 0xFF; break;
+    case Torn::New: chip.bytes[address] = value; break;
+    case Torn::Other: chip.bytes[address] ^= 0x5A; break;
+    case Torn::Zero: chip.bytes[address] = 0; break;
   }
 }
 

@@ -38,13 +38,15 @@ const float kNaN = std::numeric_limits<float>::quiet_NaN();
 bool isNearest(float found, int32_t value, uint32_t divisor) {
   const long double exact = static_cast<long double>(value) / static_cast<long double>(divisor);
   const long double away = std::fabs(found - exact);
-  return away <= std::fabs(std::nextafter(found, kInfinity) - exact) && away <= std::fabs(std::nextafter(found, -kInfinity) - exact);
+  return away <= std::fabs(std::nextafter(found, kInfinity) - exact) &&
+         away <= std::fabs(std::nextafter(found, -kInfinity) - exact);
 }
 
 }  // namespace
 
 TEST_CASE("the kind of a float is that of its bits") {
-  const float finite[] = {0.f, -0.f, 1.f, -1.f, std::numeric_limits<float>::max(), std::numeric_limits<float>::denorm_min()};
+  const float finite[] = {
+      0.f, -0.f, 1.f, -1.f, std::numeric_limits<float>::max(), std::numeric_limits<float>::denorm_min()};
   for (float value : finite) CHECK(kindOf(&value) == FloatKind::Finite);
   const float infinite[] = {kInfinity, -kInfinity};
   for (float value : infinite) CHECK(kindOf(&value) == FloatKind::Infinite);
@@ -100,7 +102,8 @@ TEST_CASE("a coordinate as a float is the nearest float there is") {
 TEST_CASE("a quotient is the nearest float, or one of two equally near") {
   // Ties: halves of the last bit, with a divisor that is a power of two.
   for (uint32_t shift = 0; shift <= 28; ++shift) {
-    for (int32_t value : {0x1000001, 0x1000002, 0x1000003, 0x2000002, 0x2000006, 0x7FFFFF40, 0x7FFFFFC0, 0x1FFFFFF, 0x3FFFFFE}) {
+    for (int32_t value :
+         {0x1000001, 0x1000002, 0x1000003, 0x2000002, 0x2000006, 0x7FFFFF40, 0x7FFFFFC0, 0x1FFFFFF, 0x3FFFFFE}) {
       CAPTURE(shift);
       CAPTURE(value);
       const uint32_t divisor = 1u << shift;
@@ -111,21 +114,24 @@ TEST_CASE("a quotient is the nearest float, or one of two equally near") {
 }
 
 TEST_CASE("values that differ in their bits alone are the same") {
-  CHECK(isSame(0.f, -0.f));
-  CHECK(isSame(kNaN, fromBits(0xFFC12345)));
-  CHECK(isSame(kInfinity, kInfinity));
-  CHECK_FALSE(isSame(kInfinity, -kInfinity));
-  CHECK_FALSE(isSame(kInfinity, kNaN));
-  CHECK_FALSE(isSame(1.f, std::nextafter(1.f, 2.f)));
-  CHECK_FALSE(isSame(1.f, -1.f));
-  CHECK_FALSE(isSame(0.f, std::numeric_limits<float>::denorm_min()));
+  const auto same = [](float a, float b) { return isSame(&a, &b); };
+  CHECK(same(0.f, -0.f));
+  CHECK(same(kNaN, fromBits(0xFFC12345)));
+  CHECK(same(kInfinity, kInfinity));
+  CHECK_FALSE(same(kInfinity, -kInfinity));
+  CHECK_FALSE(same(kInfinity, kNaN));
+  CHECK_FALSE(same(1.f, std::nextafter(1.f, 2.f)));
+  CHECK_FALSE(same(1.f, -1.f));
+  CHECK_FALSE(same(0.f, std::numeric_limits<float>::denorm_min()));
 }
 
 TEST_CASE("the whole part of a number is without what is behind the point") {
   for (int i = 0; i < 100000; ++i) {
     const float value = fromBits(random32());
-    if (kindOf(&value) != FloatKind::Finite || value < 0) continue;
-    REQUIRE(wholePart(value) == std::floor(value));
+    if (kindOf(&value) != FloatKind::Finite) continue;
+    float whole = value;
+    makeWhole(&whole);
+    REQUIRE(whole == std::trunc(value));
   }
 }
 
@@ -139,11 +145,53 @@ TEST_CASE("a float times a whole number is the nearest whole number to it") {
   }
 }
 
-TEST_CASE("an altitude beyond what centimetres can count is that of no other") {
-  for (float metres : {32768.0f, 40000.0f, 1e30f, kInfinity, kNaN, -32768.0f, -1e30f, -kInfinity}) {
-    for (float read : {20.0f, 32767.0f, 32768.0f, 40000.5f, 3e38f, kInfinity, kNaN, -32768.0f, -3e38f}) {
-      CHECK_MESSAGE(centimetresKept(metres) != centimetresRead(read), metres << " and " << read);
-      CHECK_MESSAGE(centimetresKept(read) != centimetresRead(metres), read << " and " << metres);
+TEST_CASE("a product is that of floats, to the last bit") {
+  const float pi = 3.14159265358979f;
+  const struct {
+    Times times;
+    float factor;
+  } kAll[] = {{Times::Hundred, 100.f},
+              {Times::Hundredth, 0.01f},
+              {Times::Radian, pi / 180},
+              {Times::Degree, 180 / pi},
+              {Times::T256, 256.f}};
+  for (const auto& one : kAll) {
+    for (int i = 0; i < 100000; ++i) {
+      const float value = fromBits(random32());
+      if (kindOf(&value) != FloatKind::Finite || std::fabs(value) > 1e30f || std::fabs(value) < 1e-30f) continue;
+      float product = value;
+      multiply(&product, one.times);
+      REQUIRE_MESSAGE(bitsOf(product) == bitsOf(value * one.factor), value << " times " << one.factor);
     }
+    float zero = 0.f;
+    multiply(&zero, one.times);
+    CHECK(zero == 0.f);
+  }
+}
+
+TEST_CASE("what is left of hundredths is what floats leave") {
+  for (int i = 0; i < 300000; ++i) {
+    const float value = static_cast<float>(static_cast<int32_t>(random32()) % 8300000) / (i % 3 == 0 ? 100.f : 1000.f);
+    float kept = value;
+    makeHundredths(&kept);
+    REQUIRE_MESSAGE(kept == static_cast<float>(static_cast<int32_t>(value * 100.0f)) * 0.01f, value);
+  }
+}
+
+TEST_CASE("a heading through radians is what floats make of it") {
+  const float pi = 3.14159265358979f, turn = 2 * pi, radian = pi / 180, degree = 180 / pi;
+  for (int i = 0; i < 300000; ++i) {
+    const float heading = static_cast<float>(random32() % 540000001u) / 1e6f - 180.f;
+    float radians = heading * radian;
+    if (radians < 0) radians = radians + turn;
+    if (radians >= turn) radians = radians - turn;
+    float kept = heading;
+    makeTurn(&kept);
+    REQUIRE_MESSAGE(bitsOf(kept) == bitsOf(radians * degree), heading);
+  }
+  for (const float heading : {0.f, 360.f}) {
+    float kept = heading;
+    makeTurn(&kept);
+    CHECK(kept == 0.f);
   }
 }

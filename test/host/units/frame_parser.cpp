@@ -456,7 +456,8 @@ TEST_CASE("a frame is found behind bytes that begin like one, at the end of a te
 
 TEST_CASE("a wanted header that is only data, across the end of a telemetry frame, hides no frame") {
   for (unsigned length = 0; length <= MAVMISSION_MAX_PAYLOAD; ++length) {
-    const Bytes last = telemetryAround(Bytes(20, 0x11) + Bytes{0xFD, static_cast<uint8_t>(length), 0, 0, 0, 1, 1, 51, 0, 0});
+    const Bytes last =
+        telemetryAround(Bytes(20, 0x11) + Bytes{0xFD, static_cast<uint8_t>(length), 0, 0, 0, 1, 1, 51, 0, 0});
     CAPTURE(length);
     CHECK(wantedIn(last + request(1) + telemetry() + request(2)) == "request 1, request 2");
   }
@@ -529,7 +530,8 @@ TEST_CASE("a wanted frame that is found inside another ends that one, which is c
 
 TEST_CASE("a carrier with an id of more than 16 bits is none") {
   const Bytes inner = Bytes(9, 0x11) + request(66);
-  CHECK(wantedIn(telemetry() + packed(FrameParts(0x10000 + kTunnel, inner, 0)) + request(1)) == "request 66, request 1");
+  CHECK(wantedIn(telemetry() + packed(FrameParts(0x10000 + kTunnel, inner, 0)) + request(1)) ==
+        "request 66, request 1");
 }
 
 TEST_CASE("an id of more than 16 bits is not that of a wanted message") {
@@ -580,7 +582,8 @@ TEST_CASE("silence behind a whole telemetry frame gives it, and behind a part of
   }
 }
 
-TEST_CASE("what looks like a beginning in the last bytes of a telemetry frame is no lost byte, silence behind it or not") {
+TEST_CASE(
+    "what looks like a beginning in the last bytes of a telemetry frame is no lost byte, silence behind it or not") {
   for (uint8_t magic : {0xFD, 0xFE}) {
     for (size_t behind = 0; behind < 8; ++behind) {
       CAPTURE(int(magic));
@@ -611,7 +614,8 @@ TEST_CASE("a buffer full of beginnings is looked through to its end") {
 TEST_CASE("the longest frame that is kept fills the buffer, and what waits behind it fits") {
   // A wanted header with the greatest length, a wrong checksum, and beginnings of more of them inside.
   Bytes nested;
-  while (nested.size() < MAVMISSION_MAX_PAYLOAD) nested = nested + Bytes{0xFD, MAVMISSION_MAX_PAYLOAD, 0, 0, 0, 1, 1, 51, 0, 0};
+  while (nested.size() < MAVMISSION_MAX_PAYLOAD)
+    nested = nested + Bytes{0xFD, MAVMISSION_MAX_PAYLOAD, 0, 0, 0, 1, 1, 51, 0, 0};
   nested.resize(MAVMISSION_MAX_PAYLOAD);
   FrameParts parts = requestParts(0);
   parts.payload = nested;

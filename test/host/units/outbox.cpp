@@ -31,7 +31,8 @@ Bytes sent(const T& message, uint8_t version, uint8_t sequence, uint8_t systemId
 template <typename T>
 using Encode = uint16_t (*)(uint8_t, uint8_t, mavlink_status_t*, mavlink_message_t*, const T*);
 template <typename T>
-Bytes stock(Encode<T> encode, const T& message, uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
+Bytes stock(Encode<T> encode, const T& message, uint8_t version, uint8_t sequence, uint8_t systemId,
+            uint8_t componentId) {
   mavlink_status_t status = mavlink_status_t();
   status.current_tx_seq = sequence;
   if (version == 1) status.flags = MAVLINK_STATUS_FLAG_OUT_MAVLINK1;
@@ -107,7 +108,8 @@ TEST_CASE("a stream with room takes a frame in one piece") {
   CHECK(stream.writes == 1);
 }
 
-TEST_CASE("a frame that is held goes out when it is released, and not at all when another one is begun or it is dropped") {
+TEST_CASE(
+    "a frame that is held goes out when it is released, and not at all when another one is begun or it is dropped") {
   const Bytes expected = whole();
   for (const char* fate : {"released", "dropped", "another"}) {
     CAPTURE(fate);

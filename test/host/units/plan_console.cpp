@@ -25,7 +25,10 @@ struct Desk {
   uint32_t nowMs;
 
   Desk()
-      : autopilot(line), plan(Eeprom{readByte, writeByte, nullptr, 400}), console(port, autopilot, plan, room), nowMs(0) {
+      : autopilot(line),
+        plan(Eeprom{readByte, writeByte, nullptr, 400}),
+        console(port, autopilot, plan, room),
+        nowMs(0) {
     memory.assign(400, 0xFF);
     plan.begin();
     console.offerAll();

@@ -48,23 +48,25 @@ TEST_CASE("a value that is no status has no text") {
 }
 
 TEST_CASE("an operation is over with every status but the few at the beginning") {
-  for (Status status : {Status::Idle, Status::WaitingForAutopilot, Status::WaitingForTurn, Status::Checking,
-                        Status::Transferring}) {
+  for (Status status :
+       {Status::Idle, Status::WaitingForAutopilot, Status::WaitingForTurn, Status::Checking, Status::Transferring}) {
     CHECK_FALSE(isEnd(status));
   }
   int running = 0;
   for (Status status : kAll) running += !isEnd(status);
   CHECK(running == 5);
-  for (Status status : {Status::Accepted, Status::Unconfirmed, Status::Cancelled, Status::Busy, Status::UnknownResult}) {
+  for (Status status :
+       {Status::Accepted, Status::Unconfirmed, Status::Cancelled, Status::Busy, Status::UnknownResult}) {
     CHECK(isEnd(status));
   }
 }
 
 TEST_CASE("each MAV_MISSION_RESULT has its status, and an unknown one its own") {
-  const Status inOrder[] = {Status::Accepted,      Status::Error,         Status::UnsupportedFrame, Status::Unsupported,
-                            Status::NoSpace,       Status::Invalid,       Status::InvalidParam1,    Status::InvalidParam2,
-                            Status::InvalidParam3, Status::InvalidParam4, Status::InvalidParam5,    Status::InvalidParam6,
-                            Status::InvalidParam7, Status::InvalidSequence, Status::Denied, Status::CancelledByAutopilot};
+  const Status inOrder[] = {
+      Status::Accepted,      Status::Error,           Status::UnsupportedFrame, Status::Unsupported,
+      Status::NoSpace,       Status::Invalid,         Status::InvalidParam1,    Status::InvalidParam2,
+      Status::InvalidParam3, Status::InvalidParam4,   Status::InvalidParam5,    Status::InvalidParam6,
+      Status::InvalidParam7, Status::InvalidSequence, Status::Denied,           Status::CancelledByAutopilot};
   for (unsigned result = 0; result <= 255; ++result) {
     const Status expected = result < 16 ? inOrder[result] : Status::UnknownResult;
     CHECK((fromMissionResult(static_cast<uint8_t>(result)) == expected));

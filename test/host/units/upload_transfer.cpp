@@ -20,7 +20,7 @@ class Upload {
   UploadTransfer transfer;
   uint16_t now;
 
-  explicit Upload(uint16_t count, Firmware firmware = Firmware::Other, bool leftovers = false, uint16_t start = 65000)
+  explicit Upload(uint16_t count, Firmware firmware = Firmware::Other, uint8_t leftovers = 0, uint16_t start = 65000)
       : now(start) {
     memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
     transfer.begin(count, firmware, leftovers, now);
@@ -215,7 +215,8 @@ TEST_CASE("a request that is heard before COUNT has left belongs to an earlier t
   CHECK((upload.send() == Send::Item));
 }
 
-TEST_CASE("a busy PX4 that still asks in its old transfer is not served before that has been ended and COUNT sent again") {
+TEST_CASE(
+    "a busy PX4 that still asks in its old transfer is not served before that has been ended and COUNT sent again") {
   Upload upload(3, Firmware::Px4);
   upload.send();
   upload.ack(kError);
@@ -227,7 +228,9 @@ TEST_CASE("a busy PX4 that still asks in its old transfer is not served before t
   CHECK((upload.send() == Send::Item));
 }
 
-TEST_CASE("a PX4 that asks beyond the plan goes on with a longer one from before: that is ended, once, and COUNT sent again") {
+TEST_CASE(
+    "a PX4 that asks beyond the plan goes on with a longer one from before: that is ended, once, and COUNT sent "
+    "again") {
   Upload upload(3, Firmware::Px4, true);
   upload.served(3);
   CHECK(goesOn(upload.request(3)));
@@ -267,7 +270,9 @@ TEST_CASE("accepted while the last item is only asked for, and has not left, is 
   CHECK((upload.ack(kAccepted) == Status::AcceptedEarly));
 }
 
-TEST_CASE("with leftovers an early acceptance may be of the plan before: it ends nothing, but is the reason if nothing else comes") {
+TEST_CASE(
+    "with leftovers an early acceptance may be of the plan before: it ends nothing, but is the reason if nothing else "
+    "comes") {
   Upload upload(3, Firmware::Other, true);
   upload.send();
   CHECK(goesOn(upload.ack(kAccepted)));
@@ -291,26 +296,82 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
   }
 }
 
-TEST_CASE("an error to the last COUNT is followed by one more, and not by others for ever") {
-  Upload upload(3, Firmware::Px4);
-  upload.send();
-  for (int tries = 1; tries < 5; ++tries) {
-    CHECK(goesOn(upload.wait(1500)));
+const uint8_t kNothing = 0, kAnswers = UploadTransfer::kAnswers, kBusy = UploadTransfer::kBusy;
+
+TEST_CASE("a busy PX4 is told to end what is open, and asked again at once: that it is busy still is its last word") {
+  for (uint8_t leftovers : {kNothing, kAnswers}) {
+    Upload upload(3, Firmware::Px4, leftovers);
+    upload.send();
+    CHECK(goesOn(upload.ack(kError)));
+    CHECK((upload.send() == Send::Cancel));
     CHECK((upload.send() == Send::Count));
+    CHECK((upload.ack(kError) == Status::Error));
   }
-  CHECK(goesOn(upload.ack(kError)));
-  CHECK((upload.send() == Send::Cancel));
-  CHECK((upload.send() == Send::Count));
-  CHECK((upload.wait(1500) == Status::NoAnswer));
 }
 
-TEST_CASE("a busy PX4 is told to end what is open, then asked again, once") {
-  Upload upload(3, Firmware::Px4);
+TEST_CASE("a PX4 that may be busy with what was ours is told so and asked every 1500 ms, beyond its own 5 s") {
+  for (int unanswered = 1; unanswered <= 5; ++unanswered) {
+    Upload upload(3, Firmware::Px4, kBusy);
+    upload.send();
+    for (int tries = 1; tries < unanswered; ++tries) {
+      CHECK(goesOn(upload.wait(1500)));
+      CHECK((upload.send() == Send::Count));
+    }
+    CHECK(goesOn(upload.ack(kError)));
+    for (uint16_t ms = 0; ms < 6000; ms += 1500) {
+      CHECK((upload.send() == Send::Cancel));
+      CHECK((upload.send() == Send::Count));
+      CHECK(goesOn(upload.ack(kError)));
+      CHECK(goesOn(upload.ack(kError)));  // the same, brought twice
+      CHECK(goesOn(upload.wait(1499)));
+      CHECK((upload.transfer.toSend() == Send::Nothing));
+      CHECK(goesOn(upload.wait(1)));
+    }
+    CHECK((upload.send() == Send::Cancel));
+    CHECK((upload.send() == Send::Count));  // 6 s behind the first that PX4 was freed for
+    CHECK((upload.ack(kError) == Status::Error));
+  }
+}
+
+TEST_CASE("a PX4 that falls silent when it has been busy did not answer") {
+  for (uint8_t leftovers : {kNothing, kAnswers, kBusy}) {
+    Upload upload(3, Firmware::Px4, leftovers);
+    upload.send();
+    upload.ack(kError);
+    for (int tries = 1; tries <= 5; ++tries) {
+      CHECK((upload.send() == Send::Cancel));
+      CHECK((upload.send() == Send::Count));
+      CHECK((upload.wait(1500) == (tries < 5 ? Status::Transferring : Status::NoAnswer)));
+    }
+  }
+}
+
+TEST_CASE("a PX4 that was busy and then asks for items is served, and what it said before is no reason for anything") {
+  Upload upload(2, Firmware::Px4, kBusy);
+  upload.send();
+  upload.ack(kError);
+  upload.send();
+  upload.send();
+  upload.ack(kError);
+  CHECK(goesOn(upload.request(0)));
+  CHECK((upload.send() == Send::Item));
+  CHECK((upload.wait(8500) == Status::TimedOut));
+}
+
+TEST_CASE("the error of a COUNT that was sent before PX4 was freed is noise in mid-transfer") {
+  Upload upload(2, Firmware::Px4);
+  upload.send();
+  upload.wait(1500);
+  upload.send();
+  upload.ack(kError);
+  upload.send();
+  upload.send();
+  upload.request(0);
   upload.send();
   CHECK(goesOn(upload.ack(kError)));
-  CHECK((upload.send() == Send::Cancel));
-  CHECK((upload.send() == Send::Count));
-  CHECK((upload.ack(kError) == Status::Error));
+  upload.request(1);
+  upload.send();
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
 }
 
 TEST_CASE("ArduPilot's error at COUNT is an error") {
@@ -319,7 +380,9 @@ TEST_CASE("ArduPilot's error at COUNT is an error") {
   CHECK((upload.ack(kError) == Status::Error));
 }
 
-TEST_CASE("PX4's error in mid-transfer is one, unless it may be to our own second COUNT: then it is the reason if nothing else comes") {
+TEST_CASE(
+    "PX4's error in mid-transfer is one, unless it may be to our own second COUNT: then it is the reason if nothing "
+    "else comes") {
   Upload once(3, Firmware::Px4);
   once.served(1);
   CHECK((once.ack(kError) == Status::Error));
@@ -370,7 +433,9 @@ TEST_CASE("an acceptance of a last item that is repeated after an error is no ac
   CHECK((upload.ack(kAccepted) == Status::Unconfirmed));
 }
 
-TEST_CASE("the autopilot's own cancelling ends the transfer, but not one that it has not begun yet if leftovers may be meant") {
+TEST_CASE(
+    "the autopilot's own cancelling ends the transfer, but not one that it has not begun yet if leftovers may be "
+    "meant") {
   Upload begun(3, Firmware::ArduPilot, true);
   begun.served(1);
   CHECK((begun.ack(kCancelled) == Status::CancelledByAutopilot));
