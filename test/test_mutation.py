@@ -35,7 +35,7 @@ def test_each_explanation_is_of_a_mutant_that_there_is():
 def test_each_file_that_is_mutated_has_tests_of_its_own():
     for subject in SUBJECTS:
         assert files_of(subject.name)
-        assert all(unit.exists() for unit in units_of(subject)) and subject.unit
+        assert all(unit.exists() for unit in units_of(subject)) and subject.units
 
 
 def outcome(file: str, was: str, becomes: str) -> str:
@@ -140,6 +140,6 @@ def test_explanation_without_its_mutant_is_told(tmp_path):
 
 
 def test_file_of_the_library_without_tests_of_its_own_can_be_mutated_too():
-    assert subjects(["MissionClientTurn.cpp"]) == [Subject("MissionClientTurn", "")]
+    assert subjects(["MissionClientTurn.cpp"]) == [Subject("MissionClientTurn")]
     with pytest.raises(ValueError, match="NoSuchFile"):
         subjects(["NoSuchFile"])

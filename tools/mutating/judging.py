@@ -21,7 +21,6 @@ from .overlay import Overlay
 from .programs import COMPILER, NICE, OUTPUT, Program, explorer, unit_program
 from .subjects import EXPLORED, Subject, units_of
 
-WORKERS = 2
 RESULTS = OUTPUT / "results"
 # What is no mutant: it is not counted.
 NO_CODE, SAME = "does not compile", "same code"
@@ -42,19 +41,21 @@ class Verdict(NamedTuple):
 def killers(subject: Subject) -> list[Program]:
     """In the order of what they cost."""
     quick = [unit_program(unit, sanitized=False) for unit in units_of(subject)]
-    own = [unit_program(unit, sanitized=True) for unit in units_of(subject) if unit.stem == subject.unit]
+    own = [unit_program(unit, sanitized=True) for unit in units_of(subject) if unit.stem in subject.units]
     return [*quick, *own, explorer(EXPLORED)]
 
 
-def judge(mutants: Iterable[tuple[Subject, Mutant]], told: Callable[[Verdict], None] = lambda _: None) -> list[Verdict]:
-    """In the order given. `told` hears of each when it is known."""
+def judge(
+    mutants: Iterable[tuple[Subject, Mutant]], told: Callable[[Verdict], None] = lambda _: None, jobs: int = 1
+) -> list[Verdict]:
+    """In the order given, so many at a time. `told` hears of each when it is known."""
     work = list(mutants)
     for subject in dict.fromkeys(subject for subject, _ in work):
         for killer in killers(subject):
             killer.limits_s  # noqa: B018  (each is made, and passes on the library as it is)
-    with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(WORKERS) as pool:
+    with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(jobs) as pool:
         desks: queue.SimpleQueue[Desk] = queue.SimpleQueue()
-        for number in range(WORKERS):
+        for number in range(jobs):
             desks.put(Desk(Path(folder) / str(number)))
 
         def one(subject: Subject, mutant: Mutant) -> Verdict:

@@ -41,11 +41,11 @@ def shown(wanted: str) -> str:
     return "\n".join(lines)
 
 
-def whole(names: list[str], number: int | None, seed: int) -> int:
+def whole(names: list[str], number: int | None, seed: int, jobs: int) -> int:
     """Run them and print what was found; what the program exits with."""
     reasons = explained()
     chosen = drawn(names, number, seed)
-    verdicts = judge(chosen, Progress(len(chosen)))
+    verdicts = judge(chosen, Progress(len(chosen)), jobs)
     print(report.text(verdicts, reasons))
     gone = without_a_mutant(reasons, [mutant for _, mutant in of_all(names)])
     if gone:

@@ -15,16 +15,20 @@ from host_build import UNITS
 
 class Subject(NamedTuple):
     name: str
-    unit: str  # what tests it alone
+    units: tuple[str, ...] = ()  # what tests it alone, or with the parts next to it
 
 
 SUBJECTS = (
-    Subject("UploadTransfer", "upload_transfer"),
-    Subject("DownloadTransfer", "download_transfer"),
-    Subject("FrameParser", "frame_parser"),
-    Subject("WirePlan", "wire_plan"),
-    Subject("Comparison", "comparison"),
-    Subject("OpaqueId", "opaque_id"),
+    Subject("UploadTransfer", ("upload_transfer",)),
+    Subject("DownloadTransfer", ("download_transfer",)),
+    Subject("CommandTransfer", ("command_transfer",)),
+    Subject("FrameParser", ("frame_parser",)),
+    Subject("WirePlan", ("wire_plan",)),
+    Subject("Comparison", ("comparison",)),
+    Subject("Commands", ("commands", "comparison", "wire_plan")),
+    Subject("Rules", ("commands", "comparison", "wire_plan")),
+    Subject("KeptValue", ("kept_value",)),
+    Subject("OpaqueId", ("opaque_id",)),
 )
 
 # Tests of a whole MissionClient on a stream in memory: they see what a part's own tests do not.
@@ -55,7 +59,7 @@ def subjects(names: list[str] | None = None) -> list[Subject]:
     found = []
     for name in [Path(name).stem for name in names or known]:
         files_of(name)
-        found.append(known.get(name) or Subject(name, ""))
+        found.append(known.get(name) or Subject(name))
     return list(dict.fromkeys(found))
 
 
@@ -69,5 +73,4 @@ def files_of(name: str) -> list[Path]:
 
 def units_of(subject: Subject) -> list[Path]:
     """The files of the tests for it, the cheapest first."""
-    names = [name for name in (subject.unit, *CLIENT_UNITS) if name]
-    return [UNITS / f"{name}.cpp" for name in names]
+    return [UNITS / f"{name}.cpp" for name in (*subject.units, *CLIENT_UNITS)]
