@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string.h>
+
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -44,6 +46,25 @@ struct Wrong {
     bits = altered;
   }
 };
+
+constexpr Keeper kCopter = kByArduPilot, kPlane = kByArduPilot | kByPlane, kFence = kByArduPilot | kOfFence;
+
+// Of a command with a place, or in PX4's frame without one: one field and its bits.
+bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits, Frame frame = Frame::GlobalRelative) {
+  MissionItem item = anyCommandAt(command, Degrees::fromE7(128), Degrees::fromE7(64), 20_m);
+  if (command == 5003) item.param1 = 10;
+  item.frame = frame;
+  setBits(item, index, bits);
+  const Field field = notKept(item, keeper);
+  CHECK((field == Field::None || field == fieldOf(index)));
+  return field == Field::None;
+}
+
+uint32_t bitsOf(float number) {
+  uint32_t bits;
+  memcpy(&bits, &number, sizeof(bits));
+  return bits;
+}
 
 // Its place is one that a float holds.
 MissionItem here() { return waypoint(Degrees::fromE7(1 << 28), Degrees::fromE7(1 << 27), 20_m); }
@@ -266,4 +287,117 @@ TEST_CASE("ArduPilot keeps no height of a fence and only whole metres of rally p
   point.z = 30.5f;
   CHECK((notKept(point, keeper(Firmware::ArduPilot, PlanType::Rally)) == Field::Height));
   CHECK((notKept(point, keeper(Firmware::Px4, PlanType::Rally)) == Field::None));
+}
+
+TEST_CASE("each kind of whole number is kept up to its limits, and not beyond") {
+  const struct {
+    uint16_t command;
+    unsigned index;
+    float lowest, highest;
+  } kKinds[] = {
+      {18, 3, 0, 1},         {202, 0, 0, 255},        {93, 1, -128, 127},
+      {16, 0, 0, 65535},     {177, 1, -32768, 32767}, {17, 2, -65535, 65535},
+      {42703, 1, -180, 180}, {42703, 2, -90, 90},     {42703, 3, -180, 360},
+  };
+  for (const auto& kind : kKinds) {
+    CAPTURE(kind.command);
+    CAPTURE(kind.index);
+    for (const float kept : {kind.lowest, kind.highest, 0.f, 1.f}) {
+      CHECK(isKept(kCopter, kind.command, kind.index, bitsOf(kept)));
+    }
+    for (const float lost : {kind.lowest - 1, kind.highest + 1, 0.5f, -0.5f, 0.001f}) {
+      CHECK_FALSE(isKept(kCopter, kind.command, kind.index, bitsOf(lost)));
+    }
+  }
+}
+
+TEST_CASE("-0 is kept as 0 where a whole number is") {
+  MissionItem sent = here(), read;
+  sent.param1 = -0.f;
+  read = sent;
+  read.param1 = 0;
+  CHECK((difference(sent, read, kCopter) == Field::None));
+  CHECK((difference(read, sent, kCopter) == Field::Param1));
+}
+
+TEST_CASE("x and y of a command without a place are whole numbers on ArduPilot, where it uses them") {
+  for (const int32_t kept : {0, 1, 255}) CHECK(isKept(kCopter, 202, 4, static_cast<uint32_t>(kept)));
+  for (const int32_t lost : {-1, 256, 257, 1000}) CHECK_FALSE(isKept(kCopter, 202, 4, static_cast<uint32_t>(lost)));
+  for (const int32_t kept : {-32768, 0, 32767}) CHECK(isKept(kCopter, 42703, 4, static_cast<uint32_t>(kept)));
+  for (const int32_t lost : {-32769, 32768}) CHECK_FALSE(isKept(kCopter, 42703, 4, static_cast<uint32_t>(lost)));
+}
+
+TEST_CASE("the radius of turns is whole metres to 255, and tens to 2550") {
+  for (int metres = 0; metres <= 2700; ++metres) {
+    const bool expected = metres <= 255 || (metres <= 2550 && metres % 10 == 0);
+    CAPTURE(metres);
+    CHECK(isKept(kCopter, 18, 2, bitsOf(static_cast<float>(metres))) == expected);
+    CHECK(isKept(kCopter, 18, 2, bitsOf(static_cast<float>(-metres))) == expected);
+  }
+}
+
+TEST_CASE("turns are whole to 255, and below 1 in 256ths") {
+  for (int turns = 0; turns <= 300; ++turns)
+    CHECK(isKept(kCopter, 18, 0, bitsOf(static_cast<float>(turns))) == (turns <= 255));
+  for (int parts = 1; parts < 1024; ++parts) {
+    CHECK(isKept(kCopter, 18, 0, bitsOf(static_cast<float>(parts) / 1024)) == (parts % 4 == 0));
+  }
+  for (const float lost : {1.5f, -1.f, -0.25f}) CHECK_FALSE(isKept(kCopter, 18, 0, bitsOf(lost)));
+}
+
+TEST_CASE(
+    "a circle of a fence on ArduPilot has a radius above 0 that is no less than a millimetre above whole metres") {
+  CHECK(isKept(kFence, 5003, 0, 0x3A83126F));  // 0.001
+  CHECK_FALSE(isKept(kFence, 5003, 0, 0x3A83126E));
+  for (const float lost : {0.f, -1.f, -20.f}) CHECK_FALSE(isKept(kFence, 5003, 0, bitsOf(lost)));
+  for (int metres = 1; metres <= 65536; metres *= 2) {
+    const uint32_t bits = bitsOf(static_cast<float>(metres));
+    for (uint32_t steps = 0; steps < 8500; steps += steps < 5 || steps > 8385 ? 1 : 7) {
+      const double above = steps * static_cast<double>(metres) / (1 << 23);
+      CAPTURE(metres);
+      CAPTURE(steps);
+      CHECK(isKept(kFence, 5003, 0, bits + steps) == (steps == 0 || above > 0.001));
+    }
+    CHECK(isKept(kFence, 5003, 0, bits + 0x400000));
+  }
+}
+
+TEST_CASE("what is kept in centimetres is below 655.36") {
+  CHECK(isKept(kCopter, 94, 0, 0x4423D709));
+  CHECK_FALSE(isKept(kCopter, 94, 0, 0x4423D70A));  // 655.36
+  CHECK_FALSE(isKept(kCopter, 94, 0, bitsOf(-1.f)));
+}
+
+TEST_CASE("the direction of a circle is 0, 1 or -1 on a plane, and of any size where it is not used") {
+  for (const float radius : {0.f, 1.f, -1.f}) CHECK(isKept(kPlane, 19, 2, bitsOf(radius)));
+  for (const float radius : {2.f, -2.f, 50.f, 0.5f}) {
+    CHECK_FALSE(isKept(kPlane, 19, 2, bitsOf(radius)));
+    CHECK(isKept(kCopter, 19, 2, bitsOf(radius)));
+  }
+}
+
+TEST_CASE("a heading is kept from -180 to 360 degrees on PX4") {
+  for (const float kept : {-180.f, 0.f, 360.f}) CHECK(isKept(kByPx4, 16, 3, bitsOf(kept)));
+  for (const float limit : {-180.f, 360.f}) CHECK_FALSE(isKept(kByPx4, 16, 3, bitsOf(limit) + 1));
+}
+
+TEST_CASE("a region of interest has a mode that PX4 takes: none or a place, or without a place none or an item") {
+  for (unsigned mode = 0; mode < 300; ++mode) {
+    CAPTURE(mode);
+    const uint32_t bits = bitsOf(static_cast<float>(mode));
+    CHECK(isKept(kByPx4, 201, 0, bits) == (mode == 0 || mode == 3));
+    CHECK(isKept(kByPx4, 201, 0, bits, Frame::Mission) == (mode <= 2));
+  }
+}
+
+TEST_CASE("an altitude of a command that is not in the table comes back in centimetres from ArduPilot alone") {
+  MissionItem sent = here();
+  sent.command = 31337;
+  sent.param4 = 0;
+  sent.z = 20.125f;
+  MissionItem read = sent;
+  read.z = 20.12f;
+  CHECK((difference(sent, read, keeper(Firmware::ArduPilot)) == Field::None));
+  CHECK((difference(sent, read, keeper(Firmware::Px4)) == Field::Height));
+  CHECK((difference(sent, read, keeper(Firmware::Other)) == Field::Height));
 }
