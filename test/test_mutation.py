@@ -140,6 +140,6 @@ def test_explanation_without_its_mutant_is_told(tmp_path):
 
 
 def test_file_of_the_library_without_tests_of_its_own_can_be_mutated_too():
-    assert subjects(["MissionClientTurn.cpp"]) == [Subject("MissionClientTurn")]
+    assert subjects(["MissionClientPart.cpp"]) == [Subject("MissionClientPart")]
     with pytest.raises(ValueError, match="NoSuchFile"):
         subjects(["NoSuchFile"])

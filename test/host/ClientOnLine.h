@@ -23,8 +23,10 @@ class ClientOnLine {
 
   MemoryStream line;
   mavmission::MissionClient client;
-  std::vector<SentFrame> sent;                                  // until it is emptied
+  std::vector<SentFrame> sent;                          // until it is emptied
   mavmission::Status ended = mavmission::Status::Idle;  // what update() returned of the last end
+
+  bool beats = true;  // whether the peer sends heartbeats
 
   explicit ClientOnLine(uint8_t autopilot) : client(line), autopilot_(autopilot), nowMs_(65000) { setMillis(nowMs_); }
 
@@ -35,7 +37,7 @@ class ClientOnLine {
   // An update() each millisecond, and a heartbeat each second.
   void run(uint32_t ms) {
     for (uint32_t end = nowMs_ + ms; nowMs_ != end;) {
-      if (nowMs_ % 1000 == 0) hear(heartbeatParts(autopilot_));
+      if (beats && nowMs_ % 1000 == 0) hear(heartbeatParts(autopilot_));
       setMillis(++nowMs_);
       const mavmission::Status status = client.update();
       if (status != mavmission::Status::Idle && !client.isBusy()) ended = status;

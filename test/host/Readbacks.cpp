@@ -53,6 +53,7 @@ Readback rowOf(const std::vector<std::string>& cells, const Vehicle& vehicle, un
                                                : PlanType::Mission;
   Readback row = {vehicle.name,
                   line,
+                  static_cast<uint16_t>(integer(cells[0])),
                   keeperOf(vehicle.firmware, vehicle.type, type),
                   type,
                   itemOf(cells, 3, integer(cells[2]), integer(cells[0])),

@@ -12,6 +12,7 @@
 struct Readback {
   const char* vehicle;  // "arducopter", "ardurover", "arduplane" or "px4"
   unsigned line;        // of its file
+  uint16_t command;     // as it was recorded; `sent` has the one that the library sends
   mavmission::Keeper keeper;
   mavmission::PlanType type;
   mavmission::MissionItem sent;

@@ -29,6 +29,7 @@ SUBJECTS = (
     Subject("Rules", ("commands", "comparison", "wire_plan")),
     Subject("KeptValue", ("kept_value",)),
     Subject("OpaqueId", ("opaque_id",)),
+    Subject("MissionClientTurn", ("client_upload",)),
 )
 
 # Tests of a whole MissionClient on a stream in memory: they see what a part's own tests do not.
@@ -73,4 +74,4 @@ def files_of(name: str) -> list[Path]:
 
 def units_of(subject: Subject) -> list[Path]:
     """The files of the tests for it, the cheapest first."""
-    return [UNITS / f"{name}.cpp" for name in (*subject.units, *CLIENT_UNITS)]
+    return [UNITS / f"{name}.cpp" for name in dict.fromkeys((*subject.units, *CLIENT_UNITS))]

@@ -9,7 +9,7 @@ namespace {
 
 typedef std::vector<uint32_t> Times;
 
-const uint8_t kAccepted = 0, kDenied = 14;
+const uint8_t kAccepted = 0, kError = 1, kNoSpace = 4, kDenied = 14;
 const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
 const MissionItem kOne[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)};
 
@@ -78,6 +78,92 @@ TEST_CASE("the time that is allowed for a turn begins with the first refusal of 
     desk.ended = Status::Idle;
     desk.run(11000);
   }
+}
+
+TEST_CASE("the time that is allowed for a turn begins with the refusal, and its last try may be at its very end") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.client.retryWhenDenied(3);
+  desk.run(11000);
+  desk.client.uploadByAnswer(inRam(kPlan));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
+  desk.run(4000);  // COUNT has been sent again twice
+  desk.sent.clear();
+  const uint32_t refusedMs = desk.nowMs();
+  desk.hear(ackParts(kDenied));
+  desk.run(50);
+  CHECK((desk.client.status() == Status::WaitingForTurn));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20000));
+  desk.hear(ackParts(kDenied));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20000));
+  CHECK(isNear(desk.timesOf(ClientOnLine::kCount, refusedMs), {1000, 3000}));
+  CHECK((desk.client.status() == Status::Transferring));
+}
+
+TEST_CASE("of an upload that waits for its turn no other refusal is waited for") {
+  const struct {
+    uint8_t autopilot, result;
+    Status status;
+  } kRefusals[] = {{ClientOnLine::kArduPilot, kNoSpace, Status::NoSpace},
+                   {ClientOnLine::kArduPilot, kError, Status::Error},
+                   {ClientOnLine::kPx4, kNoSpace, Status::NoSpace},
+                   {ClientOnLine::kOther, kNoSpace, Status::NoSpace}};
+  for (const auto& refusal : kRefusals) {
+    ClientOnLine desk(refusal.autopilot);
+    desk.client.retryWhenDenied(60);
+    desk.run(11000);
+    desk.client.uploadByAnswer(inRam(kPlan));
+    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
+    desk.hear(ackParts(refusal.result));
+    desk.run(50);
+    CHECK((desk.ended == refusal.status));
+  }
+}
+
+TEST_CASE("PX4's error to COUNT is waited for as a denial is") {
+  for (const uint8_t result : {kError, kDenied}) {
+    ClientOnLine desk(ClientOnLine::kPx4);
+    desk.client.retryWhenDenied(60);
+    desk.run(11000);
+    desk.client.uploadByAnswer(inRam(kPlan));
+    for (int i = 0; i < 9 && desk.client.status() != Status::WaitingForTurn; ++i) {
+      REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+      desk.hear(ackParts(result));
+      desk.run(20);
+    }
+    CHECK((desk.client.status() == Status::WaitingForTurn));
+    CHECK(desk.runUntilSent(ClientOnLine::kCount, 1100));
+  }
+}
+
+TEST_CASE("without time for a turn a denial is the end, and with one second there is one more try") {
+  for (const uint16_t seconds : {0, 1}) {
+    ClientOnLine desk(ClientOnLine::kArduPilot);
+    desk.client.retryWhenDenied(60);
+    desk.client.retryWhenDenied(seconds);
+    desk.run(11000);
+    desk.client.uploadByAnswer(inRam(kPlan));
+    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
+    desk.hear(ackParts(kDenied));
+    desk.run(50);
+    CHECK((desk.ended == (seconds == 0 ? Status::Denied : Status::Idle)));
+    CHECK(desk.runUntilSent(ClientOnLine::kCount, 3000) == (seconds != 0));
+  }
+}
+
+TEST_CASE("an autopilot that fell silent while a turn was waited for is waited for first") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.client.retryWhenDenied(60);
+  desk.run(11000);
+  countsWhenDenied(desk, 4);
+  desk.hear(ackParts(kDenied));
+  desk.beats = false;
+  desk.run(7900);
+  desk.sent.clear();
+  desk.run(2000);
+  CHECK((desk.client.status() == Status::WaitingForAutopilot));
+  CHECK(desk.timesOf(ClientOnLine::kCount, 0).empty());
+  desk.beats = true;
+  CHECK(desk.runUntilSent(ClientOnLine::kCount, 1500));
 }
 
 TEST_CASE("an upload that is begun on an autopilot that was not there yet has its whole time from the first COUNT on") {

@@ -91,16 +91,16 @@ TEST_CASE("of a random item each autopilot's answer is what was sent, or names t
   CHECK(lost > 3000);
 }
 
-TEST_CASE("of a random item that came back right every other bit of every field is seen") {
+TEST_CASE("of a random item that came back right every other bit of every field is seen, and a 0") {
   Wrong wrong;
   for (const Readback& row : readbacks()) {
     if (!row.isRead || lostIn(row) != Field::None) continue;
     for (unsigned index = 0; index < kFourBytes; ++index) {
       const uint32_t read = bitsOf(row.read, index), sent = bitsOf(row.sent, index);
-      for (unsigned bit = 0; bit < 32; ++bit) {
+      for (unsigned bit = 0; bit <= 32; ++bit) {
         MissionItem altered = row.read;
-        setBits(altered, index, read ^ 1u << bit);
-        const bool isSent = bitsOf(altered, index) == sent;
+        setBits(altered, index, bit < 32 ? read ^ 1u << bit : 0);
+        const bool isSent = bitsOf(altered, index) == sent || bitsOf(altered, index) == read;
         const bool isNoNumber =
             index == 3 && std::isnan(numberOf(row.sent, index)) && std::isnan(numberOf(altered, index));
         const Field expected = isSent || isNoNumber ? Field::None : fieldOf(index);
@@ -387,6 +387,33 @@ TEST_CASE("a region of interest has a mode that PX4 takes: none or a place, or w
     const uint32_t bits = bitsOf(static_cast<float>(mode));
     CHECK(isKept(kByPx4, 201, 0, bits) == (mode == 0 || mode == 3));
     CHECK(isKept(kByPx4, 201, 0, bits, Frame::Mission) == (mode <= 2));
+  }
+}
+
+TEST_CASE("PX4 keeps a whole number of corners of a fence, and any radius of a circle") {
+  constexpr Keeper kPx4Fence = kByPx4 | kOfFence;
+  for (const uint16_t corner : {uint16_t(5001), uint16_t(5002)}) {
+    CHECK(isKept(kPx4Fence, corner, 0, bitsOf(4.f)));
+    CHECK_FALSE(isKept(kPx4Fence, corner, 0, bitsOf(3.5f)));
+  }
+  CHECK(isKept(kPx4Fence, 5003, 0, bitsOf(3.5f)));
+}
+
+TEST_CASE("every number of a command that is not in the table is kept as it is, with a place and without") {
+  for (const Keeper keeper : {kCopter, kPlane, Keeper(kByPx4)}) {
+    for (const Frame frame : {Frame::Mission, Frame::GlobalRelative}) {
+      for (unsigned index = 0; index < 4; ++index) {
+        MissionItem sent = here();
+        sent.command = 31337;
+        sent.frame = frame;
+        sent.param4 = 0;
+        setBits(sent, index, bitsOf(77.6f));
+        MissionItem read = sent;
+        CHECK((difference(sent, read, keeper) == Field::None));
+        setBits(read, index, 0);
+        CHECK((difference(sent, read, keeper) == fieldOf(index)));
+      }
+    }
   }
 }
 

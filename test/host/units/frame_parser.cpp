@@ -662,28 +662,20 @@ TEST_CASE("what is pulled from a stream is what its bytes are one by one, howeve
     for (int frames = 0; frames < 8; ++frames) {
       Bytes frame;
       switch (dice(6)) {
-        case 0:
-          frame = request(static_cast<uint16_t>(dice(600)), static_cast<uint8_t>(frames));
-          break;
+        case 0: frame = request(static_cast<uint16_t>(dice(600)), static_cast<uint8_t>(frames)); break;
         case 1:
           frame = telemetry(static_cast<uint8_t>(dice(256)), static_cast<uint8_t>(dice(3) == 0 ? 0xFD : dice(256)),
                             static_cast<uint8_t>(1 + dice(2)));
           break;
-        case 2:
-          frame = tunnelAround(Bytes(dice(9), 0x11) + request(66));
-          break;
-        case 3:
-          frame = telemetryAround(Bytes(dice(9), 0x11) + request(67));
-          break;
+        case 2: frame = tunnelAround(Bytes(dice(9), 0x11) + request(66)); break;
+        case 3: frame = telemetryAround(Bytes(dice(9), 0x11) + request(67)); break;
         case 4: {
           FrameParts parts = requestParts(static_cast<uint16_t>(dice(600)));
           parts.incompatibility = 1;
           frame = packed(parts);
           break;
         }
-        default:
-          frame = Bytes(dice(12), static_cast<uint8_t>(dice(2) ? 0xFE : dice(256)));
-          break;
+        default: frame = Bytes(dice(12), static_cast<uint8_t>(dice(2) ? 0xFE : dice(256))); break;
       }
       const uint32_t harm = dice(8);
       const uint32_t size = static_cast<uint32_t>(frame.size());
