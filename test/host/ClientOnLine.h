@@ -25,6 +25,7 @@ class ClientOnLine {
   mavmission::MissionClient client;
   std::vector<SentFrame> sent;                          // until it is emptied
   mavmission::Status ended = mavmission::Status::Idle;  // what update() returned of the last end
+  std::vector<mavmission::Status> returned;             // what update() returned, each change
 
   bool beats = true;  // whether the peer sends heartbeats
 
@@ -40,6 +41,7 @@ class ClientOnLine {
       if (beats && nowMs_ % 1000 == 0) hear(heartbeatParts(autopilot_));
       setMillis(++nowMs_);
       const mavmission::Status status = client.update();
+      if (returned.empty() || returned.back() != status) returned.push_back(status);
       if (status != mavmission::Status::Idle && !client.isBusy()) ended = status;
       note(line.takeWritten());
     }

@@ -1,6 +1,8 @@
 // Uploads by a whole client.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "ClientOnLine.h"
 
 using namespace mavmission;
@@ -148,6 +150,17 @@ TEST_CASE("without time for a turn a denial is the end, and with one second ther
     CHECK((desk.ended == (seconds == 0 ? Status::Denied : Status::Idle)));
     CHECK(desk.runUntilSent(ClientOnLine::kCount, 3000) == (seconds != 0));
   }
+}
+
+TEST_CASE("behind a wait for its turn an upload begins anew, with the autopilot and the check of the plan") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.client.retryWhenDenied(60);
+  desk.run(11000);
+  countsWhenDenied(desk, 1);
+  const std::vector<Status> expected = {Status::WaitingForTurn, Status::WaitingForAutopilot, Status::Checking,
+                                        Status::Transferring};
+  REQUIRE(desk.returned.size() >= expected.size());
+  CHECK(std::equal(expected.rbegin(), expected.rend(), desk.returned.rbegin()));
 }
 
 TEST_CASE("an autopilot that fell silent while a turn was waited for is waited for first") {
