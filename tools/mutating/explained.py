@@ -10,7 +10,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from firmware import ROOT
+from simulation.firmware import ROOT
 
 from .mutants import Mutant
 

@@ -12,9 +12,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
-import host_build
-from firmware import LIBRARY, digest
-from host_build import STANDARD
+from simulation import host_build
+from simulation.firmware import LIBRARY, digest
+from simulation.host_build import STANDARD
 
 from .mutants import Mutant
 from .overlay import Overlay

@@ -6,7 +6,7 @@ import os
 import shutil
 from pathlib import Path
 
-from firmware import LIBRARY
+from simulation.firmware import LIBRARY
 
 
 class Overlay:

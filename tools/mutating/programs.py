@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
-import host_build
-from firmware import LIBRARY, ROOT, digest, exclusive, library_sources
-from host_build import AS_IT_IS, FAST, FAST_ASSERTS, HOST, PLACES, SANITIZED, SHIM, STANDARD, UNITS, WARNINGS
-from recorded_for_units import environment
+from simulation import host_build
+from simulation.firmware import LIBRARY, ROOT, digest, exclusive, library_sources
+from simulation.host_build import AS_IT_IS, FAST, FAST_ASSERTS, HOST, PLACES, SANITIZED, SHIM, STANDARD, UNITS, WARNINGS
+from simulation.recorded_for_units import environment
 
 OUTPUT = ROOT / "build" / "mutation"
 EXPLORER = ROOT / "test" / "explorer"
@@ -71,7 +71,7 @@ class Program:
         sources = [*self.sources, SHIM / "Arduino.cpp", *library_sources()]
         with ThreadPoolExecutor(os.cpu_count()) as workers:
             made = workers.map(lambda source: host_build.make_object(source, self.base_command(source)), sources)
-            return dict(zip(sources, made))
+            return dict(zip(sources, made, strict=False))
 
     @functools.cached_property
     def digest(self) -> str:
@@ -141,7 +141,7 @@ class Program:
 
     def finds(self, program: Path) -> str:
         """Why the program fails, with a mutant in it; "" if it does not."""
-        for words, limit_s in zip(self.runs, self.limits_s):
+        for words, limit_s in zip(self.runs, self.limits_s, strict=False):
             found = run(program, words, limit_s).found
             if found:
                 return f"{words}: {found}" if len(self.runs) > 1 else found

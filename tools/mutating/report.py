@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 
-from tables import aligned
-
-
 from .judging import SURVIVED, Verdict
 from .mutants import Mutant
 
@@ -19,6 +16,15 @@ def rows(verdicts: list[Verdict], reasons: dict) -> list[list[str]]:
     files = list(dict.fromkeys(verdict.mutant.file for verdict in verdicts))
     found = [row(file, [verdict for verdict in verdicts if verdict.mutant.file == file], reasons) for file in files]
     return [HEAD, *found, row("all", verdicts, reasons)]
+
+
+def aligned(table: list[list[str]]) -> list[str]:
+    widths = [max(len(cells[column]) for cells in table) for column in range(len(table[0]))]
+    return [
+        " | ".join(cell.rjust(width) if column else cell.ljust(width)
+                   for column, (cell, width) in enumerate(zip(cells, widths, strict=True)))
+        for cells in table
+    ]  # fmt: skip
 
 
 def row(name: str, verdicts: list[Verdict], reasons: dict) -> list[str]:

@@ -9,8 +9,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from firmware import LIBRARY
-from host_build import UNITS
+from simulation.firmware import LIBRARY
+from simulation.host_build import UNITS
 
 
 class Subject(NamedTuple):
@@ -29,7 +29,7 @@ SUBJECTS = (
     Subject("Rules", ("commands", "comparison", "wire_plan")),
     Subject("KeptValue", ("kept_value",)),
     Subject("OpaqueId", ("opaque_id",)),
-    Subject("MissionClientTurn", ("client_upload",)),
+    Subject("BackOff", ("client_upload",)),
 )
 
 # Tests of a whole MissionClient on a stream in memory: they see what a part's own tests do not.

@@ -20,7 +20,7 @@ uint16_t itemOf(const SentFrame& frame) { return static_cast<uint16_t>(frame.pay
 // The first COUNTs of an upload are refused, the next one is left without an answer. When they left, from the first on.
 Times countsWhenDenied(ClientOnLine& desk, int times) {
   desk.sent.clear();
-  desk.client.uploadByAnswer(inRam(kPlan));
+  desk.client.uploadWithoutReadback(inRam(kPlan));
   for (int i = 0; i < times; ++i) {
     REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20000));
     desk.hear(ackParts(kDenied));
@@ -41,7 +41,7 @@ TEST_CASE("an upload goes out item by item as it is asked for, and each is the i
   for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4, ClientOnLine::kOther}) {
     ClientOnLine desk(autopilot);
     desk.run(3000);
-    desk.client.uploadByAnswer(inRam(kPlan));
+    desk.client.uploadWithoutReadback(inRam(kPlan));
     REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
     const uint16_t items = autopilot == ClientOnLine::kArduPilot ? 3 : 2;
     CHECK(desk.sent.back().payload[0] == items);
@@ -59,7 +59,7 @@ TEST_CASE("an upload goes out item by item as it is asked for, and each is the i
 
 TEST_CASE("tries for a turn come 1, 2, 4, 8, 8 s apart, in each upload anew") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.client.retryWhenDenied(60);
+  desk.client.retryWhenBusy(60);
   desk.run(11000);  // what came before can be answered no more
   const Times counts = countsWhenDenied(desk, 5);
   CHECK(isNear(counts, {0, 1000, 3000, 7000, 15000, 23000}));
@@ -70,7 +70,7 @@ TEST_CASE("tries for a turn come 1, 2, 4, 8, 8 s apart, in each upload anew") {
 
 TEST_CASE("the time that is allowed for a turn begins with the first refusal of each upload") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.client.retryWhenDenied(4);
+  desk.client.retryWhenBusy(4);
   desk.run(11000);
   for (int upload = 0; upload < 2; ++upload) {
     CHECK(isNear(countsWhenDenied(desk, 2), {0, 1000, 3000}));
@@ -84,16 +84,16 @@ TEST_CASE("the time that is allowed for a turn begins with the first refusal of 
 
 TEST_CASE("the time that is allowed for a turn begins with the refusal, and its last try may be at its very end") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.client.retryWhenDenied(3);
+  desk.client.retryWhenBusy(3);
   desk.run(11000);
-  desk.client.uploadByAnswer(inRam(kPlan));
+  desk.client.uploadWithoutReadback(inRam(kPlan));
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
   desk.run(4000);  // COUNT has been sent again twice
   desk.sent.clear();
   const uint32_t refusedMs = desk.nowMs();
   desk.hear(ackParts(kDenied));
   desk.run(50);
-  CHECK((desk.client.status() == Status::WaitingForTurn));
+  CHECK((desk.client.status() == Status::BackingOff));
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20000));
   desk.hear(ackParts(kDenied));
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20000));
@@ -111,9 +111,9 @@ TEST_CASE("of an upload that waits for its turn no other refusal is waited for")
                    {ClientOnLine::kOther, kNoSpace, Status::NoSpace}};
   for (const auto& refusal : kRefusals) {
     ClientOnLine desk(refusal.autopilot);
-    desk.client.retryWhenDenied(60);
+    desk.client.retryWhenBusy(60);
     desk.run(11000);
-    desk.client.uploadByAnswer(inRam(kPlan));
+    desk.client.uploadWithoutReadback(inRam(kPlan));
     REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
     desk.hear(ackParts(refusal.result));
     desk.run(50);
@@ -124,15 +124,15 @@ TEST_CASE("of an upload that waits for its turn no other refusal is waited for")
 TEST_CASE("PX4's error to COUNT is waited for as a denial is") {
   for (const uint8_t result : {kError, kDenied}) {
     ClientOnLine desk(ClientOnLine::kPx4);
-    desk.client.retryWhenDenied(60);
+    desk.client.retryWhenBusy(60);
     desk.run(11000);
-    desk.client.uploadByAnswer(inRam(kPlan));
-    for (int i = 0; i < 9 && desk.client.status() != Status::WaitingForTurn; ++i) {
+    desk.client.uploadWithoutReadback(inRam(kPlan));
+    for (int i = 0; i < 9 && desk.client.status() != Status::BackingOff; ++i) {
       REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
       desk.hear(ackParts(result));
       desk.run(20);
     }
-    CHECK((desk.client.status() == Status::WaitingForTurn));
+    CHECK((desk.client.status() == Status::BackingOff));
     CHECK(desk.runUntilSent(ClientOnLine::kCount, 1100));
   }
 }
@@ -140,10 +140,10 @@ TEST_CASE("PX4's error to COUNT is waited for as a denial is") {
 TEST_CASE("without time for a turn a denial is the end, and with one second there is one more try") {
   for (const uint16_t seconds : {0, 1}) {
     ClientOnLine desk(ClientOnLine::kArduPilot);
-    desk.client.retryWhenDenied(60);
-    desk.client.retryWhenDenied(seconds);
+    desk.client.retryWhenBusy(60);
+    desk.client.retryWhenBusy(seconds);
     desk.run(11000);
-    desk.client.uploadByAnswer(inRam(kPlan));
+    desk.client.uploadWithoutReadback(inRam(kPlan));
     REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
     desk.hear(ackParts(kDenied));
     desk.run(50);
@@ -154,10 +154,10 @@ TEST_CASE("without time for a turn a denial is the end, and with one second ther
 
 TEST_CASE("behind a wait for its turn an upload begins anew, with the autopilot and the check of the plan") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.client.retryWhenDenied(60);
+  desk.client.retryWhenBusy(60);
   desk.run(11000);
   countsWhenDenied(desk, 1);
-  const std::vector<Status> expected = {Status::WaitingForTurn, Status::WaitingForAutopilot, Status::Checking,
+  const std::vector<Status> expected = {Status::BackingOff, Status::WaitingForAutopilot, Status::Checking,
                                         Status::Transferring};
   REQUIRE(desk.returned.size() >= expected.size());
   CHECK(std::equal(expected.rbegin(), expected.rend(), desk.returned.rbegin()));
@@ -165,7 +165,7 @@ TEST_CASE("behind a wait for its turn an upload begins anew, with the autopilot 
 
 TEST_CASE("an autopilot that fell silent while a turn was waited for is waited for first") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
-  desk.client.retryWhenDenied(60);
+  desk.client.retryWhenBusy(60);
   desk.run(11000);
   countsWhenDenied(desk, 4);
   desk.hear(ackParts(kDenied));
@@ -181,8 +181,8 @@ TEST_CASE("an autopilot that fell silent while a turn was waited for is waited f
 
 TEST_CASE("an upload that is begun on an autopilot that was not there yet has its whole time from the first COUNT on") {
   ClientOnLine desk(ClientOnLine::kPx4);
-  desk.client.limitTransfer(3);
-  desk.client.uploadByAnswer(inRam(kOne));
+  desk.client.setOperationTimeout(3);
+  desk.client.uploadWithoutReadback(inRam(kOne));
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 10000));
   desk.run(2990);
   CHECK((desk.ended == Status::Idle));

@@ -1,10 +1,11 @@
-#include "mavmission/CommandTransfer.h"
+#include "mavmission/transfer/CommandTransfer.h"
 
 #include <doctest/doctest.h>
 
 #include <initializer_list>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

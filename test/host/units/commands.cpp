@@ -1,4 +1,4 @@
-#include "mavmission/Commands.h"
+#include "mavmission/autopilot/Commands.h"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +9,12 @@
 #include <set>
 #include <string>
 
-#include "Readbacks.h"
+#include "RecordedItems.h"
 #include "mavmission/MissionItem.h"
-#include "mavmission/Rules.h"
+#include "mavmission/autopilot/Rules.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 TEST_CASE("a command that is not in the table has a place or not as its frame says") {
   for (const uint16_t command : {0, 15, 3001, 65535}) CHECK(traitsOf(command) == kAsItsFrameSays);
@@ -70,7 +71,7 @@ TEST_CASE("a command that a vehicle was recorded to take is not refused for it, 
   std::map<std::string, std::set<uint16_t>> taken;
   std::map<std::string, Keeper> keepers;
   std::set<uint16_t> all;
-  for (const Readback& row : readbacks()) {
+  for (const RecordedItem& row : recordedItems()) {
     if (row.type != PlanType::Mission || !row.isRead) continue;
     taken[row.vehicle].insert(row.command);
     keepers[row.vehicle] = row.keeper;
@@ -91,7 +92,7 @@ TEST_CASE("a command that a vehicle was recorded to take is not refused for it, 
 
 TEST_CASE("a command that was taken with a place is not sent without one") {
   unsigned places = 0;
-  for (const Readback& row : readbacks()) {
+  for (const RecordedItem& row : recordedItems()) {
     const bool isPlace = row.isRead && row.sent.frame != Frame::Mission && abs(row.read.x) > 65535;
     if (!isPlace) continue;
     ++places;

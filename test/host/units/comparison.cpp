@@ -1,4 +1,4 @@
-#include "mavmission/Comparison.h"
+#include "mavmission/plan/Comparison.h"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,10 @@
 #include <set>
 #include <string>
 
-#include "Readbacks.h"
+#include "RecordedItems.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -25,11 +26,11 @@ Keeper keeper(Firmware firmware, PlanType type = PlanType::Mission, uint8_t vehi
 }
 
 // The first field that does not mean what was sent, by the recording alone.
-Field lostIn(const Readback& row) {
+ItemField lostIn(const RecordedItem& row) {
   for (unsigned i = 0; i < kFourBytes; ++i) {
     if (!meansTheSame(row, i)) return fieldOf(i);
   }
-  return Field::None;
+  return ItemField::None;
 }
 
 // Fields of a row are altered until this says so, and the rest is passed over.
@@ -38,7 +39,7 @@ struct Wrong {
   uint32_t bits = 0;
   std::string vehicle;
 
-  void add(const Readback& row, unsigned index, uint32_t altered) {
+  void add(const RecordedItem& row, unsigned index, uint32_t altered) {
     if (count++ != 0) return;
     vehicle = row.vehicle;
     line = row.line;
@@ -55,9 +56,9 @@ bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits, Fram
   if (command == 5003) item.param1 = 10;
   item.frame = frame;
   setBits(item, index, bits);
-  const Field field = notKept(item, keeper);
-  CHECK((field == Field::None || field == fieldOf(index)));
-  return field == Field::None;
+  const ItemField field = notKept(item, keeper);
+  CHECK((field == ItemField::None || field == fieldOf(index)));
+  return field == ItemField::None;
 }
 
 uint32_t bitsOf(float number) {
@@ -74,10 +75,10 @@ MissionItem here() { return waypoint(Degrees::fromE7(1 << 28), Degrees::fromE7(1
 TEST_CASE("of a random item each autopilot's answer is what was sent, or names the field that lost its meaning") {
   unsigned same = 0, lost = 0;
   Wrong wrong;
-  for (const Readback& row : readbacks()) {
+  for (const RecordedItem& row : recordedItems()) {
     if (!row.isRead) continue;
-    const Field expected = lostIn(row);
-    (expected == Field::None ? same : lost) += 1;
+    const ItemField expected = lostIn(row);
+    (expected == ItemField::None ? same : lost) += 1;
     if (difference(row.sent, row.read, row.keeper) != expected) wrong.add(row, static_cast<unsigned>(expected), 0);
     // So it is known before it is sent.
     if (notKept(row.sent, row.keeper) != expected) wrong.add(row, static_cast<unsigned>(expected), 1);
@@ -93,8 +94,8 @@ TEST_CASE("of a random item each autopilot's answer is what was sent, or names t
 
 TEST_CASE("of a random item that came back right every other bit of every field is seen, and a 0") {
   Wrong wrong;
-  for (const Readback& row : readbacks()) {
-    if (!row.isRead || lostIn(row) != Field::None) continue;
+  for (const RecordedItem& row : recordedItems()) {
+    if (!row.isRead || lostIn(row) != ItemField::None) continue;
     for (unsigned index = 0; index < kFourBytes; ++index) {
       const uint32_t read = bitsOf(row.read, index), sent = bitsOf(row.sent, index);
       for (unsigned bit = 0; bit <= 32; ++bit) {
@@ -103,7 +104,7 @@ TEST_CASE("of a random item that came back right every other bit of every field 
         const bool isSent = bitsOf(altered, index) == sent || bitsOf(altered, index) == read;
         const bool isNoNumber =
             index == 3 && std::isnan(numberOf(row.sent, index)) && std::isnan(numberOf(altered, index));
-        const Field expected = isSent || isNoNumber ? Field::None : fieldOf(index);
+        const ItemField expected = isSent || isNoNumber ? ItemField::None : fieldOf(index);
         if (difference(row.sent, altered, row.keeper) != expected) wrong.add(row, index, bitsOf(altered, index));
       }
     }
@@ -118,12 +119,12 @@ TEST_CASE("of a random item that came back right every other bit of every field 
 TEST_CASE("a field that the vehicle drops may come back as it was sent, whatever it was") {
   // Another version may keep it. Only where the number itself is allowed.
   Wrong wrong;
-  for (const Readback& row : readbacks()) {
-    if (!row.isRead || lostIn(row) != Field::None) continue;
+  for (const RecordedItem& row : recordedItems()) {
+    if (!row.isRead || lostIn(row) != ItemField::None) continue;
     MissionItem whole = row.sent;
     whole.frame = row.read.frame;
     whole.autocontinue = row.read.autocontinue;
-    if (difference(row.sent, whole, row.keeper) != Field::None) wrong.add(row, 0, 0);
+    if (difference(row.sent, whole, row.keeper) != ItemField::None) wrong.add(row, 0, 0);
   }
   CAPTURE(wrong.vehicle);
   CAPTURE(wrong.line);
@@ -133,32 +134,32 @@ TEST_CASE("a field that the vehicle drops may come back as it was sent, whatever
 TEST_CASE("of several differences the first in the order of the message is told") {
   const MissionItem sent = here();
   MissionItem read = sent;
-  CHECK((difference(sent, read, 0) == Field::None));
+  CHECK((difference(sent, read, 0) == ItemField::None));
   read.autocontinue = 0;
-  CHECK((difference(sent, read, 0) == Field::Autocontinue));
+  CHECK((difference(sent, read, 0) == ItemField::Autocontinue));
   read.z = 7;
-  CHECK((difference(sent, read, 0) == Field::Height));
+  CHECK((difference(sent, read, 0) == ItemField::Height));
   read.y = 7;
-  CHECK((difference(sent, read, 0) == Field::Longitude));
+  CHECK((difference(sent, read, 0) == ItemField::Longitude));
   read.x = 7;
-  CHECK((difference(sent, read, 0) == Field::Latitude));
+  CHECK((difference(sent, read, 0) == ItemField::Latitude));
   read.param4 = 7;
-  CHECK((difference(sent, read, 0) == Field::Param4));
+  CHECK((difference(sent, read, 0) == ItemField::Param4));
   read.param3 = 7;
-  CHECK((difference(sent, read, 0) == Field::Param3));
+  CHECK((difference(sent, read, 0) == ItemField::Param3));
   read.param2 = 7;
-  CHECK((difference(sent, read, 0) == Field::Param2));
+  CHECK((difference(sent, read, 0) == ItemField::Param2));
   read.param1 = 7;
-  CHECK((difference(sent, read, 0) == Field::Param1));
+  CHECK((difference(sent, read, 0) == ItemField::Param1));
   read.frame = Frame::Global;
-  CHECK((difference(sent, read, 0) == Field::Reference));
+  CHECK((difference(sent, read, 0) == ItemField::Reference));
   read.command = 17;
-  CHECK((difference(sent, read, 0) == Field::Command));
+  CHECK((difference(sent, read, 0) == ItemField::Command));
 }
 
 TEST_CASE("an autopilot that is neither keeps every field of every command as it was sent") {
   std::set<uint16_t> commands;
-  for (const Readback& row : readbacks()) commands.insert(row.sent.command);
+  for (const RecordedItem& row : recordedItems()) commands.insert(row.sent.command);
   CHECK(commands.size() > 60);
   for (const uint16_t command : commands) {
     for (const PlanType type : kTypes) {
@@ -169,7 +170,7 @@ TEST_CASE("an autopilot that is neither keeps every field of every command as it
         setBits(sent, index, isInteger(index) ? 7 : 0x429B3333);  // 77.6
         MissionItem read = sent;
         CAPTURE(command);
-        CHECK((difference(sent, read, keeper(Firmware::Other, type)) == Field::None));
+        CHECK((difference(sent, read, keeper(Firmware::Other, type)) == ItemField::None));
         setBits(read, index, 0);
         CHECK((difference(sent, read, keeper(Firmware::Other, type)) == fieldOf(index)));
       }
@@ -182,21 +183,21 @@ TEST_CASE("a NaN that was sent may come back as any NaN, and only as a yaw") {
   for (const Firmware firmware : {Firmware::Px4, Firmware::Other}) {
     MissionItem sent = here(), read = sent;
     setBits(read, 3, 0xFFC12345);
-    CHECK((difference(sent, read, keeper(firmware)) == Field::None));
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::None));
     sent.param1 = kNaN;
     read = sent;
     setBits(read, 0, 0xFFC12345);
-    CHECK((difference(sent, read, keeper(firmware)) == Field::Param1));
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param1));
     sent = here();
     read = sent;
     read.param4 = 0;
-    CHECK((difference(sent, read, keeper(firmware)) == Field::Param4));
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param4));
     read.param4 = kNaN;
     sent.param4 = 0;
-    CHECK((difference(sent, read, keeper(firmware)) == Field::Param4));
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param4));
     read.param4 = std::numeric_limits<float>::infinity();
     sent.param4 = kNaN;
-    CHECK((difference(sent, read, keeper(firmware)) == Field::Param4));
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param4));
   }
 }
 
@@ -206,11 +207,11 @@ TEST_CASE("coordinates are compared as the integers that they are") {
     MissionItem zero = sent, lowest = sent;
     zero.x = 0;
     lowest.x = std::numeric_limits<int32_t>::min();  // as a float it would be -0
-    CHECK((difference(zero, lowest, keeper(firmware)) == Field::Latitude));
+    CHECK((difference(zero, lowest, keeper(firmware)) == ItemField::Latitude));
     zero.x = lowest.x = sent.x;
     zero.y = 0;
     lowest.y = std::numeric_limits<int32_t>::min();
-    CHECK((difference(zero, lowest, keeper(firmware)) == Field::Longitude));
+    CHECK((difference(zero, lowest, keeper(firmware)) == ItemField::Longitude));
   }
 }
 
@@ -223,7 +224,7 @@ TEST_CASE("autocontinue may be 1 in a mission from ArduPilot, is of no account i
           sent.autocontinue = was;
           read.autocontinue = is;
           const bool isRight = type != PlanType::Mission || is == was || (firmware == Firmware::ArduPilot && is == 1);
-          const Field expected = isRight ? Field::None : Field::Autocontinue;
+          const ItemField expected = isRight ? ItemField::None : ItemField::Autocontinue;
           CHECK((difference(sent, read, keeper(firmware, type)) == expected));
         }
       }
@@ -260,7 +261,8 @@ TEST_CASE("a frame may come back by its other number, or as Global where there i
             CAPTURE(static_cast<int>(type));
             CAPTURE(static_cast<int>(was));
             CAPTURE(static_cast<int>(is));
-            CHECK((difference(sent, read, keeper(firmware, type)) == (isRight ? Field::None : Field::Reference)));
+            CHECK(
+                (difference(sent, read, keeper(firmware, type)) == (isRight ? ItemField::None : ItemField::Reference)));
           }
         }
       }
@@ -275,7 +277,7 @@ TEST_CASE("ArduPilot keeps no height of a fence and only whole metres of rally p
     MissionItem read = sent;
     read.z = height;
     const bool isSame = height == 30.5f;
-    const auto expected = [](bool isRight) { return isRight ? Field::None : Field::Height; };
+    const auto expected = [](bool isRight) { return isRight ? ItemField::None : ItemField::Height; };
     CAPTURE(height);
     CHECK((difference(sent, read, keeper(Firmware::ArduPilot, PlanType::Fence)) == expected(isSame || height == 0)));
     CHECK((difference(sent, read, keeper(Firmware::Px4, PlanType::Fence)) == expected(isSame)));
@@ -285,8 +287,8 @@ TEST_CASE("ArduPilot keeps no height of a fence and only whole metres of rally p
     CHECK((difference(point, read, keeper(Firmware::Px4, PlanType::Rally)) == expected(height == 30)));
   }
   point.z = 30.5f;
-  CHECK((notKept(point, keeper(Firmware::ArduPilot, PlanType::Rally)) == Field::Height));
-  CHECK((notKept(point, keeper(Firmware::Px4, PlanType::Rally)) == Field::None));
+  CHECK((notKept(point, keeper(Firmware::ArduPilot, PlanType::Rally)) == ItemField::Height));
+  CHECK((notKept(point, keeper(Firmware::Px4, PlanType::Rally)) == ItemField::None));
 }
 
 TEST_CASE("each kind of whole number is kept up to its limits, and not beyond") {
@@ -316,8 +318,8 @@ TEST_CASE("-0 is kept as 0 where a whole number is") {
   sent.param1 = -0.f;
   read = sent;
   read.param1 = 0;
-  CHECK((difference(sent, read, kCopter) == Field::None));
-  CHECK((difference(read, sent, kCopter) == Field::Param1));
+  CHECK((difference(sent, read, kCopter) == ItemField::None));
+  CHECK((difference(read, sent, kCopter) == ItemField::Param1));
 }
 
 TEST_CASE("x and y of a command without a place are whole numbers on ArduPilot, where it uses them") {
@@ -357,7 +359,7 @@ TEST_CASE(
     for (uint32_t steps = 0; steps < 8500; ++steps) {
       const double above = std::fmod(steps * static_cast<double>(metres) / (1 << 23), 1);
       setBits(circle, 0, bits + steps);
-      if ((notKept(circle, kFence) == Field::None) != (above == 0 || above > 0.001)) ++wrong;
+      if ((notKept(circle, kFence) == ItemField::None) != (above == 0 || above > 0.001)) ++wrong;
     }
     CAPTURE(metres);
     CHECK(wrong == 0);
@@ -412,7 +414,7 @@ TEST_CASE("every number of a command that is not in the table is kept as it is, 
         sent.param4 = 0;
         setBits(sent, index, bitsOf(77.6f));
         MissionItem read = sent;
-        CHECK((difference(sent, read, keeper) == Field::None));
+        CHECK((difference(sent, read, keeper) == ItemField::None));
         setBits(read, index, 0);
         CHECK((difference(sent, read, keeper) == fieldOf(index)));
       }
@@ -427,7 +429,7 @@ TEST_CASE("an altitude of a command that is not in the table comes back in centi
   sent.z = 20.125f;
   MissionItem read = sent;
   read.z = 20.1199989f;
-  CHECK((difference(sent, read, keeper(Firmware::ArduPilot)) == Field::None));
-  CHECK((difference(sent, read, keeper(Firmware::Px4)) == Field::Height));
-  CHECK((difference(sent, read, keeper(Firmware::Other)) == Field::Height));
+  CHECK((difference(sent, read, keeper(Firmware::ArduPilot)) == ItemField::None));
+  CHECK((difference(sent, read, keeper(Firmware::Px4)) == ItemField::Height));
+  CHECK((difference(sent, read, keeper(Firmware::Other)) == ItemField::Height));
 }

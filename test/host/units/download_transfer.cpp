@@ -1,4 +1,4 @@
-#include "mavmission/DownloadTransfer.h"
+#include "mavmission/transfer/DownloadTransfer.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

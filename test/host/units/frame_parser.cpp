@@ -7,9 +7,9 @@
 #include "Frames.h"
 #include "MemoryStream.h"
 
-using mavmission::FrameParser;
 using mavmission::MessageKey;
-using mavmission::MoreKeys;
+using mavmission::detail::FrameParser;
+using mavmission::detail::MoreKeys;
 using Result = FrameParser::Result;
 
 namespace {

@@ -7,15 +7,16 @@
 #include <limits>
 #include <string>
 
-#include "Readbacks.h"
+#include "RecordedItems.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
 // Not foretold, because it is not the same everywhere: a negative number for an unsigned one, a number beyond 2^31, a
 // heading beyond the turn, where PX4's own loop ends.
-bool isUnforeseeable(const Readback& row, unsigned index) {
+bool isUnforeseeable(const RecordedItem& row, unsigned index) {
   const double sent = numberOf(row.sent, index);
   return sent < 0 || std::fabs(sent) >= 2147483648.0 || (row.isPx4() && std::fabs(sent) > 180);
 }
@@ -43,12 +44,12 @@ struct Case {
 TEST_CASE("what a random value that is not kept became is foretold, to the bit, or not known where it depends") {
   unsigned told = 0, unknown = 0, wrong = 0, line = 0;
   std::string vehicle;
-  for (const Readback& row : readbacks()) {
+  for (const RecordedItem& row : recordedItems()) {
     if (!row.isRead) continue;
-    const Field field = notKept(row.sent, row.keeper);
-    const unsigned index = static_cast<unsigned>(field) - static_cast<unsigned>(Field::Param1);
+    const ItemField field = notKept(row.sent, row.keeper);
+    const unsigned index = static_cast<unsigned>(field) - static_cast<unsigned>(ItemField::Param1);
     // A NaN is refused for itself.
-    if (field == Field::None || std::isnan(numberOf(row.sent, index))) continue;
+    if (field == ItemField::None || std::isnan(numberOf(row.sent, index))) continue;
     const float foretold = keptValue(row.sent, field, row.keeper);
     const bool isKnown = !std::isnan(foretold);
     (isKnown ? told : unknown) += 1;
@@ -163,7 +164,7 @@ TEST_CASE("what becomes of numbers at the limits of an integer, of a range and o
 TEST_CASE("a negative circle however small is not known") {
   MissionItem circle = fenceInsideCircle(1_deg, 1_deg, 20_m);
   setBits(circle, 0, 0x80000001);
-  CHECK(std::isnan(keptValue(circle, Field::Param1, kByArduPilot | kOfFence)));
+  CHECK(std::isnan(keptValue(circle, ItemField::Param1, kByArduPilot | kOfFence)));
 }
 
 TEST_CASE("integers beyond what a float holds are foretold as it rounds them, and 2^31 is not known") {
@@ -184,7 +185,7 @@ TEST_CASE("integers beyond what a float holds are foretold as it rounds them, an
   for (const auto& one : kCases) {
     MissionItem item = anyCommand(kNavReturnToLaunch);
     item.x = one.sent;
-    const double kept = static_cast<double>(keptValue(item, Field::Latitude, kByPx4));
+    const double kept = static_cast<double>(keptValue(item, ItemField::Latitude, kByPx4));
     CAPTURE(one.sent);
     CAPTURE(kept);
     CHECK((std::isnan(one.kept) ? std::isnan(kept) : kept == one.kept));
@@ -193,7 +194,8 @@ TEST_CASE("integers beyond what a float holds are foretold as it rounds them, an
 
 TEST_CASE("what is no number of an item has no kept value") {
   const MissionItem item = anyCommand(kNavReturnToLaunch);
-  for (const Field field : {Field::None, Field::Count, Field::Command, Field::Reference, Field::Autocontinue}) {
+  for (const ItemField field :
+       {ItemField::None, ItemField::Count, ItemField::Command, ItemField::Reference, ItemField::Autocontinue}) {
     for (const Keeper keeper : {kCopter, Keeper(kByPx4), Keeper(0)}) CHECK(std::isnan(keptValue(item, field, keeper)));
   }
 }
