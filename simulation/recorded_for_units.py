@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import struct
 from pathlib import Path
+from typing import Any
 
 from simulation import recordings
 
@@ -16,7 +17,7 @@ def packed() -> bytes:
     """
     uploads = []
     for name in recordings.names():
-        items = {}
+        items: dict[int, Any] = {}
         for one in recordings.heard(name) if name.startswith("px4/") else ():
             message, kind = one.message, one.message.get_type()
             if kind == "MISSION_COUNT" and one.direction == ">":

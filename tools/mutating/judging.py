@@ -160,7 +160,9 @@ class Remembered:
     def __init__(self, question: str, program: Program, mutant: Mutant) -> None:
         key = digest(question, program.digest, str(mutant.path), mutant.text)
         self.file = RESULTS / key[:2] / key[2:18]
-        self.outcome, self.reason = json.loads(self.file.read_text()) if self.file.exists() else ("", "")
+        self.outcome, self.reason = "", ""
+        if self.file.exists():
+            self.outcome, self.reason = json.loads(self.file.read_text())
 
     def keep(self, outcome: str, reason: str) -> None:
         self.outcome, self.reason = outcome, reason

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 
 from tree_sitter import Node
 
-from .syntax import Change, bare, replaced, text_of, walk
+from .syntax import Change, above, bare, field, replaced, text_of, walk
 
 NEGATED = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 MOVED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
@@ -49,13 +49,14 @@ def conditions_negated(source: Node) -> Iterator[Change]:
     for node in walk(source):
         for condition, is_whole in logical_parts(node):
             part = bare(condition)
-            operator = part.child_by_field_name("operator")
-            if part.type == "binary_expression" and text_of(operator) in NEGATED:
+            joint = part.child_by_field_name("operator")
+            sign = text_of(joint) if joint is not None else ""
+            if part.type == "binary_expression" and sign in NEGATED:
                 continue  # done above
-            if part.type == "binary_expression" and text_of(operator) in JOINED and not is_whole:
+            if part.type == "binary_expression" and sign in JOINED and not is_whole:
                 continue  # its own parts are negated
-            if part.type == "unary_expression" and text_of(operator) == "!":
-                yield replaced(part, text_of(part.child_by_field_name("argument")))
+            if part.type == "unary_expression" and sign == "!":
+                yield replaced(part, text_of(field(part, "argument")))
             elif part.type not in ("true", "false", "number_literal", "declaration"):
                 yield replaced(part, f"!({text_of(part)})")
 
@@ -66,10 +67,10 @@ def logical_parts(node: Node) -> Iterator[tuple[Node, bool]]:
         condition = node.child_by_field_name("condition")
         if condition is not None and is_executed(condition):
             yield condition, True
-    elif node.type == "binary_expression" and text_of(node.child_by_field_name("operator")) in JOINED:
+    elif node.type == "binary_expression" and text_of(field(node, "operator")) in JOINED:
         for side in ("left", "right"):
             if is_executed(node):
-                yield node.child_by_field_name(side), False
+                yield field(node, side), False
 
 
 def boundaries_moved(source: Node) -> Iterator[Change]:
@@ -113,25 +114,25 @@ def enumerators_exchanged(source: Node) -> Iterator[Change]:
 
 
 def is_enumerator(node: Node) -> bool:
-    if node.type != "qualified_identifier" or node.parent.type == "qualified_identifier":
+    if node.type != "qualified_identifier" or above(node).type == "qualified_identifier":
         return False
-    if node.parent.type in ("function_declarator", "call_expression") and node.parent.named_children[0] == node:
+    if above(node).type in ("function_declarator", "call_expression") and above(node).named_children[0] == node:
         return False
-    last = node.child_by_field_name("name")
+    last = field(node, "name")
     while last.type == "qualified_identifier":
-        last = last.child_by_field_name("name")
+        last = field(last, "name")
     return last.type == "identifier" and bool(ENUMERATOR.fullmatch("::".join(text_of(node).split("::")[-2:])))
 
 
 def is_label(node: Node) -> bool:
     """Of a case: another would be there twice, or turn two cases round."""
-    return node.parent.type == "case_statement" and node.parent.child_by_field_name("value") == node
+    return above(node).type == "case_statement" and above(node).child_by_field_name("value") == node
 
 
 def plain_enums(source: Node) -> list[list[str]]:
     """The names that each enum without scope has."""
     return [
-        [text_of(one.child_by_field_name("name")) for one in walk(node) if one.type == "enumerator"]
+        [text_of(field(one, "name")) for one in walk(node) if one.type == "enumerator"]
         for node in walk(source)
         if node.type == "enum_specifier" and not any(child.type == "class" for child in node.children)
     ]

@@ -98,7 +98,7 @@ class Program:
         """
         own = [mutated.get(source, made) for source, made in self.objects.items() if LIBRARY not in source.parents]
         changed = [made for source, made in mutated.items() if LIBRARY in source.parents]
-        words = [COMPILER, *self.flags, *options, "-o", output, *own, *changed, self.archive]
+        words: list[str | Path] = [COMPILER, *self.flags, *options, "-o", output, *own, *changed, self.archive]
         linked = subprocess.run([*NICE, *words], capture_output=True, text=True, check=False)
         if linked.returncode != 0:
             raise host_build.HostProgramNotBuilt(f"{self.name}: {linked.stderr}")
@@ -149,7 +149,7 @@ class Program:
 
 
 def run(program: Path, words: str, limit_s: int) -> Run:
-    limited = [*NICE, "prlimit", f"--cpu={limit_s}", "--core=0", program, *words.split()]
+    limited: list[str | Path] = [*NICE, "prlimit", f"--cpu={limit_s}", "--core=0", program, *words.split()]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
         ran = subprocess.run(limited, capture_output=True, text=True, errors="replace", env=places(),

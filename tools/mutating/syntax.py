@@ -34,7 +34,7 @@ def parsed(text: bytes) -> Node:
     for node in walk(tree.root_node):
         # (An enum whose names come from a macro has nothing to be mutated.)
         if (node.type == "ERROR" or node.is_missing) and not is_in_enum(node):
-            raise NotUnderstood(f"line {node.start_point.row + 1}: {node.text.decode()[:80]}")
+            raise NotUnderstood(f"line {node.start_point.row + 1}: {text_of(node)[:80]}")
     return tree.root_node
 
 
@@ -54,7 +54,20 @@ def replaced(node: Node, text: str | bytes) -> Change:
 
 
 def text_of(node: Node) -> str:
-    return node.text.decode()
+    return (node.text or b"").decode()
+
+
+def field(node: Node, name: str) -> Node:
+    """A part that the grammar says is there."""
+    found = node.child_by_field_name(name)
+    assert found is not None, f"{node.type} without {name}"
+    return found
+
+
+def above(node: Node) -> Node:
+    """Of a node that is not the whole source."""
+    assert node.parent is not None
+    return node.parent
 
 
 def bare(node: Node) -> Node:
