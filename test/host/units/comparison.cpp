@@ -19,7 +19,7 @@ namespace {
 
 const PlanType kTypes[] = {PlanType::Mission, PlanType::Fence, PlanType::Rally};
 const Firmware kFirmwares[] = {Firmware::ArduPilot, Firmware::Px4, Firmware::Other};
-constexpr uint8_t kCopterType = 2, kPlaneType = 1;  // HEARTBEAT.type
+constexpr uint8_t kCopterType = 2;  // HEARTBEAT.type
 
 Keeper keeper(Firmware firmware, PlanType type = PlanType::Mission, uint8_t vehicle = kCopterType) {
   return keeperOf(firmware, vehicle, type);
