@@ -6,7 +6,6 @@ namespace detail {
 void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs) {
   *this = UploadTransfer();  // all zero: Counting, nothing asked for
   progressMs_ = nowMs;
-  sentMs_ = nowMs;
   behind_ = count;
   send_ = Send::Count;
   suspicion_ = Status::Transferring;
@@ -26,13 +25,12 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
-  } else if (answered_ && item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
+  } else if (item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
     return Status::Transferring;
   } else {
     repeated_ = true;
   }
   item_ = item;
-  answered_ = false;
   send_ = Send::Item;
   return Status::Transferring;
 }
@@ -151,7 +149,6 @@ void UploadTransfer::sent(uint16_t nowMs) {
         state_ = State::Confirming;
         suspicion_ = Status::Transferring;
       }
-      answered_ = true;
       sentMs_ = nowMs;
       send_ = Send::Nothing;
       break;

@@ -90,7 +90,6 @@ class UploadTransfer {
   bool recounted_;  // COUNT was sent more than once
   bool freed_;      // an open transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
-  bool answered_;   // item_ has been sent at least once
 };
 
 }  // namespace detail
