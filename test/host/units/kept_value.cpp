@@ -193,7 +193,7 @@ TEST_CASE("integers beyond what a float holds are foretold as it rounds them, an
 }
 
 TEST_CASE("what is no number of an item has no kept value") {
-  const MissionItem item = anyCommand(kNavReturnToLaunch);
+  const MissionItem item = land();
   for (const ItemField field :
        {ItemField::None, ItemField::Count, ItemField::Command, ItemField::Reference, ItemField::Autocontinue}) {
     for (const Keeper keeper : {kCopter, Keeper(kByPx4), Keeper(0)}) CHECK(std::isnan(keptValue(item, field, keeper)));
