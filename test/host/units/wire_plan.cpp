@@ -446,3 +446,45 @@ TEST_CASE("no item beyond the plan is looked at for a place") {
   CHECK((status == Status::NeedsCoordinates));
   CHECK_FALSE(beyond);
 }
+
+TEST_CASE("home is item 0 of the smallest plan too, above sea level, and is gone on from") {
+  Plan plan({kHere}, Firmware::ArduPilot);
+  CHECK(plan.wire.wireCount() == 2);
+  MissionItem item;
+  memset(static_cast<void*>(&item), 0xFF, sizeof(item));
+  REQUIRE((plan.read(0, item) == Status::Accepted));
+  CHECK((item.frame == Frame::Global));
+  CHECK(item.autocontinue == 1);
+}
+
+TEST_CASE("home is no item to jump to, where the sketch's own numbers count it") {
+  CHECK((check(anyCommand(kDoJump, 0, 3), Firmware::ArduPilot, true) == Status::BadJump));
+  CHECK((check(anyCommand(kDoJump, 0, 3), Firmware::Px4, true) == Status::Accepted));
+}
+
+TEST_CASE("each frame of a place above sea level or above home is taken by both") {
+  for (const Frame frame : {Frame::Global, Frame::GlobalRelative, Frame::GlobalInt, Frame::GlobalRelativeInt}) {
+    MissionItem item = kHere;
+    item.frame = frame;
+    for (const Firmware firmware : kAll) CHECK((check(item, firmware) == Status::Accepted));
+  }
+}
+
+TEST_CASE("a region of interest goes to PX4 by its newer number, and nothing else does") {
+  for (const uint16_t command : {79, 80, 81}) {
+    MissionItem item;
+    Plan plan({anyCommandAt(command, 1_deg, 1_deg, 20_m)}, Firmware::Px4);
+    REQUIRE((plan.read(0, item) == Status::Accepted));
+    CHECK(item.command == (command == 80 ? 201 : command));
+  }
+}
+
+TEST_CASE("of two places the nearer one is taken, and again when it is asked for again") {
+  Plan plan({at(10, 20), changeSpeed(5_mps), changeSpeed(5_mps), takeoff(9_m), changeSpeed(5_mps), at(30, 40)},
+            Firmware::Px4);
+  for (int times = 0; times < 2; ++times) {
+    MissionItem item;
+    REQUIRE((plan.read(3, item) == Status::Accepted));
+    CHECK(item.x == 30);
+  }
+}
