@@ -4,8 +4,8 @@
 #include <stdint.h>
 #include <string.h>
 
-#if defined(__AVR__) || defined(ARDUINO)
-#include <avr/pgmspace.h>
+#ifdef ARDUINO
+#include <Arduino.h>  // flash as the board's core has it, and which namespace its classes are in
 #endif
 
 #ifndef PROGMEM
@@ -17,7 +17,6 @@
 #endif
 
 #ifdef ARDUINO
-class __FlashStringHelper;
 namespace mavmission {
 typedef const __FlashStringHelper* FlashText;  // what Serial.print() takes as text in flash
 }

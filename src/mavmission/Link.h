@@ -1,6 +1,7 @@
 // Frames over a Stream: who we are, whom we talk to, heartbeats, counters.
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 
 #include "AutopilotFinder.h"
@@ -10,8 +11,6 @@
 #if MAVMISSION_SIGNING
 #include "Signing.h"
 #endif
-
-class Stream;
 
 namespace mavmission {
 

@@ -1,6 +1,7 @@
 // One outgoing frame, handed to the stream as fast as the stream takes it, never faster.
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 
 #include "Config.h"
@@ -9,8 +10,6 @@
 #if MAVMISSION_SIGNING
 #include "Signing.h"
 #endif
-
-class Stream;
 
 namespace mavmission {
 

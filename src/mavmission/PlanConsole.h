@@ -19,14 +19,13 @@
 // that comes too fast is refused.
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 
 #include "EepromPlan.h"
 #include "Flash.h"
 #include "MissionClient.h"
 #include "WaypointsText.h"
-
-class HardwareSerial;
 
 namespace mavmission {
 

@@ -1,0 +1,143 @@
+"""The whole client as a 32-bit processor runs it: on a Cortex-M0 that QEMU emulates, with the core of the tests.
+
+The processor faults on a word that is not aligned; its char has no sign, its int has 32 bits, its double 64.
+"""
+
+from __future__ import annotations
+
+import subprocess
+
+import pytest
+from cortex_m0_service import CortexM0Service
+from firmware import ROOT
+from microbit import HZ, BoardFailed, Microbit, build_cortex_m0
+from plans import SURVEY, on_the_wire, waypoint
+from service import FENCE
+from test_download import WRITTEN, loaded, same
+from test_fence_and_rally import FIELD
+from test_start import HOPS
+from wire import DIRECTIONS, Wire
+
+SOURCES = ROOT / "test" / "cortex_m0"
+
+
+@pytest.fixture
+def build_m0(request):
+    """Makes a CortexM0Service whose transcript is shown when the test fails."""
+    from bench_fixtures import BENCHES
+
+    made: list[CortexM0Service] = []
+
+    def build(*arguments, **options) -> CortexM0Service:
+        service = CortexM0Service(*arguments, **options)
+        made.append(service)
+        request.node.stash.setdefault(BENCHES, []).append(service)
+        return service
+
+    yield build
+    for service in made:
+        service.mega.close()
+
+
+@pytest.fixture
+def m0(build_m0, personality):
+    return build_m0(personality)
+
+
+# The emulator
+
+
+def read_at(offset: int) -> bytes:
+    """What a program prints that reads a word there."""
+    board = Microbit(build_cortex_m0("unaligned", [SOURCES / "unaligned.cpp"], {"OFFSET": offset}))
+    board.run_until(HZ // 10)
+    board.close()
+    return board.serial(0).sent_bytes()
+
+
+def test_word_that_is_not_aligned_ends_the_program():
+    assert read_at(0) == b"67305985\r\n"
+    with pytest.raises(BoardFailed, match="could not go on"):
+        read_at(1)
+
+
+def test_run_is_the_same_each_time(build_m0):
+    lines = []
+    for _ in range(2):
+        service = build_m0("ArduPilot")
+        service.upload(SURVEY, proof="Always")
+        service.done()
+        lines.append(service.wire.transcript())
+    assert lines[0] == lines[1]
+
+
+def test_program_has_no_heap():
+    elf = build_cortex_m0("service", [ROOT / "test/firmware/service.cpp"], {"BENCH_BAUD": 57600, "BENCH_DIRECT": True})
+    names = subprocess.run(["arm-none-eabi-nm", elf], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"malloc", "_malloc_r", "free", "_sbrk", "_Znwj", "_ZdlPv"} & set(names)
+
+
+# The client
+
+
+def test_plan_is_uploaded_and_read_back_to_the_bit(m0):
+    m0.upload(SURVEY, proof="Always")
+    assert m0.done() == "Accepted"
+    assert m0.autopilot.received() == on_the_wire(SURVEY, m0.personality)
+    assert m0.state.aboard == "OurPlan"
+    assert (m0.blocked(), m0.lost()) == (0, 0)
+
+
+def test_long_plan_is_verified(m0):
+    plan = [waypoint(473977420 + n, 85455970 - 3 * n, n + 0.125) for n in range(60)]
+    m0.upload(plan)
+    assert m0.done(limit_s=20) == "Accepted"
+    m0.verify()
+    assert m0.done(limit_s=20) == "Verified"
+
+
+def test_difference_is_found_by_its_item_and_field(m0):
+    m0.upload(SURVEY)
+    assert m0.done() == "Accepted"
+    other = [*SURVEY[:2], SURVEY[2]._replace(y=SURVEY[2].y + 1), *SURVEY[3:]]
+    m0.verify(other)
+    assert m0.done() == "Differs"
+    assert (m0.state.failed_item, m0.state.field) == (2, "Longitude")
+
+
+def test_plan_that_is_aboard_is_downloaded(m0):
+    loaded(m0, WRITTEN)
+    m0.download()
+    assert m0.done() == "Downloaded"
+    assert m0.state.total == 8
+    assert same(m0.sink(8), WRITTEN)
+
+
+def test_fence_is_uploaded(m0):
+    m0.upload(FIELD, FENCE)
+    assert m0.done() == "Accepted"
+
+
+def test_mission_is_started_and_followed(m0):
+    m0.upload(HOPS[m0.personality], proof="Always")
+    assert m0.done(limit_s=20) == "Accepted"
+    m0.order_of("start")
+    assert m0.done(limit_s=20) == "Done"
+    assert m0.autopilot.armed
+    m0.run(10)
+    assert m0.reached[:1] == [0]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_upload_with_a_fifth_of_the_frames_lost_ends_as_it_is(build_m0, personality, seed):
+    wire = Wire(seed)
+    for direction in DIRECTIONS:
+        wire.at_random(direction, lose=20)
+    m0 = build_m0(personality, wire=wire)
+    m0.upload(SURVEY, proof="Always")
+    ended = m0.done(limit_s=130)
+    is_aboard = m0.autopilot.received() == on_the_wire(SURVEY, m0.personality)
+    assert ended == "Accepted" or not is_aboard or ended in ("Unconfirmed", "TimedOut", "NoAnswer")
+    if ended == "Accepted":
+        assert is_aboard
+    assert m0.blocked() == 0
