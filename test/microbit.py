@@ -18,7 +18,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import firmware
-from firmware import LIBRARY, ROOT, defined, digest, exclusive, headers_digest, library_sources
+from firmware import LIBRARY, ROOT, defined, digest, exclusive, headers_digest, library_names, library_sources
 from mega.serial import Sent
 
 OUTPUT = ROOT / "build" / "cortex_m0"
@@ -47,10 +47,12 @@ def build_cortex_m0(
     include_dirs: Iterable[str | Path] = (),
 ) -> Path:
     """The ELF of `sources`, which define setup() and loop(), with the library. Warnings are errors."""
-    more = defined(defines or {})
     places = [CORE, LIBRARY, *(Path(folder) for folder in include_dirs)]
-    units = [*map(Path, sources), *library_sources(), *sorted(CORE.glob("*.cpp"))]
-    objects = [cortex_m0_object(unit, [STANDARD, *more], places) for unit in units]
+    more = [STANDARD, *defined(defines or {})]
+    # The library's objects are the same for all that it does not name.
+    its_own = [STANDARD, *defined({name: value for name, value in (defines or {}).items() if library_names(name)})]
+    objects = [cortex_m0_object(unit, its_own, places) for unit in library_sources()]
+    objects += [cortex_m0_object(Path(unit), more, places) for unit in (*sources, *sorted(CORE.glob("*.cpp")))]
     key = digest("elf", *LINK, (CORE / "microbit.ld").read_bytes(), *map(str, objects))
     elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
     with exclusive(elf):

@@ -89,6 +89,9 @@ class Outbox {
   uint16_t stuckMs_;  // since when the stream takes nothing
   bool stuck_;
   bool blind_;  // the stream does not say what it takes
+#ifndef __AVR__
+  bool hasSaid_;  // it has said so once: when it says that it takes nothing, that is so, as with flow control
+#endif
   bool held_;
 #if MAVMISSION_SIGNING
   bool signs_;
