@@ -10,8 +10,8 @@ import subprocess
 import pytest
 from bench import same_bits
 from cortex_m0_service import CortexM0Service
-from firmware import ROOT
-from microbit import HZ, BoardFailed, Microbit, build_cortex_m0
+from firmware import LIBRARY, ROOT, FirmwareNotBuilt, library_sources
+from microbit import CORE, HZ, BoardFailed, Microbit, build_cortex_m0, cortex_m0_object
 from plans import SURVEY, on_the_wire, waypoint
 from service import FENCE
 from test_download import WRITTEN, loaded, same
@@ -170,3 +170,46 @@ def test_upload_at_the_rates_of_fast_boards_loses_no_byte(build_m0, personality,
     assert m0.done(limit_s=30) == "Accepted"
     assert (m0.blocked(), m0.lost()) == (0, 0)
     assert m0.counters["bad"] == m0.counters["skipped"] == 0
+
+
+# Everything compiles
+
+
+EXAMPLES = sorted(folder.name for folder in (ROOT / "examples").iterdir() if folder.is_dir())
+STANDARDS = ["gnu++11", "gnu++17", "gnu++20"]  # what the cores of today choose: AVR, Uno R4 and Pico, ESP32
+
+
+@pytest.mark.parametrize(
+    "standard", [STANDARDS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in STANDARDS[1:])]
+)
+def test_library_compiles_without_a_warning(standard):
+    for signing in (0, 1):
+        for unit in library_sources():
+            cortex_m0_object(unit, [f"-std={standard}", f"-DMAVMISSION_SIGNING={signing}"], [CORE, LIBRARY])
+
+
+@pytest.mark.parametrize("standard", [STANDARDS[0], STANDARDS[-1]])
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_example_compiles_without_a_warning(example, standard, tmp_path):
+    sketch = ROOT / "examples" / example / f"{example}.ino"
+    source = tmp_path / f"{example}.cpp"
+    source.write_text(f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}')
+    cortex_m0_object(source, [f"-std={standard}"], [CORE, LIBRARY])
+
+
+WITHOUT_EEPROM = {
+    "EepromPlan plan;": "EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024))",
+    "EepromTimestamps timestamps(0);": "EepromTimestamps timestamps(MAVMISSION_EEPROM(EEPROM, 512), 0)",
+}
+
+
+@pytest.mark.parametrize("line", WITHOUT_EEPROM)
+def test_board_without_an_eeprom_says_so_in_words_when_it_compiles(line, tmp_path):
+    source = tmp_path / "sketch.cpp"
+    head = "#include <Arduino.h>\n#include <EEPROM.h>\n#include <MavMission.h>\nusing namespace mavmission;\n"
+    source.write_text(head + line)
+    with pytest.raises(FirmwareNotBuilt, match="this board has no EEPROM of its own: say what keeps the bytes") as said:
+        cortex_m0_object(source, ["-std=gnu++11"], [CORE, LIBRARY])
+    assert WITHOUT_EEPROM[line] in str(said.value)
+    source.write_text(head + WITHOUT_EEPROM[line] + ";")
+    cortex_m0_object(source, ["-std=gnu++11"], [CORE, LIBRARY])
