@@ -1,7 +1,7 @@
 // Reads the autopilot's plan and prints it on the serial monitor (115200 baud), item by item as it comes: a plan of any
 // length, at no cost in RAM.
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 MissionClient autopilot(TELEM);

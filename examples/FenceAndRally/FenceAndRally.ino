@@ -1,7 +1,7 @@
 // Puts a fence and rally points aboard, one after the other. Both need MAVLink 2 on the port (ArduPilot's
 // SERIALn_PROTOCOL 2).
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 constexpr MissionItem fence[] PROGMEM = {
@@ -25,7 +25,7 @@ bool isFenceUp = false;
 void setup() {
   CONSOLE.begin(115200);
   beginTelem(57600);
-  autopilot.upload(inFlash(fence), PlanType::Fence, Verified);
+  autopilot.upload(inFlash(fence), PlanType::Fence, Readback::Always);
 }
 
 void loop() {
@@ -35,6 +35,6 @@ void loop() {
   CONSOLE.println(toString(status));
   if (!isFenceUp && status == Status::Accepted) {
     isFenceUp = true;
-    autopilot.upload(inFlash(rallyPoints), PlanType::Rally, Verified);
+    autopilot.upload(inFlash(rallyPoints), PlanType::Rally, Readback::Always);
   }
 }

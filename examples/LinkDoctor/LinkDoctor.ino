@@ -1,7 +1,7 @@
 // Says in words on the serial monitor (115200 baud) why nothing works, or that all is well. Load it, read, mend, and
 // look again: the verdict follows within some seconds. docs/troubleshooting.md says what to do about each.
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 constexpr uint32_t kBaud = 57600;  // what the autopilot's port is set to

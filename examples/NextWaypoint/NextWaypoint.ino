@@ -4,7 +4,7 @@
 // Each leg is a plan of its own. At its end Copter and PX4 land and disarm; a rover stays armed, and is disarmed. TAKE
 // OFF THE PROPELLERS WHILE YOU TRY IT.
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 struct Place {
@@ -41,7 +41,7 @@ bool legItem(void*, uint16_t index, MissionItem& item) {
 
 void uploadLeg() {
   stage = Stage::Uploading;
-  autopilot.upload(fromFunction(legItem, 3), Verified);
+  autopilot.upload(fromFunction(legItem, 3), Readback::Always);
 }
 
 void onText(void*, uint8_t, const char* text) {

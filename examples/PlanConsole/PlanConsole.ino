@@ -1,9 +1,7 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
 // EEPROM, where it stays without power; put it aboard, verify it, fly it. Type "help".
-// Of the 8-bit boards it needs a Mega for all of its commands; an Uno has room for those that are always there, a Nano
-// or a Leonardo for none. TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms.
-#include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionConsole.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 // Items that wait to be stored: with enough of them a whole file may be pasted.

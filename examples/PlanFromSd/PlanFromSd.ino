@@ -9,7 +9,7 @@
 // On an Uno or a Nano: pins that the card leaves free.
 #define CONSOLE_RX 8
 #define CONSOLE_TX 9
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 #ifdef CARD_SELECT

@@ -1,7 +1,7 @@
 // Beside the mission: asks the autopilot for its position twice a second, and decodes it. Any message of any dialect
 // can be heard so, and decoded by hand, as here, or with another MAVLink library's headers.
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 // GLOBAL_POSITION_INT: its id, CRC_EXTRA and length are in the MAVLink common messages.

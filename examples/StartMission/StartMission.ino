@@ -3,7 +3,7 @@
 //
 // Nothing happens while the aircraft is armed: an Arduino that resets in flight uploads and starts nothing.
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 constexpr MissionItem plan[] PROGMEM = {
@@ -48,7 +48,7 @@ void setup() {
   beginTelem(57600);
   mission.onReached(onReached);
   mission.onText(onText);
-  autopilot.upload(inFlash(plan), Verified);
+  autopilot.upload(inFlash(plan), Readback::Always);
 }
 
 void start() {

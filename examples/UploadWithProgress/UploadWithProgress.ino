@@ -2,7 +2,7 @@
 // and the counters that make a wiring fault visible. Tries again after a failure that another try may mend. Nothing is
 // sent while the aircraft is armed.
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 constexpr MissionItem plan[] PROGMEM = {
@@ -69,7 +69,7 @@ void setup() {
   CONSOLE.begin(115200);
   beginTelem(57600);
   autopilot.onProgress(onProgress);
-  autopilot.retryWhenDenied(60);
+  autopilot.retryWhenBusy(60);
   start();
 }
 

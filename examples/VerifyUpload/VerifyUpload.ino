@@ -1,6 +1,6 @@
 // Uploads a plan, has it read back, and says what is aboard, and where it differs if it does.
 #include <MavMission.h>
-#include <MavMissionConsole.h>  // TELEM and CONSOLE: this board's ports
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 constexpr MissionItem plan[] PROGMEM = {
@@ -16,7 +16,7 @@ MissionClient autopilot(TELEM);
 void setup() {
   CONSOLE.begin(115200);
   beginTelem(57600);
-  autopilot.upload(inFlash(plan), Verified);
+  autopilot.upload(inFlash(plan), Readback::Always);
 }
 
 void loop() {

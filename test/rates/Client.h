@@ -30,7 +30,7 @@ class Client {
   virtual std::string aboard() const { return "NotKnown"; }
 };
 
-// MissionClient with upload(), or with uploadByAnswer().
+// MissionClient with upload(), or with uploadWithoutReadback().
 std::unique_ptr<Client> makeMissionClient(Firmwares firmware, bool byAnswer);
 std::unique_ptr<Client> makeNoRetries(Firmwares firmware);
 std::unique_ptr<Client> makeUsualRule(Firmwares firmware);

@@ -10,6 +10,7 @@
 #include "MemoryStream.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -39,7 +40,7 @@ class OurClient : public Client {
   OurClient(Firmwares firmware, bool byAnswer) : firmware_(firmware), client_(begun(stream_)) {
     const ItemSource plan = inRam(sketchPlan(kPlan), kItems);
     if (byAnswer) {
-      client_.uploadByAnswer(plan);
+      client_.uploadWithoutReadback(plan);
     } else {
       client_.upload(plan);
     }

@@ -9,6 +9,7 @@
 #include "mavmission/PlanConsole.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
