@@ -18,7 +18,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from simulation import firmware
-from simulation.firmware import LIBRARY, ROOT, defined, digest, exclusive, headers_digest, library_names, library_sources
+from simulation.firmware import (
+    LIBRARY,
+    ROOT,
+    defined,
+    digest,
+    exclusive,
+    headers_digest,
+    library_names,
+    library_sources,
+)
 from simulation.mega import Sent
 
 OUTPUT = ROOT / "build" / "cortex_m0"
