@@ -145,7 +145,7 @@ class Bench:
 
     def __init__(self, personality: str | FakeAutopilot | Nobody | None = "ArduPilot", *, baud: int = 57600,
                  defines: dict | None = None, wire: Wire | None = None, **options) -> None:  # fmt: skip
-        self.mega = Mega(firmware_image(baud, *(defines or {}).items(), source=self.source))
+        self.mega = self._board(baud, defines or {})
         self.wire = wire or Wire()
         if personality is None or isinstance(personality, str):
             personality = fake(personality, baud, **options)
@@ -158,6 +158,9 @@ class Bench:
         self._slice_s = max(SHORTEST_SLICE_S, min(LONGEST_SLICE_S, 0.9 * self.autopilot.response_delay_s))
         self._ends_seen = 0
         self._run_until_answered("ready", limit_s=0.1)
+
+    def _board(self, baud: int, defines: dict):
+        return Mega(firmware_image(baud, *defines.items(), source=self.source))
 
     # Time
 

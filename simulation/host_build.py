@@ -28,6 +28,9 @@ WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 SANITIZERS = "address,undefined"
 # A finding ends the program with a failure instead of a line of text.
 SANITIZED = ["-O1", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
+# As a 32-bit processor has it: pointers, size_t, long and the alignment of 64-bit numbers. (The x87's registers would
+# make other NaNs of some.)
+OF_32_BITS = ["-O1", "-m32", "-msse2", "-mfpmath=sse", "-fsanitize=alignment,undefined", "-fno-sanitize-recover=all"]
 FUZZED = ["-O1", f"-fsanitize=fuzzer-no-link,{SANITIZERS}", "-fno-sanitize-recover=all"]
 FAST = ["-O2"]
 # The tests' own code with doctest's macros would be most of the time of a build, and is not what is looked at.
@@ -54,7 +57,7 @@ def build_host(
 ) -> Path:
     """The program that `sources`, the library and the Arduino shim make.
 
-    `flags` are one of SANITIZED, FUZZED and FAST. `library` names the sources of
+    `flags` are one of SANITIZED, OF_32_BITS, FUZZED and FAST. `library` names the sources of
     the library that go in; all by default. Warnings are errors.
     """
     units = [*sources, *(library_sources() if library is None else library), SHIM / "Arduino.cpp"]

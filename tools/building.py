@@ -33,6 +33,8 @@ HARDWARE = (Path("/usr/share/arduino/hardware"), Path("/usr/share/arduino-builde
 # Debian's arduino-core-avr 1.8.7 uses DECIMAL_DIG, which the <float.h> of
 # Debian's avr-gcc 5.4 leaves out in C++11.
 DEBIAN_CPP_FLAGS = ("-DDECIMAL_DIG=__DECIMAL_DIG__",)
+# arduino-builder adds --relax for a Mega, arduino-cli and PlatformIO do not: sizes are to be those that users get.
+LINK_FLAGS = ("-Wl,--no-relax",)
 
 
 @dataclass(frozen=True)
@@ -110,7 +112,7 @@ def build_sketch(
         raise no_sketch_at(source)
     extra = [f"-D{d}" for d in defines] + [f"-I{Path(d).resolve()}" for d in include_dirs] + list(flags)
     backend = choose_backend()
-    settings = [str(source), BOARDS[board].fqbn, backend, compiler_stamp(backend), str(strict), *extra]
+    settings = [str(source), BOARDS[board].fqbn, backend, compiler_stamp(backend), str(strict), *LINK_FLAGS, *extra]
     key = hashlib.sha256("\0".join(settings).encode()).hexdigest()[:10]
     folder = BUILD / "sketches" / f"{source.stem}-{board}-{key}"
     folder.mkdir(parents=True, exist_ok=True)
@@ -146,6 +148,19 @@ def compiler_stamp(backend: str) -> str:
         return listed.stdout
     files = [Path(shutil.which("avr-gcc") or "avr-gcc"), HARDWARE[0] / "arduino/avr/platform.txt"]
     return " ".join(f"{f}:{f.stat().st_mtime_ns}" for f in files if f.exists())
+
+
+def made_with(backend: str | None = None) -> str:
+    """What sizes and cycles depend on beside the sources: figures of two of these cannot be compared."""
+    backend = backend or choose_backend()
+    if backend == "arduino-cli":
+        listed = subprocess.run(["arduino-cli", "core", "list"], capture_output=True, text=True, check=False).stdout
+        core = re.search(r"^arduino:avr\s+(\S+)", listed, re.M)
+        return f"arduino:avr {core[1] if core else '?'} and its compiler, {' '.join(LINK_FLAGS)}"
+    gcc = subprocess.run(["avr-gcc", "-dumpversion"], capture_output=True, text=True, check=False).stdout.strip()
+    platform = HARDWARE[0] / "arduino/avr/platform.txt"
+    core = re.search(r"^version=(\S+)", platform.read_text(), re.M)
+    return f"arduino:avr {core[1] if core else '?'} and avr-gcc {gcc}, {' '.join(LINK_FLAGS)}"
 
 
 @contextmanager
@@ -321,16 +336,18 @@ def arduino_builder(sketch: Path, board: Board, out: Path, libraries: Path, extr
         "-fqbn", board.fqbn, "-warnings", "all", "-build-path", str(out),
         f"-prefs=compiler.cpp.extra_flags={quoted((*DEBIAN_CPP_FLAGS, *extra))}",
         f"-prefs=compiler.c.extra_flags={quoted(f for f in extra if not f.startswith('-std='))}",
+        f"-prefs=compiler.c.elf.extra_flags={quoted(LINK_FLAGS)}",
         str(sketch / f"{sketch.name}.ino"),
     ]  # fmt: skip
 
 
 def arduino_cli(sketch: Path, board: Board, out: Path, libraries: Path, extra: Sequence[str]) -> list[str]:
     return [
-        "arduino-cli", "compile", "--fqbn", board.fqbn, "--warnings", "all", "--build-path", str(out),
+        "arduino-cli", "--no-color", "compile", "--fqbn", board.fqbn, "--warnings", "all", "--build-path", str(out),
         "--libraries", str(libraries),
-        "--build-property", f"compiler.cpp.extra_flags={quoted(extra)}",
+        "--build-property", f"compiler.cpp.extra_flags={quoted((*DEBIAN_CPP_FLAGS, *extra))}",
         "--build-property", f"compiler.c.extra_flags={quoted(f for f in extra if not f.startswith('-std='))}",
+        "--build-property", f"compiler.c.elf.extra_flags={quoted(LINK_FLAGS)}",
         str(sketch),
     ]  # fmt: skip
 

@@ -1,11 +1,13 @@
 """A release: what must be right before one is made, and the zip that the Arduino IDE imports.
 
-In the zip is what library.json exports. The tests and the tools are not: the IDE would copy them into
-each user's sketchbook, where nothing runs them, and they need Debian; a clone has them.
+In the zip is what library.json exports, and of the vendored headers those that the library includes. The
+tests and the tools are not: the IDE would copy them into each user's sketchbook, where nothing runs them,
+and they need Debian; a clone has them.
 """
 
 from __future__ import annotations
 
+import functools
 import json
 import re
 import subprocess
@@ -19,6 +21,9 @@ DATED = re.compile(r" - \d{4}-\d{2}-\d{2}")
 # The same for every zip: its bytes are those of its files and nothing else. The earliest that a zip can say.
 NO_DATE = (1980, 1, 1, 0, 0, 0)
 PLAIN_FILE = 0o100644
+VENDORED = "mavlink"
+MESSAGE_HEADER = re.compile(r"mavlink_msg_(\w+)\.h")
+MESSAGE_INCLUDE = re.compile(rb'^#include "\./mavlink_msg_(\w+)\.h"\n', re.M)
 UNWANTED = {"__pycache__", ".DS_Store", "Thumbs.db"}
 
 
@@ -101,7 +106,38 @@ def files_of(root: Path) -> list[Path]:
         place = root / name
         found |= {file for file in ([place] if place.is_file() else place.rglob("*"))
                   if file.is_file() and not UNWANTED & set(file.parts) and not file.name.startswith(".")}  # fmt: skip
+    found -= {file for file in found if is_left_out(root, file)}
     return sorted(found, key=lambda file: file.relative_to(root).as_posix())
+
+
+# The vendored headers have a file for each of MAVLink's messages, most of the library's size; the library uses a few.
+
+
+@functools.cache
+def words_of_library(root: Path) -> frozenset[str]:
+    sources = (file for file in (root / "src").rglob("*")
+               if file.suffix in (".h", ".cpp") and VENDORED not in file.parts)  # fmt: skip
+    return frozenset(word for file in sources for word in re.findall(r"\w+", file.read_text()))
+
+
+def is_used(root: Path, message: str) -> bool:
+    """Whether the library names it, as its id or as its type."""
+    return not words_of_library(root).isdisjoint({f"MAVLINK_MSG_ID_{message.upper()}", f"mavlink_{message}_t"})
+
+
+def is_left_out(root: Path, file: Path) -> bool:
+    if VENDORED not in file.relative_to(root).parts:
+        return False
+    message = MESSAGE_HEADER.fullmatch(file.name)
+    return file.name == "testsuite.h" or (message is not None and not is_used(root, message[1]))
+
+
+def content_of(root: Path, file: Path) -> bytes:
+    """As it goes into the zip: a vendored header does not include those that are left out."""
+    data = file.read_bytes()
+    if VENDORED not in file.relative_to(root).parts or file.suffix != ".h":
+        return data
+    return MESSAGE_INCLUDE.sub(lambda line: line[0] if is_used(root, line[1].decode()) else b"", data)
 
 
 def write_zip(root: Path, output: Path, files: Iterable[Path]) -> None:
@@ -114,7 +150,7 @@ def write_zip(root: Path, output: Path, files: Iterable[Path]) -> None:
             info.compress_type = zipfile.ZIP_DEFLATED
             info.create_system = 3  # Unix, whose permissions these are
             info.external_attr = PLAIN_FILE << 16
-            archive.writestr(info, file.read_bytes())
+            archive.writestr(info, content_of(root, file))
 
 
 def release(root: Path, folder: Path, *, snapshot: bool = False) -> Path:

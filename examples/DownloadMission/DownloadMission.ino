@@ -1,18 +1,8 @@
 // Reads the autopilot's plan and prints it on the serial monitor (115200 baud), item by item as it comes: a plan of any
 // length, at no cost in RAM.
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 MissionClient autopilot(TELEM);
 
@@ -58,7 +48,7 @@ bool printItem(void*, uint16_t index, const MissionItem& item) {
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   autopilot.download(toFunction(printItem));
 }
 

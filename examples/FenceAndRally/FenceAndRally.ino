@@ -1,18 +1,8 @@
 // Puts a fence and rally points aboard, one after the other. Both need MAVLink 2 on the port (ArduPilot's
 // SERIALn_PROTOCOL 2).
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 constexpr MissionItem fence[] PROGMEM = {
     // A field that must not be left: four corners, each with their number.
@@ -34,7 +24,7 @@ bool isFenceUp = false;
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   autopilot.upload(inFlash(fence), PlanType::Fence, Readback::Always);
 }
 

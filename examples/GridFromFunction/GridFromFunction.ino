@@ -1,13 +1,8 @@
 // A lawn mower's grid of 302 items that is computed while it is uploaded: no item is ever in RAM but the one on its
 // way. Lanes run west to east and back, each one further north.
 #include <MavMission.h>
+#include <MavMissionTelem.h>  // TELEM: this board's port to the autopilot
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#else
-#define TELEM Serial
-#endif
 
 // The south-west corner of the field, and the grid's size.
 constexpr Degrees kSouth = -35.3632621_deg;
@@ -38,7 +33,7 @@ bool gridItem(void*, uint16_t index, MissionItem& item) {
 MissionClient autopilot(TELEM);
 
 void setup() {
-  TELEM.begin(57600);
+  beginTelem(57600);
   autopilot.upload(fromFunction(gridItem, kItems));
 }
 

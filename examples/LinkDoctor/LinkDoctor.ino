@@ -1,18 +1,8 @@
 // Says in words on the serial monitor (115200 baud) why nothing works, or that all is well. Load it, read, mend, and
 // look again: the verdict follows within some seconds. docs/troubleshooting.md says what to do about each.
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 constexpr uint32_t kBaud = 57600;  // what the autopilot's port is set to
 
@@ -20,7 +10,7 @@ MissionClient autopilot(TELEM);
 LinkDoctor doctor(autopilot);
 Verdict said = Verdict::Listening;
 
-void openPort(void*, uint32_t baud) { TELEM.begin(baud); }
+void openPort(void*, uint32_t baud) { beginTelem(baud); }
 
 void printSpeaker(const Speaker& speaker) {
   CONSOLE.print(F("  heard: system "));

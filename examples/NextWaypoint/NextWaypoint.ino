@@ -4,18 +4,8 @@
 // Each leg is a plan of its own. At its end Copter and PX4 land and disarm; a rover stays armed, and is disarmed. TAKE
 // OFF THE PROPELLERS WHILE YOU TRY IT.
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 struct Place {
   Degrees latitude, longitude;
@@ -62,7 +52,7 @@ void onText(void*, uint8_t, const char* text) {
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   mission.onText(onText);
   uploadLeg();
 }

@@ -6,18 +6,11 @@
 // below stands in for the file.
 // #define CARD_SELECT 10
 #include <MavMission.h>
+// On an Uno or a Nano: pins that the card leaves free.
+#define CONSOLE_RX 8
+#define CONSOLE_TX 9
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 9.
-#include <SoftwareSerial.h>
-SoftwareSerial console(8, 9);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 #ifdef CARD_SELECT
 #include <SD.h>
@@ -84,7 +77,7 @@ void onRead() {
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   if (!openFile()) CONSOLE.println(F("no card, or no PLAN.TXT on it"));
 }
 

@@ -1,18 +1,8 @@
 // Beside the mission: asks the autopilot for its position twice a second, and decodes it. Any message of any dialect
 // can be heard so, and decoded by hand, as here, or with another MAVLink library's headers.
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 // GLOBAL_POSITION_INT: its id, CRC_EXTRA and length are in the MAVLink common messages.
 constexpr uint16_t kGlobalPositionInt = 33;
@@ -43,7 +33,7 @@ MessageListener listener(autopilot, keys, onPosition);
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   autopilot.setMessageInterval(kGlobalPositionInt, 500000);
 }
 

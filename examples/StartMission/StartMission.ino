@@ -3,18 +3,8 @@
 //
 // Nothing happens while the aircraft is armed: an Arduino that resets in flight uploads and starts nothing.
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 constexpr MissionItem plan[] PROGMEM = {
     takeoff(-35.3632621_deg, 149.1652374_deg, 10_m),
@@ -55,7 +45,7 @@ bool printCommand(void*, uint16_t index, const MissionItem& item) {
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   mission.onReached(onReached);
   mission.onText(onText);
   autopilot.upload(inFlash(plan), Readback::Always);

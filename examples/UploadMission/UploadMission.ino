@@ -1,12 +1,7 @@
 // Puts a flight plan aboard a Pixhawk.
 #include <MavMission.h>
+#include <MavMissionTelem.h>  // TELEM: this board's port to the autopilot
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1  // a Mega, a Leonardo: Serial stays free for the computer
-#else
-#define TELEM Serial  // an Uno, a Nano: the only port
-#endif
 
 constexpr MissionItem survey[] PROGMEM = {
     takeoff(20_m),  // above home
@@ -18,7 +13,7 @@ constexpr MissionItem survey[] PROGMEM = {
 MissionClient autopilot(TELEM);
 
 void setup() {
-  TELEM.begin(57600);
+  beginTelem(57600);
   autopilot.upload(inFlash(survey));
 }
 

@@ -2,18 +2,8 @@
 // and the counters that make a wiring fault visible. Tries again after a failure that another try may mend. Nothing is
 // sent while the aircraft is armed.
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 constexpr MissionItem plan[] PROGMEM = {
     takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
@@ -70,7 +60,7 @@ void start() {
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   autopilot.onProgress(onProgress);
   autopilot.retryWhenBusy(60);
   start();

@@ -1,17 +1,7 @@
 // Uploads a plan, has it read back, and says what is aboard, and where it differs if it does.
 #include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
-
-#ifdef HAVE_HWSERIAL1
-#define TELEM Serial1
-#define CONSOLE Serial
-#else
-// An Uno and a Nano have one port, for the autopilot; the console is a USB-serial adapter on pin 11.
-#include <SoftwareSerial.h>
-SoftwareSerial console(10, 11);
-#define TELEM Serial
-#define CONSOLE console
-#endif
 
 constexpr MissionItem plan[] PROGMEM = {
     takeoff(20_m),
@@ -25,7 +15,7 @@ MissionClient autopilot(TELEM);
 
 void setup() {
   CONSOLE.begin(115200);
-  TELEM.begin(57600);
+  beginTelem(57600);
   autopilot.upload(inFlash(plan), Readback::Always);
 }
 

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <Arduino.h>
+#ifdef __AVR__
 #include <avr/sleep.h>
+#endif
 
 typedef uint32_t Numbers[4];
 typedef void (*Action)(const Numbers& numbers);
@@ -72,14 +74,24 @@ void listen(const Word (&words)[N]) {
   }
 }
 
+inline void setUpSleep() {
+#ifdef __AVR__
+  set_sleep_mode(SLEEP_MODE_IDLE);
+#endif
+}
+
 // Until the next interrupt, at the latest that of millis(). The simulator jumps over it.
 inline void sleepIfNothingCame(Stream& line) {
   noInterrupts();
   if (Serial.available() == 0 && line.available() == 0) {
+#ifdef __AVR__
     sleep_enable();
     interrupts();  // takes effect after the next instruction: nothing is slept through
     sleep_cpu();
     sleep_disable();
+#else
+    asm volatile("wfi");  // ends with an interrupt that waits, though it is not served yet
+#endif
   }
   interrupts();
 }

@@ -65,7 +65,7 @@ extern "C" __attribute__((noinline, noclone)) Verdict updateDoctor() { return do
 void setup() {
   Serial.begin(500000);
   Serial1.begin(baud);
-  set_sleep_mode(SLEEP_MODE_IDLE);
+  setUpSleep();
   Serial.println(F("ready"));
 }
 

@@ -51,7 +51,7 @@ extern "C" __attribute__((noinline, noclone)) void updateQuiet() { quiet.update(
 void setup() {
   Serial.begin(500000);
   Serial1.begin(BENCH_BAUD);
-  set_sleep_mode(SLEEP_MODE_IDLE);
+  setUpSleep();
   Serial.println(F("ready"));
 }
 

@@ -32,8 +32,12 @@ const MessageKey positionKeys[] PROGMEM = {messageKey(24, 24, 30), messageKey(33
 const MessageKey attitudeKeys[] PROGMEM = {messageKey(30, 39, 28), messageKey(0, 50, 9), messageKey(24, 24, 30)};
 #endif
 
+#ifdef BENCH_DIRECT
+MissionClient client(Serial1);
+#else
 Line line(Serial1);
 MissionClient client(line);
+#endif
 MissionFollower follower(client);
 #ifdef BENCH_QUIET
 TelemetryPause quiet(client);
@@ -229,7 +233,9 @@ ACTION(raw) { client.useRawNumbering(numbers[0]); }
 ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
 ACTION(limit) { client.setOperationTimeout(numbers[0]); }
 ACTION(turns) { client.retryWhenBusy(numbers[0]); }
+#ifndef BENCH_DIRECT
 ACTION(room) { line.setRoom(numbers[0]); }
+#endif
 // Each so many milliseconds, loop() takes so many milliseconds longer.
 ACTION(stall) {
   stallEachMs = numbers[0];
@@ -238,10 +244,12 @@ ACTION(stall) {
 ACTION(state) { tellState(); }
 ACTION(followed) { tellFollowed(); }
 ACTION(counters) { tellCounters(); }
+#ifndef BENCH_DIRECT
 ACTION(blocked) {
   tell(F("blocked"), line.blocked());
   Serial.println();
 }
+#endif
 // Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type, HEARTBEAT.type.
 ACTION(compare) {
   tell(F("field"),
@@ -256,26 +264,22 @@ ACTION(fieldtext) {
 }
 
 static const Word words[] = {
-    WORD(ram),          WORD(empty),         WORD(upload),
-    WORD(uploadagain),  WORD(uploadpart),    WORD(verify),
-    WORD(download),     WORD(downloadtoram), WORD(downloadtosmall),
-    WORD(clear),        WORD(start),         WORD(arm),
-    WORD(disarm),       WORD(mode),          WORD(custommode),
-    WORD(startmission), WORD(setcurrent),    WORD(pause),
-    WORD(resume),       WORD(interval),      WORD(order),
-    WORD(cancel),       WORD(post),          WORD(chain),
-    WORD(ids),          WORD(talk),          WORD(speak),
-    WORD(armed),        WORD(raw),           WORD(waiting),
-    WORD(limit),        WORD(turns),         WORD(room),
-    WORD(state),        WORD(followed),      WORD(counters),
-    WORD(blocked),      WORD(compare),       WORD(fieldtext),
-    WORD(stall),
+    WORD(ram),       WORD(empty),         WORD(upload),          WORD(uploadagain),  WORD(uploadpart), WORD(verify),
+    WORD(download),  WORD(downloadtoram), WORD(downloadtosmall), WORD(clear),        WORD(start),      WORD(arm),
+    WORD(disarm),    WORD(mode),          WORD(custommode),      WORD(startmission), WORD(setcurrent), WORD(pause),
+    WORD(resume),    WORD(interval),      WORD(order),           WORD(cancel),       WORD(post),       WORD(chain),
+    WORD(ids),       WORD(talk),          WORD(speak),           WORD(armed),        WORD(raw),        WORD(waiting),
+    WORD(limit),     WORD(turns),         WORD(state),           WORD(followed),     WORD(counters),   WORD(compare),
+    WORD(fieldtext), WORD(stall),
+#ifndef BENCH_DIRECT
+    WORD(room),      WORD(blocked),
+#endif
 };
 
 void setup() {
   Serial.begin(500000);
   Serial1.begin(BENCH_BAUD);
-  set_sleep_mode(SLEEP_MODE_IDLE);
+  setUpSleep();
   asm volatile("" : : "r"(&benchPlan), "r"(&benchSink), "r"(&benchCommand), "r"(&benchPayload) : "memory");
   client.onProgress(onProgress);
   client.onEnd(onEnd);

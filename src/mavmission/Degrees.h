@@ -7,11 +7,33 @@
 
 namespace mavmission {
 
+class WideHeading;
+
+namespace literal {
+template <typename T>
+struct IsWide {
+  static constexpr bool value = false;
+};
+template <>
+struct IsWide<WideHeading> {
+  static constexpr bool value = true;
+};
+}  // namespace literal
+
 // An angle in steps of 1e-7 degree (about 1 cm on the ground), as MISSION_ITEM_INT.x and .y carry it. Written with a
 // literal: -35.3632621_deg. From numbers that are computed: Degrees::fromE7().
 class Degrees {
  public:
   constexpr Degrees() : e7_(0) {}
+  // Nothing else is an angle.
+  template <typename Other>
+  constexpr Degrees(Other) : e7_(0) {
+    static_assert(!literal::IsWide<Other>::value,
+                  "a coordinate is at most 180 degrees: for west or south write a minus sign before it");
+    static_assert(literal::IsWide<Other>::value,
+                  "an angle has its unit, so that it is exact: -35.3632621_deg, or Degrees::fromE7() where it is "
+                  "computed");
+  }
 
   // From whole steps of 1e-7 degree, -1800000000 to 1800000000. Beyond that a plan is refused, naming the item.
   static constexpr Degrees fromE7(int32_t e7) { return Degrees(e7, Exact()); }

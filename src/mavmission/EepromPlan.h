@@ -20,6 +20,9 @@
 //   byte 6     the items: 4 bytes, and 4 more for each of param1 to z that is not 0
 //
 // A byte is written only if it is another than what is there.
+//
+// Where the bytes are kept in flash and stay only after commit() (an ESP32, a Pico), that is called once, when a change
+// is whole: then it is the flash that must bear the power going, and the call takes as long as it takes.
 #pragma once
 
 #include <stdint.h>
@@ -41,6 +44,14 @@ class EepromPlan {
 #ifdef __AVR__
   // All of the board's own EEPROM.
   EepromPlan() : EepromPlan(ownEeprom()) {}
+#else
+  // None: which bytes stay when the power goes the sketch says.
+  template <int known = 0>
+  EepromPlan() {
+    static_assert(known != 0,
+                  "this board has no EEPROM of its own: say what keeps the bytes, with #include <EEPROM.h> "
+                  "EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));");
+  }
 #endif
   // `size` bytes of an EEPROM from `first` on (0: as many as there are); 2 * (6 + 32) at the least. Nobody else may
   // write there.
@@ -112,6 +123,13 @@ class EepromPlan {
   void write(uint16_t address, uint8_t length, Step step);
   void writeMark(uint8_t bank, uint8_t mark, Step step);
   void stepDone();
+  // A change is whole: it is made to stay, where that takes a call.
+  void settle() {
+    state_ = State::Resting;
+#ifndef __AVR__
+    if (eeprom_.commit != nullptr && !eeprom_.commit()) state_ = State::Failed;
+#endif
+  }
 
   Eeprom eeprom_;
   uint16_t first_;

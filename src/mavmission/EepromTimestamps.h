@@ -1,18 +1,18 @@
-// A TimestampStore in the EEPROM of an AVR. For another board, a sketch makes one of its own.
+// A TimestampStore in EEPROM: an AVR's own, or what a sketch has in its place (Eeprom.h).
 //
-//   EepromTimestamps timestamps(0);  // in the first EepromTimestamps::bytes(8) = 48 bytes
+//   EepromTimestamps timestamps(0);  // in the first EepromTimestamps::bytes(8) = 48 bytes of an AVR's
+//   EepromTimestamps timestamps(MAVMISSION_EEPROM(EEPROM, 512), 0);  // on another board
 //   autopilot.signWith(key, 1, timestamps);
 //
 // Wear: a save writes one of the slots, in turn, and there is one save in about 39 s of the autopilot's time (see
 // Signing::kReserve), and one when it begins. A cell bears 100,000 writes: with 8 slots that is a year of running
-// day and night.
+// day and night. Flash that is written by commit() bears less: a board that runs for long needs a store of its own.
 #pragma once
 
 #include <stdint.h>
 
+#include "Eeprom.h"
 #include "TimestampStore.h"
-
-#ifdef __AVR__
 
 namespace mavmission {
 
@@ -28,13 +28,27 @@ class EepromTimestamps : public TimestampStore {
 
   // `address`: of the first of bytes(slots) bytes of EEPROM, which nobody else may write. `slots`: at least 2, or a
   // reset while one is being written leaves none. Must stay as long as the client that signs with it.
+#ifdef __AVR__
   explicit EepromTimestamps(uint16_t address, uint8_t slots = 8);
+#else
+  explicit EepromTimestamps(const Eeprom& eeprom, uint16_t address, uint8_t slots = 8);
+  // None without an Eeprom.
+  template <typename Address>
+  explicit EepromTimestamps(Address, uint8_t = 8) : TimestampStore(), eeprom_(nullptr, nullptr, nullptr, 0) {
+    static_assert(sizeof(Address) == 0,
+                  "this board has no EEPROM of its own: say what keeps the bytes, with #include <EEPROM.h> "
+                  "EepromTimestamps timestamps(MAVMISSION_EEPROM(EEPROM, 512), 0);");
+  }
+#endif
 
  private:
   static uint32_t loadFrom(void* context);
   static bool saveTo(void* context, uint32_t time);
   void fillSlot(uint32_t time);
 
+#ifndef __AVR__
+  Eeprom eeprom_;
+#endif
   uint16_t address_;
   uint8_t slots_;
   uint8_t next_;  // the slot that is written next
@@ -44,5 +58,3 @@ class EepromTimestamps : public TimestampStore {
 };
 
 }  // namespace mavmission
-
-#endif

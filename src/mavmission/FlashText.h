@@ -2,7 +2,7 @@
 #pragma once
 
 #ifdef ARDUINO
-class __FlashStringHelper;
+#include <Arduino.h>  // the board's core says which namespace its classes are in
 namespace mavmission {
 typedef const __FlashStringHelper* FlashText;  // what Serial.print() takes as text in flash
 }

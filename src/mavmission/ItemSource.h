@@ -33,11 +33,32 @@ ItemSource inFlash(const MissionItem (&plan)[N]) {
   return ItemSource{readItemFromFlash, const_cast<MissionItem*>(plan), N};
 }
 
+// One that is no constant lies in RAM.
+template <size_t N>
+ItemSource inFlash(MissionItem (&)[N]) {
+  static_assert(N == 0, "this plan is in RAM: inRam(plan), or declare it as constexpr MissionItem plan[] PROGMEM");
+  return ItemSource{nullptr, nullptr, 0};
+}
+
 // A plan in RAM, wholly...
+#ifdef __AVR__
+template <size_t N>
+ItemSource inRam(MissionItem (&plan)[N]) {
+  return ItemSource{readItemFromRam, plan, N};
+}
+// One that is constant is hardly there.
+template <size_t N>
+ItemSource inRam(const MissionItem (&)[N]) {
+  static_assert(N == 0,
+                "a plan with PROGMEM is in flash: inFlash(plan); a constant one without it: inRam(plan, count)");
+  return ItemSource{nullptr, nullptr, 0};
+}
+#else
 template <size_t N>
 ItemSource inRam(const MissionItem (&plan)[N]) {
   return ItemSource{readItemFromRam, const_cast<MissionItem*>(plan), N};
 }
+#endif
 // ... or its first `count` items.
 inline ItemSource inRam(const MissionItem* plan, uint32_t count) {
   return ItemSource{readItemFromRam, const_cast<MissionItem*>(plan), count};

@@ -50,6 +50,12 @@ class MissionClient : private detail::Client {
   // The same for a fence or rally points. A fence of up to three items is always read back, 1 s after it was accepted,
   // and sent again if ArduPilot, which has accepted it, has wiped it by then.
   Status upload(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
+  // An array does not say where it lies.
+  template <size_t N, typename... More>
+  Status upload(const MissionItem (&)[N], More...) {
+    static_assert(N == 0, "say where the plan lies: upload(inFlash(plan)) with PROGMEM, upload(inRam(plan)) without");
+    return Status::Idle;
+  }
 
   // The same without reading back, for a sketch that has to be small (docs/measurements.md). Status::Accepted is said
   // when the autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is

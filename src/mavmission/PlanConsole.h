@@ -19,6 +19,7 @@
 // that comes too fast is refused.
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 
 #include "EepromPlan.h"
@@ -26,8 +27,6 @@
 #include "MissionClient.h"
 #include "console/PlanConsoleState.h"
 #include "text/WaypointsText.h"
-
-class HardwareSerial;
 
 namespace mavmission {
 

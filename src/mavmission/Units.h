@@ -67,6 +67,11 @@ class Altitude {
   // Above home; or above what `frame` says.
   constexpr Altitude(Metres aboveHome) : metres_(aboveHome.value), frame_(Frame::GlobalRelative) {}
   constexpr Altitude(Metres metres, Frame frame) : metres_(metres.value), frame_(frame) {}
+  // Nothing else is an altitude.
+  template <typename Other>
+  constexpr Altitude(Other) : metres_(0), frame_(Frame::Global) {
+    static_assert(sizeof(Other) == 0, "an altitude has a unit: 20_m, or Metres(height) where it is computed");
+  }
   // What it was made of.
   constexpr float metres() const { return metres_; }
   constexpr Frame frame() const { return frame_; }

@@ -11,12 +11,11 @@
 //     case WaypointsSource::State::Good: autopilot.upload(plan.source(), plan.type()); ...
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 
 #include "ItemSource.h"
 #include "text/WaypointsText.h"
-
-class Stream;
 
 namespace mavmission {
 

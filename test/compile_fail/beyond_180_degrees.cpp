@@ -1,5 +1,5 @@
 // No angle is more than 180 degrees.
-// expect: WideHeading
+// expect: a coordinate is at most 180 degrees: for west or south write a minus sign before it
 #include <MavMission.h>
 using namespace mavmission;
 

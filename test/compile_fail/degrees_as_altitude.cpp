@@ -1,5 +1,5 @@
 // An angle is no altitude.
-// expect: Altitude
+// expect: an altitude has a unit: 20_m, or Metres(height) where it is computed
 #include <MavMission.h>
 using namespace mavmission;
 

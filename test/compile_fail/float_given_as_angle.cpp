@@ -1,5 +1,5 @@
 // No conversion leads from a float to an angle.
-// expect: Degrees
+// expect: an angle has its unit, so that it is exact: -35.3632621_deg, or Degrees::fromE7() where it is computed
 #include <MavMission.h>
 using namespace mavmission;
 

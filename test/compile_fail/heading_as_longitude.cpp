@@ -1,6 +1,5 @@
 // What is beyond 180 degrees is a heading, and no coordinate.
-// expect: WideHeading
-// expect of g++: WideHeading
+// expect: a coordinate is at most 180 degrees: for west or south write a minus sign before it
 #include <MavMission.h>
 using namespace mavmission;
 

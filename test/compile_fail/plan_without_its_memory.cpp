@@ -1,5 +1,5 @@
 // An array in flash and one in RAM have one type: the sketch says which it is.
-// expect: upload
+// expect: say where the plan lies: upload(inFlash(plan)) with PROGMEM, upload(inRam(plan)) without
 #include <MavMission.h>
 using namespace mavmission;
 

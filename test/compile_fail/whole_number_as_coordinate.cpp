@@ -1,5 +1,5 @@
 // A whole number could be degrees or steps of 1e-7 degree.
-// expect: Degrees
+// expect: an angle has its unit, so that it is exact: -35.3632621_deg, or Degrees::fromE7() where it is computed
 #include <MavMission.h>
 using namespace mavmission;
 

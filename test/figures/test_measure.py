@@ -294,6 +294,14 @@ def test_bounds_only_tighten():
     assert bounds.tightened(text, worse) == text
 
 
+def test_figures_of_another_compiler_or_other_flags_are_not_compared(tmp_path):
+    bounds.refuse_other_tools()
+    file = tmp_path / "bounds.toml"
+    file.write_text(bounds.FILE.read_text().replace("-Wl,--no-relax", "-Wl,--relax"))
+    with pytest.raises(bounds.BadBounds, match="-Wl,--relax, and this would be .*-Wl,--no-relax: they"):
+        bounds.refuse_other_tools(file)
+
+
 def test_file_of_bounds_that_makes_no_sense_is_refused(tmp_path):
     file = tmp_path / "bounds.toml"
     file.write_text("[flash]\nlimit = 3\n")

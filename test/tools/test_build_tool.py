@@ -307,3 +307,17 @@ def test_upload_to_a_port_that_is_not_there_says_how_to_find_it(tmp_path):
     ran = tools_build(sketch(tmp_path, BLINK, "Blink"), "--board", "uno", "--upload", "/dev/ttyNone")
     assert ran.returncode == 1
     assert "no port /dev/ttyNone" in ran.stderr
+
+
+def test_both_ways_of_building_have_the_same_flags():
+    """So that a size is the one that users get, whichever builds it."""
+    arguments = (Path("/a/sketch"), BOARDS["mega"], Path("/out"), Path("/libraries"), ["-DA=1"])
+    by_builder, by_cli = building.arduino_builder(*arguments), building.arduino_cli(*arguments)
+
+    def properties(words: list[str]) -> set[str]:
+        return {word.removeprefix("-prefs=") for word in words if word.removeprefix("-prefs=").startswith("compiler.")}
+
+    assert properties(by_builder) == properties(by_cli)
+    assert "compiler.c.elf.extra_flags=-Wl,--no-relax" in properties(by_cli)
+    assert "compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ -DA=1" in properties(by_cli)
+    assert "--no-color" in by_cli

@@ -7,11 +7,14 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from building import ROOT
+from building import ROOT, made_with
 
 from .figures import FIGURES, Row
 
 FILE = ROOT / "test" / "figures" / "measure_bounds.toml"
+
+# The key of what the bounds were measured with.
+MADE_WITH = "made_with"
 
 # A figure better than its bound by more than this is worth a tighter bound.
 SLACK = 0.02
@@ -32,10 +35,20 @@ class Bound:
 
 def load(file: Path = FILE) -> dict[str, Bound]:
     try:
-        tables = tomllib.loads(file.read_text())
-        return {key: Bound(**table) for key, table in tables.items()}
+        return {key: Bound(**table) for key, table in tables_of(file.read_text()).items()}
     except (OSError, tomllib.TOMLDecodeError, TypeError) as error:
         raise BadBounds(f"{file}: {error}; each figure has a table with a bound and perhaps a goal") from error
+
+
+def tables_of(text: str) -> dict[str, dict]:
+    return {key: table for key, table in tomllib.loads(text).items() if key != MADE_WITH}
+
+
+def refuse_other_tools(file: Path = FILE) -> None:
+    """Raises BadBounds where the bounds were measured with another compiler, core or flags than are here."""
+    theirs, ours = tomllib.loads(file.read_text()).get(MADE_WITH), made_with()
+    if theirs != ours:
+        raise BadBounds(f"{file.name} was measured with {theirs}, and this would be {ours}: they cannot be compared")
 
 
 @dataclass(frozen=True)
@@ -86,7 +99,7 @@ def may_be_tightened(more_is_better: bool, value: float, bound: float) -> bool:
 
 def tightened(text: str, rows: list[Row]) -> str:
     """The file's text with each bound at what was measured, where that is better. Never looser."""
-    bounds = {key: Bound(**table) for key, table in tomllib.loads(text).items()}
+    bounds = {key: Bound(**table) for key, table in tables_of(text).items()}
     for row in rows:
         key, bound = row.figure.key, bounds.get(row.figure.key)
         if bound is None:

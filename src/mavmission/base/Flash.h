@@ -6,10 +6,6 @@
 
 #include "../FlashText.h"
 
-#if defined(__AVR__) || defined(ARDUINO)
-#include <avr/pgmspace.h>
-#endif
-
 #ifndef PROGMEM
 #define PROGMEM
 #define pgm_read_byte(address) (*reinterpret_cast<const uint8_t*>(address))

@@ -11,10 +11,13 @@ PlanConsole::PlanConsole(Stream& port, uint8_t ring, MissionClient& autopilot, E
   ring_ = ring;
 }
 
-#ifndef SERIAL_RX_BUFFER_SIZE  // in cores other than AVR's
+#ifndef SERIAL_RX_BUFFER_SIZE  // in cores that do not say it
 #define SERIAL_RX_BUFFER_SIZE 1
 #endif
-uint8_t PlanConsole::ringOf(const HardwareSerial*) { return SERIAL_RX_BUFFER_SIZE - 1; }
+// Of a longer ring 255: a text that is refused before anything is lost does no harm.
+uint8_t PlanConsole::ringOf(const HardwareSerial*) {
+  return SERIAL_RX_BUFFER_SIZE > 256 ? 255 : static_cast<uint8_t>(SERIAL_RX_BUFFER_SIZE - 1);
+}
 
 void PlanConsole::update() {
   // The optimiser is not to know which object this is: it would use 4-byte addresses instead of 2-byte offsets.

@@ -29,11 +29,17 @@ void PlanConsole::print() {
     if (!isStuck_) stuckMs_ = nowMs;
     isStuck_ = true;
     if (since(stuckMs_, nowMs) >= kNotImplementedMs) isBlind_ = true;
+#ifndef __AVR__
+    if (hasSaid_) return;
+#endif
     if (!isBlind_) return;
     room = 1;
   } else {
     isStuck_ = false;
     isBlind_ = false;
+#ifndef __AVR__
+    hasSaid_ = true;
+#endif
   }
   if (room > kBytesPerUpdate) room = kBytesPerUpdate;
   for (; room > 0; --room) {

@@ -36,9 +36,12 @@ class PlanConsoleState {
   bool isPlanAwaited_ : 1;  // it is being committed or erased
   bool isStuck_ : 1;        // the port had no room
   bool isBlind_ : 1;        // it does not say when it has
-  uint8_t length_;          // of the command so far
-  uint8_t kept_;            // items in the room
-  uint8_t oldest_;          // of them
+#ifndef __AVR__
+  bool hasSaid_ : 1;  // it has said so once: without room it waits, as a USB port to which nobody listens
+#endif
+  uint8_t length_;  // of the command so far
+  uint8_t kept_;    // items in the room
+  uint8_t oldest_;  // of them
   uint8_t ring_;
   uint16_t told_;  // items that were said to be stored
   uint16_t done_;  // the progress that was printed

@@ -8,13 +8,12 @@
 // undamaged wanted frame after any damage is thus found, at the latest when the line has been silent for kSilenceMs.
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 #include <string.h>
 
 #include "../Config.h"
 #include "../MessageKey.h"
-
-class Stream;
 
 namespace mavmission {
 namespace detail {

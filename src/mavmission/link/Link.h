@@ -1,6 +1,7 @@
 // Frames over a Stream: who we are, whom we talk to, heartbeats, counters.
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 
 #include "../LinkCounters.h"
@@ -11,8 +12,6 @@
 #if MAVMISSION_SIGNING
 #include "../signing/Signing.h"
 #endif
-
-class Stream;
 
 namespace mavmission {
 namespace detail {
@@ -75,6 +74,11 @@ class Link {
 
   // Writes what the stream takes, `most` bytes at most: each costs about as much as one received.
   void flush(uint16_t nowMs, uint8_t most) {
+#ifndef __AVR__
+    // A Pico's port never says that it has room for more than one byte, though its FIFO takes 32.
+    for (; most > 1 && !outbox_.isEmpty() && stream_->availableForWrite() == 1; --most)
+      outbox_.flush(*stream_, nowMs, 1);
+#endif
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
 

@@ -61,6 +61,11 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
   int room = stream.availableForWrite();
   if (room > 0) {
     blind_ = false;
+#ifndef __AVR__
+    hasSaid_ = true;
+  } else if (hasSaid_) {
+    return;
+#endif
   } else if (blind_) {
     room = kBlindBytes;
   } else {

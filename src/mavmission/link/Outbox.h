@@ -1,6 +1,7 @@
 // One outgoing frame, handed to the stream as fast as the stream takes it, never faster.
 #pragma once
 
+#include <Arduino.h>
 #include <stdint.h>
 
 #include "../Config.h"
@@ -9,8 +10,6 @@
 #if MAVMISSION_SIGNING
 #include "../signing/Signing.h"
 #endif
-
-class Stream;
 
 namespace mavmission {
 namespace detail {
@@ -91,6 +90,9 @@ class Outbox {
   uint16_t stuckMs_;  // since when the stream takes nothing
   bool stuck_;
   bool blind_;  // the stream does not say what it takes
+#ifndef __AVR__
+  bool hasSaid_;  // it has said so once: when it says that it takes nothing, that is so, as with flow control
+#endif
   bool held_;
 #if MAVMISSION_SIGNING
   bool signs_;

@@ -43,7 +43,11 @@ constexpr uint8_t kOwnBaud = 255;
 constexpr uint8_t kNever = 255;
 
 // Bytes that wait when the receive ring is full: it keeps one place free.
-#if defined(SERIAL_RX_BUFFER_SIZE)
+#if defined(ARDUINO_ARCH_ESP32)
+constexpr int kFullRing = 256;  // HardwareSerial's, if no other size is set before begin()
+#elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED)
+constexpr int kFullRing = 256;  // SerialUART's, as beginTelem() asks for; its own are 31, of which it is not known
+#elif defined(SERIAL_RX_BUFFER_SIZE)
 constexpr int kFullRing = SERIAL_RX_BUFFER_SIZE - 1;
 #elif defined(SERIAL_BUFFER_SIZE)
 constexpr int kFullRing = SERIAL_BUFFER_SIZE - 1;

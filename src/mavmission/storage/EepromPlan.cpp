@@ -238,8 +238,7 @@ void EepromPlan::stepDone() {
       activate(bank);
       isDamaged_ = false;
       if (old != kNone) return writeMark(old, kInvalid, Step::DropOld);
-      state_ = State::Resting;
-      return;
+      return settle();
     }
     case Step::EraseOther:
       if (active_ != kNone) return writeMark(active_, kInvalid, Step::EraseActive);
@@ -247,11 +246,8 @@ void EepromPlan::stepDone() {
       activate(kNone);
       step_ = Step::EraseActive;
       return writeMark(1, kInvalid, Step::EraseActive);
-    case Step::EraseActive:
-      activate(kNone);
-      state_ = State::Resting;
-      return;
-    case Step::DropOld: state_ = State::Resting; return;
+    case Step::EraseActive: activate(kNone); return settle();
+    case Step::DropOld: return settle();
   }
 }
 

@@ -39,6 +39,12 @@ class Stream : public Print {
   ~Stream() = default;
 };
 
+// A port of the board's own.
+class HardwareSerial : public Stream {
+ protected:
+  ~HardwareSerial() = default;
+};
+
 // Milliseconds since the start, wrapping after 2^32; the test sets it.
 uint32_t millis();
 void setMillis(uint32_t nowMs);

@@ -1,0 +1,216 @@
+"""The whole client as a 32-bit processor runs it: on a Cortex-M0 that QEMU emulates, with the core of the tests.
+
+The processor faults on a word that is not aligned; its char has no sign, its int has 32 bits, its double 64.
+"""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from areas import FIELD
+from bench_fixtures import BENCHES
+from downloads import WRITTEN, loaded, same
+from plans import SURVEY, on_the_wire, waypoint
+from simulation.bench import same_bits
+from simulation.cortex_m0_service import CortexM0Service
+from simulation.firmware import LIBRARY, ROOT, FirmwareNotBuilt, library_sources
+from simulation.microbit import CORE, HZ, BoardFailed, Microbit, build_cortex_m0, cortex_m0_object
+from simulation.service import FENCE, SOURCE
+from simulation.wire import DIRECTIONS, Wire
+from starts import HOPS
+
+HERE = Path(__file__).resolve().parent
+
+
+@pytest.fixture
+def build_m0(request):
+    """Makes a CortexM0Service whose transcript is shown when the test fails."""
+    made: list[CortexM0Service] = []
+
+    def build(*arguments, **options) -> CortexM0Service:
+        service = CortexM0Service(*arguments, **options)
+        made.append(service)
+        request.node.stash.setdefault(BENCHES, []).append(service)
+        return service
+
+    yield build
+    for service in made:
+        service.mega.close()
+
+
+@pytest.fixture
+def m0(build_m0, personality):
+    return build_m0(personality)
+
+
+# The emulator
+
+
+def read_at(offset: int) -> bytes:
+    """What a program prints that reads a word there."""
+    board = Microbit(build_cortex_m0("unaligned", [HERE / "unaligned.cpp"], {"OFFSET": offset}))
+    board.run_until(HZ // 10)
+    board.close()
+    return board.serial(0).sent_bytes()
+
+
+def test_word_that_is_not_aligned_ends_the_program():
+    assert read_at(0) == b"67305985\r\n"
+    with pytest.raises(BoardFailed, match="could not go on"):
+        read_at(1)
+
+
+def test_run_is_the_same_each_time(build_m0):
+    lines = []
+    for _ in range(2):
+        service = build_m0("ArduPilot")
+        service.upload(SURVEY, proof="Always")
+        service.done()
+        lines.append(service.wire.transcript())
+    assert lines[0] == lines[1]
+
+
+def test_program_has_no_heap():
+    elf = build_cortex_m0("service", [SOURCE], {"BENCH_BAUD": 57600, "BENCH_DIRECT": True})
+    names = subprocess.run(["arm-none-eabi-nm", elf], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"malloc", "_malloc_r", "free", "_sbrk", "_Znwj", "_ZdlPv"} & set(names)
+
+
+# The client
+
+
+def test_plan_is_uploaded_and_read_back_to_the_bit(m0):
+    m0.upload(SURVEY, proof="Always")
+    assert m0.done() == "Accepted"
+    assert m0.autopilot.received() == on_the_wire(SURVEY, m0.personality)
+    assert m0.state.aboard == "OurPlan"
+    assert (m0.blocked(), m0.lost()) == (0, 0)
+
+
+def test_long_plan_is_verified(m0):
+    plan = [waypoint(473977420 + n, 85455970 - 3 * n, n + 0.125) for n in range(60)]
+    m0.upload(plan)
+    assert m0.done(limit_s=20) == "Accepted"
+    m0.verify()
+    assert m0.done(limit_s=20) == "Verified"
+
+
+def test_difference_is_found_by_its_item_and_field(m0):
+    m0.upload(SURVEY)
+    assert m0.done() == "Accepted"
+    other = [*SURVEY[:2], SURVEY[2]._replace(y=SURVEY[2].y + 1), *SURVEY[3:]]
+    m0.verify(other)
+    assert m0.done() == "Differs"
+    assert (m0.state.failed_item, m0.state.field) == (2, "Longitude")
+
+
+def test_plan_that_is_aboard_is_downloaded(m0):
+    loaded(m0, WRITTEN)
+    m0.download()
+    assert m0.done() == "Downloaded"
+    assert m0.state.total == 8
+    assert same(m0.sink(8), WRITTEN)
+
+
+def test_fence_is_uploaded(m0):
+    m0.upload(FIELD, FENCE)
+    assert m0.done() == "Accepted"
+
+
+def test_mission_is_started_and_followed(m0):
+    m0.upload(HOPS[m0.personality], proof="Always")
+    assert m0.done(limit_s=20) == "Accepted"
+    m0.order_of("start")
+    assert m0.done(limit_s=20) == "Done"
+    assert m0.autopilot.armed
+    m0.run(10)
+    assert m0.reached[:1] == [0]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_upload_with_a_fifth_of_the_frames_lost_ends_as_it_is(build_m0, personality, seed):
+    wire = Wire(seed)
+    for direction in DIRECTIONS:
+        wire.at_random(direction, lose=20)
+    m0 = build_m0(personality, wire=wire)
+    m0.upload(SURVEY, proof="Always")
+    ended = m0.done(limit_s=130)
+    is_aboard = m0.autopilot.received() == on_the_wire(SURVEY, m0.personality)
+    assert ended == "Accepted" or not is_aboard or ended in ("Unconfirmed", "TimedOut", "NoAnswer")
+    if ended == "Accepted":
+        assert is_aboard
+    assert m0.blocked() == 0
+
+
+# Ports as other boards have them: bytes of the rings, and what availableForWrite() says (core/HardwareSerial.h).
+UNO_R4 = {"UART_RX": 512, "UART_TX": 512, "UART_ROOM": 0}
+PICO = {"UART_RX": 31, "UART_TX": 32, "UART_ROOM": 1}
+ESP32 = {"UART_RX": 256, "UART_TX": 128, "UART_ROOM": 2}
+TEENSY = {"UART_RX": 63, "UART_TX": 63, "UART_ROOM": 2}
+BOARDS = {"Uno R4": UNO_R4, "Pico": PICO, "ESP32": ESP32, "Teensy": TEENSY}
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_upload_beside_a_line_full_of_telemetry_never_makes_a_boards_port_wait(build_m0, personality, board):
+    m0 = build_m0(personality, defines=BOARDS[board], telemetry=57600 / 10)
+    m0.upload(SURVEY, proof="Always")
+    assert m0.done(limit_s=30) == "Accepted"
+    assert same_bits(m0.autopilot.received(), on_the_wire(SURVEY, personality))
+    assert (m0.blocked(), m0.lost()) == (0, 0)
+    assert m0.counters["bytes"] > 5000
+
+
+@pytest.mark.parametrize("baud", [115200, 500000, 921600, 1000000])
+def test_upload_at_the_rates_of_fast_boards_loses_no_byte(build_m0, personality, baud):
+    """Beside up to 20,000 bytes of telemetry a second."""
+    m0 = build_m0(personality, baud=baud, defines=ESP32, telemetry=min(baud / 10, 20000))
+    m0.upload(SURVEY, proof="Always")
+    assert m0.done(limit_s=30) == "Accepted"
+    assert (m0.blocked(), m0.lost()) == (0, 0)
+    assert m0.counters["bad"] == m0.counters["skipped"] == 0
+
+
+# Everything compiles
+
+
+EXAMPLES = sorted(folder.name for folder in (ROOT / "examples").iterdir() if folder.is_dir())
+STANDARDS = ["gnu++11", "gnu++17", "gnu++20"]  # what the cores of today choose: AVR, Uno R4 and Pico, ESP32
+
+
+@pytest.mark.parametrize(
+    "standard", [STANDARDS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in STANDARDS[1:])]
+)
+def test_library_compiles_without_a_warning(standard):
+    for signing in (0, 1):
+        for unit in library_sources():
+            cortex_m0_object(unit, [f"-std={standard}", f"-DMAVMISSION_SIGNING={signing}"], [CORE, LIBRARY])
+
+
+@pytest.mark.parametrize("standard", [STANDARDS[0], STANDARDS[-1]])
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_example_compiles_without_a_warning(example, standard, tmp_path):
+    sketch = ROOT / "examples" / example / f"{example}.ino"
+    source = tmp_path / f"{example}.cpp"
+    source.write_text(f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}')
+    cortex_m0_object(source, [f"-std={standard}"], [CORE, LIBRARY])
+
+
+WITHOUT_EEPROM = {
+    "EepromPlan plan;": "EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024))",
+    "EepromTimestamps timestamps(0);": "EepromTimestamps timestamps(MAVMISSION_EEPROM(EEPROM, 512), 0)",
+}
+
+
+@pytest.mark.parametrize("line", WITHOUT_EEPROM)
+def test_board_without_an_eeprom_says_so_in_words_when_it_compiles(line, tmp_path):
+    source = tmp_path / "sketch.cpp"
+    head = "#include <Arduino.h>\n#include <EEPROM.h>\n#include <MavMission.h>\nusing namespace mavmission;\n"
+    source.write_text(head + line)
+    with pytest.raises(FirmwareNotBuilt, match="this board has no EEPROM of its own: say what keeps the bytes") as said:
+        cortex_m0_object(source, ["-std=gnu++11"], [CORE, LIBRARY])
+    assert WITHOUT_EEPROM[line] in str(said.value)
+    source.write_text(head + WITHOUT_EEPROM[line] + ";")
+    cortex_m0_object(source, ["-std=gnu++11"], [CORE, LIBRARY])

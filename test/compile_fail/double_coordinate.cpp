@@ -1,0 +1,12 @@
+// A number with a point is no coordinate: on AVR it would be one to metres only.
+// expect: an angle has its unit, so that it is exact: -35.3632621_deg, or Degrees::fromE7() where it is computed
+#include <MavMission.h>
+using namespace mavmission;
+
+constexpr MissionItem survey[] PROGMEM = {
+#ifdef MENDED
+    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
+#else
+    waypoint(-35.3632621, 149.1652374, 20_m),
+#endif
+};
