@@ -188,16 +188,13 @@ const Row kRows[] PROGMEM = {
 }  // namespace
 
 Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
-  static_assert(static_cast<uint8_t>(Firmware::ArduPilot) == kByArduPilot &&
-                    static_cast<uint8_t>(Firmware::Px4) == kByPx4 &&
-                    static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence &&
-                    static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
-                "flags are made of the numbers");
-  Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3);
-  if (firmware != Firmware::Other) keeper |= static_cast<uint8_t>(firmware);
+  static_assert(
+      static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence && static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
+      "flags are made of the numbers");
+  Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3) | flagOf(firmware);
   // MAV_TYPE_FIXED_WING, MAV_TYPE_VTOL_...
   const bool isPlane = vehicleType == 1 || static_cast<uint8_t>(vehicleType - 19) <= 25 - 19;
-  if (isPlane && firmware == Firmware::ArduPilot) keeper |= kByPlane;
+  if (isPlane && has(firmware, kPlanesKeepMore)) keeper |= kByPlane;
   return keeper;
 }
 

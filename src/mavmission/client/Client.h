@@ -179,6 +179,8 @@ class Client {
   void endClearing(Status status);
   uint8_t homeBefore() const;
   static Status announcePart(Client& client, bool isBeginning);
+  // Items on the wire before the sketch's first.
+  uint8_t homeItems() const { return has(firmware(), kHomeIsItem0) && !rest_.raw ? 1 : 0; }
   uint16_t itemFromWire(uint16_t wireItem) const;
   void noteInfeasible();
   void noteAccepted();

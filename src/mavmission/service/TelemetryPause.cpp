@@ -90,7 +90,7 @@ TelemetryPause::TelemetryPause(MissionClient& client, const List& forArduPilot, 
       isAnswered_(false) {}
 
 const TelemetryPause::List& TelemetryPause::list() const {
-  return client_.firmware() == Firmware::ArduPilot ? forArduPilot_ : forOthers_;
+  return has(client_.firmware(), kStreamsAsArduPilot) ? forArduPilot_ : forOthers_;
 }
 
 // Commands have no items, nor has clear(); of a plan that is read it is not known yet how many.
