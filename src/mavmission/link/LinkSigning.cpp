@@ -3,13 +3,13 @@
 // A frame that comes in is told to nobody before its signature is found right. It is copied, so that the parser goes on
 // meanwhile; when a second one is there before the first is done, bytes wait in the stream. A frame that goes out waits
 // in the outbox.
-#include "../link/Link.h"
+#include "Link.h"
 
 #if MAVMISSION_SIGNING
 
 #include <Arduino.h>
 
-#include "../link/Messages.h"
+#include "Messages.h"
 
 namespace mavmission {
 namespace detail {
