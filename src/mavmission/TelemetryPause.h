@@ -21,7 +21,7 @@ struct PausableMessage {
 //
 // It switches off what makes up nine tenths of the telemetry of ArduPilot with all its streams, or of PX4, or the
 // sketch's own list. Each message is a command of its own, of which one is under way at a time, beside the transfer:
-// that pays for long plans and full or slow lines (DESIGN.md, "Quiet transfers").
+// that pays for long plans and full or slow lines (DESIGN.md, "Pausing telemetry").
 //
 // Nothing stays silent: intervals are given back until each was confirmed by COMMAND_ACK, and once when the sketch
 // starts and the autopilot has been heard, in case that a reset came in the middle of a transfer. So an interval that
