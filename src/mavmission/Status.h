@@ -1,5 +1,5 @@
-// Every way that an operation can stand or end, and what is aboard then. The texts are in flash, and not in the program
-// at all when nothing prints them.
+// Every state in which an operation can be or end, and which plan is aboard then. The texts are in flash, and not in
+// the program at all when nothing prints them.
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 namespace mavmission {
 
-// One line a status: this list is the enumeration and its texts at once, so that they cannot drift apart.
+// One line for each status: this list is both the enumeration and its texts, so that they cannot drift apart.
 // clang-format off
 #define MAVMISSION_STATUSES(X) \
   /* not ended */ \
@@ -105,7 +105,7 @@ enum class Status : uint8_t {
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
   X(Nothing, "no plan")
 
-// What is aboard, in a word each.
+// Which plan is aboard.
 enum class Aboard : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_ABOARD(MAVMISSION_NAME)
