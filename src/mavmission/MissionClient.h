@@ -219,10 +219,9 @@ class MissionClient : private detail::Client {
   // Item numbers and jump targets are then the autopilot's: on ArduPilot item 0 is home, and the plan has to contain
   // it.
   void useRawNumbering(bool raw) { rest_.raw = raw; }
-  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), uploads and downloads
-  // are tried again after 1, 2, 4, then every 8 s, for at most `seconds` after the first refusal; then the operation
-  // ends with the refusal. During the back-off the status is BackingOff. 0: no retry. Costs flash in a sketch that
-  // calls it (docs/measurements.md).
+  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), an upload is tried again
+  // after 1, 2, 4, then every 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. During
+  // the back-off the status is BackingOff. 0: no retry. Costs flash in a sketch that calls it (docs/measurements.md).
   void retryWhenBusy(uint16_t seconds);
   // Serves autopilots that do not know MISSION_ITEM_INT: an autopilot that is neither ArduPilot nor PX4, and refuses
   // the first item as unsupported, gets the plan again as MISSION_ITEM, whose float coordinates are rounded by up to
