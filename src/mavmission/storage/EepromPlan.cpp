@@ -81,7 +81,7 @@ void EepromPlan::activate(uint8_t bank) {
   cachedAddress_ = addressOf(bank) + kHeader;
 }
 
-// The checksum that a bank should have, by its items; 0xFFFF less than its own one if they do not lie within it.
+// The checksum computed from a bank's items; the complement of the stored one if the items do not fit into the bank.
 uint16_t EepromPlan::checksumOf(uint8_t bank) const {
   const uint16_t start = addressOf(bank);
   uint16_t address = start + kHeader;
