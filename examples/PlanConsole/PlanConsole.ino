@@ -1,8 +1,7 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
-// EEPROM, where it stays without power; put it aboard, verify it, fly it. Type "help".
-// It needs a Mega for all of its commands; an Uno has room for those that are always there, a Nano or a Leonardo for
-// none.
-// TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms.
+// EEPROM, which keeps it without power; upload, verify and fly it. Type "help". A Mega has room for all commands, an
+// Uno for those that are always offered; a Nano or a Leonardo is too small. TAKE OFF THE PROPELLERS WHILE YOU TRY IT:
+// "start" arms.
 #include <MavMissionConsole.h>
 using namespace mavmission;
 
@@ -17,7 +16,7 @@ SoftwareSerial console(10, 11);
 #define CONSOLE console
 #endif
 
-// Items that wait to be stored: with enough of them a whole file may be pasted.
+// A buffer for items that wait to be stored: if it is large enough, a whole file may be pasted.
 #ifdef __AVR_ATmega2560__
 MissionItem room[112];
 #else

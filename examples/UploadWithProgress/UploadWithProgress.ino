@@ -1,6 +1,6 @@
-// Uploads a plan and says in words on the serial monitor (115200 baud) how it goes: progress, result, what is aboard,
-// and the counters that make a wiring fault visible. Tries again after a failure that another try may mend. Nothing is
-// sent while the aircraft is armed.
+// Uploads a plan and prints on the serial monitor (115200 baud) its progress, its result, which plan is aboard, and the
+// counters that make a wiring fault visible. Retries after a failure that may pass. Nothing is sent while the aircraft
+// is armed.
 #include <MavMission.h>
 using namespace mavmission;
 
@@ -21,7 +21,7 @@ constexpr MissionItem plan[] PROGMEM = {
     jump(1, 2),    returnToLaunch(),
 };
 
-constexpr uint32_t kPauseMs = 5000;  // before another try
+constexpr uint32_t kPauseMs = 5000;  // before a retry
 constexpr uint8_t kMaxTries = 5;
 
 MissionClient autopilot(TELEM);
@@ -49,7 +49,7 @@ void printCounters() {
   CONSOLE.println(counters.bytesSkipped);
 }
 
-// Whether the same upload may go well next time: not when the plan itself is at fault, or the aircraft flies.
+// True if a retry of the same upload may succeed: not if the plan itself is at fault, or the aircraft is armed.
 bool mayGoWellNextTime(Status status) {
   return status == Status::Unconfirmed || status == Status::NoAnswer || status == Status::TimedOut ||
          status == Status::TookTooLong || status == Status::Error || status == Status::Denied ||
