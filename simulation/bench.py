@@ -242,7 +242,11 @@ class Bench:
             if words[0].isdigit() and words[1] in ("began", "returned", "progress", "end", "restarted"):
                 self._note(Event(int(words[0]), words[1], tuple(int(word) for word in words[2:])))
             else:
-                self.answers.append(line.decode())
+                self._take_line(line.decode())
+
+    def _take_line(self, line: str) -> None:
+        """One that is none of the events. What a sketch says unasked, its bench takes out here."""
+        self.answers.append(line)
 
     def _note(self, event: Event) -> None:
         self.events.append(event)

@@ -53,18 +53,14 @@ class Doctor(Bench):
             self.tell("open", baud)
         self.mega.serial(AUTOPILOT_PORT).peer_baud = peer_baud
 
-    def _read_lines(self) -> None:
-        before = len(self.answers)
-        super()._read_lines()
-        fresh, self.answers[before:] = self.answers[before:], []
-        for line in fresh:
-            match = _TOLD.fullmatch(line)
-            if match is None:
-                self.answers.append(line)
-            elif match[2] == "verdict":
-                self.verdicts_at.append((int(match[1]) / 1000, verdict_names()[int(match[3])]))
-            else:
-                self.opened.append(int(match[3]))
+    def _take_line(self, line: str) -> None:
+        match = _TOLD.fullmatch(line)
+        if match is None:
+            super()._take_line(line)
+        elif match[2] == "verdict":
+            self.verdicts_at.append((int(match[1]) / 1000, verdict_names()[int(match[3])]))
+        else:
+            self.opened.append(int(match[3]))
 
     @property
     def verdicts(self) -> list[str]:

@@ -20,6 +20,7 @@ from simulation.firmware import LIBRARY, ROOT, defined, digest, exclusive, libra
 OUTPUT = ROOT / "build" / "host"
 HOST = ROOT / "test" / "host"
 SHIM = HOST / "arduino"
+PLACES = [f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
 COMPILERS = ("g++", "clang++")
 
 STANDARD = ["-std=c++11", "-g1", "-fno-omit-frame-pointer"]
@@ -57,8 +58,7 @@ def build_host(
     the library that go in; all by default. Warnings are errors.
     """
     units = [*sources, *(library_sources() if library is None else library), SHIM / "Arduino.cpp"]
-    places = [f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
-    command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), *places]
+    command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), *PLACES]
     unit = [*command, *FAST_ASSERTS]
     kinds = {source: [*unit, *AS_IT_IS] for source in units if source.parent == UNITS}
     kinds |= {source: unit for source in LONG_RUNNING}
@@ -78,8 +78,7 @@ def build_host(
 
 def make_object(source: Path, command: Sequence[str]) -> Path:
     """The object of a source, compiled again when it or a file that it includes has changed."""
-    compiling = digest(compiler_version(command[0]), str(source), *command)[:16]
-    included = OUTPUT / "included" / f"{source.stem}-{compiling}.d"
+    compiling, included = compilation(source, command)
     with exclusive(included):
         if included.exists():
             target = object_name(source, compiling, included)
@@ -93,10 +92,20 @@ def make_object(source: Path, command: Sequence[str]) -> Path:
     return target
 
 
+def compilation(source: Path, command: Sequence[str]) -> tuple[str, Path]:
+    """A name of what the compiler is told, and the file that has what the source included then."""
+    compiling = digest(compiler_version(command[0]), str(source), *command)[:16]
+    return compiling, OUTPUT / "included" / f"{source.stem}-{compiling}.d"
+
+
+def files_in(included: Path) -> list[Path]:
+    """The source and all that it includes."""
+    return [Path(file) for file in included.read_text().replace("\\\n", " ").split(": ", 1)[1].split()]
+
+
 def object_name(source: Path, compiling: str, included: Path) -> Path:
     """By the compiler's command and the contents of all files that went in."""
-    files = included.read_text().replace("\\\n", " ").split(": ", 1)[1].split()
-    contents = (Path(file).read_bytes() if Path(file).exists() else b"" for file in files)
+    contents = (file.read_bytes() if file.exists() else b"" for file in files_in(included))
     key = digest(compiling, *contents)
     return OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
 

@@ -23,7 +23,7 @@ from simulation.firmware import library_file
 
 SOURCE = library_file("TelemetryPause.cpp")
 ASKED_FOR_HZ = 10  # each stream, in ArduPilot's recording
-RECORDED = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
+RECORDED = recordings.WITH_STREAMS
 _NO_STREAM = ("HEARTBEAT", "STATUSTEXT", "TIMESYNC", "PARAM_VALUE", "MISSION_", "COMMAND_")
 
 

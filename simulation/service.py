@@ -100,16 +100,12 @@ class Service(Bench):
         self.told: list[Told] = []
         super().__init__(*arguments, **options)
 
-    def _read_lines(self) -> None:
-        before = len(self.answers)
-        super()._read_lines()
-        fresh, self.answers[before:] = self.answers[before:], []
-        for line in fresh:
-            match = _TOLD.fullmatch(line)
-            if match and not (match[2] == "text" and match[3] == "0" and self._wants_text):
-                self.told.append(Told(int(match[1]), match[2], int(match[3]), match[4]))
-            else:
-                self.answers.append(line)
+    def _take_line(self, line: str) -> None:
+        match = _TOLD.fullmatch(line)
+        if match and not (match[2] == "text" and match[3] == "0" and self._wants_text):
+            self.told.append(Told(int(match[1]), match[2], int(match[3]), match[4]))
+        else:
+            super()._take_line(line)
 
     _wants_text = False
 

@@ -13,6 +13,9 @@ FOLDER = Path(__file__).resolve().parent
 # Messages that a fake autopilot makes itself: its telemetry must not hold them twice.
 _ITS_OWN = {"HEARTBEAT", "TIMESYNC", "PARAM_VALUE", "STATUSTEXT", "COMMAND_ACK"}
 
+# While an autopilot sent its telemetry at the usual rates.
+WITH_STREAMS = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
+
 BITS_PER_BYTE = 10  # on an asynchronous serial line: start, eight, stop
 
 

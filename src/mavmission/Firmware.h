@@ -3,14 +3,24 @@
 
 #include <stdint.h>
 
+#include "FlashText.h"
+
 namespace mavmission {
 
-// The autopilot's software (HEARTBEAT.autopilot).
+// The autopilot's software (HEARTBEAT.autopilot), with its name. autopilot/Personality.h has the differences.
+#define MAVMISSION_FIRMWARES(X)                                                                \
+  X(Unknown, "no autopilot is heard")                                                          \
+  X(ArduPilot, "ArduPilot")                                  /* MAV_AUTOPILOT_ARDUPILOTMEGA */ \
+  X(Px4, "PX4")                                              /* MAV_AUTOPILOT_PX4 */           \
+  X(Other, "an autopilot that is neither ArduPilot nor PX4") /* the protocol as the guide has it */
+
 enum class Firmware : uint8_t {
-  Unknown,    // nothing heard yet
-  ArduPilot,  // MAV_AUTOPILOT_ARDUPILOTMEGA (3)
-  Px4,        // MAV_AUTOPILOT_PX4 (12)
-  Other,      // any other autopilot: the protocol as the guide describes it
+#define MAVMISSION_NAME(name, text) name,
+  MAVMISSION_FIRMWARES(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
 };
+
+// In words, for Serial.print(). Flash text; null for a value that is no Firmware.
+FlashText nameOf(Firmware firmware);
 
 }  // namespace mavmission

@@ -16,7 +16,8 @@ namespace mavmission {
   /* faults, from the wire upwards */ \
   X(NoBytes, "no bytes: look at the wire from its TX to our RX, at GND, and whether that port is on") \
   X(NoFrames, "bytes, but no frames: another baud rate, or the port does not speak MAVLink") \
-  X(NoFramesAtAnyBaud, "bytes, but no frames at any baud rate: the port does not speak MAVLink, or the levels are wrong") \
+  X(NoFramesAtAnyBaud, \
+    "bytes, but no frames at any baud rate: the port does not speak MAVLink, or the levels are wrong") \
   X(WrongBaud, "frames, but at another baud rate") /* baud() */ \
   X(OnlyEcho, "nobody but ourselves: our TX is joined to our RX") \
   X(LoopLate, "bytes are lost: loop() takes too long between two update()") \

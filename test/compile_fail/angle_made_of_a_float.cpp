@@ -10,9 +10,11 @@ const MissionItem* const where = survey;
 
 void start() {
 #ifdef MENDED
-  const Degrees angle = Degrees::fromE7(353632621); static_cast<void>(angle);
+  const Degrees angle = Degrees::fromE7(353632621);
+  static_cast<void>(angle);
 #else
-  const Degrees angle(35.3632621); static_cast<void>(angle);
+  const Degrees angle(35.3632621);
+  static_cast<void>(angle);
 #endif
   static_cast<void>(where);
 }

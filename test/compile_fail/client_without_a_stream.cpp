@@ -10,9 +10,11 @@ const MissionItem* const where = survey;
 
 void start() {
 #ifdef MENDED
-  MissionClient other(line); static_cast<void>(other);
+  MissionClient other(line);
+  static_cast<void>(other);
 #else
-  MissionClient other; static_cast<void>(other);
+  MissionClient other;
+  static_cast<void>(other);
 #endif
   static_cast<void>(where);
 }

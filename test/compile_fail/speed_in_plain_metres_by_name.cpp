@@ -10,9 +10,11 @@ const MissionItem* const where = survey;
 
 void start() {
 #ifdef MENDED
-  const Metres height(20); static_cast<void>(height);
+  const Metres height(20);
+  static_cast<void>(height);
 #else
-  const Metres height = 20; static_cast<void>(height);
+  const Metres height = 20;
+  static_cast<void>(height);
 #endif
   static_cast<void>(where);
 }

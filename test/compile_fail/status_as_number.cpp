@@ -10,9 +10,11 @@ const MissionItem* const where = survey;
 
 void start() {
 #ifdef MENDED
-  const Status status = autopilot.status(); static_cast<void>(status);
+  const Status status = autopilot.status();
+  static_cast<void>(status);
 #else
-  const int status = autopilot.status(); static_cast<void>(status);
+  const int status = autopilot.status();
+  static_cast<void>(status);
 #endif
   static_cast<void>(where);
 }

@@ -119,9 +119,10 @@ def test_change_names_files_that_exist_and_at_most_five(change):
 
 def test_every_change_that_was_tried_is_in_the_table():
     subjects = " ".join(changes(DESIGN))
-    for subject in ("result code", "COUNT", "NAV_SPLINE_WAYPOINT", "280 bytes", "`Status`", "GLOBAL_POSITION_INT",
-                    "Linux", "timeline"):  # fmt: skip
+    for subject in ("result code", "submarine", "COUNT", "NAV_SPLINE_WAYPOINT", "280 bytes", "third autopilot",
+                    "`Status`", "GLOBAL_POSITION_INT", "Linux", "timeline"):  # fmt: skip
         assert subject in subjects
+    assert len(changes(DESIGN)) == 10
 
 
 def test_table_of_changes_is_read_to_its_last_row():

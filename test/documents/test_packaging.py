@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from building import BOARDS, BuildFailed, build_sketch
+from building import BOARDS, ROOT, BuildFailed, build_sketch
 from promised import TOO_LARGE
 
-ROOT = Path(__file__).resolve().parents[2]
 UNTRACKED = {"build", ".git", ".pio", "__pycache__", ".hypothesis", ".pytest_cache"}
 
 # Arduino's list for library.properties, "Uncategorized" (a warning there) left out.

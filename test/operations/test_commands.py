@@ -11,6 +11,7 @@ from downloads import loaded
 from plans import SURVEY, on_the_wire
 from simulation.fake_autopilot import mavlink
 from simulation.service import MODES
+from starts import current_on_the_wire
 
 COMMANDS = pytest.mark.scenario(54, "Commands: acknowledged, lost, in progress, refused")
 SERVO, RELAY, GRIPPER, CHANGE_SPEED, REPOSITION = 183, 181, 211, 178, 192
@@ -416,13 +417,8 @@ def test_current_item_is_set_in_the_sketchs_numbering(service, personality):
     (message,) = service.heard("COMMAND_LONG")
     assert (message.command, message.param1, message.param2) == (SET_CURRENT, 2 + home, 0)
     service.run(1.5)
-    assert current_of(service) == 2 + home
+    assert current_on_the_wire(service) == 2 + home
     assert service.followed.current == 2
-
-
-def current_of(service) -> int:
-    autopilot = service.autopilot
-    return autopilot.current if hasattr(autopilot, "current") else autopilot.missions.current
 
 
 @CURRENT
@@ -507,7 +503,7 @@ def test_older_autopilot_gets_the_older_message(service, personality):
     assert service.done() == "Done"
     home = personality == "ArduPilot"
     assert [message.seq for message in service.heard("MISSION_SET_CURRENT")] == [2 + home]
-    assert current_of(service) == 2 + home
+    assert current_on_the_wire(service) == 2 + home
 
 
 @CURRENT

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from disorders import DISORDERS, STALLS, STREAMS
+from disorders import DISORDERS, STALLS
 from operations import LOOP_S, OPERATIONS, READING, begin, expect_truth, prepared, took_s
 from plans import waypoint
 from simulation import recordings
@@ -126,7 +126,7 @@ FULL = pytest.mark.scenario(29, "A stalling loop in a download, a verification, 
 @pytest.mark.parametrize("stall_ms", [pytest.param(ms, marks=pytest.mark.slow if ms != 100 else ()) for ms in STALLS])
 @pytest.mark.parametrize("line", ["quiet", pytest.param("full", marks=pytest.mark.slow)])
 def test_stalling_loop_ends_truthfully(make_service, personality, name, stall_ms, line):
-    telemetry = recordings.saturated(STREAMS[personality], 57600) if line == "full" else None
+    telemetry = recordings.saturated(recordings.WITH_STREAMS[personality], 57600) if line == "full" else None
     service = prepared(make_service(telemetry=telemetry), personality)
     service.tell("stall", *STALLS[stall_ms])
     begin(service, name)
@@ -141,7 +141,7 @@ def test_stalling_loop_ends_truthfully(make_service, personality, name, stall_ms
 @FULL
 @OPERATION
 def test_full_line_is_no_hindrance(make_service, personality, name):
-    service = make_service(telemetry=recordings.saturated(STREAMS[personality], 57600))
+    service = make_service(telemetry=recordings.saturated(recordings.WITH_STREAMS[personality], 57600))
     prepared(service, personality)
     begin(service, name)
     assert service.done() == OPERATIONS[name].end

@@ -8,9 +8,8 @@ from areas import FIELD
 from plans import OLD_PLAN, SURVEY, on_the_wire
 from simulation.fake_autopilot import mavlink
 from simulation.service import FENCE
-from starts import HOPS, LANDING_FIRST, is_flying, uploaded
+from starts import ARM, HOPS, LANDING_FIRST, MISSION_START, SET_MODE, is_flying, told, uploaded
 
-ARM, SET_MODE, MISSION_START, REQUEST_MESSAGE = 400, 176, 300, 512
 START = pytest.mark.scenario(49, "start(): each step confirmed; refused while what is aboard is unproven")
 INFEASIBLE = pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
 ARMED = pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
@@ -25,12 +24,6 @@ STEPS = {
 KINDS = pytest.mark.parametrize("kind", STEPS, ids=" ".join)
 
 
-def ordered(service) -> list[tuple]:
-    """What the autopilot was told to do; not what it was asked."""
-    return [(one.command, one.param1, one.param2) for one in service.heard("COMMAND_LONG", "COMMAND_INT")
-            if one.command != REQUEST_MESSAGE]  # fmt: skip
-
-
 @START
 @KINDS
 def test_each_vehicle_gets_what_it_needs_in_its_order(build_service, kind):
@@ -38,7 +31,7 @@ def test_each_vehicle_gets_what_it_needs_in_its_order(build_service, kind):
     service = uploaded(build_service(personality, vehicle=vehicle))
     assert service.order_of("start") == "WaitingForAutopilot"
     assert service.done() == "Done"
-    assert ordered(service) == STEPS[kind]
+    assert told(service) == STEPS[kind]
     assert all(one.param3 == one.param4 == one.param5 == one.param6 == one.param7 == 0
                for one in service.heard("COMMAND_LONG") if one.command != SET_MODE)  # fmt: skip
     assert [one.seq for one in service.heard("MISSION_SET_CURRENT")] == [0]
@@ -56,7 +49,7 @@ def test_every_step_may_be_lost_once(build_service, kind, direction, name):
     service.order_of("start")
     assert service.done(limit_s=20) == "Done"
     assert is_flying(service)
-    assert list(dict.fromkeys(ordered(service))) == STEPS[kind]
+    assert list(dict.fromkeys(told(service))) == STEPS[kind]
 
 
 REFUSED = [(("ArduPilot", "copter"), 0, "ReadyMode"), (("ArduPilot", "copter"), 1, "Arm"),
@@ -84,7 +77,7 @@ def test_refused_step_is_named_and_nothing_follows_it(build_service, kind, numbe
     assert service.done() == "CommandRejected"
     assert service.state.step == step
     is_armed_by_then = (ARM, 1, 0) in STEPS[kind][:number]
-    assert ordered(service) == STEPS[kind][: number + 1] + [(ARM, 0, 0)] * is_armed_by_then
+    assert told(service) == STEPS[kind][: number + 1] + [(ARM, 0, 0)] * is_armed_by_then
     assert service.state.arming == ("Disarmed" if is_armed_by_then else "Untouched")
     assert not service.autopilot.armed
     service.run(0.2)
@@ -123,7 +116,7 @@ def test_step_whose_answers_are_lost_is_seen_in_the_heartbeat(service, personali
     service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command in commands)
     service.order_of("start")
     assert service.done(limit_s=15) == "Done"
-    assert ordered(service) == STEPS["ArduPilot" if personality == "ArduPilot" else "PX4", "copter"]
+    assert told(service) == STEPS["ArduPilot" if personality == "ArduPilot" else "PX4", "copter"]
     assert is_flying(service)
 
 
@@ -219,7 +212,7 @@ def test_mission_start_goes_on_by_the_mode_on_an_armed_px4(build_service):
     service.run(1.1)
     service.order_of("startmission")
     assert service.done() == "Done"
-    assert ordered(service) == [(ARM, 1, 0), (SET_MODE, 1, 4)]
+    assert told(service) == [(ARM, 1, 0), (SET_MODE, 1, 4)]
     assert is_flying(service)
 
 
@@ -250,7 +243,7 @@ def test_start_while_armed_is_refused_unless_allowed(service):
     service.tell("armed", 1)
     service.order_of("start")
     assert service.done() == "Done"
-    assert ARM not in [command for command, _, _ in ordered(service)]
+    assert ARM not in [command for command, _, _ in told(service)]
 
 
 @ARMED

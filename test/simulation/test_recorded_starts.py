@@ -27,7 +27,7 @@ from typing import NamedTuple
 
 import pytest
 
-from recorded import fields, is_clocked, is_compared, is_repetition, plans_uploaded, play, said_by, transcript
+from recorded import fields, is_clocked, is_repetition, plans_uploaded, play, said_by, said_in_recording, transcript
 from simulation import recordings
 from simulation.fake_autopilot import ArduPilot, Px4, mavlink
 
@@ -186,11 +186,6 @@ def played():
 
 def answers(said) -> list[tuple]:
     return [fields(message) for _, message in said if message.get_type() != "STATUSTEXT" and not is_clocked(message)]
-
-
-def said_in_recording(name: str) -> list[tuple[float, object]]:
-    return [(one.time, one.message) for one in recordings.heard(name)
-            if one.direction == "<" and is_compared(one.message)]
 
 
 @EACH

@@ -19,18 +19,13 @@ from itertools import pairwise
 import pytest
 
 from plain_client import PlainClient
-from recorded import TELLS_AGAIN, fields, is_clocked, is_compared, play, said_by, transcript
+from recorded import TELLS_AGAIN, fields, is_clocked, play, said_by, said_in_recording, transcript
 from simulation import recordings
 from simulation.fake_autopilot import FENCE, RALLY, ArduPilot, Item, Px4, mavlink
 
 OWN_ACCORD_AFTER_S = 0.150
 TOLERANCE = 0.10
 LATENCY_S = 0.030  # what an answer's milliseconds may add to an interval
-
-
-def said_in_recording(name: str):
-    return [(one.time, one.message) for one in recordings.heard(name)
-            if one.direction == "<" and is_compared(one.message)]
 
 
 def without_clocked(said):

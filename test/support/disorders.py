@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-STREAMS = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
-
 # Each so long [ms] the loop takes so much longer [ms].
 STALLS = {5: (60, 5), 20: (110, 20), 100: (400, 100), 500: (1300, 500)}
-
 
 DISORDERS = {
     "a third repeated": {"repeat": 33},
@@ -19,5 +16,5 @@ DISORDERS = {
         "corrupt": 5,
         "truncate": 5,
         "lose": 5,
-    },  # fmt: skip
+    },
 }

@@ -60,7 +60,7 @@ IN_PX4 = {
     "Corner": "place; to 65535, –, –, –",
     "Circle": "place; kept, –, –, –",
 }
-ROW = re.compile(r"^    row\((\d+), (\w+), (\w+), (\w+), (\w+), InArduPilot::(\w+), InPx4::(\w+)\),  // (.+)$", re.M)
+ROW = re.compile(r"^    row\((\d+), (\w+), (\w+), (\w+), (\w+), InArduPilot::(\w+), InPx4::(\w+)\), +// (.+)$", re.M)
 
 
 def table() -> str:

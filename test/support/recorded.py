@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from simulation import recordings
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, Item, Px4
@@ -165,3 +166,9 @@ def transcript(fake) -> str:
 
 def said_by(fake):
     return [(time, message) for time, direction, message in fake.log if direction == "<" and is_compared(message)]
+
+
+def said_in_recording(name: str) -> list[tuple[float, Any]]:
+    """The same of the real one."""
+    heard = recordings.heard(name)
+    return [(one.time, one.message) for one in heard if one.direction == "<" and is_compared(one.message)]

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import pytest
 
+from building import ROOT
 from simulation import recordings
 from simulation.bench import PERSONALITIES, firmware_image, status_names
 from simulation.fake_autopilot import FakeAutopilot, mavlink
@@ -28,7 +29,6 @@ from simulation.mega.line import MEMORY_S, Line
 from simulation.mega.realtime import RealTime
 from simulation.mega.words import Words
 
-ROOT = Path(__file__).resolve().parents[2]
 SOURCES = Path(__file__).resolve().parents[1] / "machine"
 AUTOPILOT = Path(__file__).resolve().parents[1] / "support" / "autopilot_process.py"
 
@@ -505,7 +505,6 @@ class Talk(Terminal):
 
 
 FLOOD_BYTES_PER_S = 24_000
-RECORDED = {"ArduPilot": "arducopter/clean_then_streams_10hz", "PX4": "px4/clean_with_streams"}
 
 
 @pytest.fixture
@@ -515,7 +514,7 @@ def flooded(clock, personality):
 
     def build(peer) -> tuple[RealTime, Talk, FakeAutopilot, list[str]]:
         mega = Mega(firmware_image(57600))
-        telemetry = recordings.saturated(RECORDED[personality], 10 * FLOOD_BYTES_PER_S)
+        telemetry = recordings.saturated(recordings.WITH_STREAMS[personality], 10 * FLOOD_BYTES_PER_S)
         autopilot = PERSONALITIES[personality](telemetry=telemetry, uptime_s=60.0)
         said: list[str] = []
         console = Talk()

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from disorders import STALLS, STREAMS
+from disorders import STALLS
 from plans import OLD_PLAN, SURVEY, on_the_wire, steps
 from simulation import recordings
 from simulation.bench import FunctionPlan
@@ -218,7 +218,7 @@ LONGEST_S = {0: 3.0, 5: 4.0, 20: 30.0, 100: 12.0, 500: 12.0}
 def test_upload_on_a_full_line_ends_accepted(make_bench, personality, baud, stall_ms):
     """The autopilot sends what a real one did, without a pause between two bytes."""
     plan = FunctionPlan(100)
-    bench = make_bench(baud=baud, telemetry=recordings.saturated(STREAMS[personality], baud))
+    bench = make_bench(baud=baud, telemetry=recordings.saturated(recordings.WITH_STREAMS[personality], baud))
     bench.autopilot.load(OLD_PLAN)
     if stall_ms:
         bench.tell("stall", *STALLS[stall_ms])

@@ -1,4 +1,4 @@
-"""Every random item of the recordings through the library's own upload(plan, Readback::Always), compiled for this computer.
+"""Every random item of the recordings through the library's own upload(plan, Readback::Always), on this computer.
 
 Each comes aboard and verifies, because what the autopilot keeps of it means the same; or it is refused before
 MISSION_COUNT, naming the item and the field. And of each item that came aboard every field, altered by its smallest

@@ -2,7 +2,7 @@
 
 #include "../base/Clock.h"
 #include "../base/Flash.h"
-#include "../link/MavlinkHeaders.h"
+#include "../base/MavlinkHeaders.h"
 
 namespace mavmission {
 namespace detail {
@@ -67,14 +67,7 @@ void AutopilotFinder::onTime(uint16_t nowMs) {
   if (severalHeard_ && since(otherMs_, nowMs) >= kLostMs) severalHeard_ = false;
 }
 
-Firmware AutopilotFinder::firmware() const {
-  if (!heard_) return Firmware::Unknown;
-  switch (heartbeat_.autopilot) {
-    case MAV_AUTOPILOT_ARDUPILOTMEGA: return Firmware::ArduPilot;
-    case MAV_AUTOPILOT_PX4: return Firmware::Px4;
-    default: return Firmware::Other;
-  }
-}
+Firmware AutopilotFinder::firmware() const { return heard_ ? firmwareOf(heartbeat_.autopilot) : Firmware::Unknown; }
 
 bool AutopilotFinder::isArmed() const { return (heartbeat_.baseMode & MAV_MODE_FLAG_SAFETY_ARMED) != 0; }
 

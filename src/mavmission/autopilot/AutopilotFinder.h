@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "Commands.h"
+#include "Personality.h"
 
 namespace mavmission {
 namespace detail {

@@ -100,7 +100,7 @@ constexpr uint8_t kPlaneRows = 2;  // of planes alone, before all others
 // each of these, and what it kept (readback_*.csv, readback_random_*.csv); docs/readback.md has it in words. A command
 // that is in no row was taken by none of them: it goes out, for a newer autopilot may.
 const Row kRows[] PROGMEM = {
-    row(16, D, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),               // NAV_WAYPOINT of a plane: no hold
+    row(16, D, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),               // NAV_WAYPOINT on a plane: no hold
     row(82, K, K, K, K, InArduPilot::NotTaken, InPx4::NotTaken),                  // NAV_SPLINE_WAYPOINT on a plane
     row(16, U16, D, D, NoYaw, InArduPilot::Place, InPx4::Waypoint),               // NAV_WAYPOINT
     row(17, D, D, Radius, NoYaw, InArduPilot::Place, InPx4::Loiter),              // NAV_LOITER_UNLIM
@@ -188,16 +188,13 @@ const Row kRows[] PROGMEM = {
 }  // namespace
 
 Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
-  static_assert(static_cast<uint8_t>(Firmware::ArduPilot) == kByArduPilot &&
-                    static_cast<uint8_t>(Firmware::Px4) == kByPx4 &&
-                    static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence &&
-                    static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
-                "flags are made of the numbers");
-  Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3);
-  if (firmware != Firmware::Other) keeper |= static_cast<uint8_t>(firmware);
+  static_assert(
+      static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence && static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
+      "flags are made of the numbers");
+  Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3) | flagOf(firmware);
   // MAV_TYPE_FIXED_WING, MAV_TYPE_VTOL_...
   const bool isPlane = vehicleType == 1 || static_cast<uint8_t>(vehicleType - 19) <= 25 - 19;
-  if (isPlane && firmware == Firmware::ArduPilot) keeper |= kByPlane;
+  if (isPlane && has(firmware, kPlanesKeepMore)) keeper |= kByPlane;
   return keeper;
 }
 

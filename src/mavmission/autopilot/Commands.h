@@ -4,21 +4,11 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../Firmware.h"
 #include "../PlanType.h"
+#include "Personality.h"
 
 namespace mavmission {
 namespace detail {
-
-// Who keeps a plan, and of which kind it is: an or of these. None of the first two: the protocol as the guide has it.
-enum KeeperFlag : uint8_t {
-  kByArduPilot = 1,
-  kByPx4 = 2,
-  kByPlane = 4,  // ArduPilot's Plane, which keeps some fields that its Copter drops
-  kOfFence = 8,
-  kOfRally = 16,
-};
-typedef uint8_t Keeper;
 
 // `vehicleType`: HEARTBEAT.type.
 Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type);

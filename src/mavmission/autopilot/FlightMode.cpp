@@ -1,7 +1,8 @@
 #include "../FlightMode.h"
 
 #include "../base/Flash.h"
-#include "../link/MavlinkHeaders.h"
+#include "../base/MavlinkHeaders.h"
+#include "Personality.h"
 
 namespace mavmission {
 using namespace detail;
@@ -38,10 +39,10 @@ const uint8_t* arduPilotModes(uint8_t vehicleType) {
 uint16_t modeNumber(FlightMode mode, Firmware firmware, uint8_t vehicleType) {
   const uint8_t index = static_cast<uint8_t>(mode);
   uint8_t mainMode = kNone, subMode = 0;
-  if (firmware == Firmware::Px4) {
+  if (has(firmware, kModesHaveSubModes)) {
     mainMode = fromFlash(&kPx4Main[index]);
     subMode = fromFlash(&kPx4Sub[index]);
-  } else if (firmware == Firmware::ArduPilot) {
+  } else if (has(firmware, kModesByVehicle)) {
     mainMode = fromFlash(&arduPilotModes(vehicleType)[index]);
   }
   return mainMode == kNone ? kNoMode : static_cast<uint16_t>(mainMode | subMode << 8);

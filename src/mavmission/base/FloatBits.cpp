@@ -45,14 +45,6 @@ FloatKind kindOf(const void* bytes) {
   return magnitude == kInfinity ? FloatKind::Infinite : FloatKind::NotANumber;
 }
 
-bool isSame(const void* a, const void* b) {
-  uint32_t bitsA, bitsB;
-  memcpy(&bitsA, a, sizeof(bitsA));
-  memcpy(&bitsB, b, sizeof(bitsB));
-  if (bitsA == bitsB || ((bitsA | bitsB) & ~kSign) == 0) return true;
-  return (bitsA & ~kSign) > kInfinity && (bitsB & ~kSign) > kInfinity;
-}
-
 int32_t wholeNumber(float value) {
   const uint32_t bits = bitsOf(value);
   if ((bits & ~kSign) == 0) return 0;

@@ -12,9 +12,6 @@ enum class FloatKind : uint8_t { Finite, Infinite, NotANumber };
 // The kind of the float that lies at `bytes`.
 FloatKind kindOf(const void* bytes);
 
-// True for the same value: any NaN equals any other, 0 equals -0.
-MAVMISSION_APART bool isSame(const void* a, const void* b);
-
 // The whole number from 0 to 65535 that `value` is, or -1 if it is none.
 int32_t wholeNumber(float value);
 

@@ -15,7 +15,8 @@ void MissionClient::retryWhenBusy(uint16_t seconds) {
 // Begins the back-off after a refusal of COUNT; false if the time allowed is over.
 bool Client::waitForTurn(Client& client, Status refusal) {
   State& state = client.state_;
-  if (refusal != Status::Denied && !(refusal == Status::Error && client.firmware() == Firmware::Px4)) return false;
+  if (refusal != Status::Denied && !(refusal == Status::Error && has(client.firmware(), kSaysErrorWhenBusy)))
+    return false;
   if (client.rest_.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
   client.rest_.turnPauseS = client.rest_.turnPauseS == 0   ? 1
                             : client.rest_.turnPauseS >= 8 ? 8

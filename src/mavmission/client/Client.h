@@ -69,7 +69,6 @@ class Client {
   static Status compareItem(Client& client, uint16_t wireItem, MissionItem& item);
   static void fromFloats(void* itemMessage);
   static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
-  Status beginReading(uint16_t nowMs);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
   void takeReadCount(const FrameParser& frame);
   void takeReadItem(const FrameParser& frame);
@@ -181,6 +180,8 @@ class Client {
   void endClearing(Status status);
   uint8_t homeBefore() const;
   static Status announcePart(Client& client, bool isBeginning);
+  // Items on the wire before the sketch's first.
+  uint8_t homeItems() const { return has(firmware(), kHomeIsItem0) && !rest_.raw ? 1 : 0; }
   uint16_t itemFromWire(uint16_t wireItem) const;
   void noteInfeasible();
   void noteAccepted();

@@ -145,7 +145,7 @@ Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
 Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   if (event != CommandEvent::Ready) return status;
   // It would arm.
-  const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && client.firmware() == Firmware::Px4;
+  const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && has(client.firmware(), kArmsByMissionStart);
   return arms && !client.isArmed() ? Status::NotArmed : status;
 }
 
@@ -194,7 +194,7 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
 Status Client::onCustomMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                             uint16_t nowMs) {
   if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
-  const bool isNone = client.firmware() == Firmware::ArduPilot && client.commanding_.isLargeMode;
+  const bool isNone = has(client.firmware(), kModeIsOneByte) && client.commanding_.isLargeMode;
   return isNone ? Status::NoSuchMode : status;
 }
 
@@ -242,11 +242,11 @@ Status MissionClient::setCurrentItem(uint16_t item) {
 Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                             uint16_t nowMs) {
   Commanding& commanding = client.commanding_;
-  const bool hasHome = client.firmware() == Firmware::ArduPilot;
+  const bool hasHome = has(client.firmware(), kHomeIsItem0);
   switch (event) {
     case CommandEvent::Ready:
       if (!client.hasItem(commanding.item)) return Status::NoSuchItem;
-      if (hasHome && !client.rest_.raw) ++commanding.item;
+      commanding.item += client.homeItems();
       break;
     case CommandEvent::Refused:
       if (status != Status::CommandUnsupported) break;
@@ -291,7 +291,7 @@ void Client::fillInterval(Client& client, FlightCommand& command) {
 }
 
 uint16_t Client::itemFromWire(uint16_t wireItem) const {
-  const uint8_t home = firmware() == Firmware::ArduPilot && !rest_.raw ? 1 : 0;
+  const uint8_t home = homeItems();
   return wireItem < home ? kNoItem : wireItem - home;
 }
 

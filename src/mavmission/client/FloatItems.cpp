@@ -26,7 +26,7 @@ void toFloats(void* itemMessage) {
 // After the refusal by an autopilot without MISSION_ITEM_INT: uploads once more, as MISSION_ITEM.
 bool Client::tryFloats(Client& client, Status refusal, uint16_t nowMs) {
   if (refusal != Status::Unsupported || client.state_.floatItems) return false;
-  if (client.plan_.firmware() != Firmware::Other || client.transfer_.itemsAskedFor() != 1) return false;
+  if (!client.plan_.has(kMayBeOld) || client.transfer_.itemsAskedFor() != 1) return false;
   client.state_.floatItems = true;
   client.beginUpload(nowMs);
   return true;

@@ -94,7 +94,7 @@ void Client::sendRequest(uint16_t wireItem) {
   request.seq = wireItem;
   request.mission_type = static_cast<uint8_t>(state_.type);
   // An autopilot that is neither ArduPilot nor PX4 may know only the older request.
-  const bool older = plan_.firmware() == Firmware::Other && reading_.transfer.tries() >= 2;
+  const bool older = plan_.has(kMayBeOld) && reading_.transfer.tries() >= 2;
   if (older) {
     link_.sendAs<mavlink_mission_request_t>(&request);
   } else {
@@ -180,7 +180,7 @@ void Client::takeReadItem(const FrameParser& frame) {
 
 Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item) {
   WirePlan& plan = client.plan_;
-  const bool hasHome = plan.firmware() == Firmware::ArduPilot && client.state_.type == PlanType::Mission;
+  const bool hasHome = plan.has(kHomeIsItem0) && client.state_.type == PlanType::Mission;
   if (wireItem == 0 && hasHome) return Status::Transferring;  // the autopilot's own, however the sketch counts
   MissionItem meant;
   const Status read = plan.read(wireItem, meant);
@@ -216,7 +216,7 @@ void Client::endReading(Status status) {
         break;
       case Status::Differs:
         // One that was accepted is whole, but another one.
-        if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission &&
+        if (plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission &&
             rest_.lastResult != MAV_MISSION_ACCEPTED) {
           setAboard(Aboard::Mixture);
         }

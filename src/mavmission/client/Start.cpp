@@ -107,7 +107,7 @@ Status Client::readyToStart(uint16_t nowMs) {
 // Behind home.
 uint16_t Client::firstItem() const {
   const uint16_t first = commanding_.start.first;
-  return first == 0 && plan_.firmware() == Firmware::ArduPilot ? 1 : first;
+  return first == 0 && plan_.has(kHomeIsItem0) ? 1 : first;
 }
 
 void Client::lookFromFirst() {
@@ -154,15 +154,14 @@ Status Client::nextStartStep(uint16_t nowMs) {
 
 // False if this vehicle does without this step.
 bool Client::beginStartStep(uint16_t nowMs) {
-  const bool isArduPilot = plan_.firmware() == Firmware::ArduPilot;
-  const bool isPx4 = plan_.firmware() == Firmware::Px4;
+  const bool armsByMissionStart = plan_.has(kArmsByMissionStart);
   Start& start = commanding_.start;
   switch (startStep()) {
     case StartStep::None: return false;
     case StartStep::ReadyMode: {
       // Copter refuses to be armed in AUTO: GUIDED. Rover: MANUAL. Plane arms in the mode that it is in.
       const uint8_t vehicleType = link_.finder().heartbeat().vehicleType;
-      if (!isArduPilot || isArmed() || vehicleType == MAV_TYPE_FIXED_WING) return false;
+      if (!plan_.has(kFliesByMode) || isArmed() || vehicleType == MAV_TYPE_FIXED_WING) return false;
       commanding_.mode = numberOf(isRover(vehicleType) ? FlightMode::Manual : FlightMode::Guided);
       nextCommand(fillMode, nowMs);
       return true;
@@ -173,25 +172,25 @@ bool Client::beginStartStep(uint16_t nowMs) {
       nextCommand(fillFirst, nowMs);
       return true;
     case StartStep::Arm:
-      if (isPx4 || isArmed()) return false;  // PX4's MISSION_START arms
+      if (armsByMissionStart || isArmed()) return false;
       setStartArming(StartArming::Armed);
       nextCommand(fillArm, nowMs);
       return true;
     case StartStep::AutoMode:
-      if (!isArduPilot) return false;
+      if (!plan_.has(kFliesByMode)) return false;
       start.seen = kNoItem;
       start.beganS = static_cast<uint8_t>(state_.seconds);
       commanding_.mode = numberOf(FlightMode::Auto);
       nextCommand(fillMode, nowMs);
       return true;
     case StartStep::Begin:
-      if (isPx4 && !isArmed()) setStartArming(StartArming::Armed);
+      if (armsByMissionStart && !isArmed()) setStartArming(StartArming::Armed);
       nextCommand(fillStart, nowMs);
       return true;
     case StartStep::Confirm:
       start.seen = kNoItem;
       nextCommand(fillAskCurrent, nowMs);
-      if (isPx4) commanding_.transfer.listen(kConfirmMs, nowMs);  // it says it each second, and denies being asked
+      if (plan_.has(kSaysCurrentUnasked)) commanding_.transfer.listen(kConfirmMs, nowMs);
       return true;
   }
   return true;
@@ -229,7 +228,7 @@ Status Client::onStartSilent(Status status, uint16_t nowMs) {
 }
 
 bool Client::isArmingStep() const {
-  return startStep() == StartStep::Arm || (startStep() == StartStep::Begin && plan_.firmware() == Firmware::Px4);
+  return startStep() == StartStep::Arm || (startStep() == StartStep::Begin && plan_.has(kArmsByMissionStart));
 }
 
 // It cannot be flown. What start() has armed is disarmed, when a heartbeat says that it is armed and nobody else's.
@@ -255,7 +254,7 @@ Status Client::onStartHeartbeat(uint16_t nowMs) {
   const uint16_t autoMode = numberOf(FlightMode::Auto);
   const bool isAuto = mode == autoMode || autoMode == kNoMode;
   const bool isSent = commanding_.transfer.tries() != 0;
-  const StartStep asksForAuto = plan_.firmware() == Firmware::Px4 ? StartStep::Begin : StartStep::AutoMode;
+  const StartStep asksForAuto = plan_.has(kArmsByMissionStart) ? StartStep::Begin : StartStep::AutoMode;
   const bool isAskedFor = step > asksForAuto || (step == asksForAuto && isSent);
   if (isAskedFor && mode == autoMode) start.isAutoSeen = 1;
   // Once it has flown its mission, the mode in which start() began is somebody else's choice as well.
@@ -265,7 +264,7 @@ Status Client::onStartHeartbeat(uint16_t nowMs) {
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
     const bool wasArmed = start.phase == Start::Phase::Disarming || !isArmingStep();
     if (!isArmed()) setStartArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
-    const bool hasBegun = step >= StartStep::Begin && plan_.firmware() == Firmware::Px4 && isFlying;  // after all
+    const bool hasBegun = step >= StartStep::Begin && plan_.has(kArmsByMissionStart) && isFlying;  // after all
     if (!isArmed() || isTaken || hasBegun) return start.refusal;
     if (start.phase == Start::Phase::Leaving) {
       start.phase = Start::Phase::Disarming;
@@ -287,7 +286,7 @@ Status Client::onStartHeartbeat(uint16_t nowMs) {
     case StartStep::ReadyMode:
     case StartStep::AutoMode: isDone = isSent && mode == commanding_.mode; break;
     case StartStep::Arm: isDone = isSent && isArmed(); break;
-    case StartStep::Begin: isDone = isSent && plan_.firmware() == Firmware::Px4 && isFlying; break;
+    case StartStep::Begin: isDone = isSent && plan_.has(kArmsByMissionStart) && isFlying; break;
     case StartStep::Confirm:
       if (!isFlying) start.phase = Start::Phase::Steps;
       if (isFlying && !isJudging) start.phase = Start::Phase::Shown;
@@ -305,7 +304,7 @@ Status Client::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
   if (startStep() == StartStep::FirstItem) {
     if (commanding_.transfer.tries() == 0) return Status::Transferring;
     start.seen = item;
-    if (plan_.firmware() != Firmware::ArduPilot) {
+    if (!plan_.has(kNamesFlownItems)) {
       return item == start.first ? nextStartStep(nowMs) : Status::Transferring;
     }
     if (commanding_.fill == fillFirst) {
@@ -333,9 +332,9 @@ Status Client::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
 Status Client::confirmStart() {
   Start& start = commanding_.start;
   if (start.phase != Start::Phase::Shown || start.seen == kNoItem) return Status::Transferring;
-  const bool isArduPilot = plan_.firmware() == Firmware::ArduPilot;
-  if (start.seen == (isArduPilot ? state_.next : start.first)) return Status::Done;
-  if (start.looked == kCannotLook) return isArduPilot && state_.next == kNoItem ? Status::Unconfirmed : otherItem();
+  const bool namesFlownItems = plan_.has(kNamesFlownItems);
+  if (start.seen == (namesFlownItems ? state_.next : start.first)) return Status::Done;
+  if (start.looked == kCannotLook) return namesFlownItems && state_.next == kNoItem ? Status::Unconfirmed : otherItem();
   start.phase = Start::Phase::Judging;
   lookFromFirst();
   return Status::Transferring;
@@ -345,7 +344,7 @@ Status Client::confirmStart() {
 Status Client::judgeStart() {
   Start& start = commanding_.start;
   const bool isThere = start.seen == state_.next;
-  if (isThere && plan_.firmware() != Firmware::ArduPilot) return Status::Done;
+  if (isThere && !plan_.has(kNamesFlownItems)) return Status::Done;
   const Status looked = lookAtItem();
   if (looked == Status::Transferring) return looked;
   if (looked != Status::Done) return otherItem();
@@ -370,7 +369,7 @@ void Client::fillAskCurrent(Client&, FlightCommand& command) {
 
 void Client::fillStart(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_MISSION_START;  // ArduPilot wants its parameters to be 0; PX4 begins with the first
-  if (client.plan_.firmware() == Firmware::Px4) command.param1 = client.commanding_.start.first;
+  if (client.plan_.has(kArmsByMissionStart)) command.param1 = client.commanding_.start.first;
 }
 
 void Client::fillBegin(Client&, FlightCommand& command) { command.id = MAV_CMD_MISSION_START; }
@@ -379,11 +378,11 @@ Status MissionClient::startMission() { return beginCommand(fillBegin, onStartMis
 
 Status Client::onStartMission(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                               uint16_t nowMs) {
-  const bool isPx4 = client.firmware() == Firmware::Px4;
-  if (event != CommandEvent::Ready) return isPx4 ? onMode(client, event, status, frame, nowMs) : status;
+  const bool arms = has(client.firmware(), kArmsByMissionStart);
+  if (event != CommandEvent::Ready) return arms ? onMode(client, event, status, frame, nowMs) : status;
   if (!client.isArmed()) return Status::NotArmed;
-  if (isPx4) {
-    // PX4's MISSION_START arms: an armed aircraft flies its mission by the mode alone.
+  if (arms) {
+    // Such a command is not sent: an armed aircraft flies its mission by the mode alone.
     client.commanding_.mode = client.numberOf(FlightMode::Auto);
     client.commanding_.fill = fillMode;
   }

@@ -12,7 +12,7 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
   const UploadTransfer& transfer = client.transfer_;
   // An idle ArduPilot answers so when the line has repeated the last item, and its acceptance may have been lost.
-  const bool isDoubtfulError = status == Status::Error && client.plan_.firmware() != Firmware::Px4 &&
+  const bool isDoubtfulError = status == Status::Error && !client.plan_.has(kRepeatsAcceptance) &&
                                transfer.state() == UploadTransfer::State::Confirming;
   const bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError ||
                          (status == Status::Accepted && transfer.hasBegun() && transfer.isAcceptanceDoubtful());

@@ -87,7 +87,7 @@ void Client::checkPlan(uint16_t nowMs) {
     return;
   }
   if (plan_.isTooLong()) return end(Status::TooManyItems);
-  if (state_.announce != nullptr && plan_.firmware() == Firmware::Px4) return end(Status::WholePlansOnly);
+  if (state_.announce != nullptr && plan_.has(kTakesWholePlansOnly)) return end(Status::WholePlansOnly);
   if (!isTypeCarried()) return end(Status::NeedsMavlink2);
   if (link_.finder().isArmed() && !rest_.armedAllowed) return end(Status::Armed);
   if (!link_.canSend() || !isHeavyAllowed()) return;
@@ -146,7 +146,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
 // What an acceptance with this opaque_id means. PX4 says what it holds. (0: it does not. Items sent as floats are not
 // those that were summed up.)
 Status Client::proven(uint32_t opaqueId) {
-  const bool says = plan_.firmware() == Firmware::Px4 && opaqueId != 0 && !state_.floatItems;
+  const bool says = plan_.has(kSaysChecksum) && opaqueId != 0 && !state_.floatItems;
   if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
   if (state_.type == PlanType::Mission) rest_.planId = opaqueId;
   return Status::Accepted;
@@ -195,12 +195,11 @@ Aboard Client::aboardAfterUpload(Status status) const {
   const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming || status == Status::AcceptedEarly;
   // An error after the last item may yet be to one that a radio has repeated, and that found an idle autopilot.
   if (mayBeWhole && (!refused || status == Status::Error)) return Aboard::NotKnown;
-  const Firmware firmware = plan_.firmware();
   // It keeps the old plan until the new one is whole; an empty one is whole at once.
-  if (firmware == Firmware::Px4 && (refused || plan_.count() != 0)) return Aboard::AsBefore;
+  if (plan_.has(kKeepsPlanUntilWhole) && (refused || plan_.count() != 0)) return Aboard::AsBefore;
   if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
   // ArduPilot replaces a mission item by item; a fence it takes whole.
-  return firmware == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
+  return plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
 }
 
 uint16_t Client::ownItem(uint16_t wireItem) const {
@@ -275,7 +274,7 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   message.current = current;
   message.autocontinue = autocontinue;
   message.mission_type = static_cast<uint8_t>(state_.type);
-  if (wireItem == state_.next && plan_.firmware() == Firmware::Px4) {
+  if (wireItem == state_.next && plan_.has(kSaysChecksum)) {
     // The sum is enough for an update(): packing is left to the next one.
     ++state_.next;
     return opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);

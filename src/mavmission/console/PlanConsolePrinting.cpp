@@ -146,14 +146,7 @@ void PlanConsole::putOutcome(uint8_t piece) {
 
 bool PlanConsole::composeStatus() {
   switch (step_) {
-    case 0:
-      switch (autopilot_.firmware()) {
-        case Firmware::Unknown: put(F("no autopilot is heard")); break;
-        case Firmware::ArduPilot: put(F("ArduPilot")); break;
-        case Firmware::Px4: put(F("PX4")); break;
-        case Firmware::Other: put(F("an autopilot that is neither ArduPilot nor PX4")); break;
-      }
-      return true;
+    case 0: put(nameOf(autopilot_.firmware())); return true;
     case 1:
       if (autopilot_.hasAutopilot()) put(autopilot_.isArmed() ? F(", armed") : F(", disarmed"));
       return true;

@@ -33,7 +33,7 @@ bool Link::maySpeak() const {
 
 bool Link::canSend() const { return outbox_.isEmpty(); }
 
-void Link::add(Listener& listener) {
+void Link::add(MoreKeys& listener) {
   MoreKeys*& first = parser_.moreKeys();
   listener.next = first;
   first = &listener;

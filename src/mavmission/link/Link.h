@@ -6,7 +6,6 @@
 #include "../LinkCounters.h"
 #include "../MavlinkVersion.h"
 #include "../autopilot/AutopilotFinder.h"
-#include "../service/Listener.h"
 #include "FrameParser.h"
 #include "Outbox.h"
 #if MAVMISSION_SIGNING
@@ -44,7 +43,7 @@ class Link {
   void onTime(uint16_t nowMs);
 
   // Adds one that hears frames beside us.
-  void add(Listener& listener);
+  void add(MoreKeys& listener);
   const MoreKeys* listeners() { return parser_.moreKeys(); }
 
   // True when send() can take a frame. It goes nowhere while nothing may be said, as on a line with nobody at its end.

@@ -36,13 +36,9 @@ constexpr uint16_t kTerrainFrames = bitOf(Frame::GlobalTerrain) | bitOf(Frame::G
 
 // Of an item with a place.
 bool isTakenBy(Firmware firmware, Frame frame) {
+  if (has(firmware, kMayTakeAnyFrame)) return true;
   uint16_t taken = kPlaceFrames;
-  switch (firmware) {
-    case Firmware::Px4: break;
-    case Firmware::ArduPilot: taken |= kTerrainFrames; break;
-    case Firmware::Other:
-    case Firmware::Unknown: return true;  // it may know frames that have no name here
-  }
+  if (has(firmware, kTakesTerrainFrames)) taken |= kTerrainFrames;
   const uint8_t number = static_cast<uint8_t>(frame);
   return number < 16 && ((taken >> number) & 1) != 0;
 }
@@ -108,8 +104,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
   if (item.command == kDoJump) {
     const int32_t target = wholeNumber(item.param1);
     // Home, which raw numbers count as well, is no item to jump to.
-    if (target < ((keeper_ & (kByArduPilot | kIsRaw)) == (kByArduPilot | kIsRaw) ? 1 : 0) ||
-        static_cast<uint16_t>(target) >= count_) {
+    if (target < (has(kHomeIsItem0) && (keeper_ & kIsRaw) != 0 ? 1 : 0) || static_cast<uint16_t>(target) >= count_) {
       return Status::BadJump;
     }
   }
@@ -191,10 +186,9 @@ void fromWire(MissionItem& item, Firmware firmware) {
   if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
   item.current = 0;
   const bool isJump = item.command == kDoJump;
-  if (firmware == Firmware::Px4 && isJump && is(item.param2, k65535)) item.param2 = -1;
-  if (firmware != Firmware::ArduPilot) return;
-  if (rules.hasYaw()) item.param4 = Yaw().inDegrees();
-  if (isJump) item.param1 = oneLess(item.param1);
+  if (has(firmware, kWantsRepeatsWithin16) && isJump && is(item.param2, k65535)) item.param2 = -1;
+  if (has(firmware, kDropsNanYaw) && rules.hasYaw()) item.param4 = Yaw().inDegrees();
+  if (has(firmware, kHomeIsItem0) && isJump) item.param1 = oneLess(item.param1);
 }
 
 }  // namespace detail

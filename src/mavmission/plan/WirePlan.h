@@ -10,6 +10,7 @@
 #include "../PlanType.h"
 #include "../Status.h"
 #include "../autopilot/Commands.h"
+#include "../autopilot/Personality.h"
 
 namespace mavmission {
 namespace detail {
@@ -26,11 +27,12 @@ class WirePlan {
   void begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool raw);
 
   Firmware firmware() const { return firmware_; }
+  bool has(Trait trait) const { return detail::has(firmware_, trait); }
   // Who is to keep it.
   Keeper keeper() const { return keeper_; }
 
   // True where wire item 0 is home, whoever supplies it.
-  bool beginsWithHome() const { return (keeper_ & (kByArduPilot | kIsRaw)) == kByArduPilot; }
+  bool beginsWithHome() const { return has(kHomeIsItem0) && (keeper_ & kIsRaw) == 0; }
 
   // The sketch's items.
   uint16_t count() const { return count_; }

@@ -138,7 +138,7 @@ void MissionFollower::takeText(const FrameParser& frame) {
   memcpy(text, message.text, sizeof(message.text));
   text[sizeof(message.text)] = 0;
   // PX4 accepts a plan first and checks it afterwards.
-  if (client_.firmware() == Firmware::Px4 && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
+  if (has(client_.firmware(), kRejectsInWords) && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
     client_.noteInfeasible();
   }
   if (textFunction_ != nullptr) textFunction_(textContext_, message.severity, text);

@@ -91,7 +91,7 @@ TelemetryPause::TelemetryPause(MissionClient& client, const List& forArduPilot, 
       isAnswered_(false) {}
 
 const TelemetryPause::List& TelemetryPause::list() const {
-  return client_.firmware() == Firmware::ArduPilot ? forArduPilot_ : forOthers_;
+  return has(client_.firmware(), kStreamsAsArduPilot) ? forArduPilot_ : forOthers_;
 }
 
 // Commands and clear() have no items, nor has a download before its MISSION_COUNT.

@@ -41,7 +41,6 @@ class DecimalText {
 
   bool isFinished() const { return state_ == State::Exponent || state_ == State::Nan; }
   void takeDigit(uint8_t digit);
-  void takeExponentDigit(uint8_t digit);
   int16_t exponent() const;
   LongNumber significant() const;
 

@@ -47,7 +47,6 @@ class DownloadTransfer {
   // True if an answer in this state can be one to us: what comes before the question has left is an answer to something
   // earlier.
   bool expectsAnswer(State state) const { return state_ == state && tries_ != 0; }
-  uint16_t count() const { return count_; }
   uint8_t tries() const { return tries_; }
 
  private:

@@ -6,7 +6,6 @@ namespace detail {
 void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs) {
   *this = UploadTransfer();  // all zero: Counting, nothing asked for
   progressMs_ = nowMs;
-  sentMs_ = nowMs;
   behind_ = count;
   send_ = Send::Count;
   suspicion_ = Status::Transferring;
@@ -26,20 +25,19 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
-  } else if (answered_ && item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
+  } else if (item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
     return Status::Transferring;
   } else {
     repeated_ = true;
   }
   item_ = item;
-  answered_ = false;
   send_ = Send::Item;
   return Status::Transferring;
 }
 
 // PX4 goes on with an earlier, longer transfer of ours that had come to no item yet, whatever our COUNT said.
 void UploadTransfer::endOlder() {
-  if (firmware_ != Firmware::Px4 || !mayBeAnswered() || freed_) return;
+  if (!has(firmware_, kGoesOnWithOlder) || !mayBeAnswered() || freed_) return;
   freed_ = true;
   state_ = State::Counting;
   send_ = Send::Cancel;
@@ -82,7 +80,7 @@ Status UploadTransfer::onAck(uint8_t result) {
       return Status::Transferring;
 
     case Status::Error:
-      if (state_ == State::Counting && firmware_ != Firmware::ArduPilot) {
+      if (state_ == State::Counting && !has(firmware_, kErrorRefusesCount)) {
         // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well,
         // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
         if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;
@@ -93,11 +91,11 @@ Status UploadTransfer::onAck(uint8_t result) {
       }
       // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the
       // plan.
-      if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
+      if (state_ == State::Confirming && tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
       // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
       // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
       if ((state_ == State::Confirming && repeated_) ||
-          (state_ != State::Counting && firmware_ == Firmware::Px4 && recounted_)) {
+          (state_ != State::Counting && has(firmware_, kSaysErrorWhenBusy) && recounted_)) {
         suspicion_ = status;
         return Status::Transferring;
       }
@@ -151,7 +149,6 @@ void UploadTransfer::sent(uint16_t nowMs) {
         state_ = State::Confirming;
         suspicion_ = Status::Transferring;
       }
-      answered_ = true;
       sentMs_ = nowMs;
       send_ = Send::Nothing;
       break;

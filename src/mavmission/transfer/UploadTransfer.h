@@ -15,7 +15,7 @@
 
 #include "../Config.h"
 #include "../Status.h"
-#include "../autopilot/Commands.h"
+#include "../autopilot/Personality.h"
 #include "../base/Clock.h"
 
 namespace mavmission {
@@ -62,7 +62,7 @@ class UploadTransfer {
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
   // our last item as if it were that one's, repeated, with the sum of what it had until then.
-  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && tries_ != 0; }
+  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && tries_ != 0; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.
@@ -90,7 +90,6 @@ class UploadTransfer {
   bool recounted_;  // COUNT was sent more than once
   bool freed_;      // an open transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
-  bool answered_;   // item_ has been sent at least once
 };
 
 }  // namespace detail

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <initializer_list>
+
 using namespace mavmission;
 using namespace mavmission::detail;
 
@@ -100,12 +102,13 @@ TEST_CASE("the next operation waits for late answers to the last command too") {
   CHECK(transfer.isDue(kArm, nowMs));
 }
 
-TEST_CASE("silence leaves nothing to wait for") {
+TEST_CASE("silence leaves nothing to wait for, and nothing that could be answered") {
   uint16_t nowMs;
   CommandTransfer transfer = sentTimes(CommandTransfer::kTries, true, nowMs);
   nowMs = later(nowMs, CommandTransfer::kAnswerMs);
   CHECK((transfer.onTime(nowMs) == Status::NoAnswer));
-  transfer.rest(nowMs);
+  CHECK(transfer.tries() == 0);
+  CHECK_FALSE(transfer.isAnswer(kMode));
   transfer.next(true, nowMs);
   CHECK(transfer.isDue(kMode, nowMs));
 }
@@ -130,4 +133,80 @@ TEST_CASE("behind a pause it is sent, with all its attempts") {
   CHECK((transfer.onTime(nowMs) == Status::Transferring));
   CHECK(transfer.isDue(kMode, nowMs));
   CHECK(transfer.tries() == 0);
+}
+
+TEST_CASE("the times and attempts are those of the guide, and what is added to them") {
+  CHECK(+CommandTransfer::kTries == 5);
+  CHECK(+CommandTransfer::kAnswerMs == 1500);
+  CHECK(+CommandTransfer::kProgressMs == 5000);
+  CHECK(+CommandTransfer::kNextAnswerMs == 1600);
+  CHECK(+CommandTransfer::kLateAnswersS == 20);
+  CHECK(+CommandTransfer::kNoCommand == 0);
+  // Late answers to all attempts, each behind a pause for progress, have come by then.
+  CHECK(CommandTransfer::kLateAnswersS * 1000u >= CommandTransfer::kTries * CommandTransfer::kNextAnswerMs);
+}
+
+TEST_CASE("late answers are waited for from the first answer on, not from the last sending") {
+  uint16_t nowMs;
+  CommandTransfer transfer = sentTimes(2, true, nowMs);
+  nowMs = later(nowMs, 700);
+  transfer.next(true, nowMs);
+  CHECK_FALSE(transfer.isDue(kMode, later(nowMs, 1599)));
+  CHECK(transfer.isDue(kMode, later(nowMs, 1600)));
+}
+
+TEST_CASE("what must not happen twice is sent behind a pause, and is unconfirmed when progress falls silent") {
+  uint16_t nowMs;
+  CommandTransfer transfer = sentTimes(1, true, nowMs);
+  transfer.next(false, nowMs);
+  transfer.pause(1000, nowMs);
+  CHECK((transfer.state() == State::Pausing));
+  nowMs = later(nowMs, 1000);
+  CHECK((transfer.onTime(nowMs) == Status::Transferring));
+  REQUIRE(transfer.isDue(kMode, nowMs));
+  transfer.sent(kMode, nowMs);
+  nowMs = later(nowMs, 3000);
+  transfer.onProgress(nowMs);
+  CHECK((transfer.onTime(later(nowMs, 4999)) == Status::Transferring));
+  CHECK((transfer.onTime(later(nowMs, 5000)) == Status::Unconfirmed));
+}
+
+TEST_CASE("whether a command may be sent again can be said before it is sent") {
+  for (const bool repeats : {false, true}) {
+    CommandTransfer transfer = CommandTransfer();
+    transfer.next(!repeats, kBeganMs);
+    transfer.setRepeats(repeats);
+    transfer.sent(kMode, kBeganMs);
+    CHECK((transfer.onTime(later(kBeganMs, 1499)) == Status::Transferring));
+    CHECK((transfer.onTime(later(kBeganMs, 1500)) == Status::Transferring));
+    CHECK((transfer.state() == (repeats ? State::Due : State::Sent)));
+    if (!repeats) CHECK((transfer.onTime(later(kBeganMs, 5000)) == Status::Unconfirmed));
+  }
+}
+
+TEST_CASE("what a listener sends holds back our own with the same id for 1500 ms, and no other") {
+  uint16_t nowMs;
+  CommandTransfer last = sentTimes(1, true, nowMs, kArm);
+  nowMs = later(nowMs, 300);
+  last.sentByListener(kMode, nowMs);
+  CHECK_FALSE(last.isAnswer(kMode));  // it is the listener's
+  CHECK((last.state() == State::Due));
+  CommandTransfer transfer = CommandTransfer();
+  transfer.beginBehind(last);
+  CHECK(transfer.isDue(kArm, nowMs));
+  CHECK_FALSE(transfer.isDue(kMode, later(nowMs, 1499)));
+  CHECK(transfer.isDue(kMode, later(nowMs, 1500)));
+}
+
+TEST_CASE("an answer to what a listener sent releases our own, and an answer to anything else does not") {
+  const struct {
+    uint16_t id, sentMs;
+    bool isReleased;
+  } kAnswers[] = {{kMode, kBeganMs, true}, {kArm, kBeganMs, false}, {kMode, kBeganMs - 1, false}};
+  for (const auto& answer : kAnswers) {
+    CommandTransfer last = CommandTransfer();
+    last.sentByListener(kMode, kBeganMs);
+    last.answeredToListener(answer.id, answer.sentMs);
+    CHECK(last.isDue(kMode, kBeganMs) == answer.isReleased);
+  }
 }

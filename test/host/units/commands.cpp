@@ -2,8 +2,14 @@
 
 #include <doctest/doctest.h>
 
-#include <initializer_list>
+#include <stdlib.h>
 
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+
+#include "RecordedItems.h"
 #include "mavmission/MissionItem.h"
 #include "mavmission/autopilot/Rules.h"
 
@@ -59,4 +65,45 @@ TEST_CASE("a plane has rules of its own for a waypoint, and no splines") {
   CHECK(rulesOf(here, copter).bits != rulesOf(here, plane).bits);
   CHECK_FALSE(rulesOf(spline, copter).has(kIsNotTaken));
   CHECK(rulesOf(spline, plane).has(kIsNotTaken));
+}
+
+TEST_CASE("a command that a vehicle was recorded to take is not refused for it, and one that only others took is") {
+  std::map<std::string, std::set<uint16_t>> taken;
+  std::map<std::string, Keeper> keepers;
+  std::set<uint16_t> all;
+  for (const RecordedItem& row : recordedItems()) {
+    if (row.type != PlanType::Mission || !row.isRead) continue;
+    taken[row.vehicle].insert(row.command);
+    keepers[row.vehicle] = row.keeper;
+    all.insert(row.command);
+  }
+  all.erase(kFenceReturnPoint);  // PX4 takes it in a mission too; ArduPilot in its fence alone
+  CHECK(all.size() > 70);
+  for (const auto& vehicle : taken) {
+    for (const uint16_t command : all) {
+      MissionItem item = anyCommandAt(command, 1_deg, 1_deg, 20_m);
+      CAPTURE(vehicle.first);
+      CAPTURE(command);
+      const bool isTaken = vehicle.second.count(command) != 0;
+      CHECK(rulesOf(item, keepers[vehicle.first]).has(kIsNotTaken) == !isTaken);
+    }
+  }
+}
+
+TEST_CASE("a command that was taken with a place is not sent without one") {
+  unsigned places = 0;
+  for (const RecordedItem& row : recordedItems()) {
+    const bool isPlace = row.isRead && row.sent.frame != Frame::Mission && abs(row.read.x) > 65535;
+    if (!isPlace) continue;
+    ++places;
+    REQUIRE_FALSE(rulesOf(row.sent, row.keeper).has(kHasNoPlace));
+  }
+  CHECK(places > 1000);
+}
+
+TEST_CASE("a command that is not in the table has no place when its frame says so") {
+  for (const Keeper keeper : {Keeper(kByArduPilot), Keeper(kByPx4), Keeper(0)}) {
+    CHECK(rulesOf(anyCommand(31337), keeper).has(kHasNoPlace));
+    CHECK_FALSE(rulesOf(anyCommandAt(31337, 1_deg, 1_deg, 1_m), keeper).has(kHasNoPlace));
+  }
 }

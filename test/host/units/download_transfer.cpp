@@ -1,6 +1,9 @@
 #include "mavmission/transfer/DownloadTransfer.h"
 
 #include <doctest/doctest.h>
+#include <string.h>
+
+#include <initializer_list>
 
 using namespace mavmission;
 using namespace mavmission::detail;
@@ -10,13 +13,122 @@ namespace {
 typedef DownloadTransfer::State State;
 typedef DownloadTransfer::Send Send;
 
-DownloadTransfer begun() {
+// In the client the memory may hold anything before begin().
+DownloadTransfer begun(uint16_t nowMs = 0) {
   DownloadTransfer transfer;
-  transfer.begin(0);
+  memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
+  transfer.begin(nowMs);
   return transfer;
 }
 
+// As far as the items of a plan being asked for, none of which has come.
+DownloadTransfer fetching(uint16_t items, uint16_t nowMs = 0) {
+  DownloadTransfer transfer = begun(nowMs);
+  transfer.sent(nowMs);
+  transfer.onCount(items);
+  transfer.sent(nowMs);
+  return transfer;
+}
+
+bool goesOn(Status status) { return status == Status::Transferring; }
+
 }  // namespace
+
+TEST_CASE("a plan is asked for item by item, each when the one before has come, and then acknowledged") {
+  DownloadTransfer transfer = begun();
+  CHECK(transfer.toSend() == Send::List);
+  CHECK_FALSE(transfer.sent(0));
+  CHECK(transfer.toSend() == Send::Nothing);
+  CHECK(transfer.onCount(3));
+  for (uint16_t item = 0; item < 3; ++item) {
+    CHECK(transfer.toSend() == Send::Request);
+    CHECK(transfer.itemToAsk() == item);
+    CHECK_FALSE(transfer.sent(0));
+    CHECK(transfer.onItem(item));
+  }
+  CHECK(transfer.state() == State::Closing);
+  CHECK(transfer.toSend() == Send::Accepted);
+  CHECK(transfer.sent(0));
+}
+
+TEST_CASE("the list is asked for 5 times, 1500 ms apart, and then there is no answer") {
+  for (uint16_t start : {uint16_t(0), uint16_t(65000)}) {
+    DownloadTransfer transfer = begun(start);
+    uint16_t now = start;
+    for (int tries = 0; tries < 5; ++tries) {
+      CHECK(transfer.toSend() == Send::List);
+      transfer.sent(now);
+      now = static_cast<uint16_t>(now + 1499);
+      CHECK(goesOn(transfer.onTime(now)));
+      CHECK(transfer.toSend() == Send::Nothing);
+      const Status status = transfer.onTime(++now);
+      CHECK((status == (tries < 4 ? Status::Transferring : Status::NoAnswer)));
+    }
+  }
+}
+
+TEST_CASE("an item is asked for 5 times, 250 ms apart, and then the time is out") {
+  DownloadTransfer transfer = fetching(2);
+  transfer.onItem(0);
+  uint16_t now = 0;
+  for (int tries = 0; tries < 5; ++tries) {
+    CHECK(transfer.toSend() == Send::Request);
+    CHECK(transfer.itemToAsk() == 1);
+    transfer.sent(now);
+    CHECK(transfer.tries() == tries + 1);
+    now = static_cast<uint16_t>(now + 249);
+    CHECK(goesOn(transfer.onTime(now)));
+    CHECK(transfer.toSend() == Send::Nothing);
+    const Status status = transfer.onTime(++now);
+    CHECK((status == (tries < 4 ? Status::Transferring : Status::TimedOut)));
+  }
+}
+
+TEST_CASE("a question that the line has not taken yet is not counted, and no time runs") {
+  DownloadTransfer transfer = begun();
+  CHECK(goesOn(transfer.onTime(60000)));
+  CHECK(transfer.toSend() == Send::List);
+  transfer.sent(60000);
+  CHECK(goesOn(transfer.onTime(61499)));
+  CHECK(transfer.toSend() == Send::Nothing);
+}
+
+TEST_CASE("a count is an answer once: a second one is of a list that was asked for twice") {
+  DownloadTransfer transfer = fetching(2);
+  CHECK_FALSE(transfer.onCount(7));
+  CHECK(transfer.toSend() == Send::Nothing);
+  CHECK_FALSE(begun().onCount(2));  // before the list was asked for
+}
+
+TEST_CASE("an item that is not taken is asked for again at once, and has all its tries again") {
+  DownloadTransfer transfer = fetching(2);
+  transfer.onTime(250);
+  transfer.sent(250);
+  CHECK(transfer.tries() == 2);
+  transfer.askAgain();
+  CHECK(transfer.toSend() == Send::Request);
+  CHECK(transfer.itemToAsk() == 0);
+  CHECK(transfer.tries() == 0);
+  transfer.sent(251);
+  CHECK(transfer.tries() == 1);
+  CHECK(transfer.onItem(0));
+}
+
+TEST_CASE("each refusal ends the reading, but for the words that belong to something else") {
+  const uint8_t kAccepted = 0, kInvalidSequence = 13;
+  DownloadTransfer listing = begun();
+  listing.sent(0);
+  DownloadTransfer closing = fetching(1);
+  closing.onItem(0);
+  for (uint8_t result = 0; result <= 30; ++result) {
+    CAPTURE(result);
+    const bool isNoise = result == kAccepted || result == kInvalidSequence;
+    const Status said = isNoise ? Status::Transferring : fromMissionResult(result);
+    CHECK((listing.onAck(result) == said));
+    CHECK((fetching(2).onAck(result) == said));
+    CHECK(goesOn(closing.onAck(result)));  // every item is there
+  }
+}
 
 TEST_CASE("a count that comes before the list was asked for is no answer") {
   DownloadTransfer transfer = begun();
@@ -26,7 +138,6 @@ TEST_CASE("a count that comes before the list was asked for is no answer") {
   transfer.sent(0);
   transfer.onCount(2);
   CHECK(transfer.state() == State::Fetching);
-  CHECK(transfer.count() == 2);
 }
 
 TEST_CASE("an item that comes before it was asked for is no answer") {

@@ -114,18 +114,6 @@ TEST_CASE("a quotient is the nearest float, or one of two equally near") {
   }
 }
 
-TEST_CASE("values that differ in their bits alone are the same") {
-  const auto same = [](float a, float b) { return isSame(&a, &b); };
-  CHECK(same(0.f, -0.f));
-  CHECK(same(kNaN, fromBits(0xFFC12345)));
-  CHECK(same(kInfinity, kInfinity));
-  CHECK_FALSE(same(kInfinity, -kInfinity));
-  CHECK_FALSE(same(kInfinity, kNaN));
-  CHECK_FALSE(same(1.f, std::nextafter(1.f, 2.f)));
-  CHECK_FALSE(same(1.f, -1.f));
-  CHECK_FALSE(same(0.f, std::numeric_limits<float>::denorm_min()));
-}
-
 TEST_CASE("the whole part of a number is without what is behind the point") {
   for (int i = 0; i < 100000; ++i) {
     const float value = fromBits(random32());

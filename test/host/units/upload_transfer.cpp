@@ -13,7 +13,7 @@ using State = UploadTransfer::State;
 
 namespace {
 
-const uint8_t kAccepted = 0, kError = 1, kInvalidSequence = 13, kCancelled = 15;
+const uint8_t kAccepted = 0, kError = 1, kInvalidSequence = 13, kDenied = 14, kCancelled = 15;
 
 // A transfer and its clock, which begins shortly before it wraps.
 class Upload {
@@ -23,7 +23,7 @@ class Upload {
 
   explicit Upload(uint16_t count, Firmware firmware = Firmware::Other, uint8_t leftovers = 0, uint16_t start = 65000)
       : now(start) {
-    memset(static_cast<void*>(&transfer), 0, sizeof(transfer));
+    memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
     transfer.begin(count, firmware, leftovers, now);
   }
 
@@ -449,6 +449,141 @@ TEST_CASE(
   Upload alone(3, Firmware::ArduPilot, false);
   alone.send();
   CHECK((alone.ack(kCancelled) == Status::CancelledByAutopilot));
+}
+
+TEST_CASE("a transfer that is begun again behind an older one has all its tries") {
+  const auto begunAgain = []() {
+    Upload upload(2, Firmware::Px4, true);
+    upload.served(2);
+    upload.wait(1500);
+    CHECK((upload.send() == Send::Item));  // the last one, unasked
+    upload.request(2);
+    CHECK((upload.send() == Send::Cancel));
+    CHECK(upload.transfer.itemsAskedFor() == 0);
+    return upload;
+  };
+  Upload unanswered = begunAgain();
+  for (int tries = 0; tries < 5; ++tries) {
+    if (tries != 0) CHECK((unanswered.send() == Send::Cancel));
+    CHECK((unanswered.send() == Send::Count));
+    const Status status = unanswered.wait(1500);
+    CHECK((status == (tries < 4 ? Status::Transferring : Status::NoAnswer)));
+  }
+  // An error may be to one of the COUNTs before: it is the reason if nothing else comes.
+  Upload refused = begunAgain();
+  refused.served(1);
+  CHECK(goesOn(refused.ack(kError)));
+  CHECK((refused.wait(8500) == Status::Error));
+  Upload accepted = begunAgain();
+  accepted.served(2);
+  CHECK((accepted.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE("of a part only its own items are served, from its first one on") {
+  Upload part(6, Firmware::ArduPilot);
+  part.transfer.limitTo(2, 4);
+  CHECK(part.transfer.itemsAskedFor() == 2);
+  part.send();
+  for (uint16_t item : {uint16_t(0), uint16_t(1), uint16_t(3), uint16_t(4)}) {
+    part.request(item);
+    CHECK((part.send() == Send::Nothing));
+  }
+  for (uint16_t item : {uint16_t(2), uint16_t(3)}) {
+    part.request(item);
+    CHECK(part.transfer.itemToSend() == item);
+    CHECK((part.send() == Send::Item));
+  }
+  CHECK((part.transfer.state() == State::Confirming));
+  part.request(1);
+  CHECK((part.send() == Send::Nothing));
+  part.request(4);
+  CHECK((part.send() == Send::Nothing));
+  CHECK((part.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE("denied ends a transfer, but for a part announced twice: it is the reason if nothing else comes") {
+  for (uint16_t first : {uint16_t(0), uint16_t(2)}) {
+    for (int announced = 1; announced <= 3; ++announced) {
+      for (bool begun : {false, true}) {
+        Upload upload(4, Firmware::ArduPilot);
+        upload.transfer.limitTo(first, 4);
+        upload.send();
+        for (int i = 1; i < announced; ++i) {
+          upload.wait(1500);
+          upload.send();
+        }
+        if (begun) {
+          upload.request(first);
+          upload.send();
+        }
+        CAPTURE(first);
+        CAPTURE(announced);
+        CAPTURE(begun);
+        const bool isDoubtful = first != 0 && announced >= 2;
+        CHECK((upload.ack(kDenied) == (isDoubtful ? Status::Transferring : Status::Denied)));
+        if (!isDoubtful) continue;
+        if (begun) {
+          CHECK((upload.wait(8500) == Status::Denied));
+          continue;
+        }
+        for (int sent = announced; sent < 5; ++sent) {
+          CHECK(goesOn(upload.wait(1500)));
+          upload.send();
+        }
+        CHECK((upload.wait(1500) == Status::Denied));
+      }
+    }
+  }
+}
+
+TEST_CASE("an error to our own repetition of the last item tells nothing of the plan; PX4 may yet accept") {
+  for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
+    Upload upload(2, firmware);
+    upload.served(2);
+    upload.wait(1500);
+    upload.send();
+    CHECK((upload.ack(kError) == (firmware == Firmware::Px4 ? Status::Transferring : Status::Unconfirmed)));
+  }
+}
+
+TEST_CASE("the next item may be made ready from COUNT on, until the last one has been asked for") {
+  Upload upload(2);
+  CHECK(upload.transfer.expectsRequest());
+  upload.send();
+  CHECK(upload.transfer.expectsRequest());
+  upload.request(0);
+  CHECK(upload.transfer.expectsRequest());
+  upload.send();
+  CHECK(upload.transfer.expectsRequest());
+  upload.request(1);
+  CHECK_FALSE(upload.transfer.expectsRequest());
+  upload.send();
+  CHECK_FALSE(upload.transfer.expectsRequest());
+  CHECK_FALSE(Upload(0).transfer.expectsRequest());
+}
+
+TEST_CASE("an acceptance is in doubt only on PX4, with leftovers, when the last item was repeated") {
+  for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4, Firmware::Other}) {
+    for (bool leftovers : {false, true}) {
+      Upload upload(1, firmware, leftovers);
+      upload.served(1);
+      CHECK_FALSE(upload.transfer.isAcceptanceDoubtful());
+      upload.wait(1500);
+      upload.send();
+      CHECK(upload.transfer.isAcceptanceDoubtful() == (firmware == Firmware::Px4 && leftovers));
+    }
+  }
+}
+
+TEST_CASE("a transfer is suspected from an answer on that may be to an earlier one, until its last item has left") {
+  Upload upload(1, Firmware::ArduPilot, true);
+  upload.send();
+  CHECK_FALSE(upload.transfer.isSuspected());
+  upload.ack(kInvalidSequence);
+  CHECK(upload.transfer.isSuspected());
+  upload.request(0);
+  upload.send();
+  CHECK_FALSE(upload.transfer.isSuspected());
 }
 
 TEST_CASE("every wait is the same wherever the clock wraps in it") {

@@ -1,9 +1,9 @@
 // What an autopilot would make of a value that it does not keep. Apart, as few sketches ask.
 #include <string.h>
 
+#include "../autopilot/Rules.h"
 #include "../base/FloatBits.h"
-#include "../plan/Comparison.h"
-#include "Rules.h"
+#include "Comparison.h"
 
 namespace mavmission {
 namespace detail {
@@ -28,7 +28,6 @@ uint32_t bitsOf(float value) {
 
 // The whole part of a number below 2^31; false if it is beyond that.
 bool whole(float number, int32_t& found) {
-  makeWhole(&number);
   const uint32_t bits = bitsOf(number);
   const uint8_t biased = static_cast<uint8_t>(bits >> 23);
   if (biased > 127 + 30) return false;
@@ -78,7 +77,8 @@ float keptSpecial(float value, bool isRadius, Keeper keeper) {
   if (isRadius) {
     const bool isBelow0 = found < 0;
     if (isBelow0) found = -found;
-    if (found > 255) found = atMost(found / 10, 255) * 10;
+    // ArduPilot looks at the number before it is cut: 255.5 is more than a byte of metres.
+    if ((bitsOf(value) & 0x7FFFFFFF) > 0x437F0000) found = atMost(found / 10, 255) * 10;  // 255
     return number(isBelow0 ? -found : found);
   }
   if ((bitsOf(value) & 0x80000000) != 0) return fromBits(kNotKnown);
@@ -134,7 +134,7 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
     case U16:
       if (isAttitude) return number((bits & 0x80000000) != 0 ? 0 : !isInt32 || found > 65535 ? 65535 : found);
       // PX4 rounds the number of corners.
-      if ((keeper & kByPx4) != 0 && (keeper & kOfFence) != 0 && value > 0) return number((timesWhole(bits, 2) + 1) / 2);
+      if ((keeper & (kByPx4 | kOfFence)) == (kByPx4 | kOfFence)) value = number(timesWhole(bits, 1));
       return wrapped(value, 16, false);
     case I16:
       // The height of a rally point that does not fit is refused.
@@ -147,8 +147,10 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
     case To180:
     case To90:
     case To360: {
-      const int32_t limit = kind == To90 ? 90 : 180;
-      return isInt32 && found >= -limit && found <= (kind == To360 ? 360 : limit) ? number(found) : 0;
+      // Looked at before it is cut, too.
+      const bool isTurn = kind == To360 && (bits & 0x80000000) == 0;
+      const uint32_t limit = isTurn ? 0x43B40000 : kind == To90 ? 0x42B40000 : 0x43340000;  // 360, 90, 180
+      return (bits & 0x7FFFFFFF) <= limit ? number(found) : 0;
     }
     default: return fromBits(kNotKnown);
   }

@@ -1,5 +1,5 @@
 // The part of Outbox for signed frames.
-#include "../link/Outbox.h"
+#include "Outbox.h"
 
 #if MAVMISSION_SIGNING
 

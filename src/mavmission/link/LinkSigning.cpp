@@ -3,13 +3,13 @@
 // A received frame is passed on to nobody before its signature has proved right. It is copied, so that the parser can
 // go on meanwhile; if a second one is complete before the first is checked, further bytes wait in the stream. A frame
 // that goes out waits in the outbox for its signature.
-#include "../link/Link.h"
+#include "Link.h"
 
 #if MAVMISSION_SIGNING
 
 #include <Arduino.h>
 
-#include "../link/Messages.h"
+#include "Messages.h"
 
 namespace mavmission {
 namespace detail {

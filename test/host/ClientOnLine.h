@@ -1,0 +1,90 @@
+// A MissionClient on a stream in memory, in simulated time, and what it sends frame by frame. The test is the peer.
+#pragma once
+
+#include <MavMission.h>
+
+#include <vector>
+
+#include "Frames.h"
+#include "MemoryStream.h"
+
+struct SentFrame {
+  uint32_t atMs;
+  uint16_t messageId;
+  Bytes payload;  // with what MAVLink 2 left out
+};
+
+class ClientOnLine {
+ public:
+  // As in HEARTBEAT.autopilot. `kOther` is neither.
+  enum : uint8_t { kOther = 0, kArduPilot = 3, kPx4 = 12 };
+  // Ids of messages.
+  enum : uint16_t { kRequest = 40, kRequestList = 43, kCount = 44, kAck = 47, kRequestInt = 51, kItemInt = 73 };
+
+  MemoryStream line;
+  mavmission::MissionClient client;
+  std::vector<SentFrame> sent;                          // until it is emptied
+  mavmission::Status ended = mavmission::Status::Idle;  // what update() returned of the last end
+  std::vector<mavmission::Status> returned;             // what update() returned, each change
+
+  bool beats = true;  // whether the peer sends heartbeats
+
+  explicit ClientOnLine(uint8_t autopilot) : client(line), autopilot_(autopilot), nowMs_(65000) { setMillis(nowMs_); }
+
+  uint32_t nowMs() const { return nowMs_; }
+
+  void hear(const FrameParts& parts) { line.bring(packed(parts)); }
+
+  // An update() each millisecond, and a heartbeat each second.
+  void run(uint32_t ms) {
+    for (uint32_t end = nowMs_ + ms; nowMs_ != end;) {
+      if (beats && nowMs_ % 1000 == 0) hear(heartbeatParts(autopilot_));
+      setMillis(++nowMs_);
+      const mavmission::Status status = client.update();
+      if (returned.empty() || returned.back() != status) returned.push_back(status);
+      if (status != mavmission::Status::Idle && !client.isBusy()) ended = status;
+      note(line.takeWritten());
+    }
+  }
+
+  // Until a frame of this message has left; false if none does in that time. `sent` ends with it.
+  bool runUntilSent(uint16_t messageId, uint32_t limitMs) {
+    for (uint32_t end = nowMs_ + limitMs; nowMs_ != end;) {
+      const size_t before = sent.size();
+      run(1);
+      for (size_t i = before; i < sent.size(); ++i) {
+        if (sent[i].messageId == messageId) return true;
+      }
+    }
+    return false;
+  }
+
+  // When the frames of this message left [ms, since `from`].
+  std::vector<uint32_t> timesOf(uint16_t messageId, uint32_t from) const {
+    std::vector<uint32_t> times;
+    for (const SentFrame& frame : sent) {
+      if (frame.messageId == messageId) times.push_back(frame.atMs - from);
+    }
+    return times;
+  }
+
+ private:
+  void note(const Bytes& bytes) {
+    unread_ = unread_ + bytes;
+    while (unread_.size() > 2) {
+      const bool isV2 = unread_[0] == 0xFD;
+      const size_t header = isV2 ? 10 : 6;
+      const size_t length = header + unread_[1] + 2;
+      if (unread_.size() < length) return;
+      const uint16_t id = static_cast<uint16_t>(isV2 ? unread_[7] | unread_[8] << 8 : unread_[5]);
+      Bytes payload(unread_.begin() + static_cast<long>(header), unread_.begin() + static_cast<long>(length - 2));
+      payload.resize(255);
+      sent.push_back({nowMs_, id, payload});
+      unread_.erase(unread_.begin(), unread_.begin() + static_cast<long>(length));
+    }
+  }
+
+  uint8_t autopilot_;
+  uint32_t nowMs_;
+  Bytes unread_;
+};

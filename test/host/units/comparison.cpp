@@ -1,0 +1,435 @@
+#include "mavmission/plan/Comparison.h"
+
+#include <doctest/doctest.h>
+
+#include <string.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "RecordedItems.h"
+
+using namespace mavmission;
+using namespace mavmission::detail;
+
+namespace {
+
+const PlanType kTypes[] = {PlanType::Mission, PlanType::Fence, PlanType::Rally};
+const Firmware kFirmwares[] = {Firmware::ArduPilot, Firmware::Px4, Firmware::Other};
+constexpr uint8_t kCopterType = 2;  // HEARTBEAT.type
+
+Keeper keeper(Firmware firmware, PlanType type = PlanType::Mission, uint8_t vehicle = kCopterType) {
+  return keeperOf(firmware, vehicle, type);
+}
+
+// The first field that does not mean what was sent, by the recording alone.
+ItemField lostIn(const RecordedItem& row) {
+  for (unsigned i = 0; i < kFourBytes; ++i) {
+    if (!meansTheSame(row, i)) return fieldOf(i);
+  }
+  return ItemField::None;
+}
+
+// Fields of a row are altered until this says so, and the rest is passed over.
+struct Wrong {
+  unsigned count = 0, line = 0, field = 0;
+  uint32_t bits = 0;
+  std::string vehicle;
+
+  void add(const RecordedItem& row, unsigned index, uint32_t altered) {
+    if (count++ != 0) return;
+    vehicle = row.vehicle;
+    line = row.line;
+    field = index;
+    bits = altered;
+  }
+};
+
+constexpr Keeper kCopter = kByArduPilot, kPlane = kByArduPilot | kByPlane, kFence = kByArduPilot | kOfFence;
+
+// Of a command with a place, or in PX4's frame without one: one field and its bits.
+bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits, Frame frame = Frame::GlobalRelative) {
+  MissionItem item = anyCommandAt(command, Degrees::fromE7(128), Degrees::fromE7(64), 20_m);
+  if (command == 5003) item.param1 = 10;
+  item.frame = frame;
+  setBits(item, index, bits);
+  const ItemField field = notKept(item, keeper);
+  CHECK((field == ItemField::None || field == fieldOf(index)));
+  return field == ItemField::None;
+}
+
+uint32_t bitsOf(float number) {
+  uint32_t bits;
+  memcpy(&bits, &number, sizeof(bits));
+  return bits;
+}
+
+// Its place is one that a float holds.
+MissionItem here() { return waypoint(Degrees::fromE7(1 << 28), Degrees::fromE7(1 << 27), 20_m); }
+
+}  // namespace
+
+TEST_CASE("of a random item each autopilot's answer is what was sent, or names the field that lost its meaning") {
+  unsigned same = 0, lost = 0;
+  Wrong wrong;
+  for (const RecordedItem& row : recordedItems()) {
+    if (!row.isRead) continue;
+    const ItemField expected = lostIn(row);
+    (expected == ItemField::None ? same : lost) += 1;
+    if (difference(row.sent, row.read, row.keeper) != expected) wrong.add(row, static_cast<unsigned>(expected), 0);
+    // So it is known before it is sent.
+    if (notKept(row.sent, row.keeper) != expected) wrong.add(row, static_cast<unsigned>(expected), 1);
+  }
+  CAPTURE(wrong.vehicle);
+  CAPTURE(wrong.line);
+  CAPTURE(wrong.field);
+  CAPTURE(wrong.bits);
+  CHECK(wrong.count == 0);
+  CHECK(same > 6000);
+  CHECK(lost > 3000);
+}
+
+TEST_CASE("of a random item that came back right every other bit of every field is seen, and a 0") {
+  Wrong wrong;
+  for (const RecordedItem& row : recordedItems()) {
+    if (!row.isRead || lostIn(row) != ItemField::None) continue;
+    for (unsigned index = 0; index < kFourBytes; ++index) {
+      const uint32_t read = bitsOf(row.read, index), sent = bitsOf(row.sent, index);
+      for (unsigned bit = 0; bit <= 32; ++bit) {
+        MissionItem altered = row.read;
+        setBits(altered, index, bit < 32 ? read ^ 1u << bit : 0);
+        const bool isSent = bitsOf(altered, index) == sent || bitsOf(altered, index) == read;
+        const bool isNoNumber =
+            index == 3 && std::isnan(numberOf(row.sent, index)) && std::isnan(numberOf(altered, index));
+        const ItemField expected = isSent || isNoNumber ? ItemField::None : fieldOf(index);
+        if (difference(row.sent, altered, row.keeper) != expected) wrong.add(row, index, bitsOf(altered, index));
+      }
+    }
+  }
+  CAPTURE(wrong.vehicle);
+  CAPTURE(wrong.line);
+  CAPTURE(wrong.field);
+  CAPTURE(wrong.bits);
+  CHECK(wrong.count == 0);
+}
+
+TEST_CASE("a field that the vehicle drops may come back as it was sent, whatever it was") {
+  // Another version may keep it. Only where the number itself is allowed.
+  Wrong wrong;
+  for (const RecordedItem& row : recordedItems()) {
+    if (!row.isRead || lostIn(row) != ItemField::None) continue;
+    MissionItem whole = row.sent;
+    whole.frame = row.read.frame;
+    whole.autocontinue = row.read.autocontinue;
+    if (difference(row.sent, whole, row.keeper) != ItemField::None) wrong.add(row, 0, 0);
+  }
+  CAPTURE(wrong.vehicle);
+  CAPTURE(wrong.line);
+  CHECK(wrong.count == 0);
+}
+
+TEST_CASE("of several differences the first in the order of the message is told") {
+  const MissionItem sent = here();
+  MissionItem read = sent;
+  CHECK((difference(sent, read, 0) == ItemField::None));
+  read.autocontinue = 0;
+  CHECK((difference(sent, read, 0) == ItemField::Autocontinue));
+  read.z = 7;
+  CHECK((difference(sent, read, 0) == ItemField::Height));
+  read.y = 7;
+  CHECK((difference(sent, read, 0) == ItemField::Longitude));
+  read.x = 7;
+  CHECK((difference(sent, read, 0) == ItemField::Latitude));
+  read.param4 = 7;
+  CHECK((difference(sent, read, 0) == ItemField::Param4));
+  read.param3 = 7;
+  CHECK((difference(sent, read, 0) == ItemField::Param3));
+  read.param2 = 7;
+  CHECK((difference(sent, read, 0) == ItemField::Param2));
+  read.param1 = 7;
+  CHECK((difference(sent, read, 0) == ItemField::Param1));
+  read.frame = Frame::Global;
+  CHECK((difference(sent, read, 0) == ItemField::Reference));
+  read.command = 17;
+  CHECK((difference(sent, read, 0) == ItemField::Command));
+}
+
+TEST_CASE("an autopilot that is neither keeps every field of every command as it was sent") {
+  std::set<uint16_t> commands;
+  for (const RecordedItem& row : recordedItems()) commands.insert(row.sent.command);
+  CHECK(commands.size() > 60);
+  for (const uint16_t command : commands) {
+    for (const PlanType type : kTypes) {
+      for (unsigned index = 0; index < kFourBytes; ++index) {
+        MissionItem sent = here();
+        sent.command = command;
+        sent.param4 = 0;
+        setBits(sent, index, isInteger(index) ? 7 : 0x429B3333);  // 77.6
+        MissionItem read = sent;
+        CAPTURE(command);
+        CHECK((difference(sent, read, keeper(Firmware::Other, type)) == ItemField::None));
+        setBits(read, index, 0);
+        CHECK((difference(sent, read, keeper(Firmware::Other, type)) == fieldOf(index)));
+      }
+    }
+  }
+}
+
+TEST_CASE("a NaN that was sent may come back as any NaN, and only as a yaw") {
+  const float kNaN = std::numeric_limits<float>::quiet_NaN();
+  for (const Firmware firmware : {Firmware::Px4, Firmware::Other}) {
+    MissionItem sent = here(), read = sent;
+    setBits(read, 3, 0xFFC12345);
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::None));
+    sent.param1 = kNaN;
+    read = sent;
+    setBits(read, 0, 0xFFC12345);
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param1));
+    sent = here();
+    read = sent;
+    read.param4 = 0;
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param4));
+    read.param4 = kNaN;
+    sent.param4 = 0;
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param4));
+    read.param4 = std::numeric_limits<float>::infinity();
+    sent.param4 = kNaN;
+    CHECK((difference(sent, read, keeper(firmware)) == ItemField::Param4));
+  }
+}
+
+TEST_CASE("coordinates are compared as the integers that they are") {
+  const MissionItem sent = here();
+  for (const Firmware firmware : kFirmwares) {
+    MissionItem zero = sent, lowest = sent;
+    zero.x = 0;
+    lowest.x = std::numeric_limits<int32_t>::min();  // as a float it would be -0
+    CHECK((difference(zero, lowest, keeper(firmware)) == ItemField::Latitude));
+    zero.x = lowest.x = sent.x;
+    zero.y = 0;
+    lowest.y = std::numeric_limits<int32_t>::min();
+    CHECK((difference(zero, lowest, keeper(firmware)) == ItemField::Longitude));
+  }
+}
+
+TEST_CASE("autocontinue may be 1 in a mission from ArduPilot, is of no account in a fence, and is kept elsewhere") {
+  for (const Firmware firmware : kFirmwares) {
+    for (const PlanType type : kTypes) {
+      for (uint8_t was : {0, 1}) {
+        for (uint8_t is : {0, 1, 2}) {
+          MissionItem sent = here(), read = sent;
+          sent.autocontinue = was;
+          read.autocontinue = is;
+          const bool isRight = type != PlanType::Mission || is == was || (firmware == Firmware::ArduPilot && is == 1);
+          const ItemField expected = isRight ? ItemField::None : ItemField::Autocontinue;
+          CHECK((difference(sent, read, keeper(firmware, type)) == expected));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a frame may come back by its other number, or as Global where there is no height") {
+  const Frame frames[] = {Frame::Global,          Frame::Mission,           Frame::GlobalRelative,
+                          Frame::GlobalInt,       Frame::GlobalRelativeInt, Frame::GlobalTerrain,
+                          Frame::GlobalTerrainInt};
+  const auto number = [](Frame frame) {
+    return frame == Frame::GlobalInt           ? Frame::Global
+           : frame == Frame::GlobalRelativeInt ? Frame::GlobalRelative
+           : frame == Frame::GlobalTerrainInt  ? Frame::GlobalTerrain
+                                               : frame;
+  };
+  for (const Firmware firmware : kFirmwares) {
+    for (const PlanType type : kTypes) {
+      for (const uint16_t command : {uint16_t(16), uint16_t(178)}) {  // with a place, and without
+        for (const Frame was : frames) {
+          for (const Frame is : frames) {
+            MissionItem sent = here();
+            sent.command = command;
+            sent.frame = was;
+            sent.param4 = 0;
+            MissionItem read = sent;
+            read.frame = is;
+            const bool isArduPilot = firmware == Firmware::ArduPilot;
+            const bool hasNoHeight = isArduPilot ? type == PlanType::Fence || was == Frame::Mission || command == 178
+                                                 : firmware == Firmware::Px4 && type == PlanType::Fence;
+            const bool isRight = number(was) == number(is) || (number(is) == Frame::Global && hasNoHeight);
+            CAPTURE(static_cast<int>(firmware));
+            CAPTURE(static_cast<int>(type));
+            CAPTURE(static_cast<int>(was));
+            CAPTURE(static_cast<int>(is));
+            CHECK(
+                (difference(sent, read, keeper(firmware, type)) == (isRight ? ItemField::None : ItemField::Reference)));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("ArduPilot keeps no height of a fence and only whole metres of rally points; PX4 keeps both") {
+  MissionItem sent = fenceInsideCircle(1_deg, 1_deg, 20_m), point = rallyPoint(1_deg, 1_deg, 30_m);
+  sent.z = 30.5f;
+  for (const float height : {0.f, 30.f, 30.5f, 31.f, 1.f}) {
+    MissionItem read = sent;
+    read.z = height;
+    const bool isSame = height == 30.5f;
+    const auto expected = [](bool isRight) { return isRight ? ItemField::None : ItemField::Height; };
+    CAPTURE(height);
+    CHECK((difference(sent, read, keeper(Firmware::ArduPilot, PlanType::Fence)) == expected(isSame || height == 0)));
+    CHECK((difference(sent, read, keeper(Firmware::Px4, PlanType::Fence)) == expected(isSame)));
+    read = point;
+    read.z = height;
+    CHECK((difference(point, read, keeper(Firmware::ArduPilot, PlanType::Rally)) == expected(height == 30)));
+    CHECK((difference(point, read, keeper(Firmware::Px4, PlanType::Rally)) == expected(height == 30)));
+  }
+  point.z = 30.5f;
+  CHECK((notKept(point, keeper(Firmware::ArduPilot, PlanType::Rally)) == ItemField::Height));
+  CHECK((notKept(point, keeper(Firmware::Px4, PlanType::Rally)) == ItemField::None));
+}
+
+TEST_CASE("each kind of whole number is kept up to its limits, and not beyond") {
+  const struct {
+    uint16_t command;
+    unsigned index;
+    float lowest, highest;
+  } kKinds[] = {
+      {18, 3, 0, 1},         {202, 0, 0, 255},        {93, 1, -128, 127},
+      {16, 0, 0, 65535},     {177, 1, -32768, 32767}, {17, 2, -65535, 65535},
+      {42703, 1, -180, 180}, {42703, 2, -90, 90},     {42703, 3, -180, 360},
+  };
+  for (const auto& kind : kKinds) {
+    CAPTURE(kind.command);
+    CAPTURE(kind.index);
+    for (const float kept : {kind.lowest, kind.highest, 0.f, 1.f}) {
+      CHECK(isKept(kCopter, kind.command, kind.index, bitsOf(kept)));
+    }
+    for (const float lost : {kind.lowest - 1, kind.highest + 1, 0.5f, -0.5f, 0.001f}) {
+      CHECK_FALSE(isKept(kCopter, kind.command, kind.index, bitsOf(lost)));
+    }
+  }
+}
+
+TEST_CASE("-0 is kept as 0 where a whole number is") {
+  MissionItem sent = here(), read;
+  sent.param1 = -0.f;
+  read = sent;
+  read.param1 = 0;
+  CHECK((difference(sent, read, kCopter) == ItemField::None));
+  CHECK((difference(read, sent, kCopter) == ItemField::Param1));
+}
+
+TEST_CASE("x and y of a command without a place are whole numbers on ArduPilot, where it uses them") {
+  for (const int32_t kept : {0, 1, 255}) CHECK(isKept(kCopter, 202, 4, static_cast<uint32_t>(kept)));
+  for (const int32_t lost : {-1, 256, 257, 1000}) CHECK_FALSE(isKept(kCopter, 202, 4, static_cast<uint32_t>(lost)));
+  for (const int32_t kept : {-32768, 0, 32767}) CHECK(isKept(kCopter, 42703, 4, static_cast<uint32_t>(kept)));
+  for (const int32_t lost : {-32769, 32768}) CHECK_FALSE(isKept(kCopter, 42703, 4, static_cast<uint32_t>(lost)));
+}
+
+TEST_CASE("the radius of turns is whole metres to 255, and tens to 2550") {
+  for (int metres = 0; metres <= 2700; ++metres) {
+    const bool expected = metres <= 255 || (metres <= 2550 && metres % 10 == 0);
+    CAPTURE(metres);
+    CHECK(isKept(kCopter, 18, 2, bitsOf(static_cast<float>(metres))) == expected);
+    CHECK(isKept(kCopter, 18, 2, bitsOf(static_cast<float>(-metres))) == expected);
+  }
+}
+
+TEST_CASE("turns are whole to 255, and below 1 in 256ths") {
+  for (int turns = 0; turns <= 300; ++turns)
+    CHECK(isKept(kCopter, 18, 0, bitsOf(static_cast<float>(turns))) == (turns <= 255));
+  for (int parts = 1; parts < 1024; ++parts) {
+    CHECK(isKept(kCopter, 18, 0, bitsOf(static_cast<float>(parts) / 1024)) == (parts % 4 == 0));
+  }
+  for (const float lost : {1.5f, -1.f, -0.25f}) CHECK_FALSE(isKept(kCopter, 18, 0, bitsOf(lost)));
+}
+
+TEST_CASE(
+    "a circle of a fence on ArduPilot has a radius above 0 that is no less than a millimetre above whole metres") {
+  CHECK(isKept(kFence, 5003, 0, 0x3A83126F));  // 0.001
+  CHECK_FALSE(isKept(kFence, 5003, 0, 0x3A83126E));
+  for (const float lost : {0.f, -1.f, -20.f}) CHECK_FALSE(isKept(kFence, 5003, 0, bitsOf(lost)));
+  for (int metres = 1; metres <= 65536; metres *= 2) {
+    const uint32_t bits = bitsOf(static_cast<float>(metres));
+    unsigned wrong = 0;
+    MissionItem circle = fenceInsideCircle(1_deg, 1_deg, 20_m);
+    for (uint32_t steps = 0; steps < 8500; ++steps) {
+      const double above = std::fmod(steps * static_cast<double>(metres) / (1 << 23), 1);
+      setBits(circle, 0, bits + steps);
+      if ((notKept(circle, kFence) == ItemField::None) != (above == 0 || above > 0.001)) ++wrong;
+    }
+    CAPTURE(metres);
+    CHECK(wrong == 0);
+    CHECK(isKept(kFence, 5003, 0, bits + 0x400000));
+  }
+}
+
+TEST_CASE("what is kept in centimetres is below 655.36") {
+  CHECK(isKept(kCopter, 94, 0, 0x4423D709));
+  CHECK_FALSE(isKept(kCopter, 94, 0, 0x4423D70A));  // 655.36
+  CHECK_FALSE(isKept(kCopter, 94, 0, bitsOf(-1.f)));
+}
+
+TEST_CASE("the direction of a circle is 0, 1 or -1 on a plane, and of any size where it is not used") {
+  for (const float radius : {0.f, 1.f, -1.f}) CHECK(isKept(kPlane, 19, 2, bitsOf(radius)));
+  for (const float radius : {2.f, -2.f, 50.f, 0.5f}) {
+    CHECK_FALSE(isKept(kPlane, 19, 2, bitsOf(radius)));
+    CHECK(isKept(kCopter, 19, 2, bitsOf(radius)));
+  }
+}
+
+TEST_CASE("a heading is kept from -180 to 360 degrees on PX4") {
+  for (const float kept : {-180.f, 0.f, 360.f}) CHECK(isKept(kByPx4, 16, 3, bitsOf(kept)));
+  for (const float limit : {-180.f, 360.f}) CHECK_FALSE(isKept(kByPx4, 16, 3, bitsOf(limit) + 1));
+}
+
+TEST_CASE("a region of interest has a mode that PX4 takes: none or a place, or without a place none or an item") {
+  for (unsigned mode = 0; mode < 300; ++mode) {
+    CAPTURE(mode);
+    const uint32_t bits = bitsOf(static_cast<float>(mode));
+    CHECK(isKept(kByPx4, 201, 0, bits) == (mode == 0 || mode == 3));
+    CHECK(isKept(kByPx4, 201, 0, bits, Frame::Mission) == (mode <= 2));
+  }
+}
+
+TEST_CASE("PX4 keeps a whole number of corners of a fence, and any radius of a circle") {
+  constexpr Keeper kPx4Fence = kByPx4 | kOfFence;
+  for (const uint16_t corner : {uint16_t(5001), uint16_t(5002)}) {
+    CHECK(isKept(kPx4Fence, corner, 0, bitsOf(4.f)));
+    CHECK_FALSE(isKept(kPx4Fence, corner, 0, bitsOf(3.5f)));
+  }
+  CHECK(isKept(kPx4Fence, 5003, 0, bitsOf(3.5f)));
+}
+
+TEST_CASE("every number of a command that is not in the table is kept as it is, with a place and without") {
+  for (const Keeper keeper : {kCopter, kPlane, Keeper(kByPx4)}) {
+    for (const Frame frame : {Frame::Mission, Frame::GlobalRelative}) {
+      for (unsigned index = 0; index < 4; ++index) {
+        MissionItem sent = here();
+        sent.command = 31337;
+        sent.frame = frame;
+        sent.param4 = 0;
+        setBits(sent, index, bitsOf(77.6f));
+        MissionItem read = sent;
+        CHECK((difference(sent, read, keeper) == ItemField::None));
+        setBits(read, index, 0);
+        CHECK((difference(sent, read, keeper) == fieldOf(index)));
+      }
+    }
+  }
+}
+
+TEST_CASE("an altitude of a command that is not in the table comes back in centimetres from ArduPilot alone") {
+  MissionItem sent = here();
+  sent.command = 31337;
+  sent.param4 = 0;
+  sent.z = 20.125f;
+  MissionItem read = sent;
+  read.z = 20.1199989f;
+  CHECK((difference(sent, read, keeper(Firmware::ArduPilot)) == ItemField::None));
+  CHECK((difference(sent, read, keeper(Firmware::Px4)) == ItemField::Height));
+  CHECK((difference(sent, read, keeper(Firmware::Other)) == ItemField::Height));
+}

@@ -1,0 +1,222 @@
+"""How our sources look, and what a checker finds in them: nothing, and each would find a fault."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from building import ROOT
+from declared import NotUnderstood, library_headers, unnamed
+from simulation.firmware import LIBRARY, library_sources
+
+WIDTH = 120
+FOLDERS = ("src", "examples", "tools", "simulation", "test")
+NOT_OURS = ROOT / "src" / "mavmission" / "mavlink"
+CODE = (".c", ".cpp", ".h", ".in", ".ino", ".py", "")
+BIN = ROOT / "build" / "venv" / "bin"
+
+
+def files_of(*suffixes: str) -> list[Path]:
+    found = [file for folder in FOLDERS for file in sorted((ROOT / folder).rglob("*")) if file.suffix in suffixes]
+    return [file for file in found if file.is_file() and is_ours(file)]
+
+
+def is_ours(file: Path) -> bool:
+    data = ROOT / "test" / "fuzz" / "corpus"
+    return NOT_OURS not in file.parents and data not in file.parents and "__pycache__" not in file.parts
+
+
+def found_by(*command: str | Path) -> str:
+    """What a checker says; nothing if it is content."""
+    ran = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
+    return "" if ran.returncode == 0 else ran.stdout + ran.stderr or "it failed without a word"
+
+
+# -- Python ----------------------------------------------------------------------------------------
+
+
+def test_python_is_clean_by_the_rules_of_ruff():
+    assert found_by(BIN / "ruff", "check", "--no-cache") == ""
+
+
+def test_ruff_looks_at_every_python_file():
+    seen = found_by_ruff_to_be_looked_at()
+    assert {file for file in files_of(".py")} | {ROOT / "tools" / "plan", ROOT / "tools" / "demo"} <= seen
+    assert {file for file in files_of("") if file.read_bytes()[:40].find(b"python3") > 0} <= seen
+
+
+def found_by_ruff_to_be_looked_at() -> set[Path]:
+    ran = subprocess.run([BIN / "ruff", "check", "--show-files"], capture_output=True, text=True, check=True, cwd=ROOT)
+    return {Path(line) for line in ran.stdout.splitlines()}
+
+
+@pytest.mark.parametrize(
+    ("fault", "rule"),
+    [
+        ("import os\n", "F401"),
+        ("x = 1 \n", "W291"),
+        ("import sys\nimport os\nprint(os, sys)\n", "I001"),
+        ("def f(a=[]):\n    return a\n", "B006"),
+        ("from typing import Optional\n\nx: Optional[int] = 1\n", "UP007"),
+        (f"x = '{'y' * WIDTH}'\n", "E501"),
+    ],
+)
+def test_fault_in_python_is_found(tmp_path, fault, rule):
+    (tmp_path / "faulty.py").write_text(fault)
+    assert rule in found_by(BIN / "ruff", "check", "--no-cache", "--config", ROOT / "ruff.toml", tmp_path / "faulty.py")
+
+
+@pytest.mark.slow
+def test_types_of_the_tools_and_of_the_simulated_world_are_right():
+    assert found_by(BIN / "mypy") == ""
+
+
+def test_no_module_of_ours_is_left_out_by_mypy():
+    settings = (ROOT / "mypy.ini").read_text()
+    assert "\nfiles = simulation, tools, tools/build, " in settings
+    left_out = re.findall(r"^\[mypy-(.*)\]$", settings, re.M)
+    assert left_out == ["elftools.*,mavmission_dialect,pymavlink.*,serial.*"]
+    assert "ignore_errors" not in settings and "follow_imports" not in settings and "exclude" not in settings
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "fault",
+    [
+        "count: int = 'one'\n",
+        "from simulation.wire import Wire\n\nWire(seed='one')\n",
+        "from planning.plan import modern\n\nmodern('one')\n",
+    ],
+)
+def test_wrong_type_is_found(tmp_path, fault):
+    (tmp_path / "faulty.py").write_text(fault)
+    said = found_by(BIN / "mypy", "--config-file", ROOT / "mypy.ini", tmp_path / "faulty.py")
+    assert "faulty.py" in said and "Found 1 error in 1 file" in said
+
+
+# -- C++ -------------------------------------------------------------------------------------------
+
+
+def unformatted(files: Iterable[Path]) -> set[str]:
+    """The names of those that clang-format would write otherwise."""
+    said = found_by(BIN / "clang-format", "--dry-run", "--Werror", f"--style=file:{ROOT / '.clang-format'}", *files)
+    return set(re.findall(r"([^/\s]+):\d+:\d+: error: code should be clang-formatted", said)) or ({said} - {""})
+
+
+def test_c_and_cpp_are_as_clang_format_writes_them():
+    files = files_of(".c", ".cpp", ".h", ".ino")
+    assert len(files) > 150
+    assert unformatted(files) == set()
+
+
+def test_file_that_is_formatted_otherwise_is_found(tmp_path):
+    (tmp_path / "other.cpp").write_text("int  one() { return 1; }\n")
+    (tmp_path / "right.cpp").write_text("int one() { return 1; }\n")
+    assert unformatted(tmp_path.glob("*.cpp")) == {"other.cpp"}
+
+
+# What nothing in the library names, and why it is there all the same.
+FOR_OTHERS = {
+    "AutopilotFinder::onHeartbeat": "the host's tests have whole heartbeats",
+    "MissionClient::kMaxItems": "tells a sketch how long a plan may be",
+    "Sha256::kDigest": "says how long a digest is; the host's program has room for one by it",
+    "Sha256::kLongest": "says what the length that is kept allows",
+    "Signing::time": "the host's program tells it, for the tests to compare",
+    "kWholeText": "the room that a caller must give; now they all have more",
+    "kDegreesText": "the room that a caller must give; now they all have more",
+}
+
+
+def for_sketches() -> set[str]:
+    """What the Arduino IDE shows in colour, and what a sketch or a test of ours names."""
+    places = [ROOT / place for place in ("examples", "simulation/sketches", "test")]
+    files = [file for place in places for file in place.rglob("*") if file.suffix in (".cpp", ".h", ".ino")]
+    return {word for file in [ROOT / "keywords.txt", *files] for word in re.findall(r"\w+", file.read_text())}
+
+
+@cache
+def unnamed_in_the_library() -> dict[str, Path]:
+    return unnamed(library_headers(), library_sources())
+
+
+def is_public(header: Path) -> bool:
+    """What is in the folder itself is for sketches; what is below it is the library's own."""
+    return header.parent in (LIBRARY, LIBRARY / "mavmission")
+
+
+@pytest.mark.slow
+def test_what_a_header_declares_is_named_by_the_library_or_is_for_sketches():
+    words = for_sketches()
+    assert {
+        name for name, header in unnamed_in_the_library().items()
+        if name not in FOR_OTHERS and not (is_public(header) and name.rpartition("::")[2] in words)
+    } == set()  # fmt: skip
+
+
+@pytest.mark.slow
+def test_each_exception_is_one():
+    assert FOR_OTHERS.keys() <= unnamed_in_the_library().keys()
+
+
+def test_dead_declaration_is_found(tmp_path):
+    header, source = tmp_path / "Two.h", tmp_path / "two.cpp"
+    header.write_text(
+        "namespace a {\n"
+        "constexpr int kUsed = 1, kDead = 2;\n"
+        "struct One { int count() const { return kUsed; } int size() const { return 3; } };\n"
+        "struct Two { int count() const { return 4; } virtual int size() const; int defined(); int missing(); };\n"
+        "template <class T> T twice(T value) { return value + value; }\n"
+        "template <class T> T thrice(T value) { return twice(value) + value; }\n"
+        "inline int both(const One& one, const Two& two) { return one.size() + two.count() + twice(1); }\n"
+        "}\n"
+    )
+    size = "int a::Two::size() const { return both(One(), *this); }\n"
+    source.write_text(f'#include "Two.h"\n{size}int a::Two::defined() {{ return 1; }}\n')
+    dead = set(unnamed([header], [source], [tmp_path]))
+    assert dead == {"kDead", "One::count", "Two::size", "Two::defined", "Two::missing", "thrice"}
+
+
+def test_source_that_does_not_compile_is_said(tmp_path):
+    (tmp_path / "wrong.cpp").write_text("int one() { return two; }\n")
+    with pytest.raises(NotUnderstood, match="undeclared identifier"):
+        unnamed([], [tmp_path / "wrong.cpp"], [])
+
+
+# -- lines -----------------------------------------------------------------------------------------
+
+
+def too_long(text: str, *, is_prose: bool) -> list[int]:
+    """The numbers of the lines that are. In Markdown a table's row cannot be broken."""
+    lines = enumerate(text.splitlines(), start=1)
+    return [number for number, line in lines if len(line) > WIDTH and not (is_prose and line.lstrip().startswith("|"))]
+
+
+def test_no_line_is_too_long():
+    prose = [file for place in (ROOT, ROOT / "docs", ROOT / "simulation") for file in place.glob("*.md")]
+    prose += [file for folder in ("simulation", "test") for file in (ROOT / folder).rglob("*.md")]
+    assert len(prose) > 5
+    files = [(file, False) for file in files_of(*CODE)] + [(file, True) for file in prose]
+    assert [
+        f"{file.relative_to(ROOT)}:{number}"
+        for file, is_prose in files for number in too_long(file.read_text(), is_prose=is_prose)
+    ] == []  # fmt: skip
+
+
+def test_line_that_is_too_long_is_found():
+    row, line = "| " + "x" * WIDTH, "ä" * WIDTH
+    assert too_long(f"{line}\n{line}y\n{row}", is_prose=True) == [2]
+    assert too_long(f"{line}\n{line}y\n{row}", is_prose=False) == [2, 3]
+
+
+def test_this_file_runs_the_pinned_tools():
+    pins = (ROOT / "tools" / "requirements.txt").read_text()
+    for tool in ("ruff", "mypy", "clang-format"):
+        said = subprocess.run([BIN / tool, "--version"], capture_output=True, text=True, check=True).stdout
+        assert re.search(rf"^{tool}==(.*)$", pins, re.M)[1] in said
+    assert Path(sys.prefix).resolve() == (ROOT / "build" / "venv").resolve()

@@ -1,0 +1,146 @@
+"""Defects planted in the library are found: a fixed sample of what tools/mutate plants, and the tool itself.
+
+All of them: tools/mutate. What may survive, and why, is in surviving_mutants.toml.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from mutating import report, run, syntax
+from mutating.explained import BadEntry, explained, without_a_mutant
+from mutating.judging import SAME, SURVIVED, judge
+from mutating.kinds import KINDS
+from mutating.mutants import mutants_of, sample
+from mutating.subjects import SUBJECTS, Subject, files_of, subjects, units_of
+
+SAMPLE = 60
+
+
+@pytest.mark.slow
+def test_every_mutant_of_a_fixed_sample_is_found_or_explained(record_property):
+    verdicts = judge(run.drawn([], SAMPLE, seed=1))
+    reasons = explained()
+    record_property("table", ["mutants: a fixed sample", report.rows(verdicts, reasons)])
+    assert [report.line(verdict.mutant) for verdict in report.unexplained(verdicts, reasons)] == []
+    assert [report.line(verdict.mutant) for verdict in report.killed_but_explained(verdicts, reasons)] == []
+    assert sum(verdict.counts for verdict in verdicts) > SAMPLE / 2
+
+
+def test_each_explanation_is_of_a_mutant_that_there_is():
+    mutants = [mutant for _, mutant in run.of_all([])]
+    assert without_a_mutant(explained(), mutants) == []
+    assert {key[0] for key in explained()} <= {mutant.file for mutant in mutants}
+
+
+def test_each_file_that_is_mutated_has_tests_of_its_own():
+    for subject in SUBJECTS:
+        assert files_of(subject.name)
+        assert all(unit.exists() for unit in units_of(subject)) and subject.units
+
+
+def outcome(file: str, was: str, becomes: str) -> str:
+    """Of a mutant of the library, by the text of its line."""
+    (pair,) = [
+        (subject, mutant)
+        for subject, mutant in run.of_all([file])
+        if (mutant.was, mutant.becomes) == (was, becomes) and mutant.file == f"{file}.cpp"
+    ]
+    (verdict,) = judge([pair])
+    return verdict.outcome
+
+
+@pytest.mark.slow
+def test_mutant_is_found_by_the_cheapest_tests_that_can_and_one_that_changes_nothing_by_none():
+    last = "if (tries_ == kTries) return Status::Unconfirmed;"
+    assert outcome("UploadTransfer", last, last.replace("==", "!=")) == "unit tests"
+    assert outcome("UploadTransfer", "progressMs_ = nowMs;", ";") == SURVIVED
+    # Compiled only with MAVMISSION_SIGNING.
+    signing = "if (--skip_ != 1) return grow(byte);"
+    assert outcome("FrameParser", signing, signing.replace("!=", "==")) == SAME
+
+
+CODE = b"""
+enum Plain { One, Two };
+// A comment with 1 < 2 && true.
+static_assert(sizeof(int) == 4, "");
+#if 1 < 2
+bool Thing::isNear(int a, int b) const {
+  if (a < b && !has_) return false;
+  for (int i = 0; i != b; ++i) call(0x10);
+  state_ = State::Here;
+  return b > a ? state_ == State::There : kind(Two);
+}
+#endif
+"""
+
+
+def changes(kind: str) -> set[tuple[str, str]]:
+    """What a kind makes of CODE: the text that is changed, and what is there instead."""
+    found = KINDS[kind](syntax.parsed(CODE))
+    return {(CODE[change.start : change.end].decode(), change.text.decode()) for change in found}
+
+
+def test_each_kind_changes_what_its_name_says_and_nothing_else():
+    assert changes("condition negated") == {
+        ("<", ">="), ("!=", "=="), (">", "<="), ("==", "!="), ("!has_", "has_"),
+        ("a < b && !has_", "!(a < b && !has_)"),
+    }  # fmt: skip
+    assert changes("boundary moved") == {("<", "<="), (">", ">=")}
+    assert changes("and, or exchanged") == {("&&", "||")}
+    assert changes("constant changed") == {("false", "true"), ("0", "1"), ("0x10", "0x11"), ("0x10", "0xf")}
+    assert changes("enumerator exchanged") == {
+        ("State::Here", "State::There"), ("State::There", "State::Here"), ("Two", "One"),
+    }  # fmt: skip
+    assert changes("assignment left out") == {("state_ = State::Here;", ";")}
+    assert changes("call left out") == {("call(0x10);", ";")}
+
+
+def test_source_that_is_not_understood_is_said_as_such():
+    with pytest.raises(syntax.NotUnderstood, match="line 1"):
+        syntax.parsed(b"int f( { return 1; }")
+
+
+def test_mutant_is_known_by_its_text_and_not_by_its_place(tmp_path):
+    (tmp_path / "elsewhere").mkdir()
+    here, there = tmp_path / "Thing.cpp", tmp_path / "elsewhere" / "Thing.cpp"
+    here.write_bytes(CODE)
+    with_comment = CODE.replace(b"state_ = State::Here;", b"state_ = State::Here;  // why")
+    there.write_bytes(b"// Another line before.\n" + with_comment)
+    ids = [[mutant.id for mutant in mutants_of(file)] for file in (here, there)]
+    assert ids[0] == ids[1]
+    assert len(set(ids[0])) == len(ids[0])
+
+
+def test_sample_stays_the_same_when_a_mutant_is_added(tmp_path):
+    file = tmp_path / "Thing.cpp"
+    file.write_bytes(CODE)
+    before = mutants_of(file)
+    file.write_bytes(CODE + b"void more() { call(); }\n")
+    after = mutants_of(file)
+    assert len(after) == len(before) + 1
+    drawn = {mutant.id for mutant in sample(before, 8, 1)}
+    assert len(drawn) == 8
+    assert len(drawn - {mutant.id for mutant in sample(after, 8, 1)}) <= 1
+    assert drawn != {mutant.id for mutant in sample(before, 8, 2)}
+
+
+def test_entry_that_is_not_whole_is_refused(tmp_path):
+    file = tmp_path / "list.toml"
+    file.write_text('[[survivor]]\nfile = "A.cpp"\nfunction = ""\nwas = "a"\nbecomes = "b"\nwhy = " "\n')
+    with pytest.raises(BadEntry):
+        explained(file)
+
+
+def test_explanation_without_its_mutant_is_told(tmp_path):
+    file = tmp_path / "list.toml"
+    entry = 'file = "OpaqueId.cpp"\nfunction = "f"\nwas = "a"\nbecomes = ["b", "c"]\nwhy = "none"\n'
+    file.write_text("[[survivor]]\n" + entry)
+    mutants = [mutant for _, mutant in run.of_all(["OpaqueId"])]
+    assert len(without_a_mutant(explained(file), mutants)) == 2
+
+
+def test_file_of_the_library_without_tests_of_its_own_can_be_mutated_too():
+    assert subjects(["PartialUpload.cpp"]) == [Subject("PartialUpload")]
+    with pytest.raises(ValueError, match="NoSuchFile"):
+        subjects(["NoSuchFile"])
