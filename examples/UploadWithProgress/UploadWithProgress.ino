@@ -49,13 +49,6 @@ void printCounters() {
   CONSOLE.println(counters.bytesSkipped);
 }
 
-// True if a retry of the same upload may succeed: not if the plan itself is at fault, or the aircraft is armed.
-bool mayGoWellNextTime(Status status) {
-  return status == Status::Unconfirmed || status == Status::NoAnswer || status == Status::TimedOut ||
-         status == Status::TookTooLong || status == Status::Error || status == Status::Denied ||
-         status == Status::CancelledByAutopilot || status == Status::OtherPlanAboard;
-}
-
 void report(Status status) {
   CONSOLE.println(toString(status));
   CONSOLE.print(F("aboard: "));
@@ -88,7 +81,7 @@ void loop() {
   if (isEnd(status)) {
     report(status);
     failedAtMs = millis();
-    tryAgain = mayGoWellNextTime(status) && tries < kMaxTries;
+    tryAgain = isWorthRetry(status) && tries < kMaxTries;
   }
   if (tryAgain && millis() - failedAtMs >= kPauseMs) start();
 }

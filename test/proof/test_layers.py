@@ -47,8 +47,9 @@ def test_no_folder_uses_one_below_it():
 
 
 def test_arrow_that_points_down_is_found():
-    assert misplaced([(Path("link/Link.h"), Path("client/Client.h"))], folders()) == ["link/Link.h uses client/Client.h"]
-    assert misplaced([(Path("client/Client.h"), Path("link/Link.h"))], folders()) == []
+    link, client = Path("link/Link.h"), Path("client/Client.h")
+    assert misplaced([(link, client)], folders()) == ["link/Link.h uses client/Client.h"]
+    assert misplaced([(client, link)], folders()) == []
 
 
 def test_vendored_headers_are_included_in_one_place():

@@ -32,8 +32,7 @@ void Client::turnStep(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
   if (frame != nullptr || state.seconds < client.state_.turnAtS) return;
   state.operation = uploadStep;
-  state.status =
-      Status::WaitingForAutopilot;  // from the start, since the autopilot may have been armed, or lost, meanwhile
+  state.status = Status::WaitingForAutopilot;  // it may be armed, or lost, by now: from the start
 }
 
 }  // namespace mavmission

@@ -49,8 +49,6 @@ class Client {
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
   // The time that a frame for us takes, as a number of bytes that could be read in that time [bytes].
   static constexpr uint8_t kFrameBytes = 16;
-  // In turnPauseS, which each operation sets anew: the running or last one is a command, which waits for no turn.
-  static constexpr uint8_t kCommand = 255;
   // How long an earlier transfer may still be answered [ms]: ArduPilot gives a transfer up after 8 s.
   static constexpr uint16_t kLeftoversMs = 10000;
   // The least number of bytes that an update() may write [bytes].
@@ -147,7 +145,9 @@ class Client {
   Status confirmStart();
   Status judgeStart();
   Status updateAt(uint16_t nowMs);
-  MAVMISSION_APART bool isHeavyAllowed();
+  // Takes the time of this update() for heavy work. False when bytes have taken it: the work then waits for the next
+  // one, which looks at half as many.
+  MAVMISSION_APART bool claimHeavyWork();
   MAVMISSION_APART void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Operation operation);
   void beginSeconds(uint16_t nowMs);
@@ -217,12 +217,11 @@ class Client {
 
   // Settings and results.
   struct Rest {
-    void (*prove)(Client& client, uint16_t nowMs);  // begins the read-back; null: not wanted
-    bool (*takeUp)(Client& client, Status status,
-                   uint16_t nowMs);                  // handles the end of an upload; null until one of these is set
-    bool (*denied)(Client& client, Status refusal);  // begins the back-off; null: not wanted
-    bool (*unsupported)(Client& client, Status refusal,
-                        uint16_t nowMs);  // begins the MISSION_ITEM fallback; null: not wanted
+    void (*prove)(Client& client, uint16_t nowMs);                  // begins the read-back; null: not wanted
+    bool (*takeUp)(Client& client, Status status, uint16_t nowMs);  // null until one of these is set
+    bool (*denied)(Client& client, Status refusal);                 // begins the back-off; null: not wanted
+    // Begins the MISSION_ITEM fallback after the refusal of an item; null: not wanted.
+    bool (*unsupported)(Client& client, Status refusal, uint16_t nowMs);
     ProgressFunction progress;
     void* progressContext;
     EndFunction ended;
@@ -233,7 +232,7 @@ class Client {
     uint16_t turnLimitS;  // the limit of all back-offs [s]
     uint16_t partFirst;   // the items of a partial upload, in the sketch's numbers
     uint16_t partCount;
-    uint8_t turnPauseS;  // the pause before the next try; 0 before the first; kCommand: commanding_ is in use
+    uint8_t turnPauseS;  // the pause before the next try; 0 before the first
     Status toReturn;
     Aboard aboard[4];  // by PlanType; the last is unused
     uint8_t lastResult;
@@ -248,6 +247,7 @@ class Client {
     bool tooLong : 1;       // the source has more items than the protocol can count
     bool infeasible : 1;    // the autopilot has reported that it cannot fly the accepted plan
     bool proving : 1;       // an upload is being read back
+    bool isCommanding : 1;  // the running or last operation is a command: commanding_ is in use
     bool mayBeRefused : 1;  // the read-back follows an error that may have been a refusal
   };
 

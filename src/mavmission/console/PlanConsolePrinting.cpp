@@ -9,8 +9,7 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-constexpr uint16_t kNotImplementedMs =
-    100;  // after so long without room, the port does not implement availableForWrite()
+constexpr uint16_t kNotImplementedMs = 100;  // then the port does not implement availableForWrite()
 
 }  // namespace
 

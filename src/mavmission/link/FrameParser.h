@@ -158,11 +158,10 @@ class FrameParser {
   MAVMISSION_APART void skipByte();
   void giveUp();
 
-  Index have_;  // bytes of the frame that has begun
-  Index need_;  // its whole length, once the header has been read; before that the header's
-  Index
-      summed_;  // bytes covered by the checksum, without the first one and crcExtra_; 0 before the header has been read
-  Index read_;  // bytes_[read_] to bytes_[end_ - 1] are waiting
+  Index have_;    // bytes of the frame that has begun
+  Index need_;    // its whole length, once the header has been read; before that the header's
+  Index summed_;  // bytes in the checksum, without the first one and crcExtra_; 0: header not read yet
+  Index read_;    // bytes_[read_] to bytes_[end_ - 1] are waiting
   Index end_;
   uint16_t skip_;   // stepping: bytes left, up to and including the first one behind the frame
   Index boundary_;  // where in bytes_ the first byte behind a stepped-over frame is; 0: nowhere

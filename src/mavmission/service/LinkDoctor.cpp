@@ -7,6 +7,7 @@
 #include "../base/Clock.h"
 #include "../base/FlashTable.h"
 #include "../link/Messages.h"
+#include "../link/OwnHeartbeat.h"
 #include "../link/Sending.h"
 
 namespace mavmission {
@@ -151,8 +152,7 @@ bool LinkDoctor::isOurs(const FrameParser& frame) const {
 
 void LinkDoctor::take(Listener& listener, const FrameParser& frame) {
   LinkDoctor& self = static_cast<LinkDoctor&>(listener);
-  if (self.agesS_[Frame] == kNever)
-    self.beginWindow();  // what came before was at another rate, or a boot loader's text
+  if (self.agesS_[Frame] == kNever) self.beginWindow();  // before: another rate, or a boot loader's text
   self.agesS_[Frame] = 0;
   const uint16_t id = frame.messageId();
   if (id == MAVLINK_MSG_ID_HEARTBEAT) return self.takeHeartbeat(frame);
@@ -191,12 +191,7 @@ void LinkDoctor::takeHeartbeat(const FrameParser& frame) {
 void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
   Link& link = client_.link_;
   mark_ = nowMs;
-  mavlink_heartbeat_t heartbeat = mavlink_heartbeat_t();
-  heartbeat.custom_mode = uint32_t{kMarkAbove} << 16 | mark_;
-  heartbeat.type = MAV_TYPE_ONBOARD_CONTROLLER;
-  heartbeat.autopilot = MAV_AUTOPILOT_INVALID;
-  heartbeat.system_status = MAV_STATE_ACTIVE;
-  heartbeat.mavlink_version = 3;
+  mavlink_heartbeat_t heartbeat = ownHeartbeat(uint32_t{kMarkAbove} << 16 | mark_);
   // The link sends nothing before it knows an autopilot, unless it has ids of its own: it gets some for this frame.
   const uint8_t own = link.ownSystemId();
   const uint8_t componentId = link.componentId();

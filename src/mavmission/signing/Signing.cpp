@@ -154,8 +154,7 @@ Signing::Done Signing::finishChecking() {
   const uint8_t linkId = signature_[0];
   Stream* stream = streamOf(systemId_, componentId_, linkId);
   if (stream == nullptr) stream = freeStream();
-  if (stream == nullptr)
-    return Done::Refused;  // cannot happen: check() found one, and no frame has been accepted since
+  if (stream == nullptr) return Done::Refused;  // cannot happen: check() found one before
   stream->time = time;
   stream->systemId = systemId_;
   stream->componentId = componentId_;

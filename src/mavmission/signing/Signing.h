@@ -22,10 +22,9 @@ namespace detail {
 
 class Signing {
  public:
-  static constexpr uint8_t kLinkAndTime =
-      1 + SigningTime::kLength;                            // the part of a signature that is signed too [bytes]
-  static constexpr uint8_t kSum = 6;                       // the rest of a signature [bytes]
-  static constexpr uint8_t kLength = kLinkAndTime + kSum;  // the whole signature [bytes]
+  static constexpr uint8_t kLinkAndTime = 1 + SigningTime::kLength;  // of a signature, signed too [bytes]
+  static constexpr uint8_t kSum = 6;                                 // the rest of a signature [bytes]
+  static constexpr uint8_t kLength = kLinkAndTime + kSum;            // the whole signature [bytes]
 
   // The number of streams whose time is remembered. A stream that has been silent for a minute gives way: recorded
   // frames of it are by then too old for a new stream.
