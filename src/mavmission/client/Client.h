@@ -83,10 +83,10 @@ class Client {
   static void fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  // What an operation made of commands is told, with the status that it leads to if the operation does nothing about
-  // it.
+  // The events of an operation that consists of commands. Each comes with the status to which it leads unless the
+  // operation decides otherwise.
   enum class CommandEvent : uint8_t {
-    Ready,      // the autopilot is there, nothing has been sent: Transferring, or Checking to be asked again
+    Ready,      // the autopilot is found, nothing was sent: Transferring, or Checking to get this event again
     Accepted,   // Done
     Refused,    // why
     Silent,     // NoAnswer, Unconfirmed, TookTooLong
@@ -94,7 +94,8 @@ class Client {
     Current,    // a MISSION_CURRENT
     Time,
   };
-  // Takes an event: Transferring to go on, or how the operation ends. `frame`: of a message, else null.
+  // Takes an event. Returns Transferring to continue, or the status with which the operation ends. `frame`: the message
+  // of the event, else null.
   typedef Status (*OnCommand)(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                               uint16_t nowMs);
   typedef void (*FillCommand)(Client& client, FlightCommand& command);
@@ -124,7 +125,7 @@ class Client {
   void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint16_t numberOf(FlightMode mode) const;
-  MAVMISSION_APART uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
+  MAVMISSION_APART uint16_t shownMode() const;  // of the last heartbeat, in the numbers of modeNumber()
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
   void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
@@ -205,7 +206,7 @@ class Client {
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
     uint8_t unsettled;                    // UploadTransfer::kAnswers (also after a reset) and kBusy
-    PlanType cancelled;                   // type of a cancelled transfer of which the autopilot must be told; All: none
+    PlanType cancelled;                   // type of a transfer whose cancelling must be sent; All: none
     PlanType type;                        // of the running operation
     bool floatItems;                      // items go out as MISSION_ITEM
     bool isLate;                          // the operation has reached its time limit
@@ -263,29 +264,30 @@ class Client {
     uint32_t planId;  // MISSION_COUNT.opaque_id
   };
 
-  // Clearing a plan.
+  // The state of clear().
   struct Clearing {
     uint16_t sentMs;
     uint8_t tries;
     bool isDue;
-    PlanType type;  // that is being cleared now
-    PlanType last;  // after which it ends
+    PlanType type;  // being cleared now
+    PlanType last;  // the last one to be cleared
   };
 
-  // What start() keeps in mind. Items are the wire's.
+  // The state of start(). Items have wire numbers.
   struct Start {
-    // Looking: for the item that will be flown first. Shown: a heartbeat shows that it flies. Judging: is it at the
-    // right item, or at the next one? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
+    // Looking: searches for the item that will be flown first. Shown: a heartbeat shows that the aircraft flies.
+    // Judging, JudgingNext: compares its item with that one, or with the next. Leaving: a step failed; waits for a
+    // heartbeat that shows whether to disarm.
     enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
 
-    uint16_t first;      // that it is to begin with
-    uint16_t seen;       // that the autopilot is at, kNoItem before it has said
-    uint16_t mode;       // in which the aircraft was behind ReadyMode: another one, but for AUTO, is somebody else's
-    uint16_t jump;       // the last one that was followed on the way to the item that will be flown
-    uint8_t looked : 7;  // items on that way
-    uint8_t isAutoSeen : 1;  // a heartbeat has shown the mission mode that was asked for
-    uint8_t beganS;          // when AUTO was asked for first [s], its low 8 bits
-    Status refusal;          // why it cannot be flown: how it will end
+    uint16_t first;          // the item to begin with
+    uint16_t seen;           // the autopilot's current item; kNoItem: not reported yet
+    uint16_t mode;           // the mode after ReadyMode: any other one but AUTO was set by somebody else
+    uint16_t jump;           // the last jump followed on the way to the item that will be flown
+    uint8_t looked : 7;      // how many items were looked at on that way
+    uint8_t isAutoSeen : 1;  // a heartbeat has shown the mission mode after it was requested
+    uint8_t beganS;          // when AUTO was first requested [s], the low 8 bits
+    Status refusal;          // the status with which it will end
     Phase phase;
   };
 
@@ -295,17 +297,17 @@ class Client {
     uint16_t message;
   };
 
-  // A command, or several.
+  // The state of an operation that consists of commands.
   struct Commanding {
-    FillCommand fill;  // what is to be sent
-    OnCommand on;      // what comes of it; null: what the answer says
+    FillCommand fill;  // makes the command to be sent
+    OnCommand on;      // takes the events; null: the answer decides
     CommandTransfer transfer;
-    uint16_t mode;  // that is to be set
+    uint16_t mode;  // to be set
     union {
       const FlightCommand* own;
       FlightMode named;
       bool isLargeMode;  // a custom mode beyond one byte
-      uint16_t item;     // to be set as current, on the wire
+      uint16_t item;     // to be set as current; a wire number
       Interval interval;
       Start start;
     };
@@ -318,7 +320,7 @@ class Client {
     Clearing clearing_;
     Commanding commanding_;
   };
-  WirePlan plan_;  // here, and not behind rest_, within cheap reach
+  WirePlan plan_;  // before rest_, where avr-gcc reaches it cheaply
   Rest rest_;
   OpaqueId opaqueId_;
   Link link_;

@@ -98,7 +98,8 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   }
 }
 
-// As takeResult() does for frames that need no check: by itself, so that a sketch that does not sign has none of it.
+// The same as takeResult() does for unsigned links; a function of its own, so that sketches without signing do not
+// contain it.
 void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
