@@ -14,6 +14,7 @@ namespace mavmission {
   X(Px4, "PX4")                                              /* MAV_AUTOPILOT_PX4 */           \
   X(Other, "an autopilot that is neither ArduPilot nor PX4") /* the protocol as the guide has it */
 
+// The autopilot's software, by HEARTBEAT.autopilot.
 enum class Firmware : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_FIRMWARES(MAVMISSION_NAME)

@@ -206,7 +206,7 @@ class Client {
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
     uint8_t unsettled;                    // UploadTransfer::kAnswers (also after a reset) and kBusy
-    PlanType cancelled;                   // type of a transfer whose cancelling must be sent; All: none
+    PlanType cancelled;                   // the plan type whose cancelling is still to be sent; All: none
     PlanType type;                        // of the running operation
     bool floatItems;                      // items go out as MISSION_ITEM
     bool isLate;                          // the operation has reached its time limit
