@@ -97,8 +97,8 @@ enum class Status : uint8_t {
 #undef MAVMISSION_NAME
 };
 
-// Whether the operation that has ended so may go well when it is begun again as it is: not when the plan itself is at
-// fault, or the aircraft is armed.
+// True if the same operation, begun again, may succeed after it has ended with this status: not if the plan itself is
+// at fault, or the aircraft is armed.
 bool isWorthRetry(Status status);
 
 // The plan that the autopilot holds when an operation has ended.
