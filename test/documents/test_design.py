@@ -13,8 +13,8 @@ from simulation.firmware import library_file
 DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
-PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
-            "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
+PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "ClearTransfer.h", "CommandTransfer.h", "AutopilotFinder.h",
+            "FrameParser.h", "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
 CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
 
 
@@ -78,6 +78,7 @@ def diagrams() -> str:
 STATES = {
     "upload": ("UploadTransfer.h", "State"),
     "download": ("DownloadTransfer.h", "State"),
+    "clear": ("ClearTransfer.h", "State"),
     "command": ("CommandTransfer.h", "State"),
     "start": ("Operations.h", "StartStep"),
     "phases of start": ("Client.h", "Phase"),

@@ -163,8 +163,8 @@ uint16_t ClientUnderTest::nextMs() const {
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
   }
-  const bool waits = c.clearing_.tries == 0 && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
-  return std::min(next, leftOf(UploadTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs));
+  const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
+  return std::min(next, leftOf(ClearTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs()));
 }
 
 void ClientUnderTest::rest(uint16_t ms, bool isLast) {
@@ -222,6 +222,6 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   } else if (c.state_.operation == MissionClient::readStep) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
   } else {
-    keep(c.clearing_.sentMs, ms, UploadTransfer::kAnswerMs);
+    keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);
   }
 }

@@ -13,6 +13,7 @@
 #include "../link/Link.h"
 #include "../plan/Comparison.h"
 #include "../plan/WirePlan.h"
+#include "../transfer/ClearTransfer.h"
 #include "../transfer/CommandTransfer.h"
 #include "../transfer/DownloadTransfer.h"
 #include "../transfer/OpaqueId.h"
@@ -264,15 +265,6 @@ class Client {
     uint32_t planId;  // MISSION_COUNT.opaque_id
   };
 
-  // The state of clear().
-  struct Clearing {
-    uint16_t sentMs;
-    uint8_t tries;
-    bool isDue;
-    PlanType type;  // being cleared now
-    PlanType last;  // the last one to be cleared
-  };
-
   // The state of start(). Items have wire numbers.
   struct Start {
     // Looking: searches for the item that will be flown first. Shown: a heartbeat shows that the aircraft flies.
@@ -317,7 +309,7 @@ class Client {
   union {  // one operation at a time
     UploadTransfer transfer_;
     Reading reading_;
-    Clearing clearing_;
+    ClearTransfer clearing_;
     Commanding commanding_;
   };
   WirePlan plan_;  // before rest_, where avr-gcc reaches it cheaply
