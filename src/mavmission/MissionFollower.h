@@ -2,6 +2,7 @@
 // texts.
 #pragma once
 
+#include "base/RetryRules.h"
 #include "service/MessageIntervals.h"
 
 namespace mavmission {
@@ -50,13 +51,6 @@ class MissionFollower : public detail::MessageIntervals {
   void onText(TextFunction function, void* context = nullptr);
 
  private:
-  // How often MISSION_CURRENT may name another plan after an answer to the client before it is believed: a message that
-  // was sent before the answer may arrive after it.
-  static constexpr uint8_t kPatience = 3;
-  // In heartbeats of the autopilot, which come every second: how many without a MISSION_CURRENT before it is requested,
-  // and the pauses before it is requested again.
-  static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
-
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeHeartbeat();
   void takeName(uint8_t missionType, uint32_t planId);
@@ -78,8 +72,8 @@ class MissionFollower : public detail::MessageIntervals {
   MissionState state_ = MissionState::NotKnown;
   bool isNewLeg_ = false;  // the item reached last is being flown again
   uint8_t patience_ = 0;
-  uint8_t heartbeatsLeft_ = kSilence;  // before MISSION_CURRENT is requested
-  uint8_t pause_ = kFirstPause;        // the next one
+  uint8_t heartbeatsLeft_ = detail::FollowRules::kSilence;  // before MISSION_CURRENT is requested
+  uint8_t pause_ = detail::FollowRules::kFirstPause;        // the next one
 };
 
 }  // namespace mavmission

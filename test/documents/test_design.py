@@ -13,18 +13,19 @@ from simulation.firmware import library_file
 DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
-PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "ClearTransfer.h", "CommandTransfer.h", "AutopilotFinder.h",
-            "FrameParser.h", "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
-CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
+RULES = library_file("RetryRules.h").read_text()
 
 
 def waits_in_the_code() -> dict[str, str]:
-    """File::name -> value of each wait and number of tries."""
-    found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.rglob(pattern)
-             for name, value in CONSTANT.findall(file.read_text())}  # fmt: skip
-    text = (SOURCES / "client" / "Client.h").read_text()
-    (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", text)
-    return {**found, "Client::defaultLimitS": limit}
+    """Struct::name -> value of each rule."""
+    found = {}
+    for struct, body in re.findall(r"^struct (\w+) \{\n(.*?)^\};", RULES, re.M | re.S):
+        constants = re.sub(r"//.*", "", body)
+        for line in re.findall(r"static constexpr \w+ (.*?);", constants):
+            found |= {f"{struct}::{name}": value for name, value in re.findall(r"(k\w+) = ([^,]+)", line)}
+        found |= {f"{struct}::{name}": value for name, value in
+                  re.findall(r"static \w+ (\w+)\(\w+ count\) \{ return .*? \? (.*?) :", constants)}  # fmt: skip
+    return found
 
 
 def rules() -> list[list[str]]:

@@ -151,11 +151,11 @@ uint16_t ClientUnderTest::nextMs() const {
   if (c.state_.operation == MissionClient::uploadStep) {
     const UploadTransfer& t = c.transfer_;
     switch (t.state_) {
-      case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_));
+      case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kCountMs, t.sentMs_));
       case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
       case UploadTransfer::State::Confirming:
-        return std::min(
-            {next, leftOf(UploadTransfer::kAnswerMs, t.sentMs_), leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
+        return std::min({next, leftOf(UploadTransfer::kLastItemMs, t.sentMs_),
+                         leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
     }
   }
   if (c.state_.operation == MissionClient::readStep) {
@@ -216,7 +216,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   if (!isTransferring) return;
   if (isUpload) {
     UploadTransfer& t = c.transfer_;
-    keep(t.sentMs_, ms, UploadTransfer::kAnswerMs);
+    keep(t.sentMs_, ms, UploadTransfer::kCountMs);
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
     if (t.state_ == UploadTransfer::State::Counting) t.progressMs_ = kNow;
   } else if (c.state_.operation == MissionClient::readStep) {

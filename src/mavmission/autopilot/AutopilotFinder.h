@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "../Config.h"
+#include "../base/RetryRules.h"
 #include "Personality.h"
 
 namespace mavmission {
@@ -21,11 +22,8 @@ struct Heartbeat {
   uint8_t componentId;
 };
 
-class AutopilotFinder {
+class AutopilotFinder : public FinderRules {
  public:
-  static constexpr uint16_t kLostMs = 5000;    // without a heartbeat (guide: lost after 4 to 5 missed ones)
-  static constexpr uint16_t kSettleMs = 1200;  // a second autopilot on the line is heard within a heartbeat's period
-
   // Names the autopilot to talk to; any other is then nobody. Undone by systemId 0.
   void setTargetIds(uint8_t systemId, uint8_t componentId);
 

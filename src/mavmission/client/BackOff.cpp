@@ -18,9 +18,9 @@ bool Client::waitForTurn(Client& client, Status refusal) {
   if (refusal != Status::Denied && !(refusal == Status::Error && has(client.firmware(), kSaysErrorWhenBusy)))
     return false;
   if (client.rest_.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
-  client.rest_.turnPauseS = client.rest_.turnPauseS == 0   ? 1
-                            : client.rest_.turnPauseS >= 8 ? 8
-                                                           : 2 * client.rest_.turnPauseS;
+  client.rest_.turnPauseS = client.rest_.turnPauseS == 0                      ? BackOffRules::kFirstS
+                            : client.rest_.turnPauseS >= BackOffRules::kMostS ? BackOffRules::kMostS
+                                                                              : 2 * client.rest_.turnPauseS;
   if (state.seconds + client.rest_.turnPauseS > client.rest_.turnLimitS) return false;
   client.state_.turnAtS = state.seconds + client.rest_.turnPauseS;
   state.status = Status::BackingOff;

@@ -10,6 +10,7 @@
 #include "../Operations.h"
 #include "../PlanType.h"
 #include "../Status.h"
+#include "../base/RetryRules.h"
 #include "../link/Link.h"
 #include "../plan/Comparison.h"
 #include "../plan/WirePlan.h"
@@ -23,7 +24,7 @@ namespace mavmission {
 namespace detail {
 
 // All public, since only the library sees this class. MissionClient shows a sketch what it may call.
-class Client {
+class Client : public ClientRules {
  public:
   // The value of failedItem() when no item failed.
   static constexpr uint16_t kNoItem = 0xFFFF;
@@ -43,15 +44,8 @@ class Client {
   bool isArmed() const { return hasAutopilot() && link_.finder().isArmed(); }
   uint32_t customMode() const { return link_.finder().heartbeat().customMode; }
 
-  // The period at which seconds, heartbeats and the autopilot's silence are looked at [ms], instead of in each
-  // update().
-  static constexpr uint8_t kTickMs = 2;
-  // The default limit for a whole operation [s]: 2 minutes, and 2 s for each item.
-  static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
   // The time that a frame for us takes, as a number of bytes that could be read in that time [bytes].
   static constexpr uint8_t kFrameBytes = 16;
-  // How long an earlier transfer may still be answered [ms]: ArduPilot gives a transfer up after 8 s.
-  static constexpr uint16_t kLeftoversMs = 10000;
   // The least number of bytes that an update() may write [bytes].
   static constexpr uint8_t kStartBytes = 8;
 

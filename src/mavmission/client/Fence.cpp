@@ -10,8 +10,6 @@ namespace {
 // is read at once, and wipes it when it next looks at its fence: 3 to 25 times a second, by vehicle. A return point is
 // neither a corner nor a circle, so such a fence has at most three items [items].
 constexpr uint8_t kShortFence = 3;
-// The time from the acceptance of such a fence to its read-back [s].
-constexpr uint8_t kFenceSettleS = 1;
 
 }  // namespace
 
@@ -36,13 +34,13 @@ void Client::proveFenceAgain(Client& client, uint16_t nowMs) {
 }
 
 void Client::fenceSettleStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  if (frame != nullptr || client.state_.seconds < kFenceSettleS) return;
+  if (frame != nullptr || client.state_.seconds < FenceRules::kSettleS) return;
   proveUpload(client, nowMs);
   client.state_.operation = fenceStep;
 }
 
 void Client::fenceSettleAgainStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  if (frame != nullptr || client.state_.seconds < kFenceSettleS) return;
+  if (frame != nullptr || client.state_.seconds < FenceRules::kSettleS) return;
   proveUpload(client, nowMs);
   client.rest_.prove = proveFence;  // for the next uploadAgain()
 }

@@ -94,7 +94,7 @@ void Client::sendRequest(uint16_t wireItem) {
   request.seq = wireItem;
   request.mission_type = static_cast<uint8_t>(state_.type);
   // An autopilot that is neither ArduPilot nor PX4 may know only the older request.
-  const bool older = plan_.has(kMayBeOld) && reading_.transfer.tries() >= 2;
+  const bool older = plan_.has(kMayBeOld) && reading_.transfer.tries() >= DownloadRules::kNewRequestTries;
   if (older) {
     link_.sendAs<mavlink_mission_request_t>(&request);
   } else {

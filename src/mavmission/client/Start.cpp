@@ -15,10 +15,7 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-constexpr uint8_t kAutoTriesS = 15;      // a rover can be armed ten seconds before its position is good enough for AUTO
-constexpr uint16_t kAutoAgainMs = 1000;  // from a refusal of AUTO to the next attempt
-constexpr uint16_t kConfirmMs = 7500;    // for what the autopilot sends by itself, once a second
-constexpr uint8_t kCannotLook = 100;     // of items looked at: that many, and it is given up; or they are not at hand
+constexpr uint8_t kCannotLook = 100;  // of items looked at: that many, and it is given up; or they are not at hand
 
 // True for a command that an autopilot flies, and is at for a while. The others are carried out on the way.
 bool isFlown(uint16_t command) {
@@ -190,7 +187,7 @@ bool Client::beginStartStep(uint16_t nowMs) {
     case StartStep::Confirm:
       start.seen = kNoItem;
       nextCommand(fillAskCurrent, nowMs);
-      if (plan_.has(kSaysCurrentUnasked)) commanding_.transfer.listen(kConfirmMs, nowMs);
+      if (plan_.has(kSaysCurrentUnasked)) commanding_.transfer.listen(StartRules::kConfirmMs, nowMs);
       return true;
   }
   return true;
@@ -204,10 +201,10 @@ Status Client::onStartRefused(Status status, uint16_t nowMs) {
   const StartStep step = startStep();
   if (commanding_.fill == fillAskCurrent) return Status::Transferring;  // it may come unasked
   const bool isTriedAgain = step == StartStep::AutoMode && isRover(link_.finder().heartbeat().vehicleType) &&
-                            static_cast<uint8_t>(state_.seconds - start.beganS) < kAutoTriesS;
+                            static_cast<uint8_t>(state_.seconds - start.beganS) < StartRules::kAutoTriesS;
   if (isTriedAgain) {
     transfer.next(true, nowMs);
-    transfer.pause(kAutoAgainMs, nowMs);
+    transfer.pause(StartRules::kAutoAgainMs, nowMs);
     return Status::Transferring;
   }
   if (isArmingStep() && transfer.tries() == 1 && !isArmed()) setStartArming(StartArming::Untouched);

@@ -7,11 +7,7 @@
 
 namespace mavmission {
 using namespace detail;
-namespace {
-
-constexpr uint16_t kNotImplementedMs = 100;  // then the port does not implement availableForWrite()
-
-}  // namespace
+namespace {}  // namespace
 
 const char PlanConsoleState::kLineEnd[] PROGMEM = "\r\n";
 
@@ -28,7 +24,7 @@ void PlanConsole::print() {
     const uint16_t nowMs = static_cast<uint16_t>(millis());
     if (!isStuck_) stuckMs_ = nowMs;
     isStuck_ = true;
-    if (since(stuckMs_, nowMs) >= kNotImplementedMs) isBlind_ = true;
+    if (since(stuckMs_, nowMs) >= StreamRules::kNotImplementedMs) isBlind_ = true;
 #ifndef __AVR__
     if (hasSaid_) return;
 #endif

@@ -14,6 +14,7 @@
 
 #include "../Config.h"
 #include "../MessageKey.h"
+#include "../base/RetryRules.h"
 
 namespace mavmission {
 namespace detail {
@@ -38,13 +39,10 @@ struct MoreKeys {
 // The key, in flash, of a message that the library wants, or null. Defined in Messages.cpp.
 MAVMISSION_APART const MessageKey* wantedKey(uint16_t messageId);
 
-class FrameParser {
+class FrameParser : public ParserRules {
  public:
   // The list of further wanted messages; null, as at the beginning: none.
   MoreKeys*& moreKeys() { return moreKeys_; }
-
-  // Silence after which an unfinished frame is given up [ms]. At 9600 baud a byte takes 1 ms.
-  static constexpr uint8_t kSilenceMs = 20;
 
   enum class Result : uint8_t {
     Nothing,    // go on

@@ -7,6 +7,7 @@
 #include "../LinkCounters.h"
 #include "../MavlinkVersion.h"
 #include "../autopilot/AutopilotFinder.h"
+#include "../base/RetryRules.h"
 #include "FrameParser.h"
 #include "Outbox.h"
 #if MAVMISSION_SIGNING
@@ -16,10 +17,9 @@
 namespace mavmission {
 namespace detail {
 
-class Link {
+class Link : public LinkRules {
  public:
-  static constexpr uint16_t kHeartbeatMs = 1000;  // guide, Heartbeat/Connection Protocol: 1 Hz
-  static constexpr uint8_t kComponentId = 191;    // MAV_COMP_ID_ONBOARD_COMPUTER
+  static constexpr uint8_t kComponentId = 191;  // MAV_COMP_ID_ONBOARD_COMPUTER
 
   // All zero is how a Link begins, but for this.
   void begin(Stream& stream) { stream_ = &stream; }
@@ -142,12 +142,10 @@ class Link {
   // How many bytes may wait in the stream meanwhile: half of what a hardware serial port has room for.
   static constexpr uint8_t kMayWait = 32;
 
-  enum class Check : uint8_t {
-    None,
-    Collecting,  // checked_ holds a frame, its signature is coming
-    Due,
-    Running,
-    Accepted,
+  enum class Check : uint8_t{
+      None,
+      Collecting,  // checked_ holds a frame, its signature is coming
+      Due,        Running, Accepted,
   };
 
   bool takeAccepted(uint16_t nowMs);

@@ -6,6 +6,7 @@
 
 #include "../Config.h"
 #include "../OutgoingMessage.h"
+#include "../base/RetryRules.h"
 #include "FrameParser.h"
 #if MAVMISSION_SIGNING
 #include "../signing/Signing.h"
@@ -14,14 +15,10 @@
 namespace mavmission {
 namespace detail {
 
-class Outbox {
+class Outbox : public StreamRules {
  public:
   // The longest payload that a message of ours has [bytes]: MISSION_ITEM_INT's; COMMAND_INT has 35.
   static constexpr uint8_t kMaxPayload = 38;
-
-  // How long a stream must say that it takes nothing before it is believed not to implement availableForWrite() [ms].
-  // A ring that is only full drains a byte in 1 ms at 9600 baud.
-  static constexpr uint8_t kNotImplementedMs = 100;
 
   // Bytes that such a stream is given in one call: each may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;

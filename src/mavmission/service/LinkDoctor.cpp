@@ -22,7 +22,7 @@ constexpr uint8_t kListenS = 4;
 // The age up to which something counts as heard [s].
 constexpr uint8_t kRecentS = 3;
 // The silence after which an autopilot counts as gone [s], as in AutopilotFinder.
-constexpr uint8_t kLostS = 5;
+constexpr uint8_t kLostS = FinderRules::kLostMs / 1000;
 // How long the doctor listens at a baud rate: at least two heartbeats [s].
 constexpr uint8_t kDwellS = 3;
 // The window over which damage and telemetry are counted [s].

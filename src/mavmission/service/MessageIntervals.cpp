@@ -18,7 +18,7 @@ bool MessageIntervals::mayAsk(uint16_t nowMs) const {
   if (isCommanding || !client_.hasAutopilot()) return false;
   for (const Listener* other = nextAlike(nullptr); other != nullptr; other = nextAlike(other)) {
     const MessageIntervals& asker = static_cast<const MessageIntervals&>(*other);
-    if (&asker != this && asker.isWaiting_ && since(asker.askedMs_, nowMs) < UploadTransfer::kAnswerMs) return false;
+    if (&asker != this && asker.isWaiting_ && since(asker.askedMs_, nowMs) < IntervalRules::kAnswerMs) return false;
   }
   return true;
 }

@@ -80,24 +80,24 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
 // request: PX4 refuses the request, and sends the message anyway.
 void MissionFollower::takeHeartbeat() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
-  if (since(askedMs_, nowMs) >= UploadTransfer::kAnswerMs) isWaiting_ = false;
+  if (since(askedMs_, nowMs) >= IntervalRules::kAnswerMs) isWaiting_ = false;
   if (heartbeatsLeft_ != 0) --heartbeatsLeft_;
   if (heartbeatsLeft_ != 0 || !mayAsk(nowMs) || !client_.link_.canSend()) return;
   ask(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs, 0, nowMs);
   heartbeatsLeft_ = pause_;
-  if (pause_ < kLongestPause) pause_ *= 2;
+  if (pause_ < FollowRules::kLongestPause) pause_ *= 2;
 }
 
 // The answer to an upload or a download names the plan aboard.
 void MissionFollower::takeName(uint8_t missionType, uint32_t planId) {
   if (missionType != MAV_MISSION_TYPE_MISSION || planId == 0) return;
   planId_ = planId;
-  patience_ = kPatience;
+  patience_ = FollowRules::kPatience;
 }
 
 void MissionFollower::takeCurrent(const FrameParser& frame) {
-  heartbeatsLeft_ = kSilence;
-  pause_ = kFirstPause;
+  heartbeatsLeft_ = FollowRules::kSilence;
+  pause_ = FollowRules::kFirstPause;
   mavlink_mission_current_t message;
   frame.copyPayload(&message, sizeof(message));
   const uint16_t item = client_.itemFromWire(message.seq);

@@ -57,10 +57,6 @@ constexpr uint8_t kPx4sCount = sizeof(kPx4s) / sizeof(kPx4s[0]);
 static_assert(kArduPilotsCount <= TelemetryPause::kMostMessages && kPx4sCount <= TelemetryPause::kMostMessages,
               "a bit each");
 
-// As for commands (MAVLink guide, Command Protocol).
-constexpr uint8_t kTries = UploadTransfer::kTries;
-constexpr uint16_t kAnswerMs = UploadTransfer::kAnswerMs;
-
 // Messages without which a transfer or a command cannot be followed: HEARTBEAT, STATUSTEXT, those of missions and
 // commands.
 bool isNeeded(uint16_t id) {
@@ -119,9 +115,9 @@ bool TelemetryPause::findNext() {
 void TelemetryPause::update() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (isWaiting_) {
-    if (since(askedMs_, nowMs) < kAnswerMs) return;
+    if (since(askedMs_, nowMs) < IntervalRules::kAnswerMs) return;
     isWaiting_ = false;
-    if (isAnswered_ || tries_ == kTries) {
+    if (isAnswered_ || tries_ == IntervalRules::kTries) {
       tries_ = 0;
       ++index_;
     }

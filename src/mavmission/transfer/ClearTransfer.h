@@ -6,15 +6,13 @@
 
 #include "../PlanType.h"
 #include "../Status.h"
+#include "../base/RetryRules.h"
 
 namespace mavmission {
 namespace detail {
 
-class ClearTransfer {
+class ClearTransfer : public ClearRules {
  public:
-  static constexpr uint8_t kTries = 5;         // guide: 5 tries
-  static constexpr uint16_t kAnswerMs = 1500;  // wait for an answer (guide: 1500 ms)
-
   // Due: to be sent as soon as the link can. Sent: an answer is waited for.
   enum class State : uint8_t { Due, Sent };
 

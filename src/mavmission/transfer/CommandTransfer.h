@@ -17,18 +17,13 @@
 #include "../Config.h"
 #include "../Status.h"
 #include "../base/Clock.h"
+#include "../base/RetryRules.h"
 
 namespace mavmission {
 namespace detail {
 
-class CommandTransfer {
+class CommandTransfer : public CommandRules {
  public:
-  static constexpr uint8_t kTries = 5;           // guide: 5 tries
-  static constexpr uint16_t kAnswerMs = 1500;    // wait for an answer (guide: 1500 ms)
-  static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
-  static constexpr uint8_t kLateAnswersS = 20;   // how long late answers may come, at the most [s]
-  static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from an answer to that to the next sending
-
   // In the place of a command's id (MAV_CMD): of a message that no COMMAND_ACK answers.
   static constexpr uint16_t kNoCommand = 0;
 

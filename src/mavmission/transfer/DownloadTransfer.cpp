@@ -52,7 +52,7 @@ Status DownloadTransfer::onTime(uint16_t nowMs) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
   const bool isListing = state_ == State::Listing;
   if (since(sentMs_, nowMs) < (isListing ? kListMs : kItemMs)) return Status::Transferring;
-  if (tries_ == kTries) return isListing ? Status::NoAnswer : Status::TimedOut;
+  if (tries_ == (isListing ? kListTries : kItemTries)) return isListing ? Status::NoAnswer : Status::TimedOut;
   send_ = isListing ? Send::List : Send::Request;
   return Status::Transferring;
 }

@@ -12,16 +12,13 @@
 #include <stdint.h>
 
 #include "../Status.h"
+#include "../base/RetryRules.h"
 
 namespace mavmission {
 namespace detail {
 
-class DownloadTransfer {
+class DownloadTransfer : public DownloadRules {
  public:
-  static constexpr uint8_t kTries = 5;       // guide: 5 tries
-  static constexpr uint16_t kListMs = 1500;  // guide: 1500 ms
-  static constexpr uint16_t kItemMs = 250;   // guide: 250 ms for plan items
-
   enum class State : uint8_t { Listing, Fetching, Closing };
   enum class Send : uint8_t { Nothing, List, Request, Accepted };
 

@@ -83,7 +83,7 @@ Status UploadTransfer::onAck(uint8_t result) {
       if (state_ == State::Counting && !has(firmware_, kErrorRefusesCount)) {
         // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well,
         // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
-        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;
+        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kCountTries ? status : Status::Transferring;
         freed_ = true;
         tries_ = 0;
         send_ = Send::Cancel;
@@ -110,11 +110,11 @@ Status UploadTransfer::onAck(uint8_t result) {
 
 Status UploadTransfer::onTime(uint16_t nowMs) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  const bool overdue = since(sentMs_, nowMs) >= kAnswerMs;
+  const bool overdue = since(sentMs_, nowMs) >= (state_ == State::Counting ? kCountMs : kLastItemMs);
   switch (state_) {
     case State::Counting:
       if (!overdue) break;
-      if (tries_ >= kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
+      if (tries_ >= kCountTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
       send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
@@ -125,7 +125,7 @@ Status UploadTransfer::onTime(uint16_t nowMs) {
     case State::Confirming:
       if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;
       if (!overdue) break;
-      if (tries_ == kTries) return Status::Unconfirmed;
+      if (tries_ == kLastItemTries) return Status::Unconfirmed;
       ++tries_;
       repeated_ = true;
       item_ = behind_ - 1;

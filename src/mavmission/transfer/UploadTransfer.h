@@ -17,18 +17,13 @@
 #include "../Status.h"
 #include "../autopilot/Personality.h"
 #include "../base/Clock.h"
+#include "../base/RetryRules.h"
 
 namespace mavmission {
 namespace detail {
 
-class UploadTransfer {
+class UploadTransfer : public UploadRules {
  public:
-  static constexpr uint8_t kTries = 5;              // COUNTs, and repeated last items (guide: 5 tries)
-  static constexpr uint16_t kAnswerMs = 1500;       // wait for an answer to either (guide: 1500 ms)
-  static constexpr uint16_t kPassiveMs = 8500;      // ArduPilot asks again each second and gives up after 8.0 s
-  static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
-  static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
-
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 

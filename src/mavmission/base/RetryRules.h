@@ -1,0 +1,95 @@
+// Every timeout and every number of attempts, one constant for each rule. DESIGN.md, "Every wait and retry", has each of
+// them in words, with its source; a test compares the two. A class has the rules that it keeps as its base.
+#pragma once
+
+#include <stdint.h>
+
+namespace mavmission {
+namespace detail {
+
+struct UploadRules {
+  static constexpr uint8_t kCountTries = 5;         // MISSION_COUNT
+  static constexpr uint16_t kCountMs = 1500;        // to the first request
+  static constexpr uint16_t kPassiveMs = 8500;      // to the next item's request
+  static constexpr uint8_t kSameRequestMs = 50;     // a repeat within this time is not answered again
+  static constexpr uint8_t kLastItemTries = 5;      // repeats of the last item
+  static constexpr uint16_t kLastItemMs = 1500;     // from the last item to its repeat
+  static constexpr uint16_t kConfirmingMs = 12000;  // from the last item's request to the end, repeats included
+};
+
+struct DownloadRules {
+  static constexpr uint8_t kListTries = 5;          // MISSION_REQUEST_LIST
+  static constexpr uint16_t kListMs = 1500;         // to MISSION_COUNT
+  static constexpr uint8_t kItemTries = 5;          // MISSION_REQUEST_INT, for each item
+  static constexpr uint16_t kItemMs = 250;          // to the item
+  static constexpr uint8_t kNewRequestTries = 2;    // then MISSION_REQUEST, to an autopilot that may be old
+};
+
+struct ClearRules {
+  static constexpr uint8_t kTries = 5;
+  static constexpr uint16_t kAnswerMs = 1500;
+};
+
+struct CommandRules {
+  static constexpr uint8_t kTries = 5;
+  static constexpr uint16_t kAnswerMs = 1500;
+  static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
+  static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected
+  static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from one of these answers to the next
+};
+
+// Commands that a listener sends beside an operation: TelemetryPause and MissionFollower.
+struct IntervalRules {
+  static constexpr uint8_t kTries = 5;
+  static constexpr uint16_t kAnswerMs = 1500;
+};
+
+struct FollowRules {
+  // In heartbeats of the autopilot, one a second: without MISSION_CURRENT before it is requested, and from one request
+  // to the next.
+  static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
+  // How often MISSION_CURRENT may name another plan after an answer to the client before it is believed.
+  static constexpr uint8_t kPatience = 3;
+};
+
+struct BackOffRules {
+  static constexpr uint8_t kFirstS = 1;  // pause before the second COUNT; then twice the last one
+  static constexpr uint8_t kMostS = 8;
+};
+
+struct FenceRules {
+  static constexpr uint8_t kSettleS = 1;  // from the acceptance of a short fence to its read-back
+};
+
+struct StartRules {
+  static constexpr uint8_t kAutoTriesS = 15;      // AUTO on a rover: the time for all attempts
+  static constexpr uint16_t kAutoAgainMs = 1000;  // from a refusal of AUTO to the next attempt
+  static constexpr uint16_t kConfirmMs = 7500;    // for what the autopilot sends by itself, once a second
+};
+
+struct ClientRules {
+  static constexpr uint8_t kTickMs = 2;            // seconds, heartbeats and silence are looked at once in this time
+  static constexpr uint16_t kLeftoversMs = 10000;  // an earlier transfer may still be answered
+  // The default limit for a whole operation [s].
+  static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
+};
+
+struct LinkRules {
+  static constexpr uint16_t kHeartbeatMs = 1000;  // ours
+};
+
+struct FinderRules {
+  static constexpr uint16_t kLostMs = 5000;    // without a heartbeat of the autopilot
+  static constexpr uint16_t kSettleMs = 1200;  // a second autopilot on the line is heard within this time
+};
+
+struct ParserRules {
+  static constexpr uint8_t kSilenceMs = 20;  // an unfinished frame is given up
+};
+
+struct StreamRules {
+  static constexpr uint8_t kNotImplementedMs = 100;  // without room: availableForWrite() is not implemented
+};
+
+}  // namespace detail
+}  // namespace mavmission
