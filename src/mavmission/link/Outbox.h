@@ -1,4 +1,4 @@
-// One outgoing frame, written as fast as the stream takes it: a write never blocks.
+// One outgoing frame, written to the stream as fast as the stream takes it, never faster.
 #pragma once
 
 #include <Arduino.h>
