@@ -83,7 +83,7 @@ Status Client::checkItem(uint16_t wireItem) {
 
 void Client::checkPlan(uint16_t nowMs) {
   if (!link_.finder().isFound() || link_.finder().firmware() != plan_.firmware()) {
-    state_.status = Status::WaitingForAutopilot;  // lost while the plan was being checked, or another one came
+    state_.status = Status::WaitingForAutopilot;  // the autopilot was lost, or is another one now
     return;
   }
   if (plan_.isTooLong()) return end(Status::TooManyItems);

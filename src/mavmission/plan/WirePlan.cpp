@@ -119,7 +119,7 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
   for (uint8_t looked = 0; looked < MAVMISSION_ITEMS_PER_UPDATE; ++looked) {
     const uint16_t distance = searched_ / 2 + 1;
     const bool isBefore = ((searched_ & 1) ^ firstSide) != 0;
-    const uint16_t near = isBefore ? index - distance : index + distance;  // wraps out of the plan before its start
+    const uint16_t near = isBefore ? index - distance : index + distance;  // before item 0: wraps beyond the plan
     ++searched_;
     Status found = Status::NeedsCoordinates;
     if (distance < count_) {
