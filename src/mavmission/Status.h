@@ -1,5 +1,5 @@
-// Every state in which an operation can be or end, and which plan is aboard then. The texts are in flash, and not in
-// the program at all when nothing prints them.
+// Every state in which an operation can be or end, and which plan is aboard afterwards. The texts are in flash; a
+// program that prints none of them does not contain them.
 #pragma once
 
 #include <stdint.h>
@@ -12,23 +12,23 @@ namespace mavmission {
 // clang-format off
 #define MAVMISSION_STATUSES(X) \
   /* not ended */ \
-  X(Idle, "idle")                                   /* nothing was asked for yet */ \
-  X(WaitingForAutopilot, "waiting for an autopilot") /* no heartbeat heard yet, or two autopilots and none named */ \
-  X(BackingOff, "waiting: another ground station is transferring") /* retryWhenBusy() */ \
-  X(Checking, "checking the plan")                  /* before the first byte leaves */ \
-  X(Transferring, "transferring")                   /* talking to the autopilot */ \
+  X(Idle, "idle")                                   /* no operation has been started yet */ \
+  X(WaitingForAutopilot, "waiting for an autopilot") /* none heard yet, or two heard and none named */ \
+  X(BackingOff, "waiting: another ground station is transferring") /* see retryWhenBusy() */ \
+  X(Checking, "checking the plan")                  /* before the first byte is sent */ \
+  X(Transferring, "transferring")                   /* exchanging messages with the autopilot */ \
   /* ended well */ \
   X(Accepted, "accepted: the plan is aboard")       /* the autopilot acknowledged the whole plan */ \
   X(Downloaded, "downloaded: the plan has been read")  /* every item has been given to the sink */ \
   X(Verified, "verified: what is aboard is the plan")  /* read back and compared */ \
   X(Cleared, "cleared: no plan is aboard")          /* acknowledged by the autopilot */ \
   X(Done, "done: the autopilot confirmed it")        /* a command, or all steps of start() */ \
-  /* ended, not known how */ \
-  X(Unconfirmed, "unconfirmed: it was sent, the answer never came") /* may or may not be aboard */ \
+  /* ended with an unknown outcome */ \
+  X(Unconfirmed, "unconfirmed: it was sent, the answer never came") /* the plan may or may not be aboard */ \
   /* ended by the sketch */ \
   X(Cancelled, "cancelled by the sketch") \
-  /* refused before the first byte left: nothing aboard has changed */ \
-  X(Busy, "busy with another operation")            /* returned only: the running operation keeps its own status */ \
+  /* refused before the first byte was sent: nothing aboard has changed */ \
+  X(Busy, "busy with another operation")            /* only returned: the running operation keeps its own status */ \
   X(NoAutopilot, "no autopilot heard in the time allowed") \
   X(SeveralAutopilots, "several autopilots heard: name one with setTargetIds()") \
   X(SameIdsAsAutopilot, "our system and component id are the autopilot's own: it would ignore us") \
@@ -48,7 +48,7 @@ namespace mavmission {
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
   X(NeedsCoordinates, "refused: it needs a place on this autopilot, and has none") \
   X(BadAltitude, "refused: an altitude beyond what this autopilot takes") \
-  X(NotKept, "refused: this autopilot would keep another value") /* of differingField(): keptValue() */ \
+  X(NotKept, "refused: this autopilot would keep another value") /* keptValue() of differingField() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
   X(SinkFull, "the plan aboard is larger than the sink takes") \
@@ -58,7 +58,7 @@ namespace mavmission {
   X(TookTooLong, "the limit on the whole transfer was reached") \
   X(AcceptedEarly, "the autopilot said accepted before it had asked for every item") \
   X(OtherPlanAboard, "the autopilot accepted, but its checksum is not that of our plan") \
-  /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in its order, and any other */ \
+  /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in order, then any other result */ \
   X(Error, "the autopilot said: error") \
   X(UnsupportedFrame, "the autopilot said: coordinate frame not supported") \
   X(Unsupported, "the autopilot said: command not supported in a plan") \
@@ -75,7 +75,7 @@ namespace mavmission {
   X(Denied, "the autopilot said: denied (another ground station may be transferring)") \
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
   X(UnknownResult, "the autopilot answered with an unknown code") \
-  /* commands: MAV_RESULT 1 to 4 in its order, and any other */ \
+  /* commands: MAV_RESULT 1 to 4 in order, then any other result */ \
   X(CommandRejected, "the autopilot said: not now") \
   X(CommandDenied, "the autopilot said: denied (a parameter is not valid)") \
   X(CommandUnsupported, "the autopilot said: command not supported") \
@@ -87,7 +87,7 @@ namespace mavmission {
   X(Infeasible, "the autopilot accepted the plan, then found that it cannot be flown") \
   X(NoSuchItem, "refused: the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to from this item on") \
-  X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the one it is at */ \
+  X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode")
 // clang-format on
 
@@ -97,8 +97,8 @@ enum class Status : uint8_t {
 #undef MAVMISSION_NAME
 };
 
-// True if the same operation, begun again, may succeed after it has ended with this status: not if the plan itself is
-// at fault, or the aircraft is armed.
+// True if an operation that has ended with this status may succeed when it is started again. False if the plan itself
+// is wrong, or if the aircraft is armed.
 bool isWorthRetry(Status status);
 
 // The plan that the autopilot holds when an operation has ended.
@@ -116,14 +116,14 @@ enum class Aboard : uint8_t {
 #undef MAVMISSION_NAME
 };
 
-// The status in words, for Serial.print(). Flash text; null for a value that is no Status.
+// The status in words, for Serial.print(). The text is in flash; null for a value that is no Status.
 FlashText toString(Status status);
 FlashText toString(Aboard aboard);
 
-// True when an operation that has this status is over.
+// True if an operation with this status has ended.
 constexpr bool isEnd(Status status) { return status > Status::Transferring; }
 
-// The status of a MAV_MISSION_RESULT (MISSION_ACK.type).
+// The status that stands for a MAV_MISSION_RESULT (MISSION_ACK.type).
 constexpr Status fromMissionResult(uint8_t result) {
   return result == 0    ? Status::Accepted
          : result <= 15 ? static_cast<Status>(static_cast<uint8_t>(Status::Error) + result - 1)

@@ -8,7 +8,8 @@ namespace mavmission {
 namespace detail {
 namespace {
 
-// What else sends heartbeats, sometimes with another autopilot's name in them. A type that is not known yet may fly.
+// The vehicle types (MAV_TYPE) of components that send heartbeats but are no vehicles; some of them name an autopilot
+// in their heartbeats. A type that is not in this list is taken for a vehicle, since newer types may fly.
 // clang-format off
 const uint8_t kNoVehicles[] PROGMEM = {
     MAV_TYPE_ANTENNA_TRACKER, MAV_TYPE_GCS,     MAV_TYPE_ONBOARD_CONTROLLER, MAV_TYPE_GIMBAL,    MAV_TYPE_ADSB,

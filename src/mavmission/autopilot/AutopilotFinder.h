@@ -1,4 +1,4 @@
-// Which autopilot is on the line, told by the heartbeats, and by nothing else.
+// Finds out which autopilot is on the line, from the heartbeats alone.
 #pragma once
 
 #include <stdint.h>
@@ -10,14 +10,14 @@
 namespace mavmission {
 namespace detail {
 
-// What a HEARTBEAT says, in the order of its payload, and whose it is.
+// The contents of a HEARTBEAT, in the order of its payload, and the version and the sender of its frame.
 struct Heartbeat {
-  uint32_t customMode;  // the autopilot's own number of the mode it is in
+  uint32_t customMode;  // the current mode, in the autopilot's own numbers
   uint8_t vehicleType;  // MAV_TYPE
   uint8_t autopilot;    // MAV_AUTOPILOT
   uint8_t baseMode;     // MAV_MODE_FLAG
   uint8_t state;        // MAV_STATE
-  uint8_t version;      // of the frame: 1 or 2. (In the payload it is a constant, 3.)
+  uint8_t version;      // MAVLink version of the frame: 1 or 2. (The payload's field is a constant, 3.)
   uint8_t systemId;
   uint8_t componentId;
 };
@@ -27,10 +27,10 @@ class AutopilotFinder : public FinderRules {
   // Names the autopilot to talk to; any other is then nobody. Undone by systemId 0.
   void setTargetIds(uint8_t systemId, uint8_t componentId);
 
-  // A heartbeat has come. True if it is that of the autopilot that we talk to: it is then to be filled in.
+  // Takes a heartbeat. True if it comes from the autopilot that we talk to: the caller then writes it to toFill().
   bool onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t autopilot, uint8_t vehicleType, uint16_t nowMs);
   Heartbeat& toFill() { return heartbeat_; }
-  // The same for one that is at hand.
+  // Takes a heartbeat that is complete already, and stores it if it comes from the autopilot that we talk to.
   void onHeartbeat(const Heartbeat& heartbeat, uint16_t nowMs) {
     if (onHeartbeat(heartbeat.systemId, heartbeat.componentId, heartbeat.autopilot, heartbeat.vehicleType, nowMs)) {
       heartbeat_ = heartbeat;
@@ -38,14 +38,14 @@ class AutopilotFinder : public FinderRules {
   }
   MAVMISSION_APART void onTime(uint16_t nowMs);
 
-  // An autopilot is there, and it is clear which one.
+  // True if an autopilot is heard and it is clear which one we talk to.
   bool isFound() const { return heard_ && !severalHeard_; }
-  // As isFound(), and a second one would have been heard by now.
+  // True if isFound(), and a second autopilot would have been heard by now.
   bool isCertain() const { return isFound() && (named_ || settled_); }
-  // Two or more are there, and none has been named.
+  // True if two or more autopilots are heard and none has been named.
   bool severalHeard() const { return severalHeard_; }
 
-  // True for a frame of the autopilot that we talk to.
+  // True if these are the ids of the autopilot that we talk to.
   bool isFrom(uint8_t systemId, uint8_t componentId) const {
     return heard_ && systemId == heartbeat_.systemId && componentId == heartbeat_.componentId;
   }
@@ -60,7 +60,7 @@ class AutopilotFinder : public FinderRules {
   uint16_t heardMs_;
   uint16_t firstMs_;
   uint16_t otherMs_;
-  bool heard_ : 1;  // bits, for RAM: they cost a little flash
+  bool heard_ : 1;  // bit fields save RAM at the cost of a little flash
   bool settled_ : 1;
   bool severalHeard_ : 1;
   bool named_ : 1;

@@ -14,7 +14,7 @@ constexpr uint16_t four(uint8_t first, uint8_t second, uint8_t third, uint8_t fo
   return static_cast<uint16_t>(first | second << 4 | third << 8 | static_cast<uint16_t>(fourth) << 12);
 }
 
-// What ArduPilot does with x, y and z.
+// What ArduPilot does with x, y and z of a command: the index into kInArduPilot.
 enum class InArduPilot : uint8_t {
   NotTaken,
   None,
@@ -43,7 +43,7 @@ const uint16_t kInArduPilot[] PROGMEM = {
     four(K, K, I16, 0),
 };
 
-// What PX4 does with such an item.
+// What PX4 does with the fields of a command: the index into kInPx4.
 enum class InPx4 : uint8_t {
   NotTaken,
   Command,
@@ -84,8 +84,8 @@ const Both kInPx4[] PROGMEM = {
 
 struct Row {
   uint16_t command;
-  uint16_t params;  // on ArduPilot
-  uint8_t where;    // InArduPilot, and InPx4 above it
+  uint16_t params;  // the Kinds of param1 to param4 on ArduPilot
+  uint8_t where;    // InArduPilot in the lower four bits, InPx4 in the upper four
 };
 
 constexpr Row row(uint16_t command, uint8_t param1, uint8_t param2, uint8_t param3, uint8_t param4,
@@ -94,11 +94,12 @@ constexpr Row row(uint16_t command, uint8_t param1, uint8_t param2, uint8_t para
              static_cast<uint8_t>(static_cast<uint8_t>(arduPilot) | static_cast<uint8_t>(px4) << 4)};
 }
 
-constexpr uint8_t kPlaneRows = 2;  // of planes alone, before all others
+constexpr uint8_t kPlaneRows = 2;  // the first rows, which hold for planes only
 
-// Observed on ArduCopter, ArduRover and ArduPlane 4.6.3 and on PX4 1.17.0: simulation/recordings has what each said to
-// each of these, and what it kept (readback_*.csv, readback_random_*.csv); docs/readback.md has it in words. A command
-// that is in no row was taken by none of them: it goes out, for a newer autopilot may.
+// Observed on ArduCopter, ArduRover and ArduPlane 4.6.3 and on PX4 1.17.0: simulation/recordings has the answer of each
+// autopilot to each of these commands, and the values that it kept (readback_*.csv, readback_random_*.csv);
+// docs/readback.md describes them in words. A command without a row was accepted by none of these autopilots. It is
+// sent nevertheless, since a newer autopilot may accept it.
 const Row kRows[] PROGMEM = {
     row(16, D, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),               // NAV_WAYPOINT on a plane: no hold
     row(82, K, K, K, K, InArduPilot::NotTaken, InPx4::NotTaken),                  // NAV_SPLINE_WAYPOINT on a plane
@@ -207,7 +208,8 @@ Rules rulesOf(const MissionItem& item, Keeper keeper) {
     const uint8_t inArduPilot = where & 15;
     const uint16_t* inFlash = &row->params;
     const uint16_t* moreInFlash = &kInArduPilot[inArduPilot];
-    // An autopilot that is neither of the two is as ArduPilot, or as PX4 where ArduPilot does not take the command.
+    // An autopilot that is neither ArduPilot nor PX4 is treated as ArduPilot, or as PX4 if ArduPilot does not take the
+    // command.
     if ((keeper & kByPx4) != 0 || ((keeper & kByArduPilot) == 0 && inArduPilot == 0)) {
       inFlash = &kInPx4[where >> 4].params;
       moreInFlash = inFlash + 1;
@@ -217,7 +219,7 @@ Rules rulesOf(const MissionItem& item, Keeper keeper) {
     break;
   }
   if ((more & kAsItsFrameSays << 12) != 0 && item.frame == Frame::Mission) {
-    // Without a place all is kept, but for what is special in param1.
+    // In an item without a place all fields are kept as they are; only a Special param1 keeps its rule.
     params &= 15;
     more = four(K, K, Height, kHasNoPlace);
   }

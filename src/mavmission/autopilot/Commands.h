@@ -1,4 +1,4 @@
-// What is known of a command in a plan: who keeps it, and whether it has a place.
+// What is known about a command in a plan: what an autopilot keeps of it, and whether it has a place.
 #pragma once
 
 #include <stdint.h>
@@ -15,13 +15,13 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type);
 
 // Flags of a command.
 enum CommandTrait : uint8_t {
-  kHasNoPlace = 1,       // goes out with Frame::Mission
-  kIsNotTaken = 2,       // by this autopilot, in a plan
-  kPlaceIsOptional = 4,  // ArduPilot takes off or lands where it is when there is no place; PX4 needs one
-  kAsItsFrameSays = 8,   // has a place, or has none: of a command that is not in the table
+  kHasNoPlace = 1,       // the command has no place: it is sent with Frame::Mission
+  kIsNotTaken = 2,       // this autopilot does not take the command in a plan
+  kPlaceIsOptional = 4,  // without a place ArduPilot takes off or lands where it is; PX4 needs a place
+  kAsItsFrameSays = 8,   // the item's frame tells whether it has a place; so for every command without a row
 };
 
-// The flags of a MAV_CMD wherever it may be sent, an or of CommandTrait: whether it has a place.
+// The flags of a MAV_CMD for any autopilot, an or of CommandTrait: they tell whether the command has a place.
 uint8_t traitsOf(uint16_t command);
 
 }  // namespace detail

@@ -11,8 +11,8 @@ namespace {
 constexpr uint8_t kNone = 255;
 constexpr uint8_t kModes = 7;
 
-// In the order of FlightMode. ArduPilot's custom modes by vehicle (ArduPilot's documentation, "Flight modes"), PX4's
-// main and sub modes (bits 16 to 23 and 24 to 31 of its custom mode).
+// Mode numbers in the order of FlightMode: ArduPilot's custom modes by vehicle (ArduPilot's documentation, "Flight
+// modes"), PX4's main modes and sub modes (bits 16 to 23 and 24 to 31 of its custom mode).
 const uint8_t kCopter[kModes] PROGMEM = {3, 4, 6, 5, 9, 17, 0};
 const uint8_t kRover[kModes] PROGMEM = {10, 15, 11, 4, kNone, kNone, 0};
 const uint8_t kPlane[kModes] PROGMEM = {10, 15, 11, 12, kNone, kNone, 0};

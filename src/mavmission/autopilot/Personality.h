@@ -1,5 +1,5 @@
-// What an autopilot is, where one differs from another: a row for each. Nothing outside this file compares firmwares.
-// A row and its traits are known when the library is compiled: a question costs the comparison that it stands for.
+// The differences between autopilots, as one row of traits for each autopilot. Nothing outside this file compares
+// firmwares. The rows are compile-time constants: a call of has() costs no more than a comparison of the firmware.
 #pragma once
 
 #include <stdint.h>
@@ -10,12 +10,12 @@
 namespace mavmission {
 namespace detail {
 
-// Whose rules of keeping an item hold (autopilot/Commands.cpp), an or of these, with what kind of plan it is. None of
-// the first two: the protocol as the guide has it.
+// Which autopilot's rules tell what is kept of an item (autopilot/Commands.cpp), and the type of the plan: an or of
+// these flags. Without kByArduPilot and kByPx4 the protocol holds as the guide describes it.
 enum KeeperFlag : uint8_t {
   kByArduPilot = 1,
   kByPx4 = 2,
-  kByPlane = 4,  // ArduPilot's Plane, which keeps some fields that its Copter drops
+  kByPlane = 4,  // ArduPilot's Plane, which keeps some fields that ArduPilot's Copter drops
   kOfFence = 8,
   kOfRally = 16,
 };
@@ -23,38 +23,38 @@ typedef uint8_t Keeper;
 
 enum Trait : uint32_t {
   // --- Plans
-  kHomeIsItem0 = 1ul << 0,           // item 0 of a mission on the wire is home, the autopilot's own
+  kHomeIsItem0 = 1ul << 0,           // item 0 of a mission on the wire is the autopilot's home
   kReplacesItemByItem = 1ul << 1,    // a mission upload that breaks off leaves a mixture of two plans
-  kKeepsPlanUntilWhole = 1ul << 2,   // an upload that breaks off leaves the plan of before
-  kTakesWholePlansOnly = 1ul << 3,   // no MISSION_WRITE_PARTIAL_LIST
-  kTakesTerrainFrames = 1ul << 4,    // MAV_FRAME_GLOBAL_TERRAIN_ALT
-  kMayTakeAnyFrame = 1ul << 5,       // nothing is known of its frames: each goes out
-  kWipesShortFences = 1ul << 6,      // a fence too short to be one is accepted, and gone some time later
-  kWantsRepeatsWithin16 = 1ul << 7,  // gives DO_JUMP's "for ever" back as 65535
-  kDropsNanYaw = 1ul << 8,           // gives a NaN yaw back as 0
+  kKeepsPlanUntilWhole = 1ul << 2,   // an upload that breaks off leaves the previous plan unchanged
+  kTakesWholePlansOnly = 1ul << 3,   // does not support MISSION_WRITE_PARTIAL_LIST
+  kTakesTerrainFrames = 1ul << 4,    // takes MAV_FRAME_GLOBAL_TERRAIN_ALT
+  kMayTakeAnyFrame = 1ul << 5,       // its frames are not known: an item is sent in any frame
+  kWipesShortFences = 1ul << 6,      // accepts a fence with too few corners, and wipes it some time later
+  kWantsRepeatsWithin16 = 1ul << 7,  // gives DO_JUMP's "for ever" back as 65535 in a read-back
+  kDropsNanYaw = 1ul << 8,           // gives a NaN yaw back as 0 in a read-back
 
   // --- Transfers
-  kSaysChecksum = 1ul << 9,        // MISSION_ACK.opaque_id is the checksum of what it holds
+  kSaysChecksum = 1ul << 9,        // MISSION_ACK.opaque_id is the checksum of the plan that it holds
   kSaysErrorWhenBusy = 1ul << 10,  // MAV_MISSION_ERROR to a COUNT while another transfer runs, and to a second COUNT
   kErrorRefusesCount = 1ul << 11,  // MAV_MISSION_ERROR to a COUNT is a refusal
   kRepeatsAcceptance = 1ul << 12,  // answers a repeated last item with ACCEPTED again
-  kGoesOnWithOlder = 1ul << 13,    // goes on with an older transfer that had come to no item when COUNT comes
-  kMayBeOld = 1ul << 14,           // may know MISSION_REQUEST and MISSION_ITEM alone
+  kGoesOnWithOlder = 1ul << 13,    // may ignore a COUNT, and continue an older transfer that has received no item yet
+  kMayBeOld = 1ul << 14,           // may know only MISSION_REQUEST and MISSION_ITEM, not the _INT messages
 
   // --- Flying
   kArmsByMissionStart = 1ul << 15,  // MAV_CMD_MISSION_START sets the mode and arms
-  kFliesByMode = 1ul << 16,         // is armed in another mode, and flies its mission in AUTO
-  kSaysCurrentUnasked = 1ul << 17,  // MISSION_CURRENT once a second; MAV_CMD_REQUEST_MESSAGE is denied
-  kNamesFlownItems = 1ul << 18,     // MISSION_CURRENT names items that are flown to, no commands on the way
+  kFliesByMode = 1ul << 16,         // is armed in another mode, and then flies its mission in mode AUTO
+  kSaysCurrentUnasked = 1ul << 17,  // sends MISSION_CURRENT once a second; denies MAV_CMD_REQUEST_MESSAGE
+  kNamesFlownItems = 1ul << 18,     // MISSION_CURRENT names only items that are flown, no commands on the way
   kModeIsOneByte = 1ul << 19,       // a larger HEARTBEAT.custom_mode would be cut
   kModesByVehicle = 1ul << 20,      // mode numbers differ by HEARTBEAT.type
   kModesHaveSubModes = 1ul << 21,   // custom_mode is a main mode and a sub mode
-  kRejectsInWords = 1ul << 22,      // a plan that was accepted may be rejected by a STATUSTEXT
-  kStreamsAsArduPilot = 1ul << 23,  // which messages make up most of its telemetry
-  kPlanesKeepMore = 1ul << 24,      // kByPlane
+  kRejectsInWords = 1ul << 22,      // may reject a plan by a STATUSTEXT after it has accepted the plan
+  kStreamsAsArduPilot = 1ul << 23,  // its telemetry consists mostly of the same messages as ArduPilot's
+  kPlanesKeepMore = 1ul << 24,      // its planes keep more fields: kByPlane
 };
 
-// X(Firmware, MAV_AUTOPILOT, whose rules of keeping, traits). HEARTBEAT.autopilot is what an autopilot is known by.
+// X(Firmware, MAV_AUTOPILOT, KeeperFlag, traits). An autopilot is recognised by HEARTBEAT.autopilot.
 // clang-format off
 #define MAVMISSION_PERSONALITIES(X)                                                                        \
   X(ArduPilot, 3, kByArduPilot,                                                                            \
@@ -67,7 +67,7 @@ enum Trait : uint32_t {
     kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords)
 // clang-format on
 
-// Of any other autopilot.
+// The traits of any other autopilot.
 constexpr uint32_t kOtherTraits = kMayTakeAnyFrame | kMayBeOld;
 
 MAVMISSION_INLINE constexpr bool has(Firmware firmware, Trait trait) {

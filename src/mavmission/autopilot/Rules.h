@@ -1,4 +1,4 @@
-// What an autopilot makes of the fields of an item, command by command: one row each, in flash.
+// What an autopilot keeps of the fields of an item: one row for each command, in flash.
 #pragma once
 
 #include <stdint.h>
@@ -11,19 +11,20 @@ namespace detail {
 
 namespace keeping {
 
-// What becomes of a field. The number of a kind means another thing in param1 to param4 than in x and y, or in z.
+// What becomes of a field. Some numbers have several names, since their meaning depends on the field: param1 to param4,
+// x and y, or z.
 enum Kind : uint8_t {
   K = 0,          // kept as it is
-  D = 1,          // dropped, because nothing uses it: read as 0
-  Yaw360 = 2,     // param4: a heading from -180 to 360 degrees, put into 0 to 360 by way of radians. NaN: as you fly
-  Rounded = 2,    // x, y: cut to the 24 bits of a float; nothing uses it
-  Height = 2,     // z: ArduPilot keeps whole centimetres of it
+  D = 1,          // dropped, because the autopilot does not use the field: reads back as 0
+  Yaw360 = 2,     // param4: a heading from -180 to 360 degrees, turned into 0 to 360 through radians. NaN: as you fly
+  Rounded = 2,    // x, y: rounded to the 24 bits of a float; the autopilot does not use them
+  Height = 2,     // z: ArduPilot keeps whole centimetres
   NoYaw = 3,      // param4: a heading that is not kept. NaN: as you fly
-  Sign = 4,       // -1 for what is negative, else 1
-  MountMode = 4,  // z: read as 2, whatever it was
+  Sign = 4,       // -1 for a negative number, else 1
+  MountMode = 4,  // z: always reads back as 2
   Special = 5,    // param1: turns, the radius of a fence, the mode of a region of interest; param3: the radius of turns
-  Centimetres = 6,  // from 0 to 655.35, as an altitude
-  U1 = 7,           // whole numbers, from here on: 0 and 1
+  Centimetres = 6,  // 0 to 655.35, kept in whole hundredths, as an altitude is
+  U1 = 7,           // 0 and 1; this and all kinds below keep whole numbers only
   U8 = 8,
   I8 = 9,
   U16 = 10,
@@ -36,19 +37,20 @@ enum Kind : uint8_t {
 
 }  // namespace keeping
 
-// The Kind of param1 to param4, x, y and z, four bits each from the lowest on, and then the flags of a command.
+// The Kinds of param1 to param4, x, y and z, four bits each, beginning with the lowest; the highest four bits are the
+// command's flags (CommandTrait).
 struct Rules {
   uint32_t bits;
 
   bool has(CommandTrait trait) const { return (static_cast<uint8_t>(bits >> 24) >> 4 & trait) != 0; }
-  // param4 may be NaN: as you fly.
+  // True if param4 may be NaN, which means "as you fly".
   bool hasYaw() const {
     const uint8_t kind = static_cast<uint8_t>(bits >> 8) >> 4;
     return kind >= keeping::Yaw360 && kind <= keeping::Sign;
   }
 };
 
-// What this keeper makes of the fields of such an item: its command and its frame count.
+// The rules by which this keeper keeps the fields of an item. They depend on the item's command and frame.
 Rules rulesOf(const MissionItem& item, Keeper keeper);
 
 }  // namespace detail

@@ -24,8 +24,8 @@ Status fromCommandResult(uint8_t result) {
 
 Status Client::beginCommand(FillCommand fill, OnCommand on) {
   if (state_.operation != nullptr) return Status::Busy;
-  // Late answers to the last command may still come, if it was one: at its end the seconds began anew. Long after it
-  // its time, of 16 bits, says nothing any more.
+  // If the last operation was a command, late answers to that command may still come: state_.seconds counts from its
+  // end. Later than that, its 16-bit time stamp has wrapped and is of no use.
   const bool isBehindOne = rest_.isCommanding && state_.seconds < CommandTransfer::kLateAnswersS;
   startOperation(commandStep);
   rest_.isCommanding = true;
@@ -74,7 +74,7 @@ void Client::takeCommandEvent(CommandEvent event, Status status, const FramePars
   if (on != nullptr) status = on(*this, event, status, frame, nowMs);
   if (status == Status::Transferring) return;
   commanding_.transfer.rest(nowMs);
-  beginSeconds(nowMs);  // so long ago it is when the next one begins
+  beginSeconds(nowMs);  // the seconds tell the next command how long ago this one ended
   end(status);
 }
 
@@ -144,7 +144,7 @@ Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
 
 Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   if (event != CommandEvent::Ready) return status;
-  // It would arm.
+  // MAV_CMD_MISSION_START would arm this autopilot.
   const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && has(client.firmware(), kArmsByMissionStart);
   return arms && !client.isArmed() ? Status::NotArmed : status;
 }
@@ -190,7 +190,7 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
   return status;
 }
 
-// ArduPilot's modes have one byte. Of a larger number it would be sent another mode.
+// ArduPilot's mode numbers have one byte. A larger number would be cut, and set another mode.
 Status Client::onCustomMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                             uint16_t nowMs) {
   if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
@@ -205,8 +205,8 @@ Status Client::onNamedMode(Client& client, CommandEvent event, Status status, co
   return client.commanding_.mode == kNoMode ? Status::NoSuchMode : status;
 }
 
-// A mode is set when a heartbeat shows it: PX4 answers twice, and accepts what it then refuses. Until then it is asked
-// for again, since the refusal may be what was lost.
+// A mode is set when a heartbeat shows it: PX4 answers twice, and may first accept a mode that it then refuses. Until a
+// heartbeat shows the mode, the command is repeated, since the refusal may have been lost.
 Status Client::onMode(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   switch (event) {
     case CommandEvent::Accepted: return Status::Transferring;
@@ -225,7 +225,7 @@ void Client::fillMode(Client& client, FlightCommand& command) {
   command.param3 = static_cast<uint8_t>(client.commanding_.mode >> 8);
 }
 
-// False for an item that the plan aboard is known not to have.
+// False if the plan aboard is known not to have this item.
 bool Client::hasItem(uint16_t item) {
   const bool isKnown = aboard() == Aboard::OurPlan && rest_.planType == PlanType::Mission;
   if (item != kNoItem && (!isKnown || item < plan_.count())) return true;
@@ -253,13 +253,14 @@ Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, c
       client.nextCommand(fillCurrentMessage, nowMs);
       return Status::Transferring;
     case CommandEvent::Current: {
-      // The older message has no answer of its own: what is current now is the answer. Another item is none, unless the
-      // plan has no such item, of which PX4 says nothing but in words. (65535 is a PX4 without a plan.)
+      // The older message has no answer of its own: MISSION_CURRENT with our item is the answer. MISSION_CURRENT with
+      // another item is no answer, unless the total shows that the plan has no such item, which PX4 reports only in a
+      // STATUSTEXT. (A PX4 without a plan reports a total of 65535.)
       if (commanding.fill != fillCurrentMessage || commanding.transfer.tries() == 0) break;
       const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
       if (current.seq == commanding.item) return Status::Done;
       const uint16_t total = current.total;
-      if (total == 0) break;  // it does not say
+      if (total == 0) break;  // the autopilot does not report a total
       if (total != 0xFFFF && commanding.item < total + (hasHome ? 1u : 0u)) break;
       client.state_.failedItem = client.itemFromWire(commanding.item);
       return Status::NoSuchItem;

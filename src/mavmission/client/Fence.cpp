@@ -1,4 +1,4 @@
-// MissionClient's upload of a plan of any type. A file of its own, since only a fence needs this.
+// MissionClient's upload of a plan of any type. A file of its own, since only fences need the steps below.
 #include "../MissionClient.h"
 #include "../link/Messages.h"
 
@@ -6,14 +6,15 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-// ArduPilot accepts a fence of fewer than three corners or circles in the place of a longer one, gives it back when it
-// is read at once, and wipes it when it next looks at its fence: 3 to 25 times a second, by vehicle. A return point is
-// neither a corner nor a circle, so such a fence has at most three items [items].
+// When a fence of fewer than three corners or circles replaces a longer fence, ArduPilot accepts the short fence, still
+// has it in a read-back at once, and wipes it at its next check of the fence, 3 to 25 times a second depending on the
+// vehicle. A return point is neither a corner nor a circle, so such a short fence has at most three items [items].
 constexpr uint8_t kShortFence = 3;
 
 }  // namespace
 
-// A short fence is always read back, and uploaded again if it is gone: then it replaces no longer fence, and stays.
+// A short fence is always read back, and uploaded again if it was wiped: the second upload does not replace a longer
+// fence, and so the short fence stays.
 Status MissionClient::upload(const ItemSource& plan, PlanType type, Readback proof) {
   const bool isDoubtful = type == PlanType::Fence && plan.count != 0 && plan.count <= kShortFence;
   const Status status = uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
@@ -27,7 +28,7 @@ void Client::proveFence(Client& client, uint16_t nowMs) {
   client.beginSeconds(nowMs);
 }
 
-// The same after the second upload, which is the last.
+// The same read-back after the second upload; there is no third upload.
 void Client::proveFenceAgain(Client& client, uint16_t nowMs) {
   proveFence(client, nowMs);
   client.state_.operation = fenceSettleAgainStep;

@@ -1,4 +1,4 @@
-// MissionClient reading the autopilot's plan: to hand it to a sink, to compare it with a source, to prove an upload.
+// How MissionClient reads the autopilot's plan: to hand it to a sink, to compare it with a source, to prove an upload.
 #include <Arduino.h>
 
 #include "../MissionClient.h"
@@ -22,14 +22,14 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   return state_.status;
 }
 
-// What is aboard is read back, and decides what the upload says.
+// Reads back the plan that is aboard; the comparison decides how the upload ends.
 void Client::proveUpload(Client& client, uint16_t nowMs) {
   client.state_.operation = readStep;
   client.rest_.proving = true;
   client.setAboard(Aboard::NotKnown);
   client.reading_.take = compareItem;
   client.reading_.isCompared = true;
-  client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove it
+  client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove an upload
   client.reading_.transfer.begin(nowMs);
 }
 
@@ -42,7 +42,7 @@ Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proo
   return status;
 }
 
-// 1 where the autopilot's own item 0 is home, and not the sketch's.
+// 1 where the autopilot's item 0 is home and the sketch does not count home as an item, else 0.
 uint8_t Client::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
 
 bool Client::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
@@ -62,8 +62,8 @@ void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) 
     client.beginSeconds(nowMs);
     state.status = Status::Transferring;
   }
-  // Comparing an item comes on top of the bytes that its frame has ended: fewer of them leave an update() the time for
-  // it.
+  // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
+  // update() the time for the comparison.
   state.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
   const Status status = client.reading_.transfer.onTime(nowMs);
   if (status != Status::Transferring) return client.endReading(status);
@@ -113,8 +113,9 @@ void Client::takeReadFrame(const FrameParser& frame, uint16_t) {
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
       const Status status = reading_.transfer.onAck(result);
       if (status == Status::Transferring) return;
-      // While an upload is being proven the autopilot may still hold it open: ArduPilot denies reading until it gives
-      // up, PX4 says error. The request is repeated, and its tries bound the wait.
+      // While an upload is being proven, the autopilot may still hold the upload open: ArduPilot then denies reading
+      // until it gives the upload up, and PX4 answers with an error. The request is repeated, and the number of its
+      // attempts limits the wait.
       if (rest_.proving && reading_.transfer.state() == DownloadTransfer::State::Listing) return;
       rest_.lastResult = result;
       return endReading(status);
@@ -136,7 +137,7 @@ void Client::takeReadCount(const FrameParser& frame) {
     if (items > reading_.sink.limit) endReading(Status::SinkFull);
     return;
   }
-  // ArduPilot without a plan says 0, or 1 for its home.
+  // ArduPilot without a plan reports a count of 0, or of 1 for its home.
   const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count <= 1;
   if (isBothEmpty || count == plan_.wireCount()) return;
   rest_.field = ItemField::Count;
@@ -168,27 +169,27 @@ void Client::takeReadItem(const FrameParser& frame) {
   piece.item.current = current;
   piece.item.autocontinue = autocontinue;
   const Status taken = reading_.take(*this, seq, piece.item);
-  if (taken == Status::Checking) return;  // it will be asked for again, by askAgain() or in time
+  if (taken == Status::Checking) return;  // the item is requested again, by askAgain() or after the timeout
   if (taken != Status::Transferring) {
     state_.failedItem = ownItem(seq);
     return endReading(taken);
   }
   transfer.onItem(seq);
-  // While an upload is proven its progress stands still: it is complete only when it is proven.
+  // The progress of an upload stands still during its read-back: the upload is complete only when it is proven.
   if (!rest_.proving) report(seq + 1 - homeBefore());
 }
 
 Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item) {
   WirePlan& plan = client.plan_;
   const bool hasHome = plan.has(kHomeIsItem0) && client.state_.type == PlanType::Mission;
-  if (wireItem == 0 && hasHome) return Status::Transferring;  // the autopilot's own, however the sketch counts
+  if (wireItem == 0 && hasHome) return Status::Transferring;  // home is the autopilot's own, however the sketch counts
   MissionItem meant;
   const Status read = plan.read(wireItem, meant);
-  if (read == Status::Checking) client.reading_.transfer.askAgain();  // the looking for a place goes on then
+  if (read == Status::Checking) client.reading_.transfer.askAgain();  // the search for a place continues then
   if (read != Status::Accepted) return read;
   const ItemField field = difference(meant, item, plan.keeper());
   if (field == ItemField::None) return Status::Transferring;
-  // What could never be aboard is no difference.
+  // A value that this autopilot cannot keep is reported as NotKept, not as a difference.
   if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
   client.rest_.field = field;
   return Status::Differs;
@@ -203,8 +204,8 @@ void Client::endReading(Status status) {
       if (state_.type == PlanType::Mission) rest_.planId = reading_.planId;
     }
   } else {
-    tellCancelled();  // PX4 would wait 5 s for us
-    // Where the autopilot refuses to be read another ground station may be putting its plan there.
+    tellCancelled();  // otherwise PX4 would wait for us for 5 s
+    // When the autopilot refuses to be read, another ground station may be uploading a plan.
     if (status == Status::Differs || status >= Status::Error) setAboard(Aboard::NotKnown);
   }
   if (rest_.proving) {
@@ -215,12 +216,12 @@ void Client::endReading(Status status) {
         report(rest_.itemsTotal);
         break;
       case Status::Differs:
-        // One that was accepted is whole, but another one.
+        // A plan that was accepted is complete, though it is another plan; otherwise ArduPilot has a mixture.
         if (plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission &&
             rest_.lastResult != MAV_MISSION_ACCEPTED) {
           setAboard(Aboard::Mixture);
         }
-        if (rest_.mayBeRefused) {  // so it was, and of the last item
+        if (rest_.mayBeRefused) {  // the doubtful error was a refusal of the last item
           status = Status::Error;
           state_.failedItem = plan_.count() - 1;
         }
@@ -228,8 +229,8 @@ void Client::endReading(Status status) {
       default: status = Status::Unconfirmed; break;
     }
   }
-  state_.unsettled |= UploadTransfer::kBusy;  // our last word may be lost
-  state_.unsettledMs = state_.secondMs;       // now, less than a second ago
+  state_.unsettled |= UploadTransfer::kBusy;  // our last message may be lost
+  state_.unsettledMs = state_.secondMs;       // about now: less than a second ago
   end(status);
 }
 

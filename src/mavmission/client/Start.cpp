@@ -1,10 +1,10 @@
-// MissionClient's start(): what each autopilot needs in order to fly the plan that is aboard, step by step.
+// MissionClient's start(): the steps that each autopilot needs in order to fly the plan that is aboard.
 //
 //   New -> Looking ---> Steps: ReadyMode -> FirstItem -> Arm -> AutoMode -> Begin -> Confirm
 //                         |                                                            | a heartbeat shows it
-//                         | a refusal or silence, where it has armed                   v
+//                         | a refusal or a timeout, if start() has armed               v
 //                         v                                                          Shown -> Judging -> Done
-//                       Leaving ---> Disarming ---> the refusal                                          OtherItem
+//                       Leaving ---> Disarming ---> the refusal                                       or OtherItem
 #include <Arduino.h>
 
 #include "../MissionClient.h"
@@ -17,7 +17,8 @@ namespace {
 
 constexpr uint8_t kCannotLook = 100;  // of items looked at: that many, and it is given up; or they are not at hand
 
-// True for a command that an autopilot flies, and is at for a while. The others are carried out on the way.
+// True for a command that the autopilot flies, and that stays its current item for a while. The other commands are
+// carried out on the way.
 bool isFlown(uint16_t command) {
   switch (command) {
     case MAV_CMD_NAV_ROI: return false;
@@ -28,7 +29,7 @@ bool isFlown(uint16_t command) {
   }
 }
 
-// For ever, in a jump's repeats.
+// True for a negative number, which in a jump's repeats means "for ever".
 bool isNegative(float number) {
   uint8_t bytes[sizeof(number)];
   memcpy(bytes, &number, sizeof(number));
@@ -54,7 +55,7 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
   switch (event) {
     case CommandEvent::Ready: return client.readyToStart(nowMs);
     case CommandEvent::Accepted: {
-      // The others are confirmed by what they change: a heartbeat, a MISSION_CURRENT.
+      // The other steps are confirmed by the change that they cause in the heartbeat or in MISSION_CURRENT.
       const StartStep step = client.startStep();
       const bool isStep = client.commanding_.start.phase == Start::Phase::Steps;
       const bool isConfirmed = isStep && (step == StartStep::Arm || step == StartStep::Begin);
@@ -71,7 +72,7 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
   return isJudging ? client.judgeStart() : status;
 }
 
-// May it be flown, and from which item on? Checking until that is known.
+// Decides whether the plan may be flown, and from which item on. Returns Checking until that is known.
 Status Client::readyToStart(uint16_t nowMs) {
   Start& start = commanding_.start;
   if (start.phase == Start::Phase::New) {
@@ -81,10 +82,11 @@ Status Client::readyToStart(uint16_t nowMs) {
     const uint16_t item = start.first;
     if (!hasItem(item)) return Status::NoSuchItem;
     plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, PlanType::Mission, rest_.raw);
-    // ArduPilot's item 0 is home. Set to that it forgets the jumps that it has counted, and begins with item 1.
+    // ArduPilot's item 0 is home. When home is set as the current item, ArduPilot resets its jump counters and begins
+    // with item 1.
     if (item != 0) start.first = item + homeBefore();
     lookFromFirst();
-    if (rest_.planType != PlanType::Mission) start.looked = kCannotLook;  // plan_ is a fence by now
+    if (rest_.planType != PlanType::Mission) start.looked = kCannotLook;  // plan_ is no mission any more
     start.phase = Start::Phase::Looking;
   }
   const Status looked = lookAtItem();
@@ -96,12 +98,12 @@ Status Client::readyToStart(uint16_t nowMs) {
   }
   start.phase = Start::Phase::Steps;
   start.mode = shownMode();
-  // To an aircraft that flies its mission already, setting the current item would mean to fly there at once.
+  // An aircraft that flies its mission already would fly to a newly set current item at once: skip these steps.
   if (isArmed() && shownMode() == numberOf(FlightMode::Auto)) setStartStep(StartStep::Begin);
   return nextStartStep(nowMs);
 }
 
-// Behind home.
+// The wire item with which the flight begins, which is never home.
 uint16_t Client::firstItem() const {
   const uint16_t first = commanding_.start.first;
   return first == 0 && plan_.has(kHomeIsItem0) ? 1 : first;
@@ -114,8 +116,8 @@ void Client::lookFromFirst() {
   start.looked = 0;
 }
 
-// Looks at one item on the way from the first to one that will be flown: Transferring to go on, Done when it is
-// state_.next, SourceRefused if that cannot be known.
+// Looks at one item on the way from the first item to the one that will be flown first. Returns Transferring to
+// continue, Done when state_.next is the item that will be flown, SourceRefused if that item cannot be determined.
 Status Client::lookAtItem() {
   Start& start = commanding_.start;
   if (start.looked == kCannotLook) return Status::SourceRefused;
@@ -129,7 +131,8 @@ Status Client::lookAtItem() {
   if (isFlown(item.command)) return Status::Done;
   if (item.command == MAV_CMD_DO_JUMP_TAG) return Status::SourceRefused;
   if (item.command == kDoJump && wholeNumber(item.param2) != 0) {
-    // Round a jump, with nothing to be flown, it goes until it has been taken often enough.
+    // In a loop with nothing to fly, a jump "for ever" never gets out. Any other jump is followed once here, and passed
+    // by the second time.
     if (start.jump == state_.next && isNegative(item.param2)) return Status::NothingToFly;
     if (start.jump != state_.next) {
       start.jump = state_.next;
@@ -141,7 +144,7 @@ Status Client::lookAtItem() {
   return Status::Transferring;
 }
 
-// Goes on with the next step that this vehicle needs.
+// Continues with the next step that this vehicle needs.
 Status Client::nextStartStep(uint16_t nowMs) {
   do {
     ++rest_.startStep;
@@ -149,14 +152,15 @@ Status Client::nextStartStep(uint16_t nowMs) {
   return Status::Transferring;
 }
 
-// False if this vehicle does without this step.
+// False if this vehicle does not need this step.
 bool Client::beginStartStep(uint16_t nowMs) {
   const bool armsByMissionStart = plan_.has(kArmsByMissionStart);
   Start& start = commanding_.start;
   switch (startStep()) {
     case StartStep::None: return false;
     case StartStep::ReadyMode: {
-      // Copter refuses to be armed in AUTO: GUIDED. Rover: MANUAL. Plane arms in the mode that it is in.
+      // Copter refuses to be armed in AUTO: it is armed in GUIDED. A rover is armed in MANUAL, a plane in its current
+      // mode.
       const uint8_t vehicleType = link_.finder().heartbeat().vehicleType;
       if (!plan_.has(kFliesByMode) || isArmed() || vehicleType == MAV_TYPE_FIXED_WING) return false;
       commanding_.mode = numberOf(isRover(vehicleType) ? FlightMode::Manual : FlightMode::Guided);
@@ -193,13 +197,13 @@ bool Client::beginStartStep(uint16_t nowMs) {
   return true;
 }
 
-// What the autopilot does when it refuses, and when it says nothing more: how start() ends, or leaves.
+// What start() does when the autopilot refuses: it tries again, ends, or leaves (leaveStart()).
 Status Client::onStartRefused(Status status, uint16_t nowMs) {
   Start& start = commanding_.start;
   CommandTransfer& transfer = commanding_.transfer;
   if (start.phase == Start::Phase::Disarming) return start.refusal;
   const StartStep step = startStep();
-  if (commanding_.fill == fillAskCurrent) return Status::Transferring;  // it may come unasked
+  if (commanding_.fill == fillAskCurrent) return Status::Transferring;  // MISSION_CURRENT may come unasked
   const bool isTriedAgain = step == StartStep::AutoMode && isRover(link_.finder().heartbeat().vehicleType) &&
                             static_cast<uint8_t>(state_.seconds - start.beganS) < StartRules::kAutoTriesS;
   if (isTriedAgain) {
@@ -219,7 +223,7 @@ Status Client::onStartSilent(Status status, uint16_t nowMs) {
   if (startStep() == StartStep::FirstItem && start.seen != kNoItem) return otherItem();
   if (startStep() == StartStep::Confirm) {
     if (status == Status::NoAnswer) status = Status::Unconfirmed;
-    if (shownMode() == numberOf(FlightMode::Auto)) return status;  // it may well fly
+    if (shownMode() == numberOf(FlightMode::Auto)) return status;  // the aircraft may be flying: do not disarm
   }
   return leaveStart(status, nowMs);
 }
@@ -228,7 +232,8 @@ bool Client::isArmingStep() const {
   return startStep() == StartStep::Arm || (startStep() == StartStep::Begin && plan_.has(kArmsByMissionStart));
 }
 
-// It cannot be flown. What start() has armed is disarmed, when a heartbeat says that it is armed and nobody else's.
+// Ends a start() that cannot succeed. If start() has armed the vehicle, the vehicle is disarmed first, once a heartbeat
+// shows that it is armed and that nobody else has taken over.
 Status Client::leaveStart(Status status, uint16_t nowMs) {
   Start& start = commanding_.start;
   if (startArming() != StartArming::Armed) return status;
@@ -254,14 +259,14 @@ Status Client::onStartHeartbeat(uint16_t nowMs) {
   const StartStep asksForAuto = plan_.has(kArmsByMissionStart) ? StartStep::Begin : StartStep::AutoMode;
   const bool isAskedFor = step > asksForAuto || (step == asksForAuto && isSent);
   if (isAskedFor && mode == autoMode) start.isAutoSeen = 1;
-  // Once it has flown its mission, the mode in which start() began is somebody else's choice as well.
+  // Once AUTO has been seen, a change back to the mode in which start() began is somebody else's choice as well.
   const bool isTaken = !isAuto && (start.isAutoSeen != 0 || mode != start.mode);
   const bool isFlying = isArmed() && isAuto;
   const bool isJudging = start.phase == Start::Phase::Judging || start.phase == Start::Phase::JudgingNext;
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
     const bool wasArmed = start.phase == Start::Phase::Disarming || !isArmingStep();
     if (!isArmed()) setStartArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
-    const bool hasBegun = step >= StartStep::Begin && plan_.has(kArmsByMissionStart) && isFlying;  // after all
+    const bool hasBegun = step >= StartStep::Begin && plan_.has(kArmsByMissionStart) && isFlying;  // began after all
     if (!isArmed() || isTaken || hasBegun) return start.refusal;
     if (start.phase == Start::Phase::Leaving) {
       start.phase = Start::Phase::Disarming;
@@ -270,7 +275,7 @@ Status Client::onStartHeartbeat(uint16_t nowMs) {
     return Status::Transferring;
   }
   if (step != StartStep::ReadyMode && isTaken) {
-    // AUTO is on its way: the next heartbeat may show it, and the aircraft then flies.
+    // AUTO has been requested: the next heartbeat may show AUTO, and the aircraft is then flying.
     if (step == StartStep::AutoMode && isSent && start.seen != mode) {
       start.seen = mode;
       return Status::Transferring;
@@ -305,15 +310,16 @@ Status Client::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
       return item == start.first ? nextStartStep(nowMs) : Status::Transferring;
     }
     if (commanding_.fill == fillFirst) {
-      // ArduPilot's answer names the item as it was asked for, and may come unasked: it is asked where it is then.
+      // ArduPilot's answer names the item as it was set, or is a message that came unasked: request MISSION_CURRENT to
+      // learn the actual item.
       if (item != start.first && item != state_.next) return Status::Transferring;
       start.seen = kNoItem;
       nextCommand(fillAskCurrent, nowMs);
       return Status::Transferring;
     }
     if (state_.next == kNoItem && item != 0) state_.next = item;
-    // On the ground it may stand before the commands that it will carry out on its way to the first that it flies; and
-    // at home, from which it begins with its first item.
+    // On the ground, the current item may still be the first of the commands that are carried out before the first item
+    // that is flown. It may also be home, from which ArduPilot begins with its first item.
     const bool isAtHome = item == 0 && start.first == 0 && state_.next != kNoItem;
     return isAtHome || item == state_.next || item == firstItem() ? nextStartStep(nowMs) : Status::Transferring;
   }
@@ -325,7 +331,7 @@ Status Client::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
   return confirmStart();
 }
 
-// When a heartbeat shows that it flies, and it has said at which item it is.
+// Confirms the start, once a heartbeat has shown that the aircraft flies and MISSION_CURRENT has named its item.
 Status Client::confirmStart() {
   Start& start = commanding_.start;
   if (start.phase != Start::Phase::Shown || start.seen == kNoItem) return Status::Transferring;
@@ -337,7 +343,8 @@ Status Client::confirmStart() {
   return Status::Transferring;
 }
 
-// Is the item at which it is the one to begin with? ArduPilot names only items that it flies, PX4 those on the way too.
+// Decides whether the current item is the one to begin with. ArduPilot names only items that are flown, PX4 also the
+// commands on the way to them.
 Status Client::judgeStart() {
   Start& start = commanding_.start;
   const bool isThere = start.seen == state_.next;
@@ -346,7 +353,7 @@ Status Client::judgeStart() {
   if (looked == Status::Transferring) return looked;
   if (looked != Status::Done) return otherItem();
   if (isThere) return Status::Done;
-  // Where a rover stands already, or an aircraft in the air need not climb to, it is through with the first at once.
+  // The first item may be completed at once, if a rover already stands there or an aircraft in the air need not climb.
   const bool mayBeThrough = isRover(link_.finder().heartbeat().vehicleType) || startArming() != StartArming::Armed;
   const bool wasSetBack = start.mode != numberOf(FlightMode::Auto);
   if (start.phase == Start::Phase::JudgingNext || !mayBeThrough || !wasSetBack) return otherItem();
@@ -365,7 +372,7 @@ void Client::fillAskCurrent(Client&, FlightCommand& command) {
 }
 
 void Client::fillStart(Client& client, FlightCommand& command) {
-  command.id = MAV_CMD_MISSION_START;  // ArduPilot wants its parameters to be 0; PX4 begins with the first
+  command.id = MAV_CMD_MISSION_START;  // ArduPilot wants parameters of 0; PX4 begins with the item in param1
   if (client.plan_.has(kArmsByMissionStart)) command.param1 = client.commanding_.start.first;
 }
 
@@ -379,7 +386,7 @@ Status Client::onStartMission(Client& client, CommandEvent event, Status status,
   if (event != CommandEvent::Ready) return arms ? onMode(client, event, status, frame, nowMs) : status;
   if (!client.isArmed()) return Status::NotArmed;
   if (arms) {
-    // Such a command is not sent: an armed aircraft flies its mission by the mode alone.
+    // MAV_CMD_MISSION_START, which would arm, is not sent: an armed aircraft flies its mission by the mode alone.
     client.commanding_.mode = client.numberOf(FlightMode::Auto);
     client.commanding_.fill = fillMode;
   }

@@ -1,5 +1,5 @@
-// What follows the end of an upload, where the sketch has chosen options: the back-off, the MISSION_ITEM fallback, the
-// read-back. They meet here, so that an upload without any of them has one test for all.
+// What follows the end of an upload when the sketch has chosen options: the back-off, the MISSION_ITEM fallback, the
+// read-back. They are all decided here, so that an upload without any of these options needs only one test.
 #include "../MissionClient.h"
 
 namespace mavmission {
@@ -11,7 +11,8 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
   if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
   const UploadTransfer& transfer = client.transfer_;
-  // An idle ArduPilot answers so when the line has repeated the last item, and its acceptance may have been lost.
+  // An idle ArduPilot answers with an error when the line has repeated the last item. The acceptance may have been lost
+  // before that.
   const bool isDoubtfulError = status == Status::Error && !client.plan_.has(kRepeatsAcceptance) &&
                                transfer.state() == UploadTransfer::State::Confirming;
   const bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError ||

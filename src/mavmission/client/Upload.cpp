@@ -1,4 +1,4 @@
-// MissionClient's upload: the plan and the transfer joined to the link.
+// MissionClient's upload: connects the plan and the transfer's state machine to the link.
 #include <Arduino.h>
 
 #include "../MissionClient.h"
@@ -43,7 +43,7 @@ Status Client::uploadKeptPlan() {
   return state_.status;
 }
 
-// Runs through the states of an upload: WaitingForAutopilot, Checking, Transferring.
+// Takes the upload through its states: WaitingForAutopilot, Checking, Transferring.
 void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (client.state_.status == Status::Transferring) {
     if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
@@ -63,7 +63,7 @@ void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs
 
 void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw); }
 
-// Accepted, or NotKept: and then which field of an item it is that the autopilot would not keep.
+// Accepted, or NotKept, with the field of the item that the autopilot would not keep in rest_.field.
 Status Client::keeping(const MissionItem& item) {
   rest_.field = notKept(item, plan_.keeper());
   return rest_.field == ItemField::None ? Status::Accepted : Status::NotKept;
@@ -74,7 +74,7 @@ void Client::beginChecking() {
   state_.next = 0;
 }
 
-// Only when the link can send: the item lies where a frame would be made, and not on the stack.
+// To be called only when the link can send: the item is read into the outgoing frame's buffer, to save stack.
 Status Client::checkItem(uint16_t wireItem) {
   MissionItem& item = *static_cast<MissionItem*>(link_.draft());
   const Status read = plan_.read(wireItem, item);
@@ -83,7 +83,7 @@ Status Client::checkItem(uint16_t wireItem) {
 
 void Client::checkPlan(uint16_t nowMs) {
   if (!link_.finder().isFound() || link_.finder().firmware() != plan_.firmware()) {
-    state_.status = Status::WaitingForAutopilot;  // lost while the plan was being checked, or another one came
+    state_.status = Status::WaitingForAutopilot;  // the autopilot was lost, or is another one now
     return;
   }
   if (plan_.isTooLong()) return end(Status::TooManyItems);
@@ -123,7 +123,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request), "both kinds of request have one layout");
       if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
       const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs);
-      // At once, and not behind what else this update() does.
+      // The item is sent at once, before the rest of this update().
       sendUpload(nowMs);
       link_.flush(nowMs, kStartBytes);
       continueUpload(status, nowMs);
@@ -143,8 +143,9 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
   }
 }
 
-// What an acceptance with this opaque_id means. PX4 says what it holds. (0: it does not. Items sent as floats are not
-// those that were summed up.)
+// The status that follows from an acceptance with this opaque_id, in which PX4 reports the checksum of the plan that it
+// holds. It is not compared when it is 0, which means that none is reported, nor when items were sent as floats, since
+// our checksum was computed before the conversion.
 Status Client::proven(uint32_t opaqueId) {
   const bool says = plan_.has(kSaysChecksum) && opaqueId != 0 && !state_.floatItems;
   if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
@@ -152,9 +153,9 @@ Status Client::proven(uint32_t opaqueId) {
   return Status::Accepted;
 }
 
-// Takes what the transfer says of how it goes.
+// Reports the progress, and ends the upload or continues it, according to the transfer's status.
 void Client::continueUpload(Status status, uint16_t nowMs) {
-  // The autopilot holds every item that it asked for but the last one.
+  // The autopilot holds every item that it has requested except the last one.
   const uint16_t notHeld = plan_.homeItems() + 1;
   if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
   if (status == Status::Transferring || state_.operation == nullptr) return;
@@ -191,14 +192,15 @@ void Client::noteAccepted() {
 Aboard Client::aboardAfterUpload(Status status) const {
   if (status == Status::Accepted) return Aboard::OurPlan;
   const bool begun = transfer_.hasBegun();
-  const bool refused = status >= Status::Error;  // the autopilot's own word
+  const bool refused = status >= Status::Error;  // a refusal by the autopilot
   const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming || status == Status::AcceptedEarly;
-  // An error after the last item may yet be to one that a radio has repeated, and that found an idle autopilot.
+  // An error after the last item does not prove a refusal: a radio may have repeated an item, which then reached an
+  // idle autopilot.
   if (mayBeWhole && (!refused || status == Status::Error)) return Aboard::NotKnown;
-  // It keeps the old plan until the new one is whole; an empty one is whole at once.
+  // Such an autopilot keeps the old plan until the new plan is complete; an empty plan is complete at once.
   if (plan_.has(kKeepsPlanUntilWhole) && (refused || plan_.count() != 0)) return Aboard::AsBefore;
   if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
-  // ArduPilot replaces a mission item by item; a fence it takes whole.
+  // ArduPilot replaces a mission item by item, but a fence only as a whole.
   return plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
 }
 
@@ -207,8 +209,8 @@ uint16_t Client::ownItem(uint16_t wireItem) const {
   return wireItem - homeBefore();
 }
 
-// Sends what is due. An item is packed before it is asked for, while the line waits for the autopilot: the answer to
-// its request then begins earlier by that, and no update() both packs an item and writes it.
+// Sends what is due. An item is packed before it is requested, while the line waits for the autopilot: the answer to
+// the request then begins earlier by the time of packing, and no update() both packs an item and writes it.
 void Client::sendUpload(uint16_t nowMs) {
   if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
     if (!transfer_.expectsRequest() || isPrepared(transfer_.itemsAskedFor()) || !link_.canSend()) return;
@@ -225,7 +227,7 @@ void Client::sendUpload(uint16_t nowMs) {
   transfer_.sent(nowMs);
 }
 
-// What comes before the items, or instead of them.
+// Sends the message that comes before the items (COUNT, or the announcement of a part), or a cancellation.
 void Client::sendAnnouncement() {
   if (transfer_.toSend() == UploadTransfer::Send::Cancel) {
     sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.type);
@@ -247,8 +249,8 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
   static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
   if (!claimHeavyWork()) return;
-  // The item becomes the message where it lies, and it lies where the frame is made: param1 to z stay, the rest is
-  // moved. That keeps the deepest stack small.
+  // The item is read into the buffer of the outgoing frame and turned into the message in place: param1 to z stay where
+  // they are, the other fields are moved. This keeps the deepest stack small.
   union Piece {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -275,7 +277,7 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   message.autocontinue = autocontinue;
   message.mission_type = static_cast<uint8_t>(state_.type);
   if (wireItem == state_.next && plan_.has(kSaysChecksum)) {
-    // The sum is enough for an update(): packing is left to the next one.
+    // Computing the checksum is enough work for one update(): the item is packed in the next one.
     ++state_.next;
     return opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
   }

@@ -64,7 +64,7 @@ void Link::takeHeartbeat(uint16_t nowMs) {
 bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
 #if MAVMISSION_SIGNING
   if (takeAccepted(nowMs)) {
-    budget.left = 0;  // of this update(): what the frame begins takes time too
+    budget.left = 0;  // no more bytes in this update(): handling the frame takes time, too
     return true;
   }
 #endif
@@ -92,7 +92,7 @@ bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
   }
 }
 
-// Counts a frame; true if it is the autopilot's, wanted, and for us.
+// Counts a frame; true if it comes from the autopilot, is wanted, and is addressed to us.
 bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   const bool isWanted = result == FrameParser::Result::Wanted;
   if (isWanted) {
@@ -147,7 +147,7 @@ void Link::onTime(uint16_t nowMs) {
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
   if (!canSend() || !maySpeak()) return;
-  // The next one is due a period after this one was due, so that a late loop does not make them rarer.
+  // The next heartbeat is due one period after this one was due, so that late calls do not make heartbeats rarer.
   const bool late = !state_.heartbeatSent || elapsedMs >= 2 * kHeartbeatMs;
   state_.heartbeatMs = late ? nowMs : state_.heartbeatMs + kHeartbeatMs;
   state_.heartbeatSent = true;

@@ -1,4 +1,4 @@
-// Frames over a Stream: who we are, whom we talk to, heartbeats, counters.
+// Frames over a Stream: our own ids, the autopilot that we talk to, heartbeats, counters.
 #pragma once
 
 #include <Arduino.h>
@@ -21,47 +21,51 @@ class Link : public LinkRules {
  public:
   static constexpr uint8_t kComponentId = 191;  // MAV_COMP_ID_ONBOARD_COMPUTER
 
-  // All zero is how a Link begins, but for this.
+  // Sets the stream. All other members of a Link begin as zero.
   void begin(Stream& stream) { stream_ = &stream; }
 
-  // Our own ids; 0, 0 is the default: the autopilot's system id and kComponentId.
+  // Sets our own ids. 0, 0 is the default: the autopilot's system id, and kComponentId.
   void setSourceIds(uint8_t systemId, uint8_t componentId);
   void setMavlinkVersion(MavlinkVersion speak) { state_.speak = speak; }
 
-  // Goes on to the autopilot's next frame that is for us; false when nothing more has come or the budget is used up.
+  // Reads on to the autopilot's next frame that is addressed to us; false when no more bytes have come or the budget is
+  // used up.
   bool receive(FrameParser::Budget& budget, uint16_t nowMs);
 
-  // That frame, until the next call.
+  // The frame that receive() has found, until its next call.
 #if MAVMISSION_SIGNING
   const FrameParser& frame() const { return signing_.isOn() ? checked_ : parser_; }
 #else
   const FrameParser& frame() const { return parser_; }
 #endif
 
-  // Counts time: the heartbeat, the autopilot's silence, a frame cut short.
+  // Does what depends on the time: sends our heartbeat, and notices when the autopilot falls silent.
   void onTime(uint16_t nowMs);
 
-  // Adds one that hears frames beside us.
+  // Adds a listener, which is given the frames as well.
   void add(MoreKeys& listener);
   const MoreKeys* listeners() { return parser_.moreKeys(); }
 
-  // True when send() can take a frame. It goes nowhere while nothing may be said, as on a line with nobody at its end.
+  // True when send() can take a frame. The frame is dropped while we must not send yet (maySpeak()).
   MAVMISSION_APART bool canSend() const;
 
-  // Sends a message of the types in Messages.h, to the autopilot if it has a target. Only when canSend().
+  // Sends a message of one of the types in Messages.h; if the type has target ids, they are set to the autopilot's. To
+  // be called only when canSend().
   template <typename T>
   void send(T& message);
-  // The same for a payload that has the layout of T.
+  // Sends a payload that has the layout of T.
   template <typename T>
   void sendAs(void* payload);
 
-  // The same in two steps, for a message that may be wanted soon: prepareAs() packs it, only when canSend(); release()
-  // sends it, if isPrepared() still. It is gone when anything else is sent, and with the autopilot's next heartbeat,
-  // which may be another version's or another autopilot's.
+  // Sends in two steps, for a message that may be needed soon: prepareAs() packs the message, to be called only when
+  // canSend(); release() sends it, to be called only while isPrepared(). The prepared message is dropped when anything
+  // else is sent, and at the autopilot's next heartbeat, which may have another MAVLink version or come from another
+  // autopilot.
   template <typename T>
   void prepareAs(void* payload);
   bool isPrepared() const { return outbox_.isHeld(); }
-  // Where the payload for prepareAs() may be made; what was prepared before is gone. Only when canSend().
+  // The buffer in which the payload for prepareAs() may be made; a message prepared before is dropped. To be called
+  // only when canSend().
   void* draft() {
     outbox_.drop();
     return outbox_.draft();
@@ -72,7 +76,7 @@ class Link : public LinkRules {
   bool sendForeign(const OutgoingMessage& message);
   bool isSent() const { return outbox_.isEmpty(); }
 
-  // Writes what the stream takes, `most` bytes at most: each costs about as much as one received.
+  // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.
   void flush(uint16_t nowMs, uint8_t most) {
 #ifndef __AVR__
     // A Pico's port never says that it has room for more than one byte, though its FIFO takes 32.
@@ -87,8 +91,8 @@ class Link : public LinkRules {
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store);
   void setSigningTime(const SigningTime& time) { signing_.setTime(time); }
   const Signing& signing() const { return signing_; }
-  // Hashes a piece of what is to be signed or checked. To be called once in each update(): true if this one has been
-  // spent on that, and nothing more is to be done in it than flush().
+  // Hashes a piece of the frame that must be signed or checked. To be called once in every update(). True if the time
+  // of this update() has been spent on hashing: only flush() may follow.
   bool workOnSignatures();
 #else
   static constexpr bool workOnSignatures() { return false; }
@@ -99,14 +103,15 @@ class Link : public LinkRules {
   uint8_t systemId() const;
   uint8_t componentId() const;
   uint8_t ownSystemId() const { return state_.ownSystemId; }  // as the sketch has set it
-  // MAVLink 1 or 2, as we speak it now.
+  // The MAVLink version in which we send now: 1 or 2.
   uint8_t version() const;
   LinkCounters counters() const;
 
  private:
-  // Nothing leaves before it is clear who is there, unless the sketch has given our ids.
+  // True if we may send: when it is clear which autopilot is there, or when the sketch has set our system id and no
+  // more than one autopilot is heard.
   MAVMISSION_APART bool maySpeak() const;
-  // Notes what a frame tells of the line; true if it is to be given.
+  // Counts a frame and notes its sequence number; true if receive() must return the frame.
   MAVMISSION_APART bool takeResult(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
@@ -137,9 +142,9 @@ class Link : public LinkRules {
   FrameParser parser_;
 
 #if MAVMISSION_SIGNING
-  // Rounds of SHA-256 in an update() that does nothing else (DESIGN.md, "Signing").
+  // Rounds of SHA-256 in an update() that is spent on hashing (DESIGN.md, "Signing").
   static constexpr uint8_t kRoundsAtOnce = 16;
-  // How many bytes may wait in the stream meanwhile: half of what a hardware serial port has room for.
+  // Bytes that may wait in the stream during hashing: half the receive buffer of a hardware serial port [bytes].
   static constexpr uint8_t kMayWait = 32;
 
   enum class Check : uint8_t{
@@ -155,9 +160,9 @@ class Link : public LinkRules {
   void noteSequence();
 
   Signing signing_;
-  FrameParser checked_;  // with the frame that is being checked, or has been accepted, as parser_ had it
+  FrameParser checked_;  // a copy of parser_ with the frame that is being checked, or has been accepted
   Check check_;
-  bool isWaiting_;   // parser_ has a frame that is to be checked when checked_ is free; no byte is read until then
+  bool isWaiting_;   // parser_ has a frame that waits until checked_ is free; no byte is read until then
   bool hashedLast_;  // the last update() was spent on hashing
 #endif
 };

@@ -44,7 +44,7 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
   }
   frame_[1] = length;
   for (; length != 0; --length) *out++ = *payload++;
-  *out = fromFlash(&key->crcExtra);  // where the checksum goes: it is the last byte that is summed up
+  *out = fromFlash(&key->crcExtra);  // the last byte that the checksum covers; the checksum then overwrites it
   const uint16_t crc = checksum(kChecksumStart, frame_ + 1, static_cast<uint8_t>(out - frame_));
   *out++ = static_cast<uint8_t>(crc);
   *out++ = static_cast<uint8_t>(crc >> 8);

@@ -1,4 +1,4 @@
-// One outgoing frame, handed to the stream as fast as the stream takes it, never faster.
+// One outgoing frame, written to the stream as fast as the stream takes it, never faster.
 #pragma once
 
 #include <Arduino.h>
@@ -17,28 +17,30 @@ namespace detail {
 
 class Outbox : public StreamRules {
  public:
-  // The longest payload that a message of ours has [bytes]: MISSION_ITEM_INT's; COMMAND_INT has 35.
+  // The longest payload among our messages [bytes]: that of MISSION_ITEM_INT; COMMAND_INT has 35.
   static constexpr uint8_t kMaxPayload = 38;
 
   // Bytes that such a stream is given in one call: each may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
-  // True when a frame may be put in: none is on its way.
+  // True when no frame is being sent, so that a new one may be begun.
   bool isEmpty() const { return sent_ == length_; }
 
-  // Begins a frame. Only when isEmpty(). `version`: MAVLink 1 or 2.
+  // Begins a frame. To be called only when isEmpty(). `version`: MAVLink 1 or 2.
   void begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId);
-  // Completes it with a message: its key, in flash, and a payload of key->length bytes. It is then held.
+  // Completes the frame with a message: its key, in flash, and a payload of key->length bytes. The frame is then held.
   void complete(const MessageKey* key, const uint8_t* payload);
 
-  // Where a payload may be made, kMaxPayload bytes, aligned as its fields need it. Only when isEmpty() and not
-  // isHeld(). complete() moves it from here to its place, which begins further to the front.
+  // A buffer of kMaxPayload bytes in which a payload may be made, aligned for its fields. To be used only when
+  // isEmpty() and not isHeld(). complete() moves the payload from here to its place in the frame, which begins further
+  // to the front.
   void* draft() { return frame_ + kDraft; }
 
-  // Completes it with a message of the sketch's own, whose payload stays where it is until it has been sent.
+  // Completes the frame with a message of the sketch's own. The payload is not copied: it must stay unchanged until the
+  // frame has been sent.
   void completeForeign(const OutgoingMessage& message);
 
-  // A held frame is ready, and waits: it goes out after release(), or never if it is dropped or another one is begun.
+  // A held frame is complete and waits: it is sent after release(), or never if it is dropped or another one is begun.
   bool isHeld() const { return held_; }
   void release() {
     held_ = false;
@@ -50,7 +52,7 @@ class Outbox : public StreamRules {
   void drop() { held_ = false; }
 
 #if MAVMISSION_SIGNING
-  // From now on frames are signed: one that has been released waits for startSigning() and, later, setSigned().
+  // From now on frames are signed: after release() a frame waits for startSigning() and then for setSigned().
   void beginSigning() { signs_ = true; }
   bool isUnsigned() const { return isUnsigned_; }
   void startSigning(Signing& signing);
@@ -60,7 +62,7 @@ class Outbox : public StreamRules {
   }
 #endif
 
-  // Writes what the stream takes now, `most` bytes at most. Only when there is a frame on its way.
+  // Writes what the stream takes now, up to `most` bytes. To be called only when a frame is being sent.
   MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs, uint8_t most);
 
  private:
@@ -80,15 +82,15 @@ class Outbox : public StreamRules {
 
   static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
 
-  uint16_t length_;  // of the whole frame
+  uint16_t length_;  // length of the whole frame
   uint16_t sent_;
-  // Writes what comes next of a foreign frame; null for a frame of our own, which is one piece.
+  // Writes the next bytes of a frame with the sketch's own message; null for a frame of ours, which lies in one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
-  uint16_t stuckMs_;  // since when the stream takes nothing
+  uint16_t stuckMs_;  // when availableForWrite() began to return 0
   bool stuck_;
-  bool blind_;  // the stream does not say what it takes
+  bool blind_;  // availableForWrite() is taken as not implemented
 #ifndef __AVR__
-  bool hasSaid_;  // it has said so once: when it says that it takes nothing, that is so, as with flow control
+  bool hasSaid_;  // availableForWrite() has returned more than 0 once: a 0 is then true, as with flow control
 #endif
   bool held_;
 #if MAVMISSION_SIGNING

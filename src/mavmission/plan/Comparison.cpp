@@ -14,7 +14,7 @@ using namespace keeping;
 
 namespace {
 
-// The whole numbers that a kind keeps, from U1 on.
+// The largest whole numbers that each kind from U1 on keeps: above 0, and the magnitude below 0.
 struct Limit {
   uint16_t positive, negative;
 };
@@ -31,7 +31,7 @@ const Limit kLimits[] PROGMEM = {
     {360, 180},      // To360
 };
 
-// param1 to param4, x, y, z lie one behind the other, four bytes each.
+// param1 to param4, x, y and z lie one after the other, four bytes each.
 constexpr uint8_t kParam3 = 2, kYaw = 3, kX = 4, kY = 5, kZ = 6;
 static_assert(offsetof(MissionItem, x) == sizeof(float) * kX && offsetof(MissionItem, y) == sizeof(float) * kY &&
                   offsetof(MissionItem, z) == sizeof(float) * kZ,
@@ -40,10 +40,11 @@ static_assert(static_cast<uint8_t>(ItemField::Latitude) == static_cast<uint8_t>(
                   static_cast<uint8_t>(ItemField::Height) == static_cast<uint8_t>(ItemField::Param1) + kZ,
               "fields have the same order");
 
-// Beside the flags of a Keeper: x and y go through floats, as PX4 has them where there is no place.
+// A further flag beside those of a Keeper: x and y are converted to floats and back, as in PX4 when an item has no
+// place.
 constexpr uint8_t kInFloats = 128;
 
-// Four bytes of an item, whatever they are.
+// A field of an item, four bytes: a float or an integer.
 struct Four {
   union {
     uint8_t bytes[4];
@@ -55,9 +56,10 @@ struct Four {
 
 MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(a.bytes, b.bytes, sizeof(a.bytes)) == 0; }
 
-// Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a
-// region of interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is
-// spoilt.
+// True if a Special field is kept in its meaning. Such fields are: a number of turns, kept in 256ths below 1; the
+// radius of turns, kept in tens of metres above 255; the radius of a fence; the mode of a region of interest, which
+// with a place is "none" or "a place", and without a place is "none" or "an item". `value` is the magnitude of the
+// field, and is overwritten.
 bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
   if ((keeper & kByPx4) != 0) makeWhole(&value);
   int32_t whole = wholeNumber(value.number);
@@ -66,13 +68,13 @@ bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
     return static_cast<uint32_t>(whole) < 8 && (modes >> static_cast<uint8_t>(whole) & 1) != 0;
   }
   if ((keeper & kOfFence) != 0) {
-    // ArduPilot keeps a radius that is less than a millimetre above a whole number of metres as that number, also as 0.
+    // ArduPilot cuts a radius that is less than a millimetre above a whole number of metres to that number, even to 0.
     if (isBelow0 || value.bits < 0x3A83126F) return false;                   // 0.001
-    const uint8_t doublings = static_cast<uint8_t>(value.bits >> 23) - 127;  // from 1 m on
-    if (doublings >= 14) return true;  // below 1 m, or in steps of more than a millimetre
+    const uint8_t doublings = static_cast<uint8_t>(value.bits >> 23) - 127;  // the float's exponent, if at least 1 m
+    if (doublings >= 14) return true;  // below 1 m, or so large that a float has steps above 1 mm
     Four metres = value;
     makeWhole(&metres);
-    const uint32_t above = value.bits - metres.bits;  // in steps, of which 1 m has 2^23 >> doublings
+    const uint32_t above = value.bits - metres.bits;  // in steps of the float; 1 m has 2^23 >> doublings steps
     return above == 0 || above > static_cast<uint16_t>(8388u >> doublings);
   }
   if (field == kParam3) {
@@ -95,8 +97,8 @@ bool areNoNumbers(const void* a, const void* b) {
   return kindOf(a) == FloatKind::NotANumber && kindOf(b) == FloatKind::NotANumber;
 }
 
-// `kept`, which is what was sent, becomes what is kept of it, or stays where that `is` what was read; false if it does
-// not mean the same.
+// Changes `kept`, the field as it was sent, to the value that the autopilot keeps. The slow conversions are left out
+// when the field as it was read `is` the same as it was sent. False if the kept value would not mean the same.
 MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
   const bool isZ = field == kZ;
   if (field == kX || field == kY) {
@@ -119,7 +121,7 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
   }
   const uint8_t sign = kept.bytes[3] & 0x80;
   if (kind == Centimetres) {
-    const bool isWithin = kept.bits < 0x4423D70A;  // 655.36, and what is negative
+    const bool isWithin = kept.bits < 0x4423D70A;  // 655.36; negative numbers have larger bits
     makeHundredths(&kept);
     return isWithin;
   }
@@ -139,7 +141,7 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
     return whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
   }
   if (kind == Special) {
-    // Of a region of interest with a place the mode is not given back.
+    // PX4 does not give back the mode of a region of interest that has a place.
     if ((keeper & (kByPx4 | kInFloats)) == kByPx4) kept.bits = 0;
     return isSpecialKept(magnitude, sign != 0, field, keeper);
   }
@@ -151,8 +153,8 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
   const Frame found = modern(read.frame);
   if (modern(sent.frame) == found) return true;
-  // So come those of a fence, which has no altitude, and on ArduPilot those of items without a place, whatever they
-  // had.
+  // Items of a fence, which have no altitude, are read back with Frame::Global, whatever frame was sent. So are
+  // ArduPilot's items without a place.
   if ((keeper & kByArduPilot) != 0 && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
   return found == Frame::Global && (keeper & (kByArduPilot | kByPx4)) != 0 && (keeper & kOfFence) != 0;
 }
@@ -163,7 +165,7 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
   if (read.command != sent.command) return ItemField::Command;
   Rules rules = rulesOf(sent, keeper);
   if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
-  if ((keeper & (kByArduPilot | kByPx4)) == 0) rules.bits = 0;  // all is kept
+  if ((keeper & (kByArduPilot | kByPx4)) == 0) rules.bits = 0;  // all fields are kept
   uint8_t flags = keeper;
   if ((keeper & kByPx4) != 0 && sent.frame == Frame::Mission) flags |= kInFloats;
   const Four* wasSent = reinterpret_cast<const Four*>(&sent);
@@ -176,7 +178,7 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
                         (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)));
     if (!isKept) return static_cast<ItemField>(static_cast<uint8_t>(ItemField::Param1) + field);
   }
-  // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
+  // In a read-back, autocontinue is 0 in fence and rally items, and 1 in the items of ArduPilot's missions.
   const bool isAlways1 = (keeper & kByArduPilot) != 0 && read.autocontinue == 1;
   if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)
     return ItemField::Autocontinue;

@@ -1,6 +1,7 @@
-// Is the item that was read back the item that was sent? Autopilots rewrite what they store: parameters are dropped,
-// rounded or reduced to a sign, altitudes are cut to centimetres, frames are renumbered. The comparison knows what each
-// of them does, command by command, and is no looser. What would not mean the same any more is not sent (WirePlan).
+// Compares the item that was read back with the item that was sent. Autopilots change the items that they store:
+// parameters are dropped, rounded or reduced to a sign, altitudes are cut to centimetres, frames are renumbered. The
+// comparison knows what each autopilot does to each command, and allows no other difference. An item that would not
+// mean the same after such a change is not sent at all: notKept().
 #pragma once
 
 #include <stdint.h>
@@ -14,15 +15,17 @@
 namespace mavmission {
 namespace detail {
 
-// The first field in which `read` is not what this keeper makes of `sent`, nor what was sent, or which it does not keep
-// in its meaning; ItemField::None. `sent` is the item as it went out (WirePlan), `read` as it came back.
+// The first field in which `read` is neither what was sent nor what this keeper makes of it, or which this keeper does
+// not keep in its meaning; ItemField::None if there is no such field. `sent` is the item as it was sent (WirePlan),
+// `read` the item as it was read back.
 MAVMISSION_APART ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper keeper);
 
-// The first field of an item, as it goes out, which the keeper would not keep in its meaning, or ItemField::None.
+// The first field of an item, as it is sent, which the keeper would not keep in its meaning, or ItemField::None.
 inline ItemField notKept(const MissionItem& item, Keeper keeper) { return difference(item, item, keeper); }
 
-// What the keeper would make of a field that notKept() names. NaN where that is not known: it does not take the value,
-// or what becomes of it depends on the board (a negative number that is to be an unsigned one, a number beyond 2^31).
+// The value that the keeper would keep of a field that notKept() has named. NaN if that value is not known: the keeper
+// does not take the field's value, or the result depends on the autopilot's board (a negative number converted to an
+// unsigned integer, a number beyond 2^31).
 float keptValue(const MissionItem& item, ItemField field, Keeper keeper);
 
 }  // namespace detail

@@ -1,4 +1,4 @@
-// What an autopilot would make of a value that it does not keep. Apart, as few sketches ask.
+// What an autopilot would make of a value that it does not keep. In a file of its own, since few sketches use it.
 #include <string.h>
 
 #include "../autopilot/Rules.h"
@@ -41,7 +41,7 @@ bool whole(float number, int32_t& found) {
   return true;
 }
 
-// The nearest float, of two equally near the even one.
+// The nearest float; between two equally near floats, the one with the even mantissa.
 float number(int32_t value) {
   const uint32_t magnitude = value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
   uint8_t shift = 0;
@@ -58,7 +58,7 @@ float number(int32_t value) {
   return fromBits(((kept & 0x80000000) != 0 ? 0x4F000000 : bitsOf(found)) | sign);
 }
 
-// What an integer of so many bits keeps.
+// The value that an integer of `bits` bits keeps.
 float wrapped(float value, uint8_t bits, bool isSigned) {
   int32_t found;
   if (!whole(value, found) || (found < 0 && !isSigned)) return fromBits(kNotKnown);
@@ -72,12 +72,12 @@ int32_t atMost(int32_t value, int32_t limit) { return value < limit ? value : li
 
 float keptSpecial(float value, bool isRadius, Keeper keeper) {
   int32_t found;
-  if ((keeper & kByPx4) != 0 || !whole(value, found)) return fromBits(kNotKnown);  // it is not taken
+  if ((keeper & kByPx4) != 0 || !whole(value, found)) return fromBits(kNotKnown);  // not taken
   if ((keeper & kOfFence) != 0) return bitsOf(value) > 0x80000000 || value == 0 ? fromBits(kNotKnown) : number(found);
   if (isRadius) {
     const bool isBelow0 = found < 0;
     if (isBelow0) found = -found;
-    // ArduPilot looks at the number before it is cut: 255.5 is more than a byte of metres.
+    // ArduPilot compares the number with 255 before it cuts off the fraction: 255.5 m does not count as 255 m.
     if ((bitsOf(value) & 0x7FFFFFFF) > 0x437F0000) found = atMost(found / 10, 255) * 10;  // 255
     return number(isBelow0 ? -found : found);
   }
@@ -137,7 +137,7 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
       if ((keeper & (kByPx4 | kOfFence)) == (kByPx4 | kOfFence)) value = number(timesWhole(bits, 1));
       return wrapped(value, 16, false);
     case I16:
-      // The height of a rally point that does not fit is refused.
+      // ArduPilot refuses a rally point whose height does not fit.
       if ((keeper & kOfRally) != 0 && (!isInt32 || found != static_cast<int16_t>(found))) return fromBits(kNotKnown);
       return wrapped(value, 16, true);
     case Radius: {
@@ -147,7 +147,7 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
     case To180:
     case To90:
     case To360: {
-      // Looked at before it is cut, too.
+      // Here, too, ArduPilot compares the number with its limit before it cuts off the fraction.
       const bool isTurn = kind == To360 && (bits & 0x80000000) == 0;
       const uint32_t limit = isTurn ? 0x43B40000 : kind == To90 ? 0x42B40000 : 0x43340000;  // 360, 90, 180
       return (bits & 0x7FFFFFFF) <= limit ? number(found) : 0;

@@ -7,12 +7,14 @@ namespace {
 constexpr uint8_t kBits = 30;
 constexpr int64_t kOne = int64_t{1} << kBits;
 
-// A degree of longitude at 89 degrees [mm]: nearer to a pole there is no east to speak of, and no division by 0.
+// The length of a degree of longitude at a latitude of 89 degrees [mm]. It is used nearer to a pole, too, where east
+// has hardly a meaning, and keeps the divisor from becoming 0.
 constexpr int64_t kShortest = 1949000;
 
 int64_t times(int64_t a, int64_t b) { return (a * b) >> kBits; }
 
-// Of an angle of up to 90 degrees [1e-7 deg], by the first terms of its series; off by 1e-7 at 80 degrees.
+// The cosine of an angle of up to 90 degrees [1e-7 deg], by the first terms of its series; the error is 1e-7 at 80
+// degrees.
 int64_t cosine(int32_t e7) {
   const int64_t radians = e7 * int64_t{187403301} / 100000000;  // pi / 180 / 1e7 is 1.87403301 * 2^-30
   const int64_t square = times(radians, radians);
@@ -28,8 +30,8 @@ int32_t rounded(int64_t dividend, int64_t divisor) {
 
 }  // namespace
 
-// What a degree is long is a series of cosines of multiples of the latitude (the usual one for WGS 84), written by
-// powers of the cosine [mm].
+// The length of a degree [mm] is a series of cosines of multiples of the latitude (the usual series for WGS 84),
+// written here in powers of the cosine.
 LatLon moved(const LatLon& from, int32_t northCm, int32_t eastCm) {
   const int64_t c = cosine(from.latitude.e7());
   const int64_t c2 = times(c, c);

@@ -19,7 +19,7 @@ bool is(const float& number, uint32_t bits) {
 }
 constexpr uint32_t kMinus1 = 0xBF800000, k65535 = 0x477FFF00;
 
-// ArduPilot's largest altitude, in metres. (NaN and infinity are refused before.)
+// True for an altitude within ArduPilot's limit of 83,000 m. (NaN and infinity are refused before.)
 bool isBelow83km(float metres) {
   uint32_t bits;
   memcpy(&bits, &metres, sizeof(bits));
@@ -34,7 +34,7 @@ constexpr uint16_t kPlaceFrames =
     bitOf(Frame::Global) | bitOf(Frame::GlobalRelative) | bitOf(Frame::GlobalInt) | bitOf(Frame::GlobalRelativeInt);
 constexpr uint16_t kTerrainFrames = bitOf(Frame::GlobalTerrain) | bitOf(Frame::GlobalTerrainInt);
 
-// Of an item with a place.
+// True if the autopilot takes this frame in an item with a place.
 bool isTakenBy(Firmware firmware, Frame frame) {
   if (has(firmware, kMayTakeAnyFrame)) return true;
   uint16_t taken = kPlaceFrames;
@@ -43,7 +43,7 @@ bool isTakenBy(Firmware firmware, Frame frame) {
   return number < 16 && ((taken >> number) & 1) != 0;
 }
 
-// Where an item is.
+// The place of an item: latitude and longitude.
 struct Place {
   int32_t x, y;
 
@@ -76,7 +76,7 @@ void WirePlan::begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool
 
 Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
   if (item.current > 1) return Status::BadCurrent;
-  // param1 to param4, x, y, z lie one behind the other, four bytes each.
+  // param1 to param4, x, y and z lie one after the other, four bytes each.
   const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
   for (uint8_t i = 1; i <= 7; ++i, number += 4) {
     if (i == 5 || i == 6) continue;
@@ -88,7 +88,8 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
   const bool isArduPilot = (keeper_ & kByArduPilot) != 0;
   const bool isMission = (keeper_ & (kOfFence | kOfRally)) == 0;
   if (!rules.has(kHasNoPlace)) {
-    // ArduPilot takes a place in a mission whatever its frame says.
+    // The coordinates are checked in every frame: in a mission ArduPilot uses them even if the frame says that there
+    // are none.
     if (isBeyond(item.x, 900000000)) return Status::BadLatitude;
     if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
     if (hasPlace(item)) {
@@ -98,12 +99,12 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     }
     if (isArduPilot && (keeper_ & kOfFence) == 0) {
       if (!isBelow83km(item.z)) return Status::BadAltitude;
-      if (!isMission && (item.x | item.y) == 0) return Status::NeedsCoordinates;  // taken, and never given back
+      if (!isMission && (item.x | item.y) == 0) return Status::NeedsCoordinates;  // taken, but never given back
     }
   }
   if (item.command == kDoJump) {
     const int32_t target = wholeNumber(item.param1);
-    // Home, which raw numbers count as well, is no item to jump to.
+    // Home cannot be a jump's target. With raw item numbers, home is item 0.
     if (target < (has(kHomeIsItem0) && (keeper_ & kIsRaw) != 0 ? 1 : 0) || static_cast<uint16_t>(target) >= count_) {
       return Status::BadJump;
     }
@@ -112,21 +113,21 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
 }
 
 Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
-  // The nearest in the order of the plan; of two equally near, a takeoff takes the one behind it and a landing the one
-  // before it, which is where the aircraft is then.
+  // The nearest item with a place, in the order of the plan. Of two that are equally near, a takeoff gets the place of
+  // the item after it and a landing that of the item before it, which is where the aircraft is at that time.
   const uint8_t firstSide = item.command == kNavLand || item.command == kNavVtolLand ? 1 : 0;
   for (uint8_t looked = 0; looked < MAVMISSION_ITEMS_PER_UPDATE; ++looked) {
     const uint16_t distance = searched_ / 2 + 1;
     const bool isBefore = ((searched_ & 1) ^ firstSide) != 0;
-    const uint16_t near = isBefore ? index - distance : index + distance;  // wraps out of the plan before its start
+    const uint16_t near = isBefore ? index - distance : index + distance;  // before item 0: wraps beyond the plan
     ++searched_;
     Status found = Status::NeedsCoordinates;
     if (distance < count_) {
       if (near >= count_) continue;
       found = Status::SourceRefused;
       if (read_(context_, near, item)) {
-        // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is
-        // 95).
+        // Only the place of a navigation command counts (MAV_CMD_NAV_LAST is 95): the aircraft does not fly to a region
+        // of interest.
         if (item.command >= 95 || !isSomewhere(item) || rulesOf(item, keeper_).has(kHasNoPlace)) continue;
         found = Status::Accepted;
       }
@@ -140,9 +141,9 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
 Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
   if (homeItems_ != 0) {
     if (wireIndex == 0) {
-      // ArduPilot parses item 0 and puts its own home in its place.
+      // ArduPilot parses item 0, but then stores its own home instead.
       // cppcheck-suppress memsetClassFloat ; a float of zero bits is 0 wherever there is an Arduino core
-      memset(&item, 0, sizeof(item));  // a constant to copy from would lie in RAM
+      memset(&item, 0, sizeof(item));  // copying a constant item would cost RAM for that constant
       item.command = kNavWaypoint;
       item.frame = Frame::Global;
       item.autocontinue = 1;
@@ -156,12 +157,12 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     if (place.isFound()) place.give(item);
     const bool isJump = item.command == kDoJump;
     if ((keeper_ & kByPx4) != 0) {
-      if (item.command == kNavRoi) item.command = kDoSetRoi;  // as it is kept
-      // For ever. What a float below 0 becomes where PX4 counts from 0 depends on the board.
+      if (item.command == kNavRoi) item.command = kDoSetRoi;  // PX4 keeps it so
+      // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
       if (isJump && is(item.param2, kMinus1)) item.param2 = 65535;
     }
     const Rules rules = rulesOf(item, keeper());
-    // A NaN, for "as you fly": 0 is that there.
+    // A NaN means "as you fly"; ArduPilot has 0 for that.
     if ((keeper_ & kByArduPilot) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
       item.param4 = 0;
     if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
@@ -170,7 +171,8 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     if (homeItems_ != 0) {
       if (isJump) item.param1 = oneMore(item.param1);
     } else if ((keeper_ & kByPx4) != 0 && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
-      // Other items are read where this one is, and it is read again behind them: it saves a second one on the stack.
+      // The search reads other items over this one, which is read again afterwards: this saves the stack of a second
+      // item.
       const Status found = findPlaceFor(wireIndex, item);
       if (found != Status::Accepted) return found;
       place.takeFrom(item);

@@ -1,6 +1,7 @@
-// A plan as one autopilot wants it on the wire. The sketch numbers its items from 0 and writes one plan for all; this
-// is where home is put before it (ArduPilot), jumps are shifted, items without a place get the frame that is taken, a
-// takeoff gets the place that PX4 needs, and what cannot be right or is not flown there is refused.
+// A plan in the form that one autopilot needs on the wire. The sketch numbers its items from 0 and writes one plan for
+// all autopilots. This class puts home before the plan (ArduPilot), shifts the targets of jumps, gives items without a
+// place the frame that the autopilot takes, gives a takeoff the place that PX4 needs, and refuses items that cannot be
+// right or that this autopilot does not fly.
 #pragma once
 
 #include <stdint.h>
@@ -19,56 +20,58 @@ struct Rules;
 
 class WirePlan {
  public:
-  // Sets what is to go: a source of at most 65,535 items.
+  // Sets the source of the items, at most 65,535.
   void setSource(const ItemSource& plan);
 
-  // Sets to whom it is to go, by HEARTBEAT.type too. `raw`: item numbers and item 0 are the autopilot's own, nothing is
-  // put before or shifted. So it is with fence and rally, which have no home and no jumps.
+  // Sets the autopilot that gets the plan. `vehicleType`: HEARTBEAT.type. `raw`: the sketch uses the autopilot's own
+  // item numbers, so that home is not added and jumps are not shifted. Fence and rally are always raw, since they have
+  // neither home nor jumps.
   void begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool raw);
 
   Firmware firmware() const { return firmware_; }
   bool has(Trait trait) const { return detail::has(firmware_, trait); }
-  // Who is to keep it.
+  // The autopilot that will keep the plan, and the plan's type.
   Keeper keeper() const { return keeper_; }
 
-  // True where wire item 0 is home, whoever supplies it.
+  // True if this autopilot's wire item 0 is home and the sketch does not count home as an item.
   bool beginsWithHome() const { return has(kHomeIsItem0) && (keeper_ & kIsRaw) == 0; }
 
-  // The sketch's items.
+  // The number of the sketch's items.
   uint16_t count() const { return count_; }
 
-  // 1 where wire item 0 is home and we supply it, else 0. An empty plan has no home either: COUNT 0 clears.
+  // 1 if home is added as wire item 0, else 0. Home is not added to an empty plan: COUNT 0 clears the plan aboard.
   uint8_t homeItems() const { return homeItems_; }
 
-  // True when the items and home are more than the protocol can count.
+  // True if there are more items, home included, than the protocol can count.
   bool isTooLong() const { return count_ == 0xFFFF && homeItems_ != 0; }
 
-  // Items on the wire, home included. Not when isTooLong().
+  // The number of items on the wire, home included. Not valid when isTooLong().
   uint16_t wireCount() const { return count_ + homeItems_; }
 
-  // Makes wire item `wireIndex` (below wireCount()). Status::Accepted: `item` is what goes out. Status::Checking: not
-  // ready yet, call again (a place is being looked for, a few items a call). Anything else: the plan cannot go to this
-  // autopilot, because of this item. Whether the autopilot would keep it is another question: notKept().
+  // Makes wire item `wireIndex` (below wireCount()). Status::Accepted: `item` is the item to send. Status::Checking:
+  // the search for a place goes on, a few items in every call; call again. Any other status: the plan cannot be sent to
+  // this autopilot, because of this item. Whether the autopilot would keep the item is not checked here: see notKept().
   Status read(uint16_t wireIndex, MissionItem& item);
 
  private:
-  static constexpr uint8_t kIsRaw = 64;  // beside the flags of a Keeper
+  static constexpr uint8_t kIsRaw = 64;  // a further flag beside those of a Keeper
   Status check(const MissionItem& item, const Rules& rules) const;
-  // Looks for an item near item `index`, which is `item`, whose place that one can have, and puts it there instead.
+  // Searches for the item with a place that is nearest to item `index`. `item` holds item `index` before the call, and
+  // the item that was found after it.
   MAVMISSION_APART Status findPlaceFor(uint16_t index, MissionItem& item);
 
   ItemFunction read_;
   void* context_;
   uint16_t count_;
-  uint16_t searched_;  // places that have been looked at around an item that needs one
+  uint16_t searched_;  // how many positions around an item without a place have been searched
   Firmware firmware_;
   uint8_t homeItems_;
-  Keeper keeper_;  // and kIsRaw
+  Keeper keeper_;  // a Keeper's flags, and kIsRaw
 };
 
-// The way back: makes of an item of the mission, as the autopilot gave it, the item that a sketch would have written.
-// Jump targets count the sketch's items, frames have their present numbers, an item without a place has Frame::Mission,
-// and a yaw that ArduPilot does not keep is NaN, "as you fly".
+// The opposite conversion: turns a mission item, as the autopilot gave it, into the item that a sketch would have
+// written. Jump targets then count the sketch's items, deprecated frame numbers are replaced by current ones, an item
+// without a place has Frame::Mission, and a yaw that ArduPilot does not keep is NaN, "as you fly".
 void fromWire(MissionItem& item, Firmware firmware);
 
 }  // namespace detail

@@ -4,7 +4,8 @@ namespace mavmission {
 namespace detail {
 
 void CommandTransfer::rest(uint16_t nowMs) {
-  // The others come as long behind this answer as they were sent behind the first.
+  // Every repetition of the command may be answered as well. The last late answer comes as long after this answer as
+  // the last repetition was sent after the first attempt.
   sentMs_ = nowMs;
   waitMs_ = tries_ > 1 ? (tries_ - 1) * kNextAnswerMs : 0;
   tries_ = 0;
@@ -30,7 +31,8 @@ void CommandTransfer::sent(uint16_t id, uint16_t nowMs) {
 
 Status CommandTransfer::onTime(uint16_t nowMs) {
   if (state() == State::Due || since(sentMs_, nowMs) < waitMs_) return Status::Transferring;
-  // It may have been heard and its answer lost: what must not happen twice is not sent again.
+  // The autopilot may have carried out the command, and only its answer may be lost: a command that must not happen
+  // twice is not sent again.
   const bool isSilent = state() == State::Listening || (state() != State::Pausing && repeats_ == 0);
   if (!isSilent && tries_ < kTries) {
     state_ = static_cast<uint8_t>(State::Due);

@@ -1,15 +1,16 @@
-// One command after the other as a state machine: answers and the time go in, when to send comes out. It knows no
-// stream, no bytes, and not what a command means. MAVLink guide, Command Protocol.
+// The sending of commands, one after the other, as a state machine: its inputs are the answers and the time, its output
+// is when to send. It knows neither the stream nor its bytes nor the meaning of a command. MAVLink guide, Command
+// Protocol.
 //
 //          sent            an answer
 //   Due  -------->  Sent  ----------->  the next command, or the end
 //    ^               |  \ IN_PROGRESS
 //    |               |   -----------> InProgress: 5 s more each time
 //    | every 1500 ms |
-//    +---------------+ up to 5 attempts, then NoAnswer; Unconfirmed for what is sent only once
+//    +---------------+ up to 5 attempts, then NoAnswer; Unconfirmed for a command that is sent only once
 //
-//   Listening: nothing is sent, something that the autopilot sends by itself is waited for; then Unconfirmed
-//   Pausing: a wait before the next attempt
+//   Listening: nothing is sent while we wait for a message that the autopilot sends by itself; Unconfirmed at timeout
+//   Pausing: a pause before the next attempt
 #pragma once
 
 #include <stdint.h>
@@ -29,10 +30,11 @@ class CommandTransfer : public CommandRules {
 
   enum class State : uint8_t { Due, Sent, InProgress, Listening, Pausing };
 
-  // Begins with a command behind another one, whose answer has just been taken. `repeats`: may it be sent again?
+  // Begins the next command of an operation, after the answer to the one before. `repeats`: the command may be sent
+  // again when its answer does not come.
   void next(bool repeats, uint16_t nowMs);
-  // Begins the first command of an operation: `last` is what the last operation left, if that was a command, whose late
-  // answers may still come.
+  // Begins the first command of an operation. `last` is the transfer of the operation before, which was a command, too:
+  // late answers to that command may still come.
   void beginBehind(const CommandTransfer& last) {
     sentMs_ = last.sentMs_;
     waitMs_ = last.waitMs_;
@@ -42,29 +44,30 @@ class CommandTransfer : public CommandRules {
   void pause(uint16_t waitMs, uint16_t nowMs) { wait(State::Pausing, waitMs, nowMs); }
   void setRepeats(bool repeats) { repeats_ = repeats ? 1 : 0; }
 
-  // Status::Transferring to go on, or how the command has ended.
+  // Status::Transferring while the command goes on, or else the status with which it has ended.
   MAVMISSION_APART Status onTime(uint16_t nowMs);
   // True for an answer to the command that is under way.
   bool isAnswer(uint16_t command) const { return command == id_ && id_ != kNoCommand && tries_ != 0; }
   void onProgress(uint16_t nowMs) { wait(State::InProgress, kProgressMs, nowMs); }
-  // It has been answered, and nothing follows it: the late answers to its other sendings come within a while.
+  // The command has been answered, and no other follows at once. From now on we allow for late answers to its other
+  // attempts.
   void rest(uint16_t nowMs);
 
-  // True when the command with this id is to be sent now. Behind one with the same id that was sent more than once it
-  // waits until the other answers should have come: COMMAND_ACK does not say which sending it answers.
+  // True when the command with this id must be sent now. If the command before had the same id and was sent more than
+  // once, this one waits until the late answers should have come: COMMAND_ACK does not say which attempt it answers.
   bool isDue(uint16_t id, uint16_t nowMs) const {
     return state() == State::Due && (tries_ != 0 || id != id_ || since(sentMs_, nowMs) >= waitMs_);
   }
   void sent(uint16_t id, uint16_t nowMs);
 
-  // A listener has sent a command with this id beside us; our next one with the same id waits until the answer to it
-  // has come, or should have.
+  // A listener on the same link has sent a command with this id. Our next command with the same id waits until the
+  // listener's command has been answered, or until the timeout for that answer.
   void sentByListener(uint16_t id, uint16_t nowMs) {
     id_ = id;
     tries_ = 0;
     wait(State::Due, kAnswerMs, nowMs);
   }
-  // That command, which left at `sentMs`, has been answered.
+  // The listener's command with this id, sent at `sentMs`, has been answered.
   void answeredToListener(uint16_t id, uint16_t sentMs) {
     if (id_ == id && sentMs_ == sentMs) waitMs_ = 0;
   }

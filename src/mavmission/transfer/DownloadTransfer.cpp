@@ -15,7 +15,7 @@ void DownloadTransfer::begin(uint16_t nowMs) {
 }
 
 bool DownloadTransfer::onCount(uint16_t count) {
-  // A second COUNT answers a REQUEST_LIST that was repeated; the items are on their way already.
+  // A second COUNT is the answer to a repeated REQUEST_LIST; the items are being requested already.
   if (!expectsAnswer(State::Listing)) return false;
   count_ = count;
   tries_ = 0;
@@ -40,7 +40,8 @@ void DownloadTransfer::askAgain() {
 }
 
 Status DownloadTransfer::onAck(uint8_t result) const {
-  // An ACCEPTED ends nothing here: it is an answer to something else. Nor does what an upload before may still draw.
+  // ACCEPTED does not end a download: it answers something else. Neither does INVALID_SEQUENCE, which may be a late
+  // answer to an upload before.
   const Status status = fromMissionResult(result);
   if (state_ == State::Closing || status == Status::Accepted || status == Status::InvalidSequence) {
     return Status::Transferring;

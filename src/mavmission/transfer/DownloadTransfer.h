@@ -2,11 +2,11 @@
 //
 //            COUNT n                 item n - 1
 //   Listing ---------> Fetching ------------------> Closing --> done, when our own ACK has left
-//    | REQUEST_LIST      | REQUEST_INT again each
-//    | again each        | 250 ms, 5 in all for an item
-//    | 1500 ms, 5 in all v
-//    v                  TimedOut
-//   NoAnswer
+//    | REQUEST_LIST      | REQUEST_INT
+//    | every 1500 ms,    | every 250 ms, up to
+//    | up to 5 attempts  | 5 attempts for each item
+//    v                   v
+//   NoAnswer            TimedOut
 #pragma once
 
 #include <stdint.h>
@@ -24,25 +24,26 @@ class DownloadTransfer : public DownloadRules {
 
   void begin(uint16_t nowMs);
 
-  // What has been heard, and time. Each returns Status::Transferring to go on, or how it has ended.
-  // True if it is the answer to our question.
+  // The inputs: the messages that have been received, and the time. Those that return a Status return
+  // Status::Transferring while the download goes on, or else the status with which it has ended.
+  // onCount() is true if the COUNT is the answer to our REQUEST_LIST.
   bool onCount(uint16_t count);
-  // True if it is the item that was asked for; the next one is then asked for.
+  // onItem() is true if this is the item that was requested; the next one is then requested.
   bool onItem(uint16_t item);
-  // The item that has just come, and was not taken, is asked for again at once.
+  // Requests the item that has just come again at once, because it could not be used yet.
   void askAgain();
   Status onAck(uint8_t result) const;
   Status onTime(uint16_t nowMs);
 
-  // What is to be sent next, and the item if it is a request. After it has been handed to the link: sent(), which is
-  // true when that was all.
+  // The output: the message to send next and, for a request, the number of the item. Call sent() when the message has
+  // been handed to the link; sent() is true if that was the last message of the download.
   Send toSend() const { return send_; }
   uint16_t itemToAsk() const { return next_; }
   bool sent(uint16_t nowMs);
 
   State state() const { return state_; }
-  // True if an answer in this state can be one to us: what comes before the question has left is an answer to something
-  // earlier.
+  // True if the download is in this state and its request has been sent. An answer that comes before the request has
+  // been sent belongs to something earlier.
   bool expectsAnswer(State state) const { return state_ == state && tries_ != 0; }
   uint8_t tries() const { return tries_; }
 
@@ -52,7 +53,7 @@ class DownloadTransfer : public DownloadRules {
   uint16_t next_;
   State state_;
   Send send_;
-  uint8_t tries_;  // of what is asked for now
+  uint8_t tries_;  // attempts at the request that is open now
 };
 
 }  // namespace detail

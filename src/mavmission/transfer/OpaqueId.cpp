@@ -6,12 +6,12 @@ namespace {
 
 constexpr uint32_t kPolynomial = 0xEDB88320;
 
-// One byte more, bit by bit.
+// The checksum with one more byte added, bit by bit.
 uint32_t withByte(uint32_t crc, uint8_t byte) {
   crc ^= byte;
   uint8_t bits = 8;
 #ifdef __AVR__
-  // The loop below, in less time.
+  // The same as the loop below, but faster.
   asm("1: lsr %D0\n\t"
       "ror %C0\n\t"
       "ror %B0\n\t"

@@ -1,5 +1,5 @@
-// The checksum that PX4 gives a plan: MISSION_ACK.opaque_id. Whoever sends the plan can compute it, and so knows from
-// the final answer that every item arrived as it was meant.
+// The checksum that PX4 computes over a plan and reports in MISSION_ACK.opaque_id. The sender computes the same
+// checksum, and so knows from the final acknowledgement that every item arrived unchanged.
 #pragma once
 
 #include <stdint.h>
@@ -10,12 +10,12 @@
 namespace mavmission {
 namespace detail {
 
-// CRC-32 (reflected, polynomial 0xEDB88320, begun at 0, not inverted at the end) over the items in their order.
+// CRC-32 (reflected, polynomial 0xEDB88320, initial value 0, not inverted at the end) over the items in their order.
 class OpaqueId {
  public:
   void begin() { crc_ = 0; }
-  // Adds an item as it goes out. Each points at the bytes of the message, so that nothing is copied: the command's two,
-  // kPlaceBytes of param1 to z at `params`, one of the others.
+  // Adds an item as it is sent. The arguments point at the bytes of the message, so that nothing is copied: 2 bytes at
+  // `command`, kPlaceBytes (param1 to z) at `params`, 1 byte each at `frame` and `autocontinue`.
   void add(const void* frame, const void* command, const void* autocontinue, const void* params);
   uint32_t value() const { return crc_; }
 

@@ -4,7 +4,7 @@ namespace mavmission {
 namespace detail {
 
 void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs) {
-  *this = UploadTransfer();  // all zero: Counting, nothing asked for
+  *this = UploadTransfer();  // all zero: state Counting, no item requested yet
   progressMs_ = nowMs;
   behind_ = count;
   send_ = Send::Count;
@@ -14,10 +14,11 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers,
 }
 
 Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
-  // Before our COUNT has left, or while it is to be sent again, only an earlier transfer can be asking.
+  // Before our COUNT has been sent, or while a repetition waits to be sent, a request can only belong to an earlier
+  // transfer.
   if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
-  // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an
-  // item only when it has the one before. It moves nothing.
+  // A request that skips items, or lies beyond the plan, answers nothing that we sent: an autopilot requests an item
+  // only when it has the one before. Such a request is ignored.
   if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
@@ -35,7 +36,8 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
   return Status::Transferring;
 }
 
-// PX4 goes on with an earlier, longer transfer of ours that had come to no item yet, whatever our COUNT said.
+// PX4 may ignore our COUNT and continue an earlier, longer transfer of ours from which it had not received an item yet.
+// Such a transfer is cancelled, and ours begins again.
 void UploadTransfer::endOlder() {
   if (!has(firmware_, kGoesOnWithOlder) || !mayBeAnswered() || freed_) return;
   freed_ = true;
@@ -47,7 +49,7 @@ void UploadTransfer::endOlder() {
 }
 
 Status UploadTransfer::onAcceptance() {
-  // PX4 accepts a repeated last item though it has just failed to store the plan.
+  // PX4 answers a repeated last item with ACCEPTED even when it has just failed to store the plan.
   if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
   if (!mayBeAnswered()) return Status::AcceptedEarly;
@@ -57,24 +59,24 @@ Status UploadTransfer::onAcceptance() {
 
 Status UploadTransfer::onAck(uint8_t result) {
   if (state_ == State::Counting && tries_ == 0)
-    return Status::Transferring;  // of something earlier: nothing of ours has left
+    return Status::Transferring;  // an answer to something earlier: nothing of this upload has been sent yet
   const Status status = fromMissionResult(result);
   switch (status) {
     case Status::Accepted: return onAcceptance();
 
     case Status::InvalidSequence:
-      // Noise while it moves: ArduPilot says so of each item that reaches it twice, and goes on.
+      // Harmless once items are being sent: ArduPilot answers so to every item that it receives twice, and continues.
       if (state_ != State::Counting) return Status::Transferring;
       break;
 
     case Status::CancelledByAutopilot:
-      // It may have given up our earlier transfer; this one has not begun for it yet.
+      // The autopilot may mean our earlier transfer, since it has not begun this one yet.
       if (state_ == State::Counting) break;
       return status;
 
     case Status::Denied:
-      // To a part that was announced more than once: it has been receiving it from the first time on, and asks for its
-      // items; the answer may come behind the first request.
+      // When a part of a plan was announced more than once, the autopilot denies the repetition: it has been receiving
+      // the part since the first announcement, and requests its items. The denial may come after the first request.
       if (state_ == State::Confirming || first_ == 0 || !recounted_) return status;
       suspicion_ = status;
       return Status::Transferring;
@@ -89,11 +91,12 @@ Status UploadTransfer::onAck(uint8_t result) {
         send_ = Send::Cancel;
         return Status::Transferring;
       }
-      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the
-      // plan.
+      // An idle ArduPilot answers our repeated last item with an error, and with nothing else afterwards. This error
+      // says nothing about the plan.
       if (state_ == State::Confirming && tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
-      // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
-      // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
+      // An idle autopilot answers with an error to an item that arrives after the end of the transfer, as an item that
+      // was sent twice may. PX4 answers our second COUNT with an error, "busy", and continues. Any other error is a
+      // refusal of the item.
       if ((state_ == State::Confirming && repeated_) ||
           (state_ != State::Counting && has(firmware_, kSaysErrorWhenBusy) && recounted_)) {
         suspicion_ = status;

@@ -1,14 +1,15 @@
-// The upload of a plan as a state machine: what the autopilot says and the time go in, what to send comes out. It knows
-// no stream and no bytes. MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".
+// The upload of a plan as a state machine: its inputs are the autopilot's messages and the time, its output is what to
+// send. It knows neither the stream nor its bytes. MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".
 //
 //               request 0               item n - 1 sent            ACCEPTED
 //   Counting  -------------> Sending  ---------------> Confirming ----------> Accepted
-//    | COUNT again each       | an item per request     | the last item again each
-//    | 1500 ms, 5 in all      | heard, none unasked     | 1500 ms, 5 times
+//    | COUNT                  | one item for            | the last item repeated
+//    | every 1500 ms,         | every request           | every 1500 ms,
+//    | up to 5 attempts       |                         | up to 5 repetitions
 //    v                        v                         v
 //   NoAnswer                 TimedOut                  Unconfirmed
-//            8.5 s without a new item asked for
-//   a refusal in any state: its own status
+//                after 8.5 s without a request for a new item
+//   A refusal in any state ends the upload with the status of that refusal.
 #pragma once
 
 #include <stdint.h>
@@ -27,42 +28,46 @@ class UploadTransfer : public UploadRules {
   enum class State : uint8_t { Counting, Sending, Confirming };
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
-  // What an earlier transfer may have left. kAnswers: it may still be answered, also if it is from before a reset: what
-  // only that can have caused is not taken for an answer to this one. kBusy: PX4 may not have heard that it is over.
+  // What an earlier transfer may have left behind. kAnswers: late answers to an earlier transfer may still come, also
+  // to one from before a reset of this board; an answer that only the earlier transfer can have caused is not taken for
+  // an answer to this one. kBusy: PX4 may not have heard that the earlier transfer is over.
   static constexpr uint8_t kAnswers = 1, kBusy = 2;
 
-  // Begins with `count` items on the wire, for an autopilot of this kind.
+  // Begins the upload of `count` items on the wire to an autopilot with this firmware. `leftovers`: kAnswers, kBusy.
   void begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs);
 
-  // Right after begin(): only wire items `first` to `behind` - 1, for a part of a plan.
+  // Limits the upload to wire items `first` to `behind` - 1, for a part of a plan. To be called right after begin().
   void limitTo(uint16_t first, uint16_t behind) {
     first_ = first;
     asked_ = first;
     behind_ = behind;
   }
 
-  // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
+  // The inputs: the messages that have been received, and the time. Each returns Status::Transferring while the upload
+  // goes on, or else the status with which it has ended.
   Status onRequest(uint16_t item, uint16_t nowMs);
   Status onAck(uint8_t result);
   MAVMISSION_APART Status onTime(uint16_t nowMs);
 
-  // What is to be sent next, and the item if it is one. After it has been handed to the link: sent().
+  // The output: what to send next and, for an item, its number. Call sent() when it has been handed to the link.
   Send toSend() const { return send_; }
   uint16_t itemToSend() const { return item_; }
   MAVMISSION_APART void sent(uint16_t nowMs);
 
   State state() const { return state_; }
   bool hasBegun() const { return state_ != State::Counting; }
-  // An answer was heard that may have been to an earlier transfer.
+  // True if an answer has come that may belong to an earlier transfer.
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
-  // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
-  // our last item as if it were that one's, repeated, with the sum of what it had until then.
+  // True if an acceptance may belong to an earlier, longer transfer that broke off at the item where this upload ends.
+  // PX4 then takes our last item for a repetition from the earlier transfer, and accepts it with the checksum of the
+  // items that it had received until then.
   bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && tries_ != 0; }
-  // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
+  // The number of the item after the last one that the autopilot has requested. The autopilot holds all requested items
+  // except the last one.
   uint16_t itemsAskedFor() const { return asked_; }
-  // True while it will be asked for the item behind those: it may be made ready.
+  // True while a request for item itemsAskedFor() is still to come: that item may be packed in advance.
   bool expectsRequest() const { return state_ != State::Confirming && asked_ < behind_; }
-  // The item that went out last: the one that a refusal is about.
+  // The item that was sent last: a refusal is about this item.
   uint16_t lastItem() const { return item_; }
 
  private:
@@ -78,12 +83,12 @@ class UploadTransfer : public UploadRules {
   uint16_t item_;
   State state_;
   Send send_;
-  uint8_t tries_;     // COUNTs sent; then unasked repeats of the last item
-  Status suspicion_;  // an answer that may be to an earlier transfer: the reason if no other comes
+  uint8_t tries_;     // attempts at COUNT; later, repetitions of the last item without a request
+  Status suspicion_;  // an answer that may belong to an earlier transfer: the result if no other answer comes
   Firmware firmware_;
   uint8_t leftovers_;
   bool recounted_;  // COUNT was sent more than once
-  bool freed_;      // an open transfer of ours was cancelled first
+  bool freed_;      // an open earlier transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
 };
 
