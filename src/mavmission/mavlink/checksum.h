@@ -32,22 +32,28 @@ extern "C" {
  * @param data new char to hash
  * @param crcAccum the already accumulated checksum
  **/
-static inline void crc_accumulate(uint8_t data, uint16_t* crcAccum) {
-  /*Accumulate one byte of data into the CRC*/
-  uint8_t tmp;
+static inline void crc_accumulate(uint8_t data, uint16_t *crcAccum)
+{
+        /*Accumulate one byte of data into the CRC*/
+        uint8_t tmp;
 
-  tmp = data ^ (uint8_t)(*crcAccum & 0xff);
-  tmp ^= (tmp << 4);
-  *crcAccum = (*crcAccum >> 8) ^ (tmp << 8) ^ (tmp << 3) ^ (tmp >> 4);
+        tmp = data ^ (uint8_t)(*crcAccum &0xff);
+        tmp ^= (tmp<<4);
+        *crcAccum = (*crcAccum>>8) ^ (tmp<<8) ^ (tmp <<3) ^ (tmp>>4);
 }
 #endif
+
 
 /**
  * @brief Initialize the buffer for the MCRF4XX CRC16
  *
  * @param crcAccum the 16 bit MCRF4XX CRC16
  */
-static inline void crc_init(uint16_t* crcAccum) { *crcAccum = X25_INIT_CRC; }
+static inline void crc_init(uint16_t* crcAccum)
+{
+        *crcAccum = X25_INIT_CRC;
+}
+
 
 /**
  * @brief Calculates the CRC16_MCRF4XX checksum on a byte buffer
@@ -56,14 +62,16 @@ static inline void crc_init(uint16_t* crcAccum) { *crcAccum = X25_INIT_CRC; }
  * @param  length  length of the byte array
  * @return the checksum over the buffer bytes
  **/
-static inline uint16_t crc_calculate(const uint8_t* pBuffer, uint16_t length) {
-  uint16_t crcTmp;
-  crc_init(&crcTmp);
-  while (length--) {
-    crc_accumulate(*pBuffer++, &crcTmp);
-  }
-  return crcTmp;
+static inline uint16_t crc_calculate(const uint8_t* pBuffer, uint16_t length)
+{
+        uint16_t crcTmp;
+        crc_init(&crcTmp);
+	while (length--) {
+                crc_accumulate(*pBuffer++, &crcTmp);
+        }
+        return crcTmp;
 }
+
 
 /**
  * @brief Accumulate the MCRF4XX CRC16 by adding an array of bytes
@@ -74,11 +82,12 @@ static inline uint16_t crc_calculate(const uint8_t* pBuffer, uint16_t length) {
  * @param data new bytes to hash
  * @param crcAccum the already accumulated checksum
  **/
-static inline void crc_accumulate_buffer(uint16_t* crcAccum, const char* pBuffer, uint16_t length) {
-  const uint8_t* p = (const uint8_t*)pBuffer;
-  while (length--) {
-    crc_accumulate(*p++, crcAccum);
-  }
+static inline void crc_accumulate_buffer(uint16_t *crcAccum, const char *pBuffer, uint16_t length)
+{
+	const uint8_t *p = (const uint8_t *)pBuffer;
+	while (length--) {
+                crc_accumulate(*p++, crcAccum);
+        }
 }
 
 #if defined(MAVLINK_USE_CXX_NAMESPACE) || defined(__cplusplus)
