@@ -126,8 +126,8 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property):
 DEFECTS = {
     "an idle ArduPilot's error is taken for an acceptance": (
         "UploadTransfer.cpp",
-        "if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;",
-        "if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Accepted;",
+        "if (state_ == State::Confirming && tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
+        "if (state_ == State::Confirming && tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
         "ArduPilot upload 1",
         "Accepted, and",
     ),

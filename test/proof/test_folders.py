@@ -12,7 +12,7 @@ import pytest
 from building import ROOT
 
 SUPPORT = ROOT / "test" / "support"
-FOLDERS = {"simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents"}
+FOLDERS = {"boards", "simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents"}
 
 
 def is_python(file: Path) -> bool:

@@ -40,19 +40,19 @@ def test_each_file_that_is_mutated_has_tests_of_its_own():
 
 
 def outcome(file: str, was: str, becomes: str) -> str:
-    """Of a mutant of the library, by the text of its line."""
-    (pair,) = [
+    """Of the first mutant of the library with this text of its line."""
+    pair = [
         (subject, mutant)
         for subject, mutant in run.of_all([file])
         if (mutant.was, mutant.becomes) == (was, becomes) and mutant.file == f"{file}.cpp"
-    ]
+    ][0]
     (verdict,) = judge([pair])
     return verdict.outcome
 
 
 @pytest.mark.slow
 def test_mutant_is_found_by_the_cheapest_tests_that_can_and_one_that_changes_nothing_by_none():
-    last = "if (tries_ == kTries) return Status::Unconfirmed;"
+    last = "if (tries_ == kLastItemTries) return Status::Unconfirmed;"
     assert outcome("UploadTransfer", last, last.replace("==", "!=")) == "unit tests"
     assert outcome("UploadTransfer", "progressMs_ = nowMs;", ";") == SURVIVED
     # Compiled only with MAVMISSION_SIGNING.

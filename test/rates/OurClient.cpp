@@ -35,7 +35,7 @@ const char* nameOf(Aboard aboard) {
   return names[static_cast<int>(aboard)];
 }
 
-class OurClient : public Client {
+class OurClient : public ::Client {
  public:
   OurClient(Firmwares firmware, bool byAnswer) : firmware_(firmware), client_(begun(stream_)) {
     const ItemSource plan = inRam(sketchPlan(kPlan), kItems);
@@ -86,6 +86,6 @@ class OurClient : public Client {
 
 }  // namespace
 
-std::unique_ptr<Client> makeMissionClient(Firmwares firmware, bool byAnswer) {
-  return std::unique_ptr<Client>(new OurClient(firmware, byAnswer));
+std::unique_ptr<::Client> makeMissionClient(Firmwares firmware, bool byAnswer) {
+  return std::unique_ptr<::Client>(new OurClient(firmware, byAnswer));
 }

@@ -51,7 +51,7 @@ def test_build_prints_flash_and_ram_then_where_the_files_are(tmp_path):
     ran = tools_build(sketch(tmp_path, ECHO), "--board", "mega", "--output", tmp_path / "out")
     assert ran.returncode == 0, ran.stderr
     assert ran.stdout.splitlines() == [
-        "flash: 1798 bytes of 253952 (1 %)",
+        "flash: 1860 bytes of 253952 (1 %)",
         "RAM: 184 bytes of 8192 (2 %)",
         f"ELF: {tmp_path}/out/Echo.elf",
         f"HEX: {tmp_path}/out/Echo.hex",
@@ -230,7 +230,7 @@ def test_arduino_cli_is_used_where_it_has_the_avr_core_and_prints_the_same(tmp_p
     assert ran.returncode == 0, ran.stderr
     assert ran.stdout.splitlines()[:2] == by_builder.report().splitlines()
     said = (fake / "said").read_text()
-    assert said.startswith("compile --fqbn arduino:avr:mega:cpu=atmega2560 --warnings all")
+    assert said.startswith("--no-color compile --fqbn arduino:avr:mega:cpu=atmega2560 --warnings all")
     assert f"--libraries {ROOT}/build/libraries" in said
 
 
