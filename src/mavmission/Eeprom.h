@@ -5,9 +5,9 @@
 
 namespace mavmission {
 
-// Functions that read and write its bytes. A sketch on a board that is no AVR says in one line what it has:
+// Functions that read and write its bytes. A sketch on a board that is no AVR includes EEPROM.h and says in one line
+// what it has:
 //
-//   #include <EEPROM.h>
 //   EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));  // on an ESP32 and a Pico EEPROM.begin(1024) comes first
 //   EepromPlan plan(Eeprom{readByte, writeByte, isReady, 8192});  // two or three functions of its own, for an FRAM
 struct Eeprom {

@@ -16,6 +16,7 @@
 
 namespace mavmission {
 
+// A TimestampStore in EEPROM.
 class EepromTimestamps : public TimestampStore {
  public:
   static constexpr uint8_t kSlot = 6;  // a time, and its checksum [bytes]

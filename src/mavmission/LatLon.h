@@ -9,8 +9,8 @@ namespace mavmission {
 
 // A latitude and a longitude.
 struct LatLon {
-  Degrees latitude;
-  Degrees longitude;
+  Degrees latitude;   // north is positive
+  Degrees longitude;  // east is positive
 };
 
 // The place that is so far north and east of another one [cm]; south and west are negative. On the ellipsoid of GPS

@@ -117,12 +117,12 @@ const std::vector<RecordedItem>& recordedItems() {
 
 uint32_t bitsOf(const MissionItem& item, unsigned index) {
   uint32_t bits;
-  memcpy(&bits, reinterpret_cast<const uint8_t*>(&item) + 4 * index, 4);
+  memcpy(&bits, reinterpret_cast<const uint8_t*>(&item) + size_t{4} * index, 4);
   return bits;
 }
 
 void setBits(MissionItem& item, unsigned index, uint32_t bits) {
-  memcpy(reinterpret_cast<uint8_t*>(&item) + 4 * index, &bits, 4);
+  memcpy(reinterpret_cast<uint8_t*>(&item) + size_t{4} * index, &bits, 4);
 }
 
 bool isInteger(unsigned index) { return index == 4 || index == 5; }

@@ -140,15 +140,15 @@ DEFECTS = {
     ),
     "a PX4 that is busy is asked once more, and then given up": (
         "UploadTransfer.cpp",
-        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;",
+        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kCountTries ? status : Status::Transferring;",
         "if (freed_) return status;",
         "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
         "busy with what was ours, and the tries were not exhausted",
     ),
     "the tries of a list are not counted": (
         "DownloadTransfer.cpp",
-        "if (tries_ == kTries) return isListing ? Status::NoAnswer : Status::TimedOut;",
-        "if (tries_ == kTries && !isListing) return Status::TimedOut;",
+        "if (tries_ == (isListing ? kListTries : kItemTries)) return isListing ? Status::NoAnswer : Status::TimedOut;",
+        "if (tries_ == kItemTries && !isListing) return Status::TimedOut;",
         "ArduPilot download 0",
         "REQUEST_LIST is sent too often",
     ),
@@ -163,8 +163,8 @@ DEFECTS = {
         "UploadTransfer.cpp",
         "if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;\n"
         "      if (!overdue) break;\n"
-        "      if (tries_ == kTries) return Status::Unconfirmed;",
-        "if (!overdue) break;\n      if (tries_ == kTries) {\n        sentMs_ = nowMs;\n        break;\n      }",
+        "      if (tries_ == kLastItemTries) return Status::Unconfirmed;",
+        "if (!overdue) break;\n      if (tries_ == kLastItemTries) {\n        sentMs_ = nowMs;\n        break;\n      }",
         "ArduPilot upload 1",
         "it goes round for ever",
     ),

@@ -72,8 +72,8 @@ def test_each_seed_loses_other_frames_and_always_the_same_ones():
 
 @pytest.mark.slow
 def test_a_false_acceptance_would_be_found():
-    lying = with_defect("UploadTransfer.cpp", "if (tries_ == kTries) return Status::Unconfirmed;",
-                        "if (tries_ == kTries) return Status::Accepted;")  # fmt: skip
+    lying = with_defect("UploadTransfer.cpp", "if (tries_ == kLastItemTries) return Status::Unconfirmed;",
+                        "if (tries_ == kLastItemTries) return Status::Accepted;")  # fmt: skip
     ends = rates.uploads("PX4", "upload-by-answer", 70, rates.SEEDS, rates.build_rates(lying))
     assert any(end.is_false_acceptance and not end.is_aboard_true for end in ends)
 

@@ -1,5 +1,5 @@
-// Every timeout and every number of attempts, one constant for each rule. DESIGN.md, "Every wait and retry", has each of
-// them in words, with its source; a test compares the two. A class has the rules that it keeps as its base.
+// Every timeout and every number of attempts, one constant for each rule. DESIGN.md, "Every wait and retry", has each
+// of them in words, with its source; a test compares the two. A class has the rules that it keeps as its base.
 #pragma once
 
 #include <stdint.h>
@@ -18,11 +18,11 @@ struct UploadRules {
 };
 
 struct DownloadRules {
-  static constexpr uint8_t kListTries = 5;          // MISSION_REQUEST_LIST
-  static constexpr uint16_t kListMs = 1500;         // to MISSION_COUNT
-  static constexpr uint8_t kItemTries = 5;          // MISSION_REQUEST_INT, for each item
-  static constexpr uint16_t kItemMs = 250;          // to the item
-  static constexpr uint8_t kNewRequestTries = 2;    // then MISSION_REQUEST, to an autopilot that may be old
+  static constexpr uint8_t kListTries = 5;        // MISSION_REQUEST_LIST
+  static constexpr uint16_t kListMs = 1500;       // to MISSION_COUNT
+  static constexpr uint8_t kItemTries = 5;        // MISSION_REQUEST_INT, for each item
+  static constexpr uint16_t kItemMs = 250;        // to the item
+  static constexpr uint8_t kNewRequestTries = 2;  // then MISSION_REQUEST, to an autopilot that may be old
 };
 
 struct ClearRules {

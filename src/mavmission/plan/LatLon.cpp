@@ -19,7 +19,7 @@ int64_t cosine(int32_t e7) {
   const int64_t radians = e7 * int64_t{187403301} / 100000000;  // pi / 180 / 1e7 is 1.87403301 * 2^-30
   const int64_t square = times(radians, radians);
   int64_t sum = kOne;
-  for (uint8_t n = 10; n != 0; n -= 2) sum = kOne - times(square, sum) / (n * (n - 1));
+  for (uint8_t n = 10; n != 0; n -= 2) sum = kOne - times(square, sum) / (int64_t{n} * (n - 1));
   return sum;
 }
 
