@@ -164,7 +164,7 @@ uint16_t ClientUnderTest::nextMs() const {
     return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
   }
   const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
-  return std::min(next, leftOf(ClearTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs()));
+  return std::min(next, leftOf(ClearTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs_));
 }
 
 void ClientUnderTest::rest(uint16_t ms, bool isLast) {

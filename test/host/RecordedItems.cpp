@@ -116,7 +116,7 @@ const std::vector<RecordedItem>& recordedItems() {
 }
 
 uint32_t bitsOf(const MissionItem& item, unsigned index) {
-  uint32_t bits;
+  uint32_t bits = 0;
   memcpy(&bits, reinterpret_cast<const uint8_t*>(&item) + size_t{4} * index, 4);
   return bits;
 }

@@ -126,8 +126,8 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property):
 DEFECTS = {
     "an idle ArduPilot's error is taken for an acceptance": (
         "UploadTransfer.cpp",
-        "if (state_ == State::Confirming && tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
-        "if (state_ == State::Confirming && tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
+        "tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
+        "tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
         "ArduPilot upload 1",
         "Accepted, and",
     ),
@@ -164,7 +164,8 @@ DEFECTS = {
         "if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;\n"
         "      if (!overdue) break;\n"
         "      if (tries_ == kLastItemTries) return Status::Unconfirmed;",
-        "if (!overdue) break;\n      if (tries_ == kLastItemTries) {\n        sentMs_ = nowMs;\n        break;\n      }",
+        "if (!overdue) break;\n      if (tries_ == kLastItemTries) {\n        sentMs_ = nowMs;\n"
+        "        break;\n      }",
         "ArduPilot upload 1",
         "it goes round for ever",
     ),

@@ -29,7 +29,6 @@ class ClearTransfer : public ClearRules {
   PlanType type() const { return type_; }
   // False before MISSION_CLEAR_ALL of this type has left: nothing can answer it.
   bool hasBeenSent() const { return tries_ != 0; }
-  uint16_t sentMs() const { return sentMs_; }
 
  private:
   void next(PlanType type);
