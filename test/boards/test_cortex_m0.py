@@ -186,7 +186,8 @@ STANDARDS = ["gnu++11", "gnu++17", "gnu++20"]  # what the cores of today choose:
 def test_library_compiles_without_a_warning(standard):
     for signing in (0, 1):
         for unit in library_sources():
-            cortex_m0_object(unit, [f"-std={standard}", f"-DMAVMISSION_SIGNING={signing}"], [CORE, LIBRARY])
+            flags = [f"-std={standard}", f"-DMAVMISSION_SIGNING={signing}"]
+            assert cortex_m0_object(unit, flags, [CORE, LIBRARY]).is_file()
 
 
 @pytest.mark.parametrize("standard", [STANDARDS[0], STANDARDS[-1]])
@@ -195,7 +196,7 @@ def test_example_compiles_without_a_warning(example, standard, tmp_path):
     sketch = ROOT / "examples" / example / f"{example}.ino"
     source = tmp_path / f"{example}.cpp"
     source.write_text(f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}')
-    cortex_m0_object(source, [f"-std={standard}"], [CORE, LIBRARY])
+    assert cortex_m0_object(source, [f"-std={standard}"], [CORE, LIBRARY]).is_file()
 
 
 WITHOUT_EEPROM = {

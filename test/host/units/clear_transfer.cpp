@@ -1,0 +1,72 @@
+#include "mavmission/transfer/ClearTransfer.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <initializer_list>
+
+using namespace mavmission;
+using namespace mavmission::detail;
+
+namespace {
+
+typedef ClearTransfer::State State;
+
+// In the client the memory may hold anything before begin().
+ClearTransfer begun(PlanType type) {
+  ClearTransfer transfer;
+  memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
+  transfer.begin(type);
+  return transfer;
+}
+
+}  // namespace
+
+TEST_CASE("CLEAR_ALL is due at once, and nothing can answer it before it has left") {
+  ClearTransfer transfer = begun(PlanType::Fence);
+  CHECK((transfer.state() == State::Due));
+  CHECK((transfer.type() == PlanType::Fence));
+  CHECK_FALSE(transfer.hasBeenSent());
+  transfer.sent(65000);
+  CHECK((transfer.state() == State::Sent));
+  CHECK(transfer.hasBeenSent());
+}
+
+TEST_CASE("CLEAR_ALL is repeated 1500 ms after it left, up to 5 attempts, across a wrap of the clock") {
+  ClearTransfer transfer = begun(PlanType::Mission);
+  uint16_t nowMs = 65000;
+  CHECK((transfer.onTime(nowMs) == Status::Transferring));
+  for (uint8_t sent = 1; sent <= ClearTransfer::kTries; ++sent) {
+    CHECK((transfer.state() == State::Due));
+    transfer.sent(nowMs);
+    nowMs = static_cast<uint16_t>(nowMs + ClearTransfer::kAnswerMs - 1);
+    CHECK((transfer.onTime(nowMs) == Status::Transferring));
+    CHECK((transfer.state() == State::Sent));
+    const bool isLast = sent == ClearTransfer::kTries;
+    CHECK((transfer.onTime(++nowMs) == (isLast ? Status::NoAnswer : Status::Transferring)));
+  }
+}
+
+TEST_CASE("one type is cleared by its acceptance") {
+  for (PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
+    ClearTransfer transfer = begun(type);
+    transfer.sent(0);
+    CHECK((transfer.onAccepted() == Status::Cleared));
+  }
+}
+
+TEST_CASE("all three are cleared one by one, each with its own attempts") {
+  ClearTransfer transfer = begun(PlanType::All);
+  for (PlanType type : {PlanType::Mission, PlanType::Fence}) {
+    CHECK((transfer.type() == type));
+    transfer.sent(0);
+    CHECK((transfer.onTime(ClearTransfer::kAnswerMs) == Status::Transferring));
+    transfer.sent(ClearTransfer::kAnswerMs);
+    CHECK((transfer.onAccepted() == Status::Transferring));
+    CHECK((transfer.state() == State::Due));
+    CHECK_FALSE(transfer.hasBeenSent());
+  }
+  CHECK((transfer.type() == PlanType::Rally));
+  transfer.sent(0);
+  CHECK((transfer.onAccepted() == Status::Cleared));
+}
