@@ -21,6 +21,7 @@ class Subject(NamedTuple):
 SUBJECTS = (
     Subject("UploadTransfer", ("upload_transfer",)),
     Subject("DownloadTransfer", ("download_transfer",)),
+    Subject("ClearTransfer", ("clear_transfer",)),
     Subject("CommandTransfer", ("command_transfer",)),
     Subject("FrameParser", ("frame_parser",)),
     Subject("WirePlan", ("wire_plan",)),
