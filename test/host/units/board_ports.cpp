@@ -95,7 +95,7 @@ uint32_t msToSend(BoardPort& port, uint8_t length) {
   uint32_t nowMs = 1000;
   setMillis(nowMs);
   MissionClient client(port);
-  client.setOwnIds(1, 191);
+  client.setSourceIds(1, 191);
   for (int i = 0; i < 500; ++i) {  // a heartbeat, after which it is known what the port says
     port.pass(1000);
     setMillis(++nowMs);
@@ -169,7 +169,7 @@ TEST_CASE("a port that has said how much room it has is believed when it has non
   port.baud = 0;  // nobody takes anything
   setMillis(1);
   MissionClient client(port);
-  client.setOwnIds(1, 191);
+  client.setSourceIds(1, 191);
   for (uint32_t nowMs = 2; nowMs < 30000; ++nowMs) {
     setMillis(nowMs);
     client.update();
