@@ -39,13 +39,6 @@ void printCounters() {
   CONSOLE.println(counters.bytesSkipped);
 }
 
-// Whether the same upload may go well next time: not when the plan itself is at fault, or the aircraft flies.
-bool mayGoWellNextTime(Status status) {
-  return status == Status::Unconfirmed || status == Status::NoAnswer || status == Status::TimedOut ||
-         status == Status::TookTooLong || status == Status::Error || status == Status::Denied ||
-         status == Status::CancelledByAutopilot || status == Status::OtherPlanAboard;
-}
-
 void report(Status status) {
   CONSOLE.println(toString(status));
   CONSOLE.print(F("aboard: "));
@@ -78,7 +71,7 @@ void loop() {
   if (isEnd(status)) {
     report(status);
     failedAtMs = millis();
-    tryAgain = mayGoWellNextTime(status) && tries < kMaxTries;
+    tryAgain = isWorthRetry(status) && tries < kMaxTries;
   }
   if (tryAgain && millis() - failedAtMs >= kPauseMs) start();
 }

@@ -97,6 +97,10 @@ enum class Status : uint8_t {
 #undef MAVMISSION_NAME
 };
 
+// Whether the operation that has ended so may go well when it is begun again as it is: not when the plan itself is at
+// fault, or the aircraft is armed.
+bool isWorthRetry(Status status);
+
 // The plan that the autopilot holds when an operation has ended.
 #define MAVMISSION_ABOARD(X)                                                     \
   X(NotKnown, "not known")                                                       \

@@ -7,7 +7,7 @@
 
 #include "Plans.h"
 #include "mavmission/base/Checksum.h"
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 namespace {
 

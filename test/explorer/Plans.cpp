@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/plan/WirePlan.h"
 
 using namespace mavmission;

@@ -28,7 +28,7 @@
 #include "Frames.h"
 #include "MavMission.h"
 #include "MemoryStream.h"
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "Frames.h"
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 #include "mavmission/link/Messages.h"
 
 using mavmission::detail::FrameParser;

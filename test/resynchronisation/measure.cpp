@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "mavmission/link/FrameParser.h"
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include "../base/Clock.h"
 #include "../base/Flash.h"
-#include "../link/MavlinkHeaders.h"
+#include "../base/MavlinkHeaders.h"
 
 namespace mavmission {
 namespace detail {

@@ -1,7 +1,7 @@
 #include "../FlightCommand.h"
 
 #include "../base/Flash.h"
-#include "../link/MavlinkHeaders.h"
+#include "../base/MavlinkHeaders.h"
 
 namespace mavmission {
 using namespace detail;

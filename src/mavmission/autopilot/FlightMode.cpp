@@ -1,7 +1,7 @@
 #include "../FlightMode.h"
 
 #include "../base/Flash.h"
-#include "../link/MavlinkHeaders.h"
+#include "../base/MavlinkHeaders.h"
 #include "Personality.h"
 
 namespace mavmission {

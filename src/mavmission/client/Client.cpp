@@ -53,6 +53,7 @@ Status Client::startOperation(Operation operation) {
   rest_.field = ItemField::None;
   rest_.proving = false;
   rest_.turnPauseS = 0;
+  rest_.isCommanding = false;
   state_.turnAtS = 0;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
@@ -126,9 +127,7 @@ void Client::onTick(uint16_t nowMs) {
   link_.onTime(nowMs);
 }
 
-// False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half
-// as many.
-bool Client::isHeavyAllowed() {
+bool Client::claimHeavyWork() {
   constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
   const bool isAllowed = state_.bytesLeft >= kHalf;
   state_.bytesAllowed = isAllowed ? kAll : kHalf;
@@ -137,7 +136,7 @@ bool Client::isHeavyAllowed() {
 
 Status Client::updateAt(uint16_t nowMs) {
 #if MAVMISSION_SIGNING
-  if (link_.hashes()) {  // nothing else is done then, so that the longest update() is no longer
+  if (link_.workOnSignatures()) {  // nothing else is done then, so that the longest update() is no longer
     link_.flush(nowMs, kStartBytes);
     return state_.operation != nullptr ? state_.status : Status::Idle;
   }

@@ -48,8 +48,6 @@ class Client {
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
   // What a frame for us takes, in bytes that could be looked at in that time [bytes].
   static constexpr uint8_t kFrameBytes = 16;
-  // In turnPauseS, which each operation sets anew: the running or last one is a command, which waits for no turn.
-  static constexpr uint8_t kCommand = 255;
   // How long an earlier transfer may still be answered [ms]: ArduPilot gives one up after 8 s.
   static constexpr uint16_t kLeftoversMs = 10000;
   // Bytes of a frame that are written in any case [bytes].
@@ -146,7 +144,9 @@ class Client {
   Status confirmStart();
   Status judgeStart();
   Status updateAt(uint16_t nowMs);
-  MAVMISSION_APART bool isHeavyAllowed();
+  // Takes the time of this update() for heavy work. False when bytes have taken it: the work then waits for the next
+  // one, which looks at half as many.
+  MAVMISSION_APART bool claimHeavyWork();
   MAVMISSION_APART void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Operation operation);
   void beginSeconds(uint16_t nowMs);
@@ -230,7 +230,7 @@ class Client {
     uint16_t turnLimitS;  // how long to wait for another ground station's transfer [s]
     uint16_t partFirst;   // the items of a partial upload, as the sketch counts
     uint16_t partCount;
-    uint8_t turnPauseS;  // the pause before the next try; 0 before the first; kCommand: commanding_ is in use
+    uint8_t turnPauseS;  // the pause before the next try; 0 before the first
     Status toReturn;
     Aboard aboard[4];  // by PlanType; the last is nobody's
     uint8_t lastResult;
@@ -245,6 +245,7 @@ class Client {
     bool tooLong : 1;       // the source has more items than the protocol can count
     bool infeasible : 1;    // the autopilot has said so of the plan that it accepted
     bool proving : 1;       // an upload is being read back
+    bool isCommanding : 1;  // the running or last operation is a command: commanding_ is in use
     bool mayBeRefused : 1;  // because of an error that may have been a refusal
   };
 

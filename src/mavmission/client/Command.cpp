@@ -26,9 +26,9 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
   if (state_.operation != nullptr) return Status::Busy;
   // Late answers to the last command may still come, if it was one: at its end the seconds began anew. Long after it
   // its time, of 16 bits, says nothing any more.
-  const bool isBehindOne = rest_.turnPauseS == kCommand && state_.seconds < CommandTransfer::kLateAnswersS;
+  const bool isBehindOne = rest_.isCommanding && state_.seconds < CommandTransfer::kLateAnswersS;
   startOperation(commandStep);
-  rest_.turnPauseS = kCommand;
+  rest_.isCommanding = true;
   const CommandTransfer last = commanding_.transfer;
   memset(&commanding_, 0, sizeof(commanding_));
   if (isBehindOne) commanding_.transfer.beginBehind(last);
@@ -66,7 +66,7 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
   client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
   if (state.status != Status::Transferring) return;
   const bool isDue = client.commanding_.transfer.state() == CommandTransfer::State::Due;
-  if (isDue && client.link_.canSend() && client.isHeavyAllowed()) client.sendCommand(nowMs);
+  if (isDue && client.link_.canSend() && client.claimHeavyWork()) client.sendCommand(nowMs);
 }
 
 void Client::takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {

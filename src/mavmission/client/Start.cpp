@@ -123,7 +123,7 @@ Status Client::lookAtItem() {
   Start& start = commanding_.start;
   if (start.looked == kCannotLook) return Status::SourceRefused;
   if (state_.next >= plan_.wireCount()) return Status::NothingToFly;
-  if (!link_.canSend() || !isHeavyAllowed()) return Status::Transferring;
+  if (!link_.canSend() || !claimHeavyWork()) return Status::Transferring;
   const Status read = checkItem(state_.next);
   if (read == Status::Checking) return Status::Transferring;
   if (read != Status::Accepted) return Status::SourceRefused;

@@ -90,7 +90,7 @@ void Client::checkPlan(uint16_t nowMs) {
   if (state_.announce != nullptr && plan_.has(kTakesWholePlansOnly)) return end(Status::WholePlansOnly);
   if (!isTypeCarried()) return end(Status::NeedsMavlink2);
   if (link_.finder().isArmed() && !rest_.armedAllowed) return end(Status::Armed);
-  if (!link_.canSend() || !isHeavyAllowed()) return;
+  if (!link_.canSend() || !claimHeavyWork()) return;
   const uint16_t count = plan_.wireCount();
   for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
     const Status checked = checkItem(state_.next);
@@ -246,7 +246,7 @@ void Client::sendCount(uint16_t items) {
 void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
   static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
-  if (!isHeavyAllowed()) return;
+  if (!claimHeavyWork()) return;
   // The item becomes the message where it lies, and it lies where the frame is made: param1 to z stay, the rest is
   // moved. That keeps the deepest stack small.
   union Piece {

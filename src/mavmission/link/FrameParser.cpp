@@ -5,7 +5,7 @@
 
 #include "../base/Checksum.h"
 #include "../base/Flash.h"
-#include "Messages.h"
+#include "../base/MavlinkHeaders.h"
 
 namespace mavmission {
 namespace detail {

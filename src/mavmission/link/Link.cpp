@@ -5,6 +5,7 @@
 #include "../base/Clock.h"
 #include "../base/Flash.h"
 #include "Messages.h"
+#include "OwnHeartbeat.h"
 #include "Sending.h"
 
 namespace mavmission {
@@ -33,7 +34,7 @@ bool Link::maySpeak() const {
 
 bool Link::canSend() const { return outbox_.isEmpty(); }
 
-void Link::add(Listener& listener) {
+void Link::add(MoreKeys& listener) {
   MoreKeys*& first = parser_.moreKeys();
   listener.next = first;
   first = &listener;
@@ -87,12 +88,12 @@ bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
       continue;
     }
 #endif
-    if (result != FrameParser::Result::Nothing && isNews(result, nowMs)) return true;
+    if (result != FrameParser::Result::Nothing && takeResult(result, nowMs)) return true;
   }
 }
 
 // Counts a frame; true if it is the autopilot's, wanted, and for us.
-bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
+bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   const bool isWanted = result == FrameParser::Result::Wanted;
   if (isWanted) {
     ++state_.frames;
@@ -154,11 +155,7 @@ void Link::onTime(uint16_t nowMs) {
 }
 
 void Link::sendHeartbeat() {
-  mavlink_heartbeat_t heartbeat = mavlink_heartbeat_t();
-  heartbeat.type = MAV_TYPE_ONBOARD_CONTROLLER;
-  heartbeat.autopilot = MAV_AUTOPILOT_INVALID;
-  heartbeat.system_status = MAV_STATE_ACTIVE;
-  heartbeat.mavlink_version = 3;  // the field's fixed value (MAVLink common messages, HEARTBEAT)
+  mavlink_heartbeat_t heartbeat = ownHeartbeat();
   send(heartbeat);
 }
 

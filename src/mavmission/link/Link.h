@@ -7,7 +7,6 @@
 #include "../LinkCounters.h"
 #include "../MavlinkVersion.h"
 #include "../autopilot/AutopilotFinder.h"
-#include "../service/Listener.h"
 #include "FrameParser.h"
 #include "Outbox.h"
 #if MAVMISSION_SIGNING
@@ -43,7 +42,7 @@ class Link {
   void onTime(uint16_t nowMs);
 
   // Adds one that hears frames beside us.
-  void add(Listener& listener);
+  void add(MoreKeys& listener);
   const MoreKeys* listeners() { return parser_.moreKeys(); }
 
   // True when send() can take a frame. It goes nowhere while nothing may be said, as on a line with nobody at its end.
@@ -88,11 +87,11 @@ class Link {
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store);
   void setSigningTime(const SigningTime& time) { signing_.setTime(time); }
   const Signing& signing() const { return signing_; }
-  // To be called once in each update(): true if this one has been spent on hashing, and nothing more is to be done in
-  // it than flush().
-  bool hashes();
+  // Hashes a piece of what is to be signed or checked. To be called once in each update(): true if this one has been
+  // spent on that, and nothing more is to be done in it than flush().
+  bool workOnSignatures();
 #else
-  static constexpr bool hashes() { return false; }
+  static constexpr bool workOnSignatures() { return false; }
 #endif
 
   AutopilotFinder& finder() { return finder_; }
@@ -107,7 +106,8 @@ class Link {
  private:
   // Nothing leaves before it is clear who is there, unless the sketch has given our ids.
   MAVMISSION_APART bool maySpeak() const;
-  MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
+  // Notes what a frame tells of the line; true if it is to be given.
+  MAVMISSION_APART bool takeResult(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
   void pack(uint8_t* payload, const MessageKey* key);

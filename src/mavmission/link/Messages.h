@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
+#include "../base/MavlinkHeaders.h"
 #include "FrameParser.h"
-#include "MavlinkHeaders.h"
 
 namespace mavmission {
 namespace detail {

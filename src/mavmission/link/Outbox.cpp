@@ -5,7 +5,7 @@
 #include "../base/Checksum.h"
 #include "../base/Clock.h"
 #include "../base/Flash.h"
-#include "MavlinkHeaders.h"
+#include "../base/MavlinkHeaders.h"
 
 namespace mavmission {
 namespace detail {

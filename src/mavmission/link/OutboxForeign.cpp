@@ -2,7 +2,7 @@
 #include <Arduino.h>
 
 #include "../base/Checksum.h"
-#include "MavlinkHeaders.h"
+#include "../base/MavlinkHeaders.h"
 #include "Outbox.h"
 
 namespace mavmission {

@@ -7,6 +7,7 @@
 #include "../base/Clock.h"
 #include "../base/FlashTable.h"
 #include "../link/Messages.h"
+#include "../link/OwnHeartbeat.h"
 #include "../link/Sending.h"
 
 namespace mavmission {
@@ -192,12 +193,7 @@ void LinkDoctor::takeHeartbeat(const FrameParser& frame) {
 void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
   Link& link = client_.link_;
   mark_ = nowMs;
-  mavlink_heartbeat_t heartbeat = mavlink_heartbeat_t();
-  heartbeat.custom_mode = uint32_t{kMarkAbove} << 16 | mark_;
-  heartbeat.type = MAV_TYPE_ONBOARD_CONTROLLER;
-  heartbeat.autopilot = MAV_AUTOPILOT_INVALID;
-  heartbeat.system_status = MAV_STATE_ACTIVE;
-  heartbeat.mavlink_version = 3;
+  mavlink_heartbeat_t heartbeat = ownHeartbeat(uint32_t{kMarkAbove} << 16 | mark_);
   // The link says nothing before it knows an autopilot, unless it has ids of its own: it is lent some for this frame.
   const uint8_t own = link.ownSystemId();
   const uint8_t componentId = link.componentId();

@@ -36,7 +36,6 @@ class Listener : private MoreKeys {
   Client& client_;
 
  private:
-  friend class Link;
   static const MessageKey* keyAmong(const MoreKeys* list, uint16_t messageId);
   static void tellAll(const MoreKeys* list, const FrameParser& frame);
 

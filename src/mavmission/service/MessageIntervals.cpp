@@ -33,7 +33,7 @@ void MessageIntervals::ask(float messageId, float intervalUs, uint8_t tries, uin
   isWaiting_ = true;
   askedMs_ = nowMs;
   if (client_.isBusy()) return;
-  client_.rest_.turnPauseS = Client::kCommand;
+  client_.rest_.isCommanding = true;
   client_.beginSeconds(nowMs);
   client_.commanding_.transfer.sentByListener(MAV_CMD_SET_MESSAGE_INTERVAL, nowMs);
 }
@@ -47,7 +47,7 @@ bool MessageIntervals::isAnswer(const FrameParser& frame) const {
 
 void MessageIntervals::settle() {
   isWaiting_ = false;
-  if (client_.isBusy() || client_.rest_.turnPauseS != Client::kCommand) return;
+  if (client_.isBusy() || !client_.rest_.isCommanding) return;
   client_.commanding_.transfer.answeredToListener(MAV_CMD_SET_MESSAGE_INTERVAL, askedMs_);
 }
 

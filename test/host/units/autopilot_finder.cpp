@@ -5,7 +5,7 @@
 
 #include <initializer_list>
 
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;

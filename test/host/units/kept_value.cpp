@@ -193,9 +193,31 @@ TEST_CASE("integers beyond what a float holds are foretold as it rounds them, an
 }
 
 TEST_CASE("what is no number of an item has no kept value") {
-  const MissionItem item = anyCommand(kNavReturnToLaunch);
+  const MissionItem item = land();
   for (const ItemField field :
        {ItemField::None, ItemField::Count, ItemField::Command, ItemField::Reference, ItemField::Autocontinue}) {
     for (const Keeper keeper : {kCopter, Keeper(kByPx4), Keeper(0)}) CHECK(std::isnan(keptValue(item, field, keeper)));
+  }
+}
+
+TEST_CASE("a limit of a float is met to the last bit") {
+  const struct {
+    uint16_t command;
+    unsigned index;
+    uint32_t sent;
+    float kept;
+  } kCases[] = {
+      {18, 2, 0x437F0000, 255},    {18, 2, 0x437F0001, 250},  // just above 255
+      {42703, 1, 0x43340001, 0},   {42703, 2, 0x42B40001, 0}, {42703, 3, 0x43B40001, 0},
+      {42703, 3, 0x43B3FFFF, 359}, {93, 1, 0x4F000000, kNaN},  // 2^31
+  };
+  for (const auto& one : kCases) {
+    MissionItem item = anyCommandAt(one.command, 1_deg, 1_deg, 20_m);
+    setBits(item, one.index, one.sent);
+    const float kept = keptValue(item, fieldOf(one.index), kCopter);
+    CAPTURE(one.command);
+    CAPTURE(one.index);
+    CAPTURE(kept);
+    CHECK((std::isnan(one.kept) ? std::isnan(kept) : kept == one.kept));
   }
 }

@@ -72,3 +72,22 @@ TEST_CASE("each MAV_MISSION_RESULT has its status, and an unknown one its own") 
     CHECK((fromMissionResult(static_cast<uint8_t>(result)) == expected));
   }
 }
+
+TEST_CASE("only what may go well as it is is worth a retry") {
+  for (Status status : kAll) {
+    const std::string text = toString(status);
+    // The plan, or what the sketch asked for, is at fault: the same would be refused again.
+    if (text.compare(0, 8, "refused:") == 0 || text.find("is invalid") != std::string::npos) {
+      CHECK_FALSE_MESSAGE(isWorthRetry(status), text);
+    }
+    if (!isEnd(status)) CHECK_FALSE_MESSAGE(isWorthRetry(status), text);
+  }
+  for (Status status : {Status::Accepted, Status::Verified, Status::Downloaded, Status::Cleared, Status::Done,
+                        Status::Cancelled, Status::Busy, Status::NoSpace, Status::Infeasible, Status::TakenOver}) {
+    CHECK_FALSE_MESSAGE(isWorthRetry(status), toString(status));
+  }
+  for (Status status : {Status::NoAnswer, Status::TimedOut, Status::TookTooLong, Status::Unconfirmed, Status::Differs,
+                        Status::Error, Status::Denied, Status::OtherPlanAboard, Status::CancelledByAutopilot}) {
+    CHECK_MESSAGE(isWorthRetry(status), toString(status));
+  }
+}

@@ -375,3 +375,116 @@ TEST_CASE("what would be kept as another value is refused, and a value that is k
     CHECK((Plan({kHere, pair.other}, Firmware::Other).last() == Status::Accepted));
   }
 }
+
+TEST_CASE("an item from the wire is the one that a sketch would have written") {
+  for (const Firmware firmware : kAll) {
+    const bool isArduPilot = firmware == Firmware::ArduPilot;
+    MissionItem item = kHere;
+    item.frame = Frame::GlobalRelativeInt;
+    item.param4 = 45;
+    item.current = 1;
+    fromWire(item, firmware);
+    CHECK((item.frame == Frame::GlobalRelative));
+    CHECK(item.current == 0);
+    CHECK((item.param4 != item.param4) == isArduPilot);
+    if (!isArduPilot) CHECK(item.param4 == 45.f);
+    item = changeSpeed(5_mps);
+    item.frame = Frame::Global;
+    const MissionItem speed = item;
+    fromWire(item, firmware);
+    CHECK((item.frame == Frame::Mission));
+    CHECK(item.param1 == speed.param1);
+    CHECK(item.param4 == speed.param4);
+    item = jump(3, 2);
+    fromWire(item, firmware);
+    CHECK(item.param1 == (isArduPilot ? 2.f : 3.f));
+    CHECK(item.param2 == 2.f);
+  }
+}
+
+TEST_CASE("a place in a mission may have the frame of none, but on PX4") {
+  MissionItem item = kHere;
+  item.frame = Frame::Mission;
+  CHECK((check(item, Firmware::ArduPilot) == Status::Accepted));
+  CHECK((check(item, Firmware::Other) == Status::Accepted));
+  CHECK((check(item, Firmware::Px4) == Status::NeedsCoordinates));
+}
+
+TEST_CASE("a place on the equator or on the prime meridian is one to take") {
+  for (const MissionItem& near : {at(0, 40), at(30, 0)}) {
+    MissionItem item;
+    Plan plan({takeoff(15_m), near}, Firmware::Px4);
+    REQUIRE((plan.read(0, item) == Status::Accepted));
+    CHECK(item.x == near.x);
+    CHECK(item.y == near.y);
+  }
+}
+
+TEST_CASE("the place of the first command that is none of navigation is not taken") {
+  MissionItem item;
+  Plan plan({takeoff(15_m), anyCommandAt(95, 1_deg, 1_deg, 20_m), at(30, 40)}, Firmware::Px4);
+  REQUIRE((plan.read(0, item) == Status::Accepted));
+  CHECK(item.x == 30);
+}
+
+TEST_CASE("no item beyond the plan is looked at for a place") {
+  struct Placeless {
+    static bool read(void* beyond, uint16_t index, MissionItem& item) {
+      if (index >= 3) *static_cast<bool*>(beyond) = true;
+      item = index == 1 ? takeoff(10_m) : changeSpeed(5_mps);
+      return index < 3;
+    }
+  };
+  bool beyond = false;
+  WirePlan wire;
+  memset(static_cast<void*>(&wire), 0, sizeof(wire));
+  wire.setSource(fromFunction(Placeless::read, 3, &beyond));
+  wire.begin(Firmware::Px4, 2, PlanType::Mission, false);
+  MissionItem item;
+  Status status = Status::Checking;
+  for (int calls = 0; status == Status::Checking && calls < 10; ++calls) status = wire.read(1, item);
+  CHECK((status == Status::NeedsCoordinates));
+  CHECK_FALSE(beyond);
+}
+
+TEST_CASE("home is item 0 of the smallest plan too, above sea level, and is gone on from") {
+  Plan plan({kHere}, Firmware::ArduPilot);
+  CHECK(plan.wire.wireCount() == 2);
+  MissionItem item;
+  memset(static_cast<void*>(&item), 0xFF, sizeof(item));
+  REQUIRE((plan.read(0, item) == Status::Accepted));
+  CHECK((item.frame == Frame::Global));
+  CHECK(item.autocontinue == 1);
+}
+
+TEST_CASE("home is no item to jump to, where the sketch's own numbers count it") {
+  CHECK((check(anyCommand(kDoJump, 0, 3), Firmware::ArduPilot, true) == Status::BadJump));
+  CHECK((check(anyCommand(kDoJump, 0, 3), Firmware::Px4, true) == Status::Accepted));
+}
+
+TEST_CASE("each frame of a place above sea level or above home is taken by both") {
+  for (const Frame frame : {Frame::Global, Frame::GlobalRelative, Frame::GlobalInt, Frame::GlobalRelativeInt}) {
+    MissionItem item = kHere;
+    item.frame = frame;
+    for (const Firmware firmware : kAll) CHECK((check(item, firmware) == Status::Accepted));
+  }
+}
+
+TEST_CASE("a region of interest goes to PX4 by its newer number, and nothing else does") {
+  for (const uint16_t command : {79, 80, 81}) {
+    MissionItem item;
+    Plan plan({anyCommandAt(command, 1_deg, 1_deg, 20_m)}, Firmware::Px4);
+    REQUIRE((plan.read(0, item) == Status::Accepted));
+    CHECK(item.command == (command == 80 ? 201 : command));
+  }
+}
+
+TEST_CASE("of two places the nearer one is taken, and again when it is asked for again") {
+  Plan plan({at(10, 20), changeSpeed(5_mps), changeSpeed(5_mps), takeoff(9_m), changeSpeed(5_mps), at(30, 40)},
+            Firmware::Px4);
+  for (int times = 0; times < 2; ++times) {
+    MissionItem item;
+    REQUIRE((plan.read(3, item) == Status::Accepted));
+    CHECK(item.x == 30);
+  }
+}

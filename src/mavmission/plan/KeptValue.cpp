@@ -1,9 +1,9 @@
 // What an autopilot would make of a value that it does not keep. Apart, as few sketches ask.
 #include <string.h>
 
+#include "../autopilot/Rules.h"
 #include "../base/FloatBits.h"
-#include "../plan/Comparison.h"
-#include "Rules.h"
+#include "Comparison.h"
 
 namespace mavmission {
 namespace detail {

@@ -3,13 +3,13 @@
 // A frame that comes in is told to nobody before its signature is found right. It is copied, so that the parser goes on
 // meanwhile; when a second one is there before the first is done, bytes wait in the stream. A frame that goes out waits
 // in the outbox.
-#include "../link/Link.h"
+#include "Link.h"
 
 #if MAVMISSION_SIGNING
 
 #include <Arduino.h>
 
-#include "../link/Messages.h"
+#include "Messages.h"
 
 namespace mavmission {
 namespace detail {
@@ -21,7 +21,7 @@ void Link::signWith(const SigningKey& key, uint8_t linkId, const TimestampStore&
   isWaiting_ = false;
 }
 
-bool Link::hashes() {
+bool Link::workOnSignatures() {
   if (!signing_.isOn()) return false;
   signing_.keepTime();
   if (!signing_.isBusy()) {
@@ -73,7 +73,7 @@ bool Link::mayRead() {
 void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   switch (result) {
     case FrameParser::Result::Nothing: return;
-    case FrameParser::Result::Unwanted: isNews(result, nowMs); return;
+    case FrameParser::Result::Unwanted: takeResult(result, nowMs); return;
     case FrameParser::Result::Signature:
       if (check_ != Check::Collecting) return;
       checked_.takeSignatureOf(parser_);
@@ -98,7 +98,7 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   }
 }
 
-// As isNews() does for frames that need no check: by itself, so that a sketch that does not sign has none of it.
+// As takeResult() does for frames that need no check: by itself, so that a sketch that does not sign has none of it.
 void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);

@@ -1,5 +1,5 @@
 // Outbox for frames that are signed.
-#include "../link/Outbox.h"
+#include "Outbox.h"
 
 #if MAVMISSION_SIGNING
 

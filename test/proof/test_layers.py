@@ -1,0 +1,60 @@
+"""The library's folders lie on each other as DESIGN.md lists them: each uses those above it, and public headers."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from simulation.firmware import LIBRARY, ROOT
+
+INSIDE = LIBRARY / "mavmission"
+
+
+def folders() -> list[str]:
+    """As DESIGN.md lists them, the lowest first."""
+    listed = (ROOT / "DESIGN.md").read_text().partition("src/mavmission/\n")[2].partition("simulation/")[0]
+    return re.findall(r"^  (\w+)/", listed, re.M)
+
+
+def uses() -> list[tuple[Path, Path]]:
+    """(a file, one of ours that it includes), below src/mavmission; the vendored headers apart."""
+    found = []
+    for path in sorted(INSIDE.rglob("*.[ch]*")):
+        if path.relative_to(INSIDE).parts[0] == "mavlink":
+            continue
+        for name in re.findall(r'#include "([^"]+)"', path.read_text()):
+            target = (path.parent / name).resolve()
+            assert target.is_file(), f"{path} includes {name}"
+            found.append((path.relative_to(INSIDE), target.relative_to(INSIDE)))
+    return found
+
+
+def misplaced(pairs: list[tuple[Path, Path]], order: list[str]) -> list[str]:
+    return [
+        f"{path} uses {target}"
+        for path, target in pairs
+        if len(path.parts) > 1 and len(target.parts) > 1 and target.parts[0] != "mavlink"
+        if order.index(path.parts[0]) < order.index(target.parts[0])
+    ]
+
+
+def test_list_names_every_folder():
+    assert sorted(folders()) == sorted(path.name for path in INSIDE.iterdir() if path.is_dir())
+
+
+def test_no_folder_uses_one_below_it():
+    assert misplaced(uses(), folders()) == []
+
+
+def test_arrow_that_points_down_is_found():
+    link, client = Path("link/Link.h"), Path("client/Client.h")
+    assert misplaced([(link, client)], folders()) == ["link/Link.h uses client/Client.h"]
+    assert misplaced([(client, link)], folders()) == []
+
+
+def test_vendored_headers_are_included_in_one_place():
+    """Whatever else names MAVLink's types includes that, and no public header does."""
+    vendored = {str(path) for path, target in uses() if target.parts[0] == "mavlink"}
+    assert vendored == {"base/MavlinkHeaders.h"}
+    named = {str(path) for path, target in uses() if str(target) == "base/MavlinkHeaders.h"}
+    assert not [path for path in named if "/" not in path]
