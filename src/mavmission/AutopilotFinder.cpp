@@ -55,10 +55,10 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
   return true;
 }
 
-void AutopilotFinder::onTime(uint16_t nowMs) {
+void AutopilotFinder::onTime(uint16_t nowMs, bool isLossy) {
   if (heard_) {
     if (since(firstMs_, nowMs) >= kSettleMs) settled_ = true;
-    if (since(heardMs_, nowMs) >= kLostMs) {
+    if (since(heardMs_, nowMs) >= (isLossy ? kLostLossyMs : kLostMs)) {
       heard_ = false;
       settled_ = false;
     }

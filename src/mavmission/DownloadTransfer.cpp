@@ -13,9 +13,10 @@ void DownloadTransfer::begin(uint16_t nowMs) {
   tries_ = 0;
 }
 
-bool DownloadTransfer::onCount(uint16_t count) {
+bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
   // A second COUNT answers a REQUEST_LIST that was repeated; the items are on their way already.
   if (!expectsAnswer(State::Listing)) return false;
+  pace.learn(2 * since(sentMs_, nowMs), tries_ == 1);
   count_ = count;
   tries_ = 0;
   state_ = count == 0 ? State::Closing : State::Fetching;
@@ -23,8 +24,9 @@ bool DownloadTransfer::onCount(uint16_t count) {
   return true;
 }
 
-bool DownloadTransfer::onItem(uint16_t item) {
+bool DownloadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
   if (!expectsAnswer(State::Fetching) || item != next_) return false;
+  pace.learn(since(sentMs_, nowMs), tries_ == 1);
   ++next_;
   tries_ = 0;
   const bool isLast = next_ == count_;
@@ -47,11 +49,11 @@ Status DownloadTransfer::onAck(uint8_t result) const {
   return status;
 }
 
-Status DownloadTransfer::onTime(uint16_t nowMs) {
+Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
   const bool isListing = state_ == State::Listing;
-  if (since(sentMs_, nowMs) < (isListing ? kListMs : kItemMs)) return Status::Transferring;
-  if (tries_ == kTries) return isListing ? Status::NoAnswer : Status::TimedOut;
+  if (since(sentMs_, nowMs) < pace.againMs(isListing ? kListMs : kItemMs)) return Status::Transferring;
+  if (tries_ >= (pace.isLossy() ? kLossyTries : kTries)) return isListing ? Status::NoAnswer : Status::TimedOut;
   send_ = isListing ? Send::List : Send::Request;
   return Status::Transferring;
 }

@@ -106,12 +106,13 @@ bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
+  if (isWanted) finder_.onFrame(nowMs);
   return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
 }
 
 void Link::release() {
   if (!maySpeak()) return outbox_.drop();
-  outbox_.release();
+  outbox_.release(state_.pace.isLossy());
   ++state_.sequence;
   ++state_.framesSent;
 }
@@ -140,8 +141,18 @@ bool Link::sendForeign(const OutgoingMessage& message) {
   return true;
 }
 
+// What was counted before the first heartbeat is the middle of a frame in which our listening began.
+void Link::noteDamage() {
+  const uint8_t damage =
+      static_cast<uint8_t>(parser_.badChecksums() + parser_.brokenFrames() + parser_.bytesSkipped() + state_.framesLost);
+  if (damage != state_.damage && finder_.isFound()) state_.pace.noteLoss();
+  state_.damage = damage;
+}
+
 void Link::onTime(uint16_t nowMs) {
-  finder_.onTime(nowMs);
+  noteDamage();
+  outbox_.hasDrained(*stream_, nowMs, state_.pace.lineMs());
+  finder_.onTime(nowMs, state_.pace.isLossy());
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
   if (!canSend() || !maySpeak()) return;

@@ -7,6 +7,7 @@
 #include "FrameParser.h"
 #include "Listener.h"
 #include "Outbox.h"
+#include "Pace.h"
 #if MAVMISSION_SIGNING
 #include "Signing.h"
 #endif
@@ -91,6 +92,9 @@ class Link {
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
 
+  // How quickly the line answers, and whether it loses.
+  Pace& pace() { return state_.pace; }
+
   Stream& stream() const { return *stream_; }
 #if MAVMISSION_SIGNING
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store);
@@ -118,6 +122,7 @@ class Link {
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
+  void noteDamage();
   void pack(uint8_t* payload, const MessageKey* key);
   void sendMessage(uint8_t* payload, const MessageKey* key);
 
@@ -136,6 +141,8 @@ class Link {
     Speak speak;
     bool heartbeatSent;
     bool sequenceKnown;
+    uint8_t damage;  // what has been counted, its low 8 bits
+    Pace pace;
   };
 
   Stream* stream_;

@@ -64,7 +64,7 @@ void MissionClient::readStep(MissionClient& client, const FrameParser* frame, ui
   // Comparing an item comes on top of the bytes that its frame has ended: fewer of them leave an update() the time for
   // it.
   state.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
-  const Status status = client.reading_.transfer.onTime(nowMs);
+  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
   if (status != Status::Transferring) return client.endReading(status);
   if (state.isLate) return client.endReading(Status::TookTooLong);
   client.sendRead(nowMs);
@@ -101,11 +101,11 @@ void MissionClient::sendRequest(uint16_t wireItem) {
   }
 }
 
-void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
+void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame);
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-    case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
@@ -122,11 +122,11 @@ void MissionClient::takeReadFrame(const FrameParser& frame, uint16_t) {
   }
 }
 
-void MissionClient::takeReadCount(const FrameParser& frame) {
+void MissionClient::takeReadCount(const FrameParser& frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;
   if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
-  if (!reading_.transfer.onCount(count)) return;
+  if (!reading_.transfer.onCount(count, nowMs, link_.pace())) return;
   reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
   const bool isHomeFirst = homeBefore() != 0;
   if (!reading_.isCompared) {
@@ -142,7 +142,7 @@ void MissionClient::takeReadCount(const FrameParser& frame) {
   endReading(Status::Differs);
 }
 
-void MissionClient::takeReadItem(const FrameParser& frame) {
+void MissionClient::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
   union {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -172,7 +172,7 @@ void MissionClient::takeReadItem(const FrameParser& frame) {
     state_.failedItem = ownItem(seq);
     return endReading(taken);
   }
-  transfer.onItem(seq);
+  transfer.onItem(seq, nowMs, link_.pace());
   // While an upload is proven its progress stands still: it is complete only when it is proven.
   if (!rest_.proving) report(seq + 1 - homeBefore());
 }

@@ -26,6 +26,10 @@ class Outbox {
   // Bytes that such a stream is given in one call: each may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
+  // Zero bytes before a frame on a line that loses [bytes]. The other parser may be waiting for the rest of a frame that
+  // has lost some: it would take the beginning of ours for that.
+  static constexpr uint8_t kFill = 16;
+
   // True when a frame may be put in: none is on its way.
   bool isEmpty() const { return sent_ == length_; }
 
@@ -43,14 +47,19 @@ class Outbox {
 
   // A held frame is ready, and waits: it goes out after release(), or never if it is dropped or another one is begun.
   bool isHeld() const { return held_; }
-  void release() {
+  void release(bool isFilled) {
     held_ = false;
     sent_ = 0;
+    fill_ = isFilled ? kFill : 0;
 #if MAVMISSION_SIGNING
     isUnsigned_ = signs_;
 #endif
   }
   void drop() { held_ = false; }
+
+  // To be called each few milliseconds. True once when the line has taken what was sent last, `lineMs` after the stream
+  // had.
+  bool hasDrained(Stream& stream, uint16_t nowMs, uint8_t& lineMs);
 
 #if MAVMISSION_SIGNING
   // From now on frames are signed: one that has been released waits for startSigning() and, later, setSigned().
@@ -91,6 +100,9 @@ class Outbox {
   bool stuck_;
   bool blind_;  // the stream does not say what it takes
   bool held_;
+  bool drains_;   // the last frame may still be in the stream's own buffer
+  uint8_t idle_;  // what the stream takes when that is empty, as far as that was seen
+  uint8_t fill_;  // zeros that go out first
 #if MAVMISSION_SIGNING
   bool signs_;
   bool isUnsigned_;

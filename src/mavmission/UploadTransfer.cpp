@@ -13,7 +13,7 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers,
   leftovers_ = leftovers;
 }
 
-Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
+Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
   // Before our COUNT has left, or while it is to be sent again, only an earlier transfer can be asking.
   if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
   // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an
@@ -21,7 +21,13 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
   if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
+    const uint16_t roundTripMs = since(sentMs_, nowMs);
+    const bool isCounted = state_ == State::Counting;
+    // COUNT is not half as long as an item.
+    pace.learn(isCounted ? 2 * roundTripMs : roundTripMs, tries_ == (isCounted ? 1 : 0));
     ++asked_;
+    isOnly_ = true;
+    isAssumed_ = false;
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
@@ -29,6 +35,8 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
     return Status::Transferring;
   } else {
     repeated_ = true;
+    countTry();
+    if (item + 1u != asked_) isOnly_ = false;
   }
   item_ = item;
   answered_ = false;
@@ -48,6 +56,8 @@ void UploadTransfer::endOlder() {
 }
 
 Status UploadTransfer::onAcceptance() {
+  // An earlier transfer may be what was accepted, if it had fewer items: this one was not seen to come to its end.
+  if (state_ == State::Confirming && isAssumed_ && mayBeAnswered()) return Status::Unconfirmed;
   // PX4 accepts a repeated last item though it has just failed to store the plan.
   if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
@@ -56,7 +66,7 @@ Status UploadTransfer::onAcceptance() {
   return Status::Transferring;
 }
 
-Status UploadTransfer::onAck(uint8_t result) {
+Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
   if (state_ == State::Counting && tries_ == 0)
     return Status::Transferring;  // of something earlier: nothing of ours has left
   const Status status = fromMissionResult(result);
@@ -64,9 +74,15 @@ Status UploadTransfer::onAck(uint8_t result) {
     case Status::Accepted: return onAcceptance();
 
     case Status::InvalidSequence:
-      // Noise while it moves: ArduPilot says so of each item that reaches it twice, and goes on.
-      if (state_ != State::Counting) return Status::Transferring;
-      break;
+      if (state_ == State::Counting) break;
+      // ArduPilot says so of each item that reaches it twice, and goes on. If nothing else was sent since it was asked
+      // for, ArduPilot has it, and it is the next request that was lost.
+      if (state_ == State::Sending && firmware_ == Firmware::ArduPilot && isOnly_ && tries_ != 0 &&
+          send_ == Send::Nothing) {
+        onRequest(asked_, nowMs, pace);
+        isAssumed_ = true;
+      }
+      return Status::Transferring;
 
     case Status::CancelledByAutopilot:
       // It may have given up our earlier transfer; this one has not begun for it yet.
@@ -109,25 +125,36 @@ Status UploadTransfer::onAck(uint8_t result) {
   return Status::Transferring;
 }
 
-Status UploadTransfer::onTime(uint16_t nowMs) {
+Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  const bool overdue = since(sentMs_, nowMs) >= kAnswerMs;
+  const uint16_t silentMs = since(sentMs_, nowMs);
+  const bool isLossy = pace.isLossy();
+  const bool overdue = silentMs >= pace.againMs(kAnswerMs);
   switch (state_) {
     case State::Counting:
-      if (!overdue) break;
-      if (tries_ >= kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
+      // (Where PX4 may be busy with what was ours, it needs the time.)
+      if (freed_ ? silentMs < kAnswerMs : !overdue) break;
+      if (isLossy && !freed_ ? since(progressMs_, nowMs) >= kCountingMs : tries_ >= kTries)
+        return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
       send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
     case State::Sending:
-      if (since(progressMs_, nowMs) < kPassiveMs) break;
-      return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
+      if (since(progressMs_, nowMs) >= kPassiveMs)
+        return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
+      if (silentMs < pace.againMs()) break;
+      pace.noteLoss();
+      countTry();
+      repeated_ = true;
+      item_ = asked_ - 1;
+      send_ = Send::Item;
+      break;
 
     case State::Confirming:
       if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;
       if (!overdue) break;
-      if (tries_ == kTries) return Status::Unconfirmed;
-      ++tries_;
+      if (tries_ >= kTries && !isLossy) return Status::Unconfirmed;
+      countTry();
       repeated_ = true;
       item_ = behind_ - 1;
       send_ = Send::Item;
@@ -140,7 +167,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
   switch (send_) {
     case Send::Count:
       recounted_ = tries_ != 0 || freed_;
-      ++tries_;
+      countTry();
       sentMs_ = nowMs;
       send_ = Send::Nothing;
       break;

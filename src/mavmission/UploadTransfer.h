@@ -16,6 +16,7 @@
 #include "Clock.h"
 #include "Commands.h"
 #include "Config.h"
+#include "Pace.h"
 #include "Status.h"
 
 namespace mavmission {
@@ -25,6 +26,7 @@ class UploadTransfer {
   static constexpr uint8_t kTries = 5;              // COUNTs, and repeated last items (guide: 5 tries)
   static constexpr uint16_t kAnswerMs = 1500;       // wait for an answer to either (guide: 1500 ms)
   static constexpr uint16_t kPassiveMs = 8500;      // ArduPilot asks again each second and gives up after 8.0 s
+  static constexpr uint16_t kCountingMs = kTries * kAnswerMs;  // the most for all COUNTs on a line that loses
   static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
   static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
 
@@ -46,9 +48,9 @@ class UploadTransfer {
   }
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
-  Status onRequest(uint16_t item, uint16_t nowMs);
-  Status onAck(uint8_t result);
-  MAVMISSION_APART Status onTime(uint16_t nowMs);
+  Status onRequest(uint16_t item, uint16_t nowMs, Pace& pace);
+  Status onAck(uint8_t result, uint16_t nowMs, Pace& pace);
+  MAVMISSION_APART Status onTime(uint16_t nowMs, Pace& pace);
 
   // What is to be sent next, and the item if it is one. After it has been handed to the link: sent().
   Send toSend() const { return send_; }
@@ -72,6 +74,9 @@ class UploadTransfer {
  private:
   bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
+  void countTry() {
+    if (tries_ != 255) ++tries_;
+  }
   Status onAcceptance();
 
   uint16_t progressMs_;
@@ -82,7 +87,7 @@ class UploadTransfer {
   uint16_t item_;
   State state_;
   Send send_;
-  uint8_t tries_;     // COUNTs sent; then unasked repeats of the last item
+  uint8_t tries_;     // COUNTs sent; then how often the item before asked_ was sent again
   Status suspicion_;  // an answer that may be to an earlier transfer: the reason if no other comes
   Firmware firmware_;
   uint8_t leftovers_;
@@ -90,6 +95,8 @@ class UploadTransfer {
   bool freed_;      // an open transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
   bool answered_;   // item_ has been sent at least once
+  bool isOnly_;     // nothing but the item before asked_ was sent since that was asked for
+  bool isAssumed_;  // it is the autopilot's INVALID_SEQUENCE, and no request, that the item before asked_ was sent for
 };
 
 }  // namespace mavmission

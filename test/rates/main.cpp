@@ -21,6 +21,7 @@ constexpr size_t kRing = 63;             // bytes that a serial port of the clie
 constexpr unsigned kBaud = 57600;
 // From a message to the answer, without the line: seen.
 constexpr uint32_t kArduPilotUs = 6000, kPx4Us = 500;
+constexpr size_t kTransmitBuffer = 800;
 constexpr uint32_t kPx4TelemetryPerSecond = 1100;  // [bytes], unasked
 
 [[noreturn]] void usage(const char* problem) {
@@ -213,6 +214,7 @@ class Upload {
     if (autopilot_.firmware != Firmwares::Px4 || nowUs_ < telemetryUs_) return;
     static const Bytes frame = telemetry();
     telemetryUs_ += static_cast<uint32_t>(1000000 * frame.size() / kPx4TelemetryPerSecond);
+    if (down_.waiting(nowUs_) > kTransmitBuffer) return;  // it leaves out what it has no room for
     put(frame, kUnasked, nowUs_);
   }
 
