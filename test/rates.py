@@ -93,7 +93,7 @@ def uploads(
         raise RuntimeError(f"{' '.join(map(str, words))}: {ran.stderr}")
     found = []
     for line in ran.stdout.splitlines():
-        seed, status, is_aboard, aboard, is_true, ms, sent = line.split()
+        seed, status, is_aboard, aboard, is_true, ms, sent, _ = line.split()
         found.append(Upload(int(seed), status, is_aboard == "1", aboard, is_true == "1", int(ms) / 1000, int(sent)))
     return tuple(found)
 

@@ -13,10 +13,9 @@ void DownloadTransfer::begin(uint16_t nowMs) {
   tries_ = 0;
 }
 
-bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
+bool DownloadTransfer::onCount(uint16_t count) {
   // A second COUNT answers a REQUEST_LIST that was repeated; the items are on their way already.
   if (!expectsAnswer(State::Listing)) return false;
-  pace.learn(2 * since(sentMs_, nowMs), tries_ == 1);
   count_ = count;
   tries_ = 0;
   state_ = count == 0 ? State::Closing : State::Fetching;
@@ -52,8 +51,10 @@ Status DownloadTransfer::onAck(uint8_t result) const {
 Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
   const bool isListing = state_ == State::Listing;
-  if (since(sentMs_, nowMs) < pace.againMs(isListing ? kListMs : kItemMs)) return Status::Transferring;
-  if (tries_ >= (pace.isLossy() ? kLossyTries : kTries)) return isListing ? Status::NoAnswer : Status::TimedOut;
+  const bool isLossy = pace.isLossy();
+  const uint16_t waitMs = isLossy ? pace.againMs() : isListing ? kListMs : kItemMs;
+  if (since(sentMs_, nowMs) < waitMs) return Status::Transferring;
+  if (tries_ >= (isLossy ? kLossyTries : kTries)) return isListing ? Status::NoAnswer : Status::TimedOut;
   send_ = isListing ? Send::List : Send::Request;
   return Status::Transferring;
 }

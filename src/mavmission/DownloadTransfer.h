@@ -30,7 +30,7 @@ class DownloadTransfer {
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how it has ended.
   // True if it is the answer to our question.
-  bool onCount(uint16_t count, uint16_t nowMs, Pace& pace);
+  bool onCount(uint16_t count);
   // True if it is the item that was asked for; the next one is then asked for.
   bool onItem(uint16_t item, uint16_t nowMs, Pace& pace);
   // The item that has just come, and was not taken, is asked for again at once.

@@ -141,17 +141,13 @@ bool Link::sendForeign(const OutgoingMessage& message) {
   return true;
 }
 
-// What was counted before the first heartbeat is the middle of a frame in which our listening began.
-void Link::noteDamage() {
-  const uint8_t damage =
-      static_cast<uint8_t>(parser_.badChecksums() + parser_.brokenFrames() + parser_.bytesSkipped() + state_.framesLost);
-  if (damage != state_.damage && finder_.isFound()) state_.pace.noteLoss();
-  state_.damage = damage;
-}
-
 void Link::onTime(uint16_t nowMs) {
-  noteDamage();
-  outbox_.hasDrained(*stream_, nowMs, state_.pace.lineMs());
+  // What was skipped before the first heartbeat was the rest of a frame in whose middle our listening began.
+  const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
+  if (damage != state_.damage && finder_.isHeard()) state_.pace.noteLoss();
+  state_.damage = damage;
+  uint16_t busyMs;
+  if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) state_.pace.noteBusy(busyMs);
   finder_.onTime(nowMs, state_.pace.isLossy());
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;

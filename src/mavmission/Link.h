@@ -36,8 +36,11 @@ class Link {
   static constexpr uint16_t kHeartbeatMs = 1000;  // guide, Heartbeat/Connection Protocol: 1 Hz
   static constexpr uint8_t kComponentId = 191;    // MAV_COMP_ID_ONBOARD_COMPUTER
 
-  // All zero is how a Link begins, but for this.
-  void begin(Stream& stream) { stream_ = &stream; }
+  // All zero is how a Link begins, but for these.
+  void begin(Stream& stream) {
+    stream_ = &stream;
+    state_.pace.begin();
+  }
 
   // Our own ids; 0, 0 is the default: the autopilot's system id and kComponentId.
   void setOwnIds(uint8_t systemId, uint8_t componentId);
@@ -122,7 +125,6 @@ class Link {
   MAVMISSION_APART bool isNews(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
-  void noteDamage();
   void pack(uint8_t* payload, const MessageKey* key);
   void sendMessage(uint8_t* payload, const MessageKey* key);
 

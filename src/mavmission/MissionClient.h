@@ -280,7 +280,7 @@ class MissionClient {
   static Status storeItem(MissionClient& client, uint16_t wireItem, MissionItem& item);
   Status beginReading(uint16_t nowMs);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
-  void takeReadCount(const FrameParser& frame, uint16_t nowMs);
+  void takeReadCount(const FrameParser& frame);
   void takeReadItem(const FrameParser& frame, uint16_t nowMs);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);

@@ -46,8 +46,8 @@ void MissionClient::clearStep(MissionClient& client, const FrameParser* frame, u
     state.status = Status::Transferring;
   }
   const Pace& pace = client.link_.pace();
-  if (!clearing.isDue && since(clearing.sentMs, nowMs) >= pace.againMs(UploadTransfer::kAnswerMs)) {
-    if (clearing.tries >= (pace.isLossy() ? DownloadTransfer::kLossyTries : UploadTransfer::kTries)) return client.endClearing(Status::NoAnswer);
+  if (!clearing.isDue && since(clearing.sentMs, nowMs) >= (pace.isLossy() ? pace.againMs() : UploadTransfer::kAnswerMs)) {
+    if (clearing.tries >= (pace.isLossy() ? UploadTransfer::kLossyTries : UploadTransfer::kTries)) return client.endClearing(Status::NoAnswer);
     clearing.isDue = true;
   }
   // An answer to a transfer that was left open may still be on its way, and would look like the answer to this.

@@ -77,16 +77,12 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
   if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
   const uint8_t left = static_cast<uint8_t>(length_ - sent_);
   sent_ += stream.write(frame_ + sent_, room < left ? room : left);
-  drains_ = true;
   stuckMs_ = nowMs;
 }
 
-bool Outbox::hasDrained(Stream& stream, uint16_t nowMs, uint8_t& lineMs) {
-  if (!drains_ || !isEmpty() || stream.availableForWrite() < idle_) return false;
-  drains_ = false;
-  const uint16_t ms = since(stuckMs_, nowMs);
-  lineMs = static_cast<uint8_t>(ms < 255 ? ms : 255);
-  return true;
+bool Outbox::isLineBusy(Stream& stream, uint16_t nowMs, uint16_t& busyMs) const {
+  busyMs = since(stuckMs_, nowMs);
+  return isEmpty() && stream.availableForWrite() < idle_;
 }
 
 }  // namespace mavmission

@@ -28,7 +28,7 @@ class Outbox {
 
   // Zero bytes before a frame on a line that loses [bytes]. The other parser may be waiting for the rest of a frame that
   // has lost some: it would take the beginning of ours for that.
-  static constexpr uint8_t kFill = 16;
+  static constexpr uint8_t kFill = 12;
 
   // True when a frame may be put in: none is on its way.
   bool isEmpty() const { return sent_ == length_; }
@@ -57,9 +57,8 @@ class Outbox {
   }
   void drop() { held_ = false; }
 
-  // To be called each few milliseconds. True once when the line has taken what was sent last, `lineMs` after the stream
-  // had.
-  bool hasDrained(Stream& stream, uint16_t nowMs, uint8_t& lineMs);
+  // True while the line is busy with what was handed to the stream last, `busyMs` ago.
+  bool isLineBusy(Stream& stream, uint16_t nowMs, uint16_t& busyMs) const;
 
 #if MAVMISSION_SIGNING
   // From now on frames are signed: one that has been released waits for startSigning() and, later, setSigned().
@@ -96,11 +95,10 @@ class Outbox {
   uint16_t sent_;
   // Writes what comes next of a foreign frame; null for a frame of our own, which is one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
-  uint16_t stuckMs_;  // since when the stream takes nothing
+  uint16_t stuckMs_;  // when the stream was given something last, or since when it takes nothing
   bool stuck_;
   bool blind_;  // the stream does not say what it takes
   bool held_;
-  bool drains_;   // the last frame may still be in the stream's own buffer
   uint8_t idle_;  // what the stream takes when that is empty, as far as that was seen
   uint8_t fill_;  // zeros that go out first
 #if MAVMISSION_SIGNING

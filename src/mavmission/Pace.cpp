@@ -3,24 +3,20 @@
 namespace mavmission {
 
 void Pace::learn(uint16_t roundTripMs, bool isSure) {
-  const uint16_t known = knownMs();
-  // Halfway down to a shorter one. Up to a longer one at once if what was sent once was answered; of what was sent more
-  // often it is not known which was, and an autopilot that asks again by itself makes it look longer.
-  if (roundTripMs < known) {
-    roundTripMs = (known + roundTripMs) / 2;
-  } else if (!isSure && roundTripMs > known + known / 4) {
-    roundTripMs = known + known / 4;
+  if (roundTripMs < roundTripMs_) {
+    roundTripMs_ = (roundTripMs_ + roundTripMs) / 2;
+  } else if (isSure) {
+    // (Of what was sent more than once it is not known which was answered, and an autopilot that asks again by itself
+    // makes it look longer.)
+    roundTripMs_ = roundTripMs;
   }
-  roundTripMs_ = roundTripMs < kMostMs ? roundTripMs : kMostMs;
 }
 
 uint16_t Pace::againMs() const {
-  const uint16_t knownMs = this->knownMs();
-  if (isLossy()) {
-    const uint16_t quarterMs = 4 * lineMs_;
-    return 2 * knownMs > quarterMs ? 2 * knownMs : quarterMs;
-  }
-  return 8 * knownMs > kPatienceMs ? 8 * knownMs : kPatienceMs;
+  const bool lossy = isLossy();
+  const uint16_t waitMs = lossy ? 2 * roundTripMs_ : 4 * roundTripMs_;
+  const uint16_t leastMs = lossy ? 4 * busyMs_ : kPatienceMs;
+  return waitMs > leastMs ? waitMs : leastMs;
 }
 
 }  // namespace mavmission

@@ -14,17 +14,14 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers,
 }
 
 Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
-  // Before our COUNT has left, or while it is to be sent again, only an earlier transfer can be asking.
-  if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
+  // Before our COUNT has left only an earlier transfer can be asking.
+  if (state_ == State::Counting && tries_ == 0) return Status::Transferring;
   // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an
   // item only when it has the one before. It moves nothing.
   if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
-    const uint16_t roundTripMs = since(sentMs_, nowMs);
-    const bool isCounted = state_ == State::Counting;
-    // COUNT is not half as long as an item.
-    pace.learn(isCounted ? 2 * roundTripMs : roundTripMs, tries_ == (isCounted ? 1 : 0));
+    pace.learn(since(sentMs_, nowMs), tries_ == 1);
     ++asked_;
     isOnly_ = true;
     isAssumed_ = false;
@@ -35,7 +32,6 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
     return Status::Transferring;
   } else {
     repeated_ = true;
-    countTry();
     if (item + 1u != asked_) isOnly_ = false;
   }
   item_ = item;
@@ -59,7 +55,7 @@ Status UploadTransfer::onAcceptance() {
   // An earlier transfer may be what was accepted, if it had fewer items: this one was not seen to come to its end.
   if (state_ == State::Confirming && isAssumed_ && mayBeAnswered()) return Status::Unconfirmed;
   // PX4 accepts a repeated last item though it has just failed to store the plan.
-  if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
+  if (state_ == State::Confirming && tries_ > 1 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
   if (!mayBeAnswered()) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
@@ -77,7 +73,7 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
       if (state_ == State::Counting) break;
       // ArduPilot says so of each item that reaches it twice, and goes on. If nothing else was sent since it was asked
       // for, ArduPilot has it, and it is the next request that was lost.
-      if (state_ == State::Sending && firmware_ == Firmware::ArduPilot && isOnly_ && tries_ != 0 &&
+      if (state_ == State::Sending && firmware_ == Firmware::ArduPilot && isOnly_ && tries_ > 1 &&
           send_ == Send::Nothing) {
         onRequest(asked_, nowMs, pace);
         isAssumed_ = true;
@@ -108,7 +104,7 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
       }
       // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the
       // plan.
-      if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
+      if (state_ == State::Confirming && tries_ > 1 && firmware_ != Firmware::Px4) return Status::Unconfirmed;
       // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
       // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
       if ((state_ == State::Confirming && repeated_) ||
@@ -127,62 +123,59 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
 
 Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  const uint16_t silentMs = since(sentMs_, nowMs);
-  const bool isLossy = pace.isLossy();
-  const bool overdue = silentMs >= pace.againMs(kAnswerMs);
+  // (Where PX4 may be busy with what was ours, it needs the time.)
+  const bool isHurried = state_ == State::Sending || (pace.isLossy() && !freed_);
+  const bool isOverdue = since(sentMs_, nowMs) >= (isHurried ? pace.againMs() : kAnswerMs);
+  const uint8_t tries = isHurried ? kLossyTries : kTries;
+  const uint16_t stillMs = since(progressMs_, nowMs);
   switch (state_) {
     case State::Counting:
-      // (Where PX4 may be busy with what was ours, it needs the time.)
-      if (freed_ ? silentMs < kAnswerMs : !overdue) break;
-      if (isLossy && !freed_ ? since(progressMs_, nowMs) >= kCountingMs : tries_ >= kTries)
-        return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
+      if (!isOverdue) break;
+      if (tries_ >= tries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
       send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
     case State::Sending:
-      if (since(progressMs_, nowMs) >= kPassiveMs)
-        return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
-      if (silentMs < pace.againMs()) break;
+      if (stillMs >= kPassiveMs) return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
+      if (!isOverdue) break;
       pace.noteLoss();
-      countTry();
-      repeated_ = true;
-      item_ = asked_ - 1;
-      send_ = Send::Item;
+      sendAgain();
       break;
 
     case State::Confirming:
-      if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;
-      if (!overdue) break;
-      if (tries_ >= kTries && !isLossy) return Status::Unconfirmed;
-      countTry();
-      repeated_ = true;
-      item_ = behind_ - 1;
-      send_ = Send::Item;
+      if (stillMs >= kConfirmingMs) return Status::Unconfirmed;
+      if (!isOverdue) break;
+      if (tries_ > tries) return Status::Unconfirmed;
+      sendAgain();
       break;
   }
   return Status::Transferring;
 }
 
+// What was asked for last.
+void UploadTransfer::sendAgain() {
+  repeated_ = true;
+  item_ = asked_ - 1;
+  send_ = Send::Item;
+}
+
 void UploadTransfer::sent(uint16_t nowMs) {
-  switch (send_) {
-    case Send::Count:
-      recounted_ = tries_ != 0 || freed_;
-      countTry();
-      sentMs_ = nowMs;
-      send_ = Send::Nothing;
-      break;
-    case Send::Cancel: send_ = Send::Count; break;
-    case Send::Item:
-      if (state_ != State::Confirming && item_ + 1u == behind_) {
-        state_ = State::Confirming;
-        suspicion_ = Status::Transferring;
-      }
-      answered_ = true;
-      sentMs_ = nowMs;
-      send_ = Send::Nothing;
-      break;
-    case Send::Nothing: break;
+  if (send_ == Send::Cancel) {
+    send_ = Send::Count;
+    return;
   }
+  if (send_ == Send::Count) {
+    recounted_ = tries_ != 0 || freed_;
+  } else {
+    if (state_ != State::Confirming && item_ + 1u == behind_) {
+      state_ = State::Confirming;
+      suspicion_ = Status::Transferring;
+    }
+    answered_ = true;
+  }
+  if (tries_ != 255) ++tries_;
+  sentMs_ = nowMs;
+  send_ = Send::Nothing;
 }
 
 }  // namespace mavmission

@@ -26,7 +26,7 @@ class UploadTransfer {
   static constexpr uint8_t kTries = 5;              // COUNTs, and repeated last items (guide: 5 tries)
   static constexpr uint16_t kAnswerMs = 1500;       // wait for an answer to either (guide: 1500 ms)
   static constexpr uint16_t kPassiveMs = 8500;      // ArduPilot asks again each second and gives up after 8.0 s
-  static constexpr uint16_t kCountingMs = kTries * kAnswerMs;  // the most for all COUNTs on a line that loses
+  static constexpr uint8_t kLossyTries = 100;       // the same on a line that loses: 80 ms apart or more
   static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
   static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
 
@@ -63,7 +63,7 @@ class UploadTransfer {
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
   // our last item as if it were that one's, repeated, with the sum of what it had until then.
-  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && tries_ != 0; }
+  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && tries_ > 1; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.
@@ -74,9 +74,7 @@ class UploadTransfer {
  private:
   bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
-  void countTry() {
-    if (tries_ != 255) ++tries_;
-  }
+  void sendAgain();
   Status onAcceptance();
 
   uint16_t progressMs_;
@@ -87,7 +85,7 @@ class UploadTransfer {
   uint16_t item_;
   State state_;
   Send send_;
-  uint8_t tries_;     // COUNTs sent; then how often the item before asked_ was sent again
+  uint8_t tries_;     // COUNTs sent; then items since the one before asked_ was asked for
   Status suspicion_;  // an answer that may be to an earlier transfer: the reason if no other comes
   Firmware firmware_;
   uint8_t leftovers_;

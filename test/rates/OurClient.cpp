@@ -10,6 +10,7 @@ using namespace mavmission;
 
 namespace {
 
+constexpr size_t kRing = 63;               // of a Mega's serial port
 constexpr uint32_t kStartMs = 0xFFFFF000;  // millis() wraps soon, in 16 bits and in 32
 
 const char* nameOf(Status status) {
@@ -41,7 +42,11 @@ class OurClient : public Client {
     }
   }
 
-  void hear(const Bytes& bytes, uint32_t) override { stream_.bring(bytes); }
+  // What there is no room for is lost.
+  void hear(const Bytes& bytes, uint32_t) override {
+    const size_t room = kRing - stream_.toRead.size();
+    stream_.bring(bytes.size() <= room ? bytes : Bytes(bytes.begin(), bytes.begin() + static_cast<long>(room)));
+  }
 
   Bytes run(uint32_t nowMs, size_t room) override {
     setMillis(kStartMs + nowMs);

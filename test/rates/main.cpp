@@ -17,18 +17,18 @@ constexpr uint32_t kStepUs = 250;  // how often a client runs
 constexpr uint32_t kMs = 1000;     // [us]
 constexpr uint32_t kHeartbeatMs = 1000;
 constexpr uint32_t kGivesUpMs = 600000;  // an upload that has not ended then never will
-constexpr size_t kRing = 63;             // bytes that a serial port of the client's holds
+constexpr size_t kRing = 63;             // bytes that a serial port of the client's holds, each way
 constexpr unsigned kBaud = 57600;
 // From a message to the answer, without the line: seen.
 constexpr uint32_t kArduPilotUs = 6000, kPx4Us = 500;
 constexpr size_t kTransmitBuffer = 800;
-constexpr uint32_t kPx4TelemetryPerSecond = 1100;  // [bytes], unasked
+constexpr unsigned kPx4Telemetry = 1100;         // [bytes/s], unasked
 
 [[noreturn]] void usage(const char* problem) {
   fprintf(
       stderr,
       "%s\n"
-      "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD]\n"
+      "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY]]]\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
       "  CLIENT     upload, upload-by-answer, upload-verified (the library's), no-retries, usual-rule, strategy-0, "
       "-1,\n"
@@ -37,10 +37,12 @@ constexpr uint32_t kPx4TelemetryPerSecond = 1100;  // [bytes], unasked
       "  PERCENT    of them that are lost, in both directions: 0 to 100\n"
       "  SEEDS      uploads: those of the seeds 0 to SEEDS - 1\n"
       "  BAUD       of the line; 57600 if it is not given\n"
+      "  LOOP       how seldom the client runs [ms]; by default four times in each\n"
+      "  TELEMETRY  what the autopilot sends unasked [bytes/s]; by default 1100 from PX4 and none from ArduPilot\n"
       "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
       "client\n"
       "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
-      "client has sent from COUNT on. An upload that does not end has `never` in the place of how it ended.\n",
+      "client has sent from COUNT on, and a number made of these and their times. An upload that does not end has `never` in the place of how it ended.\n",
       problem);
   exit(2);
 }
@@ -123,12 +125,14 @@ uint32_t idOf(const Bytes& frame) { return static_cast<uint32_t>(frame[7] | fram
 class Upload {
  public:
   Upload(Firmwares firmware, std::unique_ptr<Client> client, bool byBytes, unsigned percent, unsigned seed,
-         unsigned baud)
+         unsigned baud, unsigned loopMs, unsigned telemetryPerSecond)
       : client_(std::move(client)),
         losses_(percent, seed),
         byBytes_(byBytes),
         heartbeatMs_(seed * 37 % kHeartbeatMs),
         telemetryUs_(seed * 1237 % 30000),
+        loopUs_(loopMs != 0 ? loopMs * kMs : kStepUs),
+        telemetryPerSecond_(telemetryPerSecond),
         hearing_(firmware == Firmwares::Px4 ? HeardBy::Px4 : HeardBy::ArduPilot),
         up_(baud),
         down_(baud) {
@@ -145,8 +149,8 @@ class Upload {
 
   void print(unsigned seed) const {
     const std::string status = client_->hasEnded() ? client_->status() : "never";
-    printf("%u %s %d %s %d %u %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
-           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_);
+    printf("%u %s %d %s %d %u %u %08x\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
+           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_, digest_);
   }
 
  private:
@@ -173,6 +177,7 @@ class Upload {
       answers_.pop_front();
     }
     while (down_.take(nowUs_, bytes)) client_->hear(bytes, nowUs_ / kMs);
+    if (nowUs_ % loopUs_ != 0) return;
     const size_t waiting = up_.waiting(nowUs_);
     take(client_->run(nowUs_ / kMs, waiting < kRing ? kRing - waiting : 0));
   }
@@ -211,9 +216,9 @@ class Upload {
   }
 
   void sendTelemetry() {
-    if (autopilot_.firmware != Firmwares::Px4 || nowUs_ < telemetryUs_) return;
+    if (telemetryPerSecond_ == 0 || nowUs_ < telemetryUs_) return;
     static const Bytes frame = telemetry();
-    telemetryUs_ += static_cast<uint32_t>(1000000 * frame.size() / kPx4TelemetryPerSecond);
+    telemetryUs_ += static_cast<uint32_t>(1000000 * frame.size() / telemetryPerSecond_);
     if (down_.waiting(nowUs_) > kTransmitBuffer) return;  // it leaves out what it has no room for
     put(frame, kUnasked, nowUs_);
   }
@@ -231,6 +236,7 @@ class Upload {
     for (uint8_t byte : bytes) {
       begun_.push_back(byte);
       if (countedUs_ != 0) ++sent_;
+      digest_ = (digest_ ^ byte ^ (nowUs_ << 8)) * 16777619u;
       const bool isFrame = begun_[0] == MAVLINK_STX;
       if (isFrame && (begun_.size() < 12 || begun_.size() < begun_[1] + 12u)) continue;
       if (isFrame && countedUs_ == 0 && idOf(begun_) == MAVLINK_MSG_ID_MISSION_COUNT) {
@@ -270,6 +276,8 @@ class Upload {
   const bool byBytes_;
   const uint32_t heartbeatMs_;
   uint32_t telemetryUs_;
+  const uint32_t loopUs_;
+  const unsigned telemetryPerSecond_;
   Autopilot autopilot_;
   Autopilot before_;
   Hearing hearing_;
@@ -280,6 +288,7 @@ class Upload {
   uint32_t nowUs_ = 0;
   uint32_t countedUs_ = 0;
   unsigned sent_ = 0;
+  uint32_t digest_ = 2166136261u;  // FNV-1a
 };
 
 std::unique_ptr<Client> makeClient(const char* name, Firmwares firmware) {
@@ -316,15 +325,17 @@ std::vector<uint8_t> wireItems(Firmwares firmware) {
 }
 
 int main(int argc, char** argv) {
-  if (argc < 6 || argc > 7) usage("five or six arguments are wanted");
+  if (argc < 6 || argc > 9) usage("five to eight arguments are wanted");
   const Firmwares firmware = firmwareNamed(argv[1]);
   const bool byBytes = isByBytes(argv[3]);
   const unsigned percent = number(argv[4], 100);
   const unsigned seeds = number(argv[5], 1000000);
   const unsigned baud = argc > 6 ? number(argv[6], 10000000) : kBaud;
+  const unsigned loopMs = argc > 7 ? number(argv[7], 10000) : 0;
+  const unsigned telemetry = argc > 8 ? number(argv[8], 1000000) : firmware == Firmwares::Px4 ? kPx4Telemetry : 0;
   if (baud == 0) usage("a number is missing or too large");
   for (unsigned seed = 0; seed < seeds; ++seed) {
-    Upload upload(firmware, makeClient(argv[2], firmware), byBytes, percent, seed, baud);
+    Upload upload(firmware, makeClient(argv[2], firmware), byBytes, percent, seed, baud, loopMs, telemetry);
     upload.run();
     upload.print(seed);
   }
