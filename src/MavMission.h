@@ -11,6 +11,5 @@
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
-#include "mavmission/PlanConsole.h"
-#include "mavmission/QuietTransfers.h"
+#include "mavmission/TelemetryPause.h"
 #include "mavmission/WaypointsSource.h"

@@ -1,13 +1,9 @@
-"""Where the tests find the tools, their own modules and the MAVLink messages."""
+"""What all tests share; where they find the simulated world, the tools and their helpers is in pytest.ini."""
 
 import os
-import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-
-for folder in ("build/dialect", "test", "tools"):
-    sys.path.insert(0, str(ROOT / folder))
 
 # Hypothesis would keep its examples beside the sources.
 os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypothesis"))

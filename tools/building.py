@@ -19,10 +19,10 @@ import re
 import shutil
 import struct
 import subprocess
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Iterable, Iterator, Sequence
 
 from library_objects import LibraryObjects
 

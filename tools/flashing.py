@@ -9,7 +9,7 @@ import termios
 import time
 from pathlib import Path
 
-from building import Built, BuildFailed, choose_backend
+from building import BuildFailed, Built, choose_backend
 
 # The boot loader of a Leonardo is a USB device of its own, there for 8 s.
 BOOT_LOADER_APPEARS_S = 8.0

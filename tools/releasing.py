@@ -57,7 +57,7 @@ def problems(root: Path, *, snapshot: bool) -> list[str]:
 def problems_of_changelog(text: str, version: str) -> list[str]:
     sections = {}
     headings = list(HEADING.finditer(text))
-    for heading, behind in zip(headings, [*(one.start() for one in headings[1:]), len(text)]):
+    for heading, behind in zip(headings, [*(one.start() for one in headings[1:]), len(text)], strict=True):
         sections[heading[1]] = (heading[2], re.findall(r"^- \S", text[heading.end() : behind], re.M))
     if "Unreleased" in sections and (version not in sections or sections["Unreleased"][1]):
         return [f"CHANGELOG.md: what is under Unreleased belongs to this release: head it ## [{version}] - and the day"]
@@ -106,7 +106,7 @@ def files_of(root: Path) -> list[Path]:
 
 def write_zip(root: Path, output: Path, files: Iterable[Path]) -> None:
     """One folder, named after the library as the IDE wants it. The same files make the same bytes."""
-    name = re.search(r"^name=(.*)$", (root / "library.properties").read_text(), re.M)[1]
+    (name,) = re.findall(r"^name=(.*)$", (root / "library.properties").read_text(), re.M)
     output.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for file in files:

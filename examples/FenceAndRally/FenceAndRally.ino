@@ -35,7 +35,7 @@ bool isFenceUp = false;
 void setup() {
   CONSOLE.begin(115200);
   TELEM.begin(57600);
-  autopilot.upload(inFlash(fence), PlanType::Fence, Verified);
+  autopilot.upload(inFlash(fence), PlanType::Fence, Readback::Always);
 }
 
 void loop() {
@@ -45,6 +45,6 @@ void loop() {
   CONSOLE.println(toString(status));
   if (!isFenceUp && status == Status::Accepted) {
     isFenceUp = true;
-    autopilot.upload(inFlash(rallyPoints), PlanType::Rally, Verified);
+    autopilot.upload(inFlash(rallyPoints), PlanType::Rally, Readback::Always);
   }
 }

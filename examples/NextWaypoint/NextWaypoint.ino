@@ -51,7 +51,7 @@ bool legItem(void*, uint16_t index, MissionItem& item) {
 
 void uploadLeg() {
   stage = Stage::Uploading;
-  autopilot.upload(fromFunction(legItem, 3), Verified);
+  autopilot.upload(fromFunction(legItem, 3), Readback::Always);
 }
 
 void onText(void*, uint8_t, const char* text) {

@@ -3,7 +3,7 @@
 // It needs a Mega for all of its commands; an Uno has room for those that are always there, a Nano or a Leonardo for
 // none.
 // TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms.
-#include <MavMission.h>
+#include <MavMissionConsole.h>
 using namespace mavmission;
 
 #ifdef HAVE_HWSERIAL1

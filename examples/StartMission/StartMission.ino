@@ -58,7 +58,7 @@ void setup() {
   TELEM.begin(57600);
   mission.onReached(onReached);
   mission.onText(onText);
-  autopilot.upload(inFlash(plan), Verified);
+  autopilot.upload(inFlash(plan), Readback::Always);
 }
 
 void start() {

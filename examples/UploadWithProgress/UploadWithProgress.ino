@@ -79,7 +79,7 @@ void setup() {
   CONSOLE.begin(115200);
   TELEM.begin(57600);
   autopilot.onProgress(onProgress);
-  autopilot.retryWhenDenied(60);
+  autopilot.retryWhenBusy(60);
   start();
 }
 

@@ -26,7 +26,7 @@ MissionClient autopilot(TELEM);
 void setup() {
   CONSOLE.begin(115200);
   TELEM.begin(57600);
-  autopilot.upload(inFlash(plan), Verified);
+  autopilot.upload(inFlash(plan), Readback::Always);
 }
 
 void loop() {

@@ -24,10 +24,10 @@
 
 #include <stdint.h>
 
-#include "Checksum.h"
 #include "Eeprom.h"
 #include "ItemSink.h"
 #include "ItemSource.h"
+#include "base/Checksum.h"
 
 namespace mavmission {
 

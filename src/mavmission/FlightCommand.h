@@ -29,7 +29,7 @@ constexpr FlightCommand flightCommandAt(uint16_t id, Degrees latitude, Degrees l
 }
 
 // Whether a command that is not answered is sent again.
-enum class Repeat : uint8_t {
+enum class CommandRepeat : uint8_t {
   IfHarmless,  // not one that must not happen twice: servo, relay, gripper, winch, parachute, picture ...
   Always,
 };

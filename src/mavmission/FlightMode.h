@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "AutopilotFinder.h"
+#include "autopilot/AutopilotFinder.h"
 
 namespace mavmission {
 

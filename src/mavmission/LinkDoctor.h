@@ -1,8 +1,8 @@
 // Says in words why nothing works: wiring, baud rate, who speaks, whether we are heard.
 #pragma once
 
-#include "Flash.h"
-#include "Listener.h"
+#include "FlashText.h"
+#include "service/Listener.h"
 
 namespace mavmission {
 
@@ -21,8 +21,8 @@ namespace mavmission {
   X(LoopLate, "bytes are lost: loop() takes too long between two update()") \
   X(Damaged, "frames arrive damaged: look at GND, levels, cable, and at code that keeps interrupts off") \
   X(NoAutopilot, "frames, but none of an autopilot: another component is speaking") /* speaker() */ \
-  X(SeveralAutopilots, "several autopilots: name one with talkTo()") \
-  X(OtherAutopilot, "an autopilot, but not the one named with talkTo()") /* speaker() */ \
+  X(SeveralAutopilots, "several autopilots: name one with setTargetIds()") \
+  X(OtherAutopilot, "an autopilot, but not the one named with setTargetIds()") /* speaker() */ \
   X(SameIds, "our system and component id are the autopilot's own: it ignores us") \
   X(NotHeard, "the autopilot does not answer: look at the wire from our TX to its RX, and at its port's settings") \
   X(Signing, "the autopilot signs its messages, and takes no unsigned ones such as ours") \
@@ -62,7 +62,7 @@ struct Speaker {
 // a second, by which our own echo is known; then a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which every
 // autopilot answers with COMMAND_ACK, even one that does not know it, and which changes nothing; each second until it
 // is answered, then each 5 s. It asks nothing while a transfer is running.
-class LinkDoctor : public Listener {
+class LinkDoctor : public detail::Listener {
  public:
   // The client must stay as long as the doctor.
   explicit LinkDoctor(MissionClient& client);
@@ -87,10 +87,10 @@ class LinkDoctor : public Listener {
   // What may have happened, and how long ago.
   enum What : uint8_t { Bytes, Frame, Echo, Other, Autopilot, Signature, Answer, Question, LateLoop, kWhats };
 
-  static void take(Listener& listener, const FrameParser& frame);
-  void takeHeartbeat(const FrameParser& frame);
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
+  void takeHeartbeat(const detail::FrameParser& frame);
   uint8_t systemId() const;
-  bool isOurs(const FrameParser& frame) const;
+  bool isOurs(const detail::FrameParser& frame) const;
   void second(uint16_t nowMs);
   void count();
   void beginWindow();

@@ -2,7 +2,7 @@
 // by hand.
 #pragma once
 
-#include "Listener.h"
+#include "service/Listener.h"
 
 namespace mavmission {
 
@@ -29,7 +29,7 @@ typedef void (*MessageFunction)(void* context, const ReceivedMessage& message);
 //   MessageListener gps(autopilot, keys, onGps);
 //
 // Messages with a payload of more than MAVMISSION_MAX_PAYLOAD bytes are stepped over.
-class MessageListener : public Listener {
+class MessageListener : public detail::Listener {
  public:
   // The keys must lie in flash and stay as long as the listener; so must the client.
   template <uint8_t N>
@@ -37,7 +37,7 @@ class MessageListener : public Listener {
       : Listener(client, keys, N, take), function_(function), context_(context) {}
 
  private:
-  static void take(Listener& listener, const FrameParser& frame);
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
 
   MessageFunction function_;
   void* context_;

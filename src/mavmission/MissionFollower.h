@@ -2,7 +2,7 @@
 // words.
 #pragma once
 
-#include "MessageIntervals.h"
+#include "service/MessageIntervals.h"
 
 namespace mavmission {
 
@@ -24,7 +24,7 @@ typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 // that has not sent one for two seconds is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL), beside the
 // transfers of the client and between its commands: again after 2, 4, 8 s and so on, at the most once a minute, until
 // one comes.
-class MissionFollower : public MessageIntervals {
+class MissionFollower : public detail::MessageIntervals {
  public:
   // The client must stay as long as this.
   explicit MissionFollower(MissionClient& client);
@@ -57,12 +57,12 @@ class MissionFollower : public MessageIntervals {
   // pause before it is asked for again.
   static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
 
-  static void take(Listener& listener, const FrameParser& frame);
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeHeartbeat();
   void takeName(uint8_t missionType, uint32_t planId);
-  void takeCurrent(const FrameParser& frame);
-  void takeReached(const FrameParser& frame);
-  void takeText(const FrameParser& frame);
+  void takeCurrent(const detail::FrameParser& frame);
+  void takeReached(const detail::FrameParser& frame);
+  void takeText(const detail::FrameParser& frame);
 
   ItemNumberFunction currentFunction_ = nullptr;
   void* currentContext_ = nullptr;

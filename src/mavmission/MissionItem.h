@@ -9,7 +9,7 @@
 namespace mavmission {
 
 // The commands that have a maker here (MAV_CMD, MAVLink common messages). Any other number is fine too.
-enum Command : uint16_t {
+enum : uint16_t {
   kNavWaypoint = 16,
   kNavLoiterUnlimited = 17,
   kNavLoiterTurns = 18,

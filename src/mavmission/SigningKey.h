@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "Flash.h"
+#include "base/Flash.h"
 
 namespace mavmission {
 

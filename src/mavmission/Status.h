@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "Flash.h"
+#include "FlashText.h"
 
 namespace mavmission {
 
@@ -14,7 +14,7 @@ namespace mavmission {
   /* not ended */ \
   X(Idle, "idle")                                   /* nothing was asked for yet */ \
   X(WaitingForAutopilot, "waiting for an autopilot") /* no heartbeat heard yet, or two autopilots and none named */ \
-  X(WaitingForTurn, "waiting: another ground station is transferring") /* retryWhenDenied() */ \
+  X(BackingOff, "waiting: another ground station is transferring") /* retryWhenBusy() */ \
   X(Checking, "checking the plan")                  /* before the first byte leaves */ \
   X(Transferring, "transferring")                   /* talking to the autopilot */ \
   /* ended well */ \
@@ -30,7 +30,7 @@ namespace mavmission {
   /* refused before the first byte left: nothing aboard has changed */ \
   X(Busy, "busy with another operation")            /* returned only: the running operation keeps its own status */ \
   X(NoAutopilot, "no autopilot heard in the time allowed") \
-  X(SeveralAutopilots, "several autopilots heard: name one with talkTo()") \
+  X(SeveralAutopilots, "several autopilots heard: name one with setTargetIds()") \
   X(SameIdsAsAutopilot, "our system and component id are the autopilot's own: it would ignore us") \
   X(NeedsMavlink2, "refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1") \
   X(Armed, "refused: the autopilot is armed")       /* allowWhileArmed() allows it */ \
@@ -46,7 +46,7 @@ namespace mavmission {
   X(WholePlansOnly, "refused: this autopilot takes only whole plans") \
   X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
-  X(NeedsPlace, "refused: it needs a place on this autopilot, and has none") \
+  X(NeedsCoordinates, "refused: it needs a place on this autopilot, and has none") \
   X(BadAltitude, "refused: an altitude beyond what this autopilot takes") \
   X(NotKept, "refused: this autopilot would keep another value") /* of differingField(): keptValue() */ \
   /* failed on our side */ \

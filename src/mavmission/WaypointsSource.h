@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 #include "ItemSource.h"
-#include "WaypointsText.h"
+#include "text/WaypointsText.h"
 
 class Stream;
 
@@ -78,12 +78,12 @@ class WaypointsSource {
   bool goTo(uint32_t position);
   int next();
   bool readMark(Mark& mark);
-  WaypointsText::Step readLine();
+  detail::WaypointsText::Step readLine();
 
   Stream& stream_;
   SeekFunction seek_;
   void* context_;
-  WaypointsText text_;
+  detail::WaypointsText text_;
   uint32_t position_;   // of the next byte
   uint32_t lineStart_;  // of the line that is being read, or was read last
   uint32_t size_;       // of the text, once it is known

@@ -10,9 +10,9 @@ const MissionItem* const where = survey;
 
 void start() {
 #ifdef MENDED
-  const Degrees angle = 35.3632621_deg; autopilot.talkTo(1); static_cast<void>(angle);
+  const Degrees angle = 35.3632621_deg; autopilot.setTargetIds(1); static_cast<void>(angle);
 #else
-  const Degrees angle = 35.3632621; autopilot.talkTo(1); static_cast<void>(angle);
+  const Degrees angle = 35.3632621; autopilot.setTargetIds(1); static_cast<void>(angle);
 #endif
   static_cast<void>(where);
 }

@@ -1,5 +1,6 @@
 // A sketch with a whole MissionClient and a follower, for this computer: it does what lines on its input tell it, in a
-// time that they turn, and answers each with a line. test/host_client.py is the other end. Bytes are in hexadecimal,
+// time that they turn, and answers each with a line. test/support/host_client.py is the other end. Bytes are in
+// hexadecimal,
 // "-" for none. loop() runs each millisecond.
 //
 // Every allocation that the library makes is counted. This file is compiled without access control: it shows the
@@ -16,6 +17,7 @@
 #include <vector>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 typedef std::vector<uint8_t> Bytes;
 
@@ -195,13 +197,13 @@ void order(Words& words) {
   Status status = Status::Idle;
   sunkCount = 0;
   {
-    if (what == "upload") {  // type, items, Proof
+    if (what == "upload") {  // type, items, Readback
       const PlanType type = typeOf(words);
       const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
       const unsigned proof = static_cast<unsigned>(words.number());
       const Counting counting;
-      status =
-          proof == 0 ? client().uploadByAnswer(source, type) : client().upload(source, type, static_cast<Proof>(proof));
+      status = proof == 0 ? client().uploadWithoutReadback(source, type)
+                          : client().upload(source, type, static_cast<Readback>(proof));
     } else if (what == "again") {
       const Counting counting;
       status = client().uploadAgain();
@@ -210,7 +212,7 @@ void order(Words& words) {
       const uint16_t first = static_cast<uint16_t>(words.number());
       const uint16_t count = static_cast<uint16_t>(words.number());
       const Counting counting;
-      status = client().uploadPart(source, first, count);
+      status = client().uploadPartial(source, first, count);
     } else if (what == "verify") {  // type, items
       const PlanType type = typeOf(words);
       const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));

@@ -1,5 +1,5 @@
 // The two autopilots' mission servers as small models: plain data, a message or time in, messages out. What they do was
-// observed on ArduPilot 4.6.3 and PX4 1.17.0 (test/recordings); only the mission, no fence and no rally.
+// observed on ArduPilot 4.6.3 and PX4 1.17.0 (simulation/recordings); only the mission, no fence and no rally.
 #pragma once
 
 #include <type_traits>

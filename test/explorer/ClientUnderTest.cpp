@@ -7,9 +7,10 @@
 #include <new>
 
 #include "Plans.h"
-#include "mavmission/Clock.h"
+#include "mavmission/base/Clock.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 Sunk* sunk = nullptr;
 
@@ -82,7 +83,7 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh) {
   memset(bytes_, 0, sizeof(bytes_));
   setMillis(kNowMs);
   new (bytes_) MissionClient(stream);
-  client().talkTo(1, 1);
+  client().setTargetIds(1, 1);
   client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
   client().state_.unsettledMs = kNow;
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
@@ -93,9 +94,9 @@ void ClientUnderTest::begin(const Task& task) {
   setMillis(kNowMs);
   const ItemSource plan = inRam(sketchPlan(task.plan), task.items);
   switch (task.operation) {
-    case Operation::Upload: client().uploadByAnswer(plan); return;
-    case Operation::UploadInDoubt: client().upload(plan, PlanType::Mission, Proof::InDoubt); return;
-    case Operation::UploadVerified: client().upload(plan, PlanType::Mission, Proof::Always); return;
+    case Operation::Upload: client().uploadWithoutReadback(plan); return;
+    case Operation::UploadInDoubt: client().upload(plan, PlanType::Mission, Readback::InDoubt); return;
+    case Operation::UploadVerified: client().upload(plan, PlanType::Mission, Readback::Always); return;
     case Operation::Download:
       blank(*sunk);
       client().download(toFunction(sink));
@@ -134,8 +135,8 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
       doing.status = status;
     }
     const bool isWaiting = status == Status::Idle || status == Status::Transferring;
-    const bool isQuiet = stream.length == 0 && stream.isWhole() && doing.frames.size() == sent && isWaiting;
-    quiet = isQuiet ? quiet + 1 : 0;
+    const bool isPaused = stream.length == 0 && stream.isWhole() && doing.frames.size() == sent && isWaiting;
+    quiet = isPaused ? quiet + 1 : 0;
   }
   doing.isRestless = quiet < kQuietUpdates;
   rest(ms, isLast);

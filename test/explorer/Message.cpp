@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "Plans.h"
-#include "mavmission/Checksum.h"
-#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/base/Checksum.h"
+#include "mavmission/link/MavlinkHeaders.h"
 
 namespace {
 

@@ -3,9 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/link/MavlinkHeaders.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mavmission/MavlinkHeaders.h"
-#include "mavmission/WirePlan.h"
+#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/plan/WirePlan.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

@@ -6,7 +6,7 @@
 // - an upload is Accepted only if it was announced, and the bytes that came since it was asked for (and those that the
 //   parser may still hold then) hold either a request for its last item and behind it an ACK with MAV_MISSION_ACCEPTED,
 //   or, once they were asked for, the right number of items and each of them as it was meant; all right to the
-//   checksum, from the autopilot, for us and for a mission. uploadByAnswer() takes only the first, upload(plan,
+//   checksum, from the autopilot, for us and for a mission. uploadWithoutReadback() takes only the first, upload(plan,
 //   Verified) only the second. verify() ends with Verified only by the second, too;
 // - what is written is whole frames, one behind the other, each with the next sequence number; a message of the
 // sketch's
@@ -28,9 +28,10 @@
 #include "Frames.h"
 #include "MavMission.h"
 #include "MemoryStream.h"
-#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/link/MavlinkHeaders.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -92,7 +93,7 @@ struct Asked {
 class Session {
  public:
   Session() : client_(line_), follower_(client_), listener_(client_, kListened, message, this) {
-    client_.limitWaiting(kWaitingLimitS);
+    client_.setAutopilotTimeout(kWaitingLimitS);
     client_.onProgress(progress, this);
     follower_.onCurrent(item);
     follower_.onReached(item);
@@ -187,7 +188,7 @@ class Session {
         return bring(altered(itemInPlan(sequence % (kPlanItems + 2)), input.next()), input);
       }
       case 21:
-        if (!client_.isBusy()) client_.retryWhenDenied(input.next() % kTurnLimitS);
+        if (!client_.isBusy()) client_.retryWhenBusy(input.next() % kTurnLimitS);
         return;
       case 22:
         if (!client_.isBusy()) client_.allowWhileArmed(what >= 128);
@@ -256,17 +257,17 @@ class Session {
         break;
       case 1:
         asked.kind = Asked::Kind::Verified;
-        status = client_.upload(plan, Verified);
+        status = client_.upload(plan, Readback::Always);
         break;
       case 2:
         asked.kind = Asked::Kind::ByAnswer;
-        status = client_.uploadByAnswer(plan);
+        status = client_.uploadWithoutReadback(plan);
         break;
       default:
         asked.kind = Asked::Kind::Part;
         asked.first = which % 8;
         asked.part = which / 8 % 8;
-        status = client_.uploadPart(plan, asked.first, asked.part);
+        status = client_.uploadPartial(plan, asked.first, asked.part);
     }
     demand(wasBusy == (status == Status::Busy), "an operation was begun while another one ran, or refused without one");
     if (!wasBusy) begin(asked);
@@ -414,7 +415,7 @@ class Session {
     demand(client_.failedItem() == MissionClient::kNoItem || !uploading_ || client_.failedItem() < asked_.count,
            "an item failed that is not in the plan");
     demand(client_.isBusy() || status == Status::Idle || isEnd(status), "an operation that is over was said to run");
-    if (client_.status() == Status::WaitingForTurn) hasTurned_ = true;
+    if (client_.status() == Status::BackingOff) hasTurned_ = true;
     if (client_.isBusy() && client_.status() == Status::Transferring && before != Status::Transferring) {
       firmware_ = client_.firmware();
       meant_ = wireItems(kPlan, asked_.count, firmware_);

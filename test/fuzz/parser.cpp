@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "Frames.h"
-#include "mavmission/MavlinkHeaders.h"
-#include "mavmission/Messages.h"
+#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/link/Messages.h"
 
-using mavmission::FrameParser;
+using mavmission::detail::FrameParser;
 
 namespace {
 
@@ -70,7 +70,7 @@ std::vector<Place> ours(const Bytes& bytes) {
   std::vector<Place> places;
   size_t from = 0;
   for (const Found& frame : wanted(found)) {
-    const mavmission::MessageKey* key = mavmission::wantedKey(frame.messageId);
+    const mavmission::MessageKey* key = mavmission::detail::wantedKey(frame.messageId);
     demand(key != nullptr, "a message that is not wanted was given as wanted");
     bool there = false;
     for (; from < bytes.size() && !there; ++from) {
@@ -108,7 +108,7 @@ std::vector<Place> stock(const Bytes& bytes) {
     mavlink_message_t message;
     if (mavlink_parse_char(MAVLINK_COMM_0, bytes[i], &message, &status) == 0) continue;
     if (message.msgid > 65535) continue;
-    const mavmission::MessageKey* key = mavmission::wantedKey(static_cast<uint16_t>(message.msgid));
+    const mavmission::MessageKey* key = mavmission::detail::wantedKey(static_cast<uint16_t>(message.msgid));
     if (key == nullptr || message.len > MAVMISSION_MAX_PAYLOAD) continue;
     const bool v1 = message.magic == MAVLINK_STX_MAVLINK1;
     if (v1 && message.len != key->lengthV1) continue;

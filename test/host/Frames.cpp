@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-#include "mavmission/Checksum.h"
+#include "mavmission/base/Checksum.h"
 
-using mavmission::FrameParser;
+using mavmission::detail::FrameParser;
 
 Bytes operator+(const Bytes& left, const Bytes& right) {
   Bytes both = left;
@@ -31,9 +31,9 @@ Bytes packed(const FrameParts& parts) {
              static_cast<uint8_t>(parts.messageId >> 16)};
   }
   frame = frame + parts.payload;
-  uint16_t crc = mavmission::kChecksumStart;
-  for (size_t i = 1; i < frame.size(); ++i) crc = mavmission::checksum(crc, &frame[i], 1);
-  crc = mavmission::checksum(crc, &parts.crcExtra, 1);
+  uint16_t crc = mavmission::detail::kChecksumStart;
+  for (size_t i = 1; i < frame.size(); ++i) crc = mavmission::detail::checksum(crc, &frame[i], 1);
+  crc = mavmission::detail::checksum(crc, &parts.crcExtra, 1);
   frame.push_back(static_cast<uint8_t>(crc));
   frame.push_back(static_cast<uint8_t>(crc >> 8));
   if (parts.incompatibility & 1) frame.resize(frame.size() + 13, 0x5A);

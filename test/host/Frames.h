@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mavmission/FrameParser.h"
+#include "mavmission/link/FrameParser.h"
 
 typedef std::vector<uint8_t> Bytes;
 
@@ -41,7 +41,7 @@ Bytes operator+(const Bytes& left, const Bytes& right);
 
 // A frame as the parser gave it.
 struct Found {
-  mavmission::FrameParser::Result result;
+  mavmission::detail::FrameParser::Result result;
   uint16_t messageId;
   uint8_t version, sequence, systemId, componentId;
   Bytes payload;
@@ -57,11 +57,11 @@ class ParserUnderTest {
   // Silence on the line.
   std::vector<Found> silence();
 
-  const mavmission::FrameParser& parser() const { return parser_; }
+  const mavmission::detail::FrameParser& parser() const { return parser_; }
 
  private:
-  void note(mavmission::FrameParser::Result result, std::vector<Found>& found);
-  mavmission::FrameParser parser_;
+  void note(mavmission::detail::FrameParser::Result result, std::vector<Found>& found);
+  mavmission::detail::FrameParser parser_;
 };
 
 // The wanted ones.

@@ -3,6 +3,7 @@
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;
+using namespace mavmission::detail;
 
 // Bytes that the tests put in and take out.
 volatile uint8_t toSketch[128], toSketchRead, toSketchEnd;
@@ -53,8 +54,8 @@ CALL(callCounters, result = autopilot.counters().frames)
 CALL(callItems, result = autopilot.failedItem() + autopilot.itemsDone() + autopilot.itemsTotal())
 CALL(callOnProgress, autopilot.onProgress(nothing))
 CALL(callOnEnd, autopilot.onEnd(over))
-CALL(callSetOwnIds, autopilot.setOwnIds(1, 191))
-CALL(callTalkTo, autopilot.talkTo(1, 1))
+CALL(callSetOwnIds, autopilot.setSourceIds(1, 191))
+CALL(callTalkTo, autopilot.setTargetIds(1, 1))
 CALL(callToString, result = toString(autopilot.status()) != nullptr)
 CALL(callAutopilot, result = autopilot.hasAutopilot() + autopilot.isArmed())
 
@@ -70,7 +71,7 @@ CALL(callDownload, result = static_cast<uint8_t>(autopilot.download(toRam(sink))
 CALL(callVerify, result = static_cast<uint8_t>(autopilot.verify(fromFunction(read, ITEMS))))
 CALL(callClear, result = static_cast<uint8_t>(autopilot.clear()))
 CALL(callUploadAgain, result = static_cast<uint8_t>(autopilot.uploadAgain()))
-CALL(callUploadPart, result = static_cast<uint8_t>(autopilot.uploadPart(fromFunction(read, ITEMS), 1, 1)))
+CALL(callUploadPart, result = static_cast<uint8_t>(autopilot.uploadPartial(fromFunction(read, ITEMS), 1, 1)))
 CALL(callStart, result = static_cast<uint8_t>(autopilot.start()))
 CALL(callArm, result = static_cast<uint8_t>(autopilot.arm()))
 CALL(callSetMode, result = static_cast<uint8_t>(autopilot.setMode(FlightMode::Auto)))
@@ -78,8 +79,8 @@ CALL(callSetCurrent, result = static_cast<uint8_t>(autopilot.setCurrentItem(1)))
 CALL(callInterval, result = static_cast<uint8_t>(autopilot.setMessageInterval(24, 100000)))
 CALL(callSend, result = static_cast<uint8_t>(autopilot.send(servo)))
 CALL(callIsInMode, result = autopilot.isInMode(FlightMode::Auto))
-CALL(callRetry, autopilot.retryWhenDenied(10))
-CALL(callFloats, autopilot.serveFloatItems())
+CALL(callRetry, autopilot.retryWhenBusy(10))
+CALL(callFloats, autopilot.useMissionItemFallback())
 CALL(callFollowed, result = mission.currentItem() + mission.isOurPlan())
 CALL(callDoctor, result = static_cast<uint8_t>(doctor.update()))
 #endif

@@ -15,7 +15,7 @@ MissionClient autopilot(Serial1);
 
 void setup() {
   Serial1.begin(57600);
-  autopilot.limitTransfer(30000);
+  autopilot.setOperationTimeout(30000);
   autopilot.upload(fromFunction(read, ITEMS));
 }
 

@@ -6,6 +6,7 @@
 #include "items.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 // Ids, CRC_EXTRA and lengths of common.xml: GPS_RAW_INT, ATTITUDE, GLOBAL_POSITION_INT, HEARTBEAT.
 const MessageKey keys[] PROGMEM = {messageKey(24, 24, 30), messageKey(30, 39, 28), messageKey(33, 104, 28),
@@ -33,7 +34,7 @@ void begin(uint8_t operation) {
   ended = 0;
   const ItemSource source = inFlash(plan);
   switch (operation) {
-    case 1: autopilot.upload(source, Verified); break;
+    case 1: autopilot.upload(source, Readback::Always); break;
     case 2: autopilot.download(toRam(sink)); break;
     case 3: autopilot.verify(source); break;
     case 4: autopilot.clear(PlanType::All); break;
@@ -43,7 +44,7 @@ void begin(uint8_t operation) {
       command = flightCommand(183, 1, 1500);
       autopilot.send(command);
       break;
-    case 8: autopilot.uploadPart(source, 3, 4); break;
+    case 8: autopilot.uploadPartial(source, 3, 4); break;
   }
 }
 

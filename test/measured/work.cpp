@@ -1,8 +1,9 @@
 // Pieces of work that take long by themselves, each when it is due.
 #include <Arduino.h>
 #include <MavMission.h>
-#include <mavmission/Sha256.h>
+#include <mavmission/signing/Sha256.h>
 using namespace mavmission;
+using namespace mavmission::detail;
 
 EepromPlan plan;
 WaypointsText text;

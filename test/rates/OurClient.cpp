@@ -7,6 +7,7 @@
 #include "MemoryStream.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -31,14 +32,14 @@ const char* nameOf(Aboard aboard) {
   return names[static_cast<int>(aboard)];
 }
 
-class OurClient : public Client {
+class OurClient : public ::Client {
  public:
   explicit OurClient(Proven proven) : client_(begun(stream_)) {
     const ItemSource plan = inRam(sketchPlan(kPlan), kItems);
     switch (proven) {
-      case Proven::ByAnswer: client_.uploadByAnswer(plan); return;
+      case Proven::ByAnswer: client_.uploadWithoutReadback(plan); return;
       case Proven::InDoubt: client_.upload(plan); return;
-      case Proven::Always: client_.upload(plan, Verified); return;
+      case Proven::Always: client_.upload(plan, Readback::Always); return;
     }
   }
 
@@ -74,6 +75,6 @@ class OurClient : public Client {
 
 }  // namespace
 
-std::unique_ptr<Client> makeMissionClient(Firmwares, Proven proven) {
-  return std::unique_ptr<Client>(new OurClient(proven));
+std::unique_ptr<::Client> makeMissionClient(Firmwares, Proven proven) {
+  return std::unique_ptr<::Client>(new OurClient(proven));
 }

@@ -6,9 +6,9 @@
 
 #include <deque>
 
+#include "../../simulation/hearing/Hearing.h"
 #include "../explorer/Autopilot.h"
 #include "../explorer/Plans.h"
-#include "../hearing/Hearing.h"
 #include "Client.h"
 
 namespace {
@@ -22,7 +22,7 @@ constexpr unsigned kBaud = 57600;
 // From a message to the answer, without the line: seen.
 constexpr uint32_t kArduPilotUs = 6000, kPx4Us = 500;
 constexpr size_t kTransmitBuffer = 800;
-constexpr unsigned kPx4Telemetry = 1100;         // [bytes/s], unasked
+constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
 
 [[noreturn]] void usage(const char* problem) {
   fprintf(
@@ -42,7 +42,8 @@ constexpr unsigned kPx4Telemetry = 1100;         // [bytes/s], unasked
       "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
       "client\n"
       "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
-      "client has sent from COUNT on, and a number made of these and their times. An upload that does not end has `never` in the place of how it ended.\n",
+      "client has sent from COUNT on, and a number made of these and their times. An upload that does not end has "
+      "`never` in the place of how it ended.\n",
       problem);
   exit(2);
 }

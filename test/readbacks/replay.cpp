@@ -1,5 +1,5 @@
-// The library's own upload(plan, Verified), compiled for this computer, against an autopilot that keeps what its other
-// end (test/replayed.py) says that a real one kept. A line on the standard input for each plan:
+// The library's own upload(plan, Readback::Always), compiled for this computer, against an autopilot that keeps what
+// its other end (test/support/replayed.py) says that a real one kept. A line on the standard input for each plan:
 //
 //   autopilot vehicle type raw ITEM...    HEARTBEAT.autopilot and .type, PlanType, numbering, items in hexadecimal
 //
@@ -156,7 +156,7 @@ Status finished(MissionClient& client, Autopilot& autopilot) {
   return Status::Idle;
 }
 
-// Field `field` of the item by its smallest step: of param1 to z a bit of its bytes, of the rest another value.
+// ItemField `field` of the item by its smallest step: of param1 to z a bit of its bytes, of the rest another value.
 Bytes altered(Bytes item, size_t field, int step) {
   if (field < 7) {
     int32_t bits;
@@ -221,10 +221,10 @@ int main() {
     stream.toRead.clear();
     stream.written.clear();
     MissionClient client(stream);
-    client.talkTo(1);
+    client.setTargetIds(1);
     client.useRawNumbering(raw != 0);
     const ItemSource source = inRam(plan.data(), static_cast<uint32_t>(plan.size()));
-    client.upload(source, static_cast<PlanType>(type), Verified);
+    client.upload(source, static_cast<PlanType>(type), Readback::Always);
     Status status = finished(client, autopilot);
     printf("end %s|%u|%u|%u|%u|%.9g\n", toString(status), static_cast<unsigned>(status), client.failedItem(),
            static_cast<unsigned>(client.differingField()),

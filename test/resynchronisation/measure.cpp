@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "mavmission/FrameParser.h"
-#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/link/FrameParser.h"
+#include "mavmission/link/MavlinkHeaders.h"
 
 namespace {
 
@@ -43,8 +43,8 @@ void fail(const char* what) {
 }
 
 bool isWanted(const Bytes& frame) {
-  if (frame[0] == 0xFE) return mavmission::wantedKey(frame[5]) != nullptr;
-  return frame[9] == 0 && mavmission::wantedKey(static_cast<uint16_t>(frame[7] | frame[8] << 8)) != nullptr;
+  if (frame[0] == 0xFE) return mavmission::detail::wantedKey(frame[5]) != nullptr;
+  return frame[9] == 0 && mavmission::detail::wantedKey(static_cast<uint16_t>(frame[7] | frame[8] << 8)) != nullptr;
 }
 
 void read(const char* path) {
@@ -104,12 +104,12 @@ class Ours {
   void drain() {
     while (parser_.hasWaiting()) note(parser_.takeWaiting());
   }
-  void note(mavmission::FrameParser::Result result) {
-    if (result != mavmission::FrameParser::Result::Wanted) return;
+  void note(mavmission::detail::FrameParser::Result result) {
+    if (result != mavmission::detail::FrameParser::Result::Wanted) return;
     found.push_back(
         identity(parser_.messageId(), parser_.sequence(), parser_.systemId(), parser_.payload(), parser_.length()));
   }
-  mavmission::FrameParser parser_;
+  mavmission::detail::FrameParser parser_;
 };
 
 class Stock {
@@ -123,7 +123,7 @@ class Stock {
     mavlink_message_t message;
     mavlink_status_t status;
     if (mavlink_parse_char(MAVLINK_COMM_0, byte, &message, &status) == 0 ||
-        mavmission::wantedKey(message.msgid) == nullptr)
+        mavmission::detail::wantedKey(message.msgid) == nullptr)
       return;
     const uint8_t* payload = reinterpret_cast<const uint8_t*>(&message.payload64[0]);
     found.push_back(identity(message.msgid, message.seq, message.sysid, payload, message.len));

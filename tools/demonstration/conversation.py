@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections import Counter
 
-from fake_autopilot import MISSION, Item, mavlink
-from wire import Entry
+from simulation.fake_autopilot import MISSION, Item, mavlink
+from simulation.wire import Entry
 
 from .words import ITEMS
 
@@ -34,7 +34,7 @@ class Conversation:
         self._said: set[tuple] = set()
         self._heartbeats: set[str] = set()
         self._last_at = math.inf
-        self._last_answer = None
+        self._last_answer: int | None = None  # MAV_MISSION_RESULT
         self._answered = False
 
     def add(self, entry: Entry) -> bool:

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from building import ROOT, BuildFailed, build_sketch
-from enumerators import texts_of
-from fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, FakeAutopilot, Item, Px4, item, mavlink
-from mega import Mega
-from mega.realtime import RealTime
-from recordings import repeated
-from wire import Entry
+from simulation.enumerators import texts_of
+from simulation.fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, FakeAutopilot, Item, Px4, item, mavlink
+from simulation.mega import Mega
+from simulation.mega.realtime import RealTime
+from simulation.recordings import repeated
+from simulation.wire import Entry
 
 from .conversation import Conversation
 from .line import Line as SerialLine

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from fake_autopilot import FakeAutopilot
-from mega.serial import Sent, SerialPort
-from wire import Entry, Wire
+from simulation.fake_autopilot import FakeAutopilot
+from simulation.mega.serial import Sent, SerialPort
+from simulation.wire import Entry, Wire
 
 from .named_frames import NamedFrame
 
@@ -54,7 +54,7 @@ class Line:
         self._shown = 0
         # What enters the wire is asked back in the order in which it came, piece by piece.
         self._left_at: deque[float] = deque()  # the last bit of each byte of the Mega's
-        self._arriving: deque[list] = deque()  # [entry, bytes that have not begun, when its first byte began]
+        self._arriving: deque[list[Any]] = deque()  # [entry, bytes that have not begun, when its first byte began]
         self._mega_hears_until = 0.0
         self.crossed: list[OnTheLine] = []
 
@@ -113,7 +113,8 @@ class Line:
         if first[2] is None:
             first[2] = began
         if first[1] == 0:
-            self.crossed.append(OnTheLine(first[0], first[2], self._mega_hears_until))
+            entry, _, began = first
+            self.crossed.append(OnTheLine(entry, began, self._mega_hears_until))
             self._arriving.popleft()
 
     def hear(self, sent: list[Sent]) -> None:

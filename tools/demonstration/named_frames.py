@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import fnmatch
 
-from fake_autopilot import mavlink
-from wire import Wire
+from simulation.fake_autopilot import mavlink
+from simulation.wire import Wire
 
 
 class BadName(ValueError):

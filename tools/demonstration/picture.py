@@ -33,7 +33,7 @@ def draw(timeline: Timeline, file: Path, title: str, verdict: str) -> None:
     figure.text(LEFT, 0.975, title, size=11, weight="bold", va="top")
     figure.text(LEFT, 0.93, verdict, size=9, va="top")
     places = placed(timeline.bursts)
-    for number, (burst, (left, width)) in enumerate(zip(timeline.bursts, places)):
+    for number, (burst, (left, width)) in enumerate(zip(timeline.bursts, places, strict=True)):
         ladder = figure.add_axes((left, LADDER[0], width, LADDER[1]))
         use = figure.add_axes((left, USE[0], width, USE[1]), sharex=ladder)
         draw_ladder(ladder, burst, width * WIDTH_IN)

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 import math
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable
 
 from elftools.elf.elffile import ELFFile
 from elftools.elf.sections import SymbolTableSection
-from fake_autopilot import Item, mavlink
-from mega.image import EEPROM, RAM, demangle
+
+from simulation.fake_autopilot import Item, mavlink
+from simulation.mega.image import EEPROM, RAM, demangle
 
 # src/mavmission/MissionItem.h, packed as avr-gcc packs everything:
 # param1 to param4, x, y, z, command, frame, current, autocontinue.
@@ -97,7 +98,9 @@ def plans_in(elf: Path, named: str | None = None) -> list[Plan]:
 def unpacked(contents: bytes) -> list[Item]:
     return [
         Item(frame, command, current, autocontinue, param1, param2, param3, param4, x, y, z)
-        for param1, param2, param3, param4, x, y, z, command, frame, current, autocontinue in LAYOUT.iter_unpack(contents)
+        for param1, param2, param3, param4, x, y, z, command, frame, current, autocontinue in LAYOUT.iter_unpack(
+            contents
+        )
     ]
 
 

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
-from fake_autopilot import mavlink
+from simulation.fake_autopilot import mavlink
 
 from .line import OnTheLine
 from .words import ITEMS, command_name, message_in_words
@@ -131,7 +132,7 @@ def use_of(marks: Sequence[Mark], direction: str, begin: float, end: float, step
     """The share of the line's time in use, step by step; the last step may reach beyond the end."""
     steps = -(-round((end - begin) * 10_000) // round(step_s * 10_000))
     edges = [begin + step * step_s for step in range(steps + 1)]
-    return [busy(marks, direction, *edge) for edge in zip(edges, edges[1:])]
+    return [busy(marks, direction, *edge) for edge in pairwise(edges)]
 
 
 def busy(marks: Sequence[Mark], direction: str, begin: float, end: float) -> float:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from fake_autopilot import Item, mavlink
-from wire import summary
+from simulation.fake_autopilot import Item, mavlink
+from simulation.wire import summary
 
 ALTITUDES = {0: "above sea level", 3: "above home", 5: "above sea level", 6: "above home",
              10: "above the ground", 11: "above the ground"}  # fmt: skip

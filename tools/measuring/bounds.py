@@ -1,4 +1,4 @@
-"""test/measure_bounds.toml: what each figure may be at most now, and what it is to become."""
+"""test/figures/measure_bounds.toml: what each figure may be at most now, and what it is to become."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from building import ROOT
 
 from .figures import FIGURES, Row
 
-FILE = ROOT / "test" / "measure_bounds.toml"
+FILE = ROOT / "test" / "figures" / "measure_bounds.toml"
 
 # A figure better than its bound by more than this is worth a tighter bound.
 SLACK = 0.02
@@ -63,7 +63,7 @@ def compare(rows: list[Row], bounds: dict[str, Bound]) -> list[Finding]:
 
 
 def goals_missed() -> str:
-    """As DESIGN.md has it: the goals that the bounds do not reach. Raises BadBounds where nothing says why."""
+    """As the documents have it: the goals that the bounds do not reach. Raises BadBounds where nothing says why."""
     limits = load()
     lines = ["| | is | goal | what stands in the way |", "|---|---:|---:|---|"]
     for figure in FIGURES:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from building import BUILD, ROOT, build_sketch
 from elftools.dwarf.die import DIE
 from elftools.elf.elffile import ELFFile
-from firmware import LIBRARY, compiled, exclusive, run
-from mega.image import demangle
+
+from building import BUILD, ROOT, build_sketch
+from simulation.firmware import LIBRARY, compiled, exclusive, run
+from simulation.mega.image import demangle
 
 SKETCH = ROOT / "examples" / "UploadMission"
-DOCUMENT = ROOT / "DESIGN.md"
 MARK = "RAM budget"
 CLIENT = "MissionClient"
 ROWS_FROM = 100  # a member as large as that gets a row for each of its own [bytes]
@@ -84,6 +84,9 @@ def parts_of(owner: DIE) -> tuple[Part, ...]:
         if member.tag not in ("DW_TAG_member", "DW_TAG_inheritance") or "DW_AT_external" in member.attributes:
             continue
         kind = kind_of(member)
+        if member.tag == "DW_TAG_inheritance":
+            parts += parts_of(kind)
+            continue
         if "DW_AT_bit_size" in member.attributes:
             bits.append(name_of(member))
             width += member.attributes["DW_AT_bit_size"].value
@@ -122,7 +125,7 @@ def size_of(kind: DIE) -> int:
 
 
 def table() -> str:
-    """The budget as DESIGN.md has it."""
+    """The budget as the documents have it."""
     whole = globals_of(build_sketch(SKETCH, "mega").elf)
     ours = client()
     if whole.pop("autopilot") != ours.size:

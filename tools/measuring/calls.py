@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from bench import is_end, status_names
-from fake_autopilot import ArduPilot, Px4, frames, mavlink
-from mega import Mega
+from simulation.bench import is_end, status_names
+from simulation.fake_autopilot import ArduPilot, Px4, frames, mavlink
+from simulation.mega import Mega
 
 from .firmware import measured
 from .peer import AUTOPILOT, ITEMS, KINDS
@@ -19,8 +19,8 @@ CALLS = {
     6: "failedItem(), itemsDone(), itemsTotal()",
     7: "onProgress()",
     8: "onEnd()",
-    9: "setOwnIds()",
-    10: "talkTo()",
+    9: "setSourceIds()",
+    10: "setTargetIds()",
     11: "toString()",
     12: "hasAutopilot(), isArmed()",
 }
@@ -30,7 +30,7 @@ MORE_CALLS = {
     14: "verify()",
     15: "clear()",
     16: "uploadAgain()",
-    17: "uploadPart()",
+    17: "uploadPartial()",
     18: "start()",
     19: "arm(), disarm()",
     20: "setMode(), pause(), resume()",
@@ -38,12 +38,12 @@ MORE_CALLS = {
     22: "setMessageInterval()",
     23: "send()",
     24: "isInMode()",
-    25: "retryWhenDenied()",
-    26: "serveFloatItems()",
+    25: "retryWhenBusy()",
+    26: "useMissionItemFallback()",
     27: "MissionFollower: currentItem(), isOurPlan()",
     28: "LinkDoctor: update()",
 }
-# The operations in which update() is looked at, by the call that begins them: beside a follower, a listener and a doctor.
+# The operations in which update() is looked at, by the call that begins them, beside follower, listener and doctor.
 OPERATIONS = {
     13: "update(), in a download",
     14: "update(), in a verification",

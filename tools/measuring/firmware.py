@@ -8,7 +8,7 @@ from pathlib import Path
 
 from baseline import build_baseline
 from building import ROOT, Built, build_sketch
-from firmware import build_firmware
+from simulation.firmware import build_firmware
 
 MEASURED = ROOT / "test" / "measured"
 EXAMPLE = ROOT / "examples" / "UploadMission"
@@ -28,7 +28,10 @@ class Subject:
 
 @functools.cache
 def ours() -> Subject:
-    return Subject("ours", build_sketch(EXAMPLE), 2, 4, "mavmission::FrameParser::take", "mavmission::FrameParser::pull")
+    parser = "mavmission::detail::FrameParser"
+    return Subject(
+        "ours", build_sketch(EXAMPLE), 2, 4, f"{parser}::take", f"{parser}::pull"
+    )
 
 
 @functools.cache

@@ -6,9 +6,10 @@ import re
 from collections import defaultdict
 from pathlib import Path
 
-from building import build_sketch
 from elftools.elf.elffile import ELFFile
-from mega.image import demangle
+
+from building import build_sketch
+from simulation.mega.image import demangle
 
 from .firmware import EXAMPLE
 
@@ -31,7 +32,7 @@ def owner_of(name: str) -> tuple[str, str]:
     bare = re.sub(r"\(.*", "", name.replace("(anonymous namespace)::", ""))
     if not bare.startswith("mavmission::"):
         return OTHERS, bare
-    parts = bare.split("::")[1:]
+    parts = [part for part in bare.split("::")[1:] if part != "detail"]
     return (parts[0], parts[-1]) if len(parts) > 1 else (TABLES, parts[0])
 
 
@@ -45,7 +46,7 @@ def parts(elf: Path) -> dict[str, list[tuple[int, str]]]:
 
 
 def table() -> str:
-    """As DESIGN.md has it."""
+    """As the documents have it."""
     built = build_sketch(EXAMPLE, "mega")
     found = parts(built.elf)
     sums = {owner: sum(size for size, _ in functions) for owner, functions in found.items()}

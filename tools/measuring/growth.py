@@ -35,7 +35,9 @@ def ram_for(items: int) -> int:
 def table(measured: list[Cost]) -> str:
     lines = [["items", "RAM [bytes]", "time [s]", "time per item [ms]"]]
     for cost in measured:
-        lines.append([f"{cost.items:,}", f"{cost.ram:,}", f"{cost.seconds:.2f}", f"{1000 * cost.seconds / cost.items:.2f}"])
+        lines.append(
+            [f"{cost.items:,}", f"{cost.ram:,}", f"{cost.seconds:.2f}", f"{1000 * cost.seconds / cost.items:.2f}"]
+        )
     return aligned(lines, left=0)
 
 
@@ -50,9 +52,13 @@ def draw(measured: list[Cost], file: Path = PICTURE) -> None:
     items = [cost.items for cost in measured]
     figure, (ram, seconds) = pyplot.subplots(1, 2, figsize=(8, 3), layout="constrained")
     ram.plot(items, [cost.ram for cost in measured], "o-")
-    ram.set(xscale="log", xlabel="items", ylabel="globals and stack [bytes]", ylim=(0, 8192), title="RAM, of a Mega's 8,192")
+    ram.set(
+        xscale="log", xlabel="items", ylabel="globals and stack [bytes]", ylim=(0, 8192), title="RAM, of a Mega's 8,192"
+    )
     seconds.plot(items, [cost.seconds for cost in measured], "o-")
-    seconds.set(xscale="log", yscale="log", xlabel="items", ylabel="time of the upload [s]", title="time, at 57600 baud")
+    seconds.set(
+        xscale="log", yscale="log", xlabel="items", ylabel="time of the upload [s]", title="time, at 57600 baud"
+    )
     for axes in (ram, seconds):
         axes.grid(alpha=0.3)
     file.parent.mkdir(parents=True, exist_ok=True)

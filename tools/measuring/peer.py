@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from fake_autopilot import frames, mavlink
-from mega import Mega
-from recordings import heard, telemetry
+from simulation.fake_autopilot import frames, mavlink
+from simulation.mega import Mega
+from simulation.recordings import heard, telemetry
 
 RECORDINGS = {"ardupilot": "arducopter/clean_then_streams_10hz", "px4": "px4/clean_with_streams"}
 AUTOPILOT = {"ardupilot": mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA, "px4": mavlink.MAV_AUTOPILOT_PX4}
@@ -23,7 +23,7 @@ KINDS = tuple(RECORDINGS)
 class Frame(NamedTuple):
     """What the firmware sent [cycles]."""
 
-    message: object
+    message: Any
     length: int
     written: int  # its first byte into the data register
     left: int  # the end of its last stop bit

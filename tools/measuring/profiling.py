@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mega import Mega
+from simulation.mega import Mega
 
 from .firmware import ours
 from .peer import Peer

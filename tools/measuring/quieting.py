@@ -1,10 +1,10 @@
-"""What QuietTransfers is worth: the time of an upload, and of reading back, on a full line, as it is and quiet."""
+"""What TelemetryPause is worth: the time of an upload, and of reading back, on a full line, as it is and quiet."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from quiet import RECORDED, Quiet, as_recorded, default_list
+from simulation.quiet import RECORDED, Quiet, as_recorded, default_list
 
 from .report import aligned
 
@@ -44,7 +44,7 @@ def hushing_s(personality: str) -> float:
 
 
 def table() -> str:
-    """As DESIGN.md has it."""
+    """As the documents have it."""
     lines = [["57600 baud, full line; seconds, as it is / quiet", *RECORDED]]
     for items in PLANS:
         took = [upload(name, items) for name in RECORDED]

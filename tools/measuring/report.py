@@ -1,4 +1,4 @@
-"""The figures as a table: for a terminal, for the README, for another program."""
+"""The figures as a table: for a terminal, for the documents, for another program."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ def table(rows: list[Row], bounds: dict[str, Bound]) -> str:
 
 def aligned(lines: list[list[str]], left: int) -> str:
     """A Markdown table: the first line is its head, the first `left` columns are words."""
-    widths = [max(len(cell) for cell in column) for column in zip(*lines)]
+    widths = [max(len(cell) for cell in column) for column in zip(*lines, strict=True)]
 
     def line(cells: list[str]) -> str:
-        padded = [c.ljust(w) if n < left else c.rjust(w) for n, (c, w) in enumerate(zip(cells, widths))]
+        padded = [c.ljust(w) if n < left else c.rjust(w) for n, (c, w) in enumerate(zip(cells, widths, strict=True))]
         return "| " + " | ".join(padded) + " |"
 
     rule = ["-" * w if n < left else "-" * (w - 1) + ":" for n, w in enumerate(widths)]
@@ -55,8 +55,8 @@ def as_json(rows: list[Row], bounds: dict[str, Bound]) -> str:
     )
 
 
-def for_readme(rows: list[Row], features: str) -> str:
-    """What stands between the README's markers. `features`: the table of what each feature adds."""
+def for_documents(rows: list[Row], features: str) -> str:
+    """What stands between the marks in the documents. `features`: the table of what each feature adds."""
     lines = [["", "unit", "baseline (MAVLink 2 / 1)", "MavMission"]]
     for row in rows:
         text = row.figure.text

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from mega import Mega
-from mega.measured import Watch
+from simulation.mega import Mega
+from simulation.mega.measured import Watch
 
 from .firmware import Subject, measured
 from .peer import KINDS, Peer, everything_heard
@@ -39,7 +39,7 @@ def parsing(subject: Subject, bytes_each: int = 30_000) -> Cost:
     Of a function that polls the stream, what it takes when nothing has come is not the bytes';
     nor is the stream's own read().
     """
-    total = count = worst = 0
+    total, count, worst = 0.0, 0, 0
     for kind in KINDS:
         mega = Mega(subject.built.elf)
         peer = Peer(mega, kind, subject.wire, serve=False)
@@ -48,18 +48,20 @@ def parsing(subject: Subject, bytes_each: int = 30_000) -> Cost:
         polled = mega.watch(subject.poll or subject.parse)
         read = mega.watch(READ) if subject.poll else None
 
-        def taken() -> int:
-            return polled.calls.own_cycles - (read.calls.own_cycles if read else 0)
-
         mega.run_cycles(10 * MS)
-        each_poll = taken() / polled.calls.count if subject.poll else 0
-        before, polls = taken(), polled.calls.count
+        each_poll = _own_of(polled, read) / polled.calls.count if subject.poll else 0
+        before, polls = _own_of(polled, read), polled.calls.count
         data = everything_heard(kind, subject.wire)[:bytes_each]
         mega.run_until(peer.put(data) + 10 * MS)
-        total += taken() - before - each_poll * (polled.calls.count - polls)
+        total += _own_of(polled, read) - before - each_poll * (polled.calls.count - polls)
         count += len(data)
         worst = max(worst, byte.calls.longest_own)
     return Cost(total / count, worst)
+
+
+def _own_of(polled: Watch, read: Watch | None) -> int:
+    """What polling has cost so far, the stream's read() left out."""
+    return polled.calls.own_cycles - (read.calls.own_cycles if read else 0)
 
 
 def deepest_stack(subject: Subject, phases: int = 8) -> int:
@@ -250,7 +252,9 @@ def cpu_left(baud: int, *, library: bool | Path = True, seconds: float = 1.0) ->
         begun, lost = mega.cycle, peer.port.lost
         peer.run(round(seconds * SECOND))
         if peer.port.lost != lost:
-            raise RuntimeError(f"{peer.port.lost - lost} bytes were lost at {baud} baud: it is not saturated but flooded")
+            raise RuntimeError(
+                f"{peer.port.lost - lost} bytes were lost at {baud} baud: it is not saturated but flooded"
+            )
         taken = sum(watch.calls.cycles + watch.calls.count * RESPONSE_CYCLES for watch in interrupts)
         taken += sum(watch.calls.own_cycles for watch in called)
         left.append(100 * (1 - taken / (mega.cycle - begun)))

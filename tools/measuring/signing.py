@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
-from bench import Bench, FunctionPlan
-from fake_autopilot import mavlink
-from signing_program import KEY, signer
+from simulation.bench import Bench, FunctionPlan
+from simulation.fake_autopilot import mavlink
+from simulation.signing_program import KEY, signer
 
 from .report import aligned
 from .work import sha256_block
@@ -41,7 +39,7 @@ def longest_update(*, signed: bool) -> int:
 def longest_piece() -> int:
     """Of hashing, in one update() [cycles]."""
     on = bench(signed=True)
-    watch = on.mega.watch("mavmission::Sha256::work")
+    watch = on.mega.watch("mavmission::detail::Sha256::work")
     upload(on, 10)
     return watch.calls.longest_own
 
@@ -93,11 +91,11 @@ def all_are_checked(loop_ms: int, count: int) -> bool:
 
 def accepted(on: Bench) -> int:
     (line,) = on.tell("signing")
-    return int(re.search(r"accepted=(\d+)", line)[1])
+    return int(line.partition("accepted=")[2].split()[0])
 
 
 def table() -> str:
-    """As DESIGN.md has it."""
+    """As the documents have it."""
     frames = " / ".join(str(checked_in_a_second(loop_ms)) for loop_ms in LOOPS_MS)
     loops = " / ".join(map(str, LOOPS_MS))
     return aligned([
@@ -106,6 +104,7 @@ def table() -> str:
         ["the longest piece of hashing in an update()", "cycles", f"{longest_piece():,}", "–"],
         ["longest update() of an upload on a full line", "cycles",
          f"{longest_update(signed=True):,}", f"{longest_update(signed=False):,}"],
-        ["an item of an upload to ArduPilot at 57600 baud", "ms", f"{item_ms(signed=True):.1f}", f"{item_ms(signed=False):.1f}"],
+        ["an item of an upload to ArduPilot at 57600 baud", "ms",
+         f"{item_ms(signed=True):.1f}", f"{item_ms(signed=False):.1f}"],
         [f"frames checked in a second, no byte lost, loop of {loops} ms", "frames", frames, "–"],
     ], left=2)  # fmt: skip

@@ -1,4 +1,4 @@
-"""What each trick is worth: the library without it beside the library as it is, in the smallest sketch with an upload."""
+"""What each trick is worth: the library without it beside the library as it is, in the smallest sketch that uploads."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from building import BUILD, elf_sizes
-from firmware import LIBRARY, digest, exclusive
+from simulation.firmware import LIBRARY, digest, exclusive, library_file
 
 from . import runs
 from .firmware import MEASURED, measured
@@ -18,7 +18,7 @@ FILE = MEASURED / "tricks.toml"
 
 
 class Trick(NamedTuple):
-    """`text`, which is there once in a file of src/mavmission, and what would be there without the trick."""
+    """`text`, which is there once in the file of this name below src/mavmission, and what would be there without."""
 
     file: str
     text: str
@@ -39,7 +39,8 @@ def tricks() -> dict[str, Trick]:
 
 def undone(trick: Trick) -> Path:
     """A copy of the library's folder without the trick. Raises ValueError if the code is no longer as it says."""
-    text = (LIBRARY / "mavmission" / trick.file).read_text()
+    source = library_file(trick.file)
+    text = source.read_text()
     if text.count(trick.text) != 1:
         raise ValueError(f"{FILE}: {trick.file} does not have this once; say what is there now: {trick.text}")
     changed = text.replace(trick.text, trick.instead)
@@ -49,7 +50,7 @@ def undone(trick: Trick) -> Path:
             fresh = copy.with_suffix(".new")
             shutil.rmtree(fresh, ignore_errors=True)
             shutil.copytree(LIBRARY, fresh)
-            (fresh / "mavmission" / trick.file).write_text(changed)
+            (fresh / source.relative_to(LIBRARY)).write_text(changed)
             fresh.rename(copy)
     return copy
 

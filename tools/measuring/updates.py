@@ -12,15 +12,15 @@ from pathlib import Path
 from typing import NamedTuple
 
 from building import ROOT
-from fake_autopilot import ArduPilot, Px4
-from mega import Mega
-from recordings import saturated
+from simulation.fake_autopilot import ArduPilot, Px4
+from simulation.mega import Mega
+from simulation.recordings import saturated
 
 from .firmware import measured
 from .peer import RECORDINGS
 from .report import aligned
 
-BOUNDS = ROOT / "test" / "update_bounds.toml"
+BOUNDS = ROOT / "test" / "figures" / "update_bounds.toml"
 GOAL = 16_000  # 1 ms
 PERSONALITIES = {"ardupilot": ArduPilot, "px4": Px4}
 

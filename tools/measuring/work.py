@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mega import Mega
+from simulation.mega import Mega
 
 from .firmware import measured
 from .report import aligned
@@ -45,7 +45,8 @@ def table() -> str:
     begin = longest(BEGIN)
     return aligned([
         ["one call", "cycles", "ms"],
-        ["`WaypointsText::take()`, of numbers as Mission Planner writes them", f"{usual:,}", f"{1000 * usual / HZ:.2f}"],
+        ["`WaypointsText::take()`, of numbers as Mission Planner writes them",
+         f"{usual:,}", f"{1000 * usual / HZ:.2f}"],
         ["the same, of a number of 19 digits near the smallest float", f"{worst:,}", f"{1000 * worst / HZ:.1f}"],
         [f"`EepromPlan::begin()`, {MOST_WAYPOINTS} waypoints kept", f"{begin:,}", f"{1000 * begin / HZ:.1f}"],
     ], left=1)  # fmt: skip

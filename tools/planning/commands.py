@@ -1,8 +1,8 @@
 """What is known of a command: its name, which parameters it uses, whether its items have a place or an altitude.
 
 The names and parameters are those of the messages that pymavlink brings: the common ones and ArduPilot's. Which items
-have neither a place nor an altitude is asked of the library's own table (src/mavmission/Commands.cpp), so that a plan
-is read here as the firmware reads it.
+have neither a place nor an altitude is asked of the library's own table (src/mavmission/autopilot/Commands.cpp), so
+that a plan is read here as the firmware reads it.
 """
 
 from __future__ import annotations

@@ -7,23 +7,25 @@ import math
 import textwrap
 from collections import Counter
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 
 matplotlib.use("Agg")
 
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.patches import Circle as Disc  # noqa: E402
-from matplotlib.patches import Polygon as Area  # noqa: E402
-from matplotlib.ticker import FuncFormatter  # noqa: E402
+from matplotlib import pyplot
+from matplotlib.patches import Circle as Disc
+from matplotlib.patches import Polygon as Area
+from matplotlib.ticker import FuncFormatter
 
-from .bad_plan import BadPlan, shown_name  # noqa: E402
-from .fences import Circle, Polygon, shapes  # noqa: E402
-from .files import write_bytes  # noqa: E402
-from .flight import EARTH_RADIUS, Flight, Leg, Speeds, distance_from_home, fly, is_flown_to, places_of  # noqa: E402
-from .plan import Item, Plan  # noqa: E402
-from .table import length_text  # noqa: E402
+from .bad_plan import BadPlan, shown_name
+from .fences import Circle, Polygon, shapes
+from .files import write_bytes
+from .flight import EARTH_RADIUS, Flight, Leg, Speeds, distance_from_home, fly, is_flown_to, places_of
+from .plan import Plan
+from .table import length_text
 
 SUFFIXES = (".svg", ".png")
 PATH, INSIDE, OUTSIDE, RALLY, HOME = "#1f5fa8", "#2e8b57", "#c0392b", "#8e44ad", "#222222"
@@ -49,7 +51,7 @@ def draw(plan: Plan, file: Path, speeds: Speeds) -> None:
         raise BadPlan(plan.file, None, "it has no places: there is nothing to draw")
     flight = fly(plan, speeds)
     has_heights = any(line for _, line in height_lines(flight))
-    look = {"svg.hashsalt": "plan", "svg.fonttype": "path", "font.size": 9, "figure.dpi": 100}
+    look: dict[Any, Any] = {"svg.hashsalt": "plan", "svg.fonttype": "path", "font.size": 9, "figure.dpi": 100}
     picture = io.BytesIO()
     with matplotlib.rc_context({**look, "text.parse_math": False}):
         rows = 2 if has_heights else 1
@@ -96,7 +98,7 @@ class _Map:
         self._far = distance_from_home(plan)
         self._home = home if self._far is None else None
         places = places_of(plan)
-        self._origin = (home.x, home.y) if self._home is not None else (places[0].x, places[0].y)
+        self._origin = (self._home.x, self._home.y) if self._home is not None else (places[0].x, places[0].y)
         self._from = "home" if self._home is not None else "the first item"
         # Where east is as long as it looks: in the middle of what is drawn.
         latitudes = [item.x for item in places] or [self._origin[0]]
@@ -154,16 +156,16 @@ class _Map:
         width = WIDEST if len(points) <= MOST_MARKS else 0.8
         thin = min(possible, default=width)
         is_thin = [one < width for one in possible]
-        single = [line for line, narrow in zip(flown, is_thin) if not narrow]
-        lanes = [line for line, narrow in zip(flown, is_thin) if narrow]
-        others = [line for line in zip(points, points[1:]) if line not in flown and line[::-1] not in flown]
+        single = [line for line, narrow in zip(flown, is_thin, strict=True) if not narrow]
+        lanes = [line for line, narrow in zip(flown, is_thin, strict=True) if narrow]
+        others = [line for line in pairwise(points) if line not in flown and line[::-1] not in flown]
         self._lines(
             others, color=NOT_FLOWN, linewidth=min(0.6, thin), linestyle=":", label="next in the file, not flown"
         )
         self._lines(lanes, color=PATH, linewidth=thin, label=None if single else "mission")
         self._lines(single, color=PATH, linewidth=width, label="mission")
         if len(points) <= MOST_MARKS:
-            self._axes.plot(*zip(*points), color=PATH, marker="o", markersize=4, linestyle="none")
+            self._axes.plot(*zip(*points, strict=True), color=PATH, marker="o", markersize=4, linestyle="none")
         self._arrows(flown, max(thin, 0.3))
         start, end = (flown[0][0], flown[-1][1]) if flown else (points[0], points[-1])
         # Both are seen where they are one place, and home with them.
@@ -203,7 +205,7 @@ class _Map:
         if not total:
             return
         due, travelled, before = total / ARROWS / 2, 0.0, 0.0
-        for line, length in zip(lines, lengths):
+        for line, length in zip(lines, lengths, strict=True):
             travelled += length
             # Behind an arrow the next leg that is as long has one too: lanes of a survey go to and fro.
             if travelled < due and not 0 < before <= 2 * length:
@@ -234,7 +236,7 @@ class _Map:
                     self._axes.add_patch(Area(corners, closed=True, label=label, **look))
                     place = max(corners, key=lambda point: (point[1], -point[0]))
                     if not shape.inside:
-                        place = tuple(sum(values) / len(corners) for values in zip(*corners))
+                        place = tuple(sum(values) / len(corners) for values in zip(*corners, strict=True))
                 else:
                     centre = self._metres(shape.centre)
                     self._axes.add_patch(Disc(centre, abs(shape.radius), label=label, **look))
@@ -354,7 +356,7 @@ def _height(axes, flight: Flight) -> None:
     lines = [(reference, line) for reference, line in height_lines(flight) if line]
     for reference, line in lines:
         is_home = reference == HOME_LINE
-        along, heights = zip(*line)
+        along, heights = zip(*line, strict=True)
         many = len(line) > 2 * MOST_MARKS
         axes.plot(
             along,

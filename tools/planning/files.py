@@ -11,6 +11,7 @@ import os
 import stat
 import tempfile
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 
 from . import qgc_mission, qgc_plan, waypoints
@@ -18,7 +19,7 @@ from .bad_plan import BadPlan
 from .exact import DoesNotFit
 from .plan import Plan
 
-READERS = {
+READERS: dict[str, Callable[..., Plan]] = {
     ".plan": qgc_plan.read,
     ".waypoints": waypoints.read,
     ".txt": waypoints.read,

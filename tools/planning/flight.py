@@ -58,7 +58,7 @@ class Point(NamedTuple):
 class Leg(NamedTuple):
     """From where the aircraft was to the place of an item."""
 
-    index: int  # of the item
+    index: int  # type: ignore[assignment]  # of the item; a tuple has a method of this name, which nobody calls here
     start: Point
     end: Point
     distance: float  # over the ground [m]
@@ -151,7 +151,8 @@ class _Flying:
         self._left: dict[int, int] = {}  # how often a jump is still to be taken
         self._been: set[tuple] = set()  # items that were reached, and how often jumps were still to be taken then
         items = plan.items()
-        index = steps = 0
+        index: int | None = 0
+        steps = 0
         while index is not None and index < len(items):
             steps += 1
             state = (index, *sorted(self._left.items()))

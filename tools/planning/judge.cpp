@@ -5,7 +5,7 @@
 //   behind
 //                                        NotKept the field, what it is, and what would be kept
 //   wire firmware vehicle count ITEMS -> for each item of a mission: Status, and what goes out, as an item is here
-//   compare firmware type vehicle count ITEMS ITEMS -> for each item: Field, its text
+//   compare firmware type vehicle count ITEMS ITEMS -> for each item: ItemField, its text
 //   commands                          -> each command that the library knows: its number, 1 if its items have neither a
 //                                        place nor an altitude
 //
@@ -16,13 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "mavmission/Comparison.h"
 #include "mavmission/ItemSource.h"
-#include "mavmission/Rules.h"
 #include "mavmission/Status.h"
-#include "mavmission/WirePlan.h"
+#include "mavmission/autopilot/Rules.h"
+#include "mavmission/plan/Comparison.h"
+#include "mavmission/plan/WirePlan.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -75,11 +76,11 @@ class Wired {
 
 // What of an item would not be kept: the field, what it is, what would be there.
 void putNotKept(const MissionItem& item, Keeper keeper) {
-  const Field field = notKept(item, keeper);
-  const uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(field) - static_cast<uint8_t>(Field::Param1));
+  const ItemField field = notKept(item, keeper);
+  const uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(field) - static_cast<uint8_t>(ItemField::Param1));
   float value = 0;
-  if (field == Field::Latitude || field == Field::Longitude) {
-    value = static_cast<float>(field == Field::Latitude ? item.x : item.y);
+  if (field == ItemField::Latitude || field == ItemField::Longitude) {
+    value = static_cast<float>(field == ItemField::Latitude ? item.x : item.y);
   } else if (index < 7) {
     memcpy(&value, reinterpret_cast<const uint8_t*>(&item) + 4 * index, sizeof(value));
   }
@@ -98,7 +99,7 @@ void check() {
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
       Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
-      if (status == Status::Accepted && notKept(out, keeperOf(firmware, vehicle, type)) != Field::None) {
+      if (status == Status::Accepted && notKept(out, keeperOf(firmware, vehicle, type)) != ItemField::None) {
         status = Status::NotKept;
       }
       printf("%u %s", static_cast<unsigned>(status), toString(status));
@@ -140,7 +141,7 @@ void compare() {
   for (size_t i = 0; i < count && !broken; ++i) {
     MissionItem one, other;
     const bool fits = sent.read(i, one) == Status::Accepted && read.read(i, other) == Status::Accepted;
-    const Field field = fits ? difference(one, other, keeper) : Field::Count;
+    const ItemField field = fits ? difference(one, other, keeper) : ItemField::Count;
     printf("%u %s\n", static_cast<unsigned>(field), toString(field));
   }
 }

@@ -7,7 +7,6 @@ import math
 import re
 import struct
 import subprocess
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -38,7 +37,7 @@ class Refusal(NamedTuple):
     """An item that the library does not send, and its reason."""
 
     kind: str
-    index: int
+    index: int  # type: ignore[assignment]  # a tuple has a method of this name, which nobody calls here
     step: Step
     status: str  # mavmission::Status, or NOT_WHOLE
     text: str  # its text, with the number that is wrong
@@ -94,7 +93,7 @@ def wrong_number(status: str, item: Item) -> str:
         "BadFrame": f"frame {item.frame}",
         "BadJump": f"number {decimal_text(item.param1)}, counted from 0" if item.param1 == item.param1 else "NaN",
     }
-    unset = [str(i) for i, value in zip((1, 2, 3, 4, 7), (*item[4:8], item.z)) if value != value]
+    unset = [str(i) for i, value in zip((1, 2, 3, 4, 7), (*item[4:8], item.z), strict=True) if value != value]
     if status == "NotANumber":
         return f" (parameter {', '.join(unset)}); give it one where the plan was drawn, or say --unset-as-zero"
     return f" ({shown[status]})" if status in shown else ""
@@ -114,7 +113,7 @@ def rewritten(plan: Plan, read: Sequence[Item], autopilot: str, kind: str) -> li
     if autopilot == "ardupilot":  # a download gives NaN for a yaw that ArduPilot does not keep, whatever it was
         read = [
             theirs._replace(param4=ours.param4) if math.isnan(theirs.param4) else theirs
-            for ours, theirs in zip(meant, read)
+            for ours, theirs in zip(meant, read, strict=True)
         ]
     head = [FIRMWARE[autopilot], KINDS.index(kind), vehicle_of(plan), len(meant)]
     return [text if number else "" for number, text in asked("compare", head, [*meant, *read])]
@@ -167,10 +166,7 @@ def statuses() -> tuple[str, ...]:
 @functools.cache
 def program() -> Path:
     """The judge, compiled from the library's sources as they are now."""
-    folder = str(ROOT / "test")
-    if folder not in sys.path:
-        sys.path.append(folder)
-    from host_build import FAST, HostProgramNotBuilt, build_host
+    from simulation.host_build import FAST, HostProgramNotBuilt, build_host
 
     library = [ROOT / "src" / "mavmission" / f"{part}.cpp" for part in PARTS]
     try:

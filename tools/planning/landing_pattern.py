@@ -71,7 +71,7 @@ def at(place: Value, command: int, frame: int, *params: float) -> Item:
     if len(numbers) != 3:
         raise place.bad(f"{place.name} must be latitude, longitude and altitude, and has {len(numbers)} numbers")
     latitude, longitude = (exact(value, e7_of) for value in numbers[:2])
-    return Item(frame, command, 0, 1, *params, latitude, longitude, exact(numbers[2], float32_of))
+    return Item._make((frame, command, 0, 1, *params, latitude, longitude, exact(numbers[2], float32_of)))
 
 
 def exact(value: Value, form):

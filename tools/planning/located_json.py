@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from decimal import Decimal
-from json.decoder import JSONDecodeError, scanstring
+from json.decoder import JSONDecodeError, scanstring  # type: ignore[attr-defined]  # typeshed leaves it out
 from pathlib import Path
 from typing import Any
 
@@ -114,7 +114,9 @@ class _Reader:
         return BadPlan(self._file, self._here(), text)
 
     def _skip(self) -> None:
-        self._at = _SPACE.match(self._text, self._at).end()
+        space = _SPACE.match(self._text, self._at)
+        assert space is not None, "it matches nothing as well"
+        self._at = space.end()
 
     def _next(self) -> str:
         self._skip()

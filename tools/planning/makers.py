@@ -38,9 +38,7 @@ def source_of(item: Item) -> str:
 
 def _quiet(item: Item) -> Item:
     """With the NaN that the library writes: any is as good as another on the wire."""
-    return item._replace(
-        **{name: NAN for name in ("param1", "param2", "param3", "param4", "z") if _is_nan(getattr(item, name))}
-    )
+    return Item._make(NAN if _is_nan(value) else value for value in item)
 
 
 def _is_nan(value: float) -> bool:
@@ -189,7 +187,7 @@ def _at(
 
 def _without(item: Item, *params: float, x: int = 0, y: int = 0) -> Item:
     filled = [*params, *[0.0] * (4 - len(params))]
-    return Item(NO_PLACE, item.command, 0, 1, *filled, x, y, 0.0)
+    return Item._make((NO_PLACE, item.command, 0, 1, *filled, x, y, 0.0))
 
 
 def _place(item: Item) -> list[str]:

@@ -54,8 +54,9 @@ class _FirstVersion(_Reader):
 
     def _home(self, value: Value | None) -> None:
         """Home is an item there."""
-        is_item = value is not None and isinstance(value.raw, dict)
-        super()._home(value.need("coordinate") if is_item else value)
+        if value is not None and isinstance(value.raw, dict):
+            value = value.need("coordinate")
+        super()._home(value)
 
     def _any(self, value: Value) -> None:
         kind = value.need("type")

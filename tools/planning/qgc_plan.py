@@ -7,11 +7,12 @@ makes of them (landing_pattern.py). Jumps go to an item's doJumpId.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from decimal import Decimal
 from pathlib import Path
 
 from . import commands, landing_pattern
-from .bad_plan import BadPlan, cut
+from .bad_plan import cut
 from .exact import DoesNotFit, decimal_text, degrees_text, e7_of, float32_of
 from .flight import CRUISE_SPEED, HOVER_SPEED
 from .json_text import json_text
@@ -302,14 +303,13 @@ class Reader:
         back = fence.get("breachReturn")
         if back is not None and back.raw is not None:
             place = self._numbers(back, 3)
-            item = Item(
-                RELATIVE, RETURN_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, *map(self._e7, place[:2]), self._float(place[2])
-            )
+            x, y = map(self._e7, place[:2])
+            item = Item(RELATIVE, RETURN_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, x, y, self._float(place[2]))
             self._plan.fence.append(Step(item, back.line, "fence return point"))
 
     def _add_fence(self, command: int, value: Value, name: str, param1: float) -> None:
-        place = self._numbers(value.called(name), 2)
-        item = Item(GLOBAL, command, 0, 1, param1, 0.0, 0.0, 0.0, *map(self._e7, place), 0.0)
+        x, y = map(self._e7, self._numbers(value.called(name), 2))
+        item = Item(GLOBAL, command, 0, 1, param1, 0.0, 0.0, 0.0, x, y, 0.0)
         self._plan.fence.append(Step(item, value.line, name))
 
     def _rally(self, rally: Value) -> None:
@@ -318,9 +318,8 @@ class Reader:
         for number, value in enumerate(self._list(rally, "points"), start=1):
             name = f"rally point {number}"
             place = self._numbers(value.called(name), 3)
-            item = Item(
-                RELATIVE, RALLY_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, *map(self._e7, place[:2]), self._float(place[2])
-            )
+            x, y = map(self._e7, place[:2])
+            item = Item(RELATIVE, RALLY_POINT, 0, 1, 0.0, 0.0, 0.0, 0.0, x, y, self._float(place[2]))
             self._plan.rally.append(Step(item, value.line, name))
 
     # -- values -----------------------------------------------------------------------------
@@ -412,7 +411,7 @@ def _simple_item(index: int, step: Step) -> dict:
     placed = item.frame != NO_PLACE
     if placed and item.frame not in MODE_OF_FRAME:
         raise DoesNotFit(f"{step.name}: a .plan has no frame {item.frame}")
-    place = _place(item.x, item.y) if placed else [item.x, item.y]
+    place: Sequence[Decimal | int] = _place(item.x, item.y) if placed else (item.x, item.y)
     written = {
         "autoContinue": bool(item.autocontinue),
         "command": item.command,
@@ -428,7 +427,8 @@ def _simple_item(index: int, step: Step) -> dict:
 
 
 def _fence(steps: list[Step], notes: Notes) -> dict:
-    polygons, circles = [], []
+    polygons: list[dict] = []
+    circles: list[dict] = []
     fence: dict = {"circles": circles, "polygons": polygons, "version": 2}
     index = 0
     order = []

@@ -19,7 +19,7 @@ from . import commands, judge
 from .exact import decimal_text
 from .header import header_of
 from .listing import read_listing
-from .plan import GLOBAL, KINDS, RELATIVE, RETURN_POINT, Item, Plan, modern
+from .plan import GLOBAL, RELATIVE, RETURN_POINT, Item, Plan, modern
 from .sketch import TEMPLATE, write_sketch
 
 SKETCHES = judge.ROOT / "build" / "plans"
@@ -60,7 +60,7 @@ class RoundTrip:
             if len(meant) != len(read):
                 return Verdict(False, f"FAILED: {len(read)} items of the {kind} came back, not {len(meant)}.")
             beyond = judge.rewritten(self._plan, read, self._autopilot, kind)
-            for number, (ours, theirs) in enumerate(zip(meant, read)):
+            for number, (ours, theirs) in enumerate(zip(meant, read, strict=True)):
                 difference = difference_in_words(ours, theirs)
                 if difference and beyond[number] and not is_return_kept(ours, theirs, self._autopilot):
                     return Verdict(False, f"FAILED: item {number} of the {kind} came back with another {difference}.")
@@ -111,7 +111,7 @@ def sketch_name(plan: Plan) -> str:
 def aboard_like(plan: Plan, listing: str) -> Plan:
     """What was listed, with what no autopilot keeps: the planned home, the speeds, for whom it was drawn."""
     read = read_listing(Path("the sketch's listing"), listing)
-    return replace(plan, notes=read.notes, **{kind: read.steps(kind) for kind in KINDS})
+    return replace(plan, notes=read.notes, mission=read.mission, fence=read.fence, rally=read.rally)
 
 
 def is_return_kept(meant: Item, read: Item, autopilot: str) -> bool:

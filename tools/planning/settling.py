@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from decimal import Decimal
+from typing import TypeGuard
 
 from . import commands
 from .exact import DoesNotFit, e7_of, float32_of, int32_of, is_whole
@@ -62,8 +63,8 @@ def settled(
     if not placed and command in DEGREES_IN_ANY_FRAME:
         values = _without_degrees(command, values, number, notes)
     x, y = (_coordinate(command, i, values[i - 1], placed, number, notes) for i in (5, 6))
-    floats = [_float(i, values[i - 1]) for i in (1, 2, 3, 4, 7)]
-    return Item(modern(frame), command, current, autocontinue, *floats[:4], x, y, floats[4])
+    *params, z = [_float(i, values[i - 1]) for i in (1, 2, 3, 4, 7)]
+    return Item._make((modern(frame), command, current, autocontinue, *params, x, y, z))
 
 
 def settled_current(current: int, number: int, notes: Notes) -> int:
@@ -75,7 +76,11 @@ def settled_current(current: int, number: int, notes: Notes) -> int:
 
 
 def is_unset(value: Number) -> bool:
-    return value is None or value.is_nan()
+    return not _is_set(value)
+
+
+def _is_set(value: Number) -> TypeGuard[Decimal]:
+    return value is not None and not value.is_nan()
 
 
 def _has_place(command: int, frame: int, numbers: Sequence[Number], number: int, notes: Notes) -> bool:
@@ -109,15 +114,17 @@ def _has_place(command: int, frame: int, numbers: Sequence[Number], number: int,
 
 def _without_degrees(command: int, values: list[Number], number: int, notes: Notes) -> list[Number]:
     """The place that some programs write in degrees into an item whose frame says that it has none."""
-    if all(is_unset(value) or is_whole(value) for value in values[4:6]):
+    if all(not _is_set(value) or is_whole(value) for value in values[4:6]):
         return values
     if command == MOUNT_CONTROL and values[6] != MOUNT_AT_A_PLACE:
         notes.add("a camera mount that is not pointed at a place has none: parameters 5 and 6 go out as 0", number)
         return [*values[:4], Decimal(0), Decimal(0), values[6]]
     degrees = []
     for i in (5, 6):
+        value = values[i - 1]
+        assert _is_set(value), "an unset one was refused, or is 0"
         try:
-            degrees.append(Decimal(e7_of(values[i - 1])))
+            degrees.append(Decimal(e7_of(value)))
         except DoesNotFit as error:
             raise DoesNotFit(f"{PLACE_NAMES[i]} {error}", i) from None
     notes.add("parameters 5 and 6 are degrees, though frame 2 says that they are no place: sent as a place is", number)
@@ -140,7 +147,8 @@ def _unset(command: int, i: int, value: Number, placed: bool, number: int, notes
     return value
 
 
-def _coordinate(command: int, i: int, value: Decimal, placed: bool, number: int, notes: Notes) -> int:
+def _coordinate(command: int, i: int, value: Number, placed: bool, number: int, notes: Notes) -> int:
+    assert _is_set(value), "an unset one was refused, or is 0"
     if placed:
         try:
             return e7_of(value)
@@ -162,7 +170,7 @@ def _coordinate(command: int, i: int, value: Decimal, placed: bool, number: int,
 
 
 def _float(i: int, value: Number) -> float:
-    if is_unset(value):
+    if not _is_set(value):
         return math.nan
     try:
         return float32_of(value)

@@ -11,7 +11,7 @@ from .header import header_of, namespace_of
 from .plan import KINDS, Plan
 
 TEMPLATE = Path(__file__).resolve().with_name("round_trip.cpp.in")
-TYPES = dict(zip(KINDS, ("PlanType::Mission", "PlanType::Fence", "PlanType::Rally")))
+TYPES = dict(zip(KINDS, ("PlanType::Mission", "PlanType::Fence", "PlanType::Rally"), strict=True))
 
 
 def write_sketch(plan: Plan, folder: Path) -> Path:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from typing import Any
 
 from rich import box
 from rich.console import Console
@@ -46,7 +47,7 @@ def home_text(home: Home) -> str:
 
 
 def a_table(is_wide: bool, *names: str) -> Table:
-    look = {} if is_wide else {"box": box.SIMPLE_HEAD, "padding": (0, 1, 0, 0), "pad_edge": False}
+    look: dict[str, Any] = {} if is_wide else {"box": box.SIMPLE_HEAD, "padding": (0, 1, 0, 0), "pad_edge": False}
     return Table(*names, **look)
 
 

@@ -98,7 +98,8 @@ class _Reader:
         steps: list[Step] = []
         expected = 0
         with Progress("lines read") as progress:
-            for self._line, line in enumerate(lines[1:], start=self._line + 1):
+            for line in lines[1:]:
+                self._line += 1
                 progress.step()
                 values = self._values_of(line)
                 if values is None:

@@ -1,6 +1,6 @@
-// Signs, checks and hashes what lines on its input tell it, and answers each with a line: test/signing_program.py is
-// the other end. Bytes are in hexadecimal, "-" for none.
-#include "mavmission/Signing.h"
+// Signs, checks and hashes what lines on its input tell it, and answers each with a line: simulation/signing_program.py
+// is the other end. Bytes are in hexadecimal, "-" for none.
+#include "mavmission/signing/Signing.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

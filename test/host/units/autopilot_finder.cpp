@@ -1,13 +1,14 @@
-#include "mavmission/AutopilotFinder.h"
+#include "mavmission/autopilot/AutopilotFinder.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
 
 #include <initializer_list>
 
-#include "mavmission/MavlinkHeaders.h"
+#include "mavmission/link/MavlinkHeaders.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -106,7 +107,7 @@ TEST_CASE("the autopilot that was named is taken, certain at once, and no other"
   Finder finder;
   finder.onHeartbeat(from(1, 1), 0);
   finder.onHeartbeat(from(2, 1), 0);
-  finder.talkTo(2, 1);
+  finder.setTargetIds(2, 1);
   CHECK_FALSE(finder.isFound());
   finder.onHeartbeat(from(1, 1), 10);
   CHECK_FALSE(finder.isFound());
@@ -121,9 +122,9 @@ TEST_CASE("the autopilot that was named is taken, certain at once, and no other"
 TEST_CASE("naming the one that is there already keeps it; naming none forgets it") {
   Finder finder;
   finder.onHeartbeat(from(1, 1), 0);
-  finder.talkTo(1, 1);
+  finder.setTargetIds(1, 1);
   CHECK(finder.isCertain());
-  finder.talkTo(0, 0);
+  finder.setTargetIds(0, 0);
   CHECK_FALSE(finder.isFound());
   finder.onHeartbeat(from(3, 1), 0);
   CHECK(finder.isFrom(3, 1));

@@ -1,8 +1,9 @@
-#include "mavmission/CommandTransfer.h"
+#include "mavmission/transfer/CommandTransfer.h"
 
 #include <doctest/doctest.h>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

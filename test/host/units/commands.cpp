@@ -1,13 +1,14 @@
-#include "mavmission/Commands.h"
+#include "mavmission/autopilot/Commands.h"
 
 #include <doctest/doctest.h>
 
 #include <initializer_list>
 
 #include "mavmission/MissionItem.h"
-#include "mavmission/Rules.h"
+#include "mavmission/autopilot/Rules.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 TEST_CASE("a command that is not in the table has a place or not as its frame says") {
   for (const uint16_t command : {0, 15, 3001, 65535}) CHECK(traitsOf(command) == kAsItsFrameSays);

@@ -1,4 +1,4 @@
-#include "mavmission/DecimalText.h"
+#include "mavmission/text/DecimalText.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
@@ -7,6 +7,7 @@
 #include <string>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

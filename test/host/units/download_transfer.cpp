@@ -1,8 +1,9 @@
-#include "mavmission/DownloadTransfer.h"
+#include "mavmission/transfer/DownloadTransfer.h"
 
 #include <doctest/doctest.h>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

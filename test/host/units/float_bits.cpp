@@ -1,4 +1,4 @@
-#include "mavmission/FloatBits.h"
+#include "mavmission/base/FloatBits.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
@@ -8,6 +8,7 @@
 #include <limits>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

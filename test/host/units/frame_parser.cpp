@@ -4,7 +4,7 @@
 
 #include "Frames.h"
 
-using mavmission::FrameParser;
+using mavmission::detail::FrameParser;
 using Result = FrameParser::Result;
 
 namespace {

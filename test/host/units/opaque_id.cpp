@@ -1,4 +1,4 @@
-#include "mavmission/OpaqueId.h"
+#include "mavmission/transfer/OpaqueId.h"
 
 #include <doctest/doctest.h>
 #include <stdio.h>
@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -29,7 +30,7 @@ uint32_t number(FILE* file, int bytes) {
   return value;
 }
 
-// test_host.py writes them from test/recordings/px4.
+// test_host.py writes them from simulation/recordings/px4.
 std::vector<Recorded> recordedUploads() {
   const char* path = getenv("MAVMISSION_UPLOADS");
   REQUIRE_MESSAGE(path != nullptr, "set MAVMISSION_UPLOADS, or run test_host.py, which does");

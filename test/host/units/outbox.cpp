@@ -1,12 +1,13 @@
-#include "mavmission/Outbox.h"
+#include "mavmission/link/Outbox.h"
 
 #include <doctest/doctest.h>
 
 #include "Frames.h"
 #include "MemoryStream.h"
-#include "mavmission/Messages.h"
+#include "mavmission/link/Messages.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 

@@ -49,7 +49,7 @@ TEST_CASE("a value that is no status has no text") {
 
 TEST_CASE("an operation is over with every status but the few at the beginning") {
   for (Status status :
-       {Status::Idle, Status::WaitingForAutopilot, Status::WaitingForTurn, Status::Checking, Status::Transferring}) {
+       {Status::Idle, Status::WaitingForAutopilot, Status::BackingOff, Status::Checking, Status::Transferring}) {
     CHECK_FALSE(isEnd(status));
   }
   int running = 0;

@@ -1,4 +1,4 @@
-#include "mavmission/UploadTransfer.h"
+#include "mavmission/transfer/UploadTransfer.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
@@ -7,6 +7,7 @@
 #include <vector>
 
 using namespace mavmission;
+using namespace mavmission::detail;
 using Send = UploadTransfer::Send;
 using State = UploadTransfer::State;
 

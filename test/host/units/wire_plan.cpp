@@ -1,4 +1,4 @@
-#include "mavmission/WirePlan.h"
+#include "mavmission/plan/WirePlan.h"
 
 #include <doctest/doctest.h>
 #include <string.h>
@@ -7,10 +7,11 @@
 #include <limits>
 #include <vector>
 
-#include "mavmission/Comparison.h"
 #include "mavmission/ItemSource.h"
+#include "mavmission/plan/Comparison.h"
 
 using namespace mavmission;
+using namespace mavmission::detail;
 
 namespace {
 
@@ -36,7 +37,7 @@ struct Plan {
   Status read(uint16_t index, MissionItem& item) {
     for (int calls = 0; calls < 10000; ++calls) {
       const Status status = wire.read(index, item);
-      if (status == Status::Accepted && notKept(item, wire.keeper()) != Field::None) return Status::NotKept;
+      if (status == Status::Accepted && notKept(item, wire.keeper()) != ItemField::None) return Status::NotKept;
       if (status != Status::Checking) return status;
     }
     return Status::Checking;
@@ -248,9 +249,9 @@ TEST_CASE("on PX4 a takeoff or landing without a place gets that of the nearest 
   CHECK(item.x == east.x);
 
   Plan nowhere({takeoff(15_m), changeSpeed(5_mps), returnToLaunch()}, Firmware::Px4);
-  CHECK((nowhere.read(0, item) == Status::NeedsPlace));
+  CHECK((nowhere.read(0, item) == Status::NeedsCoordinates));
   Plan alone({takeoff(15_m)}, Firmware::Px4);
-  CHECK((alone.read(0, item) == Status::NeedsPlace));
+  CHECK((alone.read(0, item) == Status::NeedsCoordinates));
 
   Plan onArduPilot({takeoff(15_m), west}, Firmware::ArduPilot);
   REQUIRE((onArduPilot.read(1, item) == Status::Accepted));
@@ -326,7 +327,7 @@ TEST_CASE("ArduPilot takes altitudes below 83 km, and PX4 any") {
 
 TEST_CASE("a rally point at the origin is refused for ArduPilot, which would take it and never give it back") {
   const MissionItem nowhere = rallyPoint(0_deg, 0_deg, 20_m);
-  CHECK((Plan({nowhere}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::NeedsPlace));
+  CHECK((Plan({nowhere}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::NeedsCoordinates));
   CHECK((Plan({nowhere}, Firmware::Px4, false, PlanType::Rally).last() == Status::Accepted));
   CHECK(
       (Plan({rallyPoint(0_deg, 1_deg, 20_m)}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::Accepted));
@@ -336,8 +337,8 @@ TEST_CASE("rally points and fences without a place are refused") {
   MissionItem point = rallyPoint(1_deg, 1_deg, 20_m), corner = fenceInsideCircle(1_deg, 1_deg, 20_m);
   point.frame = corner.frame = Frame::Mission;
   for (Firmware firmware : {Firmware::ArduPilot, Firmware::Px4}) {
-    CHECK((Plan({point}, firmware, false, PlanType::Rally).last() == Status::NeedsPlace));
-    CHECK((Plan({corner}, firmware, false, PlanType::Fence).last() == Status::NeedsPlace));
+    CHECK((Plan({point}, firmware, false, PlanType::Rally).last() == Status::NeedsCoordinates));
+    CHECK((Plan({corner}, firmware, false, PlanType::Fence).last() == Status::NeedsCoordinates));
   }
 }
 

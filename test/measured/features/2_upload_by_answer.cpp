@@ -1,4 +1,4 @@
-// Uploads a plan from flash by the autopilot's answer alone, uploadByAnswer().
+// Uploads a plan from flash by the autopilot's answer alone, uploadWithoutReadback().
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;
@@ -8,6 +8,6 @@ MissionClient autopilot(Serial1);
 
 void setup() {
   Serial1.begin(57600);
-  autopilot.uploadByAnswer(inFlash(survey));
+  autopilot.uploadWithoutReadback(inFlash(survey));
 }
 void loop() { autopilot.update(); }

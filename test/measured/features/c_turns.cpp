@@ -1,4 +1,4 @@
-// The upload with retryWhenDenied().
+// The upload with retryWhenBusy().
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;
@@ -8,7 +8,7 @@ MissionClient autopilot(Serial1);
 
 void setup() {
   Serial1.begin(57600);
-  autopilot.retryWhenDenied(60);
+  autopilot.retryWhenBusy(60);
   autopilot.upload(inFlash(survey));
 }
 void loop() { autopilot.update(); }

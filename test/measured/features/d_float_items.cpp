@@ -1,4 +1,4 @@
-// The upload with serveFloatItems().
+// The upload with useMissionItemFallback().
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;
@@ -8,7 +8,7 @@ MissionClient autopilot(Serial1);
 
 void setup() {
   Serial1.begin(57600);
-  autopilot.serveFloatItems();
+  autopilot.useMissionItemFallback();
   autopilot.upload(inFlash(survey));
 }
 void loop() { autopilot.update(); }

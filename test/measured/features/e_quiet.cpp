@@ -1,11 +1,11 @@
-// The upload with QuietTransfers.
+// The upload with TelemetryPause.
 #include <Arduino.h>
 #include <MavMission.h>
 using namespace mavmission;
 
 constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
 MissionClient autopilot(Serial1);
-QuietTransfers quiet(autopilot);
+TelemetryPause quiet(autopilot);
 
 void setup() {
   Serial1.begin(57600);

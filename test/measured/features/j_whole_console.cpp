@@ -1,6 +1,6 @@
 // The same with offerAll(): every command.
 #include <Arduino.h>
-#include <MavMission.h>
+#include <MavMissionConsole.h>
 using namespace mavmission;
 
 MissionClient autopilot(Serial1);

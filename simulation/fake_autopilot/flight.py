@@ -1,0 +1,240 @@
+"""A flight along a plan's items: simple, but in the right order and at a likely pace.
+
+Every leg is flown from standstill to standstill at a constant acceleration, up to a speed.
+Nothing is steered: what matters to a client is which item is flown when.
+"""
+import math
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from .dialect import mavlink
+from .items import Item
+
+METRES_PER_E7 = 0.011131884502145034  # a 1e-7 degree of latitude [m]
+HIGHEST = 1e6  # [m]; no plan means more, and GLOBAL_POSITION_INT could not tell of it
+ELSEWHERE = 2.0  # [m] away, at least
+MOST_JUMPS_AT_ONCE = 1000  # a plan of nothing but jumps must not hang the test
+
+WAYPOINT = mavlink.MAV_CMD_NAV_WAYPOINT
+SPLINE_WAYPOINT = mavlink.MAV_CMD_NAV_SPLINE_WAYPOINT
+LOITER_UNLIM = mavlink.MAV_CMD_NAV_LOITER_UNLIM
+LOITER_TURNS = mavlink.MAV_CMD_NAV_LOITER_TURNS
+LOITER_TIME = mavlink.MAV_CMD_NAV_LOITER_TIME
+LOITER_TO_ALT = mavlink.MAV_CMD_NAV_LOITER_TO_ALT
+RETURN = mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH
+LAND = mavlink.MAV_CMD_NAV_LAND
+TAKEOFF = mavlink.MAV_CMD_NAV_TAKEOFF
+VTOL_TAKEOFF = mavlink.MAV_CMD_NAV_VTOL_TAKEOFF
+VTOL_LAND = mavlink.MAV_CMD_NAV_VTOL_LAND
+PAYLOAD_PLACE = mavlink.MAV_CMD_NAV_PAYLOAD_PLACE
+DELAY = mavlink.MAV_CMD_NAV_DELAY
+CONDITION_DELAY = mavlink.MAV_CMD_CONDITION_DELAY
+JUMP = mavlink.MAV_CMD_DO_JUMP
+
+_TO_A_PLACE = {WAYPOINT, SPLINE_WAYPOINT, LOITER_UNLIM, LOITER_TURNS, LOITER_TIME,
+               LOITER_TO_ALT, LAND, VTOL_LAND, PAYLOAD_PLACE}
+LANDINGS = (LAND, VTOL_LAND)
+_ABSOLUTE_FRAMES = {mavlink.MAV_FRAME_GLOBAL, mavlink.MAV_FRAME_GLOBAL_INT,
+                    mavlink.MAV_FRAME_MISSION}
+
+
+class Place(NamedTuple):
+    """Where a vehicle is."""
+
+    lat_e7: int  # [1e-7 degrees]
+    lon_e7: int  # [1e-7 degrees]
+    height: float  # [m above home]
+
+    def distance(self, other: "Place") -> float:
+        """[m], near enough for a leg."""
+        north = (other.lat_e7 - self.lat_e7) * METRES_PER_E7
+        east = ((other.lon_e7 - self.lon_e7) * METRES_PER_E7
+                * math.cos(math.radians(self.lat_e7 * 1e-7)))
+        return math.sqrt(north ** 2 + east ** 2 + (other.height - self.height) ** 2)
+
+    def towards(self, other: "Place", share: float) -> "Place":
+        """The place that share [0..1] of the way to other."""
+        return Place._make(type(a)(a + (b - a) * share) for a, b in zip(self, other, strict=True))
+
+
+class Pace(NamedTuple):
+    """How a vehicle moves."""
+
+    acceleration: float  # [m/s2]
+    speed: float  # [m/s]
+    climb: float  # of a takeoff [m/s]
+    descent: float  # of a landing [m/s]
+    spool_up_s: float  # from the start of a takeoff to leaving the ground
+    flies: bool = True  # or keeps to the ground, whatever altitude an item has
+    # Whether a landing that is elsewhere counts as reached when it begins to sink there; else on the ground.
+    reaches_land_above: bool = False
+    takes_off_at_place: bool = False  # in the air, a takeoff is a waypoint; else it only climbs
+
+    def leg_s(self, distance: float) -> float:
+        """How long a leg of so many metres takes."""
+        if distance < self.speed ** 2 / self.acceleration:
+            return 2 * math.sqrt(distance / self.acceleration)
+        return distance / self.speed + self.speed / self.acceleration
+
+
+class Flight:
+    """Flies a plan. Tells of each item that begins and ends through its callbacks.
+
+    landed(now) is called on the ground, at the end of a landing; it answers whether the plan goes on.
+    """
+
+    def __init__(self, pace: Pace, home: Place, home_altitude: float,
+                 items: Callable[[], Sequence[Item]],
+                 begun: Callable[[int, Item, float], None],
+                 reached: Callable[[int, Item, float], None],
+                 over: Callable[[float], None],
+                 landed: Callable[[float], bool]) -> None:
+        self.pace = pace
+        self.home = home
+        self.home_altitude = home_altitude  # [m above sea level]
+        self.index: int | None = None  # of the item being flown; None when not flying one
+        self.ends_at = math.inf  # when that item ends [s]
+        self.waiting = False  # at the beginning of that item, for begin()
+        self.sinking = False  # at the end of a landing
+        self._moves_to_land = False
+        self._items = items
+        self._begun, self._reached, self._over, self._landed = begun, reached, over, landed
+        self._from, self._to = home, home
+        self._began_at = 0.0
+        self._jumps_left: dict[int, int] = {}
+
+    def where(self, now: float) -> Place:
+        """Where the vehicle is now."""
+        if now >= self.ends_at or self._from == self._to:
+            return self._to
+        length = self.ends_at - self._began_at
+        if not 0 < length < math.inf:
+            return self._to
+        share = (now - self._began_at) / length
+        return self._from.towards(self._to, share * share * (3 - 2 * share))
+
+    def airborne(self, now: float) -> bool:
+        return self.where(now).height > 0.1
+
+    def begin(self, index: int, now: float) -> None:
+        """Fly item `index`, and from there on."""
+        self._from = self.where(now)
+        self.waiting = self.sinking = False
+        for _ in range(MOST_JUMPS_AT_ONCE):
+            items = self._items()
+            if not 0 <= index < len(items):
+                break
+            item = items[index]
+            self.index = index
+            if item.command == JUMP:
+                index = self._after_jump(index, item)
+                continue
+            self._begun(index, item, now)
+            if self.index is None:
+                return
+            target, takes_s = self._leg(item)
+            if takes_s > 0:
+                self._to, self._began_at, self.ends_at = target, now, now + takes_s
+                return
+            self._reached(index, item, now)
+            if self.index is None:
+                return
+            index += 1
+        self.stop(now)
+        self._over(now)
+
+    def advance(self, now: float) -> None:
+        """The item being flown has ended: go on to the next."""
+        index = self.index
+        items = self._items()
+        item = items[index] if index is not None and index < len(items) else None
+        self._from = self._to
+        self.ends_at = math.inf
+        sank, self.sinking = self.sinking, False
+        if sank and not self._landed(now):
+            return
+        if index is None:
+            return
+        lands = item is not None and item.command in LANDINGS and self.pace.flies
+        reached_above = self.pace.reaches_land_above and self._moves_to_land
+        if item is not None and (not lands or sank != reached_above):
+            self._reached(index, item, now)
+        if lands and not sank:
+            self.sink(now)
+            return
+        if self.index is not None:
+            self.begin(index + 1, now)
+
+    def wait(self) -> None:
+        """Keep to the item, and stay where it begins until begin() is called again."""
+        self._to, self.ends_at = self._from, math.inf
+        self.waiting = True
+
+    def sink(self, now: float) -> None:
+        """Come down where we are."""
+        self._from = self.where(now)
+        self._to = self._from._replace(height=0.0)
+        self._began_at, self.ends_at = now, now + max(self._from.height, 0.0) / self.pace.descent
+        self.sinking = True
+
+    def stop(self, now: float) -> None:
+        """Fly no item any more: stay where we are."""
+        self._to = self._from = self.where(now)
+        self.index, self.ends_at = None, math.inf
+        self.waiting = self.sinking = False
+
+    def land_at_once(self) -> None:
+        """As after a restart: on the ground, at rest, where it is."""
+        self._from = self._to = self._to._replace(height=0.0)
+        self.index, self.ends_at = None, math.inf
+        self.waiting = self.sinking = False
+
+    def forget_jumps(self) -> None:
+        self._jumps_left.clear()
+
+    def _after_jump(self, index: int, item: Item) -> int:
+        left = self._jumps_left.setdefault(index, int(item.param2))
+        if left == 0:
+            return index + 1
+        self._jumps_left[index] = left - 1 if left > 0 else left
+        return int(item.param1)
+
+    def _height(self, item: Item) -> float:
+        """The item's altitude [m above home]; where it is, for one that is no altitude."""
+        if not self.pace.flies or not math.isfinite(item.z):
+            return self._from.height
+        height = item.z - self.home_altitude if item.frame in _ABSOLUTE_FRAMES else item.z
+        return max(-HIGHEST, min(HIGHEST, height))
+
+    def _leg(self, item: Item) -> tuple[Place, float]:
+        """Where the item leads, and how long it takes [s]; 0 for what is done on the spot."""
+        here = self._from
+        is_waypoint = self.pace.takes_off_at_place and here.height > 0.1
+        if item.command in (TAKEOFF, VTOL_TAKEOFF) and not is_waypoint:
+            target = here._replace(height=self._height(item))
+            climb_s = max(0.0, target.height - here.height) / self.pace.climb
+            on_ground_s = self.pace.spool_up_s if here.height <= 0.1 else 0.0
+            return target, on_ground_s + climb_s
+        if item.command == RETURN:
+            target = self.home._replace(height=0.0)
+            over_home = self.home._replace(height=here.height)
+            return target, (self.pace.leg_s(here.distance(over_home))
+                            + here.height / self.pace.descent)
+        if item.command in (DELAY, CONDITION_DELAY):
+            return here, max(0.0, item.param1)
+        if item.command not in (*_TO_A_PLACE, TAKEOFF, VTOL_TAKEOFF):
+            return here, 0.0
+        lat, lon = (item.x, item.y) if item.x or item.y else (here.lat_e7, here.lon_e7)
+        target = Place(int(lat), int(lon), self._height(item))
+        takes_s = max(self.pace.leg_s(here.distance(target)), 0.02)
+        if item.command in LANDINGS:
+            target = target._replace(height=here.height)
+            self._moves_to_land = here.distance(target) > ELSEWHERE
+            takes_s = max(self.pace.leg_s(here.distance(target)), 0.02)
+        elif item.command == LOITER_UNLIM:
+            takes_s = math.inf
+        elif item.command in (WAYPOINT, SPLINE_WAYPOINT, LOITER_TIME):
+            takes_s += 0.0 if math.isnan(item.param1) else max(0.0, item.param1)
+        elif item.command == LOITER_TURNS:
+            takes_s += 20.0 * max(0.0, item.param1)
+        return target, takes_s

@@ -1,0 +1,206 @@
+"""Firmware for the tests: C++ sources, the Arduino core and this library, made into an ELF.
+
+    elf = build_firmware("upload", [HERE / "firmware/upload.cpp"], {"ITEMS": 50})
+
+Flags and linking are those of the Arduino IDE: the library's objects are all
+given to the linker, and what the sketch does not use is left out. Objects are
+kept under build/firmware by what went into them, so that a test that asks for
+the same firmware again, in this worker or another, has it at once.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import functools
+import hashlib
+import os
+import subprocess
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LIBRARY = ROOT / "src"
+OUTPUT = ROOT / "build" / "firmware"
+ARDUINO = Path("/usr/share/arduino/hardware/arduino/avr")
+CORE = ARDUINO / "cores" / "arduino"
+
+# The board's variant folder and what the IDE defines for it.
+BOARDS = {
+    "atmega2560": ("mega", ["-DARDUINO_AVR_MEGA2560"]),
+    "atmega328p": ("standard", ["-DARDUINO_AVR_UNO"]),
+    "atmega32u4": (
+        "leonardo",
+        ["-DARDUINO_AVR_LEONARDO", "-DUSB_VID=0x2341", "-DUSB_PID=0x8036",
+         '-DUSB_MANUFACTURER="Unknown"', '-DUSB_PRODUCT="Arduino Leonardo"'],
+    ),
+}  # fmt: skip
+
+CPP = ["-std=gnu++11", "-fpermissive", "-fno-exceptions", "-fno-threadsafe-statics", "-Wno-error=narrowing"]
+C = ["-std=gnu11", "-fno-fat-lto-objects"]
+BOTH = ["-c", "-g", "-Os", "-flto", "-ffunction-sections", "-fdata-sections"]
+STRICT = ["-Wall", "-Wextra", "-Werror"]
+LINK = ["-Os", "-g", "-flto", "-fuse-linker-plugin", "-Wl,--gc-sections", *STRICT]
+
+
+class FirmwareNotBuilt(Exception):
+    """The compiler refused; the text is what it said."""
+
+
+def build_firmware(
+    name: str,
+    sources: Sequence[str | Path],
+    defines: Mapping[str, object] | None = None,
+    mcu: str = "atmega2560",
+    *,
+    library: bool | Path = True,
+    include_dirs: Iterable[str | Path] = (),
+    flags: Iterable[str] = (),
+) -> Path:
+    """The ELF of `sources`, which define setup() and loop().
+
+    `defines` also reach the library, if it names them. A value of True defines the
+    bare name. `flags` are further compiler flags for the sources and the library.
+    Warnings in either are errors. `library`: the folder src of a changed copy
+    of it; False: only the core is linked.
+    """
+    files = [Path(source).resolve() for source in sources]
+    own = [*defined(defines or {}), *flags]
+    root = library if isinstance(library, Path) else LIBRARY
+    places = [root, *{file.parent for file in files}, *(Path(d).resolve() for d in include_dirs)]
+    units = [compiled(file, mcu, own, places) for file in files]
+    if library:
+        # As few different ones as can be: firmware that differs elsewhere shares the library's objects.
+        its_own = [*defined({name: value for name, value in (defines or {}).items() if library_names(name)}), *flags]
+        units += [compiled(source, mcu, its_own, [root]) for source in library_sources(root)]
+    core = core_archive(mcu)
+    key = digest("elf", mcu, *LINK, *map(str, units), str(core))
+    elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
+    with exclusive(elf):
+        if not elf.exists():
+            fresh = elf.with_suffix(".new")
+            run(["avr-gcc", *LINK, f"-mmcu={mcu}", "-o", fresh, *units, core, "-lm"])
+            fresh.replace(elf)
+    return elf
+
+
+def defined(defines: Mapping[str, object]) -> list[str]:
+    return [f"-D{name}" if value is True else f"-D{name}={value}" for name, value in defines.items()]
+
+
+def library_file(name: str) -> Path:
+    """The library's file of this name, whichever folder below src it is in."""
+    (file,) = LIBRARY.rglob(name)
+    return file
+
+
+def library_sources(root: Path = LIBRARY) -> list[Path]:
+    """What the Arduino builder compiles of a library: every source under src."""
+    return sorted(file for kind in ("*.cpp", "*.c", "*.S") for file in root.rglob(kind))
+
+
+@functools.cache
+def library_names(word: str) -> bool:
+    """Whether a macro can mean anything to the library: whether the word is in it."""
+    return any(word in file.read_text() for kind in ("*.h", "*.cpp") for file in LIBRARY.rglob(kind))
+
+
+def compiled(source: Path, mcu: str, flags: Sequence[str], places: Sequence[Path]) -> Path:
+    """An object of ours. Its name is made of all that could change it."""
+    includes = [f"-I{place}" for place in dict.fromkeys(places)]
+    command = [*compiler(source, mcu), *STRICT, *flags, *includes]
+    headers = [headers_digest(place) for place in dict.fromkeys(places)]
+    return make_object(source, command, digest(*headers))
+
+
+def core_archive(mcu: str) -> Path:
+    """The Arduino core of a board, warnings off as in the IDE."""
+    folder = CORE.parent
+    if not CORE.is_dir():
+        raise FirmwareNotBuilt(f"no Arduino core at {CORE}: run tools/setup")
+    files = sorted(file for kind in ("*.c", "*.cpp", "*.S") for file in CORE.glob(kind))
+    headers = headers_digest(folder)
+    objects = [make_object(file, [*compiler(file, mcu), "-w"], headers) for file in files]
+    archive = OUTPUT / "core" / f"{mcu}-{digest(*map(str, objects))[:12]}.a"
+    with exclusive(archive):
+        if not archive.exists():
+            fresh = archive.with_suffix(".new")
+            fresh.unlink(missing_ok=True)
+            run(["avr-gcc-ar", "rcs", fresh, *objects])
+            fresh.replace(archive)
+    return archive
+
+
+def compiler(source: Path, mcu: str) -> list[str]:
+    if mcu not in BOARDS:
+        raise FirmwareNotBuilt(f"no board with an {mcu}: choose one of {', '.join(BOARDS)}")
+    variant, board = BOARDS[mcu]
+    common = [
+        f"-mmcu={mcu}", "-DF_CPU=16000000L", "-DARDUINO=10819", "-DARDUINO_ARCH_AVR", *board,
+        f"-I{CORE}", f"-I{ARDUINO / 'variants' / variant}",
+    ]  # fmt: skip
+    if source.suffix == ".S":
+        return ["avr-gcc", "-c", "-g", "-x", "assembler-with-cpp", "-flto", *common]
+    if source.suffix == ".c":
+        return ["avr-gcc", *BOTH, *C, *common]
+    # The core uses DECIMAL_DIG, which avr-gcc 5.4 leaves out in C++11.
+    return ["avr-g++", *BOTH, *CPP, *common, "-DDECIMAL_DIG=__DECIMAL_DIG__"]
+
+
+def make_object(source: Path, command: Sequence[str], headers: str) -> Path:
+    key = digest(compiler_version(), headers, source.read_bytes(), str(source), *command)
+    target = OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
+    if target.exists():
+        return target
+    with exclusive(target):
+        if not target.exists():
+            fresh = target.with_suffix(".new")
+            run([*command, source, "-o", fresh])
+            fresh.replace(target)
+    return target
+
+
+def run(command: Sequence[str | Path]) -> None:
+    words = [str(word) for word in command]
+    try:
+        said = subprocess.run(words, capture_output=True, text=True, check=False, env={**os.environ, "LC_ALL": "C"})
+    except OSError as error:
+        raise FirmwareNotBuilt(f"{words[0]} does not start: run tools/setup") from error
+    if said.returncode != 0:
+        raise FirmwareNotBuilt(f"{' '.join(words)}\n{said.stdout}{said.stderr}")
+
+
+@contextmanager
+def exclusive(target: Path) -> Iterator[None]:
+    """One maker of a file at a time: pytest runs several workers."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with open(f"{target}.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def digest(*parts: str | bytes) -> str:
+    whole = hashlib.sha256()
+    for part in parts:
+        data = part if isinstance(part, bytes) else part.encode()
+        whole.update(len(data).to_bytes(8, "little") + data)
+    return whole.hexdigest()
+
+
+@functools.cache
+def compiler_version() -> str:
+    try:
+        return subprocess.run(["avr-gcc", "--version"], capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise FirmwareNotBuilt("avr-gcc does not start: run tools/setup") from error
+
+
+def headers_digest(place: Path) -> str:
+    """Changes with any header that a source could include from there."""
+    files = sorted(file for kind in ("*.h", "*.hpp", "*.inc") for file in place.rglob(kind))
+    return digest(*(part for file in files for part in (str(file), contents_digest(file, file.stat().st_mtime_ns))))
+
+
+@functools.cache
+def contents_digest(file: Path, changed_ns: int) -> str:
+    return hashlib.sha256(file.read_bytes()).hexdigest()

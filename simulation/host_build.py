@@ -1,0 +1,119 @@
+"""Programs of the library for the computer that runs the tests.
+
+    program = build_host("units", sources, "clang++", sanitize=True)
+
+The Arduino core is replaced by test/host/arduino. Objects and programs are kept
+under build/host by what went into them.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import subprocess
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from simulation.firmware import LIBRARY, ROOT, defined, digest, exclusive, library_sources
+
+OUTPUT = ROOT / "build" / "host"
+HOST = ROOT / "test" / "host"
+SHIM = HOST / "arduino"
+COMPILERS = ("g++", "clang++")
+
+STANDARD = ["-std=c++11", "-g1", "-fno-omit-frame-pointer"]
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+SANITIZERS = "address,undefined"
+# A finding ends the program with a failure instead of a line of text.
+SANITIZED = ["-O1", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
+FUZZED = ["-O1", f"-fsanitize=fuzzer-no-link,{SANITIZERS}", "-fno-sanitize-recover=all"]
+FAST = ["-O2"]
+# The tests' own code with doctest's macros would be most of the time of a build, and is not what is looked at.
+# What tries a million values is sooner done when it is optimised all the same.
+UNITS = HOST / "units"
+LONG_RUNNING = (UNITS / "float_bits.cpp",)
+AS_IT_IS = ["-O0"]
+FAST_ASSERTS = ["-DDOCTEST_CONFIG_SUPER_FAST_ASSERTS"]
+
+
+class HostProgramNotBuilt(Exception):
+    """The compiler refused; the text is what it said."""
+
+
+def build_host(
+    name: str,
+    sources: Sequence[Path],
+    compiler: str = "g++",
+    flags: Sequence[str] = SANITIZED,
+    *,
+    defines: Mapping[str, object] | None = None,
+    link: Iterable[str] = (),
+    library: Iterable[Path] | None = None,
+) -> Path:
+    """The program that `sources`, the library and the Arduino shim make.
+
+    `flags` are one of SANITIZED, FUZZED and FAST. `library` names the sources of
+    the library that go in; all by default. Warnings are errors.
+    """
+    units = [*sources, *(library_sources() if library is None else library), SHIM / "Arduino.cpp"]
+    places = [f"-I{LIBRARY}", f"-I{SHIM}", f"-I{HOST}"]
+    command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), *places]
+    unit = [*command, *FAST_ASSERTS]
+    kinds = {source: [*unit, *AS_IT_IS] for source in units if source.parent == UNITS}
+    kinds |= {source: unit for source in LONG_RUNNING}
+    with ThreadPoolExecutor(os.cpu_count()) as workers:
+        commands = [kinds.get(source, command) for source in units]
+        objects = list(workers.map(make_object, units, commands))
+    linking = [compiler, *flags, *link]
+    key = digest("program", *linking, *map(str, objects))
+    program = OUTPUT / f"{name}-{key[:12]}" / name
+    with exclusive(program):
+        if not program.exists():
+            fresh = program.with_suffix(".new")
+            run([*linking, "-o", fresh, *objects])
+            fresh.replace(program)
+    return program
+
+
+def make_object(source: Path, command: Sequence[str]) -> Path:
+    """The object of a source, compiled again when it or a file that it includes has changed."""
+    compiling = digest(compiler_version(command[0]), str(source), *command)[:16]
+    included = OUTPUT / "included" / f"{source.stem}-{compiling}.d"
+    with exclusive(included):
+        if included.exists():
+            target = object_name(source, compiling, included)
+            if target.exists():
+                return target
+        fresh = included.with_suffix(".new.o")
+        run([*command, source, "-o", fresh, "-MMD", "-MF", included])
+        target = object_name(source, compiling, included)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        fresh.replace(target)
+    return target
+
+
+def object_name(source: Path, compiling: str, included: Path) -> Path:
+    """By the compiler's command and the contents of all files that went in."""
+    files = included.read_text().replace("\\\n", " ").split(": ", 1)[1].split()
+    contents = (Path(file).read_bytes() if Path(file).exists() else b"" for file in files)
+    key = digest(compiling, *contents)
+    return OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
+
+
+def run(command: Sequence[str | Path]) -> None:
+    words = [str(word) for word in command]
+    try:
+        said = subprocess.run(words, capture_output=True, text=True, check=False, env={**os.environ, "LC_ALL": "C"})
+    except OSError as error:
+        raise HostProgramNotBuilt(f"{words[0]} does not start: run tools/setup") from error
+    if said.returncode != 0:
+        raise HostProgramNotBuilt(f"{' '.join(words)}\n{said.stdout}{said.stderr}")
+
+
+@functools.cache
+def compiler_version(compiler: str) -> str:
+    try:
+        return subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise HostProgramNotBuilt(f"{compiler} does not start: run tools/setup") from error

@@ -1,0 +1,93 @@
+// The firmware of the LinkDoctor's tests: a client and its doctor on Serial1, told by lines on Serial what to do.
+// simulation/doctor.py is the other end.
+#include <Arduino.h>
+#include <MavMission.h>
+
+#include "Talk.h"
+
+using namespace mavmission;
+
+constexpr MissionItem plan[] PROGMEM = {
+    takeoff(20_m),
+    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
+    waypoint(-35.3614500_deg, 149.1652374_deg, 20_m),
+    returnToLaunch(),
+};
+
+static MissionClient client(Serial1);
+static LinkDoctor doctor(client);
+static uint32_t baud = 57600;
+static uint16_t stallEachMs, stallMs;
+static Status lastReturned = Status::Idle;
+static Verdict lastVerdict = Verdict::Listening;
+
+static void setBaud(void*, uint32_t tried) {
+  Serial1.begin(tried);
+  Serial.print(millis());
+  Serial.print(F(" opened "));
+  Serial.println(tried);
+}
+
+ACTION(upload) { client.upload(inFlash(plan)); }
+ACTION(open) {
+  baud = numbers[0];
+  Serial1.begin(baud);
+}
+ACTION(bauds) { doctor.tryBauds(setBaud, baud); }
+ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
+ACTION(talkto) { client.setTargetIds(numbers[0], numbers[1]); }
+ACTION(stall) {
+  stallEachMs = numbers[0];
+  stallMs = numbers[1];
+}
+ACTION(doctor_) {
+  tell(F("doctor"), static_cast<uint8_t>(doctor.verdict()));
+  tellNumber(F("baud"), doctor.baud());
+  tellNumber(F("system"), doctor.speaker().systemId);
+  tellNumber(F("component"), doctor.speaker().componentId);
+  tellNumber(F("type"), doctor.speaker().type);
+  Serial.println();
+}
+ACTION(text) {
+  const FlashText words = toString(static_cast<Verdict>(numbers[0]));
+  tell(F("text"), numbers[0]);
+  Serial.print(' ');
+  if (words != nullptr) Serial.print(words);
+  Serial.println();
+}
+
+static const Word words[] = {WORD(upload), WORD(open),  WORD(bauds), WORD(ids),
+                             WORD(talkto), WORD(stall), WORD(text),  {"doctor", doctor_}};
+
+// Apart, so that its calls can be watched.
+extern "C" __attribute__((noinline, noclone)) Verdict updateDoctor() { return doctor.update(); }
+
+void setup() {
+  Serial.begin(500000);
+  Serial1.begin(baud);
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  Serial.println(F("ready"));
+}
+
+void loop() {
+  static uint16_t stalledMs;
+  listen(words);
+  const uint16_t nowMs = millis();
+  if (stallMs != 0 && static_cast<uint16_t>(nowMs - stalledMs) >= stallEachMs) {
+    stalledMs = nowMs;
+    delay(stallMs);
+  }
+  const Verdict verdict = updateDoctor();
+  const Status status = client.update();
+  if (isEnd(status) || status != lastReturned) {
+    lastReturned = status;
+    tell(F("returned"), static_cast<uint8_t>(status));
+    Serial.println();
+  }
+  if (verdict != lastVerdict) {
+    lastVerdict = verdict;
+    tell(F("verdict"), static_cast<uint8_t>(verdict));
+    Serial.println();
+  }
+  sleepIfNothingCame(Serial1);
+}

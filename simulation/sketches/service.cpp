@@ -1,0 +1,311 @@
+// The firmware of the tests of the mission service: a MissionClient on Serial1, with a follower and listeners, that
+// does what lines on Serial tell it, and says on Serial what it sees. simulation/service.py is the other end; it also
+// writes plans, commands and messages into the arrays below, and reads what was downloaded from there.
+#include <Arduino.h>
+#include <MavMission.h>
+
+#include "Line.h"
+#include "Talk.h"
+
+using namespace mavmission;
+using namespace mavmission::detail;
+
+#ifndef BENCH_BAUD
+#define BENCH_BAUD 57600
+#endif
+
+static const uint8_t kPlanItems = 60;
+
+extern "C" {
+// Written and read by the test, from outside.
+#define FROM_OUTSIDE __attribute__((used, externally_visible))
+MissionItem benchPlan[kPlanItems] FROM_OUTSIDE;
+MissionItem benchSink[kPlanItems] FROM_OUTSIDE;
+MissionItem benchHome FROM_OUTSIDE;
+FlightCommand benchCommand FROM_OUTSIDE;
+uint8_t benchPayload[255] FROM_OUTSIDE;
+}
+
+// Of the common dialect: GPS_RAW_INT and GLOBAL_POSITION_INT; ATTITUDE, HEARTBEAT, and the first one again.
+const MessageKey positionKeys[] PROGMEM = {messageKey(24, 24, 30), messageKey(33, 104, 28)};
+#ifdef BENCH_TWO_LISTENERS
+const MessageKey attitudeKeys[] PROGMEM = {messageKey(30, 39, 28), messageKey(0, 50, 9), messageKey(24, 24, 30)};
+#endif
+
+Line line(Serial1);
+MissionClient client(line);
+MissionFollower follower(client);
+#ifdef BENCH_QUIET
+TelemetryPause quiet(client);
+#endif
+
+static ItemSource plan = emptyPlan();
+static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
+static Status lastReturned = Status::Idle;
+static OutgoingMessage outgoing;
+static bool isPosting;
+static uint8_t chained;  // what onEnd() starts
+static uint16_t stallEachMs, stallMs;
+
+static void tellBegun(Status status) {
+  tell(F("began"), static_cast<uint8_t>(status));
+  Serial.println();
+}
+
+static void onMessage(void* context, const ReceivedMessage& message) {
+  tell(F("message"), message.id);
+  Serial.print(' ');
+  Serial.print(message.systemId);
+  Serial.print(' ');
+  Serial.print(message.componentId);
+  Serial.print(' ');
+  Serial.print(message.version);
+  Serial.print(' ');
+  Serial.print(*static_cast<const char*>(context));
+  Serial.print(' ');
+  uint8_t whole[60];
+  message.copyTo(whole, message.id == 24 ? 52 : message.id == 0 ? 9 : 28);
+  tellHex(whole, message.id == 24 ? 52 : message.id == 0 ? 9 : 28);
+  Serial.println();
+}
+
+static char firstListener = 'A';
+MessageListener positions(client, positionKeys, onMessage, &firstListener);
+#ifdef BENCH_TWO_LISTENERS
+static char secondListener = 'B';
+MessageListener attitudes(client, attitudeKeys, onMessage, &secondListener);
+#endif
+
+static void onProgress(void*, uint16_t done, uint16_t total) {
+  tell(F("progress"), done);
+  Serial.print(' ');
+  Serial.println(total);
+}
+
+static void onCurrent(void*, uint16_t item) {
+  tell(F("current"), item);
+  Serial.println();
+}
+
+static void onReached(void*, uint16_t item) {
+  tell(F("reached"), item);
+  Serial.println();
+}
+
+static void onText(void*, uint8_t severity, const char* text) {
+  tell(F("text"), severity);
+  Serial.print(' ');
+  Serial.println(text);
+}
+
+static bool takeItem(void*, uint16_t index, const MissionItem& item) {
+  tell(F("item"), index);
+  Serial.println();
+  if (index == refusedSinkItem) return false;
+  if (index == kHomeIndex) {
+    benchHome = item;
+  } else if (index < kPlanItems) {
+    benchSink[index] = item;
+  }
+  return true;
+}
+
+static void onEnd(void*, Status status) {
+  tell(F("end"), static_cast<uint8_t>(status));
+  Serial.println();
+  const uint8_t next = chained;
+  chained = 0;
+  switch (next) {
+    case 1: return tellBegun(client.verify(plan));
+    case 2: return tellBegun(client.start());
+    case 3: return tellBegun(client.uploadWithoutReadback(plan));
+    case 4: return tellBegun(client.download(toFunction(takeItem)));
+    default: return;
+  }
+}
+
+static void tellState() {
+  tell(F("state"), static_cast<uint8_t>(client.status()));
+  tellNumber(F("busy"), client.isBusy());
+  tellNumber(F("failed"), client.failedItem());
+  tellNumber(F("done"), client.itemsDone());
+  tellNumber(F("total"), client.itemsTotal());
+  tellNumber(F("aboard"), static_cast<uint8_t>(client.aboard()));
+  tellNumber(F("fence"), static_cast<uint8_t>(client.aboard(PlanType::Fence)));
+  tellNumber(F("rally"), static_cast<uint8_t>(client.aboard(PlanType::Rally)));
+  tellNumber(F("field"), static_cast<uint8_t>(client.differingField()));
+  tellNumber(F("step"), static_cast<uint8_t>(client.startStep()));
+  tellNumber(F("arming"), static_cast<uint8_t>(client.startArming()));
+  tellNumber(F("result"), client.lastResult());
+  tellNumber(F("found"), client.hasAutopilot());
+  tellNumber(F("firmware"), static_cast<uint8_t>(client.firmware()));
+  tellNumber(F("system"), client.autopilotSystemId());
+  tellNumber(F("component"), client.autopilotComponentId());
+  tellNumber(F("armed"), client.isArmed());
+  tellNumber(F("mode"), client.customMode());
+  uint8_t modes = 0;
+  for (uint8_t mode = 0; mode < 7; ++mode) {
+    if (client.isInMode(static_cast<FlightMode>(mode))) modes |= 1 << mode;
+  }
+  tellNumber(F("modes"), modes);
+  Serial.println();
+}
+
+static void tellFollowed() {
+  tell(F("followed"), 0);
+  tellNumber(F("current"), follower.currentItem());
+  tellNumber(F("reached"), follower.reachedItem());
+  tellNumber(F("total"), follower.total());
+  tellNumber(F("state"), static_cast<uint8_t>(follower.state()));
+  tellNumber(F("ours"), follower.isOurPlan());
+  Serial.println();
+}
+
+static void tellCounters() {
+  const LinkCounters counters = client.counters();
+  tell(F("counters"), 0);
+  tellNumber(F("bytes"), counters.bytes);
+  tellNumber(F("skipped"), counters.bytesSkipped);
+  tellNumber(F("frames"), counters.frames);
+  tellNumber(F("unknown"), counters.unknownMessages);
+  tellNumber(F("bad"), counters.badChecksums);
+  tellNumber(F("broken"), counters.brokenFrames);
+  tellNumber(F("lost"), counters.framesLost);
+  tellNumber(F("sent"), counters.framesSent);
+  Serial.println();
+}
+
+// ---- What a line can be.
+
+static PlanType typeOf(uint32_t number) { return static_cast<PlanType>(number); }
+
+ACTION(ram) { plan = inRam(benchPlan, numbers[0]); }
+ACTION(empty) { plan = emptyPlan(); }
+// Type, Proof.
+ACTION(upload) {
+  if (numbers[1] == 0) return tellBegun(client.uploadWithoutReadback(plan, typeOf(numbers[0])));
+  tellBegun(client.upload(plan, typeOf(numbers[0]), static_cast<Readback>(numbers[1])));
+}
+ACTION(uploadagain) { tellBegun(client.uploadAgain()); }
+ACTION(uploadpart) { tellBegun(client.uploadPartial(plan, numbers[0], numbers[1])); }
+ACTION(verify) { tellBegun(client.verify(plan, typeOf(numbers[0]))); }
+// Type, the items that the function takes at most, the item that it refuses.
+ACTION(download) {
+  refusedSinkItem = numbers[2];
+  tellBegun(client.download(toFunction(takeItem, nullptr, numbers[1]), typeOf(numbers[0])));
+}
+ACTION(downloadtoram) { tellBegun(client.download(toRam(benchSink), typeOf(numbers[0]))); }
+static MissionItem smallSink[3];
+ACTION(downloadtosmall) {
+  tellBegun(client.download(toRam(smallSink), typeOf(numbers[0])));
+  memcpy(benchSink, smallSink, sizeof(smallSink));
+}
+ACTION(clear) { tellBegun(client.clear(typeOf(numbers[0]))); }
+ACTION(start) { tellBegun(client.start(numbers[0])); }
+ACTION(arm) { tellBegun(client.arm()); }
+ACTION(disarm) { tellBegun(client.disarm()); }
+ACTION(mode) { tellBegun(client.setMode(static_cast<FlightMode>(numbers[0]))); }
+ACTION(custommode) { tellBegun(client.setCustomMode(numbers[0])); }
+ACTION(startmission) { tellBegun(client.startMission()); }
+ACTION(setcurrent) { tellBegun(client.setCurrentItem(numbers[0])); }
+ACTION(pause) { tellBegun(client.pause()); }
+ACTION(resume) { tellBegun(client.resume()); }
+ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
+// benchCommand; 1: repeat it always.
+ACTION(order) { tellBegun(client.send(benchCommand, static_cast<CommandRepeat>(numbers[0]))); }
+ACTION(cancel) { client.cancel(); }
+// benchPayload: id, CRC_EXTRA, length, MAVLink 1 length.
+ACTION(post) {
+  outgoing = OutgoingMessage{numbers[0], static_cast<uint8_t>(numbers[1]), static_cast<uint8_t>(numbers[2]),
+                             static_cast<uint8_t>(numbers[3]), benchPayload};
+  isPosting = true;
+}
+ACTION(chain) { chained = numbers[0]; }
+ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
+ACTION(talk) { client.setTargetIds(numbers[0], numbers[1]); }
+ACTION(speak) { client.setMavlinkVersion(static_cast<MavlinkVersion>(numbers[0])); }
+ACTION(armed) { client.allowWhileArmed(numbers[0]); }
+ACTION(raw) { client.useRawNumbering(numbers[0]); }
+ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
+ACTION(limit) { client.setOperationTimeout(numbers[0]); }
+ACTION(turns) { client.retryWhenBusy(numbers[0]); }
+ACTION(room) { line.setRoom(numbers[0]); }
+// Each so many milliseconds, loop() takes so many milliseconds longer.
+ACTION(stall) {
+  stallEachMs = numbers[0];
+  stallMs = numbers[1];
+}
+ACTION(state) { tellState(); }
+ACTION(followed) { tellFollowed(); }
+ACTION(counters) { tellCounters(); }
+ACTION(blocked) {
+  tell(F("blocked"), line.blocked());
+  Serial.println();
+}
+// Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type, HEARTBEAT.type.
+ACTION(compare) {
+  tell(F("field"),
+       static_cast<uint8_t>(difference(benchPlan[0], benchSink[0],
+                                       keeperOf(static_cast<Firmware>(numbers[0]), numbers[2], typeOf(numbers[1])))));
+  Serial.println();
+}
+ACTION(fieldtext) {
+  tell(F("text"), 0);
+  Serial.print(' ');
+  Serial.println(toString(static_cast<ItemField>(numbers[0])));
+}
+
+static const Word words[] = {
+    WORD(ram),          WORD(empty),         WORD(upload),
+    WORD(uploadagain),  WORD(uploadpart),    WORD(verify),
+    WORD(download),     WORD(downloadtoram), WORD(downloadtosmall),
+    WORD(clear),        WORD(start),         WORD(arm),
+    WORD(disarm),       WORD(mode),          WORD(custommode),
+    WORD(startmission), WORD(setcurrent),    WORD(pause),
+    WORD(resume),       WORD(interval),      WORD(order),
+    WORD(cancel),       WORD(post),          WORD(chain),
+    WORD(ids),          WORD(talk),          WORD(speak),
+    WORD(armed),        WORD(raw),           WORD(waiting),
+    WORD(limit),        WORD(turns),         WORD(room),
+    WORD(state),        WORD(followed),      WORD(counters),
+    WORD(blocked),      WORD(compare),       WORD(fieldtext),
+    WORD(stall),
+};
+
+void setup() {
+  Serial.begin(500000);
+  Serial1.begin(BENCH_BAUD);
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  asm volatile("" : : "r"(&benchPlan), "r"(&benchSink), "r"(&benchCommand), "r"(&benchPayload) : "memory");
+  client.onProgress(onProgress);
+  client.onEnd(onEnd);
+  follower.onCurrent(onCurrent);
+  follower.onReached(onReached);
+  follower.onText(onText);
+  Serial.println(F("ready"));
+}
+
+void loop() {
+  static uint16_t stalledMs;
+  listen(words);
+  const uint16_t nowMs = millis();
+  if (stallMs != 0 && static_cast<uint16_t>(nowMs - stalledMs) >= stallEachMs) {
+    stalledMs = nowMs;
+    delay(stallMs);
+  }
+#ifdef BENCH_QUIET
+  quiet.update();
+#endif
+  const Status status = client.update();
+  if (status != lastReturned || isEnd(status)) {
+    lastReturned = status;
+    tell(F("returned"), static_cast<uint8_t>(status));
+    Serial.println();
+  }
+  if (isPosting && client.sendMessage(outgoing)) {
+    isPosting = false;
+    tell(F("posted"), 0);
+    Serial.println();
+  }
+  sleepIfNothingCame(Serial1);
+}

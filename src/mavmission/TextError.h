@@ -1,0 +1,44 @@
+// Why the text of a plan was refused.
+#pragma once
+
+#include <stdint.h>
+
+#include "FlashText.h"
+
+namespace mavmission {
+
+// What is wrong with a text, and its words.
+// clang-format off
+#define MAVMISSION_TEXT_ERRORS(X)                                                                  \
+  X(None, "no error")                                                                              \
+  X(NotWaypoints, "the first line is not QGC WPL 110")                                             \
+  X(LineTooLong, "a line has more than 255 characters")                                            \
+  X(TooFewFields, "a line has fewer than 12 fields")                                               \
+  X(TooManyFields, "a line has more than 12 fields")                                               \
+  X(BadNumber, "not a number")                                                                     \
+  X(TooLarge, "a number too large")                                                                \
+  X(OutOfOrder, "the lines are not numbered 0, 1, 2, ...")                                         \
+  X(NotZeroOrOne, "neither 0 nor 1")                                                               \
+  X(BadTextFrame, "a frame that is not 0, 2, 3, 5, 6, 10 or 11")                                   \
+  X(NotWhole, "not a whole number")                                                                \
+  X(BeyondLatitude, "a latitude beyond 90 degrees")                                                \
+  X(BeyondLongitude, "a longitude beyond 180 degrees")                                             \
+  X(BadTarget, "a jump to home, or to a line that is not there")                                   \
+  X(MixedKinds, "items of a mission, a fence or rally points together")                           \
+  X(NoItems, "no item behind home")                                                                \
+  X(Unreadable, "it cannot be read to its end")                                                    \
+  X(NoRoom, "more items than there is room for")                                                   \
+  X(NotKept, "the EEPROM does not keep what it is given")                                          \
+  X(TooFast, "it came faster than it could be stored: send it line by line")
+// clang-format on
+
+enum class TextError : uint8_t {
+#define MAVMISSION_NAME(name, text) name,
+  MAVMISSION_TEXT_ERRORS(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
+};
+
+// In words, for Serial.print(). Flash text; null for a value that is no TextError.
+FlashText toString(TextError error);
+
+}  // namespace mavmission

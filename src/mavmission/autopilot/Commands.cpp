@@ -1,0 +1,238 @@
+#include "Commands.h"
+
+#include "../base/Flash.h"
+#include "Rules.h"
+
+namespace mavmission {
+namespace detail {
+
+using namespace keeping;
+
+namespace {
+
+constexpr uint16_t four(uint8_t first, uint8_t second, uint8_t third, uint8_t fourth) {
+  return static_cast<uint16_t>(first | second << 4 | third << 8 | static_cast<uint16_t>(fourth) << 12);
+}
+
+// What ArduPilot does with x, y and z.
+enum class InArduPilot : uint8_t {
+  NotTaken,
+  None,
+  Place,
+  Optional,
+  Configure,
+  Shoot,
+  Mount,
+  Gimbal,
+  Attitude,
+  Fence,
+  Rally
+};
+
+const uint16_t kInArduPilot[] PROGMEM = {
+    four(K, K, K, kIsNotTaken),
+    four(D, D, D, kHasNoPlace),
+    four(K, K, Height, 0),
+    four(K, K, Height, kPlaceIsOptional),
+    four(U8, U8, K, kHasNoPlace),
+    four(U8, U8, D, kHasNoPlace),
+    four(D, D, MountMode, kHasNoPlace),
+    four(U8, D, U8, kHasNoPlace),
+    four(I16, D, D, kHasNoPlace),
+    four(K, K, D, 0),
+    four(K, K, I16, 0),
+};
+
+// What PX4 does with such an item.
+enum class InPx4 : uint8_t {
+  NotTaken,
+  Command,
+  Place,
+  Waypoint,
+  Loiter,
+  LoiterTime,
+  LoiterToAltitude,
+  Land,
+  Takeoff,
+  Roi,
+  Jump,
+  LandStart,
+  Corner,
+  Circle
+};
+
+struct Both {
+  uint16_t params, more;
+};
+
+const Both kInPx4[] PROGMEM = {
+    {four(K, K, K, K), four(K, K, K, kIsNotTaken)},
+    {four(K, K, K, K), four(K, K, K, kHasNoPlace)},
+    {four(D, D, D, D), four(K, K, K, 0)},
+    {four(K, K, D, Yaw360), four(K, K, K, 0)},
+    {four(D, D, K, Yaw360), four(K, K, K, 0)},
+    {four(K, U1, K, U1), four(K, K, K, 0)},
+    {four(U1, K, D, U1), four(K, K, K, 0)},
+    {four(D, U16, D, Yaw360), four(K, K, K, kPlaceIsOptional)},
+    {four(D, D, D, Yaw360), four(K, K, K, kPlaceIsOptional)},
+    {four(Special, D, D, D), four(K, K, K, kAsItsFrameSays)},
+    {four(I16, U16, K, K), four(K, K, K, kHasNoPlace)},
+    {four(K, K, K, K), four(Rounded, Rounded, K, kHasNoPlace)},
+    {four(U16, D, D, D), four(K, K, K, 0)},
+    {four(K, D, D, D), four(K, K, K, 0)},
+};
+
+struct Row {
+  uint16_t command;
+  uint16_t params;  // on ArduPilot
+  uint8_t where;    // InArduPilot, and InPx4 above it
+};
+
+constexpr Row row(uint16_t command, uint8_t param1, uint8_t param2, uint8_t param3, uint8_t param4,
+                  InArduPilot arduPilot, InPx4 px4) {
+  return Row{command, four(param1, param2, param3, param4),
+             static_cast<uint8_t>(static_cast<uint8_t>(arduPilot) | static_cast<uint8_t>(px4) << 4)};
+}
+
+constexpr uint8_t kPlaneRows = 2;  // of planes alone, before all others
+
+// Observed on ArduCopter, ArduRover and ArduPlane 4.6.3 and on PX4 1.17.0: simulation/recordings has what each said to
+// each of these, and what it kept (readback_*.csv, readback_random_*.csv); docs/readback.md has it in words. A command
+// that is in no row was taken by none of them: it goes out, for a newer autopilot may.
+const Row kRows[] PROGMEM = {
+    row(16, D, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),               // NAV_WAYPOINT of a plane: no hold
+    row(82, K, K, K, K, InArduPilot::NotTaken, InPx4::NotTaken),                  // NAV_SPLINE_WAYPOINT on a plane
+    row(16, U16, D, D, NoYaw, InArduPilot::Place, InPx4::Waypoint),               // NAV_WAYPOINT
+    row(17, D, D, Radius, NoYaw, InArduPilot::Place, InPx4::Loiter),              // NAV_LOITER_UNLIM
+    row(18, Special, D, Special, U1, InArduPilot::Place, InPx4::NotTaken),        // NAV_LOITER_TURNS
+    row(19, U16, D, Sign, U1, InArduPilot::Place, InPx4::LoiterTime),             // NAV_LOITER_TIME
+    row(20, D, D, D, D, InArduPilot::None, InPx4::Command),                       // NAV_RETURN_TO_LAUNCH
+    row(21, U16, D, D, Sign, InArduPilot::Optional, InPx4::Land),                 // NAV_LAND
+    row(22, U16, D, D, NoYaw, InArduPilot::Optional, InPx4::Takeoff),             // NAV_TAKEOFF
+    row(30, U16, D, D, D, InArduPilot::Place, InPx4::NotTaken),                   // NAV_CONTINUE_AND_CHANGE_ALT
+    row(31, D, Radius, D, U1, InArduPilot::Place, InPx4::LoiterToAltitude),       // NAV_LOITER_TO_ALT
+    row(80, K, K, K, K, InArduPilot::NotTaken, InPx4::Roi),                       // NAV_ROI
+    row(82, U16, D, D, D, InArduPilot::Place, InPx4::NotTaken),                   // NAV_SPLINE_WAYPOINT
+    row(83, K, K, U8, D, InArduPilot::None, InPx4::NotTaken),                     // NAV_ALTITUDE_WAIT
+    row(84, D, D, D, NoYaw, InArduPilot::Optional, InPx4::Takeoff),               // NAV_VTOL_TAKEOFF
+    row(85, U16, D, D, NoYaw, InArduPilot::Optional, InPx4::Takeoff),             // NAV_VTOL_LAND
+    row(92, U16, D, D, D, InArduPilot::Place, InPx4::NotTaken),                   // NAV_GUIDED_ENABLE
+    row(93, K, I8, I8, I8, InArduPilot::None, InPx4::Command),                    // NAV_DELAY
+    row(94, Centimetres, D, D, D, InArduPilot::Place, InPx4::NotTaken),           // NAV_PAYLOAD_PLACE
+    row(112, K, D, D, D, InArduPilot::None, InPx4::Command),                      // CONDITION_DELAY
+    row(114, K, D, D, D, InArduPilot::None, InPx4::Command),                      // CONDITION_DISTANCE
+    row(115, K, K, I8, U8, InArduPilot::None, InPx4::NotTaken),                   // CONDITION_YAW
+    row(177, U16, I16, D, D, InArduPilot::None, InPx4::Jump),                     // DO_JUMP
+    row(178, U8, K, K, D, InArduPilot::None, InPx4::Command),                     // DO_CHANGE_SPEED
+    row(179, U16, D, D, D, InArduPilot::Place, InPx4::Command),                   // DO_SET_HOME
+    row(181, U8, U8, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_SET_RELAY
+    row(182, U8, I16, K, D, InArduPilot::None, InPx4::NotTaken),                  // DO_REPEAT_RELAY
+    row(183, U8, U16, D, D, InArduPilot::None, InPx4::NotTaken),                  // DO_SET_SERVO
+    row(184, U8, U16, I16, K, InArduPilot::None, InPx4::NotTaken),                // DO_REPEAT_SERVO
+    row(187, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_SET_ACTUATOR
+    row(188, D, D, D, D, InArduPilot::Place, InPx4::NotTaken),                    // DO_RETURN_PATH_START
+    row(189, D, D, D, D, InArduPilot::Place, InPx4::LandStart),                   // DO_LAND_START
+    row(191, D, D, D, D, InArduPilot::Place, InPx4::NotTaken),                    // DO_GO_AROUND
+    row(193, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_PAUSE_CONTINUE
+    row(194, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_SET_REVERSE
+    row(195, U16, D, D, D, InArduPilot::Place, InPx4::Place),                     // DO_SET_ROI_LOCATION
+    row(196, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_SET_ROI_WPNEXT_OFFSET
+    row(197, U16, D, D, D, InArduPilot::None, InPx4::Command),                    // DO_SET_ROI_NONE
+    row(200, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_CONTROL_VIDEO
+    row(201, U16, D, D, D, InArduPilot::Place, InPx4::Roi),                       // DO_SET_ROI
+    row(202, U8, U16, U8, U16, InArduPilot::Configure, InPx4::NotTaken),          // DO_DIGICAM_CONFIGURE
+    row(203, U8, U8, I8, U8, InArduPilot::Shoot, InPx4::Command),                 // DO_DIGICAM_CONTROL
+    row(204, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_MOUNT_CONFIGURE
+    row(205, K, K, K, D, InArduPilot::Mount, InPx4::Command),                     // DO_MOUNT_CONTROL
+    row(206, K, D, U8, D, InArduPilot::None, InPx4::Command),                     // DO_SET_CAM_TRIGG_DIST
+    row(207, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_FENCE_ENABLE
+    row(208, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_PARACHUTE
+    row(210, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_INVERTED_FLIGHT
+    row(211, U8, U8, D, D, InArduPilot::None, InPx4::Command),                    // DO_GRIPPER
+    row(212, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_AUTOTUNE_ENABLE
+    row(213, K, K, U8, D, InArduPilot::None, InPx4::NotTaken),                    // NAV_SET_YAW_SPEED
+    row(214, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_SET_CAM_TRIGG_INTERVAL
+    row(215, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_SET_RESUME_REPEAT_DIST
+    row(216, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_SPRAYER
+    row(217, U16, K, K, K, InArduPilot::None, InPx4::NotTaken),                   // DO_SEND_SCRIPT_MESSAGE
+    row(218, U16, U8, D, D, InArduPilot::None, InPx4::NotTaken),                  // DO_AUX_FUNCTION
+    row(222, U16, K, K, K, InArduPilot::None, InPx4::NotTaken),                   // DO_GUIDED_LIMITS
+    row(223, U1, U1, Centimetres, U1, InArduPilot::None, InPx4::NotTaken),        // DO_ENGINE_CONTROL
+    row(260, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // OBLIQUE_SURVEY
+    row(400, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // COMPONENT_ARM_DISARM
+    row(530, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // SET_CAMERA_MODE
+    row(531, U8, K, D, D, InArduPilot::None, InPx4::NotTaken),                    // SET_CAMERA_ZOOM
+    row(532, U8, K, D, D, InArduPilot::None, InPx4::Command),                     // SET_CAMERA_FOCUS
+    row(534, U8, U8, U8, D, InArduPilot::None, InPx4::Command),                   // SET_CAMERA_SOURCE
+    row(600, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // JUMP_TAG
+    row(601, U16, I16, D, D, InArduPilot::None, InPx4::NotTaken),                 // DO_JUMP_TAG
+    row(1000, I8, I16, I8, I8, InArduPilot::Gimbal, InPx4::Command),              // DO_GIMBAL_MANAGER_PITCHYAW
+    row(1001, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                 // DO_GIMBAL_MANAGER_CONFIGURE
+    row(2000, U8, K, U16, U16, InArduPilot::None, InPx4::Command),                // IMAGE_START_CAPTURE
+    row(2001, U16, D, D, D, InArduPilot::None, InPx4::Command),                   // IMAGE_STOP_CAPTURE
+    row(2003, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                 // DO_TRIGGER_CONTROL
+    row(2500, U8, D, D, D, InArduPilot::None, InPx4::Command),                    // VIDEO_START_CAPTURE
+    row(2501, U8, D, D, D, InArduPilot::None, InPx4::Command),                    // VIDEO_STOP_CAPTURE
+    row(3000, U8, D, D, D, InArduPilot::None, InPx4::Command),                    // DO_VTOL_TRANSITION
+    row(4501, K, K, K, K, InArduPilot::NotTaken, InPx4::Place),                   // CONDITION_GATE
+    row(5000, D, D, D, D, InArduPilot::Fence, InPx4::Place),                      // NAV_FENCE_RETURN_POINT
+    row(5001, U8, D, D, D, InArduPilot::Fence, InPx4::Corner),                    // NAV_FENCE_POLYGON_VERTEX_INCLUSION
+    row(5002, U8, D, D, D, InArduPilot::Fence, InPx4::Corner),                    // NAV_FENCE_POLYGON_VERTEX_EXCLUSION
+    row(5003, Special, D, D, D, InArduPilot::Fence, InPx4::Circle),               // NAV_FENCE_CIRCLE_INCLUSION
+    row(5004, Special, D, D, D, InArduPilot::Fence, InPx4::Circle),               // NAV_FENCE_CIRCLE_EXCLUSION
+    row(5100, D, D, D, D, InArduPilot::Rally, InPx4::Place),                      // NAV_RALLY_POINT
+    row(42600, U8, U8, K, K, InArduPilot::None, InPx4::Command),                  // DO_WINCH
+    row(42703, U16, To180, To90, To360, InArduPilot::Attitude, InPx4::NotTaken),  // NAV_ATTITUDE_TIME
+};
+
+}  // namespace
+
+Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
+  static_assert(static_cast<uint8_t>(Firmware::ArduPilot) == kByArduPilot &&
+                    static_cast<uint8_t>(Firmware::Px4) == kByPx4 &&
+                    static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence &&
+                    static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
+                "flags are made of the numbers");
+  Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3);
+  if (firmware != Firmware::Other) keeper |= static_cast<uint8_t>(firmware);
+  // MAV_TYPE_FIXED_WING, MAV_TYPE_VTOL_...
+  const bool isPlane = vehicleType == 1 || static_cast<uint8_t>(vehicleType - 19) <= 25 - 19;
+  if (isPlane && firmware == Firmware::ArduPilot) keeper |= kByPlane;
+  return keeper;
+}
+
+Rules rulesOf(const MissionItem& item, Keeper keeper) {
+  uint16_t params = 0, more = four(K, K, Height, kAsItsFrameSays);
+  for (const Row* row = (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows;
+       row != kRows + sizeof(kRows) / sizeof(*kRows); ++row) {
+    if (fromFlash(&row->command) != item.command) continue;
+    const uint8_t where = fromFlash(&row->where);
+    const uint8_t inArduPilot = where & 15;
+    const uint16_t* inFlash = &row->params;
+    const uint16_t* moreInFlash = &kInArduPilot[inArduPilot];
+    // An autopilot that is neither of the two is as ArduPilot, or as PX4 where ArduPilot does not take the command.
+    if ((keeper & kByPx4) != 0 || ((keeper & kByArduPilot) == 0 && inArduPilot == 0)) {
+      inFlash = &kInPx4[where >> 4].params;
+      moreInFlash = inFlash + 1;
+    }
+    params = fromFlash(inFlash);
+    more = fromFlash(moreInFlash);
+    break;
+  }
+  if ((more & kAsItsFrameSays << 12) != 0 && item.frame == Frame::Mission) {
+    // Without a place all is kept, but for what is special in param1.
+    params &= 15;
+    more = four(K, K, Height, kHasNoPlace);
+  }
+  return Rules{params | static_cast<uint32_t>(more) << 16};
+}
+
+uint8_t traitsOf(uint16_t command) {
+  MissionItem item;
+  item.command = command;
+  item.frame = Frame::Global;
+  return static_cast<uint8_t>(rulesOf(item, 0).bits >> 28);
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,259 @@
+#include "FloatBits.h"
+
+#include <string.h>
+
+#include "../Config.h"
+#include "Flash.h"
+
+namespace mavmission {
+namespace detail {
+namespace {
+
+constexpr uint32_t kSign = 0x80000000;
+constexpr uint32_t kInfinity = 0x7F800000;
+constexpr uint32_t kHidden = 0x00800000;  // the leading 1 of a mantissa, which is not stored
+constexpr uint8_t kBias = 127;
+
+uint32_t bitsOf(float value) {
+  uint32_t bits;
+  memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+float fromBits(uint32_t bits) {
+  float value;
+  memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+// (A shift of the upper half is half the code of one of the whole.)
+uint8_t biasedExponent(uint32_t bits) { return static_cast<uint8_t>(static_cast<uint16_t>(bits >> 16) >> 7); }
+
+// `mantissa` has its highest bit at bit 23; the value is mantissa * 2^(exponent - 23).
+float assemble(uint32_t mantissa, int8_t exponent) {
+  const uint8_t biased = static_cast<uint8_t>(kBias + exponent);
+  return fromBits((mantissa & (kHidden - 1)) | static_cast<uint32_t>(biased) << 23);
+}
+
+}  // namespace
+
+FloatKind kindOf(const void* bytes) {
+  uint32_t magnitude;
+  memcpy(&magnitude, bytes, sizeof(magnitude));
+  if ((~static_cast<uint16_t>(magnitude >> 16) & (kInfinity >> 16)) != 0) return FloatKind::Finite;
+  magnitude &= ~kSign;
+  return magnitude == kInfinity ? FloatKind::Infinite : FloatKind::NotANumber;
+}
+
+bool isSame(const void* a, const void* b) {
+  uint32_t bitsA, bitsB;
+  memcpy(&bitsA, a, sizeof(bitsA));
+  memcpy(&bitsB, b, sizeof(bitsB));
+  if (bitsA == bitsB || ((bitsA | bitsB) & ~kSign) == 0) return true;
+  return (bitsA & ~kSign) > kInfinity && (bitsB & ~kSign) > kInfinity;
+}
+
+int32_t wholeNumber(float value) {
+  const uint32_t bits = bitsOf(value);
+  if ((bits & ~kSign) == 0) return 0;
+  const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // the sign above it: beyond any
+  if (biased < kBias || biased > kBias + 15) return -1;
+  uint32_t mantissa = (bits & (kHidden - 1)) | kHidden;
+  for (uint8_t shift = 23 - (biased - kBias); shift != 0; --shift) {
+    if ((mantissa & 1) != 0) return -1;
+    mantissa >>= 1;
+  }
+  return static_cast<int32_t>(mantissa);
+}
+
+int32_t timesWhole(int32_t bits, uint32_t factor) {
+  const uint32_t magnitude = static_cast<uint32_t>(bits) & ~kSign;
+  const uint8_t biased = static_cast<uint8_t>(magnitude >> 23);
+  if (biased == 0 || biased > kBias + 31) return 0;
+  uint64_t product = static_cast<uint64_t>((magnitude & (kHidden - 1)) | kHidden) * factor;
+  int16_t exponent = static_cast<int16_t>(biased) - kBias - 23;
+  for (; exponent > 0; --exponent) product <<= 1;
+  // From -149 on at most.  NOLINTNEXTLINE(bugprone-too-small-loop-variable)
+  for (; exponent < -1; ++exponent) product >>= 1;
+  if (exponent < 0) product = (product + 1) >> 1;
+  if (product > 0x7FFFFFFF) return 0;
+  return bits < 0 ? -static_cast<int32_t>(product) : static_cast<int32_t>(product);
+}
+
+namespace {
+
+uint32_t load(const void* number) {
+  uint32_t bits;
+  memcpy(&bits, number, sizeof(bits));
+  return bits;
+}
+
+void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
+
+uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
+
+// Stores the nearest float, with the sign that is there already; `biased` is the exponent that it has if the leading 1
+// of `mantissa` is at bit 23. `more`: something is behind the mantissa's last bit.
+MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased, uint8_t more) {
+  uint8_t half = 0;  // the highest bit of what is cut off; `more`: there is any below it
+  while (static_cast<uint8_t>(mantissa >> 24) != 0) {
+    more |= half;
+    half = static_cast<uint8_t>(mantissa) & 1;
+    mantissa >>= 1;
+    ++biased;
+  }
+  if (half != 0 && ((more | static_cast<uint8_t>(mantissa)) & 1) != 0) {
+    if (++mantissa == kHidden << 1) ++biased;  // its other bits are 0
+  }
+  number[0] = static_cast<uint8_t>(mantissa);
+  number[1] = static_cast<uint8_t>(mantissa >> 8);
+  uint8_t high = static_cast<uint8_t>(mantissa >> 16) & 0x7F;
+  if ((biased & 1) != 0) high |= 0x80;
+  number[2] = high;
+  number[3] = (number[3] & 0x80) | biased >> 1;
+}
+
+// The mantissa of a factor, from its lowest byte on, and its exponent less 7, for the 7 bits that a product has more.
+#define MAVMISSION_FACTOR(mantissa, exponent) \
+  {(mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) - 7)}
+const uint8_t kFactors[][4] PROGMEM = {
+    MAVMISSION_FACTOR(0xC80000, 6),   // 100
+    MAVMISSION_FACTOR(0xA3D70A, -7),  // 0.01
+    MAVMISSION_FACTOR(0x8EFA35, -6),  // a degree in radians
+    MAVMISSION_FACTOR(0xE52EE0, 5),   // a radian in degrees
+    MAVMISSION_FACTOR(0x800000, 8),   // 256
+};
+#undef MAVMISSION_FACTOR
+
+}  // namespace
+
+void makeWhole(void* number) {
+  uint32_t bits = load(number);
+  const uint8_t biased = biasedExponent(bits);
+  if (biased >= kBias + 23) return;
+  if (biased < kBias) bits = 0;
+  const uint8_t behind = kBias + 23 - biased;
+  for (uint8_t i = behind; i != 0; --i) bits >>= 1;
+  for (uint8_t i = behind; i != 0; --i) bits <<= 1;
+  store(number, bits);
+}
+
+void multiply(void* number, Times by) {
+  uint32_t bits = load(number);
+  const uint8_t biased = biasedExponent(bits);
+  if (biased < 16) return store(number, 0);
+  bits = mantissaOf(bits) << 7;
+  const uint8_t* factor = kFactors[static_cast<uint8_t>(by)];
+  uint32_t sum = 0;
+  uint8_t more = 0, left = 0;
+  for (uint8_t i = 0; i < 24; ++i) {
+    if ((i & 7) == 0) left = fromFlash(factor++);
+    more |= static_cast<uint8_t>(sum) & 1;
+    sum >>= 1;
+    if ((left & 1) != 0) sum += bits;
+    left >>= 1;
+  }
+  storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(factor)), more);
+}
+
+void throughFloat(void* integer) {
+  uint32_t value = load(integer);
+  const bool isBelow0 = (value & kSign) != 0;
+  if (isBelow0) value = 0 - value;
+  uint8_t cut = 0, half = 0, more = 0;
+  for (; static_cast<uint8_t>(value >> 24) != 0; ++cut) {
+    more |= half;
+    half = static_cast<uint8_t>(value) & 1;
+    value >>= 1;
+  }
+  if (half != 0 && ((more | static_cast<uint8_t>(value)) & 1) != 0) ++value;
+  for (; cut != 0; --cut) value <<= 1;
+  if (isBelow0) value = 0 - value;
+  store(integer, value);
+}
+
+void makeHundredths(void* number) {
+  multiply(number, Times::Hundred);
+  makeWhole(number);
+  multiply(number, Times::Hundredth);
+}
+
+void makeTurn(void* degrees) {
+  multiply(degrees, Times::Radian);
+  constexpr uint32_t kTurn = 0x40C90FDB;  // in radians
+  uint32_t radians = load(degrees);
+  if ((radians & kSign) != 0) {
+    // A turn less that, with 7 bits more than a float has.
+    uint8_t biased = biasedExponent(radians);
+    radians = mantissaOf(radians) << 7;
+    uint8_t more = 0;
+    for (; biased < kBias + 2; ++biased) {
+      more |= static_cast<uint8_t>(radians) & 1;
+      radians >>= 1;
+    }
+    store(degrees, 0);
+    storeRounded(static_cast<uint8_t*>(degrees), (mantissaOf(kTurn) << 7) - radians - more, kBias + 2 - 7, more);
+  } else if (radians == kTurn) {
+    store(degrees, 0);
+  }
+  multiply(degrees, Times::Degree);
+}
+
+namespace {
+
+// One at the place of the units of a whole number from 1 on.
+uint32_t unitBit(uint32_t bits) {
+  uint32_t unit = kHidden;
+  for (uint8_t biased = biasedExponent(bits); biased > kBias; --biased) unit >>= 1;
+  return unit;
+}
+
+}  // namespace
+
+float oneMore(float whole) {
+  const uint32_t bits = bitsOf(whole);
+  if (bits == 0) return 1;
+  return fromBits(bits + unitBit(bits));  // a carry out of the mantissa raises the exponent, as it should
+}
+
+float oneLess(float whole) {
+  const uint32_t bits = bitsOf(whole);
+  const uint8_t biased = biasedExponent(bits);
+  if (biased <= kBias) return 0;
+  // Below a power of two the unit is worth twice as many bits.
+  const bool isPower = (bits & (kHidden - 1)) == 0;
+  return fromBits(bits - (isPower ? unitBit(bits) << 1 : unitBit(bits)));
+}
+
+float quotient(int32_t value, uint32_t divisor) {
+  if (value == 0) return 0;
+  uint32_t rest = value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
+  // Long division in binary: the whole part, then bits behind the point until there are 25, one of them to round by.
+  uint32_t quotient = 0;
+  if (divisor == 1) {
+    quotient = rest;
+    rest = 0;
+  }
+  for (; rest >= divisor; rest -= divisor) ++quotient;  // at most 214 times for an angle
+  int8_t exponent = 24;
+  while (quotient >= kHidden << 2) {
+    quotient >>= 1;
+    ++exponent;
+  }
+  while (quotient < kHidden << 1) {
+    quotient <<= 1;
+    rest <<= 1;
+    if (rest >= divisor) {
+      rest -= divisor;
+      ++quotient;
+    }
+    --exponent;
+  }
+  quotient = (quotient + 1) >> 1;
+  if (quotient == kHidden << 1) ++exponent;  // rounded up to the next power of two: the bits below are all 0
+  const float magnitude = assemble(quotient, exponent);
+  return value < 0 ? -magnitude : magnitude;
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,175 @@
+#include "../MissionClient.h"
+
+#include <Arduino.h>
+
+#include "../base/Clock.h"
+#include "../link/Messages.h"
+#include "../link/Sending.h"
+
+namespace mavmission {
+using namespace detail;
+
+Client::Client(Stream& stream) {
+  // All parts are plain data that begins at zero: one call does it, where a constructor for each would be larger.
+  memset(static_cast<void*>(this), 0, sizeof(*this));
+  link_.begin(stream);
+  state_.failedItem = kNoItem;
+  rest_.lastResult = 255;
+  state_.unsettled = UploadTransfer::kAnswers;
+  state_.cancelled = PlanType::All;
+  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
+  rest_.planType = PlanType::All;
+}
+
+void MissionClient::onProgress(ProgressFunction function, void* context) {
+  rest_.progress = function;
+  rest_.progressContext = context;
+}
+
+void MissionClient::onEnd(EndFunction function, void* context) {
+  rest_.ended = function;
+  rest_.endedContext = context;
+}
+
+void MissionClient::setSourceIds(uint8_t systemId, uint8_t componentId) { link_.setSourceIds(systemId, componentId); }
+
+void MissionClient::setTargetIds(uint8_t systemId, uint8_t componentId) {
+  link_.finder().setTargetIds(systemId, componentId);
+}
+
+void Client::beginSeconds(uint16_t nowMs) {
+  state_.secondMs = nowMs;
+  state_.seconds = 0;
+  state_.isLate = false;
+}
+
+Status Client::startOperation(Operation operation) {
+  beginSeconds(static_cast<uint16_t>(millis()));
+  state_.operation = operation;
+  state_.failedItem = kNoItem;
+  state_.itemsDone = 0;
+  rest_.itemsTotal = 0;
+  rest_.lastResult = 255;
+  rest_.field = ItemField::None;
+  rest_.proving = false;
+  rest_.turnPauseS = 0;
+  state_.turnAtS = 0;
+  state_.status = Status::WaitingForAutopilot;
+  return state_.status;
+}
+
+void Client::end(Status status) {
+  state_.operation = nullptr;
+  state_.status = status;
+  rest_.toReturn = status;
+  if (rest_.ended != nullptr) rest_.ended(rest_.endedContext, status);
+}
+
+void Client::unsettle(uint16_t nowMs) {
+  state_.unsettled = UploadTransfer::kAnswers | UploadTransfer::kBusy;
+  state_.unsettledMs = nowMs;
+}
+
+void Client::tellCancelled() { state_.cancelled = state_.type; }
+
+void MissionClient::cancel() {
+  if (state_.operation == nullptr) return;
+  const bool isUpload = state_.operation == uploadStep;
+  if (state_.status == Status::Transferring && (isUpload || rest_.proving || state_.operation == readStep)) {
+    tellCancelled();
+    if (isUpload) setAboard(aboardAfterUpload(Status::Cancelled));
+    unsettle(static_cast<uint16_t>(millis()));
+  }
+  end(Status::Cancelled);
+}
+
+void Client::waitForAutopilot() {
+  const AutopilotFinder& finder = link_.finder();
+  if (finder.isCertain()) {
+    if (finder.isFrom(link_.systemId(), link_.componentId())) return end(Status::SameIdsAsAutopilot);
+    state_.status = Status::Checking;
+    return;
+  }
+  if (rest_.waitingLimitS == 0 || state_.seconds < rest_.waitingLimitS) return;
+  end(finder.severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
+}
+
+void Client::report(uint16_t done) {
+  if (done <= state_.itemsDone) return;
+  state_.itemsDone = done;
+  if (rest_.progress != nullptr) rest_.progress(rest_.progressContext, state_.itemsDone, rest_.itemsTotal);
+}
+
+void Client::sendAck(uint8_t result, PlanType type) {
+  mavlink_mission_ack_t ack = mavlink_mission_ack_t();
+  ack.type = result;
+  ack.mission_type = static_cast<uint8_t>(type);
+  link_.send(ack);
+}
+
+Status MissionClient::update() {
+  // The optimiser is not to know which object this is: it would use 4-byte addresses instead of 2-byte offsets.
+  MissionClient* client = this;
+  asm("" : "+r"(client));
+  return client->updateAt(static_cast<uint16_t>(millis()));
+}
+
+// What is told by the clock, and need not be exact to the millisecond.
+void Client::onTick(uint16_t nowMs) {
+  while (since(state_.secondMs, nowMs) >= 1000) {
+    state_.secondMs += 1000;
+    ++state_.seconds;
+    link_.pace().onSecond();
+  }
+  const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
+  state_.isLate = static_cast<uint16_t>(state_.seconds - state_.turnAtS) >= limitS;
+  if (state_.unsettled != 0 && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = 0;
+  link_.onTime(nowMs);
+}
+
+// False when bytes have taken the time of this update(): what is heavy then waits for the next one, which looks at half
+// as many.
+bool Client::isHeavyAllowed() {
+  constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
+  const bool isAllowed = state_.bytesLeft >= kHalf;
+  state_.bytesAllowed = isAllowed ? kAll : kHalf;
+  return isAllowed;
+}
+
+Status Client::updateAt(uint16_t nowMs) {
+#if MAVMISSION_SIGNING
+  if (link_.hashes()) {  // nothing else is done then, so that the longest update() is no longer
+    link_.flush(nowMs, kStartBytes);
+    return state_.operation != nullptr ? state_.status : Status::Idle;
+  }
+#endif
+  FrameParser::Budget budget;
+  const uint8_t allowed = state_.bytesAllowed;
+  budget.left = allowed;
+  state_.bytesLeft = 0;
+  while (link_.receive(budget, nowMs)) {
+    if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
+    budget.left = budget.left > kFrameBytes ? budget.left - kFrameBytes : 0;
+  }
+  state_.bytesLeft = static_cast<uint8_t>(budget.left + MAVMISSION_BYTES_PER_UPDATE - allowed);
+  // An autopilot that is not heard would not hear it either.
+  if (state_.cancelled != PlanType::All && hasAutopilot() && link_.canSend()) {
+    sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelled);
+    state_.cancelled = PlanType::All;
+  }
+  const uint8_t tick = static_cast<uint8_t>(nowMs / kTickMs);
+  if (tick != state_.tick) {
+    state_.tick = tick;
+    onTick(nowMs);
+  }
+  if (state_.operation != nullptr) state_.operation(*this, nullptr, nowMs);
+  // What is left of the time that bytes may take is for those that go out.
+  link_.flush(nowMs, budget.left > kStartBytes ? budget.left : kStartBytes);
+
+  const Status ended = rest_.toReturn;
+  rest_.toReturn = Status::Idle;
+  if (ended != Status::Idle) return ended;
+  return state_.operation != nullptr ? state_.status : Status::Idle;
+}
+
+}  // namespace mavmission

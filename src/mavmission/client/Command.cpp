@@ -1,0 +1,305 @@
+// MissionClient's commands: one at a time, each confirmed by COMMAND_ACK. MAVLink guide, Command Protocol.
+#include <Arduino.h>
+
+#include "../MissionClient.h"
+#include "../link/Messages.h"
+#include "../link/Sending.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+Status fromCommandResult(uint8_t result) {
+  switch (result) {
+    case MAV_RESULT_ACCEPTED: return Status::Done;
+    case MAV_RESULT_TEMPORARILY_REJECTED: return Status::CommandRejected;
+    case MAV_RESULT_DENIED: return Status::CommandDenied;
+    case MAV_RESULT_UNSUPPORTED: return Status::CommandUnsupported;
+    case MAV_RESULT_FAILED: return Status::CommandFailed;
+    default: return Status::CommandRefused;
+  }
+}
+
+}  // namespace
+
+Status Client::beginCommand(FillCommand fill, OnCommand on) {
+  if (state_.operation != nullptr) return Status::Busy;
+  // Late answers to the last command may still come, if it was one: at its end the seconds began anew. Long after it
+  // its time, of 16 bits, says nothing any more.
+  const bool isBehindOne = rest_.turnPauseS == kCommand && state_.seconds < CommandTransfer::kLateAnswersS;
+  startOperation(commandStep);
+  rest_.turnPauseS = kCommand;
+  const CommandTransfer last = commanding_.transfer;
+  memset(&commanding_, 0, sizeof(commanding_));
+  if (isBehindOne) commanding_.transfer.beginBehind(last);
+  commanding_.fill = fill;
+  commanding_.on = on;
+  commanding_.transfer.setRepeats(true);
+  return state_.status;
+}
+
+void Client::nextCommand(FillCommand fill, uint16_t nowMs) {
+  commanding_.fill = fill;
+  commanding_.transfer.next(true, nowMs);
+}
+
+void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  State& state = client.state_;
+  if (frame != nullptr) {
+    if (state.status == Status::Transferring) client.takeCommandFrame(*frame, nowMs);
+    return;
+  }
+  if (state.status == Status::WaitingForAutopilot) client.waitForAutopilot();
+  if (state.status == Status::Checking) {
+    OnCommand const on = client.commanding_.on;
+    const Status ready =
+        on != nullptr ? on(client, CommandEvent::Ready, Status::Transferring, nullptr, nowMs) : Status::Transferring;
+    if (ready == Status::Checking) return;
+    if (ready != Status::Transferring) return client.end(ready);
+    state.status = Status::Transferring;
+    client.beginSeconds(nowMs);
+  }
+  if (state.status != Status::Transferring) return;
+  Status status = client.commanding_.transfer.onTime(nowMs);
+  if (status == Status::Transferring && state.isLate) status = Status::TookTooLong;
+  const bool goesOn = status == Status::Transferring;
+  client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
+  if (state.status != Status::Transferring) return;
+  const bool isDue = client.commanding_.transfer.state() == CommandTransfer::State::Due;
+  if (isDue && client.link_.canSend() && client.isHeavyAllowed()) client.sendCommand(nowMs);
+}
+
+void Client::takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
+  OnCommand const on = commanding_.on;
+  if (on != nullptr) status = on(*this, event, status, frame, nowMs);
+  if (status == Status::Transferring) return;
+  commanding_.transfer.rest(nowMs);
+  beginSeconds(nowMs);  // so long ago it is when the next one begins
+  end(status);
+}
+
+void Client::sendCommand(uint16_t nowMs) {
+  FlightCommand command = flightCommand(CommandTransfer::kNoCommand);
+  commanding_.fill(*this, command);
+  if (!commanding_.transfer.isDue(command.id, nowMs)) return;
+  if (command.id == CommandTransfer::kNoCommand) {
+    mavlink_mission_set_current_t message = mavlink_mission_set_current_t();
+    message.seq = static_cast<uint16_t>(command.x);
+    link_.send(message);
+  } else if (command.hasPlace) {
+    mavlink_command_int_t message = mavlink_command_int_t();
+    message.param1 = command.param1;
+    message.param2 = command.param2;
+    message.param3 = command.param3;
+    message.param4 = command.param4;
+    message.x = command.x;
+    message.y = command.y;
+    message.z = command.param7;
+    message.command = command.id;
+    message.frame = static_cast<uint8_t>(command.frame);
+    link_.send(message);
+  } else {
+    mavlink_command_long_t message = mavlink_command_long_t();
+    message.param1 = command.param1;
+    message.param2 = command.param2;
+    message.param3 = command.param3;
+    message.param4 = command.param4;
+    message.param5 = command.param5;
+    message.param6 = command.param6;
+    message.param7 = command.param7;
+    message.command = command.id;
+    message.confirmation = commanding_.transfer.tries();
+    link_.send(message);
+  }
+  commanding_.transfer.sent(command.id, nowMs);
+}
+
+void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
+  CommandEvent event;
+  Status status = Status::Transferring;
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_COMMAND_ACK: {
+      const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
+      if (!commanding_.transfer.isAnswer(ack.command)) return;
+      rest_.lastResult = ack.result;
+      if (ack.result == MAV_RESULT_IN_PROGRESS) return commanding_.transfer.onProgress(nowMs);
+      status = fromCommandResult(ack.result);
+      event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
+      break;
+    }
+    case MAVLINK_MSG_ID_HEARTBEAT: event = CommandEvent::Heartbeat; break;
+    case MAVLINK_MSG_ID_MISSION_CURRENT: event = CommandEvent::Current; break;
+    default: return;
+  }
+  takeCommandEvent(event, status, &frame, nowMs);
+}
+
+Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
+  const Status status = beginCommand(fillOwn, onOwn);
+  if (status == Status::Busy) return status;
+  commanding_.own = &command;
+  commanding_.transfer.setRepeats(repeat == CommandRepeat::Always || !isOnceOnly(command.id));
+  return status;
+}
+
+Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  if (event != CommandEvent::Ready) return status;
+  // It would arm.
+  const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && client.firmware() == Firmware::Px4;
+  return arms && !client.isArmed() ? Status::NotArmed : status;
+}
+
+void Client::fillOwn(Client& client, FlightCommand& command) {
+  command = *client.commanding_.own;
+  if (command.id == MAV_CMD_COMPONENT_ARM_DISARM) command.param2 = 0;  // never forced
+}
+
+Status MissionClient::arm() { return beginCommand(fillArm, nullptr); }
+
+Status MissionClient::disarm() { return beginCommand(fillDisarm, nullptr); }
+
+void Client::fillArm(Client&, FlightCommand& command) {
+  command.id = MAV_CMD_COMPONENT_ARM_DISARM;
+  command.param1 = 1;  // param2 stays 0: never forced
+}
+
+void Client::fillDisarm(Client&, FlightCommand& command) { command.id = MAV_CMD_COMPONENT_ARM_DISARM; }
+
+uint16_t Client::numberOf(FlightMode mode) const {
+  return modeNumber(mode, firmware(), link_.finder().heartbeat().vehicleType);
+}
+
+bool MissionClient::isInMode(FlightMode mode) const {
+  const Heartbeat& heartbeat = link_.finder().heartbeat();
+  return mavmission::isInMode(mode, firmware(), heartbeat.vehicleType, heartbeat.customMode);
+}
+
+uint16_t Client::shownMode() const { return modeNumberOf(customMode()); }
+
+Status MissionClient::setMode(FlightMode mode) {
+  const Status status = beginCommand(fillMode, onNamedMode);
+  if (status != Status::Busy) commanding_.named = mode;
+  return status;
+}
+
+Status MissionClient::setCustomMode(uint32_t customMode) {
+  const Status status = beginCommand(fillMode, onCustomMode);
+  if (status == Status::Busy) return status;
+  commanding_.mode = modeNumberOf(customMode);
+  commanding_.isLargeMode = customMode > 255;
+  return status;
+}
+
+// ArduPilot's modes have one byte. Of a larger number it would be sent another mode.
+Status Client::onCustomMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                            uint16_t nowMs) {
+  if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
+  const bool isNone = client.firmware() == Firmware::ArduPilot && client.commanding_.isLargeMode;
+  return isNone ? Status::NoSuchMode : status;
+}
+
+Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                           uint16_t nowMs) {
+  if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
+  client.commanding_.mode = client.numberOf(client.commanding_.named);
+  return client.commanding_.mode == kNoMode ? Status::NoSuchMode : status;
+}
+
+// A mode is set when a heartbeat shows it: PX4 answers twice, and accepts what it then refuses. Until then it is asked
+// for again, since the refusal may be what was lost.
+Status Client::onMode(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  switch (event) {
+    case CommandEvent::Accepted: return Status::Transferring;
+    case CommandEvent::Heartbeat:
+      if (client.commanding_.transfer.tries() == 0 || client.shownMode() != client.commanding_.mode) return status;
+      return Status::Done;
+    case CommandEvent::Silent: return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : status;
+    default: return status;
+  }
+}
+
+void Client::fillMode(Client& client, FlightCommand& command) {
+  command.id = MAV_CMD_DO_SET_MODE;
+  command.param1 = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
+  command.param2 = static_cast<uint8_t>(client.commanding_.mode);
+  command.param3 = static_cast<uint8_t>(client.commanding_.mode >> 8);
+}
+
+// False for an item that the plan aboard is known not to have.
+bool Client::hasItem(uint16_t item) {
+  const bool isKnown = aboard() == Aboard::OurPlan && rest_.planType == PlanType::Mission;
+  if (item != kNoItem && (!isKnown || item < plan_.count())) return true;
+  state_.failedItem = item;
+  return false;
+}
+
+Status MissionClient::setCurrentItem(uint16_t item) {
+  const Status status = beginCommand(fillCurrent, onSetCurrent);
+  if (status != Status::Busy) commanding_.item = item;
+  return status;
+}
+
+Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                            uint16_t nowMs) {
+  Commanding& commanding = client.commanding_;
+  const bool hasHome = client.firmware() == Firmware::ArduPilot;
+  switch (event) {
+    case CommandEvent::Ready:
+      if (!client.hasItem(commanding.item)) return Status::NoSuchItem;
+      if (hasHome && !client.rest_.raw) ++commanding.item;
+      break;
+    case CommandEvent::Refused:
+      if (status != Status::CommandUnsupported) break;
+      client.nextCommand(fillCurrentMessage, nowMs);
+      return Status::Transferring;
+    case CommandEvent::Current: {
+      // The older message has no answer of its own: what is current now is the answer. Another item is none, unless the
+      // plan has no such item, of which PX4 says nothing but in words. (65535 is a PX4 without a plan.)
+      if (commanding.fill != fillCurrentMessage || commanding.transfer.tries() == 0) break;
+      const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
+      if (current.seq == commanding.item) return Status::Done;
+      const uint16_t total = current.total;
+      if (total == 0) break;  // it does not say
+      if (total != 0xFFFF && commanding.item < total + (hasHome ? 1u : 0u)) break;
+      client.state_.failedItem = client.itemFromWire(commanding.item);
+      return Status::NoSuchItem;
+    }
+    default: break;
+  }
+  return status;
+}
+
+void Client::fillCurrent(Client& client, FlightCommand& command) {
+  command.id = MAV_CMD_DO_SET_MISSION_CURRENT;
+  command.param1 = client.commanding_.item;
+}
+
+void Client::fillCurrentMessage(Client& client, FlightCommand& command) { command.x = client.commanding_.item; }
+
+Status MissionClient::setMessageInterval(uint16_t messageId, int32_t intervalUs) {
+  const Status status = beginCommand(fillInterval, nullptr);
+  if (status == Status::Busy) return status;
+  commanding_.interval.us = intervalUs;
+  commanding_.interval.message = messageId;
+  return status;
+}
+
+void Client::fillInterval(Client& client, FlightCommand& command) {
+  command.id = MAV_CMD_SET_MESSAGE_INTERVAL;
+  command.param1 = client.commanding_.interval.message;
+  command.param2 = static_cast<float>(client.commanding_.interval.us);
+}
+
+uint16_t Client::itemFromWire(uint16_t wireItem) const {
+  const uint8_t home = firmware() == Firmware::ArduPilot && !rest_.raw ? 1 : 0;
+  return wireItem < home ? kNoItem : wireItem - home;
+}
+
+void Client::noteInfeasible() {
+  if (state_.status == Status::Infeasible || aboard() != Aboard::OurPlan) return;
+  if (state_.operation != nullptr && state_.operation != commandStep) return;
+  rest_.infeasible = true;
+  end(Status::Infeasible);
+}
+
+}  // namespace mavmission

@@ -1,0 +1,39 @@
+// MissionClient's partial upload, which only ArduPilot takes; apart because few sketches need it.
+#include <Arduino.h>
+
+#include "../MissionClient.h"
+#include "../link/Messages.h"
+#include "../link/Sending.h"
+
+namespace mavmission {
+using namespace detail;
+
+Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint16_t count) {
+  if (state_.operation != nullptr) return Status::Busy;
+  const Status status = upload(plan);
+  if (isEnd(status)) return status;
+  state_.announce = announcePart;
+  rest_.partFirst = first;
+  rest_.partCount = count;
+  if (count == 0 || first >= plan.count || count > plan.count - first) {
+    rest_.planType = PlanType::All;  // there is nothing that uploadAgain() could take
+    end(Status::BadRange);
+  }
+  return state_.status;
+}
+
+Status Client::announcePart(Client& client, bool isBeginning) {
+  const uint16_t first = client.rest_.partFirst + client.plan_.homeItems();
+  const uint16_t behind = first + client.rest_.partCount;
+  if (isBeginning) {
+    client.transfer_.limitTo(first, behind);
+    return Status::Transferring;
+  }
+  mavlink_mission_write_partial_list_t list = mavlink_mission_write_partial_list_t();
+  list.start_index = static_cast<int16_t>(first);
+  list.end_index = static_cast<int16_t>(behind - 1);
+  client.link_.send(list);
+  return Status::Transferring;
+}
+
+}  // namespace mavmission

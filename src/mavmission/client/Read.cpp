@@ -1,0 +1,236 @@
+// MissionClient reading the autopilot's plan: to hand it to a sink, to compare it with a source, to prove an upload.
+#include <Arduino.h>
+
+#include "../MissionClient.h"
+#include "../link/Messages.h"
+#include "../link/Sending.h"
+
+namespace mavmission {
+using namespace detail;
+
+Status MissionClient::verify(const ItemSource& plan, PlanType type) {
+  if (state_.operation != nullptr) return Status::Busy;
+  if (type == PlanType::All) return refuseType();
+  setPlan(plan, type);
+  state_.type = type;
+  startOperation(readStep);
+  reading_.take = compareItem;
+  reading_.isCompared = true;
+  reading_.fromFloats = fromFloats;
+  rest_.itemsTotal = plan_.count();
+  if (rest_.tooLong) end(Status::TooManyItems);
+  return state_.status;
+}
+
+// What is aboard is read back, and decides what the upload says.
+void Client::proveUpload(Client& client, uint16_t nowMs) {
+  client.state_.operation = readStep;
+  client.rest_.proving = true;
+  client.setAboard(Aboard::NotKnown);
+  client.reading_.take = compareItem;
+  client.reading_.isCompared = true;
+  client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove it
+  client.reading_.transfer.begin(nowMs);
+}
+
+Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proof) {
+  const Status status = startUpload(plan, type);
+  if (isEnd(status)) return status;
+  rest_.proof = proof;
+  rest_.prove = proveUpload;
+  rest_.takeUp = takeUpEnd;
+  return status;
+}
+
+// 1 where the autopilot's own item 0 is home, and not the sketch's.
+uint8_t Client::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
+
+bool Client::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
+
+void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  State& state = client.state_;
+  if (frame != nullptr) {
+    if (state.status == Status::Transferring) client.takeReadFrame(*frame, nowMs);
+    return;
+  }
+  if (state.status == Status::WaitingForAutopilot) {
+    client.waitForAutopilot();
+    if (state.status != Status::Checking) return;
+    if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
+    client.beginPlan();
+    client.reading_.transfer.begin(nowMs);
+    client.beginSeconds(nowMs);
+    state.status = Status::Transferring;
+  }
+  // Comparing an item comes on top of the bytes that its frame has ended: fewer of them leave an update() the time for
+  // it.
+  state.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
+  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
+  if (status != Status::Transferring) return client.endReading(status);
+  if (state.isLate) return client.endReading(Status::TookTooLong);
+  client.sendRead(nowMs);
+}
+
+void Client::sendRead(uint16_t nowMs) {
+  DownloadTransfer& transfer = reading_.transfer;
+  if (!link_.canSend()) return;
+  switch (transfer.toSend()) {
+    case DownloadTransfer::Send::Nothing: return;
+    case DownloadTransfer::Send::List: sendRequestList(); break;
+    case DownloadTransfer::Send::Request: sendRequest(transfer.itemToAsk()); break;
+    case DownloadTransfer::Send::Accepted: sendAck(MAV_MISSION_ACCEPTED, state_.type); break;
+  }
+  if (transfer.sent(nowMs)) endReading(Status::Downloaded);
+}
+
+void Client::sendRequestList() {
+  mavlink_mission_request_list_t list = mavlink_mission_request_list_t();
+  list.mission_type = static_cast<uint8_t>(state_.type);
+  link_.send(list);
+}
+
+void Client::sendRequest(uint16_t wireItem) {
+  mavlink_mission_request_int_t request = mavlink_mission_request_int_t();
+  request.seq = wireItem;
+  request.mission_type = static_cast<uint8_t>(state_.type);
+  // An autopilot that is neither ArduPilot nor PX4 may know only the older request.
+  const bool older = plan_.firmware() == Firmware::Other && reading_.transfer.tries() >= 2;
+  if (older) {
+    link_.sendAs<mavlink_mission_request_t>(&request);
+  } else {
+    link_.send(request);
+  }
+}
+
+void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM_INT:
+    case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame, nowMs);
+    case MAVLINK_MSG_ID_MISSION_ACK: {
+      typedef mavlink_mission_ack_t Ack;
+      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      const uint8_t result = frame.payloadByte(offsetof(Ack, type));
+      const Status status = reading_.transfer.onAck(result);
+      if (status == Status::Transferring) return;
+      // While an upload is being proven the autopilot may still hold it open: ArduPilot denies reading until it gives
+      // up, PX4 says error. The request is repeated, and its tries bound the wait.
+      if (rest_.proving && reading_.transfer.state() == DownloadTransfer::State::Listing) return;
+      rest_.lastResult = result;
+      return endReading(status);
+    }
+    default: return;
+  }
+}
+
+void Client::takeReadCount(const FrameParser& frame) {
+  typedef mavlink_mission_count_t Count;
+  if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+  const uint16_t count = frame.payloadWord(offsetof(Count, count));
+  if (!reading_.transfer.onCount(count)) return;
+  reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
+  const bool isHomeFirst = homeBefore() != 0;
+  if (!reading_.isCompared) {
+    const uint16_t items = isHomeFirst && count > 0 ? count - 1 : count;
+    rest_.itemsTotal = items;
+    if (items > reading_.sink.limit) endReading(Status::SinkFull);
+    return;
+  }
+  // ArduPilot without a plan says 0, or 1 for its home.
+  const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count <= 1;
+  if (isBothEmpty || count == plan_.wireCount()) return;
+  rest_.field = ItemField::Count;
+  endReading(Status::Differs);
+}
+
+void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
+  union {
+    MissionItem item;
+    mavlink_mission_item_int_t message;
+  } piece;
+  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
+  frame.copyPayload(&piece.message, sizeof(piece.message));
+  const mavlink_mission_item_int_t& message = piece.message;
+  DownloadTransfer& transfer = reading_.transfer;
+  const uint16_t seq = message.seq;
+  if (message.mission_type != static_cast<uint8_t>(state_.type)) return;
+  if (!transfer.expectsAnswer(DownloadTransfer::State::Fetching) || seq != transfer.itemToAsk()) return;
+  if (frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM) {
+    if (reading_.fromFloats == nullptr) return;
+    reading_.fromFloats(&piece.message);
+  }
+  const uint16_t command = message.command;
+  const uint8_t frameNumber = message.frame;
+  const uint8_t current = message.current;
+  const uint8_t autocontinue = message.autocontinue;
+  piece.item.command = command;
+  piece.item.frame = static_cast<Frame>(frameNumber);
+  piece.item.current = current;
+  piece.item.autocontinue = autocontinue;
+  const Status taken = reading_.take(*this, seq, piece.item);
+  if (taken == Status::Checking) return;  // it will be asked for again, by askAgain() or in time
+  if (taken != Status::Transferring) {
+    state_.failedItem = ownItem(seq);
+    return endReading(taken);
+  }
+  transfer.onItem(seq, nowMs, link_.pace());
+  // While an upload is proven its progress stands still: it is complete only when it is proven.
+  if (!rest_.proving) report(seq + 1 - homeBefore());
+}
+
+Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item) {
+  WirePlan& plan = client.plan_;
+  const bool hasHome = plan.firmware() == Firmware::ArduPilot && client.state_.type == PlanType::Mission;
+  if (wireItem == 0 && hasHome) return Status::Transferring;  // the autopilot's own, however the sketch counts
+  MissionItem meant;
+  const Status read = plan.read(wireItem, meant);
+  if (read == Status::Checking) client.reading_.transfer.askAgain();  // the looking for a place goes on then
+  if (read != Status::Accepted) return read;
+  const ItemField field = difference(meant, item, plan.keeper());
+  if (field == ItemField::None) return Status::Transferring;
+  // What could never be aboard is no difference.
+  if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
+  client.rest_.field = field;
+  return Status::Differs;
+}
+
+void Client::endReading(Status status) {
+  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
+  if (status == Status::Downloaded) {
+    if (reading_.isCompared) {
+      status = Status::Verified;
+      setAboard(Aboard::OurPlan);
+      if (state_.type == PlanType::Mission) rest_.planId = reading_.planId;
+    }
+  } else {
+    tellCancelled();  // PX4 would wait 5 s for us
+    // Where the autopilot refuses to be read another ground station may be putting its plan there.
+    if (status == Status::Differs || status >= Status::Error) setAboard(Aboard::NotKnown);
+  }
+  if (rest_.proving) {
+    switch (status) {
+      case Status::Verified:
+        status = Status::Accepted;
+        noteAccepted();
+        report(rest_.itemsTotal);
+        break;
+      case Status::Differs:
+        // One that was accepted is whole, but another one.
+        if (plan_.firmware() == Firmware::ArduPilot && state_.type == PlanType::Mission &&
+            rest_.lastResult != MAV_MISSION_ACCEPTED) {
+          setAboard(Aboard::Mixture);
+        }
+        if (rest_.mayBeRefused) {  // so it was, and of the last item
+          status = Status::Error;
+          state_.failedItem = plan_.count() - 1;
+        }
+        break;
+      default: status = Status::Unconfirmed; break;
+    }
+  }
+  state_.unsettled |= UploadTransfer::kBusy;  // our last word may be lost
+  state_.unsettledMs = state_.secondMs;       // now, less than a second ago
+  end(status);
+}
+
+}  // namespace mavmission

@@ -1,0 +1,27 @@
+// MissionClient taking up how an upload has ended, where the sketch asked for more than to be told: the options meet
+// here, so that an upload without any of them has one test for all.
+#include "../MissionClient.h"
+
+namespace mavmission {
+using namespace detail;
+
+// True if the operation goes on.
+bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
+  Rest& rest = client.rest_;
+  if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
+  if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
+  const UploadTransfer& transfer = client.transfer_;
+  // An idle ArduPilot says so of a last item that the line has repeated, and its acceptance may be what was lost.
+  const bool isDoubtfulError = status == Status::Error && client.plan_.firmware() != Firmware::Px4 &&
+                               transfer.state() == UploadTransfer::State::Confirming;
+  const bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError ||
+                         (status == Status::Accepted && transfer.hasBegun() && transfer.isAcceptanceDoubtful());
+  const bool isProofDue = isInDoubt || (status == Status::Accepted && rest.proof == Readback::Always);
+  if (!isProofDue || rest.prove == nullptr) return false;
+  if (isInDoubt) client.unsettle(nowMs);
+  rest.mayBeRefused = isDoubtfulError;
+  rest.prove(client, nowMs);
+  return true;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,292 @@
+// MissionClient's upload: the plan and the transfer joined to the link.
+#include <Arduino.h>
+
+#include "../MissionClient.h"
+#include "../link/Messages.h"
+#include "../link/Sending.h"
+
+namespace mavmission {
+using namespace detail;
+
+Status Client::startUpload(const ItemSource& plan, PlanType type) {
+  if (state_.operation != nullptr) return Status::Busy;
+  if (type == PlanType::All) return refuseType();
+  setPlan(plan, type);
+  rest_.prove = nullptr;
+  rest_.partFirst = 0;
+  return uploadKeptPlan();
+}
+
+Status Client::refuseType() {
+  startOperation(uploadStep);
+  end(Status::BadPlanType);
+  return state_.status;
+}
+
+void Client::setPlan(const ItemSource& plan, PlanType type) {
+  plan_.setSource(plan);
+  rest_.planType = type;
+  rest_.tooLong = plan.count > kMaxItems;
+  state_.announce = nullptr;
+}
+
+Status Client::uploadKeptPlan() {
+  if (state_.operation != nullptr) return Status::Busy;
+  startOperation(uploadStep);
+  state_.type = rest_.planType;
+  rest_.itemsTotal = plan_.count();
+  if (state_.type == PlanType::All) {  // there is no plan yet
+    end(Status::SourceRefused);
+    return state_.status;
+  }
+  if (rest_.tooLong) end(Status::TooManyItems);
+  return state_.status;
+}
+
+// Runs through the states of an upload: WaitingForAutopilot, Checking, Transferring.
+void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  if (client.state_.status == Status::Transferring) {
+    if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
+    const Status status = client.transfer_.onTime(nowMs, client.link_.pace());
+    if (status != Status::Transferring) return client.continueUpload(status, nowMs);
+    if (client.state_.isLate) return client.continueUpload(Status::TookTooLong, nowMs);
+    return client.sendUpload(nowMs);
+  }
+  if (frame != nullptr) return;
+  if (client.state_.status == Status::WaitingForAutopilot) {
+    client.waitForAutopilot();
+    if (client.state_.status != Status::Checking) return;
+    client.beginChecking();
+  }
+  client.checkPlan(nowMs);
+}
+
+void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw); }
+
+// Accepted, or NotKept: and then which field of an item it is that the autopilot would not keep.
+Status Client::keeping(const MissionItem& item) {
+  rest_.field = notKept(item, plan_.keeper());
+  return rest_.field == ItemField::None ? Status::Accepted : Status::NotKept;
+}
+
+void Client::beginChecking() {
+  beginPlan();
+  state_.next = 0;
+}
+
+// Only when the link can send: the item lies where a frame would be made, and not on the stack.
+Status Client::checkItem(uint16_t wireItem) {
+  MissionItem& item = *static_cast<MissionItem*>(link_.draft());
+  const Status read = plan_.read(wireItem, item);
+  return read == Status::Accepted ? keeping(item) : read;
+}
+
+void Client::checkPlan(uint16_t nowMs) {
+  if (!link_.finder().isFound() || link_.finder().firmware() != plan_.firmware()) {
+    state_.status = Status::WaitingForAutopilot;  // lost while the plan was being checked, or another one came
+    return;
+  }
+  if (plan_.isTooLong()) return end(Status::TooManyItems);
+  if (state_.announce != nullptr && plan_.firmware() == Firmware::Px4) return end(Status::WholePlansOnly);
+  if (!isTypeCarried()) return end(Status::NeedsMavlink2);
+  if (link_.finder().isArmed() && !rest_.armedAllowed) return end(Status::Armed);
+  if (!link_.canSend() || !isHeavyAllowed()) return;
+  const uint16_t count = plan_.wireCount();
+  for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
+    const Status checked = checkItem(state_.next);
+    if (checked == Status::Checking) return;
+    if (checked != Status::Accepted) {
+      state_.failedItem = ownItem(state_.next);
+      return end(checked);
+    }
+    ++state_.next;
+  }
+  if (state_.next == count) beginUpload(nowMs);
+}
+
+void Client::beginUpload(uint16_t nowMs) {
+  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled, nowMs);
+  if (state_.announce != nullptr) state_.announce(*this, true);
+  opaqueId_.begin();
+  state_.next = 0;
+  state_.isLate = false;
+  if (rest_.turnPauseS == 0) beginSeconds(nowMs);
+  state_.status = Status::Transferring;
+  sendUpload(nowMs);
+}
+
+void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_MISSION_REQUEST:
+    case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
+      typedef mavlink_mission_request_int_t Request;
+      static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request), "both kinds of request have one layout");
+      if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, link_.pace());
+      // At once, and not behind what else this update() does.
+      sendUpload(nowMs);
+      link_.flush(nowMs, kStartBytes);
+      continueUpload(status, nowMs);
+      return;
+    }
+    case MAVLINK_MSG_ID_MISSION_ACK: {
+      typedef mavlink_mission_ack_t Ack;
+      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      const uint8_t result = frame.payloadByte(offsetof(Ack, type));
+      rest_.lastResult = result;
+      Status status = transfer_.onAck(result, nowMs, link_.pace());
+      if (status == Status::Accepted) status = proven(frame.payloadLong(offsetof(Ack, opaque_id)));
+      continueUpload(status, nowMs);
+      return;
+    }
+    default: return;
+  }
+}
+
+// What an acceptance with this opaque_id means. PX4 says what it holds. (0: it does not. Items sent as floats are not
+// those that were summed up.)
+Status Client::proven(uint32_t opaqueId) {
+  const bool says = plan_.firmware() == Firmware::Px4 && opaqueId != 0 && !state_.floatItems;
+  if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
+  if (state_.type == PlanType::Mission) rest_.planId = opaqueId;
+  return Status::Accepted;
+}
+
+// Takes what the transfer says of how it goes.
+void Client::continueUpload(Status status, uint16_t nowMs) {
+  // The autopilot holds every item that it asked for but the last one.
+  const uint16_t notHeld = plan_.homeItems() + 1;
+  if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
+  if (status == Status::Transferring || state_.operation == nullptr) return;
+
+  if (rest_.takeUp != nullptr && rest_.takeUp(*this, status, nowMs)) return;
+  setAboard(aboardAfterUpload(status));
+  switch (status) {
+    case Status::Accepted:
+      report(rest_.itemsTotal);
+      noteAccepted();
+      break;
+    case Status::NoAnswer:
+    case Status::TimedOut:
+    case Status::TookTooLong:
+    case Status::SourceRefused:
+      tellCancelled();
+      unsettle(nowMs);
+      if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
+      break;
+    case Status::Unconfirmed: unsettle(nowMs); break;
+    default:
+      state_.unsettled = 0;
+      if (transfer_.hasBegun()) state_.failedItem = ownItem(transfer_.lastItem());
+      break;
+  }
+  end(status);
+}
+
+void Client::noteAccepted() {
+  if (state_.type == PlanType::Mission) rest_.infeasible = false;
+  state_.unsettled = 0;
+}
+
+Aboard Client::aboardAfterUpload(Status status) const {
+  if (status == Status::Accepted) return Aboard::OurPlan;
+  const bool begun = transfer_.hasBegun();
+  const bool refused = status >= Status::Error;  // the autopilot's own word
+  const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming || status == Status::AcceptedEarly;
+  // An error after the last item may yet be to one that a radio has repeated, and that found an idle autopilot.
+  if (mayBeWhole && (!refused || status == Status::Error)) return Aboard::NotKnown;
+  const Firmware firmware = plan_.firmware();
+  // It keeps the old plan until the new one is whole; an empty one is whole at once.
+  if (firmware == Firmware::Px4 && (refused || plan_.count() != 0)) return Aboard::AsBefore;
+  if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
+  // ArduPilot replaces a mission item by item; a fence it takes whole.
+  return firmware == Firmware::ArduPilot && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
+}
+
+uint16_t Client::ownItem(uint16_t wireItem) const {
+  static_assert(static_cast<uint16_t>(0 - 1) == kNoItem, "home is no item");
+  return wireItem - homeBefore();
+}
+
+// Sends what is due. An item is packed before it is asked for, while the line waits for the autopilot: the answer to
+// its request then begins earlier by that, and no update() both packs an item and writes it.
+void Client::sendUpload(uint16_t nowMs) {
+  if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
+    if (!transfer_.expectsRequest() || isPrepared(transfer_.itemsAskedFor()) || !link_.canSend()) return;
+    return prepareItem(transfer_.itemsAskedFor(), nowMs);
+  }
+  if (!link_.canSend()) return;
+  if (transfer_.toSend() != UploadTransfer::Send::Item) {
+    sendAnnouncement();
+  } else if (isPrepared(transfer_.itemToSend())) {
+    link_.release();
+  } else {
+    return prepareItem(transfer_.itemToSend(), nowMs);
+  }
+  transfer_.sent(nowMs);
+}
+
+// What comes before the items, or instead of them.
+void Client::sendAnnouncement() {
+  if (transfer_.toSend() == UploadTransfer::Send::Cancel) {
+    sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.type);
+  } else if (state_.announce != nullptr) {
+    state_.announce(*this, false);
+  } else {
+    sendCount(plan_.wireCount());
+  }
+}
+
+void Client::sendCount(uint16_t items) {
+  mavlink_mission_count_t count = mavlink_mission_count_t();
+  count.count = items;
+  count.mission_type = static_cast<uint8_t>(state_.type);
+  link_.send(count);
+}
+
+void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
+  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
+  static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
+  if (!isHeavyAllowed()) return;
+  // The item becomes the message where it lies, and it lies where the frame is made: param1 to z stay, the rest is
+  // moved. That keeps the deepest stack small.
+  union Piece {
+    MissionItem item;
+    mavlink_mission_item_int_t message;
+  };
+  static_assert(sizeof(MissionItem) <= Outbox::kMaxPayload && sizeof(mavlink_mission_item_int_t) <= Outbox::kMaxPayload,
+                "the outbox holds either");
+  Piece& piece = *static_cast<Piece*>(link_.draft());
+  const Status read = plan_.read(wireItem, piece.item);
+  if (read == Status::Checking) return;
+  if (read != Status::Accepted) {
+    state_.failedItem = ownItem(wireItem);
+    return continueUpload(read, nowMs);
+  }
+  const MissionItem& item = piece.item;
+  mavlink_mission_item_int_t& message = piece.message;
+  const uint16_t command = item.command;
+  const Frame frame = item.frame;
+  const uint8_t current = item.current;
+  const uint8_t autocontinue = item.autocontinue;
+  message.seq = wireItem;
+  message.command = command;
+  message.frame = static_cast<uint8_t>(frame);
+  message.current = current;
+  message.autocontinue = autocontinue;
+  message.mission_type = static_cast<uint8_t>(state_.type);
+  if (wireItem == state_.next && plan_.firmware() == Firmware::Px4) {
+    // The sum is enough for an update(): packing is left to the next one.
+    ++state_.next;
+    return opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
+  }
+  if (state_.floatItems) {
+    state_.toFloats(&message);
+    link_.prepareAs<mavlink_mission_item_t>(&message);
+  } else {
+    link_.prepareAs<mavlink_mission_item_int_t>(&message);
+  }
+  state_.prepared = wireItem;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,195 @@
+// The commands of a PlanConsole: their names, what each does, and help.
+#include "../PlanConsole.h"
+
+#include <Arduino.h>
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+// One line a command: its name, and what it does.
+// clang-format off
+#define MAVMISSION_COMMANDS(X)                                            \
+  X(help, "these words")                                                  \
+  X(status, "the autopilot, the plan aboard, the plan here")              \
+  X(load, "take the lines of a .waypoints file, up to end or cancel")     \
+  X(end, "of the file: keep it, in EEPROM")                               \
+  X(upload, "put it aboard")                                              \
+  X(cancel, "what is going on")                                           \
+  X(erase, "take the plan here away")                                     \
+  X(list, "print the plan here, as a .waypoints file")                    \
+  X(verify, "is it what is aboard?")                                      \
+  X(download, "keep what is aboard")                                      \
+  X(clear, "take the plan aboard away")                                   \
+  X(start, "arm, and fly what is aboard")
+// clang-format on
+
+#define MAVMISSION_TEXT(name, text) #name "\0" text "\0"
+const char kCommands[] PROGMEM = MAVMISSION_COMMANDS(MAVMISSION_TEXT);
+#undef MAVMISSION_TEXT
+
+FlashText flash(const char* text) { return reinterpret_cast<FlashText>(text); }
+
+const char* behind(const char* text) {
+  while (pgm_read_byte(text++) != 0) {
+  }
+  return text;
+}
+
+bool isEqual(const char* flash, const char* ram) {
+  for (;; ++flash, ++ram) {
+    const char c = static_cast<char>(pgm_read_byte(flash));
+    if (c != *ram) return false;
+    if (c == 0) return true;
+  }
+}
+
+}  // namespace
+
+enum class PlanConsole::Command : uint8_t {
+#define MAVMISSION_NAME(name, text) name,
+  MAVMISSION_COMMANDS(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
+      unknown,
+};
+
+void PlanConsole::takeInCommand(char c) {
+  if (c == '\n') return runCommand();
+  if (c == '\b' || c == 0x7F) {
+    if (length_ != 0) --length_;
+    return;
+  }
+  if (c == ' ' || c == '\t') return;
+  if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 0x20);
+  if (length_ < sizeof(command_)) command_[length_++] = c;
+}
+
+void PlanConsole::runCommand() {
+  if (length_ == 0) return;
+  uint8_t command = static_cast<uint8_t>(Command::unknown);
+  if (length_ < sizeof(command_)) {
+    command_[length_] = '\0';
+    const char* name = kCommands;
+    for (command = 0; command < static_cast<uint8_t>(Command::unknown); ++command, name = behind(behind(name))) {
+      if (isEqual(name, command_)) break;
+    }
+  }
+  run(static_cast<Command>(command));
+}
+
+void PlanConsole::run(Command command) {
+  const bool isInText = mode_ == Mode::Text;
+  if (mode_ == Mode::Refused) {
+    mode_ = Mode::Commands;
+    if (command == Command::end || command == Command::cancel) return say(F("nothing was loaded"));
+  }
+  if (isInText && command != Command::end && command != Command::cancel) return refuse(TextError::BadNumber);
+  switch (command) {
+    case Command::help: return due(kHelp);
+    case Command::status: return due(kStatus);
+    case Command::end: return isInText ? endText() : say(F("nothing is being loaded: load comes first"));
+    case Command::cancel:
+      if (!isInText) return autopilot_.cancel();
+      mode_ = Mode::Commands;
+      return say(F("nothing was loaded"));
+    case Command::upload:
+      if (mayUsePlan()) began(autopilot_.upload(plan_.source()));
+      return;
+    case Command::load:
+      if (mayExchangePlan()) beginText();
+      return;
+    case Command::erase:
+      if (mayExchangePlan()) isPlanAwaited_ = plan_.erase();
+      return;
+    case Command::list:
+    case Command::verify:
+    case Command::download:
+    case Command::clear:
+    case Command::start:
+      if (isOffered(command)) return offerOf(command)(*this);
+      break;
+    case Command::unknown: break;
+  }
+  say(F("no such command here: help names them"));
+}
+
+bool PlanConsole::mayUsePlan() {
+  if (plan_.hasPlan()) return true;
+  say(F("no plan is here: load one"));
+  return false;
+}
+
+// The plan must not be exchanged while it is on its way.
+bool PlanConsole::mayExchangePlan() {
+  if (autopilot_.isBusy()) {
+    began(Status::Busy);
+  } else if (plan_.isBusy()) {
+    say(F("the EEPROM is being written: wait"));
+  } else {
+    return true;
+  }
+  return false;
+}
+
+PlanConsole::Offer& PlanConsole::offerOf(Command command) {
+  return offers_[static_cast<uint8_t>(command) - static_cast<uint8_t>(Command::list)];
+}
+
+bool PlanConsole::isOffered(Command command) {
+  return command < Command::list || command == Command::unknown || offerOf(command) != nullptr;
+}
+
+void PlanConsole::offerList() {
+  offerOf(Command::list) = runList;
+  composeList_ = composeList;
+}
+void PlanConsole::offerVerify() { offerOf(Command::verify) = runVerify; }
+void PlanConsole::offerDownload() { offerOf(Command::download) = runDownload; }
+void PlanConsole::offerClear() { offerOf(Command::clear) = runClear; }
+void PlanConsole::offerStart() { offerOf(Command::start) = runStart; }
+
+void PlanConsole::offerAll() {
+  offerList();
+  offerVerify();
+  offerDownload();
+  offerClear();
+  offerStart();
+}
+
+void PlanConsole::runList(PlanConsole& console) {
+  if (console.mayUsePlan()) console.due(kList);
+}
+
+void PlanConsole::runVerify(PlanConsole& console) {
+  if (console.mayUsePlan()) console.began(console.autopilot_.verify(console.plan_.source()));
+}
+
+void PlanConsole::runDownload(PlanConsole& console) {
+  if (!console.mayExchangePlan()) return;
+  console.began(console.autopilot_.download(console.plan_.sink()));
+  console.isDownload_ = true;
+}
+
+void PlanConsole::runClear(PlanConsole& console) { console.began(console.autopilot_.clear()); }
+void PlanConsole::runStart(PlanConsole& console) {
+  console.began(console.autopilot_.start());
+  console.isStart_ = true;
+}
+
+bool PlanConsole::composeHelp() {
+  while (!isOffered(static_cast<Command>(step_ / 2))) step_ += 2;
+  if (step_ / 2 == static_cast<uint8_t>(Command::unknown)) return false;
+  const char* name = kCommands;
+  for (uint8_t skipped = step_ / 2; skipped != 0; --skipped) name = behind(behind(name));
+  if (step_ % 2 == 0) {
+    put(flash(name));
+    memcpy_P(piece_, PSTR(": "), 3);
+  } else {
+    put(flash(behind(name)));
+    memcpy_P(piece_, PSTR("\r\n"), 3);
+  }
+  ram_ = piece_;
+  return true;
+}
+
+}  // namespace mavmission

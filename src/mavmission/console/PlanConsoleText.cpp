@@ -1,0 +1,87 @@
+// A plan that a PlanConsole takes as text, and keeps in EEPROM.
+#include "../PlanConsole.h"
+
+#include <Arduino.h>
+
+namespace mavmission {
+using namespace detail;
+
+void PlanConsole::beginText() {
+  text_.begin();
+  plan_.store();
+  mode_ = Mode::Text;
+  kept_ = 0;
+  told_ = 0;
+  say(F("send the file, then end"));
+}
+
+void PlanConsole::takeInText(char c) {
+  switch (text_.take(c)) {
+    case WaypointsText::Step::More: return;
+    case WaypointsText::Step::Item: isItemHeld_ = true; return storeItems();
+    case WaypointsText::Step::Bad: return refuse(text_.error());
+  }
+}
+
+void PlanConsole::endText() {
+  switch (text_.end()) {
+    case WaypointsText::Step::Item:  // cannot be: its line had an end
+    case WaypointsText::Step::More: mode_ = Mode::Ending; return;
+    case WaypointsText::Step::Bad:
+      refuse(text_.error());
+      mode_ = Mode::Commands;
+      return;
+  }
+}
+
+// The rest of the text is passed over, up to end or another command.
+void PlanConsole::refuse(TextError error) {
+  error_ = error;
+  mode_ = Mode::Refused;
+  isItemHeld_ = false;
+  kept_ = 0;
+  due(kError);
+}
+
+void PlanConsole::storeItems() {
+  if (mode_ != Mode::Text && mode_ != Mode::Ending) return;
+  if (plan_.state() == EepromPlan::State::Failed) return refuse(TextError::NotKept);
+  if (kept_ != 0 && plan_.isReady()) {
+    if (!plan_.put(room_[oldest_])) return refuse(TextError::NoRoom);
+    --kept_;
+    if (++oldest_ == roomItems_) oldest_ = 0;
+  }
+  if (!isItemHeld_) return;
+  if (kept_ == 0 && plan_.isReady()) {
+    isItemHeld_ = false;
+    if (!plan_.put(text_.item())) refuse(TextError::NoRoom);
+  } else if (kept_ < roomItems_) {
+    isItemHeld_ = false;
+    if (kept_ == 0) oldest_ = 0;
+    const uint16_t place = static_cast<uint16_t>(oldest_) + kept_;
+    room_[place < roomItems_ ? place : place - roomItems_] = text_.item();
+    ++kept_;
+  }
+}
+
+void PlanConsole::watchPlan() {
+  if (mode_ == Mode::Text || mode_ == Mode::Ending) {
+    if (plan_.isReady() && plan_.stored() > told_) due(kStored);
+    if (mode_ != Mode::Ending || kept_ != 0 || isItemHeld_ || !plan_.isReady()) return;
+    if (plan_.stored() > told_) return;
+    mode_ = Mode::Commands;
+    isPlanAwaited_ = plan_.commit();
+    return;
+  }
+  if (!isPlanAwaited_ || plan_.isBusy()) return;
+  isPlanAwaited_ = false;
+  if (plan_.state() == EepromPlan::State::Failed) {
+    say(F("the EEPROM does not keep it"));
+  } else if (plan_.hasPlan()) {
+    say(F("kept: list prints it"));
+  } else {
+    say(F("erased"));
+  }
+}
+
+}  // namespace mavmission

@@ -1,0 +1,178 @@
+#include "Link.h"
+
+#include <Arduino.h>
+
+#include "../base/Clock.h"
+#include "../base/Flash.h"
+#include "Messages.h"
+#include "Sending.h"
+
+namespace mavmission {
+namespace detail {
+void Link::setSourceIds(uint8_t systemId, uint8_t componentId) {
+  state_.ownSystemId = systemId;
+  state_.ownComponentId = componentId;
+}
+
+uint8_t Link::systemId() const { return state_.ownSystemId != 0 ? state_.ownSystemId : finder_.heartbeat().systemId; }
+
+uint8_t Link::componentId() const { return state_.ownComponentId != 0 ? state_.ownComponentId : kComponentId; }
+
+uint8_t Link::version() const {
+#if MAVMISSION_SIGNING
+  if (signing_.isOn()) return 2;
+#endif
+  if (state_.speak != MavlinkVersion::AsAutopilot) return static_cast<uint8_t>(state_.speak);
+  return finder_.heartbeat().version == 1 ? 1 : 2;
+}
+
+bool Link::maySpeak() const {
+  if (finder_.severalHeard()) return false;
+  return finder_.isFound() || state_.ownSystemId != 0;
+}
+
+bool Link::canSend() const { return outbox_.isEmpty(); }
+
+void Link::add(Listener& listener) {
+  MoreKeys*& first = parser_.moreKeys();
+  listener.next = first;
+  first = &listener;
+}
+
+void Link::takeHeartbeat(uint16_t nowMs) {
+  static_assert(offsetof(Heartbeat, vehicleType) == offsetof(mavlink_heartbeat_t, type) &&
+                    offsetof(Heartbeat, autopilot) == offsetof(mavlink_heartbeat_t, autopilot) &&
+                    offsetof(Heartbeat, baseMode) == offsetof(mavlink_heartbeat_t, base_mode) &&
+                    offsetof(Heartbeat, state) == offsetof(mavlink_heartbeat_t, system_status) &&
+                    offsetof(Heartbeat, version) == offsetof(mavlink_heartbeat_t, mavlink_version),
+                "Heartbeat begins with the message");
+  const FrameParser& given = frame();
+  const uint8_t systemId = given.systemId();
+  const uint8_t componentId = given.componentId();
+  const uint8_t autopilot = given.payloadByte(offsetof(mavlink_heartbeat_t, autopilot));
+  const uint8_t vehicleType = given.payloadByte(offsetof(mavlink_heartbeat_t, type));
+  if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return;
+  outbox_.drop();
+  Heartbeat& heartbeat = finder_.toFill();
+  given.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
+  heartbeat.version = given.version();
+  heartbeat.systemId = systemId;
+  heartbeat.componentId = componentId;
+}
+
+bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
+#if MAVMISSION_SIGNING
+  if (takeAccepted(nowMs)) {
+    budget.left = 0;  // of this update(): what the frame begins takes time too
+    return true;
+  }
+#endif
+  for (;;) {
+#if MAVMISSION_SIGNING
+    if (!mayRead()) return false;
+#endif
+    FrameParser::Result result = parser_.pull(*stream_, budget);
+    if (budget.heard != 0) {
+      state_.bytes += budget.heard;
+      state_.heardByteMs = nowMs;
+    }
+    if (result == FrameParser::Result::Nothing) {
+      if (budget.left == 0 || parser_.isIdle() || since(state_.heardByteMs, nowMs) < FrameParser::kSilenceMs)
+        return false;
+      result = parser_.silence();
+    }
+#if MAVMISSION_SIGNING
+    if (signing_.isOn() || result == FrameParser::Result::Signature) {
+      takeUnchecked(result, nowMs);
+      continue;
+    }
+#endif
+    if (result != FrameParser::Result::Nothing && isNews(result, nowMs)) return true;
+  }
+}
+
+// Counts a frame; true if it is the autopilot's, wanted, and for us.
+bool Link::isNews(FrameParser::Result result, uint16_t nowMs) {
+  const bool isWanted = result == FrameParser::Result::Wanted;
+  if (isWanted) {
+    ++state_.frames;
+    if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) takeHeartbeat(nowMs);
+    const MoreKeys* const listeners = parser_.moreKeys();
+    if (listeners != nullptr) listeners->tell(listeners, parser_);
+  } else {
+    ++state_.unknownMessages;
+  }
+  if (!finder_.isFrom(parser_.systemId(), parser_.componentId())) return false;
+  const uint8_t sequence = parser_.sequence();
+  if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
+  state_.heardSequence = sequence;
+  state_.sequenceKnown = true;
+  if (isWanted) finder_.onFrame(nowMs);
+  return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
+}
+
+void Link::release() {
+  if (!maySpeak()) return outbox_.drop();
+  outbox_.release(state_.pace.isLossy());
+  ++state_.sequence;
+  ++state_.framesSent;
+}
+
+void Link::sendMessage(uint8_t* payload, const MessageKey* key) {
+  pack(payload, key);
+  release();
+}
+
+void Link::pack(uint8_t* payload, const MessageKey* key) {
+  const uint8_t target = fromFlash(&key->target);
+  if (target != MessageKey::kNoTarget) {
+    payload[target] = finder_.heartbeat().systemId;
+    payload[target + 1] = finder_.heartbeat().componentId;
+  }
+  outbox_.begin(version(), state_.sequence, systemId(), componentId());
+  outbox_.complete(key, payload);
+}
+
+bool Link::sendForeign(const OutgoingMessage& message) {
+  const bool isV1 = version() == 1;
+  if (!canSend() || !maySpeak() || (isV1 && message.id > 0xFF)) return false;
+  outbox_.begin(version(), state_.sequence, systemId(), componentId());
+  outbox_.completeForeign(message);
+  release();
+  return true;
+}
+
+void Link::onTime(uint16_t nowMs) {
+  // What was skipped before the first heartbeat was the rest of a frame in whose middle our listening began.
+  const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
+  if (damage != state_.damage && finder_.isHeard()) state_.pace.noteLoss();
+  state_.damage = damage;
+  uint16_t busyMs;
+  if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) state_.pace.noteBusy(busyMs);
+  finder_.onTime(nowMs, state_.pace.isLossy());
+  const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
+  if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
+  if (!canSend() || !maySpeak()) return;
+  // The next one is due a period after this one was due, so that a late loop does not make them rarer.
+  const bool late = !state_.heartbeatSent || elapsedMs >= 2 * kHeartbeatMs;
+  state_.heartbeatMs = late ? nowMs : state_.heartbeatMs + kHeartbeatMs;
+  state_.heartbeatSent = true;
+  sendHeartbeat();
+}
+
+void Link::sendHeartbeat() {
+  mavlink_heartbeat_t heartbeat = mavlink_heartbeat_t();
+  heartbeat.type = MAV_TYPE_ONBOARD_CONTROLLER;
+  heartbeat.autopilot = MAV_AUTOPILOT_INVALID;
+  heartbeat.system_status = MAV_STATE_ACTIVE;
+  heartbeat.mavlink_version = 3;  // the field's fixed value (MAVLink common messages, HEARTBEAT)
+  send(heartbeat);
+}
+
+LinkCounters Link::counters() const {
+  return LinkCounters{state_.bytes,           parser_.bytesSkipped(), state_.frames,     state_.unknownMessages,
+                      parser_.badChecksums(), parser_.brokenFrames(), state_.framesLost, state_.framesSent};
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,30 @@
+#include "Messages.h"
+
+#include "../base/Flash.h"
+
+namespace mavmission {
+namespace detail {
+
+const MessageKey kKeys[] PROGMEM = {
+#define MAVMISSION_KEY(NAME, type, target)                                                                           \
+  {MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, MAVLINK_MSG_ID_##NAME##_MIN_LEN, MAVLINK_MSG_ID_##NAME##_LEN, \
+   target},
+    MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_KEY) MAVMISSION_SENT_MESSAGES(MAVMISSION_KEY)
+#undef MAVMISSION_KEY
+};
+
+// By comparisons in a tree, which is quicker than a walk through the table.
+const MessageKey* wantedKey(uint16_t messageId) {
+  KeyIndex index;
+  switch (messageId) {
+#define MAVMISSION_CASE(NAME, type, target) \
+  case MAVLINK_MSG_ID_##NAME: index = KeyIndex::NAME; break;
+    MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_CASE)
+#undef MAVMISSION_CASE
+    default: return nullptr;
+  }
+  return &kKeys[static_cast<uint8_t>(index)];
+}
+
+}  // namespace detail
+}  // namespace mavmission

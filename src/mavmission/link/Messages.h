@@ -1,0 +1,66 @@
+// The MAVLink messages that the library speaks, as the vendored headers lay them out. Included by .cpp files only: no
+// public header names a MAVLink type, so that a sketch may use any other MAVLink library beside this one.
+#pragma once
+
+#include <stddef.h>
+
+#include "FrameParser.h"
+#include "MavlinkHeaders.h"
+
+namespace mavmission {
+namespace detail {
+
+// The messages, received ones first: name, type, and where target_system lies in the payload.
+#define MAVMISSION_RECEIVED_MESSAGES(X)                                                                         \
+  X(HEARTBEAT, mavlink_heartbeat_t, MessageKey::kNoTarget)                                                      \
+  X(MISSION_REQUEST, mavlink_mission_request_t, offsetof(mavlink_mission_request_t, target_system))             \
+  X(MISSION_REQUEST_INT, mavlink_mission_request_int_t, offsetof(mavlink_mission_request_int_t, target_system)) \
+  X(MISSION_ACK, mavlink_mission_ack_t, offsetof(mavlink_mission_ack_t, target_system))                         \
+  X(MISSION_COUNT, mavlink_mission_count_t, offsetof(mavlink_mission_count_t, target_system))                   \
+  X(MISSION_ITEM_INT, mavlink_mission_item_int_t, offsetof(mavlink_mission_item_int_t, target_system))          \
+  X(MISSION_ITEM, mavlink_mission_item_t, offsetof(mavlink_mission_item_t, target_system))                      \
+  X(MISSION_CURRENT, mavlink_mission_current_t, MessageKey::kNoTarget)                                          \
+  X(COMMAND_ACK, mavlink_command_ack_t, offsetof(mavlink_command_ack_t, target_system))
+#define MAVMISSION_SENT_MESSAGES(X)                                                                                \
+  X(MISSION_REQUEST_LIST, mavlink_mission_request_list_t, offsetof(mavlink_mission_request_list_t, target_system)) \
+  X(MISSION_CLEAR_ALL, mavlink_mission_clear_all_t, offsetof(mavlink_mission_clear_all_t, target_system))          \
+  X(MISSION_SET_CURRENT, mavlink_mission_set_current_t, offsetof(mavlink_mission_set_current_t, target_system))    \
+  X(COMMAND_LONG, mavlink_command_long_t, offsetof(mavlink_command_long_t, target_system))                         \
+  X(COMMAND_INT, mavlink_command_int_t, offsetof(mavlink_command_int_t, target_system))                            \
+  X(MISSION_WRITE_PARTIAL_LIST, mavlink_mission_write_partial_list_t,                                              \
+    offsetof(mavlink_mission_write_partial_list_t, target_system))
+
+// Their keys, in flash, in this order.
+enum class KeyIndex : uint8_t {
+#define MAVMISSION_NAME(NAME, type, target) NAME,
+  MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_NAME) kReceived,
+  kBehindReceived = kReceived - 1,
+  MAVMISSION_SENT_MESSAGES(MAVMISSION_NAME)
+#undef MAVMISSION_NAME
+};
+extern const MessageKey kKeys[];
+
+// What belongs to a message type.
+template <typename T>
+struct MessageOf;
+
+#define MAVMISSION_MESSAGE(NAME, type, target)                                                           \
+  template <>                                                                                            \
+  struct MessageOf<type> {                                                                               \
+    static constexpr KeyIndex kKey = KeyIndex::NAME;                                                     \
+    static_assert(sizeof(type) == MAVLINK_MSG_ID_##NAME##_LEN, "the struct is the wire layout, packed"); \
+  };
+MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_MESSAGE)
+MAVMISSION_SENT_MESSAGES(MAVMISSION_MESSAGE)
+#undef MAVMISSION_MESSAGE
+
+// The payload of a received frame as its message: what MAVLink 2 left out, or a MAVLink 1 sender does not know, is 0.
+template <typename T>
+T messageFrom(const FrameParser& frame) {
+  T message;
+  frame.copyPayload(&message, sizeof(T));
+  return message;
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,90 @@
+#include "Outbox.h"
+
+#include <Arduino.h>
+
+#include "../base/Checksum.h"
+#include "../base/Clock.h"
+#include "../base/Flash.h"
+#include "MavlinkHeaders.h"
+
+namespace mavmission {
+namespace detail {
+
+void Outbox::begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
+  uint8_t* out = frame_;
+  if (version == 1) {
+    *out++ = MAVLINK_STX_MAVLINK1;
+  } else {
+    *out++ = MAVLINK_STX;
+    *++out = 0;  // incompatibility flags
+#if MAVMISSION_SIGNING
+    if (signs_) *out = MAVLINK_IFLAG_SIGNED;
+#endif
+    *++out = 0;  // compatibility flags
+  }
+  *++out = sequence;
+  *++out = systemId;
+  *++out = componentId;
+}
+
+void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
+  const uint16_t id = fromFlash(&key->id);
+  uint8_t length;
+  uint8_t* out = frame_ + 5;
+  if (frame_[0] == MAVLINK_STX_MAVLINK1) {
+    length = fromFlash(&key->lengthV1);
+    *out++ = static_cast<uint8_t>(id);
+  } else {
+    length = fromFlash(&key->length);
+    while (length > 1 && payload[length - 1] == 0) --length;  // MAVLink 2 drops trailing zeros, never the first byte
+    out += 2;
+    *out++ = static_cast<uint8_t>(id);
+    *out++ = static_cast<uint8_t>(id >> 8);
+    *out++ = 0;
+  }
+  frame_[1] = length;
+  for (; length != 0; --length) *out++ = *payload++;
+  *out = fromFlash(&key->crcExtra);  // where the checksum goes: it is the last byte that is summed up
+  const uint16_t crc = checksum(kChecksumStart, frame_ + 1, static_cast<uint8_t>(out - frame_));
+  *out++ = static_cast<uint8_t>(crc);
+  *out++ = static_cast<uint8_t>(crc >> 8);
+  length_ = static_cast<uint16_t>(out - frame_);
+  writeForeign_ = nullptr;
+  sent_ = length_;
+  held_ = true;
+}
+
+void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
+#if MAVMISSION_SIGNING
+  if (isUnsigned_) return;
+#endif
+  int room = stream.availableForWrite();
+  if (room > 0) {
+    blind_ = false;
+  } else if (blind_) {
+    room = kBlindBytes;
+  } else {
+    if (!stuck_) {
+      stuck_ = true;
+      stuckMs_ = nowMs;
+    }
+    blind_ = since(stuckMs_, nowMs) >= kNotImplementedMs;
+    return;
+  }
+  stuck_ = false;
+  if (room > idle_) idle_ = static_cast<uint8_t>(room < 255 ? room : 255);
+  if (room > most) room = most;
+  for (; fill_ != 0 && room != 0; --room) fill_ -= static_cast<uint8_t>(stream.write(static_cast<uint8_t>(0)));
+  if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
+  const uint8_t left = static_cast<uint8_t>(length_ - sent_);
+  sent_ += stream.write(frame_ + sent_, room < left ? room : left);
+  stuckMs_ = nowMs;
+}
+
+bool Outbox::isLineBusy(Stream& stream, uint16_t nowMs, uint16_t& busyMs) const {
+  busyMs = since(stuckMs_, nowMs);
+  return isEmpty() && stream.availableForWrite() < idle_;
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,28 @@
+// Link::send() for the messages of Messages.h; apart from Link.h, which a sketch sees and which names no MAVLink type.
+#pragma once
+
+#include "Link.h"
+#include "Messages.h"
+
+namespace mavmission {
+namespace detail {
+
+template <typename T>
+void Link::send(T& message) {
+  sendAs<T>(&message);
+}
+
+template <typename T>
+void Link::prepareAs(void* payload) {
+  static_assert(sizeof(T) <= Outbox::kMaxPayload, "the outbox holds it");
+  pack(static_cast<uint8_t*>(payload), &kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)]);
+}
+
+template <typename T>
+void Link::sendAs(void* payload) {
+  static_assert(sizeof(T) <= Outbox::kMaxPayload, "the outbox holds it");
+  sendMessage(static_cast<uint8_t*>(payload), &kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)]);
+}
+
+}  // namespace detail
+}  // namespace mavmission

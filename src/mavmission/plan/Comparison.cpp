@@ -1,0 +1,187 @@
+#include "Comparison.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "../autopilot/Rules.h"
+#include "../base/Flash.h"
+#include "../base/FloatBits.h"
+
+namespace mavmission {
+namespace detail {
+
+using namespace keeping;
+
+namespace {
+
+// The whole numbers that a kind keeps, from U1 on.
+struct Limit {
+  uint16_t positive, negative;
+};
+
+const Limit kLimits[] PROGMEM = {
+    {1, 0},          // U1
+    {255, 0},        // U8
+    {127, 128},      // I8
+    {65535, 0},      // U16
+    {32767, 32768},  // I16
+    {65535, 65535},  // Radius
+    {180, 180},      // To180
+    {90, 90},        // To90
+    {360, 180},      // To360
+};
+
+// param1 to param4, x, y, z lie one behind the other, four bytes each.
+constexpr uint8_t kParam3 = 2, kYaw = 3, kX = 4, kY = 5, kZ = 6;
+static_assert(offsetof(MissionItem, x) == sizeof(float) * kX && offsetof(MissionItem, y) == sizeof(float) * kY &&
+                  offsetof(MissionItem, z) == sizeof(float) * kZ,
+              "in their order");
+static_assert(static_cast<uint8_t>(ItemField::Latitude) == static_cast<uint8_t>(ItemField::Param1) + kX &&
+                  static_cast<uint8_t>(ItemField::Height) == static_cast<uint8_t>(ItemField::Param1) + kZ,
+              "fields have the same order");
+
+// Beside the flags of a Keeper: x and y go through floats, as PX4 has them where there is no place.
+constexpr uint8_t kInFloats = 128;
+
+// Four bytes of an item, whatever they are.
+struct Four {
+  union {
+    uint8_t bytes[4];
+    uint32_t bits;
+    float number;
+  };
+  bool isBelow0() const { return (bytes[3] & 0x80) != 0; }
+};
+
+MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(a.bytes, b.bytes, sizeof(a.bytes)) == 0; }
+
+// Turns in 256ths below 1, the radius of turns in tens of metres beyond 255, the radius of a fence, the mode of a
+// region of interest: none or a place, or where it has no place none or an item. `value` is its magnitude, and is
+// spoilt.
+bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
+  if ((keeper & kByPx4) != 0) makeWhole(&value);
+  int32_t whole = wholeNumber(value.number);
+  if ((keeper & kByPx4) != 0) {
+    const uint8_t modes = (keeper & kInFloats) != 0 ? 1 << 0 | 1 << 1 | 1 << 2 : 1 << 0 | 1 << 3;
+    return static_cast<uint32_t>(whole) < 8 && (modes >> static_cast<uint8_t>(whole) & 1) != 0;
+  }
+  if ((keeper & kOfFence) != 0) {
+    // ArduPilot keeps a radius that is less than a millimetre above a whole number of metres as that number, also as 0.
+    if (isBelow0 || value.bits < 0x3A83126F) return false;                   // 0.001
+    const uint8_t doublings = static_cast<uint8_t>(value.bits >> 23) - 127;  // from 1 m on
+    if (doublings >= 14) return true;  // below 1 m, or in steps of more than a millimetre
+    Four metres = value;
+    makeWhole(&metres);
+    const uint32_t above = value.bits - metres.bits;  // in steps, of which 1 m has 2^23 >> doublings
+    return above == 0 || above > static_cast<uint16_t>(8388u >> doublings);
+  }
+  if (field == kParam3) {
+    if (whole > 255 && whole <= 2550) {
+      do whole -= 10;
+      while (whole > 255);
+      return whole == 250;
+    }
+  } else {
+    if (isBelow0) return false;
+    if (whole < 0) {
+      multiply(&value, Times::T256);
+      whole = wholeNumber(value.number);
+    }
+  }
+  return static_cast<uint32_t>(whole) <= 255;
+}
+
+bool areNoNumbers(const void* a, const void* b) {
+  return kindOf(a) == FloatKind::NotANumber && kindOf(b) == FloatKind::NotANumber;
+}
+
+// `kept`, which is what was sent, becomes what is kept of it, or stays where that `is` what was read; false if it does
+// not mean the same.
+MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
+  const bool isZ = field == kZ;
+  if (field == kX || field == kY) {
+    if (kind == U8) return kept.bits <= 0xFF;
+    if (kind == I16) return kept.bits + 0x8000 <= 0xFFFF;
+    if (kind == D) kept.bits = 0;
+    if (kind == D || (keeper & kInFloats) == 0) return true;
+    const Four sent = kept;
+    throughFloat(&kept);
+    return kind == Rounded || isEqual(kept, sent);
+  }
+  if (kind == K) return true;
+  if (kind == D || kind == NoYaw) {
+    kept.bits = 0;
+    return true;
+  }
+  if (kind == Height && isZ) {
+    if (!is && (keeper & kByArduPilot) != 0) makeHundredths(&kept);
+    return true;
+  }
+  const uint8_t sign = kept.bytes[3] & 0x80;
+  if (kind == Centimetres) {
+    const bool isWithin = kept.bits < 0x4423D70A;  // 655.36, and what is negative
+    makeHundredths(&kept);
+    return isWithin;
+  }
+  Four magnitude = kept;
+  magnitude.bytes[3] &= 0x7F;
+  if (kind == Yaw360) {
+    if (kindOf(&kept) == FloatKind::NotANumber) return true;
+    if (magnitude.bits > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
+    if (!is) makeTurn(&kept);
+    return true;
+  }
+  const int32_t whole = wholeNumber(magnitude.number);
+  if (kind >= U1) {
+    const uint16_t* limit = &kLimits[kind - U1].positive;
+    if (sign != 0) ++limit;
+    if (whole == 0) kept.bits = 0;
+    return whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
+  }
+  if (kind == Special) {
+    // Of a region of interest with a place the mode is not given back.
+    if ((keeper & (kByPx4 | kInFloats)) == kByPx4) kept.bits = 0;
+    return isSpecialKept(magnitude, sign != 0, field, keeper);
+  }
+  kept.bits = isZ ? 0x40000000 : 0x3F800000;  // 2, 1
+  if (!isZ) kept.bytes[3] |= sign;
+  return (keeper & kByPlane) == 0 || isZ || static_cast<uint32_t>(whole) <= 1;
+}
+
+bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
+  const Frame found = modern(read.frame);
+  if (modern(sent.frame) == found) return true;
+  // So come those of a fence, which has no altitude, and on ArduPilot those of items without a place, whatever they
+  // had.
+  if ((keeper & kByArduPilot) != 0 && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
+  return found == Frame::Global && (keeper & (kByArduPilot | kByPx4)) != 0 && (keeper & kOfFence) != 0;
+}
+
+}  // namespace
+
+ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper keeper) {
+  if (read.command != sent.command) return ItemField::Command;
+  Rules rules = rulesOf(sent, keeper);
+  if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
+  if ((keeper & (kByArduPilot | kByPx4)) == 0) rules.bits = 0;  // all is kept
+  uint8_t flags = keeper;
+  if ((keeper & kByPx4) != 0 && sent.frame == Frame::Mission) flags |= kInFloats;
+  const Four* wasSent = reinterpret_cast<const Four*>(&sent);
+  const Four* wasRead = reinterpret_cast<const Four*>(&read);
+  for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, rules.bits >>= 4) {
+    const uint8_t kind = static_cast<uint8_t>(rules.bits) & 15;
+    Four kept = *wasSent;
+    const bool isSame = isEqual(*wasRead, *wasSent);
+    const bool isKept = keep(kept, kind, field, flags, isSame) &&
+                        (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)));
+    if (!isKept) return static_cast<ItemField>(static_cast<uint8_t>(ItemField::Param1) + field);
+  }
+  // Fence and rally items come back with 0, those of ArduPilot's missions with 1.
+  const bool isAlways1 = (keeper & kByArduPilot) != 0 && read.autocontinue == 1;
+  if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)
+    return ItemField::Autocontinue;
+  return ItemField::None;
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,201 @@
+#include "WirePlan.h"
+
+#include <string.h>
+
+#include "../Config.h"
+#include "../autopilot/Rules.h"
+#include "../base/FloatBits.h"
+
+namespace mavmission {
+namespace detail {
+namespace {
+
+bool isBeyond(int32_t value, int32_t limit) { return value > limit || value < -limit; }
+
+constexpr uint16_t kNavRoi = 80, kDoSetRoi = 201;  // MAV_CMD
+
+bool is(const float& number, uint32_t bits) {
+  return memcmp(reinterpret_cast<const uint8_t*>(&number), &bits, sizeof(bits)) == 0;
+}
+constexpr uint32_t kMinus1 = 0xBF800000, k65535 = 0x477FFF00;
+
+// ArduPilot's largest altitude, in metres. (NaN and infinity are refused before.)
+bool isBelow83km(float metres) {
+  uint32_t bits;
+  memcpy(&bits, &metres, sizeof(bits));
+  return (bits & 0x7FFFFFFF) < 0x47A21C00;  // 83,000
+}
+
+bool hasPlace(const MissionItem& item) { return item.frame != Frame::Mission; }
+bool isSomewhere(const MissionItem& item) { return hasPlace(item) && (item.x != 0 || item.y != 0); }
+
+constexpr uint16_t bitOf(Frame frame) { return 1u << static_cast<uint8_t>(frame); }
+constexpr uint16_t kPlaceFrames =
+    bitOf(Frame::Global) | bitOf(Frame::GlobalRelative) | bitOf(Frame::GlobalInt) | bitOf(Frame::GlobalRelativeInt);
+constexpr uint16_t kTerrainFrames = bitOf(Frame::GlobalTerrain) | bitOf(Frame::GlobalTerrainInt);
+
+// Of an item with a place.
+bool isTakenBy(Firmware firmware, Frame frame) {
+  uint16_t taken = kPlaceFrames;
+  switch (firmware) {
+    case Firmware::Px4: break;
+    case Firmware::ArduPilot: taken |= kTerrainFrames; break;
+    case Firmware::Other:
+    case Firmware::Unknown: return true;  // it may know frames that have no name here
+  }
+  const uint8_t number = static_cast<uint8_t>(frame);
+  return number < 16 && ((taken >> number) & 1) != 0;
+}
+
+// Where an item is.
+struct Place {
+  int32_t x, y;
+
+  bool isFound() const { return (x | y) != 0; }
+  void takeFrom(const MissionItem& item) {
+    x = item.x;
+    y = item.y;
+  }
+  void give(MissionItem& item) const {
+    item.x = x;
+    item.y = y;
+  }
+};
+
+}  // namespace
+
+void WirePlan::setSource(const ItemSource& plan) {
+  read_ = plan.read;
+  context_ = plan.context;
+  count_ = static_cast<uint16_t>(plan.count);
+}
+
+void WirePlan::begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool raw) {
+  firmware_ = firmware;
+  keeper_ = keeperOf(firmware, vehicleType, type);
+  if (raw || type != PlanType::Mission) keeper_ |= kIsRaw;
+  homeItems_ = beginsWithHome() && count_ > 0 ? 1 : 0;
+  searched_ = 0;
+}
+
+Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
+  if (item.current > 1) return Status::BadCurrent;
+  // param1 to param4, x, y, z lie one behind the other, four bytes each.
+  const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
+  for (uint8_t i = 1; i <= 7; ++i, number += 4) {
+    if (i == 5 || i == 6) continue;
+    const FloatKind kind = kindOf(number);
+    if (kind == FloatKind::Infinite) return Status::NotFinite;
+    if (kind == FloatKind::NotANumber && !(i == 4 && rules.hasYaw())) return Status::NotANumber;
+  }
+  if (rules.has(kIsNotTaken)) return Status::NotFlown;
+  const bool isArduPilot = (keeper_ & kByArduPilot) != 0;
+  const bool isMission = (keeper_ & (kOfFence | kOfRally)) == 0;
+  if (!rules.has(kHasNoPlace)) {
+    // ArduPilot takes a place in a mission whatever its frame says.
+    if (isBeyond(item.x, 900000000)) return Status::BadLatitude;
+    if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
+    if (hasPlace(item)) {
+      if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
+    } else if (!isMission || (keeper_ & kByPx4) != 0) {
+      return Status::NeedsCoordinates;
+    }
+    if (isArduPilot && (keeper_ & kOfFence) == 0) {
+      if (!isBelow83km(item.z)) return Status::BadAltitude;
+      if (!isMission && (item.x | item.y) == 0) return Status::NeedsCoordinates;  // taken, and never given back
+    }
+  }
+  if (item.command == kDoJump) {
+    const int32_t target = wholeNumber(item.param1);
+    // Home, which raw numbers count as well, is no item to jump to.
+    if (target < ((keeper_ & (kByArduPilot | kIsRaw)) == (kByArduPilot | kIsRaw) ? 1 : 0) ||
+        static_cast<uint16_t>(target) >= count_) {
+      return Status::BadJump;
+    }
+  }
+  return Status::Accepted;
+}
+
+Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
+  // The nearest in the order of the plan; of two equally near, a takeoff takes the one behind it and a landing the one
+  // before it, which is where the aircraft is then.
+  const uint8_t firstSide = item.command == kNavLand || item.command == kNavVtolLand ? 1 : 0;
+  for (uint8_t looked = 0; looked < MAVMISSION_ITEMS_PER_UPDATE; ++looked) {
+    const uint16_t distance = searched_ / 2 + 1;
+    const bool isBefore = ((searched_ & 1) ^ firstSide) != 0;
+    const uint16_t near = isBefore ? index - distance : index + distance;  // wraps out of the plan before its start
+    ++searched_;
+    Status found = Status::NeedsCoordinates;
+    if (distance < count_) {
+      if (near >= count_) continue;
+      found = Status::SourceRefused;
+      if (read_(context_, near, item)) {
+        // The place of a region of interest is none to fly to: only a navigation command's counts (MAV_CMD_NAV_LAST is
+        // 95).
+        if (item.command >= 95 || !isSomewhere(item) || rulesOf(item, keeper_).has(kHasNoPlace)) continue;
+        found = Status::Accepted;
+      }
+    }
+    searched_ = 0;
+    return found;
+  }
+  return Status::Checking;
+}
+
+Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
+  if (homeItems_ != 0) {
+    if (wireIndex == 0) {
+      // ArduPilot parses item 0 and puts its own home in its place.
+      // cppcheck-suppress memsetClassFloat ; a float of zero bits is 0 wherever there is an Arduino core
+      memset(&item, 0, sizeof(item));  // a constant to copy from would lie in RAM
+      item.command = kNavWaypoint;
+      item.frame = Frame::Global;
+      item.autocontinue = 1;
+      return Status::Accepted;
+    }
+    --wireIndex;
+  }
+  Place place = Place();
+  for (;;) {
+    if (!read_(context_, wireIndex, item)) return Status::SourceRefused;
+    if (place.isFound()) place.give(item);
+    const bool isJump = item.command == kDoJump;
+    if ((keeper_ & kByPx4) != 0) {
+      if (item.command == kNavRoi) item.command = kDoSetRoi;  // as it is kept
+      // For ever. What a float below 0 becomes where PX4 counts from 0 depends on the board.
+      if (isJump && is(item.param2, kMinus1)) item.param2 = 65535;
+    }
+    const Rules rules = rulesOf(item, keeper());
+    // A NaN, for "as you fly": 0 is that there.
+    if ((keeper_ & kByArduPilot) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
+      item.param4 = 0;
+    if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
+    const Status checked = check(item, rules);
+    if (checked != Status::Accepted) return checked;
+    if (homeItems_ != 0) {
+      if (isJump) item.param1 = oneMore(item.param1);
+    } else if ((keeper_ & kByPx4) != 0 && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
+      // Other items are read where this one is, and it is read again behind them: it saves a second one on the stack.
+      const Status found = findPlaceFor(wireIndex, item);
+      if (found != Status::Accepted) return found;
+      place.takeFrom(item);
+      continue;
+    }
+    return Status::Accepted;
+  }
+}
+
+void fromWire(MissionItem& item, Firmware firmware) {
+  item.frame = modern(item.frame);
+  const Rules rules = rulesOf(item, keeperOf(firmware, 0, PlanType::Mission));
+  if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
+  item.current = 0;
+  const bool isJump = item.command == kDoJump;
+  if (firmware == Firmware::Px4 && isJump && is(item.param2, k65535)) item.param2 = -1;
+  if (firmware != Firmware::ArduPilot) return;
+  if (rules.hasYaw()) item.param4 = Yaw().inDegrees();
+  if (isJump) item.param1 = oneLess(item.param1);
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,37 @@
+#include "Listener.h"
+
+#include "../MissionClient.h"
+
+namespace mavmission {
+namespace detail {
+
+Listener::Listener(MissionClient& client, const MessageKey* keys, uint8_t count, Take take)
+    : MoreKeys{keys, count, nullptr, keyAmong, tellAll}, client_(client), take_(take) {
+  client_.link_.add(*this);
+}
+
+const MessageKey* Listener::keyAmong(const MoreKeys* list, uint16_t messageId) {
+  const MessageKey* key = nullptr;
+  for (; key == nullptr && list != nullptr; list = list->next) key = list->find(messageId);
+  return key;
+}
+
+void Listener::tellAll(const MoreKeys* list, const FrameParser& frame) {
+  for (; list != nullptr; list = list->next) {
+    Listener& hearing = *static_cast<Listener*>(const_cast<MoreKeys*>(list));
+    if (list->find(frame.messageId()) != nullptr) hearing.take_(hearing, frame);
+  }
+}
+
+const Listener* Listener::nextAlike(const Listener* one) const {
+  const MoreKeys* next = one != nullptr ? one->next : client_.link_.listeners();
+  while (next != nullptr && static_cast<const Listener*>(next)->take_ != take_) next = next->next;
+  return static_cast<const Listener*>(next);
+}
+
+bool Listener::isFromAutopilot(const FrameParser& frame) const {
+  return client_.link_.finder().isFrom(frame.systemId(), frame.componentId());
+}
+
+}  // namespace detail
+}  // namespace mavmission

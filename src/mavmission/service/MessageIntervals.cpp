@@ -1,0 +1,55 @@
+#include "MessageIntervals.h"
+
+#include "../MissionClient.h"
+#include "../base/Clock.h"
+#include "../link/Messages.h"
+#include "../link/Sending.h"
+
+namespace mavmission {
+namespace detail {
+
+void MessageIntervals::hear(Listener& listener, const FrameParser& frame) {
+  static_cast<MessageIntervals&>(listener).hear_(listener, frame);
+}
+
+bool MessageIntervals::mayAsk(uint16_t nowMs) const {
+  // Commands have no items, nor has clear(); of a plan that is read it is not known yet how many.
+  const bool isCommanding = client_.isBusy() && client_.itemsTotal() == 0;
+  if (isCommanding || !client_.hasAutopilot()) return false;
+  for (const Listener* other = nextAlike(nullptr); other != nullptr; other = nextAlike(other)) {
+    const MessageIntervals& asker = static_cast<const MessageIntervals&>(*other);
+    if (&asker != this && asker.isWaiting_ && since(asker.askedMs_, nowMs) < UploadTransfer::kAnswerMs) return false;
+  }
+  return true;
+}
+
+void MessageIntervals::ask(float messageId, float intervalUs, uint8_t tries, uint16_t nowMs) {
+  mavlink_command_long_t command = mavlink_command_long_t();
+  command.command = MAV_CMD_SET_MESSAGE_INTERVAL;
+  command.param1 = messageId;
+  command.param2 = intervalUs;
+  command.confirmation = tries;
+  client_.link_.send(command);
+  isWaiting_ = true;
+  askedMs_ = nowMs;
+  if (client_.isBusy()) return;
+  client_.rest_.turnPauseS = Client::kCommand;
+  client_.beginSeconds(nowMs);
+  client_.commanding_.transfer.sentByListener(MAV_CMD_SET_MESSAGE_INTERVAL, nowMs);
+}
+
+bool MessageIntervals::isAnswer(const FrameParser& frame) const {
+  typedef mavlink_command_ack_t Ack;
+  const Link& link = client_.link_;
+  return isWaiting_ && isFromAutopilot(frame) && frame.isFor(link.systemId(), link.componentId()) &&
+         frame.payloadWord(offsetof(Ack, command)) == MAV_CMD_SET_MESSAGE_INTERVAL;
+}
+
+void MessageIntervals::settle() {
+  isWaiting_ = false;
+  if (client_.isBusy() || client_.rest_.turnPauseS != Client::kCommand) return;
+  client_.commanding_.transfer.answeredToListener(MAV_CMD_SET_MESSAGE_INTERVAL, askedMs_);
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,152 @@
+#include "../MissionFollower.h"
+
+#include <Arduino.h>
+#include <string.h>
+
+#include "../MissionClient.h"
+#include "../base/Clock.h"
+#include "../link/Messages.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+constexpr float kIntervalUs = 1000000;
+
+const MessageKey kFollowed[] PROGMEM = {
+    {MAVLINK_MSG_ID_HEARTBEAT, MAVLINK_MSG_ID_HEARTBEAT_CRC, MAVLINK_MSG_ID_HEARTBEAT_MIN_LEN,
+     MAVLINK_MSG_ID_HEARTBEAT_LEN, MessageKey::kNoTarget},
+    {MAVLINK_MSG_ID_MISSION_COUNT, MAVLINK_MSG_ID_MISSION_COUNT_CRC, MAVLINK_MSG_ID_MISSION_COUNT_MIN_LEN,
+     MAVLINK_MSG_ID_MISSION_COUNT_LEN, MessageKey::kNoTarget},
+    {MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC, MAVLINK_MSG_ID_COMMAND_ACK_MIN_LEN,
+     MAVLINK_MSG_ID_COMMAND_ACK_LEN, MessageKey::kNoTarget},
+    {MAVLINK_MSG_ID_MISSION_ACK, MAVLINK_MSG_ID_MISSION_ACK_CRC, MAVLINK_MSG_ID_MISSION_ACK_MIN_LEN,
+     MAVLINK_MSG_ID_MISSION_ACK_LEN, MessageKey::kNoTarget},
+    {MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, MAVLINK_MSG_ID_MISSION_CURRENT_MIN_LEN,
+     MAVLINK_MSG_ID_MISSION_CURRENT_LEN, MessageKey::kNoTarget},
+    {MAVLINK_MSG_ID_MISSION_ITEM_REACHED, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_CRC,
+     MAVLINK_MSG_ID_MISSION_ITEM_REACHED_MIN_LEN, MAVLINK_MSG_ID_MISSION_ITEM_REACHED_LEN, MessageKey::kNoTarget},
+    {MAVLINK_MSG_ID_STATUSTEXT, MAVLINK_MSG_ID_STATUSTEXT_CRC, MAVLINK_MSG_ID_STATUSTEXT_MIN_LEN,
+     MAVLINK_MSG_ID_STATUSTEXT_LEN, MessageKey::kNoTarget},
+};
+
+const char kRejected[] PROGMEM = "Mission rejected";
+
+}  // namespace
+
+MissionFollower::MissionFollower(MissionClient& client)
+    : MessageIntervals(client, kFollowed, sizeof(kFollowed) / sizeof(kFollowed[0]), take) {}
+
+void MissionFollower::onCurrent(ItemNumberFunction function, void* context) {
+  currentFunction_ = function;
+  currentContext_ = context;
+}
+
+void MissionFollower::onReached(ItemNumberFunction function, void* context) {
+  reachedFunction_ = function;
+  reachedContext_ = context;
+}
+
+void MissionFollower::onText(TextFunction function, void* context) {
+  textFunction_ = function;
+  textContext_ = context;
+}
+
+void MissionFollower::take(Listener& listener, const FrameParser& frame) {
+  MissionFollower& self = static_cast<MissionFollower&>(listener);
+  if (!self.isFromAutopilot(frame)) return;
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_HEARTBEAT: return self.takeHeartbeat();
+    case MAVLINK_MSG_ID_COMMAND_ACK:
+      if (self.isAnswer(frame)) self.settle();
+      return;
+    case MAVLINK_MSG_ID_MISSION_COUNT: {
+      typedef mavlink_mission_count_t Count;
+      return self.takeName(frame.payloadByte(offsetof(Count, mission_type)),
+                           frame.payloadLong(offsetof(Count, opaque_id)));
+    }
+    case MAVLINK_MSG_ID_MISSION_ACK: {
+      typedef mavlink_mission_ack_t Ack;
+      if (frame.payloadByte(offsetof(Ack, type)) != MAV_MISSION_ACCEPTED) return;
+      return self.takeName(frame.payloadByte(offsetof(Ack, mission_type)), frame.payloadLong(offsetof(Ack, opaque_id)));
+    }
+    case MAVLINK_MSG_ID_MISSION_CURRENT: return self.takeCurrent(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM_REACHED: return self.takeReached(frame);
+    default: return self.takeText(frame);
+  }
+}
+
+// Asks for MISSION_CURRENT when none has come for a while. Whether that was heard is told by what comes then, and not
+// by the answer: PX4 refuses, and sends it all the same.
+void MissionFollower::takeHeartbeat() {
+  const uint16_t nowMs = static_cast<uint16_t>(millis());
+  if (since(askedMs_, nowMs) >= UploadTransfer::kAnswerMs) isWaiting_ = false;
+  if (heartbeatsLeft_ != 0) --heartbeatsLeft_;
+  if (heartbeatsLeft_ != 0 || !mayAsk(nowMs) || !client_.link_.canSend()) return;
+  ask(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs, 0, nowMs);
+  heartbeatsLeft_ = pause_;
+  if (pause_ < kLongestPause) pause_ *= 2;
+}
+
+// The answer to an upload or to a reading names the plan that is aboard.
+void MissionFollower::takeName(uint8_t missionType, uint32_t planId) {
+  if (missionType != MAV_MISSION_TYPE_MISSION || planId == 0) return;
+  planId_ = planId;
+  patience_ = kPatience;
+}
+
+void MissionFollower::takeCurrent(const FrameParser& frame) {
+  heartbeatsLeft_ = kSilence;
+  pause_ = kFirstPause;
+  mavlink_mission_current_t message;
+  frame.copyPayload(&message, sizeof(message));
+  const uint16_t item = client_.itemFromWire(message.seq);
+  total_ = message.total == 0xFFFF ? 0 : message.total;
+  state_ = static_cast<MissionState>(message.mission_state);
+  const uint32_t planId = message.mission_id;
+  if (planId != planId_ && patience_ != 0 && planId_ == client_.acceptedPlanId()) {
+    --patience_;
+  } else {
+    planId_ = planId;
+    patience_ = 0;
+  }
+  // PX4 looks at a plan after it has accepted it, and until then says the same of it: it counts when it is said again.
+  const bool isDoubted = state_ == MissionState::NoMission && planId != 0 && planId == planId_ && isOurPlan();
+  if (isDoubted && planId_ == doubtedId_) client_.noteInfeasible();
+  doubtedId_ = isDoubted ? planId_ : 0;
+  if (item == current_) return;
+  current_ = item;
+  if (item == reached_) isNewLeg_ = true;
+  if (item != MissionClient::kNoItem && currentFunction_ != nullptr) currentFunction_(currentContext_, item);
+}
+
+void MissionFollower::takeReached(const FrameParser& frame) {
+  mavlink_mission_item_reached_t message;
+  frame.copyPayload(&message, sizeof(message));
+  const uint16_t item = client_.itemFromWire(message.seq);
+  // PX4 says it again each second while it stays there.
+  if (item == MissionClient::kNoItem || (item == reached_ && !isNewLeg_)) return;
+  reached_ = item;
+  isNewLeg_ = false;
+  if (reachedFunction_ != nullptr) reachedFunction_(reachedContext_, item);
+}
+
+void MissionFollower::takeText(const FrameParser& frame) {
+  mavlink_statustext_t message;
+  frame.copyPayload(&message, sizeof(message));
+  char text[sizeof(message.text) + 1];
+  memcpy(text, message.text, sizeof(message.text));
+  text[sizeof(message.text)] = 0;
+  // PX4 accepts a plan first and looks at it then.
+  if (client_.firmware() == Firmware::Px4 && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
+    client_.noteInfeasible();
+  }
+  if (textFunction_ != nullptr) textFunction_(textContext_, message.severity, text);
+}
+
+bool MissionFollower::isOurPlan() const {
+  const uint32_t accepted = client_.acceptedPlanId();
+  return planId_ == 0 || accepted == 0 || planId_ == accepted;
+}
+
+}  // namespace mavmission

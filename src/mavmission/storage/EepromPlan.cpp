@@ -1,0 +1,258 @@
+#include "../EepromPlan.h"
+
+#include <string.h>
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+constexpr uint8_t kNumbers = 7;  // param1 to z, 4 bytes each, one behind the other in a MissionItem
+constexpr uint8_t kNumberBytes = 4;
+constexpr uint8_t kItemHead = 4;
+constexpr uint8_t kSummed = 3;  // bytes of a bank's head that its checksum is of: sequence and count
+constexpr uint8_t kNumbersMask = 0x7F;
+constexpr uint8_t kAutocontinue = 0x80;
+constexpr uint8_t kCurrent = 0x80;
+
+uint8_t lengthOf(uint8_t flags) {
+  uint8_t length = kItemHead;
+  for (flags &= kNumbersMask; flags != 0; flags >>= 1) length += (flags & 1) * kNumberBytes;
+  return length;
+}
+
+// The head: which numbers are not 0, and autocontinue; the frame, and current; the command.
+uint8_t pack(const MissionItem& item, uint8_t* bytes) {
+  const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
+  uint8_t flags = 0;
+  uint8_t length = kItemHead;
+  for (uint8_t i = 0; i < kNumbers; ++i, number += kNumberBytes) {
+    if ((number[0] | number[1] | number[2] | number[3]) == 0) continue;
+    flags |= static_cast<uint8_t>(1 << i);
+    memcpy(bytes + length, number, kNumberBytes);
+    length += kNumberBytes;
+  }
+  bytes[0] = flags | (item.autocontinue != 0 ? kAutocontinue : 0);
+  bytes[1] = static_cast<uint8_t>(item.frame) | (item.current != 0 ? kCurrent : 0);
+  bytes[2] = static_cast<uint8_t>(item.command);
+  bytes[3] = static_cast<uint8_t>(item.command >> 8);
+  return length;
+}
+
+}  // namespace
+
+EepromPlan::EepromPlan(const Eeprom& eeprom, uint16_t first, uint16_t size)
+    : eeprom_(eeprom),
+      first_(first),
+      bankSize_((size != 0 ? size : eeprom.size - first) / 2),
+      count_(0),
+      taken_(0),
+      length_(0),
+      active_(kNone),
+      state_(State::Resting),
+      step_(Step::None),
+      isBegun_(false),
+      isDamaged_(false) {}
+
+void EepromPlan::begin() {
+  isBegun_ = true;
+  state_ = State::Resting;
+  step_ = Step::None;
+  length_ = 0;
+  const bool isWhole0 = isWhole(0);
+  const bool isWhole1 = isWhole(1);
+  uint8_t found = isWhole0 ? 0 : isWhole1 ? 1 : kNone;
+  if (isWhole0 && isWhole1) {
+    const uint8_t later = readByte(addressOf(1) + 1) - readByte(addressOf(0) + 1);
+    if (later < 0x80) found = 1;
+  }
+  activate(found);
+  isDamaged_ = found == kNone && (readByte(addressOf(0)) == kValid || readByte(addressOf(1)) == kValid);
+  if (!isWhole0 || !isWhole1) return;
+  // The power went before the old plan was made invalid. Should the new one ever be damaged, the old one must not come
+  // back.
+  state_ = State::Committing;
+  writeMark(target(), kInvalid, Step::DropOld);
+}
+
+void EepromPlan::activate(uint8_t bank) {
+  active_ = bank;
+  count_ = bank == kNone ? 0 : readWord(addressOf(bank) + 2);
+  cachedIndex_ = 0;
+  cachedAddress_ = addressOf(bank) + kHeader;
+}
+
+// The checksum that a bank should have, by its items; 0xFFFF less than its own one if they do not lie within it.
+uint16_t EepromPlan::checksumOf(uint8_t bank) const {
+  const uint16_t start = addressOf(bank);
+  uint16_t address = start + kHeader;
+  uint16_t crc = kChecksumStart;
+  uint8_t bytes[kLongestItem];
+  for (uint16_t left = readWord(start + 2); left != 0; --left) {
+    const uint16_t used = address - start;
+    const uint8_t length = used + kItemHead <= bankSize_ ? lengthOf(readByte(address)) : kLongestItem;
+    if (used + length > bankSize_) return ~readWord(start + 4);
+    for (uint8_t i = 0; i < length; ++i) bytes[i] = readByte(address++);
+    crc = checksum(crc, bytes, length);
+  }
+  for (uint8_t i = 0; i < kSummed; ++i) bytes[i] = readByte(start + 1 + i);
+  return checksum(crc, bytes, kSummed);
+}
+
+bool EepromPlan::isWhole(uint8_t bank) const {
+  const uint16_t start = addressOf(bank);
+  return readByte(start) == kValid && readWord(start + 4) == checksumOf(bank);
+}
+
+ItemSource EepromPlan::source() {
+  // Without a plan: one item that is refused, for an empty plan would clear what is aboard.
+  return ItemSource{readItem, this, hasPlan() ? count_ : 1u};
+}
+
+bool EepromPlan::readItem(void* plan, uint16_t index, MissionItem& item) {
+  EepromPlan& from = *static_cast<EepromPlan*>(plan);
+  if (index >= from.count_) return false;
+  if (index < from.cachedIndex_) {
+    from.cachedIndex_ = 0;
+    from.cachedAddress_ = from.addressOf(from.active_) + kHeader;
+  }
+  for (; from.cachedIndex_ < index; ++from.cachedIndex_) {
+    from.cachedAddress_ += lengthOf(from.readByte(from.cachedAddress_));
+  }
+  uint16_t address = from.cachedAddress_;
+  const uint8_t flags = from.readByte(address++);
+  const uint8_t frame = from.readByte(address++);
+  item.command = from.readWord(address);
+  address += 2;
+  uint8_t* number = reinterpret_cast<uint8_t*>(&item);
+  for (uint8_t i = 0; i < kNumbers * kNumberBytes; ++i) {
+    number[i] = (flags >> (i / kNumberBytes) & 1) != 0 ? from.readByte(address++) : 0;
+  }
+  item.frame = static_cast<Frame>(frame & ~kCurrent);
+  item.current = (frame & kCurrent) != 0;
+  item.autocontinue = (flags & kAutocontinue) != 0;
+  return true;
+}
+
+bool EepromPlan::store() {
+  if (isBusy() || !isBegun_) return false;
+  state_ = State::Storing;
+  taken_ = 0;
+  end_ = addressOf(target()) + kHeader;
+  checksum_ = kChecksumStart;
+  writeMark(target(), kInvalid, Step::Open);
+  return true;
+}
+
+bool EepromPlan::put(const MissionItem& item) {
+  if (!isReady()) return false;
+  const uint8_t length = pack(item, buffer_);
+  if (end_ - addressOf(target()) + length > bankSize_ || taken_ == 0xFFFE) {
+    state_ = State::Failed;
+    return false;
+  }
+  checksum_ = checksum(checksum_, buffer_, length);
+  write(end_, length, Step::Item);
+  end_ += length;
+  ++taken_;
+  return true;
+}
+
+bool EepromPlan::commit() {
+  if (state_ != State::Storing || taken_ == 0) return false;
+  state_ = State::Committing;
+  return true;
+}
+
+bool EepromPlan::writeItem(void* plan, uint16_t index, const MissionItem& item) {
+  if (index == kHomeIndex) return true;
+  return static_cast<EepromPlan*>(plan)->put(item);
+}
+
+bool EepromPlan::isReadyForItem(void* plan) {
+  const EepromPlan& to = *static_cast<EepromPlan*>(plan);
+  return to.isReady() || to.state_ != State::Storing;  // a failure is for writeItem() to tell
+}
+
+ItemSink EepromPlan::sink() {
+  store();
+  return ItemSink{writeItem, this, kHomeIndex - 1, isReadyForItem};
+}
+
+bool EepromPlan::erase() {
+  if (isBusy() || !isBegun_) return false;
+  state_ = State::Erasing;
+  isDamaged_ = false;
+  // First the bank that is not in use: what it held must not come back.
+  writeMark(target(), kInvalid, Step::EraseOther);
+  return true;
+}
+
+void EepromPlan::write(uint16_t address, uint8_t length, Step step) {
+  address_ = address;
+  length_ = length;
+  done_ = 0;
+  step_ = step;
+}
+
+void EepromPlan::writeMark(uint8_t bank, uint8_t mark, Step step) {
+  buffer_[0] = mark;
+  write(addressOf(bank), 1, step);
+}
+
+EepromPlan::State EepromPlan::update() {
+  if (state_ == State::Resting || state_ == State::Failed) return state_;
+  if (eeprom_.isReady != nullptr && !eeprom_.isReady()) return state_;
+  for (; done_ < length_; ++done_) {
+    if (readByte(address_ + done_) == buffer_[done_]) continue;
+    eeprom_.write(address_ + done_, buffer_[done_]);
+    ++done_;
+    return state_;
+  }
+  // Read back, for a cell may be worn out. What is written last makes the plan valid: all before it is good then.
+  for (uint8_t i = 0; i < length_; ++i) {
+    if (readByte(address_ + i) != buffer_[i]) state_ = State::Failed;
+  }
+  length_ = 0;
+  if (state_ != State::Failed) stepDone();
+  return state_;
+}
+
+// What was to be written is there: what is next.
+void EepromPlan::stepDone() {
+  const uint8_t bank = target();
+  switch (step_) {
+    case Step::None:
+    case Step::Open:
+    case Step::Item:
+      if (state_ != State::Committing) return;
+      buffer_[0] = active_ == kNone ? 0 : readByte(addressOf(active_) + 1) + 1;
+      buffer_[1] = static_cast<uint8_t>(taken_);
+      buffer_[2] = static_cast<uint8_t>(taken_ >> 8);
+      checksum_ = checksum(checksum_, buffer_, kSummed);
+      buffer_[3] = static_cast<uint8_t>(checksum_);
+      buffer_[4] = static_cast<uint8_t>(checksum_ >> 8);
+      return write(addressOf(bank) + 1, 5, Step::Header);
+    case Step::Header: return writeMark(bank, kValid, Step::Valid);
+    case Step::Valid: {
+      const uint8_t old = active_;
+      activate(bank);
+      isDamaged_ = false;
+      if (old != kNone) return writeMark(old, kInvalid, Step::DropOld);
+      state_ = State::Resting;
+      return;
+    }
+    case Step::EraseOther:
+      if (active_ != kNone) return writeMark(active_, kInvalid, Step::EraseActive);
+      // Bank 1 may hold what is damaged.
+      activate(kNone);
+      step_ = Step::EraseActive;
+      return writeMark(1, kInvalid, Step::EraseActive);
+    case Step::EraseActive:
+      activate(kNone);
+      state_ = State::Resting;
+      return;
+    case Step::DropOld: state_ = State::Resting; return;
+  }
+}
+
+}  // namespace mavmission

@@ -1,0 +1,44 @@
+#include "CommandTransfer.h"
+
+namespace mavmission {
+namespace detail {
+
+void CommandTransfer::rest(uint16_t nowMs) {
+  // The others come as long behind this answer as they were sent behind the first.
+  sentMs_ = nowMs;
+  waitMs_ = tries_ > 1 ? (tries_ - 1) * kNextAnswerMs : 0;
+  tries_ = 0;
+}
+
+void CommandTransfer::next(bool repeats, uint16_t nowMs) {
+  rest(nowMs);
+  state_ = static_cast<uint8_t>(State::Due);
+  repeats_ = repeats ? 1 : 0;
+}
+
+void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
+  state_ = static_cast<uint8_t>(state);
+  sentMs_ = nowMs;
+  waitMs_ = waitMs;
+}
+
+void CommandTransfer::sent(uint16_t id, uint16_t nowMs) {
+  id_ = id;
+  ++tries_;
+  wait(State::Sent, repeats_ != 0 ? kAnswerMs : kProgressMs, nowMs);
+}
+
+Status CommandTransfer::onTime(uint16_t nowMs) {
+  if (state() == State::Due || since(sentMs_, nowMs) < waitMs_) return Status::Transferring;
+  // It may have been heard and its answer lost: what must not happen twice is not sent again.
+  const bool isSilent = state() == State::Listening || (state() != State::Pausing && repeats_ == 0);
+  if (!isSilent && tries_ < kTries) {
+    state_ = static_cast<uint8_t>(State::Due);
+    return Status::Transferring;
+  }
+  tries_ = 0;
+  return isSilent ? Status::Unconfirmed : Status::NoAnswer;
+}
+
+}  // namespace detail
+}  // namespace mavmission

@@ -1,0 +1,72 @@
+#include "DownloadTransfer.h"
+
+#include "../base/Clock.h"
+
+namespace mavmission {
+namespace detail {
+
+void DownloadTransfer::begin(uint16_t nowMs) {
+  sentMs_ = nowMs;
+  count_ = 0;
+  next_ = 0;
+  state_ = State::Listing;
+  send_ = Send::List;
+  tries_ = 0;
+}
+
+bool DownloadTransfer::onCount(uint16_t count) {
+  // A second COUNT answers a REQUEST_LIST that was repeated; the items are on their way already.
+  if (!expectsAnswer(State::Listing)) return false;
+  count_ = count;
+  tries_ = 0;
+  state_ = count == 0 ? State::Closing : State::Fetching;
+  send_ = count == 0 ? Send::Accepted : Send::Request;
+  return true;
+}
+
+bool DownloadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
+  if (!expectsAnswer(State::Fetching) || item != next_) return false;
+  pace.learn(since(sentMs_, nowMs), tries_ == 1);
+  ++next_;
+  tries_ = 0;
+  const bool isLast = next_ == count_;
+  if (isLast) state_ = State::Closing;
+  send_ = isLast ? Send::Accepted : Send::Request;
+  return true;
+}
+
+void DownloadTransfer::askAgain() {
+  tries_ = 0;
+  send_ = Send::Request;
+}
+
+Status DownloadTransfer::onAck(uint8_t result) const {
+  // An ACCEPTED ends nothing here: it is an answer to something else. Nor does what an upload before may still draw.
+  const Status status = fromMissionResult(result);
+  if (state_ == State::Closing || status == Status::Accepted || status == Status::InvalidSequence) {
+    return Status::Transferring;
+  }
+  return status;
+}
+
+Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
+  if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
+  const bool isListing = state_ == State::Listing;
+  const bool isLossy = pace.isLossy();
+  const uint16_t waitMs = isLossy ? pace.againMs() : isListing ? kListMs : kItemMs;
+  if (since(sentMs_, nowMs) < waitMs) return Status::Transferring;
+  if (tries_ >= (isLossy ? kLossyTries : kTries)) return isListing ? Status::NoAnswer : Status::TimedOut;
+  send_ = isListing ? Send::List : Send::Request;
+  return Status::Transferring;
+}
+
+bool DownloadTransfer::sent(uint16_t nowMs) {
+  const bool isAll = send_ == Send::Accepted;
+  ++tries_;
+  sentMs_ = nowMs;
+  send_ = Send::Nothing;
+  return isAll;
+}
+
+}  // namespace detail
+}  // namespace mavmission

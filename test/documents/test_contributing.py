@@ -1,0 +1,66 @@
+"""Each command of CONTRIBUTING.md is one that there is, and its trace is what it prints."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+
+import pytest
+
+from building import ROOT
+
+TEXT = (ROOT / "CONTRIBUTING.md").read_text()
+BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```$", TEXT, re.M | re.S)  # (language, lines)
+COMMANDS = [
+    line.partition(" #")[0].strip() for language, lines in BLOCKS if not language for line in lines.splitlines()
+]
+
+
+def options_of(tool: str) -> str:
+    return subprocess.run([ROOT / tool, "--help"], capture_output=True, text=True, check=True).stdout
+
+
+def test_each_part_of_the_work_has_its_command():
+    said = "\n".join(COMMANDS)
+    for expected in ("pytest -q -s", "build/trace.py", "--timeline", "tools/measure --only", "-max_total_time=3600",
+                     "doxygen docs/Doxyfile", "tools/release"):  # fmt: skip
+        assert expected in said
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_command_and_its_options_and_files_are_there(command):
+    words = [word for word in shlex.split(command) if not word.startswith("PYTHONPATH=")]
+    assert os.access(ROOT / words[0], os.X_OK) or words[0] == "doxygen", words[0]
+    if words[0].startswith("tools/") and words[0] != "tools/setup":
+        known = options_of(words[0]) + " -k "
+        assert [word for word in words[1:] if word.startswith("-") and word not in known] == []
+    for word in words[1:]:
+        if re.match(r"(?:test|examples|docs)/", word):
+            assert (ROOT / word.partition("::")[0]).exists() or "--timeline" in words, word
+
+
+def test_named_test_is_there_and_the_named_figure_is_measured():
+    (file, name) = re.search(r'"(test/\w+/\w+\.py)::(\w+)"', TEXT).groups()
+    assert f"def {name}(" in (ROOT / file).read_text()
+    (figure,) = re.findall(r"--only (\w+)", TEXT)
+    assert f"[{figure}]" in (ROOT / "test" / "figures" / "measure_bounds.toml").read_text()
+
+
+def test_pictures_of_the_readme_are_drawn_by_the_same_commands_here():
+    readme = (ROOT / "README.md").read_text()
+    drawn = re.findall(r"^tools/demo .*--timeline docs/.*$", readme, re.M)
+    assert drawn and set(drawn) <= set(COMMANDS)
+
+
+def test_trace_of_one_run_is_printed():
+    (script,) = [lines for language, lines in BLOCKS if language == "python"]
+    folders = ":".join(str(ROOT / folder) for folder in ("", "test/support"))
+    environment = {**os.environ, "PYTHONPATH": folders}
+    ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, env=environment, check=False)
+    assert ran.returncode == 0, ran.stderr
+    lost = [line for line in ran.stdout.splitlines() if "[lost]" in line]
+    assert len(lost) == 1 and "MISSION_ACK ACCEPTED" in lost[0]
+    assert "returned Accepted" in ran.stdout

@@ -1,0 +1,130 @@
+"""DESIGN.md says what the code does: its numbers, its states and its budget of RAM are compared."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from building import ROOT
+from measuring import budget, documents, report
+from simulation.firmware import library_file
+
+DESIGN = (ROOT / "DESIGN.md").read_text()
+SOURCES = ROOT / "src" / "mavmission"
+# Where the protocol's waits and retries are.
+PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
+            "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
+CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
+
+
+def waits_in_the_code() -> dict[str, str]:
+    """File::name -> value of each wait and number of tries."""
+    found = {f"{file.stem}::{name}": value for pattern in PROTOCOL for file in SOURCES.rglob(pattern)
+             for name, value in CONSTANT.findall(file.read_text())}  # fmt: skip
+    text = (SOURCES / "client" / "Client.h").read_text()
+    (limit,) = re.findall(r"uint16_t defaultLimitS\(uint16_t count\) \{ return .*? \? (.*?) :", text)
+    return {**found, "Client::defaultLimitS": limit}
+
+
+def rules() -> list[list[str]]:
+    """The cells of each row of the table of waits and retries."""
+    section = DESIGN.partition("## Every wait and retry")[2].partition("\n## ")[0]
+    return [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in section.splitlines() if line.startswith("| ")][1:]  # fmt: skip
+
+
+def named(cell: str) -> list[tuple[str, str]]:
+    return re.findall(r"`(\w+::\w+)` = ([^,]+)", cell)
+
+
+def test_every_wait_in_the_code_is_a_rule_of_the_table_with_its_value():
+    written = [pair for row in rules() for pair in named(row[2])]
+    assert len(written) == len(dict(written)), "one is there twice"
+    assert dict(written) == waits_in_the_code()
+
+
+def test_numbers_in_words_are_those_of_the_code():
+    for rule, value, constants, _ in rules():
+        for name, number in named(constants):
+            if name.endswith("Ms"):
+                ways = {f"{number} ms", f"{int(number) / 1000:g} s"}
+                assert any(way in f"{rule} {value}" for way in ways), f"{rule}: {name} is {number}"
+            elif name.endswith("Tries"):
+                assert number in re.findall(r"\d+", value), f"{rule}: {name} is {number}"
+
+
+def test_every_rule_says_where_it_is_from():
+    assert len(rules()) > 20
+    assert [row for row in rules() if len(row) != 4 or not row[0] or not row[1] or not row[3]] == []
+
+
+# The diagrams -----------------------------------------------------------------
+
+
+def enumerators(file: str, name: str) -> set[str]:
+    text = library_file(file).read_text()
+    return set(re.findall(r"\w+", re.search(rf"enum class {name} : uint8_t \{{(.*?)\}}", text, re.S)[1]))
+
+
+def statuses() -> set[str]:
+    return set(re.findall(r"\bX\((\w+),", (SOURCES / "Status.h").read_text()))
+
+
+def diagrams() -> str:
+    return "\n".join(re.findall(r"^```states\n(.*?)^```$", DESIGN, re.M | re.S))
+
+
+STATES = {
+    "upload": ("UploadTransfer.h", "State"),
+    "download": ("DownloadTransfer.h", "State"),
+    "command": ("CommandTransfer.h", "State"),
+    "start": ("Operations.h", "StartStep"),
+    "phases of start": ("Client.h", "Phase"),
+}
+
+
+@pytest.mark.parametrize("machine", STATES)
+def test_every_state_is_in_a_diagram(machine):
+    assert enumerators(*STATES[machine]) - {"None"} - set(re.findall(r"\w+", diagrams())) == set()
+
+
+def test_every_name_in_a_diagram_is_one_of_the_code():
+    known = statuses().union(*(enumerators(*place) for place in STATES.values())) | {"PlanType"}
+    assert "Accepted" in known
+    named_there = set(re.findall(r"\b(?:[A-Z][a-z]+){2,}\b", diagrams()))
+    assert len(named_there) > 10
+    assert named_there - known == set()
+
+
+# The budget -------------------------------------------------------------------
+
+
+QUICK = ("in short", "RAM budget", "goals", "flash budget")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in documents.TABLES]
+)
+def test_measured_table_is_not_stale(name):
+    assert documents.is_current(name, documents.TABLES[name]()), "run tools/measure --write-docs"
+
+
+def test_each_place_for_a_measured_table_is_written_by_the_tool():
+    texts = [place.read_text() for place in documents.DOCUMENTS]
+    marked = [name for text in texts for name in re.findall(r"<!-- ([\w ]+): begin -->", text)]
+    assert sorted(marked) == sorted([*documents.TABLES, report.MARK, "rates"])
+
+
+def test_parts_of_the_budget_add_up_to_the_whole():
+    def check(part: budget.Part) -> None:
+        if part.parts and not part.is_choice:
+            assert sum(inner.size for inner in part.parts) == part.size, part.name
+        if part.is_choice:
+            assert max(inner.size for inner in part.parts) == part.size, part.name
+        for inner in part.parts:
+            check(inner)
+
+    whole = budget.client()
+    assert {"state_", "link_"} <= {part.name for part in whole.parts}
+    check(whole)

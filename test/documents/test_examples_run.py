@@ -1,0 +1,220 @@
+"""Each example, as it is, on a simulated Mega beside a fake autopilot: what it prints, and what is aboard then."""
+
+from __future__ import annotations
+
+import pytest
+
+from example_runs import SLICE_S, Run, commands, is_ardupilot
+from plans import HOME, NAN, jump, waypoint
+from simulation.fake_autopilot import FENCE, MISSION, RALLY, mavlink
+
+QUIET = "all is well; the autopilot sends little unasked: setMessageInterval() asks for more"
+
+
+@pytest.fixture
+def run(personality):
+    return lambda example, **options: Run(example, personality, **options)
+
+
+@pytest.fixture
+def make_run_on_rover():
+    return lambda example: Run(example, "ArduPilot", vehicle="rover", uptime_s=120.0)
+
+
+def test_upload_mission(run):
+    example = run("UploadMission")
+    example.run(4.0)
+    assert commands(example) == [22, 16, 16, 20]
+
+
+def test_upload_with_progress(run):
+    example = run("UploadWithProgress")
+    lines = example.until("aboard: our plan, whole", 5.0)
+    assert lines[:8] == ["upload, try 1", "1/6", "2/6", "3/6", "4/6", "5/6", "6/6", "accepted: the plan is aboard"]
+    example.run(0.2)
+    assert example.lines[-1].startswith("bytes ") and ", bad checksums 0, frames lost 0," in example.lines[-1]
+    assert commands(example) == [22, 16, 93, 16, 177, 20]
+
+
+@pytest.mark.slow
+def test_upload_with_progress_tries_again_after_a_failure(run):
+    example = run("UploadWithProgress")
+    example.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, 2)
+    example.until("aboard: our plan, whole", 40.0)
+    assert "upload, try 2" in example.lines
+
+
+@pytest.mark.slow
+def test_upload_with_progress_says_that_the_aircraft_is_armed(run):
+    example = run("UploadWithProgress", armed=True)
+    example.until("refused: the autopilot is armed", 5.0)
+    example.run(8.0)
+    assert "upload, try 2" not in example.lines
+    assert commands(example) == []
+
+
+@pytest.mark.slow
+def test_grid_from_function(run):
+    example = run("GridFromFunction")
+    example.run(12.0)
+    assert commands(example) == [22, *[16] * 300, 20]
+    lanes = [one for one in example.autopilot.received() if one.command == 16][-300:]
+    assert len({(one.x, one.y) for one in lanes}) == 300
+    assert {one.y for one in lanes} == {1491652374, 1491652374 + 11000}
+
+
+def test_download_mission(run):
+    example = run("DownloadMission")
+    plan = [waypoint(-353632621, 1491652374, 20.0, param4=NAN), waypoint(-5, -1799999999, 20.5, frame=0, param4=NAN),
+            jump(0 + is_ardupilot(example), 3)]  # fmt: skip
+    example.autopilot.load([HOME, *plan] if is_ardupilot(example) else plan)
+    lines = example.until("downloaded: the plan has been read", 5.0)
+    home = ["home: command 16 at -35.3632621 149.1652374 584.00 m above sea level"] if is_ardupilot(example) else []
+    assert lines == [
+        *home,
+        "0: command 16 at -35.3632621 149.1652374 20.00 m above home",
+        "1: command 16 at -0.0000005 -179.9999999 20.50 m above sea level",
+        "2: command 177, param1 0.00, param2 3.00",
+        "downloaded: the plan has been read",
+    ]
+
+
+def test_verify_upload(run):
+    example = run("VerifyUpload")
+    lines = example.until("aboard: our plan, whole", 5.0)
+    assert lines == ["accepted: the plan is aboard", "aboard: our plan, whole"]
+    assert commands(example) == [22, 16, 178, 16, 21]
+    assert len(example.autopilot.messages(">", "MISSION_REQUEST_LIST")) == 1
+
+
+@pytest.mark.slow
+def test_verify_upload_says_what_differs(run):
+    example = run("VerifyUpload")
+    while not example.autopilot.messages(">", "MISSION_REQUEST_LIST"):
+        example.run(SLICE_S)
+        assert example.now < 5
+    missions = example.autopilot.missions
+    held = missions[MISSION].held if is_ardupilot(example) else missions.held[MISSION]
+    held[-2] = held[-2]._replace(y=held[-2].y + 1)
+    example.until("item 3: y (longitude)", 5.0)
+    assert example.lines[0] == "what is aboard is not the plan"
+
+
+@pytest.mark.slow
+def test_start_mission(run):
+    example = run("StartMission")
+    lines = example.until("downloaded: the plan has been read", 240.0)
+    own = [line for line in lines if not line.startswith("autopilot: ")]
+    assert [line for line in own if line != "reached 3"] == [
+        "accepted: the plan is aboard", "done: the autopilot confirmed it", "reached 0", "reached 1", "reached 2",
+        "landed", "0: command 22", "1: command 16", "2: command 16", "3: command 21",
+        "downloaded: the plan has been read"]  # fmt: skip
+    assert not example.autopilot.armed
+    assert len(example.autopilot.messages(">", "MISSION_COUNT")) == 1
+
+
+@pytest.mark.slow
+def test_start_mission_ends_on_a_rover_which_stays_armed(make_run_on_rover):
+    example = make_run_on_rover("StartMission")
+    lines = example.until("downloaded: the plan has been read", 240.0)
+    own = [line for line in lines if not line.startswith("autopilot: ")]
+    assert "autopilot: Mission Complete" in lines
+    assert own[0] == "accepted: the plan is aboard" and own.count("done: the autopilot confirmed it") == 2
+    assert own[-7:] == [
+        "arrived: disarm", "done: the autopilot confirmed it", "0: command 22", "1: command 16", "2: command 16",
+        "3: command 21", "downloaded: the plan has been read"]  # fmt: skip
+    assert not example.autopilot.armed
+
+
+@pytest.mark.slow
+def test_next_waypoint_ends_on_a_rover_which_stays_armed(make_run_on_rover):
+    example = make_run_on_rover("NextWaypoint")
+    lines = example.until("all fields sampled", 400.0)
+    assert lines.count("landed: sampling") == 2
+    assert not example.autopilot.armed
+
+
+@pytest.mark.slow
+def test_start_mission_that_is_refused_auto_says_that_it_is_disarmed():
+    example = Run("StartMission", "ArduPilot")
+    example.autopilot._begins_with_takeoff = lambda: False
+    lines = example.until("it could not be flown, and is disarmed again", 30.0)
+    assert "autopilot: Auto: Missing Takeoff Cmd" in lines
+    assert not example.autopilot.armed
+
+
+@pytest.mark.slow
+def test_start_mission_waits_until_arming_is_allowed(personality):
+    if personality == "PX4":
+        example = Run("StartMission", personality)
+        example.until("reached 0", 60.0)
+        return
+    example = Run("StartMission", personality, uptime_s=0.0)
+    lines = example.until("done: the autopilot confirmed it", 60.0)
+    assert "autopilot: Arm: AHRS: waiting for home" in lines
+    assert lines.count("the autopilot said: failed") >= 3
+
+
+@pytest.mark.slow
+@pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
+def test_start_mission_that_resets_in_flight_changes_nothing(run):
+    example = run("StartMission")
+    example.until("reached 0", 60.0)
+    plan = example.autopilot.received()
+    said = len(example.autopilot.messages(">"))
+    example.mega.reset()
+    example.until("refused: the autopilot is armed", 5.0)
+    example.run(10.0)
+    after = example.autopilot.messages(">")[said:]
+    assert {message.get_type() for message in after} == {"HEARTBEAT"}
+    assert example.autopilot.received() == plan and example.autopilot.armed
+
+
+@pytest.mark.slow
+def test_next_waypoint(run):
+    example = run("NextWaypoint")
+    lines = example.until("all fields sampled", 400.0)
+    own = [line for line in lines if not line.startswith("autopilot: ")]
+    leg = ["accepted: the plan is aboard", "done: the autopilot confirmed it", "landed: sampling"]
+    assert own == [*leg, *leg, "all fields sampled"]
+    assert not example.autopilot.armed
+    here = example.autopilot.flight.where(example.now)
+    assert (here.lat_e7, here.lon_e7) == (-353631000, 1491654000)
+
+
+def test_fence_and_rally(run):
+    example = run("FenceAndRally")
+    lines = example.until("rally: accepted: the plan is aboard", 6.0)
+    assert lines == ["fence: accepted: the plan is aboard", "rally: accepted: the plan is aboard"]
+    assert commands(example, FENCE) == [5001] * 4 + [5004]
+    assert commands(example, RALLY) == [5100] * 2
+    assert commands(example) == []
+
+
+@pytest.mark.slow
+def test_fence_and_rally_on_mavlink_1():
+    example = Run("FenceAndRally", "ArduPilot", mavlink_version=1)
+    refused = "refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1"
+    assert f"fence: {refused}" in example.until(f"fence: {refused}", 5.0)
+    assert commands(example, FENCE) == [] and commands(example, RALLY) == []
+
+
+def test_read_telemetry(run):
+    example = run("ReadTelemetry")
+    lines = example.until("done: the autopilot confirmed it", 5.0)
+    example.run(3.1)
+    lines = example.lines
+    positions = [line for line in lines if line != "done: the autopilot confirmed it"]
+    assert len(positions) == 6
+    assert set(positions) == {"-353632621 1491652374 (1e-7 deg), 0 m above home"}
+
+
+def test_link_doctor(run):
+    assert run("LinkDoctor").until(QUIET, 8.0) == [QUIET]
+    assert run("LinkDoctor", telemetry=1000.0).until("all is well", 8.0) == ["all is well"]
+
+
+def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):
+    example = Run("LinkDoctor", personality, baud=115200)
+    lines = example.until("  it speaks at 115200", 15.0)
+    assert lines[-2] == "frames, but at another baud rate"

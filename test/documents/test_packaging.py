@@ -1,0 +1,334 @@
+"""The library installs as Arduino and PlatformIO expect, and its metadata tells the truth."""
+
+import configparser
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from building import BOARDS, BuildFailed, build_sketch
+from promised import TOO_LARGE
+
+ROOT = Path(__file__).resolve().parents[2]
+UNTRACKED = {"build", ".git", ".pio", "__pycache__", ".hypothesis", ".pytest_cache"}
+
+# Arduino's list for library.properties, "Uncategorized" (a warning there) left out.
+CATEGORIES = {
+    "Communication", "Data Processing", "Data Storage", "Device Control", "Display", "Other",
+    "Sensors", "Signal Input/Output", "Timing",
+}  # fmt: skip
+
+PROPERTIES = {
+    "name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url",
+    "architectures", "includes", "license",
+}  # fmt: skip
+
+SEMVER = re.compile(r"(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)(-[0-9A-Za-z.-]+)?")
+
+
+def files() -> list[Path]:
+    """Every file of the repository, generated folders apart."""
+    return [
+        f for f in sorted(ROOT.rglob("*")) if f.is_file() and not UNTRACKED & set(f.relative_to(ROOT).parts)
+    ]  # fmt: skip
+
+
+def properties() -> dict[str, str]:
+    lines = (ROOT / "library.properties").read_text().splitlines()
+    pairs = [line.split("=", 1) for line in lines if line and not line.startswith("#")]
+    assert len(pairs) == len(dict(pairs)), "a field is there twice"
+    return dict(pairs)
+
+
+def manifest() -> dict:
+    return json.loads((ROOT / "library.json").read_text())
+
+
+# library.properties, by the rules of Arduino's linter ------------------------
+
+
+def test_library_properties_has_each_field_that_arduino_knows_and_no_other():
+    assert set(properties()) == PROPERTIES
+    assert all(value.strip() == value and value for value in properties().values())
+
+
+def test_library_name_is_one_the_library_manager_accepts():
+    name = properties()["name"]
+    assert re.fullmatch(r"[A-Za-z][A-Za-z0-9_.-]*", name)
+    assert len(name) <= 63
+    assert not re.match("arduino", name, re.I)
+
+
+def test_version_is_semantic():
+    assert SEMVER.fullmatch(properties()["version"])
+
+
+def test_category_architectures_and_url_are_valid():
+    fields = properties()
+    assert fields["category"] in CATEGORIES
+    assert fields["architectures"] == "*"
+    assert re.fullmatch(r"https://[\w./-]+", fields["url"])
+
+
+def test_paragraph_does_not_repeat_the_sentence():
+    fields = properties()
+    assert fields["sentence"].endswith(".")
+    assert fields["sentence"] not in fields["paragraph"]
+
+
+def test_main_header_is_named_after_the_library_and_is_the_one_included():
+    fields = properties()
+    assert fields["includes"] == f"{fields['name']}.h"
+    assert (ROOT / "src" / fields["includes"]).is_file()
+    assert [f.name for f in (ROOT / "src").glob("*.h")] == [fields["includes"]]
+
+
+def test_licence_readme_changelog_and_examples_are_in_place():
+    assert (ROOT / "LICENSE").read_text().startswith("MIT License")
+    assert "MavMission contributors" in (ROOT / "LICENSE").read_text()
+    assert properties()["license"] == "MIT"
+    assert (ROOT / "README.md").is_file()
+    assert (ROOT / "CHANGELOG.md").is_file()
+    assert any((ROOT / "examples").rglob("*.ino"))
+
+
+# What is in the repository ----------------------------------------------------
+
+
+def test_there_are_no_symlinks():
+    assert [f for f in files() if f.is_symlink()] == []
+    assert [d for d in ROOT.iterdir() if d.is_symlink()] == []
+
+
+def test_there_are_no_submodules():
+    assert not (ROOT / ".gitmodules").exists()
+
+
+def test_sketches_are_under_examples_only_each_in_a_folder_of_its_name():
+    sketches = [f.relative_to(ROOT) for f in files() if f.suffix in (".ino", ".pde")]
+    assert sketches
+    for sketch in sketches:
+        assert sketch.parts[0] == "examples", sketch
+        assert sketch.suffix == ".ino", sketch
+        assert sketch.stem == sketch.parent.name, sketch
+        assert re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,62}", sketch.stem), sketch
+
+
+def test_nothing_compiled_is_kept():
+    magics = (b"\x7fELF", b"MZ", b"!<arch>", b"\xcf\xfa\xed\xfe", b":10")
+    suffixes = {".exe", ".elf", ".hex", ".o", ".a", ".so", ".dll", ".dylib", ".bin", ".pyc"}
+    assert [f for f in files() if f.suffix in suffixes or f.read_bytes()[:8].startswith(magics)] == []
+
+
+def test_folders_that_arduino_gives_a_meaning_are_spelled_its_way():
+    names = {p.name for p in ROOT.iterdir()}
+    misspelled = {"Src", "SRC", "Examples", "example", "Example", "Extras", "extra", "Utility", "keyword.txt"}
+    misspelled |= {"Keywords.txt", "Library.properties", "library.property"}
+    assert not names & misspelled
+    assert "utility" not in names, "a library with src/ must not have utility/"
+
+
+# keywords.txt -------------------------------------------------------------------
+
+
+def keywords() -> list[tuple[str, str]]:
+    lines = (ROOT / "keywords.txt").read_text().splitlines()
+    return [tuple(line.split("\t")) for line in lines if line and not line.startswith("#")]
+
+
+def public_headers() -> str:
+    """The text of the library's own headers, without comments."""
+    headers = [*(ROOT / "src").glob("*.h"), *(ROOT / "src" / "mavmission").glob("*.h")]
+    text = "\n".join(h.read_text() for h in headers)
+    return re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
+
+
+def test_keywords_are_a_name_one_tab_and_a_kind():
+    for entry in keywords():
+        assert len(entry) == 2, entry
+        assert re.fullmatch(r"[A-Za-z_]\w*", entry[0]), entry
+        assert entry[1] in ("KEYWORD1", "KEYWORD2", "LITERAL1"), entry
+    names = [name for name, _ in keywords()]
+    assert len(names) == len(set(names))
+
+
+def test_every_keyword_is_in_the_headers():
+    text = public_headers()
+    types = {properties()["name"]}
+    types |= set(re.findall(r"\b(?:class|struct|enum|using|typedef)\s+(?:class\s+)?(\w+)", text))
+    types |= set(re.findall(r"\btypedef [^;]*\(\*(\w+)\)", text))
+    functions = set(re.findall(r"\b(\w+)\s*\(", text))
+    words = set(re.findall(r"\w+", text))
+    known = {"KEYWORD1": types, "KEYWORD2": functions, "LITERAL1": words}
+    assert [name for name, kind in keywords() if name not in known[kind]] == []
+
+
+def names(kind: str) -> set[str]:
+    return {name for name, its_kind in keywords() if its_kind == kind}
+
+
+def test_every_status_is_a_keyword():
+    listed = re.search(r"#define MAVMISSION_STATUSES\(X\)((?:.*\\\n)*.*)", public_headers())
+    statuses = set(re.findall(r"\bX\((\w+),", listed[1]))
+    assert "Accepted" in statuses
+    assert statuses - names("LITERAL1") == set()
+
+
+def test_every_maker_of_an_item_or_a_plan_is_a_keyword():
+    maker = r"^(?:constexpr|inline|template.*\n)?\s*(?:MissionItem|ItemSource) (\w+)\("
+    makers = set(re.findall(maker, public_headers(), re.M))
+    assert {"waypoint", "inFlash"} <= makers
+    assert makers - names("KEYWORD2") == set()
+
+
+def test_every_public_function_of_the_client_is_a_keyword():
+    public = re.search(r"^class MissionClient\b.*?public:(.*?)^ private:", public_headers(), re.M | re.S)[1]
+    functions = set(re.findall(r"^  (?:\w+ )*[\w:]+[&*]? (\w+)\(", public, re.M)) - {"MissionClient"}
+    assert {"upload", "update", "cancel"} <= functions
+    assert functions - names("KEYWORD2") == set()
+
+
+# One version --------------------------------------------------------------------
+
+
+def test_manifest_header_and_changelog_agree_on_the_version():
+    version = properties()["version"]
+    assert manifest()["version"] == version
+    defined = re.findall(r'^#define MAVMISSION_VERSION "(.*)"$', (ROOT / "src" / "MavMission.h").read_text(), re.M)
+    assert defined == [version]
+    headings = re.findall(r"^## \[?([^\]\s]+)", (ROOT / "CHANGELOG.md").read_text(), re.M)
+    assert headings, "CHANGELOG.md has no `## ` heading"
+    assert headings[0] in ("Unreleased", version)
+    released = [h for h in headings if h != "Unreleased"]
+    assert all(SEMVER.fullmatch(h) for h in released)
+    assert released[:1] in ([], [version])
+
+
+# PlatformIO ---------------------------------------------------------------------
+
+MANIFEST_FIELDS = {
+    "name": str, "version": str, "description": str, "keywords": list, "authors": list,
+    "license": str, "frameworks": str, "platforms": str, "headers": str, "export": dict,
+}  # fmt: skip
+
+PLATFORMIO_BOARDS = {
+    "mega": "megaatmega2560",
+    "uno": "uno",
+    "nano": "nanoatmega328new",
+    "leonardo": "leonardo",
+}
+
+
+def test_manifest_has_each_field_with_its_type_and_no_other():
+    fields = manifest()
+    assert fields.keys() == MANIFEST_FIELDS.keys()
+    for name, kind in MANIFEST_FIELDS.items():
+        assert isinstance(fields[name], kind) and fields[name], name
+    assert all(re.fullmatch(r"[a-z0-9-]+", word) for word in fields["keywords"])
+    assert all(author.keys() == {"name"} for author in fields["authors"])
+    assert fields["export"].keys() == {"include"}
+
+
+def test_manifest_says_what_library_properties_says():
+    fields, other = manifest(), properties()
+    assert fields["name"] == other["name"]
+    assert fields["license"] == other["license"]
+    assert fields["headers"] == other["includes"]
+    assert fields["description"] == other["sentence"]
+    assert [author["name"] for author in fields["authors"]] == [other["author"]]
+
+
+def test_everything_the_manifest_exports_exists():
+    exported = manifest()["export"]["include"]
+    assert [name for name in exported if not (ROOT / name).exists()] == []
+    assert {"src", "LICENSE", "library.json"} <= set(exported)
+
+
+def test_platformio_environments_are_the_boards():
+    config = configparser.ConfigParser(interpolation=None)
+    config.read(ROOT / "platformio.ini")
+    environments = {s.removeprefix("env:"): config[s] for s in config.sections() if s.startswith("env:")}
+    assert environments.keys() == BOARDS.keys()
+    assert {name: env["board"] for name, env in environments.items()} == PLATFORMIO_BOARDS
+    assert config["env"]["platform"] == "atmelavr"
+    assert config["env"]["framework"] == "arduino"
+    assert config["platformio"]["default_envs"] in environments
+    assert (ROOT / config["platformio"]["src_dir"]).is_dir()
+
+
+# The examples -------------------------------------------------------------------
+
+
+def examples() -> list[Path]:
+    return sorted((ROOT / "examples").rglob("*.ino"))
+
+
+SLOW = pytest.mark.slow
+
+
+@pytest.mark.parametrize("board", [pytest.param(board, marks=() if board == "mega" else SLOW) for board in BOARDS])
+@pytest.mark.parametrize(
+    "example",
+    [pytest.param(file, marks=() if file.stem == "UploadMission" else SLOW, id=file.stem) for file in examples()],
+)
+def test_every_example_compiles_for_every_board(example, board):
+    if (example.stem, board) in TOO_LARGE:
+        with pytest.raises(BuildFailed, match="Sketch too big|will not fit"):
+            build_sketch(example, board)
+        return
+    built = build_sketch(example, board)
+    assert built.flash <= BOARDS[board].flash
+    # A sketch that leaves the stack no room is of no use on a small board.
+    assert built.ram <= BOARDS[board].ram - 512
+
+
+# The README's code --------------------------------------------------------------
+
+
+def cpp_blocks() -> list[str]:
+    readme = ROOT / "README.md"
+    text = readme.read_text() if readme.is_file() else ""
+    return re.findall(r"^```cpp\n(.*?)^```$", text, re.M | re.S)
+
+
+def as_sketch(block: str) -> str:
+    """`block` as a whole sketch: as it is, or with what the first example declares around it."""
+    if "void setup()" in block:
+        return block
+    lines = ["#include <MavMission.h>", "using namespace mavmission;"]
+    if not re.search(r"\bsurvey\[\]", block):
+        lines.append("constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};")
+    if not re.search(r"\bMissionClient\s+autopilot\b", block):
+        lines.append("MissionClient autopilot(Serial1);")
+    declaration = r"#|constexpr|const |static|struct|class|enum|using|MissionClient|[\w:&<>]+ \w+\([^;]*\{"
+    if re.match(rf"(?:\s|//[^\n]*\n)*(?:{declaration})", block):
+        return "\n".join([*lines, block, "void setup() {}", "void loop() {}", ""])
+    return "\n".join([*lines, "void setup() { Serial1.begin(57600); }", "void loop() {", block, "}", ""])
+
+
+# An unwritten README gives one empty block, which does not compile.
+# What is signed has a library of its own compiled.
+@pytest.mark.parametrize(
+    "number, block",
+    [
+        pytest.param(number, block, marks=SLOW if "signWith" in block else ())
+        for number, block in enumerate(cpp_blocks() or [""], start=1)
+    ],
+)
+def test_code_in_the_readme_compiles(number, block, tmp_path):
+    assert block, "README.md has no ```cpp block"
+    sketch = tmp_path / f"Readme{number}" / f"Readme{number}.ino"
+    sketch.parent.mkdir()
+    sketch.write_text(as_sketch(block))
+    defines = ["MAVMISSION_SIGNING=1"] if "signWith" in block else []
+    assert build_sketch(sketch, "mega", defines=defines).flash > 0
+
+
+def test_first_example_is_the_readmes_word_for_word():
+    assert cpp_blocks(), "README.md has no ```cpp block"
+    assert cpp_blocks()[0] == (ROOT / "examples" / "UploadMission" / "UploadMission.ino").read_text()
+
+
+def test_first_example_fits_on_one_screen():
+    assert len((ROOT / "examples" / "UploadMission" / "UploadMission.ino").read_text().splitlines()) <= 40

@@ -1,0 +1,42 @@
+"""What the README says of ArduPilot, of PX4 and of MAVLink 1 is what the firmware does there."""
+
+from __future__ import annotations
+
+import pytest
+
+from building import ROOT
+from service_table import COLUMNS, PROOFS, cells, proven, read_table
+
+README = (ROOT / "README.md").read_text()
+
+
+def test_each_row_has_its_proof_and_each_proof_its_row():
+    table = read_table(README)
+    assert list(table) == list(PROOFS)
+    assert all(list(columns) == list(COLUMNS) and all(columns.values()) for columns in table.values())
+
+
+@pytest.mark.parametrize(("row", "column", "words"), cells(README))
+def test_cell_says_what_the_firmware_does(build_service, row, column, words):
+    assert proven(row, column, build_service) == words
+
+
+@pytest.mark.parametrize("row", PROOFS)
+def test_proof_of_a_row_is_none_on_a_line_that_is_dead(build_service, row):
+    """A proof that cannot fail would prove nothing."""
+
+    def build(*arguments, **options):
+        service = build_service(*arguments, **options)
+        service.wire.pull()
+        return service
+
+    with pytest.raises(AssertionError, match="nothing ended within"):
+        proven(row, "ArduPilot", build)
+
+
+def test_table_is_found_among_other_text_and_a_row_of_another_width_is_an_error():
+    table = f"words\n| | {' | '.join(COLUMNS)} |\n|---|---|---|---|\n| this | yes | - | no |\n\n| other | table |\n"
+    assert read_table(table) == {"this": {"ArduPilot": "yes", "PX4": "-", "ArduPilot over MAVLink 1": "no"}}
+    with pytest.raises(ValueError, match="zip"):
+        read_table(table.replace("| - ", ""))
+    assert read_table("no table") == {}

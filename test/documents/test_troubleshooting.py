@@ -1,0 +1,52 @@
+"""docs/troubleshooting.md has every status and every verdict, and nothing that is none; its links lead somewhere."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from simulation.bench import status_names
+from simulation.doctor import verdict_names
+from simulation.firmware import ROOT
+
+PAGE = ROOT / "docs" / "troubleshooting.md"
+
+
+def named() -> set[str]:
+    """What stands in code marks and begins as an enumerator does."""
+    return set(re.findall(r"`([A-Z][a-z]\w+)`", PAGE.read_text()))
+
+
+@pytest.mark.parametrize("verdict", verdict_names())
+def test_every_verdict_is_explained(verdict):
+    rows = [line for line in PAGE.read_text().splitlines() if line.startswith("|") and f"`{verdict}`" in line]
+    assert any(row.count("|") == 4 for row in rows)  # verdict, what it is, what to do
+
+
+@pytest.mark.parametrize("status", status_names())
+def test_every_status_is_explained(status):
+    numbered = re.fullmatch(r"InvalidParam([2-6])", status)
+    assert status in named() or (numbered and "`InvalidParam1` to `InvalidParam7`" in PAGE.read_text())
+
+
+def test_no_status_is_explained_that_there_is_not():
+    others = {"Serial1", "SoftwareSerial", "TelemetryPause"}
+    assert named() - set(status_names()) - set(verdict_names()) - others == set()
+
+
+def test_every_link_leads_somewhere():
+    text = PAGE.read_text()
+    headings = re.findall(r"^#+ (.*)$", text, re.M)
+    anchors = {re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+    targets = re.findall(r"\]\(([^)]+)\)", text)
+    assert targets
+    for target in targets:
+        if target.startswith("#"):
+            assert target[1:] in anchors, target
+        else:
+            assert (PAGE.parent / target).resolve().exists(), target
+
+
+def test_the_readme_leads_to_it():
+    assert "](docs/troubleshooting.md)" in (ROOT / "README.md").read_text()

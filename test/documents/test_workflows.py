@@ -1,0 +1,117 @@
+"""The workflows for a public repository: what can be known of them here is right."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import pytest
+import yaml
+
+from building import BOARDS, ROOT
+from promised import NOT_PROMISED
+
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*"))
+# What each action is given: the inputs that its documentation names.
+ACTIONS = {
+    "actions/checkout@v4": set(),
+    "actions/upload-artifact@v4": {"name", "path"},
+    "actions/download-artifact@v4": {"pattern", "path", "merge-multiple"},
+    "arduino/compile-sketches@v1": {
+        "fqbn", "platforms", "libraries", "sketch-paths", "enable-deltas-report", "enable-warnings-report",
+        "sketches-report-path",
+    },
+    "arduino/report-size-deltas@v1": {"sketches-reports-source"},
+    "arduino/arduino-lint-action@v2": {"project-type", "compliance", "library-manager"},
+}  # fmt: skip
+
+
+def load(name: str) -> dict:
+    workflow = yaml.safe_load((ROOT / ".github" / "workflows" / name).read_text())
+    workflow["on"] = workflow.pop(True)  # YAML 1.1 takes "on" for a truth
+    return workflow
+
+
+def steps() -> list[tuple[str, dict]]:
+    jobs = [(file.name, job) for file in WORKFLOWS for job in load(file.name)["jobs"].values()]
+    return [(name, step) for name, job in jobs for step in job["steps"]]
+
+
+def test_there_is_one_for_the_examples_the_linter_and_the_tests():
+    assert [file.name for file in WORKFLOWS] == ["examples.yml", "lint.yml", "test.yml"]
+
+
+@pytest.mark.parametrize("file", WORKFLOWS, ids=lambda file: file.name)
+def test_workflow_has_what_every_one_needs(file):
+    workflow = load(file.name)
+    assert workflow.keys() == {"name", "on", "permissions", "jobs"}
+    assert workflow["name"] == file.stem
+    assert workflow["on"].keys() == {"push", "pull_request"}
+    assert workflow["permissions"] == {"contents": "read"}
+    for job in workflow["jobs"].values():
+        assert job["runs-on"] == "ubuntu-latest"
+        assert 1 <= job["timeout-minutes"] <= 60
+        for needed in [job["needs"]] if "needs" in job else []:
+            assert needed in workflow["jobs"]
+
+
+@pytest.mark.parametrize("file, step", steps())
+def test_step_is_an_action_with_inputs_that_it_knows_or_commands(file, step):
+    assert ("uses" in step) != ("run" in step)
+    if "uses" in step:
+        assert set(step.get("with", {})) <= ACTIONS[step["uses"]]
+
+
+def test_commands_of_the_repository_exist():
+    lines = [line for _, step in steps() for line in step.get("run", "").splitlines()]
+    ours = [line.split()[0] for line in lines if re.match(r"[\w.]+/", line)]
+    assert {".ci/run", "tools/release"} <= set(ours)
+    assert [command for command in ours if not os.access(ROOT / command, os.X_OK)] == []
+
+
+def compile_step() -> dict:
+    (step,) = [step for _, step in steps() if step.get("uses", "").startswith("arduino/compile-sketches")]
+    return step["with"]
+
+
+def matrix() -> list[dict]:
+    return load("examples.yml")["jobs"]["compile"]["strategy"]["matrix"]["board"]
+
+
+def test_every_example_is_compiled():
+    for board in matrix():
+        paths = yaml.safe_load(
+            compile_step()["sketch-paths"].replace("${{ matrix.board.more }}", board.get("more", ""))
+        )
+        assert sorted(paths) == sorted(
+            f"examples/{folder.name}" for folder in (ROOT / "examples").iterdir()
+            if folder.is_dir() and (folder.name, board["name"]) not in NOT_PROMISED
+        )  # fmt: skip
+
+
+def test_examples_are_compiled_for_every_board():
+    assert {board["name"]: board["fqbn"] for board in matrix()} == {board.name: board.fqbn for board in BOARDS.values()}
+    assert compile_step()["fqbn"] == "${{ matrix.board.fqbn }}"
+    platforms = yaml.safe_load(compile_step()["platforms"])
+    assert {platform["name"] for platform in platforms} == {
+        ":".join(board.fqbn.split(":")[:2]) for board in BOARDS.values()
+    }
+    assert yaml.safe_load(compile_step()["libraries"]) == [{"source-path": "./"}]
+
+
+def test_sizes_are_reported_where_they_are_kept():
+    job = load("examples.yml")["jobs"]["sizes"]
+    kept = compile_step()["sketches-report-path"]
+    download, report = (step["with"] for step in job["steps"])
+    (upload,) = [step["with"] for step in load("examples.yml")["jobs"]["compile"]["steps"]
+                 if step["uses"].startswith("actions/upload-artifact")]  # fmt: skip
+    assert upload["path"] == kept
+    assert report["sketches-reports-source"] == download["path"]
+    assert upload["name"].startswith(download["pattern"].rstrip("*"))
+    assert job["needs"] == "compile" and job["permissions"] == {"pull-requests": "write"}
+
+
+def test_tests_run_on_the_system_that_setup_is_for():
+    assert load("test.yml")["jobs"]["test"]["container"] == "debian:12"
+    assert "Debian 12" in Path(ROOT / "tools" / "setup").read_text()

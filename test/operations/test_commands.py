@@ -1,0 +1,669 @@
+"""Commands: each confirmed by COMMAND_ACK, with its own tries."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import pytest
+
+from downloads import loaded
+from plans import SURVEY, on_the_wire
+from simulation.fake_autopilot import mavlink
+from simulation.service import MODES
+
+COMMANDS = pytest.mark.scenario(54, "Commands: acknowledged, lost, in progress, refused")
+SERVO, RELAY, GRIPPER, CHANGE_SPEED, REPOSITION = 183, 181, 211, 178, 192
+ARM, SET_MODE, MISSION_START, SET_CURRENT, INTERVAL = 400, 176, 300, 224, 511
+RESULTS = {0: "Done", 1: "CommandRejected", 2: "CommandDenied", 3: "CommandUnsupported", 4: "CommandFailed",
+           6: "CommandRefused", 7: "CommandRefused", 9: "CommandRefused", 77: "CommandRefused"}  # fmt: skip
+
+
+def deafen(service) -> None:
+    """None of the autopilot's own acknowledgements arrives: the test says what does."""
+    autopilot = service.autopilot
+    push = autopilot._push
+
+    def without_acks(time, message) -> None:
+        if isinstance(message, bytes) or message.get_type() != "COMMAND_ACK":
+            push(time, message)
+
+    autopilot._push = without_acks
+
+
+def acknowledge(service, command: int, result: int, target: tuple[int, int] = (1, 191), sender=None) -> None:
+    service.say(mavlink.MAVLink_command_ack_message(command, result, 0, 0, *target), sender)
+
+
+@COMMANDS
+def test_each_result_has_its_status(service):
+    deafen(service)
+    for number, (result, status) in enumerate(RESULTS.items(), start=1):
+        assert service.send_command(CHANGE_SPEED, 1.0, 5.0) == "WaitingForAutopilot"
+        service.run_until_sent("COMMAND_LONG", number)
+        acknowledge(service, CHANGE_SPEED, result)
+        assert service.done(limit_s=1) == status
+        assert service.state.last_result == result
+    service.run(4.0)
+    assert len(service.heard("COMMAND_LONG")) == len(RESULTS)
+
+
+@COMMANDS
+def test_command_goes_out_as_it_was_meant(service):
+    deafen(service)
+    numbers = (1.5, -2.25, 1e-20, math.nan, 3.4e38, -0.0, 7.125)
+    service.send_command(31000, *numbers)
+    service.run_until_sent("COMMAND_LONG")
+    (message,) = service.heard("COMMAND_LONG")
+    sent = [getattr(message, f"param{number}") for number in range(1, 8)]
+    assert [math.isnan(one) for one in sent] == [math.isnan(one) for one in numbers]
+    assert sent[0] == 1.5 and sent[1] == -2.25 and sent[4] == pytest.approx(3.4e38) and sent[6] == 7.125
+    assert math.copysign(1, sent[5]) == -1
+    assert (message.target_system, message.target_component, message.command) == (1, 1, 31000)
+
+
+@COMMANDS
+def test_command_with_a_place_goes_out_with_all_its_digits(service):
+    deafen(service)
+    service.send_command(REPOSITION, -1.0, 1.0, 0.0, math.nan, 0.0, 0.0, 25.5, place=(-353632621, 1491652374), frame=6)
+    service.run_until_sent("COMMAND_INT")
+    (message,) = service.heard("COMMAND_INT")
+    assert (message.x, message.y, message.z, message.frame) == (-353632621, 1491652374, 25.5, 6)
+    assert (message.param1, message.param2) == (-1.0, 1.0)
+    acknowledge(service, REPOSITION, 0)
+    assert service.done(limit_s=1) == "Done"
+
+
+@COMMANDS
+@pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK")])
+def test_lost_command_or_answer_is_made_up_for(service, direction, name):
+    service.wire.lose(direction, name=name, times=4)
+    service.order_of("interval", 33, 500000)
+    assert service.done() == "Done"
+    assert [message.confirmation for message in service.heard("COMMAND_LONG")] == [0, 1, 2, 3, 4]
+    times = service.sent_at("COMMAND_LONG")
+    assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(1.5, abs=0.01)] * 4
+
+
+@COMMANDS
+def test_command_that_is_never_answered_ends_after_5_tries(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    assert service.done(limit_s=12) == "NoAnswer"
+    times = service.sent_at("COMMAND_LONG")
+    assert len(times) == 5 and service.now - times[0] == pytest.approx(7.5, abs=0.05)
+
+
+@COMMANDS
+def test_autopilot_that_dies_ends_the_command_in_bounded_time(service):
+    service.run(2.0)
+    service.autopilot.faults.fall_silent(from_time=service.now)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    assert service.done(limit_s=12) == "NoAnswer"
+
+
+@COMMANDS
+def test_in_progress_extends_the_wait(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    service.run_until_sent("COMMAND_LONG")
+    for _ in range(3):
+        acknowledge(service, CHANGE_SPEED, 5)
+        service.run(4.0)
+    assert len(service.heard("COMMAND_LONG")) == 1
+    acknowledge(service, CHANGE_SPEED, 0)
+    assert service.done(limit_s=1) == "Done"
+
+
+@COMMANDS
+def test_silence_after_in_progress_ends_too(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    service.run_until_sent("COMMAND_LONG")
+    acknowledge(service, CHANGE_SPEED, 5)
+    assert service.done(limit_s=20) == "NoAnswer"
+    assert len(service.heard("COMMAND_LONG")) == 5
+
+
+@COMMANDS
+def test_autopilot_that_is_in_progress_for_ever_ends_the_command_at_its_limit(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    began = service.run_until_sent("COMMAND_LONG")
+    for _ in range(29):
+        acknowledge(service, CHANGE_SPEED, 5)
+        service.run(4.0)
+    assert not service.ends
+    acknowledge(service, CHANGE_SPEED, 5)
+    assert service.done(limit_s=10) == "TookTooLong"
+    assert service.now - began < 121.5
+
+
+@COMMANDS
+def test_answer_to_another_command_or_for_another_one_is_no_answer(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    service.run_until_sent("COMMAND_LONG")
+    acknowledge(service, ARM, 0)
+    acknowledge(service, CHANGE_SPEED, 4, target=(255, 190))
+    acknowledge(service, CHANGE_SPEED, 4, target=(1, 190))
+    acknowledge(service, CHANGE_SPEED, 4, sender=(2, 1))
+    acknowledge(service, CHANGE_SPEED, 4, sender=(1, 154))
+    service.run(0.2)
+    assert service.state.busy
+    acknowledge(service, CHANGE_SPEED, 0, target=(0, 0))
+    assert service.done(limit_s=1) == "Done"
+
+
+@COMMANDS
+def test_cancelled_command_says_nothing_more(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    service.run_until_sent("COMMAND_LONG")
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    service.run(4.0)
+    assert [message.get_type() for message in service.mission_messages()] == ["COMMAND_LONG"]
+
+
+@COMMANDS
+@pytest.mark.parametrize(
+    "order", [("arm",), ("mode", 3), ("clear", 0), ("download", 0, 9, 9), ("start",), ("verify", 0)]
+)
+def test_second_operation_is_refused_and_the_first_goes_on(service, order):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    service.run_until_sent("COMMAND_LONG")
+    assert service.order_of(*order) == "Busy"
+    acknowledge(service, CHANGE_SPEED, 0)
+    assert service.done(limit_s=1) == "Done"
+    service.run(2.0)
+    assert len(service.mission_messages()) == 1
+
+
+ONCE = pytest.mark.scenario(51, "An item is reached once; a command that must not happen twice is not repeated")
+
+
+@ONCE
+def test_commands_that_must_not_happen_twice_are_sent_once(service):
+    deafen(service)
+    commands = (SERVO, 184, RELAY, 182, GRIPPER, 208, 42600, 203, 2000, 185, 187, 209, 246)
+    for number, command in enumerate(commands, start=1):
+        service.send_command(command, 9.0, 1500.0)
+        assert service.done(limit_s=10) == "Unconfirmed"
+        assert len(service.heard("COMMAND_LONG")) == number
+        assert service.now - service.sent_at("COMMAND_LONG")[-1] == pytest.approx(5.0, abs=0.05)
+
+
+@ONCE
+def test_command_that_must_not_happen_twice_is_repeated_when_asked(service):
+    deafen(service)
+    service.send_command(SERVO, 9.0, 1500.0, always=True)
+    assert service.done(limit_s=10) == "NoAnswer"
+    assert [message.confirmation for message in service.heard("COMMAND_LONG")] == [0, 1, 2, 3, 4]
+
+
+@ONCE
+def test_its_answer_is_taken(service):
+    deafen(service)
+    service.send_command(SERVO, 9.0, 1500.0)
+    service.run_until_sent("COMMAND_LONG")
+    service.run(3.0)
+    acknowledge(service, SERVO, 0)
+    assert service.done(limit_s=1) == "Done"
+
+
+ARMING = pytest.mark.scenario(54, "Arming: by arm() and start() alone, and never forced")
+
+
+@ARMING
+def test_arm_and_disarm(service):
+    service.order_of("arm")
+    assert service.done() == "Done"
+    assert service.autopilot.armed
+    service.run(1.1)
+    assert service.state.armed
+    service.order_of("disarm")
+    assert service.done() == "Done"
+    assert not service.autopilot.armed
+    assert [(one.command, one.param1, one.param2) for one in service.heard("COMMAND_LONG")] == [
+        (ARM, 1.0, 0.0), (ARM, 0.0, 0.0)]  # fmt: skip
+
+
+@ARMING
+def test_refused_arming_is_said_with_the_words(build_service):
+    service = build_service("ArduPilot", uptime_s=0.0)
+    service.order_of("arm")
+    assert service.done() == "CommandFailed"
+    service.run(0.1)
+    assert (2, "Arm: AHRS: waiting for home") in service.texts
+    assert not service.autopilot.armed
+
+
+@ARMING
+@pytest.mark.parametrize("magic", [21196.0, 2989.0, 1.0])
+def test_arming_is_never_forced_not_even_by_any_command(service, magic):
+    service.send_command(ARM, 1.0, magic)
+    service.done()
+    service.send_command(ARM, 1.0, magic, place=(0, 0))
+    service.done()
+    assert {one.param2 for one in service.heard("COMMAND_LONG", "COMMAND_INT") if one.command == ARM} == {0.0}
+
+
+@ARMING
+def test_mission_start_is_not_sent_to_a_disarmed_px4_by_any_command(build_service):
+    service = build_service("PX4")
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.send_command(MISSION_START)
+    assert service.done() == "NotArmed"
+    service.order_of("startmission")
+    assert service.done() == "NotArmed"
+    assert service.heard("COMMAND_LONG") == [] and not service.autopilot.armed
+
+
+@ARMING
+def test_resume_and_mode_changes_arm_nothing(service):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    for order in (("resume",), ("pause",), ("mode", 0), ("setcurrent", 1)):
+        service.order_of(*order)
+        service.done()
+    assert not service.autopilot.armed
+
+
+MODE = pytest.mark.scenario(54, "Modes by one name on every vehicle")
+NUMBERS = {
+    ("ArduPilot", "copter"): {"Auto": 3, "Guided": 4, "ReturnToLaunch": 6, "Hold": 5, "Land": 9, "Brake": 17,
+                              "Manual": 0},
+    ("ArduPilot", "rover"): {"Auto": 10, "Guided": 15, "ReturnToLaunch": 11, "Hold": 4, "Manual": 0},
+    ("ArduPilot", "plane"): {"Auto": 10, "Guided": 15, "ReturnToLaunch": 11, "Hold": 12, "Manual": 0},
+    ("PX4", "copter"): {"Auto": (4, 4), "Guided": (6, 0), "ReturnToLaunch": (4, 5), "Hold": (4, 3), "Land": (4, 6),
+                        "Manual": (1, 0)},
+}  # fmt: skip
+
+
+@MODE
+@pytest.mark.parametrize("name", MODES)
+@pytest.mark.parametrize("kind", NUMBERS, ids=" ".join)
+def test_mode_is_the_vehicles_own(build_service, kind, name):
+    personality, vehicle = kind
+    service = build_service(personality, vehicle=vehicle)
+    service.autopilot.load(on_the_wire(SURVEY, personality))
+    service.set_mode(name)
+    number = NUMBERS[kind].get(name)
+    if number is None:
+        assert service.done() == "NoSuchMode"
+        assert service.heard("COMMAND_LONG") == []
+        return
+    assert service.done() == "Done"
+    (message,) = service.heard("COMMAND_LONG")
+    main, sub = number if personality == "PX4" else (number, 0)
+    assert (message.command, message.param1, message.param2, message.param3) == (SET_MODE, 1.0, main, sub)
+    service.run(1.1)
+    state = service.state
+    assert state.modes == [name]
+    assert state.custom_mode == (main << 16 | sub << 24 if personality == "PX4" else main)
+
+
+@MODE
+def test_autopilots_own_number_of_a_mode(service, personality):
+    number = 6 if personality == "ArduPilot" else 4 << 16 | 5 << 24
+    service.order_of("custommode", number)
+    assert service.done() == "Done"
+    service.run(1.1)
+    assert service.state.custom_mode == number
+    assert service.state.modes == ["ReturnToLaunch"]
+
+
+def test_number_that_is_none_of_ardupilots_modes_is_refused_and_not_cut(build_service):
+    service = build_service("ArduPilot")
+    service.order_of("custommode", 77777)
+    assert service.done() == "NoSuchMode"
+    assert service.heard("COMMAND_LONG") == []
+
+
+@MODE
+def test_mode_that_the_vehicle_refuses(service, personality):
+    """AUTO without a plan, which PX4 takes all the same while it is disarmed."""
+    service.set_mode("Auto")
+    assert service.done() == ("CommandFailed" if personality == "ArduPilot" else "Done")
+    service.run(1.1)
+    assert ("Auto" in service.state.modes) == (personality == "PX4")
+
+
+@MODE
+def test_mode_waits_until_it_is_known_who_flies(build_service):
+    service = build_service("ArduPilot", vehicle="rover", heartbeat_at_s=3.0)
+    service.set_mode("ReturnToLaunch")
+    service.run(2.5)
+    assert service.heard("COMMAND_LONG") == []
+    assert service.done() == "Done"
+    assert service.heard("COMMAND_LONG")[0].param2 == 11
+
+
+SHOWN = pytest.mark.scenario(54, "A mode is set when a heartbeat shows it")
+
+
+@SHOWN
+def test_px4_that_accepts_a_mode_and_then_refuses_it_has_refused_it(build_service):
+    """OFFBOARD without setpoints, and the mission mode without a plan, of an armed aircraft: two answers."""
+    service = build_service("PX4")
+    service.order_of("arm")
+    assert service.done() == "Done"
+    for name in ("Guided", "Auto"):
+        service.set_mode(name)
+        assert service.done(limit_s=3) == "CommandRejected"
+        answers = [entry.message for entry in service.wire.frames("<", "COMMAND_ACK")]
+        assert [one.result for one in answers if one.command == SET_MODE][-2:] == [0, 1]
+
+
+@SHOWN
+def test_refusal_that_is_lost_is_drawn_again(build_service):
+    service = build_service("PX4")
+    service.order_of("arm")
+    assert service.done() == "Done"
+    service.wire.lose("<", name="COMMAND_ACK", where=lambda message: message.result == 1)
+    service.set_mode("Guided")
+    assert service.done(limit_s=5) == "CommandRejected"
+    assert len([one for one in service.heard("COMMAND_LONG") if one.command == SET_MODE]) == 2
+
+
+@SHOWN
+def test_mode_that_was_accepted_and_is_never_shown_is_unconfirmed(service, personality):
+    deafen(service)
+    service.run(2.0)
+    service.autopilot._hears["COMMAND_LONG"] = lambda message, sender, now: None
+    before = service.now
+    service.set_mode("ReturnToLaunch")
+    service.run(0.2)
+    acknowledge(service, SET_MODE, 0)
+    assert service.done() == "Unconfirmed"
+    assert 7.4 < service.now - before < 7.7
+    service.order_of("custommode", 6 if personality == "ArduPilot" else 4 << 16 | 5 << 24)
+    assert service.done() == "NoAnswer"  # and this one was not accepted either
+
+
+@SHOWN
+def test_mode_whose_answers_are_lost_is_seen_in_the_heartbeat(service):
+    service.wire.lose("<", name="COMMAND_ACK", times=None)
+    service.set_mode("ReturnToLaunch")
+    assert service.done(limit_s=4) == "Done"
+    assert service.state.modes == ["ReturnToLaunch"]
+
+
+@SHOWN
+def test_pause_of_a_flight_is_done_when_it_is_shown(service, personality):
+    from starts import uploaded
+
+    uploaded(service)
+    service.order_of("start")
+    assert service.done() == "Done"
+    service.order_of("pause")
+    assert service.done() == "Done"
+    assert service.state.modes == ["Hold"]
+
+
+CURRENT = pytest.mark.scenario(46, "Set current: by command, by the older message, out of range, lost")
+
+
+@CURRENT
+def test_current_item_is_set_in_the_sketchs_numbering(service, personality):
+    loaded(service, SURVEY)
+    service.order_of("setcurrent", 2)
+    assert service.done() == "Done"
+    home = personality == "ArduPilot"
+    (message,) = service.heard("COMMAND_LONG")
+    assert (message.command, message.param1, message.param2) == (SET_CURRENT, 2 + home, 0)
+    service.run(1.5)
+    assert current_of(service) == 2 + home
+    assert service.followed.current == 2
+
+
+def current_of(service) -> int:
+    autopilot = service.autopilot
+    return autopilot.current if hasattr(autopilot, "current") else autopilot.missions.current
+
+
+@CURRENT
+def test_item_out_of_range_is_refused(service, personality):
+    """ArduPilot refuses the command. PX4 answers nothing to the message, but says how many items it has."""
+    loaded(service, SURVEY)
+    for item in (5, 9, 65534):
+        before = service.now
+        service.order_of("setcurrent", item)
+        assert service.done(limit_s=15) == ("CommandDenied" if personality == "ArduPilot" else "NoSuchItem")
+        assert service.now - before < 2.6  # with the autopilot to be found
+        if personality == "PX4":
+            assert service.state.failed_item == item
+    service.order_of("setcurrent", 65535)
+    assert service.done() == "NoSuchItem"
+
+
+@CURRENT
+def test_item_beyond_the_plan_that_was_uploaded_is_refused_at_once(service):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    for item in (5, 9, 65535):
+        before = service.now
+        service.order_of("setcurrent", item)
+        assert service.done() == "NoSuchItem"
+        assert service.now - before < 0.1
+    assert service.heard("COMMAND_LONG", "MISSION_SET_CURRENT") == []
+    service.order_of("setcurrent", 4)
+    assert service.done() == "Done"
+
+
+@CURRENT
+def test_item_beyond_is_not_guessed_behind_a_fence_or_a_plan_of_somebody_elses(service, personality):
+    from areas import FIELD
+    from simulation.service import FENCE
+
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.upload(FIELD, FENCE)
+    assert service.done() == "Accepted"
+    service.order_of("setcurrent", len(FIELD) if len(FIELD) < len(SURVEY) else 4)
+    assert service.done() == "Done"
+    service.order_of("setcurrent", 9)
+    assert service.done(limit_s=3) == ("CommandDenied" if personality == "ArduPilot" else "NoSuchItem")
+
+
+@CURRENT
+def test_no_plan_has_no_item(build_service):
+    service = build_service("PX4")
+    service.order_of("setcurrent", 0)
+    service.done(limit_s=3)
+    service.order_of("setcurrent", 1)
+    assert service.done(limit_s=3) == "NoSuchItem"
+
+
+@CURRENT
+def test_lost_answer_is_made_up_for(service):
+    loaded(service, SURVEY)
+    service.wire.lose("<", name="COMMAND_ACK", times=2)
+    service.order_of("setcurrent", 3)
+    assert service.done() == "Done"
+    assert len(service.heard("COMMAND_LONG")) == 3
+
+
+def older(service) -> None:
+    """The autopilot does not know the command: it answers UNSUPPORTED."""
+    react = service.autopilot._hears["COMMAND_LONG"]
+
+    def hear(message, sender, now) -> None:
+        if message.command != SET_CURRENT:
+            return react(message, sender, now)
+        service.autopilot.answer(mavlink.MAVLink_command_ack_message(SET_CURRENT, 3, 0, 0, *sender), now)
+
+    service.autopilot._hears["COMMAND_LONG"] = hear
+
+
+@CURRENT
+def test_older_autopilot_gets_the_older_message(service, personality):
+    loaded(service, SURVEY)
+    older(service)
+    service.order_of("setcurrent", 2)
+    assert service.done() == "Done"
+    home = personality == "ArduPilot"
+    assert [message.seq for message in service.heard("MISSION_SET_CURRENT")] == [2 + home]
+    assert current_of(service) == 2 + home
+
+
+@CURRENT
+def test_older_message_that_is_lost_is_sent_again(service):
+    loaded(service, SURVEY)
+    older(service)
+    service.wire.lose(">", name="MISSION_SET_CURRENT", times=3)
+    service.order_of("setcurrent", 2)
+    assert service.done() == "Done"
+    assert len(service.heard("MISSION_SET_CURRENT")) == 4
+
+
+@CURRENT
+def test_older_message_for_an_item_out_of_range_is_not_confirmed(service, personality):
+    loaded(service, SURVEY)
+    older(service)
+    service.order_of("setcurrent", 7)
+    if personality == "PX4":
+        assert service.done(limit_s=4) == "NoSuchItem"
+        return
+    assert service.done(limit_s=12) == "NoAnswer"  # it says nothing to the message, and how many it has only when asked
+    assert len(service.heard("MISSION_SET_CURRENT")) == 5
+
+
+@CURRENT
+def test_older_message_is_not_confirmed_by_another_current_item(service, personality):
+    loaded(service, SURVEY)
+    older(service)
+    service.wire.lose(">", name="MISSION_SET_CURRENT", times=None)
+    service.order_of("setcurrent", 2)
+    service.run_until_sent("MISSION_SET_CURRENT")
+    service.say(mavlink.MAVLink_mission_current_message(4))
+    service.run(0.2)
+    assert service.state.busy
+    service.say(mavlink.MAVLink_mission_current_message(2 + (personality == "ArduPilot")))
+    assert service.done(limit_s=1) == "Done"
+
+
+STREAMS = pytest.mark.scenario(54, "Message intervals")
+
+
+@STREAMS
+def test_message_interval_is_asked_for_and_the_message_comes(service):
+    service.order_of("interval", 33, 200000)
+    assert service.done() == "Done"
+    (message,) = service.heard("COMMAND_LONG")
+    assert (message.command, message.param1, message.param2) == (INTERVAL, 33.0, 200000.0)
+    service.run(2.1)
+    assert len([one for one in service.listened if one.id == 33]) == 10
+    service.order_of("interval", 33, -1)
+    assert service.done() == "Done"
+    assert service.heard("COMMAND_LONG")[-1].param2 == -1.0
+    before = len(service.listened)
+    service.run(2.0)
+    assert len(service.listened) == before
+
+
+@STREAMS
+def test_message_that_the_autopilot_does_not_have(service):
+    service.order_of("interval", 60000, 1000000)
+    assert service.done() in ("CommandFailed", "CommandDenied")
+
+
+@COMMANDS
+@pytest.mark.parametrize("operation", ["upload", "verify", "clear"])
+def test_next_operation_may_begin_in_the_callback_of_each(service, operation):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.tell("chain", 4)
+    service.order_of(*{"upload": ("upload", 0, 0), "verify": ("verify", 0), "clear": ("clear", 0)}[operation])
+    assert service.done() in ("Accepted", "Verified", "Cleared")
+    assert service.done() == "Downloaded"
+
+
+LATE_ANSWERS = pytest.mark.scenario(54, "A late answer to a command is not taken for one to the next")
+
+
+@LATE_ANSWERS
+@pytest.mark.parametrize("late_s", [1.6, 2.2, 2.9])
+def test_second_late_answer_is_not_taken_for_one_to_the_next_command(service, personality, late_s):
+    """The mode is set twice, as the first answer is late; both come, the second one while another mode is asked for."""
+    service.wire.delay("<", late_s, name="COMMAND_ACK", times=2)
+    service.set_mode("Guided" if personality == "ArduPilot" else "Hold")
+    assert service.done() == "Done"
+    service.wire.lose(">", name="COMMAND_LONG", times=2)
+    service.set_mode("ReturnToLaunch")
+    assert service.done() == "Done"
+    service.run(1.2)
+    assert "ReturnToLaunch" in service.state.modes
+
+
+@LATE_ANSWERS
+def test_late_answer_to_the_first_mode_of_a_start_is_not_taken_for_one_to_the_second(build_service):
+    from starts import is_flying, uploaded
+
+    service = uploaded(build_service("ArduPilot"))
+    service.wire.delay("<", 1.6, name="COMMAND_ACK", times=2)
+    service.wire.lose(">", name="COMMAND_LONG", where=lambda message: message.command == 176 and message.param2 == 3)
+    service.order_of("start")
+    assert service.done(limit_s=20) == "Done"
+    assert is_flying(service)
+    assert len([one for one in service.heard("COMMAND_LONG") if one.param2 == 3]) == 2
+
+
+@LATE_ANSWERS
+def test_next_command_does_not_wait_where_no_second_answer_can_come(service):
+    service.run(3.0)
+    for _ in range(3):
+        before = service.now
+        service.order_of("interval", 33, 500000)
+        assert service.done() == "Done"
+        assert service.now - before < 0.2
+    service.wire.lose("<", name="COMMAND_ACK")
+    service.order_of("interval", 33, 500000)
+    assert service.done() == "Done"
+    before = service.now
+    service.order_of("disarm")
+    assert service.done() == "Done"
+    assert service.now - before < 0.2
+
+
+FIRST_WAIT = pytest.mark.scenario(54, "A command waits for nothing that another operation has left")
+
+
+@FIRST_WAIT
+@pytest.mark.parametrize("operation", ["upload", "verified", "part", "download", "verify", "clear", "refused"])
+@pytest.mark.parametrize("order", [("mode", 3), ("arm",), ("interval", 33, 500000), ("setcurrent", 1)])
+def test_command_behind_another_operation_is_sent_at_once(service, operation, order):
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+    service.order_of("interval", 33, -1)  # a command before it, too
+    assert service.done() == "Done"
+    begun = {"upload": lambda: service.upload(SURVEY), "verified": lambda: service.upload(SURVEY, proof="Always"),
+             "part": lambda: service.upload_part(SURVEY, 1, 2), "download": service.download, "verify": service.verify,
+             "clear": lambda: service.order_of("clear", 0),
+             "refused": lambda: service.order_of("upload", 255, 0)}  # fmt: skip
+    begun[operation]()
+    service.done(limit_s=15)
+    before = service.now
+    sent = len(service.wire.frames(">", "COMMAND_LONG"))
+    service.order_of(*order)
+    if operation == "clear" and order[0] == "setcurrent":
+        return  # to nothing
+    service.run_until_sent("COMMAND_LONG", sent + 1)
+    assert service.now - before < 0.05
+
+
+@FIRST_WAIT
+@pytest.mark.parametrize("pause_s", [65.54, 66.0, 66.8])
+def test_command_waits_for_no_late_answer_after_a_minute(service, pause_s):
+    """Times of 16 bits come round by then."""
+    service.wire.delay("<", 1.6, name="COMMAND_ACK")
+    service.order_of("interval", 33, -1)
+    assert service.done() == "Done"
+    service.run(pause_s)
+    before = service.now
+    service.order_of("interval", 33, 500000)
+    assert service.done() == "Done"
+    assert service.now - before < 0.1

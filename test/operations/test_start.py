@@ -1,0 +1,356 @@
+"""start(): what each autopilot needs, in its order, and when it refuses."""
+
+from __future__ import annotations
+
+import pytest
+
+from areas import FIELD
+from plans import OLD_PLAN, SURVEY, on_the_wire
+from simulation.fake_autopilot import mavlink
+from simulation.service import FENCE
+from starts import HOPS, LANDING_FIRST, is_flying, uploaded
+
+ARM, SET_MODE, MISSION_START, REQUEST_MESSAGE = 400, 176, 300, 512
+START = pytest.mark.scenario(49, "start(): each step confirmed; refused while what is aboard is unproven")
+INFEASIBLE = pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
+ARMED = pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
+
+
+STEPS = {
+    ("ArduPilot", "copter"): [(SET_MODE, 1, 4), (ARM, 1, 0), (SET_MODE, 1, 3), (MISSION_START, 0, 0)],
+    ("ArduPilot", "rover"): [(SET_MODE, 1, 0), (ARM, 1, 0), (SET_MODE, 1, 10), (MISSION_START, 0, 0)],
+    ("ArduPilot", "plane"): [(ARM, 1, 0), (SET_MODE, 1, 10), (MISSION_START, 0, 0)],
+    ("PX4", "copter"): [(MISSION_START, 0, 0)],
+}
+KINDS = pytest.mark.parametrize("kind", STEPS, ids=" ".join)
+
+
+def ordered(service) -> list[tuple]:
+    """What the autopilot was told to do; not what it was asked."""
+    return [(one.command, one.param1, one.param2) for one in service.heard("COMMAND_LONG", "COMMAND_INT")
+            if one.command != REQUEST_MESSAGE]  # fmt: skip
+
+
+@START
+@KINDS
+def test_each_vehicle_gets_what_it_needs_in_its_order(build_service, kind):
+    personality, vehicle = kind
+    service = uploaded(build_service(personality, vehicle=vehicle))
+    assert service.order_of("start") == "WaitingForAutopilot"
+    assert service.done() == "Done"
+    assert ordered(service) == STEPS[kind]
+    assert all(one.param3 == one.param4 == one.param5 == one.param6 == one.param7 == 0
+               for one in service.heard("COMMAND_LONG") if one.command != SET_MODE)  # fmt: skip
+    assert [one.seq for one in service.heard("MISSION_SET_CURRENT")] == [0]
+    assert is_flying(service)
+
+
+@START
+@KINDS
+@pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK")])
+def test_every_step_may_be_lost_once(build_service, kind, direction, name):
+    personality, vehicle = kind
+    service = uploaded(build_service(personality, vehicle=vehicle))
+    for command in (SET_MODE, ARM, MISSION_START):
+        service.wire.lose(direction, name=name, where=lambda message, command=command: message.command == command)
+    service.order_of("start")
+    assert service.done(limit_s=20) == "Done"
+    assert is_flying(service)
+    assert list(dict.fromkeys(ordered(service))) == STEPS[kind]
+
+
+REFUSED = [(("ArduPilot", "copter"), 0, "ReadyMode"), (("ArduPilot", "copter"), 1, "Arm"),
+           (("ArduPilot", "copter"), 2, "AutoMode"), (("ArduPilot", "copter"), 3, "Begin"),
+           (("ArduPilot", "rover"), 1, "Arm"), (("ArduPilot", "plane"), 0, "Arm"),
+           (("PX4", "copter"), 0, "Begin")]  # fmt: skip
+
+
+@START
+@pytest.mark.parametrize("kind, number, step", REFUSED, ids=lambda value: str(value))
+def test_refused_step_is_named_and_nothing_follows_it(build_service, kind, number, step):
+    personality, vehicle = kind
+    service = uploaded(build_service(personality, vehicle=vehicle))
+    refused = STEPS[kind][number]
+    react = service.autopilot._hears["COMMAND_LONG"]
+
+    def hear(message, sender, now) -> None:
+        if (message.command, message.param1, message.param2) != refused:
+            return react(message, sender, now)
+        service.autopilot.answer(mavlink.MAVLink_command_ack_message(message.command, 1, 0, 0, *sender), now)
+        service.autopilot.text(mavlink.MAV_SEVERITY_CRITICAL, "Not like this", now)
+
+    service.autopilot._hears["COMMAND_LONG"] = hear
+    service.order_of("start")
+    assert service.done() == "CommandRejected"
+    assert service.state.step == step
+    is_armed_by_then = (ARM, 1, 0) in STEPS[kind][:number]
+    assert ordered(service) == STEPS[kind][: number + 1] + [(ARM, 0, 0)] * is_armed_by_then
+    assert service.state.arming == ("Disarmed" if is_armed_by_then else "Untouched")
+    assert not service.autopilot.armed
+    service.run(0.2)
+    assert (2, "Not like this") in service.texts
+
+
+@START
+def test_arming_refused_after_power_on_is_said_with_the_words_and_works_later(build_service):
+    service = uploaded(build_service("ArduPilot", uptime_s=0.0))
+    service.order_of("start")
+    assert service.done() == "CommandFailed"
+    assert service.state.step == "Arm"
+    service.run(0.1)
+    assert (2, "Arm: AHRS: waiting for home") in service.texts
+    service.run_until(31.0)
+    service.order_of("start")
+    assert service.done() == "Done"
+    assert is_flying(service)
+
+
+@START
+def test_step_that_is_never_answered_ends_there(service, personality):
+    uploaded(service)
+    command = ARM if personality == "ArduPilot" else MISSION_START
+    service.wire.lose(">", name="COMMAND_LONG", times=None, where=lambda message: message.command == command)
+    service.order_of("start")
+    assert service.done(limit_s=15) == "NoAnswer"
+    assert service.state.step == ("Arm" if personality == "ArduPilot" else "Begin")
+    assert service.state.arming == "Untouched"
+
+
+@START
+def test_step_whose_answers_are_lost_is_seen_in_the_heartbeat(service, personality):
+    uploaded(service)
+    commands = (SET_MODE, ARM) if personality == "ArduPilot" else (MISSION_START,)
+    service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command in commands)
+    service.order_of("start")
+    assert service.done(limit_s=15) == "Done"
+    assert ordered(service) == STEPS["ArduPilot" if personality == "ArduPilot" else "PX4", "copter"]
+    assert is_flying(service)
+
+
+@START
+@pytest.mark.parametrize("late_ms", [1495, 1500, 1505, 1510, 1520])
+def test_last_step_that_is_answered_when_it_is_due_again_is_the_last(make_service, personality, late_ms):
+    """A long message of the sketch's own is on the line meanwhile."""
+    service = uploaded(make_service(response_delay_s=0.0))
+    service.run_until(2.15)  # no heartbeat of ours comes between
+    service.wire.delay("<", late_ms / 1000, name="COMMAND_ACK", where=lambda message: message.command == MISSION_START)
+    service.order_of("start")
+    steps_before = {"ArduPilot": 4, "PX4": 1}[personality]
+    sent = service.run_until_sent("COMMAND_LONG", steps_before)
+    service.run_until(sent + 1.470)
+    service.post(267, 35, bytes(range(1, 255)), 255)
+    assert service.done() == "Done"
+    assert is_flying(service)
+
+
+@START
+def test_it_is_refused_before_anything_was_uploaded(service, personality):
+    service.autopilot.load(on_the_wire(HOPS[personality], personality))
+    service.order_of("start")
+    assert service.done() == "Unproven"
+    assert service.heard("COMMAND_LONG") == [] and not service.autopilot.armed
+
+
+@START
+def test_plan_that_only_was_verified_may_be_started(service, personality):
+    service.autopilot.load(on_the_wire(HOPS[personality], personality))
+    service.verify(HOPS[personality])
+    assert service.done() == "Verified"
+    service.order_of("start")
+    assert service.done() == "Done"
+    assert is_flying(service)
+
+
+@START
+@pytest.mark.parametrize("after", ["refused", "silent", "cancelled", "cleared"])
+def test_it_is_refused_after_what_leaves_another_plan_aboard(service, after):
+    uploaded(service)
+    service.autopilot.load(OLD_PLAN)
+    if after == "refused":
+        service.autopilot.faults.refuse(mavlink.MAV_MISSION_INVALID, 2)
+        service.upload(SURVEY)
+    elif after == "silent":
+        service.wire.lose("<", name="MISSION_*", times=None)
+        service.upload(SURVEY)
+    elif after == "cancelled":
+        service.upload(SURVEY)
+        service.run_until_sent("MISSION_ITEM_INT", 5)
+        service.tell("cancel")
+    else:
+        service.order_of("clear", 0)
+    service.done(limit_s=30)
+    service.order_of("start")
+    assert service.done() == "Unproven"
+    assert service.heard("COMMAND_LONG") == [] and not service.autopilot.armed
+
+
+@START
+def test_fence_aboard_is_no_plan_to_fly(service):
+    service.upload(FIELD, FENCE)
+    assert service.done() == "Accepted"
+    service.order_of("start")
+    assert service.done() == "Unproven"
+
+
+@START
+def test_it_may_begin_in_the_callback_of_the_upload(service):
+    service.tell("chain", 2)
+    uploaded(service)
+    assert service.done() == "Done"
+    assert is_flying(service)
+
+
+@START
+def test_cancelled_start_goes_no_further(build_service):
+    service = uploaded(build_service("ArduPilot"))
+    service.order_of("start")
+    service.run_until_sent("COMMAND_LONG")
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    service.run(5.0)
+    assert len(service.heard("COMMAND_LONG")) == 1 and not service.autopilot.armed
+
+
+@START
+def test_mission_start_goes_on_by_the_mode_on_an_armed_px4(build_service):
+    service = uploaded(build_service("PX4"))
+    service.order_of("arm")
+    assert service.done() == "Done"
+    service.run(1.1)
+    service.order_of("startmission")
+    assert service.done() == "Done"
+    assert ordered(service) == [(ARM, 1, 0), (SET_MODE, 1, 4)]
+    assert is_flying(service)
+
+
+@START
+def test_pause_and_resume(service):
+    uploaded(service)
+    service.order_of("start")
+    assert service.done() == "Done"
+    service.run(6.0)
+    service.order_of("pause")
+    assert service.done() == "Done"
+    service.run(1.1)
+    assert service.state.modes == ["Hold"] and not is_flying(service)
+    service.order_of("resume")
+    assert service.done() == "Done"
+    service.run(1.1)
+    assert service.state.modes == ["Auto"] and is_flying(service)
+
+
+@ARMED
+def test_start_while_armed_is_refused_unless_allowed(service):
+    uploaded(service)
+    service.autopilot.armed = True
+    service.run(1.1)
+    service.order_of("start")
+    assert service.done() == "Armed"
+    assert service.heard("COMMAND_LONG") == []
+    service.tell("armed", 1)
+    service.order_of("start")
+    assert service.done() == "Done"
+    assert ARM not in [command for command, _, _ in ordered(service)]
+
+
+@ARMED
+def test_arduino_that_resets_in_flight_changes_nothing(service, personality):
+    uploaded(service)
+    service.order_of("start")
+    assert service.done() == "Done"
+    service.run(6.0)
+    plan = service.autopilot.received()
+    service.mega.reset()
+    service.run(0.1)
+    said = len(service.mission_messages())
+    for order in (("upload", 0, 0), ("clear", 0), ("clear", 255), ("uploadpart", 0, 1), ("start",)):
+        service.use(HOPS[personality][:2])
+        service.order_of(*order)
+        assert service.done() in ("Armed", "WholePlansOnly"), order
+    assert len(service.mission_messages()) == said
+    assert service.autopilot.received() == plan and is_flying(service)
+
+
+@ARMED
+def test_uploading_while_armed_is_refused_unless_allowed(make_service):
+    service = make_service(armed=True)
+    service.upload(SURVEY)
+    assert service.done() == "Armed"
+    assert service.mission_messages() == []
+    service.tell("armed", 1)
+    service.upload(SURVEY)
+    assert service.done() == "Accepted"
+
+
+@INFEASIBLE
+@pytest.mark.parametrize("in_words", [True, False], ids=["in words", "by the mission state alone"])
+def test_infeasible_plan_has_its_own_status_after_accepted(build_service, in_words):
+    service = build_service("PX4", infeasible_text=in_words)
+    service.upload(LANDING_FIRST)
+    assert service.done() == "Accepted"
+    assert service.done(limit_s=3) == "Infeasible"
+    assert service.state.status == "Infeasible"
+    if in_words:
+        assert any(words.strip() == "Mission rejected: starts with landing" for _, words in service.texts)
+    service.run(5.0)
+    assert service.ends.count("Infeasible") == 1
+    service.order_of("start")
+    assert service.done() == "Infeasible"
+    assert service.heard("COMMAND_LONG") == []
+
+
+@INFEASIBLE
+def test_feasible_plan_after_it_may_be_started(build_service):
+    service = build_service("PX4")
+    service.upload(LANDING_FIRST)
+    assert service.done() == "Accepted"
+    assert service.done(limit_s=3) == "Infeasible"
+    service.upload(HOPS["PX4"])
+    assert service.done() == "Accepted"
+    service.order_of("start")
+    assert service.done() == "Done"
+
+
+@INFEASIBLE
+def test_fence_upload_does_not_make_it_feasible(build_service):
+    service = build_service("PX4")
+    service.upload(LANDING_FIRST)
+    assert service.done() == "Accepted"
+    assert service.done(limit_s=3) == "Infeasible"
+    service.upload(FIELD, FENCE)
+    assert service.done() == "Accepted"
+    service.order_of("start")
+    assert service.done() == "Infeasible"
+
+
+@INFEASIBLE
+def test_infeasible_plan_of_another_ground_station_is_not_ours(build_service):
+    service = build_service("PX4")
+    service.autopilot.load(LANDING_FIRST)
+    service.run(3.0)
+    assert service.ends == []
+
+
+@INFEASIBLE
+def test_it_may_be_found_while_start_runs(build_service):
+    """The words were lost, and PX4 refuses."""
+    service = build_service("PX4", tells_at_s=5.0)
+    service.wire.lose("<", name="STATUSTEXT", times=None)
+    service.upload(LANDING_FIRST, proof="Always")
+    assert service.done() == "Accepted"
+    service.order_of("start")
+    assert service.done() == "CommandDenied"
+    assert service.done(limit_s=8) == "Infeasible"
+
+
+@INFEASIBLE
+def test_plan_that_px4_has_not_looked_at_yet_is_not_called_infeasible(build_service):
+    """Right after the answer MISSION_CURRENT may name the new plan and say that there is none."""
+    service = build_service("PX4", tells_at_s=60.0)
+    uploaded(service)
+    name = service.autopilot.missions.checksums[0]
+    for states, ended in (((1, 2, 1, 2), []), ((1, 1), ["Infeasible"])):
+        for state in states:
+            service.say(mavlink.MAVLink_mission_current_message(0, 3, state, 2, name))
+            service.run(0.2)
+        assert service.ends[1:] == ended

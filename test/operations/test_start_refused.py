@@ -1,0 +1,327 @@
+"""start() that cannot fly what it has armed: it disarms it, unless the aircraft is somebody else's by then."""
+
+from __future__ import annotations
+
+import pytest
+
+from simulation.fake_autopilot import mavlink
+from simulation.service import is_followers
+from simulation.wire import Wire
+from starts import (
+    ARM,
+    MISSION_START,
+    ON_VEHICLES,
+    SET_MODE,
+    expect_flying_from,
+    hops,
+    made,
+    start,
+    told,
+    upload,
+)
+
+REFUSED = pytest.mark.scenario(49, "start() disarms what it has armed and cannot fly, and says so")
+LOST = pytest.mark.scenario(49, "start(): every frame may be lost")
+
+
+def without_takeoff(vehicle: str) -> list:
+    return hops(vehicle, 4)[1:]
+
+
+@REFUSED
+def test_copter_that_refuses_auto_is_disarmed_and_it_is_said(build_service):
+    service = made(build_service, "copter")
+    upload(service, without_takeoff("copter"))
+    began = service.now
+    assert start(service) == "CommandFailed"
+    state = service.state
+    assert (state.step, state.arming, state.last_result) == ("AutoMode", "Disarmed", 0)
+    assert not service.autopilot.armed and service.now - began < 4.0
+    assert told(service) == [(SET_MODE, 1, 4), (ARM, 1, 0), (SET_MODE, 1, 3), (ARM, 0, 0)]
+    assert {one.param2 for one in service.heard("COMMAND_LONG") if one.command == ARM} == {0.0}
+    assert (2, "Auto: Missing Takeoff Cmd") in service.texts
+    service.run(1.2)
+    assert not service.state.armed
+
+
+@REFUSED
+def test_rover_that_gets_auto_late_is_tried_until_then(build_service):
+    service = made(build_service, "rover", uptime_s=31.0)
+    upload(service, hops("rover", 4))
+    began = service.now
+    assert start(service) == "Done"
+    assert 5.0 < service.now - began < 12.0
+    assert told(service).count((SET_MODE, 1, 10)) > 4
+    assert (ARM, 0, 0) not in told(service)
+    expect_flying_from(service, "rover", 0)
+
+
+@REFUSED
+def test_rover_that_gets_no_auto_in_15_s_is_disarmed(build_service):
+    service = made(build_service, "rover", uptime_s=31.0, position_s=60.0)
+    upload(service, hops("rover", 4))
+    assert start(service, limit_s=40) == "CommandFailed"
+    sent = [entry for entry in service.wire.frames(">", "COMMAND_LONG") if entry.message.command in (ARM, SET_MODE)]
+    tries = [entry.time for entry in sent if (entry.message.command, entry.message.param2) == (SET_MODE, 10)]
+    assert 14.5 < tries[-1] - tries[0] < 16.0
+    assert all(0.99 < later - before < 1.1 for before, later in zip(tries, tries[1:], strict=False))
+    assert (sent[-1].message.command, sent[-1].message.param1) == (ARM, 0)
+    assert sent[-1].time - tries[-1] < 1.2  # behind the next heartbeat
+    assert (service.state.step, service.state.arming) == ("AutoMode", "Disarmed")
+    assert not service.autopilot.armed
+
+
+def before_next(service, command: int, param1: float, param2: float | None, do) -> None:
+    """When the autopilot hears this the first time, `do` it first; "swallowed" is all that becomes of it then."""
+    react = service.autopilot._hears["COMMAND_LONG"]
+    done = []
+
+    def hear(message, sender, now) -> None:
+        hit = (message.command, message.param1) == (command, param1) and param2 in (None, message.param2)
+        if hit and not done:
+            done.append(True)
+            if do(now) == "swallowed":
+                return
+        react(message, sender, now)
+
+    service.autopilot._hears["COMMAND_LONG"] = hear
+
+
+@REFUSED
+def test_copter_whose_mode_somebody_else_has_set_is_not_disarmed(build_service):
+    service = made(build_service, "copter")
+    upload(service, without_takeoff("copter"))
+    before_next(service, SET_MODE, 1, 3, lambda now: service.autopilot._set_mode(5, now))  # LOITER, as by the pilot
+    assert start(service) in ("CommandFailed", "TakenOver")
+    assert service.state.arming == "Armed"
+    service.run(5.0)
+    assert service.autopilot.armed and service.autopilot.mode == "LOITER"
+    assert (ARM, 0, 0) not in told(service)
+
+
+AT_STEPS = [
+    (*vehicle, step) for vehicle in (("copter", 5), ("rover", 4)) for step in ("Arm", "AutoMode", "Begin", "Confirm")
+]
+# The mode in which start() has put it before: behind AUTO it is somebody else's too.
+BACK_IN_ITS_MODE = [(*vehicle, step) for vehicle in (("copter", 4), ("rover", 0)) for step in ("Begin", "Confirm")]
+
+
+@REFUSED
+@pytest.mark.parametrize("vehicle, other, step", [*AT_STEPS, *BACK_IN_ITS_MODE])
+def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, vehicle, other, step):
+    service = made(build_service, vehicle)
+    upload(service, hops(vehicle, 4))
+    auto = {"copter": 3, "rover": 10}[vehicle]
+    when = {"Arm": (ARM, 1, 0), "AutoMode": (SET_MODE, 1, auto), "Begin": (MISSION_START, 0, 0),
+            "Confirm": (512, 42, 0)}[step]  # fmt: skip
+    taken = []
+
+    def take(now) -> None:
+        if step == "Confirm" and not service.autopilot.armed:
+            return before_next(service, *when, take)  # it is asked before it is armed, too
+        taken.append(now)
+        service.autopilot._set_mode(other, now)
+        service.autopilot._hears["COMMAND_LONG"] = lambda *_: None
+        return "swallowed" if step == "AutoMode" else None  # else AUTO would win
+
+    before_next(service, *when, take)
+    assert start(service) == "TakenOver"
+    service.run(0.1)  # what has left by then arrives
+    number = len(told(service))
+    service.run(5.0)
+    assert len(told(service)) == number and (ARM, 0, 0) not in told(service)
+    assert taken and service.state.arming == ("Armed" if service.autopilot.armed else "Untouched")
+
+
+@REFUSED
+def test_auto_that_wins_over_somebody_elses_mode_is_not_said_to_be_taken_over(build_service):
+    """Another mode in a heartbeat while AUTO is on its way: it flies, and start() says so."""
+    service = made(build_service, "copter")
+    upload(service, hops("copter", 4))
+
+    before_next(service, SET_MODE, 1, 3, lambda now: service.autopilot._set_mode(5, now))  # LOITER, in a heartbeat
+    assert start(service) == "Done"
+    assert service.autopilot.armed and service.autopilot.mode == "AUTO"
+
+
+@REFUSED
+def test_rover_that_waits_for_auto_gives_way_to_somebody_else(build_service):
+    service = made(build_service, "rover", uptime_s=31.0, position_s=60.0)
+    upload(service, hops("rover", 4))
+    service.order_of("start")
+    service.run(4.0)
+    service.autopilot._set_mode(4, service.now)  # HOLD
+    assert service.done(limit_s=3) == "TakenOver"
+    assert service.state.arming == "Armed" and service.autopilot.armed
+
+
+@REFUSED
+def test_aircraft_that_was_armed_before_stays_armed(build_service):
+    service = made(build_service, "copter")
+    upload(service, without_takeoff("copter"))
+    service.set_mode("Guided")
+    assert service.done() == "Done"
+    service.order_of("arm")
+    assert service.done() == "Done"
+    service.run(1.1)
+    service.tell("armed", 1)
+    assert start(service) == "CommandFailed"
+    assert service.state.arming == "Untouched" and service.autopilot.armed
+
+
+@REFUSED
+@pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK"), ("<", "HEARTBEAT")])
+def test_disarming_is_repeated_until_a_heartbeat_shows_it(build_service, direction, name):
+    service = made(build_service, "copter")
+    service.autopilot.kind = service.autopilot.kind._replace(disarms_idle_s=None)
+    upload(service, without_takeoff("copter"))
+    disarmed = [False]
+    before_next(service, ARM, 0, 0, lambda now: disarmed.__setitem__(0, True))
+    if name == "HEARTBEAT":
+        service.wire.lose(direction, name=name, times=3, where=lambda message: disarmed[0])
+    else:
+        service.wire.lose(direction, name=name, times=3,
+                          where=lambda message: message.command == ARM and getattr(message, "param1", 0) == 0
+                          and (direction == ">" or disarmed[0]))  # fmt: skip
+    assert start(service, limit_s=30) == "CommandFailed"
+    assert service.state.arming == "Disarmed" and not service.autopilot.armed
+
+
+@REFUSED
+def test_aircraft_that_does_not_let_itself_be_disarmed_is_said_to_be_armed(build_service):
+    service = made(build_service, "copter")
+    service.autopilot.kind = service.autopilot.kind._replace(disarms_idle_s=None)
+    upload(service, without_takeoff("copter"))
+    react = service.autopilot._hears["COMMAND_LONG"]
+
+    def hear(message, sender, now) -> None:
+        if (message.command, message.param1) != (ARM, 0):
+            return react(message, sender, now)
+        service.autopilot.answer(mavlink.MAVLink_command_ack_message(ARM, 4, 0, 0, *sender), now)
+
+    service.autopilot._hears["COMMAND_LONG"] = hear
+    assert start(service) == "CommandFailed"
+    assert (service.state.step, service.state.arming) == ("AutoMode", "Armed")
+    assert service.autopilot.armed
+
+
+@REFUSED
+def test_px4_that_refuses_to_begin_was_not_armed(build_service):
+    service = made(build_service, "px4")
+    upload(service, hops("px4", 3))
+    service.autopilot._can_fly_plan = lambda: False
+    assert start(service) == "CommandDenied"
+    assert (service.state.step, service.state.arming) == ("Begin", "Untouched")
+    assert told(service) == [(MISSION_START, 0, 0)] and not service.autopilot.armed
+
+
+@REFUSED
+def test_px4_that_is_armed_and_stays_in_its_mode_is_disarmed(build_service):
+    """Its answers are lost, and the mission mode is not to be had."""
+    service = made(build_service, "px4")
+    upload(service, hops("px4", 3))
+
+    def arm_alone(message, now) -> int:
+        service.autopilot.armed = True
+        return 0
+
+    service.autopilot._mission_start = arm_alone
+    service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command == MISSION_START)
+    assert start(service, limit_s=20) == "NoAnswer"
+    assert (service.state.step, service.state.arming) == ("Begin", "Disarmed")
+    assert not service.autopilot.armed
+
+
+@REFUSED
+@ON_VEHICLES
+def test_cancelled_anywhere_it_goes_no_further_and_another_start_flies(build_service, vehicle):
+    for at in range(1, 7):
+        service = made(build_service, vehicle)
+        upload(service, hops(vehicle, 4))
+        sent = said(service, "COMMAND_LONG")
+        service.order_of("start")
+        if not reaches(service, sent + at):
+            break
+        service.tell("cancel")
+        assert service.done(limit_s=0.1) == "Cancelled"
+        sent = said(service, "COMMAND_LONG", "MISSION_SET_CURRENT")
+        service.run(3.0)
+        assert said(service, "COMMAND_LONG", "MISSION_SET_CURRENT") == sent
+        service.tell("armed", 1)
+        assert start(service) == "Done"
+    assert at > (1 if vehicle == "px4" else 5)
+
+
+def said(service, *names: str) -> int:
+    """How many of these messages have left, without what a follower asks for."""
+    return sum(not is_followers(entry.message) for entry in service.wire.frames(">", *names))
+
+
+def reaches(service, commands: int) -> bool:
+    """Go on until so many COMMAND_LONG have left; false if it ends before."""
+    before = len(service.ends)
+    while said(service, "COMMAND_LONG") < commands:
+        if len(service.ends) > before:
+            return False
+        service.run(0.002)
+    return True
+
+
+@LOST
+@ON_VEHICLES
+def test_autopilot_that_falls_silent_anywhere_ends_it(build_service, vehicle):
+    for at in range(0, 6):
+        service = made(build_service, vehicle)
+        upload(service, hops(vehicle, 4))
+        sent = said(service, "COMMAND_LONG")
+        service.order_of("start")
+        if not reaches(service, sent + at):
+            break
+        service.wire.pull()
+        began = service.now
+        assert service.done(limit_s=30) in ("NoAnswer", "Unconfirmed", "CommandFailed")
+        assert service.now - began < 13.0
+    assert at > (1 if vehicle == "px4" else 4)
+
+
+def frames_of_a_start(build_service, vehicle: str, direction: str) -> int:
+    service = made(build_service, vehicle)
+    upload(service, hops(vehicle, 4))
+    service.run(0.1)
+    before = len(service.wire.frames(direction))
+    assert start(service) == "Done"
+    return len(service.wire.frames(direction)) - before
+
+
+@LOST
+@ON_VEHICLES
+@pytest.mark.parametrize("direction", [">", "<"])
+def test_each_frame_may_be_lost_once(build_service, vehicle, direction):
+    frames = frames_of_a_start(build_service, vehicle, direction)
+    assert frames >= 3
+    for number in range(frames):
+        service = made(build_service, vehicle)
+        upload(service, hops(vehicle, 4))
+        service.run(0.1)
+        service.wire.lose(direction, index=number, where=None)
+        assert start(service) == "Done", f"without frame {number}\n{service.transcript()}"
+        expect_flying_from(service, vehicle, 0)
+
+
+@LOST
+@ON_VEHICLES
+def test_on_a_bad_line_it_never_says_done_falsely_and_ends(build_service, vehicle):
+    ends = []
+    for seed in range(8):
+        service = made(build_service, vehicle, wire=Wire(seed))
+        upload(service, hops(vehicle, 5))
+        service.order_of("setcurrent", 3)
+        assert service.done() == "Done"
+        for direction in "<>":
+            service.wire.at_random(direction, lose=25, repeat=8, delay=8, hold_past_next=4)
+        ends.append(start(service, limit_s=90))
+        if ends[-1] == "Done":
+            assert service.begun[0] == 0 and service.autopilot.armed
+        elif service.state.arming == "Disarmed":
+            assert not service.autopilot.armed
+    assert ends.count("Done") >= 4, ends

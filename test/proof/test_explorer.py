@@ -1,0 +1,187 @@
+"""Every way that an operation can go: the MissionClient itself against models of both autopilots, by test/explorer.
+
+Any number of frames may be lost, in both directions, and up to `--faults` more are repeated, delayed past the next,
+damaged or cut short; the autopilot may reboot, the sketch cancel, the Arduino be reset, at any point. What must hold is
+in explorer/Referee.h: it ends; what it says is so; a failure has its cause; no frame is sent that the protocol forbids.
+A scenario by hand, to any bound:
+
+    build/venv/bin/python test/proof/test_explorer.py PX4 upload-in-doubt 3 --faults 3
+
+A planted defect is a line of the library changed in a copy of it.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parents[1] / "support")]
+
+import pytest
+
+from planted import with_defect
+from simulation.firmware import ROOT
+from simulation.host_build import FAST, HOST, build_host
+
+EXPLORER = ROOT / "test" / "explorer"
+# The rest form and the next timer of a client are about its private members.
+FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]
+AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
+COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
+           "violations"]  # fmt: skip
+
+
+@functools.cache
+def build_explorer(library: tuple[Path, ...] | None = None) -> Path:
+    sources = [*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp"]
+    return build_host("explorer", sources, "g++", FLAGS, library=library)
+
+
+def explore(words: str, program: Path | None = None) -> dict[str, str]:
+    """What an exploration found, by name; `broken` is the rule and the shortest way to it."""
+    ran = subprocess.run([program or build_explorer(), *words.split()], capture_output=True, text=True, check=False)
+    assert ran.returncode in (0, 1), f"{words}: {ran.stdout}{ran.stderr}"
+    figures, _, broken = ran.stdout.partition("broken=")
+    found = dict(line.split("=", 1) for line in figures.splitlines() if not line.startswith("end="))
+    return found | {"broken": broken}
+
+
+def single(autopilot: str, most_items: int = 4) -> list[str]:
+    """Each operation with each number of items, what is read being what the autopilot holds."""
+    sizes = range(most_items + 1)
+    return [
+        *(f"{autopilot} {proof} {n}" for proof in ("upload", "upload-in-doubt", "upload-verified") for n in sizes),
+        *(f"{autopilot} download 0 --held {n}" for n in sizes),
+        *(f"{autopilot} verify {n} --held {n} --held-plan 1" for n in sizes),
+        *(f"{autopilot} verify {n} --held {held}" for n, held in ((2, 2), (2, 3), (1, 0))),
+        *(f"{autopilot} clear 0 --held {n}" for n in (0, most_items)),
+    ]
+
+
+def pairs(autopilot: str) -> list[str]:
+    """An operation after one that ended somehow, or was broken off."""
+    return [f"{autopilot} {first} {second}" for first, second in (
+        ("upload-in-doubt 2", "upload-in-doubt 1"), ("upload-in-doubt 1", "upload-in-doubt 2"),
+        ("upload-in-doubt 1", "verify 1"), ("upload 2", "download 0"), ("download 0", "upload-in-doubt 1"),
+        ("clear 0", "upload-in-doubt 1"), ("upload 1", "clear 0"),
+    )]  # fmt: skip
+
+
+def expect_nothing_broken(record_property, title: str, scenarios: list[tuple[str, str]]) -> int:
+    """Explore each (words, options), and print one row for each operation with each autopilot; the states in all."""
+    rows: dict[tuple[str, ...], list[int]] = {}
+    for words, options in scenarios:
+        found = explore(f"{words} {options}")
+        assert found["violations"] == "0", f"{words} {options}\n{found['broken']}"
+        assert found["whole"] == "1" and int(found["states"]) > 10
+        autopilot, *operation = (word for word in words.split(" --")[0].split() if not word.isdigit())
+        row = rows.setdefault((", ".join(operation), autopilot, options.replace("--", "") or "-"), [0, 0, 0, 99])
+        row[0] += int(found["states"])
+        row[1] += int(found["transitions"])
+        row[2] = max(row[2], int(found["longest_ms"]))
+        row[3] = min(row[3], int(found["fewest_faults"]) % 100)
+    lines = [
+        [*key, f"{states:,}", f"{transitions:,}", f"{longest / 1000:.1f} s", "-" if fewest == 99 else str(fewest), "0"]
+        for key, (states, transitions, longest, fewest) in rows.items()
+    ]
+    total = [f"{sum(row[i] for row in rows.values()):,}" for i in (0, 1)]
+    record_property("table", [title, [COLUMNS, *lines, ["all", "", "", *total, "", "", "0"]]])
+    return sum(row[0] for row in rows.values())
+
+
+@pytest.mark.slow
+def test_no_way_that_losses_can_lead_breaks_a_rule(record_property):
+    scenarios = [(words, "") for autopilot in AUTOPILOTS for words in single(autopilot, 2)]
+    expect_nothing_broken(record_property, "explored: any frames lost, plans of 0 to 2 items", scenarios)
+
+
+@pytest.mark.slow
+def test_no_way_breaks_a_rule_with_reboots_cancels_and_a_fault_beside_any_losses(record_property):
+    scenarios = []
+    for autopilot in AUTOPILOTS:
+        scenarios += [(words, "") for words in single(autopilot)]
+        scenarios += [(words, "--reboots 1") for words in single(autopilot, 2)]
+        scenarios += [(words, "--cancels 1") for words in single(autopilot, 2)]
+        scenarios += [(words, "--faults 1") for words in single(autopilot, 1)]
+    states = expect_nothing_broken(record_property, "explored: plans of 0 to 4 items", scenarios)
+    assert states > 5_000_000  # as DESIGN.md says
+
+
+@pytest.mark.slow
+def test_no_operation_is_misled_by_the_one_before_it(record_property):
+    scenarios = []
+    for autopilot in ("ArduPilot", "PX4"):
+        for options in ("--losses 3", "--losses 2 --cancels 1", "--losses 2 --resets 1"):
+            scenarios += [(words, options) for words in pairs(autopilot)]
+        # A shorter plan behind a longer one: PX4 may take it for the beginning of that.
+        scenarios.append((f"{autopilot} upload-in-doubt 2 upload-in-doubt 1", ""))
+    expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios)
+
+
+# What is changed in which file, and the scenario that shows it, by the rule that is then broken.
+DEFECTS = {
+    "an idle ArduPilot's error is taken for an acceptance": (
+        "UploadTransfer.cpp",
+        "if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Unconfirmed;",
+        "if (state_ == State::Confirming && tries_ != 0 && firmware_ != Firmware::Px4) return Status::Accepted;",
+        "ArduPilot upload 1",
+        "Accepted, and",
+    ),
+    "the next item is sent unasked when the autopilot is silent": (
+        "UploadTransfer.cpp",
+        "if (since(progressMs_, nowMs) < kPassiveMs) break;",
+        "if (overdue) send_ = Send::Item;\n      if (since(progressMs_, nowMs) < kPassiveMs) break;",
+        "PX4 upload 2",
+        "an item is sent that was not asked for",
+    ),
+    "a PX4 that is busy is asked once more, and then given up": (
+        "UploadTransfer.cpp",
+        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kTries ? status : Status::Transferring;",
+        "if (freed_) return status;",
+        "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
+        "busy with what was ours, and the tries were not exhausted",
+    ),
+    "the tries of a list are not counted": (
+        "DownloadTransfer.cpp",
+        "if (tries_ == kTries) return isListing ? Status::NoAnswer : Status::TimedOut;",
+        "if (tries_ == kTries && !isListing) return Status::TimedOut;",
+        "ArduPilot download 0",
+        "REQUEST_LIST is sent too often",
+    ),
+    "an item that comes again is taken for the next": (
+        "Read.cpp",
+        "seq != transfer.itemToAsk()) return;",
+        "seq > transfer.itemToAsk()) return;",
+        "PX4 download 0 --held 3 --faults 1",
+        "Downloaded, and",
+    ),
+    "an upload waits for its last answer for ever": (
+        "UploadTransfer.cpp",
+        "if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;\n"
+        "      if (!overdue) break;\n"
+        "      if (tries_ == kTries) return Status::Unconfirmed;",
+        "if (!overdue) break;\n      if (tries_ == kTries) {\n        sentMs_ = nowMs;\n        break;\n      }",
+        "ArduPilot upload 1",
+        "it goes round for ever",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("defect", DEFECTS)
+def test_a_planted_defect_is_found(defect):
+    file, right, wrong, words, rule = DEFECTS[defect]
+    assert explore(words)["violations"] == "0"
+    found = explore(words, build_explorer(with_defect(file, right, wrong)))
+    assert int(found["violations"]) > 0
+    assert found["broken"].startswith(rule), found["broken"]
+    assert "arrives" in found["broken"] or "is lost" in found["broken"]  # how it came to that
+
+
+if __name__ == "__main__":
+    explorer = build_explorer()
+    os.execv(explorer, [str(explorer), *sys.argv[1:]])

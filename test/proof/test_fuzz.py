@@ -1,0 +1,72 @@
+"""Fuzzing: a fixed number of inputs, the same each time.
+
+What must hold is written at the top of fuzz/parser.cpp and fuzz/client.cpp. A longer search, by hand:
+
+    build/venv/bin/python test/proof/test_fuzz.py client -max_total_time=3600
+
+takes any of libFuzzer's options and keeps what it finds under build/fuzz. An input that breaks something is
+named there; put it into fuzz/corpus/<target>/ under a name that says what it shows.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parents[1] / "support")]
+
+import pytest
+
+from simulation.firmware import ROOT, library_file
+from simulation.host_build import FUZZED, HOST, build_host
+
+FUZZ = ROOT / "test" / "fuzz"
+PARSER = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
+
+# target: (its other sources, the library's, inputs that are tried, the longest one [bytes])
+TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 25_000, 400)}
+
+
+def build_target(target: str) -> Path:
+    others, library, *_ = TARGETS[target]
+    sources = [FUZZ / f"{target}.cpp", *(FUZZ / name for name in others), HOST / "Frames.cpp"]
+    return build_host(f"fuzz-{target}", sources, "clang++", FUZZED, library=library, link=["-fsanitize=fuzzer"])
+
+
+def fuzz(target: str, found: Path, *options: str) -> subprocess.CompletedProcess:
+    """Runs a target from its corpus; new inputs and those that break something go to `found`."""
+    found.mkdir(parents=True, exist_ok=True)
+    words = [build_target(target), *options, f"-artifact_prefix={found}/", found, FUZZ / "corpus" / target]
+    return subprocess.run(words, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize("target", ["parser", pytest.param("client", marks=pytest.mark.slow)])
+def test_what_must_hold_holds_for_the_corpus(target):
+    corpus = sorted((FUZZ / "corpus" / target).iterdir())
+    ran = subprocess.run([build_target(target), *corpus], capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr[-6000:]
+    assert ran.stderr.count("Executed ") == len(corpus) > 5
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("target", TARGETS)
+def test_what_must_hold_holds_for_inputs_grown_from_it(target, tmp_path):
+    *_, runs, longest = TARGETS[target]
+    ran = fuzz(target, tmp_path, f"-runs={runs}", "-seed=1", f"-max_len={longest}")
+    assert ran.returncode == 0, ran.stderr[-6000:]
+    assert f"Done {runs} runs" in ran.stderr
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2 or sys.argv[1] not in TARGETS:
+        sys.exit(f"usage: test_fuzz.py {'|'.join(TARGETS)} [libFuzzer's options]\n\n{__doc__}")
+    keep = ROOT / "build" / "fuzz" / sys.argv[1]
+    keep.mkdir(parents=True, exist_ok=True)
+    program = build_target(sys.argv[1])
+    os.execv(
+        program,
+        [str(program), *sys.argv[2:], f"-artifact_prefix={keep}/", str(keep), str(FUZZ / "corpus" / sys.argv[1])],
+    )

@@ -1,0 +1,61 @@
+"""Every macro of Config.h: its limits compile and work, what lies beyond them is refused in words."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from simulation import firmware
+from simulation.firmware import LIBRARY, ROOT, FirmwareNotBuilt, build_firmware
+from simulation.host_build import HOST, build_host
+from units import cases_of, run_unit
+
+# Macro: its least and its greatest value.
+LIMITS = {
+    "MAVMISSION_MAX_PAYLOAD": (38, 255),
+    "MAVMISSION_BYTES_PER_UPDATE": (16, 255),
+    "MAVMISSION_ITEMS_PER_UPDATE": (1, 255),
+    "MAVMISSION_SIGNING": (0, 1),
+}
+SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"
+UNITS = ("frame_parser", "wire_plan", "outbox")
+
+
+def test_these_are_all_the_macros_there_are():
+    text = (LIBRARY / "mavmission" / "Config.h").read_text()
+    assert set(re.findall(r"^#ifndef (MAVMISSION_\w+)", text, re.M)) == set(LIMITS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("macro", LIMITS)
+@pytest.mark.parametrize("end", [0, 1], ids=["least", "greatest"])
+def test_firmware_is_built_at_the_limits(macro, end):
+    assert build_firmware("macros", [SKETCH], {macro: LIMITS[macro][end]}).exists()
+
+
+@pytest.mark.parametrize("macro", LIMITS)
+def test_values_beyond_the_limits_are_refused_in_words(macro):
+    least, greatest = LIMITS[macro]
+    for value in (least - 1, greatest + 1):
+        with pytest.raises(FirmwareNotBuilt, match=f"{macro} must be {least} to {greatest}"):
+            firmware.compiled(SKETCH, "atmega2560", [f"-D{macro}={value}"], [LIBRARY])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("end", [0, 1], ids=["least", "greatest"])
+def test_parts_work_at_the_limits(end, tmp_path):
+    defines = {macro: limits[end] for macro, limits in LIMITS.items()}
+    sources = [HOST / "units" / f"{unit}.cpp" for unit in ("main", *UNITS)]
+    program = build_host("limits", [*sources, *sorted(HOST.glob("*.cpp"))], "clang++", defines=defines)
+    for unit in UNITS:
+        assert cases_of(unit) > 0
+        assert run_unit(program, unit, tmp_path) == (0, cases_of(unit))
+
+
+@pytest.mark.parametrize("macro", LIMITS)
+def test_a_macro_says_its_unit_range_and_cost(macro):
+    text = (LIBRARY / "mavmission" / "Config.h").read_text()
+    comment = re.search(rf"((?:^// .*\n)+)#ifndef {macro}\n", text, re.M)[1].replace("\n// ", " ")
+    least, greatest = LIMITS[macro]
+    assert f"{least} to {greatest}" in comment and "Costs" in comment and re.search(r"\[\w+\]", comment)

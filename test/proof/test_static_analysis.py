@@ -1,0 +1,72 @@
+"""cppcheck and clang-tidy find nothing in the library, nor in the programs of the host tests; and would."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from static_analysis import (
+    CLANG_TIDY,
+    CPPCHECK,
+    HOST_UNITS,
+    LIBRARY_UNITS,
+    SUPPRESSED,
+    TIDY_CHECKS,
+    VENDORED,
+    all_headers,
+    findings,
+    look_at,
+)
+
+TOOLS = pytest.mark.parametrize("tool", [CPPCHECK, CLANG_TIDY], ids=lambda tool: tool.name)
+
+# A fault that each of them is to find, and the name of its check.
+FAULTS = {
+    "cppcheck": ("int read() { int table[3] = {0, 0, 0}; return table[3]; }", "arrayIndexOutOfBounds"),
+    "clang-tidy": ("double half(int whole) { return whole / 2; }", "bugprone-integer-division"),
+}  # fmt: skip
+
+
+@pytest.mark.slow
+@TOOLS
+def test_library_is_clean(tool):
+    assert len(LIBRARY_UNITS) > 30
+    assert "\n".join(findings(tool, LIBRARY_UNITS)) == ""
+
+
+@pytest.mark.slow
+@TOOLS
+def test_programs_of_the_host_tests_are_clean(tool):
+    assert len(HOST_UNITS) > 4
+    assert "\n".join(findings(tool, HOST_UNITS)) == ""
+
+
+@TOOLS
+def test_fault_is_found_each_time(tool, tmp_path):
+    text, check = FAULTS[tool.name]
+    source = tmp_path / "faulty.cpp"
+    source.write_text(text + "\n")
+    assert check in look_at(tool, source)
+    assert check in look_at(tool, source)
+
+
+def test_every_suppression_in_the_code_has_a_reason():
+    """In the comment itself, or in the line above."""
+    ours = [file for file in [*LIBRARY_UNITS, *HOST_UNITS, *all_headers()] if VENDORED not in file.parents]
+    for file in ours:
+        lines = file.read_text().splitlines()
+        for number, line in enumerate(lines):
+            if re.search(r"NOLINT|cppcheck-suppress", line):
+                words = re.sub(r"NOLINT\w*\(.*?\)|cppcheck-suppress \w+", "", line).partition("//")[2]
+                above = lines[number - 1].strip()
+                assert len(words.split()) > 3 or above.startswith("//"), f"{file.name}:{number + 1} says no reason"
+
+
+@pytest.mark.parametrize("file", [SUPPRESSED, TIDY_CHECKS], ids=lambda file: file.name)
+def test_every_check_that_is_off_has_a_reason(file):
+    lines = file.read_text().splitlines()
+    comments = "\n".join(line for line in lines if line.startswith("#"))
+    assert "reason" in comments or "but for these" in comments
+    for off in re.findall(r"^  -(\w[\w-]+),", file.read_text(), re.M):
+        assert f"# - {off}: " in comments

@@ -1,0 +1,404 @@
+"""Every verdict of LinkDoctor, from its fault; and none from a link that is in order."""
+
+from __future__ import annotations
+
+import pytest
+
+from simulation.doctor import Doctor, verdict_names, verdict_texts
+from simulation.fake_autopilot import mavlink
+from simulation.peer import heartbeat
+
+GOOD = ("Listening", "Quiet", "Well")
+
+
+def slow(*values):
+    return pytest.param(*values, marks=pytest.mark.slow)
+
+
+@pytest.fixture
+def build_doctor(request):
+    """Makes a Doctor whose transcript is shown when the test fails."""
+    from bench_fixtures import BENCHES
+
+    def build(*arguments, **options) -> Doctor:
+        made = Doctor(*arguments, **options)
+        request.node.stash.setdefault(BENCHES, []).append(made)
+        return made
+
+    return build
+
+
+@pytest.fixture
+def make_doctor(build_doctor, personality):
+    return lambda **options: build_doctor(personality, **options)
+
+
+# A link that is in order ----------------------------------------------------------
+
+
+def test_idle_link_is_well_within_seven_seconds_and_stays_so(make_doctor):
+    bench = make_doctor()
+    bench.run(7.0)
+    assert bench.verdict in ("Quiet", "Well")
+    bench.run(25.0)
+    assert len(bench.verdicts) == 1
+
+
+def test_ardupilot_that_nobody_asked_is_quiet_and_well_once_it_sends_telemetry(build_doctor):
+    bench = build_doctor("ArduPilot")
+    bench.run_until_verdict("Quiet")
+    bench.autopilot.stream(mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT, 0.1, bench.now)
+    bench.run_until_verdict("Well")
+    assert bench.verdicts == ["Quiet", "Well"]
+
+
+@pytest.mark.parametrize("baud", [57600, slow(115200)])
+def test_saturated_link_is_well(make_doctor, baud):
+    bench = make_doctor(baud=baud, peer_baud=baud, telemetry=baud / 10)
+    bench.tell("bauds")
+    bench.run(20.0)
+    assert bench.verdicts == ["Well"]
+    assert bench.opened == []
+
+
+def test_saturated_mavlink_1_link_is_well(build_doctor):
+    bench = build_doctor("ArduPilot", mavlink_version=1, telemetry=5760.0)
+    bench.tell("bauds")
+    bench.run(15.0)
+    assert bench.verdicts == ["Well"]
+
+
+def test_idle_mavlink_1_link_is_quiet(build_doctor):
+    bench = build_doctor("ArduPilot", mavlink_version=1)
+    bench.run(15.0)
+    assert bench.verdicts == ["Quiet"]
+
+
+def test_upload_beside_the_doctor_ends_as_ever_and_is_no_fault(make_doctor):
+    bench = make_doctor(telemetry=2000.0)
+    bench.tell("upload")
+    assert bench.run_until_ended(limit_s=10) == "Accepted"
+    bench.run(10.0)
+    assert set(bench.verdicts) <= set(GOOD) and bench.verdict == "Well"
+
+
+def test_text_of_a_boot_loader_is_no_fault(make_doctor):
+    text = b"Init ArduCopter V4.6.3\n\nFree RAM: 196000\r\nFirmware change: erasing EEPROM...\r\n" * 3
+    bench = make_doctor(uptime_s=0.0, boot_text=text, heartbeat_at_s=2.0)
+    bench.tell("bauds")
+    bench.run(15.0)
+    assert set(bench.verdicts) <= set(GOOD) and bench.verdict in ("Quiet", "Well")
+
+
+def test_harmless_questions_only(make_doctor):
+    bench = make_doctor()
+    bench.run(12.0)
+    said = bench.heard()
+    assert {message.get_type() for message in said} == {"HEARTBEAT", "COMMAND_LONG"}
+    asked = [message for message in said if message.get_type() == "COMMAND_LONG"]
+    assert {(message.command, message.param1) for message in asked} == {
+        (mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAVLINK_MSG_ID_AUTOPILOT_VERSION)
+    }
+    assert len(asked) <= 3
+
+
+def test_nothing_is_asked_while_a_transfer_runs(make_doctor):
+    bench = make_doctor()
+    bench.autopilot.faults.swallow_final_ack()
+    bench.tell("upload")
+    began = bench.run_until_sent("MISSION_COUNT")
+    bench.run_until_ended(limit_s=30)
+    last = bench.sent_at("MISSION_ITEM_INT")[-1]
+    assert not [time for time in bench.sent_at("COMMAND_LONG") if began <= time <= last]
+
+
+# No bytes -------------------------------------------------------------------------
+
+
+def test_no_bytes_when_nothing_is_wired(build_doctor):
+    bench = build_doctor(None)
+    assert bench.run_until_verdict("NoBytes") < 5.0
+    bench.run(20.0)
+    assert bench.verdicts == ["NoBytes"]
+
+
+def test_no_bytes_when_the_autopilot_is_switched_off_and_well_when_it_is_on_again(make_doctor):
+    bench = make_doctor()
+    bench.run(7.0)
+    well = bench.verdict
+    bench.wire.pull()
+    bench.run_until_verdict("NoBytes", 6.0)
+    bench.wire.plug()
+    bench.run_until_verdict(well, 8.0)
+    assert bench.verdicts == [well, "NoBytes", "Listening", well]
+
+
+@pytest.mark.parametrize("tries", [False, True])
+@pytest.mark.parametrize("silent_s", [slow(1.0), 3.0, slow(12.0)])
+def test_autopilot_that_restarts_is_never_at_another_baud_rate(make_doctor, silent_s, tries):
+    bench = make_doctor(telemetry=1000.0, boot_text=b"Init ArduCopter V4.6.3\n\nFree RAM: 196000\r\n")
+    if tries:
+        bench.tell("bauds")
+    bench.run_until_verdict("Well")
+    bench.autopilot.reboot(bench.now, silent_s)
+    bench.run(silent_s + 10.0)
+    assert bench.verdict == "Well" and bench.opened == []
+    assert set(bench.verdicts) <= {*GOOD, "NoBytes"}
+
+
+# Bytes, and no frames ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("peer_baud", [slow(9600), slow(38400), 115200, slow(460800)])
+def test_no_frames_at_another_baud_rate_when_it_cannot_be_changed(make_doctor, peer_baud):
+    bench = make_doctor(peer_baud=peer_baud)
+    bench.run_until_verdict("NoFrames")
+    bench.run(10.0)
+    assert bench.verdicts == ["NoFrames"]
+
+
+@pytest.mark.parametrize("ours, its", [(57600, 115200), slow(57600, 38400), slow(57600, 9600),
+                                       slow(57600, 500000), (115200, 57600), slow(9600, 57600)])  # fmt: skip
+def test_another_baud_rate_is_found_and_said(make_doctor, ours, its):
+    bench = make_doctor(baud=ours, peer_baud=its)
+    bench.tell("bauds")
+    bench.run_until_verdict("WrongBaud", 45.0)
+    assert bench.verdicts == ["TryingBauds", "WrongBaud"]
+    assert bench.findings.baud == its == bench.opened[-1]
+
+
+def test_saturated_line_at_another_baud_rate(make_doctor):
+    bench = make_doctor(peer_baud=115200, telemetry=11520.0)
+    bench.tell("bauds")
+    bench.run_until_verdict("WrongBaud", 15.0)
+    assert bench.findings.baud == 115200
+    bench.run(10.0)
+    assert bench.verdict == "WrongBaud"
+
+
+def test_plan_goes_aboard_at_the_rate_that_was_found(make_doctor):
+    bench = make_doctor(peer_baud=115200)
+    bench.tell("bauds")
+    bench.tell("upload")
+    assert bench.run_until_ended(limit_s=40) == "Accepted"
+    assert bench.verdict == "WrongBaud"
+
+
+def test_own_rate_comes_back_when_the_frames_of_the_other_end(make_doctor):
+    bench = make_doctor(peer_baud=115200)
+    bench.tell("bauds")
+    bench.run_until_verdict("WrongBaud", 20.0)
+    bench.wire.pull()
+    bench.run(8.0)
+    assert bench.opened[-1] == 57600
+    bench.mega.serial(1).peer_baud = 57600
+    bench.wire.plug()
+    bench.run(12.0)
+    assert bench.verdict in ("Quiet", "Well")
+
+
+def test_no_frames_at_any_rate_of_a_port_that_speaks_something_else(build_doctor):
+    bench = build_doctor(None)
+    bench.tell("bauds")
+    for _ in range(45):
+        bench.say_bytes(b"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n")
+        bench.run(1.0)
+    assert bench.verdicts == ["TryingBauds", "NoFramesAtAnyBaud"]
+    assert set(bench.opened) == {115200, 38400, 230400, 500000, 19200, 9600, 57600}
+
+
+def test_rate_that_the_board_cannot_do_is_not_tried(make_doctor):
+    bench = make_doctor(peer_baud=921600, telemetry=3000.0)
+    bench.tell("bauds")
+    bench.run_until_verdict("NoFramesAtAnyBaud", 45.0)
+    assert 921600 not in bench.opened and 460800 not in bench.opened
+
+
+# Frames, and no autopilot ---------------------------------------------------------------
+
+
+def test_only_our_own_echo(build_doctor):
+    bench = build_doctor(None)
+    bench.autopilot.receive = lambda data, now: bench.wire.send("<", data, now)
+    bench.run_until_verdict("OnlyEcho")
+    bench.run(10.0)
+    assert bench.verdicts == ["OnlyEcho"]
+    assert bench.findings.speaker == (0, 0, 0)
+
+
+def test_only_our_own_echo_when_an_autopilot_is_named_and_ids_are_set(build_doctor):
+    bench = build_doctor(None)
+    bench.autopilot.receive = lambda data, now: bench.wire.send("<", data, now)
+    bench.tell("talkto", 5, 1)
+    bench.run_until_verdict("OnlyEcho")
+    bench.tell("ids", 9, 77)
+    bench.run(12.0)
+    assert bench.verdicts == ["OnlyEcho"]
+    assert {(message.get_srcSystem(), message.get_srcComponent()) for message in bench.heard()[-4:]} == {(9, 77)}
+
+
+def test_another_component_is_told_by_its_ids_and_type(build_doctor):
+    bench = build_doctor(None)
+    gimbal = heartbeat(mavlink.MAV_AUTOPILOT_INVALID, mavlink.MAV_TYPE_GIMBAL)
+    for _ in range(10):
+        bench.say(gimbal, (7, mavlink.MAV_COMP_ID_GIMBAL))
+        bench.run(1.0)
+    assert bench.verdicts == ["NoAutopilot"]
+    assert bench.findings.speaker == (7, mavlink.MAV_COMP_ID_GIMBAL, mavlink.MAV_TYPE_GIMBAL)
+
+
+def test_another_component_with_our_own_ids_is_no_echo(build_doctor):
+    bench = build_doctor(None)
+    companion = heartbeat(mavlink.MAV_AUTOPILOT_INVALID, mavlink.MAV_TYPE_ONBOARD_CONTROLLER)
+    for _ in range(10):
+        bench.say(companion, (1, mavlink.MAV_COMP_ID_ONBOARD_COMPUTER))
+        bench.run(1.0)
+    assert bench.verdicts == ["NoAutopilot"]
+
+
+def test_component_without_heartbeats_is_told_by_its_ids(build_doctor):
+    bench = build_doctor(None)
+    attitude = mavlink.MAVLink_attitude_message(0, 0.1, 0.2, 0.3, 0.01, 0.02, 0.03)
+    for _ in range(100):
+        bench.say(attitude, (3, 44))
+        bench.run(0.1)
+    assert bench.verdicts == ["NoAutopilot"]
+    assert bench.findings.speaker == (3, 44, 0)
+
+
+# An autopilot, and something is wrong all the same ------------------------------------------
+
+
+def test_several_autopilots(make_doctor):
+    bench = make_doctor()
+    for _ in range(8):
+        bench.say(heartbeat(), (2, 1))
+        bench.run(1.0)
+    assert bench.verdicts == ["SeveralAutopilots"]
+    bench.tell("talkto", 1, 1)
+    for _ in range(8):
+        bench.say(heartbeat(), (2, 1))
+        bench.run(1.0)
+    assert bench.verdict in ("Quiet", "Well")
+
+
+def test_autopilot_that_was_not_named(make_doctor):
+    bench = make_doctor(system_id=5)
+    bench.tell("talkto", 1, 1)
+    bench.run_until_verdict("OtherAutopilot")
+    assert bench.findings.speaker[:2] == (5, 1)
+    bench.tell("talkto", 5, 1)
+    bench.run(10.0)
+    assert bench.verdict in ("Quiet", "Well")
+
+
+def test_ids_that_are_the_autopilots_own(make_doctor):
+    bench = make_doctor()
+    bench.tell("ids", 1, 1)
+    bench.run_until_verdict("SameIds")
+    bench.run(8.0)
+    assert bench.verdicts == ["SameIds"]
+
+
+def test_autopilot_that_does_not_hear_us(make_doctor):
+    bench = make_doctor()
+    bench.wire.pull(">")
+    bench.run_until_verdict("NotHeard")
+    bench.wire.plug(">")
+    bench.run(6.0)
+    assert bench.verdict in ("Quiet", "Well")
+    assert len(bench.verdicts) == 2
+
+
+def test_answer_to_somebody_else_is_none_to_us(make_doctor):
+    bench = make_doctor()
+    bench.wire.pull(">")
+    for _ in range(10):
+        bench.say(mavlink.MAVLink_command_ack_message(mavlink.MAV_CMD_REQUEST_MESSAGE, 0, 0, 0, 255, 190))
+        bench.say(mavlink.MAVLink_mission_ack_message(255, 190, 0, 0))
+        bench.run(1.0)
+    assert bench.verdict == "NotHeard"
+
+
+def test_one_lost_answer_is_no_fault(make_doctor):
+    bench = make_doctor()
+    bench.wire.lose("<", name="COMMAND_ACK", times=3)
+    bench.run(20.0)
+    assert set(bench.verdicts) <= set(GOOD)
+
+
+def test_autopilot_that_signs_and_takes_no_unsigned_messages(make_doctor):
+    bench = make_doctor()
+    signing = bench.autopilot._packer.signing
+    signing.secret_key, signing.sign_outgoing = bytes(range(32)), True
+    bench.wire.pull(">")
+    bench.run_until_verdict("Signing")
+    bench.run(5.0)
+    assert bench.verdicts == ["Signing"]
+
+
+def test_autopilot_that_signs_and_takes_unsigned_messages_all_the_same_is_well(make_doctor):
+    bench = make_doctor()
+    signing = bench.autopilot._packer.signing
+    signing.secret_key, signing.sign_outgoing = bytes(range(32)), True
+    bench.run(12.0)
+    assert len(bench.verdicts) == 1 and bench.verdict in ("Quiet", "Well")
+
+
+# Damage -------------------------------------------------------------------------------------
+
+
+def test_loop_that_comes_too_late(make_doctor):
+    bench = make_doctor(telemetry=5000.0)
+    bench.run_until_verdict("Well")
+    bench.tell("stall", 100, 60)
+    bench.run_until_verdict("LoopLate", 12.0)
+    bench.tell("stall", 0, 0)
+    bench.run_until_verdict("Well", 12.0)
+    assert bench.verdicts == ["Well", "LoopLate", "Well"]
+
+
+def test_loop_that_is_so_late_that_hardly_a_frame_comes_whole(make_doctor):
+    bench = make_doctor(telemetry=5000.0)
+    bench.tell("bauds")
+    bench.tell("stall", 1, 700)
+    bench.run_until_verdict("LoopLate", 12.0)
+    assert bench.opened == []
+
+
+def test_late_loop_that_loses_nothing_is_no_fault(build_doctor):
+    bench = build_doctor("ArduPilot")
+    bench.tell("stall", 100, 60)
+    bench.run(15.0)
+    assert bench.verdicts == ["Quiet"]
+
+
+def test_frames_that_arrive_damaged(make_doctor):
+    bench = make_doctor(telemetry=4000.0)
+    bench.run_until_verdict("Well")
+    bench.wire.at_random("<", corrupt=20)
+    bench.run_until_verdict("Damaged", 12.0)
+    bench.run(20.0)
+    assert bench.verdicts == ["Well", "Damaged"]
+
+
+# Cost -------------------------------------------------------------------------------------------
+
+
+def test_doctor_takes_a_call_less_than_a_third_of_a_millisecond(make_doctor):
+    bench = make_doctor(telemetry=5000.0)
+    watch = bench.mega.watch("updateDoctor")
+    bench.run(12.0)
+    assert bench.verdict == "Well"
+    assert watch.calls.longest < bench.mega.hz / 1000 / 3
+
+
+# Words ------------------------------------------------------------------------------------------
+
+
+def test_every_verdict_has_its_text_and_no_other_number_has_one(build_doctor):
+    bench = build_doctor(None)
+    for number, name in enumerate(verdict_names()):
+        assert bench.text_of(number) == verdict_texts()[name]
+    assert bench.text_of(len(verdict_names())) == ""
+    assert len(set(verdict_texts().values())) == len(verdict_names())

@@ -1,0 +1,110 @@
+"""The example that uploads a .waypoints file, beside a fake autopilot: its text in flash, and files on a card.
+
+The card is simulation/sketches/card/SD.h, which is to the example what the SD library is.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from example_runs import Run, commands, is_ardupilot
+from simulation.fake_autopilot import mavlink
+from simulation.firmware import ROOT, build_firmware
+from simulation.mega import Image
+
+SKETCH = ROOT / "examples" / "PlanFromSd" / "PlanFromSd.ino"
+CARD = ROOT / "simulation" / "sketches" / "card"
+HEAD = "QGC WPL 110\r\n0\t1\t0\t16\t0\t0\t0\t0\t-35.3632621\t149.1652374\t584\t1\r\n"
+
+
+@cache
+def image_with_card() -> Image:
+    source = ROOT / "build" / "examples" / "PlanFromSdWithCard.cpp"
+    source.parent.mkdir(parents=True, exist_ok=True)
+    source.write_text(f'#include <Arduino.h>\n#line 1 "{SKETCH}"\n{SKETCH.read_text()}')
+    return Image.load(build_firmware("PlanFromSdWithCard", [source], {"CARD_SELECT": 10}, include_dirs=[CARD]))
+
+
+class RunWithCard(Run):
+    def __init__(self, personality: str, text: str | None) -> None:
+        super().__init__("PlanFromSd", personality, image=image_with_card())
+        self.put(b"" if text is None else text.encode())
+        if text is None:
+            self.mega.poke_int("cardSize", 0xFFFF)
+
+    def put(self, text: bytes) -> None:
+        self.mega.poke("cardText", text.ljust(4000, b"\0"))
+        self.mega.poke_int("cardSize", len(text))
+        self.mega.poke_int("cardReadable", len(text))
+
+
+def waypoints(count: int) -> str:
+    rows = (
+        f"{n}\t0\t3\t16\t{n % 5}\t0\t0\t0\t{-35.3632621 + n / 1e5:.7f}\t149.1652374\t{20 + n}.25\t1\r\n"
+        for n in range(1, count + 1)
+    )
+    return HEAD + "".join(rows)
+
+
+def test_plan_from_sd(personality):
+    example = Run("PlanFromSd", personality)
+    lines = example.until("accepted: the plan is aboard", 6.0)
+    assert lines == ["items: 5", "accepted: the plan is aboard"]
+    assert commands(example) == [22, 16, 16, 177, 20]
+    items = example.autopilot.received()
+    home = is_ardupilot(example)
+    assert [(one.x, one.y, one.z) for one in items[-4:-2]] == [
+        (-353632621, 1491652374, 20.0),
+        (-353614500, 1491652374, 25.5),
+    ]
+    assert items[-2].param1 == 1 + home  # the file's item 2
+
+
+def test_a_file_on_a_card(personality):
+    example = RunWithCard(personality, waypoints(60))
+    lines = example.until("accepted: the plan is aboard", 15.0)
+    assert lines == ["items: 60", "accepted: the plan is aboard"]
+    items = example.autopilot.received()[-60:]
+    assert [one.z for one in items] == [20.25 + n for n in range(1, 61)]
+    assert [one.x for one in items] == [-353632621 + 100 * n for n in range(1, 61)]
+
+
+@pytest.mark.parametrize("text, said", [
+    (HEAD + "1\t0\t3\t16\t0\t0\t0\t0\t-95.0\t149.1\t20\t1", "line 3, field 9: a latitude beyond 90 degrees"),
+    (HEAD + "1\t0\t3\t16\t0\t0\t0", "line 3: a line has fewer than 12 fields"),
+    (HEAD, "line 3: no item behind home"),
+])  # fmt: skip
+def test_a_bad_file_is_not_uploaded(text, said):
+    example = RunWithCard("PX4", text)
+    example.until(said, 3.0)
+    example.run(3.0)
+    assert example.lines == [said]
+    assert not example.autopilot.messages(">", "MISSION_COUNT")
+
+
+def test_a_file_that_is_not_there():
+    example = RunWithCard("PX4", None)
+    lines = example.until("line 1: it cannot be read to its end", 3.0)
+    assert lines[0] == "no card, or no PLAN.TXT on it"
+
+
+def test_a_card_that_is_pulled_while_it_is_read_is_no_shorter_plan():
+    example = RunWithCard("PX4", waypoints(20))
+    example.mega.poke_int("cardReadable", waypoints(20).index("15\t0\t3"))
+    example.until("line 17: it cannot be read to its end", 3.0)
+    example.run(2.0)
+    assert not example.autopilot.messages(">", "MISSION_COUNT")
+
+
+def test_a_card_that_is_pulled_during_the_upload_ends_it(personality):
+    example = RunWithCard(personality, waypoints(40))
+    while len(example.autopilot.messages(">", "MISSION_ITEM_INT")) < 10:
+        example.run(0.01)
+        assert example.now < 10
+    example.mega.poke_int("cardReadable", 300)
+    lines = example.until("the plan's source gave no item", 3.0)
+    assert lines[-1] == "the plan's source gave no item"
+    cancelled = [one for one in example.autopilot.messages(">", "MISSION_ACK")]
+    assert cancelled[-1].type == mavlink.MAV_MISSION_OPERATION_CANCELLED

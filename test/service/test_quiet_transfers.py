@@ -1,0 +1,373 @@
+"""TelemetryPause: telemetry is silent while a plan is transferred, and is never left so."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from simulation import recordings
+from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.frames import message_id
+from simulation.quiet import RECORDED, Quiet, as_recorded, default_list, recorded
+
+ATTITUDE, GPS_RAW_INT, MISSION_CURRENT = 30, 24, 42
+SIMSTATE = 164  # an ArduPilot sends it that has no aircraft but a simulated one
+NINE_TENTHS = 0.9
+LONG_PLAN = 150
+
+
+@pytest.fixture
+def make_quiet(request, personality):
+    """Makes a Quiet whose transcript is shown when the test fails."""
+    from bench_fixtures import BENCHES
+
+    def build(name: str = personality, **options) -> Quiet:
+        made = Quiet(name, **options)
+        request.node.stash.setdefault(BENCHES, []).append(made)
+        return made
+
+    return build
+
+
+@pytest.fixture
+def loud(make_quiet) -> Quiet:
+    """A full line, and a client that has nothing to do."""
+    bench = make_quiet()
+    bench.run(2.0)
+    bench.run_until_idle()
+    return bench
+
+
+def is_back(bench: Quiet, before: dict[int, float]) -> bool:
+    """Whether each message comes as often as before; within one that falls into the one span or the other."""
+    after = bench.rates()
+    return set(after) == set(before) and all(
+        after[identity] == pytest.approx(rate, rel=0.1, abs=30) for identity, rate in before.items()
+    )
+
+
+# The fake, beside the real one -----------------------------------------------------
+
+
+def recorded_s(name: str, begin: str, end: str) -> float:
+    """From the last message of the client's of this name to the last answer of that name [s]."""
+    heard = recordings.heard(name)
+    asked = [one.time for one in heard if one.direction == ">" and one.message.get_type() == begin]
+    answered = [one.time for one in heard if one.direction == "<" and one.message.get_type() == end]
+    return answered[-1] - asked[-1]
+
+
+@pytest.mark.parametrize("personality", ["ArduPilot"])
+def test_full_line_of_the_fake_ardupilot_is_as_slow_as_the_real_one(make_quiet):
+    bench = make_quiet(**as_recorded("ArduPilot"))
+    assert bench.read_back_s(used=False, items=50) == pytest.approx(
+        recorded_s(RECORDED["ArduPilot"], "MISSION_REQUEST_LIST", "MISSION_ITEM_INT"), rel=0.05
+    )
+    (upload,) = (one.time - bench.wire.frames(">", "MISSION_COUNT")[-1].time
+                 for one in bench.wire.frames("<", "MISSION_ACK")[-1:])  # fmt: skip
+    assert upload == pytest.approx(recorded_s(RECORDED["ArduPilot"], "MISSION_COUNT", "MISSION_ACK"), rel=0.15)
+
+
+@pytest.mark.parametrize("personality", ["ArduPilot"])
+def test_reading_back_on_a_full_line_of_ardupilots_takes_a_quarter_of_the_time_when_it_is_quiet(make_quiet):
+    loud, quiet = (make_quiet(**as_recorded("ArduPilot")).read_back_s(used, 100) for used in (False, True))
+    assert quiet < loud / 4
+
+
+# Which messages -------------------------------------------------------------------
+
+
+def recorded_telemetry(personality: str) -> Counter[int]:
+    """Bytes of each message that the autopilot streamed in the recordings."""
+    names = (["arducopter/clean_then_streams_10hz"] if personality == "ArduPilot"
+             else [name for name in recordings.names() if name.startswith("px4/")])  # fmt: skip
+    counted: Counter[int] = Counter()
+    for name in names:
+        for _, frame in recordings.telemetry(name):
+            counted[message_id(frame)] += len(frame)
+    counted.pop(SIMSTATE, None)
+    return counted
+
+
+def test_default_list_is_the_fewest_messages_that_make_nine_tenths_of_the_telemetry(personality):
+    counted = recorded_telemetry(personality)
+    loudest = [identity for identity, _ in counted.most_common(len(default_list(personality)))]
+    assert default_list(personality) == loudest
+    share = sum(counted[identity] for identity in loudest) / counted.total()
+    without_last = share - counted[loudest[-1]] / counted.total()
+    assert without_last < NINE_TENTHS <= share
+
+
+# Quiet, and loud again --------------------------------------------------------------
+
+
+@pytest.mark.parametrize("how", ["upload", "verify", "download"])
+def test_line_is_quiet_during_a_transfer_and_as_loud_as_before_after_it(loud, personality, how):
+    before = loud.rates()
+    ends = {"upload": "Accepted", "verify": "Verified", "download": "Downloaded"}
+    if how != "upload":
+        loud.tell("used", 0)
+        loud.tell("upload", LONG_PLAN)
+        assert loud.run_until_ended(limit_s=20) == "Accepted"
+        loud.tell("used", 1)
+    loud.tell(how, LONG_PLAN)
+    loud.run_until_quiet()
+    began = loud.now
+    loud.run(0.5)
+    assert not set(loud.telemetry(began + 0.05, loud.now)) & set(default_list(personality))
+    assert loud.run_until_ended(limit_s=20) == ends[how]
+    loud.run_until_idle()
+    assert is_back(loud, before)
+
+
+def test_line_is_loud_again_after_a_cancel(loud):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.cancel()
+    assert loud.run_until_ended(limit_s=1) == "Cancelled"
+    loud.run_until_idle()
+    assert is_back(loud, before)
+
+
+def test_line_is_loud_again_after_a_cancel_in_the_middle_of_switching_off(loud, personality):
+    before = loud.rates()
+    began = loud.now
+    loud.tell("upload", LONG_PLAN)
+    while len(loud.asked_since(began, -1)) < 5:
+        loud.run(0.005)
+    loud.cancel()
+    loud.run_until_idle()
+    silenced = loud.asked_since(began, -1)
+    assert len(silenced) < len(default_list(personality))
+    assert loud.asked_since(began, 0) == silenced
+    assert is_back(loud, before)
+
+
+def test_line_is_loud_again_after_a_failure(loud):
+    before = loud.rates()
+    loud.autopilot.faults.refuse(mavlink.MAV_MISSION_NO_SPACE, step=100)
+    loud.tell("upload", LONG_PLAN)
+    assert loud.run_until_ended(limit_s=20) == "NoSpace"
+    loud.run_until_idle()
+    assert is_back(loud, before)
+
+
+@pytest.mark.slow
+def test_transfer_that_begins_while_intervals_are_given_back_is_quiet_too(loud, personality):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.cancel()
+    loud.run(0.1)
+    assert not loud.is_idle
+    loud.upload_quietly(LONG_PLAN)
+    assert loud.run_until_ended(limit_s=1) == "Cancelled"
+    assert loud.run_until_ended(limit_s=30) == "Accepted"
+    loud.run_until_idle()
+    assert is_back(loud, before)
+
+
+# Nothing but transfers --------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "order, end",
+    [
+        pytest.param(("arm",), "Done", marks=pytest.mark.slow),
+        (("clear",), "Cleared"),
+        (("interval", 30, 200000), "Done"),
+    ],
+)
+def test_commands_and_clearing_silence_nothing(loud, order, end):
+    loud.run(30.0 if order == ("arm",) else 0.0)  # until an ArduPilot lets itself be armed
+    began = loud.now
+    loud.tell(*order)
+    assert loud.run_until_ended(limit_s=5) == end
+    loud.run(1.0)
+    assert loud.asked_since(began, -1) == []
+    assert loud.is_idle
+
+
+def test_nothing_is_asked_of_an_idle_line(loud):
+    began = loud.now
+    loud.run(5.0)
+    assert not [when for when, _, _ in loud.asked if when > began]
+
+
+# Faults --------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_every_interval_is_given_back_though_commands_and_answers_are_lost(make_quiet, personality):
+    bench = make_quiet()
+    bench.run(2.0)
+    bench.run_until_idle()
+    before = bench.rates()
+    bench.upload_quietly(LONG_PLAN)
+    bench.cancel()
+    lost = (0, 2, 3, 4, 5, 6, 7, 8, 15)
+    faults = [bench.wire.lose(">", name="COMMAND_LONG", index=index) for index in lost]
+    faults += [bench.wire.lose("<", name="COMMAND_ACK", index=index) for index in (1, 2, 4, 7)]
+    bench.run_until_idle(limit_s=45)
+    assert all(fault.struck for fault in faults)
+    assert is_back(bench, before)
+
+
+@pytest.mark.slow
+def test_lost_commands_and_answers_keep_no_message_loud_for_the_rest_of_a_transfer(make_quiet, personality):
+    bench = make_quiet()
+    bench.run(2.0)
+    bench.run_until_idle()
+    bench.wire.lose(">", name="COMMAND_LONG", index=3)
+    bench.wire.lose("<", name="COMMAND_ACK", index=5)
+    bench.upload_quietly(600, limit_s=9)
+    began = bench.now
+    bench.run(0.3)
+    assert not set(bench.telemetry(began + 0.05, bench.now)) & set(default_list(personality))
+
+
+def test_late_answer_to_one_message_is_not_taken_for_the_answer_to_the_next(loud, personality):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.cancel()
+    loud.wire.delay("<", 1.6, name="COMMAND_ACK", index=0)  # the first is asked for, and answered, twice
+    second = loud.wire.lose(">", name="COMMAND_LONG", index=2)
+    loud.run_until_idle(limit_s=20)
+    assert second.struck
+    assert is_back(loud, before)
+
+
+@pytest.mark.slow
+def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.cancel()
+    # Each copy comes when the next message has been asked for, in vain.
+    repeated = loud.wire.repeat("<", name="COMMAND_ACK", after_s=0.012, times=None)
+    lost = [loud.wire.lose(">", name="COMMAND_LONG", index=index) for index in (1, 4, 7)]
+    loud.run_until_idle(limit_s=20)
+    assert repeated.struck > 10 and all(fault.struck for fault in lost)
+    assert is_back(loud, before)
+
+
+@pytest.mark.slow
+def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.wire.pull()
+    loud.run(60.0)
+    loud.wire.plug()
+    loud.run_until_idle(limit_s=15)
+    assert is_back(loud, before)
+
+
+@pytest.mark.slow
+def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.wire.pull(">")
+    loud.run(40.0)
+    assert not loud.is_idle
+    loud.wire.plug(">")
+    loud.run_until_idle(limit_s=8)
+    assert is_back(loud, before)
+
+
+@pytest.mark.slow
+def test_reboot_of_the_autopilot_in_mid_transfer(loud):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.autopilot.reboot(loud.now, 3.0)
+    loud.run_until_ended(limit_s=60)
+    loud.run_until_idle(limit_s=10)
+    assert is_back(loud, before)
+
+
+@pytest.mark.slow
+def test_reset_of_the_arduino_in_mid_transfer_leaves_no_silence(loud):
+    before = loud.rates()
+    loud.upload_quietly(LONG_PLAN)
+    loud.reset()
+    loud.run_until_idle(limit_s=5)
+    loud.run(10.0)  # until the autopilot has given up
+    assert is_back(loud, before)
+
+
+def test_refused_messages_are_passed_over(make_quiet, personality):
+    bench = make_quiet()
+    bench.autopilot._set_message_interval = lambda message, now: mavlink.MAV_RESULT_DENIED
+    bench.run(2.0)
+    bench.run_until_idle(limit_s=3)
+    began = bench.now
+    bench.upload_quietly(LONG_PLAN, limit_s=3)
+    assert bench.asked_since(began, -1) == default_list(personality)
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run_until_idle(limit_s=3)
+    assert bench.asked_since(began, 0) == default_list(personality)
+
+
+def test_nobody_is_asked_before_an_autopilot_was_heard_or_when_there_are_several(make_quiet):
+    bench = make_quiet(heartbeat_at_s=3.0)
+    bench.run(2.9)
+    assert bench.asked == []
+    assert not bench.is_idle
+    bench.run_until_idle()
+
+
+# The sketch's own list -----------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(make_quiet):
+    bench = make_quiet(defines={"BENCH_QUIET_LIST": 1})
+    bench.run(2.0)
+    bench.run_until_idle()
+    assert set(bench.asked_since(0.0, 0)) == {9999, GPS_RAW_INT}
+    assert bench.asked_since(0.0, 500_000) == [ATTITUDE]
+    began = bench.now
+    bench.upload_quietly(LONG_PLAN)
+    assert bench.asked_since(began, -1) == [ATTITUDE, 9999, GPS_RAW_INT]
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run_until_idle()
+    heard = bench.rates(2.0)
+    assert heard[ATTITUDE] == pytest.approx(40 / 0.5, rel=0.3)  # a frame of 40 bytes each 500 ms
+    assert heard[GPS_RAW_INT] > 0
+
+
+# What it is worth, and what it costs ------------------------------------------------------
+
+
+@pytest.fixture
+def full(make_quiet, personality):
+    """Makes a line that is full of what the autopilot sent in the recordings."""
+    return lambda: make_quiet(telemetry=recorded(personality))
+
+
+def test_fifty_items_take_a_tenth_less_time_on_a_full_line(full):
+    assert full().transfer_s(True, 50) < 0.9 * full().transfer_s(False, 50)
+
+
+@pytest.mark.slow
+def test_ten_items_take_no_more_than_a_thirtieth_of_a_second_longer(full):
+    assert full().transfer_s(True, 10) < full().transfer_s(False, 10) + 0.033
+
+
+def test_nine_tenths_of_the_bytes_are_gone(full):
+    bench = full()
+    bench.run(2.0)
+    before = bench.rates(4.0)
+    bench.upload_quietly(600)
+    bench.run(0.05)
+    quiet = bench.rates(4.0)
+    before.pop(SIMSTATE, None)
+    quiet.pop(SIMSTATE, None)
+    # Within 2 %: the recordings do not repeat themselves each 4 s.
+    assert sum(quiet.values()) < (1 - NINE_TENTHS + 0.02) * sum(before.values())
+
+
+def test_quieting_takes_a_call_less_than_a_third_of_a_millisecond(loud):
+    watch = loud.mega.watch("updateQuiet")
+    loud.tell("upload", 50)
+    loud.run_until_ended(limit_s=5)
+    loud.run_until_idle()
+    assert watch.calls.longest < loud.mega.hz / 1000 / 3

@@ -1,0 +1,224 @@
+"""The fake autopilots fly the plan that is aboard."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+
+from fake_talk import (
+    ACCEPTED,
+    ARM,
+    BOTH,
+    ERROR,
+    RTL,
+    SET_MODE,
+    START,
+    client_of,
+    command_results,
+    missions,
+    waypoints,
+    words,
+)
+from plain_client import PlainClient
+from simulation.fake_autopilot import ArduPilot, Item, Px4, item, mavlink
+
+HOME_LAT, HOME_LON = -353632620, 1491652370
+
+
+def square_for(autopilot) -> list[Item]:
+    """Up, two waypoints, and back, from each one's home."""
+    lat, lon = (HOME_LAT, HOME_LON) if autopilot is ArduPilot else (473977428, 85455937)
+    plan = [item(22, x=lat, y=lon, z=8.0), item(16, x=lat + 1000, y=lon, z=8.0),
+            item(16, x=lat + 1000, y=lon + 1000, z=8.0), item(RTL, frame=2)]
+    return [item(16, frame=0, x=lat, y=lon), *plan] if autopilot is ArduPilot else plan
+
+
+def flying(autopilot, **options) -> PlainClient:
+    """A client of an autopilot that has just begun to fly the square."""
+    fake = autopilot(uptime_s=60, **options)
+    client = client_of(fake)
+    assert client.upload(square_for(autopilot)) == ACCEPTED
+    if autopilot is ArduPilot:
+        client.say(mavlink.MAVLink_set_mode_message(1, 1, 4))
+        client.say(client.command(ARM, 1))
+        client.say(client.command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, 42, 500_000))
+    assert command_results(client.say(client.command(START))) == [(START, 0)]
+    return client
+
+
+@BOTH
+def test_a_plan_is_flown_item_by_item_to_its_end(autopilot):
+    client = flying(autopilot)
+    fake = client.fake
+    client.wait(120.0)
+    reached = [message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED")]
+    once = [seq for seq, _ in itertools.groupby(reached)]
+    assert once == ([1, 2, 3, 4] if autopilot is ArduPilot else [0, 1, 2, 3])
+    if autopilot is ArduPilot:
+        assert reached == once
+    else:
+        assert len(reached) > len(once)
+    assert not fake.armed
+    assert fake.messages("<", "MISSION_CURRENT")[-1].mission_state \
+        == mavlink.MISSION_STATE_COMPLETE
+    assert fake.flight.where(client.now).height == 0
+
+
+def test_px4_repeats_the_last_item_reached_each_second_at_most_ten_times():
+    fake = Px4()
+    plan = [square_for(Px4)[0], item(17, x=473977428, y=85455937, z=8.0)]
+    client = client_of(fake)
+    client.upload(plan)
+    client.say(client.command(START))
+    client.wait(60.0)
+    times = [time for time, _, message in fake.log
+             if message.get_type() == "MISSION_ITEM_REACHED"]
+    assert len(times) == 1 + 10
+    intervals = [b - a for a, b in itertools.pairwise(times[1:])]
+    assert intervals == pytest.approx([1.02] * 9)
+
+
+def test_ardupilot_waits_on_the_ground_for_mission_start():
+    fake = ArduPilot(uptime_s=60)
+    client = client_of(fake)
+    client.upload(square_for(ArduPilot))
+    client.say(client.command(ARM, 1))
+    client.say(client.command(SET_MODE, 1, 3))
+    client.wait(8.0)
+    assert not fake.flight.airborne(client.now)
+    assert fake.messages("<", "MISSION_ITEM_REACHED") == []
+    client.say(client.command(START))
+    client.wait(10.0)
+    assert [message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED")] == [1]
+
+
+def test_a_rover_flies_on_wheels():
+    fake = ArduPilot(vehicle="rover", uptime_s=60)
+    client = client_of(fake)
+    client.upload([item(16, frame=0),
+                   *(one._replace(z=0.0) for one in square_for(ArduPilot)[2:4])])
+    client.say(client.command(ARM, 1))
+    client.say(mavlink.MAVLink_set_mode_message(1, 1, 10))
+    client.wait(60.0)
+    assert [message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED")] == [1, 2]
+
+
+def test_jumps_are_flown_as_often_as_they_say():
+    fake = Px4()
+    plan = square_for(Px4)[:3] + [item(177, frame=2, param1=1, param2=2), item(RTL, frame=2)]
+    client = client_of(fake)
+    client.upload(plan)
+    client.say(client.command(START))
+    client.wait(200.0)
+    reached = [seq for seq, _ in itertools.groupby(
+        message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED"))]
+    assert reached == [0, 1, 2, 1, 2, 1, 2, 4]
+
+
+def test_a_new_plan_in_flight():
+    """ArduCopter keeps its item and begins the leg again, PX4 begins at the item flagged as current."""
+    for autopilot, index in ((ArduPilot, 2), (Px4, 2)):
+        client = flying(autopilot)
+        fake = client.fake
+        while not fake.messages("<", "MISSION_ITEM_REACHED"):
+            client.wait(0.5)
+        client.wait(1.0)
+        plan = square_for(autopilot)
+        plan[2] = plan[2]._replace(current=1, z=9.0)
+        leg_ends = fake.flight.ends_at
+        assert client.upload(plan) == ACCEPTED
+        assert fake.flight.index == index
+        assert fake.flight.ends_at != leg_ends
+        again = [text for text in fake.messages("<", "STATUSTEXT") if "restarted command" in text.text]
+        assert len(again) == (len(plan) if autopilot is ArduPilot else 0)
+
+
+def test_px4_keeps_its_item_in_flight_if_the_new_plan_flags_none():
+    client = flying(Px4)
+    fake = client.fake
+    while not fake.messages("<", "MISSION_ITEM_REACHED"):
+        client.wait(0.5)
+    plan = square_for(Px4)
+    plan[2] = plan[2]._replace(z=9.0)
+    assert client.upload(plan) == ACCEPTED
+    assert fake.flight.index == 1
+
+
+def test_a_rover_begins_its_leg_again_with_a_new_plan():
+    fake = ArduPilot(vehicle="rover", uptime_s=60)
+    client = client_of(fake)
+    plan = [item(16, frame=0), *(one._replace(z=0.0) for one in square_for(ArduPilot)[2:4])]
+    client.upload(plan)
+    client.say(client.command(ARM, 1))
+    client.say(mavlink.MAVLink_set_mode_message(1, 1, 10))
+    client.wait(1.0)
+    leg_ends = fake.flight.ends_at
+    client.upload(plan)
+    assert fake.flight.index == 1 and fake.flight.ends_at > leg_ends - 0.5
+    assert fake.flight.ends_at != leg_ends
+
+
+def test_the_same_plan_again_changes_nothing_on_px4():
+    client = flying(Px4)
+    client.wait(13.0)
+    leg = (client.fake.flight.index, client.fake.flight.ends_at)
+    assert client.upload(square_for(Px4)) == ACCEPTED
+    assert (client.fake.flight.index, client.fake.flight.ends_at) == leg
+
+
+def test_ardupilot_refuses_to_clear_the_plan_it_is_flying():
+    client = flying(ArduPilot)
+    assert missions(client.say(client.clear_all())) == [("ACK", ERROR)]
+    assert len(client.fake.plan()) == 5
+
+
+def test_arming_again_in_the_air_is_accepted_and_disarming_is_not():
+    for autopilot in (ArduPilot, Px4):
+        client = flying(autopilot)
+        client.wait(12.0)
+        assert command_results(client.say(client.command(ARM, 1))) == [(ARM, 0)]
+        assert command_results(client.say(client.command(ARM, 0)))[0][1] != 0
+        assert client.fake.armed
+
+
+def test_another_mode_pauses_the_plan():
+    client = flying(Px4)
+    client.wait(13.0)
+    client.say(client.command(SET_MODE, 1, 4, 3))
+    client.wait(2.0)
+    current = client.fake.messages("<", "MISSION_CURRENT")[-1]
+    assert (current.mission_state, current.mission_mode) \
+        == (mavlink.MISSION_STATE_PAUSED, 2)
+    assert client.fake.flight.index is None
+    client.say(client.command(SET_MODE, 1, 4, 4))
+    client.wait(60.0)
+    assert client.fake.messages("<", "MISSION_ITEM_REACHED")[-1].seq == 3
+
+
+@pytest.mark.parametrize("change, why", [
+    (lambda plan: [plan[1], plan[0], *plan[2:]],
+     "Mission rejected: takeoff not first waypoint item"),
+    (lambda plan: [item(21, x=1, y=1), *plan], "Mission rejected: starts with landing"),
+    (lambda plan: [plan[0]._replace(z=-5.0), *plan[1:]],
+     "Mission rejected: Takeoff altitude below home altitude!")])
+def test_px4_accepts_a_plan_and_then_will_not_fly_it(change, why):
+    fake = Px4()
+    client = client_of(fake)
+    assert client.upload(change(square_for(Px4))) == ACCEPTED
+    assert words(client.wait(0.1)) == []
+    assert "".join(text.text for text in fake.messages("<", "STATUSTEXT")).strip() == why
+    client.wait(1.1)
+    assert fake.messages("<", "MISSION_CURRENT")[-1].mission_state \
+        == mavlink.MISSION_STATE_NO_MISSION
+    assert command_results(client.say(client.command(START)))[0][1] != 0
+    assert not fake.armed
+
+
+def test_px4_can_require_a_takeoff():
+    fake = Px4(takeoff_required=True)
+    client_of(fake).upload(waypoints(2))
+    assert fake.objection == "Mission rejected: Takeoff waypoint required."
+    relaxed = Px4()
+    client_of(relaxed).upload(waypoints(2))
+    assert relaxed.objection is None

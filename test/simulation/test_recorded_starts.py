@@ -1,0 +1,326 @@
+"""The fake autopilots start, jump, refuse and end a mission as the real ones in simulation/recordings did.
+
+As in test_recordings.py the client's side of each recording is played to a fake. Here a vehicle
+moves, and so the pace of flying is the recording's: the fake arrives at an item, and on the
+ground, when the real one did.
+
+- Answers (MISSION_*, COMMAND_ACK and the like) are compared with answers, texts with texts, each
+  in order: which of the two kinds goes first on a busy line is chance.
+- MISSION_CURRENT that answers a request is compared with what the real one answered. What it tells
+  from time to time is compared with what the fake would tell then.
+- HEARTBEAT is compared with what the fake would tell then, but for ArduCopter's system_status:
+  when that says that it flies depends on how it flies.
+- Texts and items reached are compared with their times too.
+
+Not compared, because the fakes do not imitate it: texts about sensors, of the simulator and of the
+log file; telemetry and parameters; how often MISSION_CURRENT is told (but for request_messages):
+ArduPilot holds its streams back during an upload, and PX4 tells of an item once more, now and
+then, when it was reached.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+from typing import NamedTuple
+
+import pytest
+
+from recorded import fields, is_clocked, is_compared, is_repetition, plans_uploaded, play, said_by, transcript
+from simulation import recordings
+from simulation.fake_autopilot import ArduPilot, Px4, mavlink
+
+NAMES = recordings.starts()
+EACH = pytest.mark.parametrize("name", NAMES)
+ON_ARDUPILOT = pytest.mark.parametrize("name", [name for name in NAMES if not name.startswith("px4/")])
+
+ALIKE_WITHIN_S = 0.4  # what is told from time to time, by both
+LASTING_S = 1.2  # told each second, this is told once at the least
+TOLD_WITHIN_S = 0.2  # now and then a recorded answer is late by so much
+SPOOLED_UP_WITHIN_S = 0.7  # it takes PX4 1.3 to 1.9 s
+ANSWERED_WITHIN_S = 0.060
+MISSION_CURRENT = 42
+
+
+def recorded(name: str, direction: str, *kinds: str) -> list:
+    return [one for one in recordings.heard(name) if one.direction == direction and one.message.get_type() in kinds]
+
+
+# -- the state in which the recorded autopilot was ------------------------------------------------
+
+
+class Before(NamedTuple):
+    """What differs from recording to recording."""
+
+    options: dict = {}
+    reached: int | None = None  # the last item, before
+    plan: str = "B"  # the plan aboard a PX4
+    current: int = 0
+    complete: bool = False
+
+
+BEFORE = {
+    "arducopter/request_messages": Before(reached=1),
+    "ardurover/request_messages": Before({"streams": {MISSION_CURRENT: 1.0}}, reached=1),
+    # The position is good when it says "EKF3 IMU0 is using GPS".
+    "ardurover/mission_start_first_2_last_4": Before({"ready_s": 90.0, "position_s": 13.66}),
+    "ardurover/auto_and_arming": Before({"ready_s": 103.0, "position_s": 6.07}),
+    "px4/mission_end": Before(complete=True),
+    "px4/mission_start_first_2_last_4": Before(current=3, complete=True),
+    "px4/request_messages": Before(current=3, complete=True),
+    "px4/set_current_while_running": Before(plan="A", complete=True),
+    "px4/start_clear_then_upload": Before(current=1),
+    "px4/start_set_current_0_after_arming": Before(current=1),
+    "px4/start_stale_arm_in_hold_then_mission_mode": Before(current=3, complete=True),
+    "px4/start_set_current_1": Before(complete=True),
+    "px4/start_stale_current": Before(plan="A", complete=True),
+}
+
+
+def fake_for(name: str):
+    before = BEFORE.get(name, Before())
+    beat = recorded(name, "<", "HEARTBEAT")[0]
+    uploads = plans_uploaded(f"{name.split('/')[0]}/start_stale_current")
+    if name.startswith("px4/"):
+        fake = Px4(uptime_s=100.0, system_id=beat.message.get_srcSystem(),
+                   mode=(beat.message.custom_mode >> 16 & 0xFF, beat.message.custom_mode >> 24),
+                   tells_at_s=recorded(name, "<", "MISSION_CURRENT")[0].time)  # fmt: skip
+        fake.load(uploads["AB".index(before.plan) + 1])
+        fake.missions.current = fake._known_current = before.current
+        fake.complete = before.complete
+    else:
+        vehicle = {"arducopter": "copter", "ardurover": "rover"}[name.split("/")[0]]
+        fake = ArduPilot(vehicle=vehicle, uptime_s=100.0, **before.options)
+        mode = next(mode for mode, number in fake.kind.modes.items() if number == beat.message.custom_mode)
+        fake.mode = fake.mode if mode == "AUTO" else mode  # that was ordered before it was told
+        fake.load(uploads[1])
+        if before.reached is not None:
+            fake._last_reached = before.reached
+            fake.stream(MISSION_CURRENT, 0.25, 0.0)
+    return fake
+
+
+# -- the pace of the recording --------------------------------------------------------------------
+
+ON_THE_GROUND = ("SIM Hit ground", "Landing detected")
+
+
+class Told(NamedTuple):
+    """What the fake would tell at a time of the recording."""
+
+    time: float
+    current: tuple
+    heartbeat: tuple
+
+
+class Played(NamedTuple):
+    """A recording, and the fake to which its client's side was played."""
+
+    name: str
+    fake: object
+    sent: list[tuple[float, float]]  # of the client's frames: (time in the recording, time at the fake)
+    told: list[Told]
+
+
+def at_no_pace_of_its_own(fake) -> None:
+    """Each leg, and each landing, lasts until arrive()."""
+    flight = fake.flight
+    own_leg: Callable = flight._leg
+
+    def leg(item):
+        target, takes_s = own_leg(item)
+        return target, math.inf if takes_s > 0 else 0.0
+
+    flight._leg = leg
+    flight.pace = flight.pace._replace(descent=1e-9)
+
+
+def moved(name: str) -> Played:
+    fake = fake_for(name)
+    at_no_pace_of_its_own(fake)
+    heard = recordings.heard(name)
+    told: list[Told] = []
+    flies = "request_messages" not in name
+
+    def follow(one, now: float) -> float:
+        """What the real one said has come: arrive as it did, and note what the fake says by then."""
+        now = max(now, one.time)
+        message, kind = one.message, one.message.get_type()
+        if flies and kind == "MISSION_ITEM_REACHED" and not is_repetition(one, heard):
+            fake.arrive(now)
+        if kind == "STATUSTEXT" and message.text.startswith(ON_THE_GROUND):
+            if fake.flight.index is not None and not fake.flight.sinking:
+                fake.arrive(now)
+            fake.arrive(now)
+        fake._advance(now)
+        told.append(Told(now, what_is_told(fake._mission_current()), what_is_told(fake.heartbeat())))
+        return now
+
+    _, sent = play(name, fake, follow)
+    return Played(name, fake, sent, told)
+
+
+def what_is_told(message) -> tuple:
+    if message.get_type() == "HEARTBEAT":
+        copter = message.autopilot != mavlink.MAV_AUTOPILOT_PX4 and message.type == mavlink.MAV_TYPE_QUADROTOR
+        return (message.base_mode, message.custom_mode, None if copter else message.system_status)
+    return (message.seq, message.total, message.mission_state, message.mission_mode, message.mission_id)
+
+
+@pytest.fixture(scope="module")
+def played():
+    """Plays each recording once."""
+    made: dict[str, Played] = {}
+
+    def play_once(name: str) -> Played:
+        if name not in made:
+            made[name] = moved(name)
+        return made[name]
+
+    return play_once
+
+
+# -- what it answers ------------------------------------------------------------------------------
+
+
+def answers(said) -> list[tuple]:
+    return [fields(message) for _, message in said if message.get_type() != "STATUSTEXT" and not is_clocked(message)]
+
+
+def said_in_recording(name: str) -> list[tuple[float, object]]:
+    return [(one.time, one.message) for one in recordings.heard(name)
+            if one.direction == "<" and is_compared(one.message)]
+
+
+@EACH
+def test_it_answers_as_the_real_one(played, name):
+    fake = played(name).fake
+    assert answers(said_by(fake)) == answers(said_in_recording(name)), transcript(fake)
+
+
+def reached(said) -> list[tuple[float, int]]:
+    """(time, item), without repetitions."""
+    told = [(time, message.seq) for time, message in said if message.get_type() == "MISSION_ITEM_REACHED"]
+    return [one for before, one in zip([(0.0, None), *told], told, strict=False) if one[1] != before[1]]
+
+
+@EACH
+def test_it_calls_the_same_items_reached_and_not_later(played, name):
+    said, real = reached(said_by(played(name).fake)), reached(said_in_recording(name))
+    assert [seq for _, seq in said] == [seq for _, seq in real]
+    for (said_time, seq), (real_time, _) in zip(said, real, strict=True):
+        assert said_time - real_time < TOLD_WITHIN_S, seq
+
+
+def texts(said) -> list[tuple[float, str, int]]:
+    """(time, text, severity), put together from their pieces."""
+    whole: list[tuple[float, str, int]] = []
+    for time, message in said:
+        if message.get_type() == "STATUSTEXT" and message.chunk_seq:
+            whole[-1] = (whole[-1][0], whole[-1][1] + message.text, message.severity)
+        elif message.get_type() == "STATUSTEXT":
+            whole.append((time, message.text, message.severity))
+    return whole
+
+
+@EACH
+def test_it_says_in_words_what_the_real_one_said_and_when(played, name):
+    fake = played(name).fake
+    said, real = texts(said_by(fake)), texts(said_in_recording(name))
+    assert [one[1:] for one in said] == [one[1:] for one in real], transcript(fake)
+    for (said_time, words, _), (real_time, _, _) in zip(said, real, strict=True):
+        within_s = SPOOLED_UP_WITHIN_S if words.startswith("Takeoff detected") else TOLD_WITHIN_S
+        assert abs(said_time - real_time) < within_s, f"{words}: {said_time:.3f} s, not {real_time:.3f} s"
+
+
+REQUESTS = pytest.mark.parametrize("name", [name for name in NAMES if name.endswith("request_messages")])
+
+
+@REQUESTS
+def test_it_sends_what_was_asked_for_beside_its_acknowledgement(played, name):
+    """AUTOPILOT_VERSION, of which nothing else is compared, and MESSAGE_INTERVAL."""
+    kinds = ("AUTOPILOT_VERSION", "MESSAGE_INTERVAL", "COMMAND_ACK")
+
+    def brief(messages) -> list:
+        return [message.get_type() if message.get_type() == kinds[0] else fields(message)
+                for message in messages if message.get_type() in kinds]
+
+    assert brief(played(name).fake.messages("<")) == brief(one.message for one in recorded(name, "<", *kinds))
+
+
+@REQUESTS
+def test_it_sends_mission_current_at_the_interval_that_was_asked_for(played, name):
+    """4 Hz, then 5 Hz, then none for 3 s, then none or one each second; but PX4 always one each second."""
+    orders = [one.time for one in recorded(name, ">", "COMMAND_LONG")
+              if (one.message.command, one.message.param1) == (511, MISSION_CURRENT)]
+    theirs = [one.time for one in recorded(name, "<", "MISSION_CURRENT")]
+    mine = [time for time, direction, message in played(name).fake.log
+            if direction == "<" and message.get_type() == "MISSION_CURRENT"]
+    for begins, ends in zip([0.0, *orders], [*orders, recordings.heard(name)[-1].time], strict=True):
+        counts = [sum(begins + ANSWERED_WITHIN_S < time < ends for time in times) for times in (mine, theirs)]
+        assert abs(counts[0] - counts[1]) <= 1, f"from {begins:.3f} to {ends:.3f} s"
+
+
+# -- what it tells from time to time --------------------------------------------------------------
+
+
+def in_turn(told: list) -> list:
+    """Without repetitions."""
+    return [one for before, one in zip([None, *told], told, strict=False) if one != before]
+
+
+def lasting(told: list[tuple[float, tuple]]) -> list[tuple]:
+    """What was told for long enough, in turn."""
+    result, begun = [], told[0][0]
+    for (_, before), (time, now) in pairwise(told):
+        if now != before:
+            if time - begun > LASTING_S:
+                result.append(before)
+            begun = time
+    return in_turn(result)
+
+
+def is_in_order(part: list, whole: list) -> bool:
+    rest = iter(whole)
+    return all(one in rest for one in part)
+
+
+@EACH
+@pytest.mark.parametrize("kind", ["MISSION_CURRENT", "HEARTBEAT"])
+def test_it_would_tell_what_the_real_one_told(played, name, kind):
+    told = [(one.time, one.current if kind == "MISSION_CURRENT" else one.heartbeat) for one in played(name).told]
+    real = [(one.time, what_is_told(one.message)) for one in recorded(name, "<", kind)]
+    answered = answer_times(name)
+    for time, what in real:
+        near = {mine for at, mine in told if abs(at - time) <= ALIKE_WITHIN_S}
+        if not any(0 <= time - asked <= ANSWERED_WITHIN_S for asked in answered):
+            assert what in near, f"{what} at {time:.3f} s; the fake: {near}"
+    if len(real) > 3:
+        assert is_in_order(lasting(told), in_turn([what for _, what in real])), (lasting(told), real)
+
+
+def answer_times(name: str) -> list[float]:
+    """When something was asked that ArduPilot answers by a MISSION_CURRENT."""
+    if name.startswith("px4/"):
+        return []
+    return [one.time for one in recorded(name, ">", "MISSION_SET_CURRENT", "COMMAND_LONG")
+            if one.message.get_type() == "MISSION_SET_CURRENT" or one.message.command == 224
+            or (one.message.command, one.message.param1) == (512, MISSION_CURRENT)]
+
+
+@ON_ARDUPILOT
+def test_it_answers_by_the_same_current_item(played, name):
+    """Or not at all, where the item is beyond the plan. (One that says the same as before may be a stream's.)"""
+    one_played = played(name)
+    at_fake = dict(one_played.sent)
+    mine = [(time, message) for time, direction, message in one_played.fake.log
+            if direction == "<" and message.get_type() == "MISSION_CURRENT"]
+    real = [(one.time, one.message) for one in recorded(name, "<", "MISSION_CURRENT")]
+    for asked in answer_times(name):
+        told = [what_is_told(message) for time, message in mine
+                if 0 <= time - at_fake[asked] <= ANSWERED_WITHIN_S]
+        theirs = [what_is_told(message) for time, message in real if 0 <= time - asked <= ANSWERED_WITHIN_S]
+        before = [what_is_told(message) for time, message in real if time < asked]
+        if told or theirs[-1:] != before[-1:]:
+            assert told == theirs[-1:], f"asked at {asked:.3f} s"

@@ -1,0 +1,153 @@
+"""How often an upload succeeds on a line that loses frames or bytes at random: the library beside plainer clients.
+
+The library's own MissionClient, compiled for this computer, puts a plan of five items aboard models of both
+autopilots (test/explorer), in simulated time, over a line of 57600 baud; so do a client without retries
+(rates/NoRetries.cpp), one with the usual rule (rates/UsualRule.cpp) and one that answers each request that it hears
+(rates/Strategies.cpp, number 0). The models hear bytes through the autopilots' own parsers (simulation/hearing). The n-th
+frame of a direction, or its n-th byte, is lost or not by the seed alone. The table in the documents is made by
+
+    build/venv/bin/python test/support/rates.py --write-docs
+"""
+
+from __future__ import annotations
+
+import argparse
+import functools
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+if __name__ == "__main__":
+    sys.path[:0] = [str(ROOT), str(ROOT / "tools")]
+
+from simulation.host_build import FAST, HOST, build_host  # noqa: E402
+from truth import longest_s  # noqa: E402
+
+RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
+HEARING = ROOT / "simulation" / "hearing" / "Hearing.cpp"
+MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
+
+# Name on the command line -> in words.
+AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", "PX4": "PX4"}
+CLIENTS = {
+    "no-retries": "without retries",
+    "usual-rule": "usual rule",
+    "strategy-0": "an item for each request",
+    "upload-by-answer": "`uploadWithoutReadback()`",
+    "upload": "`upload()`",
+}
+OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it
+FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]  # as test_explorer.py, so that the objects are the same
+LINES = (("frames", 5), ("frames", 25), ("frames", 40), ("bytes", 1), ("bytes", 3), ("bytes", 5))  # what is lost [%]
+SEEDS = 200
+
+
+@dataclass(frozen=True)
+class Upload:
+    """One upload's end: what the client said, and what was so."""
+
+    seed: int
+    status: str  # `never`: it did not end
+    is_aboard: bool
+    aboard: str  # what the client says is aboard
+    is_aboard_true: bool
+    took_s: float  # from the first COUNT
+    bytes_sent: int  # by the client in that time
+
+    @property
+    def is_success(self) -> bool:
+        return self.status == "Accepted" and self.is_aboard
+
+    @property
+    def is_false_acceptance(self) -> bool:
+        return self.status == "Accepted" and not self.is_aboard
+
+    @property
+    def is_aboard_unsaid(self) -> bool:
+        """Said to have failed, or to be in doubt, though the plan is aboard."""
+        return self.status != "Accepted" and self.is_aboard
+
+
+def limit_s(autopilot: str, client: str) -> float:
+    """The bound on an upload of the library's, from its first COUNT: five items, on ArduPilot behind home."""
+    return longest_s(5 if autopilot == "PX4" else 6, OURS[client])
+
+
+@functools.cache
+def build_rates(library: tuple[Path, ...] | None = None) -> Path:
+    sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), HOST / "Frames.cpp", HEARING]
+    return build_host("rates", sources, "g++", FLAGS, library=library)
+
+
+@functools.cache
+def uploads(
+    autopilot: str, client: str, lost: str, percent: int, seeds: int, program: Path | None = None, baud: int = 57600
+) -> tuple[Upload, ...]:
+    """The ends of the uploads with the seeds from 0 on. Raises RuntimeError if the program fails."""
+    words = [program or build_rates(), autopilot, client, lost, str(percent), str(seeds), str(baud)]
+    ran = subprocess.run(words, capture_output=True, text=True, check=False)
+    if ran.returncode != 0:
+        raise RuntimeError(f"{' '.join(map(str, words))}: {ran.stderr}")
+    found = []
+    for line in ran.stdout.splitlines():
+        seed, status, is_aboard, aboard, is_true, ms, sent, _ = line.split()
+        found.append(Upload(int(seed), status, is_aboard == "1", aboard, is_true == "1", int(ms) / 1000, int(sent)))
+    return tuple(found)
+
+
+def rows(seeds: int = SEEDS, lines: tuple[tuple[str, int], ...] = LINES) -> list[list[str]]:
+    """The table, its head first: a row for each client on each line."""
+    table = [["lost", "client", *(f"Accepted, {name}" for name in AUTOPILOTS.values()), "aboard, unsaid",
+              "false Accepted", *(f"median, {name}" for name in AUTOPILOTS.values())]]  # fmt: skip
+    for lost, percent in lines:
+        for client, name in CLIENTS.items():
+            by_autopilot = [uploads(autopilot, client, lost, percent, seeds) for autopilot in AUTOPILOTS]
+            ends = [end for one in by_autopilot for end in one]
+            table.append([
+                f"{percent} % of {lost}", name,
+                *(share(sum(end.is_success for end in one), len(one)) for one in by_autopilot),
+                str(sum(end.is_aboard_unsaid for end in ends)), str(sum(end.is_false_acceptance for end in ends)),
+                *(median_s(one) for one in by_autopilot),
+            ])  # fmt: skip
+    return table
+
+
+def median_s(ends: tuple[Upload, ...]) -> str:
+    """Of the successes, from the first COUNT."""
+    times = sorted(end.took_s for end in ends if end.is_success)
+    return f"{times[len(times) // 2]:.1f} s" if times else "-"
+
+
+def share(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.1f} %"
+
+
+def for_documents() -> str:
+    """What stands between the marks in the documents."""
+    from measuring.report import aligned
+
+    note = (
+        f"Uploads of five items, {SEEDS} for each autopilot on each line, by `test/support/rates.py`. "
+        "Unsaid: the plan was\naboard, and the client did not say so, "
+        f"of {SEEDS * len(AUTOPILOTS)}; times are those of the successes, from the first COUNT."
+    )
+    return f"{note}\n\n{aligned(rows(), left=2)}"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--write-docs", action="store_true", help="put the table into the documents")
+    args = parser.parse_args()
+    fresh = for_documents()
+    print(fresh)
+    if args.write_docs:
+        from measuring import documents
+
+        documents.put("rates", fresh)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

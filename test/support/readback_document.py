@@ -1,0 +1,91 @@
+"""docs/readback.md is made of the table in src/mavmission/autopilot/Commands.cpp:
+
+    build/venv/bin/python test/support/readback_document.py --write
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCUMENT = ROOT / "docs" / "readback.md"
+SOURCE = ROOT / "src" / "mavmission" / "autopilot" / "Commands.cpp"
+
+KINDS = {
+    "K": "kept",
+    "D": "–",
+    "Yaw360": "heading",
+    "NoYaw": "– (yaw)",
+    "Sign": "sign",
+    "Special": "*",
+    "Centimetres": "cm",
+    "U1": "0, 1",
+    "U8": "to 255",
+    "I8": "±127",
+    "U16": "to 65535",
+    "I16": "±32767",
+    "Radius": "±65535",
+    "To180": "±180",
+    "To90": "±90",
+    "To360": "-180 to 360",
+}
+PLACES = {
+    "NotTaken": None,
+    "None": "–",
+    "Place": "place",
+    "Optional": "place",
+    "Configure": "to 255, to 255, kept",
+    "Shoot": "to 255, to 255, –",
+    "Mount": "–, –, 2",
+    "Gimbal": "to 255, –, to 255",
+    "Attitude": "±32767, –, –",
+    "Fence": "place, no altitude",
+    "Rally": "place, whole metres",
+}
+IN_PX4 = {
+    "NotTaken": "not taken",
+    "Command": "no place; all kept",
+    "Place": "place; parameters –",
+    "Waypoint": "place; kept, kept, –, heading",
+    "Loiter": "place; –, –, kept, heading",
+    "LoiterTime": "place; kept, 0 or 1, kept, 0 or 1",
+    "LoiterToAltitude": "place; 0 or 1, kept, –, 0 or 1",
+    "Land": "place; –, to 65535, –, heading",
+    "Takeoff": "place; –, –, –, heading",
+    "Roi": "place: 0 or 3, –, –, –; without: 0 to 2, kept, kept, kept",
+    "Jump": "no place; ±32767, to 65535, kept, kept",
+    "LandStart": "no place; all kept, x and y rounded",
+    "Corner": "place; to 65535, –, –, –",
+    "Circle": "place; kept, –, –, –",
+}
+ROW = re.compile(r"^    row\((\d+), (\w+), (\w+), (\w+), (\w+), InArduPilot::(\w+), InPx4::(\w+)\),  // (.+)$", re.M)
+
+
+def table() -> str:
+    lines = [
+        "| command | | ArduPilot: param1 | param2 | param3 | param4 | x, y, z | PX4 |",
+        "|---:|---|---|---|---|---|---|---|",
+    ]
+    for number, *params, where, in_px4, name in ROW.findall(SOURCE.read_text()):
+        if PLACES[where] is None:
+            cells = ["not taken", "", "", "", ""]
+        else:
+            cells = [*(KINDS[kind] for kind in params), PLACES[where]]
+        is_plane = " on a plane" in name
+        label = name.split(" on a plane")[0] + (", plane" if is_plane else "")
+        px4 = "" if is_plane else IN_PX4[in_px4]
+        lines.append(f"| {number} | {label} | {' | '.join(cells)} | {px4} |")
+    return "\n".join(lines) + "\n"
+
+
+def with_table(text: str) -> str:
+    begin, end = "<!-- commands: begin -->\n", "<!-- commands: end -->\n"
+    return text[: text.index(begin) + len(begin)] + table() + text[text.index(end) :]
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] != ["--write"]:
+        sys.exit(__doc__)
+    DOCUMENT.write_text(with_table(DOCUMENT.read_text()))

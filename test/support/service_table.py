@@ -1,0 +1,175 @@
+"""The README's table of what the service does on which autopilot, and the proof of each row on the firmware.
+
+A proof is a function of an autopilot and a MAVLink version: it lets the firmware do on a bench what the row names,
+and returns the words that the cell must then have.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from itertools import dropwhile, takewhile
+
+from areas import FIELD, POINTS
+from downloads import WRITTEN, same
+from flights import fly, reached_in, started
+from parts import NEW, OLD
+from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
+from simulation.bench import same_bits
+from simulation.service import FENCE, MISSION, RALLY, Service
+from starts import HOPS, LANDING_FIRST, is_flying, uploaded
+
+# Column: the fake autopilot there, and its options. PX4 is not asked to speak MAVLink 1: it answers in 2.
+COLUMNS = {
+    "ArduPilot": ("ArduPilot", {}),
+    "PX4": ("PX4", {}),
+    "ArduPilot over MAVLink 1": ("ArduPilot", {"mavlink_version": 1}),
+}
+Make = Callable[..., Service]
+
+
+def read_table(readme: str) -> dict[str, dict[str, str]]:
+    """Row -> column -> cell."""
+    lines = dropwhile(lambda line: line != f"| | {' | '.join(COLUMNS)} |", readme.splitlines())
+    head, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")]
+                      for line in takewhile(lambda line: line.startswith("|"), lines)] or [[], []]  # fmt: skip
+    return {row[0]: dict(zip(head[1:], row[1:], strict=True)) for row in rows}
+
+
+def refused(status: str) -> str:
+    return f"no: `{status}`"
+
+
+def whole_service(make: Make, personality: str) -> str:
+    """A plan goes up, is verified, comes back as it was, and is taken away."""
+    service = make()
+    service.autopilot.load(OLD_PLAN)
+    service.upload(WRITTEN)
+    if (ended := service.done(limit_s=20)) != "Accepted":
+        return refused(ended)
+    service.verify(WRITTEN)
+    if (ended := service.done()) != "Verified":
+        return refused(ended)
+    service.download()
+    if (ended := service.done()) != "Downloaded":
+        return refused(ended)
+    assert same(service.sink(len(WRITTEN)), WRITTEN)
+    service.order_of("clear", MISSION)
+    if (ended := service.done()) != "Cleared":
+        return refused(ended)
+    return "yes" if len(service.autopilot.plan()) <= 1 else "no"  # ArduPilot keeps home
+
+
+LEFTOVERS_S = 10.5  # MissionClient::kLeftoversMs
+
+
+def proof_of_a_lost_answer(make: Make, personality: str) -> str:
+    service = make()
+    service.autopilot.load(OLD_PLAN)
+    service.autopilot.faults.swallow_final_ack()
+    service.run(
+        LEFTOVERS_S
+    )  # before that PX4's answer may be to an upload from before a reset: it is read back as well
+    service.upload(SURVEY, proof="InDoubt")
+    if (ended := service.done(limit_s=30)) != "Accepted":
+        return refused(ended)
+    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, personality))
+    if service.heard("MISSION_REQUEST_LIST"):
+        return "read back"
+    answers = [entry.message for entry in service.wire.frames("<", "MISSION_ACK")]
+    return "checksum in the answer" if answers[-1].opaque_id else "no proof"
+
+
+def fence_and_rally(make: Make, personality: str) -> str:
+    service = make()
+    outcomes = set()
+    for mission_type, plan in ((FENCE, FIELD), (RALLY, POINTS)):
+        service.upload(plan, mission_type)
+        ended = service.done()
+        if ended == "Accepted":
+            assert same_bits(service.autopilot.received(mission_type), plan)
+            service.verify(plan, mission_type)
+            ended = "yes" if service.done() == "Verified" else "no"
+        else:
+            assert service.mission_messages() == []
+            ended = refused(ended)
+        outcomes.add(ended)
+    return " or ".join(sorted(outcomes))
+
+
+def part(make: Make, personality: str) -> str:
+    service = make()
+    service.upload(OLD)
+    assert service.done() == "Accepted"
+    before = service.autopilot.received()
+    plan = [*OLD[:2], *NEW[2:5], *OLD[5:]]
+    service.upload_part(plan, 2, 3)
+    if (ended := service.done()) != "Accepted":
+        assert same_bits(service.autopilot.received(), before)
+        return refused(ended)
+    return "yes" if same_bits(service.autopilot.received(), on_the_wire(plan, personality)) else "no"
+
+
+def flying(make: Make, personality: str) -> str:
+    """Every order of the row, then start() on the ground."""
+    service = uploaded(make(), HOPS[personality])
+    for order in (("mode", 3), ("arm",), ("setcurrent", 1), ("disarm",), ("setcurrent", 0), ("start",)):
+        service.order_of(*order)
+        if (ended := service.done()) != "Done":
+            return refused(ended)
+        service.run(1.5)  # a heartbeat says whether it is armed
+        assert order != ("arm",) or service.state.armed
+        assert order != ("mode", 3) or "Hold" in service.state.modes
+    return "yes" if is_flying(service) else "no"
+
+
+def followed(make: Make, personality: str) -> str:
+    service = started(make(), HOPS[personality])
+    fly(service)
+    is_told = service.reached == reached_in(service, 0, 1, 2) and 2 in service.currents
+    return "yes" if is_told else f"current {service.currents}, reached {service.reached}"
+
+
+def infeasible(make: Make, personality: str) -> str:
+    service = uploaded(make(), LANDING_FIRST)
+    before = len(service.ends)
+    service.run(6.0)
+    later = service.ends[before:]
+    return f"`{later[0]}`" if later else "-"
+
+
+def quiet_transfers(make: Make, personality: str) -> str:
+    """A full line is silent at the end of a transfer, and full again soon after it."""
+    service = make(telemetry=5000.0, defines={"BENCH_QUIET": 1})
+    service.upload([waypoint(473977420 + 100 * n) for n in range(50)])
+    if (ended := service.done(limit_s=20)) != "Accepted":
+        return refused(ended)
+    end = service.now
+    service.run(3.0)
+    heard = [entry.time for entry in service.wire.frames("<", "ATTITUDE")]
+    silent = not any(end - 0.3 <= time < end for time in heard)
+    return "yes" if silent and any(time > end + 2.5 for time in heard) else "no"
+
+
+PROOFS: dict[str, Callable[[Make, str], str]] = {
+    "upload, download, verify, clear a mission": whole_service,
+    "proof of an upload whose last answer was lost": proof_of_a_lost_answer,
+    "fence and rally points": fence_and_rally,
+    "upload of a part": part,
+    "start, arm, modes, current item": flying,
+    "current item and items reached": followed,
+    "a plan found infeasible after it was accepted": infeasible,
+    "telemetry silent during transfers (`TelemetryPause`)": quiet_transfers,
+}
+
+
+def proven(row: str, column: str, build: Make) -> str:
+    """The cell's words, by the firmware. `build` makes a bench for a personality."""
+    personality, options = COLUMNS[column]
+    return PROOFS[row](lambda **more: build(personality, **options, **more), personality)
+
+
+def cells(readme: str) -> list[tuple[str, str, str]]:
+    """(row, column, words) of each cell."""
+    return [(row, column, re.sub(r"\s+", " ", words))
+            for row, columns in read_table(readme).items() for column, words in columns.items()]  # fmt: skip

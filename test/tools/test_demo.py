@@ -1,0 +1,289 @@
+"""tools/demo shows what happens, and says that all is well only when it is."""
+
+from __future__ import annotations
+
+import io
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from pymavlink import mavutil
+from rich.console import Console
+
+from building import ROOT, build_sketch
+from demonstration import Demonstration, NoDemonstration, Settings
+from demonstration import demonstration as inside
+from demonstration.plan_in_firmware import NotOnePlan, plan_in
+from demonstration.screen import PlainScreen, TerminalScreen
+from demonstration.wire_form import HOME, on_the_wire
+from simulation.fake_autopilot import MISSION, ArduPilot, Px4, item, mavlink
+
+SKETCHES = Path(__file__).resolve().parents[1] / "demonstrated"
+AUTOPILOTS = ["ardupilot", "px4"]
+NAN = float("nan")
+
+
+def shown(example: str = "UploadMission", **settings) -> tuple[bool, str]:
+    """Whether the verdict is good, and everything on the screen."""
+    out = io.StringIO()
+    screen = PlainScreen(out)
+    verdict = Demonstration(Settings(example, fast=True, **settings), screen).run()
+    screen.verdict(verdict.sentence, verdict.good)
+    return verdict.good, out.getvalue()
+
+
+def sketch(name: str) -> str:
+    return str(SKETCHES / f"{name}.cpp")
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_first_example_ends_with_its_plan_aboard(autopilot):
+    good, text = shown(autopilot=autopilot)
+    assert good, text
+    assert "its plan: survey, 4 items in flash" in text
+    assert "MISSION_COUNT" in text and "MISSION_ACK ACCEPTED" in text
+    assert text.splitlines()[-1].startswith("The plan is aboard: all")
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_plan_that_each_autopilot_gets_differently_is_judged_right(autopilot):
+    good, text = shown(sketch("many_kinds"), autopilot=autopilot)
+    assert good, text
+    assert "Serial             accepted: the plan is aboard" in text
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+@pytest.mark.parametrize("example", sorted(folder.name for folder in (ROOT / "examples").iterdir()))
+def test_each_example_runs_to_a_good_end(example, autopilot):
+    good, text = shown(example, autopilot=autopilot)
+    assert good, text
+
+
+def test_download_that_misses_an_item_is_a_failure(monkeypatch):
+    monkeypatch.setattr(inside, "LIMIT_S", 20.0)
+    good, text = shown("DownloadMission", loss_percent=100)
+    assert not good
+    assert "has read 0 of the" in text
+
+
+def test_lost_and_repeated_frames_are_marked():
+    good, text = shown(autopilot="px4", loss_percent=25, seed=1)
+    assert good, text
+    assert "[lost]" in text and "[again]" in text
+
+
+def test_same_seed_shows_the_same_and_another_seed_another():
+    first = shown(loss_percent=20, seed=5)
+    assert shown(loss_percent=20, seed=5) == first
+    assert shown(loss_percent=20, seed=6) != first
+
+
+@pytest.mark.slow
+def test_plan_in_ram_is_judged_as_it_was_when_the_upload_began():
+    good, text = shown(sketch("in_ram"))
+    assert good, text
+    assert "route, 2 items in RAM" in text
+    assert "-35.3620276" in text  # 12,345 further north than the linker left it
+
+
+@pytest.mark.slow
+def test_plan_from_a_function_is_judged_by_what_was_sent():
+    good, text = shown(sketch("computed"))
+    assert good, text
+    assert "comes from a function" in text
+    assert "all 13 items" in text
+
+
+def test_line_that_loses_everything_is_a_failure(monkeypatch):
+    monkeypatch.setattr(inside, "LIMIT_S", 20.0)
+    good, text = shown(loss_percent=100)
+    assert not good
+    assert text.splitlines()[-1].startswith("FAILED: ")
+
+
+def test_sketch_that_uploads_nothing_is_a_failure(monkeypatch):
+    monkeypatch.setattr(inside, "LIMIT_S", 3.0)
+    good, text = shown(sketch("silent"))
+    assert not good
+    assert "FAILED: in 3 s the sketch began no upload." in text
+
+
+class Tampered(ArduPilot):
+    """Holds another item than it was sent."""
+
+    def received(self, mission_type=MISSION):
+        items = super().received(mission_type)
+        return [*items[:2], items[2]._replace(x=items[2].x + 1), *items[3:]] if len(items) > 2 else items
+
+
+class Forgetful(ArduPilot):
+    """Says that it holds fewer items than it took."""
+
+    def plan(self, mission_type=MISSION):
+        return super().plan(mission_type)[:-1]
+
+
+@pytest.mark.parametrize(
+    ("fake", "says"), [(Tampered, "FAILED: 1 of 5 items differ."), (Forgetful, "holds 4 items, not 5")]
+)
+def test_one_bit_of_difference_aboard_is_a_failure(monkeypatch, fake, says):
+    monkeypatch.setattr(inside, "an_autopilot", lambda name, vehicle: fake(response_delay_s=0.006))
+    good, text = shown()
+    assert not good
+    assert says in text
+    assert ("<-- DIFFERS" in text) == (fake is Tampered)
+
+
+def test_log_is_read_by_the_ground_stations_library(tmp_path):
+    file = tmp_path / "upload.tlog"
+    assert shown(log=file, autopilot="px4")[0]
+    log = mavutil.mavlink_connection(str(file), dialect="common")
+    names, times = [], []
+    while (message := log.recv_match()) is not None:
+        names.append(message.get_type())
+        times.append(message._timestamp)
+    assert names.count("MISSION_ITEM_INT") == 4
+    assert names.count("MISSION_ACK") == 1
+    assert "BAD_DATA" not in names
+    assert times == sorted(times)
+    assert 3 < times[-1] - times[0] < 30
+
+
+def test_log_holds_only_what_arrived(tmp_path):
+    file = tmp_path / "lossy.tlog"
+    _, text = shown(log=file, autopilot="px4", loss_percent=25, seed=1)
+    log = mavutil.mavlink_connection(str(file), dialect="common")
+    items = 0
+    while (message := log.recv_match(type="MISSION_ITEM_INT")) is not None:
+        items += message is not None
+    lines = [line for line in text.splitlines() if " MISSION_ITEM_INT " in line]
+    assert items == sum("[lost]" not in line for line in lines) < len(lines)
+
+
+def test_terminal_gets_the_bar_and_the_table():
+    out = io.StringIO()
+    screen = TerminalScreen(Console(file=out, force_terminal=True, width=160, color_system=None))
+    verdict = Demonstration(Settings(fast=True), screen).run()
+    screen.verdict(verdict.sentence, verdict.good)
+    screen.close()
+    assert verdict.good
+    assert "5/5" in out.getvalue() and "aboard" in out.getvalue()
+    assert "\x1b[?25h" in out.getvalue()  # the cursor is back
+
+
+# The plan in the firmware ---------------------------------------------------
+
+
+@pytest.mark.slow
+def test_several_plans_must_be_told_apart():
+    elf = build_sketch(sketch("two_plans")).elf
+    with pytest.raises(NotOnePlan, match="north, south"):
+        plan_in(elf)
+    assert plan_in(elf, "south").count == 1
+    with pytest.raises(NotOnePlan, match="no plan called east"):
+        plan_in(elf, "east")
+
+
+def test_unknown_example_is_refused_with_those_there_are():
+    with pytest.raises(NoDemonstration, match="there are: .*UploadMission"):
+        shown("UplaodMission")
+
+
+# The form on the wire -------------------------------------------------------
+
+TAKEOFF, LAND, WAYPOINT, JUMP, DELAY = (
+    mavlink.MAV_CMD_NAV_TAKEOFF,
+    mavlink.MAV_CMD_NAV_LAND,
+    mavlink.MAV_CMD_NAV_WAYPOINT,
+    mavlink.MAV_CMD_DO_JUMP,
+    mavlink.MAV_CMD_NAV_DELAY,
+)
+A, B = item(WAYPOINT, x=1, y=2), item(WAYPOINT, x=3, y=4)
+
+
+def test_ardupilot_gets_home_first_and_jumps_one_further():
+    assert on_the_wire([A, item(JUMP, frame=2, param1=0)], "ardupilot") == [HOME, A, item(JUMP, frame=2, param1=1)]
+
+
+def test_empty_plan_has_no_home():
+    assert on_the_wire([], "ardupilot") == []
+
+
+def test_unset_yaw_is_zero_on_ardupilot_and_unset_on_px4():
+    plan = [A._replace(param4=NAN)]
+    assert on_the_wire(plan, "ardupilot")[1] == A
+    assert on_the_wire(plan, "px4")[0].same_as(plan[0])
+
+
+def test_item_without_a_place_goes_in_the_frame_that_says_so():
+    for autopilot in AUTOPILOTS:
+        assert on_the_wire([item(DELAY, frame=3)], autopilot)[-1].frame == 2
+
+
+@pytest.mark.parametrize(
+    ("plan", "index", "place"),
+    [
+        ([item(TAKEOFF), A, B], 0, A),
+        ([A, item(TAKEOFF), B], 1, B),  # equally near: where it is going
+        ([A, item(LAND), B], 1, A),  # equally near: where it comes from
+        ([A, item(DELAY), item(LAND)], 2, A),
+        ([A, B._replace(frame=2), item(LAND)], 2, A),
+    ],
+)
+def test_px4_gets_the_place_of_the_nearest_item(plan, index, place):
+    sent = on_the_wire(plan, "px4")[index]
+    assert (sent.x, sent.y) == (place.x, place.y)
+    assert on_the_wire(plan, "ardupilot")[index + 1] == plan[index]
+
+
+def test_fakes_take_the_form_on_the_wire():
+    plan = [item(TAKEOFF, z=10), A, B, item(JUMP, frame=2, param1=1, param2=2), item(LAND)]
+    for name, autopilot in (("ardupilot", ArduPilot()), ("px4", Px4())):
+        sent = on_the_wire(plan, name)
+        autopilot.load(sent)
+        assert autopilot.received() == sent
+        assert [one.command for one in sent[-len(plan) :]] == [one.command for one in plan]
+
+
+# The tool -------------------------------------------------------------------
+
+
+def run_tool(*arguments: str, **options) -> subprocess.CompletedProcess:
+    return subprocess.run(
+        [sys.executable, ROOT / "tools" / "demo", *arguments], capture_output=True, text=True, check=False, **options
+    )
+
+
+def test_tool_exits_with_a_good_verdict_and_without_colours_in_a_pipe():
+    ran = run_tool("--fast", "--autopilot", "px4")
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert "\x1b" not in ran.stdout
+
+
+@pytest.mark.slow
+def test_tool_exits_with_a_bad_verdict():
+    assert run_tool("--fast", "--loss", "100").returncode == 1
+
+
+def test_tool_refuses_nonsense_and_says_what_to_do():
+    assert "is not 0 to 100" in run_tool("--loss", "101").stderr
+    ran = run_tool("Nothing")
+    assert ran.returncode == 1
+    assert ran.stderr.startswith("tools/demo: there is no example Nothing")
+
+
+def test_interrupted_tool_leaves_without_a_traceback():
+    with subprocess.Popen(
+        [sys.executable, ROOT / "tools" / "demo", "--loss", "100"],  # which does not end by itself for two minutes
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    ) as running:  # fmt: skip
+        assert running.stdout.readline()  # it is under way
+        assert "its plan" in running.stdout.readline()
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=20)
+    assert running.returncode == 130
+    assert said.strip() == "tools/demo: interrupted"

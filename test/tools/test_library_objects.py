@@ -1,0 +1,116 @@
+"""What the sketches of a board share makes builds quick, and changes nothing in them."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+import building
+import library_objects
+from building import build_sketch
+from library_objects import LENT, LibraryObjects
+
+SKETCH = """#include <MavMission.h>
+mavmission::MissionClient autopilot(Serial1);
+void setup() {{}}
+void loop() {{ {} }}
+"""
+
+
+def sketch(folder: Path, name: str, loop: str) -> Path:
+    (folder / name).mkdir()
+    (folder / name / f"{name}.ino").write_text(SKETCH.format(loop))
+    return folder / name
+
+
+def objects_of(built: building.Built) -> dict[str, int]:
+    """When each object of the library was compiled [ns]."""
+    folder = built.elf.parent / "libraries"
+    return {str(file.relative_to(folder)): file.stat().st_mtime_ns for file in folder.rglob("*.o")}
+
+
+@pytest.fixture
+def own_build(tmp_path, monkeypatch):
+    """A build folder with nothing in it."""
+    monkeypatch.setattr(building, "BUILD", tmp_path / "build")
+    return tmp_path
+
+
+@pytest.mark.slow
+def test_second_sketch_of_a_board_takes_the_objects_of_the_first_and_is_the_same_to_the_byte(own_build):
+    first = build_sketch(sketch(own_build, "First", "autopilot.update();"))
+    second_sketch = sketch(own_build, "Second", "autopilot.clear(); autopilot.update();")
+    lent = build_sketch(second_sketch)
+    taken, hex_of_it = objects_of(lent), lent.hex.read_bytes()
+    assert len(taken) > 20
+    assert taken == objects_of(first)
+    alone = build_sketch(second_sketch, clean=True)
+    assert alone.hex.read_bytes() == hex_of_it != first.hex.read_bytes()
+    assert not objects_of(alone).items() & taken.items()
+
+
+def made(folder: Path, name: str) -> Path:
+    """What a build leaves."""
+    out = folder / name
+    for file in ("libraries/MavMission/Link.cpp.d", "core/main.cpp.d", "includes.cache", "build.options.json"):
+        (out / file).parent.mkdir(parents=True, exist_ok=True)
+        (out / file).write_text(f"{out}/core/main.cpp.o {out}/sketch/{name}.ino.cpp")
+    (out / "build.options.json").write_text('{"sketchLocation": "there", "fqbn": "a:b:c"}')
+    os.utime(out / "core/main.cpp.d", ns=(1, 1_000_000_007))
+    return out
+
+
+def test_lists_of_what_an_object_depends_on_name_the_new_place_and_keep_their_times(tmp_path):
+    objects = LibraryObjects(tmp_path / "kept", ["a board"], [])
+    objects.keep(made(tmp_path, "One"), Path("One"))
+    out = tmp_path / "Two"
+    objects.lend(out, Path("Two"), {"sketchLocation": "here"})
+    for name in ("core/main.cpp.d", "includes.cache"):
+        assert (out / name).read_text() == f"{out}/core/main.cpp.o {out}/sketch/Two.ino.cpp"
+    assert (out / "core/main.cpp.d").stat().st_mtime_ns == 1_000_000_007
+    options = (out / "build.options.json").read_text()
+    assert '"here"' in options and '"a:b:c"' in options
+
+
+def test_objects_of_another_library_compiler_or_board_are_not_lent(tmp_path):
+    source = tmp_path / "Link.cpp"
+    source.write_text("int one;")
+    LibraryObjects(tmp_path / "kept", ["mega"], [source]).keep(made(tmp_path, "One"), Path("One"))
+
+    def is_lent(*settings: str) -> bool:
+        shutil.rmtree(tmp_path / "out", ignore_errors=True)
+        LibraryObjects(tmp_path / "kept", settings, [source]).lend(tmp_path / "out", Path("Two"), {})
+        return all((tmp_path / "out" / name).exists() for name in LENT)
+
+    assert is_lent("mega")
+    assert not is_lent("uno")
+    assert not is_lent("mega", "-DMORE")
+    source.write_text("int two;")
+    assert not is_lent("mega")
+
+
+@pytest.mark.slow
+def test_objects_that_warned_are_not_lent(own_build, monkeypatch):
+    monkeypatch.setattr(building, "own_warnings", lambda said, source: ["Link.cpp:1: warning: made up"])
+    build_sketch(sketch(own_build, "Plain", "autopilot.update();"), strict=False)
+    assert not list((own_build / "build").glob("objects/*"))
+
+
+def test_sketch_without_the_library_leaves_none(own_build):
+    (own_build / "Blink").mkdir()
+    (own_build / "Blink" / "Blink.ino").write_text("void setup() {}\nvoid loop() {}\n")
+    build_sketch(own_build / "Blink")
+    assert not list((own_build / "build").glob("objects/*"))
+
+
+def test_only_so_many_sets_are_kept_and_the_one_in_use_is_among_them(tmp_path, monkeypatch):
+    monkeypatch.setattr(library_objects, "MOST_KEPT", 2)
+    out = made(tmp_path, "One")
+    for number in range(4):
+        LibraryObjects(tmp_path / "kept", [str(number)], []).keep(out, Path("One"))
+    assert len(list((tmp_path / "kept").iterdir())) == 2
+    LibraryObjects(tmp_path / "kept", ["3"], []).lend(tmp_path / "out", Path("Two"), {})
+    assert (tmp_path / "out" / "core").is_dir()

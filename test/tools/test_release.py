@@ -1,0 +1,157 @@
+"""tools/release refuses what is not ready, and its zip is a library that an empty sketchbook can use."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import building
+from building import ROOT, build_sketch
+from releasing import NotReady, files_of, problems, release, versions, write_zip
+
+TOOL = ROOT / "tools" / "release"
+
+
+@pytest.fixture
+def library(tmp_path) -> Path:
+    """A small library that is ready for release 1.2.3."""
+    root = tmp_path / "clone"
+    files = {
+        "library.properties": "name=MavMission\nversion=1.2.3\n",
+        "library.json": json.dumps({"version": "1.2.3", "export": {"include": ["src", "examples", "README.md"]}}),
+        "src/MavMission.h": '#define MAVMISSION_VERSION "1.2.3"\n',
+        "examples/One/One.ino": "void setup() {}\nvoid loop() {}\n",
+        "README.md": "[One](examples/One/One.ino)\n",
+        "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - 2031-04-05\n\n### Added\n- All.\n\n"
+                        "## [1.2.2] - 2031-01-01\n- Less.\n",
+        "test/test_one.py": "assert True\n",
+    }
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    git = ["git", "-c", "user.name=somebody", "-c", "user.email=somebody@localhost"]
+    for words in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "All"]):
+        subprocess.run([*git, *words], cwd=root, check=True)
+    return root
+
+
+def change(library: Path, file: str, old: str, new: str) -> None:
+    text = (library / file).read_text()
+    assert old in text
+    (library / file).write_text(text.replace(old, new))
+
+
+def test_library_that_is_ready_is_released(library, tmp_path):
+    made = release(library, tmp_path / "out")
+    assert made.name == "MavMission-1.2.3.zip"
+    assert zipfile.ZipFile(made).namelist() == [
+        "MavMission/README.md", "MavMission/examples/One/One.ino", "MavMission/src/MavMission.h",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("file", "old", "new", "says"), [
+    ("library.json", '"1.2.3"', '"1.2.4"', "library.json says version 1.2.4, library.properties 1.2.3"),
+    ("src/MavMission.h", "1.2.3", "1.2", "src/MavMission.h says version 1.2,"),
+    ("library.properties", "1.2.3", "one", "version=one is not of the form 1.2.3"),
+    ("CHANGELOG.md", "## [1.2.3] - 2031-04-05", "## [Unreleased]", "head it ## [1.2.3]"),
+    ("CHANGELOG.md", "## [1.2.3]", "## [Unreleased]\n- More.\n\n## [1.2.3]", "Unreleased belongs to this release"),
+    ("CHANGELOG.md", "[1.2.3]", "[1.2.4]", "no heading ## [1.2.3]"),
+    ("CHANGELOG.md", " - 2031-04-05", "", "ends with its day"),
+    ("CHANGELOG.md", "- All.", "", "says nothing of 1.2.3"),
+    ("CHANGELOG.md", "[1.2.2]", "[1.2.3-rc1]", None),
+    ("CHANGELOG.md", "## [1.2.3]", "## [2.0.0] - 2031-05-05\n- Most.\n\n## [1.2.3]", "1.2.3 is not the first version"),
+    ("README.md", "(examples/One/One.ino)", "(elsewhere)", "does not name examples/One/One.ino"),
+    ("README.md", "[One]", "[one]", "not committed: README.md"),
+])  # fmt: skip
+def test_library_that_is_not_ready_is_refused_in_words(library, file, old, new, says):
+    change(library, file, old, new)
+    found = problems(library, snapshot=False)
+    assert says is None or [line for line in found if says in line], found
+    assert found, "it is not committed, at the least"
+
+
+def test_example_without_its_sketch_and_file_that_is_not_committed_are_refused(library, tmp_path):
+    (library / "examples" / "Two").mkdir()
+    (library / "src" / "new.cpp").write_text("")
+    with pytest.raises(NotReady, match="not committed: src/new.cpp\nTwo: Arduino wants examples/Two/Two.ino"):
+        release(library, tmp_path)
+
+
+def test_snapshot_needs_no_changelog_and_no_commit_but_one_version(library, tmp_path):
+    change(library, "CHANGELOG.md", "## [1.2.3] - 2031-04-05", "## [Unreleased]")
+    assert release(library, tmp_path, snapshot=True).name == "MavMission-1.2.3-snapshot.zip"
+    change(library, "src/MavMission.h", "1.2.3", "1.2.4")
+    with pytest.raises(NotReady, match="MavMission.h says version 1.2.4"):
+        release(library, tmp_path, snapshot=True)
+
+
+def test_zip_depends_on_nothing_but_the_files(library, tmp_path):
+    first = release(library, tmp_path / "first")
+    copy = tmp_path / "copy"
+    shutil.copytree(library, copy, copy_function=shutil.copy)  # with times of its own
+    (copy / "README.md").chmod(0o600)
+    (copy / "src" / "__pycache__").mkdir()
+    (copy / "src" / "__pycache__" / "one.pyc").write_text("")
+    (copy / "src" / ".hidden").write_text("")
+    write_zip(copy, tmp_path / "second.zip", files_of(copy))
+    assert (tmp_path / "second.zip").read_bytes() == first.read_bytes()
+
+
+# The zip of this library ------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory) -> Path:
+    """What tools/release makes of this clone."""
+    folder = tmp_path_factory.mktemp("release")
+    ran = subprocess.run([sys.executable, TOOL, "--snapshot", "--no-builds", "--output", folder],
+                         capture_output=True, text=True, check=False)  # fmt: skip
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    said = Path(ran.stdout.splitlines()[-1])
+    assert said == folder / f"MavMission-{versions(ROOT)['library.properties']}-snapshot.zip"
+    return said
+
+
+@pytest.mark.slow
+def test_zip_has_the_whole_library_and_neither_tests_nor_tools(made):
+    names = zipfile.ZipFile(made).namelist()
+    assert names == sorted(names) and len(names) == len(set(names))
+    assert {name.partition("/")[0] for name in names} == {"MavMission"}
+    tops = {name.split("/")[1] for name in names}
+    assert tops == {"src", "examples", "docs", "library.properties", "library.json", "keywords.txt", "README.md",
+                    "CHANGELOG.md", "LICENSE"}  # fmt: skip
+    sources = {f"MavMission/{file.relative_to(ROOT)}" for file in (ROOT / "src").rglob("*") if file.is_file()}
+    assert sources <= set(names)
+
+
+@pytest.mark.slow
+def test_example_of_the_zip_builds_in_an_empty_sketchbook(made, tmp_path, monkeypatch):
+    sketchbook = tmp_path / "sketchbook"
+    with zipfile.ZipFile(made) as archive:
+        archive.extractall(sketchbook / "libraries")
+    installed = sketchbook / "libraries" / "MavMission"
+    sketch = shutil.copytree(installed / "examples" / "UploadMission", sketchbook / "UploadMission")
+    monkeypatch.setattr(building, "BUILD", tmp_path / "build")
+    monkeypatch.setattr(building, "library_folder", lambda: installed.parent)
+    from_zip = build_sketch(sketch, strict=False)
+    assert from_zip.flash > 5000
+    listed = (from_zip.elf.parent / "includes.cache").read_text()
+    assert str(installed / "src") in listed and str(ROOT / "src") not in listed
+    monkeypatch.undo()
+    from_clone = build_sketch(ROOT / "examples" / "UploadMission")
+    assert (from_zip.flash, from_zip.ram) == (from_clone.flash, from_clone.ram)
+    assert from_zip.hex.read_bytes() == from_clone.hex.read_bytes()
+
+
+def test_tool_says_in_a_line_what_is_wrong(tmp_path):
+    (tmp_path / "file").write_text("")
+    ran = subprocess.run([sys.executable, TOOL, "--snapshot", "--no-builds", "--output", tmp_path / "file"],
+                         capture_output=True, text=True, check=False)  # fmt: skip
+    assert ran.returncode == 1
+    assert ran.stderr.startswith("tools/release: ") and len(ran.stderr.splitlines()) == 1

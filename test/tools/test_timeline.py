@@ -1,0 +1,207 @@
+"""tools/demo --timeline draws what crossed the line when, and the pictures in the README are what it draws."""
+
+from __future__ import annotations
+
+import functools
+import io
+import itertools
+import re
+import shlex
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+from building import ROOT
+from demonstration import BadName, Demonstration, NamedFrame, NoDemonstration, Settings
+from demonstration import demonstration as inside
+from demonstration.picture import draw, ticks, with_room
+from demonstration.screen import PlainScreen
+from demonstration.timeline import MOST_BURSTS, Burst, Mark, busy, laid_out
+
+README = ROOT / "README.md"
+COMMANDS = re.findall(r"^(tools/demo .*--timeline (docs/\w+\.svg))$", README.read_text(), re.M)
+
+
+def run(**settings) -> tuple[Demonstration, str]:
+    """The demonstration behind a run, and everything on the screen."""
+    out = io.StringIO()
+    demonstration = Demonstration(Settings(fast=True, **settings), PlainScreen(out))
+    out.write(demonstration.run().sentence)
+    return demonstration, out.getvalue()
+
+
+def words_in(picture: Path) -> str:
+    return "\n".join("".join(element.itertext()) for element in ElementTree.parse(picture).iter()
+                     if element.tag.endswith("}text"))  # fmt: skip
+
+
+def at(began: float, label: str = "ITEM", direction: str = ">", for_s: float = 0.01, **more) -> Mark:
+    return Mark(direction, began, began + for_s, label, **more)
+
+
+# The pictures in the documents ----------------------------------------------
+
+
+def test_readme_shows_each_picture_that_its_commands_draw():
+    drawn = [picture for _, picture in COMMANDS]
+    assert drawn == re.findall(r"\]\((docs/(?:upload|recovered)\.svg)\)", README.read_text())
+    assert len(drawn) == 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("command", "picture"), COMMANDS)
+def test_picture_in_the_readme_is_what_its_command_draws(command, picture, tmp_path):
+    fresh = tmp_path / "fresh.svg"
+    words = [str(fresh) if word == picture else word for word in shlex.split(command)[1:]]
+    subprocess.run([sys.executable, ROOT / "tools" / "demo", *words], check=True, capture_output=True)
+    assert fresh.read_text() == (ROOT / picture).read_text(), f"the picture is stale: run  {command}"
+
+
+def test_lost_answer_and_what_recovered_it_are_in_the_picture():
+    words = words_in(ROOT / "docs" / "recovered.svg")
+    for expected in ("ACK ACCEPTED, lost", "ITEM_INT 4, again", "ACK ERROR", "REQUEST_LIST", "of silence"):
+        assert expected in words
+    clean = words_in(ROOT / "docs" / "upload.svg")
+    assert ", lost" not in clean and ", again" not in clean
+    assert "ACK ACCEPTED" in clean
+
+
+# When a frame is on the line ------------------------------------------------
+
+
+def test_each_frame_takes_its_bytes_time_and_none_overlaps_another():
+    demonstration, _ = run(autopilot="px4")
+    byte_s = demonstration._line.byte_s
+    assert 10 / byte_s == pytest.approx(57600, rel=0.03)
+    crossed = demonstration._line.crossed
+    assert {crossing.entry.direction for crossing in crossed} == {">", "<"}
+    for crossing in crossed:
+        least = len(crossing.entry.data) * byte_s
+        # The sketch may be late with a byte in the middle of a frame; the autopilot's come in slices of 1 ms.
+        assert least - 1e-9 <= crossing.ended - crossing.began < least + 0.004, crossing
+    for way in "><":
+        spans = sorted((crossing.began, crossing.ended) for crossing in crossed if crossing.entry.direction == way)
+        assert all(after[0] >= before[1] - 1e-6 for before, after in itertools.pairwise(spans))
+
+
+@pytest.mark.slow
+def test_picture_is_the_same_on_a_computer_that_is_too_slow(tmp_path, monkeypatch):
+    run(timeline=tmp_path / "fast.svg")
+    slow_clock = itertools.accumulate(itertools.cycle((0.0003, 0.9, 0.002)))  # [s], behind by minutes in the end
+    slow = functools.partial(inside.RealTime, clock=lambda: next(slow_clock), sleep=lambda seconds: None)
+    monkeypatch.setattr(inside, "RealTime", lambda mega, **pace: slow(mega))
+    run(timeline=tmp_path / "slow.svg")
+    assert (tmp_path / "slow.svg").read_text() == (tmp_path / "fast.svg").read_text()
+
+
+def test_use_of_the_line_is_that_of_its_bytes():
+    demonstration, _ = run()
+    marks = [Mark(c.entry.direction, c.began, c.ended, "") for c in demonstration._line.crossed]
+    end = demonstration.now
+    size = sum(len(c.entry.data) for c in demonstration._line.crossed if c.entry.direction == ">")
+    assert busy(marks, ">", 0.0, end) == pytest.approx(size * demonstration._line.byte_s / end, abs=0.002)
+
+
+# Losing a frame by its name -------------------------------------------------
+
+
+def test_named_frame_is_lost_and_no_other():
+    _, text = run(autopilot="px4", lose=(NamedFrame("MISSION_ITEM_INT:3"),))
+    lost = [line for line in text.splitlines() if "[lost]" in line]
+    assert len(lost) == 1 and "MISSION_ITEM_INT 2:" in lost[0]
+    assert "MISSION_ITEM_INT:3 lost" in text.splitlines()[0]
+
+
+def test_name_without_a_number_is_the_first_and_stars_stand_for_letters():
+    _, text = run(lose=(NamedFrame("MISSION_REQ*"), NamedFrame("MISSION_COUNT")))
+    lost = [re.search(r"MISSION_\w+", line)[0] for line in text.splitlines() if "[lost]" in line]
+    assert lost == ["MISSION_COUNT", "MISSION_REQUEST"]
+
+
+def test_frame_that_never_came_is_told():
+    _, text = run(lose=(NamedFrame("MISSION_ACK:7"),))
+    assert "--lose MISSION_ACK:7: no such frame was sent, and so none was lost" in text
+
+
+@pytest.mark.parametrize(("text", "says"), [
+    ("MISSION_AKC:1", "no message MISSION_AKC; those of a mission are .*MISSION_ACK"),
+    ("MISSION_ACK:0", "1 for the first"), ("MISSION_ACK:", "1 for the first"), ("MISSION_ACK:x", "1 for the first"),
+    ("", "no message"),
+])  # fmt: skip
+def test_name_of_no_frame_is_refused(text, says):
+    with pytest.raises(BadName, match=says):
+        NamedFrame(text)
+
+
+def test_tool_refuses_what_it_cannot_lose_or_write():
+    def refused(*arguments: str) -> str:
+        ran = subprocess.run([sys.executable, ROOT / "tools" / "demo", "--fast", *arguments],
+                             capture_output=True, text=True, check=False)  # fmt: skip
+        assert ran.returncode == 1 and ran.stdout == ""
+        return ran.stderr
+
+    assert refused("--lose", "NOTHING:1").startswith("tools/demo: NOTHING:1: MAVLink has no message NOTHING")
+    assert "there is no folder /nowhere" in refused("--timeline", "/nowhere/at/all.svg")
+
+
+def test_run_without_a_mission_has_no_timeline(tmp_path, monkeypatch):
+    monkeypatch.setattr(inside, "LIMIT_S", 1.0)
+    with pytest.raises(NoDemonstration, match="nothing of a mission crossed the line"):
+        run(example=str(Path(__file__).parents[1] / "demonstrated" / "silent.cpp"), timeline=tmp_path / "none.svg")
+
+
+# Laying it out --------------------------------------------------------------
+
+
+def test_silence_ends_a_burst():
+    bursts = laid_out([at(1.0), at(1.2), at(3.0)]).bursts
+    assert [len(burst.marks) for burst in bursts] == [2, 1]
+    assert bursts[0].began == pytest.approx(0.995) and bursts[0].ended == pytest.approx(1.215)
+
+
+def test_many_silences_leave_the_longest():
+    starts = [0.0, 1.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 13.0]
+    bursts = laid_out([at(start) for start in starts]).bursts
+    assert len(bursts) == MOST_BURSTS
+    assert sum(len(burst.marks) for burst in bursts) == len(starts)
+
+
+def test_equally_long_silences_make_no_more_bursts_than_fit():
+    assert len(laid_out([at(5.0 * number) for number in range(40)]).bursts) <= MOST_BURSTS
+
+
+def test_what_has_no_label_begins_no_burst_and_is_drawn_within_one():
+    (burst,) = laid_out([at(0.0, ""), at(1.0), at(1.002, "", "<"), at(9.0, "")]).bursts
+    assert [mark.began for mark in burst.marks] == [1.0, 1.002]
+
+
+def test_frames_that_share_their_time_do_not_use_the_line_twice():
+    marks = [at(0.0, lost=True), at(0.005), at(0.05, direction="<")]
+    assert busy(marks, ">", 0.0, 0.1) == pytest.approx(0.15)
+    assert busy(marks, ">", 0.0, 0.01) == 1.0
+    assert busy(marks, ">", 0.02, 0.1) == 0.0
+
+
+def test_lost_and_repeated_frames_keep_their_labels_where_room_is_short():
+    marks = [at(0.001 * number) for number in range(20)] + [at(0.0105, "LOST", lost=True)]
+    chosen = with_room(marks, ">", 0.005)
+    assert "LOST" in [mark.label for mark in chosen]
+    assert all(after.began - before.began >= 0.005 for before, after in itertools.pairwise(chosen))
+
+
+@pytest.mark.parametrize(("began", "ended", "most", "expected"), [
+    (1.2, 1.32, 3, ["1.20", "1.25", "1.30"]), (0.0, 40.0, 5, ["0", "10", "20", "30", "40"]), (1.2301, 1.2309, 1, []),
+])  # fmt: skip
+def test_ticks_are_round_and_have_room(began, ended, most, expected):
+    times, words = ticks(Burst(began, ended), most)
+    assert len(times) == len(words) <= most
+    assert words == expected or not expected
+    assert all(began <= time <= ended for time in times)
+
+
+def test_long_label_is_shortened(tmp_path):
+    draw(laid_out([at(0.0, "A_VERY_LONG_COMMAND_INDEED", again=True)]), tmp_path / "long.svg", "title", "verdict")
+    assert "A_VERY_LONG_…, again" in words_in(tmp_path / "long.svg")

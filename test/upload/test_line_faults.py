@@ -1,0 +1,258 @@
+"""Bytes that are no frames, frames that are no good, a line that is full, a loop that stalls.
+
+On the firmware's own UART: two bytes deep in the chip, 63 in the ring, at the line's real pace.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+
+import pytest
+
+from disorders import STALLS, STREAMS
+from plans import OLD_PLAN, SURVEY, on_the_wire, steps
+from simulation import recordings
+from simulation.bench import FunctionPlan
+from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.frames import packed as frame_of
+from simulation.peer import AUTOPILOT, ack, find, heartbeat, request, request_int
+from truth import expect_truth, longest_s
+
+RING = 63  # bytes that HardwareSerial's receive ring holds
+SILENCE_S = 0.020  # after which an undamaged frame is decoded at the latest
+# From there: one turn of loop(), packing, and 50 bytes of an item at 57600 baud.
+ANSWER_S = 0.0105
+
+DAMAGE = pytest.mark.scenario(28, "After any damage the next good frame is decoded, in 20 ms of silence at the latest")
+
+
+class Asking:
+    """An autopilot that asks for one item after the other, with something on the line before each request."""
+
+    def __init__(self, line) -> None:
+        self.line = line
+        self.item = 0
+        self.packer = mavlink.MAVLink(None, *AUTOPILOT)
+        line.tell("limit", 60000)
+        line.upload(FunctionPlan(3000))
+        find(line)
+        line.run(1.5)  # the plan is checked
+        line.run_until_sent("MISSION_COUNT")
+        line.run(0.05)
+
+    def packed(self, message, version: int = 2) -> bytes:
+        return frame_of(message, self.packer, version)
+
+    def ask_after(self, fault: bytes, what: object = None, version: int = 2, silence_s: float = SILENCE_S) -> None:
+        """The request right behind the fault is answered, within so much silence [s]."""
+        line, seq = self.line, self.item
+        asked = request_int(seq) if seq % 2 else request(seq)
+        data = self.packed(heartbeat()) + fault + self.packed(asked, version)
+        line.mega.serial(1).send(data)
+        line.run(10 * len(data) / 57600)
+        before = len(line.wire.entries)
+        line.run(silence_s + ANSWER_S)
+        answers = [entry for entry in line.wire.entries[before:] if entry.direction == ">"
+                   and entry.message.get_type() != "HEARTBEAT"]  # fmt: skip
+        assert [entry.message.seq for entry in answers] == [seq], (what, fault[:40].hex(" "))
+        self.item += 1
+
+    def expect_alive(self) -> None:
+        """Nothing ended, and nothing but the items that were asked for went out."""
+        assert self.line.ends == []
+        assert steps(self.line) == [("COUNT", 3000), *(("ITEM_INT", seq) for seq in range(self.item))]
+
+
+@pytest.fixture
+def asking(line) -> Asking:
+    return Asking(line)
+
+
+def framed(identity: int, payload: bytes, version: int = 2, flags: int = 0, crc_extra: int | None = None,
+           sender: tuple[int, int] = AUTOPILOT) -> bytes:  # fmt: skip
+    """A frame made by hand; without a crc_extra, of a message that nobody knows."""
+    known = mavlink.mavlink_map.get(identity)
+    extra = crc_extra if crc_extra is not None else known.crc_extra if known else 77
+    if version == 1:
+        body = bytes((len(payload), 9, *sender, identity & 0xFF)) + payload
+        magic = b"\xfe"
+    else:
+        body = bytes((len(payload), flags, 0, 9, *sender)) + identity.to_bytes(3, "little") + payload
+        magic = b"\xfd"
+    signature = bytes(range(13)) if flags & 1 and version == 2 else b""
+    return magic + body + mavlink.x25crc(body + bytes((extra,))).crc.to_bytes(2, "little") + signature
+
+
+def telemetry(count: int, first: int = 0) -> list[bytes]:
+    frames = [frame for _, frame in recordings.telemetry("px4/clean_with_streams")]
+    return [frames[(first + n) % len(frames)] for n in range(count)]
+
+
+@DAMAGE
+@pytest.mark.parametrize("seed", range(2))
+def test_request_after_random_bytes_is_answered(asking, seed):
+    drawn = random.Random(seed)
+    for length in range(1, 60):
+        asking.ask_after(drawn.randbytes(length), length)
+    asking.expect_alive()
+
+
+@DAMAGE
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(2, 8))
+def test_request_after_many_random_bytes_is_answered(asking, seed):
+    """Half of them begin like frames."""
+    drawn = random.Random(seed)
+    for length in range(20, 320, 4):
+        data = bytearray(drawn.randbytes(length))
+        for place in drawn.sample(range(length), length // 12):
+            data[place] = drawn.choice((0xFD, 0xFE))
+        asking.ask_after(bytes(data), length)
+    asking.expect_alive()
+
+
+def cut_frames() -> Iterator[tuple[str, bytes]]:
+    packer = mavlink.MAVLink(None, *AUTOPILOT)
+    for name, message in (("request", request_int(700)), ("ACK", ack(1)), ("heartbeat", heartbeat())):
+        for version in (1, 2):
+            frame = frame_of(message, packer, version)
+            for keep in range(1, len(frame)):
+                yield f"{name} v{version} cut to {keep}", frame[:keep]
+
+
+@DAMAGE
+def test_request_after_a_frame_cut_at_any_byte_is_answered(asking):
+    for what, data in cut_frames():
+        asking.ask_after(data, what)
+    asking.expect_alive()
+
+
+@DAMAGE
+def test_request_after_a_frame_damaged_at_any_byte_is_answered(asking):
+    for frame in (asking.packed(ack(1)), asking.packed(request_int(900), 1), telemetry(1)[0]):
+        for place in range(len(frame)):
+            for flip in (0x01, 0x80, 0xFF):
+                damaged = bytearray(frame)
+                damaged[place] ^= flip
+                asking.ask_after(bytes(damaged), (place, flip))
+    asking.expect_alive()
+    assert asking.line.counters["bad"] > 20
+
+
+@DAMAGE
+def test_frame_with_a_wrong_crc_extra_is_not_taken(asking):
+    for extra in range(0, 256, 5):
+        if extra != 153:
+            asking.ask_after(framed(47, bytes((1, 191, 1)), crc_extra=extra), extra)
+    asking.expect_alive()
+
+
+@DAMAGE
+def test_frame_with_unknown_incompatibility_flags_is_not_taken(asking):
+    for flags in (0x02, 0x03, 0x04, 0x40, 0x80, 0xFE, 0xFF):
+        asking.ask_after(framed(47, bytes((1, 191, 1)), flags=flags), flags)
+    asking.expect_alive()
+
+
+@DAMAGE
+def test_signed_frames_are_stepped_over_or_taken_whole(asking):
+    for length in (0, 1, 9, 100, 255):
+        asking.ask_after(framed(12920, bytes(length), flags=1), length)
+    asking.ask_after(framed(0, heartbeat().pack(asking.packer)[10:19], flags=1), "a heartbeat")
+    asking.expect_alive()
+
+
+@DAMAGE
+@pytest.mark.parametrize("version", [1, 2])
+def test_request_after_an_unknown_message_of_any_length_is_answered(asking, version):
+    """At once: it is stepped over, without a silence."""
+    identity = 229 if version == 1 else 0x1F35A
+    for length in range(256):
+        frame = framed(identity, bytes(n * 7 % 251 for n in range(length)), version)
+        asking.ask_after(frame, length, version, silence_s=0)
+    asking.expect_alive()
+    assert asking.line.counters["bad"] <= 2  # lengths 253 and 254 look like the beginning of a frame
+    assert asking.line.counters["unknown"] == 256
+
+
+@DAMAGE
+@pytest.mark.parametrize("version", [1, 2])
+def test_request_after_a_known_message_of_any_wrong_length_is_answered(asking, version):
+    for length in range(0, 256, 3):
+        asking.ask_after(framed(47, bytes(length), version, sender=(1, 7)), length)
+        asking.ask_after(framed(47, bytes(length), version, crc_extra=1), length)
+    asking.expect_alive()
+
+
+@DAMAGE
+@pytest.mark.parametrize("lost", [2, RING, RING + 1])
+@pytest.mark.parametrize("part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 4))])
+def test_request_after_a_burst_lost_anywhere_is_answered(asking, lost, part):
+    """Two bytes in mid-frame, as a USART loses them; or the receive ring, as a loop that stalls does."""
+    stream = b"".join(telemetry(6, first=11))
+    for place in range(part, len(stream) - lost, 4):
+        asking.ask_after(stream[:place] + stream[place + lost :], (lost, place))
+    asking.expect_alive()
+
+
+@DAMAGE
+def test_request_behind_a_burst_that_took_its_own_beginning_is_lost_and_the_next_one_answered(asking):
+    """The burst ends within a request, at each of its bytes."""
+    for keep in range(1, 13):
+        cut = asking.packed(request_int(asking.item))[-keep:]
+        asking.ask_after(telemetry(1)[0][:20] + cut, keep)
+    asking.expect_alive()
+
+
+FULL = pytest.mark.scenario(29, "A saturated line, a loop that stalls")
+
+# What 100 items may take then [s]: 11 ms of a full line fill the ring, what comes later is lost, and a lost request is
+# asked for again after 1.0 s by ArduPilot, 0.27 s by PX4.
+LONGEST_S = {0: 3.0, 5: 4.0, 20: 30.0, 100: 12.0, 500: 12.0}
+
+
+@FULL
+@pytest.mark.parametrize("baud", [57600, 115200])
+@pytest.mark.parametrize("stall_ms", [0, *(pytest.param(ms, marks=pytest.mark.slow) for ms in STALLS)])
+def test_upload_on_a_full_line_ends_accepted(make_bench, personality, baud, stall_ms):
+    """The autopilot sends what a real one did, without a pause between two bytes."""
+    plan = FunctionPlan(100)
+    bench = make_bench(baud=baud, telemetry=recordings.saturated(STREAMS[personality], baud))
+    bench.autopilot.load(OLD_PLAN)
+    if stall_ms:
+        bench.tell("stall", *STALLS[stall_ms])
+    bench.upload(plan, proof="InDoubt")
+    assert bench.run_until_ended(limit_s=120) == "Accepted"
+    expect_truth(bench, plan, personality)
+    assert bench.now - bench.sent_at("MISSION_COUNT")[0] <= LONGEST_S[stall_ms]
+    assert bench.mega.serial(1).lost == 0
+    lost = bench.counters["lost"]
+    assert lost == 0 if not stall_ms else lost > 20 or stall_ms < 20
+
+
+@FULL
+@pytest.mark.parametrize("stall_ms", [pytest.param(ms, marks=pytest.mark.slow if ms != 20 else ()) for ms in STALLS])
+def test_stalling_loop_on_a_quiet_line_ends_accepted(make_bench, personality, stall_ms):
+    """Without a proof: the ring holds the one frame that may come meanwhile."""
+    plan = FunctionPlan(100)
+    bench = make_bench(telemetry=None)
+    bench.autopilot.load(OLD_PLAN)
+    bench.tell("stall", *STALLS[stall_ms])
+    bench.upload(plan)
+    assert bench.run_until_ended(limit_s=60) == "Accepted"
+    expect_truth(bench, plan, personality)
+    assert bench.now - bench.sent_at("MISSION_COUNT")[0] <= LONGEST_S[stall_ms]
+
+
+@FULL
+def test_loop_that_always_takes_100_ms_ends_truthfully(make_bench, personality):
+    """On a line that brings telemetry as PX4 does by itself, some 1,000 bytes a second."""
+    bench = make_bench(telemetry=1000)
+    bench.autopilot.load(OLD_PLAN)
+    bench.tell("stall", 1, 100)
+    bench.upload(SURVEY, proof="InDoubt")
+    bench.run_until_ended(limit_s=120)
+    expect_truth(bench, SURVEY, personality)
+    wire_count = len(on_the_wire(SURVEY, personality))
+    assert bench.now - bench.sent_at("MISSION_COUNT")[0] <= longest_s(wire_count, "InDoubt") + 0.5

@@ -1,0 +1,260 @@
+"""An upload on a line that loses, cuts, repeats, delays and reorders frames: it ends, and truthfully.
+
+Under both personalities, with the real retry times. What an upload may take is longest_s().
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import combinations, pairwise
+
+import pytest
+
+from disorders import DISORDERS
+from loss_table import note_end, note_survival
+from plans import OLD_PLAN, SURVEY, on_the_wire
+from simulation.bench import FunctionPlan, same_bits
+from simulation.wire import Wire
+from truth import LOOP_S, expect_truth, longest_s
+
+PERSONALITIES = ("ArduPilot", "PX4")
+PROOFS = ("ByAnswer", "InDoubt")
+
+EACH_FRAME = pytest.mark.scenario(10, "Each frame of a transfer lost, and each pair")
+
+
+def frames_of_upload(personality: str) -> list[tuple]:
+    """(direction, name, seq) of each frame of an undisturbed upload of SURVEY, in order."""
+    last = len(on_the_wire(SURVEY, personality))
+    exchange = [[("<", "MISSION_REQUEST*", seq), (">", "MISSION_ITEM_INT", seq)] for seq in range(last)]
+    return [(">", "MISSION_COUNT", None), *sum(exchange, []), ("<", "MISSION_ACK", None)]
+
+
+def name_of(frame: tuple) -> str:
+    direction, name, seq = frame
+    return f"{name.removeprefix('MISSION_').strip('*')}{'' if seq is None else f' {seq}'}"
+
+
+def losses(pick) -> list:
+    """(personality, frames) for each choice of frames that pick() makes from an upload."""
+    return [
+        pytest.param(personality, frames, id=f"{personality}-{', '.join(map(name_of, frames))}")
+        for personality in PERSONALITIES
+        for frames in pick(frames_of_upload(personality))
+    ]
+
+
+def each(frames: list) -> list:
+    return [(frame,) for frame in frames]
+
+
+def each_pair(frames: list) -> list:
+    """A frame and its repetition are a pair too."""
+    return [*combinations(frames, 2), *((frame, frame) for frame in frames)]
+
+
+def upload(bench, proof: str, plan=SURVEY) -> float:
+    """Upload to the end; how long that took from the first COUNT [s]."""
+    bench.autopilot.load(OLD_PLAN)
+    bench.upload(plan, proof=proof)
+    bench.run_until_ended(limit_s=200)
+    return bench.now - bench.sent_at("MISSION_COUNT")[0]
+
+
+def expect_survival(build_bench, record_property, what, personality, frames, proof) -> None:
+    """It ends Accepted; without a reading only ArduPilot's lost ACK, which is sent once, leaves it Unconfirmed."""
+    wire = Wire()
+    faults = [wire.lose(way, name=name, seq=seq, times=frames.count((way, name, seq)))
+              for way, name, seq in dict.fromkeys(frames)]  # fmt: skip
+    bench = build_bench(personality, wire=wire)
+    took = upload(bench, proof)
+    status = expect_truth(bench, SURVEY, personality)
+    note_survival(record_property, what, personality, proof, status == "Accepted")
+    is_unanswered = personality == "ArduPilot" and proof == "ByAnswer" and ("<", "MISSION_ACK", None) in frames
+    assert status == ("Unconfirmed" if is_unanswered else "Accepted")
+    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
+    assert took <= longest_s(len(on_the_wire(SURVEY, personality)), proof)
+    assert all(fault.struck >= 1 for fault in faults)
+
+
+@EACH_FRAME
+@pytest.mark.parametrize("proof", PROOFS)
+@pytest.mark.parametrize("personality, frames", losses(each))
+def test_upload_survives_losing_any_one_frame(build_bench, record_property, personality, frames, proof):
+    expect_survival(build_bench, record_property, "one frame", personality, frames, proof)
+
+
+@EACH_FRAME
+@pytest.mark.slow
+@pytest.mark.parametrize("proof", PROOFS)
+@pytest.mark.parametrize("personality, frames", losses(each_pair))
+def test_upload_survives_losing_any_two_frames(build_bench, record_property, personality, frames, proof):
+    expect_survival(build_bench, record_property, "two frames", personality, frames, proof)
+
+
+CUT = pytest.mark.scenario(28, "The stream cut at each byte")
+
+
+@cache
+def bytes_of_upload(personality: str, direction: str) -> tuple[int, tuple[int, ...]]:
+    """Of an undisturbed upload: its first byte in that direction, and where each of its frames ends."""
+    from simulation.bench import Bench
+
+    bench = Bench(personality)
+    upload(bench, "ByAnswer")
+    began = bench.sent_at("MISSION_COUNT")[0]
+    ends, first, position = [], None, 0
+    for entry in bench.wire.entries:
+        if entry.direction != direction:
+            continue
+        if entry.time >= began and first is None:
+            first = position
+        position += len(entry.data)
+        if first is not None:
+            ends.append(position)
+    return first, tuple(ends)
+
+
+def cut_positions(personality: str, direction: str, part: int, parts: int) -> list[int]:
+    first, ends = bytes_of_upload(personality, direction)
+    return list(range(first, ends[-1]))[part::parts]
+
+
+PARTS = [pytest.param(part, marks=pytest.mark.slow if part else ()) for part in range(20)]
+
+
+@CUT
+@pytest.mark.parametrize("part", PARTS)
+@pytest.mark.parametrize("direction", "<>")
+def test_upload_survives_a_frame_cut_at_any_byte(build_bench, record_property, personality, direction, part):
+    """The frame breaks off there; what follows it arrives."""
+    _, ends = bytes_of_upload(personality, direction)
+    for position in cut_positions(personality, direction, part, len(PARTS)):
+        bench = build_bench(personality)
+        end = next(end for end in ends if end > position)
+        bench.wire.drop_bytes(direction, position, end - 1)
+        took = upload(bench, "InDoubt")
+        assert expect_truth(bench, SURVEY, personality) == "Accepted", position
+        assert took <= longest_s(len(on_the_wire(SURVEY, personality)), "InDoubt")
+        note_survival(record_property, f"end of a frame, at each byte {direction}", personality, "InDoubt", True)
+
+
+def where_frames_break(personality: str, direction: str) -> list[int]:
+    """The first byte of each frame, one within, and the last."""
+    first, ends = bytes_of_upload(personality, direction)
+    frames = pairwise((first, *ends))
+    return [position for start, end in frames for position in (start, (start + end) // 2, end - 1)]
+
+
+@CUT
+@pytest.mark.parametrize("part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 5))])
+@pytest.mark.parametrize("direction", "<>")
+def test_line_that_goes_dead_at_any_frame_ends_the_upload_truthfully(build_bench, personality, direction, part):
+    """Nothing arrives from a byte on, in one direction."""
+    wire_count = len(on_the_wire(SURVEY, personality))
+    for position in where_frames_break(personality, direction)[part::5]:
+        bench = build_bench(personality)
+        bench.wire.drop_bytes(direction, position, 10**9)
+        took = upload(bench, "ByAnswer")
+        status = expect_truth(bench, SURVEY, personality)
+        if not same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality)):
+            assert status in ("NoAnswer", "TimedOut", "Unconfirmed", "CancelledByAutopilot"), position
+        assert took <= longest_s(wire_count)
+
+
+RANDOM_LOSS = pytest.mark.scenario(14, "Random loss: an answer in bounded time, never a false Accepted")
+
+
+def expect_truth_on_a_lossy_line(build_bench, record_property, personality, percent, proof, seed) -> None:
+    """Heartbeats are lost as well."""
+    wire = Wire(seed=1000 * percent + seed)
+    for way in "<>":
+        wire.at_random(way, lose=percent)
+    bench = build_bench(personality, wire=wire)
+    took = upload(bench, proof)
+    held = bench.autopilot.received()
+    meant = on_the_wire(SURVEY, personality)
+    note_end(record_property, percent, personality, proof, bench.status, same_bits(held, meant))
+    expect_truth(bench, SURVEY, personality)
+    assert took <= longest_s(len(meant), proof)
+
+
+@RANDOM_LOSS
+@pytest.mark.parametrize("proof", PROOFS)
+@pytest.mark.parametrize("percent", [5, 25, 40])
+@pytest.mark.parametrize("seed", [pytest.param(seed, marks=pytest.mark.slow if seed else ()) for seed in range(10)])
+def test_random_loss_ends_truthfully(build_bench, record_property, personality, percent, proof, seed):
+    expect_truth_on_a_lossy_line(build_bench, record_property, personality, percent, proof, seed)
+
+
+@RANDOM_LOSS
+@pytest.mark.parametrize("proof", PROOFS)
+@pytest.mark.parametrize("seed", [pytest.param(seed, marks=pytest.mark.slow if seed else ()) for seed in range(50)])
+def test_a_fifth_of_all_frames_lost_ends_truthfully(build_bench, record_property, personality, proof, seed):
+    expect_truth_on_a_lossy_line(build_bench, record_property, personality, 20, proof, seed)
+
+
+SHUFFLED = pytest.mark.scenario(15, "Duplicated, delayed and reordered frames at random")
+
+
+@SHUFFLED
+@pytest.mark.parametrize("disorder", DISORDERS)
+@pytest.mark.parametrize("seed", [pytest.param(seed, marks=pytest.mark.slow if seed else ()) for seed in range(20)])
+def test_disorder_ends_truthfully(build_bench, personality, disorder, seed):
+    wire = Wire(seed=seed)
+    for way in "<>":
+        wire.at_random(way, **DISORDERS[disorder])
+    bench = build_bench(personality, wire=wire)
+    proof = PROOFS[seed % 2]
+    took = upload(bench, proof)
+    status = expect_truth(bench, SURVEY, personality)
+    assert took <= longest_s(len(on_the_wire(SURVEY, personality)), proof)
+    if "lose" not in DISORDERS[disorder] and "hold_past_next" not in DISORDERS[disorder] and proof == "InDoubt":
+        assert status == "Accepted"
+
+
+@SHUFFLED
+def test_every_frame_repeated_is_an_upload_like_any_other(make_bench, personality):
+    wire = Wire()
+    for way in "<>":
+        wire.repeat(way, times=None)
+    bench = make_bench(wire=wire)
+    upload(bench, "ByAnswer")
+    assert expect_truth(bench, SURVEY, personality) == "Accepted"
+    # Twice heard within 50 ms is answered once.
+    assert len(bench.heard("MISSION_ITEM_INT")) == len(on_the_wire(SURVEY, personality))
+
+
+HEARTBEATS = pytest.mark.scenario(39, "Heartbeats are lost")
+
+
+@HEARTBEATS
+def test_four_lost_heartbeats_in_a_transfer_are_no_failure(make_bench, personality):
+    wire = Wire()
+    bench = make_bench(wire=wire)
+    plan = FunctionPlan(30)
+    wire.delay("<", 0.2, name="MISSION_REQUEST*", times=None)  # some 6 s
+    bench.autopilot.load(OLD_PLAN)
+    bench.upload(plan)
+    bench.run_until_sent("MISSION_ITEM_INT", 5)
+    lost = wire.lose("<", name="HEARTBEAT", times=4)
+    assert bench.run_until_ended(limit_s=30) == "Accepted"
+    assert lost.struck == 4
+    expect_truth(bench, plan, personality)
+
+
+@HEARTBEATS
+def test_autopilot_without_heartbeats_is_lost_and_that_is_a_timed_out_transfer(make_bench, personality):
+    wire = Wire()
+    bench = make_bench(wire=wire)
+    plan = FunctionPlan(60)
+    wire.delay("<", 0.24, name="MISSION_REQUEST*", times=None)  # some 14 s
+    bench.autopilot.load(OLD_PLAN)
+    bench.upload(plan)
+    bench.run_until_sent("MISSION_ITEM_INT", 5)
+    wire.lose("<", name="HEARTBEAT", times=None)
+    began = bench.now
+    bench.run_until_ended(limit_s=30)
+    # Lost 5 s after its last heartbeat; then 8.5 s without a request that counts.
+    assert bench.now - began <= 5.0 + 8.5 + LOOP_S
+    assert expect_truth(bench, plan, personality) == "TimedOut"

@@ -1,0 +1,351 @@
+"""What is sent again, when, how often, and what is said when nothing comes back."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from plans import HOME, OLD_PLAN, SURVEY, on_the_wire, smooth_steps, steps, waypoint
+from simulation.bench import FunctionPlan, same_bits
+from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.px4_rewriting import checksum
+from simulation.peer import ack, find, request_int
+
+# millis() moves in steps of 1 and at times 2 ms, and loop() runs each 1.024 ms: so early and so late a wait may end.
+LOOP_S = 0.0022
+CANCELLED = mavlink.MAV_MISSION_OPERATION_CANCELLED
+
+FIRST_COUNT = pytest.mark.scenario(9, "The first COUNT is lost")
+
+
+@FIRST_COUNT
+@pytest.mark.parametrize("losses", [1, 2, 3, 4])
+def test_lost_count_is_sent_again_after_1500_ms(bench, personality, losses):
+    bench.wire.lose(">", name="MISSION_COUNT", times=losses)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=15) == "Accepted"
+    counts = bench.sent_at("MISSION_COUNT")
+    assert len(counts) == losses + 1
+    for earlier, later in pairwise(counts):
+        assert later - earlier == pytest.approx(1.5, abs=LOOP_S)
+    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
+
+
+@FIRST_COUNT
+def test_five_lost_counts_are_no_answer_after_7500_ms(bench, personality):
+    bench.autopilot.load(OLD_PLAN)
+    bench.wire.lose(">", name="MISSION_COUNT", times=None)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=15) == "NoAnswer"
+    first, *_, fifth = counts = bench.sent_at("MISSION_COUNT")
+    assert len(counts) == 5
+    ended = next(event.ms for event in bench.events if event.word == "end") / 1000
+    # The COUNT has been on the line for 3 ms when `first` is noted.
+    assert ended == pytest.approx(first + 7.5, abs=0.005)
+    bench.run(20)
+    wire_count = len(on_the_wire(SURVEY, personality))
+    assert steps(bench) == [("COUNT", wire_count)] * 5 + [("ACK", CANCELLED)]
+    assert bench.ends == ["NoAnswer"]
+    assert same_bits(bench.autopilot.received(), OLD_PLAN)
+    # ArduPilot would have cut its plan at a COUNT that arrived, and only the answer been lost.
+    assert bench.state.aboard == {"ArduPilot": "NotKnown", "PX4": "AsBefore"}[personality]
+
+
+@FIRST_COUNT
+def test_lost_first_request_is_asked_for_again(bench, personality):
+    bench.wire.lose("<", name="MISSION_REQUEST*")
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=15) == "Accepted"
+    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
+    # ArduPilot asks again after 1.0 s, PX4 after 0.27 s: both before a second COUNT is due.
+    assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
+
+
+@pytest.mark.scenario(11, "Silence in mid-transfer; the same item for ever")
+def test_silence_in_mid_transfer_is_timed_out_8500_ms_after_the_last_new_request(bench, personality):
+    bench.autopilot.faults.fall_silent(step=2)
+    bench.upload(SURVEY)
+    sent = bench.run_until_sent("MISSION_ITEM_INT", 3)
+    # The autopilot does not see the end of this transfer, but its heartbeats end too.
+    assert bench.run_until_ended(limit_s=15) == "TimedOut"
+    ended = next(event.ms for event in bench.events if event.word == "end") / 1000
+    # Counted from the request, 9 to 12 ms before its item was out.
+    assert 8.5 - 0.015 <= ended - sent <= 8.5
+    state = bench.state
+    assert state.failed_item == (1 if personality == "ArduPilot" else 2)
+    assert state.aboard == ("Mixture" if personality == "ArduPilot" else "AsBefore")
+
+
+FINAL_ACK = pytest.mark.scenario(12, "The final ACK is lost")
+
+
+@FINAL_ACK
+def test_lost_final_ack_is_asked_for_by_the_last_item_again(build_bench):
+    bench = build_bench("PX4")
+    bench.wire.lose("<", name="MISSION_ACK")
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=15) == "Accepted"
+    *_, last, again = bench.sent_at("MISSION_ITEM_INT")
+    assert again - last == pytest.approx(1.5, abs=LOOP_S)
+    assert steps(bench) == [*smooth_steps(5), ("ITEM_INT", 4)]
+    assert same_bits(bench.autopilot.received(), SURVEY)
+    assert bench.state.aboard == "OurPlan"
+
+
+def read_back(wire_count: int) -> list[tuple]:
+    """steps() of reading the plan."""
+    return [("REQUEST_LIST", None), *(("REQUEST_INT", seq) for seq in range(wire_count)), ("ACK", 0)]
+
+
+def expect_repeats_then(bench, wire_count: int, then: list[tuple]) -> None:
+    """The last item again, one to five times, each after 1500 ms; then this, and nothing else."""
+    said = steps(bench)
+    repeats = said[1 + wire_count : len(said) - len(then)]
+    assert said == [*smooth_steps(wire_count), *repeats, *then]
+    assert repeats == [("ITEM_INT", wire_count - 1)] * len(repeats)
+    assert 1 <= len(repeats) <= 5
+    times = bench.sent_at("MISSION_ITEM_INT")[wire_count - 1 :]
+    for earlier, later in pairwise(times):
+        assert later - earlier == pytest.approx(1.5, abs=LOOP_S)
+
+
+@FINAL_ACK
+@pytest.mark.parametrize("losses", [1, None], ids=["the first ACK lost", "every ACK lost"])
+def test_lost_final_ack_of_ardupilot_is_never_taken_for_either_end(build_bench, losses):
+    """Without a proof. An idle ArduPilot answers the repeated last item with ERROR, though the plan is aboard."""
+    bench = build_bench("ArduPilot")
+    bench.wire.lose("<", name="MISSION_ACK", times=losses)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
+    ended = next(event.ms for event in bench.events if event.word == "end") / 1000
+    # Its ERROR says all that it will say; where it is silent the last item is repeated five times.
+    wait = 0.05 if losses else 1.5
+    assert bench.sent_at("MISSION_ITEM_INT")[-1] < ended <= bench.sent_at("MISSION_ITEM_INT")[-1] + wait + 0.012
+    bench.run(10)
+    assert len(bench.sent_at("MISSION_ITEM_INT")) == 6 + (1 if losses else 5)
+    state = bench.state
+    assert (state.aboard, state.last_result) == ("NotKnown", mavlink.MAV_MISSION_ERROR if losses else None)
+    assert bench.progress[-1] == (4, 5)
+    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, "ArduPilot"))
+
+
+@FINAL_ACK
+def test_final_acks_that_all_are_lost_end_in_bounded_time(bench, personality):
+    bench.wire.lose("<", name="MISSION_ACK", times=None)
+    wire_count = len(on_the_wire(SURVEY, personality))
+    bench.upload(SURVEY)
+    last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
+    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
+    assert bench.now - last < 9.05  # five items and the wait after the last, 1.5 s each
+    bench.run(10)
+    expect_repeats_then(bench, wire_count, [])
+    assert (bench.state.aboard, bench.ends) == ("NotKnown", ["Unconfirmed"])
+
+
+@FINAL_ACK
+def test_plan_that_is_to_be_verified_is_read_back_though_the_final_ack_came(bench, personality):
+    wire_count = len(on_the_wire(SURVEY, personality))
+    bench.upload(SURVEY, proof="Always")
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run(1)
+    assert steps(bench) == [*smooth_steps(wire_count), *read_back(wire_count)]
+    assert bench.progress == [(done, 5) for done in range(1, 6)]
+
+
+@FINAL_ACK
+@pytest.mark.parametrize("losses", [1, None], ids=["the first ACK lost", "every ACK lost"])
+def test_plan_is_read_back_where_the_final_ack_cannot_be_had_again(build_bench, losses):
+    """An idle ArduPilot answers the repeated last item with ERROR, though the plan is aboard."""
+    bench = build_bench("ArduPilot")
+    bench.wire.lose("<", name="MISSION_ACK", times=losses)
+    bench.upload(SURVEY, proof="InDoubt")
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run(10)
+    expect_repeats_then(bench, 6, read_back(6))
+    assert bench.progress[-1] == (5, 5)
+    assert bench.ends == ["Accepted"]
+    assert bench.state.aboard == "OurPlan"
+    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, "ArduPilot"))
+
+
+@FINAL_ACK
+def test_plan_is_read_back_from_px4_when_no_ack_comes_through(build_bench):
+    bench = build_bench("PX4")
+    bench.wire.lose("<", name="MISSION_ACK", times=None)
+    bench.upload(SURVEY, proof="InDoubt")
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    bench.run(10)
+    expect_repeats_then(bench, 5, read_back(5))
+    assert bench.state.aboard == "OurPlan"
+
+
+@FINAL_ACK
+def test_another_plan_that_is_read_back_is_no_acceptance(bench, personality):
+    bench.wire.lose("<", name="MISSION_ACK", times=None)
+    wire = on_the_wire(SURVEY, personality)
+    bench.upload(SURVEY, proof="InDoubt")
+    bench.run_until_sent("MISSION_ITEM_INT", len(wire))
+    bench.run(0.1)
+    changed = wire[3]._replace(z=wire[3].z + 0.25)
+    bench.autopilot.load([*wire[:3], changed, *wire[4:]])
+    assert bench.run_until_ended(limit_s=20) == "Differs"
+    state = bench.state
+    assert state.failed_item == (2 if personality == "ArduPilot" else 3)
+    assert state.aboard in ("NotKnown", "Mixture")
+    assert bench.progress[-1] == (4, 5)
+
+
+@FINAL_ACK
+def test_no_answer_even_to_the_reading_ends_in_bounded_time(bench, personality):
+    for name in ("MISSION_ACK", "MISSION_COUNT"):
+        bench.wire.lose("<", name=name, times=None)
+    wire_count = len(on_the_wire(SURVEY, personality))
+    bench.upload(SURVEY, proof="InDoubt")
+    last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
+    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
+    assert bench.now - last < 17.0  # five items and five lists, 1.5 s each, and the answer to the last item
+    bench.run(10)
+    lists = [("REQUEST_LIST", None)] * 5
+    expect_repeats_then(bench, wire_count, [*lists, ("ACK", CANCELLED)])
+    state = bench.state
+    assert (state.aboard, state.last_result) == ("NotKnown", None)
+    assert bench.ends == ["Unconfirmed"]
+
+
+@pytest.mark.scenario(13, "The final ACK comes late")
+@pytest.mark.parametrize("late_s", [0.5, 1.0, 1.4])
+def test_late_final_ack_is_waited_for(bench, personality, late_s):
+    bench.autopilot.faults.delay_final_ack(late_s)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=10) == "Accepted"
+    assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
+
+
+LIMITS = pytest.mark.scenario(17, "Overall limits hold")
+
+
+@LIMITS
+def test_limit_on_the_transfer_holds_though_it_goes_on(bench):
+    bench.tell("limit", 3)
+    # An item each 0.5 s: alive, but slow.
+    bench.wire.delay("<", 0.5, name="MISSION_REQUEST*", times=None)
+    bench.upload(FunctionPlan(50))
+    count = bench.run_until_sent("MISSION_COUNT")
+    assert bench.run_until_ended(limit_s=10) == "TookTooLong"
+    ended = next(event.ms for event in bench.events if event.word == "end") / 1000
+    assert ended == pytest.approx(count + 3.0, abs=0.01)
+    assert bench.state.last_result is None
+    bench.run(0.1)
+    assert steps(bench)[-1] == ("ACK", CANCELLED)
+
+
+@LIMITS
+def test_slow_but_living_autopilot_is_no_failure_without_a_limit(bench, personality):
+    bench.wire.delay("<", 0.9, name="MISSION_REQUEST*", times=None)
+    bench.upload(FunctionPlan(20))
+    assert bench.run_until_ended(limit_s=60) == "Accepted"
+    assert same_bits(bench.autopilot.received(), on_the_wire(FunctionPlan(20), personality))
+
+
+@LIMITS
+def test_waiting_for_an_autopilot_ends_at_its_limit(line):
+    line.tell("waiting", 4)
+    line.upload(SURVEY)
+    began = line.events[-1].ms / 1000
+    assert line.run_until_ended(limit_s=10) == "NoAutopilot"
+    ended = next(event.ms for event in line.events if event.word == "end") / 1000
+    assert ended == pytest.approx(began + 4.0, abs=0.003)
+    assert line.heard() == []
+    assert line.state.aboard == "NotKnown"
+
+
+@LIMITS
+def test_waiting_for_an_autopilot_has_no_end_without_a_limit(line):
+    line.upload(SURVEY)
+    line.run(120)
+    assert line.state.status == "WaitingForAutopilot"
+    assert line.ends == [] and line.heard() == []
+
+
+PROOF = pytest.mark.scenario(41, "PX4's checksum proves what is aboard")
+
+
+@PROOF
+@pytest.mark.parametrize("bit", [0, 31])
+def test_checksum_of_another_plan_is_other_plan_aboard(line, bit):
+    line.upload(SURVEY)
+    find(line)
+    right = 0
+    for seq, one in enumerate(SURVEY):
+        line.say(request_int(seq))
+        line.run(0.03)
+        right = checksum(one, right)
+    line.say(ack(opaque_id=right ^ 1 << bit))
+    assert line.run_until_ended(limit_s=1) == "OtherPlanAboard"
+    state = line.state
+    assert state.last_result == mavlink.MAV_MISSION_ACCEPTED
+    assert state.aboard == "NotKnown"
+
+
+@PROOF
+def test_plan_changed_on_board_shows_in_the_checksum(build_bench):
+    """The source breaks its promise: an item that was asked for twice differed."""
+    bench = build_bench("PX4")
+    plan = [waypoint(z=20.0 + n) for n in range(5)]
+    bench.wire.lose(">", name="MISSION_ITEM_INT", seq=2)
+    bench.upload(plan)
+    bench.run_until_sent("MISSION_ITEM_INT", 3)
+    plan[2] = plan[2]._replace(z=99.0)
+    bench.write_plan(plan)
+    assert bench.run_until_ended(limit_s=5) == "OtherPlanAboard"
+    assert bench.autopilot.received()[2].z == 99.0
+
+
+@PROOF
+def test_checksum_is_right_when_items_were_asked_for_again(build_bench):
+    bench = build_bench("PX4")
+    for seq in (0, 3, 4):
+        bench.wire.lose(">", name="MISSION_ITEM_INT", seq=seq)
+    bench.wire.lose("<", name="MISSION_ACK")
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=10) == "Accepted"
+    (ack,) = [e.message for e in bench.wire.frames("<", "MISSION_ACK") if not e.fate]
+    assert ack.opaque_id != 0
+
+
+ABOARD = pytest.mark.scenario(49, "What is aboard after each kind of failure is told")
+
+
+@ABOARD
+@pytest.mark.parametrize("step", ["count", 0, 2, "end"])
+def test_aboard_is_told_after_a_refusal(bench, personality, step):
+    bench.autopilot.load(OLD_PLAN)
+    bench.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, step=step)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=5) == "Denied"
+    held = bench.autopilot.received()
+    aboard = bench.state.aboard
+    if personality == "PX4" or step == "count":
+        assert same_bits(held, OLD_PLAN)
+        assert aboard == "AsBefore"
+    else:
+        wire = on_the_wire(SURVEY, "ArduPilot")
+        taken = len(wire) if step == "end" else step
+        assert same_bits(held, [*wire[:taken], *OLD_PLAN[taken : len(wire)]])
+        assert aboard == "Mixture"
+
+
+@ABOARD
+@pytest.mark.parametrize("item", [0, 2])
+def test_aboard_is_told_when_the_autopilot_falls_silent(bench, personality, item):
+    bench.autopilot.load(OLD_PLAN)
+    bench.autopilot.faults.fall_silent(step=item)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=20) == "TimedOut"
+    assert bench.state.aboard == ("AsBefore" if personality == "PX4" else "Mixture")
+    if personality == "ArduPilot":
+        wire = [HOME, *SURVEY]
+        assert same_bits(bench.autopilot.received(), [*wire[:item], *OLD_PLAN[item : len(wire)]])
+    else:
+        assert same_bits(bench.autopilot.received(), OLD_PLAN)
