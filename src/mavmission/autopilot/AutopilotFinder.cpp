@@ -56,10 +56,10 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
   return true;
 }
 
-void AutopilotFinder::onTime(uint16_t nowMs, bool isLossy) {
+void AutopilotFinder::onTime(uint16_t nowMs) {
   if (heard_) {
     if (since(firstMs_, nowMs) >= kSettleMs) settled_ = true;
-    if (since(heardMs_, nowMs) >= (isLossy ? kLostLossyMs : kLostMs)) {
+    if (since(heardMs_, nowMs) >= kLostMs) {
       heard_ = false;
       settled_ = false;
     }

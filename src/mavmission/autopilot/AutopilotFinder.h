@@ -24,7 +24,6 @@ struct Heartbeat {
 class AutopilotFinder {
  public:
   static constexpr uint16_t kLostMs = 5000;    // without a heartbeat (guide: lost after 4 to 5 missed ones)
-  static constexpr uint16_t kLostLossyMs = 15000;  // the same on a line that loses: they are damaged for the most part
   static constexpr uint16_t kSettleMs = 1200;  // a second autopilot on the line is heard within a heartbeat's period
 
   // Names the autopilot to talk to; any other is then nobody. Undone by systemId 0.
@@ -41,7 +40,7 @@ class AutopilotFinder {
   }
   // It has said something else.
   void onFrame(uint16_t nowMs) { heardMs_ = nowMs; }
-  MAVMISSION_APART void onTime(uint16_t nowMs, bool isLossy = false);
+  MAVMISSION_APART void onTime(uint16_t nowMs);
 
   // An autopilot is there.
   bool isHeard() const { return heard_; }

@@ -24,7 +24,11 @@ class Pace {
   bool isLossy() const { return lossyS_ != 0; }
 
   // An answer has come so long after the last sending of what it answers. `isSure`: it was the only one.
-  MAVMISSION_APART void learn(uint16_t roundTripMs, bool isSure);
+  // (Of what was sent more than once it is not known which was answered, and an autopilot that asks again by itself
+  // makes it look longer.)
+  void learn(uint16_t roundTripMs, bool isSure) {
+    if (isSure || roundTripMs < roundTripMs_) roundTripMs_ = roundTripMs;
+  }
   // The line has been busy with the last frame for so long.
   void noteBusy(uint16_t ms) { busyMs_ = ms; }
 

@@ -149,7 +149,7 @@ void Link::onTime(uint16_t nowMs) {
   state_.damage = damage;
   uint16_t busyMs;
   if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) state_.pace.noteBusy(busyMs);
-  finder_.onTime(nowMs, state_.pace.isLossy());
+  finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
   if (!canSend() || !maySpeak()) return;

@@ -29,7 +29,7 @@ class Outbox {
 
   // Zero bytes before a frame on a line that loses [bytes]. The other parser may be waiting for the rest of a frame
   // that has lost some: it would take the beginning of ours for that.
-  static constexpr uint8_t kFill = 12;
+  static constexpr int8_t kFill = 12;
 
   // True when a frame may be put in: none is on its way.
   bool isEmpty() const { return sent_ == length_; }
@@ -50,8 +50,7 @@ class Outbox {
   bool isHeld() const { return held_; }
   void release(bool isFilled) {
     held_ = false;
-    sent_ = 0;
-    fill_ = isFilled ? kFill : 0;
+    sent_ = isFilled ? -kFill : 0;
 #if MAVMISSION_SIGNING
     isUnsigned_ = signs_;
 #endif
@@ -92,16 +91,15 @@ class Outbox {
 
   static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
 
-  uint16_t length_;  // of the whole frame
-  uint16_t sent_;
+  int16_t length_;  // of the whole frame
+  int16_t sent_;    // of it; below 0: of the zeros before it
   // Writes what comes next of a foreign frame; null for a frame of our own, which is one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
   uint16_t stuckMs_;  // when the stream was given something last, or since when it takes nothing
   bool stuck_;
   bool blind_;  // the stream does not say what it takes
   bool held_;
-  uint8_t idle_;  // what the stream takes when that is empty, as far as that was seen
-  uint8_t fill_;  // zeros that go out first
+  int16_t idle_;  // what the stream takes when that is empty, as far as that was seen
 #if MAVMISSION_SIGNING
   bool signs_;
   bool isUnsigned_;
