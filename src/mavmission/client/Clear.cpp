@@ -9,6 +9,10 @@
 namespace mavmission {
 using namespace detail;
 
+namespace {
+constexpr uint8_t kLossyTries = 40;  // CLEAR_ALLs on a line that loses
+}
+
 Status MissionClient::clear(PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   state_.type = type;
@@ -49,7 +53,7 @@ void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs)
   const Pace& pace = client.link_.pace();
   if (!clearing.isDue &&
       since(clearing.sentMs, nowMs) >= (pace.isLossy() ? pace.againMs() : UploadTransfer::kAnswerMs)) {
-    if (clearing.tries >= (pace.isLossy() ? UploadTransfer::kLossyTries : UploadTransfer::kTries))
+    if (clearing.tries >= (pace.isLossy() ? kLossyTries : UploadTransfer::kTries))
       return client.endClearing(Status::NoAnswer);
     clearing.isDue = true;
   }

@@ -127,12 +127,12 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   // (Where PX4 may be busy with what was ours, it needs the time.)
   const bool isHurried = state_ == State::Sending || (pace.isLossy() && !freed_);
   const bool isOverdue = since(sentMs_, nowMs) >= (isHurried ? pace.againMs() : kAnswerMs);
-  const uint8_t tries = isHurried ? kLossyTries : kTries;
   const uint16_t stillMs = since(progressMs_, nowMs);
   switch (state_) {
     case State::Counting:
       if (!isOverdue) break;
-      if (tries_ >= tries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
+      if (isHurried ? stillMs >= kCountingMs : tries_ >= kTries)
+        return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
       send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
@@ -146,7 +146,7 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
     case State::Confirming:
       if (stillMs >= kConfirmingMs) return Status::Unconfirmed;
       if (!isOverdue) break;
-      if (tries_ > tries) return Status::Unconfirmed;
+      if (!isHurried && tries_ > kTries) return Status::Unconfirmed;
       sendAgain();
       break;
   }

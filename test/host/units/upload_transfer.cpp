@@ -19,25 +19,28 @@ const uint8_t kAccepted = 0, kError = 1, kInvalidSequence = 13, kCancelled = 15;
 class Upload {
  public:
   UploadTransfer transfer;
+  Pace pace;
   uint16_t now;
 
   explicit Upload(uint16_t count, Firmware firmware = Firmware::Other, uint8_t leftovers = 0, uint16_t start = 65000)
       : now(start) {
     memset(static_cast<void*>(&transfer), 0, sizeof(transfer));
+    pace = Pace();
+    pace.begin();
     transfer.begin(count, firmware, leftovers, now);
   }
 
   Status wait(uint16_t ms) {
     now = static_cast<uint16_t>(now + ms);
-    return transfer.onTime(now);
+    return transfer.onTime(now, pace);
   }
   Send send() {
     const Send send = transfer.toSend();
     transfer.sent(now);
     return send;
   }
-  Status request(uint16_t item) { return transfer.onRequest(item, now); }
-  Status ack(uint8_t result) { return transfer.onAck(result); }
+  Status request(uint16_t item) { return transfer.onRequest(item, now, pace); }
+  Status ack(uint8_t result) { return transfer.onAck(result, now, pace); }
 
   // As far as `items` asked for and answered.
   Upload& served(uint16_t items) {
