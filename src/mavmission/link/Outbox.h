@@ -48,7 +48,7 @@ class Outbox {
 
   // A held frame is ready, and waits: it goes out after release(), or never if it is dropped or another one is begun.
   bool isHeld() const { return held_; }
-  void release(bool isFilled) {
+  void release(bool isFilled = false) {
     held_ = false;
     sent_ = isFilled ? -kFill : 0;
 #if MAVMISSION_SIGNING

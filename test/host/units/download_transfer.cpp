@@ -10,7 +10,11 @@ namespace {
 typedef DownloadTransfer::State State;
 typedef DownloadTransfer::Send Send;
 
+Pace pace;
+
 DownloadTransfer begun() {
+  pace = Pace();
+  pace.begin();
   DownloadTransfer transfer;
   transfer.begin(0);
   return transfer;
@@ -33,13 +37,13 @@ TEST_CASE("an item that comes before it was asked for is no answer") {
   DownloadTransfer transfer = begun();
   transfer.sent(0);
   transfer.onCount(2);
-  CHECK_FALSE(transfer.onItem(0));
+  CHECK_FALSE(transfer.onItem(0, 0, pace));
   transfer.sent(0);
-  CHECK(transfer.onItem(0));
-  CHECK_FALSE(transfer.onItem(1));
+  CHECK(transfer.onItem(0, 0, pace));
+  CHECK_FALSE(transfer.onItem(1, 0, pace));
   transfer.sent(0);
-  CHECK_FALSE(transfer.onItem(0));
-  CHECK(transfer.onItem(1));
+  CHECK_FALSE(transfer.onItem(0, 0, pace));
+  CHECK(transfer.onItem(1, 0, pace));
   CHECK(transfer.state() == State::Closing);
 }
 
