@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include <deque>
+#include <map>
 
 #include "../../simulation/hearing/Hearing.h"
 #include "../explorer/Autopilot.h"
@@ -42,7 +43,9 @@ constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
       "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
       "client\n"
       "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
-      "client has sent from COUNT on, and a number made of these and their times. An upload that does not end has "
+      "client has sent from COUNT on; how many COUNTs and items it has sent that nobody asked for, how many zeros "
+      "between\n"
+      "frames, and how many bytes of zeros and of what was sent before. An upload that does not end has "
       "`never` in the place of how it ended.\n",
       problem);
   exit(2);
@@ -150,8 +153,8 @@ class Upload {
 
   void print(unsigned seed) const {
     const std::string status = client_->hasEnded() ? client_->status() : "never";
-    printf("%u %s %d %s %d %u %u %08x\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
-           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_, digest_);
+    printf("%u %s %d %s %d %u %u %u %u %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
+           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_, unasked_, zeros_, repeated_);
   }
 
  private:
@@ -206,6 +209,7 @@ class Upload {
   }
 
   void say(const Message& message, uint32_t nowUs) {
+    if (message.kind == Kind::Request) ++requests_[message.number];
     put(frameOf(message, autopilot_.firmware), message.kind == Kind::Heartbeat ? kUnasked : kFromAutopilot, nowUs);
   }
 
@@ -232,12 +236,28 @@ class Upload {
     return left;
   }
 
+  // What is a repeat, and what of it nobody asked for.
+  void note() {
+    if (begun_[0] != MAVLINK_STX) {
+      zeros_ += static_cast<unsigned>(begun_.size());
+      repeated_ += static_cast<unsigned>(begun_.size());
+      return;
+    }
+    const uint32_t id = idOf(begun_);
+    if (id == MAVLINK_MSG_ID_HEARTBEAT) return;
+    Message sent = message(Kind::Ack);
+    if (decode(begun_.data(), begun_.size(), autopilot_.firmware, sent) != nullptr) return;
+    const int often = ++sentOften_[std::make_pair(id, sent.number)];
+    if (often > 1) repeated_ += static_cast<unsigned>(begun_.size());
+    if (sent.kind == Kind::Item && often > requests_[sent.number]) ++unasked_;
+    if (sent.kind == Kind::Count && often > 1) ++unasked_;
+  }
+
   // What the client has written: frames, and the bytes between them.
   void take(const Bytes& bytes) {
     for (uint8_t byte : bytes) {
       begun_.push_back(byte);
       if (countedUs_ != 0) ++sent_;
-      digest_ = (digest_ ^ byte ^ (nowUs_ << 8)) * 16777619u;
       const bool isFrame = begun_[0] == MAVLINK_STX;
       if (isFrame && (begun_.size() < 12 || begun_.size() < begun_[1] + 12u)) continue;
       if (isFrame && countedUs_ == 0 && idOf(begun_) == MAVLINK_MSG_ID_MISSION_COUNT) {
@@ -246,6 +266,7 @@ class Upload {
       }
       const bool isHeartbeat = isFrame && idOf(begun_) == MAVLINK_MSG_ID_HEARTBEAT;
       const bool isLost = !byBytes_ && isFrame && losses_.isNextLost(isHeartbeat ? kUnasked : kFromClient);
+      note();
       up_.put(isLost ? Bytes() : byBytes_ ? damaged(begun_, kBytesUp) : begun_, begun_.size(), nowUs_);
       begun_.clear();
     }
@@ -289,7 +310,9 @@ class Upload {
   uint32_t nowUs_ = 0;
   uint32_t countedUs_ = 0;
   unsigned sent_ = 0;
-  uint32_t digest_ = 2166136261u;  // FNV-1a
+  unsigned unasked_ = 0, zeros_ = 0, repeated_ = 0;
+  std::map<uint16_t, int> requests_;                        // of the autopilot's, by item
+  std::map<std::pair<uint32_t, uint16_t>, int> sentOften_;  // by message, and item if it is one
 };
 
 std::unique_ptr<Client> makeClient(const char* name, Firmwares firmware) {

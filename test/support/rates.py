@@ -55,6 +55,9 @@ class Upload:
     is_aboard_true: bool
     took_s: float  # from the first COUNT
     bytes_sent: int  # by the client in that time
+    repeated_unasked: int  # COUNTs and items
+    zeros: int  # between frames
+    bytes_repeated: int  # zeros, and what was sent before
 
     @property
     def is_success(self) -> bool:
@@ -83,17 +86,20 @@ def build_rates(library: tuple[Path, ...] | None = None) -> Path:
 
 @functools.cache
 def uploads(
-    autopilot: str, client: str, lost: str, percent: int, seeds: int, program: Path | None = None, baud: int = 57600
+    autopilot: str, client: str, lost: str, percent: int, seeds: int, program: Path | None = None, baud: int = 57600,
+    loop_ms: int = 0, telemetry: int | None = None,
 ) -> tuple[Upload, ...]:
     """The ends of the uploads with the seeds from 0 on. Raises RuntimeError if the program fails."""
-    words = [program or build_rates(), autopilot, client, lost, str(percent), str(seeds), str(baud)]
+    words = [program or build_rates(), autopilot, client, lost, *map(str, (percent, seeds, baud, loop_ms))]
+    words += [str(telemetry)] if telemetry is not None else []
     ran = subprocess.run(words, capture_output=True, text=True, check=False)
     if ran.returncode != 0:
         raise RuntimeError(f"{' '.join(map(str, words))}: {ran.stderr}")
     found = []
     for line in ran.stdout.splitlines():
-        seed, status, is_aboard, aboard, is_true, ms, sent, _ = line.split()
-        found.append(Upload(int(seed), status, is_aboard == "1", aboard, is_true == "1", int(ms) / 1000, int(sent)))
+        seed, status, is_aboard, aboard, is_true, ms, *counts = line.split()
+        end = Upload(int(seed), status, is_aboard == "1", aboard, is_true == "1", int(ms) / 1000, *map(int, counts))
+        found.append(end)
     return tuple(found)
 
 

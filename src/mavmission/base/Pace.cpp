@@ -6,7 +6,7 @@ namespace detail {
 uint16_t Pace::againMs() const {
   const bool lossy = isLossy();
   const uint16_t waitMs = lossy ? 2 * roundTripMs_ : 4 * roundTripMs_;
-  const uint16_t leastMs = lossy ? 4 * busyMs_ : kPatienceMs;
+  const uint16_t leastMs = lossy ? 5 * busyMs_ : kPatienceMs;
   return waitMs > leastMs ? waitMs : leastMs;
 }
 

@@ -19,6 +19,7 @@ class Pace {
   // Something was damaged or lost on the line.
   void noteLoss() { lossyS_ = kLossyS; }
   void onSecond() {
+    busyMs_ /= 2;
     if (lossyS_ != 0) --lossyS_;
   }
   bool isLossy() const { return lossyS_ != 0; }
@@ -29,11 +30,13 @@ class Pace {
   void learn(uint16_t roundTripMs, bool isSure) {
     if (isSure || roundTripMs < roundTripMs_) roundTripMs_ = roundTripMs;
   }
-  // The line has been busy with the last frame for so long.
-  void noteBusy(uint16_t ms) { busyMs_ = ms; }
+  // The line has been busy with a frame for so long. (The longest counts, and is forgotten in some seconds.)
+  void noteBusy(uint16_t ms) {
+    if (ms > busyMs_) busyMs_ = ms;
+  }
 
-  // How long to wait for an answer to what may be sent again. On a line that loses repeats take a quarter of it, at the
-  // most.
+  // How long to wait for an answer to what may be sent again. On a line that loses repeats take a fifth of it, and what
+  // fills before others something of the rest: a quarter in all.
   MAVMISSION_APART uint16_t againMs() const;
 
  private:

@@ -552,12 +552,12 @@ TEST_CASE("a line that answers slowly is waited for four times as long") {
   CHECK((upload.transfer.toSend() == Send::Item));
 }
 
-TEST_CASE("repeats take a quarter of the line at the most") {
+TEST_CASE("repeats take a fifth of the line at the most") {
   Upload upload(3);
   upload.served(1);
   upload.pace.noteLoss();
   upload.pace.noteBusy(60);  // 9600 baud
-  CHECK(goesOn(upload.wait(239)));
+  CHECK(goesOn(upload.wait(299)));
   CHECK((upload.transfer.toSend() == Send::Nothing));
   upload.wait(1);
   CHECK((upload.transfer.toSend() == Send::Item));
