@@ -38,6 +38,7 @@ class Entry:
     message: Any  # None for bytes that are no frame of the dialect
     data: bytes
     fate: str = ""  # "" if it arrived as it was sent
+    arriving: int = 0  # bytes of it that arrive, or will
 
     def __str__(self) -> str:
         line = f"{self.time:10.4f} {self.direction} {summary(self.message, self.data)}"
@@ -319,6 +320,7 @@ class Wire:
         if way.damage is not None:
             data, done = way.damage.done_to(data)
             entry.fate = ", ".join(words for words in (entry.fate, done) if words)
+        entry.arriving += len(data)
         heapq.heappush(way.on_the_way, (entry.time + later_s, self._number, data))
 
     def _strike_lost(self, entry: Entry) -> None:
