@@ -65,7 +65,7 @@ class UploadTransfer {
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
   // our last item as if it were that one's, repeated, with the sum of what it had until then.
-  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && tries_ > 1; }
+  bool isAcceptanceDoubtful() const { return firmware_ == Firmware::Px4 && mayBeAnswered() && isUnasked_; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.
@@ -95,6 +95,7 @@ class UploadTransfer {
   bool freed_;      // an open transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
   bool answered_;   // item_ has been sent at least once
+  bool isUnasked_;  // the item before asked_ was sent again without being asked for
   bool isOnly_;     // nothing but the item before asked_ was sent since that was asked for
   bool isAssumed_;  // it is the autopilot's INVALID_SEQUENCE, and no request, that the item before asked_ was sent for
 };
