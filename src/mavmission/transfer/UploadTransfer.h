@@ -28,7 +28,7 @@ class UploadTransfer {
   static constexpr uint16_t kAnswerMs = 1500;   // wait for an answer to either (guide: 1500 ms)
   static constexpr uint16_t kPassiveMs = 8500;  // ArduPilot asks again each second and gives up after 8.0 s
   // The most for all COUNTs on a line that loses: ArduPilot gives up 8 s after the first that it has heard.
-  static constexpr uint16_t kCountingMs = kTries * kAnswerMs;
+  static constexpr uint16_t kCountingMs = 7500;
   static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
   static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
 
