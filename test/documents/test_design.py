@@ -14,7 +14,7 @@ DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
 PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
-            "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
+            "Link.h", "Outbox.h", "Pace.h", "MissionClient.h", "client/*")  # fmt: skip
 CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
 
 

@@ -109,7 +109,7 @@ const char* Referee::sentInUpload(const Message& message) {
         if (sinceSentMs < againMs(isConfirming ? kAnswerMs : kPatienceMs)) return "an item is repeated too early";
         if (isConfirming && repeats == kTries && !isHurried) return "the last item is repeated too often";
       }
-      if (isLastSent && repeats < kTries) ++repeats;
+      if ((isLastSent || (open & bit) == 0) && repeats < kTries) ++repeats;
       open = static_cast<uint8_t>(open & ~bit);
       sentItem = static_cast<uint8_t>(message.number + 1);
       if (copies < 2) ++copies;
@@ -303,6 +303,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
 
     case Status::TimedOut:
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
+      // An error to a repeat says that there is no transfer any more.
+      if (asked != 0 && repeats != 0 && (heardAcks & (1u << kError)) != 0) return nullptr;
       return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
 
     case Status::Cancelled: return nullptr;

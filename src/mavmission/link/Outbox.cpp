@@ -83,6 +83,7 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
     stream.write(static_cast<uint8_t>(0));
     ++sent_;
   }
+  if (sent_ < 0) return;
   if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
   const uint8_t left = static_cast<uint8_t>(length_ - sent_);
   sent_ += stream.write(frame_ + sent_, room < left ? room : left);

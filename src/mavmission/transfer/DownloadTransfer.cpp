@@ -26,7 +26,7 @@ bool DownloadTransfer::onCount(uint16_t count) {
 
 bool DownloadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
   if (!expectsAnswer(State::Fetching) || item != next_) return false;
-  pace.learn(since(sentMs_, nowMs), tries_ == 1);
+  pace.learn(since(sentMs_, nowMs), false);
   ++next_;
   tries_ = 0;
   const bool isLast = next_ == count_;

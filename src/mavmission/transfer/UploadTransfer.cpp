@@ -24,6 +24,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
     pace.learn(since(sentMs_, nowMs), tries_ == 1);
     ++asked_;
     isOnly_ = true;
+    isUnasked_ = false;
     isAssumed_ = false;
     progressMs_ = nowMs;
     state_ = State::Sending;
@@ -54,7 +55,7 @@ Status UploadTransfer::onAcceptance() {
   // An earlier transfer may be what was accepted, if it had fewer items: this one was not seen to come to its end.
   if (state_ == State::Confirming && isAssumed_ && mayBeAnswered()) return Status::Unconfirmed;
   // PX4 accepts a repeated last item though it has just failed to store the plan.
-  if (state_ == State::Confirming && tries_ > 1 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
+  if (state_ == State::Confirming && isUnasked_ && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
   if (!mayBeAnswered()) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
@@ -101,9 +102,12 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
         send_ = Send::Cancel;
         return Status::Transferring;
       }
-      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the
-      // plan.
-      if (state_ == State::Confirming && tries_ > 1 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
+      // To our own repetition an idle autopilot says so, and will say nothing else. Behind the last item it tells
+      // nothing of the plan (PX4 accepts it again); before that it has given up, or was restarted.
+      if (isUnasked_ && !(has(firmware_, kSaysErrorWhenBusy) && recounted_)) {
+        if (state_ == State::Sending) return Status::TimedOut;
+        if (!has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
+      }
       // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
       // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
       if ((state_ == State::Confirming && repeated_) ||
@@ -154,6 +158,7 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
 // What was asked for last.
 void UploadTransfer::sendAgain() {
   repeated_ = true;
+  isUnasked_ = true;
   item_ = asked_ - 1;
   send_ = Send::Item;
 }

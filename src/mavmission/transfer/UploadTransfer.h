@@ -28,7 +28,7 @@ class UploadTransfer {
   static constexpr uint16_t kAnswerMs = 1500;   // wait for an answer to either (guide: 1500 ms)
   static constexpr uint16_t kPassiveMs = 8500;  // ArduPilot asks again each second and gives up after 8.0 s
   // The most for all COUNTs on a line that loses: ArduPilot gives up 8 s after the first that it has heard.
-  static constexpr uint16_t kCountingMs = kTries * kAnswerMs;
+  static constexpr uint16_t kCountingMs = 7500;
   static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
   static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
 
@@ -65,7 +65,7 @@ class UploadTransfer {
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
   // our last item as if it were that one's, repeated, with the sum of what it had until then.
-  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && tries_ > 1; }
+  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && isUnasked_; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.
@@ -94,6 +94,7 @@ class UploadTransfer {
   bool recounted_;  // COUNT was sent more than once
   bool freed_;      // an open transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
+  bool isUnasked_;  // the item before asked_ was sent again without being asked for
   bool isOnly_;     // nothing but the item before asked_ was sent since that was asked for
   bool isAssumed_;  // it is the autopilot's INVALID_SEQUENCE, and no request, that the item before asked_ was sent for
 };
