@@ -31,7 +31,7 @@ class Client {
   virtual std::string aboard() const { return "NotKnown"; }
 };
 
-// MissionClient with upload(), with uploadWithoutReadback(), or with upload(plan, Verified).
+// MissionClient with upload(), with uploadWithoutReadback(), or with upload(plan, Readback::Always).
 enum class Proven : uint8_t { ByAnswer, InDoubt, Always };
 std::unique_ptr<Client> makeMissionClient(Firmwares firmware, Proven proven);
 std::unique_ptr<Client> makeNoRetries(Firmwares firmware);

@@ -1,4 +1,4 @@
-// MissionClient taking a plan away.
+// MissionClient's clear().
 #include <Arduino.h>
 
 #include "../MissionClient.h"
