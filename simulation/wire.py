@@ -1,4 +1,4 @@
-"""A faulty wire between two byte streams, in simulated time, that fails frame by frame.
+"""A faulty wire between two byte streams, in simulated time, that fails frame by frame or byte by byte.
 
     wire = Wire()
     wire.lose(">", name="MISSION_COUNT")
@@ -11,7 +11,8 @@
 client. A fault names the frames that it strikes by any of: the message's name (with * and ?),
 its seq field, a predicate on the message (where), and the number, from 0, among the frames of
 the direction that the other three name (index). It strikes `times` times (None: always). The
-first fault that names a frame is the one it suffers.
+first fault that names a frame is the one it suffers. Bytes that are lost, altered or inserted at
+random (damage_bytes) are those of whatever is left of the frame then.
 """
 import fnmatch
 import heapq
@@ -37,6 +38,7 @@ class Entry:
     message: Any  # None for bytes that are no frame of the dialect
     data: bytes
     fate: str = ""  # "" if it arrived as it was sent
+    arriving: int = 0  # bytes of it that arrive, or will
 
     def __str__(self) -> str:
         line = f"{self.time:10.4f} {self.direction} {summary(self.message, self.data)}"
@@ -79,6 +81,35 @@ class Fault:
         return self.where is None or (message is not None and self.where(message))
 
 
+@dataclass(frozen=True)
+class ByteDamage:
+    """What each byte suffers by chance [0..1]. An inserted byte is any, and comes before it."""
+
+    lose: float
+    alter: float
+    insert: float
+    random: random.Random
+
+    def done_to(self, data: bytes) -> tuple[bytes, str]:
+        """What arrives, and what became of it in words."""
+        out = bytearray()
+        counts = {"lost": 0, "altered": 0, "inserted": 0}
+        for byte in data:
+            if self.insert and self.random.random() < self.insert:
+                out.append(self.random.randrange(256))
+                counts["inserted"] += 1
+            drawn = self.random.random()
+            if drawn < self.lose:
+                counts["lost"] += 1
+                continue
+            if drawn < self.lose + self.alter:
+                byte ^= self.random.randrange(1, 256)
+                counts["altered"] += 1
+            out.append(byte)
+        words = [f"{count} byte{'s' if count > 1 else ''} {fate}" for fate, count in counts.items() if count]
+        return bytes(out), ", ".join(words)
+
+
 class _Direction:
     """One way along the wire."""
 
@@ -89,6 +120,7 @@ class _Direction:
         self.held_back: list[tuple[bytes, Entry]] = []
         self.delivered = 0  # bytes that have come to the damaged end
         self.dropped_bytes: list[tuple[int, int]] = []
+        self.damage: ByteDamage | None = None
         self.cut = False
 
 
@@ -99,6 +131,7 @@ class Wire:
         self.entries: list[Entry] = []
         self._ways = {direction: _Direction() for direction in DIRECTIONS}
         self._faults: list[Fault] = []
+        self._seed = seed
         self._random = random.Random(seed)
         self._chances: dict[str, list[tuple[float, Fault]]] = {way: [] for way in DIRECTIONS}
         self._number = 0
@@ -186,6 +219,19 @@ class Wire:
             raise ValueError(f"bytes {first}..{last} are no range")
         self._way(direction).dropped_bytes.append((first, last))
 
+    def damage_bytes(self, direction: str | None = None, *, lose: float = 0, alter: float = 0,
+                     insert: float = 0) -> None:
+        """From now on lose, alter or insert so many percent of the bytes, by the wire's seed.
+
+        In one direction or both; the two do not depend on each other. All 0: no more of it.
+        """
+        if min(lose, alter, insert) < 0 or lose + alter > 100 or insert > 100:
+            raise ValueError("so many percent of the bytes there are not")
+        for which in [direction] if direction else DIRECTIONS:
+            way = self._way(which)
+            drawn = random.Random(f"{self._seed} {which}")
+            way.damage = ByteDamage(lose / 100, alter / 100, insert / 100, drawn) if lose or alter or insert else None
+
     def pull(self, direction: str | None = None) -> None:
         """From now on nothing that is sent arrives, in one direction or both."""
         for way in ([self._way(direction)] if direction else self._ways.values()):
@@ -270,8 +316,12 @@ class Wire:
 
     def _pass(self, entry: Entry, data: bytes, later_s: float = 0.0) -> None:
         self._number += 1
-        heapq.heappush(self._ways[entry.direction].on_the_way,
-                       (entry.time + later_s, self._number, data))
+        way = self._ways[entry.direction]
+        if way.damage is not None:
+            data, done = way.damage.done_to(data)
+            entry.fate = ", ".join(words for words in (entry.fate, done) if words)
+        entry.arriving += len(data)
+        heapq.heappush(way.on_the_way, (entry.time + later_s, self._number, data))
 
     def _strike_lost(self, entry: Entry) -> None:
         pass

@@ -1,8 +1,8 @@
-// MavMission: puts a flight plan aboard a Pixhawk from an Arduino. https://mavlink.io/en/services/mission.html is the
-// protocol; README.md begins with an example.
+// MavMission: puts a flight plan aboard a Pixhawk from an Arduino. README.md begins with an example; the protocol is
+// https://mavlink.io/en/services/mission.html.
 #pragma once
 
-// By semantic versioning; the same in library.properties.
+// By semantic versioning; the same as in library.properties.
 #define MAVMISSION_VERSION "0.1.0"
 
 #include "mavmission/EepromPlan.h"

@@ -1,4 +1,4 @@
-// PlanConsole: a text console for a plan on the serial monitor. Apart from MavMission.h, since few sketches have one.
+// PlanConsole: a text console for a plan on the serial monitor. Not part of MavMission.h, since few sketches have one.
 #pragma once
 
 #include "MavMission.h"

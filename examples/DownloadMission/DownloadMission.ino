@@ -1,12 +1,12 @@
-// Reads the autopilot's plan and prints it on the serial monitor (115200 baud), item by item as it comes: a plan of any
-// length, at no cost in RAM.
+// Reads the autopilot's plan and prints it on the serial monitor (115200 baud), item by item as it arrives: a plan of
+// any length, without a buffer for it.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 MissionClient autopilot(TELEM);
 
-// A coordinate with all its digits, which a float would not have.
+// Prints a coordinate with all its digits, which a float would not have.
 void printDegrees(int32_t e7) {
   if (e7 < 0) CONSOLE.print('-');
   const uint32_t magnitude = e7 < 0 ? 0 - static_cast<uint32_t>(e7) : static_cast<uint32_t>(e7);

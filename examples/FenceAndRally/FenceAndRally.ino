@@ -5,12 +5,12 @@
 using namespace mavmission;
 
 constexpr MissionItem fence[] PROGMEM = {
-    // A field that must not be left: four corners, each with their number.
+    // A field that must not be left: four corners, each of which says how many there are.
     fenceInside(-35.3640_deg, 149.1640_deg, 4),
     fenceInside(-35.3640_deg, 149.1670_deg, 4),
     fenceInside(-35.3610_deg, 149.1670_deg, 4),
     fenceInside(-35.3610_deg, 149.1640_deg, 4),
-    // A mast in it.
+    // A mast in the field.
     fenceOutsideCircle(-35.3625_deg, 149.1655_deg, 15_m),
 };
 

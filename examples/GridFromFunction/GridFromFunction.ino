@@ -1,5 +1,5 @@
-// A lawn mower's grid of 302 items that is computed while it is uploaded: no item is ever in RAM but the one on its
-// way. Lanes run west to east and back, each one further north.
+// A lawn mower's grid of 302 items that is computed during the upload: only the item being sent is in RAM. Lanes run
+// west to east and back, each further north than the one before.
 #include <MavMission.h>
 #include <MavMissionTelem.h>  // TELEM: this board's port to the autopilot
 using namespace mavmission;
@@ -13,8 +13,7 @@ constexpr Metres kHeight = 15_m;
 
 constexpr uint16_t kItems = 1 + 2 * kLanes + 1;  // takeoff, two ends of each lane, the way home
 
-// Item `index` of the plan. It depends on nothing but the index: the same index always gives the same item, however
-// often it is asked for.
+// Item `index` of the plan. The same index must always give the same item, however often it is requested.
 bool gridItem(void*, uint16_t index, MissionItem& item) {
   if (index == 0) {
     item = takeoff(kHeight);

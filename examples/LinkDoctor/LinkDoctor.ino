@@ -1,5 +1,5 @@
-// Says in words on the serial monitor (115200 baud) why nothing works, or that all is well. Load it, read, mend, and
-// look again: the verdict follows within some seconds. docs/troubleshooting.md says what to do about each.
+// Prints on the serial monitor (115200 baud) why nothing works, or that all is well. Correct the fault, and the verdict
+// changes within some seconds. docs/troubleshooting.md says what to do about each verdict.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

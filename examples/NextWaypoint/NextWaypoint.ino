@@ -1,5 +1,5 @@
-// A soil probe: the aircraft lands in one field after the other. At each landing the probe works, then the Arduino
-// sends the aircraft on to the next field.
+// A soil probe: the aircraft lands in one field after another. After each landing the probe takes its sample, then the
+// Arduino sends the aircraft to the next field.
 //
 // Each leg is a plan of its own. At its end Copter and PX4 land and disarm; a rover stays armed, and is disarmed. TAKE
 // OFF THE PROPELLERS WHILE YOU TRY IT.
@@ -17,7 +17,7 @@ constexpr Place fields[] = {
 };
 constexpr uint8_t kFields = sizeof(fields) / sizeof(fields[0]);
 constexpr Metres kHeight = 10_m;
-constexpr uint32_t kSampleMs = 5000;  // what the probe needs
+constexpr uint32_t kSampleMs = 5000;  // the time that the probe needs
 
 MissionClient autopilot(TELEM);
 MissionFollower mission(autopilot);
@@ -25,8 +25,8 @@ MissionFollower mission(autopilot);
 enum class Stage : uint8_t { Uploading, Starting, Flying, Sampling, Done };
 Stage stage = Stage::Uploading;
 uint8_t field;
-bool saysComplete;     // what a rover says at the end of its mission
-uint32_t notOverAtMs;  // when the leg was last seen not to be over
+bool saysComplete;     // the text that a rover sends at the end of its mission has come
+uint32_t notOverAtMs;  // when the leg was last known to be under way
 uint32_t landedAtMs;
 
 // Takes off where the aircraft stands, flies to the field, lands there.
@@ -66,9 +66,9 @@ void onEnded(Status status) {
   } else if (stage == Stage::Starting && status == Status::Done) {
     stage = Stage::Flying;
   } else if (stage == Stage::Flying && status == Status::Done) {
-    return;  // disarmed: loop() sees it
+    return;  // disarmed, which loop() notices
   } else {
-    stage = Stage::Done;  // something was refused, and the words above say what: leave it to the pilot
+    stage = Stage::Done;  // something was refused, as printed above: leave the aircraft to the pilot
   }
 }
 

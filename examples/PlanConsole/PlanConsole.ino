@@ -1,10 +1,12 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
-// EEPROM, where it stays without power; put it aboard, verify it, fly it. Type "help".
+// EEPROM, which keeps it without power; upload, verify and fly it. Type "help". A Mega has room for all commands, an
+// Uno for those that are always offered; a Nano or a Leonardo is too small. TAKE OFF THE PROPELLERS WHILE YOU TRY IT:
+// "start" arms.
 #include <MavMissionConsole.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
-// Items that wait to be stored: with enough of them a whole file may be pasted.
+// A buffer for items that wait to be stored: if it is large enough, a whole file may be pasted.
 #if defined(__AVR__) && FLASHEND < 0x10000
 MissionItem room[8];
 #else

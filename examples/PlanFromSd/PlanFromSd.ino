@@ -1,10 +1,9 @@
 // Uploads a plan from a file: PLAN.TXT on an SD card, as Mission Planner saves it (.waypoints, QGC WPL 110). The file
-// may be of any length, a mission, a fence or rally points; it is read item by item, when the autopilot asks. What is
-// wrong with it is said with its line.
+// may be of any length, and hold a mission, a fence or rally points; it is read item by item, as the autopilot requests
+// them. An error in it is printed with its line.
 //
-// With a card (any shield; chip select on CARD_SELECT), take away the two slashes of the next line. Without it the text
-// below stands in for the file.
-// #define CARD_SELECT 10
+// With a card (any shield; chip select on CARD_SELECT), remove the two slashes of the next line. Without a card the
+// text below takes the place of the file. #define CARD_SELECT 10
 #include <MavMission.h>
 // On an Uno or a Nano: pins that the card leaves free.
 #define CONSOLE_RX 8
@@ -30,7 +29,7 @@ const char text[] PROGMEM =
     "4\t0\t3\t177\t2\t2\t0\t0\t0\t0\t0\t1\n"
     "5\t0\t3\t20\t0\t0\t0\t0\t0\t0\t0\t1\n";
 
-// What a file is to the library: a Stream that ends, with seek().
+// All that the library needs of a file: a Stream that ends, with seek().
 class TextFile : public Stream {
  public:
   bool seek(uint32_t position) {

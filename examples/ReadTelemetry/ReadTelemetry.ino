@@ -1,5 +1,5 @@
 // Beside the mission: asks the autopilot for its position twice a second, and decodes it. Any message of any dialect
-// can be heard so, and decoded by hand, as here, or with another MAVLink library's headers.
+// can be received in this way, and decoded by hand, as here, or with the headers of another MAVLink library.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -8,7 +8,7 @@ using namespace mavmission;
 constexpr uint16_t kGlobalPositionInt = 33;
 const MessageKey keys[] PROGMEM = {messageKey(kGlobalPositionInt, 104, 28)};
 
-// Its payload, as it lies on the wire.
+// Its payload in wire order.
 struct __attribute__((packed)) GlobalPositionInt {
   uint32_t timeBootMs;
   int32_t latE7, lonE7;

@@ -1,5 +1,5 @@
-// Uploads a plan, proves it by reading it back, arms, flies it, and says each item that is reached; at the end it reads
-// the plan once more. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Uploads a plan, reads it back as a proof, arms, flies it, and prints each item reached; at the end it downloads the
+// plan. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
 // Nothing happens while the aircraft is armed: an Arduino that resets in flight uploads and starts nothing.
 #include <MavMission.h>
@@ -21,8 +21,8 @@ Stage stage = Stage::Uploading;
 uint32_t refusedAtMs;
 uint8_t startTries;
 bool startAgain;
-bool saysComplete;     // what a rover says at the end of its mission
-uint32_t notOverAtMs;  // when the mission was last seen not to be over
+bool saysComplete;     // the text that a rover sends at the end of its mission has come
+uint32_t notOverAtMs;  // when the mission was last known to be under way
 
 void onReached(void*, uint16_t item) {
   CONSOLE.print(F("reached "));
@@ -74,8 +74,8 @@ void onEnded(Status status) {
       if (autopilot.startArming() == StartArming::Disarmed) {
         CONSOLE.println(F("it could not be flown, and is disarmed again"));
       }
-      // Arming is refused for half a minute after an autopilot starts; it says why in words. What stays armed flies, or
-      // is somebody else's: leave it to the pilot.
+      // For half a minute after its start an autopilot refuses to be armed, and says why in words. If the aircraft
+      // stays armed it flies, or somebody else has it: leave it to the pilot.
       startAgain = startTries < 10 && autopilot.startArming() != StartArming::Armed;
       refusedAtMs = millis();
       if (startAgain) return;
@@ -84,7 +84,7 @@ void onEnded(Status status) {
       stage = Stage::Reading;
       autopilot.download(toFunction(printCommand));
       return;
-    case Stage::Flying:  // an accepted plan may be found infeasible later
+    case Stage::Flying:  // PX4 may find an accepted plan infeasible later
     case Stage::Reading:
     case Stage::Done: break;
   }
@@ -99,7 +99,7 @@ void loop() {
   // Copter and PX4 disarm when they have landed at the end of the mission. A rover stays armed, and in AUTO.
   const bool isOver = saysComplete || mission.state() == MissionState::Complete;
   if (!isOver) notOverAtMs = millis();
-  if (!autopilot.hasAutopilot()) return;  // lost for a while
+  if (!autopilot.hasAutopilot()) return;  // its heartbeats are missing for a while
   if (!autopilot.isArmed()) {
     CONSOLE.println(F("landed"));
     stage = Stage::Reading;

@@ -1,6 +1,6 @@
-// Uploads a plan and says in words on the serial monitor (115200 baud) how it goes: progress, result, what is aboard,
-// and the counters that make a wiring fault visible. Tries again after a failure that another try may mend. Nothing is
-// sent while the aircraft is armed.
+// Uploads a plan and prints on the serial monitor (115200 baud) its progress, its result, which plan is aboard, and the
+// counters that make a wiring fault visible. Retries after a failure that may pass. Nothing is sent while the aircraft
+// is armed.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -11,7 +11,7 @@ constexpr MissionItem plan[] PROGMEM = {
     jump(1, 2),    returnToLaunch(),
 };
 
-constexpr uint32_t kPauseMs = 5000;  // before another try
+constexpr uint32_t kPauseMs = 5000;  // before a retry
 constexpr uint8_t kMaxTries = 5;
 
 MissionClient autopilot(TELEM);

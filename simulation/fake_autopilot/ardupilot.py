@@ -2,6 +2,7 @@
 import math
 from collections.abc import Iterable
 
+from . import hearing
 from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
 from .dialect import mavlink
@@ -62,6 +63,7 @@ class ArduPilot(FakeAutopilot):
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
+    heard_by = hearing.ARDUPILOT
     response_delay_s = 0.017
     response_delay_on_line_s = 0.006
     # On a full line of 57600 baud an item that is read comes 163 ms after its request, instead of 17: seen.

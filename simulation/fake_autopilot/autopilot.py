@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from . import frames
 from .dialect import mavlink
 from .faults import Faults
+from .hearing import Hearing
 from .items import MISSION, Item
 
 Address = tuple[int, int]  # system id, component id
@@ -49,6 +50,7 @@ class FakeAutopilot:
     """
 
     autopilot_type: int = mavlink.MAV_AUTOPILOT_GENERIC
+    heard_by: int  # whose way of using the C parser: hearing.ARDUPILOT or hearing.PX4
     response_delay_s = 0.010
     response_delay_on_line_s = 0.0
 
@@ -81,7 +83,7 @@ class FakeAutopilot:
             self.signing.sign_outgoing = True
             self._decode = self._decode_signed
         self._signing_time_s = signing_time_s
-        self._splitter = frames.FrameSplitter()
+        self._hearing = Hearing(self.heard_by)
         self._now = 0.0
         self._timers: dict[str, tuple[float, Callable[[float], None]]] = {}
         self._pending: list[tuple[float, int, Any]] = []  # a heap of what waits to be sent
@@ -119,8 +121,8 @@ class FakeAutopilot:
     def receive(self, data: bytes, now: float) -> None:
         """Bytes that have arrived by now [s]. What they cause comes out of run()."""
         self._advance(now)
-        for frame, intact in self._splitter.feed(data):
-            if not intact or self.is_silent(now):
+        for frame in self._hearing.feed(data):
+            if self.is_silent(now):
                 continue
             try:
                 message = self._decode(bytearray(frame))
@@ -167,7 +169,7 @@ class FakeAutopilot:
         self._advance(now)
         self._pending.clear()
         self._timers.clear()
-        self._splitter = frames.FrameSplitter()
+        self._hearing = Hearing(self.heard_by)
         self.booted_at_s = now + silent_for_s
         self._packer.seq = 0
         self._intervals.clear()

@@ -2,6 +2,7 @@
 import math
 from collections.abc import Iterable
 
+from . import hearing
 from .autopilot import TEXT_LAG_S, FakeAutopilot
 from .dialect import mavlink
 from .feasibility import objection
@@ -63,6 +64,7 @@ class Px4(FakeAutopilot):
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_PX4
+    heard_by = hearing.PX4
     response_delay_s = 0.010
     response_delay_on_line_s = 0.0005
 

@@ -28,17 +28,29 @@ class Heard(NamedTuple):
     frame: bytes
 
 
+_LOSSY = "lossy_"
 _OF_STARTS = ("start_", "mission_", "set_current_", "auto_and_arming", "request_messages")
 
 
 def names() -> list[str]:
     """All recordings of transfers, as "px4/item_lost"."""
-    return [name for name in _all() if not name.split("/")[1].startswith(_OF_STARTS)]
+    return [name for name in _all() if not name.split("/")[1].startswith((*_OF_STARTS, _LOSSY))]
 
 
 def starts() -> list[str]:
     """All recordings of how a mission is started, changed and ended, as "px4/mission_end"."""
     return [name for name in _all() if name.split("/")[1].startswith(_OF_STARTS)]
+
+
+def lossy() -> list[str]:
+    """All recordings of a line that loses bytes, as "px4/lossy_3_percent_0"."""
+    return [name for name in _all() if name.split("/")[1].startswith(_LOSSY)]
+
+
+def raw(name: str, direction: str) -> list[tuple[float, bytes]]:
+    """(time [s], bytes) of each line with this mark: '>', '<', and of a lossy one '>>' and '<<' too."""
+    lines = (line.split() for line in (FOLDER / f"{name}.txt").read_text().splitlines())
+    return [(float(time), bytes.fromhex(data)) for time, which, data in lines if which == direction]
 
 
 def _all() -> list[str]:

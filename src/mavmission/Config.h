@@ -1,4 +1,4 @@
-// What can be set when the library is compiled. Each macro may be given on the compiler's command line (PlatformIO:
+// Settings for when the library is compiled. Each macro may be given on the compiler's command line (PlatformIO:
 // build_flags = -DMAVMISSION_MAX_PAYLOAD=38); the Arduino IDE uses the defaults. A test compiles every non-default
 // value that is named here.
 #pragma once
@@ -9,40 +9,40 @@
 #define MAVMISSION_MAX_PAYLOAD 54
 #endif
 
-// How many received bytes one update() looks at, at most [bytes], 16 to 255. Bounds the time of an update(). A Mega's
-// receive ring holds 63: no more can be waiting there, however late the loop is. Costs nothing.
+// How many received bytes one update() reads at most [bytes], 16 to 255. Bounds the time of an update(). A Mega's
+// receive buffer holds 63: no more can be waiting there, however late the loop is. Costs nothing.
 #ifndef MAVMISSION_BYTES_PER_UPDATE
 #define MAVMISSION_BYTES_PER_UPDATE 64
 #endif
 
-// How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs time only: what
-// reading an item takes, which for one from a function is up to the function.
+// How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs time only: that of
+// reading an item from its source.
 #ifndef MAVMISSION_ITEMS_PER_UPDATE
 #define MAVMISSION_ITEMS_PER_UPDATE 1
 #endif
 
 // 1: MissionClient::signWith() exists, which signs what is sent and refuses what is not signed (MAVLink guide, Message
-// Signing); 0 to 1 [switch]. Costs nothing at 0; what it costs at 1 is in DESIGN.md.
+// Signing); 0 to 1 [switch]. Costs nothing at 0; docs/measurements.md has the cost at 1.
 #ifndef MAVMISSION_SIGNING
 #define MAVMISSION_SIGNING 0
 #endif
 
-// Keeps a function apart from its callers, where avr-gcc would inline it and the program would grow. Each was tried.
+// Keeps a function from being inlined, where avr-gcc would inline it and the program would grow. Each use was measured.
 #ifdef __AVR__
 #define MAVMISSION_APART __attribute__((noinline))
 #else
 #define MAVMISSION_APART
 #endif
 
-// Puts a function into its callers, where avr-gcc would call it and time is what counts. Each was measured.
+// Inlines a function where avr-gcc would call it and time is what counts. Each use was measured.
 #ifdef __AVR__
 #define MAVMISSION_INLINE inline __attribute__((always_inline))
 #else
 #define MAVMISSION_INLINE inline
 #endif
 
-// Lets a function return in one place only. avr-gcc makes a jump of a call that comes last, and repeats all the pops of
-// the function before it.
+// Lets a function return in one place only. avr-gcc would turn its final calls into jumps, and repeat all pops before
+// each of them.
 #ifdef __AVR__
 #define MAVMISSION_ONE_EXIT __attribute__((optimize("no-optimize-sibling-calls")))
 #else

@@ -41,7 +41,7 @@ class Degrees {
   // Whole steps of 1e-7 degree.
   constexpr int32_t e7() const { return e7_; }
 
-  // Exact; the sketch sees to it that nothing leaves the range of fromE7().
+  // Exact. The sketch must see to it that the result stays in the range of fromE7().
   constexpr Degrees operator-() const { return fromE7(-e7_); }
   constexpr Degrees operator+(Degrees other) const { return fromE7(e7_ + other.e7_); }
   constexpr Degrees operator-(Degrees other) const { return fromE7(e7_ - other.e7_); }
@@ -55,7 +55,7 @@ class Degrees {
   int32_t e7_;
 };
 
-// A heading beyond 180 degrees, as a literal makes it: 270_deg. It is no coordinate.
+// A heading beyond 180 degrees, such as the literal 270_deg. It cannot be used as a coordinate.
 class WideHeading {
  public:
   // From an angle in units of 1e-7 degrees, from 0 to 360 degrees.
@@ -71,7 +71,7 @@ namespace literal {
 
 constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// The number of digits behind the point, trailing zeros apart (35.36320000_deg is exact too).
+// The number of decimals without trailing zeros (35.36320000_deg is exact too).
 template <char... Rest>
 struct Decimals;
 template <>
@@ -88,7 +88,7 @@ struct Decimals<First, Rest...> {
   }
 };
 
-// Digits, one point at the most, and the digit separators of C++14.
+// True for digits, at most one point, and the digit separators of C++14.
 template <char... All>
 struct Plain;
 template <>
@@ -103,7 +103,7 @@ struct Plain<First, Rest...> {
   }
 };
 
-// 0x10_deg and 010_deg are not decimal to the compiler's eye or to the reader's.
+// True for 0x10_deg and 010_deg, which the compiler or the reader would not take for decimal.
 template <char... All>
 struct LeadingZero {
   static constexpr bool value = false;
@@ -136,8 +136,7 @@ struct Value<First, Rest...> {
   }
 };
 
-// What a literal makes. A constant that stays one where the literal stands in a function: avr-gcc would otherwise
-// compute it there each time.
+// The result of a literal, as a constant also inside a function: avr-gcc would otherwise compute it there each time.
 template <int64_t E7, bool IsWide = (E7 > 1800000000)>
 struct Constant {
   typedef Degrees Type;

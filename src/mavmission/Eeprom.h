@@ -1,11 +1,11 @@
-// Bytes that stay when the power goes: the board's own EEPROM, or what a sketch has in its place.
+// Bytes that are kept without power: the board's own EEPROM, or a substitute of the sketch's.
 #pragma once
 
 #include <stdint.h>
 
 namespace mavmission {
 
-// How its bytes are read and written. A sketch on a board that is no AVR says in one line what it has:
+// Functions that read and write its bytes. A sketch on a board that is no AVR says in one line what it has:
 //
 //   #include <EEPROM.h>
 //   EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));  // on an ESP32 and a Pico EEPROM.begin(1024) comes first
@@ -13,7 +13,7 @@ namespace mavmission {
 struct Eeprom {
   // The byte at an address.
   uint8_t (*read)(uint16_t address);
-  // Begins to write a byte and returns; isReady() says when that is done. It may also write it at once.
+  // Begins to write a byte and returns; isReady() becomes true when that is done. It may also write the byte at once.
   void (*write)(uint16_t address, uint8_t value);
   // True when write() may be called without waiting. Null: always.
   bool (*isReady)();
@@ -53,8 +53,8 @@ struct EepromOf {
 #endif
 
 #ifdef __AVR__
-// The EEPROM of an AVR: 4,096 bytes on a Mega, 1,024 on an Uno, a Nano, a Leonardo. A byte takes 3.4 ms to write and
-// lasts for 100,000 times. (Data sheet, ATmega2560, "EEPROM Data Memory".)
+// The EEPROM of an AVR: 4,096 bytes on a Mega, 1,024 on an Uno, a Nano, a Leonardo. A byte takes 3.4 ms to write, and
+// can be written 100,000 times. (Data sheet, ATmega2560, "EEPROM Data Memory".)
 Eeprom ownEeprom();
 #endif
 

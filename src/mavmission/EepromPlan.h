@@ -1,5 +1,5 @@
-// A plan kept in EEPROM. It survives the power going at any moment: what is there then is the old plan or the new one,
-// whole. It does not block: a byte takes 3.4 ms to write, and each update() writes one at the most.
+// A plan kept in EEPROM. It survives a power failure at any moment: either the old plan or the new one is there
+// afterwards, whole. It does not block: a byte takes 3.4 ms to write, and each update() writes at most one.
 //
 //   EepromPlan plan;
 //   ...
@@ -10,8 +10,8 @@
 //   ...
 //   plan.update();                             // in loop()
 //
-// The room is two banks, of which one holds the plan. A new one is written to the other bank, read back item by item,
-// and made valid by a single byte; only then is the old one made invalid, by a single byte.
+// The memory is divided into two banks, one of which holds the plan. A new plan is written to the other bank, read back
+// item by item, and made valid by a single byte; only then is the old plan made invalid, by a single byte.
 //
 //   byte 0     0x4D: the bank is valid. Written last.
 //   byte 1     sequence: of two valid banks (the power went between those two bytes) the later one holds the plan
@@ -19,7 +19,7 @@
 //   byte 4     checksum (Checksum.h) of the items' bytes, then of bytes 1 to 3
 //   byte 6     the items: 4 bytes, and 4 more for each of param1 to z that is not 0
 //
-// A byte is written only if it is another than what is there.
+// A byte is written only if its value changes.
 //
 // Where the bytes are kept in flash and stay only after commit() (an ESP32, a Pico), that is called once, when a change
 // is whole: then it is the flash that must bear the power going, and the call takes as long as it takes.
@@ -37,8 +37,8 @@ namespace mavmission {
 // A plan in EEPROM.
 class EepromPlan {
  public:
-  // Resting: nothing to do. Storing: items are taken, one when isReady(). Committing, Erasing: being written. Failed:
-  // no room, or the EEPROM does not keep what it is given; the old plan is whole.
+  // Resting: nothing to do. Storing: takes items, one whenever isReady(). Committing, Erasing: is writing. Failed: no
+  // room, or the EEPROM does not keep what is written; the old plan is still whole.
   enum class State : uint8_t { Resting, Storing, Committing, Erasing, Failed };
 
 #ifdef __AVR__
@@ -53,49 +53,48 @@ class EepromPlan {
                   "EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));");
   }
 #endif
-  // `size` bytes of an EEPROM from `first` on (0: as many as there are); 2 * (6 + 32) at the least. Nobody else may
-  // write there.
+  // `size` bytes of an EEPROM from `first` on (0: all that there are), at least 2 * (6 + 32). Nothing else may write
+  // there.
   explicit EepromPlan(const Eeprom& eeprom, uint16_t first = 0, uint16_t size = 0);
 
-  // Looks what is there; needed once, before the rest: without it there is no plan, and none is stored. Reads all of a
-  // plan, which takes some milliseconds (DESIGN.md, "Plans from text, and in EEPROM").
+  // Looks for a plan; must be called once, before everything else: without it there is no plan, and none can be stored.
+  // Reads the whole plan, which takes some milliseconds (docs/measurements.md).
   void begin();
 
-  // A plan is there, and whole.
+  // True if a plan is there, and whole.
   bool hasPlan() const { return active_ != kNone; }
-  // A plan was there whose checksum is wrong: it is none.
+  // True if begin() found a plan with a wrong checksum, which counts as none.
   bool isDamaged() const { return isDamaged_; }
   uint16_t count() const { return count_; }  // items of the plan
 
-  // The plan; one that is refused (Status::SourceRefused) if there is none. Not while another is being stored: it would
-  // be exchanged in mid-transfer.
+  // The plan. If there is none, an upload of the source is refused (Status::SourceRefused). Do not upload it while
+  // another plan is being stored: it would be exchanged in mid-transfer.
   ItemSource source();
 
-  // --- Another plan
+  // --- Storing another plan
 
-  // Begins one; what was begun before is forgotten. False: a plan is being committed or erased, or begin() is still to
-  // come.
+  // Begins a plan; a plan that was begun before is dropped. False if a plan is being committed or erased, or begin()
+  // has not been called.
   bool store();
   // True when put() takes an item.
   bool isReady() const { return state_ == State::Storing && length_ == 0; }
-  // The next item. False, and Failed, if there is no room; false too if it is not isReady().
+  // Stores the next item. False, with State::Failed, if there is no room; false too while isReady() is false.
   bool put(const MissionItem& item);
   uint16_t stored() const { return taken_; }  // items since store()
-  // All items are there: makes them the plan. False without an item: what erases is erase(). State::Resting when done.
+  // Makes the stored items the plan. False without an item: to delete the plan call erase(). State::Resting when done.
   bool commit();
-  // Takes what a download brings, each item when it can; begins with store().
+  // A sink for a download, which takes each item when it can; calls store().
   ItemSink sink();
 
-  // Takes the plan away. False: one is being committed.
+  // Deletes the plan. False if a plan is being committed.
   bool erase();
 
-  // To be called from loop(): writes one byte at the most, and never waits for it.
+  // To be called from loop(): writes at most one byte, and never waits for it.
   State update();
   State state() const { return state_; }
   bool isBusy() const { return state_ == State::Committing || state_ == State::Erasing; }
 
-  // The room for the items of a plan [bytes]; one takes 4 to 32, a waypoint 16, or 20
-  // with an unset yaw.
+  // The room for the items of a plan [bytes]; an item takes 4 to 32, a waypoint 16, or 20 with an unset yaw.
   uint16_t room() const { return bankSize_ - kHeader; }
 
  private:
@@ -135,14 +134,14 @@ class EepromPlan {
   uint16_t first_;
   uint16_t bankSize_;
   uint16_t count_;        // of the active bank's plan
-  uint16_t cachedIndex_;  // an item of it, and where that is
+  uint16_t cachedIndex_;  // an item of the plan, and its address
   uint16_t cachedAddress_;
-  uint16_t taken_;     // items of the plan that is being stored
-  uint16_t end_;       // behind the last of them
+  uint16_t taken_;     // items of the plan being stored
+  uint16_t end_;       // the address behind the last one
   uint16_t checksum_;  // of them
-  uint16_t address_;   // of what is being written
-  uint8_t length_;     // of it; 0: nothing
-  uint8_t done_;       // bytes of it that are there
+  uint16_t address_;   // of the bytes being written
+  uint8_t length_;     // how many bytes; 0: none
+  uint8_t done_;       // how many of them are written
   uint8_t active_;     // bank 0, 1, or kNone
   State state_;
   Step step_;

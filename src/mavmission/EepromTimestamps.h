@@ -20,7 +20,7 @@ class EepromTimestamps : public TimestampStore {
  public:
   static constexpr uint8_t kSlot = 6;  // a time, and its checksum [bytes]
 
-  // EEPROM that so many slots take [bytes].
+  // The size of this number of slots [bytes].
   static constexpr uint16_t bytes(uint8_t slots) { return static_cast<uint16_t>(slots) * kSlot; }
 
   EepromTimestamps(const EepromTimestamps&) = delete;

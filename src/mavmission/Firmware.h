@@ -7,13 +7,14 @@
 
 namespace mavmission {
 
-// Whose software flies (HEARTBEAT.autopilot), and its name. How each differs: autopilot/Personality.h.
+// The autopilot's software (HEARTBEAT.autopilot), with its name. autopilot/Personality.h has the differences.
 #define MAVMISSION_FIRMWARES(X)                                                                \
   X(Unknown, "no autopilot is heard")                                                          \
   X(ArduPilot, "ArduPilot")                                  /* MAV_AUTOPILOT_ARDUPILOTMEGA */ \
   X(Px4, "PX4")                                              /* MAV_AUTOPILOT_PX4 */           \
   X(Other, "an autopilot that is neither ArduPilot nor PX4") /* the protocol as the guide has it */
 
+// The autopilot's software, by HEARTBEAT.autopilot.
 enum class Firmware : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_FIRMWARES(MAVMISSION_NAME)

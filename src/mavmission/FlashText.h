@@ -8,6 +8,6 @@ typedef const __FlashStringHelper* FlashText;  // what Serial.print() takes as t
 }
 #else
 namespace mavmission {
-typedef const char* FlashText;
+typedef const char* FlashText;  // text, where there is no flash of its own
 }
 #endif

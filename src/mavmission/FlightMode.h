@@ -1,4 +1,4 @@
-// What the aircraft is to do, by one name on every autopilot; each has numbers of its own for it.
+// Flight modes, with one name for all autopilots, each of which has its own numbers.
 #pragma once
 
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 namespace mavmission {
 
-// By what the aircraft then does.
+// Named after what the aircraft then does.
 enum class FlightMode : uint8_t {
   Auto,            // fly the mission: AUTO on ArduPilot, MISSION on PX4
   Guided,          // fly where a companion says: GUIDED, or OFFBOARD on PX4 (which wants setpoints first)
@@ -18,18 +18,19 @@ enum class FlightMode : uint8_t {
   Manual,          // the pilot steers: MANUAL on Rover, Plane and PX4, STABILIZE on Copter
 };
 
-// What this vehicle calls a mode: DO_SET_MODE's parameter 2 in the lower byte, parameter 3 in the upper; kNoMode if it
-// has no such mode.
+// This vehicle's number of a mode: DO_SET_MODE's parameter 2 in the lower byte, parameter 3 in the upper one; kNoMode
+// if it has no such mode.
 constexpr uint16_t kNoMode = 0xFFFF;
 uint16_t modeNumber(FlightMode mode, Firmware firmware, uint8_t vehicleType);
 
-// The same of a HEARTBEAT.custom_mode: PX4 has its main and sub mode in the upper half, and nothing in the lower.
+// The same number from a HEARTBEAT.custom_mode: PX4 has its main and sub mode in the upper half, and zeros in the lower
+// one.
 inline uint16_t modeNumberOf(uint32_t customMode) {
   const uint16_t upper = static_cast<uint16_t>(customMode >> 16);
   return upper != 0 ? upper : static_cast<uint16_t>(customMode);
 }
 
-// True if HEARTBEAT.custom_mode says that the vehicle is in this mode.
+// True if HEARTBEAT.custom_mode is this mode.
 bool isInMode(FlightMode mode, Firmware firmware, uint8_t vehicleType, uint32_t customMode);
 
 }  // namespace mavmission

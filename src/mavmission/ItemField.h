@@ -1,4 +1,4 @@
-// The fields of an item, by which a status says what it is about.
+// The fields of an item, for the statuses that concern one of them.
 #pragma once
 
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 namespace mavmission {
 
-// The part of a plan that differs.
+// The fields, with their wording.
 #define MAVMISSION_FIELDS(X)    \
   X(None, "nothing")            \
   X(Count, "number of items")   \
@@ -29,7 +29,7 @@ enum class ItemField : uint8_t {
 #undef MAVMISSION_NAME
 };
 
-// The field in words, for Serial.print(). Flash text; null for a value that is no Field.
+// The field in words, for Serial.print(). Flash text; null for a value that is no ItemField.
 FlashText toString(ItemField field);
 
 }  // namespace mavmission

@@ -1,4 +1,4 @@
-// Where the items of a plan go that is read from the autopilot: a function, or an array with a limit.
+// Where the items of a downloaded plan go: a function, or an array with a limit.
 #pragma once
 
 #include <stddef.h>
@@ -8,23 +8,24 @@
 namespace mavmission {
 
 // Takes item `index` of the autopilot's plan, and returns true; false ends the download with Status::SinkFull. Called
-// from update(), once for each item, in their order. On ArduPilot it is called first with kHomeIndex and the home
-// position, which is no item of the plan.
+// from update(), once for each item, in order. On ArduPilot it is called first with kHomeIndex and the home position,
+// which is no item of the plan.
 typedef bool (*ItemSinkFunction)(void* context, uint16_t index, const MissionItem& item);
 
-// The number with which a sink is given the home position.
+// The index with which a sink is given the home position.
 constexpr uint16_t kHomeIndex = 0xFFFF;
 
-// A sink as a function, its context, and how many items it takes at most. Kept by value.
+// A sink as a function, its context, and the greatest number of items. Kept by value.
 struct ItemSink {
   ItemSinkFunction write;  // not null
   void* context;           // handed to the function; may be null
-  uint16_t limit;          // items; a longer plan is not begun with (Status::SinkFull)
-  // False: write() would not take an item now; the autopilot is asked for it again 250 ms later, 5 times. Null: always.
+  uint16_t limit;          // items; a longer plan is not downloaded (Status::SinkFull)
+  // False: write() cannot take an item now; the item is requested again every 250 ms, up to 5 attempts. Null: always
+  // ready.
   bool (*isReady)(void* context);
 };
 
-// Puts an item into an array, for toRam().
+// Writes an item into an array, for toRam().
 bool writeItemToRam(void* array, uint16_t index, const MissionItem& item);
 
 // An array in RAM; itemsDone() says how many items it holds when the download has ended.
@@ -34,7 +35,7 @@ ItemSink toRam(MissionItem (&plan)[N]) {
   return ItemSink{writeItemToRam, plan, N, nullptr};
 }
 
-// A function, with `context` handed to it, which may be null.
+// A function; `context` is handed to it and may be null.
 inline ItemSink toFunction(ItemSinkFunction function, void* context = nullptr, uint16_t limit = kHomeIndex - 1) {
   return ItemSink{function, context, limit, nullptr};
 }

@@ -1,5 +1,5 @@
-// Where the items of a plan come from: an array in flash, an array in RAM, or a function. The library asks for an item
-// when the autopilot does, so a plan takes no RAM of the library's, however long it is.
+// Where the items of a plan come from: an array in flash, an array in RAM, or a function. The library reads an item
+// when the autopilot requests it, so a plan takes no RAM in the library, however long it is.
 #pragma once
 
 #include <stddef.h>
@@ -8,26 +8,26 @@
 
 namespace mavmission {
 
-// Gives item `index` (0 to count - 1) of a plan by filling `item`, and returns true; false refuses, and ends the
-// transfer with Status::SourceRefused. Called from update(), more than once for an item (the plan is checked first, and
-// an item may be asked for again), in any order: the same index must always give the same item. Must not block, and
-// must not call upload() or update().
+// Fills `item` with item `index` (0 to count - 1) of a plan, and returns true; false ends the transfer with
+// Status::SourceRefused. Called from update(), more than once for an item (the plan is checked first, and an item may
+// be requested again), in any order: the same index must always give the same item. Must not block, and must not call
+// upload() or update().
 typedef bool (*ItemFunction)(void* context, uint16_t index, MissionItem& item);
 
-// A plan as a function, its context and its length. Small; kept by value. What it points at is the sketch's, and must
-// stay until the transfer has ended.
+// A plan as a function, its context and its length. Small, and kept by value. What it points at belongs to the sketch,
+// and must live until the transfer has ended.
 struct ItemSource {
   ItemFunction read;  // null with a count of 0
   void* context;      // handed to the function; may be null
   uint32_t count;     // items; more than 65,535 is refused (Status::TooManyItems)
 };
 
-// Items of an array, for inFlash() and inRam().
+// Read an item of an array, for inFlash() and inRam().
 bool readItemFromFlash(void* array, uint16_t index, MissionItem& item);
 bool readItemFromRam(void* array, uint16_t index, MissionItem& item);
 
-// A plan in flash: constexpr MissionItem plan[] PROGMEM = {...}; `constexpr`, not `const`, which would let a value that
-// is no constant put the array into RAM without a word.
+// A plan in flash: constexpr MissionItem plan[] PROGMEM = {...}; `constexpr`, not `const`, with which a value that is
+// no constant would put the array into RAM without a warning.
 template <size_t N>
 ItemSource inFlash(const MissionItem (&plan)[N]) {
   return ItemSource{readItemFromFlash, const_cast<MissionItem*>(plan), N};
@@ -40,7 +40,7 @@ ItemSource inFlash(MissionItem (&)[N]) {
   return ItemSource{nullptr, nullptr, 0};
 }
 
-// A plan in RAM, wholly...
+// A plan in RAM: the whole array...
 #ifdef __AVR__
 template <size_t N>
 ItemSource inRam(MissionItem (&plan)[N]) {
@@ -64,12 +64,12 @@ inline ItemSource inRam(const MissionItem* plan, uint32_t count) {
   return ItemSource{readItemFromRam, const_cast<MissionItem*>(plan), count};
 }
 
-// A plan of `count` items that a function computes. `context` is handed to it and may be null.
+// A plan of `count` items that a function computes. `context` is handed to the function and may be null.
 inline ItemSource fromFunction(ItemFunction function, uint32_t count, void* context = nullptr) {
   return ItemSource{function, context, count};
 }
 
-// No items: uploading it leaves the autopilot without a plan.
+// A plan without items: uploading it leaves the autopilot without a plan.
 inline ItemSource emptyPlan() { return ItemSource{nullptr, nullptr, 0}; }
 
 }  // namespace mavmission

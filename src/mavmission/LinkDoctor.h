@@ -1,4 +1,4 @@
-// Says in words why nothing works: wiring, baud rate, who speaks, whether we are heard.
+// Finds out why nothing works: wiring, baud rate, who is speaking, whether we are heard.
 #pragma once
 
 #include "FlashText.h"
@@ -6,7 +6,8 @@
 
 namespace mavmission {
 
-// One line a verdict: this list is the enumeration and its texts at once. docs/troubleshooting.md says more of each.
+// One line for each verdict: this list is both the enumeration and its texts. docs/troubleshooting.md says more about
+// each.
 // clang-format off
 #define MAVMISSION_VERDICTS(X) \
   /* not known yet */ \
@@ -44,7 +45,7 @@ FlashText toString(Verdict verdict);
 // True when the autopilot is heard, and hears us.
 constexpr bool isWell(Verdict verdict) { return verdict >= Verdict::Quiet; }
 
-// Opens the port anew at another rate [bit/s]: a Stream cannot. Called from update(); must not wait.
+// Opens the port again at another rate [bit/s], which a Stream cannot do. Called from update(); must not wait.
 typedef void (*BaudFunction)(void* context, uint32_t baud);
 
 // Who was heard.
@@ -54,38 +55,39 @@ struct Speaker {
   uint8_t type;         // MAV_TYPE of its heartbeat; 0 if it sent none
 };
 
-// Looks at what a client hears, and comes to a verdict within some seconds. Declare one beside the client:
+// Examines what a client receives, and gives a verdict within some seconds. Declare one beside the client:
 //
 //   MissionClient autopilot(Serial1);
 //   LinkDoctor doctor(autopilot);
 //
-// It may run beside any operation. What it says on the line is harmless: as long as no autopilot is heard, a heartbeat
-// a second, by which our own echo is known; then a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which every
-// autopilot answers with COMMAND_ACK, even one that does not know it, and which changes nothing; each second until it
-// is answered, then each 5 s. It asks nothing while a transfer is running.
+// It may run beside any operation. What it sends is harmless. As long as no autopilot is heard: a heartbeat every
+// second, by which our own echo is recognised. Then: a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which
+// changes nothing and which every autopilot answers with COMMAND_ACK, even one that does not know it; every second
+// until it is answered, then every 5 s. It requests nothing while a transfer is running.
 class LinkDoctor : public detail::Listener {
  public:
-  // The client must stay as long as the doctor.
+  // The client must live as long as the doctor.
   explicit LinkDoctor(MissionClient& client);
 
   // Lets it try other baud rates when bytes come, but no frames: 9600 to 921600, as far as the board can do them.
-  // `baud` is the rate at which the sketch has opened the port [bit/s]; a verdict of WrongBaud leaves it at the one
-  // that gave frames, and it goes back when they end. A round takes about half a minute.
+  // `baud` is the rate at which the sketch has opened the port [bit/s]. A verdict of WrongBaud leaves the port at the
+  // rate that gave frames; when the frames end, the port goes back to `baud`. Trying all rates takes about half a
+  // minute.
   void tryBauds(BaudFunction setBaud, uint32_t baud, void* context = nullptr);
 
-  // To be called from loop(), before the client's update(), so that it sees a receive ring that is full. Returns
+  // To be called from loop(), before the client's update(), so that it can see a full receive buffer. Returns
   // verdict().
   Verdict update();
 
-  // What it came to last.
+  // The last verdict.
   Verdict verdict() const { return verdict_; }
-  // The rate that the port is at now [bit/s]; 0 without tryBauds().
+  // The port's present rate [bit/s]; 0 without tryBauds().
   uint32_t baud() const;
-  // Who spoke last and was not the client's autopilot; all zeros: nobody.
+  // The last sender other than the client's autopilot; all zeros: nobody.
   const Speaker& speaker() const { return speaker_; }
 
  private:
-  // What may have happened, and how long ago.
+  // Events whose age is kept.
   enum What : uint8_t { Bytes, Frame, Echo, Other, Autopilot, Signature, Answer, Question, LateLoop, kWhats };
 
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
@@ -108,23 +110,23 @@ class LinkDoctor : public detail::Listener {
   BaudFunction setBaud_ = nullptr;
   void* baudContext_ = nullptr;
   uint32_t ownBaud_ = 0;
-  uint32_t bytes_ = 0;       // that the client had received a second ago
-  uint16_t framesAtWindow_;  // its counters when the window began
+  uint32_t bytes_ = 0;       // the client's count of received bytes a second ago
+  uint16_t framesAtWindow_;  // the client's counters when the window began
   uint16_t unknownAtWindow_;
   uint16_t damageAtWindow_;
   uint16_t brokenAtWindow_;
   uint16_t secondMs_ = 0;
-  uint16_t mark_ = 0;  // in our last heartbeat: by it its echo is known
+  uint16_t mark_ = 0;  // in our last heartbeat, by which its echo is recognised
   Speaker speaker_ = {0, 0, 0};
   uint8_t agesS_[kWhats];  // 255: never, or long ago
   uint8_t listenedS_;      // at this rate, or since bytes came back
   uint8_t windowS_;
   uint8_t unanswered_;  // questions since the last answer
-  uint8_t baudIndex_;   // of the rate that is tried
+  uint8_t baudIndex_;   // of the rate that is being tried
   Verdict verdict_ = Verdict::Listening;
-  Verdict damage_;    // that the last window has shown; Well: none
+  Verdict damage_;    // found in the last window; Well: none
   bool weighed_ : 1;  // a window has ended
-  bool quiet_ : 1;    // with hardly any telemetry
+  bool quiet_ : 1;    // that window had hardly any telemetry
   bool askDue_ : 1;
   bool roundDone_ : 1;  // every rate was tried in vain
 };

@@ -5,7 +5,7 @@
 
 namespace mavmission {
 
-// Which MAVLink to speak.
+// The version in which the library sends.
 enum class MavlinkVersion : uint8_t { AsAutopilot = 0, Version1 = 1, Version2 = 2 };
 
 }  // namespace mavmission

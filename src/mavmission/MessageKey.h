@@ -5,7 +5,7 @@
 
 namespace mavmission {
 
-// What must be known of a message in order to send it or to keep it.
+// What is needed in order to send or to decode a message.
 struct MessageKey {
   static constexpr uint8_t kNoTarget = 255;  // `target` of a message without one
 
@@ -13,7 +13,7 @@ struct MessageKey {
   uint8_t crcExtra;  // of its definition
   uint8_t lengthV1;  // of the payload in MAVLink 1, exactly [bytes]
   uint8_t length;    // of the payload in MAVLink 2, before its trailing zeros are dropped [bytes]
-  uint8_t target;    // where target_system lies in the payload, target_component behind it; kNoTarget if it has none
+  uint8_t target;    // offset of target_system in the payload, target_component following; or kNoTarget
 };
 
 }  // namespace mavmission

@@ -24,31 +24,31 @@ class Listener;
 }  // namespace detail
 
 // Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
-// At 57600 baud a Mega's receive ring is full after 11 ms: a loop that takes longer loses bytes, and so time, but
-// nothing else. Uses no heap. The Stream must be open, and stay, as long as this.
+// At 57600 baud a Mega's receive buffer is full after 11 ms: a loop that takes longer loses bytes, which costs time and
+// nothing else. Uses no heap. The Stream must be open, and must live as long as the client.
 class MissionClient : private detail::Client {
  public:
-  // What failedItem() is when no item failed.
+  // The value of failedItem() when no item failed.
   static constexpr uint16_t kNoItem = Client::kNoItem;
-  // The most items that the protocol can count; home is one of them on ArduPilot.
+  // The greatest number of items that the protocol can count, home included on ArduPilot.
   static constexpr uint16_t kMaxItems = Client::kMaxItems;
 
-  // Talks over this port, which the sketch opens.
+  // Talks over this port. The sketch opens it.
   explicit MissionClient(Stream& stream) : Client(stream) {}
 
-  // --- Operations: one at a time; a second one is refused with Status::Busy, and the running one goes on unharmed.
+  // --- Operations: one at a time. A second one is refused with Status::Busy, and the running one continues.
 
-  // Puts a plan aboard, in the place of what is there. Waits for the autopilot, checks the plan, then transfers.
-  // Returns the status that it begins with, or Status::Busy. How it ends is what update() returns: Status::Accepted is
-  // said exactly when the plan is aboard. Where the final answer is in doubt, what is aboard is read back and compared:
-  // Status::Differs says that it is not the plan, and Status::Unconfirmed remains where it cannot be read either. With
-  // Readback::Always it is read back in any case. The source must stay until the end. (MAVLink guide, Mission Protocol,
-  // "Upload a Mission to the Vehicle".)
+  // Puts a plan aboard in the place of the one that is there. Waits for the autopilot, checks the plan, then transfers
+  // it. Returns the first status of the operation, or Status::Busy; update() returns the status with which it ends.
+  // That is Status::Accepted exactly when the plan is aboard. Where the final acknowledgement is in doubt, the plan
+  // aboard is read back and compared: Status::Differs means that it is another plan, Status::Unconfirmed that it could
+  // not be read back either. With Readback::Always it is read back in any case. The source must live until the
+  // operation has ended. (MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".)
   Status upload(const ItemSource& plan, Readback proof = Readback::InDoubt) {
     return uploadProven(plan, PlanType::Mission, proof);
   }
   // The same for a fence or rally points. A fence of up to three items is always read back, 1 s after it was accepted,
-  // and sent again if ArduPilot, which has accepted it, has wiped it by then.
+  // and sent again if ArduPilot has wiped it by then.
   Status upload(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
   // An array does not say where it lies.
   template <size_t N, typename... More>
@@ -57,152 +57,158 @@ class MissionClient : private detail::Client {
     return Status::Idle;
   }
 
-  // The same without reading back, for a sketch that has to be small (docs/measurements.md). Status::Accepted is said
-  // when the autopilot has acknowledged the whole plan, and on PX4 with our checksum; when ArduPilot's only answer is
-  // lost, it is Status::Unconfirmed.
+  // Upload without the read-back, for a sketch that has to be small (docs/measurements.md). Ends with Status::Accepted
+  // when the autopilot has acknowledged the whole plan, on PX4 with our checksum. If ArduPilot's only acknowledgement
+  // is lost, it ends with Status::Unconfirmed.
   Status uploadWithoutReadback(const ItemSource& plan, PlanType type = PlanType::Mission) {
     return startUpload(plan, type);
   }
 
-  // Puts the plan of the last upload or verification aboard again: after a failure that left a mixture, for example.
-  // Status::SourceRefused if there was none.
+  // Uploads the plan of the last upload or verification again, for example after a failure that left a mixture.
+  // Status::SourceRefused if there was no such plan.
   Status uploadAgain() { return uploadKeptPlan(); }
 
-  // Puts `count` items of a plan aboard, from item `first` on, in the place of those that are there. `plan` is the
-  // whole plan, and the rest of it must be aboard already. ArduPilot does this; PX4 does not (Status::WholePlansOnly).
-  // (Guide, MISSION_WRITE_PARTIAL_LIST.)
+  // Replaces `count` items of the plan aboard, from item `first` on. `plan` is the whole plan, and its other items must
+  // be aboard already. ArduPilot does this; PX4 does not (Status::WholePlansOnly). (Guide, MISSION_WRITE_PARTIAL_LIST.)
   Status uploadPartial(const ItemSource& plan, uint16_t first, uint16_t count);
 
-  // Reads the autopilot's plan, item by item, into a sink, and ends with Status::Downloaded. What a sketch uploaded it
-  // gets back: home is kept apart on ArduPilot, jump targets count the sketch's items. The sink must stay until the
-  // end. (Guide, "Download a Mission from the Vehicle".)
+  // Reads the autopilot's plan, item by item, into a sink, and ends with Status::Downloaded. The items have the numbers
+  // that the sketch uses for an upload: on ArduPilot home is given apart, and jump targets count the sketch's items.
+  // The sink must live until the operation has ended. (Guide, "Download a Mission from the Vehicle".)
   Status download(const ItemSink& sink, PlanType type = PlanType::Mission);
 
-  // Reads the autopilot's plan and compares it with `plan` while it streams, holding neither in RAM. Ends with
-  // Status::Verified, or with Status::Differs: failedItem() and differingField() say where first. The comparison knows
-  // what each autopilot rewrites, and is no looser.
+  // Reads the autopilot's plan and compares it with `plan`, item by item, holding neither in RAM. Ends with
+  // Status::Verified, or with Status::Differs: failedItem() and differingField() name the first difference. The
+  // comparison allows exactly what each autopilot is known to rewrite.
   Status verify(const ItemSource& plan, PlanType type = PlanType::Mission);
 
-  // Takes the plan away, or with PlanType::All all three. Ends with Status::Cleared. (Guide, "Clear Missions".)
+  // Deletes the autopilot's plan, or with PlanType::All all three plans. Ends with Status::Cleared. (Guide, "Clear
+  // Missions".)
   Status clear(PlanType type = PlanType::Mission);
 
-  // --- Flying. Each ends with Status::Done, or says how the autopilot refused (MAVLink guide, Command Protocol).
-  // Nothing arms but arm() and start(), and arming is never forced.
+  // --- Flying. Each ends with Status::Done, or with the autopilot's refusal (MAVLink guide, Command Protocol). Nothing
+  // arms but arm() and start(), and arming is never forced.
 
-  // Flies the plan that is aboard from this item on, by the sketch's numbers: does what this autopilot needs, in its
-  // order, each step confirmed; startStep() says which one was refused. Done when the autopilot is armed, in its
-  // mission mode, and at the first item that can be flown from there on (behind DO_ commands and jumps);
-  // Status::OtherItem when it flies another one, Status::Unconfirmed when it does not say. Where it flies its mission
-  // already, nothing is sent that would change that. Refused with Status::Unproven unless aboard() is our plan; with
-  // Status::Armed while the autopilot is armed, unless that is allowed. The plan's source must still be there.
+  // Arms, and flies the plan that is aboard from this item on, in the sketch's numbers: the steps that this autopilot
+  // needs, in its order, each of them confirmed; startStep() says which one was refused. Done when the autopilot is
+  // armed, in its mission mode, and at the first item from there on that can be flown (behind DO_ commands and jumps).
+  // Status::OtherItem when it flies to another one, Status::Unconfirmed when it does not report its item. If it flies
+  // its mission already, nothing is sent that would change that. Refused with Status::Unproven unless aboard() is our
+  // plan, and with Status::Armed while the autopilot is armed, unless that is allowed. The plan's source must still
+  // exist.
   //
-  // What it has armed and then cannot fly it disarms, on the ground, never by force: the status stays the refusal, and
-  // startArming() says so. Not when somebody else has set another mode meanwhile (Status::TakenOver), and not after
-  // cancel(). A rover may be armed seconds before AUTO is to be had: there AUTO is tried for 15 s.
+  // If a step after arming is refused, it disarms again, on the ground, never by force: the status stays the refusal,
+  // and startArming() tells about the disarming. It does not disarm when somebody else has set another mode meanwhile
+  // (Status::TakenOver), nor after cancel(). A rover can be armed seconds before it accepts AUTO: on a rover AUTO is
+  // tried for 15 s.
   Status start(uint16_t item = 0);
 
   // Arms or disarms, as the autopilot's own checks allow.
   Status arm();
   Status disarm();
-  // The mode by its name, or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows the
-  // mode; Status::Unconfirmed when it was accepted and no heartbeat shows it.
+  // Sets the mode, by its name or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows
+  // the mode; Status::Unconfirmed when it was accepted and no heartbeat shows it.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);
-  // Sets an armed aircraft flying its mission, from its current item on; Status::NotArmed otherwise.
+  // Makes an armed aircraft fly its mission from its current item on. Status::NotArmed if it is not armed.
   Status startMission();
-  // Goes on with this item, counted as the sketch counts: at once when the aircraft flies its mission.
-  // Status::NoSuchItem for one that is not in the plan, where that is known; otherwise the autopilot refuses it.
+  // Makes this item, in the sketch's numbers, the current one: an aircraft that flies its mission goes there at once.
+  // Status::NoSuchItem for a number that is not in the plan, where the plan is known; otherwise the autopilot refuses
+  // it.
   Status setCurrentItem(uint16_t item);
-  // Stays where it is; goes on with the mission.
+  // Makes the aircraft stay where it is, and continue its mission.
   Status pause() { return setMode(FlightMode::Hold); }
   Status resume() { return setMode(FlightMode::Auto); }
-  // How often the autopilot sends a message [us between two]; 0 is its default, -1 never.
+  // Sets the interval at which the autopilot sends a message [us]; 0 is its default, -1 never.
   Status setMessageInterval(uint16_t messageId, int32_t intervalUs);
-  // Any command. It must stay until the end. Arming is not forced by it either, and PX4's MISSION_START, which arms, is
-  // not sent by it to a disarmed one (Status::NotArmed): that is what start() is for.
+  // Sends any command, which must live until the operation has ended. It does not force arming either, and does not
+  // send PX4's MISSION_START, which arms, to a disarmed aircraft (Status::NotArmed): that is what start() is for.
   Status send(const FlightCommand& command, CommandRepeat repeat = CommandRepeat::IfHarmless);
   Status send(const FlightCommand&&,
-              CommandRepeat = CommandRepeat::IfHarmless) = delete;  // it would be gone before it is sent
+              CommandRepeat = CommandRepeat::IfHarmless) = delete;  // a temporary would be gone before it is sent
 
   // Ends the running operation with Status::Cancelled, and tells the autopilot (MISSION_ACK with
   // MAV_MISSION_OPERATION_CANCELLED). Without one it does nothing.
   void cancel();
 
-  // To be called from loop(). Reads what has come, sends what is due and fits, returns. Returns how an operation has
-  // ended, once; otherwise how the running one stands, or Status::Idle. Neither waits nor delays.
+  // To be called from loop(). Reads the received bytes, sends what is due and fits, and returns without waiting.
+  // Returns the status with which an operation has ended, once; otherwise the status of the running one, or
+  // Status::Idle.
   Status update();
 
-  // Sends a message of the sketch's own, with the right sequence number. False if another frame is still on its way, or
-  // nothing may be sent yet (no autopilot heard, or several): call it again later. The payload must stay until
+  // Sends a message of the sketch's own, with the right sequence number. False if another frame is still being sent, or
+  // nothing may be sent yet (no autopilot heard, or several): call it again later. The payload must live until
   // isSent().
   bool sendMessage(const OutgoingMessage& message) { return link_.sendForeign(message); }
   // True when every frame has been handed to the stream.
   bool isSent() const { return link_.isSent(); }
 
-  // --- What is going on
+  // --- State
 
-  Status status() const { return Client::status(); }  // of the running operation, or the last one
+  Status status() const { return Client::status(); }  // of the running operation, or of the last one
   // True while an operation runs.
   bool isBusy() const { return Client::isBusy(); }
-  // The item that the status is about, counted as the sketch counts, or kNoItem. ArduPilot's home is no item.
+  // The item that the status is about, in the sketch's numbers, or kNoItem. ArduPilot's home is no item.
   uint16_t failedItem() const { return state_.failedItem; }
-  // Of the running or last transfer.
+  // Items transferred, and items in all, of the running or last transfer.
   uint16_t itemsDone() const { return state_.itemsDone; }
   uint16_t itemsTotal() const { return Client::itemsTotal(); }
-  // What differs after Status::Differs, or after Status::NotKept would be kept as another value.
+  // After Status::Differs the field that differs; after Status::NotKept the field that would be stored as another
+  // value.
   ItemField differingField() const { return rest_.field; }
-  // After Status::NotKept: what the autopilot would make of the value of that field. NaN where that is not known: where
-  // it would not take it, or where what it makes of it depends on its board. The plan's source is asked for the item
+  // After Status::NotKept: the value that the autopilot would store in that field. NaN where it is not known: where the
+  // autopilot would not take the value, or where the result depends on its board. Reads the item from the plan's source
   // again.
   float keptValue();
   // The plan of a type that the autopilot holds after the last upload, verification or clear of that type.
   Aboard aboard(PlanType type = PlanType::Mission) const { return Client::aboard(type); }
-  // The autopilot's last MISSION_ACK.type in this operation, or 255: what lies behind Status::Unconfirmed and
-  // Status::UnknownResult.
+  // The autopilot's last MISSION_ACK.type in this operation, or 255 if there was none: the cause of Status::Unconfirmed
+  // and Status::UnknownResult.
   uint8_t lastResult() const { return rest_.lastResult; }
 
-  // The step of start() that runs, or that was refused.
+  // The step of start() that is running, or that was refused.
   StartStep startStep() const { return Client::startStep(); }
   StartArming startArming() const { return Client::startArming(); }
 
-  // The autopilot on the line, by its heartbeats.
+  // The autopilot on the line, as its heartbeats tell.
   bool hasAutopilot() const { return Client::hasAutopilot(); }
   Firmware firmware() const { return Client::firmware(); }
   uint8_t autopilotSystemId() const { return link_.finder().heartbeat().systemId; }
   uint8_t autopilotComponentId() const { return link_.finder().heartbeat().componentId; }
   bool isArmed() const { return Client::isArmed(); }
-  // The autopilot's own number of the mode that it is in (HEARTBEAT.custom_mode).
+  // The autopilot's own number of its mode (HEARTBEAT.custom_mode).
   uint32_t customMode() const { return Client::customMode(); }
-  // By the autopilot's last heartbeat.
+  // True if the autopilot's last heartbeat shows this mode.
   bool isInMode(FlightMode mode) const;
-  // What the line does well and badly.
+  // Counters of frames and of faults on the line.
   LinkCounters counters() const { return link_.counters(); }
 
-  // --- Callbacks; null, the default, is none. `context` is handed to the function and may be null.
+  // --- Callbacks. Null, the default, means none. `context` is handed to the function and may be null.
 
-  // One function each; another call replaces it.
+  // One function each: another call replaces it.
   void onProgress(ProgressFunction function, void* context = nullptr);
   void onEnd(EndFunction function, void* context = nullptr);
 
   // --- Settings, to be made while no operation runs
 
-  // Our system id (1 to 255) and component id. By default those of a companion of the autopilot: its system id, 191.
-  // When they are set, heartbeats go out at once; by default not before an autopilot has been heard. Must not be the
-  // autopilot's own pair, which would not hear us.
+  // Sets our system id (1 to 255) and component id. The default is a companion computer of the autopilot: its system id
+  // and component 191. When they are set, heartbeats go out at once; by default not before an autopilot has been heard.
+  // They must not be the autopilot's own pair: it would ignore us.
   void setSourceIds(uint8_t systemId, uint8_t componentId = detail::Link::kComponentId);
-  // The autopilot to talk to, where there may be several on the line. System id 0: whichever is alone there.
+  // Names the autopilot to talk to, where there may be several on the line. System id 0, the default: the only one.
   void setTargetIds(uint8_t systemId, uint8_t componentId = 1);
 #if MAVMISSION_SIGNING
-  // From now on signs what is sent, and refuses what is not signed with the key (MAVLink guide, Message Signing): such
-  // a frame is as good as none. Only RADIO_STATUS, which a radio without a key sends, still reaches a MessageListener.
-  // All frames are then MAVLink 2. `linkId`: of this link, the sketch's own choice; the same after each reset. `store`:
-  // where the time of signatures outlives a reset (EepromTimestamps, or the sketch's own).
+  // From now on signs every frame that is sent, and ignores every received frame that is not signed with the key
+  // (MAVLink guide, Message Signing). Only RADIO_STATUS, which a radio without a key sends, still reaches a
+  // MessageListener. All frames are then MAVLink 2. `linkId`: a number for this link, of the sketch's choice; the same
+  // after each reset. `store`: keeps the time of signatures across a reset (EepromTimestamps, or the sketch's own).
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store) {
     link_.signWith(key, linkId, store);
   }
-  // Tells the time, where the sketch has a clock or a GPS [s, Unix]. Without it the time is the autopilot's.
+  // Sets the time of signatures, where the sketch has a clock or a GPS [s, Unix]. Without it the autopilot's time is
+  // used.
   void setSigningTime(uint32_t unixTimeS) { link_.setSigningTime(detail::SigningTime::atUnixTime(unixTimeS)); }
-  // What became of received frames since signWith().
+  // Received frames since signWith(), counted by whether they were accepted, and why not.
   const SigningCounters& signingCounters() const { return link_.signing().counters(); }
 #else
   template <typename... Arguments>
@@ -211,26 +217,26 @@ class MissionClient : private detail::Client {
                   "signWith() is there if the library is compiled with -DMAVMISSION_SIGNING=1 (Config.h)");
   }
 #endif
-  // MAVLink 1 or 2; by default what the autopilot speaks.
+  // MAVLink 1 or 2; by default the autopilot's own version.
   void setMavlinkVersion(MavlinkVersion speak) { link_.setMavlinkVersion(speak); }
-  // Allows operations that change the plan while the autopilot is armed. ArduPilot edits its plan in place: an upload
-  // that breaks off leaves a flying aircraft with a mixture.
+  // Allows operations that change the plan while the autopilot is armed. ArduPilot replaces its plan in place: an
+  // upload that breaks off leaves a flying aircraft with a mixture of two plans.
   void allowWhileArmed(bool allow) { rest_.armedAllowed = allow; }
-  // Item numbers and jump targets as the autopilot has them: on ArduPilot item 0 is home, and is given by the plan.
+  // Item numbers and jump targets are then the autopilot's: on ArduPilot item 0 is home, and the plan has to contain
+  // it.
   void useRawNumbering(bool raw) { rest_.raw = raw; }
-  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), tries again after 1, 2,
-  // 4, then each 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. 0: no retry. Until
-  // then the status is BackingOff. Costs flash in a sketch that calls it (docs/measurements.md).
+  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), an upload is tried again
+  // after 1, 2, 4, then every 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. During
+  // the back-off the status is BackingOff. 0: no retry. Costs flash in a sketch that calls it (docs/measurements.md).
   void retryWhenBusy(uint16_t seconds);
-  // Serves autopilots that do not know MISSION_ITEM_INT: one that is neither ArduPilot nor PX4 and refuses the first
-  // item as unsupported gets the plan again as MISSION_ITEM, with coordinates as floats, coarser by metres. `always`:
-  // no other is tried. Costs flash in a sketch that calls it (docs/measurements.md).
+  // Serves autopilots that do not know MISSION_ITEM_INT: an autopilot that is neither ArduPilot nor PX4, and refuses
+  // the first item as unsupported, gets the plan again as MISSION_ITEM, whose float coordinates are rounded by up to
+  // metres. `always`: MISSION_ITEM_INT is not even tried. Costs flash in a sketch that calls it (docs/measurements.md).
   void useMissionItemFallback(bool always = false);
-  // The longest wait for an autopilot [s], after which an operation ends with Status::NoAutopilot; 0, the default, is
-  // for ever.
+  // The longest wait for an autopilot [s]; an operation then ends with Status::NoAutopilot. 0, the default: no limit.
   void setAutopilotTimeout(uint16_t seconds) { rest_.waitingLimitS = seconds; }
-  // The longest that a transfer or a command may take [s], after which it ends with Status::TookTooLong; 0, the
-  // default, is 120 s, and 2 s for each item.
+  // The longest time for a transfer or a command [s]; it then ends with Status::TookTooLong. 0, the default: 120 s, and
+  // 2 s for each item.
   void setOperationTimeout(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:

@@ -1,5 +1,5 @@
-// What the aircraft does with its mission: the current item, items reached, state, and what the autopilot says in
-// words.
+// The progress of the mission in flight: the current item, items reached, the mission's state, and the autopilot's
+// texts.
 #pragma once
 
 #include "service/MessageIntervals.h"
@@ -20,41 +20,41 @@ typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 //   MissionClient autopilot(Serial1);
 //   MissionFollower mission(autopilot);
 //
-// PX4 sends MISSION_CURRENT every second by itself, ArduPilot only where its port's streams are set so. An autopilot
-// that has not sent one for two seconds is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL), beside the
-// transfers of the client and between its commands: again after 2, 4, 8 s and so on, at the most once a minute, until
+// PX4 sends MISSION_CURRENT every second without being asked, ArduPilot only on a port whose streams include it. An
+// autopilot that has not sent one for two seconds is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL),
+// beside the client's transfers and between its commands: again after 2, 4, 8 s and so on, up to once a minute, until
 // one comes.
 class MissionFollower : public detail::MessageIntervals {
  public:
-  // The client must stay as long as this.
+  // The client must live as long as this object.
   explicit MissionFollower(MissionClient& client);
 
-  // The item being flown, or MissionClient::kNoItem before the autopilot has said, and while it is home.
+  // The item being flown, or MissionClient::kNoItem before the autopilot has reported one, and while that is home.
   uint16_t currentItem() const { return current_; }
   // The item reached last, or MissionClient::kNoItem.
   uint16_t reachedItem() const { return reached_; }
-  // Items aboard, as the sketch counts them, or 0 when the autopilot does not say.
+  // The number of items aboard, in the sketch's numbers, or 0 when the autopilot does not report it.
   uint16_t total() const { return total_; }
-  // What the autopilot says of its mission as a whole.
+  // The state of the mission as a whole, as the autopilot reports it.
   MissionState state() const { return state_; }
-  // False when the autopilot names its plan and it is not the one that was accepted last: someone has changed it.
-  // (PX4: the checksum in MISSION_CURRENT and MISSION_COUNT, and in the MISSION_ACK of an upload.) True when the
-  // autopilot does not say.
+  // False when the autopilot names its plan and it is not the one that was accepted last: somebody has changed it.
+  // (PX4: the checksum in MISSION_CURRENT, MISSION_COUNT and an upload's MISSION_ACK.) True when the autopilot does not
+  // name its plan.
   bool isOurPlan() const;
 
-  // Called when another item is flown.
+  // Called when the current item changes.
   void onCurrent(ItemNumberFunction function, void* context = nullptr);
-  // Called once for each item reached, though PX4 repeats it; again if the item is flown again.
+  // Called once for each item reached, although PX4 repeats the message; again if the item is flown again.
   void onReached(ItemNumberFunction function, void* context = nullptr);
-  // Called with each STATUSTEXT of the autopilot's, whole.
+  // Called with each STATUSTEXT of the autopilot.
   void onText(TextFunction function, void* context = nullptr);
 
  private:
-  // How often another plan may be named behind an answer to the client before that is believed: what was sent before
-  // the answer may come after it.
+  // How often MISSION_CURRENT may name another plan after an answer to the client before it is believed: a message that
+  // was sent before the answer may arrive after it.
   static constexpr uint8_t kPatience = 3;
-  // Heartbeats of the autopilot's, which come every second: without MISSION_CURRENT before that is asked for, and the
-  // pause before it is asked for again.
+  // In heartbeats of the autopilot, which come every second: how many without a MISSION_CURRENT before it is requested,
+  // and the pauses before it is requested again.
   static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
 
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
@@ -71,14 +71,14 @@ class MissionFollower : public detail::MessageIntervals {
   TextFunction textFunction_ = nullptr;
   void* textContext_ = nullptr;
   uint32_t planId_ = 0;
-  uint32_t doubtedId_ = 0;  // of a plan that the autopilot has once called none
+  uint32_t doubtedId_ = 0;  // of a plan that the autopilot has once reported as no mission
   uint16_t current_ = 0xFFFF;
   uint16_t reached_ = 0xFFFF;
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
-  bool isNewLeg_ = false;  // the item that was reached last is being flown again
+  bool isNewLeg_ = false;  // the item reached last is being flown again
   uint8_t patience_ = 0;
-  uint8_t heartbeatsLeft_ = kSilence;  // before MISSION_CURRENT is asked for
+  uint8_t heartbeatsLeft_ = kSilence;  // before MISSION_CURRENT is requested
   uint8_t pause_ = kFirstPause;        // the next one
 };
 

@@ -1,4 +1,4 @@
-// One step of a plan, at the values that go over the wire, and the makers of what people fly.
+// One step of a plan, with the values that go over the wire, and functions that make the usual steps.
 #pragma once
 
 #include <stddef.h>
@@ -8,7 +8,7 @@
 
 namespace mavmission {
 
-// The commands that have a maker here (MAV_CMD, MAVLink common messages). Any other number is fine too.
+// The commands that the library knows by name (MAV_CMD, MAVLink common messages). Any other number may be used too.
 enum : uint16_t {
   kNavWaypoint = 16,
   kNavLoiterUnlimited = 17,
@@ -46,28 +46,29 @@ struct MissionItem {
   float z;                               // altitude [m, from what frame says], or parameter 7
   uint16_t command;                      // MAV_CMD
   Frame frame;                           // MAV_FRAME
-  uint8_t current;                       // 1: PX4 begins here when the plan comes in mid-flight; else 0. 2, 3: refused
+  uint8_t current;                       // 1: PX4 begins here if the plan comes in flight; else 0. 2, 3: refused
   uint8_t autocontinue;                  // 1: go on to the next item
 };
 
-// param1 to z lie one behind the other, as they do in MISSION_ITEM_INT [bytes].
+// The size of param1 to z, which lie one behind the other as in MISSION_ITEM_INT [bytes].
 constexpr uint8_t kPlaceBytes = 28;
 static_assert(offsetof(MissionItem, command) == kPlaceBytes, "param1 to z are copied in one piece");
 
-// Any command that has no place, by hand: parameters as in MAV_CMD's table.
+// Any command without coordinates, by hand: the parameters are those of MAV_CMD's table.
 constexpr MissionItem anyCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
                                  int32_t param5 = 0, int32_t param6 = 0, float param7 = 0) {
   return MissionItem{param1, param2, param3, param4, param5, param6, param7, id, Frame::Mission, 0, 1};
 }
 
-// Any command that has a place, by hand.
+// Any command with coordinates, by hand.
 constexpr MissionItem anyCommandAt(uint16_t id, Degrees latitude, Degrees longitude, Altitude altitude,
                                    float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0) {
   return MissionItem{param1, param2,           param3, param4, latitude.e7(), longitude.e7(), altitude.metres(),
                      id,     altitude.frame(), 0,      1};
 }
 
-// Climb to the altitude where the aircraft stands. (PX4 needs a place; it gets that of the nearest item that has one.)
+// Climb to the altitude where the aircraft stands. (PX4 needs coordinates; it gets those of the nearest item that has
+// some.)
 constexpr MissionItem takeoff(Altitude altitude, Yaw yaw = Yaw()) {
   return anyCommandAt(kNavTakeoff, Degrees(), Degrees(), altitude, 0, 0, 0, yaw.inDegrees());
 }
@@ -76,20 +77,21 @@ constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude alti
   return anyCommandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
 }
 
-// Fly to a place. Wait there for `hold` (a copter; ArduPilot takes whole seconds alone). Within `acceptanceRadius` it
-// counts as reached (0: the autopilot's own setting; ArduPilot's copter has only that).
+// Fly to a place. A copter waits there for `hold` (on ArduPilot in whole seconds only). Within `acceptanceRadius` it
+// counts as reached (0: the autopilot's own setting; ArduPilot's copter always uses its own).
 constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold = Seconds(0),
                                Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
   return anyCommandAt(kNavWaypoint, latitude, longitude, altitude, hold.value, acceptanceRadius.value, 0,
                       yaw.inDegrees());
 }
 
-// Stay at a place for a time. A fixed wing circles at `radius`, counter-clockwise if it is negative (0: its default).
+// Stay at a place for a time. A fixed-wing aircraft circles at `radius`, counter-clockwise if it is negative (0: its
+// default).
 constexpr MissionItem loiterTime(Degrees latitude, Degrees longitude, Altitude altitude, Seconds time,
                                  Metres radius = Metres(0)) {
   return anyCommandAt(kNavLoiterTime, latitude, longitude, altitude, time.value, 0, radius.value, 0);
 }
-// Circle a place so many times. PX4 does not fly it (Status::NotFlown).
+// Circle a place `turns` times. PX4 does not fly it (Status::NotFlown).
 constexpr MissionItem loiterTurns(Degrees latitude, Degrees longitude, Altitude altitude, float turns,
                                   Metres radius = Metres(0)) {
   return anyCommandAt(kNavLoiterTurns, latitude, longitude, altitude, turns, 0, radius.value, 0);
@@ -100,7 +102,7 @@ constexpr MissionItem loiterUnlimited(Degrees latitude, Degrees longitude, Altit
   return anyCommandAt(kNavLoiterUnlimited, latitude, longitude, altitude, 0, 0, radius.value, yaw.inDegrees());
 }
 
-// Land where the aircraft then is. (PX4 needs a place; it gets that of the nearest item that has one.)
+// Land where the aircraft then is. (PX4 needs coordinates; it gets those of the nearest item that has some.)
 constexpr MissionItem land(Yaw yaw = Yaw()) {
   return anyCommandAt(kNavLand, Degrees(), Degrees(), Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
 }
@@ -119,15 +121,15 @@ constexpr MissionItem delay(Seconds time) { return anyCommand(kNavDelay, time.va
 constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDoChangeSpeed, 1, speed.value, -1); }
 
 namespace literal {
-// No constant plan may call it: a jump is repeated at most 32,767 times, -1 is for ever. One that is computed is
-// refused when the plan is checked.
+// A constant plan that calls this does not compile: a jump is repeated at most 32,767 times, or for ever (-1). A
+// computed one is refused when the plan is checked.
 inline auto jumpRepeatsMustBeFromMinus1To32767(uint16_t target, int32_t repeats) -> MissionItem {
   return anyCommand(kDoJump, target, repeats);
 }
 }  // namespace literal
 
-// Go on with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0: the same number
-// on every autopilot.
+// Continue with item `target`, `repeats` times (-1: for ever). `target` counts the sketch's items from 0, on every
+// autopilot.
 constexpr MissionItem jump(uint16_t target, int32_t repeats) {
   return repeats >= -1 && repeats <= 32767 ? anyCommand(kDoJump, target, repeats)
                                            : literal::jumpRepeatsMustBeFromMinus1To32767(target, repeats);
@@ -142,7 +144,7 @@ constexpr MissionItem setRelay(uint8_t relay, bool on) { return anyCommand(kDoSe
 // Take a picture now.
 constexpr MissionItem takePicture() { return anyCommand(kDoDigicamControl, 0, 0, 0, 0, 1); }
 
-// Take a picture each `distance` from here on; 0 m stops.
+// Take a picture every `distance` from here on; 0 m stops it.
 constexpr MissionItem cameraTriggerDistance(Metres distance) {
   return anyCommand(kDoSetCameraTriggerDistance, distance.value);
 }
@@ -154,7 +156,7 @@ constexpr MissionItem regionOfInterest(Degrees latitude, Degrees longitude, Alti
 // Look ahead again.
 constexpr MissionItem regionOfInterestOff() { return anyCommand(kDoSetRoiNone); }
 
-// Turn to a heading while flying on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw there.
+// Turn to a heading and fly on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw instead.
 constexpr MissionItem turnTo(Degrees heading) { return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0); }
 constexpr MissionItem turnTo(WideHeading heading) {
   return anyCommand(kConditionYaw, Yaw(heading).inDegrees(), 0, 0, 0);
@@ -162,7 +164,8 @@ constexpr MissionItem turnTo(WideHeading heading) {
 
 // --- Items of a fence: upload(fence, PlanType::Fence).
 
-// One corner of a polygon that must not be left. All `corners` of a polygon follow one another, each with that number.
+// One corner of a polygon that must not be left. All corners of a polygon follow one another, each with their number,
+// `corners`.
 constexpr MissionItem fenceInside(Degrees latitude, Degrees longitude, uint8_t corners) {
   return anyCommandAt(kFencePolygonInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
 }
@@ -178,14 +181,14 @@ constexpr MissionItem fenceInsideCircle(Degrees latitude, Degrees longitude, Met
 constexpr MissionItem fenceOutsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
   return anyCommandAt(kFenceCircleExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
 }
-// Where the aircraft goes when it has broken the fence (ArduPilot's Plane).
+// The point to which the aircraft goes when it has breached the fence (ArduPilot's Plane).
 constexpr MissionItem fenceReturnPoint(Degrees latitude, Degrees longitude) {
   return anyCommandAt(kFenceReturnPoint, latitude, longitude, Altitude(Metres(0), Frame::Global));
 }
 
 // --- Items of a rally plan: upload(points, PlanType::Rally).
 
-// A place to land instead of at home. ArduPilot takes whole metres of altitude alone.
+// A place to land instead of at home. ArduPilot takes only whole metres of altitude.
 constexpr MissionItem rallyPoint(Degrees latitude, Degrees longitude, Altitude altitude) {
   return anyCommandAt(kRallyPoint, latitude, longitude, altitude);
 }

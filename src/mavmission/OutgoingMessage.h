@@ -11,7 +11,7 @@ struct OutgoingMessage {
   uint8_t crcExtra;     // CRC_EXTRA of its definition
   uint8_t length;       // of the payload [bytes], up to 255, extensions included
   uint8_t lengthV1;     // of the payload in MAVLink 1 [bytes], without extensions
-  const void* payload;  // as it lies on the wire: the fields sorted by size, little-endian
+  const void* payload;  // in wire order: the fields sorted by size, little-endian
 };
 
 }  // namespace mavmission

@@ -1,5 +1,5 @@
-// A text console: by a terminal on a laptop the plan in EEPROM is loaded and listed, put aboard, verified and flown. It
-// does not block: what it says goes out in pieces that the stream takes without waiting.
+// A text console: from a terminal on a laptop the plan in EEPROM is loaded, listed, put aboard, verified and flown. It
+// does not block: its output goes out in pieces that fit into the port's transmit buffer.
 //
 //   MissionClient autopilot(Serial1);
 //   EepromPlan plan;
@@ -11,12 +11,12 @@
 //   autopilot.update(); plan.update(); console.update();     // in loop()
 //
 // Each line is a command; "help" names them. After "load" the lines are those of a .waypoints file (WaypointsText.h),
-// up to "end". Items are named as such a file numbers them: 0 is home. A bad text is refused with its line, its field
-// and the reason, and the plan that was there stays.
+// up to "end". Items have the numbers of such a file: 0 is home. A bad text is refused with its line, its field and the
+// reason, and the old plan is kept.
 //
-// An EEPROM takes about 18 waypoints a second; a terminal that pastes sends 150. What comes faster waits in `room`.
-// Without it lines may be typed, or sent one by one, each when the number of the one before has been printed; a text
-// that comes too fast is refused.
+// An EEPROM stores about 18 waypoints a second; a terminal that pastes a text sends 150. Items that arrive faster wait
+// in `room`. Without it, lines may be typed, or sent one by one, each after the number of the one before has been
+// printed; a text that arrives too fast is refused.
 #pragma once
 
 #include <Arduino.h>
@@ -33,33 +33,33 @@ namespace mavmission {
 // The commands of a terminal.
 class PlanConsole : private detail::PlanConsoleState {
  public:
-  // The most that one update() reads, and that it writes [bytes].
+  // How much one update() reads at most, and writes at most [bytes].
   static constexpr uint8_t kBytesPerUpdate = 32;
 
-  // The port must be open; all must stay as long as this. On one that does not implement availableForWrite() a byte is
-  // written each update(), and may block.
+  // The port must be open; it, the client and the plan must live as long as the console. To a port that does not
+  // implement availableForWrite() each update() writes one byte, which may block.
   template <typename Port>
   PlanConsole(Port& port, MissionClient& autopilot, EepromPlan& plan)
       : PlanConsole(port, ringOf(&port), autopilot, plan, nullptr, 0) {}
-  // `room`: for items that wait to be stored, 33 bytes each.
+  // `room`: a buffer for items that wait to be stored, 33 bytes each.
   template <typename Port, size_t N>
   PlanConsole(Port& port, MissionClient& autopilot, EepromPlan& plan, MissionItem (&room)[N])
       : PlanConsole(port, ringOf(&port), autopilot, plan, room, N) {
     static_assert(N <= 255, "no EEPROM holds as many items");
   }
 
-  // The bytes that the port's receive ring holds [bytes], where what comes then is lost: a text in whose midst it was
-  // full is refused, for something may be missing. Known of the board's own ports; 0, nothing is ever lost, for any
-  // other.
+  // Sets the size of the port's receive buffer [bytes]. When it is full, further bytes are lost: a text during which it
+  // was full is refused, since characters may be missing. The default is known for the board's own ports; for any other
+  // it is 0: no byte is ever lost.
   void setRing(uint8_t bytes) { ring_ = bytes; }
 
-  // Commands that a sketch offers beside help, status, load, end, upload, erase and cancel, to be called in setup().
-  // One that is not offered is not in the program (docs/measurements.md).
+  // Commands that a sketch may offer beside help, status, load, end, upload, erase and cancel; to be called in setup().
+  // A command that is not offered is not in the program (docs/measurements.md).
   void offerList();      // the plan in EEPROM, as a .waypoints text
-  void offerVerify();    // is it what is aboard?
-  void offerDownload();  // keeps what is aboard
-  void offerClear();     // takes away what is aboard
-  void offerStart();     // ARMS, and flies what is aboard, if that is our plan: MissionClient::start()
+  void offerVerify();    // compares it with the plan aboard
+  void offerDownload();  // stores the plan that is aboard
+  void offerClear();     // deletes the plan that is aboard
+  void offerStart();     // ARMS, and flies the plan aboard, if it is ours: MissionClient::start()
   void offerAll();
 
   // To be called from loop(), beside the client's and the plan's.

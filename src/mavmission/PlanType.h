@@ -7,9 +7,9 @@ namespace mavmission {
 
 // One kind, or all.
 enum class PlanType : uint8_t {
-  Mission = 0,  // what is flown
-  Fence = 1,    // where it must stay, or must not go; needs MAVLink 2
-  Rally = 2,    // where it may land instead of at home; needs MAVLink 2
+  Mission = 0,  // the flight itself
+  Fence = 1,    // the area that it must not leave, or not enter; needs MAVLink 2
+  Rally = 2,    // places to land instead of at home; needs MAVLink 2
   All = 255,    // all three; only for clear()
 };
 

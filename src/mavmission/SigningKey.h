@@ -7,7 +7,7 @@
 
 namespace mavmission {
 
-// A key, held by the sketch.
+// A key.
 struct SigningKey {
   static constexpr uint8_t kLength = 32;  // [bytes]
   uint8_t bytes[kLength];                 // the key itself
@@ -27,8 +27,8 @@ inline SigningKey keyInRam(const uint8_t (&bytes)[SigningKey::kLength]) {
   return key;
 }
 
-// The key that ground stations make of a passphrase: its SHA-256. Takes 2 ms for each 64 characters; null is the empty
-// passphrase.
+// The key that ground stations derive from a passphrase: its SHA-256. Takes 2 ms for every 64 characters. Null is the
+// empty passphrase.
 SigningKey keyFromPassphrase(const char* passphrase);
 
 }  // namespace mavmission

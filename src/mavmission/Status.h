@@ -1,5 +1,5 @@
-// Every way that an operation can stand or end, and what is aboard then. The texts are in flash, and not in the program
-// at all when nothing prints them.
+// Every state in which an operation can be or end, and which plan is aboard then. The texts are in flash, and not in
+// the program at all when nothing prints them.
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 namespace mavmission {
 
-// One line a status: this list is the enumeration and its texts at once, so that they cannot drift apart.
+// One line for each status: this list is both the enumeration and its texts, so that they cannot drift apart.
 // clang-format off
 #define MAVMISSION_STATUSES(X) \
   /* not ended */ \
@@ -97,8 +97,8 @@ enum class Status : uint8_t {
 #undef MAVMISSION_NAME
 };
 
-// Whether the operation that has ended so may go well when it is begun again as it is: not when the plan itself is at
-// fault, or the aircraft is armed.
+// True if the same operation, begun again, may succeed after it has ended with this status: not if the plan itself is
+// at fault, or the aircraft is armed.
 bool isWorthRetry(Status status);
 
 // The plan that the autopilot holds when an operation has ended.
@@ -109,7 +109,7 @@ bool isWorthRetry(Status status);
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
   X(Nothing, "no plan")
 
-// What is aboard, in a word each.
+// Which plan is aboard.
 enum class Aboard : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_ABOARD(MAVMISSION_NAME)

@@ -1,4 +1,4 @@
-// Why the text of a plan was refused.
+// Why a plan's text was refused.
 #pragma once
 
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 namespace mavmission {
 
-// What is wrong with a text, and its words.
+// The errors of a text, with their wording.
 // clang-format off
 #define MAVMISSION_TEXT_ERRORS(X)                                                                  \
   X(None, "no error")                                                                              \

@@ -1,5 +1,5 @@
-// Lengths, times, altitudes and headings that cannot be taken for one another: each is a type of its own, made by a
-// literal (20_m, 10_s, 5_mps, 90_deg) or by name from a number that was computed.
+// Lengths, times, altitudes and headings that cannot be mistaken for one another: each is a type of its own, made by a
+// literal (20_m, 10_s, 5_mps, 90_deg) or by name from a computed number.
 #pragma once
 
 #include <stdint.h>
@@ -42,10 +42,10 @@ constexpr MetresPerSecond operator"" _mps(unsigned long long value) {
 }
 constexpr MetresPerSecond operator"" _mps(long double value) { return MetresPerSecond(static_cast<float>(value)); }
 
-// MAV_FRAME (MAVLink common messages): what the numbers of a place mean.
+// MAV_FRAME (MAVLink common messages): what the coordinates of an item mean.
 enum class Frame : uint8_t {
   Global = 0,             // altitude [m above mean sea level]
-  Mission = 2,            // no place: x, y and z are parameters 5 to 7
+  Mission = 2,            // no coordinates: x, y and z are parameters 5 to 7
   GlobalRelative = 3,     // altitude [m above home]
   GlobalInt = 5,          // as Global; the older number for MISSION_ITEM_INT
   GlobalRelativeInt = 6,  // as GlobalRelative; the older number for MISSION_ITEM_INT
@@ -61,10 +61,10 @@ MAVMISSION_APART inline Frame modern(Frame frame) {
   return frame;
 }
 
-// An altitude and what it is measured from. Plain metres are above home: 20_m.
+// An altitude with its reference. Plain metres, 20_m, are above home.
 class Altitude {
  public:
-  // Above home; or above what `frame` says.
+  // Above home, or above the reference of `frame`.
   constexpr Altitude(Metres aboveHome) : metres_(aboveHome.value), frame_(Frame::GlobalRelative) {}
   constexpr Altitude(Metres metres, Frame frame) : metres_(metres.value), frame_(frame) {}
   // Nothing else is an altitude.
@@ -72,7 +72,7 @@ class Altitude {
   constexpr Altitude(Other) : metres_(0), frame_(Frame::Global) {
     static_assert(sizeof(Other) == 0, "an altitude has a unit: 20_m, or Metres(height) where it is computed");
   }
-  // What it was made of.
+  // The two values.
   constexpr float metres() const { return metres_; }
   constexpr Frame frame() const { return frame_; }
 
@@ -88,14 +88,15 @@ constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, Frame:
 // Above the ground below. Needs terrain data aboard; PX4 1.17 does not take it in a plan (Status::BadFrame).
 constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::GlobalTerrain); }
 
-// A heading [degrees from north, clockwise, -180 to 360], or "as you fly", which is the default everywhere.
+// A heading [degrees from north, clockwise, -180 to 360], or unset, which is the default everywhere: the autopilot
+// chooses.
 class Yaw {
  public:
   constexpr Yaw() : degrees_(__builtin_nanf("")) {}
   // From north, clockwise.
   constexpr Yaw(Degrees heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
   constexpr Yaw(WideHeading heading) : degrees_(static_cast<float>(heading.e7()) / 10000000.f) {}
-  constexpr float inDegrees() const { return degrees_; }  // NaN: as you fly
+  constexpr float inDegrees() const { return degrees_; }  // NaN: unset
 
  private:
   float degrees_;

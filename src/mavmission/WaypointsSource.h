@@ -1,5 +1,5 @@
-// A plan from a .waypoints file (WaypointsText.h) in anything that can be read and sought, such as a File of the SD
-// library: the same RAM for 3 items and for 3,000, since each is read when the autopilot asks for it.
+// A plan from a .waypoints file (WaypointsText.h) in any stream that can seek, such as a File of the SD library: it
+// takes the same RAM for 3 items and for 3,000, since each is read when the autopilot requests it.
 //
 //   File file;
 //   WaypointsSource plan(file);
@@ -19,43 +19,45 @@
 
 namespace mavmission {
 
-// Goes to a place in the text [bytes from its beginning]; false if that cannot be done.
+// Seeks a position in the text [bytes from its beginning]; false if that cannot be done.
 typedef bool (*SeekFunction)(void* context, uint32_t position);
 
 // A plan read from a text, item by item.
 class WaypointsSource {
  public:
-  // Reading: not read through yet. Good: source() may be uploaded. Bad: error() says why not.
+  // Reading: the text has not been read to its end yet. Good: source() may be uploaded. Bad: error() says why not.
   enum class State : uint8_t { Reading, Good, Bad };
 
-  // The most that one update() reads [bytes]; it reads no further than one field.
+  // How much one update() reads at most [bytes]; it also stops after one field.
   static constexpr uint8_t kBytesPerUpdate = 64;
 
-  // A stream that has seek(position), as SD's File has. It must stay, and nobody else may read or seek it.
+  // A stream with seek(position), such as SD's File. It must live as long as the source, and nobody else may read or
+  // seek it.
   template <typename File>
   explicit WaypointsSource(File& file) : WaypointsSource(file, seekIn<File>, &file) {}
-  // Any other stream. It ends where read() gives -1.
+  // Any other stream. It ends where read() returns -1.
   WaypointsSource(Stream& stream, SeekFunction seek, void* context);
 
-  // Begins to read from the beginning: when the file has been opened, or has changed. Not while it is being uploaded.
+  // Begins to read from the beginning: to be called when the file has been opened, or has changed. Not during an
+  // upload.
   void begin();
 
-  // Reads a field more, until the whole text has been read once: it is counted and checked before anything of it is
-  // used. Then Good or Bad, until begin().
+  // Reads another field, until the whole text has been read once: the items are counted and checked before any of them
+  // is used. Then Good or Bad, until begin().
   State update();
   State state() const { return state_; }
 
-  // The plan, when it is Good; before that, and when it is Bad, one that is refused (Status::SourceRefused). To find an
-  // item out of order a text is halved again and again, by a seek each time. In order, which is how transfers ask, an
-  // item costs its line.
+  // The plan, when the state is Good; otherwise an upload of the source is refused (Status::SourceRefused). Reading
+  // items in order, as transfers do, costs one line each. To find an item out of order, the text is halved again and
+  // again, with one seek each time.
   ItemSource source();
-  // Its items: home is none.
+  // The number of items, without home.
   uint16_t count() const { return state_ == State::Good ? count_ : 0; }
-  // What they are, for upload(): all of a mission, all of a fence, or all rally points. When it is Good.
+  // The kind of plan, for upload(): a mission, a fence or rally points. Known when the state is Good.
   PlanType type() const { return text_.type(); }
 
-  // Why it is Bad, or why an item could not be read again when it was asked for: toString(error()) has it in words. The
-  // line counts from 1, 0: not known. The field counts from 1 to 12, 0: the line as a whole.
+  // Why the state is Bad, or why an item could not be read again when it was requested: toString(error()) has it in
+  // words. Lines count from 1 (0: not known), fields from 1 to 12 (0: the line as a whole).
   TextError error() const { return text_.error(); }
   uint16_t errorLine() const { return text_.errorLine(); }
   uint8_t errorField() const { return text_.errorField(); }
@@ -66,7 +68,7 @@ class WaypointsSource {
     return static_cast<File*>(file)->seek(position);
   }
 
-  // A line, and the number that it begins with.
+  // The position of a line, and the number with which it begins.
   struct Mark {
     uint32_t position;
     uint16_t number;
@@ -84,10 +86,10 @@ class WaypointsSource {
   void* context_;
   detail::WaypointsText text_;
   uint32_t position_;   // of the next byte
-  uint32_t lineStart_;  // of the line that is being read, or was read last
+  uint32_t lineStart_;  // of the line being read, or read last
   uint32_t size_;       // of the text, once it is known
   Mark first_;          // the first item
-  Mark last_;           // the item that was given last; number 0: none, or not known
+  Mark last_;           // the item that was read last; number 0: none, or not known
   uint16_t count_;
   State state_;
   bool isBegun_;  // the first update() has been

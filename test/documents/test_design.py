@@ -14,7 +14,7 @@ DESIGN = (ROOT / "DESIGN.md").read_text()
 SOURCES = ROOT / "src" / "mavmission"
 # Where the protocol's waits and retries are.
 PROTOCOL = ("UploadTransfer.h", "DownloadTransfer.h", "CommandTransfer.h", "AutopilotFinder.h", "FrameParser.h",
-            "Link.h", "Outbox.h", "MissionClient.h", "client/*")  # fmt: skip
+            "Link.h", "Outbox.h", "Pace.h", "MissionClient.h", "client/*")  # fmt: skip
 CONSTANT = re.compile(r"^ *(?:static )?constexpr \w+ (k\w*(?:Ms|Tries|S)) = (\d+);", re.M)
 
 
@@ -95,6 +95,48 @@ def test_every_name_in_a_diagram_is_one_of_the_code():
     named_there = set(re.findall(r"\b(?:[A-Z][a-z]+){2,}\b", diagrams()))
     assert len(named_there) > 10
     assert named_there - known == set()
+
+
+# How to change it ---------------------------------------------------------------
+
+MOST_FILES = 5
+
+
+def changes(design: str) -> dict[str, list[str]]:
+    """Change -> what the table tells a stranger to open, as far as it is named as a path or a file."""
+    section = design.partition("\n## How to change it\n")[2].partition("\n## ")[0]
+    rows = [line.strip("|").split("|") for line in section.splitlines() if line.startswith("| ")][1:]
+    return {row[0].strip(): re.findall(r"`([^`\s]+)`", row[1]) for row in rows}
+
+
+@pytest.mark.parametrize("change", changes(DESIGN))
+def test_change_names_files_that_exist_and_at_most_five(change):
+    named_files = changes(DESIGN)[change]
+    assert 1 <= len(named_files) <= MOST_FILES
+    assert len(set(named_files)) == len(named_files)
+    assert [name for name in named_files if not (ROOT / name).exists()] == []
+
+
+def test_every_change_that_was_tried_is_in_the_table():
+    subjects = " ".join(changes(DESIGN))
+    for subject in ("result code", "submarine", "COUNT", "NAV_SPLINE_WAYPOINT", "280 bytes", "third autopilot",
+                    "`Status`", "GLOBAL_POSITION_INT", "Linux", "timeline"):  # fmt: skip
+        assert subject in subjects
+    assert len(changes(DESIGN)) == 10
+
+
+def test_table_of_changes_is_read_to_its_last_row():
+    head = "\n## How to change it\n\n| change | files | what |\n|---|---|---|\n"
+    table = f"{head}| one | `a.h`, `b.h` | why |\n| two | `c` | `x` |\n"
+    assert changes(f"{table}\n## Next\n\n| three | `d` |\n") == {"one": ["a.h", "b.h"], "two": ["c"]}
+
+
+def test_links_within_the_page_lead_to_a_heading():
+    headings = re.findall(r"^#+ (.*)$", DESIGN, re.M)
+    anchors = {re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+    links = re.findall(r"\]\(#([^)]+)\)", DESIGN)
+    assert len(links) > 10
+    assert [link for link in links if link not in anchors] == []
 
 
 # The budget -------------------------------------------------------------------

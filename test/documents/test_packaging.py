@@ -283,12 +283,13 @@ def test_every_example_compiles_for_every_board(example, board):
     assert built.ram <= BOARDS[board].ram - 512
 
 
-# The README's code --------------------------------------------------------------
+# The documents' code ------------------------------------------------------------
 
 
 def cpp_blocks() -> list[str]:
-    readme = ROOT / "README.md"
-    text = readme.read_text() if readme.is_file() else ""
+    """Those of the README first, then those of the other pages that a user reads."""
+    pages = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    text = "\n".join(page.read_text() for page in pages if page.is_file())
     return re.findall(r"^```cpp\n(.*?)^```$", text, re.M | re.S)
 
 
@@ -316,7 +317,7 @@ def as_sketch(block: str) -> str:
         for number, block in enumerate(cpp_blocks() or [""], start=1)
     ],
 )
-def test_code_in_the_readme_compiles(number, block, tmp_path):
+def test_code_in_the_readme_and_in_docs_compiles(number, block, tmp_path):
     assert block, "README.md has no ```cpp block"
     sketch = tmp_path / f"Readme{number}" / f"Readme{number}.ino"
     sketch.parent.mkdir()

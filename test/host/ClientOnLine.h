@@ -72,6 +72,10 @@ class ClientOnLine {
   void note(const Bytes& bytes) {
     unread_ = unread_ + bytes;
     while (unread_.size() > 2) {
+      if (unread_[0] == 0) {  // what fills before a repeat
+        unread_.erase(unread_.begin());
+        continue;
+      }
       const bool isV2 = unread_[0] == 0xFD;
       const size_t header = isV2 ? 10 : 6;
       const size_t length = header + unread_[1] + 2;

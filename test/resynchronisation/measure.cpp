@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "mavmission/link/FrameParser.h"
 #include "mavmission/base/MavlinkHeaders.h"
+#include "mavmission/link/FrameParser.h"
 
 namespace {
 

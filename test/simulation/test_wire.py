@@ -214,3 +214,34 @@ def test_an_autopilot_hears_nothing_of_a_frame_damaged_on_the_wire(autopilot):
         fake.receive(wire.deliver(">", 1.0) + b"\0" * 280, 1.0)
     fake.run(2.0)
     assert fake.messages("<", "MISSION_COUNT") == []
+
+
+@pytest.mark.parametrize("fate", ["lose", "alter", "insert"])
+def test_bytes_are_damaged_at_the_percentage_asked_for_and_by_the_seed_alone(fate):
+    def run(seed: int) -> Wire:
+        wire = Wire(seed)
+        wire.damage_bytes(**{fate: 3})
+        wire.arrived = {direction: carried(wire, frames(500), direction) for direction in "><"}
+        return wire
+
+    one, again, other = run(5), run(5), run(6)
+    assert one.arrived == again.arrived != other.arrived
+    sent = b"".join(frames(500))
+    for arrived in one.arrived.values():
+        if fate == "alter":
+            damaged = sum(left != right for left, right in zip(arrived, sent, strict=True))
+        else:
+            damaged = abs(len(arrived) - len(sent))
+        assert 0.02 < damaged / len(sent) < 0.04
+    assert one.arrived[">"] != one.arrived["<"]
+
+
+def test_damaged_bytes_are_told_of_in_the_transcript_and_end_when_told_to():
+    wire = Wire(1)
+    wire.damage_bytes(">", lose=100)
+    assert carried(wire, frames(1)) == b"" and wire.entries[-1].fate == "16 bytes lost"
+    assert carried(wire, frames(1), "<") == frames(1)[0]
+    wire.damage_bytes()
+    assert carried(wire, frames(1)) == frames(1)[0] and wire.entries[-1].fate == ""
+    with pytest.raises(ValueError, match="percent"):
+        wire.damage_bytes(lose=60, alter=50)

@@ -46,6 +46,7 @@ class Settings:
     example: str = "UploadMission"  # of examples/, or the path of a sketch
     autopilot: str = "ardupilot"  # or "px4"
     loss_percent: float = 0.0  # of the frames, in each direction
+    byte_loss_percent: float = 0.0  # of the bytes, in each direction
     seed: int = 0
     lose: tuple[NamedFrame, ...] = ()
     log: Path | None = None
@@ -83,8 +84,9 @@ class Demonstration:
             self.autopilot.load(on_the_wire(HELD, settings.autopilot))
         self._mega = Mega(built.elf)
         self._line = SerialLine(
-            self.autopilot, self._mega.serial(1), settings.loss_percent, settings.seed, settings.lose
-        )
+            self.autopilot, self._mega.serial(1), settings.loss_percent, settings.seed, settings.lose,
+            settings.byte_loss_percent,
+        )  # fmt: skip
         self._remarks: dict[int, tuple[bool, bool]] = {}  # by the entry's id(): is it shown, was it said before
         self._console = Console(self)
         self.said: list[str] = []  # the lines of the sketch's Serial
@@ -148,6 +150,8 @@ class Demonstration:
 
     def _losses(self) -> str:
         loss = f", {self.settings.loss_percent:g} % of the frames lost each way" if self.settings.loss_percent else ""
+        if self.settings.byte_loss_percent:
+            loss += f", {self.settings.byte_loss_percent:g} % of the bytes lost each way"
         return loss + "".join(f", {named.text} lost" for named in self.settings.lose)
 
     def _pace(self) -> dict:

@@ -24,7 +24,7 @@ class OnTheLine(NamedTuple):
 
 
 class Line:
-    """An End for RealTime: the autopilot behind a wire that may lose frames.
+    """An End for RealTime: the autopilot behind a wire that may lose frames or bytes.
 
     step() is to be called once in each slice of simulated time; seen() then has the frames.
     `port` is the Mega's end of the line; hear() must be the tap there.
@@ -39,6 +39,7 @@ class Line:
         loss_percent: float = 0.0,
         seed: int = 0,
         lose: Sequence[NamedFrame] = (),
+        byte_loss_percent: float = 0.0,
     ) -> None:
         self.autopilot = autopilot
         self._port = port
@@ -48,6 +49,8 @@ class Line:
         if loss_percent:
             for direction in "><":
                 self._wire.at_random(direction, lose=loss_percent)
+        if byte_loss_percent:
+            self._wire.damage_bytes(lose=byte_loss_percent)
         self._to_mega = bytearray()
         self._from_mega: list[Sent] = []
         self._now = 0.0
@@ -80,11 +83,11 @@ class Line:
         if entry.direction == ">":
             times = [self._left_at.popleft() for _ in range(size)]
             self.crossed.append(OnTheLine(entry, times[0] - self.byte_s, times[-1]))
-        elif entry.fate:  # it never came to the Mega: on the line at once, or behind what is there
+        elif not entry.arriving:  # it never came to the Mega: on the line at once, or behind what is there
             began = max(entry.time, self._mega_hears_until)
             self.crossed.append(OnTheLine(entry, began, began + size * self.byte_s))
         else:
-            self._arriving.append([entry, size, None])
+            self._arriving.append([entry, entry.arriving, None])
 
     def seen(self) -> list[Entry]:
         """The frames since the last call, both ways, lost ones included."""

@@ -18,7 +18,8 @@ from .plan import KINDS, Item, Plan, Step
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
-PARTS = ("Commands", "Comparison", "Field", "FloatBits", "ItemSource", "KeptValue", "Status", "WirePlan")
+PARTS = ("autopilot/Commands", "autopilot/KeptValue", "base/FloatBits", "client/Status", "plan/Comparison",
+         "plan/ItemField", "plan/ItemSource", "plan/WirePlan")  # fmt: skip
 
 # As judge.cpp checks them, by their names here.
 AUTOPILOTS = ("ardupilot", "px4", "any")

@@ -38,8 +38,12 @@ class AutopilotFinder {
       heartbeat_ = heartbeat;
     }
   }
+  // It has said something else.
+  void onFrame(uint16_t nowMs) { heardMs_ = nowMs; }
   MAVMISSION_APART void onTime(uint16_t nowMs);
 
+  // An autopilot is there.
+  bool isHeard() const { return heard_; }
   // An autopilot is there, and it is clear which one.
   bool isFound() const { return heard_ && !severalHeard_; }
   // As isFound(), and a second one would have been heard by now.

@@ -39,6 +39,7 @@ enum Trait : uint32_t {
   kErrorRefusesCount = 1ul << 11,  // MAV_MISSION_ERROR to a COUNT is a refusal
   kRepeatsAcceptance = 1ul << 12,  // answers a repeated last item with ACCEPTED again
   kGoesOnWithOlder = 1ul << 13,    // goes on with an older transfer that had come to no item when COUNT comes
+  kRefusesTakenItems = 1ul << 25,  // INVALID_SEQUENCE to an item that it has, and does not expect
   kMayBeOld = 1ul << 14,           // may know MISSION_REQUEST and MISSION_ITEM alone
 
   // --- Flying
@@ -59,7 +60,7 @@ enum Trait : uint32_t {
 #define MAVMISSION_PERSONALITIES(X)                                                                        \
   X(ArduPilot, 3, kByArduPilot,                                                                            \
     kHomeIsItem0 | kReplacesItemByItem | kTakesTerrainFrames | kWipesShortFences | kDropsNanYaw |          \
-    kErrorRefusesCount | kFliesByMode | kNamesFlownItems | kModeIsOneByte | kModesByVehicle |              \
+    kErrorRefusesCount | kRefusesTakenItems | kFliesByMode | kNamesFlownItems | kModeIsOneByte | kModesByVehicle |              \
     kStreamsAsArduPilot | kPlanesKeepMore)                                                                 \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \

@@ -10,7 +10,7 @@ namespace detail {
 
 constexpr uint16_t kChecksumStart = 0xFFFF;
 
-// The checksum `crc` carried on over `length` bytes. One function for all who need it, and not a call for each byte.
+// The checksum `crc` continued over `length` bytes. One function for all users, called once for many bytes.
 MAVMISSION_APART uint16_t checksum(uint16_t crc, const uint8_t* bytes, uint8_t length);
 
 }  // namespace detail

@@ -1,4 +1,4 @@
-// Constant data that stays in flash: the same words on AVR, where flash is a memory of its own, and elsewhere.
+// Constant data in flash: the same functions on AVR, where flash is a memory of its own, and elsewhere.
 #pragma once
 
 #include <stdint.h>
@@ -17,7 +17,7 @@
 namespace mavmission {
 namespace detail {
 
-// A copy of one value that lies in flash. The small ones are read straight into registers.
+// A copy of one value that lies in flash. Small values are read straight into registers.
 template <typename T>
 inline T fromFlash(const T* address) {
   T value;

@@ -26,7 +26,7 @@ float fromBits(uint32_t bits) {
   return value;
 }
 
-// (A shift of the upper half is half the code of one of the whole.)
+// (Shifting the upper half takes half the code of shifting the whole.)
 uint8_t biasedExponent(uint32_t bits) { return static_cast<uint8_t>(static_cast<uint16_t>(bits >> 16) >> 7); }
 
 // `mantissa` has its highest bit at bit 23; the value is mantissa * 2^(exponent - 23).
@@ -48,7 +48,7 @@ FloatKind kindOf(const void* bytes) {
 int32_t wholeNumber(float value) {
   const uint32_t bits = bitsOf(value);
   if ((bits & ~kSign) == 0) return 0;
-  const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // the sign above it: beyond any
+  const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // with the sign above it: larger than any exponent
   if (biased < kBias || biased > kBias + 15) return -1;
   uint32_t mantissa = (bits & (kHidden - 1)) | kHidden;
   for (uint8_t shift = 23 - (biased - kBias); shift != 0; --shift) {
@@ -65,7 +65,7 @@ int32_t timesWhole(int32_t bits, uint32_t factor) {
   uint64_t product = static_cast<uint64_t>((magnitude & (kHidden - 1)) | kHidden) * factor;
   int16_t exponent = static_cast<int16_t>(biased) - kBias - 23;
   for (; exponent > 0; --exponent) product <<= 1;
-  // From -149 on at most.  NOLINTNEXTLINE(bugprone-too-small-loop-variable)
+  // From -149 at the lowest.  NOLINTNEXTLINE(bugprone-too-small-loop-variable)
   for (; exponent < -1; ++exponent) product >>= 1;
   if (exponent < 0) product = (product + 1) >> 1;
   if (product > 0x7FFFFFFF) return 0;
@@ -84,10 +84,10 @@ void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
 
 uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
 
-// Stores the nearest float, with the sign that is there already; `biased` is the exponent that it has if the leading 1
-// of `mantissa` is at bit 23. `more`: something is behind the mantissa's last bit.
+// Stores the nearest float and keeps the sign that is there. `biased` is the exponent for a mantissa whose leading 1 is
+// at bit 23. `more`: a bit below the mantissa's last one is set.
 MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t biased, uint8_t more) {
-  uint8_t half = 0;  // the highest bit of what is cut off; `more`: there is any below it
+  uint8_t half = 0;  // the highest bit that is cut off; `more`: one below it is set
   while (static_cast<uint8_t>(mantissa >> 24) != 0) {
     more |= half;
     half = static_cast<uint8_t>(mantissa) & 1;
@@ -95,7 +95,7 @@ MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t b
     ++biased;
   }
   if (half != 0 && ((more | static_cast<uint8_t>(mantissa)) & 1) != 0) {
-    if (++mantissa == kHidden << 1) ++biased;  // its other bits are 0
+    if (++mantissa == kHidden << 1) ++biased;  // the other bits are 0
   }
   number[0] = static_cast<uint8_t>(mantissa);
   number[1] = static_cast<uint8_t>(mantissa >> 8);
@@ -105,7 +105,7 @@ MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t b
   number[3] = (number[3] & 0x80) | biased >> 1;
 }
 
-// The mantissa of a factor, from its lowest byte on, and its exponent less 7, for the 7 bits that a product has more.
+// The mantissa of a factor, from its lowest byte on, and its exponent less 7, since the product has 7 bits more.
 #define MAVMISSION_FACTOR(mantissa, exponent) \
   {(mantissa) & 0xFF, (mantissa) >> 8 & 0xFF, (mantissa) >> 16, static_cast<uint8_t>((exponent) - 7)}
 const uint8_t kFactors[][4] PROGMEM = {
@@ -175,7 +175,7 @@ void makeTurn(void* degrees) {
   constexpr uint32_t kTurn = 0x40C90FDB;  // in radians
   uint32_t radians = load(degrees);
   if ((radians & kSign) != 0) {
-    // A turn less that, with 7 bits more than a float has.
+    // A full turn less the angle, with 7 bits more than a float has.
     uint8_t biased = biasedExponent(radians);
     radians = mantissaOf(radians) << 7;
     uint8_t more = 0;
@@ -193,7 +193,7 @@ void makeTurn(void* degrees) {
 
 namespace {
 
-// One at the place of the units of a whole number from 1 on.
+// The mantissa bit that is worth 1 in a whole number from 1 on.
 uint32_t unitBit(uint32_t bits) {
   uint32_t unit = kHidden;
   for (uint8_t biased = biasedExponent(bits); biased > kBias; --biased) unit >>= 1;

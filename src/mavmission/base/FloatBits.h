@@ -1,4 +1,4 @@
-// The few things done with floats, done on their bits, for the flash that avr-gcc's float routines would take.
+// The few operations on floats, done on their bits: this saves the flash of avr-gcc's float routines.
 #pragma once
 
 #include <stdint.h>
@@ -9,46 +9,45 @@ namespace mavmission {
 namespace detail {
 
 enum class FloatKind : uint8_t { Finite, Infinite, NotANumber };
-// Of the float that lies at `bytes`.
+// The kind of the float that lies at `bytes`.
 FloatKind kindOf(const void* bytes);
 
 // The whole number from 0 to 65535 that `value` is, or -1 if it is none.
 int32_t wholeNumber(float value);
 
-// A whole number from 0 to 65535 as a float, and one more.
+// A whole number from 0 to 65535 as a float, plus one.
 float oneMore(float whole);
-// And one less, from 1 on; 0 stays 0.
+// A whole number as a float, minus one; 0 stays 0.
 float oneLess(float whole);
 
-// The float whose bits are `bits`, times `factor`, to the nearest whole number; `factor` is 1 to 2^24. Beyond what fits
-// it is 0.
+// The float whose bits are `bits`, times `factor`, to the nearest whole number; 0 if it does not fit. `factor` is 1 to
+// 2^24.
 int32_t timesWhole(int32_t bits, uint32_t factor);
 
-// The following work on the float that lies at `number`: calls are small, and that is what counts on AVR.
+// The following work on the float that lies at `number`, which makes small calls on AVR.
 
-// Cuts off what is behind the point.
+// Cuts off the fraction.
 MAVMISSION_APART void makeWhole(void* number);
 
-// What a number is multiplied with.
+// The factors of multiply().
 enum class Times : uint8_t {
   Hundred,
   Hundredth,
   Radian,
   Degree,
   T256
-};  // a radian: of one degree, and the other way round
-// Multiplies, to the nearest float. What is below 1e-33 becomes 0.
+};  // Radian: degrees to radians; Degree: radians to degrees
+// Multiplies, and rounds to the nearest float. A number below 1e-33 becomes 0.
 MAVMISSION_APART void multiply(void* number, Times factor);
 
-// Makes of a number what is left of it when whole hundredths have been kept, and put together again as floats:
-// ArduPilot's own way.
+// Cuts a number to whole hundredths and makes a float of them again, with ArduPilot's float operations.
 void makeHundredths(void* number);
 
-// Makes of a heading from -180 to 360 degrees what PX4 gives back: made radians, put into one turn, made degrees again,
-// as floats.
+// Changes a heading from -180 to 360 degrees as PX4 does: to radians, into one turn, back to degrees, with its float
+// operations.
 MAVMISSION_APART void makeTurn(void* degrees);
 
-// Makes of an integer what is left of one that has been a float.
+// Rounds an integer as a conversion to float and back does.
 void throughFloat(void* integer);
 
 // value / divisor as the nearest float. `divisor` is 1 to 2^28.

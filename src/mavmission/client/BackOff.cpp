@@ -1,4 +1,4 @@
-// MissionClient waiting for its turn while another ground station transfers; apart because not every sketch wants it.
+// MissionClient's back-off while another ground station transfers. A file of its own, since not every sketch wants it.
 #include <Arduino.h>
 
 #include "../MissionClient.h"
@@ -12,7 +12,7 @@ void MissionClient::retryWhenBusy(uint16_t seconds) {
   rest_.takeUp = takeUpEnd;
 }
 
-// Takes up a refusal of COUNT; false if the time allowed is over.
+// Begins the back-off after a refusal of COUNT; false if the time allowed is over.
 bool Client::waitForTurn(Client& client, Status refusal) {
   State& state = client.state_;
   if (refusal != Status::Denied && !(refusal == Status::Error && has(client.firmware(), kSaysErrorWhenBusy)))
@@ -32,7 +32,7 @@ void Client::turnStep(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
   if (frame != nullptr || state.seconds < client.state_.turnAtS) return;
   state.operation = uploadStep;
-  state.status = Status::WaitingForAutopilot;  // it may have been armed, or lost, meanwhile: from the start
+  state.status = Status::WaitingForAutopilot;  // it may be armed, or lost, by now: from the start
 }
 
 }  // namespace mavmission

@@ -1,4 +1,4 @@
-// MissionClient taking a plan away.
+// MissionClient's clear().
 #include <Arduino.h>
 
 #include "../MissionClient.h"
@@ -8,6 +8,10 @@
 
 namespace mavmission {
 using namespace detail;
+
+namespace {
+constexpr uint8_t kLossyTries = 40;  // CLEAR_ALLs on a line that loses
+}
 
 Status MissionClient::clear(PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
@@ -46,8 +50,11 @@ void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs)
     clearing.isDue = true;
     state.status = Status::Transferring;
   }
-  if (!clearing.isDue && since(clearing.sentMs, nowMs) >= UploadTransfer::kAnswerMs) {
-    if (clearing.tries == UploadTransfer::kTries) return client.endClearing(Status::NoAnswer);
+  const Pace& pace = client.link_.pace();
+  if (!clearing.isDue &&
+      since(clearing.sentMs, nowMs) >= (pace.isLossy() ? pace.againMs() : UploadTransfer::kAnswerMs)) {
+    if (clearing.tries >= (pace.isLossy() ? kLossyTries : UploadTransfer::kTries))
+      return client.endClearing(Status::NoAnswer);
     clearing.isDue = true;
   }
   // An answer to a transfer that was left open may still be on its way, and would look like the answer to this.

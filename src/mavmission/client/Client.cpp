@@ -10,7 +10,7 @@ namespace mavmission {
 using namespace detail;
 
 Client::Client(Stream& stream) {
-  // All parts are plain data that begins at zero: one call does it, where a constructor for each would be larger.
+  // All parts are plain data that begins at zero: one call is smaller than a constructor for each.
   memset(static_cast<void*>(this), 0, sizeof(*this));
   link_.begin(stream);
   state_.failedItem = kNoItem;
@@ -109,17 +109,18 @@ void Client::sendAck(uint8_t result, PlanType type) {
 }
 
 Status MissionClient::update() {
-  // The optimiser is not to know which object this is: it would use 4-byte addresses instead of 2-byte offsets.
+  // Hides from the optimiser which object this is: it would use 4-byte addresses instead of 2-byte offsets.
   MissionClient* client = this;
   asm("" : "+r"(client));
   return client->updateAt(static_cast<uint16_t>(millis()));
 }
 
-// What is told by the clock, and need not be exact to the millisecond.
+// Work that depends on the clock, but need not be exact to the millisecond.
 void Client::onTick(uint16_t nowMs) {
   while (since(state_.secondMs, nowMs) >= 1000) {
     state_.secondMs += 1000;
     ++state_.seconds;
+    link_.pace().onSecond();
   }
   const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
   state_.isLate = static_cast<uint16_t>(state_.seconds - state_.turnAtS) >= limitS;
@@ -127,6 +128,8 @@ void Client::onTick(uint16_t nowMs) {
   link_.onTime(nowMs);
 }
 
+// Claims the time for heavy work. False when reading bytes has used up the time of this update(): heavy work then waits
+// for the next one, which reads at most half as many.
 bool Client::claimHeavyWork() {
   constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
   const bool isAllowed = state_.bytesLeft >= kHalf;
@@ -150,7 +153,7 @@ Status Client::updateAt(uint16_t nowMs) {
     budget.left = budget.left > kFrameBytes ? budget.left - kFrameBytes : 0;
   }
   state_.bytesLeft = static_cast<uint8_t>(budget.left + MAVMISSION_BYTES_PER_UPDATE - allowed);
-  // An autopilot that is not heard would not hear it either.
+  // Not to an autopilot that is not heard: it would not hear us either.
   if (state_.cancelled != PlanType::All && hasAutopilot() && link_.canSend()) {
     sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelled);
     state_.cancelled = PlanType::All;
@@ -161,7 +164,7 @@ Status Client::updateAt(uint16_t nowMs) {
     onTick(nowMs);
   }
   if (state_.operation != nullptr) state_.operation(*this, nullptr, nowMs);
-  // What is left of the time that bytes may take is for those that go out.
+  // The rest of the budget of bytes is for those that go out.
   link_.flush(nowMs, budget.left > kStartBytes ? budget.left : kStartBytes);
 
   const Status ended = rest_.toReturn;

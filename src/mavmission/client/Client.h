@@ -1,4 +1,4 @@
-// Behind a MissionClient: the running operation, its state, and what its files (client/*.cpp) share.
+// The inside of MissionClient: the running operation and its state, shared by the files client/*.cpp.
 #pragma once
 
 #include <stdint.h>
@@ -21,12 +21,12 @@
 namespace mavmission {
 namespace detail {
 
-// A class with nothing hidden: only the library sees it. MissionClient shows a sketch what it may call.
+// All public, since only the library sees this class. MissionClient shows a sketch what it may call.
 class Client {
  public:
-  // What failedItem() is when no item failed.
+  // The value of failedItem() when no item failed.
   static constexpr uint16_t kNoItem = 0xFFFF;
-  // The most items that MISSION_COUNT can say.
+  // The greatest number of items in MISSION_COUNT.
   static constexpr uint16_t kMaxItems = 0xFFFF;
 
   MAVMISSION_APART explicit Client(Stream& stream);
@@ -42,18 +42,19 @@ class Client {
   bool isArmed() const { return hasAutopilot() && link_.finder().isArmed(); }
   uint32_t customMode() const { return link_.finder().heartbeat().customMode; }
 
-  // Seconds, heartbeats and the autopilot's silence are looked at once in that time [ms], and not in each update().
+  // The period at which seconds, heartbeats and the autopilot's silence are looked at [ms], instead of in each
+  // update().
   static constexpr uint8_t kTickMs = 2;
-  // The most for a whole operation by default [s]: 2 minutes, and 2 s an item.
+  // The default limit for a whole operation [s]: 2 minutes, and 2 s for each item.
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
-  // What a frame for us takes, in bytes that could be looked at in that time [bytes].
+  // The time that a frame for us takes, as a number of bytes that could be read in that time [bytes].
   static constexpr uint8_t kFrameBytes = 16;
-  // How long an earlier transfer may still be answered [ms]: ArduPilot gives one up after 8 s.
+  // How long an earlier transfer may still be answered [ms]: ArduPilot gives a transfer up after 8 s.
   static constexpr uint16_t kLeftoversMs = 10000;
-  // Bytes of a frame that are written in any case [bytes].
+  // The least number of bytes that an update() may write [bytes].
   static constexpr uint8_t kStartBytes = 8;
 
-  // An operation's share of update(): a frame of the autopilot's, or null for time to pass.
+  // An operation's part of update(): takes a frame of the autopilot, or null for the passing of time.
   typedef void (*Operation)(Client& client, const FrameParser* frame, uint16_t nowMs);
 
   static bool takeUpEnd(Client& client, Status status, uint16_t nowMs);
@@ -68,7 +69,7 @@ class Client {
   static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
   void takeReadCount(const FrameParser& frame);
-  void takeReadItem(const FrameParser& frame);
+  void takeReadItem(const FrameParser& frame, uint16_t nowMs);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
   Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
@@ -82,10 +83,10 @@ class Client {
   static void fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  // What an operation made of commands is told, with the status that it leads to if the operation does nothing about
-  // it.
+  // The events of an operation that consists of commands. Each comes with the status to which it leads unless the
+  // operation decides otherwise.
   enum class CommandEvent : uint8_t {
-    Ready,      // the autopilot is there, nothing has been sent: Transferring, or Checking to be asked again
+    Ready,      // the autopilot is found, nothing was sent: Transferring, or Checking to get this event again
     Accepted,   // Done
     Refused,    // why
     Silent,     // NoAnswer, Unconfirmed, TookTooLong
@@ -93,7 +94,8 @@ class Client {
     Current,    // a MISSION_CURRENT
     Time,
   };
-  // Takes an event: Transferring to go on, or how the operation ends. `frame`: of a message, else null.
+  // Takes an event. Returns Transferring to continue, or the status with which the operation ends. `frame`: the message
+  // of the event, else null.
   typedef Status (*OnCommand)(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                               uint16_t nowMs);
   typedef void (*FillCommand)(Client& client, FlightCommand& command);
@@ -123,7 +125,7 @@ class Client {
   void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint16_t numberOf(FlightMode mode) const;
-  MAVMISSION_APART uint16_t shownMode() const;  // by the last heartbeat, as modeNumber() says it
+  MAVMISSION_APART uint16_t shownMode() const;  // of the last heartbeat, in the numbers of modeNumber()
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
   void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
@@ -188,38 +190,39 @@ class Client {
   MAVMISSION_APART Status refuseType();
   uint32_t acceptedPlanId() const { return rest_.planId; }
 
-  // What an update() looks at lies first: avr-gcc reaches 64 bytes of an object cheaply. All zero at the start but for
-  // what the constructor sets.
+  // The members that every update() uses lie first, since avr-gcc reaches 64 bytes of an object cheaply. All zero at
+  // the start except for those that the constructor sets.
   struct State {
     Operation operation;   // null: idle
-    uint16_t secondMs;     // when the last whole second of `seconds` was over
-    uint16_t seconds;      // that the operation, or its transfer, has taken [s]
-    uint16_t unsettledMs;  // when a transfer was last left without an answer, or a reading ended
+    uint16_t secondMs;     // when `seconds` was last counted up
+    uint16_t seconds;      // the time of the operation, or of its transfer [s]
+    uint16_t unsettledMs;  // when a transfer was last left open, or a download ended
     uint16_t next;         // the wire item to be checked, or to be added to opaqueId_
-    uint16_t prepared;     // the wire item that the link holds ready, if it holds one
+    uint16_t prepared;     // the wire item that the link holds packed, if it holds one
     uint16_t itemsDone;
     uint16_t failedItem;
-    uint16_t turnAtS;  // when to try again, and when the transfer's own time began [s]
-    // Begins a partial upload, and announces it; null: all of it, by MISSION_COUNT.
+    uint16_t turnAtS;  // when the back-off ends, and when the transfer's own time began [s]
+    // Begins a partial upload, and announces it; null: the whole plan, announced by MISSION_COUNT.
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
-    uint8_t unsettled;     // UploadTransfer::kAnswers, so after a reset, and kBusy
-    PlanType cancelled;    // of the transfer that the autopilot is to be told was cancelled; All: there is none
-    PlanType type;         // of the running operation
-    bool floatItems;       // items go out as MISSION_ITEM
-    bool isLate;           // the operation has taken all the time that it may
-    uint8_t bytesAllowed;  // to be looked at in an update()
-    uint8_t bytesLeft;     // that this one might look at still; 0 before it has looked
-    uint8_t tick;          // when onTick() was called last [kTickMs], its low 8 bits
-    void (*toFloats)(void* itemMessage);  // makes MISSION_ITEM of MISSION_ITEM_INT, where the sketch wants that
+    uint8_t unsettled;                    // UploadTransfer::kAnswers (also after a reset) and kBusy
+    PlanType cancelled;                   // the plan type whose cancelling is still to be sent; All: none
+    PlanType type;                        // of the running operation
+    bool floatItems;                      // items go out as MISSION_ITEM
+    bool isLate;                          // the operation has reached its time limit
+    uint8_t bytesAllowed;                 // how many an update() may read
+    uint8_t bytesLeft;                    // how many this update() could still read; 0 before it has read
+    uint8_t tick;                         // when onTick() was called last [kTickMs], its low 8 bits
+    void (*toFloats)(void* itemMessage);  // makes a MISSION_ITEM of a MISSION_ITEM_INT; null: not wanted
   };
 
   // Settings and results.
   struct Rest {
-    void (*prove)(Client& client, uint16_t nowMs);                  // where the sketch wants a proof
+    void (*prove)(Client& client, uint16_t nowMs);                  // begins the read-back; null: not wanted
     bool (*takeUp)(Client& client, Status status, uint16_t nowMs);  // null until one of these is set
-    bool (*denied)(Client& client, Status refusal);                 // takes a refusal up, where the sketch wants that
-    bool (*unsupported)(Client& client, Status refusal, uint16_t nowMs);  // the same, of an item
+    bool (*denied)(Client& client, Status refusal);                 // begins the back-off; null: not wanted
+    // Begins the MISSION_ITEM fallback after the refusal of an item; null: not wanted.
+    bool (*unsupported)(Client& client, Status refusal, uint16_t nowMs);
     ProgressFunction progress;
     void* progressContext;
     EndFunction ended;
@@ -227,63 +230,64 @@ class Client {
     uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
-    uint16_t turnLimitS;  // how long to wait for another ground station's transfer [s]
-    uint16_t partFirst;   // the items of a partial upload, as the sketch counts
+    uint16_t turnLimitS;  // the limit of all back-offs [s]
+    uint16_t partFirst;   // the items of a partial upload, in the sketch's numbers
     uint16_t partCount;
     uint8_t turnPauseS;  // the pause before the next try; 0 before the first
     Status toReturn;
-    Aboard aboard[4];  // by PlanType; the last is nobody's
+    Aboard aboard[4];  // by PlanType; the last is unused
     uint8_t lastResult;
     PlanType planType;        // of the plan that uploadAgain() takes; All before there is one
-    uint32_t planId;          // the autopilot's own name for the mission that was accepted or verified last; 0: none
+    uint32_t planId;          // the autopilot's name (opaque_id) of the mission accepted or verified last; 0: none
     uint8_t startStep : 4;    // StartStep
     uint8_t startArming : 4;  // StartArming
     Readback proof;
-    ItemField field;        // that differs
+    ItemField field;        // the one that differs, or is not kept
     bool armedAllowed : 1;  // bits, for RAM: they cost a little flash
     bool raw : 1;
     bool tooLong : 1;       // the source has more items than the protocol can count
-    bool infeasible : 1;    // the autopilot has said so of the plan that it accepted
+    bool infeasible : 1;    // the autopilot has reported that it cannot fly the accepted plan
     bool proving : 1;       // an upload is being read back
     bool isCommanding : 1;  // the running or last operation is a command: commanding_ is in use
-    bool mayBeRefused : 1;  // because of an error that may have been a refusal
+    bool mayBeRefused : 1;  // the read-back follows an error that may have been a refusal
   };
 
-  // Reading a plan: by download(), verify(), or to prove an upload.
+  // Reading a plan: for download(), verify(), or the read-back after an upload.
   struct Reading {
     DownloadTransfer transfer;
-    // Takes an item: Transferring, Checking (not yet: ask for it again), or why the operation ends.
+    // Takes an item. Returns Transferring, Checking (not ready: request it again), or why the operation ends.
     Status (*take)(Client& client, uint16_t wireItem, MissionItem& item);
-    // MISSION_ITEM to MISSION_ITEM_INT, where a sketch reads plans.
+    // Makes a MISSION_ITEM_INT of a MISSION_ITEM.
     void (*fromFloats)(void* itemMessage);
     ItemSink sink;
-    bool isCompared;  // or stored
+    bool isCompared;  // false: stored
     uint32_t planId;  // MISSION_COUNT.opaque_id
   };
 
-  // Clearing a plan.
+  // The state of clear().
   struct Clearing {
     uint16_t sentMs;
     uint8_t tries;
     bool isDue;
-    PlanType type;  // that is being cleared now
-    PlanType last;  // after which it ends
+    PlanType type;  // being cleared now
+    PlanType last;  // the last one to be cleared
   };
 
-  // What start() keeps in mind. Items are the wire's.
+  // The state of start(). Items have wire numbers.
   struct Start {
-    // Looking: for the item that will be flown first. Shown: a heartbeat shows that it flies. Judging: is it at the
-    // right item, or at the next one? Leaving: it cannot be flown, and a heartbeat is to say what there is to disarm.
+    // Looking: searches for the item that will be flown first. Shown: a heartbeat shows that the aircraft flies.
+    // Judging, JudgingNext: compares its item with that one, or with the next. Leaving: a step failed; waits for a
+    // heartbeat that shows whether to disarm.
     enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
 
-    uint16_t first;      // that it is to begin with
-    uint16_t seen;       // that the autopilot is at, kNoItem before it has said
-    uint16_t mode;       // in which the aircraft was behind ReadyMode: another one, but for AUTO, is somebody else's
-    uint16_t jump;       // the last one that was followed on the way to the item that will be flown
-    uint8_t looked : 7;  // items on that way
-    uint8_t isAutoSeen : 1;  // a heartbeat has shown the mission mode that was asked for
-    uint8_t beganS;          // when AUTO was asked for first [s], its low 8 bits
-    Status refusal;          // why it cannot be flown: how it will end
+    uint16_t first;          // the item to begin with
+    uint16_t seen;           // the autopilot's current item; kNoItem: not reported yet
+    uint16_t mode;           // the mode after ReadyMode: any other one but AUTO was set by somebody else
+    uint16_t jump;           // the last jump followed on the way to the item that will be flown
+    uint8_t looked : 7;      // how many items were looked at on that way
+    uint8_t isAutoSeen : 1;  // a heartbeat has shown the mission mode after it was requested
+    uint8_t beganS;          // when AUTO was first requested [s], the low 8 bits
+    Status refusal;          // the status with which it will end
     Phase phase;
   };
 
@@ -293,17 +297,17 @@ class Client {
     uint16_t message;
   };
 
-  // A command, or several.
+  // The state of an operation that consists of commands.
   struct Commanding {
-    FillCommand fill;  // what is to be sent
-    OnCommand on;      // what comes of it; null: what the answer says
+    FillCommand fill;  // makes the command to be sent
+    OnCommand on;      // takes the events; null: the answer decides
     CommandTransfer transfer;
-    uint16_t mode;  // that is to be set
+    uint16_t mode;  // to be set
     union {
       const FlightCommand* own;
       FlightMode named;
       bool isLargeMode;  // a custom mode beyond one byte
-      uint16_t item;     // to be set as current, on the wire
+      uint16_t item;     // to be set as current; a wire number
       Interval interval;
       Start start;
     };
@@ -316,7 +320,7 @@ class Client {
     Clearing clearing_;
     Commanding commanding_;
   };
-  WirePlan plan_;  // here, and not behind rest_, within cheap reach
+  WirePlan plan_;  // before rest_, where avr-gcc reaches it cheaply
   Rest rest_;
   OpaqueId opaqueId_;
   Link link_;

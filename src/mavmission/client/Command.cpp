@@ -111,7 +111,8 @@ void Client::sendCommand(uint16_t nowMs) {
     message.confirmation = commanding_.transfer.tries();
     link_.send(message);
   }
-  commanding_.transfer.sent(command.id, nowMs);
+  Pace& pace = link_.pace();
+  commanding_.transfer.sent(command.id, nowMs, pace.isLossy() ? pace.againMs() : CommandTransfer::kAnswerMs);
 }
 
 void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {

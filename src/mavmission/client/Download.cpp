@@ -1,4 +1,4 @@
-// MissionClient's download to a sink.
+// MissionClient's download into a sink.
 #include <Arduino.h>
 
 #include "../MissionClient.h"

@@ -1,4 +1,4 @@
-// MissionClient putting a plan of any type aboard; apart because of what only a fence needs.
+// MissionClient's upload of a plan of any type. A file of its own, since only a fence needs this.
 #include "../MissionClient.h"
 #include "../link/Messages.h"
 
@@ -6,16 +6,16 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-// ArduPilot accepts a fence of fewer than three corners and circles in the place of a longer one, gives it back when it
-// is read at once, and has wiped it when its fence has next been looked at: 3 to 25 times a second, by vehicle. A
-// return point is neither, so the fence has at most three items [items].
+// ArduPilot accepts a fence of fewer than three corners or circles in the place of a longer one, gives it back when it
+// is read at once, and wipes it when it next looks at its fence: 3 to 25 times a second, by vehicle. A return point is
+// neither a corner nor a circle, so such a fence has at most three items [items].
 constexpr uint8_t kShortFence = 3;
-// From the acceptance of such a fence to its read-back [s].
+// The time from the acceptance of such a fence to its read-back [s].
 constexpr uint8_t kFenceSettleS = 1;
 
 }  // namespace
 
-// A short fence is always read back, and sent again when there is none: then it replaces nothing, and stays.
+// A short fence is always read back, and uploaded again if it is gone: then it replaces no longer fence, and stays.
 Status MissionClient::upload(const ItemSource& plan, PlanType type, Readback proof) {
   const bool isDoubtful = type == PlanType::Fence && plan.count != 0 && plan.count <= kShortFence;
   const Status status = uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
@@ -29,7 +29,7 @@ void Client::proveFence(Client& client, uint16_t nowMs) {
   client.beginSeconds(nowMs);
 }
 
-// The same behind the second upload, which is the last.
+// The same after the second upload, which is the last.
 void Client::proveFenceAgain(Client& client, uint16_t nowMs) {
   proveFence(client, nowMs);
   client.state_.operation = fenceSettleAgainStep;
@@ -44,7 +44,7 @@ void Client::fenceSettleStep(Client& client, const FrameParser* frame, uint16_t 
 void Client::fenceSettleAgainStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr || client.state_.seconds < kFenceSettleS) return;
   proveUpload(client, nowMs);
-  client.rest_.prove = proveFence;  // of the next uploadAgain()
+  client.rest_.prove = proveFence;  // for the next uploadAgain()
 }
 
 void Client::fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs) {

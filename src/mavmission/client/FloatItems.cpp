@@ -1,4 +1,5 @@
-// MissionClient's items as floats, for autopilots that know no MISSION_ITEM_INT; a file of its own because few need it.
+// MissionClient's MISSION_ITEM fallback, for autopilots without MISSION_ITEM_INT. A file of its own, since few sketches
+// need it.
 #include <Arduino.h>
 
 #include "../MissionClient.h"
@@ -9,7 +10,7 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-// x and y become floats: degrees, or parameters 5 and 6. The rest has the same layout.
+// x and y become floats: degrees, or parameters 5 and 6. The other fields have the same layout.
 void toFloats(void* itemMessage) {
   mavlink_mission_item_int_t& message = *static_cast<mavlink_mission_item_int_t*>(itemMessage);
   static_assert(sizeof(mavlink_mission_item_t) == sizeof(message), "both items have one layout");
@@ -22,7 +23,7 @@ void toFloats(void* itemMessage) {
 
 }  // namespace
 
-// Takes up the refusal of an autopilot that knows no MISSION_ITEM_INT: once more, with floats.
+// After the refusal by an autopilot without MISSION_ITEM_INT: uploads once more, as MISSION_ITEM.
 bool Client::tryFloats(Client& client, Status refusal, uint16_t nowMs) {
   if (refusal != Status::Unsupported || client.state_.floatItems) return false;
   if (!client.plan_.has(kMayBeOld) || client.transfer_.itemsAskedFor() != 1) return false;

@@ -1,4 +1,5 @@
-// What an autopilot would make of the value that was refused; apart because few sketches ask.
+// The value that an autopilot would store in the place of the refused one. A file of its own, since few sketches ask
+// for it.
 #include <Arduino.h>
 
 #include "../MissionClient.h"

@@ -1,4 +1,4 @@
-// MissionClient's partial upload, which only ArduPilot takes; apart because few sketches need it.
+// MissionClient's partial upload, which only ArduPilot takes. A file of its own, since few sketches need it.
 #include <Arduino.h>
 
 #include "../MissionClient.h"
@@ -16,7 +16,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   rest_.partFirst = first;
   rest_.partCount = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {
-    rest_.planType = PlanType::All;  // there is nothing that uploadAgain() could take
+    rest_.planType = PlanType::All;  // there is no whole plan for uploadAgain()
     end(Status::BadRange);
   }
   return state_.status;

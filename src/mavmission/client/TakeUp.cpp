@@ -1,17 +1,17 @@
-// MissionClient taking up how an upload has ended, where the sketch asked for more than to be told: the options meet
-// here, so that an upload without any of them has one test for all.
+// What follows the end of an upload, where the sketch has chosen options: the back-off, the MISSION_ITEM fallback, the
+// read-back. They meet here, so that an upload without any of them has one test for all.
 #include "../MissionClient.h"
 
 namespace mavmission {
 using namespace detail;
 
-// True if the operation goes on.
+// True if the operation continues.
 bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
   Rest& rest = client.rest_;
   if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
   const UploadTransfer& transfer = client.transfer_;
-  // An idle ArduPilot says so of a last item that the line has repeated, and its acceptance may be what was lost.
+  // An idle ArduPilot answers so when the line has repeated the last item, and its acceptance may have been lost.
   const bool isDoubtfulError = status == Status::Error && !client.plan_.has(kRepeatsAcceptance) &&
                                transfer.state() == UploadTransfer::State::Confirming;
   const bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError ||

@@ -20,7 +20,7 @@ uint8_t PlanConsole::ringOf(const HardwareSerial*) {
 }
 
 void PlanConsole::update() {
-  // The optimiser is not to know which object this is: it would use 4-byte addresses instead of 2-byte offsets.
+  // Hides from the optimiser which object this is: it would use 4-byte addresses instead of 2-byte offsets.
   PlanConsole* console = this;
   asm("" : "+r"(console));
   console->storeItems();
@@ -33,7 +33,7 @@ void PlanConsole::update() {
 void PlanConsole::read() {
   for (uint8_t left = kBytesPerUpdate; left != 0; --left) {
     if (mode_ == Mode::Text && ring_ != 0 && port_.available() >= ring_) refuse(TextError::TooFast);
-    // A command waits until what the last one had to say is said; a text does not wait.
+    // A command waits until the output of the last one is printed; a text does not wait.
     const bool isSilent = task_ == kNothing && due_ == 0;
     if (isItemHeld_ || mode_ == Mode::Ending || (mode_ == Mode::Commands && !isSilent)) return;
     const int byte = port_.read();
@@ -43,13 +43,13 @@ void PlanConsole::read() {
     if (isSecond) continue;
     const bool wasInField = text_.isInField();
     take(byte == '\r' ? '\n' : static_cast<char>(byte));
-    if (wasInField && !text_.isInField()) return;  // a number is enough work
+    if (wasInField && !text_.isInField()) return;  // one number is enough work for one call
   }
 }
 
 void PlanConsole::take(char c) {
   if (!isLineBegun_) {
-    // Among a text, what begins with a letter is a command, but for the Q of its first line.
+    // Within a text a line that begins with a letter is a command, except for the Q of its first line.
     const char lower = static_cast<char>(c | 0x20);
     const bool isLetter = lower >= 'a' && lower <= 'z' && c != 'Q';
     isCommand_ = mode_ == Mode::Commands || isLetter;

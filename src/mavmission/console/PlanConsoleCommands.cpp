@@ -7,7 +7,7 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-// One line a command: its name, and what it does.
+// One line for each command: its name, and what it does.
 // clang-format off
 #define MAVMISSION_COMMANDS(X)                                            \
   X(help, "these words")                                                  \
@@ -119,7 +119,7 @@ bool PlanConsole::mayUsePlan() {
   return false;
 }
 
-// The plan must not be exchanged while it is on its way.
+// The plan must not be exchanged while it is being transferred.
 bool PlanConsole::mayExchangePlan() {
   if (autopilot_.isBusy()) {
     began(Status::Busy);

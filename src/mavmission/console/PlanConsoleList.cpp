@@ -1,4 +1,4 @@
-// The plan that a PlanConsole keeps, as a .waypoints file.
+// Prints a PlanConsole's plan as a .waypoints file.
 #include "../PlanConsole.h"
 
 #include <Arduino.h>
@@ -8,7 +8,7 @@
 namespace mavmission {
 using namespace detail;
 
-// As a .waypoints file: home is not known here.
+// Line 0, home, is all zeros: home is not known here.
 bool PlanConsole::composeList(PlanConsole& console) {
   uint8_t& step = console.step_;
   if (step == 0) {

@@ -1,4 +1,4 @@
-// What a PlanConsole says, piece by piece.
+// The output of a PlanConsole, piece by piece.
 #include "../PlanConsole.h"
 
 #include <Arduino.h>
@@ -9,7 +9,7 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-constexpr uint16_t kNotImplementedMs = 100;  // so long without room: the port does not say what it has
+constexpr uint16_t kNotImplementedMs = 100;  // then the port does not implement availableForWrite()
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void PlanConsole::putNumber(uint32_t number) {
   ram_ = piece_;
 }
 
-// The next piece of what there is to say.
+// Composes the next piece of output.
 void PlanConsole::compose() {
   if (task_ == kNothing) {
     if (due_ == 0) return;
@@ -143,7 +143,7 @@ bool PlanConsole::composeError() {
   }
 }
 
-// The client's last status, and what is aboard, in three pieces.
+// The client's last status, and which plan is aboard, in three pieces.
 void PlanConsole::putOutcome(uint8_t piece) {
   if (piece == 0) return put(toString(autopilot_.status()));
   put(piece == 1 ? F("\r\naboard: ") : toString(autopilot_.aboard()));

@@ -1,4 +1,4 @@
-// What a PlanConsole is doing, between two calls of update().
+// The state of a PlanConsole between two calls of update().
 #pragma once
 
 #include <stdint.h>
@@ -13,12 +13,12 @@ class PlanConsole;
 
 namespace detail {
 
-// What PlanConsole keeps, all zero at the start; a base of it, so that it lies first, which is cheap to reach on AVR.
+// The state, all zero at the start. A base class of PlanConsole, so that it lies first, which is cheap to reach on AVR.
 class PlanConsoleState {
  protected:
-  // What the lines are that come.
+  // How received lines are understood.
   enum class Mode : uint8_t { Commands, Text, Ending, Refused };
-  // What there is to print; the first that is due comes first.
+  // Outputs; of several that are due the first one here is printed first.
   enum Task : uint8_t { kNothing, kSay, kError, kHelp, kList, kStatus, kProgress, kEnded, kStored };
   typedef void (*Offer)(PlanConsole& console);
   static constexpr uint8_t kOffers = 5;
@@ -27,13 +27,13 @@ class PlanConsoleState {
   Mode mode_;
   TextError error_;         // why the text was refused
   bool isItemHeld_ : 1;     // text_ holds an item for which there is no room
-  bool isLineBegun_ : 1;    // of the text, or of what is passed over
-  bool isCommand_ : 1;      // the line is one
-  bool wasReturn_ : 1;      // the last character was CR: an LF behind it is no further line
-  bool isOperation_ : 1;    // the client does what the console began
-  bool isDownload_ : 1;     // that is one
-  bool isStart_ : 1;        // that is start()
-  bool isPlanAwaited_ : 1;  // it is being committed or erased
+  bool isLineBegun_ : 1;    // a line has begun
+  bool isCommand_ : 1;      // the line is a command
+  bool wasReturn_ : 1;      // the last character was CR: an LF after it ends no line
+  bool isOperation_ : 1;    // the client runs an operation that the console began
+  bool isDownload_ : 1;     // it is a download
+  bool isStart_ : 1;        // it is start()
+  bool isPlanAwaited_ : 1;  // the plan is being committed or erased
   bool isStuck_ : 1;        // the port had no room
   bool isBlind_ : 1;        // it does not say when it has
 #ifndef __AVR__
@@ -43,16 +43,16 @@ class PlanConsoleState {
   uint8_t kept_;    // items in the room
   uint8_t oldest_;  // of them
   uint8_t ring_;
-  uint16_t told_;  // items that were said to be stored
+  uint16_t told_;  // stored items that were reported
   uint16_t done_;  // the progress that was printed
   uint16_t due_;   // a bit for each Task
   Task task_;
-  uint8_t step_;       // of it
-  uint16_t item_;      // that is listed
+  uint8_t step_;       // of the task
+  uint16_t item_;      // the item being listed
   uint16_t stuckMs_;   // when the port first had no room
   FlashText said_;     // the text of kSay
-  const char* flash_;  // what is being printed: this, in flash, if it is not null,
-  const char* ram_;    // then this
+  const char* flash_;  // being printed, in flash, if not null,
+  const char* ram_;    // and then this, in RAM
   char command_[9];
   char piece_[kFloatText];
   Offer offers_[kOffers];  // null: not offered

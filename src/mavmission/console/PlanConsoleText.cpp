@@ -1,4 +1,4 @@
-// A plan that a PlanConsole takes as text, and keeps in EEPROM.
+// Takes a plan as text for a PlanConsole, and stores it in EEPROM.
 #include "../PlanConsole.h"
 
 #include <Arduino.h>
@@ -25,7 +25,7 @@ void PlanConsole::takeInText(char c) {
 
 void PlanConsole::endText() {
   switch (text_.end()) {
-    case WaypointsText::Step::Item:  // cannot be: its line had an end
+    case WaypointsText::Step::Item:  // cannot happen: the line has ended
     case WaypointsText::Step::More: mode_ = Mode::Ending; return;
     case WaypointsText::Step::Bad:
       refuse(text_.error());
@@ -34,7 +34,7 @@ void PlanConsole::endText() {
   }
 }
 
-// The rest of the text is passed over, up to end or another command.
+// The rest of the text is ignored, up to end or another command.
 void PlanConsole::refuse(TextError error) {
   error_ = error;
   mode_ = Mode::Refused;

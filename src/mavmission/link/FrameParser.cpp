@@ -13,8 +13,8 @@ namespace {
 
 bool isMagic(uint8_t byte) { return byte == MAVLINK_STX || byte == MAVLINK_STX_MAVLINK1; }
 
-// Messages that carry bytes of others, among which a whole frame may be. (Looked up by comparisons in a tree, which are
-// quicker than a table in flash.)
+// Messages that carry other people's bytes, which may contain a whole frame. (A switch becomes a tree of comparisons,
+// which is quicker than a table in flash.)
 bool isCarrier(uint16_t messageId) {
   switch (messageId) {
     case MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL:
@@ -68,7 +68,7 @@ uint16_t FrameParser::payloadWord(uint8_t index) const {
 }
 
 uint32_t FrameParser::payloadLong(uint8_t index) const {
-  union {  // smaller than a shift
+  union {  // less code than a shift
     uint16_t words[2];
     uint32_t value;
   } both;
@@ -97,7 +97,7 @@ bool FrameParser::isFor(uint8_t systemId, uint8_t componentId) const {
   return (system == 0 || system == systemId) && (component == 0 || component == componentId);
 }
 
-// Puts a byte behind those of the frame that has begun.
+// Appends a byte to the frame that has begun.
 MAVMISSION_INLINE void FrameParser::keep(uint8_t byte) {
   Index have = have_;
   uint8_t* const place = bytes_ + have;
@@ -106,11 +106,11 @@ MAVMISSION_INLINE void FrameParser::keep(uint8_t byte) {
   if (have <= summed_) crc_ = checksum(crc_, place, 1);
 }
 
-// The bytes that need no thought, which are most: the inside of frames that are stepped over, and of those that are
-// kept. False if it is not one.
+// Takes a byte from the inside of a frame, stepped over or kept, which needs no decision; most bytes are such. False if
+// this one is not.
 inline bool FrameParser::takePlainly(uint8_t byte) {
   const Index have = have_;
-  uint8_t& low = *reinterpret_cast<uint8_t*>(&skip_);  // its low byte is enough while that is not used up
+  uint8_t& low = *reinterpret_cast<uint8_t*>(&skip_);  // the low byte suffices until it is used up
   if (have == 0) {
     if (low < 2 || isMagic(byte) || keepsSignature()) return false;
     --low;
@@ -125,7 +125,7 @@ inline bool FrameParser::takePlainly(uint8_t byte) {
   return true;
 }
 
-// By itself, so that everything is in registers. Most of telemetry are bytes that need no thought.
+// A loop of its own, so that everything is in registers: most bytes of telemetry need no decision.
 FrameParser::Result FrameParser::pull(Stream& stream, Budget& budget) {
   uint8_t left = budget.left;
   uint8_t heard = 0;
@@ -162,7 +162,7 @@ FrameParser::Result FrameParser::take(uint8_t byte) {
   if (keepsSignature()) return keepSignature(byte);
 #endif
   if (skip_ == 0 || --skip_ != 0) return grow(byte);
-  // This is the first byte behind what was stepped over: where another frame begins, the length was right.
+  // This is the first byte behind a stepped-over frame: if another frame begins here, the length was right.
   boundary_ = have_;
   if (stepping_ == Stepping::Reported) return grow(byte);
   inStep_ = isMagic(byte);
@@ -191,7 +191,7 @@ FrameParser::Result FrameParser::grow(uint8_t byte) {
   keep(byte);
   have = have_;
   if (have == need_) return summed_ == 0 ? classify() : complete();
-  // What begins inside another frame can only be a wanted one. Most such bytes are data, and this one tells.
+  // A frame inside another one is kept only if it is wanted. Most such bytes are data, and the length shows it.
   if (have == 2 && uint16_t{byte} > MAVMISSION_MAX_PAYLOAD && isInside()) giveUp();
   return Result::Nothing;
 }
@@ -217,12 +217,12 @@ FrameParser::Result FrameParser::classify() {
       target_ = fromFlash(&key->target);
       summed_ = have_ + length;
       need_ = summed_ + kChecksum;
-      // Only now that the message is wanted: the headers of all others need no checksum.
+      // The checksum begins only here, since the headers of unwanted messages need none.
       crc_ = checksum(kChecksumStart, bytes_ + 1, have_ - 1);
       return Result::Nothing;
     }
   }
-  // What began inside another frame can only be a wanted one, which its checksum will prove.
+  // A frame inside another one is kept only if it is wanted; its checksum will decide.
   if (isInside()) {
     giveUp();
     return Result::Nothing;
@@ -237,7 +237,7 @@ FrameParser::Result FrameParser::classify() {
   stepping_ = carries ? Stepping::MessageWithBytes : Stepping::Message;
   for (uint8_t i = have_ - 1; i != 0; --i) {
     if (!isMagic(bytes_[i])) continue;
-    giveUp();  // a frame may have begun within what was taken for a header
+    giveUp();  // a frame may have begun within this supposed header
     return Result::Nothing;
   }
   have_ = 0;
@@ -269,8 +269,8 @@ FrameParser::Result FrameParser::complete() {
 }
 
 #if MAVMISSION_SIGNING
-// A signature is stepped over like any bytes that follow a frame, so that a frame that begins in it is found if bytes
-// were lost there. Bytes that are looked at again come to the same place.
+// A signature is stepped over like any other bytes after a frame, so that a frame that begins inside is found if bytes
+// were lost there. Bytes that are looked at again come here too.
 FrameParser::Result FrameParser::keepSignature(uint8_t byte) {
   signature_[kSignature + 1 - skip_] = byte;
   if (--skip_ != 1) return grow(byte);
@@ -286,11 +286,11 @@ void FrameParser::skipByte() {
 }
 
 void FrameParser::giveUp() {
-  // The first byte began nothing. Those behind it are looked at again, then those that were waiting already.
+  // No frame began with the first byte. The bytes behind it are looked at again, then those that were waiting already.
   if (skip_ != 0) {
-    skip_ += have_ - 1;  // they will be counted once more
+    skip_ += have_ - 1;  // these bytes will be counted again
   } else if (boundary_ != 0) {
-    skip_ = boundary_;  // it began inside a frame that has ended: so do those behind it, as far as that frame went
+    skip_ = boundary_;  // it began inside a frame that has ended, as did the bytes behind it up to that end
     stepping_ = Stepping::Reported;
   } else {
     skipByte();
@@ -309,7 +309,7 @@ FrameParser::Result FrameParser::silence() {
       ++brokenFrames_;
     } else {
       if (stepping_ != Stepping::Reported) result = Result::Unwanted;
-      boundary_ = have_;  // it is whole: what seemed to begin inside is part of it
+      boundary_ = have_;  // the frame is complete: what seemed to begin inside is part of it
     }
     skip_ = 0;
   }

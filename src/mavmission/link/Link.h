@@ -7,6 +7,7 @@
 #include "../LinkCounters.h"
 #include "../MavlinkVersion.h"
 #include "../autopilot/AutopilotFinder.h"
+#include "../base/Pace.h"
 #include "FrameParser.h"
 #include "Outbox.h"
 #if MAVMISSION_SIGNING
@@ -21,8 +22,11 @@ class Link {
   static constexpr uint16_t kHeartbeatMs = 1000;  // guide, Heartbeat/Connection Protocol: 1 Hz
   static constexpr uint8_t kComponentId = 191;    // MAV_COMP_ID_ONBOARD_COMPUTER
 
-  // All zero is how a Link begins, but for this.
-  void begin(Stream& stream) { stream_ = &stream; }
+  // All zero is how a Link begins, but for these.
+  void begin(Stream& stream) {
+    stream_ = &stream;
+    state_.pace.begin();
+  }
 
   // Our own ids; 0, 0 is the default: the autopilot's system id and kComponentId.
   void setSourceIds(uint8_t systemId, uint8_t componentId);
@@ -82,6 +86,9 @@ class Link {
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
 
+  // How quickly the line answers, and whether it loses.
+  Pace& pace() { return state_.pace; }
+
   Stream& stream() const { return *stream_; }
 #if MAVMISSION_SIGNING
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store);
@@ -128,6 +135,8 @@ class Link {
     MavlinkVersion speak;
     bool heartbeatSent;
     bool sequenceKnown;
+    uint8_t damage;  // what has been counted, its low 8 bits
+    Pace pace;
   };
 
   Stream* stream_;

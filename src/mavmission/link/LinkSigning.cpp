@@ -1,8 +1,8 @@
-// Link for frames that are signed (MAVMISSION_SIGNING).
+// The part of Link for signed frames (MAVMISSION_SIGNING).
 //
-// A frame that comes in is told to nobody before its signature is found right. It is copied, so that the parser goes on
-// meanwhile; when a second one is there before the first is done, bytes wait in the stream. A frame that goes out waits
-// in the outbox.
+// A received frame is passed on to nobody before its signature has proved right. It is copied, so that the parser can
+// go on meanwhile; if a second one is complete before the first is checked, further bytes wait in the stream. A frame
+// that goes out waits in the outbox for its signature.
 #include "Link.h"
 
 #if MAVMISSION_SIGNING
@@ -25,7 +25,7 @@ bool Link::workOnSignatures() {
   if (!signing_.isOn()) return false;
   signing_.keepTime();
   if (!signing_.isBusy()) {
-    if (check_ == Check::Accepted) return false;  // first let it be heard
+    if (check_ == Check::Accepted) return false;  // the accepted frame is passed on first
     if (outbox_.isUnsigned() && signing_.maySign()) {
       outbox_.startSigning(signing_);
     } else if (check_ == Check::Due) {
@@ -37,7 +37,7 @@ bool Link::workOnSignatures() {
       return false;
     }
   }
-  // When many bytes are waiting, they are looked at in each second update().
+  // When many bytes are waiting, every second update() reads them.
   hashedLast_ = !hashedLast_ || stream_->available() < kMayWait;
   if (!hashedLast_) return false;
   switch (signing_.work(kRoundsAtOnce)) {
@@ -49,7 +49,7 @@ bool Link::workOnSignatures() {
   return true;
 }
 
-// True if a frame has been accepted that is the autopilot's, and for us.
+// True if a frame has been accepted that comes from the autopilot and is addressed to us.
 bool Link::takeAccepted(uint16_t nowMs) {
   if (check_ != Check::Accepted) return false;
   check_ = Check::None;
@@ -60,7 +60,7 @@ bool Link::takeAccepted(uint16_t nowMs) {
   return finder_.isFrom(checked_.systemId(), checked_.componentId()) && checked_.isFor(systemId(), componentId());
 }
 
-// False while there is no room for what the parser has found.
+// False while there is no room for the frame that the parser has found.
 bool Link::mayRead() {
   if (!isWaiting_) return true;
   if (check_ != Check::None) return false;
@@ -81,15 +81,15 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
       return;
     case FrameParser::Result::Wanted: break;
   }
-  if (check_ == Check::Collecting) check_ = Check::None;  // its signature has been cut off
+  if (check_ == Check::Collecting) check_ = Check::None;  // the signature was cut off
   if (finder_.isFrom(parser_.systemId(), parser_.componentId())) noteSequence();
   if (!matters()) return;
   if (parser_.hasSignature()) {
     isWaiting_ = true;
     return;
   }
-  // A radio between the two has no key. What it says of itself moves nothing here, but a sketch may want to know it
-  // (guide, Accepting Unsigned Packets).
+  // A radio on the line has no key. Its message changes nothing here, but a sketch may want to read it (guide,
+  // Accepting Unsigned Packets).
   const MoreKeys* const listeners = parser_.moreKeys();
   if (listeners != nullptr && parser_.messageId() == MAVLINK_MSG_ID_RADIO_STATUS) {
     listeners->tell(listeners, parser_);
@@ -98,7 +98,8 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   }
 }
 
-// As takeResult() does for frames that need no check: by itself, so that a sketch that does not sign has none of it.
+// The same as takeResult() does for unsigned links; a function of its own, so that sketches without signing do not
+// contain it.
 void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
@@ -106,7 +107,7 @@ void Link::noteSequence() {
   state_.sequenceKnown = true;
 }
 
-// Whether anything would come of this frame: most others need not be checked.
+// True if the library or a listener would use this frame: most frames need not be checked.
 bool Link::matters() {
   const MoreKeys* const listeners = parser_.moreKeys();
   if (listeners != nullptr && listeners->search(listeners, parser_.messageId()) != nullptr) return true;

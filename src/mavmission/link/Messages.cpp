@@ -13,7 +13,7 @@ const MessageKey kKeys[] PROGMEM = {
 #undef MAVMISSION_KEY
 };
 
-// By comparisons in a tree, which is quicker than a walk through the table.
+// A switch becomes a tree of comparisons, which is quicker than a walk through the table.
 const MessageKey* wantedKey(uint16_t messageId) {
   KeyIndex index;
   switch (messageId) {

@@ -30,7 +30,7 @@ namespace detail {
   X(MISSION_WRITE_PARTIAL_LIST, mavlink_mission_write_partial_list_t,                                              \
     offsetof(mavlink_mission_write_partial_list_t, target_system))
 
-// Their keys, in flash, in this order.
+// The indices of their keys in kKeys, in this order.
 enum class KeyIndex : uint8_t {
 #define MAVMISSION_NAME(NAME, type, target) NAME,
   MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_NAME) kReceived,
@@ -40,7 +40,7 @@ enum class KeyIndex : uint8_t {
 };
 extern const MessageKey kKeys[];
 
-// What belongs to a message type.
+// The key of a message type.
 template <typename T>
 struct MessageOf;
 
@@ -54,7 +54,8 @@ MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_MESSAGE)
 MAVMISSION_SENT_MESSAGES(MAVMISSION_MESSAGE)
 #undef MAVMISSION_MESSAGE
 
-// The payload of a received frame as its message: what MAVLink 2 left out, or a MAVLink 1 sender does not know, is 0.
+// The payload of a received frame as a message: fields that MAVLink 2 omitted, or a MAVLink 1 sender does not know, are
+// 0.
 template <typename T>
 T messageFrom(const FrameParser& frame) {
   T message;

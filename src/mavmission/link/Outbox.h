@@ -26,6 +26,10 @@ class Outbox {
   // Bytes that such a stream is given in one call: each may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
+  // Zero bytes before a frame on a line that loses [bytes]. The other parser may be waiting for the rest of a frame
+  // that has lost some: it would take the beginning of ours for that.
+  static constexpr int8_t kFill = 12;
+
   // True when a frame may be put in: none is on its way.
   bool isEmpty() const { return sent_ == length_; }
 
@@ -43,14 +47,17 @@ class Outbox {
 
   // A held frame is ready, and waits: it goes out after release(), or never if it is dropped or another one is begun.
   bool isHeld() const { return held_; }
-  void release() {
+  void release(bool isFilled = false) {
     held_ = false;
-    sent_ = 0;
+    sent_ = isFilled ? -kFill : 0;
 #if MAVMISSION_SIGNING
     isUnsigned_ = signs_;
 #endif
   }
   void drop() { held_ = false; }
+
+  // True while the line is busy with what was handed to the stream last, `busyMs` ago.
+  bool isLineBusy(Stream& stream, uint16_t nowMs, uint16_t& busyMs) const;
 
 #if MAVMISSION_SIGNING
   // From now on frames are signed: one that has been released waits for startSigning() and, later, setSigned().
@@ -83,17 +90,18 @@ class Outbox {
 
   static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
 
-  uint16_t length_;  // of the whole frame
-  uint16_t sent_;
+  int16_t length_;  // of the whole frame
+  int16_t sent_;    // of it; below 0: of the zeros before it
   // Writes what comes next of a foreign frame; null for a frame of our own, which is one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
-  uint16_t stuckMs_;  // since when the stream takes nothing
+  uint16_t stuckMs_;  // when the stream was given something last, or since when it takes nothing
   bool stuck_;
   bool blind_;  // the stream does not say what it takes
 #ifndef __AVR__
   bool hasSaid_;  // it has said so once: when it says that it takes nothing, that is so, as with flow control
 #endif
   bool held_;
+  int16_t idle_;  // what the stream takes when that is empty, as far as that was seen
 #if MAVMISSION_SIGNING
   bool signs_;
   bool isUnsigned_;

@@ -1,4 +1,4 @@
-// Outbox for frames that are signed.
+// The part of Outbox for signed frames.
 #include "Outbox.h"
 
 #if MAVMISSION_SIGNING

@@ -1,4 +1,5 @@
-// Link::send() for the messages of Messages.h; apart from Link.h, which a sketch sees and which names no MAVLink type.
+// Link::send() for the messages of Messages.h. Not in Link.h, which a sketch includes and which must name no MAVLink
+// type.
 #pragma once
 
 #include "Link.h"

@@ -16,27 +16,29 @@ namespace {
 
 MAVMISSION_TEXT_TABLE(verdicts, MAVMISSION_VERDICTS)
 
-// An autopilot that speaks at all sends a heartbeat each second: after three and a bit it is not only late.
+// How long a heartbeat is waited for [s]. An autopilot sends one every second: after more than three it is not merely
+// late.
 constexpr uint8_t kListenS = 4;
-// Within which something counts as heard [s].
+// The age up to which something counts as heard [s].
 constexpr uint8_t kRecentS = 3;
-// After which an autopilot has gone, as AutopilotFinder has it [s].
+// The silence after which an autopilot counts as gone [s], as in AutopilotFinder.
 constexpr uint8_t kLostS = 5;
-// For which a baud rate is listened to: two heartbeats, at the least [s].
+// How long the doctor listens at a baud rate: at least two heartbeats [s].
 constexpr uint8_t kDwellS = 3;
-// Damage and telemetry are counted over so long [s].
+// The window over which damage and telemetry are counted [s].
 constexpr uint8_t kWindowS = 4;
-// In a window: a line that is in order damages nothing at all. It is a fault until a window has none.
+// Damaged frames in a window that make a fault. A good line damages none: the fault lasts until a window has none.
 constexpr uint8_t kDamageIsFault = 3;
-// In a window; fewer are heartbeats, answers, and the TIMESYNC and PARAM_VALUE of an ArduPilot that nobody asked.
+// Frames in a window that count as telemetry. Fewer are heartbeats, answers, and the TIMESYNC and PARAM_VALUE that an
+// ArduPilot sends unasked.
 constexpr uint8_t kFramesAreTelemetry = 20;
-// Frames of unknown messages that are believed without a checksum, each beginning where the one before ended: what
-// looks so in garbage is one header in a hundred.
+// Frames of unknown messages, each beginning where the one before ended, that are believed without a checksum. In
+// garbage one header in a hundred is followed by another in this way.
 constexpr uint8_t kInStep = 8;
 constexpr uint8_t kAskEachS = 5;
-// Not answered so often, the autopilot does not hear us.
+// Unanswered requests after which the autopilot does not hear us.
 constexpr uint8_t kUnanswered = 4;
-// Until an autopilot has given us its own. 1 is what autopilots have when they come.
+// Our system id before an autopilot is heard. 1 is the default of autopilots.
 constexpr uint8_t kSystemId = 1;
 constexpr uint16_t kMarkAbove = 0x4D4D;
 constexpr uint8_t kOwnBaud = 255;
@@ -55,7 +57,7 @@ constexpr int kFullRing = SERIAL_BUFFER_SIZE - 1;
 constexpr int kFullRing = 63;
 #endif
 
-// The rate, or 0 if the board's divider is off by more than 4 %: half of what a byte's ten bits bear.
+// The rate, or 0 if the board's divider is off by more than 4 %, which is half of what ten bits of a byte tolerate.
 #if defined(__AVR__) && defined(F_CPU)
 constexpr uint32_t rateOfDivider(uint32_t divider) { return F_CPU / 8 / divider; }
 constexpr uint32_t nearestRate(uint32_t baud) {
@@ -68,7 +70,7 @@ constexpr uint32_t ifPossible(uint32_t baud) { return apart(nearestRate(baud), b
 constexpr uint32_t ifPossible(uint32_t baud) { return baud; }
 #endif
 
-// The likeliest first.
+// The most likely rate first.
 const uint32_t kBauds[] PROGMEM = {
     ifPossible(57600),  ifPossible(115200), ifPossible(921600), ifPossible(38400), ifPossible(230400),
     ifPossible(460800), ifPossible(500000), ifPossible(19200),  ifPossible(9600),
@@ -141,7 +143,7 @@ void LinkDoctor::endWindow() {
   beginWindow();
 }
 
-// --- What is heard
+// --- Receiving
 
 uint8_t LinkDoctor::systemId() const {
   const uint8_t id = client_.link_.systemId();
@@ -154,14 +156,14 @@ bool LinkDoctor::isOurs(const FrameParser& frame) const {
 
 void LinkDoctor::take(Listener& listener, const FrameParser& frame) {
   LinkDoctor& self = static_cast<LinkDoctor&>(listener);
-  if (self.agesS_[Frame] == kNever) self.beginWindow();  // what came before was another rate, or a boot loader's text
+  if (self.agesS_[Frame] == kNever) self.beginWindow();  // before: another rate, or a boot loader's text
   self.agesS_[Frame] = 0;
   const uint16_t id = frame.messageId();
   if (id == MAVLINK_MSG_ID_HEARTBEAT) return self.takeHeartbeat(frame);
   if (!self.isFromAutopilot(frame) || id == MAVLINK_MSG_ID_MISSION_CURRENT) return;
   const Link& link = self.client_.link_;
   if (!frame.isFor(link.systemId(), link.componentId())) return;
-  // MAVLink 1 does not say whom an acknowledgement is for.
+  // In MAVLink 1 an acknowledgement has no target.
   if (id == MAVLINK_MSG_ID_COMMAND_ACK &&
       frame.payloadWord(offsetof(mavlink_command_ack_t, command)) != MAV_CMD_REQUEST_MESSAGE) {
     return;
@@ -174,7 +176,7 @@ void LinkDoctor::takeHeartbeat(const FrameParser& frame) {
   if (frame.isSigned()) agesS_[Signature] = 0;
   const uint8_t type = frame.payloadByte(offsetof(mavlink_heartbeat_t, type));
   const uint8_t autopilot = frame.payloadByte(offsetof(mavlink_heartbeat_t, autopilot));
-  // A finder that knows nobody takes the heartbeat of any autopilot, and no other.
+  // A finder without an autopilot accepts the heartbeat of any autopilot, and of nobody else.
   AutopilotFinder anyone = AutopilotFinder();
   const bool isAutopilot = anyone.onHeartbeat(frame.systemId(), frame.componentId(), autopilot, type, 0);
   if (isAutopilot) agesS_[Autopilot] = 0;
@@ -188,13 +190,13 @@ void LinkDoctor::takeHeartbeat(const FrameParser& frame) {
   speaker_ = Speaker{frame.systemId(), frame.componentId(), type};
 }
 
-// --- What is said
+// --- Sending
 
 void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
   Link& link = client_.link_;
   mark_ = nowMs;
   mavlink_heartbeat_t heartbeat = ownHeartbeat(uint32_t{kMarkAbove} << 16 | mark_);
-  // The link says nothing before it knows an autopilot, unless it has ids of its own: it is lent some for this frame.
+  // The link sends nothing before it knows an autopilot, unless it has ids of its own: it gets some for this frame.
   const uint8_t own = link.ownSystemId();
   const uint8_t componentId = link.componentId();
   link.setSourceIds(systemId(), componentId);
@@ -215,7 +217,7 @@ void LinkDoctor::ask() {
 void LinkDoctor::speak(uint16_t nowMs) {
   const AutopilotFinder& finder = client_.link_.finder();
   if (baudIndex_ != kOwnBaud || finder.severalHeard())
-    return;  // garbage to whoever is there, or for nobody in particular
+    return;  // it would be garbage to the other end, or addressed to nobody
   if (!finder.isFound()) {
     if (client_.link_.canSend()) sendHeartbeat(nowMs);
     return;
@@ -232,7 +234,7 @@ Verdict LinkDoctor::update() {
   if (client_.link_.stream().available() >= kFullRing) agesS_[LateLoop] = 0;
   const uint16_t elapsedMs = since(secondMs_, nowMs);
   if (elapsedMs >= 1000) {
-    secondMs_ = elapsedMs < 2000 ? secondMs_ + 1000 : nowMs;  // what a late loop has not listened to does not count
+    secondMs_ = elapsedMs < 2000 ? secondMs_ + 1000 : nowMs;  // the time that a late loop has missed does not count
     second(nowMs);
   }
   if (askDue_ && client_.link_.canSend() && client_.link_.finder().isFound()) ask();
@@ -249,7 +251,7 @@ void LinkDoctor::second(uint16_t nowMs) {
   speak(nowMs);
 }
 
-// What this second has brought.
+// Evaluates the last second.
 void LinkDoctor::count() {
   const LinkCounters counters = client_.link_.counters();
   if (counters.bytes != bytes_) {
@@ -261,7 +263,7 @@ void LinkDoctor::count() {
   const uint16_t broken = counters.brokenFrames - brokenAtWindow_;
   if (unknown >= kInStep && broken < unknown / 4) {
     agesS_[Frame] = 1;
-    // Somebody who sends no heartbeats: the last frame stands for all.
+    // A sender without heartbeats: the last frame stands for all.
     const FrameParser& frame = client_.link_.frame();
     if (agesS_[Autopilot] > kLostS && agesS_[Other] > kLostS && !isOurs(frame)) {
       speaker_ = Speaker{frame.systemId(), frame.componentId(), 0};
@@ -308,9 +310,9 @@ Verdict LinkDoctor::judge() {
 }
 
 Verdict LinkDoctor::judgeWithoutFrames() {
-  if (agesS_[LateLoop] <= kRecentS) return Verdict::LoopLate;  // no rate could be told so
+  if (agesS_[LateLoop] <= kRecentS) return Verdict::LoopLate;  // no baud rate can be recognised then
   if (baudIndex_ == kOwnBaud) {
-    if (agesS_[Bytes] > 2) return verdict_;  // they have ended as well: another second will show
+    if (agesS_[Bytes] > 2) return verdict_;  // the bytes have ended too: the next second will show
     if (setBaud_ == nullptr) return Verdict::NoFrames;
   }
   if (baudIndex_ == kOwnBaud || listenedS_ >= kDwellS) tryNextBaud();

@@ -1,5 +1,5 @@
-// Something that hears frames beside the running operation. A sketch declares what it needs (MissionFollower, Words,
-// MessageListener); what it does not declare is not in its program.
+// An object that receives frames beside the running operation. A sketch declares the ones that it needs
+// (MissionFollower, MessageListener, TelemetryPause, LinkDoctor); the others are not in its program.
 #pragma once
 
 #include <stdint.h>
@@ -20,17 +20,17 @@ class Listener : private MoreKeys {
   Listener& operator=(const Listener&) = delete;
 
  protected:
-  // Takes a frame of one of the messages, of any sender. Called from update(); may start operations.
+  // Takes a frame of one of the messages, from any sender. Called from update(); may start operations.
   typedef void (*Take)(Listener& listener, const FrameParser& frame);
 
-  // `keys`: of the messages to be heard, in flash. The listener must stay as long as the client.
+  // `keys`: of the messages to be received, in flash. The listener must live as long as the client.
   Listener(MissionClient& client, const MessageKey* keys, uint8_t count, Take take);
 
-  // True if the frame is the autopilot's that the client talks to.
+  // True if the frame is from the client's autopilot.
   bool isFromAutopilot(const FrameParser& frame) const;
 
-  // The next listener behind `one`, or the first if that is null, whose frames are taken by the same function: all of
-  // the client's that are of one kind, this one among them. Null behind the last.
+  // The next listener after `one` (or the first, if that is null) with the same function for its frames: this finds all
+  // of the client's listeners of one kind, this one included. Null after the last.
   const Listener* nextAlike(const Listener* one) const;
 
   Client& client_;

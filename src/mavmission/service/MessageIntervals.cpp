@@ -13,7 +13,7 @@ void MessageIntervals::hear(Listener& listener, const FrameParser& frame) {
 }
 
 bool MessageIntervals::mayAsk(uint16_t nowMs) const {
-  // Commands have no items, nor has clear(); of a plan that is read it is not known yet how many.
+  // Commands and clear() have no items, nor has a download before its MISSION_COUNT.
   const bool isCommanding = client_.isBusy() && client_.itemsTotal() == 0;
   if (isCommanding || !client_.hasAutopilot()) return false;
   for (const Listener* other = nextAlike(nullptr); other != nullptr; other = nextAlike(other)) {

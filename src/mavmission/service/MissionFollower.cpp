@@ -76,8 +76,8 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
   }
 }
 
-// Asks for MISSION_CURRENT when none has come for a while. Whether that was heard is told by what comes then, and not
-// by the answer: PX4 refuses, and sends it all the same.
+// Requests MISSION_CURRENT when none has come for a while. Success is a MISSION_CURRENT, and not the answer to the
+// request: PX4 refuses the request, and sends the message anyway.
 void MissionFollower::takeHeartbeat() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (since(askedMs_, nowMs) >= UploadTransfer::kAnswerMs) isWaiting_ = false;
@@ -88,7 +88,7 @@ void MissionFollower::takeHeartbeat() {
   if (pause_ < kLongestPause) pause_ *= 2;
 }
 
-// The answer to an upload or to a reading names the plan that is aboard.
+// The answer to an upload or a download names the plan aboard.
 void MissionFollower::takeName(uint8_t missionType, uint32_t planId) {
   if (missionType != MAV_MISSION_TYPE_MISSION || planId == 0) return;
   planId_ = planId;
@@ -110,7 +110,7 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
     planId_ = planId;
     patience_ = 0;
   }
-  // PX4 looks at a plan after it has accepted it, and until then says the same of it: it counts when it is said again.
+  // PX4 checks a plan after it has accepted it, and reports no mission until then too: only the second report counts.
   const bool isDoubted = state_ == MissionState::NoMission && planId != 0 && planId == planId_ && isOurPlan();
   if (isDoubted && planId_ == doubtedId_) client_.noteInfeasible();
   doubtedId_ = isDoubted ? planId_ : 0;
@@ -124,7 +124,7 @@ void MissionFollower::takeReached(const FrameParser& frame) {
   mavlink_mission_item_reached_t message;
   frame.copyPayload(&message, sizeof(message));
   const uint16_t item = client_.itemFromWire(message.seq);
-  // PX4 says it again each second while it stays there.
+  // PX4 repeats the message every second while it stays at the item.
   if (item == MissionClient::kNoItem || (item == reached_ && !isNewLeg_)) return;
   reached_ = item;
   isNewLeg_ = false;
@@ -137,6 +137,7 @@ void MissionFollower::takeText(const FrameParser& frame) {
   char text[sizeof(message.text) + 1];
   memcpy(text, message.text, sizeof(message.text));
   text[sizeof(message.text)] = 0;
+  // PX4 accepts a plan first and checks it afterwards.
   if (has(client_.firmware(), kRejectsInWords) && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
     client_.noteInfeasible();
   }

@@ -11,7 +11,8 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-// The fewest that make up nine tenths of the recorded telemetry, the loudest first (test_quiet_transfers.py).
+// The fewest messages that make up nine tenths of the recorded telemetry, those with the most bytes first
+// (test_quiet_transfers.py).
 const PausableMessage kArduPilots[] PROGMEM = {
     {65, 0},   // RC_CHANNELS
     {24, 0},   // GPS_RAW_INT
@@ -56,12 +57,12 @@ constexpr uint8_t kPx4sCount = sizeof(kPx4s) / sizeof(kPx4s[0]);
 static_assert(kArduPilotsCount <= TelemetryPause::kMostMessages && kPx4sCount <= TelemetryPause::kMostMessages,
               "a bit each");
 
-// As commands have it (MAVLink guide, Command Protocol).
+// As for commands (MAVLink guide, Command Protocol).
 constexpr uint8_t kTries = UploadTransfer::kTries;
 constexpr uint16_t kAnswerMs = UploadTransfer::kAnswerMs;
 
-// Without these a transfer or a command could not be followed: HEARTBEAT, the messages of missions and of commands,
-// STATUSTEXT.
+// Messages without which a transfer or a command cannot be followed: HEARTBEAT, STATUSTEXT, those of missions and
+// commands.
 bool isNeeded(uint16_t id) {
   switch (id) {
     case MAVLINK_MSG_ID_HEARTBEAT:
@@ -93,12 +94,12 @@ const TelemetryPause::List& TelemetryPause::list() const {
   return has(client_.firmware(), kStreamsAsArduPilot) ? forArduPilot_ : forOthers_;
 }
 
-// Commands have no items, nor has clear(); of a plan that is read it is not known yet how many.
+// Commands and clear() have no items, nor has a download before its MISSION_COUNT.
 bool TelemetryPause::isTransferring() const {
   return client_.isBusy() && client_.status() == Status::Transferring && client_.itemsTotal() != 0;
 }
 
-// Goes on to the next message that is to be asked for, from index_ on; false if there is none.
+// Goes on to the next message that needs a command, from index_ on; false if there is none.
 bool TelemetryPause::findNext() {
   const List& messages = list();
   if (isHushing_) {
@@ -107,7 +108,7 @@ bool TelemetryPause::findNext() {
   }
   if (messages.count < kMostMessages) muted_ &= bitOf(messages.count) - 1;
   while (muted_ != 0) {
-    if (index_ >= messages.count) index_ = 0;  // round and round, until each was answered
+    if (index_ >= messages.count) index_ = 0;  // again from the start, until each was answered
     if (isNeeded(fromFlash(&messages.messages[index_].id))) muted_ &= ~bitOf(index_);
     if ((muted_ & bitOf(index_)) != 0) return true;
     ++index_;
@@ -145,19 +146,19 @@ void TelemetryPause::askNext(uint16_t nowMs) {
 void TelemetryPause::take(Listener& listener, const FrameParser& frame) {
   TelemetryPause& self = static_cast<TelemetryPause&>(listener);
   const uint16_t nowMs = static_cast<uint16_t>(millis());
-  // The same frame again would be taken for the answer to the next message.
+  // A repeated frame would be mistaken for the answer to the next message's command.
   if (self.isAnswered_ || !self.isAnswer(frame) || !self.mayAsk(nowMs) || frame.sequence() == self.sequence_) return;
   self.sequence_ = frame.sequence();
   self.takeResult(frame.payloadByte(offsetof(mavlink_command_ack_t, result)), nowMs);
 }
 
 void TelemetryPause::takeResult(uint8_t result, uint16_t nowMs) {
-  if (result == MAV_RESULT_TEMPORARILY_REJECTED) return;  // asked for again when the wait is over
+  if (result == MAV_RESULT_TEMPORARILY_REJECTED) return;  // sent again after the timeout
   if (result == MAV_RESULT_IN_PROGRESS) {
     askedMs_ = nowMs;
     return;
   }
-  // What is refused to be given back has no such interval.
+  // If the autopilot refuses to restore the interval, it does not have such a message.
   if (!isHushing_) muted_ &= ~bitOf(index_);
   if (tries_ == 1) {
     settle();
@@ -165,7 +166,7 @@ void TelemetryPause::takeResult(uint8_t result, uint16_t nowMs) {
     ++index_;
     return;
   }
-  // An answer to another try may be on its way still, and could not be told from the answer to the next message.
+  // The answer to another attempt may still come, and could not be told from the answer to the next message's command.
   isAnswered_ = true;
   askedMs_ = nowMs;
 }

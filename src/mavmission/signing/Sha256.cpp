@@ -28,8 +28,9 @@ const uint32_t kRoundConstants[Sha256::kRounds] PROGMEM = {
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2,
 };
 
-// An AVR rotates a word by one bit with an instruction a byte, and by whole bytes in moves; by any other number avr-gcc
-// makes a loop. So each rotation is put together of these, and what two rotations have in common is done once.
+// An AVR rotates a word by one bit with one instruction for each byte, and by whole bytes by moving them; for any other
+// number of bits avr-gcc makes a loop. So each rotation is composed of these two, and steps that two rotations share
+// are done once.
 inline uint32_t left1(uint32_t x) { return x << 1 | x >> 31; }
 inline uint32_t right1(uint32_t x) { return x >> 1 | x << 31; }
 inline uint32_t right8(uint32_t x) { return x >> 8 | x << 24; }
@@ -81,7 +82,7 @@ void Sha256::begin() {
   lengthDue_ = false;
 }
 
-// A word by its place in bytes, around the end: on an AVR cheaper than an index.
+// A word by its offset in bytes, which wraps at the end: on an AVR cheaper than an index.
 inline uint32_t& Sha256::wordAt(uint8_t place) {
   return *reinterpret_cast<uint32_t*>(reinterpret_cast<uint8_t*>(words_) + (place & (kBlock - 4)));
 }
@@ -132,7 +133,7 @@ bool Sha256::work(uint8_t rounds) {
   return isReady();
 }
 
-// The next 8 words of the schedule, from `first` on, in the place of those of 16 rounds ago.
+// Computes the next 8 words of the schedule, from `first` on, in the place of those of 16 rounds ago.
 void Sha256::expand(uint8_t first) {
   uint8_t at = first * 4;
   do {
@@ -155,7 +156,7 @@ void Sha256::doRounds(uint8_t first) {
     const uint32_t majority = (a & v[1]) | (v[2] & (a | v[1]));
     *--v = t + sum0(a) + majority;
   }
-  // They touch, but do not overlap: eight words of 4 bytes each.
+  // The ranges touch, but do not overlap: eight words of 4 bytes each.
   // cppcheck-suppress overlappingWriteFunction
   memcpy(window_ + 8, window_, 8 * sizeof *window_);
 }

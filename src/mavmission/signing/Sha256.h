@@ -1,5 +1,5 @@
-// SHA-256 (FIPS 180-4), a few rounds at a time: a block of 64 bytes takes an AVR longer than anybody is to
-// wait (DESIGN.md, "Signing").
+// SHA-256 (FIPS 180-4), a few rounds at a time: on an AVR a block of 64 bytes takes longer than an update() may take
+// (DESIGN.md, "Signing").
 //
 //   Sha256 sum;
 //   sum.begin();
@@ -24,9 +24,9 @@ class Sha256 {
   static constexpr uint8_t kDigest = 32;       // [bytes]
   static constexpr uint16_t kLongest = 8191;   // message [bytes]: its length in bits is kept in 16 bits
   static constexpr uint8_t kRounds = 64;       // of a block
-  static constexpr uint8_t kRoundsAtOnce = 8;  // work() does its rounds in groups of so many
+  static constexpr uint8_t kRoundsAtOnce = 8;  // work() does its rounds in groups of this size
 
-  // Begins a message. All that was before is forgotten.
+  // Begins a message, and forgets the one before.
   void begin();
 
   // Takes the message's next bytes, as many as the block has room for; returns how many. Only when isReady().
@@ -41,7 +41,7 @@ class Sha256 {
   // Does up to `rounds` rounds, a multiple of kRoundsAtOnce; true when none is left.
   bool work(uint8_t rounds);
 
-  // A byte of the digest, 0 to 31. When work() is done after finish().
+  // A byte of the digest, 0 to 31. Valid when the work after finish() is done.
   uint8_t digest(uint8_t index) const;
 
  private:
@@ -53,12 +53,12 @@ class Sha256 {
   uint32_t& wordAt(uint8_t place);
 
   uint32_t hash_[8];
-  uint32_t words_[16];  // the block, then the 16 words of its schedule that are due
-  // The working variables a to h, at the end of it; a round puts its new a before them. After 8 rounds they lie at the
-  // beginning: so nothing but one word is moved in a round.
+  uint32_t words_[16];  // the block, then the 16 words of the schedule that are needed next
+  // The working variables a to h, at first at the end; a round puts the new a in front of them. After 8 rounds they lie
+  // at the beginning. So a round moves only one word.
   uint32_t window_[16];
   uint16_t length_;     // of the message so far [bytes]
-  uint8_t roundsLeft_;  // of this block; 0: it is being filled
+  uint8_t roundsLeft_;  // of this block; 0: the block is being filled
   bool lengthDue_;      // one more block follows, which holds the message's length
 };
 

@@ -9,7 +9,7 @@ void Signing::begin(const SigningKey& key, uint8_t linkId, const TimestampStore&
   store_ = store;
   key_ = key;
   linkId_ = linkId;
-  // Whatever was reserved may have been used. What is used now must be reserved first.
+  // All reserved times may have been used before the reset. Times must be reserved again before they are used.
   const SigningTime kept = {store.load(store.context), 0};
   moveTo(kept);
   reserved_ = time_.high;
@@ -33,7 +33,7 @@ void Signing::keepTime() {
 bool Signing::maySign() {
   SigningTime next = time_;
   next.advance();
-  // In good time, so that signing need not wait for it. But not before something is to be signed.
+  // Reserves early enough for signing not to wait, but not before something is to be signed.
   const bool isDue = next.high >= reserved_ || (hasMoved_ && next.high + kReserveLeft >= reserved_);
   if (isDue && saving_ == 0) {
     saving_ = next.high + (hasMoved_ ? kReserve : kLeastReserve);
@@ -57,7 +57,7 @@ void Signing::sign(const Piece* pieces, uint8_t count) {
 
 bool Signing::check(const uint8_t* frame, uint16_t length, uint8_t systemId, uint8_t componentId,
                     const uint8_t* signature) {
-  // First what costs little: a replay is not worth hashing.
+  // The cheap check comes first: a replay is not worth hashing.
   if (!isTimely(streamOf(systemId, componentId, signature[0]), SigningTime::read(signature + 1))) return false;
   systemId_ = systemId;
   componentId_ = componentId;
@@ -87,7 +87,7 @@ Signing::Stream* Signing::freeStream() {
   return nullptr;
 }
 
-// Counts what it refuses.
+// Counts the frames that it refuses.
 bool Signing::isTimely(Stream* stream, const SigningTime& time) {
   if (stream != nullptr) {
     if (stream->time.isBefore(time)) return true;
@@ -110,7 +110,7 @@ void Signing::start(Job job) {
   sum_.begin();
 }
 
-// True when the sum is there.
+// True when the hash is complete.
 bool Signing::hash(uint8_t rounds) {
   if (sum_.isReady()) fill();
   if (!sum_.work(rounds)) return false;
@@ -142,19 +142,19 @@ Signing::Done Signing::work(uint8_t rounds) {
 }
 
 Signing::Done Signing::finishChecking() {
-  // All bytes, whatever the first ones are: how long it takes tells nobody how many were right.
+  // Compares all bytes, whatever the first ones are, so that the time does not tell how many were right.
   uint8_t difference = 0;
   for (uint8_t i = 0; i < kSum; ++i) difference |= sum_.digest(i) ^ signature_[kLinkAndTime + i];
   if (difference != 0) {
     ++counters_.wrong;
     return Done::Refused;
   }
-  // Only now: nobody without the key moves a time.
+  // Only now, so that nobody without the key can change a time.
   const SigningTime time = SigningTime::read(signature_ + 1);
   const uint8_t linkId = signature_[0];
   Stream* stream = streamOf(systemId_, componentId_, linkId);
   if (stream == nullptr) stream = freeStream();
-  if (stream == nullptr) return Done::Refused;  // not so: check() found one, and no frame has been accepted since
+  if (stream == nullptr) return Done::Refused;  // cannot happen: check() found one before
   stream->time = time;
   stream->systemId = systemId_;
   stream->componentId = componentId_;

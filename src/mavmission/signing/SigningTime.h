@@ -9,7 +9,7 @@ namespace detail {
 struct SigningTime {
   static constexpr uint8_t kLength = 6;  // on the wire [bytes], little-endian
 
-  uint32_t high;  // what a TimestampStore keeps [0.65536 s]
+  uint32_t high;  // the part that a TimestampStore keeps [0.65536 s]
   uint16_t low;   // [10 us]
 
   static SigningTime read(const uint8_t* wire) {
@@ -29,7 +29,7 @@ struct SigningTime {
     wire[5] = static_cast<uint8_t>(high >> 24);
   }
 
-  // A second of Unix time, 0 if it lies before 2015. Right until March 2104, when 48 bits are used up.
+  // The timestamp of a Unix time [s]; 0 before 2015. Right until March 2104, when 48 bits are used up.
   static SigningTime atUnixTime(uint32_t seconds) {
     constexpr uint32_t kEpoch = 1420070400;  // 1st January 2015 GMT
     seconds = seconds < kEpoch ? 0 : seconds - kEpoch;
@@ -38,12 +38,12 @@ struct SigningTime {
     return SigningTime{seconds / 2048 * 3125 + rest / 2048, static_cast<uint16_t>(rest % 2048 * 32)};
   }
 
-  // The very first is nobody's.
+  // Timestamp 0 means none.
   bool isNone() const { return high == 0 && low == 0; }
 
   bool isBefore(const SigningTime& other) const { return high != other.high ? high < other.high : low < other.low; }
 
-  // A minute later: how far the time of a sender that was not heard before may lie behind.
+  // A minute later: a new stream may be behind by that much.
   SigningTime aMinuteLater() const {
     constexpr uint32_t kMinute = 6000000;  // [10 us]
     SigningTime later;

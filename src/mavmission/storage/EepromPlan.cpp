@@ -9,7 +9,7 @@ namespace {
 constexpr uint8_t kNumbers = 7;  // param1 to z, 4 bytes each, one behind the other in a MissionItem
 constexpr uint8_t kNumberBytes = 4;
 constexpr uint8_t kItemHead = 4;
-constexpr uint8_t kSummed = 3;  // bytes of a bank's head that its checksum is of: sequence and count
+constexpr uint8_t kSummed = 3;  // bytes of a bank's header that the checksum covers: sequence and count
 constexpr uint8_t kNumbersMask = 0x7F;
 constexpr uint8_t kAutocontinue = 0x80;
 constexpr uint8_t kCurrent = 0x80;
@@ -20,7 +20,7 @@ uint8_t lengthOf(uint8_t flags) {
   return length;
 }
 
-// The head: which numbers are not 0, and autocontinue; the frame, and current; the command.
+// The header of an item: which numbers are not 0, and autocontinue; the frame, and current; the command.
 uint8_t pack(const MissionItem& item, uint8_t* bytes) {
   const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
   uint8_t flags = 0;
@@ -68,8 +68,8 @@ void EepromPlan::begin() {
   activate(found);
   isDamaged_ = found == kNone && (readByte(addressOf(0)) == kValid || readByte(addressOf(1)) == kValid);
   if (!isWhole0 || !isWhole1) return;
-  // The power went before the old plan was made invalid. Should the new one ever be damaged, the old one must not come
-  // back.
+  // The power failed before the old plan was made invalid. Should the new one ever be damaged, the old one must not
+  // come back.
   state_ = State::Committing;
   writeMark(target(), kInvalid, Step::DropOld);
 }
@@ -81,7 +81,7 @@ void EepromPlan::activate(uint8_t bank) {
   cachedAddress_ = addressOf(bank) + kHeader;
 }
 
-// The checksum that a bank should have, by its items; 0xFFFF less than its own one if they do not lie within it.
+// The checksum computed from a bank's items; the complement of the stored one if the items do not fit into the bank.
 uint16_t EepromPlan::checksumOf(uint8_t bank) const {
   const uint16_t start = addressOf(bank);
   uint16_t address = start + kHeader;
@@ -104,7 +104,7 @@ bool EepromPlan::isWhole(uint8_t bank) const {
 }
 
 ItemSource EepromPlan::source() {
-  // Without a plan: one item that is refused, for an empty plan would clear what is aboard.
+  // Without a plan: one item that is refused, since uploading an empty plan would clear the plan aboard.
   return ItemSource{readItem, this, hasPlan() ? count_ : 1u};
 }
 
@@ -170,7 +170,7 @@ bool EepromPlan::writeItem(void* plan, uint16_t index, const MissionItem& item) 
 
 bool EepromPlan::isReadyForItem(void* plan) {
   const EepromPlan& to = *static_cast<EepromPlan*>(plan);
-  return to.isReady() || to.state_ != State::Storing;  // a failure is for writeItem() to tell
+  return to.isReady() || to.state_ != State::Storing;  // writeItem() reports a failure
 }
 
 ItemSink EepromPlan::sink() {
@@ -182,7 +182,7 @@ bool EepromPlan::erase() {
   if (isBusy() || !isBegun_) return false;
   state_ = State::Erasing;
   isDamaged_ = false;
-  // First the bank that is not in use: what it held must not come back.
+  // First the bank that is not in use: an old plan in it must not come back.
   writeMark(target(), kInvalid, Step::EraseOther);
   return true;
 }
@@ -208,7 +208,8 @@ EepromPlan::State EepromPlan::update() {
     ++done_;
     return state_;
   }
-  // Read back, for a cell may be worn out. What is written last makes the plan valid: all before it is good then.
+  // Read back, since a cell may be worn out. The byte that makes the plan valid is written last, when all others are
+  // good.
   for (uint8_t i = 0; i < length_; ++i) {
     if (readByte(address_ + i) != buffer_[i]) state_ = State::Failed;
   }
@@ -217,7 +218,7 @@ EepromPlan::State EepromPlan::update() {
   return state_;
 }
 
-// What was to be written is there: what is next.
+// The bytes of a step are written: begins the next step.
 void EepromPlan::stepDone() {
   const uint8_t bank = target();
   switch (step_) {
@@ -242,7 +243,7 @@ void EepromPlan::stepDone() {
     }
     case Step::EraseOther:
       if (active_ != kNone) return writeMark(active_, kInvalid, Step::EraseActive);
-      // Bank 1 may hold what is damaged.
+      // Bank 1 may hold a damaged plan.
       activate(kNone);
       step_ = Step::EraseActive;
       return writeMark(1, kInvalid, Step::EraseActive);

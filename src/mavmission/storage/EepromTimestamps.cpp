@@ -47,7 +47,7 @@ void EepromTimestamps::fillSlot(uint32_t time) {
   slot_[kSlot - 1] = static_cast<uint8_t>(crc >> 8);
 }
 
-// The greatest time of all slots that are whole. One that was being written when the power went is not.
+// The greatest time of all valid slots. A slot that was being written when the power failed is not valid.
 uint32_t EepromTimestamps::loadFrom(void* context) {
   EepromTimestamps& store = *static_cast<EepromTimestamps*>(context);
   uint32_t greatest = 0;
@@ -74,7 +74,7 @@ uint32_t EepromTimestamps::loadFrom(void* context) {
   return greatest;
 }
 
-// A byte takes the EEPROM 3.4 ms: one is begun in a call, when the one before is done.
+// Writing a byte takes 3.4 ms: each call begins one, when the one before is done.
 bool EepromTimestamps::saveTo(void* context, uint32_t time) {
   EepromTimestamps& store = *static_cast<EepromTimestamps*>(context);
 #ifdef __AVR__

@@ -83,10 +83,10 @@ void DecimalText::takeDigit(uint8_t digit) {
   const bool fits = digits_ + zeros_ < kMostDigits;
   if (digit == 0 || !fits) {
     if (digit != 0) isCut_ = true;
-    if (digits_ != 0) ++zeros_;  // else a zero in front of all digits
+    if (digits_ != 0) ++zeros_;  // else a leading zero
     return;
   }
-  // The zeros between are digits now.
+  // The zeros before this digit count now.
   for (++zeros_; zeros_ != 0; --zeros_) {
     uint16_t carry = zeros_ == 1 ? digit : 0;
     for (uint8_t& byte : mantissa_) {
@@ -130,7 +130,7 @@ bool DecimalText::toSteps(uint8_t decimals, uint32_t& magnitude, bool& isExact) 
     rest = number.divide(10);
     if (rest != 0) isExact = false;
   }
-  if (shift < 0) rest = 0;  // all digits are gone, and the next is a 0
+  if (shift < 0) rest = 0;  // all digits are shifted out, and the next one is a 0
   if (number.length() > 4) return false;
   magnitude = number.shiftedRight(0);
   if (magnitude > 0x7FFFFFFF) return false;
@@ -143,7 +143,7 @@ bool DecimalText::toFloat(float& value) const {
   uint32_t bits = isNegative_ ? 0x80000000 : 0;
   if (isNan()) {
     bits |= 0x7FC00000;
-  } else if (digits_ != 0 && exponent() >= -64) {  // below that nothing is left of 19 digits
+  } else if (digits_ != 0 && exponent() >= -64) {  // below that, 19 digits are too small for any float
     // mantissa * 10^exponent = number * 2^binary.
     LongNumber number = significant();
     int16_t binary = exponent();
@@ -152,7 +152,7 @@ bool DecimalText::toFloat(float& value) const {
     if (binary >= 0) {
       number.multiplyByPowerOf5(static_cast<uint8_t>(binary));
     } else {
-      // Moved up far enough, by whole bytes, that more than 26 bits remain of it.
+      // Shifted up by whole bytes, far enough for more than 26 bits to remain.
       const uint8_t power = static_cast<uint8_t>(-binary);
       const uint8_t length = number.length();
       const uint8_t needed = static_cast<uint8_t>((28 + power * 7 / 3 + 7) / 8 + 1);
@@ -174,7 +174,7 @@ bool DecimalText::toFloat(float& value) const {
       for (int16_t place = highest; place >= lowest; --place) mantissa = mantissa << 1 | number.isSet(place);
       const bool isHalf = number.isSet(lowest - 1);
       if (isHalf && ((mantissa & 1) != 0 || isCut || number.hasBitsBelow(lowest - 1))) ++mantissa;
-      // The leading 1 of the mantissa, and a carry out of it, add to the exponent.
+      // The leading 1 of the mantissa, and a carry out of the mantissa, add to the exponent.
       if (exponent2 > -126) mantissa += static_cast<uint32_t>(exponent2 + 126) << 23;
       if (mantissa >= 0x7F800000) return false;
       bits |= mantissa;
@@ -198,13 +198,13 @@ uint8_t placesOf(uint32_t value) {
   return places;
 }
 
-// The nine digits of a finite float that is not 0, and where they stand: digits * 10^exponent.
+// Nine digits of a finite float other than 0, and their exponent: digits * 10^exponent.
 uint32_t nineDigits(uint32_t bits, int16_t& exponent) {
   const uint8_t biased = static_cast<uint8_t>(bits >> 23);
   const uint32_t fraction = bits & 0x007FFFFF;
   const uint32_t mantissa = biased == 0 ? fraction : fraction | 0x00800000;
   const int16_t binary = (biased == 0 ? 1 : biased) - 127 - 23;
-  // From an exponent that makes too many digits down to the one that makes nine.
+  // Begins with an exponent that gives too many digits, and goes on to the one that gives nine.
   exponent = static_cast<int16_t>((binary + 23) * 77 / 256 - 8 - 2);
   for (;; ++exponent) {
     LongNumber number;
@@ -215,7 +215,7 @@ uint32_t nineDigits(uint32_t bits, int16_t& exponent) {
       if (exponent < -60) continue;
       number.multiplyByPowerOf5(static_cast<uint8_t>(-exponent));
     } else {
-      // 12 bytes up: 96 bits above what 5^30 takes away.
+      // 12 bytes up: 96 bits more than division by 5^30 takes away.
       for (uint8_t i = 0; i < 3; ++i) {
         number.setByte(i + 12, number.byteAt(i));
         number.setByte(i, 0);
@@ -255,7 +255,7 @@ void printFloat(float value, char* text) {
     const int16_t raised = exponent + (unit == 1000 ? 3 : unit == 100 ? 2 : 1);
     again.set(shorter, raised, isNegative);
     float found;
-    // Bit by bit is what is meant: -0 and 0 are two texts.  NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+    // Compared bit by bit on purpose: -0 and 0 are two texts.  NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     if (!again.toFloat(found) || memcmp(&found, &value, sizeof(value)) != 0) continue;
     digits = shorter;
     exponent = raised;
@@ -266,7 +266,7 @@ void printFloat(float value, char* text) {
   if (exponent >= 0 && places + exponent <= 10) {  // whole
     text = putDigits(text, digits, places);
     for (; exponent != 0; --exponent) *text++ = '0';
-  } else if (exponent < 0 && places + exponent > -4) {  // a point within, or few zeros behind it
+  } else if (exponent < 0 && places + exponent > -4) {  // a point within the digits, or a few zeros behind the point
     const int16_t before = places + exponent;
     uint32_t unit = 1;
     for (int16_t i = before > 0 ? exponent : -places; i < 0; ++i) unit *= 10;

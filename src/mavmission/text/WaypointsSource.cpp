@@ -33,7 +33,7 @@ int WaypointsSource::next() {
     ++position_;
     return byte;
   }
-  // A file that says there is more, and does not give it, has not ended: its card has.
+  // A file that has bytes available but does not give them has not ended: the card has failed.
   return stream_.available() > 0 ? kUnreadable : kEnd;
 }
 
@@ -65,16 +65,16 @@ WaypointsSource::State WaypointsSource::update() {
     if (isOver) {
       count_ = text_.count();
       size_ = position_;
-      last_.number = 0;  // none was given yet, or line 0 was: it is soon found again
+      last_.number = 0;  // no item was read yet, or line 0 was: it is soon found again
       return state_ = State::Good;
     }
-    if (wasInField && !text_.isInField()) break;  // a number is enough work
+    if (wasInField && !text_.isInField()) break;  // one number is enough work for one call
   }
   return state_;
 }
 
 ItemSource WaypointsSource::source() {
-  // Without a plan: one item that is refused, for an empty plan would clear what is aboard.
+  // Without a plan: one item that is refused, since uploading an empty plan would clear the plan aboard.
   return ItemSource{readItem, this, state_ == State::Good ? count_ : 1u};
 }
 
@@ -101,14 +101,15 @@ WaypointsText::Step WaypointsSource::readLine() {
       step = text_.take(static_cast<char>(byte));
     } else {
       step = byte == kEnd ? text_.end() : WaypointsText::Step::More;
-      // It was longer when it was counted.
+      // The text was longer when it was counted.
       if (step == WaypointsText::Step::More) step = text_.fail(TextError::Unreadable);
     }
     if (step != WaypointsText::Step::More) return step;
   }
 }
 
-// Goes to the line with this number, by halving what it may lie in. The numbers rise from line to line: it was checked.
+// Goes to the line with this number, by halving the part of the text that may contain it. The numbers rise from line to
+// line, as was checked before.
 bool WaypointsSource::find(uint16_t number) {
   Mark low = first_;
   uint32_t end = size_;
@@ -123,7 +124,7 @@ bool WaypointsSource::find(uint16_t number) {
   while (low.number != number && isReadable) {
     const uint32_t middle = low.position + (end - low.position) / 2;
     Mark found = low;
-    // One before: a line that begins in the middle is seen by the end of the one before it.
+    // From one byte earlier: a line that begins in the middle is recognised by the end of the line before it.
     isReadable = middle > low.position && goTo(middle - 1) && readMark(found);
     if (!isReadable) break;
     if (found.number == 0 || found.number > number || found.position >= end) {
@@ -141,7 +142,7 @@ bool WaypointsSource::find(uint16_t number) {
 // The first line with an item that begins behind the present position; number 0: there is none.
 bool WaypointsSource::readMark(Mark& mark) {
   mark.number = 0;
-  bool isPassedOver = true;  // the rest of the line does not matter
+  bool isPassedOver = true;  // the rest of the line is not needed
   for (;;) {
     const uint32_t here = position_;
     const int byte = next();

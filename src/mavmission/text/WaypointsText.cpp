@@ -64,7 +64,7 @@ WaypointsText::Step WaypointsText::take(char c) {
   return isComment_ ? Step::More : takeField(c);
 }
 
-// field_ counts the characters of the header that have been seen.
+// Here field_ counts the characters of the header so far.
 WaypointsText::Step WaypointsText::takeHeader(char c) {
   const uint8_t byte = static_cast<uint8_t>(c);
   const bool mayBeMark = length_ <= sizeof(kByteOrderMark) && field_ == 0;
@@ -145,7 +145,7 @@ TextError WaypointsText::store() {
   return TextError::None;
 }
 
-// Latitude and longitude [1e-7 degrees], or param5 and param6 where there is no place: whole numbers on the wire.
+// Latitude and longitude [1e-7 degrees], or param5 and param6 without coordinates: whole numbers on the wire.
 TextError WaypointsText::storePlace() {
   const bool isPlace = item_.frame != Frame::Mission;
   if (decimal_.isNan()) return TextError::BadNumber;
@@ -180,7 +180,7 @@ WaypointsText::Step WaypointsText::endLine() {
     if (number_ == 0 && (item_.command == kNavWaypoint || item_.command == 0)) firstNumber_ = 1;
     isHome = number_ < firstNumber_;
     const PlanType type = typeOf(item_.command);
-    if (number_ <= firstNumber_) type_ = type;  // home's is overwritten by the first item's
+    if (number_ <= firstNumber_) type_ = type;  // that of home is overwritten by that of the first item
     if (type_ != type) {
       field_ = 4;
       return fail(TextError::MixedKinds);

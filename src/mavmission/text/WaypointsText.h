@@ -1,15 +1,14 @@
-// The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character, item by
-// item: no line is kept, no float is computed with.
+// The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character and given
+// item by item: no line is kept, no float is computed with.
 //
-// Line 0 of such a file is home, which is read and is no item of the plan, if its command is NAV_WAYPOINT, or 0. Any
-// other command there is the first item: so it is in files of fences and rally points, and in those that begin with a
-// takeoff.
+// Line 0 of such a file is home if its command is NAV_WAYPOINT, or 0: it is read, and is no item of the plan. With any
+// other command it is the first item, as in files of fences and rally points, and in those that begin with a takeoff.
 //
 //   QGC WPL 110
 //   number current frame command param1 param2 param3 param4 latitude longitude altitude autocontinue
 //
-// Fields are apart by tabs or blanks. Empty lines and those that begin with # are passed over. Lines end with LF or CR
-// LF, the last one with either or with the text.
+// Fields are separated by tabs or blanks. Empty lines and lines that begin with # are skipped. Lines end with LF or CR
+// LF; the last one may end with the text.
 #pragma once
 
 #include <stdint.h>
@@ -23,47 +22,48 @@
 namespace mavmission {
 namespace detail {
 
-// The reader of such a text.
+// The reader of a .waypoints text.
 class WaypointsText {
  public:
-  // More: nothing whole yet. Item: item() is the next one. Bad: error() says why; nothing more is taken.
+  // More: needs more characters. Item: item() is the next one. Bad: error() says why; further characters are ignored.
   enum class Step : uint8_t { More, Item, Bad };
 
-  // The most items behind home.
+  // The greatest number of items, without home.
   static constexpr uint16_t kMostItems = 0xFFFE;
 
   WaypointsText() { begin(); }
 
-  // Before the first character of a text.
+  // To be called before the first character of a text.
   void begin();
-  // Before the first character of the line with this number, in the midst of a text. Line numbers are not known then.
+  // To be called before the first character of the line with this number, within a text. Line numbers are not known
+  // then.
   MAVMISSION_APART void beginAt(uint16_t number);
 
-  // The next character.
+  // Takes the next character.
   Step take(char c);
-  // The text is over. Item: it ended with an item, and end() is to be called once more. More: it is whole, and good.
+  // To be called at the end of the text. Item: the text ended with an item; call end() once more. More: the text is
+  // complete and good.
   MAVMISSION_APART Step end();
 
   // True if the next character begins a line.
   bool isAtLineStart() const { return length_ == 0; }
 
-  // True within a field. The character that ends one costs most, a number of 19 digits near the smallest float by far
-  // (DESIGN.md, "Plans from text, and in EEPROM").
+  // True within a field. The character that ends a field takes the most time; docs/measurements.md has it.
   bool isInField() const { return isInField_; }
 
-  // The last item, in the sketch's numbers: 0 is the first one that is not home. Until the next character is taken.
+  // The last item, in the sketch's numbers: 0 is the first one after home. Valid until the next character.
   const MissionItem& item() const { return item_; }
   uint16_t count() const { return number_ - firstNumber_; }  // items so far
-  // The number of the first item, as the file counts: 1 behind home, 0 where line 0 is an item. Known behind that line.
+  // The number of the first item in the file: 1 after home, 0 where line 0 is an item. Known after line 0.
   uint8_t firstNumber() const { return firstNumber_; }
-  // What the items are, all of them. Known behind the first one.
+  // The kind of plan. Known after the first item.
   PlanType type() const { return type_; }
 
-  // Why it is bad, and where.
+  // Why the text is bad, and where.
   TextError error() const { return error_; }
   uint16_t errorLine() const { return line_; }   // from 1 on; 0: not known
   uint8_t errorField() const { return field_; }  // from 1 to 12; 0: the line as a whole
-  // Ends the text as bad, for a reason of the reader's.
+  // Ends the text as bad, for a reason that the caller has found.
   MAVMISSION_APART Step fail(TextError error);
 
  private:
@@ -76,14 +76,14 @@ class WaypointsText {
 
   static constexpr uint8_t kFields = 12;
 
-  DecimalText decimal_;  // the field that is being taken
+  DecimalText decimal_;  // the field being taken
   MissionItem item_;
   uint16_t line_;            // from 1 on
-  uint16_t number_;          // of the next line that is no comment, as the file counts
-  uint16_t farthestTarget_;  // of all jumps, as the file counts
-  uint16_t farthestLine_;    // where that is
+  uint16_t number_;          // the file's number of the next line that is no comment
+  uint16_t farthestTarget_;  // of all jumps, as a number of the file
+  uint16_t farthestLine_;    // the line with that jump
   uint8_t length_;           // of the line so far
-  uint8_t field_;            // that is being taken, from 1 on; 0 before the first
+  uint8_t field_;            // the field being taken, from 1 on; 0 before the first
   uint8_t firstNumber_;      // of the first item; 0 up to the end of line 0
   PlanType type_;
   bool isHeader_ : 1;

@@ -24,6 +24,7 @@ namespace detail {
 class CommandTransfer {
  public:
   static constexpr uint8_t kTries = 5;           // guide: 5 tries
+  static constexpr uint8_t kLossyTries = 40;     // on a line that loses: 80 ms apart or more
   static constexpr uint16_t kAnswerMs = 1500;    // wait for an answer (guide: 1500 ms)
   static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
   static constexpr uint8_t kLateAnswersS = 20;   // how long late answers may come, at the most [s]
@@ -60,7 +61,8 @@ class CommandTransfer {
   bool isDue(uint16_t id, uint16_t nowMs) const {
     return state() == State::Due && (tries_ != 0 || id != id_ || since(sentMs_, nowMs) >= waitMs_);
   }
-  void sent(uint16_t id, uint16_t nowMs);
+  // `answerMs`: how long to wait for an answer before it is sent again; less on a line that loses, and then more often.
+  void sent(uint16_t id, uint16_t nowMs, uint16_t answerMs = kAnswerMs);
 
   // A listener has sent a command with this id beside us; our next one with the same id waits until the answer to it
   // has come, or should have.

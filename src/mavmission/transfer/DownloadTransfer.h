@@ -12,15 +12,17 @@
 #include <stdint.h>
 
 #include "../Status.h"
+#include "../base/Pace.h"
 
 namespace mavmission {
 namespace detail {
 
 class DownloadTransfer {
  public:
-  static constexpr uint8_t kTries = 5;       // guide: 5 tries
-  static constexpr uint16_t kListMs = 1500;  // guide: 1500 ms
-  static constexpr uint16_t kItemMs = 250;   // guide: 250 ms for plan items
+  static constexpr uint8_t kTries = 5;         // guide: 5 tries
+  static constexpr uint8_t kLossyTries = 250;  // on a line that loses
+  static constexpr uint16_t kListMs = 1500;    // guide: 1500 ms
+  static constexpr uint16_t kItemMs = 250;     // guide: 250 ms for plan items
 
   enum class State : uint8_t { Listing, Fetching, Closing };
   enum class Send : uint8_t { Nothing, List, Request, Accepted };
@@ -31,11 +33,11 @@ class DownloadTransfer {
   // True if it is the answer to our question.
   bool onCount(uint16_t count);
   // True if it is the item that was asked for; the next one is then asked for.
-  bool onItem(uint16_t item);
+  bool onItem(uint16_t item, uint16_t nowMs, Pace& pace);
   // The item that has just come, and was not taken, is asked for again at once.
   void askAgain();
   Status onAck(uint8_t result) const;
-  Status onTime(uint16_t nowMs);
+  Status onTime(uint16_t nowMs, const Pace& pace);
 
   // What is to be sent next, and the item if it is a request. After it has been handed to the link: sent(), which is
   // true when that was all.

@@ -13,15 +13,19 @@ void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers,
   leftovers_ = leftovers;
 }
 
-Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
-  // Before our COUNT has left, or while it is to be sent again, only an earlier transfer can be asking.
-  if (state_ == State::Counting && send_ != Send::Nothing) return Status::Transferring;
+Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
+  // Before our COUNT has left only an earlier transfer can be asking.
+  if (state_ == State::Counting && tries_ == 0) return Status::Transferring;
   // A request that jumps ahead, or beyond the plan, is no answer to anything that we sent: an autopilot asks for an
   // item only when it has the one before. It moves nothing.
   if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
   if (item == asked_) {
+    pace.learn(since(sentMs_, nowMs), tries_ == 1);
     ++asked_;
+    isOnly_ = true;
+    isUnasked_ = false;
+    isAssumed_ = false;
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
@@ -29,6 +33,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs) {
     return Status::Transferring;
   } else {
     repeated_ = true;
+    if (item + 1u != asked_) isOnly_ = false;
   }
   item_ = item;
   send_ = Send::Item;
@@ -47,15 +52,17 @@ void UploadTransfer::endOlder() {
 }
 
 Status UploadTransfer::onAcceptance() {
+  // An earlier transfer may be what was accepted, if it had fewer items: this one was not seen to come to its end.
+  if (state_ == State::Confirming && isAssumed_ && mayBeAnswered()) return Status::Unconfirmed;
   // PX4 accepts a repeated last item though it has just failed to store the plan.
-  if (state_ == State::Confirming && tries_ != 0 && suspicion_ != Status::Transferring) return Status::Unconfirmed;
+  if (state_ == State::Confirming && isUnasked_ && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
   if (!mayBeAnswered()) return Status::AcceptedEarly;
   suspicion_ = Status::AcceptedEarly;
   return Status::Transferring;
 }
 
-Status UploadTransfer::onAck(uint8_t result) {
+Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
   if (state_ == State::Counting && tries_ == 0)
     return Status::Transferring;  // of something earlier: nothing of ours has left
   const Status status = fromMissionResult(result);
@@ -63,9 +70,15 @@ Status UploadTransfer::onAck(uint8_t result) {
     case Status::Accepted: return onAcceptance();
 
     case Status::InvalidSequence:
-      // Noise while it moves: ArduPilot says so of each item that reaches it twice, and goes on.
-      if (state_ != State::Counting) return Status::Transferring;
-      break;
+      if (state_ == State::Counting) break;
+      // ArduPilot says so of each item that reaches it twice, and goes on. If nothing else was sent since it was asked
+      // for, ArduPilot has it, and it is the next request that was lost.
+      if (state_ == State::Sending && has(firmware_, kRefusesTakenItems) && isOnly_ && tries_ > 1 &&
+          send_ == Send::Nothing) {
+        onRequest(asked_, nowMs, pace);
+        isAssumed_ = true;
+      }
+      return Status::Transferring;
 
     case Status::CancelledByAutopilot:
       // It may have given up our earlier transfer; this one has not begun for it yet.
@@ -89,9 +102,12 @@ Status UploadTransfer::onAck(uint8_t result) {
         send_ = Send::Cancel;
         return Status::Transferring;
       }
-      // To our own repetition ArduPilot says so when it is idle, and will say nothing else: it tells nothing of the
-      // plan.
-      if (state_ == State::Confirming && tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
+      // To our own repetition an idle autopilot says so, and will say nothing else. Behind the last item it tells
+      // nothing of the plan (PX4 accepts it again); before that it has given up, or was restarted.
+      if (isUnasked_ && !(has(firmware_, kSaysErrorWhenBusy) && recounted_)) {
+        if (state_ == State::Sending) return Status::TimedOut;
+        if (!has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
+      }
       // An idle autopilot says so of an item that reaches it after the end, as one that was sent twice may; PX4 says
       // "busy" to our own second COUNT, and goes on. Otherwise it is what became of the item.
       if ((state_ == State::Confirming && repeated_) ||
@@ -108,52 +124,61 @@ Status UploadTransfer::onAck(uint8_t result) {
   return Status::Transferring;
 }
 
-Status UploadTransfer::onTime(uint16_t nowMs) {
+Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  const bool overdue = since(sentMs_, nowMs) >= kAnswerMs;
+  // (Where PX4 may be busy with what was ours, it needs the time.)
+  const bool isHurried = state_ == State::Sending || (pace.isLossy() && !freed_);
+  const bool isOverdue = since(sentMs_, nowMs) >= (isHurried ? pace.againMs() : kAnswerMs);
+  const uint16_t stillMs = since(progressMs_, nowMs);
   switch (state_) {
     case State::Counting:
-      if (!overdue) break;
-      if (tries_ >= kTries) return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
+      if (!isOverdue) break;
+      if (isHurried ? stillMs >= kCountingMs : tries_ >= kTries)
+        return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
       send_ = freed_ ? Send::Cancel : Send::Count;
       break;
 
     case State::Sending:
-      if (since(progressMs_, nowMs) < kPassiveMs) break;
-      return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
+      if (stillMs >= kPassiveMs) return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
+      if (!isOverdue) break;
+      pace.noteLoss();
+      sendAgain();
+      break;
 
     case State::Confirming:
-      if (since(progressMs_, nowMs) >= kConfirmingMs) return Status::Unconfirmed;
-      if (!overdue) break;
-      if (tries_ == kTries) return Status::Unconfirmed;
-      ++tries_;
-      repeated_ = true;
-      item_ = behind_ - 1;
-      send_ = Send::Item;
+      if (stillMs >= kConfirmingMs) return Status::Unconfirmed;
+      if (!isOverdue) break;
+      if (!isHurried && tries_ > kTries) return Status::Unconfirmed;
+      sendAgain();
       break;
   }
   return Status::Transferring;
 }
 
+// What was asked for last.
+void UploadTransfer::sendAgain() {
+  repeated_ = true;
+  isUnasked_ = true;
+  item_ = asked_ - 1;
+  send_ = Send::Item;
+}
+
 void UploadTransfer::sent(uint16_t nowMs) {
-  switch (send_) {
-    case Send::Count:
-      recounted_ = tries_ != 0 || freed_;
-      ++tries_;
-      sentMs_ = nowMs;
-      send_ = Send::Nothing;
-      break;
-    case Send::Cancel: send_ = Send::Count; break;
-    case Send::Item:
-      if (state_ != State::Confirming && item_ + 1u == behind_) {
-        state_ = State::Confirming;
-        suspicion_ = Status::Transferring;
-      }
-      sentMs_ = nowMs;
-      send_ = Send::Nothing;
-      break;
-    case Send::Nothing: break;
+  if (send_ == Send::Cancel) {
+    send_ = Send::Count;
+    return;
   }
+  if (send_ == Send::Count) {
+    recounted_ = tries_ != 0 || freed_;
+  } else {
+    if (state_ != State::Confirming && item_ + 1u == behind_) {
+      state_ = State::Confirming;
+      suspicion_ = Status::Transferring;
+    }
+  }
+  if (tries_ != 255) ++tries_;
+  sentMs_ = nowMs;
+  send_ = Send::Nothing;
 }
 
 }  // namespace detail

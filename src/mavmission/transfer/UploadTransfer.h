@@ -17,15 +17,18 @@
 #include "../Status.h"
 #include "../autopilot/Personality.h"
 #include "../base/Clock.h"
+#include "../base/Pace.h"
 
 namespace mavmission {
 namespace detail {
 
 class UploadTransfer {
  public:
-  static constexpr uint8_t kTries = 5;              // COUNTs, and repeated last items (guide: 5 tries)
-  static constexpr uint16_t kAnswerMs = 1500;       // wait for an answer to either (guide: 1500 ms)
-  static constexpr uint16_t kPassiveMs = 8500;      // ArduPilot asks again each second and gives up after 8.0 s
+  static constexpr uint8_t kTries = 5;          // COUNTs, and repeated last items (guide: 5 tries)
+  static constexpr uint16_t kAnswerMs = 1500;   // wait for an answer to either (guide: 1500 ms)
+  static constexpr uint16_t kPassiveMs = 8500;  // ArduPilot asks again each second and gives up after 8.0 s
+  // The most for all COUNTs on a line that loses: ArduPilot gives up 8 s after the first that it has heard.
+  static constexpr uint16_t kCountingMs = 7500;
   static constexpr uint16_t kConfirmingMs = 12000;  // the most for the final answer, repeats of the last item included
   static constexpr uint8_t kSameRequestMs = 50;     // a repeat within that is a queue being emptied, not a new question
 
@@ -47,9 +50,9 @@ class UploadTransfer {
   }
 
   // What has been heard, and time. Each returns Status::Transferring to go on, or how the transfer has ended.
-  Status onRequest(uint16_t item, uint16_t nowMs);
-  Status onAck(uint8_t result);
-  MAVMISSION_APART Status onTime(uint16_t nowMs);
+  Status onRequest(uint16_t item, uint16_t nowMs, Pace& pace);
+  Status onAck(uint8_t result, uint16_t nowMs, Pace& pace);
+  MAVMISSION_APART Status onTime(uint16_t nowMs, Pace& pace);
 
   // What is to be sent next, and the item if it is one. After it has been handed to the link: sent().
   Send toSend() const { return send_; }
@@ -62,7 +65,7 @@ class UploadTransfer {
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // True if an acceptance may be of an earlier, longer transfer that broke off where this one ends: PX4 then accepts
   // our last item as if it were that one's, repeated, with the sum of what it had until then.
-  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && tries_ != 0; }
+  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && isUnasked_; }
   // The item behind those that the autopilot has asked for, in their order; it holds all of these but the last.
   uint16_t itemsAskedFor() const { return asked_; }
   // True while it will be asked for the item behind those: it may be made ready.
@@ -73,6 +76,7 @@ class UploadTransfer {
  private:
   bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
+  void sendAgain();
   Status onAcceptance();
 
   uint16_t progressMs_;
@@ -83,13 +87,16 @@ class UploadTransfer {
   uint16_t item_;
   State state_;
   Send send_;
-  uint8_t tries_;     // COUNTs sent; then unasked repeats of the last item
+  uint8_t tries_;     // COUNTs sent; then items since the one before asked_ was asked for
   Status suspicion_;  // an answer that may be to an earlier transfer: the reason if no other comes
   Firmware firmware_;
   uint8_t leftovers_;
   bool recounted_;  // COUNT was sent more than once
   bool freed_;      // an open transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
+  bool isUnasked_;  // the item before asked_ was sent again without being asked for
+  bool isOnly_;     // nothing but the item before asked_ was sent since that was asked for
+  bool isAssumed_;  // it is the autopilot's INVALID_SEQUENCE, and no request, that the item before asked_ was sent for
 };
 
 }  // namespace detail
