@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 // ArduPilot calls mavlink_frame_char_buffer(): a frame whose checksum is wrong is given up whole, and the parser waits
 // for the next start. PX4 calls mavlink_parse_char(): the byte that ended such a frame is looked at again, as a start.
