@@ -145,24 +145,26 @@ class Microbit:
              "-monitor", "none", "-chardev", "stdio,id=line,signal=off", "-serial", "chardev:line", "-kernel", elf],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, bufsize=0,
         )  # fmt: skip
+        assert self._qemu.stdin and self._qemu.stdout
+        self._to, self._from = self._qemu.stdin, self._qemu.stdout
         self._answers = b""
         self._await_tick()
 
     def close(self) -> None:
         self._qemu.kill()
         self._qemu.wait()
-        self._qemu.stdin.close()
-        self._qemu.stdout.close()
+        self._to.close()
+        self._from.close()
 
     def __del__(self) -> None:
-        if hasattr(self, "_qemu") and self._qemu.returncode is None:
+        if hasattr(self, "_from") and self._qemu.returncode is None:
             self.close()
 
     # The line to the board
 
     def _hear(self, count: int) -> bytes:
         while len(self._answers) < count:
-            more = os.read(self._qemu.stdout.fileno(), 65536)
+            more = os.read(self._from.fileno(), 65536)
             if not more:
                 raise BoardFailed("QEMU has ended")
             self._answers += more
@@ -171,7 +173,7 @@ class Microbit:
 
     def _say(self, data: bytes) -> None:
         while data:
-            data = data[os.write(self._qemu.stdin.fileno(), data) :]
+            data = data[os.write(self._to.fileno(), data) :]
 
     def _await_tick(self) -> None:
         kind = self._hear(1)

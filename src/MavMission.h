@@ -7,6 +7,7 @@
 
 #include "mavmission/EepromPlan.h"
 #include "mavmission/EepromTimestamps.h"
+#include "mavmission/LatLon.h"
 #include "mavmission/LinkDoctor.h"
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"

@@ -5,10 +5,9 @@
 using namespace mavmission;
 
 // The south-west corner of the field, and the grid's size.
-constexpr Degrees kSouth = -35.3632621_deg;
-constexpr Degrees kWest = 149.1652374_deg;
-constexpr Degrees kLaneLength = 0.0011000_deg;   // 100 m at this latitude
-constexpr Degrees kLaneSpacing = 0.0000180_deg;  // 2 m
+constexpr LatLon kCorner = {-35.3632621_deg, 149.1652374_deg};
+constexpr int32_t kLaneLengthCm = 10000;
+constexpr int32_t kLaneSpacingCm = 200;
 constexpr uint16_t kLanes = 150;
 constexpr Metres kHeight = 15_m;
 
@@ -24,7 +23,8 @@ bool gridItem(void*, uint16_t index, MissionItem& item) {
     const uint16_t lane = (index - 1) / 2;
     const bool isSecondEnd = (index - 1) % 2 != 0;
     const bool isEast = isSecondEnd != (lane % 2 != 0);  // every other lane is flown back
-    item = waypoint(kSouth + kLaneSpacing * lane, isEast ? kWest + kLaneLength : kWest, kHeight);
+    const LatLon end = moved(kCorner, lane * kLaneSpacingCm, isEast ? kLaneLengthCm : 0);
+    item = waypoint(end.latitude, end.longitude, kHeight);
   }
   return true;
 }

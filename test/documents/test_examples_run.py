@@ -60,7 +60,7 @@ def test_grid_from_function(run):
     assert commands(example) == [22, *[16] * 300, 20]
     lanes = [one for one in example.autopilot.received() if one.command == 16][-300:]
     assert len({(one.x, one.y) for one in lanes}) == 300
-    assert {one.y for one in lanes} == {1491652374, 1491652374 + 11000}
+    assert {one.y for one in lanes} == {1491652374, 1491652374 + 11003}  # 100 m at this latitude, on WGS 84
 
 
 def test_download_mission(run):

@@ -12,7 +12,8 @@ import pytest
 from building import ROOT
 
 SUPPORT = ROOT / "test" / "support"
-FOLDERS = {"simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents"}
+FOLDERS = {"simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents",
+           "boards"}  # fmt: skip
 
 
 def is_python(file: Path) -> bool:

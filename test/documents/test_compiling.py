@@ -1,0 +1,30 @@
+"""docs/compiling.md quotes what the compilers print: each message is one that a must-not-compile test demands."""
+
+from __future__ import annotations
+
+import re
+
+from building import ROOT
+
+PAGE = ROOT / "docs" / "compiling.md"
+SNIPPETS = ROOT / "test" / "compile_fail"
+
+
+def test_each_quoted_message_is_demanded_by_a_test():
+    quoted = re.findall(r"^\| `([^`]+)` \|", PAGE.read_text(), re.M)
+    demanded = {said for file in SNIPPETS.glob("*.cpp")
+                for said in re.findall(r"^// expect(?: of \S+)?: (.+)$", file.read_text(), re.M)}  # fmt: skip
+    on_other_boards = (ROOT / "test" / "boards" / "test_cortex_m0.py").read_text()
+    assert len(quoted) > 10
+    assert [message for message in quoted if message not in demanded and message not in on_other_boards] == []
+
+
+def test_each_message_of_the_library_is_on_the_page():
+    headers = "\n".join(file.read_text() for file in (ROOT / "src" / "mavmission").glob("*.h"))
+    impossible = r"(?:N == 0|sizeof\(Other\) == 0|!?literal::\w[^,]*)"
+    templates = re.findall(rf'static_assert\(\s*{impossible},\s*((?:"[^"]*"\s*)+)\)', headers)
+    said = ["".join(re.findall(r'"([^"]*)"', text)) for text in templates]
+    assert len(said) > 6
+    page = PAGE.read_text()
+    quoted = re.findall(r"^\| `([^`]+)` \|", page, re.M)
+    assert [text for text in said if not any(part in text for part in quoted)] == []

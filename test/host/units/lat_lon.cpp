@@ -1,0 +1,59 @@
+// The place so many metres north and east, beside the ellipsoid's radii, summed up in small steps.
+#include "mavmission/LatLon.h"
+
+#include <doctest/doctest.h>
+#include <math.h>
+
+#include <initializer_list>
+
+using namespace mavmission;
+
+namespace {
+
+constexpr double kRadius = 6378137, kFlattening = 1 / 298.257223563;
+constexpr double kSquare = kFlattening * (2 - kFlattening);
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+double meridianRadius(double latitude) {
+  const double sine = sin(latitude * kDegree);
+  return kRadius * (1 - kSquare) / pow(1 - kSquare * sine * sine, 1.5);
+}
+double parallelRadius(double latitude) {
+  const double sine = sin(latitude * kDegree);
+  return kRadius * cos(latitude * kDegree) / sqrt(1 - kSquare * sine * sine);
+}
+
+// [cm]
+double northOf(double from, double to) {
+  double sum = 0;
+  for (int i = 0; i < 100; ++i) sum += meridianRadius(from + (to - from) * (i + 0.5) / 100);
+  return sum * (to - from) * kDegree;
+}
+double eastOf(double latitude, double by) { return parallelRadius(latitude) * by * kDegree * 100; }
+
+}  // namespace
+
+TEST_CASE("a place is moved to within 1 cm and 0.01 % of the way") {
+  for (int degree = -80; degree <= 80; ++degree) {
+    for (int32_t cm : {0, 1, -1, 50, 1000, -10000, 123456, -500000, 1000000, -1000000}) {
+      CAPTURE(degree);
+      CAPTURE(cm);
+      const LatLon from = {Degrees::fromE7(degree * 10000000), Degrees::fromE7(81234567)};
+      const LatLon to = moved(from, cm, -cm);
+      const double allowed = 1 + 1e-4 * fabs(cm);
+      CHECK(fabs(northOf(degree, to.latitude.e7() / 1e7) - cm) < allowed);
+      CHECK(fabs(eastOf(degree, (to.longitude.e7() - 81234567) / 1e7) + cm) < allowed);
+    }
+  }
+}
+
+TEST_CASE("there and back is the same place, and at a pole nothing breaks") {
+  const LatLon from = {-35.3632621_deg, 149.1652374_deg};
+  const LatLon there = moved(from, 0, 12345);
+  const LatLon back = moved(there, 0, -12345);
+  CHECK(back.latitude == from.latitude);
+  CHECK(back.longitude == from.longitude);
+  const LatLon pole = {90_deg, 0_deg};
+  CHECK(moved(pole, 0, 10000).latitude == 90_deg);
+  CHECK(moved(pole, -100, 0).latitude != 90_deg);
+}
