@@ -103,6 +103,11 @@ const char* Referee::sentInUpload(const Message& message) {
       if (message.item != meant) return "an item is sent that is not the plan's";
       const uint8_t bit = static_cast<uint8_t>(1u << message.number);
       const bool isLast = message.number + 1 == items;
+      if (isPresumed && message.number == asked) {
+        open = static_cast<uint8_t>(open | 1u << asked++);
+        sinceNewMs = 0;
+        repeats = copies = isPresumed = 0;
+      }
       const bool isConfirming = isLast && isLastSent;
       if ((open & bit) == 0) {
         if (message.number + 1 != asked) return "an item is sent that was not asked for";
@@ -178,7 +183,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
         sinceNewMs = 0;
         repeats = copies = 0;
         isOnly = true;
-        isAssumed = false;
+        isPresumed = false;
       } else if (message.number + 1 == sentItem && sinceSentMs < kSameRequestMs) {
         return;  // a queue that is being emptied: answered already
       }
@@ -191,10 +196,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       // What was sent twice since it was asked for, and nothing else: it is there.
       if (isUpload() && !isReading && !isPx4(firmware) && message.number == kInvalidSequence && isOnly && copies == 2 &&
           asked < items) {
-        open = static_cast<uint8_t>(open | 1u << asked++);
-        sinceNewMs = 0;
-        repeats = copies = 0;
-        isAssumed = true;
+        isPresumed = true;
       }
       if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;
       return;
@@ -287,9 +289,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
       const bool isExhausted = (repeats == kTries && sinceSentMs >= againMs(kAnswerMs)) || sinceNewMs >= kConfirmingMs;
       const bool isIdle = (heardAcks & (1u << kError)) != 0;
-      // What was accepted may be an earlier transfer's.
-      const bool isInDoubt = isAssumed && (heardAcks & 1) != 0;
-      return isExhausted || isIdle || isInDoubt ? nullptr : "Unconfirmed before the tries were exhausted";
+      return isExhausted || isIdle ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 
     case Status::NoAnswer:

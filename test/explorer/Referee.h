@@ -52,7 +52,7 @@ struct Referee {
   uint8_t isHurried;       // the client takes the line for one that loses
   uint8_t copies;          // of the item before `asked`, since that was asked for; 2 at most
   uint8_t isOnly;          // no other was asked for since
-  uint8_t isAssumed;       // INVALID_SEQUENCE was taken for the last request
+  uint8_t isPresumed;      // the autopilot has the item before `asked`, by its INVALID_SEQUENCE
   uint16_t heardAcks;      // bit r: ACK r was heard
   uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
   uint16_t sinceNewMs;     // since an item was asked for that had not been before, 12000 at most

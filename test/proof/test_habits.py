@@ -20,6 +20,7 @@ FOLDERS = ("src", "examples", "tools", "simulation", "test")
 NOT_OURS = ROOT / "src" / "mavmission" / "mavlink"
 CODE = (".c", ".cpp", ".h", ".in", ".ino", ".py", "")
 BIN = ROOT / "build" / "venv" / "bin"
+MYPY = (BIN / "python", "-m", "mypy")  # which looks for types where that Python looks for modules
 
 
 def files_of(*suffixes: str) -> list[Path]:
@@ -74,7 +75,7 @@ def test_fault_in_python_is_found(tmp_path, fault, rule):
 
 @pytest.mark.slow
 def test_types_of_the_tools_and_of_the_simulated_world_are_right():
-    assert found_by(BIN / "mypy") == ""
+    assert found_by(*MYPY) == ""
 
 
 def test_no_module_of_ours_is_left_out_by_mypy():
@@ -96,7 +97,7 @@ def test_no_module_of_ours_is_left_out_by_mypy():
 )
 def test_wrong_type_is_found(tmp_path, fault):
     (tmp_path / "faulty.py").write_text(fault)
-    said = found_by(BIN / "mypy", "--config-file", ROOT / "mypy.ini", tmp_path / "faulty.py")
+    said = found_by(*MYPY, "--config-file", ROOT / "mypy.ini", tmp_path / "faulty.py")
     assert "faulty.py" in said and "Found 1 error in 1 file" in said
 
 

@@ -8,6 +8,7 @@ their order, with the same payloads. Telemetry, running numbers and the millisec
 from __future__ import annotations
 
 import pytest
+
 from simulation import recordings
 from simulation.fake_autopilot import ArduPilot, Px4, mavlink
 from simulation.fake_autopilot.frames import FrameSplitter, decode, packed

@@ -3,8 +3,8 @@
 The library's own MissionClient, compiled for this computer, puts a plan of five items aboard models of both
 autopilots (test/explorer), in simulated time, over a line of 57600 baud; so do a client without retries
 (rates/NoRetries.cpp), one with the usual rule (rates/UsualRule.cpp) and one that answers each request that it hears
-(rates/Strategies.cpp, number 0). The models hear bytes through the autopilots' own parsers (simulation/hearing). The n-th
-frame of a direction, or its n-th byte, is lost or not by the seed alone. The table in the documents is made by
+(rates/Strategies.cpp, number 0). The models hear bytes through the autopilots' own parsers (simulation/hearing). The
+n-th frame of a direction, or its n-th byte, is lost or not by the seed alone. The table in the documents is made by
 
     build/venv/bin/python test/support/rates.py --write-docs
 """

@@ -18,8 +18,7 @@ from .plan import KINDS, Item, Plan, Step
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
-PARTS = ("autopilot/Commands", "autopilot/KeptValue", "base/FloatBits", "client/Status", "plan/Comparison",
-         "plan/ItemField", "plan/ItemSource", "plan/WirePlan")  # fmt: skip
+PARTS = ("Commands", "Comparison", "FloatBits", "ItemField", "ItemSource", "KeptValue", "Status", "WirePlan")
 
 # As judge.cpp checks them, by their names here.
 AUTOPILOTS = ("ardupilot", "px4", "any")
@@ -167,9 +166,10 @@ def statuses() -> tuple[str, ...]:
 @functools.cache
 def program() -> Path:
     """The judge, compiled from the library's sources as they are now."""
+    from simulation.firmware import library_file
     from simulation.host_build import FAST, HostProgramNotBuilt, build_host
 
-    library = [ROOT / "src" / "mavmission" / f"{part}.cpp" for part in PARTS]
+    library = [library_file(f"{part}.cpp") for part in PARTS]
     try:
         return build_host("plan_judge", [SOURCE], "g++", FAST, library=library)
     except HostProgramNotBuilt as error:

@@ -25,7 +25,6 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
     ++asked_;
     isOnly_ = true;
     isUnasked_ = false;
-    isAssumed_ = false;
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
@@ -52,8 +51,6 @@ void UploadTransfer::endOlder() {
 }
 
 Status UploadTransfer::onAcceptance() {
-  // An earlier transfer may be what was accepted, if it had fewer items: this one was not seen to come to its end.
-  if (state_ == State::Confirming && isAssumed_ && mayBeAnswered()) return Status::Unconfirmed;
   // PX4 accepts a repeated last item though it has just failed to store the plan.
   if (state_ == State::Confirming && isUnasked_ && suspicion_ != Status::Transferring) return Status::Unconfirmed;
   if (state_ == State::Confirming || behind_ == first_) return Status::Accepted;
@@ -72,11 +69,11 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
     case Status::InvalidSequence:
       if (state_ == State::Counting) break;
       // ArduPilot says so of each item that reaches it twice, and goes on. If nothing else was sent since it was asked
-      // for, ArduPilot has it, and it is the next request that was lost.
+      // for, ArduPilot has it, and it is the next request that was lost. (Not so that for the last item, where an
+      // acceptance may be an earlier transfer's: a newer ArduPilot says so of every item while that is on its way.)
       if (state_ == State::Sending && has(firmware_, kRefusesTakenItems) && isOnly_ && tries_ > 1 &&
-          send_ == Send::Nothing) {
+          send_ == Send::Nothing && !(mayBeAnswered() && asked_ + 1u == behind_)) {
         onRequest(asked_, nowMs, pace);
-        isAssumed_ = true;
       }
       return Status::Transferring;
 

@@ -96,7 +96,6 @@ class UploadTransfer {
   bool repeated_;   // an item was sent more than once
   bool isUnasked_;  // the item before asked_ was sent again without being asked for
   bool isOnly_;     // nothing but the item before asked_ was sent since that was asked for
-  bool isAssumed_;  // it is the autopilot's INVALID_SEQUENCE, and no request, that the item before asked_ was sent for
 };
 
 }  // namespace detail
