@@ -39,6 +39,8 @@ class FedStream : public Stream {
   size_t write(uint8_t byte) override { return write(&byte, 1); }
   size_t write(const uint8_t* data, size_t size) override {
     begun_.insert(begun_.end(), data, data + size);
+    // Zeros between frames are no frame, and do nothing.
+    while (!begun_.empty() && begun_.front() == 0) begun_.erase(begun_.begin());
     while (begun_.size() >= kAround && begun_.size() >= kAround + begun_[1]) {
       const auto end = begun_.begin() + kAround + begun_[1];
       frames->push_back(Bytes(begun_.begin(), end));
@@ -70,6 +72,18 @@ uint16_t leftOf(uint16_t waitMs, uint16_t sinceMs) {
 void keep(uint16_t& timeMs, uint16_t stepMs, uint16_t mostMs) {
   const uint16_t ago = since(timeMs, static_cast<uint16_t>(kNow + stepMs));
   timeMs = static_cast<uint16_t>(kNow - std::min(ago, mostMs));
+}
+
+// Of very many tries those between the first and the last ones are all the same. `most`: 0 if they do not end by their
+// number.
+void foldTries(uint8_t& tries, uint8_t most) {
+  constexpr uint8_t kFirst = 6, kLast = 1;
+  if (tries <= kFirst) return;
+  if (most == 0) {
+    tries = kFirst;
+  } else if (tries < most - kLast) {
+    tries = static_cast<uint8_t>(most - kLast);
+  }
 }
 
 template <typename T>
@@ -148,23 +162,41 @@ uint16_t ClientUnderTest::nextMs() const {
   uint16_t next = kNever;
   if (!c.link_.parser_.isIdle()) next = leftOf(FrameParser::kSilenceMs, c.link_.state_.heardByteMs);
   if (c.state_.status != Status::Transferring || !c.isBusy()) return next;
+  const bool isLossy = isHurried();
+  const uint16_t againMs = c.link_.state_.pace.againMs();
   if (c.state_.operation == MissionClient::uploadStep) {
     const UploadTransfer& t = c.transfer_;
+    const bool isHurried = t.state_ == UploadTransfer::State::Sending || (isLossy && !t.freed_);
+    next = std::min(next, leftOf(isHurried ? againMs : UploadTransfer::kAnswerMs, t.sentMs_));
     switch (t.state_) {
+<<<<<<< HEAD
       case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kCountMs, t.sentMs_));
       case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
       case UploadTransfer::State::Confirming:
         return std::min({next, leftOf(UploadTransfer::kLastItemMs, t.sentMs_),
                          leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
+=======
+      case UploadTransfer::State::Counting: return next;
+      case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
+      case UploadTransfer::State::Confirming:
+        return std::min(next, leftOf(UploadTransfer::kConfirmingMs, t.progressMs_));
+>>>>>>> boards
     }
   }
   if (c.state_.operation == MissionClient::readStep) {
     const DownloadTransfer& t = c.reading_.transfer;
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
-    return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
+    const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
+    return std::min(next, leftOf(isLossy ? againMs : waitMs, t.sentMs_));
   }
+<<<<<<< HEAD
   const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
   return std::min(next, leftOf(ClearTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs_));
+=======
+  const bool waits = c.clearing_.tries == 0 && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
+  if (waits) return std::min(next, leftOf(UploadTransfer::kAnswerMs, c.state_.unsettledMs));
+  return std::min(next, leftOf(isLossy ? againMs : UploadTransfer::kAnswerMs, c.clearing_.sentMs));
+>>>>>>> boards
 }
 
 void ClientUnderTest::rest(uint16_t ms, bool isLast) {
@@ -176,6 +208,10 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   link.sequence = link.heardSequence = 0;
   link.sequenceKnown = false;
   link.heartbeatMs = kNow;
+  link.damage = 0;
+  // One pace for all lines, and slower than on a quick one: what there is between two repeats is the same.
+  link.pace.roundTripMs_ = kRoundTripMs;
+  link.pace.busyMs_ = 0;
   c.link_.finder_.heardMs_ = c.link_.finder_.firstMs_ = kNow;
   if (parser.isIdle()) {
     const bool inStep = parser.inStep_;
@@ -218,10 +254,17 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     UploadTransfer& t = c.transfer_;
     keep(t.sentMs_, ms, UploadTransfer::kCountMs);
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
-    if (t.state_ == UploadTransfer::State::Counting) t.progressMs_ = kNow;
+    foldTries(t.tries_, 0);
+    if (t.state_ == UploadTransfer::State::Sending) t.tries_ = std::min<uint8_t>(t.tries_, 2);
   } else if (c.state_.operation == MissionClient::readStep) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
+    foldTries(c.reading_.transfer.tries_, isHurried() ? DownloadTransfer::kLossyTries : 0);
   } else {
+<<<<<<< HEAD
     keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);
+=======
+    keep(c.clearing_.sentMs, ms, UploadTransfer::kAnswerMs);
+    foldTries(c.clearing_.tries, isHurried() ? 40 : 0);
+>>>>>>> boards
   }
 }

@@ -32,6 +32,9 @@ class ClientUnderTest {
   Doing run(uint16_t ms, const uint8_t* bytes, size_t length, bool isLast);
   // Until it does something of its own accord [ms], or kNever.
   uint16_t nextMs() const;
+  // The line has been seen to lose: it sends again sooner, and more often.
+  bool isHurried() const { return client().link_.state_.pace.isLossy(); }
+  static constexpr uint16_t kRoundTripMs = 200;
   bool isBusy() const { return client().isBusy(); }
   mavmission::Aboard aboard() const { return client().aboard(); }
 

@@ -59,9 +59,9 @@ const char* Referee::sent(const Message& message, Firmwares firmware) {
   if (!isRunning) return "a frame is sent after the end";
   if (task.operation == Operation::Clear) {
     if (message.kind != Kind::ClearAll) return "a frame is sent that is not CLEAR_ALL";
-    if (clears == kTries) return "CLEAR_ALL is sent too often";
-    if (clears != 0 && sinceSentMs < kAnswerMs) return "CLEAR_ALL is sent again too early";
-    ++clears;
+    if (clears == kTries && !isHurried) return "CLEAR_ALL is sent too often";
+    if (clears != 0 && sinceSentMs < againMs(kAnswerMs)) return "CLEAR_ALL is sent again too early";
+    if (clears < kTries) ++clears;
     sinceSentMs = 0;
     return nullptr;
   }
@@ -89,10 +89,11 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Count:
       if (asked != 0) return "COUNT is sent in mid-transfer";
       if (message.number != items) return "COUNT is sent with a wrong number";
-      if (counts == kTries) return "COUNT is sent too often";
-      if (counts != 0 && sinceSentMs < kAnswerMs && hasFreed != kJustNow) return "COUNT is sent again too early";
+      if (counts == kTries && !isHurried) return "COUNT is sent too often";
+      if (counts != 0 && sinceSentMs < againMs(kAnswerMs) && hasFreed != kJustNow)
+        return "COUNT is sent again too early";
       if (hasFreed) hasFreed = kBefore;
-      ++counts;
+      if (counts < kTries) ++counts;
       return nullptr;
 
     case Kind::Item: {
@@ -102,14 +103,21 @@ const char* Referee::sentInUpload(const Message& message) {
       if (message.item != meant) return "an item is sent that is not the plan's";
       const uint8_t bit = static_cast<uint8_t>(1u << message.number);
       const bool isLast = message.number + 1 == items;
-      if ((open & bit) == 0) {
-        if (!isLast || !isLastSent) return "an item is sent that was not asked for";
-        if (sinceSentMs < kAnswerMs) return "the last item is repeated too early";
-        if (repeats == kTries) return "the last item is repeated too often";
-        ++repeats;
+      if (isPresumed && message.number == asked) {
+        open = static_cast<uint8_t>(open | 1u << asked++);
+        sinceNewMs = 0;
+        repeats = copies = isPresumed = 0;
       }
+      const bool isConfirming = isLast && isLastSent;
+      if ((open & bit) == 0) {
+        if (message.number + 1 != asked) return "an item is sent that was not asked for";
+        if (sinceSentMs < againMs(isConfirming ? kAnswerMs : kPatienceMs)) return "an item is repeated too early";
+        if (isConfirming && repeats == kTries && !isHurried) return "the last item is repeated too often";
+      }
+      if ((isLastSent || (open & bit) == 0) && repeats < kTries) ++repeats;
       open = static_cast<uint8_t>(open & ~bit);
       sentItem = static_cast<uint8_t>(message.number + 1);
+      if (copies < 2) ++copies;
       if (isLast) isLastSent = true;
       return nullptr;
     }
@@ -120,7 +128,7 @@ const char* Referee::sentInUpload(const Message& message) {
       if (hasFreed && sinceSentMs < kAnswerMs) return "an older transfer is cancelled again too early";
       if (!hasFreed) counts = 0;  // as many tries again: PX4 gives it up by itself 5 s after it has heard something
       hasFreed = kJustNow;
-      asked = open = sentItem = isLastSent = repeats = 0;
+      asked = open = sentItem = isLastSent = repeats = copies = 0;
       sinceNewMs = 0;
       return nullptr;
 
@@ -136,16 +144,16 @@ const char* Referee::sentInReading(const Message& message) {
   switch (message.kind) {
     case Kind::List:
       if (isCounted) return "REQUEST_LIST is sent in mid-transfer";
-      if (lists == kTries) return "REQUEST_LIST is sent too often";
-      if (lists != 0 && sinceSentMs < kAnswerMs) return "REQUEST_LIST is sent again too early";
-      ++lists;
+      if (lists == kTries && !isHurried) return "REQUEST_LIST is sent too often";
+      if (lists != 0 && sinceSentMs < againMs(kAnswerMs)) return "REQUEST_LIST is sent again too early";
+      if (lists < kTries) ++lists;
       return nullptr;
 
     case Kind::Request:
       if (!isCounted || message.number != received || received == announced) return "a wrong item is asked for";
-      if (requests == kTries) return "an item is asked for too often";
-      if (requests != 0 && sinceSentMs < kItemMs) return "an item is asked for again too early";
-      ++requests;
+      if (requests == kTries && !isHurried) return "an item is asked for too often";
+      if (requests != 0 && sinceSentMs < againMs(kItemMs)) return "an item is asked for again too early";
+      if (requests < kTries) ++requests;
       return nullptr;
 
     case Kind::Ack:
@@ -173,14 +181,23 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       if (message.number == asked) {
         ++asked;
         sinceNewMs = 0;
+        repeats = copies = 0;
+        isOnly = true;
+        isPresumed = false;
       } else if (message.number + 1 == sentItem && sinceSentMs < kSameRequestMs) {
         return;  // a queue that is being emptied: answered already
       }
+      if (message.number + 1 != asked) isOnly = false;
       open = static_cast<uint8_t>(open | 1u << message.number);
       return;
 
     case Kind::Ack:
       heardAcks = static_cast<uint16_t>(heardAcks | 1u << message.number);
+      // What was sent twice since it was asked for, and nothing else: it is there.
+      if (isUpload() && !isReading && !isPx4(firmware) && message.number == kInvalidSequence && isOnly && copies == 2 &&
+          asked < items) {
+        isPresumed = true;
+      }
       if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;
       return;
 
@@ -240,8 +257,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   const char* const untrue = untrueAboard(status, said, autopilot, before);
   if (untrue != nullptr) return untrue;
 
-  const bool isListedOut = lists == kTries && !isCounted && sinceSentMs >= kAnswerMs;
-  const bool isReadOut = isListedOut || (isCounted && requests == kTries && sinceSentMs >= kItemMs);
+  const bool isListedOut = lists == kTries && !isCounted && sinceSentMs >= againMs(kAnswerMs);
+  const bool isReadOut = isListedOut || (isCounted && requests == kTries && sinceSentMs >= againMs(kItemMs));
   switch (status) {
     case Status::Accepted:
       if (!isUpload()) return "an end that this operation does not have";
@@ -270,21 +287,24 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     case Status::Unconfirmed: {
       if (!isUpload() || (!isLastSent && !isReading)) return "Unconfirmed before the last item was sent";
       if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
-      const bool isExhausted = (repeats == kTries && sinceSentMs >= kAnswerMs) || sinceNewMs >= kConfirmingMs;
+      const bool isExhausted = (repeats == kTries && sinceSentMs >= againMs(kAnswerMs)) || sinceNewMs >= kConfirmingMs;
       const bool isIdle = (heardAcks & (1u << kError)) != 0;
       return isExhausted || isIdle ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 
     case Status::NoAnswer:
       if (task.operation == Operation::Clear) {
-        return clears == kTries && sinceSentMs >= kAnswerMs ? nullptr : "NoAnswer before the tries were exhausted";
+        return clears == kTries && sinceSentMs >= againMs(kAnswerMs) ? nullptr
+                                                                     : "NoAnswer before the tries were exhausted";
       }
       if (isReading) return isListedOut ? nullptr : "NoAnswer before the tries were exhausted";
-      if (counts >= kTries && asked == 0 && sinceSentMs >= kAnswerMs) return nullptr;
+      if (counts >= kTries && asked == 0 && sinceSentMs >= againMs(kAnswerMs)) return nullptr;
       return "NoAnswer before the tries were exhausted";
 
     case Status::TimedOut:
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
+      // An error to a repeat says that there is no transfer any more.
+      if (asked != 0 && repeats != 0 && (heardAcks & (1u << kError)) != 0) return nullptr;
       return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
 
     case Status::Cancelled: return nullptr;

@@ -22,6 +22,8 @@ struct Referee {
   static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 12000,
                             kSameRequestMs = 50;
+  // Between two of what may be sent again: on a line that has been seen to lose, and for an item on one that has not.
+  static constexpr uint16_t kHurriedMs = 2 * 200, kPatienceMs = 4 * 200;
 
   Task task;
   uint8_t items;  // of the plan on the wire
@@ -47,6 +49,10 @@ struct Referee {
   uint8_t mayFree;         // what shows that an older transfer is open was heard
   uint8_t hasEndedOne;     // an operation of this client has ended, since the Arduino was reset
   uint8_t hasEndedBefore;  // before this one
+  uint8_t isHurried;       // the client takes the line for one that loses
+  uint8_t copies;          // of the item before `asked`, since that was asked for; 2 at most
+  uint8_t isOnly;          // no other was asked for since
+  uint8_t isPresumed;      // the autopilot has the item before `asked`, by its INVALID_SEQUENCE
   uint16_t heardAcks;      // bit r: ACK r was heard
   uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
   uint16_t sinceNewMs;     // since an item was asked for that had not been before, 12000 at most
@@ -63,6 +69,7 @@ struct Referee {
   bool isUpload() const { return task.operation <= Operation::UploadVerified; }
 
  private:
+  uint16_t againMs(uint16_t otherwiseMs) const { return isHurried ? kHurriedMs : otherwiseMs; }
   const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                            const Autopilot* before) const;
   const char* sentInUpload(const Message& message);

@@ -113,6 +113,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
   for (bool isFirst = true; again; isFirst = false) {
     again = false;
     const Doing doing = client_.run(isFirst ? ms : 0, bytes.data(), isFirst ? bytes.size() : 0, isLastTask(scenario));
+    referee_.isHurried = client_.isHurried();
     if (doing.isRestless) outcome.broken = "the client does not come to rest";
     // It ended before what it sends behind the end: a cancellation, which the referee then expects.
     const auto takeEnd = [&] {

@@ -33,7 +33,11 @@ class ClientOnLine {
 
   uint32_t nowMs() const { return nowMs_; }
 
-  void hear(const FrameParts& parts) { line.bring(packed(parts)); }
+  // A frame of the peer's, the next by its sequence number: nothing was lost.
+  void hear(FrameParts parts) {
+    parts.sequence = sequence_++;
+    line.bring(packed(parts));
+  }
 
   // An update() each millisecond, and a heartbeat each second.
   void run(uint32_t ms) {
@@ -72,6 +76,10 @@ class ClientOnLine {
   void note(const Bytes& bytes) {
     unread_ = unread_ + bytes;
     while (unread_.size() > 2) {
+      if (unread_[0] == 0) {  // what fills before a repeat
+        unread_.erase(unread_.begin());
+        continue;
+      }
       const bool isV2 = unread_[0] == 0xFD;
       const size_t header = isV2 ? 10 : 6;
       const size_t length = header + unread_[1] + 2;
@@ -85,6 +93,7 @@ class ClientOnLine {
   }
 
   uint8_t autopilot_;
+  uint8_t sequence_ = 0;
   uint32_t nowMs_;
   Bytes unread_;
 };

@@ -1,4 +1,4 @@
-// A client that puts a plan of five items aboard, as the measurement drives it: messages and time in, messages out.
+// A client that puts a plan of five items aboard, as the measurement drives it: bytes and time in, bytes out.
 #pragma once
 
 #include <stdint.h>
@@ -18,10 +18,11 @@ std::vector<uint8_t> wireItems(Firmwares firmware);
 class Client {
  public:
   virtual ~Client() = default;
-  // A frame that was not lost.
-  virtual void hear(const Message& message, uint32_t nowMs) = 0;
-  // Called each millisecond; adds what it sends. Not called any more when it has ended.
-  virtual void run(uint32_t nowMs, std::vector<Message>& sent) = 0;
+  // Bytes that have arrived.
+  virtual void hear(const Bytes& bytes, uint32_t nowMs) = 0;
+  // Called some times in each millisecond; the bytes that it sends, `room` at most. Not called any more when it has
+  // ended.
+  virtual Bytes run(uint32_t nowMs, size_t room) = 0;
   virtual bool hasEnded() const = 0;
   // Once it has ended: whether it says that the plan is aboard, its status in a word, and what it says is aboard
   // ("NotKnown" where it says nothing).
@@ -30,7 +31,10 @@ class Client {
   virtual std::string aboard() const { return "NotKnown"; }
 };
 
-// MissionClient with upload(), or with uploadWithoutReadback().
-std::unique_ptr<Client> makeMissionClient(Firmwares firmware, bool byAnswer);
+// MissionClient with upload(), with uploadWithoutReadback(), or with upload(plan, Readback::Always).
+enum class Proven : uint8_t { ByAnswer, InDoubt, Always };
+std::unique_ptr<Client> makeMissionClient(Firmwares firmware, Proven proven);
 std::unique_ptr<Client> makeNoRetries(Firmwares firmware);
 std::unique_ptr<Client> makeUsualRule(Firmwares firmware);
+// Strategies 0, 1, 2, 3 and 5 (Strategies.cpp).
+std::unique_ptr<Client> makeStrategy(Firmwares firmware, int number);

@@ -1,8 +1,5 @@
-// The library's own MissionClient as a Client: frames become the bytes that its stream gives, and what it writes
-// becomes messages again. A frame that is not as it must be ends the program.
+// The library's own MissionClient as a Client: its stream is a hardware serial port's, with a ring of its own.
 #include <Arduino.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #include "../explorer/Plans.h"
 #include "Client.h"
@@ -14,7 +11,7 @@ using namespace mavmission::detail;
 
 namespace {
 
-constexpr size_t kAround = 12;             // header and checksum of a MAVLink 2 frame
+constexpr size_t kRing = 63;               // of a Mega's serial port
 constexpr uint32_t kStartMs = 0xFFFFF000;  // millis() wraps soon, in 16 bits and in 32
 
 const char* nameOf(Status status) {
@@ -37,34 +34,27 @@ const char* nameOf(Aboard aboard) {
 
 class OurClient : public ::Client {
  public:
-  OurClient(Firmwares firmware, bool byAnswer) : firmware_(firmware), client_(begun(stream_)) {
+  explicit OurClient(Proven proven) : client_(begun(stream_)) {
     const ItemSource plan = inRam(sketchPlan(kPlan), kItems);
-    if (byAnswer) {
-      client_.uploadWithoutReadback(plan);
-    } else {
-      client_.upload(plan);
+    switch (proven) {
+      case Proven::ByAnswer: client_.uploadWithoutReadback(plan); return;
+      case Proven::InDoubt: client_.upload(plan); return;
+      case Proven::Always: client_.upload(plan, Readback::Always); return;
     }
   }
 
-  void hear(const Message& message, uint32_t) override { stream_.bring(frameOf(message, firmware_)); }
+  // What there is no room for is lost.
+  void hear(const Bytes& bytes, uint32_t) override {
+    const size_t room = kRing - stream_.toRead.size();
+    stream_.bring(bytes.size() <= room ? bytes : Bytes(bytes.begin(), bytes.begin() + static_cast<long>(room)));
+  }
 
-  void run(uint32_t nowMs, std::vector<Message>& sent) override {
+  Bytes run(uint32_t nowMs, size_t room) override {
     setMillis(kStartMs + nowMs);
+    stream_.room = static_cast<int>(room);
     const Status status = client_.update();
     if (isEnd(status)) status_ = nameOf(status);
-    std::vector<uint8_t>& bytes = stream_.written;
-    while (bytes.size() >= kAround && bytes.size() >= kAround + bytes[1]) {
-      const size_t length = kAround + bytes[1];
-      const bool isHeartbeat = bytes[7] == 0 && bytes[8] == 0 && bytes[9] == 0;
-      Message message = ::message(Kind::Heartbeat);
-      const char* const wrong = isHeartbeat ? nullptr : decode(bytes.data(), length, firmware_, message);
-      if (wrong != nullptr) {
-        fprintf(stderr, "%s\n", wrong);
-        exit(3);
-      }
-      sent.push_back(message);
-      bytes.erase(bytes.begin(), bytes.begin() + static_cast<long>(length));
-    }
+    return stream_.takeWritten();
   }
 
   bool hasEnded() const override { return !status_.empty(); }
@@ -78,7 +68,6 @@ class OurClient : public ::Client {
     return stream;
   }
 
-  const Firmwares firmware_;
   MemoryStream stream_;
   MissionClient client_;
   std::string status_;
@@ -86,6 +75,6 @@ class OurClient : public ::Client {
 
 }  // namespace
 
-std::unique_ptr<::Client> makeMissionClient(Firmwares firmware, bool byAnswer) {
-  return std::unique_ptr<::Client>(new OurClient(firmware, byAnswer));
+std::unique_ptr<::Client> makeMissionClient(Firmwares, Proven proven) {
+  return std::unique_ptr<::Client>(new OurClient(proven));
 }

@@ -3,52 +3,38 @@
 // request is answered by its item, a repeated one too; then it waits 1500 ms for the next request or the final ACK, 5
 // times at most, and says that the upload failed when nothing has come. ACCEPTED ends it well, any other ACK badly.
 // What became of a final ACK that was lost it does not find out.
-#include "Client.h"
+#include "PlainClient.h"
 
 namespace {
 
-class UsualRule : public Client {
+class UsualRule : public PlainClient {
  public:
-  explicit UsualRule(Firmwares firmware) : items_(wireItems(firmware)) {}
-
-  void hear(const Message& message, uint32_t nowMs) override {
-    if (message.kind == Kind::Ack) end(message.number == kAccepted ? "Accepted" : "Refused");
-    if (message.kind != Kind::Request || message.number >= items_.size()) return;
-    isAsked_ = true;
-    waits_ = 0;
-    waitingMs_ = nowMs;
-    answers_.push_back(::message(Kind::Item, message.number, items_[message.number]));
-  }
-
-  void run(uint32_t nowMs, std::vector<Message>& sent) override {
-    sent.insert(sent.end(), answers_.begin(), answers_.end());
-    answers_.clear();
-    if (waits_ != 0 && nowMs - waitingMs_ < kWaitMs) return;
-    if (waits_ == kTries) return end("TimedOut");
-    ++waits_;
-    if (!isAsked_) sent.push_back(message(Kind::Count, static_cast<uint16_t>(items_.size())));
-    // The first wait behind a request began with it.
-    if (!isAsked_ || waits_ > 1) waitingMs_ = nowMs;
-  }
-
-  bool hasEnded() const override { return !status_.empty(); }
-  bool saysAccepted() const override { return status_ == "Accepted"; }
-  std::string status() const override { return status_; }
+  explicit UsualRule(Firmwares firmware) : PlainClient(firmware) {}
 
  private:
   static constexpr uint32_t kWaitMs = 1500;
   static constexpr int kTries = 5;
 
-  void end(const char* status) {
-    if (status_.empty()) status_ = status;
+  void hear(const Message& message, uint32_t nowMs) override {
+    if (message.kind == Kind::Ack) return end(message.number == kAccepted ? "Accepted" : "Refused");
+    isAsked_ = true;
+    waits_ = 0;
+    waitingMs_ = nowMs;
+    send(Kind::Item, message.number);
   }
 
-  const std::vector<uint8_t> items_;
-  std::vector<Message> answers_;
+  void act(uint32_t nowMs) override {
+    if (waits_ != 0 && nowMs - waitingMs_ < kWaitMs) return;
+    if (waits_ == kTries) return end("TimedOut");
+    ++waits_;
+    if (!isAsked_) send(Kind::Count, static_cast<uint16_t>(items().size()));
+    // The first wait behind a request began with it.
+    if (!isAsked_ || waits_ > 1) waitingMs_ = nowMs;
+  }
+
   uint32_t waitingMs_ = 0;
   int waits_ = 0;  // that have begun since something was heard
   bool isAsked_ = false;
-  std::string status_;
 };
 
 }  // namespace

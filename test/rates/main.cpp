@@ -1,31 +1,52 @@
-// rates: uploads of a plan of five items on a line that loses frames at random, one line of output each. See usage().
+// rates: uploads of a plan of five items on a line that loses frames or bytes at random, one line of output each. See
+// usage().
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <deque>
+#include <map>
+
+#include "../../simulation/hearing/Hearing.h"
 #include "../explorer/Autopilot.h"
-#include "../explorer/Line.h"
 #include "../explorer/Plans.h"
 #include "Client.h"
 
 namespace {
 
+constexpr uint32_t kStepUs = 250;  // how often a client runs
+constexpr uint32_t kMs = 1000;     // [us]
 constexpr uint32_t kHeartbeatMs = 1000;
 constexpr uint32_t kGivesUpMs = 600000;  // an upload that has not ended then never will
+constexpr size_t kRing = 63;             // bytes that a serial port of the client's holds, each way
+constexpr unsigned kBaud = 57600;
+// From a message to the answer, without the line: seen.
+constexpr uint32_t kArduPilotUs = 6000, kPx4Us = 500;
+constexpr size_t kTransmitBuffer = 800;
+constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
 
 [[noreturn]] void usage(const char* problem) {
   fprintf(
       stderr,
       "%s\n"
-      "usage: rates AUTOPILOT CLIENT PERCENT SEEDS\n"
+      "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY]]]\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
-      "  CLIENT     upload, upload-by-answer (the library's), no-retries or usual-rule (for comparison)\n"
-      "  PERCENT    of the frames that are lost, in both directions: 0 to 100\n"
+      "  CLIENT     upload, upload-by-answer, upload-verified (the library's), no-retries, usual-rule, strategy-0, "
+      "-1,\n"
+      "             -2, -3 or -5 (for comparison)\n"
+      "  LOST       frames or bytes\n"
+      "  PERCENT    of them that are lost, in both directions: 0 to 100\n"
       "  SEEDS      uploads: those of the seeds 0 to SEEDS - 1\n"
+      "  BAUD       of the line; 57600 if it is not given\n"
+      "  LOOP       how seldom the client runs [ms]; by default four times in each\n"
+      "  TELEMETRY  what the autopilot sends unasked [bytes/s]; by default 1100 from PX4 and none from ArduPilot\n"
       "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
       "client\n"
-      "says is aboard, whether that is true, and the time from the first COUNT to the end [ms]. An upload that does\n"
-      "not end has `never` in the place of how it ended.\n",
+      "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
+      "client has sent from COUNT on; how many COUNTs and items it has sent that nobody asked for, how many zeros "
+      "between\n"
+      "frames, and how many bytes of zeros and of what was sent before. An upload that does not end has "
+      "`never` in the place of how it ended.\n",
       problem);
   exit(2);
 }
@@ -37,15 +58,16 @@ unsigned number(const char* text, unsigned long most) {
   return static_cast<unsigned>(value);
 }
 
-// Who sends, and what: the n-th frame of each is lost or not by the seed alone, whichever client runs.
-enum Channel { kFromClient, kFromAutopilot, kHeartbeats, kChannels };
+// Who sends, and what: the n-th frame of each, or the n-th byte of a direction, is lost or not by the seed alone,
+// whichever client runs.
+enum Channel { kFromClient, kFromAutopilot, kUnasked, kBytesUp, kBytesDown, kChannels };
 
-// Which frames are lost: numbers that depend on nothing but seed, channel and position (SplitMix64).
+// What is lost: numbers that depend on nothing but seed, channel and position (SplitMix64).
 class Losses {
  public:
   Losses(unsigned percent, unsigned seed) : percent_(percent), seed_(seed) {}
   bool isNextLost(Channel channel) {
-    uint64_t x = (uint64_t(seed_) << 34) ^ (uint64_t(channel) << 32) ^ next_[channel]++;
+    uint64_t x = (uint64_t(seed_) << 38) ^ (uint64_t(channel) << 32) ^ next_[channel]++;
     x += 0x9E3779B97F4A7C15u;
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
     x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
@@ -54,22 +76,71 @@ class Losses {
 
  private:
   const unsigned percent_, seed_;
-  uint32_t next_[kChannels] = {0, 0, 0};
+  uint32_t next_[kChannels] = {0, 0, 0, 0, 0};
 };
 
-bool isSent(Line& line, const Message& message) {
-  if (line.send(message)) return true;
-  fprintf(stderr, "more frames are on the line than it has room for\n");
-  exit(3);
+// One direction: what is put in follows what is on its way, and comes out when its last byte has left.
+class Way {
+ public:
+  explicit Way(unsigned baud) : byteUs_(10e6 / baud) {}
+  // `length`: of what was sent, which takes its time also where it is lost.
+  void put(const Bytes& bytes, size_t length, uint32_t nowUs) {
+    freeUs_ = (freeUs_ > nowUs ? freeUs_ : nowUs) + byteUs_ * static_cast<double>(length);
+    pieces_.push_back(Piece{freeUs_, bytes});
+  }
+  bool take(uint32_t nowUs, Bytes& bytes) {
+    if (pieces_.empty() || pieces_.front().leftUs > nowUs) return false;
+    bytes = pieces_.front().bytes;
+    pieces_.pop_front();
+    return true;
+  }
+  // How many bytes have not left yet.
+  size_t waiting(uint32_t nowUs) const {
+    return freeUs_ > nowUs ? static_cast<size_t>((freeUs_ - nowUs) / byteUs_ + 0.999) : 0;
+  }
+
+ private:
+  struct Piece {
+    double leftUs;
+    Bytes bytes;
+  };
+  const double byteUs_;
+  double freeUs_ = 0;
+  std::deque<Piece> pieces_;
+};
+
+// A frame as this sender sends it now: with its running number, and without the zeros at the end of its payload.
+Bytes numbered(const Bytes& frame, uint8_t sequence) {
+  Bytes bytes(frame.begin(), frame.end() - 2);
+  while (bytes.size() > 11 && bytes.back() == 0) bytes.pop_back();
+  bytes[1] = static_cast<uint8_t>(bytes.size() - 10);
+  bytes[4] = sequence;
+  const uint32_t id = static_cast<uint32_t>(bytes[7] | bytes[8] << 8 | bytes[9] << 16);
+  uint16_t crc = X25_INIT_CRC;
+  for (size_t i = 1; i < bytes.size(); ++i) crc_accumulate(bytes[i], &crc);
+  crc_accumulate(mavlink_get_msg_entry(id)->crc_extra, &crc);
+  bytes.push_back(static_cast<uint8_t>(crc));
+  bytes.push_back(static_cast<uint8_t>(crc >> 8));
+  return bytes;
 }
+
+uint32_t idOf(const Bytes& frame) { return static_cast<uint32_t>(frame[7] | frame[8] << 8 | frame[9] << 16); }
 
 class Upload {
  public:
-  Upload(Firmwares firmware, std::unique_ptr<Client> client, unsigned percent, unsigned seed)
-      : client_(std::move(client)), losses_(percent, seed), heartbeatMs_(seed * 37 % kHeartbeatMs) {
+  Upload(Firmwares firmware, std::unique_ptr<Client> client, bool byBytes, unsigned percent, unsigned seed,
+         unsigned baud, unsigned loopMs, unsigned telemetryPerSecond)
+      : client_(std::move(client)),
+        losses_(percent, seed),
+        byBytes_(byBytes),
+        heartbeatMs_(seed * 37 % kHeartbeatMs),
+        telemetryUs_(seed * 1237 % 30000),
+        loopUs_(loopMs != 0 ? loopMs * kMs : kStepUs),
+        telemetryPerSecond_(telemetryPerSecond),
+        hearing_(firmware == Firmwares::Px4 ? HeardBy::Px4 : HeardBy::ArduPilot),
+        up_(baud),
+        down_(baud) {
     memset(static_cast<void*>(&autopilot_), 0, sizeof(autopilot_));
-    memset(static_cast<void*>(&up_), 0, sizeof(up_));
-    memset(static_cast<void*>(&down_), 0, sizeof(down_));
     autopilot_.firmware = firmware;
     autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
     autopilot_.hold(kOldPlan, kItems);
@@ -77,50 +148,127 @@ class Upload {
   }
 
   void run() {
-    while (!client_->hasEnded() && nowMs_ < kGivesUpMs) step();
+    while (!client_->hasEnded() && nowUs_ / kMs < kGivesUpMs) step();
   }
 
   void print(unsigned seed) const {
     const std::string status = client_->hasEnded() ? client_->status() : "never";
-    printf("%u %s %d %s %d %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
-           isTrue(client_->aboard()), nowMs_ - countedMs_);
+    printf("%u %s %d %s %d %u %u %u %u %u\n", seed, status.c_str(), isAboard(), client_->aboard().c_str(),
+           isTrue(client_->aboard()), (nowUs_ - countedUs_) / kMs, sent_, unasked_, zeros_, repeated_);
   }
 
  private:
   void step() {
-    ++nowMs_;
-    autopilot_.pass(1);
-    up_.pass(1);
-    down_.pass(1);
-    for (int due = up_.first(); due >= 0 && up_.frames[due].dueMs == 0; due = up_.first()) {
-      Answers answers;
-      const Message message = up_.take(due, Fate::Delivered);
-      autopilot_.hear(message, answers);
-      answer(answers);
+    nowUs_ += kStepUs;
+    if (nowUs_ % kMs == 0) {
+      autopilot_.pass(1);
+      if (nowUs_ / kMs % kHeartbeatMs == heartbeatMs_) say(message(Kind::Heartbeat), nowUs_);
+    }
+    Bytes bytes;
+    while (up_.take(nowUs_, bytes)) {
+      for (uint8_t byte : bytes) {
+        if (hearing_.take(byte)) hear();
+      }
     }
     while (autopilot_.nextMs() == 0) {
       Answers answers;
       autopilot_.act(answers);
-      answer(answers);
+      answer(answers, nowUs_);
     }
-    if (nowMs_ % kHeartbeatMs == heartbeatMs_ && !losses_.isNextLost(kHeartbeats)) {
-      isSent(down_, message(Kind::Heartbeat));
+    sendTelemetry();
+    while (!answers_.empty() && answers_.front().first <= nowUs_) {
+      say(answers_.front().second, nowUs_);
+      answers_.pop_front();
     }
-    for (int due = down_.first(); due >= 0 && down_.frames[due].dueMs == 0; due = down_.first()) {
-      client_->hear(down_.take(due, Fate::Delivered), nowMs_);
-    }
-    std::vector<Message> sent;
-    client_->run(nowMs_, sent);
-    for (const Message& one : sent) {
-      if (one.kind == Kind::Heartbeat) continue;  // it moves nothing in an autopilot
-      if (one.kind == Kind::Count && countedMs_ == 0) countedMs_ = nowMs_;
-      if (!losses_.isNextLost(kFromClient)) isSent(up_, one);
-    }
+    while (down_.take(nowUs_, bytes)) client_->hear(bytes, nowUs_ / kMs);
+    if (nowUs_ % loopUs_ != 0) return;
+    const size_t waiting = up_.waiting(nowUs_);
+    take(client_->run(nowUs_ / kMs, waiting < kRing ? kRing - waiting : 0));
   }
 
-  void answer(const Answers& answers) {
-    for (int i = 0; i < answers.count; ++i) {
-      if (!losses_.isNextLost(kFromAutopilot)) isSent(down_, answers.messages[i]);
+  // What the autopilot's parser has found.
+  void hear() {
+    uint8_t frame[MAVLINK_MAX_PACKET_LEN];
+    const uint16_t length = hearing_.bytesOf(frame);
+    Message message;
+    // (Damage that the checksum does not find is as good as none: it is another message than those that we know.)
+    if (hearing_.heard().msgid == MAVLINK_MSG_ID_HEARTBEAT) return;
+    const char* const wrong = decode(frame, length, autopilot_.firmware, message);
+    if (wrong != nullptr) {
+      if (byBytes_) return;
+      fprintf(stderr, "%s\n", wrong);
+      exit(3);
+    }
+    Answers answers;
+    autopilot_.hear(message, answers);
+    answer(answers, nowUs_ + (autopilot_.firmware == Firmwares::Px4 ? kPx4Us : kArduPilotUs));
+  }
+
+  void answer(const Answers& answers, uint32_t atUs) {
+    for (int i = 0; i < answers.count; ++i) answers_.push_back(std::make_pair(atUs, answers.messages[i]));
+  }
+
+  void say(const Message& message, uint32_t nowUs) {
+    if (message.kind == Kind::Request) ++requests_[message.number];
+    put(frameOf(message, autopilot_.firmware), message.kind == Kind::Heartbeat ? kUnasked : kFromAutopilot, nowUs);
+  }
+
+  // Something goes out of the autopilot.
+  void put(const Bytes& frame, Channel channel, uint32_t nowUs) {
+    const Bytes bytes = numbered(frame, sequence_++);
+    const bool isLost = !byBytes_ && losses_.isNextLost(channel);
+    down_.put(isLost ? Bytes() : byBytes_ ? damaged(bytes, kBytesDown) : bytes, bytes.size(), nowUs);
+  }
+
+  void sendTelemetry() {
+    if (telemetryPerSecond_ == 0 || nowUs_ < telemetryUs_) return;
+    static const Bytes frame = telemetry();
+    telemetryUs_ += static_cast<uint32_t>(1000000 * frame.size() / telemetryPerSecond_);
+    if (down_.waiting(nowUs_) > kTransmitBuffer) return;  // it leaves out what it has no room for
+    put(frame, kUnasked, nowUs_);
+  }
+
+  Bytes damaged(const Bytes& bytes, Channel channel) {
+    Bytes left;
+    for (uint8_t byte : bytes) {
+      if (!losses_.isNextLost(channel)) left.push_back(byte);
+    }
+    return left;
+  }
+
+  // What is a repeat, and what of it nobody asked for.
+  void note() {
+    if (begun_[0] != MAVLINK_STX) {
+      zeros_ += static_cast<unsigned>(begun_.size());
+      repeated_ += static_cast<unsigned>(begun_.size());
+      return;
+    }
+    const uint32_t id = idOf(begun_);
+    if (id == MAVLINK_MSG_ID_HEARTBEAT) return;
+    Message sent = message(Kind::Ack);
+    if (decode(begun_.data(), begun_.size(), autopilot_.firmware, sent) != nullptr) return;
+    const int often = ++sentOften_[std::make_pair(id, sent.number)];
+    if (often > 1) repeated_ += static_cast<unsigned>(begun_.size());
+    if (sent.kind == Kind::Item && often > requests_[sent.number]) ++unasked_;
+    if (sent.kind == Kind::Count && often > 1) ++unasked_;
+  }
+
+  // What the client has written: frames, and the bytes between them.
+  void take(const Bytes& bytes) {
+    for (uint8_t byte : bytes) {
+      begun_.push_back(byte);
+      if (countedUs_ != 0) ++sent_;
+      const bool isFrame = begun_[0] == MAVLINK_STX;
+      if (isFrame && (begun_.size() < 12 || begun_.size() < begun_[1] + 12u)) continue;
+      if (isFrame && countedUs_ == 0 && idOf(begun_) == MAVLINK_MSG_ID_MISSION_COUNT) {
+        countedUs_ = nowUs_;
+        sent_ = static_cast<unsigned>(begun_.size());
+      }
+      const bool isHeartbeat = isFrame && idOf(begun_) == MAVLINK_MSG_ID_HEARTBEAT;
+      const bool isLost = !byBytes_ && isFrame && losses_.isNextLost(isHeartbeat ? kUnasked : kFromClient);
+      note();
+      up_.put(isLost ? Bytes() : byBytes_ ? damaged(begun_, kBytesUp) : begun_, begun_.size(), nowUs_);
+      begun_.clear();
     }
   }
 
@@ -147,19 +295,35 @@ class Upload {
 
   const std::unique_ptr<Client> client_;
   Losses losses_;
+  const bool byBytes_;
   const uint32_t heartbeatMs_;
+  uint32_t telemetryUs_;
+  const uint32_t loopUs_;
+  const unsigned telemetryPerSecond_;
   Autopilot autopilot_;
   Autopilot before_;
-  Line up_, down_;
-  uint32_t nowMs_ = 0;
-  uint32_t countedMs_ = 0;
+  Hearing hearing_;
+  Way up_, down_;
+  std::deque<std::pair<uint32_t, Message>> answers_;
+  Bytes begun_;
+  uint8_t sequence_ = 0;
+  uint32_t nowUs_ = 0;
+  uint32_t countedUs_ = 0;
+  unsigned sent_ = 0;
+  unsigned unasked_ = 0, zeros_ = 0, repeated_ = 0;
+  std::map<uint16_t, int> requests_;                        // of the autopilot's, by item
+  std::map<std::pair<uint32_t, uint16_t>, int> sentOften_;  // by message, and item if it is one
 };
 
 std::unique_ptr<Client> makeClient(const char* name, Firmwares firmware) {
-  if (strcmp(name, "upload") == 0) return makeMissionClient(firmware, false);
-  if (strcmp(name, "upload-by-answer") == 0) return makeMissionClient(firmware, true);
+  if (strcmp(name, "upload") == 0) return makeMissionClient(firmware, Proven::InDoubt);
+  if (strcmp(name, "upload-by-answer") == 0) return makeMissionClient(firmware, Proven::ByAnswer);
+  if (strcmp(name, "upload-verified") == 0) return makeMissionClient(firmware, Proven::Always);
   if (strcmp(name, "no-retries") == 0) return makeNoRetries(firmware);
   if (strcmp(name, "usual-rule") == 0) return makeUsualRule(firmware);
+  for (int strategy : {0, 1, 2, 3, 5}) {
+    if (name == "strategy-" + std::to_string(strategy)) return makeStrategy(firmware, strategy);
+  }
   usage("no such client");
 }
 
@@ -168,6 +332,11 @@ Firmwares firmwareNamed(const char* name) {
   if (strcmp(name, "LateArduPilot") == 0) return Firmwares::LateArduPilot;
   if (strcmp(name, "PX4") == 0) return Firmwares::Px4;
   usage("no such autopilot");
+}
+
+bool isByBytes(const char* lost) {
+  if (strcmp(lost, "bytes") != 0 && strcmp(lost, "frames") != 0) usage("frames or bytes are lost");
+  return strcmp(lost, "bytes") == 0;
 }
 
 }  // namespace
@@ -180,12 +349,17 @@ std::vector<uint8_t> wireItems(Firmwares firmware) {
 }
 
 int main(int argc, char** argv) {
-  if (argc != 5) usage("four arguments are wanted");
+  if (argc < 6 || argc > 9) usage("five to eight arguments are wanted");
   const Firmwares firmware = firmwareNamed(argv[1]);
-  const unsigned percent = number(argv[3], 100);
-  const unsigned seeds = number(argv[4], 1000000);
+  const bool byBytes = isByBytes(argv[3]);
+  const unsigned percent = number(argv[4], 100);
+  const unsigned seeds = number(argv[5], 1000000);
+  const unsigned baud = argc > 6 ? number(argv[6], 10000000) : kBaud;
+  const unsigned loopMs = argc > 7 ? number(argv[7], 10000) : 0;
+  const unsigned telemetry = argc > 8 ? number(argv[8], 1000000) : firmware == Firmwares::Px4 ? kPx4Telemetry : 0;
+  if (baud == 0) usage("a number is missing or too large");
   for (unsigned seed = 0; seed < seeds; ++seed) {
-    Upload upload(firmware, makeClient(argv[2], firmware), percent, seed);
+    Upload upload(firmware, makeClient(argv[2], firmware), byBytes, percent, seed, baud, loopMs, telemetry);
     upload.run();
     upload.print(seed);
   }

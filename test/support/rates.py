@@ -1,9 +1,10 @@
-"""How often an upload succeeds on a line that loses frames at random: the library beside two plainer clients.
+"""How often an upload succeeds on a line that loses frames or bytes at random: the library beside plainer clients.
 
 The library's own MissionClient, compiled for this computer, puts a plan of five items aboard models of both
-autopilots (test/explorer), in simulated time; so do a client without retries (rates/NoRetries.cpp) and one with the
-usual rule (rates/UsualRule.cpp). The n-th frame of a direction is lost or not by the seed alone, so that all four meet
-the same line. The table in the documents is made by
+autopilots (test/explorer), in simulated time, over a line of 57600 baud; so do a client without retries
+(rates/NoRetries.cpp), one with the usual rule (rates/UsualRule.cpp) and one that answers each request that it hears
+(rates/Strategies.cpp, number 0). The models hear bytes through the autopilots' own parsers (simulation/hearing). The
+n-th frame of a direction, or its n-th byte, is lost or not by the seed alone. The table in the documents is made by
 
     build/venv/bin/python test/support/rates.py --write-docs
 """
@@ -25,6 +26,7 @@ from simulation.host_build import FAST, HOST, build_host  # noqa: E402
 from truth import longest_s  # noqa: E402
 
 RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
+HEARING = ROOT / "simulation" / "hearing" / "Hearing.cpp"
 MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
 
 # Name on the command line -> in words.
@@ -32,12 +34,13 @@ AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", 
 CLIENTS = {
     "no-retries": "without retries",
     "usual-rule": "usual rule",
+    "strategy-0": "an item for each request",
     "upload-by-answer": "`uploadWithoutReadback()`",
     "upload": "`upload()`",
 }
 OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it
 FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]  # as test_explorer.py, so that the objects are the same
-PERCENTS = (5, 25, 40)
+LINES = (("frames", 5), ("frames", 25), ("frames", 40), ("bytes", 1), ("bytes", 3), ("bytes", 5))  # what is lost [%]
 SEEDS = 200
 
 
@@ -51,6 +54,10 @@ class Upload:
     aboard: str  # what the client says is aboard
     is_aboard_true: bool
     took_s: float  # from the first COUNT
+    bytes_sent: int  # by the client in that time
+    repeated_unasked: int  # COUNTs and items
+    zeros: int  # between frames
+    bytes_repeated: int  # zeros, and what was sent before
 
     @property
     def is_success(self) -> bool:
@@ -73,39 +80,50 @@ def limit_s(autopilot: str, client: str) -> float:
 
 @functools.cache
 def build_rates(library: tuple[Path, ...] | None = None) -> Path:
-    sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), HOST / "Frames.cpp"]
+    sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), HOST / "Frames.cpp", HEARING]
     return build_host("rates", sources, "g++", FLAGS, library=library)
 
 
 @functools.cache
-def uploads(autopilot: str, client: str, percent: int, seeds: int, program: Path | None = None) -> tuple[Upload, ...]:
+def uploads(
+    autopilot: str, client: str, lost: str, percent: int, seeds: int, program: Path | None = None, baud: int = 57600,
+    loop_ms: int = 0, telemetry: int | None = None,
+) -> tuple[Upload, ...]:
     """The ends of the uploads with the seeds from 0 on. Raises RuntimeError if the program fails."""
-    words = [program or build_rates(), autopilot, client, str(percent), str(seeds)]
+    words = [program or build_rates(), autopilot, client, lost, *map(str, (percent, seeds, baud, loop_ms))]
+    words += [str(telemetry)] if telemetry is not None else []
     ran = subprocess.run(words, capture_output=True, text=True, check=False)
     if ran.returncode != 0:
         raise RuntimeError(f"{' '.join(map(str, words))}: {ran.stderr}")
     found = []
     for line in ran.stdout.splitlines():
-        seed, status, is_aboard, aboard, is_true, ms = line.split()
-        found.append(Upload(int(seed), status, is_aboard == "1", aboard, is_true == "1", int(ms) / 1000))
+        seed, status, is_aboard, aboard, is_true, ms, *counts = line.split()
+        end = Upload(int(seed), status, is_aboard == "1", aboard, is_true == "1", int(ms) / 1000, *map(int, counts))
+        found.append(end)
     return tuple(found)
 
 
-def rows(seeds: int = SEEDS, percents: tuple[int, ...] = PERCENTS) -> list[list[str]]:
+def rows(seeds: int = SEEDS, lines: tuple[tuple[str, int], ...] = LINES) -> list[list[str]]:
     """The table, its head first: a row for each client on each line."""
-    table = [["frames lost", "client", *(f"Accepted, {name}" for name in AUTOPILOTS.values()), "aboard, unsaid",
-              "false Accepted", "median", "longest"]]  # fmt: skip
-    for percent in percents:
+    table = [["lost", "client", *(f"Accepted, {name}" for name in AUTOPILOTS.values()), "aboard, unsaid",
+              "false Accepted", *(f"median, {name}" for name in AUTOPILOTS.values())]]  # fmt: skip
+    for lost, percent in lines:
         for client, name in CLIENTS.items():
-            by_autopilot = [uploads(autopilot, client, percent, seeds) for autopilot in AUTOPILOTS]
+            by_autopilot = [uploads(autopilot, client, lost, percent, seeds) for autopilot in AUTOPILOTS]
             ends = [end for one in by_autopilot for end in one]
-            times = sorted(end.took_s for end in ends)
             table.append([
-                f"{percent} %", name, *(share(sum(end.is_success for end in one), len(one)) for one in by_autopilot),
+                f"{percent} % of {lost}", name,
+                *(share(sum(end.is_success for end in one), len(one)) for one in by_autopilot),
                 str(sum(end.is_aboard_unsaid for end in ends)), str(sum(end.is_false_acceptance for end in ends)),
-                f"{times[len(times) // 2]:.1f} s", f"{times[-1]:.1f} s",
+                *(median_s(one) for one in by_autopilot),
             ])  # fmt: skip
     return table
+
+
+def median_s(ends: tuple[Upload, ...]) -> str:
+    """Of the successes, from the first COUNT."""
+    times = sorted(end.took_s for end in ends if end.is_success)
+    return f"{times[len(times) // 2]:.1f} s" if times else "-"
 
 
 def share(part: int, whole: int) -> str:
@@ -119,7 +137,7 @@ def for_documents() -> str:
     note = (
         f"Uploads of five items, {SEEDS} for each autopilot on each line, by `test/support/rates.py`. "
         "Unsaid: the plan was\naboard, and the client did not say so, "
-        f"of {SEEDS * len(AUTOPILOTS)}; times are from the first COUNT to the end."
+        f"of {SEEDS * len(AUTOPILOTS)}; times are those of the successes, from the first COUNT."
     )
     return f"{note}\n\n{aligned(rows(), left=2)}"
 

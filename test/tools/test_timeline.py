@@ -47,8 +47,8 @@ def at(began: float, label: str = "ITEM", direction: str = ">", for_s: float = 0
 
 def test_readme_shows_each_picture_that_its_commands_draw():
     drawn = [picture for _, picture in COMMANDS]
-    assert drawn == re.findall(r"\]\((docs/(?:upload|recovered)\.svg)\)", README.read_text())
-    assert len(drawn) == 2
+    assert drawn == re.findall(r"\]\((docs/(?:upload|recovered|lossy)\.svg)\)", README.read_text())
+    assert len(drawn) == 3
 
 
 @pytest.mark.slow

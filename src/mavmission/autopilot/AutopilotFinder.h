@@ -36,8 +36,12 @@ class AutopilotFinder : public FinderRules {
       heartbeat_ = heartbeat;
     }
   }
+  // It has said something else.
+  void onFrame(uint16_t nowMs) { heardMs_ = nowMs; }
   MAVMISSION_APART void onTime(uint16_t nowMs);
 
+  // True if an autopilot is heard.
+  bool isHeard() const { return heard_; }
   // True if an autopilot is heard and it is clear which one we talk to.
   bool isFound() const { return heard_ && !severalHeard_; }
   // True if isFound(), and a second autopilot would have been heard by now.

@@ -7,9 +7,18 @@
 namespace mavmission {
 namespace detail {
 
+// A line that loses bytes or frames, and when what has not been answered is sent again there.
+struct PaceRules {
+  static constexpr uint8_t kLossyS = 10;     // after the last loss the line is taken for one that loses
+  static constexpr uint8_t kFirstMs = 40;    // the round trip before one was measured
+  static constexpr uint8_t kRoundTrips = 2;  // from a message to its repeat, at least
+  static constexpr uint8_t kFrameTimes = 5;  // the same, in the times that the line takes for a frame
+};
+
 struct UploadRules {
   static constexpr uint8_t kCountTries = 5;         // MISSION_COUNT
   static constexpr uint16_t kCountMs = 1500;        // to the first request
+  static constexpr uint16_t kCountingMs = 7500;     // to the first request, repeats included, on a line that loses
   static constexpr uint16_t kPassiveMs = 8500;      // to the next item's request
   static constexpr uint8_t kSameRequestMs = 50;     // a repeat within this time is not answered again
   static constexpr uint8_t kLastItemTries = 5;      // repeats of the last item
@@ -23,15 +32,18 @@ struct DownloadRules {
   static constexpr uint8_t kItemTries = 5;        // MISSION_REQUEST_INT, for each item
   static constexpr uint16_t kItemMs = 250;        // to the item
   static constexpr uint8_t kNewRequestTries = 2;  // then MISSION_REQUEST, to an autopilot that may be old
+  static constexpr uint8_t kLossyTries = 250;     // of each, on a line that loses
 };
 
 struct ClearRules {
   static constexpr uint8_t kTries = 5;
+  static constexpr uint8_t kLossyTries = 40;  // on a line that loses
   static constexpr uint16_t kAnswerMs = 1500;
 };
 
 struct CommandRules {
   static constexpr uint8_t kTries = 5;
+  static constexpr uint8_t kLossyTries = 40;  // on a line that loses
   static constexpr uint16_t kAnswerMs = 1500;
   static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
   static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected

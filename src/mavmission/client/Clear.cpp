@@ -40,7 +40,7 @@ void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs)
     clearing.begin(state.type);
     state.status = Status::Transferring;
   }
-  const Status status = clearing.onTime(nowMs);
+  const Status status = clearing.onTime(nowMs, client.link_.pace());
   if (status != Status::Transferring) return client.endClearing(status);
   // An answer to a transfer that was left open may still be on its way, and would look like the answer to this.
   const bool mayBeAnswered = (state.unsettled & UploadTransfer::kAnswers) != 0 && !clearing.hasBeenSent();

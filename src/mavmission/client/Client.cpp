@@ -120,6 +120,7 @@ void Client::onTick(uint16_t nowMs) {
   while (since(state_.secondMs, nowMs) >= 1000) {
     state_.secondMs += 1000;
     ++state_.seconds;
+    link_.pace().onSecond();
   }
   const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
   state_.isLate = static_cast<uint16_t>(state_.seconds - state_.turnAtS) >= limitS;

@@ -64,7 +64,7 @@ class Client : public ClientRules {
   static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
   void takeReadCount(const FrameParser& frame);
-  void takeReadItem(const FrameParser& frame);
+  void takeReadItem(const FrameParser& frame, uint16_t nowMs);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
   Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone

@@ -111,7 +111,7 @@ void Client::sendCommand(uint16_t nowMs) {
     message.confirmation = commanding_.transfer.tries();
     link_.send(message);
   }
-  commanding_.transfer.sent(command.id, nowMs);
+  commanding_.transfer.sent(command.id, nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
 }
 
 void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {

@@ -65,7 +65,7 @@ void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) 
   // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
   // update() the time for the comparison.
   state.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
-  const Status status = client.reading_.transfer.onTime(nowMs);
+  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
   if (status != Status::Transferring) return client.endReading(status);
   if (state.isLate) return client.endReading(Status::TookTooLong);
   client.sendRead(nowMs);
@@ -102,11 +102,11 @@ void Client::sendRequest(uint16_t wireItem) {
   }
 }
 
-void Client::takeReadFrame(const FrameParser& frame, uint16_t) {
+void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-    case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame);
+    case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
@@ -144,7 +144,7 @@ void Client::takeReadCount(const FrameParser& frame) {
   endReading(Status::Differs);
 }
 
-void Client::takeReadItem(const FrameParser& frame) {
+void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
   union {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -174,7 +174,7 @@ void Client::takeReadItem(const FrameParser& frame) {
     state_.failedItem = ownItem(seq);
     return endReading(taken);
   }
-  transfer.onItem(seq);
+  transfer.onItem(seq, nowMs, link_.pace());
   // The progress of an upload stands still during its read-back: the upload is complete only when it is proven.
   if (!rest_.proving) report(seq + 1 - homeBefore());
 }

@@ -47,7 +47,7 @@ Status Client::uploadKeptPlan() {
 void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (client.state_.status == Status::Transferring) {
     if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
-    const Status status = client.transfer_.onTime(nowMs);
+    const Status status = client.transfer_.onTime(nowMs, client.link_.pace());
     if (status != Status::Transferring) return client.continueUpload(status, nowMs);
     if (client.state_.isLate) return client.continueUpload(Status::TookTooLong, nowMs);
     return client.sendUpload(nowMs);
@@ -122,7 +122,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       typedef mavlink_mission_request_int_t Request;
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request), "both kinds of request have one layout");
       if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
-      const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs);
+      const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, link_.pace());
       // The item is sent at once, before the rest of this update().
       sendUpload(nowMs);
       link_.flush(nowMs, kStartBytes);
@@ -134,7 +134,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
       rest_.lastResult = result;
-      Status status = transfer_.onAck(result);
+      Status status = transfer_.onAck(result, nowMs, link_.pace());
       if (status == Status::Accepted) status = proven(frame.payloadLong(offsetof(Ack, opaque_id)));
       continueUpload(status, nowMs);
       return;

@@ -108,12 +108,13 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
+  if (isWanted) finder_.onFrame(nowMs);
   return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
 }
 
 void Link::release() {
   if (!maySpeak()) return outbox_.drop();
-  outbox_.release();
+  outbox_.release(state_.pace.isLossy());
   ++state_.sequence;
   ++state_.framesSent;
 }
@@ -143,6 +144,12 @@ bool Link::sendForeign(const OutgoingMessage& message) {
 }
 
 void Link::onTime(uint16_t nowMs) {
+  // What was skipped before the first heartbeat was the rest of a frame in whose middle our listening began.
+  const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
+  if (damage != state_.damage && finder_.isHeard()) state_.pace.noteLoss();
+  state_.damage = damage;
+  uint16_t busyMs;
+  if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) state_.pace.noteBusy(busyMs);
   finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;

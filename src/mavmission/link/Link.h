@@ -7,6 +7,7 @@
 #include "../LinkCounters.h"
 #include "../MavlinkVersion.h"
 #include "../autopilot/AutopilotFinder.h"
+#include "../base/Pace.h"
 #include "../base/RetryRules.h"
 #include "FrameParser.h"
 #include "Outbox.h"
@@ -21,8 +22,11 @@ class Link : public LinkRules {
  public:
   static constexpr uint8_t kComponentId = 191;  // MAV_COMP_ID_ONBOARD_COMPUTER
 
-  // Sets the stream. All other members of a Link begin as zero.
-  void begin(Stream& stream) { stream_ = &stream; }
+  // Sets the stream. All other members of a Link begin as zero, except the pace.
+  void begin(Stream& stream) {
+    stream_ = &stream;
+    state_.pace.begin();
+  }
 
   // Sets our own ids. 0, 0 is the default: the autopilot's system id, and kComponentId.
   void setSourceIds(uint8_t systemId, uint8_t componentId);
@@ -86,6 +90,9 @@ class Link : public LinkRules {
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
 
+  // How quickly the line answers, and whether it loses.
+  Pace& pace() { return state_.pace; }
+
   Stream& stream() const { return *stream_; }
 #if MAVMISSION_SIGNING
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store);
@@ -133,6 +140,8 @@ class Link : public LinkRules {
     MavlinkVersion speak;
     bool heartbeatSent;
     bool sequenceKnown;
+    uint8_t damage;  // what has been counted, its low 8 bits
+    Pace pace;
   };
 
   Stream* stream_;

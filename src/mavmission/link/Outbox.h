@@ -23,6 +23,10 @@ class Outbox : public StreamRules {
   // Bytes that such a stream is given in one call: each may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
+  // Zero bytes before a frame on a line that loses bytes [bytes]. The autopilot's parser may still wait for the rest of
+  // a frame that has lost some bytes: it then takes the zeros for that rest, and not the beginning of our frame.
+  static constexpr int8_t kFill = 12;
+
   // True when no frame is being sent, so that a new one may be begun.
   bool isEmpty() const { return sent_ == length_; }
 
@@ -42,14 +46,17 @@ class Outbox : public StreamRules {
 
   // A held frame is complete and waits: it is sent after release(), or never if it is dropped or another one is begun.
   bool isHeld() const { return held_; }
-  void release() {
+  void release(bool isFilled = false) {
     held_ = false;
-    sent_ = 0;
+    sent_ = isFilled ? -kFill : 0;
 #if MAVMISSION_SIGNING
     isUnsigned_ = signs_;
 #endif
   }
   void drop() { held_ = false; }
+
+  // True while the line is busy with what was handed to the stream last, `busyMs` ago.
+  bool isLineBusy(Stream& stream, uint16_t nowMs, uint16_t& busyMs) const;
 
 #if MAVMISSION_SIGNING
   // From now on frames are signed: after release() a frame waits for startSigning() and then for setSigned().
@@ -82,17 +89,18 @@ class Outbox : public StreamRules {
 
   static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
 
-  uint16_t length_;  // length of the whole frame
-  uint16_t sent_;
+  int16_t length_;  // length of the whole frame
+  int16_t sent_;    // bytes of the frame that have been written; negative while zeros before it are to be written
   // Writes the next bytes of a frame with the sketch's own message; null for a frame of ours, which lies in one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
-  uint16_t stuckMs_;  // when availableForWrite() began to return 0
+  uint16_t stuckMs_;  // when bytes were last written, or when availableForWrite() began to return 0
   bool stuck_;
   bool blind_;  // availableForWrite() is taken as not implemented
 #ifndef __AVR__
   bool hasSaid_;  // availableForWrite() has returned more than 0 once: a 0 is then true, as with flow control
 #endif
   bool held_;
+  int16_t idle_;  // what the stream takes when that is empty, as far as that was seen
 #if MAVMISSION_SIGNING
   bool signs_;
   bool isUnsigned_;

@@ -23,9 +23,9 @@ Status ClearTransfer::onAccepted() {
   return Status::Transferring;
 }
 
-Status ClearTransfer::onTime(uint16_t nowMs) {
-  if (state_ == State::Due || since(sentMs_, nowMs) < kAnswerMs) return Status::Transferring;
-  if (tries_ == kTries) return Status::NoAnswer;
+Status ClearTransfer::onTime(uint16_t nowMs, const Pace& pace) {
+  if (state_ == State::Due || since(sentMs_, nowMs) < pace.waitMs(kAnswerMs)) return Status::Transferring;
+  if (tries_ >= (pace.isLossy() ? kLossyTries : kTries)) return Status::NoAnswer;
   state_ = State::Due;
   return Status::Transferring;
 }

@@ -6,6 +6,7 @@
 
 #include "../PlanType.h"
 #include "../Status.h"
+#include "../base/Pace.h"
 #include "../base/RetryRules.h"
 
 namespace mavmission {
@@ -21,7 +22,7 @@ class ClearTransfer : public ClearRules {
 
   // An answer: Transferring to go on with the next type, Cleared, or why it was refused. `type()` is what it is about.
   Status onAccepted();
-  Status onTime(uint16_t nowMs);
+  Status onTime(uint16_t nowMs, const Pace& pace);
   void sent(uint16_t nowMs);
 
   State state() const { return state_; }

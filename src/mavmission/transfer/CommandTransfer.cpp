@@ -7,7 +7,9 @@ void CommandTransfer::rest(uint16_t nowMs) {
   // Every repetition of the command may be answered as well. The last late answer comes as long after this answer as
   // the last repetition was sent after the first attempt.
   sentMs_ = nowMs;
-  waitMs_ = tries_ > 1 ? (tries_ - 1) * kNextAnswerMs : 0;
+  // On a line that loses they were sent within less than that.
+  const uint8_t tries = tries_ < kTries ? tries_ : kTries;
+  waitMs_ = tries > 1 ? (tries - 1) * kNextAnswerMs : 0;
   tries_ = 0;
 }
 
@@ -23,10 +25,10 @@ void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
   waitMs_ = waitMs;
 }
 
-void CommandTransfer::sent(uint16_t id, uint16_t nowMs) {
+void CommandTransfer::sent(uint16_t id, uint16_t nowMs, uint16_t answerMs) {
   id_ = id;
   ++tries_;
-  wait(State::Sent, repeats_ != 0 ? kAnswerMs : kProgressMs, nowMs);
+  wait(State::Sent, repeats_ != 0 ? answerMs : kProgressMs, nowMs);
 }
 
 Status CommandTransfer::onTime(uint16_t nowMs) {
@@ -34,7 +36,8 @@ Status CommandTransfer::onTime(uint16_t nowMs) {
   // The autopilot may have carried out the command, and only its answer may be lost: a command that must not happen
   // twice is not sent again.
   const bool isSilent = state() == State::Listening || (state() != State::Pausing && repeats_ == 0);
-  if (!isSilent && tries_ < kTries) {
+  const uint8_t most = waitMs_ < kAnswerMs && state() == State::Sent ? kLossyTries : kTries;
+  if (!isSilent && tries_ < most) {
     state_ = static_cast<uint8_t>(State::Due);
     return Status::Transferring;
   }

@@ -58,7 +58,8 @@ class CommandTransfer : public CommandRules {
   bool isDue(uint16_t id, uint16_t nowMs) const {
     return state() == State::Due && (tries_ != 0 || id != id_ || since(sentMs_, nowMs) >= waitMs_);
   }
-  void sent(uint16_t id, uint16_t nowMs);
+  // `answerMs`: how long to wait for an answer before it is sent again; less on a line that loses, and then more often.
+  void sent(uint16_t id, uint16_t nowMs, uint16_t answerMs = kAnswerMs);
 
   // A listener on the same link has sent a command with this id. Our next command with the same id waits until the
   // listener's command has been answered, or until the timeout for that answer.

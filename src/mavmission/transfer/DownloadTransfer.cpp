@@ -24,8 +24,9 @@ bool DownloadTransfer::onCount(uint16_t count) {
   return true;
 }
 
-bool DownloadTransfer::onItem(uint16_t item) {
+bool DownloadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
   if (!expectsAnswer(State::Fetching) || item != next_) return false;
+  pace.learn(since(sentMs_, nowMs), false);
   ++next_;
   tries_ = 0;
   const bool isLast = next_ == count_;
@@ -49,11 +50,13 @@ Status DownloadTransfer::onAck(uint8_t result) const {
   return status;
 }
 
-Status DownloadTransfer::onTime(uint16_t nowMs) {
+Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
   const bool isListing = state_ == State::Listing;
-  if (since(sentMs_, nowMs) < (isListing ? kListMs : kItemMs)) return Status::Transferring;
-  if (tries_ == (isListing ? kListTries : kItemTries)) return isListing ? Status::NoAnswer : Status::TimedOut;
+  const bool isLossy = pace.isLossy();
+  if (since(sentMs_, nowMs) < pace.waitMs(isListing ? kListMs : kItemMs)) return Status::Transferring;
+  if (tries_ >= (isLossy ? kLossyTries : isListing ? kListTries : kItemTries))
+    return isListing ? Status::NoAnswer : Status::TimedOut;
   send_ = isListing ? Send::List : Send::Request;
   return Status::Transferring;
 }

@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #include "../Status.h"
+#include "../base/Pace.h"
 #include "../base/RetryRules.h"
 
 namespace mavmission {
@@ -29,11 +30,11 @@ class DownloadTransfer : public DownloadRules {
   // onCount() is true if the COUNT is the answer to our REQUEST_LIST.
   bool onCount(uint16_t count);
   // onItem() is true if this is the item that was requested; the next one is then requested.
-  bool onItem(uint16_t item);
+  bool onItem(uint16_t item, uint16_t nowMs, Pace& pace);
   // Requests the item that has just come again at once, because it could not be used yet.
   void askAgain();
   Status onAck(uint8_t result) const;
-  Status onTime(uint16_t nowMs);
+  Status onTime(uint16_t nowMs, const Pace& pace);
 
   // The output: the message to send next and, for a request, the number of the item. Call sent() when the message has
   // been handed to the link; sent() is true if that was the last message of the download.

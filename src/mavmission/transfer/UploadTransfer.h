@@ -18,6 +18,7 @@
 #include "../Status.h"
 #include "../autopilot/Personality.h"
 #include "../base/Clock.h"
+#include "../base/Pace.h"
 #include "../base/RetryRules.h"
 
 namespace mavmission {
@@ -44,10 +45,10 @@ class UploadTransfer : public UploadRules {
   }
 
   // The inputs: the messages that have been received, and the time. Each returns Status::Transferring while the upload
-  // goes on, or else the status with which it has ended.
-  Status onRequest(uint16_t item, uint16_t nowMs);
-  Status onAck(uint8_t result);
-  MAVMISSION_APART Status onTime(uint16_t nowMs);
+  // goes on, or else the status with which it has ended. What they learn about the line is kept in `pace`.
+  Status onRequest(uint16_t item, uint16_t nowMs, Pace& pace);
+  Status onAck(uint8_t result, uint16_t nowMs, Pace& pace);
+  MAVMISSION_APART Status onTime(uint16_t nowMs, Pace& pace);
 
   // The output: what to send next and, for an item, its number. Call sent() when it has been handed to the link.
   Send toSend() const { return send_; }
@@ -61,7 +62,7 @@ class UploadTransfer : public UploadRules {
   // True if an acceptance may belong to an earlier, longer transfer that broke off at the item where this upload ends.
   // PX4 then takes our last item for a repetition from the earlier transfer, and accepts it with the checksum of the
   // items that it had received until then.
-  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && tries_ != 0; }
+  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && isUnasked_; }
   // The number of the item after the last one that the autopilot has requested. The autopilot holds all requested items
   // except the last one.
   uint16_t itemsAskedFor() const { return asked_; }
@@ -73,6 +74,7 @@ class UploadTransfer : public UploadRules {
  private:
   bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
+  void sendAgain();
   Status onAcceptance();
 
   uint16_t progressMs_;
@@ -83,13 +85,15 @@ class UploadTransfer : public UploadRules {
   uint16_t item_;
   State state_;
   Send send_;
-  uint8_t tries_;     // attempts at COUNT; later, repetitions of the last item without a request
+  uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the newest request
   Status suspicion_;  // an answer that may belong to an earlier transfer: the result if no other answer comes
   Firmware firmware_;
   uint8_t leftovers_;
   bool recounted_;  // COUNT was sent more than once
   bool freed_;      // an open earlier transfer of ours was cancelled first
   bool repeated_;   // an item was sent more than once
+  bool isUnasked_;  // the item before asked_ was sent again without being asked for
+  bool isOnly_;     // nothing but the item before asked_ was sent since that was asked for
 };
 
 }  // namespace detail

@@ -22,6 +22,10 @@ ClearTransfer begun(PlanType type) {
 
 }  // namespace
 
+namespace {
+const Pace quiet = Pace();  // a line that has lost nothing
+}
+
 TEST_CASE("CLEAR_ALL is due at once, and nothing can answer it before it has left") {
   ClearTransfer transfer = begun(PlanType::Fence);
   CHECK((transfer.state() == State::Due));
@@ -35,15 +39,15 @@ TEST_CASE("CLEAR_ALL is due at once, and nothing can answer it before it has lef
 TEST_CASE("CLEAR_ALL is repeated 1500 ms after it left, up to 5 attempts, across a wrap of the clock") {
   ClearTransfer transfer = begun(PlanType::Mission);
   uint16_t nowMs = 65000;
-  CHECK((transfer.onTime(nowMs) == Status::Transferring));
+  CHECK((transfer.onTime(nowMs, quiet) == Status::Transferring));
   for (uint8_t sent = 1; sent <= ClearTransfer::kTries; ++sent) {
     CHECK((transfer.state() == State::Due));
     transfer.sent(nowMs);
     nowMs = static_cast<uint16_t>(nowMs + ClearTransfer::kAnswerMs - 1);
-    CHECK((transfer.onTime(nowMs) == Status::Transferring));
+    CHECK((transfer.onTime(nowMs, quiet) == Status::Transferring));
     CHECK((transfer.state() == State::Sent));
     const bool isLast = sent == ClearTransfer::kTries;
-    CHECK((transfer.onTime(++nowMs) == (isLast ? Status::NoAnswer : Status::Transferring)));
+    CHECK((transfer.onTime(++nowMs, quiet) == (isLast ? Status::NoAnswer : Status::Transferring)));
   }
 }
 
@@ -60,7 +64,7 @@ TEST_CASE("all three are cleared one by one, each with its own attempts") {
   for (PlanType type : {PlanType::Mission, PlanType::Fence}) {
     CHECK((transfer.type() == type));
     transfer.sent(0);
-    CHECK((transfer.onTime(ClearTransfer::kAnswerMs) == Status::Transferring));
+    CHECK((transfer.onTime(ClearTransfer::kAnswerMs, quiet) == Status::Transferring));
     transfer.sent(ClearTransfer::kAnswerMs);
     CHECK((transfer.onAccepted() == Status::Transferring));
     CHECK((transfer.state() == State::Due));
@@ -69,4 +73,21 @@ TEST_CASE("all three are cleared one by one, each with its own attempts") {
   CHECK((transfer.type() == PlanType::Rally));
   transfer.sent(0);
   CHECK((transfer.onAccepted() == Status::Cleared));
+}
+
+TEST_CASE("on a line that loses CLEAR_ALL is repeated after two round trips, up to 40 attempts") {
+  Pace lossy = Pace();
+  lossy.begin();
+  lossy.noteLoss();
+  lossy.learn(30, true);
+  ClearTransfer transfer = begun(PlanType::Mission);
+  uint16_t nowMs = 65000;
+  for (int sent = 1; sent <= 40; ++sent) {
+    CHECK((transfer.state() == State::Due));
+    transfer.sent(nowMs);
+    nowMs = static_cast<uint16_t>(nowMs + 59);
+    CHECK((transfer.onTime(nowMs, lossy) == Status::Transferring));
+    CHECK((transfer.state() == State::Sent));
+    CHECK((transfer.onTime(++nowMs, lossy) == (sent == 40 ? Status::NoAnswer : Status::Transferring)));
+  }
 }

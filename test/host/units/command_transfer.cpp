@@ -210,3 +210,36 @@ TEST_CASE("an answer to what a listener sent releases our own, and an answer to 
     CHECK(last.isDue(kMode, kBeganMs) == answer.isReleased);
   }
 }
+
+TEST_CASE("on a line that loses a command is sent again sooner, up to 40 attempts") {
+  CommandTransfer transfer = CommandTransfer();
+  uint16_t nowMs = kBeganMs;
+  transfer.next(true, nowMs);
+  for (int sent = 1; sent <= 40; ++sent) {
+    REQUIRE(transfer.isDue(kMode, nowMs));
+    transfer.sent(kMode, nowMs, 80);
+    nowMs = later(nowMs, 79);
+    CHECK((transfer.onTime(nowMs) == Status::Transferring));
+    CHECK_FALSE(transfer.isDue(kMode, nowMs));
+    nowMs = later(nowMs, 1);
+    CHECK((transfer.onTime(nowMs) == (sent == 40 ? Status::NoAnswer : Status::Transferring)));
+  }
+}
+
+TEST_CASE("on a line that loses a command that must not happen twice is sent once") {
+  CommandTransfer transfer = CommandTransfer();
+  transfer.next(false, kBeganMs);
+  transfer.sent(kArm, kBeganMs, 80);
+  CHECK((transfer.onTime(later(kBeganMs, CommandTransfer::kProgressMs - 1)) == Status::Transferring));
+  CHECK_FALSE(transfer.isDue(kArm, later(kBeganMs, CommandTransfer::kProgressMs - 1)));
+  CHECK((transfer.onTime(later(kBeganMs, CommandTransfer::kProgressMs)) == Status::Unconfirmed));
+}
+
+TEST_CASE("late answers to many attempts on a line that loses are waited for as to five") {
+  CommandTransfer transfer = CommandTransfer();
+  transfer.next(true, kBeganMs);
+  for (int sent = 0; sent < 40; ++sent) transfer.sent(kMode, kBeganMs, 80);
+  transfer.next(true, kBeganMs);
+  CHECK_FALSE(transfer.isDue(kMode, later(kBeganMs, 4 * CommandTransfer::kNextAnswerMs - 1)));
+  CHECK(transfer.isDue(kMode, later(kBeganMs, 4 * CommandTransfer::kNextAnswerMs)));
+}

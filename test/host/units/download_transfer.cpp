@@ -13,8 +13,12 @@ namespace {
 typedef DownloadTransfer::State State;
 typedef DownloadTransfer::Send Send;
 
+Pace pace;
+
 // In the client the memory may hold anything before begin().
 DownloadTransfer begun(uint16_t nowMs = 0) {
+  pace = Pace();
+  pace.begin();
   DownloadTransfer transfer;
   memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
   transfer.begin(nowMs);
@@ -44,7 +48,7 @@ TEST_CASE("a plan is asked for item by item, each when the one before has come, 
     CHECK(transfer.toSend() == Send::Request);
     CHECK(transfer.itemToAsk() == item);
     CHECK_FALSE(transfer.sent(0));
-    CHECK(transfer.onItem(item));
+    CHECK(transfer.onItem(item, 0, pace));
   }
   CHECK(transfer.state() == State::Closing);
   CHECK(transfer.toSend() == Send::Accepted);
@@ -59,9 +63,9 @@ TEST_CASE("the list is asked for 5 times, 1500 ms apart, and then there is no an
       CHECK(transfer.toSend() == Send::List);
       transfer.sent(now);
       now = static_cast<uint16_t>(now + 1499);
-      CHECK(goesOn(transfer.onTime(now)));
+      CHECK(goesOn(transfer.onTime(now, pace)));
       CHECK(transfer.toSend() == Send::Nothing);
-      const Status status = transfer.onTime(++now);
+      const Status status = transfer.onTime(++now, pace);
       CHECK((status == (tries < 4 ? Status::Transferring : Status::NoAnswer)));
     }
   }
@@ -69,7 +73,7 @@ TEST_CASE("the list is asked for 5 times, 1500 ms apart, and then there is no an
 
 TEST_CASE("an item is asked for 5 times, 250 ms apart, and then the time is out") {
   DownloadTransfer transfer = fetching(2);
-  transfer.onItem(0);
+  transfer.onItem(0, 0, pace);
   uint16_t now = 0;
   for (int tries = 0; tries < 5; ++tries) {
     CHECK(transfer.toSend() == Send::Request);
@@ -77,19 +81,19 @@ TEST_CASE("an item is asked for 5 times, 250 ms apart, and then the time is out"
     transfer.sent(now);
     CHECK(transfer.tries() == tries + 1);
     now = static_cast<uint16_t>(now + 249);
-    CHECK(goesOn(transfer.onTime(now)));
+    CHECK(goesOn(transfer.onTime(now, pace)));
     CHECK(transfer.toSend() == Send::Nothing);
-    const Status status = transfer.onTime(++now);
+    const Status status = transfer.onTime(++now, pace);
     CHECK((status == (tries < 4 ? Status::Transferring : Status::TimedOut)));
   }
 }
 
 TEST_CASE("a question that the line has not taken yet is not counted, and no time runs") {
   DownloadTransfer transfer = begun();
-  CHECK(goesOn(transfer.onTime(60000)));
+  CHECK(goesOn(transfer.onTime(60000, pace)));
   CHECK(transfer.toSend() == Send::List);
   transfer.sent(60000);
-  CHECK(goesOn(transfer.onTime(61499)));
+  CHECK(goesOn(transfer.onTime(61499, pace)));
   CHECK(transfer.toSend() == Send::Nothing);
 }
 
@@ -102,7 +106,7 @@ TEST_CASE("a count is an answer once: a second one is of a list that was asked f
 
 TEST_CASE("an item that is not taken is asked for again at once, and has all its tries again") {
   DownloadTransfer transfer = fetching(2);
-  transfer.onTime(250);
+  transfer.onTime(250, pace);
   transfer.sent(250);
   CHECK(transfer.tries() == 2);
   transfer.askAgain();
@@ -111,7 +115,7 @@ TEST_CASE("an item that is not taken is asked for again at once, and has all its
   CHECK(transfer.tries() == 0);
   transfer.sent(251);
   CHECK(transfer.tries() == 1);
-  CHECK(transfer.onItem(0));
+  CHECK(transfer.onItem(0, 0, pace));
 }
 
 TEST_CASE("each refusal ends the reading, but for the words that belong to something else") {
@@ -119,7 +123,7 @@ TEST_CASE("each refusal ends the reading, but for the words that belong to somet
   DownloadTransfer listing = begun();
   listing.sent(0);
   DownloadTransfer closing = fetching(1);
-  closing.onItem(0);
+  closing.onItem(0, 0, pace);
   for (uint8_t result = 0; result <= 30; ++result) {
     CAPTURE(result);
     const bool isNoise = result == kAccepted || result == kInvalidSequence;
@@ -144,13 +148,13 @@ TEST_CASE("an item that comes before it was asked for is no answer") {
   DownloadTransfer transfer = begun();
   transfer.sent(0);
   transfer.onCount(2);
-  CHECK_FALSE(transfer.onItem(0));
+  CHECK_FALSE(transfer.onItem(0, 0, pace));
   transfer.sent(0);
-  CHECK(transfer.onItem(0));
-  CHECK_FALSE(transfer.onItem(1));
+  CHECK(transfer.onItem(0, 0, pace));
+  CHECK_FALSE(transfer.onItem(1, 0, pace));
   transfer.sent(0);
-  CHECK_FALSE(transfer.onItem(0));
-  CHECK(transfer.onItem(1));
+  CHECK_FALSE(transfer.onItem(0, 0, pace));
+  CHECK(transfer.onItem(1, 0, pace));
   CHECK(transfer.state() == State::Closing);
 }
 

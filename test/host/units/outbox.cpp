@@ -213,3 +213,26 @@ TEST_CASE("a ring that fills up twice for a while each time is never written to 
   outbox.flush(stream, 190, 255);
   CHECK(stream.written.size() == 5);
 }
+
+TEST_CASE("a frame on a line that loses goes out behind zeros, however little room there is at a time") {
+  mavlink_mission_count_t message = mavlink_mission_count_t();
+  message.count = 5;
+  const Bytes frame = sent(message, 2, 7, 1, 191);
+  for (int room : {1, 5, 11, 12, 13, 63}) {
+    CAPTURE(room);
+    EmptyOutbox outbox;
+    MemoryStream stream;
+    stream.room = room;
+    outbox.begin(2, 7, 1, 191);
+    outbox.complete(&kKeys[static_cast<uint8_t>(MessageOf<mavlink_mission_count_t>::kKey)],
+                    reinterpret_cast<const uint8_t*>(&message));
+    outbox.release(true);
+    for (int calls = 0; calls < 100 && !outbox.isEmpty(); ++calls) {
+      const size_t before = stream.written.size();
+      stream.room = room;
+      outbox.flush(stream, 0, 255);
+      CHECK(stream.written.size() - before <= static_cast<size_t>(room));
+    }
+    CHECK(stream.written == Bytes(Outbox::kFill, 0) + frame);
+  }
+}

@@ -19,25 +19,28 @@ const uint8_t kAccepted = 0, kError = 1, kInvalidSequence = 13, kDenied = 14, kC
 class Upload {
  public:
   UploadTransfer transfer;
+  Pace pace;
   uint16_t now;
 
   explicit Upload(uint16_t count, Firmware firmware = Firmware::Other, uint8_t leftovers = 0, uint16_t start = 65000)
       : now(start) {
     memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
+    pace = Pace();
+    pace.begin();
     transfer.begin(count, firmware, leftovers, now);
   }
 
   Status wait(uint16_t ms) {
     now = static_cast<uint16_t>(now + ms);
-    return transfer.onTime(now);
+    return transfer.onTime(now, pace);
   }
   Send send() {
     const Send send = transfer.toSend();
-    transfer.sent(now);
+    if (send != Send::Nothing) transfer.sent(now);
     return send;
   }
-  Status request(uint16_t item) { return transfer.onRequest(item, now); }
-  Status ack(uint8_t result) { return transfer.onAck(result); }
+  Status request(uint16_t item) { return transfer.onRequest(item, now, pace); }
+  Status ack(uint8_t result) { return transfer.onAck(result, now, pace); }
 
   // As far as `items` asked for and answered.
   Upload& served(uint16_t items) {
@@ -639,4 +642,160 @@ TEST_CASE("whatever is heard in whatever order, accepted means that every item w
     REQUIRE(steps < 1000);
     REQUIRE(spentMs < 120000);
   }
+}
+
+TEST_CASE("on a line that loses, an item that is not answered is sent again every two round trips") {
+  Upload upload(3);
+  upload.send();
+  upload.wait(18);
+  upload.request(0);
+  upload.send();
+  upload.pace.noteLoss();
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    CHECK(goesOn(upload.wait(35)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    upload.wait(1);
+    CHECK((upload.send() == Send::Item));
+    CHECK(upload.transfer.lastItem() == 0);
+  }
+}
+
+TEST_CASE("a request that is repeated says that the line loses; one of a queue that is being emptied does not") {
+  Upload upload(3);
+  upload.served(1);
+  upload.wait(49);
+  upload.request(0);
+  CHECK_FALSE(upload.pace.isLossy());
+  upload.wait(1);
+  upload.request(0);
+  CHECK(upload.pace.isLossy());
+  CHECK((upload.send() == Send::Item));
+}
+
+TEST_CASE("a line that loses and answers slowly is waited for twice as long as it took to answer") {
+  Upload upload(3);
+  upload.send();
+  upload.wait(160);
+  upload.request(0);
+  upload.send();
+  upload.pace.noteLoss();
+  CHECK(goesOn(upload.wait(319)));
+  CHECK((upload.transfer.toSend() == Send::Nothing));
+  upload.wait(1);
+  CHECK((upload.transfer.toSend() == Send::Item));
+}
+
+TEST_CASE("an item is sent again until the time for the next request is over") {
+  Upload upload(3);
+  upload.served(1);
+  Status status = Status::Transferring;
+  uint16_t passed = 0;
+  for (; goesOn(status); ++passed) {
+    upload.pace.noteLoss();
+    status = upload.wait(1);
+    upload.send();
+  }
+  CHECK((status == Status::TimedOut));
+  CHECK(passed == 8500);
+}
+
+TEST_CASE("while PX4 may be busy with an earlier transfer, COUNT is repeated every 1500 ms on a line that loses too") {
+  Upload upload(3, Firmware::Px4, UploadTransfer::kBusy);
+  upload.pace.noteLoss();
+  upload.send();
+  upload.ack(kError);
+  CHECK((upload.send() == Send::Cancel));
+  CHECK((upload.send() == Send::Count));
+  CHECK(goesOn(upload.wait(1499)));
+  CHECK((upload.transfer.toSend() == Send::Nothing));
+  upload.wait(1);
+  CHECK((upload.transfer.toSend() == Send::Cancel));
+}
+
+TEST_CASE("repeats take a fifth of the line at the most") {
+  Upload upload(3);
+  upload.served(1);
+  upload.pace.noteLoss();
+  upload.pace.noteBusy(60);  // 9600 baud
+  CHECK(goesOn(upload.wait(299)));
+  CHECK((upload.transfer.toSend() == Send::Nothing));
+  upload.wait(1);
+  CHECK((upload.transfer.toSend() == Send::Item));
+}
+
+TEST_CASE("on a line that loses, COUNT is sent again for 7.5 s, before ArduPilot would give up what it has heard") {
+  Upload upload(3);
+  upload.pace.noteLoss();
+  uint16_t counts = 0;
+  Status status = Status::Transferring;
+  uint16_t elapsedMs = 0;
+  for (; goesOn(status) && elapsedMs < 20000; ++elapsedMs) {
+    if (upload.send() == Send::Count) ++counts;
+    status = upload.wait(1);
+  }
+  CHECK((status == Status::NoAnswer));
+  CHECK(elapsedMs < 8000);
+  CHECK(counts > 80);
+}
+
+TEST_CASE(
+    "ArduPilot's word that an item is out of sequence means that it has it, if that alone was sent since, twice") {
+  Upload upload(3, Firmware::ArduPilot);
+  upload.served(2);
+  upload.ack(kInvalidSequence);  // it may be to the item before
+  CHECK((upload.transfer.toSend() == Send::Nothing));
+  upload.pace.noteLoss();
+  upload.wait(250);
+  upload.send();
+  upload.ack(kInvalidSequence);
+  CHECK((upload.transfer.toSend() == Send::Item));
+  CHECK(upload.transfer.itemToSend() == 2);
+  upload.send();
+  upload.ack(kInvalidSequence);
+  CHECK((upload.transfer.toSend() == Send::Nothing));
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
+
+  Upload older(3, Firmware::ArduPilot);
+  older.served(2);
+  older.wait(60);
+  older.request(0);  // an older one, from a line that repeats
+  older.send();
+  older.wait(250);
+  older.send();
+  older.ack(kInvalidSequence);
+  CHECK((older.transfer.toSend() == Send::Nothing));
+
+  Upload px4(3, Firmware::Px4);
+  px4.served(2);
+  px4.pace.noteLoss();
+  px4.wait(250);
+  px4.send();
+  px4.ack(kInvalidSequence);
+  CHECK((px4.transfer.toSend() == Send::Nothing));
+}
+
+TEST_CASE("where an earlier transfer may be what is accepted, the last item is sent only when it is asked for") {
+  for (bool leftovers : {false, true}) {
+    Upload upload(2, Firmware::ArduPilot, leftovers ? UploadTransfer::kAnswers : 0);
+    upload.served(1);
+    upload.pace.noteLoss();
+    upload.wait(250);
+    upload.send();
+    upload.ack(kInvalidSequence);
+    CHECK((upload.transfer.toSend() == (leftovers ? Send::Nothing : Send::Item)));
+  }
+}
+
+TEST_CASE("on a line that loses, the last item is sent again until 12 s are over") {
+  Upload upload(2);
+  upload.served(2);
+  Status status = Status::Transferring;
+  uint16_t passed = 0;
+  for (; goesOn(status); ++passed) {
+    upload.pace.noteLoss();
+    status = upload.wait(1);
+    upload.send();
+  }
+  CHECK((status == Status::Unconfirmed));
+  CHECK(passed == 12000);
 }
