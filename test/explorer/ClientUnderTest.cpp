@@ -93,13 +93,14 @@ void blank(T& what) {
 
 }  // namespace
 
-void ClientUnderTest::construct(Firmwares firmware, bool isFresh) {
+void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy) {
   memset(bytes_, 0, sizeof(bytes_));
   setMillis(kNowMs);
   new (bytes_) MissionClient(stream);
   client().setTargetIds(1, 1);
   client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
   client().state_.unsettledMs = kNow;
+  if (isLossy) client().link_.state_.pace.noteLoss();
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
   run(0, heartbeat.data(), heartbeat.size(), false);
 }
@@ -162,41 +163,30 @@ uint16_t ClientUnderTest::nextMs() const {
   uint16_t next = kNever;
   if (!c.link_.parser_.isIdle()) next = leftOf(FrameParser::kSilenceMs, c.link_.state_.heardByteMs);
   if (c.state_.status != Status::Transferring || !c.isBusy()) return next;
-  const bool isLossy = isHurried();
-  const uint16_t againMs = c.link_.state_.pace.againMs();
+  const Pace& pace = c.link_.state_.pace;
   if (c.state_.operation == MissionClient::uploadStep) {
     const UploadTransfer& t = c.transfer_;
-    const bool isHurried = t.state_ == UploadTransfer::State::Sending || (isLossy && !t.freed_);
-    next = std::min(next, leftOf(isHurried ? againMs : UploadTransfer::kAnswerMs, t.sentMs_));
+    const bool isSending = t.state_ == UploadTransfer::State::Sending;
+    const bool isCounting = t.state_ == UploadTransfer::State::Counting;
+    const uint16_t ruleMs = isCounting ? UploadTransfer::kCountMs : UploadTransfer::kLastItemMs;
+    const uint16_t waitMs = isCounting && t.freed_ ? ruleMs : pace.waitMs(ruleMs);
+    if (!isSending || pace.isLossy()) next = std::min(next, leftOf(waitMs, t.sentMs_));
     switch (t.state_) {
-<<<<<<< HEAD
-      case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kCountMs, t.sentMs_));
-      case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
-      case UploadTransfer::State::Confirming:
-        return std::min({next, leftOf(UploadTransfer::kLastItemMs, t.sentMs_),
-                         leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
-=======
       case UploadTransfer::State::Counting: return next;
       case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
       case UploadTransfer::State::Confirming:
         return std::min(next, leftOf(UploadTransfer::kConfirmingMs, t.progressMs_));
->>>>>>> boards
     }
   }
   if (c.state_.operation == MissionClient::readStep) {
     const DownloadTransfer& t = c.reading_.transfer;
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
-    return std::min(next, leftOf(isLossy ? againMs : waitMs, t.sentMs_));
+    return std::min(next, leftOf(pace.waitMs(waitMs), t.sentMs_));
   }
-<<<<<<< HEAD
   const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
-  return std::min(next, leftOf(ClearTransfer::kAnswerMs, waits ? c.state_.unsettledMs : c.clearing_.sentMs_));
-=======
-  const bool waits = c.clearing_.tries == 0 && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
-  if (waits) return std::min(next, leftOf(UploadTransfer::kAnswerMs, c.state_.unsettledMs));
-  return std::min(next, leftOf(isLossy ? againMs : UploadTransfer::kAnswerMs, c.clearing_.sentMs));
->>>>>>> boards
+  if (waits) return std::min(next, leftOf(ClearTransfer::kAnswerMs, c.state_.unsettledMs));
+  return std::min(next, leftOf(pace.waitMs(ClearTransfer::kAnswerMs), c.clearing_.sentMs_));
 }
 
 void ClientUnderTest::rest(uint16_t ms, bool isLast) {
@@ -260,11 +250,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
     foldTries(c.reading_.transfer.tries_, isHurried() ? DownloadTransfer::kLossyTries : 0);
   } else {
-<<<<<<< HEAD
     keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);
-=======
-    keep(c.clearing_.sentMs, ms, UploadTransfer::kAnswerMs);
-    foldTries(c.clearing_.tries, isHurried() ? 40 : 0);
->>>>>>> boards
+    foldTries(c.clearing_.tries_, isHurried() ? ClearTransfer::kLossyTries : 0);
   }
 }

@@ -25,7 +25,7 @@ class ClientUnderTest {
  public:
   // As after power-on, the autopilot named and heard. `isFresh`: the first ten seconds, in which an earlier transfer
   // may still be answered, have not passed.
-  void construct(Firmwares firmware, bool isFresh);
+  void construct(Firmwares firmware, bool isFresh, bool isLossy);
   void begin(const Task& task);
   void cancel();
   // Time passes [ms]; the bytes come; update() runs until it has nothing to do. `isLast`: no operation follows.

@@ -111,7 +111,8 @@ const char* Referee::sentInUpload(const Message& message) {
       const bool isConfirming = isLast && isLastSent;
       if ((open & bit) == 0) {
         if (message.number + 1 != asked) return "an item is sent that was not asked for";
-        if (sinceSentMs < againMs(isConfirming ? kAnswerMs : kPatienceMs)) return "an item is repeated too early";
+        if (!isConfirming && !isHurried) return "an item is sent that was not asked for";
+        if (sinceSentMs < againMs(kAnswerMs)) return "the last item is repeated too early";
         if (isConfirming && repeats == kTries && !isHurried) return "the last item is repeated too often";
       }
       if ((isLastSent || (open & bit) == 0) && repeats < kTries) ++repeats;

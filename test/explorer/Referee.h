@@ -22,8 +22,8 @@ struct Referee {
   static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 12000,
                             kSameRequestMs = 50;
-  // Between two of what may be sent again: on a line that has been seen to lose, and for an item on one that has not.
-  static constexpr uint16_t kHurriedMs = 2 * 200, kPatienceMs = 4 * 200;
+  // From a message to its repeat on a line that has been seen to lose.
+  static constexpr uint16_t kHurriedMs = 2 * 200;
 
   Task task;
   uint8_t items;  // of the plan on the wire

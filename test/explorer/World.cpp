@@ -35,7 +35,7 @@ Outcome World::begin(const Scenario& scenario) {
   autopilot_.firmware = scenario.firmware;
   autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
   autopilot_.hold(scenario.heldPlan, scenario.heldItems);
-  client_.construct(scenario.firmware, false);
+  client_.construct(scenario.firmware, false, scenario.isLossy);
   beginTask(scenario, nullptr);
   return runClient(scenario, 0, Bytes(), nullptr);
 }
@@ -178,7 +178,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       --resets_;
       if (!isLastTask(scenario)) ++task_;
       referee_.owesCancel = referee_.hasEndedOne = false;
-      client_.construct(scenario.firmware, true);
+      client_.construct(scenario.firmware, true, scenario.isLossy);
       beginTask(scenario, log);
       outcome = runClient(scenario, 0, Bytes(), log);
       outcome.isFault = true;

@@ -12,25 +12,28 @@ const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified
 const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
 
 [[noreturn]] void usage(const char* problem) {
-  fprintf(stderr,
-          "%s\n"
-          "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
-          "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
-          "  OPERATION  upload, upload-in-doubt, upload-verified, download, verify, clear; a second one begins when\n"
-          "             the first has ended or was broken off\n"
-          "  ITEMS      0 to 5: of the plan that is uploaded or verified\n"
-          "  --held N       items aboard at the beginning, 0 to 5 (2)\n"
-          "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
-          "  --losses N     frames lost; `any` for any number (any)\n"
-          "  --faults N     frames repeated, delayed, damaged or cut (0)\n"
-          "  --reboots N    reboots of the autopilot, at any point (0)\n"
-          "  --cancels N    the sketch cancels what runs, at any point (0)\n"
-          "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
-          "  --most-states N  give up beyond (200000000)\n"
-          "  --show-fewest N  1: show how the fewest faults end without success (0)\n"
-          "Prints findings as name=value; then, if a rule was broken, the shortest way to it. Exits with 1 then, with\n"
-          "3 when it gave up.\n",
-          problem);
+  fprintf(
+      stderr,
+      "%s\n"
+      "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
+      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
+      "  OPERATION  upload, upload-in-doubt, upload-verified, download, verify, clear; a second one begins when\n"
+      "             the first has ended or was broken off\n"
+      "  ITEMS      0 to 5: of the plan that is uploaded or verified\n"
+      "  --held N       items aboard at the beginning, 0 to 5 (2)\n"
+      "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
+      "  --losses N     frames lost; `any` for any number (any)\n"
+      "  --faults N     frames repeated, delayed, damaged or cut (0)\n"
+      "  --reboots N    reboots of the autopilot, at any point (0)\n"
+      "  --cancels N    the sketch cancels what runs, at any point (0)\n"
+      "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
+      "  --lossy N      1: the client takes the line for one that loses, from the beginning; 0: from when it sees it\n"
+      "                 by a repeated request or a damaged frame (0)\n"
+      "  --most-states N  give up beyond (200000000)\n"
+      "  --show-fewest N  1: show how the fewest faults end without success (0)\n"
+      "Prints findings as name=value; then, if a rule was broken, the shortest way to it. Exits with 1 then, with\n"
+      "3 when it gave up.\n",
+      problem);
   exit(2);
 }
 
@@ -83,6 +86,8 @@ int main(int argc, char** argv) {
       scenario.cancels = static_cast<uint8_t>(number(value, 254));
     } else if (strcmp(option, "--resets") == 0) {
       scenario.resets = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--lossy") == 0) {
+      scenario.isLossy = number(value, 1) != 0;
     } else if (strcmp(option, "--most-states") == 0) {
       mostStates = number(value, 4000000000u);
     } else if (strcmp(option, "--show-fewest") == 0) {

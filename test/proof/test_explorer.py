@@ -128,16 +128,30 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property):
 DEFECTS = {
     "an idle ArduPilot's error is taken for an acceptance": (
         "UploadTransfer.cpp",
-        "tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
-        "tries_ != 0 && !has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
+        "if (!has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
+        "if (!has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
         "ArduPilot upload 1",
         "Accepted, and",
     ),
-    "the next item is sent unasked when the autopilot is silent": (
+    "an item is sent again unasked on a line that loses nothing": (
         "UploadTransfer.cpp",
-        "if (since(progressMs_, nowMs) < kPassiveMs) break;",
-        "if (overdue) send_ = Send::Item;\n      if (since(progressMs_, nowMs) < kPassiveMs) break;",
+        "if (isLossy && isOverdue) sendAgain();",
+        "if (isOverdue) sendAgain();",
         "PX4 upload 2",
+        "an item is sent that was not asked for",
+    ),
+    "the next item is sent unasked on a line that loses": (
+        "UploadTransfer.cpp",
+        "item_ = asked_ - 1;",
+        "item_ = asked_;",
+        "ArduPilot upload 2 --lossy 1",
+        "an item is sent that was not asked for",
+    ),
+    "ArduPilot's INVALID_SEQUENCE is believed when two items were sent since the request": (
+        "UploadTransfer.cpp",
+        "has(firmware_, kRefusesTakenItems) && isOnly_ && tries_ > 1",
+        "has(firmware_, kRefusesTakenItems) && tries_ > 1",
+        "ArduPilot upload 2 --lossy 1 --faults 1",
         "an item is sent that was not asked for",
     ),
     "a PX4 that is busy is asked once more, and then given up": (

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "../explorer/Plans.h"
-#include "mavmission/link/MavlinkHeaders.h"
+#include "mavmission/base/MavlinkHeaders.h"
 
 namespace {
 

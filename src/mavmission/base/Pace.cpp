@@ -4,9 +4,9 @@ namespace mavmission {
 namespace detail {
 
 uint16_t Pace::waitMs(uint16_t ruleMs) const {
-  if (!isLossy()) return ruleMs;
-  const uint16_t answeredMs = kRoundTrips * roundTripMs_;
-  const uint16_t leastMs = kFrameTimes * busyMs_;
+  const bool lossy = isLossy();
+  const uint16_t answeredMs = (lossy ? kHurry : kPatience) * roundTripMs_;
+  const uint16_t leastMs = lossy ? kFrameTimes * busyMs_ : ruleMs;
   return answeredMs > leastMs ? answeredMs : leastMs;
 }
 

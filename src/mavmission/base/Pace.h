@@ -27,14 +27,19 @@ class Pace : public PaceRules {
   void learn(uint16_t roundTripMs, bool isSure) {
     if (isSure || roundTripMs < roundTripMs_) roundTripMs_ = roundTripMs;
   }
+  // A request came again `afterMs` after our last answer to it: the answer, or the next request, was lost. A quicker
+  // repeat says nothing: the next request may still be under way on a slow or full line.
+  void noteRepeat(uint16_t afterMs) {
+    if (afterMs >= kRepeatedMs && afterMs >= kPatience * roundTripMs_) noteLoss();
+  }
   // The line has been busy with a frame for `ms`. The longest time is kept, and halved each second.
   void noteBusy(uint16_t ms) {
     if (ms > busyMs_) busyMs_ = ms;
   }
 
-  // From a message to its repeat: on a line that loses nothing `ruleMs`, which the protocol or the autopilots demand.
-  // On a line that loses, the time after which an answer should have come; repeats then take a fifth of the line, and
-  // with the zeros before them less than a quarter.
+  // From a message to its repeat. On a line that loses nothing it is `ruleMs`, which the protocol or the autopilots
+  // demand, or more where answers are slower than that. On a line that loses it is the time after which an answer
+  // should have come; repeats then take a fifth of the line, and with the zeros before them a quarter at the most.
   MAVMISSION_APART uint16_t waitMs(uint16_t ruleMs) const;
 
  private:

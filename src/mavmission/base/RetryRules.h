@@ -9,10 +9,12 @@ namespace detail {
 
 // A line that loses bytes or frames, and when what has not been answered is sent again there.
 struct PaceRules {
-  static constexpr uint8_t kLossyS = 10;     // after the last loss the line is taken for one that loses
-  static constexpr uint8_t kFirstMs = 40;    // the round trip before one was measured
-  static constexpr uint8_t kRoundTrips = 2;  // from a message to its repeat, at least
-  static constexpr uint8_t kFrameTimes = 5;  // the same, in the times that the line takes for a frame
+  static constexpr uint8_t kLossyS = 10;        // after the last loss the line is taken for one that loses
+  static constexpr uint8_t kFirstMs = 40;       // the round trip before one was measured
+  static constexpr uint16_t kRepeatedMs = 500;  // a request that is repeated later than this after its answer says so
+  static constexpr uint8_t kPatience = 4;       // from a message to its repeat, in round trips, at least
+  static constexpr uint8_t kHurry = 2;          // the same on a line that loses
+  static constexpr uint8_t kFrameTimes = 5;     // the same, in the times that the line takes for a frame
 };
 
 struct UploadRules {

@@ -28,10 +28,11 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
-  } else if (item == item_ && send_ == Send::Nothing && since(sentMs_, nowMs) < kSameRequestMs) {
+  } else if (item == item_ && send_ == Send::Nothing &&
+             since(sentMs_, nowMs) < (pace.isLossy() ? pace.waitMs(0) : kSameRequestMs)) {
     return Status::Transferring;
   } else {
-    pace.noteLoss();  // the request was repeated: our item, or the next request, was lost
+    pace.noteRepeat(since(sentMs_, nowMs));
     repeated_ = true;
     if (item + 1u != asked_) isOnly_ = false;
   }
@@ -131,7 +132,7 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   // While an autopilot may still be busy with an earlier transfer of ours, it needs the longer time.
   const bool isLossy = pace.isLossy() && !(state_ == State::Counting && freed_);
   const uint16_t waitMs = state_ == State::Counting ? kCountMs : kLastItemMs;
-  const bool isOverdue = since(sentMs_, nowMs) >= (isLossy ? pace.waitMs(waitMs) : waitMs);
+  const bool isOverdue = since(sentMs_, nowMs) >= (state_ == State::Counting && freed_ ? waitMs : pace.waitMs(waitMs));
   const uint16_t stillMs = since(progressMs_, nowMs);
   switch (state_) {
     case State::Counting:
