@@ -100,7 +100,7 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy) 
   client().setTargetIds(1, 1);
   client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
   client().state_.unsettledMs = kNow;
-  if (isLossy) client().link_.state_.pace.noteLoss();
+  if (isLossy) client().link_.pace_.noteLoss();
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
   run(0, heartbeat.data(), heartbeat.size(), false);
 }
@@ -163,16 +163,15 @@ uint16_t ClientUnderTest::nextMs() const {
   uint16_t next = kNever;
   if (!c.link_.parser_.isIdle()) next = leftOf(FrameParser::kSilenceMs, c.link_.state_.heardByteMs);
   if (c.state_.status != Status::Transferring || !c.isBusy()) return next;
-  const Pace& pace = c.link_.state_.pace;
+  const Pace& pace = c.link_.pace_;
   if (c.state_.operation == MissionClient::uploadStep) {
     const UploadTransfer& t = c.transfer_;
-    const bool isSending = t.state_ == UploadTransfer::State::Sending;
     const bool isCounting = t.state_ == UploadTransfer::State::Counting;
-    const uint16_t ruleMs = isCounting ? UploadTransfer::kCountMs : UploadTransfer::kLastItemMs;
-    const uint16_t waitMs = isCounting && t.freed_ ? ruleMs : pace.waitMs(ruleMs);
-    if (!isSending || pace.isLossy()) next = std::min(next, leftOf(waitMs, t.sentMs_));
+    const uint16_t ruleMs = UploadTransfer::kRepeatMs;
+    if (t.state_ != UploadTransfer::State::Sending || pace.isLossy())
+      next = std::min(next, leftOf(isCounting && t.freed_ ? ruleMs : pace.waitMs(ruleMs), t.sentMs_));
     switch (t.state_) {
-      case UploadTransfer::State::Counting: return next;
+      case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kCountingMs, t.progressMs_));
       case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
       case UploadTransfer::State::Confirming:
         return std::min(next, leftOf(UploadTransfer::kConfirmingMs, t.progressMs_));
@@ -198,10 +197,10 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   link.sequence = link.heardSequence = 0;
   link.sequenceKnown = false;
   link.heartbeatMs = kNow;
-  link.damage = 0;
+  c.link_.damage_ = 0;
   // One pace for all lines, and slower than on a quick one: what there is between two repeats is the same.
-  link.pace.roundTripMs_ = kRoundTripMs;
-  link.pace.busyMs_ = 0;
+  c.link_.pace_.roundTripMs_ = kRoundTripMs;
+  c.link_.pace_.busyMs_ = 0;
   c.link_.finder_.heardMs_ = c.link_.finder_.firstMs_ = kNow;
   if (parser.isIdle()) {
     const bool inStep = parser.inStep_;
@@ -242,7 +241,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   if (!isTransferring) return;
   if (isUpload) {
     UploadTransfer& t = c.transfer_;
-    keep(t.sentMs_, ms, UploadTransfer::kCountMs);
+    keep(t.sentMs_, ms, UploadTransfer::kRepeatMs);
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
     foldTries(t.tries_, 0);
     if (t.state_ == UploadTransfer::State::Sending) t.tries_ = std::min<uint8_t>(t.tries_, 2);

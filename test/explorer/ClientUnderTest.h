@@ -33,7 +33,7 @@ class ClientUnderTest {
   // Until it does something of its own accord [ms], or kNever.
   uint16_t nextMs() const;
   // The line has been seen to lose: it sends again sooner, and more often.
-  bool isHurried() const { return client().link_.state_.pace.isLossy(); }
+  bool isHurried() const { return client().link_.pace_.isLossy(); }
   static constexpr uint16_t kRoundTripMs = 200;
   bool isBusy() const { return client().isBusy(); }
   mavmission::Aboard aboard() const { return client().aboard(); }

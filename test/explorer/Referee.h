@@ -20,7 +20,7 @@ struct Task {
 
 struct Referee {
   static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
-  static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 12000,
+  static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 9000,
                             kSameRequestMs = 50;
   // From a message to its repeat on a line that has been seen to lose.
   static constexpr uint16_t kHurriedMs = 2 * 200;

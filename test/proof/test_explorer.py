@@ -135,8 +135,8 @@ DEFECTS = {
     ),
     "an item is sent again unasked on a line that loses nothing": (
         "UploadTransfer.cpp",
-        "if (isLossy && isOverdue) sendAgain();",
-        "if (isOverdue) sendAgain();",
+        "if (state_ == State::Sending && !pace.isLossy()) return Status::Transferring;",
+        "",
         "PX4 upload 2",
         "an item is sent that was not asked for",
     ),
@@ -156,7 +156,7 @@ DEFECTS = {
     ),
     "a PX4 that is busy is asked once more, and then given up": (
         "UploadTransfer.cpp",
-        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kCountTries ? status : Status::Transferring;",
+        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kBusyTries ? status : Status::Transferring;",
         "if (freed_) return status;",
         "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
         "busy with what was ours, and the tries were not exhausted",
@@ -178,11 +178,8 @@ DEFECTS = {
     ),
     "an upload waits for its last answer for ever": (
         "UploadTransfer.cpp",
-        "if (stillMs >= kConfirmingMs) return Status::Unconfirmed;\n"
-        "      if (!isOverdue) break;\n"
-        "      if (!isLossy && tries_ > kLastItemTries) return Status::Unconfirmed;",
-        "if (!isOverdue) break;\n      if (tries_ > kLastItemTries) {\n        sentMs_ = nowMs;\n"
-        "        break;\n      }",
+        "if (stillMs >= kConfirmingMs) return Status::Unconfirmed;",
+        "if (stillMs >= kConfirmingMs) {\n      progressMs_ = nowMs;\n      return Status::Transferring;\n    }",
         "ArduPilot upload 1",
         "it goes round for ever",
     ),

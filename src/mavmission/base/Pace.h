@@ -30,10 +30,10 @@ class Pace : public PaceRules {
   // A request came again `afterMs` after our last answer to it: the answer, or the next request, was lost. A quicker
   // repeat says nothing: the next request may still be under way on a slow or full line.
   void noteRepeat(uint16_t afterMs) {
-    if (afterMs >= kRepeatedMs && afterMs >= kPatience * roundTripMs_) noteLoss();
+    if (afterMs >= waitMs(kRepeatedMs)) noteLoss();
   }
   // The line has been busy with a frame for `ms`. The longest time is kept, and halved each second.
-  void noteBusy(uint16_t ms) {
+  void noteBusy(uint8_t ms) {
     if (ms > busyMs_) busyMs_ = ms;
   }
 
@@ -44,7 +44,7 @@ class Pace : public PaceRules {
 
  private:
   uint16_t roundTripMs_;
-  uint16_t busyMs_;
+  uint8_t busyMs_;
   uint8_t lossyS_;
 };
 

@@ -18,14 +18,12 @@ struct PaceRules {
 };
 
 struct UploadRules {
-  static constexpr uint8_t kCountTries = 5;         // MISSION_COUNT
-  static constexpr uint16_t kCountMs = 1500;        // to the first request
-  static constexpr uint16_t kCountingMs = 7500;     // to the first request, repeats included, on a line that loses
-  static constexpr uint16_t kPassiveMs = 8500;      // to the next item's request
-  static constexpr uint8_t kSameRequestMs = 50;     // a repeat within this time is not answered again
-  static constexpr uint8_t kLastItemTries = 5;      // repeats of the last item
-  static constexpr uint16_t kLastItemMs = 1500;     // from the last item to its repeat
-  static constexpr uint16_t kConfirmingMs = 12000;  // from the last item's request to the end, repeats included
+  static constexpr uint16_t kRepeatMs = 1500;    // from MISSION_COUNT, or from the last item, to its repeat
+  static constexpr uint16_t kCountingMs = 7500;  // to the first request, repeats of COUNT included
+  static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
+  static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request
+  static constexpr uint16_t kSameRequestMs = 50;   // a repeat within this time is not answered again
+  static constexpr uint16_t kConfirmingMs = 9000;  // from the last item's request to the end, repeats included
 };
 
 struct DownloadRules {

@@ -105,7 +105,7 @@ void Client::checkPlan(uint16_t nowMs) {
 }
 
 void Client::beginUpload(uint16_t nowMs) {
-  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled, nowMs);
+  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled);
   if (state_.announce != nullptr) state_.announce(*this, true);
   opaqueId_.begin();
   state_.next = 0;

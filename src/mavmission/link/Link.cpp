@@ -114,7 +114,7 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
 
 void Link::release() {
   if (!maySpeak()) return outbox_.drop();
-  outbox_.release(state_.pace.isLossy());
+  outbox_.release(pace_.isLossy());
   ++state_.sequence;
   ++state_.framesSent;
 }
@@ -146,10 +146,10 @@ bool Link::sendForeign(const OutgoingMessage& message) {
 void Link::onTime(uint16_t nowMs) {
   // What was skipped before the first heartbeat was the rest of a frame in whose middle our listening began.
   const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
-  if (damage != state_.damage && finder_.isHeard()) state_.pace.noteLoss();
-  state_.damage = damage;
-  uint16_t busyMs;
-  if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) state_.pace.noteBusy(busyMs);
+  if (damage != damage_ && finder_.isHeard()) pace_.noteLoss();
+  damage_ = damage;
+  uint8_t busyMs;
+  if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) pace_.noteBusy(busyMs);
   finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;

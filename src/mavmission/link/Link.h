@@ -25,7 +25,7 @@ class Link : public LinkRules {
   // Sets the stream. All other members of a Link begin as zero, except the pace.
   void begin(Stream& stream) {
     stream_ = &stream;
-    state_.pace.begin();
+    pace_.begin();
   }
 
   // Sets our own ids. 0, 0 is the default: the autopilot's system id, and kComponentId.
@@ -91,7 +91,7 @@ class Link : public LinkRules {
   }
 
   // How quickly the line answers, and whether it loses.
-  Pace& pace() { return state_.pace; }
+  Pace& pace() { return pace_; }
 
   Stream& stream() const { return *stream_; }
 #if MAVMISSION_SIGNING
@@ -140,8 +140,6 @@ class Link : public LinkRules {
     MavlinkVersion speak;
     bool heartbeatSent;
     bool sequenceKnown;
-    uint8_t damage;  // what has been counted, its low 8 bits
-    Pace pace;
   };
 
   Stream* stream_;
@@ -149,6 +147,8 @@ class Link : public LinkRules {
   AutopilotFinder finder_;
   Outbox outbox_;
   FrameParser parser_;
+  Pace pace_;
+  uint8_t damage_;  // low byte of what has been counted as skipped or lost
 
 #if MAVMISSION_SIGNING
   // Rounds of SHA-256 in an update() that is spent on hashing (DESIGN.md, "Signing").

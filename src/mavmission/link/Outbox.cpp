@@ -80,18 +80,14 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
   stuckMs_ = nowMs;
   if (room > idle_) idle_ = static_cast<int16_t>(room);
   if (room > most) room = most;
-  for (; sent_ < 0 && room != 0; --room) {
-    stream.write(static_cast<uint8_t>(0));
-    ++sent_;
-  }
-  if (sent_ < 0) return;
+  for (; fill_ != 0 && room != 0; --room, --fill_) stream.write(static_cast<uint8_t>(0));
   if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
   const uint8_t left = static_cast<uint8_t>(length_ - sent_);
   sent_ += stream.write(frame_ + sent_, room < left ? room : left);
 }
 
-bool Outbox::isLineBusy(Stream& stream, uint16_t nowMs, uint16_t& busyMs) const {
-  busyMs = since(stuckMs_, nowMs);
+bool Outbox::isLineBusy(Stream& stream, uint16_t nowMs, uint8_t& busyMs) const {
+  busyMs = static_cast<uint8_t>(since(stuckMs_, nowMs));
   return isEmpty() && stream.availableForWrite() < idle_;
 }
 

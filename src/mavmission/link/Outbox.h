@@ -25,7 +25,7 @@ class Outbox : public StreamRules {
 
   // Zero bytes before a frame on a line that loses bytes [bytes]. The autopilot's parser may still wait for the rest of
   // a frame that has lost some bytes: it then takes the zeros for that rest, and not the beginning of our frame.
-  static constexpr int8_t kFill = 12;
+  static constexpr uint8_t kFill = 12;
 
   // True when no frame is being sent, so that a new one may be begun.
   bool isEmpty() const { return sent_ == length_; }
@@ -48,7 +48,8 @@ class Outbox : public StreamRules {
   bool isHeld() const { return held_; }
   void release(bool isFilled = false) {
     held_ = false;
-    sent_ = isFilled ? -kFill : 0;
+    sent_ = 0;
+    fill_ = isFilled ? kFill : 0;
 #if MAVMISSION_SIGNING
     isUnsigned_ = signs_;
 #endif
@@ -56,7 +57,7 @@ class Outbox : public StreamRules {
   void drop() { held_ = false; }
 
   // True while the line is busy with what was handed to the stream last, `busyMs` ago.
-  bool isLineBusy(Stream& stream, uint16_t nowMs, uint16_t& busyMs) const;
+  bool isLineBusy(Stream& stream, uint16_t nowMs, uint8_t& busyMs) const;
 
 #if MAVMISSION_SIGNING
   // From now on frames are signed: after release() a frame waits for startSigning() and then for setSigned().
@@ -89,8 +90,8 @@ class Outbox : public StreamRules {
 
   static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
 
-  int16_t length_;  // length of the whole frame
-  int16_t sent_;    // bytes of the frame that have been written; negative while zeros before it are to be written
+  uint16_t length_;  // length of the whole frame
+  uint16_t sent_;
   // Writes the next bytes of a frame with the sketch's own message; null for a frame of ours, which lies in one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
   uint16_t stuckMs_;  // when bytes were last written, or when availableForWrite() began to return 0
@@ -100,6 +101,7 @@ class Outbox : public StreamRules {
   bool hasSaid_;  // availableForWrite() has returned more than 0 once: a 0 is then true, as with flow control
 #endif
   bool held_;
+  uint8_t fill_;  // zeros that are still to be written before the frame
   int16_t idle_;  // what the stream takes when that is empty, as far as that was seen
 #if MAVMISSION_SIGNING
   bool signs_;

@@ -3,9 +3,8 @@
 namespace mavmission {
 namespace detail {
 
-void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs) {
+void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers) {
   *this = UploadTransfer();  // all zero: state Counting, no item requested yet
-  progressMs_ = nowMs;
   behind_ = count;
   send_ = Send::Count;
   suspicion_ = Status::Transferring;
@@ -20,19 +19,19 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
   // only when it has the one before. Such a request is ignored.
   if (item >= behind_ && state_ == State::Confirming) endOlder();
   if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
+  const uint16_t agoMs = since(sentMs_, nowMs);
   if (item == asked_) {
-    pace.learn(since(sentMs_, nowMs), tries_ == 1);
+    pace.learn(agoMs, tries_ == 1);
     ++asked_;
     isOnly_ = true;
     isUnasked_ = false;
     progressMs_ = nowMs;
     state_ = State::Sending;
     tries_ = 0;
-  } else if (item == item_ && send_ == Send::Nothing &&
-             since(sentMs_, nowMs) < (pace.isLossy() ? pace.waitMs(0) : kSameRequestMs)) {
+  } else if (item == item_ && send_ == Send::Nothing && agoMs < (pace.isLossy() ? pace.waitMs(0) : kSameRequestMs)) {
     return Status::Transferring;
   } else {
-    pace.noteRepeat(since(sentMs_, nowMs));
+    pace.noteRepeat(agoMs);
     repeated_ = true;
     if (item + 1u != asked_) isOnly_ = false;
   }
@@ -97,7 +96,7 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
       if (state_ == State::Counting && !has(firmware_, kErrorRefusesCount)) {
         // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well,
         // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
-        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kCountTries ? status : Status::Transferring;
+        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kBusyTries ? status : Status::Transferring;
         freed_ = true;
         tries_ = 0;
         send_ = Send::Cancel;
@@ -129,40 +128,26 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
 
 Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  // While an autopilot may still be busy with an earlier transfer of ours, it needs the longer time.
-  const bool isLossy = pace.isLossy() && !(state_ == State::Counting && freed_);
-  const uint16_t waitMs = state_ == State::Counting ? kCountMs : kLastItemMs;
-  const bool isOverdue = since(sentMs_, nowMs) >= (state_ == State::Counting && freed_ ? waitMs : pace.waitMs(waitMs));
   const uint16_t stillMs = since(progressMs_, nowMs);
-  switch (state_) {
-    case State::Counting:
-      if (!isOverdue) break;
-      if (isLossy ? stillMs >= kCountingMs : tries_ >= kCountTries)
-        return suspicion_ != Status::Transferring ? suspicion_ : Status::NoAnswer;
-      send_ = freed_ ? Send::Cancel : Send::Count;
-      break;
-
-    case State::Sending:
-      if (stillMs >= kPassiveMs) return suspicion_ != Status::Transferring ? suspicion_ : Status::TimedOut;
-      if (isLossy && isOverdue) sendAgain();
-      break;
-
-    case State::Confirming:
-      if (stillMs >= kConfirmingMs) return Status::Unconfirmed;
-      if (!isOverdue) break;
-      if (!isLossy && tries_ > kLastItemTries) return Status::Unconfirmed;
-      sendAgain();
-      break;
+  const bool isCounting = state_ == State::Counting;
+  if (state_ == State::Confirming) {
+    if (stillMs >= kConfirmingMs) return Status::Unconfirmed;
+  } else if (stillMs >= (isCounting ? kCountingMs : kPassiveMs)) {
+    return suspicion_ != Status::Transferring ? suspicion_ : isCounting ? Status::NoAnswer : Status::TimedOut;
   }
-  return Status::Transferring;
-}
-
-// Sends the item of the newest request again, although it was not requested again.
-void UploadTransfer::sendAgain() {
+  if (state_ == State::Sending && !pace.isLossy()) return Status::Transferring;
+  // While an autopilot may still be busy with an earlier transfer of ours, it needs the longer time.
+  if (since(sentMs_, nowMs) < (isCounting && freed_ ? kRepeatMs : pace.waitMs(kRepeatMs))) return Status::Transferring;
+  if (isCounting) {
+    send_ = freed_ ? Send::Cancel : Send::Count;
+    return Status::Transferring;
+  }
+  // The item of the newest request, although it was not requested again.
   repeated_ = true;
   isUnasked_ = true;
   item_ = asked_ - 1;
   send_ = Send::Item;
+  return Status::Transferring;
 }
 
 void UploadTransfer::sent(uint16_t nowMs) {
@@ -172,11 +157,10 @@ void UploadTransfer::sent(uint16_t nowMs) {
   }
   if (send_ == Send::Count) {
     recounted_ = tries_ != 0 || freed_;
-  } else {
-    if (state_ != State::Confirming && item_ + 1u == behind_) {
-      state_ = State::Confirming;
-      suspicion_ = Status::Transferring;
-    }
+    if (tries_ == 0) progressMs_ = nowMs;
+  } else if (state_ != State::Confirming && item_ + 1u == behind_) {
+    state_ = State::Confirming;
+    suspicion_ = Status::Transferring;
   }
   if (tries_ != 255) ++tries_;
   sentMs_ = nowMs;

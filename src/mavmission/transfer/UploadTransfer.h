@@ -35,7 +35,7 @@ class UploadTransfer : public UploadRules {
   static constexpr uint8_t kAnswers = 1, kBusy = 2;
 
   // Begins the upload of `count` items on the wire to an autopilot with this firmware. `leftovers`: kAnswers, kBusy.
-  void begin(uint16_t count, Firmware firmware, uint8_t leftovers, uint16_t nowMs);
+  void begin(uint16_t count, Firmware firmware, uint8_t leftovers);
 
   // Limits the upload to wire items `first` to `behind` - 1, for a part of a plan. To be called right after begin().
   void limitTo(uint16_t first, uint16_t behind) {
@@ -74,7 +74,6 @@ class UploadTransfer : public UploadRules {
  private:
   bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
-  void sendAgain();
   Status onAcceptance();
 
   uint16_t progressMs_;
