@@ -47,7 +47,7 @@ void Referee::begin(const Task& what, Firmwares firmware) {
 void Referee::pass(uint16_t ms) {
   if (!isRunning) return;
   sinceSentMs = static_cast<uint16_t>(std::min<int>(sinceSentMs + ms, kAnswerMs));
-  if (asked != 0) sinceNewMs = static_cast<uint16_t>(std::min<int>(sinceNewMs + ms, kConfirmingMs));
+  if (asked != 0 || counts != 0) sinceNewMs = static_cast<uint16_t>(std::min<int>(sinceNewMs + ms, kConfirmingMs));
 }
 
 const char* Referee::sent(const Message& message, Firmwares firmware) {
@@ -93,6 +93,7 @@ const char* Referee::sentInUpload(const Message& message) {
       if (counts != 0 && sinceSentMs < againMs(kAnswerMs) && hasFreed != kJustNow)
         return "COUNT is sent again too early";
       if (hasFreed) hasFreed = kBefore;
+      if (counts == 0) sinceNewMs = 0;
       if (counts < kTries) ++counts;
       return nullptr;
 
@@ -106,16 +107,15 @@ const char* Referee::sentInUpload(const Message& message) {
       if (isPresumed && message.number == asked) {
         open = static_cast<uint8_t>(open | 1u << asked++);
         sinceNewMs = 0;
-        repeats = copies = isPresumed = 0;
+        copies = isPresumed = 0;
       }
       const bool isConfirming = isLast && isLastSent;
       if ((open & bit) == 0) {
         if (message.number + 1 != asked) return "an item is sent that was not asked for";
         if (!isConfirming && !isHurried) return "an item is sent that was not asked for";
         if (sinceSentMs < againMs(kAnswerMs)) return "the last item is repeated too early";
-        if (isConfirming && repeats == kTries && !isHurried) return "the last item is repeated too often";
+        if (isConfirming && sinceNewMs >= kConfirmingMs) return "the last item is repeated too late";
       }
-      if ((isLastSent || (open & bit) == 0) && repeats < kTries) ++repeats;
       open = static_cast<uint8_t>(open & ~bit);
       sentItem = static_cast<uint8_t>(message.number + 1);
       if (copies < 2) ++copies;
@@ -129,8 +129,7 @@ const char* Referee::sentInUpload(const Message& message) {
       if (hasFreed && sinceSentMs < kAnswerMs) return "an older transfer is cancelled again too early";
       if (!hasFreed) counts = 0;  // as many tries again: PX4 gives it up by itself 5 s after it has heard something
       hasFreed = kJustNow;
-      asked = open = sentItem = isLastSent = repeats = copies = 0;
-      sinceNewMs = 0;
+      asked = open = sentItem = isLastSent = copies = 0;
       return nullptr;
 
     case Kind::Heartbeat:
@@ -182,7 +181,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       if (message.number == asked) {
         ++asked;
         sinceNewMs = 0;
-        repeats = copies = 0;
+        copies = 0;
         isOnly = true;
         isPresumed = false;
       } else if (message.number + 1 == sentItem && sinceSentMs < kSameRequestMs) {
@@ -288,7 +287,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     case Status::Unconfirmed: {
       if (!isUpload() || (!isLastSent && !isReading)) return "Unconfirmed before the last item was sent";
       if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
-      const bool isExhausted = (repeats == kTries && sinceSentMs >= againMs(kAnswerMs)) || sinceNewMs >= kConfirmingMs;
+      const bool isExhausted = sinceNewMs >= kConfirmingMs;
       const bool isIdle = (heardAcks & (1u << kError)) != 0;
       return isExhausted || isIdle ? nullptr : "Unconfirmed before the tries were exhausted";
     }
@@ -299,13 +298,13 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
                                                                      : "NoAnswer before the tries were exhausted";
       }
       if (isReading) return isListedOut ? nullptr : "NoAnswer before the tries were exhausted";
-      if (counts >= kTries && asked == 0 && sinceSentMs >= againMs(kAnswerMs)) return nullptr;
+      if (counts >= kTries && asked == 0 && sinceNewMs >= kCountingMs) return nullptr;
       return "NoAnswer before the tries were exhausted";
 
     case Status::TimedOut:
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
       // An error to a repeat says that there is no transfer any more.
-      if (asked != 0 && repeats != 0 && (heardAcks & (1u << kError)) != 0) return nullptr;
+      if (asked != 0 && copies == 2 && (heardAcks & (1u << kError)) != 0) return nullptr;
       return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
 
     case Status::Cancelled: return nullptr;

@@ -20,8 +20,8 @@ struct Task {
 
 struct Referee {
   static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
-  static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kConfirmingMs = 9000,
-                            kSameRequestMs = 50;
+  static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kCountingMs = 7500,
+                            kConfirmingMs = 9000, kSameRequestMs = 50;
   // From a message to its repeat on a line that has been seen to lose.
   static constexpr uint16_t kHurriedMs = 2 * 200;
 
@@ -34,7 +34,6 @@ struct Referee {
   uint8_t open;      // bit i: item i was asked for, and has not been sent since
   uint8_t sentItem;  // the item sent last, one more
   uint8_t isLastSent;
-  uint8_t repeats;   // of the last item, unasked
   uint8_t hasFreed;  // an older transfer was cancelled last: never (0), kJustNow, or kBefore the last COUNT
   uint8_t isReading;
   uint8_t lists;           // REQUEST_LISTs sent
@@ -53,9 +52,10 @@ struct Referee {
   uint8_t copies;          // of the item before `asked`, since that was asked for; 2 at most
   uint8_t isOnly;          // no other was asked for since
   uint8_t isPresumed;      // the autopilot has the item before `asked`, by its INVALID_SEQUENCE
+  uint8_t even;            // always 0: without a hole, states can be compared by their bytes
   uint16_t heardAcks;      // bit r: ACK r was heard
   uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
-  uint16_t sinceNewMs;     // since an item was asked for that had not been before, 12000 at most
+  uint16_t sinceNewMs;  // since the first COUNT, or since an item was asked for that had not been before, 9000 at most
 
   void begin(const Task& task, Firmwares firmware);
   void pass(uint16_t ms);

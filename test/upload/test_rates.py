@@ -116,17 +116,17 @@ def test_each_seed_loses_other_frames_and_always_the_same_ones():
 
 @pytest.mark.slow
 def test_a_false_acceptance_would_be_found():
-    lying = with_defect("UploadTransfer.cpp", "if (stillMs >= kConfirmingMs) return Status::Unconfirmed;",
-                        "if (stillMs >= kConfirmingMs) return Status::Accepted;")  # fmt: skip
+    lying = with_defect("UploadTransfer.cpp", "isCounting ? Status::NoAnswer : Status::TimedOut;",
+                        "isCounting ? Status::NoAnswer : Status::Accepted;")  # fmt: skip
     ends = rates.uploads("PX4", "upload-by-answer", "frames", 70, rates.SEEDS, rates.build_rates(lying))
     assert any(end.is_false_acceptance and not end.is_aboard_true for end in ends)
 
 
 @pytest.mark.slow
 def test_an_upload_that_never_ends_would_be_found():
-    waiting = with_defect("UploadTransfer.cpp", "if (stillMs >= kPassiveMs)", "if (stillMs >= 0xFFFF)")
+    waiting = with_defect("UploadTransfer.cpp", "(isCounting ? kCountingMs : kPassiveMs)", "(isCounting ? 0xFFFF : kPassiveMs)")
     # (The limit on the whole transfer ends it still: 132 s are longer than the rules allow.)
-    ends = rates.uploads("ArduPilot", "upload-by-answer", "frames", 40, rates.SEEDS, rates.build_rates(waiting))
+    ends = rates.uploads("ArduPilot", "upload-by-answer", "frames", 98, rates.SEEDS, rates.build_rates(waiting))
     assert any(end.took_s > rates.limit_s("ArduPilot", "upload-by-answer") for end in ends)
 
 
