@@ -330,12 +330,11 @@ class FakeAutopilot:
         # What an autopilot has no room for in time, it leaves out.
         is_late = self._buffer_s and now - time > self._buffer_s
         if not is_late and not self.is_silent(now) and self._is_wanted(frame, now):
-            frame = frames.renumbered(frame, self._packer.seq, *self.address)
+            frame = frames.renumbered(frame, self.next_sequence(), *self.address)
             if self.signing.sign_outgoing:
                 self._set_signing_time(now)
                 frame = frames.signed(frame, self.signing)
             self._release(frame, now)
-            self._packer.seq = (self._packer.seq + 1) % 256
 
     def thinned_by(self) -> int:
         """Of so many telemetry messages one goes out."""
@@ -367,7 +366,7 @@ class FakeAutopilot:
             return
         self._set_signing_time(now)
         frame = frames.packed(message, self._packer, self.mavlink_version)
-        self._packer.seq = (self._packer.seq + 1) % 256
+        self.next_sequence()
         self.log.append(LogEntry(now, "<", message))
         self._release(frame, now)
 
@@ -404,6 +403,12 @@ class FakeAutopilot:
             raise ValueError("recorded telemetry is MAVLink 2: give mavlink_version=2, "
                              "or a number of bytes per second")
         return iter(telemetry)
+
+    def next_sequence(self) -> int:
+        """Take the sequence number of the next frame."""
+        number = self._packer.seq
+        self._packer.seq = (number + 1) % 256
+        return number
 
     def _synthetic_telemetry(self, bytes_per_s: float):
         """ATTITUDE, rocking gently, at so many bytes per second, for ever."""

@@ -36,7 +36,7 @@ class AutopilotFinder : public FinderRules {
       heartbeat_ = heartbeat;
     }
   }
-  // It has said something else.
+  // A message of the autopilot other than its heartbeat: it is not lost, although its heartbeats may be.
   void onFrame(uint16_t nowMs) { heardMs_ = nowMs; }
   MAVMISSION_APART void onTime(uint16_t nowMs);
 

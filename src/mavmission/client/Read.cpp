@@ -115,8 +115,9 @@ void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
       if (status == Status::Transferring) return;
       // While an upload is being proven, the autopilot may still hold the upload open: ArduPilot then denies reading
       // until it gives the upload up, and PX4 answers with an error. The request is repeated, and the number of its
-      // attempts limits the wait.
-      if (rest_.proving && reading_.transfer.state() == DownloadTransfer::State::Listing) return;
+      // attempts limits the wait. An error may also be the late answer to our last item, if that was sent again.
+      const bool isListing = reading_.transfer.state() == DownloadTransfer::State::Listing;
+      if (rest_.proving && (isListing || status == Status::Error)) return;
       rest_.lastResult = result;
       return endReading(status);
     }
