@@ -40,7 +40,7 @@ def denied(bench: Bench) -> None:
 
 def limited(bench: Bench) -> None:
     bench.tell("limit", 3)
-    bench.wire.delay("<", 0.8, name="MISSION_REQUEST*", times=None)
+    bench.wire.lose(">", name="MISSION_ITEM*", seq=2, times=None)
 
 
 def nobody(bench: Bench) -> None:
@@ -59,6 +59,9 @@ COURSES = {
     "limited": (limited, "ByAnswer", 4.5),
     "nobody": (nobody, "ByAnswer", 4.5),
 }
+# Where the line is seen to lose, messages are repeated every two round trips, some of which fall into another tick of
+# 2 ms: only the first of each is compared, as to its time within what a few repeats take. [s]
+REPEATED = {"ACK lost": 0.06, "ACK lost, read back": 0.06, "limited": 0.06}
 EVERY_S = 0.37  # a wrap at each so much of a course: several in each wait
 
 
@@ -77,6 +80,10 @@ def course(personality: str, name: str, wrap: tuple[int, float] | None) -> tuple
     bench.upload(SURVEY, proof=proof)
     bench.run_until(length_s + 1.0)
     sent = [(entry.time, str(entry.message)) for entry in bench.wire.frames(">")]
+    if name in REPEATED:
+        firsts = {what: time for time, what in reversed(sent) if not what.startswith("HEARTBEAT")}
+        heartbeats = [(time, what) for time, what in sent if what.startswith("HEARTBEAT")]
+        sent = [*heartbeats, *((time, what) for what, time in reversed(firsts.items()))]
     began = next(event.ms for event in bench.events if event.word == "began")
     ended = [((event.ms - began) % 2**32 / 1000, status_names()[event.numbers[0]])
              for event in bench.events if event.word == "end"]  # fmt: skip
@@ -98,7 +105,8 @@ def expect_the_same(personality: str, name: str, bits: int, at_s: float) -> None
     for events, expected_events in zip(found, expected, strict=True):
         assert [what for _, what in events] == [what for _, what in expected_events], at_s
         for (time, what), (expected_time, _) in zip(events, expected_events, strict=True):
-            assert time == pytest.approx(expected_time, abs=SAME_S), (at_s, what)
+            same_s = REPEATED.get(name, SAME_S)
+            assert time == pytest.approx(expected_time, abs=same_s), (at_s, what)
     assert progressed == progress
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 import pytest
 
@@ -14,6 +14,10 @@ from simulation.peer import ack, find, request_int
 
 # millis() moves in steps of 1 and at times 2 ms, and loop() runs each 1.024 ms: so early and so late a wait may end.
 LOOP_S = 0.0022
+# On a line that has been seen to lose, what has no answer is repeated every two round trips, of 10 ms here, and not
+# before the line was free for four times as long as it was busy.
+LEAST_REPEAT_S = 0.015
+MOST_REPEATS_A_SECOND = 30
 CANCELLED = mavlink.MAV_MISSION_OPERATION_CANCELLED
 
 FIRST_COUNT = pytest.mark.scenario(9, "The first COUNT is lost")
@@ -58,8 +62,11 @@ def test_lost_first_request_is_asked_for_again(bench, personality):
     bench.upload(SURVEY)
     assert bench.run_until_ended(limit_s=15) == "Accepted"
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-    # ArduPilot asks again after 1.0 s, PX4 after 0.27 s: both before a second COUNT is due.
-    assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
+    # The loss is seen by the autopilot's next frame, at the latest when it asks again (ArduPilot after 1.0 s, PX4 after
+    # 0.27 s).
+    counts, *items = (list(group) for _, group in groupby(steps(bench)))
+    assert 1 <= len(counts) <= 1 + MOST_REPEATS_A_SECOND
+    assert [counts[0], *(item for (item, *_) in items)] == smooth_steps(len(on_the_wire(SURVEY, personality)))
 
 
 @pytest.mark.scenario(11, "Silence in mid-transfer; the same item for ever")
@@ -87,7 +94,8 @@ def test_lost_final_ack_is_asked_for_by_the_last_item_again(build_bench):
     bench.upload(SURVEY)
     assert bench.run_until_ended(limit_s=15) == "Accepted"
     *_, last, again = bench.sent_at("MISSION_ITEM_INT")
-    assert again - last == pytest.approx(1.5, abs=LOOP_S)
+    # At once when the loss is seen, by the autopilot's next frame.
+    assert last + LEAST_REPEAT_S < again <= last + 1.5 + LOOP_S
     assert steps(bench) == [*smooth_steps(5), ("ITEM_INT", 4)]
     assert same_bits(bench.autopilot.received(), SURVEY)
     assert bench.state.aboard == "OurPlan"
@@ -99,15 +107,15 @@ def read_back(wire_count: int) -> list[tuple]:
 
 
 def expect_repeats_then(bench, wire_count: int, then: list[tuple]) -> None:
-    """The last item again, one to five times, each after 1500 ms; then this, and nothing else."""
+    """The last item again, after 1500 ms at the latest, and not too often; then this, and nothing else."""
     said = steps(bench)
     repeats = said[1 + wire_count : len(said) - len(then)]
     assert said == [*smooth_steps(wire_count), *repeats, *then]
     assert repeats == [("ITEM_INT", wire_count - 1)] * len(repeats)
-    assert 1 <= len(repeats) <= 5
+    assert len(repeats) >= 1
     times = bench.sent_at("MISSION_ITEM_INT")[wire_count - 1 :]
     for earlier, later in pairwise(times):
-        assert later - earlier == pytest.approx(1.5, abs=LOOP_S)
+        assert LEAST_REPEAT_S < later - earlier <= 1.5 + LOOP_S
 
 
 @FINAL_ACK
@@ -119,11 +127,12 @@ def test_lost_final_ack_of_ardupilot_is_never_taken_for_either_end(build_bench, 
     bench.upload(SURVEY)
     assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
     ended = next(event.ms for event in bench.events if event.word == "end") / 1000
-    # Its ERROR says all that it will say; where it is silent the last item is repeated five times.
+    # Its ERROR says all that it will say; where it is silent the last item is repeated for 9 s.
     wait = 0.05 if losses else 1.5
     assert bench.sent_at("MISSION_ITEM_INT")[-1] < ended <= bench.sent_at("MISSION_ITEM_INT")[-1] + wait + 0.012
     bench.run(10)
-    assert len(bench.sent_at("MISSION_ITEM_INT")) == 6 + (1 if losses else 5)
+    items = bench.sent_at("MISSION_ITEM_INT")
+    assert len(items) == 7 if losses else 8.8 < items[-1] - items[5] <= 9.0 + LOOP_S
     state = bench.state
     assert (state.aboard, state.last_result) == ("NotKnown", mavlink.MAV_MISSION_ERROR if losses else None)
     assert bench.progress[-1] == (4, 5)
@@ -137,7 +146,7 @@ def test_final_acks_that_all_are_lost_end_in_bounded_time(bench, personality):
     bench.upload(SURVEY)
     last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
     assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
-    assert bench.now - last < 9.05  # five items and the wait after the last, 1.5 s each
+    assert bench.now - last < 9.05
     bench.run(10)
     expect_repeats_then(bench, wire_count, [])
     assert (bench.state.aboard, bench.ends) == ("NotKnown", ["Unconfirmed"])
@@ -204,10 +213,11 @@ def test_no_answer_even_to_the_reading_ends_in_bounded_time(bench, personality):
     bench.upload(SURVEY, proof="InDoubt")
     last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
     assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
-    assert bench.now - last < 17.0  # five items and five lists, 1.5 s each, and the answer to the last item
+    assert bench.now - last < 9.0 + 20.0  # the last item, and the lists
     bench.run(10)
-    lists = [("REQUEST_LIST", None)] * 5
-    expect_repeats_then(bench, wire_count, [*lists, ("ACK", CANCELLED)])
+    lists = steps(bench).count(("REQUEST_LIST", None))
+    assert 5 <= lists <= 250
+    expect_repeats_then(bench, wire_count, [*[("REQUEST_LIST", None)] * lists, ("ACK", CANCELLED)])
     state = bench.state
     assert (state.aboard, state.last_result) == ("NotKnown", None)
     assert bench.ends == ["Unconfirmed"]

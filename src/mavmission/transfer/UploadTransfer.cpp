@@ -33,7 +33,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
   } else {
     pace.noteRepeat(agoMs);
     repeated_ = true;
-    if (item + 1u != asked_) isOnly_ = false;
+    if (item != item_) isOnly_ = false;
   }
   item_ = item;
   send_ = Send::Item;
@@ -102,22 +102,26 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
         send_ = Send::Cancel;
         return Status::Transferring;
       }
-      // An idle autopilot answers our repeated item with an error, and with nothing else afterwards. For the last item
-      // this error says nothing about the plan (PX4 answers with ACCEPTED again); for an earlier item it means that the
-      // autopilot has given up, or was restarted.
-      if (isUnasked_ && !(has(firmware_, kSaysErrorWhenBusy) && recounted_)) {
-        if (state_ == State::Sending) return Status::TimedOut;
-        if (!has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
-      }
-      // An idle autopilot answers with an error to an item that arrives after the end of the transfer, as an item that
-      // was sent twice may. PX4 answers our second COUNT with an error, "busy", and continues. Any other error is a
-      // refusal of the item.
-      if ((state_ == State::Confirming && repeated_) ||
-          (state_ != State::Counting && has(firmware_, kSaysErrorWhenBusy) && recounted_)) {
-        suspicion_ = status;
+      // On a line that loses, many repeats in an earlier transfer may be answered with an error each.
+      // (The last item is read back in any case.)
+      if (mayBeAnswered() && pace.isLossy() && (state_ != State::Confirming || !isUnasked_)) {
+        if (state_ == State::Counting) break;
         return Status::Transferring;
       }
-      return status;
+      // PX4 answers our second COUNT with an error, "busy", and continues.
+      if (state_ == State::Counting) return status;
+      if (!has(firmware_, kSaysErrorWhenBusy) || !recounted_) {
+        // An idle autopilot answers our repeated item with an error, and with nothing else afterwards. For the last
+        // item this error says nothing about the plan (PX4 answers with ACCEPTED again); for an earlier item it means
+        // that the autopilot has given up, or was restarted.
+        if (isUnasked_ && state_ == State::Sending) return Status::TimedOut;
+        if (isUnasked_ && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;
+        // An idle autopilot answers so to an item that arrives after the end of the transfer, as an item that was sent
+        // twice may. Any other error is a refusal of the item.
+        if (state_ != State::Confirming || !repeated_) return status;
+      }
+      suspicion_ = status;
+      return Status::Transferring;
 
     default: return status;
   }
