@@ -39,14 +39,18 @@ def build_target(target: str) -> Path:
 def fuzz(target: str, found: Path, *options: str) -> subprocess.CompletedProcess:
     """Runs a target from its corpus; new inputs and those that break something go to `found`."""
     found.mkdir(parents=True, exist_ok=True)
-    words = [build_target(target), *options, f"-artifact_prefix={found}/", found, FUZZ / "corpus" / target]
+    # libFuzzer's limit of memory looks at the peak that the system reports, and Linux counts the peak of the process
+    # that started this one: a test worker that has grown would fail it. The library takes no memory that could grow.
+    limits = ["-rss_limit_mb=0", "-malloc_limit_mb=64"]
+    words = [build_target(target), *limits, *options, f"-artifact_prefix={found}/", found, FUZZ / "corpus" / target]
     return subprocess.run(words, capture_output=True, text=True, check=False)
 
 
 @pytest.mark.parametrize("target", ["parser", pytest.param("client", marks=pytest.mark.slow)])
 def test_what_must_hold_holds_for_the_corpus(target):
     corpus = sorted((FUZZ / "corpus" / target).iterdir())
-    ran = subprocess.run([build_target(target), *corpus], capture_output=True, text=True, check=False)
+    words = [build_target(target), "-rss_limit_mb=0", *corpus]
+    ran = subprocess.run(words, capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stderr[-6000:]
     assert ran.stderr.count("Executed ") == len(corpus) > 5
 
