@@ -3,7 +3,6 @@
 #include <Arduino.h>
 
 #include "../base/Checksum.h"
-#include "../base/Clock.h"
 #include "../base/Flash.h"
 #include "../base/MavlinkHeaders.h"
 
@@ -58,25 +57,8 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
 #if MAVMISSION_SIGNING
   if (isUnsigned_) return;
 #endif
-  int room = stream.availableForWrite();
-  if (room > 0) {
-    blind_ = false;
-#ifndef __AVR__
-    hasSaid_ = true;
-  } else if (hasSaid_) {
-    return;
-#endif
-  } else if (blind_) {
-    room = kBlindBytes;
-  } else {
-    if (!stuck_) {
-      stuck_ = true;
-      stuckMs_ = nowMs;
-    }
-    blind_ = since(stuckMs_, nowMs) >= kNotImplementedMs;
-    return;
-  }
-  stuck_ = false;
+  int room = room_.of(stream, nowMs, kBlindBytes);
+  if (room == 0) return;
   if (room > most) room = most;
   if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
   const uint8_t left = static_cast<uint8_t>(length_ - sent_);

@@ -6,7 +6,7 @@
 
 #include "../Config.h"
 #include "../OutgoingMessage.h"
-#include "../base/RetryRules.h"
+#include "../base/StreamRoom.h"
 #include "FrameParser.h"
 #if MAVMISSION_SIGNING
 #include "../signing/Signing.h"
@@ -15,12 +15,12 @@
 namespace mavmission {
 namespace detail {
 
-class Outbox : public StreamRules {
+class Outbox {
  public:
   // The longest payload among our messages [bytes]: that of MISSION_ITEM_INT; COMMAND_INT has 35.
   static constexpr uint8_t kMaxPayload = 38;
 
-  // Bytes that such a stream is given in one call: each may wait for the line [bytes].
+  // What a stream without availableForWrite() is given in one call: each byte may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
   // True when no frame is being sent, so that a new one may be begun.
@@ -86,12 +86,7 @@ class Outbox : public StreamRules {
   uint16_t sent_;
   // Writes the next bytes of a frame with the sketch's own message; null for a frame of ours, which lies in one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
-  uint16_t stuckMs_;  // when availableForWrite() began to return 0
-  bool stuck_;
-  bool blind_;  // availableForWrite() is taken as not implemented
-#ifndef __AVR__
-  bool hasSaid_;  // availableForWrite() has returned more than 0 once: a 0 is then true, as with flow control
-#endif
+  StreamRoom room_;
   bool held_;
 #if MAVMISSION_SIGNING
   bool signs_;
