@@ -242,6 +242,7 @@ class Session {
     Bytes& heard = line_.heard;
     if (heard.size() > static_cast<size_t>(kMostHeldBack)) heard.erase(heard.begin(), heard.end() - kMostHeldBack);
     written_ = line_.written.size();
+    isHeldBack_ = !client_.isSent();
   }
 
   void upload(uint8_t how, uint8_t which) {
@@ -423,9 +424,24 @@ class Session {
     if (isEnd(status)) judge(status);
   }
 
+  // The frames that the operation has written. A stream that takes nothing may have held back one of the operation
+  // before, which is then written first.
+  Bytes writtenByOperation() const {
+    size_t from = written_;
+    if (isHeldBack_) {
+      uint32_t id;
+      Bytes payload;
+      size_t size;
+      const Bytes& bytes = line_.written;
+      for (from = 0; from <= written_ && from < bytes.size() && isRight(bytes, from, id, payload, size);) from += size;
+      if (from <= written_) from = bytes.size();  // it is not whole yet
+    }
+    return Bytes(line_.written.begin() + static_cast<long>(from), line_.written.end());
+  }
+
   // How an operation may end.
   void judge(Status status) {
-    const Bytes written(line_.written.begin() + static_cast<long>(written_), line_.written.end());
+    const Bytes written = writtenByOperation();
     uint16_t announced = static_cast<uint16_t>(meant_.size());
     const bool isAnnounced = announces(written, announced);
     if (status == Status::Accepted) {
@@ -525,6 +541,7 @@ class Session {
   Firmware firmware_ = Firmware();  // that the transfer began with
   WireItems meant_;                 // and the plan for it
   size_t written_ = 0;              // bytes written before the operation
+  bool isHeldBack_ = false;         // a frame was on its way out then
   size_t answered_ = 0;             // bytes written before the first frame that answer() has not looked at
   uint32_t said_ = 0xFFFFFFFF;      // the client's last message that is answered
   Bytes saidPayload_ = Bytes(255);
