@@ -99,7 +99,7 @@ class Outbox {
     uint32_t alignment_;
   };
   static_assert(kDraft >= 10 && kDraft % 4 == 0 && kDraft + kMaxPayload <= sizeof(frame_),
-                "behind the header, and aligned");
+                "the draft must begin behind the header, at a multiple of 4, and end within the frame");
 };
 
 }  // namespace detail
