@@ -55,8 +55,8 @@ class Client : public ClientRules {
 
   static bool takeUpEnd(Client& client, Status status, uint16_t nowMs);
   static bool tryFloats(Client& client, Status refusal, uint16_t nowMs);
-  static bool waitForTurn(Client& client, Status refusal);
-  static void turnStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static bool beginBackOff(Client& client, Status refusal);
+  static void backOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   MAVMISSION_ONE_EXIT static void uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void readStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void clearStep(Client& client, const FrameParser* frame, uint16_t nowMs);
@@ -183,7 +183,7 @@ class Client : public ClientRules {
     uint16_t prepared;     // the wire item that the link holds packed, if it holds one
     uint16_t itemsDone;
     uint16_t failedItem;
-    uint16_t turnAtS;  // when the back-off ends, and when the transfer's own time began [s]
+    uint16_t backOffEndS;  // when the back-off ends, and when the transfer's own time began [s]
     // Begins a partial upload, and announces it; null: the whole plan, announced by MISSION_COUNT.
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
@@ -212,10 +212,10 @@ class Client : public ClientRules {
     uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
-    uint16_t turnLimitS;  // the limit of all back-offs [s]
-    uint16_t partFirst;   // the items of a partial upload, in the sketch's numbers
+    uint16_t backOffLimitS;  // the limit of all back-offs [s]
+    uint16_t partFirst;      // the items of a partial upload, in the sketch's numbers
     uint16_t partCount;
-    uint8_t turnPauseS;  // the pause before the next try; 0 before the first
+    uint8_t backOffPauseS;  // the pause before the next try; 0 before the first
     Status toReturn;
     Aboard aboard[4];  // by PlanType; the last is unused
     uint8_t lastResult;

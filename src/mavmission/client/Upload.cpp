@@ -110,7 +110,7 @@ void Client::beginUpload(uint16_t nowMs) {
   opaqueId_.begin();
   state_.next = 0;
   state_.isLate = false;
-  if (rest_.turnPauseS == 0) beginSeconds(nowMs);
+  if (rest_.backOffPauseS == 0) beginSeconds(nowMs);
   state_.status = Status::Transferring;
   sendUpload(nowMs);
 }
