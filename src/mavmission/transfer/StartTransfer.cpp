@@ -24,7 +24,7 @@ bool isFlown(uint16_t command) {
 
 // True for a negative number, which in a jump's repeats means "for ever".
 bool isNegative(float number) {
-  uint8_t bytes[sizeof(number)];
+  uint8_t bytes[sizeof(number)] = {};
   memcpy(bytes, &number, sizeof(number));
   return (bytes[3] & 0x80) != 0;
 }
@@ -120,7 +120,7 @@ bool StartTransfer::beginStep(const Aircraft& aircraft, CommandTransfer& sending
   const Firmware firmware = aircraft.firmware;
   const bool armsByMissionStart = has(firmware, kArmsByMissionStart);
   switch (step()) {
-    case StartStep::None: return false;
+    case StartStep::None:  // comes before the first step
     case StartStep::ReadyMode:
       // Copter refuses to be armed in AUTO: it is armed in GUIDED. A rover is armed in MANUAL, a plane in its current
       // mode.
@@ -207,7 +207,7 @@ Status StartTransfer::leave(Status refusal, uint16_t nowMs, CommandTransfer& sen
   if (arming() != StartArming::Armed) return refusal;
   refusal_ = refusal;
   state_ = State::Leaving;
-  sending.next(true, nowMs);
+  sending.rest(nowMs);
   sending.listen(FinderRules::kLostMs, nowMs);
   return Status::Transferring;
 }
@@ -228,7 +228,7 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
   if (state_ >= State::Leaving) {
     const bool wasArmed = state_ == State::Disarming || !isArmingStep(firmware);
     if (!aircraft.isArmed) setArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
-    const bool hasBegun = step() >= StartStep::Begin && armsByMissionStart && isFlying;  // began after all
+    const bool hasBegun = armsByMissionStart && isFlying;  // began after all
     if (!aircraft.isArmed || isTaken || hasBegun) return refusal_;
     if (state_ == State::Leaving) {
       state_ = State::Disarming;
@@ -262,7 +262,6 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
 }
 
 Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& aircraft, CommandTransfer& sending) {
-  if (state_ >= State::Leaving) return Status::Transferring;
   if (step() == StartStep::FirstItem) {
     if (sending.tries() == 0) return Status::Transferring;
     seen_ = item;

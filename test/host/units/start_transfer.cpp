@@ -19,7 +19,7 @@ typedef StartTransfer::Message Message;
 
 constexpr uint8_t kCopter = 2, kPlane = 1, kRover = 10;  // MAV_TYPE
 constexpr uint16_t kJumpTag = 601;
-constexpr uint16_t kNoItem = StartTransfer::kNoItem;
+constexpr uint16_t kNoItem = 0xFFFF;
 
 MissionItem fly() { return waypoint(-35.36_deg, 149.16_deg, 20_m); }
 MissionItem speed() { return changeSpeed(5_mps); }
@@ -30,7 +30,8 @@ struct Flight {
   CommandTransfer sending;
   Aircraft aircraft;
   std::vector<MissionItem> plan;
-  uint16_t other;  // a mode that nobody has asked for
+  uint16_t other;    // a mode that nobody has asked for
+  uint8_t done = 0;  // steps that goTo() has gone through
 
   Flight(Firmware firmware, uint8_t vehicleType, std::vector<MissionItem> items = {fly(), fly(), speed(), fly()})
       : plan(items) {
@@ -55,7 +56,8 @@ struct Flight {
     return Status::TookTooLong;
   }
   Status begin(uint16_t first = 0, bool isMission = true) {
-    start.setFirst(first);
+    start.setFirst(static_cast<uint16_t>(first + 7));  // by the sketch's number
+    CHECK(start.first() == first + 7);
     CHECK((start.state() == State::New));
     start.begin(first, isMission, aircraft.firmware);
     CHECK((start.state() == State::Looking));
@@ -78,6 +80,11 @@ struct Flight {
   }
   Status heartbeat() { return heartbeat(aircraft.isArmed, aircraft.mode); }
   Status current(uint16_t item, bool isUnderWay = true) { return start.onCurrent(item, isUnderWay, aircraft, sending); }
+  // True if the message that was sent is sent again when nothing answers it.
+  bool isRepeated() {
+    aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + CommandTransfer::kAnswerMs);
+    return sending.onTime(aircraft.nowMs) == Status::Transferring && sending.state() == CommandTransfer::State::Due;
+  }
   Status accepted() { return start.onAccepted(aircraft, sending); }
   Status refused(Status status = Status::CommandFailed) { return start.onRefused(status, aircraft, sending); }
   Status silent(Status status = Status::NoAnswer) { return start.onSilent(status, aircraft, sending); }
@@ -108,6 +115,7 @@ struct Flight {
           break;
       }
       REQUIRE(start.step() > now);
+      ++done;
     }
   }
 };
@@ -124,6 +132,7 @@ Flight leaving() {
   CHECK((flight.refused() == Status::Transferring));
   CHECK((flight.start.state() == State::Leaving));
   CHECK((flight.sending.state() == CommandTransfer::State::Listening));
+  CHECK(flight.sending.tries() == 0);  // nothing can be answered
   return flight;
 }
 
@@ -149,8 +158,10 @@ TEST_CASE("the item that is flown first is the first navigation command on the w
       {{fly(), fly()}, 2, 2},
       {{speed(), speed(), fly()}, 1, 3},
       {{jump(3, 1), fly(), speed(), fly()}, 1, 4},
-      {{jump(1, 2), fly()}, 1, 2},           // into itself: followed once, and passed
-      {{jump(2, 0), speed(), fly()}, 1, 3},  // no times at all: not followed
+      {{jump(1, 2), fly()}, 1, 2},  // into itself: followed once, and passed
+      {{jump(1, 1), fly()}, 1, 2},
+      {{jump(3, -1), speed(), fly()}, 1, 3},  // for ever, but to something that is flown
+      {{jump(2, 0), speed(), fly()}, 1, 3},   // no times at all: not followed
       {{anyCommand(201), fly()}, 1, 2},
   };
   for (const Way& way : ways) {
@@ -245,9 +256,12 @@ TEST_CASE("each vehicle gets the steps that it needs, in their order") {
   for (const Vehicle& vehicle : vehicles) {
     Flight flight(vehicle.firmware, vehicle.type);
     flight.aircraft.isArmed = vehicle.isArmed;
+    uint8_t before = 0;
     for (StartStep step : vehicle.steps) {
       flight.goTo(step);
       CHECK((flight.start.step() == step));
+      CHECK((flight.sending.state() != CommandTransfer::State::Sent));
+      CHECK(flight.done == before++);
     }
     CHECK((flight.start.arming() == (vehicle.isArmed ? StartArming::Untouched : StartArming::Armed)));
   }
@@ -295,6 +309,7 @@ TEST_CASE("a mode is set when a heartbeat shows it that comes after the command,
 TEST_CASE("ArduPilot is asked for its current item when it has answered, PX4's MISSION_CURRENT suffices") {
   Flight flight = copter();
   flight.goTo(StartStep::FirstItem);
+  CHECK((flight.heartbeat() == Status::Transferring));
   CHECK((flight.current(1) == Status::Transferring));  // came before the command left
   CHECK(flight.isAt(StartStep::FirstItem));
   flight.sent(Message::FirstItem);
@@ -306,7 +321,10 @@ TEST_CASE("ArduPilot is asked for its current item when it has answered, PX4's M
   CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
   CHECK(flight.start.seen() == kNoItem);
   flight.sent(Message::AskCurrent);
+  CHECK(flight.isRepeated());
+  flight.sent(Message::AskCurrent);
   CHECK((flight.refused() == Status::Transferring));  // MISSION_CURRENT may come unasked
+  CHECK((flight.heartbeat() == Status::Transferring));
   CHECK((flight.current(3) == Status::Transferring));
   CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
   CHECK((flight.current(1) == Status::Transferring));
@@ -449,6 +467,16 @@ TEST_CASE("PX4 may name each command on the way to the item that is flown first,
   }
 }
 
+TEST_CASE("a long way is followed twice, each time with all its looks") {
+  std::vector<MissionItem> plan(60, speed());
+  plan.push_back(fly());
+  Flight flight(Firmware::Px4, kCopter, plan);
+  flight.goTo(StartStep::Confirm);
+  flight.heartbeat(true, flight.aircraft.autoMode);
+  CHECK((flight.current(59) == Status::Transferring));
+  CHECK((flight.look() == Status::Done));
+}
+
 TEST_CASE("a rover, and an aircraft that was in the air, may have finished the first item already, but not the next") {
   struct Case {
     uint8_t type;
@@ -473,6 +501,14 @@ TEST_CASE("a rover, and an aircraft that was in the air, may have finished the f
   }
 }
 
+TEST_CASE("behind the last item there is no next one") {
+  Flight flight(Firmware::ArduPilot, kRover, {fly(), fly()});
+  flight.goTo(StartStep::Confirm);
+  flight.heartbeat(true, flight.aircraft.autoMode);
+  flight.current(3);
+  CHECK((flight.look() == Status::OtherItem));
+}
+
 TEST_CASE("an aircraft that was flying its mission before start() must be at the first item itself") {
   Flight flight(Firmware::ArduPilot, kCopter, {fly(), fly(), fly()});
   flight.aircraft.isArmed = true;
@@ -489,6 +525,11 @@ TEST_CASE("where the plan cannot be looked at, only the expected item is right")
   flight.goTo(StartStep::Confirm);
   flight.heartbeat(true, flight.aircraft.autoMode);
   CHECK((flight.current(1) == Status::OtherItem));
+  Flight tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
+  tag.goTo(StartStep::Confirm);
+  tag.heartbeat(true, tag.aircraft.autoMode);
+  CHECK((tag.current(1) == Status::OtherItem));
+  CHECK((tag.start.state() == State::Shown));
 
   Flight flying = copter();  // it was asked for no item, and none is known
   flying.aircraft.isArmed = true;
@@ -533,6 +574,23 @@ TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, 
   armed.aircraft.isArmed = true;
   CHECK((armed.refused() == Status::Transferring));
   CHECK((armed.start.arming() == StartArming::Armed));
+  CHECK((armed.heartbeat(true, armed.aircraft.mode) == Status::Transferring));
+  CHECK((armed.start.state() == State::Disarming));
+  CHECK((armed.heartbeat(false, armed.aircraft.mode) == Status::CommandFailed));
+  CHECK((armed.start.arming() == StartArming::Disarmed));
+}
+
+TEST_CASE("a copter whose start is refused is disarmed, though a heartbeat shows AUTO, or shows it disarmed first") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Begin);
+  flight.sent();
+  Flight other = flight;
+  CHECK((flight.refused() == Status::Transferring));
+  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
+  CHECK((flight.start.state() == State::Disarming));
+  other.aircraft.isArmed = false;
+  CHECK((other.refused() == Status::Transferring));
+  CHECK((other.start.state() == State::Leaving));
 }
 
 TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal, and not on a copter") {
@@ -549,6 +607,9 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
     flight.sending.onTime(flight.aircraft.nowMs);
     CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
     flight.sending.onTime(++flight.aircraft.nowMs);
+    Flight silent = flight;
+    silent.sent();
+    CHECK(silent.isRepeated());
   }
   flight.aircraft.seconds = static_cast<uint16_t>(began + StartTransfer::kAutoTriesS);
   flight.sent(Message::Mode);
@@ -564,6 +625,7 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
 
 TEST_CASE("after a failure an aircraft that start() has armed is disarmed, once a heartbeat shows that it is armed") {
   Flight flight = disarming();
+  CHECK(flight.isRepeated());
   CHECK((flight.accepted() == Status::Transferring));
   CHECK((flight.heartbeat() == Status::Transferring));
   CHECK((flight.start.state() == State::Disarming));
@@ -628,7 +690,11 @@ TEST_CASE("without confirmation start() is unconfirmed while the mode is AUTO, a
     flight.goTo(StartStep::Confirm);
     flight.sent(Message::AskCurrent);
     CHECK((flight.refused() == Status::Transferring));
+    Flight shown = flight;
     CHECK((flight.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
+    CHECK((shown.heartbeat() == Status::Transferring));
+    CHECK((shown.start.state() == State::Shown));
+    CHECK((shown.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
     Flight other = px4();
     other.goTo(StartStep::Confirm);
     other.aircraft.mode = other.number(FlightMode::Hold);
@@ -679,6 +745,34 @@ TEST_CASE("while AUTO is asked for, another mode counts when two heartbeats show
   Flight unsent = copter();
   unsent.goTo(StartStep::AutoMode);
   CHECK((unsent.heartbeat(true, unsent.other) == Status::TakenOver));
+}
+
+TEST_CASE("AUTO that was set before start() asked for it does not count as seen") {
+  Flight flight = copter();
+  flight.aircraft.mode = flight.aircraft.autoMode;  // on the ground, disarmed
+  flight.begin();
+  flight.sent();
+  CHECK((flight.heartbeat() == Status::Transferring));
+  CHECK((flight.heartbeat(false, flight.number(FlightMode::Guided)) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::FirstItem));
+  CHECK((flight.heartbeat() == Status::Transferring));
+  flight.goTo(StartStep::AutoMode);
+  const uint16_t before = flight.aircraft.mode;
+  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
+  CHECK((flight.heartbeat(true, before) == Status::Transferring));
+
+  Flight other = px4();
+  other.goTo(StartStep::FirstItem);
+  const uint16_t mode = other.aircraft.mode;
+  CHECK((other.heartbeat(false, other.aircraft.autoMode) == Status::Transferring));
+  CHECK((other.heartbeat(false, mode) == Status::Transferring));
+}
+
+TEST_CASE("a mode with the number of the first item is one that two heartbeats must show too") {
+  Flight flight(Firmware::ArduPilot, kCopter, std::vector<MissionItem>(9, fly()));
+  flight.goTo(StartStep::AutoMode, flight.other);
+  flight.sent();
+  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
 }
 
 TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody else's too") {
