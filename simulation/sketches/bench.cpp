@@ -194,7 +194,7 @@ ACTION(raw) { client.useRawNumbering(numbers[0]); }
 ACTION(floats) { client.useMissionItemFallback(numbers[0]); }
 ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
 ACTION(limit) { client.setOperationTimeout(numbers[0]); }
-ACTION(turn) { client.retryWhenBusy(numbers[0]); }
+ACTION(backoff) { client.retryWhenBusy(numbers[0]); }
 ACTION(callbacks) {
   client.onProgress(numbers[0] ? onProgress : nullptr);
   client.onEnd(numbers[0] ? onEnd : nullptr);
@@ -241,7 +241,7 @@ static const Word words[] = {
     WORD(ram),     WORD(flash), WORD(empty),     WORD(function), WORD(upload),   WORD(cancel),
     WORD(ids),     WORD(talk),  WORD(speak),     WORD(armed),    WORD(raw),      WORD(floats),
     WORD(waiting), WORD(limit), WORD(callbacks), WORD(again),    WORD(cancelat), WORD(stall),
-    WORD(nosleep), WORD(state), WORD(counters),  WORD(text),     WORD(aboard),   WORD(turn),
+    WORD(nosleep), WORD(state), WORD(counters),  WORD(text),     WORD(aboard),   WORD(backoff),
 #if MAVMISSION_SIGNING
     WORD(sign),    WORD(time),  WORD(signing),   WORD(post),
 #endif

@@ -232,7 +232,7 @@ ACTION(armed) { client.allowWhileArmed(numbers[0]); }
 ACTION(raw) { client.useRawNumbering(numbers[0]); }
 ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
 ACTION(limit) { client.setOperationTimeout(numbers[0]); }
-ACTION(turns) { client.retryWhenBusy(numbers[0]); }
+ACTION(backoff) { client.retryWhenBusy(numbers[0]); }
 #ifndef BENCH_DIRECT
 ACTION(room) { line.setRoom(numbers[0]); }
 #endif
@@ -269,7 +269,7 @@ static const Word words[] = {
     WORD(disarm),    WORD(mode),          WORD(custommode),      WORD(startmission), WORD(setcurrent), WORD(pause),
     WORD(resume),    WORD(interval),      WORD(order),           WORD(cancel),       WORD(post),       WORD(chain),
     WORD(ids),       WORD(talk),          WORD(speak),           WORD(armed),        WORD(raw),        WORD(waiting),
-    WORD(limit),     WORD(turns),         WORD(state),           WORD(followed),     WORD(counters),   WORD(compare),
+    WORD(limit),     WORD(backoff),       WORD(state),           WORD(followed),     WORD(counters),   WORD(compare),
     WORD(fieldtext), WORD(stall),
 #ifndef BENCH_DIRECT
     WORD(room),      WORD(blocked),

@@ -25,14 +25,13 @@ struct IsWide<WideHeading> {
 class Degrees {
  public:
   constexpr Degrees() : e7_(0) {}
-  // Nothing else is an angle.
+  // Any other type is refused when the sketch is compiled.
   template <typename Other>
   constexpr Degrees(Other) : e7_(0) {
     static_assert(!literal::IsWide<Other>::value,
-                  "a coordinate is at most 180 degrees: for west or south write a minus sign before it");
+                  "write a coordinate from -180 to 180 degrees: west and south have a minus sign");
     static_assert(literal::IsWide<Other>::value,
-                  "an angle has its unit, so that it is exact: -35.3632621_deg, or Degrees::fromE7() where it is "
-                  "computed");
+                  "write an angle with its unit: -35.3632621_deg, or Degrees::fromE7(e7) for a computed one");
   }
 
   // From whole steps of 1e-7 degree, -1800000000 to 1800000000. Beyond that a plan is refused, naming the item.
@@ -146,7 +145,7 @@ struct Constant {
 template <int64_t E7>
 struct Constant<E7, true> {
   static_assert(E7 <= 3600000000,
-                "an angle is at most 180 degrees, and a heading 360; for west or south write a minus sign before it");
+                "write a coordinate from -180 to 180 degrees, a heading up to 360: west and south have a minus sign");
   typedef WideHeading Type;
   static constexpr uint32_t value = static_cast<uint32_t>(E7);
   static constexpr WideHeading make() { return WideHeading(value); }
@@ -161,7 +160,7 @@ constexpr typename literal::Constant<literal::Value<Text...>::e7(0, false, 0)>::
   static_assert(literal::Plain<Text...>::check(false) && !literal::LeadingZero<Text...>::value,
                 "write an angle as plain decimal digits, for example -35.3632621_deg: no exponent, no hexadecimal");
   static_assert(literal::Decimals<Text...>::count(false, 0, 0) <= 7,
-                "an angle has at most 7 decimals (1e-7 degree is about 1 cm, and is what the autopilot keeps)");
+                "write an angle with at most 7 decimals: autopilots keep steps of 1e-7 degrees, about 1 cm");
   return literal::Constant<literal::Value<Text...>::e7(0, false, 0)>::make();
 }
 

@@ -49,7 +49,7 @@ class EepromPlan {
   template <int known = 0>
   EepromPlan() {
     static_assert(known != 0,
-                  "this board has no EEPROM of its own: say what keeps the bytes, with #include <EEPROM.h> "
+                  "this board has no EEPROM of its own: name what keeps the bytes. Write #include <EEPROM.h> and "
                   "EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));");
   }
 #endif

@@ -37,7 +37,7 @@ class EepromTimestamps : public TimestampStore {
   template <typename Address>
   explicit EepromTimestamps(Address, uint8_t = 8) : TimestampStore(), eeprom_(nullptr, nullptr, nullptr, 0) {
     static_assert(sizeof(Address) == 0,
-                  "this board has no EEPROM of its own: say what keeps the bytes, with #include <EEPROM.h> "
+                  "this board has no EEPROM of its own: name what keeps the bytes. Write #include <EEPROM.h> and "
                   "EepromTimestamps timestamps(MAVMISSION_EEPROM(EEPROM, 512), 0);");
   }
 #endif

@@ -31,7 +31,7 @@ bool writeItemToRam(void* array, uint16_t index, const MissionItem& item);
 // An array in RAM; itemsDone() says how many items it holds when the download has ended.
 template <size_t N>
 ItemSink toRam(MissionItem (&plan)[N]) {
-  static_assert(N < kHomeIndex, "a plan has fewer items");
+  static_assert(N < kHomeIndex, "use an array of at most 65534 items: no plan has more");
   return ItemSink{writeItemToRam, plan, N, nullptr};
 }
 

@@ -36,7 +36,8 @@ ItemSource inFlash(const MissionItem (&plan)[N]) {
 // One that is no constant lies in RAM.
 template <size_t N>
 ItemSource inFlash(MissionItem (&)[N]) {
-  static_assert(N == 0, "this plan is in RAM: inRam(plan), or declare it as constexpr MissionItem plan[] PROGMEM");
+  static_assert(N == 0,
+                "this plan is in RAM: write inRam(plan), or declare it as constexpr MissionItem plan[] PROGMEM");
   return ItemSource{nullptr, nullptr, 0};
 }
 
@@ -46,11 +47,10 @@ template <size_t N>
 ItemSource inRam(MissionItem (&plan)[N]) {
   return ItemSource{readItemFromRam, plan, N};
 }
-// One that is constant is hardly there.
+// A constant array is refused: on an AVR it nearly always has PROGMEM, and lies in flash.
 template <size_t N>
 ItemSource inRam(const MissionItem (&)[N]) {
-  static_assert(N == 0,
-                "a plan with PROGMEM is in flash: inFlash(plan); a constant one without it: inRam(plan, count)");
+  static_assert(N == 0, "write inFlash(plan) for a plan with PROGMEM, inRam(plan, count) for a constant plan without");
   return ItemSource{nullptr, nullptr, 0};
 }
 #else

@@ -53,7 +53,7 @@ class MissionClient : private detail::Client {
   // An array does not say where it lies.
   template <size_t N, typename... More>
   Status upload(const MissionItem (&)[N], More...) {
-    static_assert(N == 0, "say where the plan lies: upload(inFlash(plan)) with PROGMEM, upload(inRam(plan)) without");
+    static_assert(N == 0, "write upload(inFlash(plan)) for a plan with PROGMEM, upload(inRam(plan)) for one without");
     return Status::Idle;
   }
 
@@ -214,7 +214,7 @@ class MissionClient : private detail::Client {
   template <typename... Arguments>
   void signWith(Arguments&&...) {
     static_assert(sizeof...(Arguments) == 255,
-                  "signWith() is there if the library is compiled with -DMAVMISSION_SIGNING=1 (Config.h)");
+                  "compile the library with -DMAVMISSION_SIGNING=1 to use signWith(): see Config.h");
   }
 #endif
   // MAVLink 1 or 2; by default the autopilot's own version.

@@ -52,7 +52,8 @@ struct MissionItem {
 
 // The size of param1 to z, which lie one behind the other as in MISSION_ITEM_INT [bytes].
 constexpr uint8_t kPlaceBytes = 28;
-static_assert(offsetof(MissionItem, command) == kPlaceBytes, "param1 to z are copied in one piece");
+static_assert(offsetof(MissionItem, command) == kPlaceBytes,
+              "param1 to z must lie first: they are copied in one piece");
 
 // Any command without coordinates, by hand: the parameters are those of MAV_CMD's table.
 constexpr MissionItem anyCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,

@@ -45,7 +45,7 @@ class PlanConsole : private detail::PlanConsoleState {
   template <typename Port, size_t N>
   PlanConsole(Port& port, MissionClient& autopilot, EepromPlan& plan, MissionItem (&room)[N])
       : PlanConsole(port, ringOf(&port), autopilot, plan, room, N) {
-    static_assert(N <= 255, "no EEPROM holds as many items");
+    static_assert(N <= 255, "give PlanConsole a room of at most 255 items: no EEPROM holds more");
   }
 
   // Sets the size of the port's receive buffer [bytes]. When it is full, further bytes are lost: a text during which it

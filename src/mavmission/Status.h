@@ -130,6 +130,7 @@ constexpr Status fromMissionResult(uint8_t result) {
                         : Status::UnknownResult;
 }
 
-static_assert(fromMissionResult(15) == Status::CancelledByAutopilot, "MAV_MISSION_RESULT in its order");
+static_assert(fromMissionResult(15) == Status::CancelledByAutopilot,
+              "Status must list the results from Error on in the order of MAV_MISSION_RESULT");
 
 }  // namespace mavmission

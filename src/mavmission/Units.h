@@ -14,7 +14,7 @@ struct Metres {
   float value;  // [m]
   // From a number that was computed.
   constexpr explicit Metres(float metres) : value(metres) {}
-  // Downwards, or below.
+  // The same length downwards, for an altitude below its reference: -20_m.
   constexpr Metres operator-() const { return Metres(-value); }
 };
 
@@ -53,7 +53,7 @@ enum class Frame : uint8_t {
   GlobalTerrainInt = 11,  // as GlobalTerrain; the older number for MISSION_ITEM_INT
 };
 
-// The present number of a frame: 0, 3 and 10 for 5, 6 and 11.
+// The current number of a frame whose number is deprecated: 0, 3 and 10 for 5, 6 and 11.
 MAVMISSION_APART inline Frame modern(Frame frame) {
   if (frame == Frame::GlobalInt) return Frame::Global;
   if (frame == Frame::GlobalRelativeInt) return Frame::GlobalRelative;
@@ -64,13 +64,13 @@ MAVMISSION_APART inline Frame modern(Frame frame) {
 // An altitude with its reference. Plain metres, 20_m, are above home.
 class Altitude {
  public:
-  // Above home, or above the reference of `frame`.
+  // Metres above home, or above the reference that `frame` names.
   constexpr Altitude(Metres aboveHome) : metres_(aboveHome.value), frame_(Frame::GlobalRelative) {}
   constexpr Altitude(Metres metres, Frame frame) : metres_(metres.value), frame_(frame) {}
-  // Nothing else is an altitude.
+  // Any other type is refused when the sketch is compiled.
   template <typename Other>
   constexpr Altitude(Other) : metres_(0), frame_(Frame::Global) {
-    static_assert(sizeof(Other) == 0, "an altitude has a unit: 20_m, or Metres(height) where it is computed");
+    static_assert(sizeof(Other) == 0, "write an altitude with its unit: 20_m, or Metres(height) for a computed one");
   }
   // The two values.
   constexpr float metres() const { return metres_; }
@@ -83,9 +83,10 @@ class Altitude {
 
 // Above the place where the aircraft was armed or home was set: the same as plain metres.
 constexpr Altitude aboveHome(Metres metres) { return Altitude(metres, Frame::GlobalRelative); }
-// Above mean sea level, as a map or a GPS (MSL) says.
+// Above mean sea level (MSL), as maps and GPS receivers give it.
 constexpr Altitude aboveSeaLevel(Metres metres) { return Altitude(metres, Frame::Global); }
-// Above the ground below. Needs terrain data aboard; PX4 1.17 does not take it in a plan (Status::BadFrame).
+// Above the ground below the aircraft. The autopilot needs terrain data; PX4 1.17 does not take it in a plan
+// (Status::BadFrame).
 constexpr Altitude aboveTerrain(Metres metres) { return Altitude(metres, Frame::GlobalTerrain); }
 
 // A heading [degrees from north, clockwise, -180 to 360], or unset, which is the default everywhere: the autopilot

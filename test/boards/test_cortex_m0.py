@@ -210,7 +210,8 @@ def test_board_without_an_eeprom_says_so_in_words_when_it_compiles(line, tmp_pat
     source = tmp_path / "sketch.cpp"
     head = "#include <Arduino.h>\n#include <EEPROM.h>\n#include <MavMission.h>\nusing namespace mavmission;\n"
     source.write_text(head + line)
-    with pytest.raises(FirmwareNotBuilt, match="this board has no EEPROM of its own: say what keeps the bytes") as said:
+    reason = "this board has no EEPROM of its own: name what keeps the bytes"
+    with pytest.raises(FirmwareNotBuilt, match=reason) as said:
         cortex_m0_object(source, ["-std=gnu++11"], [CORE, LIBRARY])
     assert WITHOUT_EEPROM[line] in str(said.value)
     source.write_text(head + WITHOUT_EEPROM[line] + ";")

@@ -1,5 +1,5 @@
 // Each argument has its own type.
-// expect: an angle has its unit, so that it is exact: -35.3632621_deg, or Degrees::fromE7() where it is computed
+// expect: write an angle with its unit: -35.3632621_deg, or Degrees::fromE7(e7) for a computed one
 #include <MavMission.h>
 using namespace mavmission;
 

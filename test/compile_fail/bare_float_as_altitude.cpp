@@ -1,5 +1,5 @@
 // An altitude has a unit.
-// expect: an altitude has a unit: 20_m, or Metres(height) where it is computed
+// expect: write an altitude with its unit: 20_m, or Metres(height) for a computed one
 #include <MavMission.h>
 using namespace mavmission;
 

@@ -1,5 +1,5 @@
 // No angle is more than 180 degrees.
-// expect: a coordinate is at most 180 degrees: for west or south write a minus sign before it
+// expect: write a coordinate from -180 to 180 degrees: west and south have a minus sign
 #include <MavMission.h>
 using namespace mavmission;
 

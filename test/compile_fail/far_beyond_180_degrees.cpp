@@ -1,5 +1,5 @@
 // Even a number that no integer holds.
-// expect: an angle is at most 180 degrees
+// expect: write a coordinate from -180 to 180 degrees, a heading up to 360
 #include <MavMission.h>
 using namespace mavmission;
 

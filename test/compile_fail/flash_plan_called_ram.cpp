@@ -1,5 +1,5 @@
 // A constant plan is hardly in RAM. (Of an AVR alone: elsewhere flash is read like RAM.)
-// expect: a plan with PROGMEM is in flash: inFlash(plan); a constant one without it: inRam(plan, count)
+// expect: write inFlash(plan) for a plan with PROGMEM, inRam(plan, count) for a constant plan without
 #include <MavMission.h>
 using namespace mavmission;
 

@@ -1,5 +1,5 @@
 // A heading is one turn at most.
-// expect: an angle is at most 180 degrees, and a heading 360
+// expect: write a coordinate from -180 to 180 degrees, a heading up to 360
 #include <MavMission.h>
 using namespace mavmission;
 

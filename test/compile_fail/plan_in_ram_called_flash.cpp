@@ -1,5 +1,5 @@
 // A plan that is filled in as the sketch runs lies in RAM.
-// expect: this plan is in RAM: inRam(plan), or declare it as constexpr MissionItem plan[] PROGMEM
+// expect: this plan is in RAM: write inRam(plan), or declare it as constexpr MissionItem plan[] PROGMEM
 #include <MavMission.h>
 using namespace mavmission;
 

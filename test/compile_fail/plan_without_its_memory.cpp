@@ -1,5 +1,5 @@
 // An array in flash and one in RAM have one type: the sketch says which it is.
-// expect: say where the plan lies: upload(inFlash(plan)) with PROGMEM, upload(inRam(plan)) without
+// expect: write upload(inFlash(plan)) for a plan with PROGMEM, upload(inRam(plan)) for one without
 #include <MavMission.h>
 using namespace mavmission;
 

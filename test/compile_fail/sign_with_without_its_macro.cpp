@@ -1,5 +1,5 @@
 // Signing is compiled in where MAVMISSION_SIGNING says so.
-// expect: compiled with -DMAVMISSION_SIGNING=1
+// expect: compile the library with -DMAVMISSION_SIGNING=1
 #ifdef MENDED
 #define MAVMISSION_SIGNING 1
 #else

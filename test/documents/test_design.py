@@ -92,7 +92,7 @@ STATES = {
     "clear": ("ClearTransfer.h", "State"),
     "command": ("CommandTransfer.h", "State"),
     "start": ("Operations.h", "StartStep"),
-    "phases of start": ("Client.h", "Phase"),
+    "phases of start": ("StartTransfer.h", "State"),
 }
 
 

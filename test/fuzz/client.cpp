@@ -36,7 +36,7 @@ using namespace mavmission::detail;
 namespace {
 
 const uint16_t kWaitingLimitS = 10;
-const uint16_t kTurnLimitS = 20;
+const uint16_t kBackOffLimitS = 20;
 const long kMostHeldBack = 66;  // bytes that the parser keeps of a frame
 
 // The bytes of the input, as far as they go.
@@ -188,7 +188,7 @@ class Session {
         return bring(altered(itemInPlan(sequence % (kPlanItems + 2)), input.next()), input);
       }
       case 21:
-        if (!client_.isBusy()) client_.retryWhenBusy(input.next() % kTurnLimitS);
+        if (!client_.isBusy()) client_.retryWhenBusy(input.next() % kBackOffLimitS);
         return;
       case 22:
         if (!client_.isBusy()) client_.allowWhileArmed(what >= 128);
@@ -237,11 +237,12 @@ class Session {
     uploading_ = asked.isUpload();
     isStart_ = false;
     done_ = 0;
-    hasTurned_ = false;
+    hasBackedOff_ = false;
     // The parser may hold the latest bytes still, within a frame that was cut off, and find a frame among them later.
     Bytes& heard = line_.heard;
     if (heard.size() > static_cast<size_t>(kMostHeldBack)) heard.erase(heard.begin(), heard.end() - kMostHeldBack);
     written_ = line_.written.size();
+    isHeldBack_ = !client_.isSent();
   }
 
   void upload(uint8_t how, uint8_t which) {
@@ -415,7 +416,7 @@ class Session {
     demand(client_.failedItem() == MissionClient::kNoItem || !uploading_ || client_.failedItem() < asked_.count,
            "an item failed that is not in the plan");
     demand(client_.isBusy() || status == Status::Idle || isEnd(status), "an operation that is over was said to run");
-    if (client_.status() == Status::BackingOff) hasTurned_ = true;
+    if (client_.status() == Status::BackingOff) hasBackedOff_ = true;
     if (client_.isBusy() && client_.status() == Status::Transferring && before != Status::Transferring) {
       firmware_ = client_.firmware();
       meant_ = wireItems(kPlan, asked_.count, firmware_);
@@ -423,9 +424,24 @@ class Session {
     if (isEnd(status)) judge(status);
   }
 
+  // The frames that the operation has written. A stream that takes nothing may have held back one of the operation
+  // before, which is then written first.
+  Bytes writtenByOperation() const {
+    size_t from = written_;
+    if (isHeldBack_) {
+      uint32_t id;
+      Bytes payload;
+      size_t size;
+      const Bytes& bytes = line_.written;
+      for (from = 0; from <= written_ && from < bytes.size() && isRight(bytes, from, id, payload, size);) from += size;
+      if (from <= written_) from = bytes.size();  // it is not whole yet
+    }
+    return Bytes(line_.written.begin() + static_cast<long>(from), line_.written.end());
+  }
+
   // How an operation may end.
   void judge(Status status) {
-    const Bytes written(line_.written.begin() + static_cast<long>(written_), line_.written.end());
+    const Bytes written = writtenByOperation();
     uint16_t announced = static_cast<uint16_t>(meant_.size());
     const bool isAnnounced = announces(written, announced);
     if (status == Status::Accepted) {
@@ -454,19 +470,20 @@ class Session {
       demand(holdsReading(line_.heard, written, meant_, firmware_),
              "verified, though what was read is not what was meant");
     }
-    if (status == Status::Armed && uploading_ && !hasTurned_) {
+    if (status == Status::Armed && uploading_ && !hasBackedOff_) {
       demand(!isAnnounced, "a plan was announced to an armed autopilot that is refused for it");
     }
     uploading_ =
         uploading_ && client_.isBusy();  // what was cancelled is told by the next update(), when another may run
   }
 
-  // Silence. The longest upload: waiting, checking, the transfer's own limit, turns that are waited for. Others are
+  // Silence. The longest upload: waiting, checking, the transfer's own limit, back-offs. Others are
   // shorter.
   void finish() {
     room_ = MemoryStream::kAlwaysRoom;
     line_.takes = 1000;
-    const uint32_t limitMs = 1000u * (kWaitingLimitS + 120 + 2 * (kPlanItems + 1) + 40 + kTurnLimitS + kWaitingLimitS);
+    const uint32_t limitMs =
+        1000u * (kWaitingLimitS + 120 + 2 * (kPlanItems + 1) + 40 + kBackOffLimitS + kWaitingLimitS);
     const uint32_t beganMs = nowMs_;
     while (client_.isBusy() || !line_.toRead.empty()) {
       wait(50);
@@ -518,13 +535,14 @@ class Session {
   uint8_t sequence_ = 0;
   bool other_ = false;  // frames are another system's
   bool uploading_ = false;
-  bool isStart_ = false;    // the last operation is start()
-  bool hasTurned_ = false;  // it has waited for its turn
+  bool isStart_ = false;       // the last operation is start()
+  bool hasBackedOff_ = false;  // it has backed off
   Asked asked_;
   Asked again_;                     // what uploadAgain() uploads
   Firmware firmware_ = Firmware();  // that the transfer began with
   WireItems meant_;                 // and the plan for it
   size_t written_ = 0;              // bytes written before the operation
+  bool isHeldBack_ = false;         // a frame was on its way out then
   size_t answered_ = 0;             // bytes written before the first frame that answer() has not looked at
   uint32_t said_ = 0xFFFFFFFF;      // the client's last message that is answered
   Bytes saidPayload_ = Bytes(255);

@@ -321,7 +321,7 @@ def test_download_survives_random_loss_or_says_that_it_did_not(make_service):
 
 def test_download_after_an_upload_that_waited_for_its_turn_has_its_whole_time(make_service):
     service = make_service()
-    service.tell("turns", 60)
+    service.tell("backoff", 60)
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, times=2)
     service.upload(SURVEY)
     assert service.done(limit_s=20) == "Accepted"

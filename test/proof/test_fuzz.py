@@ -36,17 +36,32 @@ def build_target(target: str) -> Path:
     return build_host(f"fuzz-{target}", sources, "clang++", FUZZED, library=library, link=["-fsanitize=fuzzer"])
 
 
-def fuzz(target: str, found: Path, *options: str) -> subprocess.CompletedProcess:
-    """Runs a target from its corpus; new inputs and those that break something go to `found`."""
+# What would make a run differ from the one before: words of compared values are put into inputs, and pointers are
+# among them; new inputs are read again from the disk after a second; a folder lists its files in any order. (The depth
+# of the stack, which depends on the environment, is left out of FUZZED.)
+ALWAYS_THE_SAME = ["-use_cmp=0", "-reload=0"]
+
+
+def fuzz(
+    target: str, found: Path, *options: str, environment: dict[str, str] | None = None
+) -> subprocess.CompletedProcess:
+    """Runs a target from its corpus; new inputs and those that break something go to `found`. Always the same run."""
     found.mkdir(parents=True, exist_ok=True)
-    words = [build_target(target), *options, f"-artifact_prefix={found}/", found, FUZZ / "corpus" / target]
-    return subprocess.run(words, capture_output=True, text=True, check=False)
+    corpus = found.with_name(f"{found.name}-corpus")
+    corpus.write_text(",".join(str(path) for path in sorted((FUZZ / "corpus" / target).iterdir())))
+    # libFuzzer's limit of memory looks at the peak that the system reports, and Linux counts the peak of the process
+    # that started this one: a test worker that has grown would fail it. The library takes no memory that could grow.
+    limits = ["-rss_limit_mb=0", "-malloc_limit_mb=64"]
+    places = [f"-artifact_prefix={found}/", f"-seed_inputs=@{corpus}", found]
+    words = [build_target(target), *limits, *ALWAYS_THE_SAME, *options, *places]
+    return subprocess.run(words, capture_output=True, text=True, check=False, env=os.environ | (environment or {}))
 
 
 @pytest.mark.parametrize("target", ["parser", pytest.param("client", marks=pytest.mark.slow)])
 def test_what_must_hold_holds_for_the_corpus(target):
     corpus = sorted((FUZZ / "corpus" / target).iterdir())
-    ran = subprocess.run([build_target(target), *corpus], capture_output=True, text=True, check=False)
+    words = [build_target(target), "-rss_limit_mb=0", *corpus]
+    ran = subprocess.run(words, capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stderr[-6000:]
     assert ran.stderr.count("Executed ") == len(corpus) > 5
 
@@ -55,9 +70,23 @@ def test_what_must_hold_holds_for_the_corpus(target):
 @pytest.mark.parametrize("target", TARGETS)
 def test_what_must_hold_holds_for_inputs_grown_from_it(target, tmp_path):
     *_, runs, longest = TARGETS[target]
-    ran = fuzz(target, tmp_path, f"-runs={runs}", "-seed=1", f"-max_len={longest}")
+    ran = fuzz(target, tmp_path / "found", f"-runs={runs}", "-seed=1", f"-max_len={longest}")
     assert ran.returncode == 0, ran.stderr[-6000:]
     assert f"Done {runs} runs" in ran.stderr
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("target", TARGETS)
+def test_each_run_tries_the_same_inputs(target, tmp_path):
+    """Pointers, the environment and the time of the day have no part in it."""
+    longest = TARGETS[target][-1]
+    found = []
+    for name, environment in (("one", {}), ("another", {"MAVMISSION_TEST_OF_FUZZING": "x" * 1000})):
+        ran = fuzz(target, tmp_path / name, "-runs=3000", "-seed=1", f"-max_len={longest}", environment=environment)
+        assert ran.returncode == 0, ran.stderr[-6000:]
+        found.append(sorted(path.name for path in (tmp_path / name).iterdir()))
+    assert found[0] == found[1]
+    assert len(found[0]) > 20
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ def ack_lost(bench: Bench) -> None:
 
 
 def denied(bench: Bench) -> None:
-    bench.tell("turn", 12)
+    bench.tell("backoff", 12)
     bench.autopilot.faults.refuse(14, step="count", times=3)
 
 

@@ -227,7 +227,7 @@ def test_another_ground_stations_transfer_is_said_as_such(bench, personality):
 
 @TURNS
 def test_upload_waits_its_turn_and_is_accepted_when_the_other_has_given_up(bench, personality):
-    bench.tell("turn", 60)
+    bench.tell("backoff", 60)
     bench.run(1.3)
     ground_station(bench)
     bench.upload(SURVEY)
@@ -242,7 +242,7 @@ def test_upload_waits_its_turn_and_is_accepted_when_the_other_has_given_up(bench
 
 @TURNS
 def test_waiting_for_a_turn_ends_with_the_refusal_at_its_limit(bench, personality):
-    bench.tell("turn", 10)
+    bench.tell("backoff", 10)
     bench.autopilot.load(OLD_PLAN)
     bench.autopilot.faults.refuse(DENIED, step="count", times=None)
     bench.upload(SURVEY)
@@ -255,7 +255,7 @@ def test_waiting_for_a_turn_ends_with_the_refusal_at_its_limit(bench, personalit
 
 @TURNS
 def test_waiting_for_a_turn_can_be_cancelled(bench):
-    bench.tell("turn", 60)
+    bench.tell("backoff", 60)
     bench.autopilot.faults.refuse(DENIED, step="count", times=None)
     bench.upload(SURVEY)
     bench.run_until_sent("MISSION_COUNT")

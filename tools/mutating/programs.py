@@ -105,11 +105,24 @@ class Program:
         return linked.stdout
 
     @functools.cached_property
+    def as_it_is(self) -> Path:
+        """The program of the library without a mutant."""
+        return OUTPUT / "base" / self.digest[:16]
+
+    @functools.cached_property
     def sources_linked(self) -> list[Path]:
-        """Its own sources, and those of the library that it needs."""
-        place = OUTPUT / "base" / self.digest[:16]
-        with exclusive(place):
-            said = self.link(place, {}, "-Wl,--trace")
+        """Its own sources, and those of the library that it needs. Makes the program, if nobody has.
+
+        A program that is there is never written again: another worker may be running it.
+        """
+        trace = self.as_it_is.with_suffix(".trace")
+        with exclusive(self.as_it_is):
+            if not trace.exists():
+                fresh = self.as_it_is.with_suffix(".new")
+                said = self.link(fresh, {}, "-Wl,--trace")
+                fresh.replace(self.as_it_is)
+                trace.write_text(said)
+        said = trace.read_text()
         taken = {Path(name).name for name in re.findall(r"[(/]([^()/\s]+\.o)\)?", said)}
         return [source for source, made in self.objects.items() if made.name in taken]
 
@@ -133,7 +146,7 @@ class Program:
         self.sources_linked  # noqa: B018  (makes it)
         limits = []
         for words in self.runs:
-            found, cpu_s = run(OUTPUT / "base" / self.digest[:16], words, 120)
+            found, cpu_s = run(self.as_it_is, words, 120)
             if found:
                 raise RuntimeError(f"{self.name} {words} fails on the library as it is: {found}")
             limits.append(2 + round(8 * cpu_s))

@@ -23,6 +23,7 @@ SUBJECTS = (
     Subject("DownloadTransfer", ("download_transfer",)),
     Subject("ClearTransfer", ("clear_transfer",)),
     Subject("CommandTransfer", ("command_transfer",)),
+    Subject("StartTransfer", ("start_transfer",)),
     Subject("FrameParser", ("frame_parser",)),
     Subject("WirePlan", ("wire_plan",)),
     Subject("Comparison", ("comparison",)),

@@ -191,7 +191,7 @@ const Row kRows[] PROGMEM = {
 Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
   static_assert(
       static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence && static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
-      "flags are made of the numbers");
+      "the flags of a Keeper must be the numbers of PlanType, shifted by 3 bits");
   Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3) | flagOf(firmware);
   // MAV_TYPE_FIXED_WING, MAV_TYPE_VTOL_...
   const bool isPlane = vehicleType == 1 || static_cast<uint8_t>(vehicleType - 19) <= 25 - 19;

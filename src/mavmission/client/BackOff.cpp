@@ -7,30 +7,30 @@ namespace mavmission {
 using namespace detail;
 
 void MissionClient::retryWhenBusy(uint16_t seconds) {
-  rest_.turnLimitS = seconds;
-  rest_.denied = seconds != 0 ? waitForTurn : nullptr;
+  rest_.backOffLimitS = seconds;
+  rest_.denied = seconds != 0 ? beginBackOff : nullptr;
   rest_.takeUp = takeUpEnd;
 }
 
 // Begins the back-off after a refusal of COUNT; false if the time allowed is over.
-bool Client::waitForTurn(Client& client, Status refusal) {
+bool Client::beginBackOff(Client& client, Status refusal) {
   State& state = client.state_;
   if (refusal != Status::Denied && !(refusal == Status::Error && has(client.firmware(), kSaysErrorWhenBusy)))
     return false;
-  if (client.rest_.turnPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
-  client.rest_.turnPauseS = client.rest_.turnPauseS == 0                      ? BackOffRules::kFirstS
-                            : client.rest_.turnPauseS >= BackOffRules::kMostS ? BackOffRules::kMostS
-                                                                              : 2 * client.rest_.turnPauseS;
-  if (state.seconds + client.rest_.turnPauseS > client.rest_.turnLimitS) return false;
-  client.state_.turnAtS = state.seconds + client.rest_.turnPauseS;
+  if (client.rest_.backOffPauseS == 0) client.beginSeconds(static_cast<uint16_t>(millis()));
+  client.rest_.backOffPauseS = client.rest_.backOffPauseS == 0                      ? BackOffRules::kFirstS
+                               : client.rest_.backOffPauseS >= BackOffRules::kMostS ? BackOffRules::kMostS
+                                                                                    : 2 * client.rest_.backOffPauseS;
+  if (state.seconds + client.rest_.backOffPauseS > client.rest_.backOffLimitS) return false;
+  client.state_.backOffEndS = state.seconds + client.rest_.backOffPauseS;
   state.status = Status::BackingOff;
-  state.operation = turnStep;
+  state.operation = backOffStep;
   return true;
 }
 
-void Client::turnStep(Client& client, const FrameParser* frame, uint16_t) {
+void Client::backOffStep(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
-  if (frame != nullptr || state.seconds < client.state_.turnAtS) return;
+  if (frame != nullptr || state.seconds < client.state_.backOffEndS) return;
   state.operation = uploadStep;
   state.status = Status::WaitingForAutopilot;  // it may be armed, or lost, by now: from the start
 }

@@ -52,9 +52,9 @@ Status Client::startOperation(Operation operation) {
   rest_.lastResult = 255;
   rest_.field = ItemField::None;
   rest_.proving = false;
-  rest_.turnPauseS = 0;
+  rest_.backOffPauseS = 0;
   rest_.isCommanding = false;
-  state_.turnAtS = 0;
+  state_.backOffEndS = 0;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
 }
@@ -123,7 +123,7 @@ void Client::onTick(uint16_t nowMs) {
     link_.pace().onSecond();
   }
   const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
-  state_.isLate = static_cast<uint16_t>(state_.seconds - state_.turnAtS) >= limitS;
+  state_.isLate = static_cast<uint16_t>(state_.seconds - state_.backOffEndS) >= limitS;
   if (state_.unsettled != 0 && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = 0;
   link_.onTime(nowMs);
 }

@@ -18,6 +18,7 @@
 #include "../transfer/CommandTransfer.h"
 #include "../transfer/DownloadTransfer.h"
 #include "../transfer/OpaqueId.h"
+#include "../transfer/StartTransfer.h"
 #include "../transfer/UploadTransfer.h"
 
 namespace mavmission {
@@ -54,8 +55,8 @@ class Client : public ClientRules {
 
   static bool takeUpEnd(Client& client, Status status, uint16_t nowMs);
   static bool tryFloats(Client& client, Status refusal, uint16_t nowMs);
-  static bool waitForTurn(Client& client, Status refusal);
-  static void turnStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static bool beginBackOff(Client& client, Status refusal);
+  static void backOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   MAVMISSION_ONE_EXIT static void uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void readStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void clearStep(Client& client, const FrameParser* frame, uint16_t nowMs);
@@ -98,10 +99,9 @@ class Client : public ClientRules {
   static void fillArm(Client& client, FlightCommand& command);
   static void fillDisarm(Client& client, FlightCommand& command);
   static void fillMode(Client& client, FlightCommand& command);
+  static void fillModeNumber(FlightCommand& command, uint16_t number);
   static void fillBegin(Client& client, FlightCommand& command);
   static void fillStart(Client& client, FlightCommand& command);
-  static void fillFirst(Client& client, FlightCommand& command);
-  static void fillAskCurrent(Client& client, FlightCommand& command);
   static void fillCurrent(Client& client, FlightCommand& command);
   static void fillCurrentMessage(Client& client, FlightCommand& command);
   static void fillInterval(Client& client, FlightCommand& command);
@@ -123,23 +123,10 @@ class Client : public ClientRules {
   MAVMISSION_APART uint16_t shownMode() const;  // of the last heartbeat, in the numbers of modeNumber()
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
-  void setStartStep(StartStep step) { rest_.startStep = static_cast<uint8_t>(step); }
-  void setStartArming(StartArming arming) { rest_.startArming = static_cast<uint8_t>(arming); }
-  Status readyToStart(uint16_t nowMs);
-  MAVMISSION_APART uint16_t firstItem() const;
-  void lookFromFirst();
-  Status lookAtItem();
-  Status nextStartStep(uint16_t nowMs);
-  bool beginStartStep(uint16_t nowMs);
-  Status onStartRefused(Status status, uint16_t nowMs);
-  Status onStartSilent(Status status, uint16_t nowMs);
-  Status onStartHeartbeat(uint16_t nowMs);
-  Status onStartCurrent(const FrameParser& frame, uint16_t nowMs);
-  bool isArmingStep() const;
-  MAVMISSION_APART Status leaveStart(Status status, uint16_t nowMs);
-  Status otherItem();
-  Status confirmStart();
-  Status judgeStart();
+  Status beginStart();
+  MAVMISSION_APART Aircraft aircraft(uint16_t nowMs) const;
+  void noteStart();
+  Status lookAtItem(const Aircraft& aircraft);
   Status updateAt(uint16_t nowMs);
   // Takes the time of this update() for heavy work. False when bytes have taken it: the work then waits for the next
   // one, which looks at half as many.
@@ -196,7 +183,7 @@ class Client : public ClientRules {
     uint16_t prepared;     // the wire item that the link holds packed, if it holds one
     uint16_t itemsDone;
     uint16_t failedItem;
-    uint16_t turnAtS;  // when the back-off ends, and when the transfer's own time began [s]
+    uint16_t backOffEndS;  // when the back-off ends, and when the transfer's own time began [s]
     // Begins a partial upload, and announces it; null: the whole plan, announced by MISSION_COUNT.
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
@@ -225,10 +212,10 @@ class Client : public ClientRules {
     uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
-    uint16_t turnLimitS;  // the limit of all back-offs [s]
-    uint16_t partFirst;   // the items of a partial upload, in the sketch's numbers
+    uint16_t backOffLimitS;  // the limit of all back-offs [s]
+    uint16_t partFirst;      // the items of a partial upload, in the sketch's numbers
     uint16_t partCount;
-    uint8_t turnPauseS;  // the pause before the next try; 0 before the first
+    uint8_t backOffPauseS;  // the pause before the next try; 0 before the first
     Status toReturn;
     Aboard aboard[4];  // by PlanType; the last is unused
     uint8_t lastResult;
@@ -259,22 +246,11 @@ class Client : public ClientRules {
     uint32_t planId;  // MISSION_COUNT.opaque_id
   };
 
-  // The state of start(). Items have wire numbers.
-  struct Start {
-    // Looking: searches for the item that will be flown first. Shown: a heartbeat shows that the aircraft flies.
-    // Judging, JudgingNext: compares its item with that one, or with the next. Leaving: a step failed; waits for a
-    // heartbeat that shows whether to disarm.
-    enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
-
-    uint16_t first;          // the item to begin with
-    uint16_t seen;           // the autopilot's current item; kNoItem: not reported yet
-    uint16_t mode;           // the mode after ReadyMode: any other one but AUTO was set by somebody else
-    uint16_t jump;           // the last jump followed on the way to the item that will be flown
-    uint8_t looked : 7;      // how many items were looked at on that way
-    uint8_t isAutoSeen : 1;  // a heartbeat has shown the mission mode after it was requested
-    uint8_t beganS;          // when AUTO was first requested [s], the low 8 bits
-    Status refusal;          // the status with which it will end
-    Phase phase;
+  // A mode to be set.
+  struct Modes {
+    uint16_t number;  // of modeNumber()
+    FlightMode named;
+    bool isLarge;  // a custom mode beyond one byte
   };
 
   // SET_MESSAGE_INTERVAL.
@@ -288,14 +264,12 @@ class Client : public ClientRules {
     FillCommand fill;  // makes the command to be sent
     OnCommand on;      // takes the events; null: the answer decides
     CommandTransfer transfer;
-    uint16_t mode;  // to be set
     union {
       const FlightCommand* own;
-      FlightMode named;
-      bool isLargeMode;  // a custom mode beyond one byte
-      uint16_t item;     // to be set as current; a wire number
+      Modes mode;
+      uint16_t item;  // to be set as current; a wire number
       Interval interval;
-      Start start;
+      StartTransfer start;
     };
   };
 

@@ -178,15 +178,15 @@ uint16_t Client::shownMode() const { return modeNumberOf(customMode()); }
 
 Status MissionClient::setMode(FlightMode mode) {
   const Status status = beginCommand(fillMode, onNamedMode);
-  if (status != Status::Busy) commanding_.named = mode;
+  if (status != Status::Busy) commanding_.mode.named = mode;
   return status;
 }
 
 Status MissionClient::setCustomMode(uint32_t customMode) {
   const Status status = beginCommand(fillMode, onCustomMode);
   if (status == Status::Busy) return status;
-  commanding_.mode = modeNumberOf(customMode);
-  commanding_.isLargeMode = customMode > 255;
+  commanding_.mode.number = modeNumberOf(customMode);
+  commanding_.mode.isLarge = customMode > 255;
   return status;
 }
 
@@ -194,15 +194,16 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
 Status Client::onCustomMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                             uint16_t nowMs) {
   if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
-  const bool isNone = has(client.firmware(), kModeIsOneByte) && client.commanding_.isLargeMode;
+  const bool isNone = has(client.firmware(), kModeIsOneByte) && client.commanding_.mode.isLarge;
   return isNone ? Status::NoSuchMode : status;
 }
 
 Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                            uint16_t nowMs) {
   if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
-  client.commanding_.mode = client.numberOf(client.commanding_.named);
-  return client.commanding_.mode == kNoMode ? Status::NoSuchMode : status;
+  Modes& mode = client.commanding_.mode;
+  mode.number = client.numberOf(mode.named);
+  return mode.number == kNoMode ? Status::NoSuchMode : status;
 }
 
 // A mode is set when a heartbeat shows it: PX4 answers twice, and may first accept a mode that it then refuses. Until a
@@ -211,7 +212,8 @@ Status Client::onMode(Client& client, CommandEvent event, Status status, const F
   switch (event) {
     case CommandEvent::Accepted: return Status::Transferring;
     case CommandEvent::Heartbeat:
-      if (client.commanding_.transfer.tries() == 0 || client.shownMode() != client.commanding_.mode) return status;
+      if (client.commanding_.transfer.tries() == 0 || client.shownMode() != client.commanding_.mode.number)
+        return status;
       return Status::Done;
     case CommandEvent::Silent: return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : status;
     default: return status;
@@ -219,10 +221,14 @@ Status Client::onMode(Client& client, CommandEvent event, Status status, const F
 }
 
 void Client::fillMode(Client& client, FlightCommand& command) {
+  fillModeNumber(command, client.commanding_.mode.number);
+}
+
+void Client::fillModeNumber(FlightCommand& command, uint16_t number) {
   command.id = MAV_CMD_DO_SET_MODE;
   command.param1 = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
-  command.param2 = static_cast<uint8_t>(client.commanding_.mode);
-  command.param3 = static_cast<uint8_t>(client.commanding_.mode >> 8);
+  command.param2 = static_cast<uint8_t>(number);
+  command.param3 = static_cast<uint8_t>(number >> 8);
 }
 
 // False if the plan aboard is known not to have this item.

@@ -13,7 +13,8 @@ namespace {
 // x and y become floats: degrees, or parameters 5 and 6. The other fields have the same layout.
 void toFloats(void* itemMessage) {
   mavlink_mission_item_int_t& message = *static_cast<mavlink_mission_item_int_t*>(itemMessage);
-  static_assert(sizeof(mavlink_mission_item_t) == sizeof(message), "both items have one layout");
+  static_assert(sizeof(mavlink_mission_item_t) == sizeof(message),
+                "MISSION_ITEM and MISSION_ITEM_INT must have the same layout");
   const uint32_t unit = message.frame == MAV_FRAME_MISSION ? 1 : 10000000;
   const float x = quotient(message.x, unit);
   const float y = quotient(message.y, unit);

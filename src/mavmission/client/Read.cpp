@@ -150,7 +150,8 @@ void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
     MissionItem item;
     mavlink_mission_item_int_t message;
   } piece;
-  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
+  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes,
+                "param1 to z must lie in MISSION_ITEM_INT as they lie in MissionItem");
   frame.copyPayload(&piece.message, sizeof(piece.message));
   const mavlink_mission_item_int_t& message = piece.message;
   DownloadTransfer& transfer = reading_.transfer;

@@ -110,7 +110,7 @@ void Client::beginUpload(uint16_t nowMs) {
   opaqueId_.begin();
   state_.next = 0;
   state_.isLate = false;
-  if (rest_.turnPauseS == 0) beginSeconds(nowMs);
+  if (rest_.backOffPauseS == 0) beginSeconds(nowMs);
   state_.status = Status::Transferring;
   sendUpload(nowMs);
 }
@@ -120,7 +120,8 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
     case MAVLINK_MSG_ID_MISSION_REQUEST:
     case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
       typedef mavlink_mission_request_int_t Request;
-      static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request), "both kinds of request have one layout");
+      static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request),
+                    "MISSION_REQUEST and MISSION_REQUEST_INT must have the same layout");
       if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
       const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, link_.pace());
       // The item is sent at once, before the rest of this update().
@@ -205,7 +206,7 @@ Aboard Client::aboardAfterUpload(Status status) const {
 }
 
 uint16_t Client::ownItem(uint16_t wireItem) const {
-  static_assert(static_cast<uint16_t>(0 - 1) == kNoItem, "home is no item");
+  static_assert(static_cast<uint16_t>(0 - 1) == kNoItem, "the sketch's number of home must be kNoItem");
   return wireItem - homeBefore();
 }
 
@@ -246,8 +247,10 @@ void Client::sendCount(uint16_t items) {
 }
 
 void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
-  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes, "param1 to z, laid out as in MissionItem");
-  static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t), "both items have one layout");
+  static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes,
+                "param1 to z must lie in MISSION_ITEM_INT as they lie in MissionItem");
+  static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t),
+                "MISSION_ITEM and MISSION_ITEM_INT must have the same layout");
   if (!claimHeavyWork()) return;
   // The item is read into the buffer of the outgoing frame and turned into the message in place: param1 to z stay where
   // they are, the other fields are moved. This keeps the deepest stack small.
@@ -256,7 +259,7 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
     mavlink_mission_item_int_t message;
   };
   static_assert(sizeof(MissionItem) <= Outbox::kMaxPayload && sizeof(mavlink_mission_item_int_t) <= Outbox::kMaxPayload,
-                "the outbox holds either");
+                "raise Outbox::kMaxPayload: an item is made in the outbox");
   Piece& piece = *static_cast<Piece*>(link_.draft());
   const Status read = plan_.read(wireItem, piece.item);
   if (read == Status::Checking) return;

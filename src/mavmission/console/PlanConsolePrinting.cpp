@@ -3,11 +3,8 @@
 
 #include <Arduino.h>
 
-#include "../base/Clock.h"
-
 namespace mavmission {
 using namespace detail;
-namespace {}  // namespace
 
 const char PlanConsoleState::kLineEnd[] PROGMEM = "\r\n";
 
@@ -19,26 +16,8 @@ void PlanConsole::say(FlashText text) {
 void PlanConsole::print() {
   if (flash_ == nullptr && ram_ == nullptr) compose();
   if (flash_ == nullptr && ram_ == nullptr) return;
-  int room = port_.availableForWrite();
-  if (room <= 0) {
-    const uint16_t nowMs = static_cast<uint16_t>(millis());
-    if (!isStuck_) stuckMs_ = nowMs;
-    isStuck_ = true;
-    if (since(stuckMs_, nowMs) >= StreamRules::kNotImplementedMs) isBlind_ = true;
-#ifndef __AVR__
-    if (hasSaid_) return;
-#endif
-    if (!isBlind_) return;
-    room = 1;
-  } else {
-    isStuck_ = false;
-    isBlind_ = false;
-#ifndef __AVR__
-    hasSaid_ = true;
-#endif
-  }
-  if (room > kBytesPerUpdate) room = kBytesPerUpdate;
-  for (; room > 0; --room) {
+  int room = portRoom_.of(port_, static_cast<uint16_t>(millis()), 1);
+  for (uint8_t left = kBytesPerUpdate; left != 0 && (room > 0 || StreamRoom::saysOne(port_)); --left, --room) {
     if (flash_ != nullptr) {
       const uint8_t byte = pgm_read_byte(flash_);
       if (byte != 0) {

@@ -5,6 +5,7 @@
 
 #include "../FlashText.h"
 #include "../TextError.h"
+#include "../base/StreamRoom.h"
 #include "../text/DecimalText.h"
 
 namespace mavmission {
@@ -34,22 +35,17 @@ class PlanConsoleState {
   bool isDownload_ : 1;     // it is a download
   bool isStart_ : 1;        // it is start()
   bool isPlanAwaited_ : 1;  // the plan is being committed or erased
-  bool isStuck_ : 1;        // the port had no room
-  bool isBlind_ : 1;        // it does not say when it has
-#ifndef __AVR__
-  bool hasSaid_ : 1;  // it has said so once: without room it waits, as a USB port to which nobody listens
-#endif
-  uint8_t length_;  // of the command so far
-  uint8_t kept_;    // items in the room
-  uint8_t oldest_;  // of them
+  uint8_t length_;          // of the command so far
+  uint8_t kept_;            // items in the room
+  uint8_t oldest_;          // of them
   uint8_t ring_;
   uint16_t told_;  // stored items that were reported
   uint16_t done_;  // the progress that was printed
   uint16_t due_;   // a bit for each Task
   Task task_;
-  uint8_t step_;       // of the task
-  uint16_t item_;      // the item being listed
-  uint16_t stuckMs_;   // when the port first had no room
+  uint8_t step_;   // of the task
+  uint16_t item_;  // the item being listed
+  StreamRoom portRoom_;
   FlashText said_;     // the text of kSay
   const char* flash_;  // being printed, in flash, if not null,
   const char* ram_;    // and then this, in RAM

@@ -82,11 +82,7 @@ class Link : public LinkRules {
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.
   void flush(uint16_t nowMs, uint8_t most) {
-#ifndef __AVR__
-    // A Pico's port never says that it has room for more than one byte, though its FIFO takes 32.
-    for (; most > 1 && !outbox_.isEmpty() && stream_->availableForWrite() == 1; --most)
-      outbox_.flush(*stream_, nowMs, 1);
-#endif
+    for (; most > 1 && !outbox_.isEmpty() && StreamRoom::saysOne(*stream_); --most) outbox_.flush(*stream_, nowMs, 1);
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
 

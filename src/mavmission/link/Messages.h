@@ -44,11 +44,12 @@ extern const MessageKey kKeys[];
 template <typename T>
 struct MessageOf;
 
-#define MAVMISSION_MESSAGE(NAME, type, target)                                                           \
-  template <>                                                                                            \
-  struct MessageOf<type> {                                                                               \
-    static constexpr KeyIndex kKey = KeyIndex::NAME;                                                     \
-    static_assert(sizeof(type) == MAVLINK_MSG_ID_##NAME##_LEN, "the struct is the wire layout, packed"); \
+#define MAVMISSION_MESSAGE(NAME, type, target)                                                \
+  template <>                                                                                 \
+  struct MessageOf<type> {                                                                    \
+    static constexpr KeyIndex kKey = KeyIndex::NAME;                                          \
+    static_assert(sizeof(type) == MAVLINK_MSG_ID_##NAME##_LEN,                                \
+                  "the struct of a message must have the layout of its payload on the wire"); \
   };
 MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_MESSAGE)
 MAVMISSION_SENT_MESSAGES(MAVMISSION_MESSAGE)

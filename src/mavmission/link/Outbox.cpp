@@ -58,26 +58,8 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
 #if MAVMISSION_SIGNING
   if (isUnsigned_) return;
 #endif
-  int room = stream.availableForWrite();
-  if (room > 0) {
-    blind_ = false;
-#ifndef __AVR__
-    hasSaid_ = true;
-  } else if (hasSaid_) {
-    return;
-#endif
-  } else if (blind_) {
-    room = kBlindBytes;
-  } else {
-    if (!stuck_) {
-      stuck_ = true;
-      stuckMs_ = nowMs;
-    }
-    blind_ = since(stuckMs_, nowMs) >= kNotImplementedMs;
-    return;
-  }
-  stuck_ = false;
-  stuckMs_ = nowMs;
+  int room = room_.of(stream, nowMs, kBlindBytes);
+  if (room == 0) return;
   if (room > idle_) idle_ = static_cast<int16_t>(room);
   if (room > most) room = most;
   for (; fill_ != 0 && room != 0; --room, --fill_) stream.write(static_cast<uint8_t>(0));
@@ -86,9 +68,9 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
   sent_ += stream.write(frame_ + sent_, room < left ? room : left);
 }
 
-bool Outbox::isLineBusy(Stream& stream, uint16_t nowMs, uint8_t& busyMs) const {
-  busyMs = static_cast<uint8_t>(since(stuckMs_, nowMs));
-  return isEmpty() && stream.availableForWrite() < idle_;
+uint8_t Outbox::lineBusyMs(Stream& stream, uint16_t nowMs) const {
+  if (!isEmpty() || stream.availableForWrite() >= idle_) return 0;
+  return static_cast<uint8_t>(since(room_.roomMs(), nowMs));
 }
 
 }  // namespace detail

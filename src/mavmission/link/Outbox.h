@@ -6,7 +6,7 @@
 
 #include "../Config.h"
 #include "../OutgoingMessage.h"
-#include "../base/RetryRules.h"
+#include "../base/StreamRoom.h"
 #include "FrameParser.h"
 #if MAVMISSION_SIGNING
 #include "../signing/Signing.h"
@@ -15,12 +15,12 @@
 namespace mavmission {
 namespace detail {
 
-class Outbox : public StreamRules {
+class Outbox {
  public:
   // The longest payload among our messages [bytes]: that of MISSION_ITEM_INT; COMMAND_INT has 35.
   static constexpr uint8_t kMaxPayload = 38;
 
-  // Bytes that such a stream is given in one call: each may wait for the line [bytes].
+  // What a stream without availableForWrite() is given in one call: each byte may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
   // Zero bytes before a frame on a line that loses bytes [bytes]. The autopilot's parser may still wait for the rest of
@@ -56,8 +56,8 @@ class Outbox : public StreamRules {
   }
   void drop() { held_ = false; }
 
-  // True while the line is busy with what was handed to the stream last, `busyMs` ago.
-  bool isLineBusy(Stream& stream, uint16_t nowMs, uint8_t& busyMs) const;
+  // How long the line has been busy with what was handed to the stream last; 0 if it is not.
+  uint8_t lineBusyMs(Stream& stream, uint16_t nowMs) const;
 
 #if MAVMISSION_SIGNING
   // From now on frames are signed: after release() a frame waits for startSigning() and then for setSigned().
@@ -94,12 +94,7 @@ class Outbox : public StreamRules {
   uint16_t sent_;
   // Writes the next bytes of a frame with the sketch's own message; null for a frame of ours, which lies in one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
-  uint16_t stuckMs_;  // when bytes were last written, or when availableForWrite() began to return 0
-  bool stuck_;
-  bool blind_;  // availableForWrite() is taken as not implemented
-#ifndef __AVR__
-  bool hasSaid_;  // availableForWrite() has returned more than 0 once: a 0 is then true, as with flow control
-#endif
+  StreamRoom room_;
   bool held_;
   uint8_t fill_;  // zeros that are still to be written before the frame
   int16_t idle_;  // what the stream takes when that is empty, as far as that was seen
@@ -114,7 +109,7 @@ class Outbox : public StreamRules {
     uint32_t alignment_;
   };
   static_assert(kDraft >= 10 && kDraft % 4 == 0 && kDraft + kMaxPayload <= sizeof(frame_),
-                "behind the header, and aligned");
+                "the draft must begin behind the header, at a multiple of 4, and end within the frame");
 };
 
 }  // namespace detail

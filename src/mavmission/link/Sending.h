@@ -15,13 +15,13 @@ void Link::send(T& message) {
 
 template <typename T>
 void Link::prepareAs(void* payload) {
-  static_assert(sizeof(T) <= Outbox::kMaxPayload, "the outbox holds it");
+  static_assert(sizeof(T) <= Outbox::kMaxPayload, "raise Outbox::kMaxPayload to the length of this message");
   pack(static_cast<uint8_t*>(payload), &kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)]);
 }
 
 template <typename T>
 void Link::sendAs(void* payload) {
-  static_assert(sizeof(T) <= Outbox::kMaxPayload, "the outbox holds it");
+  static_assert(sizeof(T) <= Outbox::kMaxPayload, "raise Outbox::kMaxPayload to the length of this message");
   sendMessage(static_cast<uint8_t*>(payload), &kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)]);
 }
 

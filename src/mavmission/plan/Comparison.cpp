@@ -35,10 +35,10 @@ const Limit kLimits[] PROGMEM = {
 constexpr uint8_t kParam3 = 2, kYaw = 3, kX = 4, kY = 5, kZ = 6;
 static_assert(offsetof(MissionItem, x) == sizeof(float) * kX && offsetof(MissionItem, y) == sizeof(float) * kY &&
                   offsetof(MissionItem, z) == sizeof(float) * kZ,
-              "in their order");
+              "param1 to param4, x, y and z must lie one after the other, as kX, kY and kZ number them");
 static_assert(static_cast<uint8_t>(ItemField::Latitude) == static_cast<uint8_t>(ItemField::Param1) + kX &&
                   static_cast<uint8_t>(ItemField::Height) == static_cast<uint8_t>(ItemField::Param1) + kZ,
-              "fields have the same order");
+              "ItemField must name the fields of MissionItem in their order");
 
 // A further flag beside those of a Keeper: x and y are converted to floats and back, as in PX4 when an item has no
 // place.

@@ -55,7 +55,7 @@ const PausableMessage kPx4s[] PROGMEM = {
 constexpr uint8_t kArduPilotsCount = sizeof(kArduPilots) / sizeof(kArduPilots[0]);
 constexpr uint8_t kPx4sCount = sizeof(kPx4s) / sizeof(kPx4s[0]);
 static_assert(kArduPilotsCount <= TelemetryPause::kMostMessages && kPx4sCount <= TelemetryPause::kMostMessages,
-              "a bit each");
+              "a list must have at most 32 messages: TelemetryPause keeps one bit for each");
 
 // Messages without which a transfer or a command cannot be followed: HEARTBEAT, STATUSTEXT, those of missions and
 // commands.

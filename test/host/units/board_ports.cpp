@@ -203,3 +203,30 @@ TEST_CASE("a console on a USB port to which nobody listens waits, and does not w
   }
   CHECK(port.sent > 40);
 }
+
+TEST_CASE("a console gives a port as many bytes in a call as it takes without waiting, also one that says 1") {
+  static uint8_t memory[200];
+  const Eeprom eeprom = {[](uint16_t address) { return memory[address]; },
+                         [](uint16_t address, uint8_t value) { memory[address] = value; }, nullptr, sizeof(memory)};
+  for (const Kind& kind : kKinds) {
+    if (kind.says == Says::Nothing) continue;
+    CAPTURE(kind.board);
+    BoardPort port(kind), line(kKinds[0]);
+    MissionClient autopilot(line);
+    EepromPlan plan(eeprom);
+    PlanConsole console(port, autopilot, plan);
+    plan.begin();
+    for (char c : std::string("help\n")) port.come(static_cast<uint8_t>(c));
+    size_t most = 0;
+    for (uint32_t nowMs = 1; nowMs < 200; ++nowMs) {
+      setMillis(nowMs);
+      console.update();
+      size_t taken = port.sent;
+      port.pass(1000000);  // the line takes all that is there
+      taken = port.sent - taken;
+      if (taken > most) most = taken;
+    }
+    CHECK(port.waited == 0);
+    CHECK(most == +PlanConsole::kBytesPerUpdate);
+  }
+}

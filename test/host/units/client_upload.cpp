@@ -57,7 +57,7 @@ TEST_CASE("an upload goes out item by item as it is asked for, and each is the i
   }
 }
 
-TEST_CASE("tries for a turn come 1, 2, 4, 8, 8 s apart, in each upload anew") {
+TEST_CASE("a busy autopilot is tried again after 1, 2, 4, 8, 8 s, in each upload anew") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.client.retryWhenBusy(60);
   desk.run(11000);  // what came before can be answered no more
@@ -68,7 +68,7 @@ TEST_CASE("tries for a turn come 1, 2, 4, 8, 8 s apart, in each upload anew") {
   CHECK(isNear(countsWhenDenied(desk, 2), {0, 1000, 3000}));
 }
 
-TEST_CASE("the time that is allowed for a turn begins with the first refusal of each upload") {
+TEST_CASE("the time that is allowed for back-offs begins with the first refusal of each upload") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.client.retryWhenBusy(4);
   desk.run(11000);
@@ -82,7 +82,7 @@ TEST_CASE("the time that is allowed for a turn begins with the first refusal of 
   }
 }
 
-TEST_CASE("the time that is allowed for a turn begins with the refusal, and its last try may be at its very end") {
+TEST_CASE("the time that is allowed for back-offs begins with the refusal, and the last try may be at its very end") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.client.retryWhenBusy(3);
   desk.run(11000);
@@ -101,7 +101,7 @@ TEST_CASE("the time that is allowed for a turn begins with the refusal, and its 
   CHECK((desk.client.status() == Status::Transferring));
 }
 
-TEST_CASE("of an upload that waits for its turn no other refusal is waited for") {
+TEST_CASE("an upload with retryWhenBusy() backs off after no other refusal") {
   const struct {
     uint8_t autopilot, result;
     Status status;
@@ -137,7 +137,7 @@ TEST_CASE("PX4's error to COUNT is waited for as a denial is") {
   }
 }
 
-TEST_CASE("without time for a turn a denial is the end, and with one second there is one more try") {
+TEST_CASE("without time for a back-off a denial is the end, and with one second there is one more try") {
   for (const uint16_t seconds : {0, 1}) {
     ClientOnLine desk(ClientOnLine::kArduPilot);
     desk.client.retryWhenBusy(60);
@@ -152,7 +152,7 @@ TEST_CASE("without time for a turn a denial is the end, and with one second ther
   }
 }
 
-TEST_CASE("behind a wait for its turn an upload begins anew, with the autopilot and the check of the plan") {
+TEST_CASE("behind a back-off an upload begins anew, with the autopilot and the check of the plan") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.client.retryWhenBusy(60);
   desk.run(11000);
@@ -163,7 +163,7 @@ TEST_CASE("behind a wait for its turn an upload begins anew, with the autopilot 
   CHECK(std::equal(expected.rbegin(), expected.rend(), desk.returned.rbegin()));
 }
 
-TEST_CASE("an autopilot that fell silent while a turn was waited for is waited for first") {
+TEST_CASE("an autopilot that fell silent during a back-off is waited for first") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.client.retryWhenBusy(60);
   desk.run(11000);

@@ -105,3 +105,10 @@ TEST_CASE("a command that is not in the table has no place when its frame says s
     CHECK_FALSE(rulesOf(anyCommandAt(31337, 1_deg, 1_deg, 1_m), keeper).has(kHasNoPlace));
   }
 }
+
+TEST_CASE("CONDITION_GATE is a command of PX4's, with a place, and ArduPilot does not take it") {
+  const MissionItem gate = anyCommandAt(4501, 1_deg, 1_deg, 20_m);
+  CHECK(rulesOf(gate, kByArduPilot).has(kIsNotTaken));
+  CHECK_FALSE(rulesOf(gate, kByPx4).has(kIsNotTaken));
+  CHECK_FALSE(rulesOf(gate, kByPx4).has(kHasNoPlace));
+}

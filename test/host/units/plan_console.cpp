@@ -14,10 +14,21 @@ std::vector<uint8_t> memory;
 uint8_t readByte(uint16_t address) { return memory[address]; }
 void writeByte(uint16_t address, uint8_t value) { memory[address] = value; }
 
+// A port whose room is taken up by what is written.
+class FillingStream : public MemoryStream {
+ public:
+  using MemoryStream::write;
+  size_t write(const uint8_t* bytes, size_t size) override {
+    const size_t taken = MemoryStream::write(bytes, size);
+    if (room > 0 && room != kAlwaysRoom) room -= static_cast<int>(taken);
+    return taken;
+  }
+};
+
 // A console on a port, with an autopilot that is not there.
 struct Desk {
   MemoryStream line;
-  MemoryStream port;
+  FillingStream port;
   MissionClient autopilot;
   EepromPlan plan;
   MissionItem room[4];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mavmission/ItemSource.h"
+#include "mavmission/autopilot/Rules.h"
 #include "mavmission/plan/Comparison.h"
 
 using namespace mavmission;
@@ -314,7 +315,7 @@ TEST_CASE("a jump for ever goes to PX4 as the most that it counts, and comes bac
 
 TEST_CASE("ArduPilot takes altitudes below 83 km, and PX4 any") {
   MissionItem item = kHere;
-  for (const float metres : {82999.f, -82999.f}) {
+  for (const float metres : {82999.f, -82999.f, 82999.9921875f}) {
     item.z = metres;
     for (Firmware firmware : kAll) CHECK((check(item, firmware) == Status::Accepted));
   }
@@ -486,5 +487,58 @@ TEST_CASE("of two places the nearer one is taken, and again when it is asked for
     MissionItem item;
     REQUIRE((plan.read(3, item) == Status::Accepted));
     CHECK(item.x == 30);
+  }
+}
+
+TEST_CASE("on PX4 a landing gets the place of an item behind it where there is none before it") {
+  MissionItem item;
+  Plan plan({land(), at(30, 40)}, Firmware::Px4);
+  REQUIRE((plan.read(0, item) == Status::Accepted));
+  CHECK(item.x == 30);
+}
+
+TEST_CASE("of two places that are two items away a takeoff gets the one behind it, each time that it is read") {
+  MissionItem item;
+  Plan plan({at(10, 20), changeSpeed(5_mps), takeoff(9_m), changeSpeed(5_mps), at(30, 40)}, Firmware::Px4);
+  for (int reads = 0; reads < 3; ++reads) {
+    REQUIRE((plan.read(2, item) == Status::Accepted));
+    CHECK(item.x == 30);
+  }
+  Plan near({at(10, 20), takeoff(9_m), at(30, 40)}, Firmware::Px4);
+  for (int reads = 0; reads < 3; ++reads) {
+    REQUIRE((near.read(1, item) == Status::Accepted));
+    CHECK(item.x == 30);
+  }
+}
+
+TEST_CASE("a search that was broken off does not reach into the next plan") {
+  MissionItem item;
+  std::vector<MissionItem> items(200, changeSpeed(5_mps));
+  items[100] = takeoff(9_m);
+  Plan plan(items, Firmware::Px4);
+  REQUIRE((plan.wire.read(100, item) == Status::Checking));
+  plan.items = {at(10, 20), takeoff(9_m), at(30, 40)};
+  plan.wire.setSource(inRam(plan.items.data(), 3));
+  plan.wire.begin(Firmware::Px4, 2, PlanType::Mission, false);
+  REQUIRE((plan.read(1, item) == Status::Accepted));
+  CHECK(item.x == 30);
+}
+
+TEST_CASE("on ArduPilot a takeoff keeps its missing place, in raw numbers too") {
+  MissionItem item;
+  Plan plan({at(10, 20), takeoff(9_m), at(30, 40)}, Firmware::ArduPilot, true);
+  REQUIRE((plan.read(1, item) == Status::Accepted));
+  CHECK(item.x == 0);
+}
+
+TEST_CASE("which commands have a place or a yaw does not depend on the vehicle") {
+  for (uint32_t command = 0; command <= 0xFFFF; ++command) {
+    const MissionItem item = anyCommand(static_cast<uint16_t>(command));
+    for (Firmware firmware : kAll) {
+      const Rules copter = rulesOf(item, keeperOf(firmware, 2, PlanType::Mission));
+      const Rules plane = rulesOf(item, keeperOf(firmware, 1, PlanType::Mission));
+      CHECK(copter.has(kHasNoPlace) == plane.has(kHasNoPlace));
+      CHECK(copter.hasYaw() == plane.hasYaw());
+    }
   }
 }

@@ -1,4 +1,4 @@
-"""Another ground station is transferring: said as such, and with a wait for one's turn all is well."""
+"""Another ground station is transferring: said as such, and with retryWhenBusy() the upload succeeds behind it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from plans import OLD_PLAN, SURVEY, on_the_wire
 from simulation.bench import same_bits
 from simulation.fake_autopilot import mavlink
 
-TURNS = pytest.mark.scenario(22, "Denied while another ground station transfers; a retry succeeds")
+BACK_OFF = pytest.mark.scenario(22, "Denied while another ground station transfers; a retry succeeds")
 GROUND_STATION = (255, 190)
 
 
@@ -22,7 +22,7 @@ def other_begins(service, items: int) -> mavlink.MAVLink:
     return packer
 
 
-@TURNS
+@BACK_OFF
 def test_upload_meanwhile_is_refused_and_said_as_such(service, personality):
     service.run(2.0)
     other_begins(service, 3)
@@ -31,9 +31,9 @@ def test_upload_meanwhile_is_refused_and_said_as_such(service, personality):
     assert service.state.aboard == "AsBefore"
 
 
-@TURNS
-def test_upload_that_waits_for_its_turn_comes_aboard_when_it_is_free(service, personality):
-    service.tell("turns", 60)
+@BACK_OFF
+def test_upload_that_backs_off_comes_aboard_when_it_is_free(service, personality):
+    service.tell("backoff", 60)
     service.run(2.0)
     other_begins(service, 3)
     service.upload(SURVEY)
@@ -41,7 +41,7 @@ def test_upload_that_waits_for_its_turn_comes_aboard_when_it_is_free(service, pe
     assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, personality))
 
 
-@TURNS
+@BACK_OFF
 @pytest.mark.parametrize("order", [("verify", 0), ("download", 0, 60, 60)], ids=lambda order: order[0])
 def test_reading_that_is_refused_meanwhile_leaves_it_unknown_what_is_aboard(build_service, order):
     """PX4 does not refuse it: it says nothing, and names its plan in MISSION_CURRENT."""
@@ -60,7 +60,7 @@ def test_reading_that_is_refused_meanwhile_leaves_it_unknown_what_is_aboard(buil
     assert service.done() == "Differs"  # it was cut to the other's length
 
 
-@TURNS
+@BACK_OFF
 def test_verification_that_the_sketch_ends_leaves_it_as_it_was(service):
     service.upload(SURVEY)
     assert service.done() == "Accepted"
@@ -70,7 +70,7 @@ def test_verification_that_the_sketch_ends_leaves_it_as_it_was(service):
     assert service.state.aboard == "OurPlan"
 
 
-@TURNS
+@BACK_OFF
 @pytest.mark.parametrize("order, end", [(("download", 0, 2, 60), "SinkFull")])
 def test_download_that_our_own_sink_ends_leaves_it_as_it_was(service, order, end):
     service.upload(SURVEY)
@@ -80,11 +80,11 @@ def test_download_that_our_own_sink_ends_leaves_it_as_it_was(service, order, end
     assert service.state.aboard == "OurPlan"
 
 
-@TURNS
+@BACK_OFF
 def test_px4s_error_is_taken_for_busy_and_waited_for_like_ardupilots_denied(build_service):
     service = build_service("PX4")
     service.autopilot.load(OLD_PLAN)
-    service.tell("turns", 30)
+    service.tell("backoff", 30)
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=5)
     service.upload(SURVEY)
     assert service.done(limit_s=40) == "Accepted"
@@ -92,11 +92,11 @@ def test_px4s_error_is_taken_for_busy_and_waited_for_like_ardupilots_denied(buil
     assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, "PX4"))
 
 
-@TURNS
+@BACK_OFF
 def test_px4_that_stays_busy_is_waited_for_no_longer_than_allowed(build_service):
     service = build_service("PX4")
     service.autopilot.load(OLD_PLAN)
-    service.tell("turns", 15)
+    service.tell("backoff", 15)
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=None)
     service.upload(SURVEY)
     assert service.done(limit_s=40) == "Error"
@@ -105,11 +105,11 @@ def test_px4_that_stays_busy_is_waited_for_no_longer_than_allowed(build_service)
     assert service.state.aboard == "AsBefore"
 
 
-@TURNS
-def test_upload_waits_for_its_turn_no_longer_than_allowed(build_service):
+@BACK_OFF
+def test_upload_backs_off_no_longer_than_allowed(build_service):
     service = build_service("ArduPilot")
     service.autopilot.load(OLD_PLAN)
-    service.tell("turns", 5)
+    service.tell("backoff", 5)
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, times=None)
     service.upload(SURVEY)
     assert service.done(limit_s=15) == "Denied"
@@ -126,11 +126,11 @@ def counts_since(service, start: float) -> list[float]:
     return [round(time - counts[0]) for time in counts]
 
 
-@TURNS
+@BACK_OFF
 def test_next_operation_has_its_whole_time(build_service):
     """It begins with the shortest pause, and the time allowed with its own first refusal."""
     service = build_service("ArduPilot")
-    service.tell("turns", 8)
+    service.tell("backoff", 8)
     for _ in range(2):
         start = service.now
         service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, times=3)

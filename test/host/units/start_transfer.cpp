@@ -1,0 +1,798 @@
+#include "mavmission/transfer/StartTransfer.h"
+
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <initializer_list>
+#include <vector>
+
+#include "mavmission/FlightMode.h"
+#include "mavmission/MissionItem.h"
+
+using namespace mavmission;
+using namespace mavmission::detail;
+
+namespace {
+
+typedef StartTransfer::State State;
+typedef StartTransfer::Message Message;
+
+constexpr uint8_t kCopter = 2, kPlane = 1, kRover = 10;  // MAV_TYPE
+constexpr uint16_t kJumpTag = 601;
+constexpr uint16_t kNoItem = 0xFFFF;
+
+MissionItem fly() { return waypoint(-35.36_deg, 149.16_deg, 20_m); }
+MissionItem speed() { return changeSpeed(5_mps); }
+
+// start() on an aircraft, as the client runs it, with a plan of wire items.
+struct Flight {
+  StartTransfer start;
+  CommandTransfer sending;
+  Aircraft aircraft;
+  std::vector<MissionItem> plan;
+  uint16_t other;    // a mode that nobody has asked for
+  uint8_t done = 0;  // steps that goTo() has gone through
+
+  Flight(Firmware firmware, uint8_t vehicleType, std::vector<MissionItem> items = {fly(), fly(), speed(), fly()})
+      : plan(items) {
+    memset(static_cast<void*>(&start), 0, sizeof(start));
+    memset(static_cast<void*>(&sending), 0, sizeof(sending));
+    aircraft = Aircraft{firmware, vehicleType, false, 0, modeNumber(FlightMode::Auto, firmware, vehicleType), 0, 65000};
+    aircraft.mode = number(FlightMode::Hold);
+    other = number(FlightMode::ReturnToLaunch);
+  }
+
+  uint16_t number(FlightMode mode) const { return modeNumber(mode, aircraft.firmware, aircraft.vehicleType); }
+
+  // Gives it the items that it wants.
+  Status look() {
+    for (int n = 0; n < 300; ++n) {
+      Status read = start.wantsItem(static_cast<uint16_t>(plan.size()), aircraft.firmware);
+      if (read == Status::Done) return read;
+      const MissionItem* item = read == Status::Accepted ? &plan[start.next()] : nullptr;
+      const Status status = start.onItem(read, item, aircraft, sending);
+      if (status != Status::Transferring || !(start.isLooking() || start.isJudging())) return status;
+    }
+    return Status::TookTooLong;
+  }
+  Status begin(uint16_t first = 0, bool isMission = true) {
+    start.setFirst(static_cast<uint16_t>(first + 7));  // by the sketch's number
+    CHECK(start.first() == first + 7);
+    CHECK((start.state() == State::New));
+    start.begin(first, isMission, aircraft.firmware);
+    CHECK((start.state() == State::Looking));
+    return look();
+  }
+  void sent() {
+    CHECK((sending.state() == CommandTransfer::State::Due));
+    sending.sent(static_cast<uint16_t>(start.message()) + 100, aircraft.nowMs);
+  }
+  void sent(Message message) {
+    CHECK((start.message() == message));
+    sent();
+  }
+  Status heartbeat(bool armed, uint16_t mode) {
+    aircraft.isArmed = armed;
+    aircraft.mode = mode;
+    aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + 1000);
+    ++aircraft.seconds;
+    return start.onHeartbeat(aircraft, sending);
+  }
+  Status heartbeat() { return heartbeat(aircraft.isArmed, aircraft.mode); }
+  Status current(uint16_t item, bool isUnderWay = true) { return start.onCurrent(item, isUnderWay, aircraft, sending); }
+  // True if the message that was sent is sent again when nothing answers it.
+  bool isRepeated() {
+    aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + CommandTransfer::kAnswerMs);
+    return sending.onTime(aircraft.nowMs) == Status::Transferring && sending.state() == CommandTransfer::State::Due;
+  }
+  Status accepted() { return start.onAccepted(aircraft, sending); }
+  Status refused(Status status = Status::CommandFailed) { return start.onRefused(status, aircraft, sending); }
+  Status silent(Status status = Status::NoAnswer) { return start.onSilent(status, aircraft, sending); }
+
+  bool isAt(StartStep step, State state = State::Steps) const { return start.step() == step && start.state() == state; }
+
+  // Goes on to this step as an autopilot leads it there that does what it is told; nothing of the step was sent.
+  void goTo(StartStep step, uint16_t first = 0) {
+    if (start.state() == State::New) REQUIRE((begin(first) == Status::Transferring));
+    while (start.step() < step) {
+      const StartStep now = start.step();
+      if (now == StartStep::FirstItem && has(aircraft.firmware, kNamesFlownItems)) {
+        sent(Message::FirstItem);
+        REQUIRE((current(start.next()) == Status::Transferring));
+        REQUIRE((start.state() == State::Asking));
+      }
+      sent();
+      switch (now) {
+        case StartStep::FirstItem: REQUIRE((current(start.first()) == Status::Transferring)); break;
+        case StartStep::ReadyMode:
+        case StartStep::AutoMode:
+          REQUIRE((heartbeat(aircraft.isArmed, start.modeToSet(aircraft)) == Status::Transferring));
+          break;
+        default:
+          REQUIRE((accepted() == Status::Transferring));
+          aircraft.isArmed = true;
+          if (now == StartStep::Begin) aircraft.mode = aircraft.autoMode;
+          break;
+      }
+      REQUIRE(start.step() > now);
+      ++done;
+    }
+  }
+};
+
+Flight copter() { return Flight(Firmware::ArduPilot, kCopter); }
+Flight rover() { return Flight(Firmware::ArduPilot, kRover); }
+Flight px4() { return Flight(Firmware::Px4, kCopter); }
+
+// Has armed, was refused, and waits for a heartbeat.
+Flight leaving() {
+  Flight flight = copter();
+  flight.goTo(StartStep::AutoMode);
+  flight.sent(Message::Mode);
+  CHECK((flight.refused() == Status::Transferring));
+  CHECK((flight.start.state() == State::Leaving));
+  CHECK((flight.sending.state() == CommandTransfer::State::Listening));
+  CHECK(flight.sending.tries() == 0);  // nothing can be answered
+  return flight;
+}
+
+Flight disarming() {
+  Flight flight = leaving();
+  CHECK((flight.heartbeat() == Status::Transferring));
+  CHECK((flight.start.state() == State::Disarming));
+  flight.sent(Message::Disarm);
+  return flight;
+}
+
+}  // namespace
+
+// New --> Looking --> Steps
+
+TEST_CASE("the item that is flown first is the first navigation command on the way over DO commands and jumps") {
+  struct Way {
+    std::vector<MissionItem> plan;  // without home
+    uint16_t first, flown;
+  };
+  const Way ways[] = {
+      {{fly(), fly()}, 1, 1},
+      {{fly(), fly()}, 2, 2},
+      {{speed(), speed(), fly()}, 1, 3},
+      {{jump(3, 1), fly(), speed(), fly()}, 1, 4},
+      {{jump(1, 2), fly()}, 1, 2},  // into itself: followed once, and passed
+      {{jump(1, 1), fly()}, 1, 2},
+      {{jump(3, -1), speed(), fly()}, 1, 3},  // for ever, but to something that is flown
+      {{jump(2, 0), speed(), fly()}, 1, 3},   // no times at all: not followed
+      {{anyCommand(201), fly()}, 1, 2},
+  };
+  for (const Way& way : ways) {
+    std::vector<MissionItem> plan = {fly()};
+    plan.insert(plan.end(), way.plan.begin(), way.plan.end());
+    Flight flight(Firmware::ArduPilot, kCopter, plan);
+    CHECK((flight.begin(way.first) == Status::Transferring));
+    CHECK(flight.start.next() == way.flown);
+    CHECK(flight.isAt(StartStep::ReadyMode));
+  }
+}
+
+TEST_CASE("scripts and speeds of turning are flown, a region of interest among the navigation commands is not") {
+  for (uint16_t command : {213, 42702, 42703, 95}) {
+    Flight flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
+    flight.begin();
+    CHECK(flight.start.next() == 0);
+  }
+  for (uint16_t command : {80, 96, 112, 178}) {
+    Flight flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
+    flight.begin();
+    CHECK(flight.start.next() == 1);
+  }
+}
+
+TEST_CASE("home is not looked at") {
+  Flight flight = copter();
+  flight.begin(0);
+  CHECK(flight.start.next() == 1);
+  Flight other = px4();
+  other.begin(0);
+  CHECK(other.start.next() == 0);
+}
+
+TEST_CASE("a plan in which nothing is flown ends start() before the first step") {
+  const std::vector<MissionItem> plans[] = {
+      {speed(), speed()},
+      {speed(), jump(0, -1)},
+      {},
+  };
+  for (const std::vector<MissionItem>& plan : plans) {
+    Flight flight(Firmware::Px4, kCopter, plan);
+    CHECK((flight.begin() == Status::NothingToFly));
+    CHECK((flight.start.step() == StartStep::None));
+    CHECK((flight.start.arming() == StartArming::Untouched));
+  }
+}
+
+TEST_CASE("a way that cannot be followed does not hinder the steps, and no item is expected then") {
+  Flight fence = copter();
+  CHECK((fence.begin(0, false) == Status::Transferring));
+  CHECK(fence.start.next() == kNoItem);
+  CHECK(fence.isAt(StartStep::ReadyMode));
+
+  Flight tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
+  CHECK((tag.begin() == Status::Transferring));
+  CHECK(tag.start.next() == kNoItem);
+
+  Flight source = px4();
+  source.start.begin(0, true, Firmware::Px4);
+  CHECK((source.start.onItem(Status::SourceRefused, nullptr, source.aircraft, source.sending) == Status::Transferring));
+  CHECK(source.start.next() == kNoItem);
+
+  for (size_t others : {99u, 100u}) {
+    std::vector<MissionItem> plan(others, speed());
+    plan.push_back(fly());
+    Flight flight(Firmware::Px4, kCopter, plan);
+    CHECK((flight.begin() == Status::Transferring));
+    CHECK(flight.start.next() == (others == 99 ? 99 : kNoItem));
+  }
+}
+
+// The steps
+
+TEST_CASE("each vehicle gets the steps that it needs, in their order") {
+  struct Vehicle {
+    Firmware firmware;
+    uint8_t type;
+    bool isArmed;
+    std::vector<StartStep> steps;
+  };
+  const StartStep kReady = StartStep::ReadyMode, kItem = StartStep::FirstItem, kArm = StartStep::Arm,
+                  kAuto = StartStep::AutoMode, kBegin = StartStep::Begin, kConfirm = StartStep::Confirm;
+  const Vehicle vehicles[] = {
+      {Firmware::ArduPilot, kCopter, false, {kReady, kItem, kArm, kAuto, kBegin, kConfirm}},
+      {Firmware::ArduPilot, kRover, false, {kReady, kItem, kArm, kAuto, kBegin, kConfirm}},
+      {Firmware::ArduPilot, kPlane, false, {kItem, kArm, kAuto, kBegin, kConfirm}},
+      {Firmware::ArduPilot, kCopter, true, {kItem, kAuto, kBegin, kConfirm}},
+      {Firmware::Px4, kCopter, false, {kItem, kBegin, kConfirm}},
+      {Firmware::Px4, kCopter, true, {kItem, kBegin, kConfirm}},
+  };
+  for (const Vehicle& vehicle : vehicles) {
+    Flight flight(vehicle.firmware, vehicle.type);
+    flight.aircraft.isArmed = vehicle.isArmed;
+    uint8_t before = 0;
+    for (StartStep step : vehicle.steps) {
+      flight.goTo(step);
+      CHECK((flight.start.step() == step));
+      CHECK((flight.sending.state() != CommandTransfer::State::Sent));
+      CHECK(flight.done == before++);
+    }
+    CHECK((flight.start.arming() == (vehicle.isArmed ? StartArming::Untouched : StartArming::Armed)));
+  }
+}
+
+TEST_CASE("an aircraft that flies its mission already gets no command, and is only asked what it flies") {
+  for (Flight flight : {copter(), px4()}) {
+    flight.aircraft.isArmed = true;
+    flight.aircraft.mode = flight.aircraft.autoMode;
+    CHECK((flight.begin() == Status::Transferring));
+    CHECK(flight.isAt(StartStep::Confirm));
+    CHECK((flight.start.message() == Message::AskCurrent));
+  }
+}
+
+TEST_CASE("a copter is armed in GUIDED, a rover in MANUAL, and both fly in AUTO") {
+  for (Flight flight : {copter(), rover()}) {
+    const bool isCopter = flight.aircraft.vehicleType == kCopter;
+    flight.begin();
+    CHECK((flight.start.message() == Message::Mode));
+    CHECK(flight.start.modeToSet(flight.aircraft) == flight.number(isCopter ? FlightMode::Guided : FlightMode::Manual));
+    flight.goTo(StartStep::AutoMode);
+    CHECK((flight.start.message() == Message::Mode));
+    CHECK(flight.start.modeToSet(flight.aircraft) == flight.aircraft.autoMode);
+  }
+}
+
+TEST_CASE("a mode is set when a heartbeat shows it that comes after the command, and not by an answer") {
+  for (StartStep step : {StartStep::ReadyMode, StartStep::AutoMode}) {
+    Flight flight = copter();
+    flight.goTo(step);
+    const uint16_t mode = flight.start.modeToSet(flight.aircraft);
+    if (step == StartStep::ReadyMode) {
+      CHECK((flight.heartbeat(false, mode) == Status::Transferring));
+      CHECK(flight.isAt(step));
+    }
+    flight.sent(Message::Mode);
+    CHECK((flight.accepted() == Status::Transferring));
+    CHECK(flight.isAt(step));
+    CHECK((flight.heartbeat(step != StartStep::ReadyMode, mode) == Status::Transferring));
+    CHECK(flight.start.step() > step);
+  }
+}
+
+TEST_CASE("ArduPilot is asked for its current item when it has answered, PX4's MISSION_CURRENT suffices") {
+  Flight flight = copter();
+  flight.goTo(StartStep::FirstItem);
+  CHECK((flight.heartbeat() == Status::Transferring));
+  CHECK((flight.current(1) == Status::Transferring));  // came before the command left
+  CHECK(flight.isAt(StartStep::FirstItem));
+  flight.sent(Message::FirstItem);
+  CHECK((flight.current(3) == Status::Transferring));  // came unasked
+  CHECK(flight.isAt(StartStep::FirstItem));
+  CHECK((flight.accepted() == Status::Transferring));
+  CHECK(flight.isAt(StartStep::FirstItem));
+  CHECK((flight.current(0) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
+  CHECK(flight.start.seen() == kNoItem);
+  flight.sent(Message::AskCurrent);
+  CHECK(flight.isRepeated());
+  flight.sent(Message::AskCurrent);
+  CHECK((flight.refused() == Status::Transferring));  // MISSION_CURRENT may come unasked
+  CHECK((flight.heartbeat() == Status::Transferring));
+  CHECK((flight.current(3) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
+  CHECK((flight.current(1) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Arm));
+
+  Flight other = px4();
+  other.goTo(StartStep::FirstItem);
+  CHECK((other.current(0) == Status::Transferring));
+  CHECK(other.isAt(StartStep::FirstItem));
+  other.sent(Message::FirstItem);
+  CHECK((other.current(2) == Status::Transferring));
+  CHECK(other.isAt(StartStep::FirstItem));
+  CHECK((other.current(0) == Status::Transferring));
+  CHECK(other.isAt(StartStep::Begin));
+}
+
+TEST_CASE("ArduPilot may name home, the first item, or the one that will be flown first") {
+  for (uint16_t named : {0, 1, 2}) {
+    Flight flight(Firmware::ArduPilot, kCopter, {fly(), speed(), fly(), fly()});
+    flight.goTo(StartStep::FirstItem);
+    flight.sent();
+    flight.current(2);
+    flight.sent(Message::AskCurrent);
+    flight.current(named);
+    CHECK(flight.isAt(StartStep::Arm));
+  }
+  Flight second = copter();  // home is no item to begin with in the middle
+  second.goTo(StartStep::FirstItem, 3);
+  second.sent();
+  second.current(3);
+  second.sent(Message::AskCurrent);
+  second.current(0);
+  CHECK(second.isAt(StartStep::FirstItem, State::Asking));
+}
+
+TEST_CASE("where the plan cannot be looked at, the item that ArduPilot names is the one that is flown first") {
+  Flight flight = copter();
+  flight.begin(0, false);
+  flight.goTo(StartStep::FirstItem);
+  flight.sent();
+  flight.current(0);
+  flight.sent(Message::AskCurrent);
+  CHECK((flight.current(0) == Status::Transferring));  // home is no answer then
+  CHECK(flight.isAt(StartStep::FirstItem, State::Asking));
+  CHECK((flight.current(3) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Arm));
+  CHECK(flight.start.next() == 3);
+}
+
+TEST_CASE("arming is confirmed by the answer or by a heartbeat, once it was sent") {
+  for (bool isAnswered : {true, false}) {
+    Flight flight = copter();
+    flight.goTo(StartStep::Arm);
+    CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));
+    CHECK(flight.isAt(StartStep::Arm));
+    flight.sent(Message::Arm);
+    CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
+    CHECK(flight.isAt(StartStep::Arm));
+    CHECK(((isAnswered ? flight.accepted() : flight.heartbeat(true, flight.aircraft.mode)) == Status::Transferring));
+    CHECK(flight.isAt(StartStep::AutoMode));
+    CHECK((flight.start.arming() == StartArming::Armed));
+  }
+}
+
+TEST_CASE("PX4 has begun when it answers, or when a heartbeat shows it; a copter only when it answers") {
+  Flight answered = px4();
+  answered.goTo(StartStep::Begin);
+  answered.sent(Message::Start);
+  CHECK((answered.heartbeat(false, answered.aircraft.autoMode) == Status::Transferring));
+  CHECK((answered.heartbeat(true, answered.aircraft.mode) == Status::Transferring));
+  CHECK(answered.isAt(StartStep::Confirm));
+  Flight other = px4();
+  other.goTo(StartStep::Begin);
+  CHECK((other.heartbeat(true, other.aircraft.autoMode) == Status::Transferring));  // before it was sent
+  CHECK(other.isAt(StartStep::Begin));
+  other.sent();
+  CHECK((other.accepted() == Status::Transferring));
+  CHECK(other.isAt(StartStep::Confirm));
+  CHECK((other.sending.state() == CommandTransfer::State::Listening));
+
+  Flight flight = copter();
+  flight.goTo(StartStep::Begin);
+  flight.sent(Message::Start);
+  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Begin));
+  CHECK((flight.accepted() == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Confirm));
+  CHECK((flight.sending.state() == CommandTransfer::State::Due));
+}
+
+// Confirm --> Shown --> Judging, JudgingNext --> the end
+
+TEST_CASE("start() is done by a heartbeat and a MISSION_CURRENT, in either order") {
+  for (Flight flight : {copter(), rover(), px4()}) {
+    for (bool isHeartbeatFirst : {true, false}) {
+      Flight one = flight;
+      one.goTo(StartStep::Confirm);
+      const uint16_t first = one.start.next(), mode = one.aircraft.autoMode;
+      if (isHeartbeatFirst) {
+        CHECK((one.heartbeat(true, mode) == Status::Transferring));
+        CHECK(one.isAt(StartStep::Confirm, State::Shown));
+        CHECK((one.current(first, false) == Status::Transferring));  // it says that nothing is flown
+        CHECK((one.current(first) == Status::Done));
+      } else {
+        CHECK((one.current(first) == Status::Transferring));
+        CHECK(one.isAt(StartStep::Confirm));
+        CHECK((one.heartbeat(true, mode) == Status::Done));
+      }
+      CHECK((one.start.arming() == StartArming::Armed));
+    }
+  }
+}
+
+TEST_CASE("a heartbeat that shows it disarmed takes back what an earlier one has shown") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Confirm);
+  flight.heartbeat(true, flight.aircraft.autoMode);
+  CHECK((flight.heartbeat(false, flight.aircraft.autoMode) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Confirm));
+  CHECK((flight.current(1) == Status::Transferring));
+}
+
+TEST_CASE("PX4 may name each command on the way to the item that is flown first, and no other") {
+  const std::vector<MissionItem> plan = {speed(), jump(3, 2), fly(), speed(), fly(), fly()};
+  for (uint16_t named : {0, 1, 2, 3, 4, 5}) {
+    Flight flight(Firmware::Px4, kCopter, plan);
+    flight.goTo(StartStep::Confirm);
+    flight.heartbeat(true, flight.aircraft.autoMode);
+    Status status = flight.current(named);
+    if (named != 0) {
+      CHECK((status == Status::Transferring));
+      CHECK((flight.start.state() == State::Judging));
+      CHECK((flight.current(5) == Status::Transferring));  // judged is the one that was named first
+      CHECK(flight.start.seen() == named);
+      status = flight.look();
+    }
+    const bool isOnTheWay = named == 0 || named == 1 || named == 3 || named == 4;
+    CHECK((status == (isOnTheWay ? Status::Done : Status::OtherItem)));
+    CHECK(flight.start.seen() == named);
+  }
+}
+
+TEST_CASE("a long way is followed twice, each time with all its looks") {
+  std::vector<MissionItem> plan(60, speed());
+  plan.push_back(fly());
+  Flight flight(Firmware::Px4, kCopter, plan);
+  flight.goTo(StartStep::Confirm);
+  flight.heartbeat(true, flight.aircraft.autoMode);
+  CHECK((flight.current(59) == Status::Transferring));
+  CHECK((flight.look() == Status::Done));
+}
+
+TEST_CASE("a rover, and an aircraft that was in the air, may have finished the first item already, but not the next") {
+  struct Case {
+    uint8_t type;
+    bool wasArmed;
+    uint16_t named;
+    Status status;
+  };
+  const Case cases[] = {
+      {kRover, false, 2, Status::Done},       {kRover, false, 3, Status::OtherItem}, {kCopter, true, 2, Status::Done},
+      {kCopter, false, 2, Status::OtherItem}, {kCopter, true, 3, Status::OtherItem},
+  };
+  for (const Case& one : cases) {
+    Flight flight(Firmware::ArduPilot, one.type, {fly(), fly(), fly(), fly()});
+    flight.aircraft.isArmed = one.wasArmed;
+    flight.goTo(StartStep::Confirm);
+    flight.heartbeat(true, flight.aircraft.autoMode);
+    CHECK((flight.current(one.named) == Status::Transferring));
+    CHECK((flight.start.state() == State::Judging));
+    CHECK((flight.look() == one.status));
+    const bool hasNext = one.type == kRover || one.wasArmed;
+    CHECK((flight.start.state() == (hasNext ? State::JudgingNext : State::Judging)));
+  }
+}
+
+TEST_CASE("behind the last item there is no next one") {
+  Flight flight(Firmware::ArduPilot, kRover, {fly(), fly()});
+  flight.goTo(StartStep::Confirm);
+  flight.heartbeat(true, flight.aircraft.autoMode);
+  flight.current(3);
+  CHECK((flight.look() == Status::OtherItem));
+}
+
+TEST_CASE("an aircraft that was flying its mission before start() must be at the first item itself") {
+  Flight flight(Firmware::ArduPilot, kCopter, {fly(), fly(), fly()});
+  flight.aircraft.isArmed = true;
+  flight.aircraft.mode = flight.aircraft.autoMode;
+  flight.begin();
+  flight.heartbeat();
+  flight.current(2);
+  CHECK((flight.look() == Status::OtherItem));
+}
+
+TEST_CASE("where the plan cannot be looked at, only the expected item is right") {
+  Flight flight = px4();
+  flight.begin(0, false);
+  flight.goTo(StartStep::Confirm);
+  flight.heartbeat(true, flight.aircraft.autoMode);
+  CHECK((flight.current(1) == Status::OtherItem));
+  Flight tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
+  tag.goTo(StartStep::Confirm);
+  tag.heartbeat(true, tag.aircraft.autoMode);
+  CHECK((tag.current(1) == Status::OtherItem));
+  CHECK((tag.start.state() == State::Shown));
+
+  Flight flying = copter();  // it was asked for no item, and none is known
+  flying.aircraft.isArmed = true;
+  flying.aircraft.mode = flying.aircraft.autoMode;
+  flying.begin(0, false);
+  flying.heartbeat();
+  CHECK((flying.current(1) == Status::Unconfirmed));
+}
+
+// A refusal, or silence
+
+TEST_CASE("a refusal before anything was armed is the end") {
+  for (StartStep step : {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm}) {
+    Flight flight = copter();
+    flight.goTo(step);
+    flight.sent();
+    CHECK((flight.refused(Status::CommandDenied) == Status::CommandDenied));
+    CHECK((flight.start.arming() == StartArming::Untouched));
+    CHECK((flight.start.step() == step));
+  }
+  Flight flight = px4();
+  flight.goTo(StartStep::Begin);
+  flight.sent();
+  CHECK((flight.refused() == Status::CommandFailed));
+  CHECK((flight.start.arming() == StartArming::Untouched));
+}
+
+TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, leaves it in doubt") {
+  Flight repeated = copter();
+  repeated.goTo(StartStep::Arm);
+  repeated.sent();
+  repeated.sending.onTime(static_cast<uint16_t>(repeated.aircraft.nowMs + CommandTransfer::kAnswerMs));
+  repeated.sent();
+  CHECK((repeated.refused() == Status::Transferring));
+  CHECK((repeated.start.state() == State::Leaving));
+  CHECK((repeated.heartbeat(false, repeated.aircraft.mode) == Status::CommandFailed));
+  CHECK((repeated.start.arming() == StartArming::Untouched));
+
+  Flight armed = copter();
+  armed.goTo(StartStep::Arm);
+  armed.sent();
+  armed.aircraft.isArmed = true;
+  CHECK((armed.refused() == Status::Transferring));
+  CHECK((armed.start.arming() == StartArming::Armed));
+  CHECK((armed.heartbeat(true, armed.aircraft.mode) == Status::Transferring));
+  CHECK((armed.start.state() == State::Disarming));
+  CHECK((armed.heartbeat(false, armed.aircraft.mode) == Status::CommandFailed));
+  CHECK((armed.start.arming() == StartArming::Disarmed));
+}
+
+TEST_CASE("a copter whose start is refused is disarmed, though a heartbeat shows AUTO, or shows it disarmed first") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Begin);
+  flight.sent();
+  Flight other = flight;
+  CHECK((flight.refused() == Status::Transferring));
+  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
+  CHECK((flight.start.state() == State::Disarming));
+  other.aircraft.isArmed = false;
+  CHECK((other.refused() == Status::Transferring));
+  CHECK((other.start.state() == State::Leaving));
+}
+
+TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal, and not on a copter") {
+  Flight flight = rover();
+  flight.aircraft.seconds = 65530;
+  flight.goTo(StartStep::AutoMode);
+  const uint16_t began = flight.aircraft.seconds;
+  for (uint16_t second = 0; second < StartTransfer::kAutoTriesS; ++second) {
+    flight.aircraft.seconds = static_cast<uint16_t>(began + second);
+    flight.sent(Message::Mode);
+    CHECK((flight.refused() == Status::Transferring));
+    CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
+    flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs + StartTransfer::kAutoAgainMs - 1);
+    flight.sending.onTime(flight.aircraft.nowMs);
+    CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
+    flight.sending.onTime(++flight.aircraft.nowMs);
+    Flight silent = flight;
+    silent.sent();
+    CHECK(silent.isRepeated());
+  }
+  flight.aircraft.seconds = static_cast<uint16_t>(began + StartTransfer::kAutoTriesS);
+  flight.sent(Message::Mode);
+  CHECK((flight.refused() == Status::Transferring));
+  CHECK((flight.start.state() == State::Leaving));
+
+  Flight at = rover();  // other steps are not tried again
+  at.goTo(StartStep::FirstItem);
+  at.sent();
+  CHECK((at.refused() == Status::CommandFailed));
+  CHECK((leaving().start.state() == State::Leaving));
+}
+
+TEST_CASE("after a failure an aircraft that start() has armed is disarmed, once a heartbeat shows that it is armed") {
+  Flight flight = disarming();
+  CHECK(flight.isRepeated());
+  CHECK((flight.accepted() == Status::Transferring));
+  CHECK((flight.heartbeat() == Status::Transferring));
+  CHECK((flight.start.state() == State::Disarming));
+  CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::CommandFailed));
+  CHECK((flight.start.arming() == StartArming::Disarmed));
+}
+
+TEST_CASE("an aircraft that has disarmed by itself, or that somebody else has taken, gets no command any more") {
+  Flight disarmed = leaving();
+  CHECK((disarmed.heartbeat(false, disarmed.aircraft.mode) == Status::CommandFailed));
+  CHECK((disarmed.start.arming() == StartArming::Disarmed));
+  for (Flight flight : {leaving(), disarming()}) {
+    CHECK((flight.heartbeat(true, flight.other) == Status::CommandFailed));
+    CHECK((flight.start.arming() == StartArming::Armed));
+  }
+}
+
+TEST_CASE("PX4 that has begun after all is not disarmed") {
+  Flight flight = px4();
+  flight.goTo(StartStep::Begin);
+  flight.sent();
+  CHECK((flight.silent() == Status::Transferring));
+  CHECK((flight.start.state() == State::Leaving));
+  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::NoAnswer));
+  CHECK((flight.start.arming() == StartArming::Armed));
+}
+
+TEST_CASE("in leaving, silence and a refusal to disarm end with the first failure, the operation's time does not") {
+  for (Flight flight : {leaving(), disarming()}) {
+    CHECK((flight.silent(Status::TookTooLong) == Status::Transferring));
+    CHECK((flight.current(1) == Status::Transferring));
+    Flight other = flight;
+    CHECK((flight.silent(Status::Unconfirmed) == Status::CommandFailed));
+    if (other.start.state() == State::Disarming) CHECK((other.refused(Status::CommandDenied) == Status::CommandFailed));
+  }
+}
+
+TEST_CASE("a step without an answer ends start(), and disarms what it has armed") {
+  for (StartStep step :
+       {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::AutoMode, StartStep::Begin}) {
+    Flight flight = copter();
+    flight.goTo(step);
+    flight.sent();
+    const bool isEnd = step < StartStep::Arm;
+    CHECK((flight.silent() == (isEnd ? Status::NoAnswer : Status::Transferring)));
+    if (!isEnd) CHECK((flight.start.state() == State::Leaving));
+  }
+}
+
+TEST_CASE("an autopilot that names another item than the one that was set ends start() with that") {
+  Flight flight = px4();
+  flight.goTo(StartStep::FirstItem);
+  flight.sent();
+  flight.current(2);
+  CHECK((flight.silent() == Status::OtherItem));
+  CHECK(flight.start.seen() == 2);
+}
+
+TEST_CASE("without confirmation start() is unconfirmed while the mode is AUTO, and disarms otherwise") {
+  for (Status silence : {Status::NoAnswer, Status::TookTooLong}) {
+    Flight flight = copter();
+    flight.goTo(StartStep::Confirm);
+    flight.sent(Message::AskCurrent);
+    CHECK((flight.refused() == Status::Transferring));
+    Flight shown = flight;
+    CHECK((flight.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
+    CHECK((shown.heartbeat() == Status::Transferring));
+    CHECK((shown.start.state() == State::Shown));
+    CHECK((shown.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
+    Flight other = px4();
+    other.goTo(StartStep::Confirm);
+    other.aircraft.mode = other.number(FlightMode::Hold);
+    CHECK((other.silent(silence) == Status::Transferring));
+    CHECK((other.start.state() == State::Leaving));
+    CHECK(
+        (other.heartbeat(false, other.aircraft.mode) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
+  }
+}
+
+// Somebody else
+
+TEST_CASE("a mode that start() has not set is somebody else's, from the second step on") {
+  Flight ready = copter();
+  ready.goTo(StartStep::ReadyMode);
+  CHECK((ready.heartbeat(false, ready.other) == Status::Transferring));
+  for (StartStep step : {StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
+    Flight flight = copter();
+    flight.goTo(step);
+    flight.sent();
+    CHECK((flight.heartbeat(flight.aircraft.isArmed, flight.other) == Status::TakenOver));
+  }
+}
+
+TEST_CASE("an arming that was not sent before somebody else took over has not happened") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Arm);
+  CHECK((flight.heartbeat(false, flight.other) == Status::TakenOver));
+  CHECK((flight.start.arming() == StartArming::Untouched));
+  Flight sent = copter();
+  sent.goTo(StartStep::Arm);
+  sent.sent();
+  CHECK((sent.heartbeat(false, sent.other) == Status::TakenOver));
+  CHECK((sent.start.arming() == StartArming::Armed));
+}
+
+TEST_CASE("while AUTO is asked for, another mode counts when two heartbeats show it") {
+  Flight flight = copter();
+  flight.goTo(StartStep::AutoMode);
+  CHECK((flight.heartbeat() == Status::Transferring));  // still the mode in which it was armed
+  flight.sent(Message::Mode);
+  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
+  Flight after = flight;
+  CHECK((after.heartbeat(true, after.aircraft.autoMode) == Status::Transferring));
+  CHECK(after.isAt(StartStep::Begin));
+  CHECK((flight.heartbeat(true, flight.other) == Status::TakenOver));
+
+  Flight unsent = copter();
+  unsent.goTo(StartStep::AutoMode);
+  CHECK((unsent.heartbeat(true, unsent.other) == Status::TakenOver));
+}
+
+TEST_CASE("AUTO that was set before start() asked for it does not count as seen") {
+  Flight flight = copter();
+  flight.aircraft.mode = flight.aircraft.autoMode;  // on the ground, disarmed
+  flight.begin();
+  flight.sent();
+  CHECK((flight.heartbeat() == Status::Transferring));
+  CHECK((flight.heartbeat(false, flight.number(FlightMode::Guided)) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::FirstItem));
+  CHECK((flight.heartbeat() == Status::Transferring));
+  flight.goTo(StartStep::AutoMode);
+  const uint16_t before = flight.aircraft.mode;
+  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
+  CHECK((flight.heartbeat(true, before) == Status::Transferring));
+
+  Flight other = px4();
+  other.goTo(StartStep::FirstItem);
+  const uint16_t mode = other.aircraft.mode;
+  CHECK((other.heartbeat(false, other.aircraft.autoMode) == Status::Transferring));
+  CHECK((other.heartbeat(false, mode) == Status::Transferring));
+}
+
+TEST_CASE("a mode with the number of the first item is one that two heartbeats must show too") {
+  Flight flight(Firmware::ArduPilot, kCopter, std::vector<MissionItem>(9, fly()));
+  flight.goTo(StartStep::AutoMode, flight.other);
+  flight.sent();
+  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
+}
+
+TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody else's too") {
+  Flight flight = copter();
+  flight.goTo(StartStep::AutoMode);
+  const uint16_t before = flight.aircraft.mode;
+  flight.goTo(StartStep::Begin);
+  CHECK((flight.heartbeat(true, before) == Status::TakenOver));
+
+  Flight other = px4();  // AUTO has not been seen yet
+  other.goTo(StartStep::Begin);
+  other.sent();
+  CHECK((other.heartbeat(true, other.aircraft.mode) == Status::Transferring));
+}
+
+TEST_CASE("of an autopilot whose modes are not known no mode is another one") {
+  Flight flight(Firmware::Other, kCopter);
+  CHECK(flight.aircraft.autoMode == kNoMode);
+  flight.goTo(StartStep::Confirm);
+  CHECK((flight.heartbeat(true, 77) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Confirm, State::Shown));
+  CHECK((flight.current(0) == Status::Done));
+}
