@@ -4,10 +4,13 @@ namespace mavmission {
 namespace detail {
 
 uint16_t Pace::waitMs(uint16_t ruleMs) const {
-  const bool lossy = isLossy();
-  const uint16_t answeredMs = (lossy ? kHurry : kPatience) * roundTripMs_;
-  const uint16_t leastMs = lossy ? kFrameTimes * busyMs_ : ruleMs;
-  return answeredMs > leastMs ? answeredMs : leastMs;
+  uint16_t answeredMs = kHurry * roundTripMs_;
+  if (isLossy()) {
+    ruleMs = kFrameTimes * busyMs_;
+  } else {
+    answeredMs *= kPatience / kHurry;
+  }
+  return answeredMs > ruleMs ? answeredMs : ruleMs;
 }
 
 }  // namespace detail

@@ -148,7 +148,8 @@ void Link::onTime(uint16_t nowMs) {
   const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
   if (damage != damage_ && finder_.isHeard()) pace_.noteLoss();
   damage_ = damage;
-  pace_.noteBusy(outbox_.lineBusyMs(*stream_, nowMs));
+  uint8_t busyMs;
+  if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) pace_.noteBusy(busyMs);
   finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;

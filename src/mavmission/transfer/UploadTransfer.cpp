@@ -166,7 +166,8 @@ void UploadTransfer::sent(uint16_t nowMs) {
     state_ = State::Confirming;
     suspicion_ = Status::Transferring;
   }
-  if (tries_ != 255) ++tries_;
+  const uint8_t tries = tries_ + 1;
+  if (tries != 0) tries_ = tries;
   sentMs_ = nowMs;
   send_ = Send::Nothing;
 }
