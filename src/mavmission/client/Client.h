@@ -76,6 +76,7 @@ class Client : public ClientRules {
   static void ensureFreeStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void ensureTurnStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static bool ensureTakeUp(Client& client, Status status, uint16_t nowMs);
+  static bool ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs);
   static Status ensureItem(Client& client, uint16_t wireItem, MissionItem& item);
   void checkEnsured(uint16_t nowMs);
   Status sumItem(uint16_t wireItem);

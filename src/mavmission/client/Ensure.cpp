@@ -34,6 +34,7 @@ void Client::beginEnsuring() {
   state_.operation = ensureStep;
   state_.status = Status::WaitingForAutopilot;
   rest_.takeUp = ensureTakeUp;
+  setAboard(Aboard::NotKnown);  // what was known was about the plan before
 }
 
 void Client::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -179,7 +180,6 @@ Status Client::ensureItem(Client& client, uint16_t wireItem, MissionItem& item) 
 
 // Another plan is aboard.
 void Client::replaceOther() {
-  setAboard(Aboard::NotKnown);
   // An autopilot that is armed may be flying its plan. allowWhileArmed() does not matter here: a sketch calls ensure()
   // at each start, which may be a reset in the air.
   if (isArmed()) return endLook(Status::Armed);
@@ -214,8 +214,6 @@ void Client::endLook(Status status) {
     report(rest_.itemsTotal);
   } else {
     tellCancelled();
-    // When the autopilot refuses to be read, another ground station may be uploading a plan.
-    if (status >= Status::Error) setAboard(Aboard::NotKnown);
   }
   state_.unsettled |= UploadTransfer::kBusy;  // our last message may be lost
   state_.unsettledMs = state_.secondMs;       // about now: less than a second ago
@@ -226,12 +224,26 @@ void Client::endLook(Status status) {
   end(status);
 }
 
-// After a back-off it is looked again: the transfer that was waited for may have brought our plan, or another one.
+// ArduPilot denies reading while it receives our plan. So the first denial of MISSION_COUNT may be the answer to a
+// MISSION_REQUEST_LIST of the look that the line has repeated: COUNT is sent again before a denial is believed.
 bool Client::ensureTakeUp(Client& client, Status status, uint16_t nowMs) {
-  const bool goesOn = takeUpEnd(client, status, nowMs);
+  client.rest_.takeUp = ensureTakeUpAgain;
+  if (status == Status::Denied && !client.transfer_.hasBegun()) return true;
+  return ensureTakeUpAgain(client, status, nowMs);
+}
+
+// After a back-off it is looked again: the transfer that was waited for may have brought our plan, or another one.
+bool Client::ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs) {
+  const bool hasBegun = client.transfer_.hasBegun();
   client.rest_.takeUp = takeUpEnd;
-  if (goesOn && client.state_.status == Status::BackingOff) client.state_.operation = ensureTurnStep;
-  return goesOn;
+  if (takeUpEnd(client, status, nowMs)) {
+    if (client.state_.status == Status::BackingOff) client.state_.operation = ensureTurnStep;
+    return true;
+  }
+  if (hasBegun || (status != Status::Denied && status != Status::Error)) return false;
+  // The look may still be what is refused, and COUNT have been taken: aboard() stays NotKnown.
+  client.end(status);
+  return true;
 }
 
 void Client::ensureTurnStep(Client& client, const FrameParser* frame, uint16_t) {
