@@ -108,7 +108,8 @@ bool isWorthRetry(Status status);
   X(AsBefore, "what was aboard before")                                          \
   X(OurPlan, "our plan, whole")                                                  \
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
-  X(Nothing, "no plan")
+  X(Nothing, "no plan")                                                          \
+  X(OtherPlan, "another plan: somebody else has put it there")
 
 // Which plan is aboard.
 enum class Aboard : uint8_t {

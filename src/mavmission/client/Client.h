@@ -199,6 +199,7 @@ class Client : public ClientRules {
   void noteAccepted();
   void setPlan(const ItemSource& plan, PlanType type);
   MAVMISSION_APART Status refuseType();
+  bool namesOther(const FrameParser& frame) const;
   uint32_t acceptedPlanId() const { return rest_.planId; }
 
   // The members that every update() uses lie first, since avr-gcc reaches 64 bytes of an object cheaply. All zero at
@@ -283,6 +284,8 @@ class Client : public ClientRules {
     // Looking: searches for the item that will be flown first. Shown: a heartbeat shows that the aircraft flies.
     // Judging, JudgingNext: compares its item with that one, or with the next. Leaving: a step failed; waits for a
     // heartbeat that shows whether to disarm.
+    static constexpr uint16_t kOther = kNoItem - 1;  // in the place of an item: the autopilot has another plan
+
     enum class Phase : uint8_t { New, Looking, Steps, Shown, Judging, JudgingNext, Leaving, Disarming };
 
     uint16_t first;          // the item to begin with

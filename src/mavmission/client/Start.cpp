@@ -220,6 +220,10 @@ Status Client::onStartSilent(Status status, uint16_t nowMs) {
   if (start.phase == Start::Phase::Leaving || start.phase == Start::Phase::Disarming) {
     return status == Status::TookTooLong ? Status::Transferring : start.refusal;
   }
+  if (startStep() == StartStep::FirstItem && start.seen == Start::kOther) {
+    setAboard(PlanType::Mission, Aboard::OtherPlan);
+    return Status::Unproven;
+  }
   if (startStep() == StartStep::FirstItem && start.seen != kNoItem) return otherItem();
   if (startStep() == StartStep::Confirm) {
     if (status == Status::NoAnswer) status = Status::Unconfirmed;
@@ -305,6 +309,11 @@ Status Client::onStartCurrent(const FrameParser& frame, uint16_t nowMs) {
   const uint16_t item = current.seq;
   if (startStep() == StartStep::FirstItem) {
     if (commanding_.transfer.tries() == 0) return Status::Transferring;
+    // The message may be older than our plan: it is no answer then, and the step ends as Unproven if no other comes.
+    if (namesOther(frame)) {
+      start.seen = Start::kOther;
+      return Status::Transferring;
+    }
     start.seen = item;
     if (!plan_.has(kNamesFlownItems)) {
       return item == start.first ? nextStartStep(nowMs) : Status::Transferring;
