@@ -113,6 +113,18 @@ def test_upload_of_another_station_that_breaks_off_is_noticed_on_ardupilot(uploa
 
 
 @OTHER
+def test_order_of_another_station_to_fly_somewhere_is_no_plan(uploaded):
+    """ArduPilot accepts it as it accepts an upload."""
+    service = uploaded("ArduPilot")
+    one = waypoint()
+    there = mavlink.MAVLink_mission_item_int_message(1, 1, 0, 3, 16, 2, 1, 0, 0, 0, 0, one.x, one.y, one.z, 0)
+    service.autopilot.receive(there.pack(mavlink.MAVLink(None, *STATION)), service.now)
+    service.run(3.0)
+    assert [ack.type for ack in service.autopilot.messages("<", "MISSION_ACK")][-1] == mavlink.MAV_MISSION_ACCEPTED
+    expect(service, is_ours=True)
+
+
+@OTHER
 def test_our_own_uploads_raise_no_alarm(uploaded, personality):
     service = uploaded(personality)
     plan = HOPS[personality]

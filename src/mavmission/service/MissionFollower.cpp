@@ -103,11 +103,11 @@ void MissionFollower::takeName(uint8_t missionType, uint32_t planId) {
   judgeName();
 }
 
-// The acceptance of a mission: ours, whose text is then still to come, or another ground station's. PX4's names tell
-// the two apart; ArduPilot has none.
+// The acceptance of a mission of ours, about which ArduPilot's text is still to come. One for another ground station
+// tells nothing: ArduPilot also accepts the item with which a station orders it to fly somewhere now.
 void MissionFollower::takeAcceptance(const FrameParser& frame) {
   if (!has(client_.firmware(), kHomeIsItem0)) return;
-  if (!frame.isFor(client_.link_.systemId(), client_.link_.componentId())) return noteOther();
+  if (!frame.isFor(client_.link_.systemId(), client_.link_.componentId())) return;
   patience_ = FollowRules::kPatience;
   textDue_ = FollowRules::kText;
 }
