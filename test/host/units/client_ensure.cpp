@@ -209,3 +209,26 @@ TEST_CASE("an upload behind a look that is denied twice backs off, and then look
   REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
   CHECK(desk.timesOf(ClientOnLine::kCount, 0).empty());
 }
+
+TEST_CASE("ACCEPTED and INVALID_SEQUENCE, late answers to something earlier, do not end a look") {
+  Looking desk(ClientOnLine::kOther);
+  for (uint8_t result : {0, 13}) desk.hear(ackParts(result));
+  desk.run(5);
+  desk.hear(countParts(2));
+  desk.run(5);
+  for (uint8_t result : {0, 13}) desk.hear(ackParts(result));
+  desk.run(5);
+  CHECK(desk.client.isBusy());
+  answerReading(desk);
+  CHECK((desk.ended == Status::AlreadyAboard));
+}
+
+TEST_CASE("a refusal while items are read ends the look with it") {
+  Looking desk(ClientOnLine::kArduPilot);
+  desk.hear(countParts(3));
+  desk.run(5);
+  desk.hear(ackParts(kDenied));
+  desk.run(5);
+  CHECK((desk.ended == Status::Denied));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
+}
