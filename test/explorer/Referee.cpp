@@ -233,6 +233,7 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
       }
       return "aboard() says as before, and it is not";
     case Aboard::Mixture: return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
+    case Aboard::OtherPlan: return "aboard() says somebody else's plan, and there is nobody else";
     case Aboard::NotKnown: return nullptr;
   }
   return nullptr;
