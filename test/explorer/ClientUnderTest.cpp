@@ -86,6 +86,10 @@ void foldTries(uint8_t& tries, uint8_t most) {
   }
 }
 
+bool isReading(const MissionClient& client) {
+  return client.state_.operation == MissionClient::readStep || client.state_.operation == MissionClient::ensureStep;
+}
+
 template <typename T>
 void blank(T& what) {
   memset(static_cast<void*>(&what), 0, sizeof(what));
@@ -112,6 +116,7 @@ void ClientUnderTest::begin(const Task& task) {
     case Operation::Upload: client().uploadWithoutReadback(plan); return;
     case Operation::UploadInDoubt: client().upload(plan, PlanType::Mission, Readback::InDoubt); return;
     case Operation::UploadVerified: client().upload(plan, PlanType::Mission, Readback::Always); return;
+    case Operation::Ensure: client().ensure(plan); return;
     case Operation::Download:
       blank(*sunk);
       client().download(toFunction(sink));
@@ -177,7 +182,7 @@ uint16_t ClientUnderTest::nextMs() const {
         return std::min(next, leftOf(UploadTransfer::kConfirmingMs, t.progressMs_));
     }
   }
-  if (c.state_.operation == MissionClient::readStep) {
+  if (isReading(c)) {
     const DownloadTransfer& t = c.reading_.transfer;
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
@@ -223,13 +228,15 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
 
   c.state_.secondMs = kNow;
   c.state_.seconds = 0;
-  c.rest_.lastResult = 255;
+  const bool isLooking = c.state_.operation == MissionClient::ensureStep;
+  if (!isLooking) c.rest_.lastResult = 255;  // ensure() remembers a refusal
   const bool isUpload = c.state_.operation == MissionClient::uploadStep;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
   // What earlier transfers left matters when a transfer begins, and until a clear has been sent; what an upload leaves
   // it says at its end.
   const bool isClear = c.state_.operation == MissionClient::clearStep;
-  const bool isLeftUnread = isLast ? (isTransferring && !isClear) || !c.isBusy() : isTransferring && isUpload;
+  const bool isLeftUnread =
+      isLast ? (isTransferring && !isClear && !isLooking) || !c.isBusy() : isTransferring && isUpload;
   if (isLeftUnread) c.state_.unsettled = 0;
   c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
   keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
@@ -245,7 +252,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
     foldTries(t.tries_, 0);
     if (t.state_ == UploadTransfer::State::Sending) t.tries_ = std::min<uint8_t>(t.tries_, 2);
-  } else if (c.state_.operation == MissionClient::readStep) {
+  } else if (isReading(c)) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
     foldTries(c.reading_.transfer.tries_, isHurried() ? DownloadTransfer::kLossyTries : 0);
   } else {
