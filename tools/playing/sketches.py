@@ -14,6 +14,8 @@ from building import ROOT, build_sketch
 from demonstration.autopilots import HELD, NAMES
 from demonstration.demonstration import description, plans_of
 from demonstration.wire_form import on_the_wire
+from demonstration.words import item_in_words
+from simulation.enumerators import texts_of
 from simulation.fake_autopilot import MISSION, Item
 from simulation.mega import Image
 
@@ -30,7 +32,8 @@ def make_sketches(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     names = sorted((path.name for path in EXAMPLES.iterdir() if path.is_dir()), key=lambda name: (name != FIRST, name))
     known = {"examples": [made(name, folder) for name in names],
-             "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES}}  # fmt: skip
+             "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
+             "ends": ends()}  # fmt: skip
     (folder / "examples.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n")
 
 
@@ -43,6 +46,10 @@ def made(name: str, folder: Path) -> dict[str, Any]:
     plans = plans_of(built.elf, described) if "runs_s" not in described and not reads else {}
     # A plan in RAM may change before it is sent: of it, as of one that a function computes, what is sent is meant.
     fixed = {kind: plan.items(no_ram) for kind, plan in plans.items() if not plan.in_ram}
+    meant = {
+        autopilot: {kind: on_the_wire(items, autopilot) if kind == MISSION else items for kind, items in fixed.items()}
+        for autopilot in NAMES
+    }
     return {
         "name": name,
         "says": said(EXAMPLES / name / f"{name}.ino"),
@@ -53,11 +60,10 @@ def made(name: str, folder: Path) -> dict[str, Any]:
         "reads": reads,
         "arms": any(ARMING.match(symbol.name) for symbol in image.symbols),
         "console": name == "PlanConsole",
-        "meant": {
-            autopilot: {kind: values(on_the_wire(items, autopilot) if kind == MISSION else items)
-                        for kind, items in fixed.items()}
-            for autopilot in NAMES
-        },
+        "meant": {autopilot: {kind: values(items) for kind, items in kinds.items()}
+                  for autopilot, kinds in meant.items()},
+        "words": {autopilot: {kind: [item_in_words(item) for item in items] for kind, items in kinds.items()}
+                  for autopilot, kinds in meant.items()},
     }  # fmt: skip
 
 
@@ -68,6 +74,12 @@ def no_ram(address: int, size: int) -> bytes:
 def values(items: Iterable[Item]) -> list[list]:
     """As JSON has them: a number that is unset is null."""
     return [[None if isinstance(value, float) and math.isnan(value) else value for value in item] for item in items]
+
+
+def ends() -> list[str]:
+    """How an operation can end, as a sketch prints it: the texts of mavmission::Status behind those of its way."""
+    texts = texts_of("Status.h", "MAVMISSION_STATUSES")
+    return list(texts.values())[list(texts).index("Transferring") + 1 :]
 
 
 def said(sketch: Path) -> str:

@@ -103,7 +103,7 @@ class FarEnd:
         """The Mega has run until now [s] and has sent these bytes; what arrives there next."""
         if baud != self._line._port.baud:
             self._line._port = self._line._port._replace(baud=baud)  # type: ignore[attr-defined]
-        self._line.hear([Sent(int(cycle), byte) for cycle, byte in zip(left, data, strict=True)])  # type: ignore[misc]
+        self._line.hear([Sent(int(cycle), byte) for cycle, byte in zip(left, bytes(data), strict=True)])  # type: ignore[misc]
         self._line.step(now)
         arriving = self._line.read(1 << 20)
         self._note()
@@ -136,7 +136,7 @@ class FarEnd:
             self.autopilot.reboot(now, SILENCE_S)
 
     def hear_outside(self, data: bytes) -> None:
-        self.autopilot.hear(data)
+        self.autopilot.hear(bytes(data))
 
     def take_for_outside(self) -> bytes:
         data = bytes(self.autopilot.to_port)
@@ -223,7 +223,10 @@ class FarEnd:
             differing += abs(len(items) - len(aboard))
             if len(sent) < talk.counts[kind] or differing or talk.aboard[kind] < talk.counts[kind]:
                 return json.dumps({"good": False, "sentence": talk.last_word()})
-        return json.dumps({"good": True, "sentence": f"All {total} items are aboard {name} as they were meant."})
+        knows = talk.told >= set(talk.counts) or talk.thanked
+        told = "and the Mega knows it" if knows else "which the Mega has not been told yet"
+        sentence = f"All {total} items are aboard {name} as they were meant, {told}."
+        return json.dumps({"good": True, "knows": knows, "sentence": sentence})
 
 
 def item_of(values: Iterable) -> Item:
@@ -232,7 +235,7 @@ def item_of(values: Iterable) -> Item:
 
 def shown_item(seq: int, item: Item) -> dict:
     return {"seq": seq, "command": item.command, "frame": item.frame, "x": item.x, "y": item.y, "z": item.z,
-            "words": item_in_words(item)}  # fmt: skip
+            "param1": item.param1, "words": item_in_words(item)}  # fmt: skip
 
 
 def plain(value: Any) -> Any:
@@ -253,7 +256,7 @@ def plan_of(name: str, data: bytes) -> str:
     file = Path("/tmp") / (Path(name).name or "dropped")
     out = Path("/tmp/for_the_console.waypoints")
     try:
-        file.write_bytes(data)
+        file.write_bytes(bytes(data))
         plan = read_plan(file)
         notes = [*plan.notes, *write_plan(plan, out)]
         items = [shown_item(seq, Item._make(step.item)) for seq, step in enumerate(plan.mission)]
