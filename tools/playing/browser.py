@@ -37,7 +37,7 @@ class NoBrowser(Exception):
 class Browser:
     """A window of its own profile. What a page is waited for is looked at again and again, up to a limit."""
 
-    def __init__(self, width: int = 1400, height: int = 1000, *, dark: bool = False, flags: tuple[str, ...] = ()) -> None:
+    def __init__(self, width: int = 1400, height: int = 1000, *, dark: bool = False) -> None:
         driver = shutil.which("chromedriver")
         if driver is None or shutil.which("chromium") is None:
             raise NoBrowser("chromium or chromium-driver is missing: run tools/setup")
@@ -48,8 +48,10 @@ class Browser:
             env={**os.environ, "TMPDIR": self._profile.name},
         )  # fmt: skip
         self._base = f"http://127.0.0.1:{port}"
-        arguments = ["--headless=new", f"--window-size={width},{height}", f"--user-data-dir={self._profile.name}/profile",
-                     *NOT_FOR_TESTS, *flags]  # fmt: skip
+        arguments = [
+            "--headless=new", f"--window-size={width},{height}", f"--user-data-dir={self._profile.name}/profile",
+            *NOT_FOR_TESTS,
+        ]  # fmt: skip
         if os.geteuid() == 0:
             arguments.append("--no-sandbox")  # which chromium asks of root
         wanted = {
@@ -117,8 +119,8 @@ class Browser:
 
     def resize(self, width: int, height: int, phone: bool = False) -> None:
         """What the page has for itself."""
-        self.devtools("Emulation.setDeviceMetricsOverride",
-                      {"width": width, "height": height, "deviceScaleFactor": 2 if phone else 1, "mobile": phone})  # fmt: skip
+        size = {"width": width, "height": height, "deviceScaleFactor": 2 if phone else 1, "mobile": phone}
+        self.devtools("Emulation.setDeviceMetricsOverride", size)
 
     def devtools(self, command: str, parameters: dict) -> Any:
         return self._order("POST", "goog/cdp/execute", {"cmd": command, "params": parameters})
