@@ -60,6 +60,7 @@ def made(name: str, folder: Path) -> dict[str, Any]:
         "reads": reads,
         "arms": any(ARMING.match(symbol.name) for symbol in image.symbols),
         "console": name == "PlanConsole",
+        "prints": "CONSOLE" in (EXAMPLES / name / f"{name}.ino").read_text(),
         "meant": {autopilot: {kind: values(items) for kind, items in kinds.items()}
                   for autopilot, kinds in meant.items()},
         "words": {autopilot: {kind: [item_in_words(item) for item in items] for kind, items in kinds.items()}

@@ -214,7 +214,9 @@ class FarEnd:
             return json.dumps({"good": False, "sentence": ""})
         wanted = {int(kind): [item_of(values) for values in items] for kind, items in json.loads(meant).items()}
         total = 0
-        for kind in talk.counts:
+        for kind in wanted.keys() | talk.counts.keys():
+            if kind not in talk.counts:
+                return json.dumps({"good": False, "sentence": ""})
             sent = [talk.items[kind, seq] for seq in range(talk.counts[kind]) if (kind, seq) in talk.items]
             items = wanted.get(kind, sent)
             total += len(items)

@@ -46,9 +46,10 @@ const pixhawk = new Pixhawk(
 
 // Telling
 
-function notice(text) {
+function notice(text, isTrouble = true) {
   at("notice").textContent = text;
   at("notice").hidden = !text;
+  at("notice").classList.toggle("trouble", isTrouble);
 }
 
 function outcome(text, kind = "going") {
@@ -159,7 +160,6 @@ function loading(what) {
 function ready(ms) {
   isReady = true;
   document.body.dataset.readyMs = Math.round(ms);
-  document.body.dataset.shownMs = document.body.dataset.shownMs || Math.round(performance.now());
   if (known) begin();
 }
 
@@ -172,7 +172,7 @@ function print(text) {
   if (!dropped) return;
   const step = dropped.step;
   dropped.hear(text);
-  if (dropped.step !== step) type.last = performance.now();
+  if (dropped.step !== step && isGood) judged(isGood);
   if (dropped.failed) outcome("PlanConsole did not take the plan, or could not go on: the serial monitor says why.", "bad");
 }
 
@@ -212,8 +212,8 @@ function judged(verdict) {
     showItems();
     return;
   }
-  const kinds = Object.entries(progress).filter(([, { told }]) => !told);
-  const [name, now] = kinds.at(-1) || [];
+  const kinds = Object.entries(progress);
+  const [name, now] = kinds.findLast(([, { told }]) => !told) || kinds.at(-1) || [];
   if (!now) return;
   const refused = verdict.sentence.includes("last word") ? ` ${verdict.sentence}` : "";
   outcome(`${name === "plan" ? "" : `${name}: `}${now.arrived} of ${now.announced} items have arrived.${refused}`,
@@ -278,7 +278,8 @@ function itemRow(kind, seq, how, words) {
 }
 
 function showSizes() {
-  const { ram, flash, says } = example();
+  const { ram, flash, says, prints, name } = example();
+  at("console").dataset.hint = prints ? "What the sketch prints stands here." : `${name} prints nothing.`;
   at("says").textContent = says;
   at("ram").textContent = `${ram} of ${RAM} bytes`;
   at("flash").textContent = `${flash.toLocaleString("en")} of ${FLASH.toLocaleString("en")} bytes`;
@@ -354,7 +355,7 @@ function sendLoss() {
 
 function take({ name, plan: read }) {
   if (read.error) return notice(`The plan was not taken: ${read.error}`);
-  notice(read.notes.length ? `${name}: ${read.notes.join("; ")}` : "");
+  notice(read.notes.length ? `${name}: ${read.notes.join("; ")}` : "", false);
   plan = read;
   change({ example: "PlanConsole" }, true);
 }
@@ -396,7 +397,7 @@ at("cable").onclick = () => {
 };
 at("lose-ack").onclick = () => {
   far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
-  notice("The next MISSION_ACK of the autopilot will be lost.");
+  notice("The next MISSION_ACK of the autopilot will be lost.", false);
 };
 at("reset-mega").onclick = () => {
   isGood = false;
@@ -411,9 +412,9 @@ at("again").onclick = () => begin();
 at("share").onclick = async () => {
   try {
     await navigator.clipboard.writeText(location.href);
-    notice("The address of this state is in the clipboard.");
+    notice("The address of this state is in the clipboard.", false);
   } catch {
-    notice(`The address of this state: ${location.href}`);
+    notice(`The address of this state: ${location.href}`, false);
   }
 };
 at("typing").onsubmit = (event) => {

@@ -1,18 +1,24 @@
-// Frames against time: what is on the line, as it goes, one lane for each direction. The newest is at the right.
+// Frames against time: the latest talk in full, and below it the last seconds as they go by.
+//
+// A talk is what crosses the line without a longer silence, heartbeats and telemetry apart: an upload, a download, a
+// command and its answer. It is drawn as large as the place allows, and stays until the next one begins.
 
-const SHOWN_S = 6;
-const KEPT = 2000;
-const LABEL_PX = 9; // a line of labels
-const LANES = { ">": 0, "<": 1 };
+const SILENCE_S = 1.6; // that ends a talk: an answer is waited for 1.5 s
+const LONGEST_S = 6; // of a talk that is drawn: its end
+const SHORTEST_S = 0.1;
+const PASSING_S = 12; // in the strip below
+const STRIP_PX = 52;
+const LABEL_PX = 13; // a line of labels
+const BAR_PX = 12;
+const KEPT = 3000;
+const FONT = '"DejaVu Sans", system-ui, sans-serif';
 
 export class Timeline {
   constructor(canvas) {
     this.canvas = canvas;
-    this.frames = [];
-    this.now = 0;
-    this.at = 0; // when `now` was true [ms]
     this.factor = 1;
-    this.isQuiet = matchMedia("(prefers-reduced-motion: reduce)");
+    this.isCalm = matchMedia("(prefers-reduced-motion: reduce)");
+    this.forget();
     const draw = () => {
       this.draw();
       requestAnimationFrame(draw);
@@ -22,20 +28,26 @@ export class Timeline {
 
   forget() {
     this.frames = [];
+    this.talk = null; // {began, ended}
     this.now = 0;
-    this.at = performance.now();
+    this.at = performance.now(); // when `now` was true [ms]
   }
 
   add(frames, now) {
     this.frames.push(...frames);
     if (this.frames.length > KEPT) this.frames.splice(0, this.frames.length - KEPT);
+    for (const { label, began, ended } of frames) {
+      if (!label || label === "HEARTBEAT") continue;
+      if (!this.talk || began - this.talk.ended > SILENCE_S) this.talk = { began, ended };
+      this.talk.ended = Math.max(this.talk.ended, ended);
+    }
     this.now = now;
     this.at = performance.now();
   }
 
   // Simulated time now; between two messages it goes on at the pace that was measured.
   get time() {
-    if (this.isQuiet.matches) return Math.floor(this.now * 2) / 2;
+    if (this.isCalm.matches) return this.now;
     return this.now + Math.min(0.4, ((performance.now() - this.at) / 1000) * Math.min(1, this.factor));
   }
 
@@ -48,64 +60,105 @@ export class Timeline {
       canvas.width = Math.round(width * dots);
       canvas.height = Math.round(height * dots);
     }
-    const colour = coloursOf(canvas);
     const pen = canvas.getContext("2d");
     pen.setTransform(dots, 0, 0, dots, 0, 0);
     pen.clearRect(0, 0, width, height);
-    const end = this.time;
-    const x = (time) => width - 8 - ((end - time) / SHOWN_S) * (width - 8);
-    this.drawSeconds(pen, colour, x, end, height);
-    const lane = height / 2;
-    for (const way of [">", "<"]) this.drawLane(pen, colour, x, end, way, LANES[way] * lane, lane);
+    const colour = coloursOf(canvas);
+    this.drawStrip(pen, colour, width, height);
+    this.drawTalk(pen, colour, width, height - STRIP_PX);
   }
 
-  drawSeconds(pen, colour, x, end, height) {
-    pen.font = "11px system-ui, sans-serif";
-    pen.textBaseline = "alphabetic";
-    for (let second = Math.ceil(Math.max(0, end - SHOWN_S)); second <= end; second++) {
-      pen.fillStyle = colour.line;
-      pen.fillRect(x(second), 0, 1, height - 14);
-      pen.fillStyle = colour.dim;
-      pen.textAlign = "center";
-      pen.fillText(`${second} s`, x(second), height - 3);
+  // The last seconds: where the talks are, and what goes on between them.
+  drawStrip(pen, colour, width, height) {
+    const end = this.time;
+    const top = height - STRIP_PX;
+    const x = (time) => width - ((end - time) / PASSING_S) * width;
+    pen.fillStyle = colour.line;
+    pen.fillRect(0, top, width, 1);
+    if (this.talk) {
+      pen.fillStyle = colour.shade;
+      const from = x(Math.max(this.talk.began, this.talk.ended - LONGEST_S));
+      pen.fillRect(from - 2, top + 1, Math.max(4, x(this.talk.ended) - from + 4), STRIP_PX - 18);
+    }
+    for (const frame of this.frames) {
+      if (frame.ended < end - PASSING_S) continue;
+      pen.fillStyle = colour[kindOf(frame)];
+      const isMega = frame.way === ">";
+      pen.fillRect(x(frame.began), top + (isMega ? 6 : 20), Math.max(1, x(frame.ended) - x(frame.began)), 10);
+    }
+    pen.font = `11px ${FONT}`;
+    pen.textAlign = "center";
+    pen.fillStyle = colour.dim;
+    for (let second = Math.max(0, Math.ceil((end - PASSING_S) / 2) * 2); second <= end; second += 2) {
+      pen.fillText(`${second} s`, Math.max(14, Math.min(width - 16, x(second))), height - 4);
     }
   }
 
-  drawLane(pen, colour, x, end, way, top, high) {
-    const bottom = top + high - 16;
-    const bar = 12;
+  drawTalk(pen, colour, width, height) {
+    pen.font = `12px ${FONT}`;
+    const lane = height / 2;
+    const names = [[">", "Mega \u2192 autopilot", 0], ["<", "autopilot \u2192 Mega", lane]];
+    if (this.talk) {
+      const ended = Math.max(this.talk.ended, this.talk.began + SHORTEST_S);
+      const began = Math.max(this.talk.began, ended - LONGEST_S);
+      const left = 12;
+      const right = width - 110; // for the last label
+      const x = (time) => left + ((time - began) / (ended - began)) * (right - left);
+      this.drawTimes(pen, colour, x, began, ended, height);
+      for (const [way, , top] of names) this.drawLane(pen, colour, x, { way, top, lane, width, began, ended });
+    }
+    pen.font = `600 12px ${FONT}`;
+    pen.textAlign = "left";
+    for (const [, words, top] of names) {
+      pen.fillStyle = colour.ground;
+      pen.globalAlpha = 0.85;
+      pen.fillRect(0, top + 1, pen.measureText(words).width + 14, 18);
+      pen.globalAlpha = 1;
+      pen.fillStyle = colour.text;
+      pen.fillText(words, 7, top + 14);
+    }
+  }
+
+  drawTimes(pen, colour, x, began, ended, height) {
+    const step = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2].find((one) => x(began + one) - x(began) >= 70) || 5;
+    pen.textAlign = "left";
+    for (let turn = Math.ceil(began / step); turn * step <= ended; turn++) {
+      const time = turn * step;
+      pen.fillStyle = colour.line;
+      pen.fillRect(x(time), 0, 1, height);
+      pen.fillStyle = colour.dim;
+      pen.fillText(`${time.toFixed(step < 0.1 ? 2 : 1)} s`, x(time) + 3, height - 4);
+    }
+  }
+
+  drawLane(pen, colour, x, { way, top, lane, width, began, ended }) {
+    const bottom = top + lane - 18;
     pen.fillStyle = colour.line;
-    pen.fillRect(0, bottom, 4000, 1);
-    const taken = []; // where each line of labels ends [px]
-    const lines = Math.max(1, Math.floor((high - bar - 24) / (LABEL_PX + 4)));
+    pen.fillRect(0, bottom, width, 1);
+    const lines = Math.max(1, Math.floor((lane - 18 - BAR_PX - 22) / LABEL_PX));
+    const taken = Array(lines).fill(-Infinity); // where each line of labels ends [px]
+    pen.textAlign = "left";
     for (const frame of this.frames) {
-      if (frame.way !== way || frame.ended < end - SHOWN_S || frame.began > end) continue;
+      if (frame.way !== way || frame.ended < began || frame.began > ended) continue;
       const from = x(frame.began);
-      const wide = Math.max(1.5, x(frame.ended) - from);
-      const kind = frame.lost ? "lost" : frame.label && frame.label !== "HEARTBEAT" ? way : "other";
+      const kind = kindOf(frame);
       pen.fillStyle = colour[kind];
-      pen.fillRect(from, bottom - bar, wide, bar);
-      if (kind === "other" || !frame.label) continue;
-      pen.font = "11px system-ui, sans-serif";
-      pen.textAlign = "left";
-      const words = frame.lost ? `${frame.label} lost` : frame.label;
-      const line = [...Array(lines).keys()].find((turn) => (taken[turn] ?? -Infinity) < from);
-      if (line === undefined) continue;
-      const high_ = bottom - bar - 5 - line * (LABEL_PX + 4);
-      pen.fillRect(from, high_, 1, bottom - bar - high_);
-      pen.fillText(words, from + 3, high_ + 3);
+      pen.fillRect(from, bottom - BAR_PX, Math.max(2, x(frame.ended) - from), BAR_PX);
+      if (kind === "other") continue;
+      const line = taken.findIndex((end) => end < from);
+      if (line < 0) continue;
+      const words = `${frame.label}${frame.lost ? " lost" : frame.again ? " again" : ""}`;
+      const baseline = bottom - BAR_PX - 5 - line * LABEL_PX;
+      pen.fillRect(from, baseline, 1, bottom - BAR_PX - baseline);
+      pen.fillText(words, from + 3, baseline);
       taken[line] = from + pen.measureText(words).width + 8;
     }
-    pen.font = "600 11px system-ui, sans-serif";
-    pen.textAlign = "left";
-    const words = way === ">" ? "Mega → autopilot" : "autopilot → Mega";
-    pen.fillStyle = colour.ground;
-    pen.globalAlpha = 0.85;
-    pen.fillRect(0, top + 2, pen.measureText(words).width + 12, 16);
-    pen.globalAlpha = 1;
-    pen.fillStyle = colour.text;
-    pen.fillText(words, 6, top + 14);
   }
+}
+
+function kindOf(frame) {
+  if (frame.lost) return "lost";
+  return frame.label && frame.label !== "HEARTBEAT" ? frame.way : "other";
 }
 
 function coloursOf(element) {
@@ -113,6 +166,6 @@ function coloursOf(element) {
   const value = (name) => style.getPropertyValue(name).trim();
   return {
     ">": value("--mega"), "<": value("--autopilot"), lost: value("--bad"), other: value("--faint"),
-    line: value("--line"), dim: value("--dim"), text: value("--text"), ground: value("--panel"),
+    line: value("--line"), dim: value("--dim"), text: value("--text"), ground: value("--panel"), shade: value("--grid"),
   };
 }
