@@ -6,6 +6,7 @@ that arrive there; news() says in JSON what there is to show. It draws nothing a
 
 from __future__ import annotations
 
+import functools
 import json
 import math
 import traceback
@@ -85,6 +86,7 @@ class FarEnd:
         self._crossed: list[dict] = []
         self._plans: dict[int, list] = {}
         self._progress: dict[str, Any] = {}
+        self._told_items: dict[int, int] = {}  # by kind: how many of the items that were sent are known to the page
         self._vehicle_at = -math.inf
         self._vehicle: dict | None = None
 
@@ -168,12 +170,9 @@ class FarEnd:
 
     def _look(self, now: float) -> None:
         talk = self._conversation
-        self._progress = {
-            KINDS[kind]: {"announced": count, "arrived": min(talk.aboard[kind], count), "told": kind in talk.told,
-                          "sent": [shown_item(seq, talk.items[kind, seq]) for seq in range(count)
-                                   if (kind, seq) in talk.items]}
-            for kind, count in talk.counts.items() if kind in KINDS
-        }  # fmt: skip
+        for kind, count in talk.counts.items():
+            if kind in KINDS:
+                self._progress[KINDS[kind]] = self._progress_of(kind, count)
         if self.name == "outside":
             return
         place = self.autopilot.flight.where(now)
@@ -181,6 +180,19 @@ class FarEnd:
             "lat": place.lat_e7, "lon": place.lon_e7, "height": round(place.height, 2), "armed": self.autopilot.armed,
             "mode": self._mode(), "item": self.autopilot.flight.index,
         }  # fmt: skip
+
+    def _progress_of(self, kind: int, count: int) -> dict:
+        """How far a transfer has come; of the items that the Mega has sent only those that the page does not know."""
+        talk = self._conversation
+        before = self._progress.get(KINDS[kind], {}).get("sent", [])
+        known = self._told_items.get(kind, 0)
+        new = []
+        while (kind, known) in talk.items and known < count:
+            new.append(shown_item(known, talk.items[kind, known]))
+            known += 1
+        self._told_items[kind] = known
+        return {"announced": count, "arrived": min(talk.aboard[kind], count), "told": kind in talk.told,
+                "sent": before + new}  # fmt: skip
 
     def _mode(self) -> str:
         autopilot = self.autopilot
@@ -193,12 +205,12 @@ class FarEnd:
         new: dict[str, Any] = {}
         if self._crossed:
             new["frames"], self._crossed = self._crossed, []
-        if self.name != "outside":
+        if self._vehicle is not None:  # as often as the vehicle is looked at
             for kind in (MISSION, FENCE, RALLY):
-                held = self.autopilot.plan(kind)
-                if held != self._plans.get(kind, []) and repr(held) != repr(self._plans.get(kind, [])):
-                    self._plans[kind] = list(held)
-                    new.setdefault("held", {})[KINDS[kind]] = [shown_item(seq, item) for seq, item in enumerate(held)]
+                held = [shown_item(seq, item) for seq, item in enumerate(self.autopilot.plan(kind))]
+                if held != self._plans.get(kind, []):
+                    self._plans[kind] = held
+                    new.setdefault("held", {})[KINDS[kind]] = held
         if self._vehicle is not None:
             new["vehicle"], self._vehicle = self._vehicle, None
         if self._progress:
@@ -235,7 +247,9 @@ def item_of(values: Iterable) -> Item:
     return Item._make(math.nan if value is None else value for value in values)
 
 
+@functools.lru_cache(maxsize=4096)
 def shown_item(seq: int, item: Item) -> dict:
+    """As the page has it; the same object for the same item."""
     return {"seq": seq, "command": item.command, "frame": item.frame, "x": item.x, "y": item.y, "z": item.z,
             "param1": item.param1, "words": item_in_words(item)}  # fmt: skip
 

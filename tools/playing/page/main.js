@@ -14,6 +14,7 @@ const EXAMPLES_FLY_AT = [-353632621, 1491652374, 584]; // latitude, longitude [1
 const MOST_LINES = 400; // of frames
 const MOST_TEXT = 60000; // of the console [characters]
 const SLOW = 0.95;
+const SHOWN_EVERY_MS = 150;
 const KINDS = { 0: "plan", 1: "fence", 2: "rally points" };
 const NAMES = { ardupilot: "ArduPilot", px4: "PX4", outside: "the Pixhawk" };
 
@@ -34,6 +35,7 @@ let progress = {};
 let held = {};
 let isGood = false;
 let ramFree = null;
+let shownLater = null;
 
 const pixhawk = new Pixhawk(
   (bytes) => far.postMessage({ does: "outside", bytes }),
@@ -66,6 +68,8 @@ const isConsole = () => example().console;
 
 function begin() {
   run++;
+  clearTimeout(shownLater);
+  shownLater = null;
   progress = {};
   held = {};
   isGood = false;
@@ -184,12 +188,8 @@ function showNews({ now, news }) {
     timeline.add([], now);
   }
   if (news.held) Object.assign(held, news.held);
-  if (news.progress) progress = { ...progress, ...news.progress };
-  if (news.held || (news.progress && !isGood) || (isGood && !isGood.knows)) {
-    map.show({ held, arrived: arrivedItems() });
-    showItems();
-    far.postMessage({ does: "judge", meant: plan || isOutside ? {} : example().meant[state.autopilot] });
-  }
+  const isNews = [Boolean(news.held), ...Object.entries(news.progress || {}).map(([kind, now]) => learn(kind, now))];
+  if (isNews.includes(true)) showLater();
   if (news.vehicle) {
     map.move(news.vehicle);
     const { armed, mode, height, item } = news.vehicle;
@@ -198,8 +198,33 @@ function showNews({ now, news }) {
   }
 }
 
+// How far the transfer of a kind has come; whether that is further than what was known.
+function learn(kind, { announced, arrived, told, sent }) {
+  const before = progress[kind];
+  const isFurther = !before || sent.length > 0 || before.announced !== announced || before.arrived !== arrived ||
+    before.told !== told;
+  const known = before ? before.sent : [];
+  for (const item of sent) known[item.seq] = item;
+  progress[kind] = { announced, arrived, told, sent: known };
+  return isFurther || (isGood && !isGood.knows);
+}
+
+// The map and the list are drawn anew a few times a second, however fast the items come.
+function showLater() {
+  if (shownLater) return;
+  const number = run;
+  shownLater = setTimeout(() => {
+    shownLater = null;
+    if (number !== run) return;
+    map.show({ held, arrived: arrivedItems() });
+    showItems();
+    far.postMessage({ does: "judge", meant: plan || isOutside ? {} : example().meant[state.autopilot] });
+  }, SHOWN_EVERY_MS);
+}
+
 function arrivedItems() {
-  return Object.values(progress).flatMap(({ sent, arrived }) => sent.filter((item) => item.seq < arrived));
+  return Object.entries(progress).flatMap(([kind, { sent, arrived }]) =>
+    sent.filter((item) => item.seq < arrived && !held[kind]?.[item.seq]));
 }
 
 function judged(verdict) {
@@ -242,7 +267,7 @@ function listFrames(frames) {
 
 function showItems() {
   const meant = meantItems();
-  const rows = [];
+  const rows = []; // [number, how, words]
   for (const kind of Object.values(KINDS)) {
     const now = progress[kind];
     const aboard = held[kind] || [];
@@ -253,28 +278,31 @@ function showItems() {
       const item = now?.sent[seq] || aboard[seq] || wanted[seq];
       const arrived = now && seq < now.arrived;
       const kindOf = isGood || (!now && aboard[seq]) ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "meant";
-      rows.push(itemRow(kind, seq, kindOf, item?.words || "comes from a function"));
+      const words = item?.words || "comes from a function";
+      rows.push([seq, kindOf, kind === "plan" ? words : `${kind}: ${words}`]);
     }
   }
-  if (!rows.length) rows.push(itemRow("", "", "", "No plan yet."));
+  if (!rows.length) rows.push(["", "", "No plan yet."]);
   const list = at("items");
-  const top = list.scrollTop;
-  list.replaceChildren(...rows);
-  list.scrollTop = top;
+  while (list.children.length > rows.length) list.lastChild.remove();
+  rows.forEach((row, turn) => fillRow(list.children[turn] || list.appendChild(emptyRow()), row));
 }
 
-function itemRow(kind, seq, how, words) {
+function emptyRow() {
   const row = document.createElement("li");
-  const number = document.createElement("span");
-  number.className = "number";
-  number.textContent = seq;
-  const word = document.createElement("span");
-  word.className = how;
-  word.textContent = how;
-  const text = document.createElement("span");
-  text.textContent = kind && kind !== "plan" ? `${kind}: ${words}` : words;
-  row.append(number, word, text);
+  row.append(...["number", "", ""].map((name) => Object.assign(document.createElement("span"), { className: name })));
   return row;
+}
+
+function fillRow(row, [number, how, words]) {
+  const key = `${number} ${how} ${words}`;
+  if (row.dataset.key === key) return;
+  row.dataset.key = key;
+  const [first, second, third] = row.children;
+  first.textContent = number;
+  second.textContent = how;
+  second.className = how;
+  third.textContent = words;
 }
 
 function showSizes() {

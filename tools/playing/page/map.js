@@ -162,9 +162,9 @@ export class PlanMap {
         isFlownTo(item) ? made("circle", { cx: x, cy: y, r: radius })
           : made("rect", { x: x - 5, y: y - 5, width: 10, height: 10, transform: `rotate(45 ${x} ${y})` }),
       );
-      if (kind !== "arrived" && turn % every === 0) {
-        const number = made("text", { x: x + 13, y: y + (kind === "held" ? -9 : 17) });
-        if (kind === "held") number.textContent = item.seq;
+      if (kind === "held" && turn % every === 0) {
+        const number = made("text", { x: x + 13, y: y - 9 });
+        number.textContent = item.seq;
         point.append(number);
       }
       const title = made("title");
