@@ -1,0 +1,90 @@
+"""A real autopilot in the place of the simulated one, by a serial port of the browser; here a port that a script plays."""
+
+from __future__ import annotations
+
+import pytest
+
+from played import Page
+from playing.browser import Browser
+from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.frames import FrameSplitter, decode
+from simulation.peer import heartbeat
+
+pytestmark = pytest.mark.slow
+
+ABSENT = "delete Navigator.prototype.serial;"
+PLAYED = """
+  window.asked = 0;
+  window.toPort = [];
+  window.opened = null;
+  const port = {
+    async open(options) {
+      window.opened = options;
+      this.readable = new ReadableStream({ start(controller) { window.fromPort = controller; } });
+      this.writable = new WritableStream({ write(bytes) { window.toPort.push(...bytes); } });
+    },
+    async close() { window.opened = null; },
+  };
+  const serial = { async requestPort() { window.asked++; return port; } };
+  Object.defineProperty(Navigator.prototype, "serial", { get: () => serial, configurable: true });
+"""
+SAY = "window.fromPort.enqueue(Uint8Array.from(arguments[0]))"
+
+
+def test_without_web_serial_the_button_says_so(server):
+    with Browser() as browser:
+        browser.before_each_page(ABSENT)
+        browser.go(server.address)
+        browser.wait_for("return document.getElementById('example').options.length > 1")
+        assert browser.run("return document.getElementById('pixhawk').disabled")
+        browser.run("document.getElementById('real').open = true")
+        assert browser.text("#pixhawk-says") == "This browser has no Web Serial: Chrome and Edge on a computer have it."
+        assert browser.complaints() == []
+
+
+@pytest.fixture(scope="module")
+def page(server):
+    with Browser() as browser:
+        browser.before_each_page(PLAYED)
+        page = Page(browser, server)
+        page.open("#example=StartMission&autopilot=outside&port=1")
+        yield page
+
+
+def test_an_address_opens_no_port(page):
+    assert page.value("[window.asked, window.opened]") == [0, None]
+    assert "autopilot=outside" in page.notice and "port=1" in page.notice
+
+
+def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered(page):
+    browser = page.browser
+    browser.run("document.getElementById('real').open = true")
+    assert "Take the propellers off." in browser.text("#real")
+    browser.click("#pixhawk")
+    browser.wait_for("return window.opened")
+    assert page.value("window.opened") == {"baudRate": 57600}
+    refused = page.value("[...document.getElementById('example').options].filter((one) => one.disabled)"
+                         ".map((one) => one.value)")  # fmt: skip
+    assert refused == ["NextWaypoint", "PlanConsole", "StartMission"]
+    assert page.value("document.getElementById('example').value") == "UploadMission"
+
+    packer = mavlink.MAVLink(None, 1, 1)
+    for beats in range(1, 4):
+        browser.run(SAY, list(heartbeat().pack(packer)))
+        browser.wait_for(f"return Number(document.getElementById('clock').textContent.split(' ')[0]) > {0.7 * beats}")
+    browser.wait_for("return window.toPort.length > 40")
+    splitter = FrameSplitter()
+    said = [decode(frame) for frame, whole in splitter.feed(bytes(page.value("window.toPort"))) if whole]
+    assert "MISSION_COUNT" in [message.get_type() for message in said]
+    assert next(message.count for message in said if message.get_type() == "MISSION_COUNT") == 4  # PX4: no home
+
+    page.begin("#example=StartMission")
+    assert "A sketch that arms is not offered" in page.notice
+    assert page.value("document.getElementById('example').value") == "UploadMission"
+    page.drop("my.waypoints", "QGC WPL 110\n")
+    page.wait_for_text("#notice", "PlanConsole arms")
+
+    browser.click("#pixhawk")  # closes it
+    page.wait_for_text("#notice", "This is the simulated one again")
+    assert page.wait_until_good().startswith("All ")
+    assert browser.complaints() == []
