@@ -12,10 +12,11 @@ while (data.length) {
   const piece = data.subarray(0, exports.size_of_room());
   new Uint8Array(exports.memory.buffer).set(piece, exports.room_for_bytes());
   const lengthAt = exports.room_for_length();
-  const taken = exports.hearing_take(parser, exports.room_for_bytes(), piece.length, exports.room_for_frame(), lengthAt);
+  const [from, to] = [exports.room_for_bytes(), exports.room_for_frame()];
+  const taken = exports.hearing_take(parser, from, piece.length, to, lengthAt);
   const memory = Buffer.from(exports.memory.buffer);
   const length = memory.readUInt16LE(lengthAt);
-  if (length) frames.push(memory.subarray(exports.room_for_frame(), exports.room_for_frame() + length).toString("hex"));
+  if (length) frames.push(memory.subarray(to, to + length).toString("hex"));
   data = data.subarray(taken);
 }
 process.stdout.write(JSON.stringify(frames));

@@ -85,7 +85,7 @@ def test_a_run_is_the_same_each_time(page):
 def test_a_dropped_plan_is_put_aboard_verified_and_started_by_plan_console(page):
     page.begin("#example=UploadMission")
     page.drop("farm.plan", PLAN)
-    page.wait_for_text("#outcome", "It is verified, and flown.")
+    page.wait_for_text("#outcome", "PlanConsole has verified and started it.")
     lines = page.browser.text("#console").splitlines()
     order = ["kept: list prints it", "accepted: the plan is aboard", "verified: what is aboard is the plan",
              "done: the autopilot confirmed it"]  # fmt: skip
@@ -97,7 +97,7 @@ def test_a_dropped_plan_is_put_aboard_verified_and_started_by_plan_console(page)
 def test_a_dropped_waypoints_file_is_flown_where_it_was_drawn(page):
     page.begin("#example=UploadMission&autopilot=px4")
     page.drop("Zurich.waypoints", WAYPOINTS)
-    page.wait_for_text("#outcome", "It is verified, and flown.")
+    page.wait_for_text("#outcome", "PlanConsole has verified and started it.")
     page.wait_for_text("#vehicle", "MISSION, armed")
 
 
@@ -224,7 +224,8 @@ def test_words_stand_out_from_their_ground_in_light_and_dark(page):
     for scheme in ("light", "dark"):
         page.browser.devtools("Emulation.setEmulatedMedia",
                               {"features": [{"name": "prefers-color-scheme", "value": scheme}]})  # fmt: skip
-        colours = page.value("""Object.fromEntries(["text", "dim", "mega", "autopilot", "good", "bad", "panel", "ground"]
+        names = ["text", "dim", "mega", "autopilot", "good", "bad", "panel", "ground"]
+        colours = page.value(f"""Object.fromEntries({names}
           .map((name) => [name, getComputedStyle(document.body).getPropertyValue("--" + name).trim()]))""")
         for name in ("text", "dim", "mega", "autopilot", "good", "bad"):
             for ground in ("panel", "ground"):

@@ -1,4 +1,4 @@
-"""A real autopilot in the place of the simulated one, by a serial port of the browser; here a port that a script plays."""
+"""A real autopilot in the place of the simulated one, by a serial port of the browser; here a script plays the port."""
 
 from __future__ import annotations
 

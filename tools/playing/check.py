@@ -1,8 +1,10 @@
-"""A short look at the folder with a real browser: the first upload, on both autopilots."""
+"""A short look at the folder with a real browser: the first upload, on both autopilots; and the picture in docs."""
 
 from __future__ import annotations
 
 from pathlib import Path
+
+from building import ROOT
 
 from .browser import Browser, NoBrowser
 from .serving import Server
@@ -33,3 +35,25 @@ def check(folder: Path) -> list[str]:
     finally:
         server.close()
     return wrong
+
+
+FARM = ROOT / "docs" / "farm.plan"
+FLOWN_S = 95.0  # of the plan, in the picture
+WIDTH, HEIGHT = 1400, 1290
+
+
+def picture(folder: Path, file: Path) -> None:
+    """The page while it flies docs/farm.plan, as a PNG. Raises NoBrowser."""
+    server = Server(folder)
+    try:
+        with Browser(WIDTH, HEIGHT) as browser:
+            browser.go(f"{server.address}#example=PlanConsole&autopilot=px4&loss=5")
+            browser.wait_for(READY, STARTS_S)
+            browser.type("#file", str(FARM))
+            browser.wait_for("return document.getElementById('outcome').innerText.includes('started it')", ENDS_S)
+            browser.run("document.getElementById('notice').hidden = true")
+            flown = f"return parseFloat(document.getElementById('clock').textContent) > {FLOWN_S}"
+            browser.wait_for(flown, 2 * FLOWN_S)
+            browser.screenshot(file)
+    finally:
+        server.close()

@@ -105,7 +105,8 @@ class FarEnd:
         """The Mega has run until now [s] and has sent these bytes; what arrives there next."""
         if baud != self._line._port.baud:
             self._line._port = self._line._port._replace(baud=baud)  # type: ignore[attr-defined]
-        self._line.hear([Sent(int(cycle), byte) for cycle, byte in zip(left, bytes(data), strict=True)])  # type: ignore[misc]
+        sent = [Sent(int(cycle), byte) for cycle, byte in zip(left, bytes(data), strict=True)]
+        self._line.hear(sent)  # type: ignore[arg-type]
         self._line.step(now)
         arriving = self._line.read(1 << 20)
         self._note()

@@ -1,5 +1,5 @@
-// A plan that was dropped onto the page, put aboard by PlanConsole as a person would at its terminal: a command, and the
-// next one when the sketch has said that it is done.
+// A plan that was dropped onto the page, put aboard by PlanConsole as a person would at its terminal: a command, and
+// the next one when the sketch has said that it is done.
 
 const STEPS = [
   { types: (plan) => `load\n${plan.waypoints}end\n`, done: "kept: list prints it" },
@@ -7,7 +7,10 @@ const STEPS = [
   { types: () => "verify\n", done: "verified: what is aboard is the plan" },
   { types: () => "start\n", done: "done: the autopilot confirmed it" },
 ];
-const REFUSED = ["nothing was loaded; what is still to come of it is passed over, up to end", "the EEPROM does not keep it"];
+const REFUSED = [
+  "nothing was loaded; what is still to come of it is passed over, up to end",
+  "the EEPROM does not keep it",
+];
 
 export class Dropped {
   // type: gives a text to the sketch. ends: how an operation can end, in the sketch's words.

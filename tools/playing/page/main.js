@@ -14,6 +14,11 @@ const EXAMPLES_FLY_AT = [-353632621, 1491652374, 584]; // latitude, longitude [1
 const MOST_LINES = 400; // of frames
 const MOST_TEXT = 60000; // of the console [characters]
 const SLOW = 0.95;
+const STOPPED = "PlanConsole did not take the plan, or could not go on: the serial monitor says why.";
+// What PlanConsole does with a dropped plan that is aboard, by its step.
+const NEXT = {
+  2: " PlanConsole verifies it.", 3: " PlanConsole starts it.", 4: " PlanConsole has verified and started it.",
+};
 const SHOWN_EVERY_MS = 150;
 const KINDS = { 0: "plan", 1: "fence", 2: "rally points" };
 const NAMES = { ardupilot: "ArduPilot", px4: "PX4", outside: "the Pixhawk" };
@@ -177,7 +182,7 @@ function print(text) {
   const step = dropped.step;
   dropped.hear(text);
   if (dropped.step !== step && isGood) judged(isGood);
-  if (dropped.failed) outcome("PlanConsole did not take the plan, or could not go on: the serial monitor says why.", "bad");
+  if (dropped.failed) outcome(STOPPED, "bad");
 }
 
 function showNews({ now, news }) {
@@ -231,9 +236,7 @@ function judged(verdict) {
   isGood = verdict.good ? verdict : false;
   if (dropped?.failed) return;
   if (verdict.good) {
-    const { step } = dropped || {};
-    const then = { 2: " PlanConsole verifies it.", 3: " PlanConsole starts it.", 4: " It is verified, and flown." }[step] || "";
-    outcome(verdict.sentence + then, "good");
+    outcome(verdict.sentence + (NEXT[dropped?.step] || ""), "good");
     showItems();
     return;
   }
@@ -271,13 +274,14 @@ function showItems() {
   for (const kind of Object.values(KINDS)) {
     const now = progress[kind];
     const aboard = held[kind] || [];
-    const wanted = plan ? (kind === "plan" ? plan.items : []) : meant.filter((item) => item.kind === kind);
-    const isWire = !plan;
-    const count = Math.max(now?.announced || 0, isWire ? wanted.length : 0, aboard.length, plan && !now ? wanted.length : 0);
+    // A file's items count without home, which is the first on ArduPilot's wire: they stand until the Mega sends its own.
+    const wanted = plan ? (kind === "plan" && !now ? plan.items : []) : meant.filter((item) => item.kind === kind);
+    const count = Math.max(now?.announced || 0, wanted.length, aboard.length);
     for (let seq = 0; seq < count; seq++) {
       const item = now?.sent[seq] || aboard[seq] || wanted[seq];
       const arrived = now && seq < now.arrived;
-      const kindOf = isGood || (!now && aboard[seq]) ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "meant";
+      const isAboard = isGood || (!now && aboard[seq]);
+      const kindOf = isAboard ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "meant";
       const words = item?.words || "comes from a function";
       rows.push([seq, kindOf, kind === "plan" ? words : `${kind}: ${words}`]);
     }
@@ -410,7 +414,9 @@ at("example").onchange = (event) => {
   change({ example: event.target.value }, true);
 };
 for (const choice of document.getElementsByName("autopilot")) {
-  choice.onchange = () => choice.checked && AUTOPILOTS.includes(choice.value) && change({ autopilot: choice.value }, true);
+  choice.onchange = () => {
+    if (choice.checked && AUTOPILOTS.includes(choice.value)) change({ autopilot: choice.value }, true);
+  };
 }
 for (const id of ["loss", "bytes"]) {
   at(id).oninput = (event) => {

@@ -1,13 +1,17 @@
 // The map: a grid, north, a scale, the plan that is meant, the plan aboard, and the aircraft. Drawn as SVG; no tiles.
 
-import { flatAround, hasPlace, isCircle, isCorner, isFlownTo, isRally, isReturn, lengthInWords, roundBelow } from "./places.js";
+import {
+  flatAround, hasPlace, isCircle, isCorner, isFlownTo, isRally, isReturn, lengthInWords, roundBelow,
+} from "./places.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const MARGIN_PX = 46;
 const SMALLEST_M = 60; // of what is shown
 const GRID_PX = 70; // between two lines, at the least
 const TRAIL = 1500; // places
-const MOST_NUMBERS = 40; // items that are numbered; beyond that every so manieth
+const MANY = 60; // points, which are drawn smaller then
+const LETTER_PX = 8; // of a point's number
+const LINE_PX = 15;
 
 export class PlanMap {
   constructor(svg) {
@@ -74,6 +78,8 @@ export class PlanMap {
     this.fit(places.map(this.flat));
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.svg.replaceChildren(...this.grid());
+    this.svg.classList.toggle("dense", this.everything.length > 2 * MANY);
+    this.numbered = []; // the boxes of the numbers that stand on the map
     const groups = [
       this.fences(), this.path(this.meant, "meant"), this.path(this.held.plan || [], "held"), this.returning(),
       this.points(this.meant, "meant"), this.points(this.arrived, "arrived"), this.points(this.held.plan || [], "held"),
@@ -153,25 +159,32 @@ export class PlanMap {
 
   points(items, kind) {
     const shown = items.filter((item) => hasPlace(item) && !isCorner(item) && !isCircle(item) && !isRally(item));
-    const every = Math.ceil(shown.length / MOST_NUMBERS);
-    return shown.map((item, turn) => {
+    const isDense = shown.length > MANY;
+    const small = isDense ? 2.5 : 6;
+    return shown.map((item) => {
       const [x, y] = this.at(item);
-      const radius = kind === "meant" ? 9 : 6;
       const point = made("g", { class: `point ${kind}` });
       point.append(
-        isFlownTo(item) ? made("circle", { cx: x, cy: y, r: radius })
+        isFlownTo(item) ? made("circle", { cx: x, cy: y, r: kind === "meant" ? small + (isDense ? 1 : 3) : small })
           : made("rect", { x: x - 5, y: y - 5, width: 10, height: 10, transform: `rotate(45 ${x} ${y})` }),
       );
-      if (kind === "held" && turn % every === 0) {
-        const number = made("text", { x: x + 13, y: y - 9 });
-        number.textContent = item.seq;
-        point.append(number);
-      }
+      if (kind === "held") point.append(...this.number(item.seq, x + 13, y - 9));
       const title = made("title");
       title.textContent = `${item.seq}: ${item.words || item.command}`;
       point.append(title);
       return point;
     });
+  }
+
+  // A point's number, unless it would stand on another one.
+  number(seq, left, bottom) {
+    const right = left + LETTER_PX * String(seq).length;
+    const stands = (one) => left < one.right && right > one.left && Math.abs(one.bottom - bottom) < LINE_PX;
+    if (this.numbered.some(stands)) return [];
+    this.numbered.push({ left, right, bottom });
+    const text = made("text", { x: left, y: bottom });
+    text.textContent = seq;
+    return [text];
   }
 
   fences() {

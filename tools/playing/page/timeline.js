@@ -1,6 +1,6 @@
 // Frames against time: the latest talk in full, and below it the last seconds as they go by.
 //
-// A talk is what crosses the line without a longer silence, heartbeats and telemetry apart: an upload, a download, a
+// A talk is what crosses the line without a longer silence, apart from what comes unasked: an upload, a download, a
 // command and its answer. It is drawn as large as the place allows, and stays until the next one begins.
 
 const SILENCE_S = 1.6; // that ends a talk: an answer is waited for 1.5 s
@@ -11,6 +11,7 @@ const STRIP_PX = 52;
 const LABEL_PX = 13; // a line of labels
 const BAR_PX = 12;
 const KEPT = 3000;
+const UNASKED = ["HEARTBEAT", "STATUSTEXT", "MISSION_ITEM_REACHED"]; // begin no talk
 const FONT = '"DejaVu Sans", system-ui, sans-serif';
 
 export class Timeline {
@@ -36,8 +37,8 @@ export class Timeline {
   add(frames, now) {
     this.frames.push(...frames);
     if (this.frames.length > KEPT) this.frames.splice(0, this.frames.length - KEPT);
-    for (const { label, began, ended } of frames) {
-      if (!label || label === "HEARTBEAT") continue;
+    for (const { label, text, began, ended } of frames) {
+      if (!label || UNASKED.some((name) => text.startsWith(name))) continue;
       if (!this.talk || began - this.talk.ended > SILENCE_S) this.talk = { began, ended };
       this.talk.ended = Math.max(this.talk.ended, ended);
     }
@@ -144,7 +145,7 @@ export class Timeline {
       const kind = kindOf(frame);
       pen.fillStyle = colour[kind];
       pen.fillRect(from, bottom - BAR_PX, Math.max(2, x(frame.ended) - from), BAR_PX);
-      if (kind === "other") continue;
+      if (kind === "other" || !frame.label) continue;
       const line = taken.findIndex((end) => end < from);
       if (line < 0) continue;
       const words = `${frame.label}${frame.lost ? " lost" : frame.again ? " again" : ""}`;

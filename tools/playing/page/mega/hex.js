@@ -45,6 +45,7 @@ function bytesOf(line, number) {
   const isHex = /^:(?:[0-9a-fA-F]{2}){5,}$/.test(line);
   const bytes = isHex ? Uint8Array.from(line.slice(1).match(/../g), (pair) => parseInt(pair, 16)) : new Uint8Array(1);
   const sum = bytes.reduce((total, byte) => (total + byte) & 0xff, 0);
-  if (!isHex || sum !== 0 || bytes.length !== bytes[0] + 5) throw new Error(`line ${number} of the .hex file is damaged`);
+  const isWhole = isHex && sum === 0 && bytes.length === bytes[0] + 5;
+  if (!isWhole) throw new Error(`line ${number} of the .hex file is damaged`);
   return bytes;
 }

@@ -35,13 +35,14 @@ const UCSR0A = 0xc0, UCSR1A = 0xc8;
 export class Crashed extends Error {}
 
 export class Mega {
-  // hex: the text of the .hex file. pass: the address in flash of what the Arduino core calls once in each pass through
-  // loop(), by which the passes are counted; 0 counts none.
+  // hex: the text of the .hex file. pass: the address in flash of what the Arduino core calls once in each pass
+  // through loop(), by which the passes are counted; 0 counts none.
   constructor(hex, pass = 0) {
     this.flash = new Uint16Array(FLASH_BYTES / 2).fill(ERASED);
     const bytes = new Uint8Array(this.flash.buffer);
     for (const piece of piecesOf(hex)) {
-      if (piece.address + piece.bytes.length > FLASH_BYTES) throw new Error("this firmware does not fit a Mega's flash");
+      const end = piece.address + piece.bytes.length;
+      if (end > FLASH_BYTES) throw new Error("this firmware does not fit a Mega's flash");
       bytes.set(piece.bytes, piece.address);
     }
     this.pass = pass ? pass / 2 : -1;

@@ -1,7 +1,7 @@
 // The Mega's worker: runs it at real time, in slices, in step with the far end of its line.
 //
 // Slice by slice the Mega's bytes go to the far end's worker, and what that answers to slice k arrives at the Mega with
-// slice k + 2: so both work at once, and what happens depends on simulated time alone, on a fast computer and a slow one.
+// slice k + 2: so both work at once, and what happens depends on simulated time alone, however fast the computer is.
 
 import { HZ, Mega } from "./mega.js";
 
