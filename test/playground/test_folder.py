@@ -5,16 +5,19 @@ from __future__ import annotations
 import gzip
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
 import urllib.request
+import zipfile
 
 import pytest
 
 from building import ROOT
 from played import STARTS_S, Page
 from playing.browser import Browser
+from releasing import write_playground
 
 BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())
 OWN = ("*.html", "*.css", "*.js", "far/*.js", "mega/*.js")
@@ -99,6 +102,33 @@ def test_the_command_puts_a_copy_where_it_is_told(tmp_path):
                           capture_output=True, text=True, check=False)  # fmt: skip
     assert said.returncode == 0, said.stderr
     assert (tmp_path / "copy" / "index.html").is_file() and "MB" in said.stdout
+
+
+def test_a_release_has_the_folder_as_an_archive_and_the_same_folder_makes_the_same_one(folder, tmp_path):
+    archives = [tmp_path / "one.zip", tmp_path / "two.zip"]
+    for archive in archives:
+        write_playground(folder, archive)
+    assert archives[0].read_bytes() == archives[1].read_bytes()
+    with zipfile.ZipFile(archives[0]) as packed:
+        files = {f"MavMission-playground/{file.relative_to(folder).as_posix()}" for file in folder.rglob("*")
+                 if file.is_file()}  # fmt: skip
+        assert set(packed.namelist()) == files
+        assert packed.read("MavMission-playground/index.html") == (folder / "index.html").read_bytes()
+
+
+@pytest.mark.slow
+def test_the_command_checks_the_page_and_its_check_fails_where_a_script_is_missing(folder, tmp_path):
+    from playing.check import check
+
+    said = subprocess.run([sys.executable, ROOT / "tools" / "playground", "--check"],
+                          capture_output=True, text=True, check=False)  # fmt: skip
+    assert said.returncode == 0, said.stdout + said.stderr
+    assert said.stdout.endswith("the first upload is aboard under ArduPilot and PX4\n")
+    broken = tmp_path / "broken"
+    shutil.copytree(folder, broken)
+    (broken / "far" / "worker.js").write_text("throw new Error('broken');\n")
+    wrong = check(broken, starts_s=3.0)
+    assert wrong and "not within" in wrong[0]
 
 
 @pytest.mark.slow

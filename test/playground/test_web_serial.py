@@ -6,12 +6,12 @@ import pytest
 
 from played import Page
 from playing.browser import Browser
-from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot import Px4
 from simulation.fake_autopilot.frames import FrameSplitter, decode
-from simulation.peer import heartbeat
 
 pytestmark = pytest.mark.slow
 
+PLACE = (-353632621, 1491652374, 584.0)
 ABSENT = "delete Navigator.prototype.serial;"
 PLAYED = """
   window.asked = 0;
@@ -29,6 +29,23 @@ PLAYED = """
   Object.defineProperty(Navigator.prototype, "serial", { get: () => serial, configurable: true });
 """
 SAY = "window.fromPort.enqueue(Uint8Array.from(arguments[0]))"
+
+
+def exchange(browser: Browser, autopilot: Px4, until: str, limit_s: float = 30.0) -> list:
+    """Let the autopilot be at the port until the page says so; what the Mega said to it. The page keeps the time."""
+    clock = "return [Number(document.getElementById('clock').textContent.split(' ')[0]) || 0, window.toPort.splice(0)]"
+    splitter = FrameSplitter()
+    said, now = [], 0.0
+    while until not in browser.text("#outcome"):
+        shown, heard = browser.run(clock)
+        now = max(now + 0.01, shown)
+        assert now < limit_s, f"not within {limit_s} s: {until}"
+        autopilot.receive(bytes(heard), now)
+        arriving = autopilot.run(now)
+        if arriving:
+            browser.run(SAY, list(arriving))
+        said += [decode(frame) for frame, whole in splitter.feed(bytes(heard)) if whole]
+    return said
 
 
 def test_without_web_serial_the_button_says_so(server):
@@ -68,15 +85,11 @@ def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered
     assert refused == ["NextWaypoint", "PlanConsole", "StartMission"]
     assert page.value("document.getElementById('example').value") == "UploadMission"
 
-    packer = mavlink.MAVLink(None, 1, 1)
-    for beats in range(1, 4):
-        browser.run(SAY, list(heartbeat().pack(packer)))
-        browser.wait_for(f"return Number(document.getElementById('clock').textContent.split(' ')[0]) > {0.7 * beats}")
-    browser.wait_for("return window.toPort.length > 40")
-    splitter = FrameSplitter()
-    said = [decode(frame) for frame, whole in splitter.feed(bytes(page.value("window.toPort"))) if whole]
-    assert "MISSION_COUNT" in [message.get_type() for message in said]
-    assert next(message.count for message in said if message.get_type() == "MISSION_COUNT") == 4  # PX4: no home
+    autopilot = Px4(heartbeat_at_s=0.0, home=PLACE)
+    said = exchange(browser, autopilot, "accepted all 4 items")
+    assert autopilot.received() and len(autopilot.received()) == 4
+    assert [message.get_type() for message in said].count("MISSION_ITEM_INT") == 4
+    assert page.outcome == "The autopilot has accepted all 4 items."
 
     page.begin("#example=StartMission")
     assert "A sketch that arms is not offered" in page.notice

@@ -223,8 +223,12 @@ class FarEnd:
         wire; of a kind that is not in it, what was sent is what was meant."""
         name = NAMES.get(self.name, "the autopilot")
         talk = self._conversation
-        if self.name == "outside" or not talk.counts:
+        if not talk.counts:
             return json.dumps({"good": False, "sentence": ""})
+        if self.name == "outside":
+            good = talk.told >= set(talk.counts)
+            accepted = f"The autopilot has accepted all {sum(talk.counts.values())} items."
+            return json.dumps({"good": good, "knows": good, "sentence": accepted if good else talk.last_word()})
         wanted = {int(kind): [item_of(values) for values in items] for kind, items in json.loads(meant).items()}
         total = 0
         for kind in wanted.keys() | talk.counts.keys():

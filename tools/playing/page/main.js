@@ -20,6 +20,7 @@ const NEXT = {
   2: " PlanConsole verifies it.", 3: " PlanConsole starts it.", 4: " PlanConsole has verified and started it.",
 };
 const SHOWN_EVERY_MS = 150;
+const LARGEST_FILE = 64_000_000; // bytes, as tools/planning takes it
 const KINDS = { 0: "plan", 1: "fence", 2: "rally points" };
 const NAMES = { ardupilot: "ArduPilot", px4: "PX4", outside: "the Pixhawk" };
 
@@ -274,7 +275,7 @@ function showItems() {
   for (const kind of Object.values(KINDS)) {
     const now = progress[kind];
     const aboard = held[kind] || [];
-    // A file's items count without home, which is the first on ArduPilot's wire: they stand until the Mega sends its own.
+    // A file's items count without home, which is ArduPilot's first: they stand until the Mega sends its own.
     const wanted = plan ? (kind === "plan" && !now ? plan.items : []) : meant.filter((item) => item.kind === kind);
     const count = Math.max(now?.announced || 0, wanted.length, aboard.length);
     for (let seq = 0; seq < count; seq++) {
@@ -396,6 +397,7 @@ async function readFile(file) {
   if (!file) return;
   if (isOutside) return notice("PlanConsole arms, and so is not offered to a real autopilot.");
   if (!isReady) return notice("The autopilot is still loading: drop the plan when it is there.");
+  if (file.size > LARGEST_FILE) return notice(`The plan was not taken: ${file.name} is larger than 64 MB.`);
   const bytes = await file.arrayBuffer();
   far.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
 }
@@ -453,6 +455,7 @@ at("share").onclick = async () => {
 };
 at("typing").onsubmit = (event) => {
   event.preventDefault();
+  if (!isReady) return notice("The Mega is not switched on yet.");
   type(`${at("line").value}\n`);
   at("line").value = "";
 };
