@@ -15,8 +15,6 @@ import zipfile
 import pytest
 
 from building import ROOT
-from played import STARTS_S, Page
-from playing.browser import Browser
 from releasing import write_playground
 
 BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())
@@ -129,22 +127,3 @@ def test_the_command_checks_the_page_and_its_check_fails_where_a_script_is_missi
     (broken / "far" / "worker.js").write_text("throw new Error('broken');\n")
     wrong = check(broken, starts_s=3.0)
     assert wrong and "not within" in wrong[0]
-
-
-@pytest.mark.slow
-def test_it_starts_within_its_bounds_and_stores_nothing(server):
-    with Browser() as browser:
-        page = Page(browser, server)
-        browser.go(server.address)
-        browser.wait_for("return document.body.dataset.shownMs", STARTS_S)
-        if not page.value("document.body.dataset.readyMs"):
-            assert page.outcome.startswith("The autopilot is still coming")
-        assert page.on_map(".grid") > 4 and page.on_map(".point.meant") == 2
-        browser.wait_for("return document.body.dataset.readyMs", STARTS_S)
-        assert int(page.value("document.body.dataset.shownMs")) / 1000 <= BOUNDS["seconds"]["shown"]
-        assert int(page.value("document.body.dataset.readyMs")) / 1000 <= BOUNDS["seconds"]["ready"]
-        page.wait_until_good()
-        asked = [address for address in browser.requests() if not address.startswith(("chrome", "data:", "about:"))]
-        assert asked and all(address.startswith(server.address) for address in asked)
-        assert page.value("[document.cookie, localStorage.length, sessionStorage.length]") == ["", 0, 0]
-        assert browser.complaints() == []

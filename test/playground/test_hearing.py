@@ -33,7 +33,7 @@ def damaged(recording: str, seed: int) -> bytes:
 @pytest.mark.parametrize("by", [ARDUPILOT, PX4])
 def test_the_parser_in_the_browser_finds_the_frames_that_it_finds_here(folder, by):
     heard = 0
-    for seed, recording in enumerate(recordings.names()):
+    for seed, recording in enumerate(recordings.names()[::3]):
         data = damaged(recording, seed) + random.Random(seed).randbytes(5000) + damaged(recording, seed + 100)
         here = Hearing(by).feed(data)
         said = subprocess.run(

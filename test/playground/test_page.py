@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
+import tomllib
 
 import pytest
 
@@ -12,6 +16,7 @@ from playing.browser import Browser
 
 pytestmark = pytest.mark.slow
 
+BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())["seconds"]
 NAMES = {"ardupilot": "ArduPilot", "px4": "PX4"}
 FARM = json.loads((ROOT / "docs" / "farm.plan").read_text())
 FARM["mission"]["items"] = [item for item in FARM["mission"]["items"] if item["type"] == "SimpleItem"][:4]
@@ -39,6 +44,14 @@ def page(opened):
     opened.browser.complaints()
     yield opened
     assert opened.browser.complaints() == []
+
+
+def test_map_and_console_stand_before_the_autopilot_and_the_start_is_within_its_bounds(page):
+    assert page.first_words.startswith("The autopilot is still coming: ")
+    assert page.first_shown > 6
+    assert page.shown_s <= BOUNDS["shown"] and page.shown_s < page.ready_s <= BOUNDS["ready"]
+    assert len(page.asked_for) > 5 and all(address.startswith(page.address) for address in page.asked_for)
+    assert page.value("[document.cookie, localStorage.length, sessionStorage.length]") == ["", 0, 0]
 
 
 @pytest.mark.parametrize("autopilot", NAMES)
@@ -161,6 +174,19 @@ def test_an_example_of_another_kind_runs(page, example):
             "ReadTelemetry": "-353632621 1491652374", "PlanFromSd": "accepted: the plan is aboard"}  # fmt: skip
     page.begin(f"#example={example}")
     page.wait_for_text("#console", said[example])
+
+
+def test_a_computer_that_is_too_slow_is_told_of_with_the_factor(page):
+    page.begin("#example=LinkDoctor")
+    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(8 * (os.cpu_count() or 1))]
+    try:
+        page.browser.wait_for("return / of real time$/.test(document.getElementById('factor').innerText)")
+        factor = float(page.browser.text("#factor").split()[0])
+        assert 0 < factor < 0.95
+    finally:
+        for one in busy:
+            one.kill()
+            one.wait()
 
 
 def test_fence_and_rally_points_are_drawn(page):

@@ -31,6 +31,11 @@ for (const kind of ["dragenter", "dragover", "drop"]) {
 class Page:
     """One page that has been opened; a run of it after another."""
 
+    first_words = ""
+    first_shown = 0
+    shown_s = ready_s = 0.0  # from the address to the map, and to the Mega's power-on
+    asked_for: tuple[str, ...] | list[str] = ()
+
     def __init__(self, browser: Browser, server: Server) -> None:
         self.browser = browser
         self.address = server.address
@@ -38,8 +43,16 @@ class Page:
     def open(self, hash_: str = "") -> None:
         """From the server, until the autopilot has loaded."""
         self.browser.go("about:blank")
+        self.browser.requests()
         self.browser.go(self.address + hash_)
+        self.browser.wait_for("return document.body.dataset.shownMs", STARTS_S)
+        self.first_words = self.outcome  # while the autopilot loads
+        self.first_shown = self.on_map(".grid") + self.on_map(".point.meant")
         self.browser.wait_for("return document.body.dataset.readyMs", STARTS_S)
+        self.shown_s = int(self.value("document.body.dataset.shownMs")) / 1000
+        self.ready_s = int(self.value("document.body.dataset.readyMs")) / 1000
+        self.asked_for = [address for address in self.browser.requests()
+                          if not address.startswith(("chrome", "data:", "about:"))]  # fmt: skip
 
     def begin(self, hash_: str) -> None:
         """Another address on the same page: everything begins anew."""
