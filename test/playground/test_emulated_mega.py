@@ -31,17 +31,20 @@ def test_upload_mission_puts_the_same_bytes_on_the_line_as_on_simavr(folder, aut
     assert 100 < passes["shortest"] < passes["longest"] < 16_000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])
 def test_upload_mission_puts_the_same_bytes_on_a_line_that_loses_20_percent(folder, autopilot):
     told, ours = agree(folder, example="UploadMission", autopilot=autopilot, seconds=10, loss=20.0, seed=1)
     assert len(ours.bytes(1)) > 300
 
 
+@pytest.mark.slow
 def test_the_serial_monitor_says_the_same_as_on_simavr(folder):
     told, ours = agree(folder, example="UploadWithProgress", autopilot="ardupilot", seconds=4)
     assert b"aboard: our plan, whole\r\n" in ours.bytes(0)
 
 
+@pytest.mark.slow
 def test_a_typed_plan_is_in_the_same_eeprom_as_on_simavr(folder):
     plan = "load\nQGC WPL 110\n0 0 0 16 0 0 0 0 0 0 0 1\n1 0 3 22 0 0 0 0 0 0 20 1\nend\n"
     told, ours = agree(folder, example="PlanConsole", autopilot="px4", seconds=3, typed=plan)
@@ -50,6 +53,7 @@ def test_a_typed_plan_is_in_the_same_eeprom_as_on_simavr(folder):
     assert ours.eeprom != b"\xff" * 4096
 
 
+@pytest.mark.slow
 def test_a_restart_is_the_same_as_on_simavr(folder):
     told, ours = agree(folder, example="UploadWithProgress", autopilot="ardupilot", seconds=6, reset_at=3.0)
     assert ours.bytes(0).count(b"upload, try 1") == 2

@@ -40,6 +40,7 @@ def test_sizes_are_within_their_bounds(folder):
         assert 0.5 * bound < measured[name] <= bound, (name, measured[name])
 
 
+@pytest.mark.slow
 def test_the_same_sources_make_the_same_folder(folder, tmp_path):
     from playing import make_folder
 
@@ -95,6 +96,7 @@ def test_the_server_is_reached_by_this_computer_alone_and_says_what_its_files_ar
             assert "connect-src 'self'" in answer.headers["Content-Security-Policy"]
 
 
+@pytest.mark.slow
 def test_the_command_puts_a_copy_where_it_is_told(tmp_path):
     said = subprocess.run([sys.executable, ROOT / "tools" / "playground", "--output", tmp_path / "copy"],
                           capture_output=True, text=True, check=False)  # fmt: skip

@@ -19,7 +19,7 @@ from demonstration.conversation import Conversation
 from demonstration.line import Line
 from demonstration.timeline import label
 from demonstration.words import item_in_words, message_in_words
-from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item, mavlink
+from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
 from simulation.wire import Entry
 
 UPTIME_S = 60.0  # the autopilot has been on for so long: it can be armed
@@ -137,6 +137,12 @@ class FarEnd:
         """Switch the autopilot off and on: what was being transferred is forgotten, the stored plan is kept."""
         if self.name != "outside":
             self.autopilot.reboot(now, SILENCE_S)
+
+    def forget_talk(self) -> None:
+        """The Mega was restarted: what it transfers from now on is another transfer."""
+        self._conversation = Conversation()
+        self._progress.clear()
+        self._told_items.clear()
 
     def hear_outside(self, data: bytes) -> None:
         self.autopilot.hear(bytes(data))
@@ -294,5 +300,3 @@ def plan_of(name: str, data: bytes) -> str:
             used.unlink(missing_ok=True)
     return json.dumps(plain(found))
 
-
-__all__ = ["FarEnd", "mavlink", "plan_of"]

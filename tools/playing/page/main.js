@@ -14,6 +14,7 @@ const EXAMPLES_FLY_AT = [-353632621, 1491652374, 584]; // latitude, longitude [1
 const MOST_LINES = 400; // of frames
 const MOST_TEXT = 60000; // of the console [characters]
 const SLOW = 0.95;
+const KEPT = "PlanConsole waits for a command: the plan that it had is still in the EEPROM.";
 const STOPPED = "PlanConsole did not take the plan, or could not go on: the serial monitor says why.";
 // What PlanConsole does with a dropped plan that is aboard, by its step.
 const NEXT = {
@@ -440,6 +441,8 @@ at("reset-mega").onclick = () => {
   progress = {};
   dropped = null;
   mega.postMessage({ does: "reset" });
+  far.postMessage({ does: "forget" });
+  if (isReady) outcome(isConsole() ? KEPT : firstWords());
 };
 at("reset-autopilot").onclick = () => {
   far.postMessage({ does: "restart" });

@@ -14,7 +14,7 @@ let newsAt = 0;
 let isOutside = false;
 
 onmessage = ({ data }) => {
-  const does = { start, stop, lose, cable, loseNext, restart, judge, read, outside };
+  const does = { start, stop, lose, cable, loseNext, restart, forget, judge, read, outside };
   try {
     does[data.does](data);
   } catch (error) {
@@ -103,6 +103,10 @@ function loseNext({ name }) {
 
 function restart() {
   farEnd?.restart(now);
+}
+
+function forget() {
+  farEnd?.forget_talk();
 }
 
 function judge({ meant }) {
