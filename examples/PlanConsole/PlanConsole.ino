@@ -1,7 +1,6 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
-// EEPROM, which keeps it without power; upload, verify and fly it. Type "help". A Mega has room for all commands, an
-// Uno for those that are always offered; a Nano or a Leonardo is too small. TAKE OFF THE PROPELLERS WHILE YOU TRY IT:
-// "start" arms.
+// EEPROM, which keeps it without power; upload, verify and fly it. Type "help". A Mega has room for all commands; an
+// Uno, a Nano or a Leonardo is too small. TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms.
 #include <MavMissionConsole.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
