@@ -263,6 +263,11 @@ class Wire:
             (chance, Fault(direction, f"{fate} by chance", strike, where=where, times=None))
             for chance, fate, strike in chances if chance > 0]
 
+    def spare(self, direction: str | None = None) -> None:
+        """The opposite of at_random(), in one direction or both."""
+        for which in [direction] if direction else DIRECTIONS:
+            self._chances[which].clear()
+
     # -- inside ---------------------------------------------------------------------------
 
     def _way(self, direction: str) -> _Direction:

@@ -153,6 +153,18 @@ def write_zip(root: Path, output: Path, files: Iterable[Path]) -> None:
             archive.writestr(info, content_of(root, file))
 
 
+def write_playground(site: Path, output: Path) -> None:
+    """The folder of tools/playground as an archive, in a folder of its own name; the same files make the same bytes."""
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for file in sorted(one for one in site.rglob("*") if one.is_file()):
+            info = zipfile.ZipInfo(f"MavMission-playground/{file.relative_to(site).as_posix()}", NO_DATE)
+            info.compress_type = zipfile.ZIP_DEFLATED
+            info.create_system = 3  # Unix, whose permissions these are
+            info.external_attr = PLAIN_FILE << 16
+            archive.writestr(info, file.read_bytes())
+
+
 def release(root: Path, folder: Path, *, snapshot: bool = False) -> Path:
     """Make the zip in `folder`; raises NotReady."""
     wrong = problems(root, snapshot=snapshot)

@@ -10,12 +10,12 @@ from pathlib import Path
 
 from building import ROOT, BuildFailed, build_sketch
 from simulation.enumerators import texts_of
-from simulation.fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, FakeAutopilot, Item, Px4, item, mavlink
+from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
 from simulation.mega import Mega
 from simulation.mega.realtime import RealTime
-from simulation.recordings import repeated
 from simulation.wire import Entry
 
+from .autopilots import HELD, KINDS, NAMES, an_autopilot
 from .conversation import Conversation
 from .line import Line as SerialLine
 from .named_frames import NamedFrame
@@ -289,24 +289,6 @@ class Console:
 
     def close(self) -> None:
         pass
-
-
-NAMES = {"ardupilot": "ArduPilot", "px4": "PX4"}
-KINDS = {MISSION: "plan", FENCE: "fence", RALLY: "rally points"}
-
-# What an autopilot holds before an example that only reads.
-HELD = [
-    item(mavlink.MAV_CMD_NAV_TAKEOFF, x=-353632621, y=1491652374, z=20.0),
-    item(mavlink.MAV_CMD_NAV_WAYPOINT, x=-353614500, y=1491652374, z=25.0),
-    item(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH, frame=mavlink.MAV_FRAME_MISSION),
-]
-
-
-def an_autopilot(name: str, vehicle: str = "copter") -> FakeAutopilot:
-    """With what it sends unasked on a telemetry port; the line's own time is the simulator's."""
-    if name == "px4":
-        return Px4(telemetry=repeated("px4/clean_with_streams"), response_delay_s=Px4.response_delay_on_line_s)
-    return ArduPilot(vehicle=vehicle, response_delay_s=ArduPilot.response_delay_on_line_s)
 
 
 def plans_of(elf: Path, described: dict) -> dict[int, Plan]:

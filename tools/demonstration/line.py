@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from simulation.fake_autopilot import FakeAutopilot
-from simulation.mega.serial import Sent, SerialPort
 from simulation.wire import Entry, Wire
 
 from .named_frames import NamedFrame
+
+if TYPE_CHECKING:  # the Mega may be another one than simulation's, as in tools/playground
+    from simulation.mega.serial import Sent, SerialPort
 
 BITS_OF_A_BYTE = 10  # a start and a stop bit
 
@@ -43,14 +45,14 @@ class Line:
     ) -> None:
         self.autopilot = autopilot
         self._port = port
-        self._wire = Wire(seed)
+        self.wire = Wire(seed)
         for named in lose:
-            named.lose_from(self._wire)
+            named.lose_from(self.wire)
         if loss_percent:
             for direction in "><":
-                self._wire.at_random(direction, lose=loss_percent)
+                self.wire.at_random(direction, lose=loss_percent)
         if byte_loss_percent:
-            self._wire.damage_bytes(lose=byte_loss_percent)
+            self.wire.damage_bytes(lose=byte_loss_percent)
         self._to_mega = bytearray()
         self._from_mega: list[Sent] = []
         self._now = 0.0
@@ -64,18 +66,18 @@ class Line:
     def step(self, now: float) -> None:
         """Carry what both ends have said until `now` [simulated s]."""
         self._now = now
-        before = len(self._wire.entries)
+        before = len(self.wire.entries)
         for sent in self._from_mega:
             time = sent.left / self._port.hz
             self._left_at.append(time)
-            self._wire.send(">", bytes((sent.byte,)), time)
+            self.wire.send(">", bytes((sent.byte,)), time)
         self._from_mega.clear()
-        self.autopilot.receive(self._wire.deliver(">", now), now)
+        self.autopilot.receive(self.wire.deliver(">", now), now)
         self.autopilot.run(now)
         for time, frame in self.autopilot.outbox:
-            self._wire.send("<", frame, time)
-        self._to_mega += self._wire.deliver("<", now)
-        for entry in self._wire.entries[before:]:
+            self.wire.send("<", frame, time)
+        self._to_mega += self.wire.deliver("<", now)
+        for entry in self.wire.entries[before:]:
             self._note(entry)
 
     def _note(self, entry: Entry) -> None:
@@ -91,9 +93,15 @@ class Line:
 
     def seen(self) -> list[Entry]:
         """The frames since the last call, both ways, lost ones included."""
-        entries = self._wire.entries[self._shown :]
+        entries = self.wire.entries[self._shown :]
         self._shown += len(entries)
         return sorted((entry for entry in entries if entry.number is not None), key=lambda entry: entry.time)
+
+    def forget(self) -> None:
+        """Drop what seen() has given and what has crossed: for a line that is used for hours."""
+        del self.wire.entries[: self._shown]
+        self._shown = 0
+        self.crossed.clear()
 
     @property
     def byte_s(self) -> float:

@@ -1,0 +1,131 @@
+"""The playground's folder: what is in it, how large it is, and that it asks nobody else for anything."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import urllib.request
+import zipfile
+
+import pytest
+
+from building import ROOT
+from releasing import write_playground
+
+BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())
+OWN = ("*.html", "*.css", "*.js", "far/*.js", "mega/*.js")
+
+
+def size(folder, *patterns: str) -> int:
+    return sum(file.stat().st_size for pattern in patterns for file in folder.glob(pattern))
+
+
+def test_sizes_are_within_their_bounds(folder):
+    files = [file for file in folder.rglob("*") if file.is_file()]
+    measured = {
+        "page": size(folder, *OWN, "examples/examples.json"),
+        "avr8js": size(folder, "vendor/avr8js/*/*"),
+        "hex": max(file.stat().st_size for file in folder.glob("examples/*.hex")),
+        "hearing": size(folder, "hearing.wasm"),
+        "world": size(folder, "world.zip"),
+        "folder": sum(file.stat().st_size for file in files),
+        "gzipped": sum(len(gzip.compress(file.read_bytes(), 6)) for file in files),
+    }
+    for name, bound in BOUNDS["bytes"].items():
+        assert 0.5 * bound < measured[name] <= bound, (name, measured[name])
+
+
+@pytest.mark.slow
+def test_the_same_sources_make_the_same_folder(folder, tmp_path):
+    from playing import make_folder
+
+    again = make_folder(tmp_path / "site").folder
+    for file in folder.rglob("*"):
+        if file.is_file():
+            assert file.read_bytes() == (again / file.relative_to(folder)).read_bytes(), file
+
+
+def test_every_example_is_offered_and_those_that_arm_are_known(folder):
+    known = json.loads((folder / "examples" / "examples.json").read_text())
+    names = [example["name"] for example in known["examples"]]
+    assert sorted(names) == sorted(path.name for path in (ROOT / "examples").iterdir()) and names[0] == "UploadMission"
+    arming = {example["name"] for example in known["examples"] if example["arms"]}
+    sources = {path.stem: path.read_text() for path in (ROOT / "examples").glob("*/*.ino")}
+    assert arming == {name for name, text in sources.items()
+                      if re.search(r"autopilot\.(start|arm|startFrom)\(|offerStart\(|offerAll\(", text)}  # fmt: skip
+    assert {"StartMission", "NextWaypoint", "PlanConsole"} == arming
+
+
+def test_the_firmware_is_the_compiled_one_unmodified(folder):
+    from building import build_sketch
+
+    for file in (folder / "examples").glob("*.hex"):
+        assert file.read_bytes() == build_sketch(ROOT / "examples" / file.stem).hex.read_bytes()
+
+
+def test_what_is_packed_comes_with_its_licence(folder):
+    listed = (folder / "licences" / "README.txt").read_text()
+    packed = {file.name for file in (folder / "licences").iterdir()} - {"README.txt"}
+    assert all(name in listed for name in packed) and len(packed) == 10
+    assert all((folder / "licences" / name).stat().st_size > 500 for name in packed)
+    locked = json.loads((ROOT / "tools" / "playing" / "package-lock.json").read_text())["packages"]
+    for name in ("avr8js", "pyodide"):
+        assert f"{name} {locked[f'node_modules/{name}']['version']}".lower() in listed.lower()
+
+
+def test_no_file_of_the_page_names_another_host(folder):
+    for pattern in OWN:
+        for file in folder.glob(pattern):
+            hosts = set(re.findall(r"https?://[^/\"'` ]+", file.read_text())) - {"http://www.w3.org"}
+            assert hosts == set(), file
+            assert not re.search(r"\b(localStorage|sessionStorage|indexedDB|document\.cookie)\b", file.read_text())
+
+
+def test_the_server_is_reached_by_this_computer_alone_and_says_what_its_files_are(server):
+    assert server.server_address[0] == "127.0.0.1"
+    kinds = {"": "text/html", "main.js": "text/javascript", "hearing.wasm": "application/wasm",
+             "vendor/pyodide/pyodide.mjs": "text/javascript"}  # fmt: skip
+    for path, kind in kinds.items():
+        with urllib.request.urlopen(server.address + path) as answer:
+            assert answer.headers["Content-Type"].partition(";")[0] == kind
+            assert "connect-src 'self'" in answer.headers["Content-Security-Policy"]
+
+
+@pytest.mark.slow
+def test_the_command_puts_a_copy_where_it_is_told(tmp_path):
+    said = subprocess.run([sys.executable, ROOT / "tools" / "playground", "--output", tmp_path / "copy"],
+                          capture_output=True, text=True, check=False)  # fmt: skip
+    assert said.returncode == 0, said.stderr
+    assert (tmp_path / "copy" / "index.html").is_file() and "MB" in said.stdout
+
+
+def test_a_release_has_the_folder_as_an_archive_and_the_same_folder_makes_the_same_one(folder, tmp_path):
+    archives = [tmp_path / "one.zip", tmp_path / "two.zip"]
+    for archive in archives:
+        write_playground(folder, archive)
+    assert archives[0].read_bytes() == archives[1].read_bytes()
+    with zipfile.ZipFile(archives[0]) as packed:
+        files = {f"MavMission-playground/{file.relative_to(folder).as_posix()}" for file in folder.rglob("*")
+                 if file.is_file()}  # fmt: skip
+        assert set(packed.namelist()) == files
+        assert packed.read("MavMission-playground/index.html") == (folder / "index.html").read_bytes()
+
+
+@pytest.mark.slow
+def test_the_command_checks_the_page_and_its_check_fails_where_a_script_is_missing(folder, tmp_path):
+    from playing.check import check
+
+    said = subprocess.run([sys.executable, ROOT / "tools" / "playground", "--check"],
+                          capture_output=True, text=True, check=False)  # fmt: skip
+    assert said.returncode == 0, said.stdout + said.stderr
+    assert said.stdout.endswith("the first upload is aboard under ArduPilot and PX4\n")
+    broken = tmp_path / "broken"
+    shutil.copytree(folder, broken)
+    (broken / "far" / "worker.js").write_text("throw new Error('broken');\n")
+    wrong = check(broken, starts_s=3.0)
+    assert wrong and "not within" in wrong[0]

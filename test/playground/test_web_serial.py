@@ -1,0 +1,104 @@
+"""A real autopilot in the place of the simulated one, by a serial port of the browser; here a script plays the port."""
+
+from __future__ import annotations
+
+import pytest
+
+from played import Page
+from playing.browser import Browser
+from simulation.fake_autopilot import Px4
+from simulation.fake_autopilot.frames import FrameSplitter, decode
+
+pytestmark = pytest.mark.slow
+
+PLACE = (-353632621, 1491652374, 584.0)
+ABSENT = "delete Navigator.prototype.serial;"
+PLAYED = """
+  window.asked = 0;
+  window.toPort = [];
+  window.opened = null;
+  const port = {
+    async open(options) {
+      window.opened = options;
+      this.readable = new ReadableStream({ start(controller) { window.fromPort = controller; } });
+      this.writable = new WritableStream({ write(bytes) { window.toPort.push(...bytes); } });
+    },
+    async close() { window.opened = null; },
+  };
+  const serial = { async requestPort() { window.asked++; return port; } };
+  Object.defineProperty(Navigator.prototype, "serial", { get: () => serial, configurable: true });
+"""
+SAY = "window.fromPort.enqueue(Uint8Array.from(arguments[0]))"
+
+
+def exchange(browser: Browser, autopilot: Px4, until: str, limit_s: float = 30.0) -> list:
+    """Let the autopilot be at the port until the page says so; what the Mega said to it. The page keeps the time."""
+    clock = "return [Number(document.getElementById('clock').textContent.split(' ')[0]) || 0, window.toPort.splice(0)]"
+    splitter = FrameSplitter()
+    said, now = [], 0.0
+    while until not in browser.text("#outcome"):
+        shown, heard = browser.run(clock)
+        now = max(now + 0.01, shown)
+        assert now < limit_s, f"not within {limit_s} s: {until}"
+        autopilot.receive(bytes(heard), now)
+        arriving = autopilot.run(now)
+        if arriving:
+            browser.run(SAY, list(arriving))
+        said += [decode(frame) for frame, whole in splitter.feed(bytes(heard)) if whole]
+    return said
+
+
+def test_without_web_serial_the_button_says_so(server):
+    with Browser() as browser:
+        browser.before_each_page(ABSENT)
+        browser.go(server.address)
+        browser.wait_for("return document.getElementById('example').options.length > 1")
+        assert browser.run("return document.getElementById('pixhawk').disabled")
+        browser.run("document.getElementById('real').open = true")
+        assert browser.text("#pixhawk-says") == "This browser has no Web Serial: Chrome and Edge on a computer have it."
+        assert browser.complaints() == []
+
+
+@pytest.fixture(scope="module")
+def page(server):
+    with Browser() as browser:
+        browser.before_each_page(PLAYED)
+        page = Page(browser, server)
+        page.open("#example=StartMission&autopilot=outside&port=1")
+        yield page
+
+
+def test_an_address_opens_no_port(page):
+    assert page.value("[window.asked, window.opened]") == [0, None]
+    assert "autopilot=outside" in page.notice and "port=1" in page.notice
+
+
+def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered(page):
+    browser = page.browser
+    browser.run("document.getElementById('real').open = true")
+    assert "Take the propellers off." in browser.text("#real")
+    browser.click("#pixhawk")
+    browser.wait_for("return window.opened")
+    assert page.value("window.opened") == {"baudRate": 57600}
+    refused = page.value("[...document.getElementById('example').options].filter((one) => one.disabled)"
+                         ".map((one) => one.value)")  # fmt: skip
+    assert refused == ["NextWaypoint", "PlanConsole", "StartMission"]
+    assert page.value("document.getElementById('example').value") == "UploadMission"
+
+    autopilot = Px4(heartbeat_at_s=0.0, home=PLACE)
+    said = exchange(browser, autopilot, "accepted all 4 items")
+    assert autopilot.received() and len(autopilot.received()) == 4
+    # Some of them twice, where the test is slower than PX4 is patient.
+    assert {message.seq for message in said if message.get_type() == "MISSION_ITEM_INT"} == {0, 1, 2, 3}
+    assert page.outcome == "The autopilot has accepted all 4 items."
+
+    page.begin("#example=StartMission")
+    assert "A sketch that arms is not offered" in page.notice
+    assert page.value("document.getElementById('example').value") == "UploadMission"
+    page.drop("my.waypoints", "QGC WPL 110\n")
+    page.wait_for_text("#notice", "PlanConsole arms")
+
+    browser.click("#pixhawk")  # closes it
+    page.wait_for_text("#notice", "This is the simulated one again")
+    assert page.wait_until_good().startswith("All ")
+    assert browser.complaints() == []

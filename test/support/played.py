@@ -1,0 +1,93 @@
+"""The playground's page in a browser, as a test sees it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from playing.browser import Browser
+from playing.serving import Server
+
+STARTS_S = 90.0
+ENDS_S = 60.0
+
+_GO = """
+history.replaceState(null, "", arguments[0]);
+dispatchEvent(new HashChangeEvent("hashchange"));
+document.getElementById("again").click();
+"""
+_DROP = """
+const [name, text] = arguments;
+const data = new DataTransfer();
+data.items.add(new File([text], name));
+for (const kind of ["dragenter", "dragover", "drop"]) {
+  document.getElementById("map").dispatchEvent(
+    new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+}
+"""
+
+
+class Page:
+    """One page that has been opened; a run of it after another."""
+
+    first_words = ""
+    first_shown = 0
+    shown_s = ready_s = 0.0  # from the address to the map, and to the Mega's power-on
+    asked_for: tuple[str, ...] | list[str] = ()
+
+    def __init__(self, browser: Browser, server: Server) -> None:
+        self.browser = browser
+        self.address = server.address
+
+    def open(self, hash_: str = "") -> None:
+        """From the server, until the autopilot has loaded."""
+        self.browser.go("about:blank")
+        self.browser.requests()
+        self.browser.go(self.address + hash_)
+        self.browser.wait_for("return document.body.dataset.shownMs", STARTS_S)
+        self.first_words = self.outcome  # while the autopilot loads
+        self.first_shown = self.on_map(".grid") + self.on_map(".point.meant")
+        self.browser.wait_for("return document.body.dataset.readyMs", STARTS_S)
+        self.shown_s = int(self.value("document.body.dataset.shownMs")) / 1000
+        self.ready_s = int(self.value("document.body.dataset.readyMs")) / 1000
+        self.asked_for = [address for address in self.browser.requests()
+                          if not address.startswith(("chrome", "data:", "about:"))]  # fmt: skip
+
+    def begin(self, hash_: str) -> None:
+        """Another address on the same page: everything begins anew."""
+        self.browser.run(_GO, hash_)
+
+    def drop(self, name: str, text: str) -> None:
+        self.browser.run(_DROP, name, text)
+
+    def wait_until_good(self, limit_s: float = ENDS_S) -> str:
+        self.browser.wait_for("return document.getElementById('outcome').dataset.state === 'good'", limit_s)
+        return self.outcome
+
+    def wait_for_text(self, selector: str, text: str, limit_s: float = ENDS_S) -> None:
+        script = f"return document.querySelector({json.dumps(selector)}).innerText.includes({json.dumps(text)})"
+        self.browser.wait_for(script, limit_s)
+
+    @property
+    def outcome(self) -> str:
+        return self.browser.text("#outcome")
+
+    @property
+    def notice(self) -> str:
+        return self.browser.text("#notice")
+
+    @property
+    def frames(self) -> list[str]:
+        """What crossed the line, the oldest first."""
+        return self.browser.text("#frames").splitlines()[::-1]
+
+    def on_map(self, selector: str) -> int:
+        """How many elements of the map are such."""
+        return self.browser.run("return document.querySelectorAll('#map ' + arguments[0]).length", selector)
+
+    def value(self, script: str) -> Any:
+        return self.browser.run(f"return {script}")
+
+    def shot(self, file: Path) -> None:
+        self.browser.screenshot(file)

@@ -1,0 +1,85 @@
+"""The folder of static files, put together."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import re
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+from building import BUILD, BuildFailed
+
+from .hearing import NotCompiled, compile_hearing
+from .licences import copy_licences
+from .sketches import make_sketches
+from .world import make_world
+
+HERE = Path(__file__).resolve().parent
+PAGE = HERE / "page"
+NPM = BUILD / "npm" / "node_modules"
+SITE = BUILD / "playground" / "site"
+
+# avr8js imports "./interrupt", which a browser does not find; it is "./interrupt.js".
+AVR8JS = ("cpu/cpu", "cpu/instruction", "cpu/interrupt", "peripherals/eeprom", "peripherals/gpio", "peripherals/timer")
+IMPORT = re.compile(r"(from ')(\.[^']*)(')")
+PYODIDE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
+
+
+class NotMade(Exception):
+    """The folder could not be put together; the text says why."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """The folder, and how much is in it [bytes]."""
+
+    folder: Path
+    sizes: dict[str, int]  # by file
+
+    @property
+    def total(self) -> int:
+        return sum(self.sizes.values())
+
+
+def make_folder(folder: Path = SITE) -> Made:
+    """Make it anew. Raises NotMade."""
+    if not (NPM / "pyodide").is_dir() or not (NPM / "avr8js").is_dir():
+        raise NotMade("avr8js and pyodide are missing: run tools/setup")
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with (folder.parent / f"{folder.name}.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        fresh = folder.with_name(f"{folder.name}.new")
+        shutil.rmtree(fresh, ignore_errors=True)
+        shutil.copytree(PAGE, fresh)
+        try:
+            fill(fresh)
+        except (BuildFailed, NotCompiled, OSError) as error:
+            raise NotMade(str(error)) from error
+        shutil.rmtree(folder, ignore_errors=True)
+        fresh.rename(folder)
+    return Made(folder, sizes_of(folder))
+
+
+def fill(folder: Path) -> None:
+    vendor = folder / "vendor"
+    for name in AVR8JS:
+        target = vendor / "avr8js" / f"{name}.js"
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(IMPORT.sub(r"\1\2.js\3", (NPM / "avr8js" / "dist" / "esm" / f"{name}.js").read_text()))
+    (vendor / "pyodide").mkdir()
+    for name in PYODIDE:
+        shutil.copyfile(NPM / "pyodide" / name, vendor / "pyodide" / name)
+    compile_hearing(folder / "hearing.wasm")
+    make_world(folder / "world.zip")
+    make_sketches(folder / "examples")
+    copy_licences(folder / "licences", NPM, {name: version(name) for name in ("avr8js", "pyodide")})
+
+
+def version(package: str) -> str:
+    return json.loads((NPM / package / "package.json").read_text())["version"]
+
+
+def sizes_of(folder: Path) -> dict[str, int]:
+    return {str(file.relative_to(folder)): file.stat().st_size for file in sorted(folder.rglob("*")) if file.is_file()}

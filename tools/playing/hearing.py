@@ -1,0 +1,38 @@
+"""simulation/hearing, the autopilots' own parser, compiled to WebAssembly for the browser."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+from building import ROOT
+
+SOURCES = (
+    ROOT / "simulation" / "hearing" / "Hearing.cpp",
+    ROOT / "simulation" / "hearing" / "library.cpp",
+    Path(__file__).resolve().parent / "hearing_wasm.cpp",
+)
+EXPORTS = (
+    "hearing_new", "hearing_free", "hearing_take", "room_for_bytes", "size_of_room", "room_for_frame",
+    "room_for_length",
+)  # fmt: skip
+
+
+class NotCompiled(Exception):
+    """The text is what the compiler said."""
+
+
+def compile_hearing(target: Path) -> None:
+    command = [
+        "clang++", "--target=wasm32-wasi", "-std=c++11", "-O2", "-Wall", "-Wextra", "-Werror", "-fno-exceptions",
+        "-fno-rtti", "-mexec-model=reactor", "-nostdlib++", f"-I{ROOT / 'src'}",
+        # MAVLink's headers include it where structures are packed, and so would pack the C library's.
+        "-include", "stdio.h",
+        *map(str, SOURCES), "-o", str(target), "-Wl,--strip-all", *(f"-Wl,--export={name}" for name in EXPORTS),
+    ]  # fmt: skip
+    try:
+        said = subprocess.run(command, capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise NotCompiled("clang++ does not start: run tools/setup") from error
+    if said.returncode != 0:
+        raise NotCompiled(said.stderr)

@@ -1,0 +1,302 @@
+"""The far end of the Mega's line as the page's worker runs it: the wire, the autopilot behind it, and what to show.
+
+JavaScript calls it in simulated time, slice by slice: step() takes the bytes that the Mega has sent and gives those
+that arrive there; news() says in JSON what there is to show. It draws nothing and knows no page.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+import traceback
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from demonstration.autopilots import KINDS, NAMES, an_autopilot
+from demonstration.conversation import Conversation
+from demonstration.line import Line
+from demonstration.timeline import label
+from demonstration.words import item_in_words, message_in_words
+from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
+from simulation.wire import Entry
+
+UPTIME_S = 60.0  # the autopilot has been on for so long: it can be armed
+VEHICLE_EVERY_S = 0.1
+SILENCE_S = 3.0  # of an autopilot that is restarted
+
+# custom_mode's main and sub mode of PX4, by the names in its own list.
+PX4_MODES = {1: "MANUAL", 2: "ALTCTL", 3: "POSCTL", (4, 2): "TAKEOFF", (4, 3): "HOLD", (4, 4): "MISSION", (4, 5): "RTL",
+             (4, 6): "LAND", 5: "ACRO", 6: "OFFBOARD", 7: "STABILIZED"}  # fmt: skip
+
+
+class Sent(NamedTuple):
+    """A byte from the Mega, and the cycle at which its stop bit was over."""
+
+    left: int
+    byte: int
+
+
+class Port(NamedTuple):
+    """What the line asks of the Mega's port."""
+
+    hz: int
+    baud: float
+
+
+class Outside:
+    """In the place of the autopilot: a serial port of the computer, to which a real one is wired."""
+
+    def __init__(self) -> None:
+        self.outbox: list[tuple[float, bytes]] = []
+        self.log: list = []
+        self.to_port = bytearray()
+        self._from_port = bytearray()
+
+    def hear(self, data: bytes) -> None:
+        """Bytes that the port has received."""
+        self._from_port += data
+
+    def receive(self, data: bytes, now: float) -> None:
+        self.to_port += data
+
+    def run(self, now: float) -> bytes:
+        data = bytes(self._from_port)
+        self._from_port.clear()
+        self.outbox = [(now, data)] if data else []
+        return data
+
+
+class FarEnd:
+    """One run: from the Mega's power-on."""
+
+    def __init__(self, settings: str) -> None:
+        """settings: JSON with autopilot ("ardupilot", "px4" or "outside"), loss and bytes [percent], seed, and,
+        if there is a plan to hold or a place to stand at, held (a list of items) and home [1e-7 degrees, m]."""
+        wanted = json.loads(settings)
+        self.name: str = wanted["autopilot"]
+        self.autopilot: Any = self._made(wanted)
+        if wanted.get("held"):
+            self.autopilot.load([item_of(values) for values in wanted["held"]])
+        self._line = Line(self.autopilot, Port(wanted["hz"], 57600.0), seed=wanted["seed"])  # type: ignore[arg-type]
+        self.lose(wanted["loss"], wanted["bytes"])
+        self._conversation = Conversation()
+        self._frames: list[tuple[Entry, dict]] = []  # that have not crossed the line whole
+        self._crossed: list[dict] = []
+        self._plans: dict[int, list] = {}
+        self._progress: dict[str, Any] = {}
+        self._told_items: dict[int, int] = {}  # by kind: how many of the items that were sent are known to the page
+        self._vehicle_at = -math.inf
+        self._vehicle: dict | None = None
+
+    def _made(self, wanted: dict) -> Any:
+        if self.name == "outside":
+            return Outside()
+        options: dict[str, Any] = {"uptime_s": UPTIME_S}
+        if wanted.get("home"):
+            lat, lon, altitude = wanted["home"]
+            options["home"] = (int(lat), int(lon), float(altitude))
+        return an_autopilot(self.name, **options)
+
+    # Driven by the page
+
+    def step(self, now: float, data: bytes, left: Sequence[int], baud: float) -> bytes:
+        """The Mega has run until now [s] and has sent these bytes; what arrives there next."""
+        if baud != self._line._port.baud:
+            self._line._port = self._line._port._replace(baud=baud)  # type: ignore[attr-defined]
+        sent = [Sent(int(cycle), byte) for cycle, byte in zip(left, bytes(data), strict=True)]
+        self._line.hear(sent)  # type: ignore[arg-type]
+        self._line.step(now)
+        arriving = self._line.read(1 << 20)
+        self._note()
+        if now >= self._vehicle_at + VEHICLE_EVERY_S:
+            self._vehicle_at = now
+            self._look(now)
+        return arriving
+
+    def lose(self, frames: float, some_bytes: float) -> None:
+        """From now on so many percent of the frames and of the bytes, each way."""
+        wire = self._line.wire
+        wire.spare()
+        for direction in "><":
+            wire.at_random(direction, lose=frames)
+        wire.damage_bytes(lose=some_bytes)
+
+    def cable(self, joined: bool) -> None:
+        if joined:
+            self._line.wire.plug()
+        else:
+            self._line.wire.pull()
+
+    def lose_next(self, name: str) -> None:
+        """The next frame of this name from the autopilot does not arrive."""
+        self._line.wire.lose("<", name=name)
+
+    def restart(self, now: float) -> None:
+        """Switch the autopilot off and on: what was being transferred is forgotten, the stored plan is kept."""
+        if self.name != "outside":
+            self.autopilot.reboot(now, SILENCE_S)
+
+    def forget_talk(self) -> None:
+        """The Mega was restarted: what it transfers from now on is another transfer."""
+        self._conversation = Conversation()
+        self._progress.clear()
+        self._told_items.clear()
+
+    def hear_outside(self, data: bytes) -> None:
+        self.autopilot.hear(bytes(data))
+
+    def take_for_outside(self) -> bytes:
+        data = bytes(self.autopilot.to_port)
+        self.autopilot.to_port.clear()
+        return data
+
+    # What there is to show
+
+    def _note(self) -> None:
+        for entry in self._line.seen():
+            again = self._conversation.add(entry)
+            shown = self._conversation.is_shown(entry)
+            self._frames.append((entry, {
+                "at": entry.time, "way": entry.direction, "lost": entry.fate, "again": again,
+                "text": message_in_words(entry.message, entry.data) if shown else "",
+                "label": label(entry.message, entry.data) if shown else "",
+            }))  # fmt: skip
+        times = {id(crossed.entry): crossed for crossed in self._line.crossed}
+        waiting = []
+        for entry, frame in self._frames:
+            crossed = times.get(id(entry))
+            if crossed is None:
+                waiting.append((entry, frame))
+            else:
+                self._crossed.append({**frame, "began": crossed.began, "ended": crossed.ended})
+        self._frames = waiting
+        self._line.forget()
+        self.autopilot.log.clear()
+
+    def _look(self, now: float) -> None:
+        talk = self._conversation
+        for kind, count in talk.counts.items():
+            if kind in KINDS:
+                self._progress[KINDS[kind]] = self._progress_of(kind, count)
+        if self.name == "outside":
+            return
+        place = self.autopilot.flight.where(now)
+        self._vehicle = {
+            "lat": place.lat_e7, "lon": place.lon_e7, "height": round(place.height, 2), "armed": self.autopilot.armed,
+            "mode": self._mode(), "item": self.autopilot.flight.index,
+        }  # fmt: skip
+
+    def _progress_of(self, kind: int, count: int) -> dict:
+        """How far a transfer has come; of the items that the Mega has sent only those that the page does not know."""
+        talk = self._conversation
+        before = self._progress.get(KINDS[kind], {}).get("sent", [])
+        known = self._told_items.get(kind, 0)
+        new = []
+        while (kind, known) in talk.items and known < count:
+            new.append(shown_item(known, talk.items[kind, known]))
+            known += 1
+        self._told_items[kind] = known
+        return {"announced": count, "arrived": min(talk.aboard[kind], count), "told": kind in talk.told,
+                "sent": before + new}  # fmt: skip
+
+    def _mode(self) -> str:
+        autopilot = self.autopilot
+        if self.name == "ardupilot":
+            return autopilot.mode
+        return PX4_MODES.get((autopilot.main_mode, autopilot.sub_mode)) or PX4_MODES.get(autopilot.main_mode, "other")
+
+    def news(self) -> str:
+        """What is new since the last call, in JSON; "" if nothing is."""
+        new: dict[str, Any] = {}
+        if self._crossed:
+            new["frames"], self._crossed = self._crossed, []
+        if self._vehicle is not None:  # as often as the vehicle is looked at
+            for kind in (MISSION, FENCE, RALLY):
+                held = [shown_item(seq, item) for seq, item in enumerate(self.autopilot.plan(kind))]
+                if held != self._plans.get(kind, []):
+                    self._plans[kind] = held
+                    new.setdefault("held", {})[KINDS[kind]] = held
+        if self._vehicle is not None:
+            new["vehicle"], self._vehicle = self._vehicle, None
+        if self._progress:
+            new["progress"], self._progress = self._progress, {}
+        return json.dumps(plain(new)) if new else ""
+
+    def verdict(self, meant: str) -> str:
+        """Whether what is aboard is what was meant: JSON of {good, sentence}. meant: JSON, kind -> its items on the
+        wire; of a kind that is not in it, what was sent is what was meant."""
+        name = NAMES.get(self.name, "the autopilot")
+        talk = self._conversation
+        if not talk.counts:
+            return json.dumps({"good": False, "sentence": ""})
+        if self.name == "outside":
+            good = talk.told >= set(talk.counts)
+            accepted = f"The autopilot has accepted all {sum(talk.counts.values())} items."
+            return json.dumps({"good": good, "knows": good, "sentence": accepted if good else talk.last_word()})
+        wanted = {int(kind): [item_of(values) for values in items] for kind, items in json.loads(meant).items()}
+        total = 0
+        for kind in wanted.keys() | talk.counts.keys():
+            if kind not in talk.counts:
+                return json.dumps({"good": False, "sentence": ""})
+            sent = [talk.items[kind, seq] for seq in range(talk.counts[kind]) if (kind, seq) in talk.items]
+            items = wanted.get(kind, sent)
+            total += len(items)
+            aboard = self.autopilot.received(kind)
+            differing = sum(not a.same_as(b) for a, b in zip(items, aboard, strict=False))
+            differing += abs(len(items) - len(aboard))
+            if len(sent) < talk.counts[kind] or differing or talk.aboard[kind] < talk.counts[kind]:
+                return json.dumps({"good": False, "sentence": talk.last_word()})
+        knows = talk.told >= set(talk.counts) or talk.thanked
+        told = "and the Mega knows it" if knows else "which the Mega has not been told yet"
+        sentence = f"All {total} items are aboard {name} as they were meant, {told}."
+        return json.dumps({"good": True, "knows": knows, "sentence": sentence})
+
+
+def item_of(values: Iterable) -> Item:
+    return Item._make(math.nan if value is None else value for value in values)
+
+
+@functools.lru_cache(maxsize=4096)
+def shown_item(seq: int, item: Item) -> dict:
+    """As the page has it; the same object for the same item."""
+    return {"seq": seq, "command": item.command, "frame": item.frame, "x": item.x, "y": item.y, "z": item.z,
+            "param1": item.param1, "words": item_in_words(item)}  # fmt: skip
+
+
+def plain(value: Any) -> Any:
+    """As JSON has it: a number that is none becomes null."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(one) for one in value]
+    return value
+
+
+def plan_of(name: str, data: bytes) -> str:
+    """A .plan or .waypoints file that was dropped onto the page: JSON of {waypoints, items, home, notes} or {error}."""
+    from planning import BadPlan, read_plan, write_plan
+
+    file = Path("/tmp") / (Path(name).name or "dropped")
+    out = Path("/tmp/for_the_console.waypoints")
+    try:
+        file.write_bytes(bytes(data))
+        plan = read_plan(file)
+        notes = [*plan.notes, *write_plan(plan, out)]
+        items = [shown_item(seq, Item._make(step.item)) for seq, step in enumerate(plan.mission)]
+        home = list(plan.home) if plan.home is not None else None
+        found = {"waypoints": out.read_text(), "items": items, "home": home, "notes": notes}
+    except BadPlan as error:
+        found = {"error": str(error).replace(str(file), file.name)}
+    except Exception:
+        # The page must go on, and whoever drops a strange file must be told something.
+        traceback.print_exc()
+        found = {"error": f"{file.name} cannot be read as a plan"}
+    finally:
+        for used in (file, out):
+            used.unlink(missing_ok=True)
+    return json.dumps(plain(found))
+

@@ -1,0 +1,47 @@
+// A plan that was dropped onto the page, put aboard by PlanConsole as a person would at its terminal: a command, and
+// the next one when the sketch has said that it is done.
+
+const STEPS = [
+  { types: (plan) => `load\n${plan.waypoints}end\n`, done: "kept: list prints it" },
+  { types: () => "upload\n", done: "accepted: the plan is aboard" },
+  { types: () => "verify\n", done: "verified: what is aboard is the plan" },
+  { types: () => "start\n", done: "done: the autopilot confirmed it" },
+];
+const REFUSED = [
+  "nothing was loaded; what is still to come of it is passed over, up to end",
+  "the EEPROM does not keep it",
+];
+
+export class Dropped {
+  // type: gives a text to the sketch. ends: how an operation can end, in the sketch's words.
+  constructor(plan, type, ends) {
+    this.plan = plan;
+    this.type = type;
+    this.ends = ends;
+    this.step = -1;
+    this.failed = false;
+    this.text = "";
+    this.next();
+  }
+
+  get isOver() {
+    return this.failed || this.step >= STEPS.length;
+  }
+
+  next() {
+    this.step++;
+    if (!this.isOver) this.type(STEPS[this.step].types(this.plan));
+  }
+
+  // What the sketch has printed.
+  hear(text) {
+    this.text += text;
+    const lines = this.text.split(/\r?\n/);
+    this.text = lines.pop();
+    for (const line of lines) {
+      if (this.isOver) return;
+      if (line === STEPS[this.step].done) this.next();
+      else if (REFUSED.includes(line) || this.ends.includes(line)) this.failed = true;
+    }
+  }
+}

@@ -1,0 +1,133 @@
+// The far end's worker: Python, in it the project's own autopilot and wire, stepped by the Mega's worker.
+
+import { loadPyodide } from "../vendor/pyodide/pyodide.mjs";
+import { hearing } from "./hearing.js";
+
+const NEWS_EVERY_MS = 60;
+
+let python = null;
+let farEnd = null;
+let mega = null; // the port to the Mega's worker
+let run = 0;
+let now = 0;
+let newsAt = 0;
+let isOutside = false;
+
+onmessage = ({ data }) => {
+  const does = { start, stop, lose, cable, loseNext, restart, forget, judge, read, outside };
+  try {
+    does[data.does](data);
+  } catch (error) {
+    postMessage({ says: "failed", run, why: String(error.message || error) });
+  }
+};
+
+async function load() {
+  const begun = performance.now();
+  const world = fetch(new URL("../world.zip", import.meta.url)).then((answer) => answer.arrayBuffer());
+  const parser = hearing(new URL("../hearing.wasm", import.meta.url));
+  postMessage({ says: "loading", what: "Python" });
+  python = await loadPyodide({ indexURL: new URL("../vendor/pyodide/", import.meta.url).href });
+  postMessage({ says: "loading", what: "the autopilot" });
+  python.registerJsModule("hearing", { exports: await parser });
+  python.unpackArchive(await world, "zip", { extractDir: "/world" });
+  python.runPython("import sys; sys.path.insert(0, '/world'); import far_end");
+  postMessage({ says: "ready", ms: performance.now() - begun });
+}
+
+load().catch((error) => postMessage({ says: "failed", run, why: `the autopilot cannot be loaded: ${error.message}` }));
+
+function start({ settings, port, number }) {
+  stop();
+  run = number;
+  now = 0;
+  isOutside = settings.autopilot === "outside";
+  const module = python.pyimport("far_end");
+  farEnd = module.FarEnd(JSON.stringify(settings));
+  module.destroy();
+  mega = port;
+  mega.onmessage = ({ data: heard }) => step(heard);
+}
+
+function stop() {
+  if (mega) mega.close();
+  if (farEnd) farEnd.destroy();
+  mega = null;
+  farEnd = null;
+}
+
+function step({ slice, now: until, bytes, left, baud }) {
+  if (!farEnd) return;
+  now = until;
+  try {
+    const data = python.toPy(bytes);
+    const times = python.toPy(left);
+    const answer = farEnd.step(until, data, times, baud);
+    const arriving = answer.toJs();
+    for (const used of [data, times, answer]) used.destroy();
+    mega.postMessage({ slice, bytes: arriving }, [arriving.buffer]);
+    if (isOutside) giveOutside();
+    tell();
+  } catch (error) {
+    stop();
+    postMessage({ says: "failed", run, why: `the autopilot has failed: ${error.message}` });
+  }
+}
+
+function giveOutside() {
+  const given = farEnd.take_for_outside();
+  const bytes = given.toJs();
+  given.destroy();
+  if (bytes.length) postMessage({ says: "outside", run, bytes }, [bytes.buffer]);
+}
+
+function tell() {
+  const clock = performance.now();
+  if (clock - newsAt < NEWS_EVERY_MS) return;
+  newsAt = clock;
+  const news = farEnd.news();
+  if (news) postMessage({ says: "news", run, now, news: JSON.parse(news) });
+}
+
+function lose({ frames, bytes }) {
+  farEnd?.lose(frames, bytes);
+}
+
+function cable({ joined }) {
+  farEnd?.cable(joined);
+}
+
+function loseNext({ name }) {
+  farEnd?.lose_next(name);
+}
+
+function restart() {
+  farEnd?.restart(now);
+}
+
+function forget() {
+  farEnd?.forget_talk();
+}
+
+function judge({ meant }) {
+  if (farEnd) postMessage({ says: "judged", run, verdict: JSON.parse(farEnd.verdict(JSON.stringify(meant))) });
+}
+
+function outside({ bytes }) {
+  if (!farEnd || !isOutside) return;
+  const data = python.toPy(bytes);
+  farEnd.hear_outside(data);
+  data.destroy();
+}
+
+// A plan file that was dropped onto the page.
+function read({ name, bytes }) {
+  const module = python.pyimport("far_end");
+  const data = python.toPy(new Uint8Array(bytes));
+  try {
+    postMessage({ says: "read", name, plan: JSON.parse(module.plan_of(name, data)) });
+  } finally {
+    data.destroy();
+    module.destroy();
+  }
+}

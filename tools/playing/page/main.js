@@ -1,0 +1,505 @@
+// The page: what is chosen on it goes to the two workers, and what they say is shown.
+
+import { AUTOPILOTS, hashOf, PLAIN, stateOf } from "./address.js";
+import { Dropped } from "./dropped.js";
+import { PlanMap } from "./map.js";
+import { isOffered, Pixhawk } from "./pixhawk.js";
+import { hasPlace } from "./places.js";
+import { Timeline } from "./timeline.js";
+
+const HZ = 16_000_000;
+const RAM = 8192;
+const FLASH = 253952;
+const EXAMPLES_FLY_AT = [-353632621, 1491652374, 584]; // latitude, longitude [1e-7 degrees], altitude [m]
+const MOST_LINES = 400; // of frames
+const MOST_TEXT = 60000; // of the console [characters]
+const SLOW = 0.95;
+const KEPT = "PlanConsole waits for a command: the plan that it had is still in the EEPROM.";
+const STOPPED = "PlanConsole did not take the plan, or could not go on: the serial monitor says why.";
+// What PlanConsole does with a dropped plan that is aboard, by its step.
+const NEXT = {
+  2: " PlanConsole verifies it.", 3: " PlanConsole starts it.", 4: " PlanConsole has verified and started it.",
+};
+const SHOWN_EVERY_MS = 150;
+const LARGEST_FILE = 64_000_000; // bytes, as tools/planning takes it
+const KINDS = { 0: "plan", 1: "fence", 2: "rally points" };
+const NAMES = { ardupilot: "ArduPilot", px4: "PX4", outside: "the Pixhawk" };
+
+const at = (id) => document.getElementById(id);
+const map = new PlanMap(at("map"));
+const timeline = new Timeline(at("timeline"));
+const mega = new Worker("mega/worker.js", { type: "module" });
+const far = new Worker("far/worker.js", { type: "module" });
+
+let known = null; // examples.json
+let state = { ...PLAIN };
+let run = 0;
+let isReady = false; // the far end has loaded
+let isOutside = false;
+let plan = null; // that was dropped
+let dropped = null; // and is being put aboard
+let progress = {};
+let held = {};
+let isGood = false;
+let ramFree = null;
+let shownLater = null;
+
+const pixhawk = new Pixhawk(
+  (bytes) => far.postMessage({ does: "outside", bytes }),
+  (why) => {
+    if (!isOutside) return;
+    notice(`The real autopilot is gone: ${why}. This is the simulated one again.`);
+    goOutside(false);
+  },
+);
+
+// Telling
+
+function notice(text, isTrouble = true) {
+  at("notice").textContent = text;
+  at("notice").hidden = !text;
+  at("notice").classList.toggle("trouble", isTrouble);
+}
+
+function outcome(text, kind = "going") {
+  const place = at("outcome");
+  if (place.textContent !== text) place.textContent = text;
+  place.dataset.state = kind;
+}
+
+const example = () => known.examples.find((one) => one.name === state.example);
+const autopilot = () => (isOutside ? "outside" : state.autopilot);
+const isConsole = () => example().console;
+
+// One run, from power-on
+
+function begin() {
+  run++;
+  clearTimeout(shownLater);
+  shownLater = null;
+  progress = {};
+  held = {};
+  isGood = false;
+  dropped = null;
+  if (!isConsole()) plan = null;
+  const home = placeOf(plan) || EXAMPLES_FLY_AT;
+  map.forget(isOutside ? null : { x: home[0], y: home[1] });
+  map.show({ meant: meantItems() });
+  timeline.forget();
+  at("console").textContent = "";
+  at("frames").replaceChildren();
+  at("vehicle").textContent = isOutside ? "" : "The aircraft is not there yet.";
+  showItems();
+  showSizes();
+  if (!isReady) return;
+  outcome(firstWords());
+  const { port1, port2 } = new MessageChannel();
+  const settings = {
+    autopilot: autopilot(), loss: isOutside ? 0 : state.loss, bytes: isOutside ? 0 : state.bytes, seed: state.seed,
+    hz: HZ, home, held: example().reads && !isOutside ? known.held[state.autopilot] : null,
+  };
+  far.postMessage({ does: "start", settings, port: port1, number: run }, [port1]);
+  if (!isOutside && state.cable === "pulled") far.postMessage({ does: "cable", joined: false });
+  if (!isOutside && state.lose === "ack") far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
+  const number = run;
+  fetch(`examples/${example().hex}`)
+    .then((answer) => answer.text())
+    .then((hex) => {
+      if (number !== run) return;
+      mega.postMessage({ does: "start", hex, pass: example().pass, port: port2, number }, [port2]);
+      if (plan) dropped = new Dropped(plan, type, known.ends);
+    });
+}
+
+function firstWords() {
+  if (plan) return "PlanConsole stores the plan that you dropped.";
+  if (isConsole()) return "PlanConsole waits for a command: type help, or drop a plan onto the page.";
+  if (example().reads) return `The Mega reads the plan that ${NAMES[autopilot()]} holds.`;
+  return `The Mega is looking for ${NAMES[autopilot()]}.`;
+}
+
+function placeOf(read) {
+  if (!read) return null;
+  if (read.home) return read.home;
+  const first = read.items.find(hasPlace);
+  return first ? [first.x, first.y, 0] : null;
+}
+
+function meantItems() {
+  if (plan) return plan.items;
+  const { meant, words } = example();
+  const kinds = meant[state.autopilot];
+  return Object.entries(kinds).flatMap(([kind, items]) =>
+    items.map(([frame, command, , , param1, , , , x, y, z], seq) => ({
+      seq, frame, command, param1, x, y, z, kind: KINDS[kind], words: words[state.autopilot][kind][seq],
+    })));
+}
+
+function type(text) {
+  mega.postMessage({ does: "type", text });
+}
+
+// What the workers say
+
+mega.onmessage = ({ data }) => {
+  if (data.run !== run) return;
+  if (data.says === "printed") print(data.text);
+  if (data.says === "measured") showMeasured(data);
+  if (data.says === "reset") map.show({ arrived: [] });
+  if (data.says === "crashed") outcome(`The Mega has crashed: ${data.why}`, "bad");
+};
+mega.onerror = (error) => outcome(`The Mega's worker has failed: ${error.message}`, "bad");
+
+far.onmessage = ({ data }) => {
+  const { says } = data;
+  if (says === "loading") loading(data.what);
+  if (says === "ready") ready(data.ms);
+  if (says === "read") take(data);
+  if (says === "failed") outcome(`It cannot go on: ${data.why}`, "bad");
+  if (data.run !== run) return;
+  if (says === "news") showNews(data);
+  if (says === "judged") judged(data.verdict);
+  if (says === "outside") pixhawk.send(data.bytes);
+};
+far.onerror = (error) => outcome(`The autopilot's worker has failed: ${error.message}`, "bad");
+
+function loading(what) {
+  const then = what === "Python" ? "Python, 13 MB, in which it runs" : "its messages and its parser";
+  outcome(`The autopilot is still coming: ${then}. Then the Mega is switched on.`, "loading");
+}
+
+function ready(ms) {
+  isReady = true;
+  document.body.dataset.readyMs = Math.round(ms);
+  if (known) begin();
+}
+
+function print(text) {
+  const place = at("console");
+  const isAtEnd = place.scrollTop + place.clientHeight >= place.scrollHeight - 8;
+  const shown = place.textContent + text.replaceAll("\r\n", "\n");
+  place.textContent = shown.length > MOST_TEXT ? shown.slice(-MOST_TEXT) : shown;
+  if (isAtEnd) place.scrollTop = place.scrollHeight;
+  if (!dropped) return;
+  const step = dropped.step;
+  dropped.hear(text);
+  if (dropped.step !== step && isGood) judged(isGood);
+  if (dropped.failed) outcome(STOPPED, "bad");
+}
+
+function showNews({ now, news }) {
+  if (news.frames) {
+    timeline.add(news.frames, now);
+    listFrames(news.frames);
+  } else {
+    timeline.add([], now);
+  }
+  if (news.held) Object.assign(held, news.held);
+  const isNews = [Boolean(news.held), ...Object.entries(news.progress || {}).map(([kind, now]) => learn(kind, now))];
+  if (isNews.includes(true)) showLater();
+  if (news.vehicle) {
+    map.move(news.vehicle);
+    const { armed, mode, height, item } = news.vehicle;
+    const flies = item === null || item === undefined ? "" : `, item ${item}`;
+    at("vehicle").textContent = `${mode}, ${armed ? "armed" : "disarmed"}, ${height.toFixed(1)} m${flies}`;
+  }
+}
+
+// How far the transfer of a kind has come; whether that is further than what was known.
+function learn(kind, { announced, arrived, told, sent }) {
+  const before = progress[kind];
+  const isFurther = !before || sent.length > 0 || before.announced !== announced || before.arrived !== arrived ||
+    before.told !== told;
+  const known = before ? before.sent : [];
+  for (const item of sent) known[item.seq] = item;
+  progress[kind] = { announced, arrived, told, sent: known };
+  return isFurther || (isGood && !isGood.knows);
+}
+
+// The map and the list are drawn anew a few times a second, however fast the items come.
+function showLater() {
+  if (shownLater) return;
+  const number = run;
+  shownLater = setTimeout(() => {
+    shownLater = null;
+    if (number !== run) return;
+    map.show({ held, arrived: arrivedItems() });
+    showItems();
+    far.postMessage({ does: "judge", meant: plan || isOutside ? {} : example().meant[state.autopilot] });
+  }, SHOWN_EVERY_MS);
+}
+
+function arrivedItems() {
+  return Object.entries(progress).flatMap(([kind, { sent, arrived }]) =>
+    sent.filter((item) => item.seq < arrived && !held[kind]?.[item.seq]));
+}
+
+function judged(verdict) {
+  isGood = verdict.good ? verdict : false;
+  if (dropped?.failed) return;
+  if (verdict.good) {
+    outcome(verdict.sentence + (NEXT[dropped?.step] || ""), "good");
+    showItems();
+    return;
+  }
+  const kinds = Object.entries(progress);
+  const [name, now] = kinds.findLast(([, { told }]) => !told) || kinds.at(-1) || [];
+  if (!now) return;
+  const refused = verdict.sentence.includes("last word") ? ` ${verdict.sentence}` : "";
+  outcome(`${name === "plan" ? "" : `${name}: `}${now.arrived} of ${now.announced} items have arrived.${refused}`,
+    refused ? "bad" : "going");
+}
+
+function listFrames(frames) {
+  const told = frames.filter((frame) => frame.text);
+  if (!told.length) return;
+  const rows = told.map((frame) => {
+    const row = document.createElement("li");
+    row.className = `${frame.way === ">" ? "from-mega" : "from-autopilot"}${frame.lost ? " lost" : ""}`;
+    const time = document.createElement("time");
+    time.textContent = `${frame.at.toFixed(3)} s`;
+    const way = document.createElement("span");
+    way.textContent = frame.way === ">" ? "Mega →" : "autopilot →";
+    const words = document.createElement("span");
+    words.textContent = `${frame.text}${frame.lost ? ` [${frame.lost}]` : frame.again ? " [again]" : ""}`;
+    row.append(time, way, words);
+    return row;
+  });
+  const list = at("frames");
+  list.prepend(...rows.reverse());
+  while (list.children.length > MOST_LINES) list.lastChild.remove();
+}
+
+function showItems() {
+  const meant = meantItems();
+  const rows = []; // [number, how, words]
+  for (const kind of Object.values(KINDS)) {
+    const now = progress[kind];
+    const aboard = held[kind] || [];
+    // A file's items count without home, which is ArduPilot's first: they stand until the Mega sends its own.
+    const wanted = plan ? (kind === "plan" && !now ? plan.items : []) : meant.filter((item) => item.kind === kind);
+    const count = Math.max(now?.announced || 0, wanted.length, aboard.length);
+    for (let seq = 0; seq < count; seq++) {
+      const item = now?.sent[seq] || aboard[seq] || wanted[seq];
+      const arrived = now && seq < now.arrived;
+      const isAboard = isGood || (!now && aboard[seq]);
+      const kindOf = isAboard ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "meant";
+      const words = item?.words || "comes from a function";
+      rows.push([seq, kindOf, kind === "plan" ? words : `${kind}: ${words}`]);
+    }
+  }
+  if (!rows.length) rows.push(["", "", "No plan yet."]);
+  const list = at("items");
+  while (list.children.length > rows.length) list.lastChild.remove();
+  rows.forEach((row, turn) => fillRow(list.children[turn] || list.appendChild(emptyRow()), row));
+}
+
+function emptyRow() {
+  const row = document.createElement("li");
+  row.append(...["number", "", ""].map((name) => Object.assign(document.createElement("span"), { className: name })));
+  return row;
+}
+
+function fillRow(row, [number, how, words]) {
+  const key = `${number} ${how} ${words}`;
+  if (row.dataset.key === key) return;
+  row.dataset.key = key;
+  const [first, second, third] = row.children;
+  first.textContent = number;
+  second.textContent = how;
+  second.className = how;
+  third.textContent = words;
+}
+
+function showSizes() {
+  const { ram, flash, says, prints, name } = example();
+  at("console").dataset.hint = prints ? "What the sketch prints stands here." : `${name} prints nothing.`;
+  at("says").textContent = says;
+  at("ram").textContent = `${ram} of ${RAM} bytes`;
+  at("flash").textContent = `${flash.toLocaleString("en")} of ${FLASH.toLocaleString("en")} bytes`;
+  for (const id of ["stack", "free", "left", "longest", "clock", "factor"]) at(id).textContent = "-";
+  ramFree = RAM - ram;
+}
+
+function showMeasured({ now, factor, stack, passes, cycles, lost }) {
+  timeline.factor = factor;
+  at("stack").textContent = `${stack} bytes`;
+  at("free").textContent = `${(ramFree - stack).toLocaleString("en")} bytes`;
+  if (passes.count) {
+    const idle = (passes.count * passes.shortest) / cycles;
+    at("left").textContent = `${(100 * Math.min(1, idle)).toFixed(1)} %`;
+    at("longest").textContent = `${((passes.longest / HZ) * 1e6).toFixed(0)} µs`;
+  }
+  at("clock").textContent = `${now.toFixed(1)} s${lost ? `, ${lost} bytes overrun` : ""}`;
+  const isSlow = factor < SLOW;
+  at("factor").textContent = isSlow ? `${factor.toFixed(2)} of real time` : "real time";
+  at("factor").classList.toggle("slow", isSlow);
+}
+
+// What one does
+
+function change(changed, isAnew) {
+  state = { ...state, ...changed };
+  history.replaceState(null, "", hashOf(state));
+  showState();
+  if (isAnew) begin();
+}
+
+function showState() {
+  at("example").value = state.example;
+  for (const choice of document.getElementsByName("autopilot")) {
+    choice.checked = choice.value === state.autopilot;
+    choice.disabled = isOutside;
+  }
+  for (const id of ["loss", "bytes"]) {
+    at(id).value = state[id];
+    at(`${id}-value`).textContent = `${state[id]} %`;
+    at(id).disabled = isOutside;
+  }
+  const isPulled = state.cable === "pulled";
+  at("cable").setAttribute("aria-pressed", isPulled);
+  at("cable").textContent = isPulled ? "Join the cable" : "Pull the cable";
+  for (const id of ["cable", "lose-ack", "reset-autopilot"]) at(id).disabled = isOutside;
+  for (const option of at("example").options) {
+    const { arms } = known.examples.find((one) => one.name === option.value);
+    option.disabled = isOutside && arms;
+  }
+  at("file").disabled = isOutside;
+  at("pixhawk").textContent = isOutside ? "Close the port" : "Choose a port";
+}
+
+function takeAddress(isFirst) {
+  const names = known.examples.map((one) => one.name);
+  const { state: wanted, complaints } = stateOf(location.hash, names);
+  const refused = isOutside && known.examples.find((one) => one.name === wanted.example).arms;
+  notice(complaints.length ? `The address names what is not there, and it is left out: ${complaints.join(", ")}` : "");
+  if (refused) return notice("A sketch that arms is not offered to a real autopilot: the address is not followed.");
+  const isSame = !isFirst && Object.keys(wanted).every((name) => wanted[name] === state[name]);
+  state = wanted;
+  showState();
+  if (!isSame) {
+    plan = null;
+    begin();
+  }
+}
+
+function sendLoss() {
+  far.postMessage({ does: "lose", frames: state.loss, bytes: state.bytes });
+}
+
+function take({ name, plan: read }) {
+  if (read.error) return notice(`The plan was not taken: ${read.error}`);
+  notice(read.notes.length ? `${name}: ${read.notes.join("; ")}` : "", false);
+  plan = read;
+  change({ example: "PlanConsole" }, true);
+}
+
+async function readFile(file) {
+  if (!file) return;
+  if (isOutside) return notice("PlanConsole arms, and so is not offered to a real autopilot.");
+  if (!isReady) return notice("The autopilot is still loading: drop the plan when it is there.");
+  if (file.size > LARGEST_FILE) return notice(`The plan was not taken: ${file.name} is larger than 64 MB.`);
+  const bytes = await file.arrayBuffer();
+  far.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
+}
+
+function goOutside(isWanted) {
+  isOutside = isWanted;
+  at("pixhawk-says").textContent = isWanted ? "The emulated Mega's Serial1 is that port. Propellers off." : "";
+  plan = null;
+  if (isWanted && example().arms) state = { ...state, example: PLAIN.example };
+  showState();
+  begin();
+}
+
+at("example").onchange = (event) => {
+  plan = null;
+  change({ example: event.target.value }, true);
+};
+for (const choice of document.getElementsByName("autopilot")) {
+  choice.onchange = () => {
+    if (choice.checked && AUTOPILOTS.includes(choice.value)) change({ autopilot: choice.value }, true);
+  };
+}
+for (const id of ["loss", "bytes"]) {
+  at(id).oninput = (event) => {
+    change({ [id]: Number(event.target.value) }, false);
+    sendLoss();
+  };
+}
+at("cable").onclick = () => {
+  const cable = state.cable === "pulled" ? "joined" : "pulled";
+  change({ cable }, false);
+  far.postMessage({ does: "cable", joined: cable === "joined" });
+};
+at("lose-ack").onclick = () => {
+  far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
+  notice("The next MISSION_ACK of the autopilot will be lost.", false);
+};
+at("reset-mega").onclick = () => {
+  isGood = false;
+  progress = {};
+  dropped = null;
+  mega.postMessage({ does: "reset" });
+  far.postMessage({ does: "forget" });
+  if (isReady) outcome(isConsole() ? KEPT : firstWords());
+};
+at("reset-autopilot").onclick = () => {
+  far.postMessage({ does: "restart" });
+};
+at("again").onclick = () => begin();
+at("share").onclick = async () => {
+  try {
+    await navigator.clipboard.writeText(location.href);
+    notice("The address of this state is in the clipboard.", false);
+  } catch {
+    notice(`The address of this state: ${location.href}`, false);
+  }
+};
+at("typing").onsubmit = (event) => {
+  event.preventDefault();
+  if (!isReady) return notice("The Mega is not switched on yet.");
+  type(`${at("line").value}\n`);
+  at("line").value = "";
+};
+at("file").onchange = (event) => {
+  readFile(event.target.files[0]);
+  event.target.value = "";
+};
+at("pixhawk").onclick = async () => {
+  if (isOutside) return pixhawk.close();
+  try {
+    if (await pixhawk.open()) goOutside(true);
+  } catch (error) {
+    at("pixhawk-says").textContent = `The port was not opened: ${error.message}`;
+  }
+};
+for (const kind of ["dragenter", "dragover"]) {
+  addEventListener(kind, (event) => {
+    event.preventDefault();
+    document.body.classList.add("dropping");
+  });
+}
+addEventListener("dragleave", (event) => {
+  if (!event.relatedTarget) document.body.classList.remove("dropping");
+});
+addEventListener("drop", (event) => {
+  event.preventDefault();
+  document.body.classList.remove("dropping");
+  readFile(event.dataTransfer.files[0]);
+});
+addEventListener("hashchange", () => takeAddress(false));
+
+if (!isOffered()) {
+  at("pixhawk").disabled = true;
+  at("pixhawk-says").textContent = "This browser has no Web Serial: Chrome and Edge on a computer have it.";
+}
+
+async function open() {
+  known = await (await fetch("examples/examples.json")).json();
+  at("example").replaceChildren(...known.examples.map(({ name }) => new Option(name, name)));
+  takeAddress(true);
+  document.body.dataset.shownMs = Math.round(performance.now());
+}
+
+open().catch((error) => outcome(`The page cannot be put together: ${error.message}`, "bad"));

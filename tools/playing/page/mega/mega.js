@@ -1,0 +1,153 @@
+// An Arduino Mega 2560: avr8js with what that chip has otherwise than the 328p, for which avr8js is made.
+
+import { CPU } from "../vendor/avr8js/cpu/cpu.js";
+import { avrInstruction } from "../vendor/avr8js/cpu/instruction.js";
+import { AVREEPROM, EEPROMMemoryBackend, eepromConfig } from "../vendor/avr8js/peripherals/eeprom.js";
+import { AVRTimer, timer0Config } from "../vendor/avr8js/peripherals/timer.js";
+import { piecesOf } from "./hex.js";
+import { Usart } from "./usart.js";
+
+export const HZ = 16_000_000;
+const FLASH_BYTES = 0x40000; // more than 64 K words: avr8js then pushes return addresses of 3 bytes, as the chip does
+const RAM_BEGIN = 0x200; // behind the registers of the 2560; avr8js allows for 0x100
+const RAM_BYTES = 8192;
+const AVR8JS_REGISTERS = 0x100;
+export const RAM_END = RAM_BEGIN + RAM_BYTES - 1;
+const EEPROM_BYTES = 4096;
+const ERASED = 0xffff;
+const SPL = 93, SPH = 94;
+
+// The 2560's interrupt vectors, by their numbers; an address is two words for each.
+const TIMER0_COMPA = 21, TIMER0_COMPB = 22, TIMER0_OVF = 23, USART0_RX = 25, EE_READY = 30, USART1_RX = 36;
+// avr8js takes 2 cycles for what takes the chip 5: two, and a push of three bytes.
+const RESPONSE_CYCLES = 3;
+
+const TIMER0 = {
+  ...timer0Config,
+  compAInterrupt: 2 * TIMER0_COMPA,
+  compBInterrupt: 2 * TIMER0_COMPB,
+  ovfInterrupt: 2 * TIMER0_OVF,
+};
+// Erasing and writing a byte together take 3.4 ms; avr8js adds up the times of the two halves.
+const EEPROM = { ...eepromConfig, eepromReadyInterrupt: 2 * EE_READY, eraseCycles: 27_200, writeCycles: 27_200 };
+const UCSR0A = 0xc0, UCSR1A = 0xc8;
+
+export class Crashed extends Error {}
+
+export class Mega {
+  // hex: the text of the .hex file. pass: the address in flash of what the Arduino core calls once in each pass
+  // through loop(), by which the passes are counted; 0 counts none.
+  constructor(hex, pass = 0) {
+    this.flash = new Uint16Array(FLASH_BYTES / 2).fill(ERASED);
+    const bytes = new Uint8Array(this.flash.buffer);
+    for (const piece of piecesOf(hex)) {
+      const end = piece.address + piece.bytes.length;
+      if (end > FLASH_BYTES) throw new Error("this firmware does not fit a Mega's flash");
+      bytes.set(piece.bytes, piece.address);
+    }
+    this.pass = pass ? pass / 2 : -1;
+    this.eeprom = new EEPROMMemoryBackend(EEPROM_BYTES);
+    this.resets = 0;
+    this.lowestSp = RAM_END;
+    this.ports = [];
+    this.start();
+    this.fillWithNoise();
+    this.forgetPasses();
+  }
+
+  get cycle() {
+    return this.cpu.cycles;
+  }
+
+  serial(number) {
+    return this.ports[number];
+  }
+
+  // The bytes of stack that were in use at the deepest.
+  get deepestStack() {
+    return RAM_END - this.lowestSp;
+  }
+
+  // Press the button: RAM and EEPROM keep what they hold, and time goes on.
+  reset() {
+    this.resets++;
+    const { cpu, ports } = this;
+    this.start();
+    this.cpu.data.set(cpu.data.subarray(RAM_BEGIN), RAM_BEGIN);
+    this.cpu.cycles = cpu.cycles;
+    this.ports.forEach((port, number) => port.takeOver(ports[number]));
+    this.passBegan = -1;
+  }
+
+  start() {
+    const cpu = new CPU(this.flash, RAM_BEGIN - AVR8JS_REGISTERS + RAM_BYTES);
+    this.cpu = cpu;
+    this.timer0 = new AVRTimer(cpu, TIMER0);
+    this.memory = new AVREEPROM(cpu, this.eeprom, EEPROM);
+    this.ports = [new Usart(cpu, UCSR0A, USART0_RX), new Usart(cpu, UCSR1A, USART1_RX)];
+  }
+
+  // RAM holds noise at power-on; firmware must not count on zeros.
+  fillWithNoise() {
+    let noise = 2463534242;
+    for (let at = RAM_BEGIN; at <= RAM_END; at++) {
+      noise ^= noise << 13;
+      noise ^= noise >>> 17;
+      noise ^= noise << 5;
+      this.cpu.data[at] = noise;
+    }
+  }
+
+  // Run to a cycle, a few more if the last instruction takes them.
+  run(until) {
+    const { cpu, flash, pass } = this;
+    const { data } = cpu;
+    let lowest = this.lowestSp;
+    while (cpu.cycles < until) {
+      const { pc } = cpu;
+      if (pc === pass) this.passes();
+      const opcode = flash[pc];
+      if (opcode === ERASED || opcode === undefined) throw new Crashed(`it ran into erased flash at ${2 * pc}`);
+      avrInstruction(cpu);
+      const sp = data[SPL] | (data[SPH] << 8);
+      if (sp < lowest && !isStackPointerTorn(opcode)) lowest = sp;
+      if (cpu.nextInterrupt >= 0 && data[95] & 0x80) {
+        cpu.tick();
+        cpu.cycles += RESPONSE_CYCLES;
+      } else if (cpu.nextClockEvent !== null && cpu.nextClockEvent.cycles <= cpu.cycles) {
+        cpu.tick();
+      }
+    }
+    this.lowestSp = lowest;
+  }
+
+  passes() {
+    const now = this.cpu.cycles;
+    if (this.passBegan >= 0) {
+      const took = now - this.passBegan;
+      this.passCount++;
+      if (took > this.longestPass) this.longestPass = took;
+      if (took < this.shortestPass) this.shortestPass = took;
+    }
+    this.passBegan = now;
+  }
+
+  // {count, longest, shortest}: the passes through loop() since the last call [cycles].
+  takePasses() {
+    const taken = { count: this.passCount, longest: this.longestPass, shortest: this.shortestPass };
+    this.forgetPasses();
+    return taken;
+  }
+
+  forgetPasses() {
+    this.passBegan = -1;
+    this.passCount = 0;
+    this.longestPass = 0;
+    this.shortestPass = Infinity;
+  }
+}
+
+// A function that makes room on the stack writes SPH, then SREG, then SPL: in between SP means nothing.
+function isStackPointerTorn(opcode) {
+  return (opcode & 0xfe0f) === 0xbe0e || (opcode & 0xfe0f) === 0xbe0f;
+}

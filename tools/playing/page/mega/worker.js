@@ -1,0 +1,150 @@
+// The Mega's worker: runs it at real time, in slices, in step with the far end of its line.
+//
+// Slice by slice the Mega's bytes go to the far end's worker, and what that answers to slice k arrives at the Mega with
+// slice k + 2: so both work at once, and what happens depends on simulated time alone, however fast the computer is.
+
+import { HZ, Mega } from "./mega.js";
+
+const SLICE_S = 0.005;
+const BEHIND = 2; // slices
+const FALLEN_BEHIND_S = 0.5;
+const TOLD_EVERY_MS = 250;
+const LONGEST_TURN_MS = 40; // before messages are looked at again
+const CONSOLE = 0, TELEM = 1;
+
+let mega = null;
+let run = 0; // which run this is: what belongs to an earlier one is not listened to
+let far = null; // the port to the far end
+let slice = 0;
+let answers = new Map(); // by slice
+let began = 0; // the wall clock's time at which simulated time was 0 [ms]
+let skippedS = 0;
+let timer = null;
+let told = { at: 0, cycle: 0 };
+let toType = [];
+let decoder = new TextDecoder();
+
+onmessage = ({ data }) => {
+  const does = { start, reset, type, stop };
+  try {
+    does[data.does](data);
+  } catch (error) {
+    fail(error);
+  }
+};
+
+function start({ hex, pass, port, number }) {
+  stop();
+  run = number;
+  mega = new Mega(hex, pass);
+  far = port;
+  far.onmessage = ({ data: answer }) => {
+    answers.set(answer.slice, answer.bytes);
+    go();
+  };
+  slice = 0;
+  answers = new Map();
+  toType = [];
+  decoder = new TextDecoder();
+  skippedS = 0;
+  began = performance.now();
+  told = { at: began, cycle: 0 };
+  go();
+}
+
+function stop() {
+  clearTimeout(timer);
+  if (far) far.close();
+  far = null;
+  mega = null;
+}
+
+function reset() {
+  if (!mega) return;
+  mega.reset();
+  postMessage({ says: "reset", run });
+}
+
+function type({ text }) {
+  toType.push(...new TextEncoder().encode(text));
+}
+
+function fail(error) {
+  stop();
+  postMessage({ says: "crashed", run, why: error.message });
+}
+
+// Run until simulated time is abreast of the clock, or until the far end must answer first.
+function go() {
+  if (!mega) return;
+  clearTimeout(timer);
+  const turn = performance.now();
+  try {
+    for (;;) {
+      const now = performance.now();
+      const aheadS = slice * SLICE_S - (now - began) / 1000;
+      if (aheadS > 0) {
+        timer = setTimeout(go, aheadS * 1000);
+        break;
+      }
+      if (aheadS < -FALLEN_BEHIND_S) {
+        began -= aheadS * 1000;
+        skippedS -= aheadS;
+      }
+      const due = slice - BEHIND;
+      if (due >= 0 && !answers.has(due)) break; // its message calls go()
+      if (now - turn > LONGEST_TURN_MS) {
+        timer = setTimeout(go, 0);
+        break;
+      }
+      runSlice(due);
+    }
+    tell();
+  } catch (error) {
+    fail(error);
+  }
+}
+
+function runSlice(due) {
+  const telem = mega.serial(TELEM);
+  const console = mega.serial(CONSOLE);
+  if (due >= 0) {
+    telem.send(answers.get(due));
+    answers.delete(due);
+  }
+  if (toType.length && console.isListening) console.send(toType.splice(0));
+  mega.run((slice + 1) * SLICE_S * HZ);
+  const sent = telem.takeSent();
+  far.postMessage({
+    slice,
+    now: (slice + 1) * SLICE_S,
+    bytes: Uint8Array.from(sent, (one) => one.byte),
+    left: Float64Array.from(sent, (one) => one.left),
+    baud: HZ / telem.bitCycles,
+  });
+  const printed = console.takeSent();
+  if (printed.length) {
+    const text = decoder.decode(Uint8Array.from(printed, (one) => one.byte), { stream: true });
+    postMessage({ says: "printed", run, text });
+  }
+  slice++;
+}
+
+function tell() {
+  const now = performance.now();
+  if (now - told.at < TOLD_EVERY_MS) return;
+  const cycles = mega.cycle - told.cycle;
+  const passes = mega.takePasses();
+  postMessage({
+    says: "measured",
+    run,
+    now: mega.cycle / HZ,
+    factor: cycles / HZ / ((now - told.at) / 1000),
+    stack: mega.deepestStack,
+    passes,
+    cycles,
+    lost: mega.serial(TELEM).lost,
+    eepromWritten: mega.eeprom.memory.some((byte) => byte !== 0xff),
+  });
+  told = { at: now, cycle: mega.cycle };
+}

@@ -1,0 +1,93 @@
+"""The examples as the page has them: each one's .hex as it was compiled, and what is known of it."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import shutil
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from building import ROOT, build_sketch
+from demonstration.autopilots import HELD, NAMES
+from demonstration.demonstration import description, plans_of
+from demonstration.wire_form import on_the_wire
+from demonstration.words import item_in_words
+from simulation.enumerators import texts_of
+from simulation.fake_autopilot import MISSION, Item
+from simulation.mega import Image
+
+EXAMPLES = ROOT / "examples"
+FIRST = "UploadMission"
+# What the Arduino core calls behind each pass through loop().
+PASS = "serialEventRun()"
+# Parts of start(), which are linked where a sketch arms; a real aircraft is not given to such a sketch.
+ARMING = re.compile(r"mavmission::detail::Client::(fillDisarm|leaveStart)\(")
+
+
+def make_sketches(folder: Path) -> None:
+    """folder/NAME.hex for each example, and folder/examples.json."""
+    folder.mkdir(parents=True, exist_ok=True)
+    names = sorted((path.name for path in EXAMPLES.iterdir() if path.is_dir()), key=lambda name: (name != FIRST, name))
+    known = {"examples": [made(name, folder) for name in names],
+             "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
+             "ends": ends()}  # fmt: skip
+    (folder / "examples.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n")
+
+
+def made(name: str, folder: Path) -> dict[str, Any]:
+    built = build_sketch(EXAMPLES / name)
+    shutil.copyfile(built.hex, folder / f"{name}.hex")
+    image = Image.load(built.elf)
+    described = description(name)
+    reads = described.get("reads", False)
+    plans = plans_of(built.elf, described) if "runs_s" not in described and not reads else {}
+    # A plan in RAM may change before it is sent: of it, as of one that a function computes, what is sent is meant.
+    fixed = {kind: plan.items(no_ram) for kind, plan in plans.items() if not plan.in_ram}
+    meant = {
+        autopilot: {kind: on_the_wire(items, autopilot) if kind == MISSION else items for kind, items in fixed.items()}
+        for autopilot in NAMES
+    }
+    return {
+        "name": name,
+        "says": said(EXAMPLES / name / f"{name}.ino"),
+        "hex": f"{name}.hex",
+        "flash": built.flash,
+        "ram": built.ram,
+        "pass": image.symbol(PASS).address,
+        "reads": reads,
+        "arms": any(ARMING.match(symbol.name) for symbol in image.symbols),
+        "console": name == "PlanConsole",
+        "prints": "CONSOLE" in (EXAMPLES / name / f"{name}.ino").read_text(),
+        "meant": {autopilot: {kind: values(items) for kind, items in kinds.items()}
+                  for autopilot, kinds in meant.items()},
+        "words": {autopilot: {kind: [item_in_words(item) for item in items] for kind, items in kinds.items()}
+                  for autopilot, kinds in meant.items()},
+    }  # fmt: skip
+
+
+def no_ram(address: int, size: int) -> bytes:
+    raise AssertionError("a plan in flash asks for no RAM")
+
+
+def values(items: Iterable[Item]) -> list[list]:
+    """As JSON has them: a number that is unset is null."""
+    return [[None if isinstance(value, float) and math.isnan(value) else value for value in item] for item in items]
+
+
+def ends() -> list[str]:
+    """How an operation can end, as a sketch prints it: the texts of mavmission::Status behind those of its way."""
+    texts = texts_of("Status.h", "MAVMISSION_STATUSES")
+    return list(texts.values())[list(texts).index("Transferring") + 1 :]
+
+
+def said(sketch: Path) -> str:
+    """The comment at the head of a sketch."""
+    lines = []
+    for line in sketch.read_text().splitlines():
+        if not line.startswith("//"):
+            break
+        lines.append(line.removeprefix("//").strip())
+    return " ".join(lines).partition(" With a card")[0].strip()

@@ -1,0 +1,72 @@
+"""The Python that runs in the browser: the simulated autopilot and wire as they are here, in one archive.
+
+What cannot run there is replaced: the C parser by the same C as WebAssembly (inside/hearing_parser.py), and what the
+compiled library is asked for of the commands by a table of its answers.
+"""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from pathlib import Path
+
+from building import ROOT
+from planning import commands, judge
+
+INSIDE = Path(__file__).resolve().parent / "inside"
+NO_DATE = (1980, 1, 1, 0, 0, 0)  # the same files make the same archive
+
+SIMULATION = ("__init__", "wire")
+DEMONSTRATION = ("autopilots", "conversation", "line", "named_frames", "timeline", "words")
+PLANNING = (
+    "__init__", "bad_plan", "commands", "exact", "files", "flight", "json_text", "landing_pattern", "located_json",
+    "plan", "progress", "qgc_mission", "qgc_plan", "settling", "waypoints",
+)  # fmt: skip
+RECORDINGS = ("px4/clean_with_streams.txt",)
+
+
+def contents() -> dict[str, bytes]:
+    """What is in the archive, by its name there."""
+    found: dict[str, bytes] = {}
+    simulation = ROOT / "simulation"
+    for name in SIMULATION:
+        found[f"simulation/{name}.py"] = (simulation / f"{name}.py").read_bytes()
+    for file in sorted((simulation / "fake_autopilot").glob("*.py")):
+        found[f"simulation/fake_autopilot/{file.name}"] = file.read_bytes()
+    found["simulation/fake_autopilot/hearing_parser.py"] = (INSIDE / "hearing_parser.py").read_bytes()
+    found["simulation/recordings/__init__.py"] = (simulation / "recordings" / "__init__.py").read_bytes()
+    for recording in RECORDINGS:
+        found[f"simulation/recordings/{recording}"] = (simulation / "recordings" / recording).read_bytes()
+    found["demonstration/__init__.py"] = b""  # tools/demonstration's would import what builds and draws
+    for name in DEMONSTRATION:
+        found[f"demonstration/{name}.py"] = (ROOT / "tools" / "demonstration" / f"{name}.py").read_bytes()
+    for name in PLANNING:
+        found[f"planning/{name}.py"] = (ROOT / "tools" / "planning" / f"{name}.py").read_bytes()
+    found["planning/judge.py"] = (INSIDE / "judge.py").read_bytes()
+    for package in ("pymavlink", "pymavlink/dialects", "pymavlink/dialects/v20"):
+        found[f"{package}/__init__.py"] = b""
+    found["pymavlink/dialects/v20/ardupilotmega.py"] = (INSIDE / "ardupilotmega.py").read_bytes()
+    found["commands.json"] = json.dumps(known_commands()).encode()
+    found["mavmission_dialect.py"] = (ROOT / "build" / "dialect" / "mavmission_dialect.py").read_bytes()
+    found["far_end.py"] = (INSIDE / "far_end.py").read_bytes()
+    return found
+
+
+def known_commands() -> dict:
+    """What is known of each command here."""
+    return {
+        "known": judge.known(),
+        "entries": {
+            command: {"name": entry.name, "param": entry.param, "label": entry.label,
+                      "has_location": entry.has_location}
+            for command, entry in commands._entries().items()
+        },
+    }  # fmt: skip
+
+
+def make_world(archive: Path) -> None:
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
+        for name, data in contents().items():
+            info = zipfile.ZipInfo(name, NO_DATE)
+            info.compress_type = zipfile.ZIP_DEFLATED
+            out.writestr(info, data)
