@@ -301,6 +301,12 @@ class Bench:
         self.tell("upload", PROOFS.index(proof))
         return status_names()[self._numbers("began")[-1][0]]
 
+    def ensure(self, plan: Sequence[Item] | FunctionPlan | str) -> str:
+        """Begin an ensure() of this plan, with BENCH_ENSURE; the name of what ensure() returned."""
+        self.use(plan)
+        self.tell("ensure")
+        return status_names()[self._numbers("began")[-1][0]]
+
     def cancel(self) -> None:
         self.tell("cancel")
 

@@ -127,6 +127,13 @@ class Service(Bench):
             self.use(plan)
         return self.order_of("upload", mission_type, PROOFS.index(proof))
 
+    def ensure(  # type: ignore[override]  # of plans of all types
+        self, plan: Sequence[Item] | str | None = None, mission_type: int = MISSION, proof: str = "InDoubt"
+    ) -> str:
+        if plan is not None:
+            self.use(plan)
+        return self.order_of("ensure", mission_type, PROOFS.index(proof))
+
     def upload_part(self, plan: Sequence[Item], first: int, count: int) -> str:
         self.use(plan)
         return self.order_of("uploadpart", first, count)

@@ -7,6 +7,7 @@ from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
 from .dialect import mavlink
 from .flight import TAKEOFF, VTOL_TAKEOFF, Flight, Place
+from .ftp import Ftp
 from .items import FENCE, MISSION, RALLY, Item, f32, whole_number
 from .vehicles import VEHICLES
 
@@ -59,7 +60,7 @@ class ArduPilot(FakeAutopilot):
     650 of the mission is known. radio_slowdown_s: how much later than after one second it
     asks again, as behind a slow radio. ready_s, position_s: in place of the Vehicle's.
     streams: the messages it sends unasked, and how often [s]; by default none, as a port whose
-    SRn_ parameters are 0.
+    SRn_ parameters are 0. ftp: False for BRD_OPTIONS' bit that disables MAVLink FTP.
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
@@ -73,7 +74,7 @@ class ArduPilot(FakeAutopilot):
                  home: tuple[int, int, float] | None = (-353632620, 1491652370, 584.09),
                  armed: bool = False, mode: str | None = None, radio_slowdown_s: float = 0.0,
                  ready_s: float | None = None, position_s: float | None = None,
-                 streams: dict[int, float] | None = None, **options) -> None:
+                 streams: dict[int, float] | None = None, ftp: bool = True, **options) -> None:
         super().__init__(**options)
         self.kind = VEHICLES[self.vehicle]
         if ready_s is not None:
@@ -106,7 +107,9 @@ class ArduPilot(FakeAutopilot):
         self.flight = Flight(self.kind.pace, Place(lat, lon, 0.0), altitude,
                              lambda: self.missions[MISSION].held,
                              self._item_begun, self._item_reached, self._plan_over, self._landed)
+        self.ftp = Ftp(self, ftp)
         self._hears = {
+            "FILE_TRANSFER_PROTOCOL": self.ftp.hear,
             "MISSION_COUNT": self._to_missions(Missions.on_count),
             "MISSION_ITEM_INT": self._to_missions(Missions.on_item),
             "MISSION_ITEM": self._to_missions(Missions.on_item),
@@ -567,6 +570,8 @@ class ArduPilot(FakeAutopilot):
                 | mavlink.MAV_PROTOCOL_CAPABILITY_MISSION_RALLY
             if not self.faults.takes_only_float_items:
                 capabilities |= mavlink.MAV_PROTOCOL_CAPABILITY_MISSION_INT
+            if self.ftp.is_enabled:
+                capabilities |= mavlink.MAV_PROTOCOL_CAPABILITY_FTP
             if self.mavlink_version == 2:
                 capabilities |= mavlink.MAV_PROTOCOL_CAPABILITY_MAVLINK2
             return mavlink.MAVLink_autopilot_version_message(
@@ -599,6 +604,7 @@ class ArduPilot(FakeAutopilot):
     def _restart(self, now: float) -> None:
         for missions in self.missions.values():
             missions.forget_transfer()
+        self.ftp.forget()
         self.armed = self._may_take_off = self.complete = self.running = False
         self.mode = self.kind.first_mode
         self.current = 0

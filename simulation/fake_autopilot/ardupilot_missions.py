@@ -263,6 +263,42 @@ class Missions:
         if self.mission_type == MISSION:
             self.autopilot.plan_changed(now)
 
+    # -- as a file --------------------------------------------------------------------------
+
+    def store_file(self, items: list[Item], start: int, keeps_rest: bool, now: float) -> None:
+        """The items of a file that was written and closed, in the place of the plan or of a part of it.
+
+        The first that is refused ends it: what came before stays, in the place of the old plan. Only a fence is
+        taken whole, or not at all.
+        """
+        if self.mission_type == FENCE:
+            self._store_fence(items, now)
+            return
+        if not keeps_rest and not (self.mission_type == MISSION and self.autopilot.is_flying_plan()):
+            self._cut(0, now)
+        for seq, item in enumerate(items, start=start):
+            result, held = self._rewritten(item, item_count=0, last=len(items) - 1)
+            if result != ACCEPTED or held is None or seq > len(self.held) or seq >= self.item_limit:
+                break
+            self._store(seq, item, held, now)
+            if self.mission_type == MISSION:
+                self.autopilot.item_stored(now)
+        if self.mission_type == MISSION:
+            self.autopilot.plan_changed(now)
+
+    def _store_fence(self, items: list[Item], now: float) -> None:
+        kept = [self._rewritten(item, item_count=0, last=len(items) - 1) for item in items]
+        if any(result != ACCEPTED for result, _ in kept):
+            return
+        held = [item for _, item in kept if item is not None]
+        if not rewriting.fence_is_whole(held):
+            for words in ("Incorrect item count", "Fence validation failed"):
+                self.autopilot.text(WARNING, words, now)
+            return
+        self.received, self.held = list(items), held
+        self._tell_count(now)
+        self.autopilot.text(*_COMPLETE_TEXT[FENCE], now)
+
     def _wipe(self, now: float) -> None:
         """A fence of fewer than three corners and circles does not last in the place of a longer one."""
         self.received, self.held = [], []

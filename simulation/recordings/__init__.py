@@ -29,17 +29,23 @@ class Heard(NamedTuple):
 
 
 _LOSSY = "lossy_"
+_FTP = "ftp_"
 _OF_STARTS = ("start_", "mission_", "set_current_", "auto_and_arming", "request_messages")
 
 
 def names() -> list[str]:
     """All recordings of transfers, as "px4/item_lost"."""
-    return [name for name in _all() if not name.split("/")[1].startswith((*_OF_STARTS, _LOSSY))]
+    return [name for name in _all() if not name.split("/")[1].startswith((*_OF_STARTS, _LOSSY, _FTP))]
 
 
 def starts() -> list[str]:
     """All recordings of how a mission is started, changed and ended, as "px4/mission_end"."""
     return [name for name in _all() if name.split("/")[1].startswith(_OF_STARTS)]
+
+
+def ftp() -> list[str]:
+    """All recordings of plans as files, as "arducopter/ftp_upload_clean"."""
+    return [name for name in _all() if name.split("/")[1].startswith(_FTP)]
 
 
 def lossy() -> list[str]:

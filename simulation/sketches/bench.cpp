@@ -185,6 +185,12 @@ ACTION(upload) {
        static_cast<uint8_t>(proof == Readback() ? client.uploadWithoutReadback(plan) : client.upload(plan, proof)));
   Serial.println();
 }
+#ifdef BENCH_ENSURE
+ACTION(ensure) {
+  tell(F("began"), static_cast<uint8_t>(client.ensure(plan)));
+  Serial.println();
+}
+#endif
 ACTION(cancel) { client.cancel(); }
 ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
 ACTION(talk) { client.setTargetIds(numbers[0], numbers[1]); }
@@ -242,6 +248,9 @@ static const Word words[] = {
     WORD(ids),     WORD(talk),  WORD(speak),     WORD(armed),    WORD(raw),      WORD(floats),
     WORD(waiting), WORD(limit), WORD(callbacks), WORD(again),    WORD(cancelat), WORD(stall),
     WORD(nosleep), WORD(state), WORD(counters),  WORD(text),     WORD(aboard),   WORD(backoff),
+#ifdef BENCH_ENSURE
+    WORD(ensure),
+#endif
 #if MAVMISSION_SIGNING
     WORD(sign),    WORD(time),  WORD(signing),   WORD(post),
 #endif

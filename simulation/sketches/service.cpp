@@ -190,6 +190,8 @@ ACTION(upload) {
   if (numbers[1] == 0) return tellBegun(client.uploadWithoutReadback(plan, typeOf(numbers[0])));
   tellBegun(client.upload(plan, typeOf(numbers[0]), static_cast<Readback>(numbers[1])));
 }
+// Type, Proof.
+ACTION(ensure) { tellBegun(client.ensure(plan, typeOf(numbers[0]), static_cast<Readback>(numbers[1]))); }
 ACTION(uploadagain) { tellBegun(client.uploadAgain()); }
 ACTION(uploadpart) { tellBegun(client.uploadPartial(plan, numbers[0], numbers[1])); }
 ACTION(verify) { tellBegun(client.verify(plan, typeOf(numbers[0]))); }
@@ -270,7 +272,7 @@ static const Word words[] = {
     WORD(resume),    WORD(interval),      WORD(order),           WORD(cancel),       WORD(post),       WORD(chain),
     WORD(ids),       WORD(talk),          WORD(speak),           WORD(armed),        WORD(raw),        WORD(waiting),
     WORD(limit),     WORD(backoff),       WORD(state),           WORD(followed),     WORD(counters),   WORD(compare),
-    WORD(fieldtext), WORD(stall),
+    WORD(fieldtext), WORD(stall),         WORD(ensure),
 #ifndef BENCH_DIRECT
     WORD(room),      WORD(blocked),
 #endif

@@ -57,6 +57,21 @@ class MissionClient : private detail::Client {
     return Status::Idle;
   }
 
+  // Uploads the plan only if it is not aboard already, and is meant to be called at each start. Looks first: on PX4 at
+  // the checksum of the plan aboard, in one exchange whatever the plan's length; on ArduPilot it reads the plan and
+  // compares it, which writes nothing to the autopilot's storage. Ends with Status::AlreadyAboard if the plan was
+  // there, with Status::Accepted if it is there now, or as upload() ends. While the autopilot is armed it only looks,
+  // whatever allowWhileArmed() says: if another plan is aboard it ends with Status::Armed, and nothing has changed.
+  Status ensure(const ItemSource& plan, Readback proof = Readback::InDoubt) {
+    return ensurePlan(plan, PlanType::Mission, proof);
+  }
+  Status ensure(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
+  template <size_t N, typename... More>
+  Status ensure(const MissionItem (&)[N], More...) {
+    static_assert(N == 0, "say where the plan lies: ensure(inFlash(plan)) with PROGMEM, ensure(inRam(plan)) without");
+    return Status::Idle;
+  }
+
   // Upload without the read-back, for a sketch that has to be small (docs/measurements.md). Ends with Status::Accepted
   // when the autopilot has acknowledged the whole plan, on PX4 with our checksum. If ArduPilot's only acknowledgement
   // is lost, it ends with Status::Unconfirmed.

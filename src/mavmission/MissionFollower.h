@@ -38,9 +38,11 @@ class MissionFollower : public detail::MessageIntervals {
   uint16_t total() const { return total_; }
   // The state of the mission as a whole, as the autopilot reports it.
   MissionState state() const { return state_; }
-  // False when the autopilot names its plan and it is not the one that was accepted last: somebody has changed it.
-  // (PX4: the checksum in MISSION_CURRENT, MISSION_COUNT and an upload's MISSION_ACK.) True when the autopilot does not
-  // name its plan.
+  // True while the client's aboard() is our plan. The follower sets aboard() to Aboard::OtherPlan, and start() is then
+  // refused, when somebody else puts a plan there. PX4 names its plan by a checksum, in MISSION_CURRENT, MISSION_COUNT
+  // and an upload's MISSION_ACK; if our plan comes back, so does Aboard::OurPlan. ArduPilot tells by the number of
+  // items in MISSION_CURRENT and by its texts at the end of an upload. A plan of the same length that is written to
+  // ArduPilot as a file shows in neither: verify() or ensure() looks at the plan itself.
   bool isOurPlan() const;
 
   // Called when the current item changes.
@@ -54,6 +56,10 @@ class MissionFollower : public detail::MessageIntervals {
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeHeartbeat();
   void takeName(uint8_t missionType, uint32_t planId);
+  void takeAcceptance(const detail::FrameParser& frame);
+  void takePlanText(const char* text);
+  void noteOther();
+  void judgeName();
   void takeCurrent(const detail::FrameParser& frame);
   void takeReached(const detail::FrameParser& frame);
   void takeText(const detail::FrameParser& frame);
@@ -70,6 +76,7 @@ class MissionFollower : public detail::MessageIntervals {
   uint16_t reached_ = 0xFFFF;
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
+  uint8_t textDue_ = 0;    // heartbeats left in which ArduPilot's text about an upload of ours is expected
   bool isNewLeg_ = false;  // the item reached last is being flown again
   uint8_t patience_ = 0;
   uint8_t heartbeatsLeft_ = detail::FollowRules::kSilence;  // before MISSION_CURRENT is requested

@@ -19,6 +19,7 @@ namespace mavmission {
   X(Transferring, "transferring")                   /* exchanging messages with the autopilot */ \
   /* ended well */ \
   X(Accepted, "accepted: the plan is aboard")       /* the autopilot acknowledged the whole plan */ \
+  X(AlreadyAboard, "already aboard: nothing was uploaded") /* ensure() found the plan there */ \
   X(Downloaded, "downloaded: the plan has been read")  /* every item has been given to the sink */ \
   X(Verified, "verified: what is aboard is the plan")  /* read back and compared */ \
   X(Cleared, "cleared: no plan is aboard")          /* acknowledged by the autopilot */ \
@@ -107,7 +108,8 @@ bool isWorthRetry(Status status);
   X(AsBefore, "what was aboard before")                                          \
   X(OurPlan, "our plan, whole")                                                  \
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
-  X(Nothing, "no plan")
+  X(Nothing, "no plan")                                                          \
+  X(OtherPlan, "another plan: somebody else has put it there")
 
 // Which plan is aboard.
 enum class Aboard : uint8_t {

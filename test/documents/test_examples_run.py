@@ -100,6 +100,30 @@ def test_verify_upload_says_what_differs(run):
     assert example.lines[0] == "what is aboard is not the plan"
 
 
+def test_ensure_mission_uploads_once_and_looks_at_the_next_power_on(run, personality):
+    example = run("EnsureMission")
+    lines = example.until("aboard: our plan, whole", 5.0)
+    assert lines == ["accepted: the plan is aboard", "aboard: our plan, whole"]
+    assert commands(example) == [22, 16, 16, 20]
+    held = example.autopilot.received()
+    again = run("EnsureMission")
+    again.autopilot.load(held)
+    lines = again.until("aboard: our plan, whole", 5.0)
+    assert lines == ["already aboard: nothing was uploaded", "aboard: our plan, whole"]
+    assert again.autopilot.messages(">", "MISSION_COUNT") == []
+
+
+def test_ensure_mission_changes_nothing_in_flight(run):
+    example = run("EnsureMission", armed=True)
+    example.autopilot.load([HOME, waypoint(), waypoint(z=30.0)])
+    held = example.autopilot.received()
+    example.until("aboard: not known", 5.0)
+    assert example.lines[0] == "refused: the autopilot is armed"
+    example.run(10.0)
+    assert example.autopilot.received() == held
+    assert example.autopilot.messages(">", "MISSION_COUNT") == []
+
+
 @pytest.mark.slow
 def test_start_mission(run):
     example = run("StartMission")

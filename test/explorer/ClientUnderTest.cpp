@@ -72,6 +72,10 @@ void keep(uint16_t& timeMs, uint16_t stepMs, uint16_t mostMs) {
   timeMs = static_cast<uint16_t>(kNow - std::min(ago, mostMs));
 }
 
+bool isReading(const MissionClient& client) {
+  return client.state_.operation == MissionClient::readStep || client.state_.operation == MissionClient::ensureStep;
+}
+
 template <typename T>
 void blank(T& what) {
   memset(static_cast<void*>(&what), 0, sizeof(what));
@@ -97,6 +101,7 @@ void ClientUnderTest::begin(const Task& task) {
     case Operation::Upload: client().uploadWithoutReadback(plan); return;
     case Operation::UploadInDoubt: client().upload(plan, PlanType::Mission, Readback::InDoubt); return;
     case Operation::UploadVerified: client().upload(plan, PlanType::Mission, Readback::Always); return;
+    case Operation::Ensure: client().ensure(plan); return;
     case Operation::Download:
       blank(*sunk);
       client().download(toFunction(sink));
@@ -158,7 +163,7 @@ uint16_t ClientUnderTest::nextMs() const {
                          leftOf(UploadTransfer::kConfirmingMs, t.progressMs_)});
     }
   }
-  if (c.state_.operation == MissionClient::readStep) {
+  if (isReading(c)) {
     const DownloadTransfer& t = c.reading_.transfer;
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     return std::min(next, leftOf(isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs, t.sentMs_));
@@ -198,13 +203,15 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
 
   c.state_.secondMs = kNow;
   c.state_.seconds = 0;
-  c.rest_.lastResult = 255;
+  const bool isLooking = c.state_.operation == MissionClient::ensureStep;
+  if (!isLooking) c.rest_.lastResult = 255;  // ensure() remembers a refusal
   const bool isUpload = c.state_.operation == MissionClient::uploadStep;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
   // What earlier transfers left matters when a transfer begins, and until a clear has been sent; what an upload leaves
   // it says at its end.
   const bool isClear = c.state_.operation == MissionClient::clearStep;
-  const bool isLeftUnread = isLast ? (isTransferring && !isClear) || !c.isBusy() : isTransferring && isUpload;
+  const bool isLeftUnread =
+      isLast ? (isTransferring && !isClear && !isLooking) || !c.isBusy() : isTransferring && isUpload;
   if (isLeftUnread) c.state_.unsettled = 0;
   c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
   keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
@@ -219,7 +226,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     keep(t.sentMs_, ms, UploadTransfer::kCountMs);
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
     if (t.state_ == UploadTransfer::State::Counting) t.progressMs_ = kNow;
-  } else if (c.state_.operation == MissionClient::readStep) {
+  } else if (isReading(c)) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
   } else {
     keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);

@@ -41,7 +41,8 @@ void Referee::begin(const Task& what, Firmwares firmware) {
   hasEndedBefore = hasEnded;
   isRunning = true;
   items = wireCount(what.items, firmware);
-  isReading = what.operation == Operation::Download || what.operation == Operation::Verify;
+  isLooking = what.operation == Operation::Ensure;
+  isReading = isLooking || what.operation == Operation::Download || what.operation == Operation::Verify;
 }
 
 void Referee::pass(uint16_t ms) {
@@ -77,6 +78,16 @@ const char* Referee::sent(const Message& message, Firmwares firmware) {
     task = upload;
     items = onTheWire;
     isRunning = isReading = true;
+  }
+  if (isLooking && isCancel) {
+    if (!isCounted) return "an upload begins before it was looked what is aboard";
+    const Task ensured = task;
+    const uint8_t onTheWire = items;
+    memset(static_cast<void*>(this), 0, sizeof(*this));
+    task = ensured;
+    items = onTheWire;
+    isRunning = true;
+    return nullptr;
   }
   if (isCancel && !isPx4(firmware)) return "a running transfer is cancelled";
   const char* const broken = isReading ? sentInReading(message) : sentInUpload(message);
@@ -136,6 +147,7 @@ const char* Referee::sentInReading(const Message& message) {
   switch (message.kind) {
     case Kind::List:
       if (isCounted) return "REQUEST_LIST is sent in mid-transfer";
+      if (isLooking && lists == kTries && heardAcks != 0) lists = heardAcks = 0;  // it was refused, and asks anew
       if (lists == kTries) return "REQUEST_LIST is sent too often";
       if (lists != 0 && sinceSentMs < kAnswerMs) return "REQUEST_LIST is sent again too early";
       ++lists;
@@ -182,6 +194,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
     case Kind::Ack:
       heardAcks = static_cast<uint16_t>(heardAcks | 1u << message.number);
       if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;
+      if (isLooking && !isCounted && message.number == kCancelled) lists = 0;  // an older upload is over
       return;
 
     case Kind::Count:
@@ -220,6 +233,7 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
       }
       return "aboard() says as before, and it is not";
     case Aboard::Mixture: return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
+    case Aboard::OtherPlan: return "aboard() says somebody else's plan, and there is nobody else";
     case Aboard::NotKnown: return nullptr;
   }
   return nullptr;
@@ -232,8 +246,9 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   isRunning = false;
   hasEndedOne = true;
   ended = status;
+  const bool isFound = status == Status::AlreadyAboard && isClosed;
   const bool isRead =
-      isReading && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
+      isReading && !isFound && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
   owesCancel = isRead || (wasTransferring &&
                           (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut));
 
@@ -247,7 +262,16 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (!isUpload()) return "an end that this operation does not have";
       if ((heardAcks & 1) == 0 && !isClosed) return "Accepted, and nothing was acknowledged";
       if (task.operation == Operation::UploadVerified && !isClosed) return "Accepted, and not read back";
+      if (isLooking) return "Accepted, and nothing was uploaded";
+      if (task.operation == Operation::Ensure && before != nullptr && isAboard(*before, task.plan, task.items)) {
+        return "a plan that was aboard is uploaded again";
+      }
       return isMeant ? nullptr : "Accepted, and the plan aboard is not the plan meant";
+
+    case Status::AlreadyAboard:
+      if (!isLooking || !isCounted) return "AlreadyAboard, and it was not looked";
+      if (!isClosed && !isPx4(autopilot.firmware)) return "AlreadyAboard, and not read to the end";
+      return isMeant ? nullptr : "AlreadyAboard, and the plan aboard is not the plan meant";
 
     case Status::Verified:
       if (task.operation != Operation::Verify) return "an end that this operation does not have";
@@ -308,7 +332,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     // What a line brings twice draws an error that is no refusal, and that nobody can tell from one without reading
     // back.
     if (isUpload() && !isReading && result == kError && lineRepeats) return nullptr;
-    if (isUpload() && isMeant) return "a refusal, and the plan is aboard";
+    if (isUpload() && !isLooking && isMeant) return "a refusal, and the plan is aboard";
     const bool isOurs =
         autopilot.count == items && autopilot.expected != 0 && autopilot.staged[0] == itemOf(task.plan, 0);
     if (isUpload() && autopilot.state == Autopilot::State::Receiving && isPx4(autopilot.firmware) && isOurs) {

@@ -9,7 +9,7 @@
 #include "Autopilot.h"
 #include "mavmission/Status.h"
 
-enum class Operation : uint8_t { Upload, UploadInDoubt, UploadVerified, Download, Verify, Clear };
+enum class Operation : uint8_t { Upload, UploadInDoubt, UploadVerified, Ensure, Download, Verify, Clear };
 
 // Plan `plan` with `items` items, or what is to be read.
 struct Task {
@@ -34,7 +34,8 @@ struct Referee {
   uint8_t isLastSent;
   uint8_t repeats;   // of the last item, unasked
   uint8_t hasFreed;  // an older transfer was cancelled last: never (0), kJustNow, or kBefore the last COUNT
-  uint8_t isReading;
+  uint8_t isReading : 4;
+  uint8_t isLooking : 4;   // ensure() reads, and has not begun to upload
   uint8_t lists;           // REQUEST_LISTs sent
   uint8_t isCounted;       // COUNT was heard
   uint8_t announced;       // how many items
@@ -60,7 +61,7 @@ struct Referee {
   // frames may still have been on their way to it. `lineRepeats`: frames are repeated or delayed.
   const char* end(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                   const Autopilot* before, bool lineRepeats);
-  bool isUpload() const { return task.operation <= Operation::UploadVerified; }
+  bool isUpload() const { return task.operation <= Operation::Ensure; }
 
  private:
   const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,

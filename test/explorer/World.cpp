@@ -11,7 +11,7 @@ using mavmission::Status;
 namespace {
 
 const char* const kOperations[] = {
-    "upload", "upload, read back when in doubt", "upload, read back", "download", "verify", "clear"};
+    "upload", "upload, read back when in doubt", "upload, read back", "ensure", "download", "verify", "clear"};
 const char* const kFateWords[kFates] = {
     "", " is lost", " is repeated", " is repeated later", " is delayed", " is damaged", " is cut"};
 

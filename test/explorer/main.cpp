@@ -8,7 +8,8 @@
 
 namespace {
 
-const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "download", "verify", "clear"};
+const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure", "download", "verify",
+                                   "clear"};
 const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
 
 [[noreturn]] void usage(const char* problem) {
@@ -16,8 +17,8 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
           "%s\n"
           "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
           "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
-          "  OPERATION  upload, upload-in-doubt, upload-verified, download, verify, clear; a second one begins when\n"
-          "             the first has ended or was broken off\n"
+          "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear; a second one\n"
+          "             begins when the first has ended or was broken off\n"
           "  ITEMS      0 to 5: of the plan that is uploaded or verified\n"
           "  --held N       items aboard at the beginning, 0 to 5 (2)\n"
           "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
@@ -57,7 +58,7 @@ int main(int argc, char** argv) {
   int at = 2;
   for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {
     Task task;
-    task.operation = static_cast<Operation>(nameAmong(kOperations, 6, argv[at], "no such operation"));
+    task.operation = static_cast<Operation>(nameAmong(kOperations, 7, argv[at], "no such operation"));
     task.items = static_cast<uint8_t>(number(argv[at + 1], kMostItems));
     task.plan = static_cast<uint8_t>(scenario.tasks.size() + 1);
     scenario.tasks.push_back(task);

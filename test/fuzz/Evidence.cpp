@@ -169,6 +169,41 @@ bool holdsReading(const Bytes& heard, const Bytes& asked, const WireItems& meant
   return isListed && isCounted;
 }
 
+uint32_t nameOf(const WireItems& items) {
+  Bytes bytes;
+  for (const MissionItem& item : items) {
+    const mavlink_mission_item_int_t message = messageIn<mavlink_mission_item_int_t>(itemParts(item, 0).payload);
+    const Bytes place = bytesOf(message);
+    bytes.push_back(message.frame);
+    bytes.push_back(static_cast<uint8_t>(message.command));
+    bytes.push_back(static_cast<uint8_t>(message.command >> 8));
+    bytes.push_back(message.autocontinue);
+    bytes.insert(bytes.end(), place.begin(), place.begin() + 28);  // param1 to z
+  }
+  uint32_t sum = 0;
+  for (uint8_t byte : bytes) {
+    for (int bit = 0; bit < 8; ++bit) {
+      const bool isSet = ((sum ^ static_cast<uint32_t>(byte >> bit)) & 1) != 0;
+      sum = (sum >> 1) ^ (isSet ? 0xEDB88320u : 0u);
+    }
+  }
+  return sum;
+}
+
+bool holdsName(const Bytes& heard, const WireItems& meant) {
+  const uint32_t name = nameOf(meant);
+  for (size_t at = 0; at < heard.size(); ++at) {
+    uint32_t id;
+    Bytes payload;
+    size_t size;
+    if (!isRight(heard, at, id, payload, size) || id != MAVLINK_MSG_ID_MISSION_COUNT) continue;
+    const mavlink_mission_count_t count = messageIn<mavlink_mission_count_t>(payload);
+    if (!isForUs(count.target_system, count.target_component) || count.mission_type != 0) continue;
+    if (count.count == meant.size() && count.opaque_id == name) return true;
+  }
+  return false;
+}
+
 bool announces(const Bytes& written, uint16_t& announced) {
   bool isThere = false;
   for (size_t at = 0; at < written.size(); ++at) {

@@ -36,6 +36,12 @@ bool holdsAnswer(const Bytes& heard, bool isEmpty, uint16_t last);
 // number and each of them as `meant` says. ArduPilot's item 0 is its own home.
 bool holdsReading(const Bytes& heard, const Bytes& asked, const WireItems& meant, mavmission::Firmware firmware);
 
+// The checksum by which PX4 names a plan.
+uint32_t nameOf(const WireItems& items);
+
+// True if `heard` has a MISSION_COUNT for us with the number of these items and their name.
+bool holdsName(const Bytes& heard, const WireItems& meant);
+
 // True if these bytes begin an upload: MISSION_COUNT, or MISSION_WRITE_PARTIAL_LIST. `announced`: how many items the
 // last MISSION_COUNT announces, if there is one.
 bool announces(const Bytes& written, uint16_t& announced);

@@ -87,6 +87,7 @@ struct Asked {
   Kind kind = Kind::Nothing;
   uint16_t count = 0;  // items of the plan
   uint16_t first = 0, part = 0;
+  bool looksFirst = false;  // ensure()
   bool isUpload() const { return kind != Kind::Nothing && kind != Kind::Verification; }
 };
 
@@ -254,7 +255,8 @@ class Session {
     switch (how / 7 % 4) {
       case 0:
         asked.kind = Asked::Kind::InDoubt;
-        status = client_.upload(plan);
+        asked.looksFirst = which >= 192;
+        status = asked.looksFirst ? client_.ensure(plan) : client_.upload(plan);
         break;
       case 1:
         asked.kind = Asked::Kind::Verified;
@@ -280,6 +282,7 @@ class Session {
     demand(wasBusy == (status == Status::Busy), "an operation was begun while another one ran, or refused without one");
     if (wasBusy) return;
     Asked asked = again_;
+    asked.looksFirst = false;
     const bool isRefused = status == Status::SourceRefused;
     demand(asked.kind != Asked::Kind::Nothing || isRefused, "a plan was uploaded that was never given");
     begin(asked);
@@ -352,7 +355,9 @@ class Session {
         return bring(altered(requestParts(item + 1), how), input);
       }
       case MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
-        return bring(altered(countParts(static_cast<uint16_t>(meant_.size())), how), input);
+        return bring(
+            altered(countParts(static_cast<uint16_t>(meant_.size()), meant_.size() % 2 ? nameOf(meant_) : 0), how),
+            input);
       case MAVLINK_MSG_ID_MISSION_REQUEST:
       case MAVLINK_MSG_ID_MISSION_REQUEST_INT: return bring(altered(itemInPlan(sequence), how), input);
       case MAVLINK_MSG_ID_MISSION_SET_CURRENT: {
@@ -464,6 +469,13 @@ class Session {
     }
     if (client_.startArming() == StartArming::Disarmed) {
       demand(holdsMessage(line_.written, MAVLINK_MSG_ID_COMMAND_LONG), "it was disarmed without a command");
+    }
+    if (status == Status::AlreadyAboard) {
+      demand(asked_.looksFirst, "what did not look found its plan");
+      const bool isNamed = firmware_ == Firmware::Px4 && holdsName(line_.heard, meant_);
+      demand(isNamed || holdsReading(line_.heard, written, meant_, firmware_), "found, and neither named nor read");
+      demand(!isAnnounced || hasTurned_, "found, though it was uploaded");
+      demand(client_.aboard() == Aboard::OurPlan, "found, and aboard() does not know it");
     }
     if (status == Status::Verified) {
       demand(asked_.kind == Asked::Kind::Verification, "what was no verification ended as one");

@@ -58,6 +58,8 @@ def single(autopilot: str, most_items: int = 4) -> list[str]:
         *(f"{autopilot} download 0 --held {n}" for n in sizes),
         *(f"{autopilot} verify {n} --held {n} --held-plan 1" for n in sizes),
         *(f"{autopilot} verify {n} --held {held}" for n, held in ((2, 2), (2, 3), (1, 0))),
+        *(f"{autopilot} ensure {n} --held {n} --held-plan 1" for n in sizes),
+        *(f"{autopilot} ensure {n} --held {held}" for n, held in ((2, 2), (1, 2), (2, 1), (0, 1), (1, 0))),
         *(f"{autopilot} clear 0 --held {n}" for n in (0, most_items)),
     ]
 
@@ -67,7 +69,7 @@ def pairs(autopilot: str) -> list[str]:
     return [f"{autopilot} {first} {second}" for first, second in (
         ("upload-in-doubt 2", "upload-in-doubt 1"), ("upload-in-doubt 1", "upload-in-doubt 2"),
         ("upload-in-doubt 1", "verify 1"), ("upload 2", "download 0"), ("download 0", "upload-in-doubt 1"),
-        ("clear 0", "upload-in-doubt 1"), ("upload 1", "clear 0"),
+        ("clear 0", "upload-in-doubt 1"), ("upload 1", "clear 0"), ("upload 2", "ensure 1"), ("ensure 1", "ensure 1"),
     )]  # fmt: skip
 
 
@@ -158,6 +160,27 @@ DEFECTS = {
         "seq > transfer.itemToAsk()) return;",
         "PX4 download 0 --held 3 --faults 1",
         "Downloaded, and",
+    ),
+    "ensure() takes any checksum for that of our plan": (
+        "Ensure.cpp",
+        "} else if (reading_.planId == opaqueId_.value()) {",
+        "} else if (reading_.planId != 0) {",
+        "PX4 ensure 2 --held 2",
+        "aboard() says our plan, and it is not",
+    ),
+    "ensure() reads no item": (
+        "Ensure.cpp",
+        "transfer.onCount(count);",
+        "endLook(Status::AlreadyAboard);",
+        "ArduPilot ensure 2 --held 2",
+        "aboard() says our plan, and it is not",
+    ),
+    "ensure() knows what is aboard when its look may be what was refused": (
+        "Ensure.cpp",
+        "if (hasBegun || (status != Status::Denied && status != Status::Error)) return false;",
+        "if (hasBegun || status != Status::Idle) return false;",
+        "ArduPilot ensure 1 --held 2 --faults 2 --losses 3",
+        "aboard() says as before, and it is not",
     ),
     "an upload waits for its last answer for ever": (
         "UploadTransfer.cpp",

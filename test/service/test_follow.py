@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from flights import flies_px4, fly, reached_in, started
-from plans import OLD_PLAN, jump, waypoint
+from plans import jump, waypoint
 from simulation.fake_autopilot import mavlink
 from simulation.recordings import heard
 from starts import HOPS, uploaded
@@ -86,7 +86,7 @@ def test_jump_is_followed_round_by_round(service, personality):
 
 @FOLLOW
 def test_current_item_total_and_state(service):
-    assert service.followed == (None, None, 0, 0, True)
+    assert service.followed == (None, None, 0, 0, False)
     started(service)
     service.run(2.5)
     followed = service.followed
@@ -123,7 +123,7 @@ def test_older_autopilots_short_message_says_the_current_item(build_service):
     service.run(2.0)
     service.say(mavlink.MAVLink_mission_current_message(4, 3, ACTIVE), version=1)
     service.run(0.1)
-    assert service.followed == (3, None, 0, 0, True)
+    assert service.followed == (3, None, 0, 0, False)
 
 
 @FOLLOW
@@ -256,16 +256,6 @@ def test_plan_that_was_verified_is_ours(build_service):
     service.autopilot.load([waypoint(), waypoint(1, 2)])
     service.run(2.0)
     assert not service.followed.ours
-
-
-@OURS
-def test_autopilot_that_does_not_name_its_plan_raises_no_alarm(build_service):
-    service = uploaded(build_service("ArduPilot"))
-    service.autopilot.load(OLD_PLAN)
-    service.order_of("interval", MISSION_CURRENT, 500000)
-    assert service.done() == "Done"
-    service.run(2.0)
-    assert service.followed.ours
 
 
 @OURS

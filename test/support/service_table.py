@@ -80,6 +80,33 @@ def proof_of_a_lost_answer(make: Make, personality: str) -> str:
     return "checksum in the answer" if answers[-1].opaque_id else "no proof"
 
 
+def plan_that_is_there(make: Make, personality: str) -> str:
+    """How ensure() finds that nothing has to be uploaded; and that something has, where another plan is aboard."""
+    service = make()
+    service.autopilot.load(on_the_wire(SURVEY, personality))
+    service.ensure(SURVEY)
+    if (ended := service.done(limit_s=30)) != "AlreadyAboard":
+        return refused(ended)
+    found = "by reading" if service.heard("MISSION_REQUEST_INT") else "by its checksum"
+    assert service.heard("MISSION_COUNT") == []
+    service.autopilot.load(OLD_PLAN)
+    service.ensure(SURVEY)
+    if (ended := service.done(limit_s=30)) != "Accepted":
+        return refused(ended)
+    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, personality))
+    return found
+
+
+def somebody_elses_plan(make: Make, personality: str) -> str:
+    """aboard(), when another station has put a longer plan there."""
+    service = uploaded(make(), HOPS[personality])
+    service.run(5.0)
+    assert service.state.aboard == "OurPlan"
+    service.autopilot.load([*on_the_wire(HOPS[personality], personality), waypoint()])
+    service.run(5.0)
+    return "yes" if service.state.aboard == "OtherPlan" and not service.followed.ours else "no"
+
+
 def fence_and_rally(make: Make, personality: str) -> str:
     service = make()
     outcomes = set()
@@ -154,6 +181,8 @@ def quiet_transfers(make: Make, personality: str) -> str:
 PROOFS: dict[str, Callable[[Make, str], str]] = {
     "upload, download, verify, clear a mission": whole_service,
     "proof of an upload whose last answer was lost": proof_of_a_lost_answer,
+    "a plan that is there is found, and not uploaded again (`ensure()`)": plan_that_is_there,
+    "a longer plan of another ground station is noticed (`MissionFollower`)": somebody_elses_plan,
     "fence and rally points": fence_and_rally,
     "upload of a part": part,
     "start, arm, modes, current item": flying,

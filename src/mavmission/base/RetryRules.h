@@ -50,6 +50,8 @@ struct FollowRules {
   static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
   // How often MISSION_CURRENT may name another plan after an answer to the client before it is believed.
   static constexpr uint8_t kPatience = 3;
+  // For how many heartbeats after its acceptance ArduPilot's text about an upload of ours is expected.
+  static constexpr uint8_t kText = 3;
 };
 
 struct BackOffRules {

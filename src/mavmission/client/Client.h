@@ -71,6 +71,22 @@ class Client : public ClientRules {
   Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
   Status uploadKeptPlan();                                    // of the last upload or verification
   Status uploadProven(const ItemSource& plan, PlanType type, Readback proof);
+  Status ensurePlan(const ItemSource& plan, PlanType type, Readback proof);
+  void beginEnsuring();
+  static void ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static void ensureFreeStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static void ensureBackOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static bool ensureTakeUp(Client& client, Status status, uint16_t nowMs);
+  static bool ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs);
+  static Status ensureItem(Client& client, uint16_t wireItem, MissionItem& item);
+  void checkEnsured(uint16_t nowMs);
+  Status sumItem(uint16_t wireItem);
+  void beginLook(uint16_t nowMs);
+  void look(uint16_t nowMs);
+  void takeLookFrame(const FrameParser& frame, uint16_t nowMs);
+  void takeLookCount(const FrameParser& frame);
+  void replaceOther();
+  void endLook(Status status);
   static void proveUpload(Client& client, uint16_t nowMs);
   static void proveFence(Client& client, uint16_t nowMs);
   static void proveFenceAgain(Client& client, uint16_t nowMs);
@@ -170,6 +186,7 @@ class Client : public ClientRules {
   void noteAccepted();
   void setPlan(const ItemSource& plan, PlanType type);
   MAVMISSION_APART Status refuseType();
+  bool namesOther(const FrameParser& frame) const;
   uint32_t acceptedPlanId() const { return rest_.planId; }
 
   // The members that every update() uses lie first, since avr-gcc reaches 64 bytes of an object cheaply. All zero at
@@ -241,7 +258,10 @@ class Client : public ClientRules {
     Status (*take)(Client& client, uint16_t wireItem, MissionItem& item);
     // Makes a MISSION_ITEM_INT of a MISSION_ITEM.
     void (*fromFloats)(void* itemMessage);
-    ItemSink sink;
+    union {
+      ItemSink sink;
+      uint16_t summed;  // ensure(), before it looks: how many items are in the checksum
+    };
     bool isCompared;  // false: stored
     uint32_t planId;  // MISSION_COUNT.opaque_id
   };

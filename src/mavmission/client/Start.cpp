@@ -35,11 +35,14 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
       const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
       const uint8_t state = current.mission_state;
       const bool isUnderWay = state == MISSION_STATE_UNKNOWN || state == MISSION_STATE_ACTIVE;
-      status = start.onCurrent(current.seq, isUnderWay, aircraft, sending);
+      const bool isFirst = start.step() == StartStep::FirstItem;
+      const uint16_t item = isFirst && client.namesOther(*frame) ? StartTransfer::kOtherPlan : current.seq;
+      status = start.onCurrent(item, isUnderWay, aircraft, sending);
       break;
     }
   }
   client.noteStart();
+  if (status == Status::Unproven) client.setAboard(PlanType::Mission, Aboard::OtherPlan);
   if (status == Status::OtherItem) client.state_.failedItem = client.ownItem(start.seen());
   return start.isLooking() && status == Status::Transferring ? Status::Checking : status;
 }

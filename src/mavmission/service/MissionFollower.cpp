@@ -32,6 +32,11 @@ const MessageKey kFollowed[] PROGMEM = {
 
 const char kRejected[] PROGMEM = "Mission rejected";
 
+// How ArduPilot's texts at the end of an upload begin, whoever's it was: "Flight plan received", "Mission upload
+// timeout".
+const char kReceived[] PROGMEM = "Flight pl";
+const char kBrokenOff[] PROGMEM = "Mission up";
+
 }  // namespace
 
 MissionFollower::MissionFollower(MissionClient& client)
@@ -68,6 +73,7 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, type)) != MAV_MISSION_ACCEPTED) return;
+      if (frame.payloadByte(offsetof(Ack, mission_type)) == MAV_MISSION_TYPE_MISSION) self.takeAcceptance(frame);
       return self.takeName(frame.payloadByte(offsetof(Ack, mission_type)), frame.payloadLong(offsetof(Ack, opaque_id)));
     }
     case MAVLINK_MSG_ID_MISSION_CURRENT: return self.takeCurrent(frame);
@@ -81,6 +87,7 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
 void MissionFollower::takeHeartbeat() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (since(askedMs_, nowMs) >= IntervalRules::kAnswerMs) isWaiting_ = false;
+  if (textDue_ != 0) --textDue_;
   if (heartbeatsLeft_ != 0) --heartbeatsLeft_;
   if (heartbeatsLeft_ != 0 || !mayAsk(nowMs) || !client_.link_.canSend()) return;
   ask(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs, 0, nowMs);
@@ -93,6 +100,30 @@ void MissionFollower::takeName(uint8_t missionType, uint32_t planId) {
   if (missionType != MAV_MISSION_TYPE_MISSION || planId == 0) return;
   planId_ = planId;
   patience_ = FollowRules::kPatience;
+  judgeName();
+}
+
+// The acceptance of a mission of ours, about which ArduPilot's text is still to come. One for another ground station
+// tells nothing: ArduPilot also accepts the item with which a station orders it to fly somewhere now.
+void MissionFollower::takeAcceptance(const FrameParser& frame) {
+  if (!has(client_.firmware(), kHomeIsItem0)) return;
+  if (!frame.isFor(client_.link_.systemId(), client_.link_.componentId())) return;
+  patience_ = FollowRules::kPatience;
+  textDue_ = FollowRules::kText;
+}
+
+// Somebody else has put a plan aboard. What aboard() says of a transfer that has not ended well stays.
+void MissionFollower::noteOther() {
+  if (isOurPlan()) client_.setAboard(PlanType::Mission, Aboard::OtherPlan);
+}
+
+// Compares the name of the plan aboard with that of ours.
+void MissionFollower::judgeName() {
+  const uint32_t accepted = client_.acceptedPlanId();
+  if (planId_ == 0 || accepted == 0) return;
+  if (planId_ != accepted) return noteOther();
+  if (client_.aboard(PlanType::Mission) != Aboard::OtherPlan) return;
+  client_.setAboard(PlanType::Mission, Aboard::OurPlan);  // it is back
 }
 
 void MissionFollower::takeCurrent(const FrameParser& frame) {
@@ -108,7 +139,13 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
     --patience_;
   } else {
     planId_ = planId;
-    patience_ = 0;
+    judgeName();
+    if (planId == 0 && client_.namesOther(frame)) {
+      if (patience_ == 0) noteOther();
+      if (patience_ != 0) --patience_;  // the message may be older than the acceptance of our plan
+    } else {
+      patience_ = planId == 0 ? 1 : 0;  // a total is no name: two messages must have the same
+    }
   }
   // PX4 checks a plan after it has accepted it, and reports no mission until then too: only the second report counts.
   const bool isDoubted = state_ == MissionState::NoMission && planId != 0 && planId == planId_ && isOurPlan();
@@ -141,12 +178,23 @@ void MissionFollower::takeText(const FrameParser& frame) {
   if (has(client_.firmware(), kRejectsInWords) && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
     client_.noteInfeasible();
   }
+  takePlanText(text);
   if (textFunction_ != nullptr) textFunction_(textContext_, message.severity, text);
 }
 
-bool MissionFollower::isOurPlan() const {
-  const uint32_t accepted = client_.acceptedPlanId();
-  return planId_ == 0 || accepted == 0 || planId_ == accepted;
+// ArduPilot says in words that an upload has ended. One such text belongs to each upload of ours.
+void MissionFollower::takePlanText(const char* text) {
+  if (!has(client_.firmware(), kHomeIsItem0)) return;
+  if (strncmp_P(text, kReceived, sizeof(kReceived) - 1) != 0 &&
+      strncmp_P(text, kBrokenOff, sizeof(kBrokenOff) - 1) != 0)
+    return;
+  const bool isDue = textDue_ != 0;
+  textDue_ = 0;
+  // A transfer of ours decides by itself what is aboard. (Commands have no items.)
+  const bool isTransferring = client_.isBusy() && client_.itemsTotal() != 0;
+  if (!isDue && !isTransferring) noteOther();
 }
+
+bool MissionFollower::isOurPlan() const { return client_.aboard(PlanType::Mission) == Aboard::OurPlan; }
 
 }  // namespace mavmission

@@ -189,6 +189,7 @@ Status StartTransfer::onRefused(Status refusal, const Aircraft& aircraft, Comman
 
 Status StartTransfer::onSilent(Status silence, const Aircraft& aircraft, CommandTransfer& sending) {
   if (state_ >= State::Leaving) return silence == Status::TookTooLong ? Status::Transferring : refusal_;
+  if (step() == StartStep::FirstItem && seen_ == kOtherPlan) return Status::Unproven;
   if (step() == StartStep::FirstItem && seen_ != kNoItem) return Status::OtherItem;
   if (step() == StartStep::Confirm) {
     if (silence == Status::NoAnswer) silence = Status::Unconfirmed;
@@ -265,6 +266,8 @@ Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& 
   if (step() == StartStep::FirstItem) {
     if (sending.tries() == 0) return Status::Transferring;
     seen_ = item;
+    // The message may be older than our plan, and no answer then.
+    if (item == kOtherPlan) return Status::Transferring;
     if (!has(aircraft.firmware, kNamesFlownItems)) {
       return item == first_ ? nextStep(aircraft, sending) : Status::Transferring;
     }

@@ -31,6 +31,7 @@ struct Aircraft {
 class StartTransfer : public StartRules {
  public:
   static constexpr uint16_t kNoItem = 0xFFFF;
+  static constexpr uint16_t kOtherPlan = 0xFFFE;  // in the place of a current item: the autopilot has another plan
 
   // New: before begin(). Looking: searches for the item that will be flown first. Steps: a step is under way. Asking:
   // the first item was set, and the autopilot is asked for its current item. Shown: a heartbeat shows that the aircraft
@@ -63,6 +64,7 @@ class StartTransfer : public StartRules {
   Status onSilent(Status silence, const Aircraft& aircraft, CommandTransfer& sending);
   Status onHeartbeat(const Aircraft& aircraft, CommandTransfer& sending);
   // `isUnderWay`: MISSION_CURRENT.mission_state does not deny that the mission is flown.
+  // `item` may be kOtherPlan: it then ends as Unproven if no other MISSION_CURRENT comes before it arms.
   Status onCurrent(uint16_t item, bool isUnderWay, const Aircraft& aircraft, CommandTransfer& sending);
 
   // The message that `sending` sends when it is due. Of no use before the first step.

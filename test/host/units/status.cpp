@@ -82,8 +82,9 @@ TEST_CASE("only what may go well as it is is worth a retry") {
     }
     if (!isEnd(status)) CHECK_FALSE_MESSAGE(isWorthRetry(status), text);
   }
-  for (Status status : {Status::Accepted, Status::Verified, Status::Downloaded, Status::Cleared, Status::Done,
-                        Status::Cancelled, Status::Busy, Status::NoSpace, Status::Infeasible, Status::TakenOver}) {
+  for (Status status :
+       {Status::Accepted, Status::AlreadyAboard, Status::Verified, Status::Downloaded, Status::Cleared, Status::Done,
+        Status::Cancelled, Status::Busy, Status::NoSpace, Status::Infeasible, Status::TakenOver}) {
     CHECK_FALSE_MESSAGE(isWorthRetry(status), toString(status));
   }
   for (Status status : {Status::NoAnswer, Status::TimedOut, Status::TookTooLong, Status::Unconfirmed, Status::Differs,
