@@ -12,7 +12,8 @@ import pytest
 from building import ROOT
 
 SUPPORT = ROOT / "test" / "support"
-FOLDERS = {"boards", "simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents"}
+FOLDERS = {"boards", "simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents",
+           "playground"}
 
 
 def is_python(file: Path) -> bool:
