@@ -68,7 +68,7 @@ class MissionClient : private detail::Client {
   Status ensure(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
   template <size_t N, typename... More>
   Status ensure(const MissionItem (&)[N], More...) {
-    static_assert(N == 0, "say where the plan lies: ensure(inFlash(plan)) with PROGMEM, ensure(inRam(plan)) without");
+    static_assert(N == 0, "write ensure(inFlash(plan)) for a plan with PROGMEM, ensure(inRam(plan)) for one without");
     return Status::Idle;
   }
 

@@ -474,7 +474,7 @@ class Session {
       demand(asked_.looksFirst, "what did not look found its plan");
       const bool isNamed = firmware_ == Firmware::Px4 && holdsName(line_.heard, meant_);
       demand(isNamed || holdsReading(line_.heard, written, meant_, firmware_), "found, and neither named nor read");
-      demand(!isAnnounced || hasTurned_, "found, though it was uploaded");
+      demand(!isAnnounced || hasBackedOff_, "found, though it was uploaded");
       demand(client_.aboard() == Aboard::OurPlan, "found, and aboard() does not know it");
     }
     if (status == Status::Verified) {

@@ -307,7 +307,7 @@ def test_ardupilot_that_another_station_uploads_to_is_left_alone(build_service):
 def test_ardupilot_is_looked_at_again_when_another_station_is_done(build_service):
     service = build_service("ArduPilot")
     loaded(service, SURVEY)
-    service.tell("turns", 60)
+    service.tell("backoff", 60)
     service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, "list", times=11)
     service.ensure(SURVEY)
     assert service.done(60) == "AlreadyAboard"

@@ -12,7 +12,8 @@ import pytest
 from building import ROOT
 
 SUPPORT = ROOT / "test" / "support"
-FOLDERS = {"boards", "simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents"}
+FOLDERS = {"boards", "simulation", "upload", "operations", "service", "link", "proof", "figures", "tools", "documents",
+           "playground"}
 
 
 def is_python(file: Path) -> bool:
@@ -69,6 +70,6 @@ def test_no_module_of_ours_has_the_name_of_another():
 def test_each_test_file_is_in_a_folder_and_the_helpers_are_apart():
     files = [file.relative_to(ROOT / "test") for file in (ROOT / "test").rglob("*.py")]
     assert {file.parts[0] for file in files if file.stem.startswith("test_")} == FOLDERS
-    assert {file.parts for file in files if not file.stem.startswith("test_")} \
-        == {("conftest.py",), *(("support", file.name) for file in SUPPORT.glob("*.py"))}  # fmt: skip
+    helpers = {("conftest.py",), ("playground", "conftest.py"), *(("support", f.name) for f in SUPPORT.glob("*.py"))}
+    assert {file.parts for file in files if not file.stem.startswith("test_")} == helpers
     assert all(len(file.parts) == 2 for file in files if file.stem.startswith("test_"))

@@ -53,7 +53,7 @@ class Browser:
             *NOT_FOR_TESTS,
         ]  # fmt: skip
         if os.geteuid() == 0:
-            arguments.append("--no-sandbox")  # which chromium asks of root
+            arguments.append("--no-sandbox")  # chromium has no sandbox for root
         wanted = {
             "browserName": "chrome",
             "goog:chromeOptions": {"binary": shutil.which("chromium"), "args": arguments},

@@ -24,7 +24,7 @@ FIRST = "UploadMission"
 # What the Arduino core calls behind each pass through loop().
 PASS = "serialEventRun()"
 # Parts of start(), which are linked where a sketch arms; a real aircraft is not given to such a sketch.
-ARMING = re.compile(r"mavmission::detail::Client::(fillDisarm|leaveStart)\(")
+ARMING = re.compile(r"mavmission::detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)\(")
 
 
 def make_sketches(folder: Path) -> None:

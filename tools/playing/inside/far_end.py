@@ -82,7 +82,7 @@ class FarEnd:
         self._line = Line(self.autopilot, Port(wanted["hz"], 57600.0), seed=wanted["seed"])  # type: ignore[arg-type]
         self.lose(wanted["loss"], wanted["bytes"])
         self._conversation = Conversation()
-        self._frames: list[tuple[Entry, dict]] = []  # that have not crossed the line whole
+        self._frames: list[tuple[Entry, dict]] = []  # frames of which some bytes are still on the line
         self._crossed: list[dict] = []
         self._plans: dict[int, list] = {}
         self._progress: dict[str, Any] = {}

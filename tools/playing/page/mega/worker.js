@@ -13,7 +13,7 @@ const LONGEST_TURN_MS = 40; // before messages are looked at again
 const CONSOLE = 0, TELEM = 1;
 
 let mega = null;
-let run = 0; // which run this is: what belongs to an earlier one is not listened to
+let run = 0; // the number of this run: messages of an earlier run are ignored
 let far = null; // the port to the far end
 let slice = 0;
 let answers = new Map(); // by slice
