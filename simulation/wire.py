@@ -18,8 +18,9 @@ import fnmatch
 import heapq
 import math
 import random
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import groupby
 from typing import Any
 
 from simulation.fake_autopilot.dialect import mavlink
@@ -158,9 +159,9 @@ class Wire:
         return min(times, default=None)
 
     def transcript(self, *names: str, faults_only: bool = False) -> str:
-        """One line per frame; of these names only, if any (* and ? allowed)."""
+        """One line per frame, or for bytes between frames; of these names only, if any (* and ? allowed)."""
         return "\n".join(
-            str(entry) for entry in self.entries
+            str(entry) for entry in _with_gathered_bytes(self.entries)
             if (entry.fate or not faults_only)
             and (not names or (entry.message is not None and any(
                 fnmatch.fnmatchcase(entry.message.get_type(), name) for name in names))))
@@ -357,6 +358,19 @@ class Wire:
                                 for first, last in way.dropped_bytes))
 
 
+def _with_gathered_bytes(entries: Iterable[Entry]) -> Iterator[Entry]:
+    """The entries, with bytes between frames that follow each other, and suffered the same, as one entry."""
+    for (direction, is_between, fate), group in groupby(
+        entries, key=lambda entry: (entry.direction, entry.number is None, entry.fate)
+    ):
+        if not is_between:
+            yield from group
+            continue
+        several = list(group)
+        data = b"".join(entry.data for entry in several)
+        yield Entry(several[0].time, direction, None, None, data, fate)
+
+
 def message_in(frame: bytes):
     """The message in a frame; None if it is damaged or not of the dialect."""
     try:
@@ -386,7 +400,8 @@ _SHOWN = {
 def summary(message, data: bytes) -> str:
     """A message in a few words."""
     if message is None:
-        return f"{len(data)} bytes {data[:12].hex(' ')}{' ...' if len(data) > 12 else ''}"
+        shown = "zero" if not any(data) else f"{data[:12].hex(' ')}{' ...' if len(data) > 12 else ''}"
+        return f"{len(data)} bytes {shown}"
     name = message.get_type()
     if name == "STATUSTEXT":
         return f'STATUSTEXT "{message.text.strip()}"'

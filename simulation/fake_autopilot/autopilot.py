@@ -364,6 +364,8 @@ class FakeAutopilot:
         if isinstance(message, bytes):
             self._release(message, now)
             return
+        if self.faults.keeps_back(message):
+            return
         self._set_signing_time(now)
         frame = frames.packed(message, self._packer, self.mavlink_version)
         self.next_sequence()

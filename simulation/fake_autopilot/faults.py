@@ -1,5 +1,8 @@
 """What a test may order to go wrong inside the autopilot itself."""
 import math
+from collections.abc import Callable
+from fnmatch import fnmatchcase
+from typing import Any
 
 
 class Faults:
@@ -18,6 +21,7 @@ class Faults:
         self._final_acks_to_swallow = 0
         self._final_ack_delay_s = 0.0
         self._requests_instead: dict[int, list[int]] = {}
+        self._kept_back: list[list] = []  # [name, where, times]
         self.asks_for_ever: int | None = None
         self.acks_every_item = False
         self.takes_only_float_items = False
@@ -46,6 +50,14 @@ class Faults:
     def swallow_final_ack(self, times: int = 1) -> None:
         """Take the plan, and do not send the ACK that says so."""
         self._final_acks_to_swallow = times
+
+    def keep_back(self, name: str, times: float = math.inf, where: Callable[[Any], bool] | None = None) -> None:
+        """Do not send messages of this name (with * and ?), so often: they take no sequence number.
+
+        A frame that the wire loses leaves a gap in the sequence numbers, by which the client sees that the line loses;
+        a message that is kept back does not.
+        """
+        self._kept_back.append([name, where, times])
 
     def delay_final_ack(self, seconds: float) -> None:
         """Send every ACK that ends an upload this much later [s]."""
@@ -98,6 +110,14 @@ class Faults:
             self._final_acks_to_swallow -= 1
             return None
         return self._final_ack_delay_s
+
+    def keeps_back(self, message) -> bool:
+        for order in self._kept_back:
+            name, where, times = order
+            if times > 0 and fnmatchcase(message.get_type(), name) and (where is None or where(message)):
+                order[2] -= 1
+                return True
+        return False
 
     def requested(self, expected: int) -> int:
         """The item to ask for when `expected` is due."""

@@ -254,9 +254,9 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     if (t.state_ == UploadTransfer::State::Sending) t.tries_ = std::min<uint8_t>(t.tries_, 2);
   } else if (isReading(c)) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
-    foldTries(c.reading_.transfer.tries_, isHurried() ? DownloadTransfer::kLossyTries : 0);
+    foldTries(c.reading_.transfer.tries_, isHurried() ? Pace::kLossyTries : 0);
   } else {
     keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);
-    foldTries(c.clearing_.tries_, isHurried() ? ClearTransfer::kLossyTries : 0);
+    foldTries(c.clearing_.tries_, isHurried() ? Pace::kLossyTries : 0);
   }
 }

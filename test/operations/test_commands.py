@@ -83,6 +83,17 @@ def test_lost_command_or_answer_is_made_up_for(service, direction, name):
     assert service.done() == "Done"
     assert [message.confirmation for message in service.heard("COMMAND_LONG")] == [0, 1, 2, 3, 4]
     times = service.sent_at("COMMAND_LONG")
+    # Every 1500 ms, and sooner once it is seen that the line loses.
+    assert all(0.015 < later - sooner < 1.51 for sooner, later in pairwise(times))
+
+
+@COMMANDS
+def test_command_whose_answer_does_not_come_is_sent_every_1500_ms(service):
+    service.autopilot.faults.keep_back("COMMAND_ACK", times=4)
+    service.order_of("interval", 33, 500000)
+    assert service.done() == "Done"
+    assert [message.confirmation for message in service.heard("COMMAND_LONG")] == [0, 1, 2, 3, 4]
+    times = service.sent_at("COMMAND_LONG")
     assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(1.5, abs=0.01)] * 4
 
 

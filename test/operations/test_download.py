@@ -109,7 +109,7 @@ def test_autopilot_that_dies_before_it_answers_ends_the_download_in_bounded_time
 
 @pytest.mark.scenario(42, "REQUEST_LIST lost, unanswered, answered with 0 or for another type")
 def test_count_of_another_type_begins_nothing(service):
-    service.wire.lose("<", name="MISSION_COUNT", times=1)
+    service.autopilot.faults.keep_back("MISSION_COUNT", times=1)
     loaded(service, SURVEY)
     service.download()
     service.run_until_sent("MISSION_REQUEST_LIST")
@@ -139,13 +139,25 @@ def test_each_item_or_its_request_may_be_lost_once(service, direction, name):
 @LOST
 def test_lost_item_is_asked_for_again_after_250_ms_and_5_times_in_all(service):
     loaded(service, SURVEY)
-    service.wire.lose("<", name="MISSION_ITEM_INT", seq=2, times=None)
+    service.autopilot.faults.keep_back("MISSION_ITEM_INT", where=lambda message: message.seq == 2)
     service.download()
     assert service.done() == "TimedOut"
     service.run(0.1)
     times = [entry.time for entry in service.wire.frames(">", "MISSION_REQUEST_INT") if entry.message.seq == 2]
     assert len(times) == 5
     assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(0.25, abs=0.01)] * 4
+    assert steps(service)[-1] == ("ACK", 15), "the autopilot is told, or it would wait for us"
+
+
+@LOST
+def test_item_that_is_always_lost_ends_the_download_within_250_requests(service):
+    loaded(service, SURVEY)
+    service.wire.lose("<", name="MISSION_ITEM_INT", seq=2, times=None)
+    service.download()
+    assert service.done(limit_s=20) == "TimedOut"
+    service.run(0.1)
+    times = [entry.time for entry in service.wire.frames(">", "MISSION_REQUEST_INT") if entry.message.seq == 2]
+    assert 5 <= len(times) <= 250
     assert steps(service)[-1] == ("ACK", 15), "the autopilot is told, or it would wait for us"
 
 

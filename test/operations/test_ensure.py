@@ -256,7 +256,7 @@ def test_what_it_says_is_true_on_a_bad_line(make_service, personality, seed, los
 def test_autopilot_that_never_answers_is_said_and_nothing_is_changed(service):
     loaded(service, OTHER)
     held = service.autopilot.received()
-    service.wire.lose("<", name="MISSION_COUNT", times=None)
+    service.autopilot.faults.keep_back("MISSION_COUNT")
     service.ensure(SURVEY)
     assert service.done(LIMIT_S) == "NoAnswer"
     assert len(service.heard("MISSION_REQUEST_LIST")) == 5

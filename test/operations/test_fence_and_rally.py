@@ -118,7 +118,7 @@ def test_each_item_may_be_lost_once(service, mission_type):
 @SERVICE
 @BOTH
 def test_requests_and_acks_of_another_type_move_nothing(service, mission_type):
-    service.wire.lose("<", name="MISSION_REQUEST*", times=1)
+    service.autopilot.faults.keep_back("MISSION_REQUEST*", times=1)
     service.upload(PLANS[mission_type], mission_type)
     service.run_until_sent("MISSION_COUNT")
     service.run(0.1)

@@ -86,7 +86,7 @@ def test_what_comes_unasked_is_not_answered_and_changes_nothing(make_service, pe
     for is_disturbed in (False, True):
         service = prepared(make_service(), personality)
         if lost:
-            service.wire.lose("<", name=OPERATIONS[name].answer, where=is_answer)
+            service.autopilot.faults.keep_back(OPERATIONS[name].answer, times=1, where=is_answer)
         before = len(service.mission_messages())
         begin(service, name)
         for _ in range(8):
@@ -104,7 +104,7 @@ def test_what_comes_unasked_is_not_answered_and_changes_nothing(make_service, pe
 def test_items_and_counts_that_were_not_asked_for_are_not_taken(make_service, personality, name):
     """Those of the mission itself: an item behind the next one, an item again, a second count."""
     service = prepared(make_service(), personality)
-    service.wire.lose("<", name="MISSION_ITEM_INT", seq=1)
+    service.autopilot.faults.keep_back("MISSION_ITEM_INT", times=1, where=lambda message: message.seq == 1)
     begin(service, name)
     service.run_until_sent("MISSION_REQUEST_INT", 2)
     service.run(0.05)

@@ -25,7 +25,7 @@ def lost_once(service: Service, name: str) -> None:
 
 
 def never_answered(service: Service, name: str) -> None:
-    service.wire.lose("<", name=OPERATIONS[name].answer, times=None)
+    service.autopilot.faults.keep_back(OPERATIONS[name].answer)
 
 
 COURSES: dict[str, Callable[[Service, str], None]] = {

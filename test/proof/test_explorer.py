@@ -167,9 +167,9 @@ DEFECTS = {
     ),
     "the tries of a list are not counted": (
         "DownloadTransfer.cpp",
-        "if (tries_ >= (isLossy ? kLossyTries : isListing ? kListTries : kItemTries))\n"
+        "if (tries_ >= (isLossy ? Pace::kLossyTries : isListing ? kListTries : kItemTries))\n"
         "    return isListing ? Status::NoAnswer : Status::TimedOut;",
-        "if (tries_ >= (isLossy ? kLossyTries : kItemTries) && !isListing) return Status::TimedOut;",
+        "if (tries_ >= (isLossy ? Pace::kLossyTries : kItemTries) && !isListing) return Status::TimedOut;",
         "ArduPilot download 0",
         "REQUEST_LIST is sent too often",
     ),

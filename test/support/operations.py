@@ -92,7 +92,7 @@ def expect_truth(service: Service, personality: str, name: str, status: str) -> 
         assert len(meant) == len(held) and (personality == "ArduPilot" or same_bits(held, meant))
     elif state.aboard == "Nothing":
         assert len(autopilot.plan()) <= 1
-    elif name != "clear":
+    elif name != "clear" and not (name in READING and status == "Error"):  # somebody else may be writing a plan
         raise AssertionError(f"{name} has changed aboard() to {state.aboard}")
 
 

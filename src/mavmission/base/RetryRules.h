@@ -15,6 +15,7 @@ struct PaceRules {
   static constexpr uint8_t kPatience = 4;       // from a message to its repeat, in round trips, at least
   static constexpr uint8_t kHurry = 2;          // the same on a line that loses
   static constexpr uint8_t kFrameTimes = 5;     // the same, in the times that the line takes for a frame
+  static constexpr uint8_t kLossyTries = 250;   // of a question there, before it is given up
 };
 
 struct UploadRules {
@@ -32,18 +33,16 @@ struct DownloadRules {
   static constexpr uint8_t kItemTries = 5;        // MISSION_REQUEST_INT, for each item
   static constexpr uint16_t kItemMs = 250;        // to the item
   static constexpr uint8_t kNewRequestTries = 2;  // then MISSION_REQUEST, to an autopilot that may be old
-  static constexpr uint8_t kLossyTries = 250;     // of each, on a line that loses
 };
 
 struct ClearRules {
   static constexpr uint8_t kTries = 5;
-  static constexpr uint8_t kLossyTries = 40;  // on a line that loses
   static constexpr uint16_t kAnswerMs = 1500;
 };
 
 struct CommandRules {
   static constexpr uint8_t kTries = 5;
-  static constexpr uint8_t kLossyTries = 40;  // on a line that loses
+  static constexpr uint8_t kLossyTries = 100;  // on a line that loses
   static constexpr uint16_t kAnswerMs = 1500;
   static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
   static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected

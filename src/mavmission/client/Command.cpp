@@ -124,6 +124,7 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
       rest_.lastResult = ack.result;
       if (ack.result == MAV_RESULT_IN_PROGRESS) return commanding_.transfer.onProgress(nowMs);
       status = fromCommandResult(ack.result);
+      if (status == Status::Done) commanding_.transfer.onAccepted();
       event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
       break;
     }

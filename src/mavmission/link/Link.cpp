@@ -104,12 +104,18 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
     ++state_.unknownMessages;
   }
   if (!finder_.isFrom(parser_.systemId(), parser_.componentId())) return false;
-  const uint8_t sequence = parser_.sequence();
-  if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
-  state_.heardSequence = sequence;
-  state_.sequenceKnown = true;
+  noteSequence();
   if (isWanted) finder_.onFrame(nowMs);
   return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
+}
+
+void Link::noteSequence() {
+  const uint8_t sequence = parser_.sequence();
+  const uint8_t left = static_cast<uint8_t>(sequence - state_.heardSequence - 1);
+  // A frame that comes twice, or late, is none that was lost.
+  if (state_.sequenceKnown && left < 128) state_.framesLost += left;
+  state_.heardSequence = sequence;
+  state_.sequenceKnown = true;
 }
 
 void Link::release() {
@@ -148,8 +154,7 @@ void Link::onTime(uint16_t nowMs) {
   const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
   if (damage != damage_ && finder_.isHeard()) pace_.noteLoss();
   damage_ = damage;
-  uint8_t busyMs;
-  if (outbox_.isLineBusy(*stream_, nowMs, busyMs)) pace_.noteBusy(busyMs);
+  if (pace_.isLossy()) pace_.noteBusy(outbox_.busyMs(*stream_, nowMs));
   finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;

@@ -114,6 +114,8 @@ class Link : public LinkRules {
   // True if we may send: when it is clear which autopilot is there, or when the sketch has set our system id and no
   // more than one autopilot is heard.
   MAVMISSION_APART bool maySpeak() const;
+  // Counts the autopilot's frames that were lost, by the gap before the number of this one.
+  void noteSequence();
   // Counts a frame and notes its sequence number; true if receive() must return the frame.
   MAVMISSION_APART bool takeResult(FrameParser::Result result, uint16_t nowMs);
   void sendHeartbeat();
@@ -162,7 +164,6 @@ class Link : public LinkRules {
   bool mayRead();
   void takeUnchecked(FrameParser::Result result, uint16_t nowMs);
   bool matters();
-  void noteSequence();
 
   Signing signing_;
   FrameParser checked_;  // a copy of parser_ with the frame that is being checked, or has been accepted

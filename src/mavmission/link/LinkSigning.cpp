@@ -98,15 +98,6 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
   }
 }
 
-// The same as takeResult() does for unsigned links; a function of its own, so that sketches without signing do not
-// contain it.
-void Link::noteSequence() {
-  const uint8_t sequence = parser_.sequence();
-  if (state_.sequenceKnown) state_.framesLost += static_cast<uint8_t>(sequence - state_.heardSequence - 1);
-  state_.heardSequence = sequence;
-  state_.sequenceKnown = true;
-}
-
 // True if the library or a listener would use this frame: most frames need not be checked.
 bool Link::matters() {
   const MoreKeys* const listeners = parser_.moreKeys();

@@ -68,9 +68,9 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
   sent_ += stream.write(frame_ + sent_, room < left ? room : left);
 }
 
-bool Outbox::isLineBusy(Stream& stream, uint16_t nowMs, uint8_t& busyMs) const {
-  busyMs = static_cast<uint8_t>(since(room_.roomMs(), nowMs));
-  return isEmpty() && stream.availableForWrite() < idle_;
+uint8_t Outbox::busyMs(Stream& stream, uint16_t nowMs) const {
+  if (stream.availableForWrite() >= idle_) return 0;
+  return static_cast<uint8_t>(since(room_.roomMs(), nowMs));
 }
 
 }  // namespace detail

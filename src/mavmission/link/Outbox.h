@@ -56,8 +56,8 @@ class Outbox {
   }
   void drop() { held_ = false; }
 
-  // True while the line is busy with what was handed to the stream last, `busyMs` ago [ms].
-  bool isLineBusy(Stream& stream, uint16_t nowMs, uint8_t& busyMs) const;
+  // For how long the line has been busy with what was handed to the stream last [ms]; 0 when it is idle.
+  uint8_t busyMs(Stream& stream, uint16_t nowMs) const;
 
 #if MAVMISSION_SIGNING
   // From now on frames are signed: after release() a frame waits for startSigning() and then for setSigned().

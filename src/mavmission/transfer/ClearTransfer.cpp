@@ -25,7 +25,7 @@ Status ClearTransfer::onAccepted() {
 
 Status ClearTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   if (state_ == State::Due || since(sentMs_, nowMs) < pace.waitMs(kAnswerMs)) return Status::Transferring;
-  if (tries_ >= (pace.isLossy() ? kLossyTries : kTries)) return Status::NoAnswer;
+  if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : kTries)) return Status::NoAnswer;
   state_ = State::Due;
   return Status::Transferring;
 }

@@ -28,6 +28,8 @@ void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
 void CommandTransfer::sent(uint16_t id, uint16_t nowMs, uint16_t answerMs) {
   id_ = id;
   ++tries_;
+  // A message without an answer of its own is answered by what the autopilot sends once a second.
+  if (id == kNoCommand) answerMs = kAnswerMs;
   wait(State::Sent, repeats_ != 0 ? answerMs : kProgressMs, nowMs);
 }
 

@@ -49,6 +49,13 @@ class CommandTransfer : public CommandRules {
   // True for an answer to the command that is under way.
   bool isAnswer(uint16_t command) const { return command == id_ && id_ != kNoCommand && tries_ != 0; }
   void onProgress(uint16_t nowMs) { wait(State::InProgress, kProgressMs, nowMs); }
+  // The command has been accepted. If it is to be confirmed by what the autopilot sends once a second, it is not sent
+  // again before that time, on a line that loses too.
+  void onAccepted() {
+    if (waitMs_ >= kAnswerMs) return;
+    waitMs_ = kAnswerMs;
+    if (tries_ > 2) tries_ = 2;
+  }
   // The command has been answered, and no other follows at once. From now on we allow for late answers to its other
   // attempts.
   void rest(uint16_t nowMs);

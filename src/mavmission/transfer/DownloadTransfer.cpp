@@ -55,7 +55,7 @@ Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   const bool isListing = state_ == State::Listing;
   const bool isLossy = pace.isLossy();
   if (since(sentMs_, nowMs) < pace.waitMs(isListing ? kListMs : kItemMs)) return Status::Transferring;
-  if (tries_ >= (isLossy ? kLossyTries : isListing ? kListTries : kItemTries))
+  if (tries_ >= (isLossy ? Pace::kLossyTries : isListing ? kListTries : kItemTries))
     return isListing ? Status::NoAnswer : Status::TimedOut;
   send_ = isListing ? Send::List : Send::Request;
   return Status::Transferring;
