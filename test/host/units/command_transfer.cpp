@@ -211,18 +211,18 @@ TEST_CASE("an answer to what a listener sent releases our own, and an answer to 
   }
 }
 
-TEST_CASE("on a line that loses a command is sent again sooner, up to 40 attempts") {
+TEST_CASE("on a line that loses a command is sent again sooner, up to 100 attempts") {
   CommandTransfer transfer = CommandTransfer();
   uint16_t nowMs = kBeganMs;
   transfer.next(true, nowMs);
-  for (int sent = 1; sent <= 40; ++sent) {
+  for (int sent = 1; sent <= 100; ++sent) {
     REQUIRE(transfer.isDue(kMode, nowMs));
     transfer.sent(kMode, nowMs, 80);
     nowMs = later(nowMs, 79);
     CHECK((transfer.onTime(nowMs) == Status::Transferring));
     CHECK_FALSE(transfer.isDue(kMode, nowMs));
     nowMs = later(nowMs, 1);
-    CHECK((transfer.onTime(nowMs) == (sent == 40 ? Status::NoAnswer : Status::Transferring)));
+    CHECK((transfer.onTime(nowMs) == (sent == 100 ? Status::NoAnswer : Status::Transferring)));
   }
 }
 
@@ -235,10 +235,53 @@ TEST_CASE("on a line that loses a command that must not happen twice is sent onc
   CHECK((transfer.onTime(later(kBeganMs, CommandTransfer::kProgressMs)) == Status::Unconfirmed));
 }
 
+TEST_CASE("on a line that loses an accepted command is sent again after 1500 ms, up to 4 more times") {
+  CommandTransfer transfer = CommandTransfer();
+  uint16_t nowMs = kBeganMs;
+  transfer.next(true, nowMs);
+  for (int sent = 0; sent < 30; ++sent) transfer.sent(kMode, nowMs, 80);
+  transfer.onAccepted();
+  for (int sent = 1; sent <= 4; ++sent) {
+    nowMs = later(nowMs, CommandTransfer::kAnswerMs - 1);
+    CHECK((transfer.onTime(nowMs) == Status::Transferring));
+    CHECK_FALSE(transfer.isDue(kMode, nowMs));
+    nowMs = later(nowMs, 1);
+    CHECK((transfer.onTime(nowMs) == (sent == 4 ? Status::NoAnswer : Status::Transferring)));
+    transfer.sent(kMode, nowMs, CommandTransfer::kAnswerMs);
+  }
+}
+
+TEST_CASE("on a line that loses the first attempt stays the first when it is accepted") {
+  CommandTransfer transfer = CommandTransfer();
+  transfer.next(true, kBeganMs);
+  transfer.sent(kMode, kBeganMs, 80);
+  transfer.onAccepted();
+  CHECK(transfer.tries() == 1);
+}
+
+TEST_CASE("acceptance does not shorten the wait on a slow line") {
+  CommandTransfer transfer = CommandTransfer();
+  transfer.next(true, kBeganMs);
+  transfer.sent(kMode, kBeganMs, 4000);
+  transfer.onAccepted();
+  CHECK((transfer.onTime(later(kBeganMs, 3999)) == Status::Transferring));
+  CHECK_FALSE(transfer.isDue(kMode, later(kBeganMs, 3999)));
+}
+
+TEST_CASE("on a line that loses a message without an answer of its own is sent again after 1500 ms") {
+  CommandTransfer transfer = CommandTransfer();
+  transfer.next(true, kBeganMs);
+  transfer.sent(CommandTransfer::kNoCommand, kBeganMs, 80);
+  CHECK((transfer.onTime(later(kBeganMs, CommandTransfer::kAnswerMs - 1)) == Status::Transferring));
+  CHECK_FALSE(transfer.isDue(CommandTransfer::kNoCommand, later(kBeganMs, CommandTransfer::kAnswerMs - 1)));
+  CHECK((transfer.onTime(later(kBeganMs, CommandTransfer::kAnswerMs)) == Status::Transferring));
+  CHECK(transfer.isDue(CommandTransfer::kNoCommand, later(kBeganMs, CommandTransfer::kAnswerMs)));
+}
+
 TEST_CASE("late answers to many attempts on a line that loses are waited for as to five") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true, kBeganMs);
-  for (int sent = 0; sent < 40; ++sent) transfer.sent(kMode, kBeganMs, 80);
+  for (int sent = 0; sent < 100; ++sent) transfer.sent(kMode, kBeganMs, 80);
   transfer.next(true, kBeganMs);
   CHECK_FALSE(transfer.isDue(kMode, later(kBeganMs, 4 * CommandTransfer::kNextAnswerMs - 1)));
   CHECK(transfer.isDue(kMode, later(kBeganMs, 4 * CommandTransfer::kNextAnswerMs)));
