@@ -400,8 +400,8 @@ _SHOWN = {
 def summary(message, data: bytes) -> str:
     """A message in a few words."""
     if message is None:
-        shown = "zero" if not any(data) else f"{data[:12].hex(' ')}{' ...' if len(data) > 12 else ''}"
-        return f"{len(data)} bytes {shown}"
+        bare = "zero" if not any(data) else f"{data[:12].hex(' ')}{' ...' if len(data) > 12 else ''}"
+        return f"{len(data)} bytes {bare}"
     name = message.get_type()
     if name == "STATUSTEXT":
         return f'STATUSTEXT "{message.text.strip()}"'

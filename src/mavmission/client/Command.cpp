@@ -58,6 +58,7 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
     if (ready != Status::Transferring) return client.end(ready);
     state.status = Status::Transferring;
     client.beginSeconds(nowMs);
+    return;  // start() may have looked at an item: that was work enough for one update()
   }
   if (state.status != Status::Transferring) return;
   Status status = client.commanding_.transfer.onTime(nowMs);
