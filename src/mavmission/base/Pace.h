@@ -32,7 +32,7 @@ class Pace : public PaceRules {
   void noteRepeat(uint16_t afterMs) {
     if (afterMs >= waitMs(kRepeatedMs)) noteLoss();
   }
-  // The line, which loses, has been busy with a frame for `ms`. The longest time is kept, and halved each second.
+  // The line has been busy with a frame for `ms`. The longest time is kept, and halved each second.
   void noteBusy(uint8_t ms) {
     if (ms > busyMs_) busyMs_ = ms;
   }

@@ -121,9 +121,9 @@ void Client::onTick(uint16_t nowMs) {
     state_.secondMs += 1000;
     ++state_.seconds;
     link_.pace().onSecond();
+    const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
+    state_.isLate = static_cast<uint16_t>(state_.seconds - state_.backOffEndS) >= limitS;
   }
-  const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
-  state_.isLate = static_cast<uint16_t>(state_.seconds - state_.backOffEndS) >= limitS;
   if (state_.unsettled != 0 && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = 0;
   link_.onTime(nowMs);
 }

@@ -112,8 +112,8 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
 void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   const uint8_t left = static_cast<uint8_t>(sequence - state_.heardSequence - 1);
-  // A frame that comes twice, or late, is none that was lost.
-  if (state_.sequenceKnown && left < 128) state_.framesLost += left;
+  // A frame that comes twice, or up to 7 frames late, is none that was lost.
+  if (state_.sequenceKnown && left < 248) state_.framesLost += left;
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
 }
@@ -154,7 +154,7 @@ void Link::onTime(uint16_t nowMs) {
   const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
   if (damage != damage_ && finder_.isHeard()) pace_.noteLoss();
   damage_ = damage;
-  if (pace_.isLossy()) pace_.noteBusy(outbox_.busyMs(*stream_, nowMs));
+  pace_.noteBusy(outbox_.busyMs(*stream_, nowMs));
   finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
   if (state_.heartbeatSent && elapsedMs < kHeartbeatMs) return;
