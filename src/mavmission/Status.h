@@ -76,11 +76,15 @@ namespace mavmission {
   X(Denied, "the autopilot said: denied (another ground station may be transferring)") \
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
   X(UnknownResult, "the autopilot answered with an unknown code") \
-  /* commands: MAV_RESULT 1 to 4 in order, then any other result */ \
+  /* commands: MAV_RESULT 1 to 4 and 7 to 10 in order, then any other result */ \
   X(CommandRejected, "the autopilot said: not now") \
   X(CommandDenied, "the autopilot said: denied (a parameter is not valid)") \
   X(CommandUnsupported, "the autopilot said: command not supported") \
   X(CommandFailed, "the autopilot said: failed") \
+  X(CommandLongOnly, "the autopilot said: only as COMMAND_LONG") \
+  X(CommandIntOnly, "the autopilot said: only as COMMAND_INT") \
+  X(CommandFrame, "the autopilot said: coordinate frame not supported by the command") \
+  X(NotInControl, "the autopilot said: another station is in control") \
   X(CommandRefused, "the autopilot refused with another code") \
   X(NoSuchMode, "this vehicle has no such mode") \
   X(NotArmed, "refused: the autopilot is not armed") \
