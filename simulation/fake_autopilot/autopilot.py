@@ -18,6 +18,7 @@ Address = tuple[int, int]  # system id, component id
 
 TEXT_LAG_S = 0.006  # a STATUSTEXT goes out this much after the answer it belongs to
 HEARTBEAT_PERIOD_S = 1.0
+NOW_AND_THEN = (mavlink.MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT,)  # messages that are there at some times only
 SHORTEST_INTERVAL_S = 0.0025  # of a stream: no message more often than the main loop turns
 
 
@@ -215,6 +216,7 @@ class FakeAutopilot:
             message = self.message_of(identity, time)
             if message is not None:
                 self.send_now(message, time)
+            if message is not None or identity in NOW_AND_THEN:
                 self.at(name, time + period_s, send)
         self.at(name, now + period_s, send)
 
