@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from . import frames
 from .dialect import mavlink
 from .faults import Faults
+from .flight import Flight
 from .hearing import Hearing
 from .items import MISSION, Item
 
@@ -51,6 +52,8 @@ class FakeAutopilot:
     """
 
     autopilot_type: int = mavlink.MAV_AUTOPILOT_GENERIC
+    flight: Flight
+    armed: bool
     heard_by: int  # whose way of using the C parser: hearing.ARDUPILOT or hearing.PX4
     response_delay_s = 0.010
     response_delay_on_line_s = 0.0

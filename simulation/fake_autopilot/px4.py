@@ -94,6 +94,7 @@ class Px4(FakeAutopilot):
         self._reached: int | None = None
         self._reached_again = 0
         self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
+        self.home_is_known = True
         self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
                                         RALLY: rally_limit})
@@ -351,6 +352,8 @@ class Px4(FakeAutopilot):
         HOLD flies there all the same."""
         if message.get_type() == "COMMAND_INT":
             lat, lon, z = message.x, message.y, message.z
+        elif math.isnan(message.param5) or math.isnan(message.param6):
+            lat, lon, z = None, None, message.param7
         else:
             lat, lon, z = round(message.param5 * 1e7), round(message.param6 * 1e7), message.param7
         changes_mode = whole_number(message.param2) & 1
@@ -359,6 +362,8 @@ class Px4(FakeAutopilot):
         if self.armed and (self.main_mode, self.sub_mode) == (AUTO, SUB_LOITER) and self.flight.airborne(now):
             here = self.flight.where(now)
             height = here.height if math.isnan(z) else z - self.home[2]
+            if lat is None:  # stays where it is
+                lat, lon = here.lat_e7, here.lon_e7
             self.flight.fly_to(Place(lat, lon, height), now)
             self._follow_flight()
         return RESULT_ACCEPTED if changes_mode else RESULT_UNSUPPORTED
@@ -562,7 +567,7 @@ class Px4(FakeAutopilot):
             return mavlink.MAVLink_position_target_global_int_message(
                 boot_ms, 5, 0, int(target.lat_e7 * 1e-7 * 1e7), int(target.lon_e7 * 1e-7 * 1e7),
                 self.home[2] + target.height, 0, 0, 0, 0, 0, 0, 0, 0)
-        if identity == mavlink.MAVLINK_MSG_ID_HOME_POSITION:
+        if identity == mavlink.MAVLINK_MSG_ID_HOME_POSITION and self.home_is_known:
             return mavlink.MAVLink_home_position_message(
                 self.home[0], self.home[1], round(self.home[2] * 1000), 0, 0, 0,
                 [1.0, 0.0, 0.0, 0.0], 0, 0, 0, boot_ms * 1000)

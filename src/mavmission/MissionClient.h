@@ -131,9 +131,6 @@ class MissionClient : private detail::Client {
   // Status::NoSuchItem for a number that is not in the plan, where the plan is known; otherwise the autopilot refuses
   // it.
   Status setCurrentItem(uint16_t item);
-  // Makes the aircraft stay where it is, and continue its mission.
-  Status pause() { return setMode(FlightMode::Hold); }
-  Status resume() { return setMode(FlightMode::Auto); }
   // Sets the interval at which the autopilot sends a message [us]; 0 is its default, -1 never.
   Status setMessageInterval(uint16_t messageId, int32_t intervalUs);
   // Sends any command, which must live until the operation has ended. It does not force arming either, and does not

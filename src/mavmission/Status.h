@@ -93,7 +93,13 @@ namespace mavmission {
   X(NoSuchItem, "refused: the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to from this item on") \
   X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
-  X(TakenOver, "somebody else has set another mode")
+  X(TakenOver, "somebody else has set another mode") \
+  /* Steering: nothing was sent, unless it was lost in the middle */ \
+  X(PilotHasIt, "a pilot or another station has the aircraft") \
+  X(FailsafeHasIt, "a failsafe or another station lands it or brings it back") \
+  X(NotFlying, "refused: it is not in the air") \
+  X(NoHome, "refused: the autopilot does not say where home is") \
+  X(BadSpeed, "refused: a speed that is not above 0, or above 100 m/s")
 // clang-format on
 
 enum class Status : uint8_t {

@@ -160,3 +160,15 @@ def test_px4_takes_8_m_above_home_for_8_m_above_the_sea_and_lands():
     send(mavlink.MAVLink_command_int_message(1, 1, 6, 192, 0, 0, -1, 1, 0, nan, HOME[0] + 1500, HOME[1], 8.0), 20.0)
     fake.run(60.0)
     assert fake.flight.where(60.0).height == 0 and not fake.armed
+
+
+def test_real_px4_counts_its_height_from_the_home_that_it_names():
+    """So home's altitude is what GLOBAL_POSITION_INT says above the sea, less what it says above home."""
+    places = [(one.time, one.message.alt - one.message.relative_alt)
+              for one in real("px4/guided_flight", "GLOBAL_POSITION_INT")]  # fmt: skip
+    compared = 0
+    for one in real("px4/guided_flight", "HOME_POSITION"):
+        near = [altitude for at, altitude in places if abs(at - one.time) < 0.02]
+        assert all(abs(altitude - one.message.altitude) <= 1 for altitude in near), one
+        compared += len(near)
+    assert compared == 8

@@ -15,7 +15,7 @@ from loss_table import note_end, note_survival
 from plans import OLD_PLAN, SURVEY, on_the_wire
 from simulation.bench import FunctionPlan, same_bits
 from simulation.wire import Wire
-from truth import LOOP_S, expect_truth, longest_s
+from truth import expect_truth, longest_s
 
 PERSONALITIES = ("ArduPilot", "PX4")
 PROOFS = ("ByAnswer", "InDoubt")

@@ -289,6 +289,7 @@ class Client : public ClientRules {
     CommandTransfer transfer;
     union {
       const FlightCommand* own;
+      void* owner;  // the listener whose operation it is
       Modes mode;
       uint16_t item;  // to be set as current; a wire number
       Interval interval;
