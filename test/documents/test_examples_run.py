@@ -242,3 +242,33 @@ def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):
     example = Run("LinkDoctor", personality, baud=115200)
     lines = example.until("  it speaks at 115200", 15.0)
     assert lines[-2] == "frames, but at another baud rate"
+
+
+def test_go_to_places_flies_to_three_places_and_comes_home(run):
+    example = run("GoToPlaces")
+    flight, places = example.autopilot.flight, []
+    while "home" not in example.lines:
+        assert example.now < 200, example.lines
+        example.run(0.5)
+        if flight.target is not None and flight.target[:2] != flight.home[:2] and flight.target not in places:
+            places.append(flight.target)
+    # An unconnected sensor of the simulated Mega reads 0: each place is 30 m north of the one before.
+    assert [round((place.lat_e7 - flight.home.lat_e7) * 0.0111) for place in places] == [30, 60, 90]
+    assert [round(place.height, 1) for place in places] == [10.0] * 3
+    assert example.lines.count("there: working") == 3
+    assert flight.where(example.now).distance(flight.home) < 0.5 and not example.autopilot.armed
+
+
+def test_go_to_places_leaves_the_aircraft_to_a_pilot_who_takes_it(run, personality):
+    example = run("GoToPlaces")
+    example.until("there: working", 120.0)
+    mode = "LOITER" if is_ardupilot(example) else (3, 0)
+    if is_ardupilot(example):
+        example.autopilot._set_mode(5, example.now)
+    else:
+        example.autopilot._set_mode(*mode, example.now)
+    example.until("a pilot or another station has the aircraft", 60.0)
+    example.run(20.0)
+    autopilot = example.autopilot
+    assert (autopilot.mode if is_ardupilot(example) else (autopilot.main_mode, autopilot.sub_mode)) == mode
+    assert autopilot.armed and "to place 3" not in example.lines and "home" not in example.lines
