@@ -272,3 +272,38 @@ def test_go_to_places_leaves_the_aircraft_to_a_pilot_who_takes_it(run, personali
     autopilot = example.autopilot
     assert (autopilot.mode if is_ardupilot(example) else (autopilot.main_mode, autopilot.sub_mode)) == mode
     assert autopilot.armed and "to place 3" not in example.lines and "home" not in example.lines
+
+
+def test_work_at_waypoints_holds_the_mission_at_each_and_goes_on(run):
+    example = run("WorkAtWaypoints")
+    flight = example.autopilot.flight
+    held = []
+    while "landed" not in example.lines:
+        assert example.now < 200, example.lines
+        working = len([line for line in example.lines if line.startswith(("servo", "sensor"))])
+        resumed = example.lines.count("going on")
+        if working > resumed:
+            held.append((working, flight.where(example.now)))
+        example.run(0.25)
+    lines = [line for line in example.lines if not line.startswith("accepted")]
+    assert [line for line in lines if line not in ("reached 0", "reached 3")] == [
+        "reached 1", "servo open", "going on", "reached 2", "sensor: 0", "going on", "landed"]  # fmt: skip
+    for number in (1, 2):
+        stays = [place for which, place in held if which == number]
+        assert len(stays) >= 11  # 3 s
+        assert max(place.distance(stays[-1]) for place in stays) < 0.1
+    assert not example.autopilot.armed
+
+
+def test_work_at_waypoints_leaves_the_aircraft_to_a_pilot(run):
+    example = run("WorkAtWaypoints")
+    example.until("servo open", 100.0)
+    autopilot = example.autopilot
+    if is_ardupilot(example):
+        autopilot._set_mode(5, example.now)
+    else:
+        autopilot._set_mode(3, 0, example.now)
+    example.until("a pilot or another station has the aircraft", 20.0)
+    example.run(10.0)
+    assert (autopilot.mode == "LOITER") if is_ardupilot(example) else (autopilot.main_mode == 3)
+    assert "reached 2" not in example.lines
