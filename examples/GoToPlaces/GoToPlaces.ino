@@ -19,8 +19,8 @@ Steering steering(autopilot);
 enum class Stage : uint8_t { TakingOff, Climbing, Flying, Working, Returning, Landing, Done };
 Stage stage = Stage::TakingOff;
 LatLon place = kField;
-uint8_t number;   // of the place, from 1
-uint8_t tries;    // of the order that is being carried out
+uint8_t number;  // of the place, from 1
+uint8_t tries;   // of the order that is being carried out
 bool tryAgain;
 uint32_t sinceMs;  // when the work began, or when an order failed
 

@@ -1,5 +1,5 @@
-// Does something at each waypoint of a mission, and goes on: at the first a servo drops a sample, at the second a sensor
-// is read. The mission is held while the work lasts. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Does something at each waypoint of a mission, and goes on: at the first a servo drops a sample, at the second a
+// sensor is read. The mission is held while the work lasts. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
 // Nothing happens while the aircraft is armed at the beginning: an Arduino that resets in flight sends nothing, and the
 // autopilot flies its mission to the end without it. A pilot who takes the aircraft keeps it.

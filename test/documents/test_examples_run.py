@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from example_runs import SLICE_S, Run, commands, is_ardupilot
+from example_runs import SLICE_S, Run, commands, image_of, is_ardupilot
 from plans import HOME, NAN, jump, waypoint
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, mavlink
 
@@ -307,3 +307,19 @@ def test_work_at_waypoints_leaves_the_aircraft_to_a_pilot(run):
     example.run(10.0)
     assert (autopilot.mode == "LOITER") if is_ardupilot(example) else (autopilot.main_mode == 3)
     assert "reached 2" not in example.lines
+
+
+def test_next_waypoint_flies_each_leg_by_commands_too(personality):
+    example = Run("NextWaypoint", personality, image=image_of("NextWaypoint", BY_COMMANDS=1))
+    flight, landed = example.autopilot.flight, []
+    while "all fields sampled" not in example.lines:
+        assert example.now < 200, example.lines
+        before = example.lines.count("landed: sampling")
+        example.run(0.25)
+        if example.lines.count("landed: sampling") > before:
+            landed.append(flight.where(example.now))
+    fields = [(-353631000, 1491652374), (-353631000, 1491654000)]
+    assert len(landed) == 2
+    for place, (lat, lon) in zip(landed, fields, strict=True):
+        assert max(abs(place.lat_e7 - lat), abs(place.lon_e7 - lon)) < 190 and place.height == 0  # 2 m
+    assert example.autopilot.messages(">", "MISSION_COUNT") == []
