@@ -117,6 +117,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool stopsByPlace() const;
   bool hasCommand() const;
   bool wantsPosition() const;
+  bool waitsForHeartbeat() const;
   bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }
   uint16_t modeFor(Order order) const;
 

@@ -261,6 +261,27 @@ def test_aircraft_in_its_mission_may_be_steered(steered, personality):
 
 
 @HANDS
+@pytest.mark.parametrize("after_s", [0.05, 0.3, 0.55, 0.8])
+@pytest.mark.parametrize("order", ["goto", "goOn", "home", "landNow"])
+def test_mode_that_a_pilot_has_just_set_is_not_overruled(steered, personality, order, after_s):
+    """However long ago the last heartbeat was."""
+    steered.autopilot.load(on_the_wire(hops("px4" if is_px4(steered) else "copter", 4), personality))
+    steered.fly(20.0)
+    steered.run(after_s)
+    mode = PILOTS[personality][0]
+    autopilot = steered.autopilot
+    if is_px4(steered):
+        autopilot._set_mode(*mode, steered.now)
+    else:
+        autopilot._set_mode(autopilot.kind.modes[mode], steered.now)
+    steered.run(0.03)  # ArduPilot's heartbeat is on its way
+    before = len(steered.ordered())
+    ORDERS[order](steered)
+    assert steered.done(limit_s=3) == "PilotHasIt"
+    assert len(steered.ordered()) == before and steered.mode == mode
+
+
+@HANDS
 def test_pilot_who_takes_over_in_the_middle_ends_it(steered, personality):
     steered.fly()
     steered.wire.lose("<", name="COMMAND_ACK", times=9)

@@ -399,8 +399,16 @@ bool Steering::beginStep(uint16_t nowMs) {
   if (step_ == SteerStep::Confirm && (isHeartbeatEnough || !isTakeOff)) {
     sending.listen(isTakeOff ? kTakeOffS * 1000u : kConfirmMs, nowMs);
   }
+  if (waitsForHeartbeat()) sending.listen(kConfirmMs, nowMs);
   beganS_ = client_.state_.seconds;
   return true;
+}
+
+// PX4 tells its mode once a second, ArduPilot as soon as it changes. So what would take PX4 out of a pilot's hands
+// leaves right behind a heartbeat. Only a pause, and an aircraft on the ground, do not wait for one.
+bool Steering::waitsForHeartbeat() const {
+  if (has(client_.firmware(), kIsActiveInAir) || is(Order::Pause) || is(Order::TakeOff)) return false;
+  return step_ == SteerStep::Mode || step_ == SteerStep::Command;
 }
 
 // What wanted_ is in the numbers of this autopilot.
@@ -542,6 +550,8 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
     const Status others = otherHands();
     if (others != Status::Transferring) return others;
   }
+  CommandTransfer& sending = client_.commanding_.transfer;
+  if (waitsForHeartbeat() && sending.state() == CommandTransfer::State::Listening) sending.next(true, nowMs);
   if (step_ == SteerStep::Mode && isSent && isWanted) return nextStep(nowMs);
   if (step_ == SteerStep::Arm && isSent && client_.isArmed()) return nextStep(nowMs);
   return Status::Transferring;
