@@ -95,6 +95,7 @@ class Px4(FakeAutopilot):
         self._reached_again = 0
         self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
         self.home_is_known = True
+        self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
         self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
                                         RALLY: rally_limit})
@@ -512,7 +513,7 @@ class Px4(FakeAutopilot):
             status = mavlink.MAV_STATE_UNINIT  # it would not be armed like this
         if self.armed:
             base |= mavlink.MAV_MODE_FLAG_SAFETY_ARMED
-            status = mavlink.MAV_STATE_ACTIVE
+            status = mavlink.MAV_STATE_CRITICAL if self.in_failsafe else mavlink.MAV_STATE_ACTIVE
         return mavlink.MAVLink_heartbeat_message(
             self.vehicle_types[self.vehicle], self.autopilot_type, base,
             custom_mode(self.main_mode, self.sub_mode), status, 3)

@@ -241,6 +241,25 @@ def test_aircraft_that_somebody_else_has_is_left_to_him(steered, personality, or
 
 
 @HANDS
+@EACH_ORDER
+def test_px4_that_holds_for_a_failsafe_is_left_alone(build_steered, order):
+    """Its mode is that of goTo(); its system_status tells."""
+    steered = build_steered("PX4")
+    steered.fly()
+    steered.autopilot.in_failsafe = True
+    steered.run(1.2)
+    assert not steered.may_steer and steered.mode == (4, 3)
+    before = len(steered.ordered())
+    ORDERS[order](steered)
+    assert steered.done() == "FailsafeHasIt"
+    steered.autopilot.in_failsafe = False
+    steered.run(1.2)
+    ORDERS[order](steered)
+    assert steered.done() == "PilotHasIt"  # it may have been a pilot who ended it
+    assert len(steered.ordered()) == before
+
+
+@HANDS
 def test_mode_that_somebody_else_sets_to_what_was_ours_is_not_ours(build_steered):
     steered = build_steered("ArduPilot")
     steered.fly()

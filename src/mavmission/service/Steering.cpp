@@ -115,8 +115,15 @@ bool Steering::isMissionMode() const {
   return mission != kNoMode && client_.shownMode() == mission;
 }
 
+// PX4 says CRITICAL while a failsafe flies, in whatever mode: HOLD, which is ours as well, is one of them. ArduPilot
+// says so for each failsafe, also for one that it is set to ignore; there the mode tells who flies.
+bool Steering::isFailsafe() const {
+  return has(client_.firmware(), kAltitudesAreAboveSea) &&
+         client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL;
+}
+
 bool Steering::maySteer() const {
-  if (!client_.hasAutopilot()) return false;
+  if (!client_.hasAutopilot() || isFailsafe()) return false;
   return isMissionMode() || (ownMode_ != kNoMode && client_.shownMode() == ownMode_);
 }
 
@@ -160,8 +167,8 @@ void Steering::takeHeartbeat() {
   const Client::Commanding& running = client_.commanding_;
   const bool isSetting = client_.isBusy() && client_.rest_.isCommanding && running.fill == Client::fillMode;
   if (isSetting && running.transfer.tries() != 0 && running.mode.number == shown) ownMode_ = shown;
-  if (shown == ownMode_) return;
-  const bool hasClimbed = ownMode_ == kPx4TakeOff && shown == client_.numberOf(FlightMode::Hold);
+  if (shown == ownMode_ && !isFailsafe()) return;
+  const bool hasClimbed = ownMode_ == kPx4TakeOff && shown == client_.numberOf(FlightMode::Hold) && !isFailsafe();
   ownMode_ = hasClimbed ? shown : kNoMode;
 }
 
@@ -541,6 +548,7 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
   const bool hasClimbed = wantedMode_ == kPx4TakeOff && shown == client_.numberOf(FlightMode::Hold) && isInAir();
   const bool isWanted = shown == wantedMode_ || hasClimbed;
   if (step_ == SteerStep::Disarm) return client_.isArmed() ? Status::Transferring : refusal_;
+  if (isFailsafe()) return Status::FailsafeHasIt;
   if (isWanted && isSent && step_ >= SteerStep::Mode) {
     isModeSeen_ = true;
     ownMode_ = shown;
