@@ -24,8 +24,9 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 // The aircraft is never taken out of other hands. Every function acts only while the heartbeat shows the mission mode,
 // or the mode that this sketch has set itself (by this object, or by setMode()). Otherwise it ends with
 // Status::PilotHasIt, or with Status::FailsafeHasIt when the aircraft returns or lands and the sketch has not ordered
-// it, or PX4 reports a failsafe; nothing was sent then. (Whoever wants to act all the same has MissionClient::setMode().)
-// On PX4 the mode HOLD is both where goTo() flies and what a pilot may choose: there a pilot shows only by another mode.
+// it, or PX4 reports a failsafe; nothing was sent then. (Whoever wants to act all the same has
+// MissionClient::setMode().) On PX4 the mode HOLD is both where goTo() flies and what a pilot may choose: there a pilot
+// shows only by another mode.
 //
 // An Arduino that was reset in flight does nothing by itself: until this object has seen the aircraft disarmed, its
 // functions end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. The mode in which the
