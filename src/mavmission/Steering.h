@@ -50,8 +50,8 @@ class Steering : public detail::Listener, private detail::SteerRules {
   // alone (Status::BadFrame). Status::NotFlying on the ground; a rover has only to be armed.
   Status goTo(const LatLon& place, Altitude altitude);
 
-  // Stops, and stays there, until goTo() or resume(). In another mode than Hold: ArduPilot's GUIDED, in which the
-  // sticks do nothing; PX4's HOLD.
+  // Stops, and stays there, until goTo() or resume(). The mode is then ArduPilot's GUIDED, in which the sticks do
+  // nothing, or PX4's HOLD.
   Status pause();
   // Goes on with the mission, at its current item. Status::NotFlying on the ground: that is what start() is for.
   Status resume();
