@@ -12,12 +12,15 @@ from bench_fixtures import (  # noqa: E402, F401
     bench,
     build_bench,
     build_service,
+    build_steered,
     line,
     make_bench,
     make_service,
+    make_steered,
     personality,
     pytest_runtest_makereport,
     service,
+    steered,
 )
 from scenario_table import pytest_collection_modifyitems, pytest_terminal_summary  # noqa: E402, F401
 

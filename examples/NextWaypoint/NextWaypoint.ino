@@ -1,17 +1,19 @@
 // A soil probe: the aircraft lands in one field after another. After each landing the probe takes its sample, then the
 // Arduino sends the aircraft to the next field.
 //
-// Each leg is a plan of its own. At its end Copter and PX4 land and disarm; a rover stays armed, and is disarmed. TAKE
-// OFF THE PROPELLERS WHILE YOU TRY IT.
+// Each leg is a plan of its own, which the autopilot flies to its end whatever becomes of the Arduino. At its end
+// Copter and PX4 land and disarm; a rover stays armed, and is disarmed. With BY_COMMANDS each leg is three commands
+// instead, for which nothing is uploaded: take off, go there, land. A copter then waits in the air for the next one.
+// TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+#ifndef BY_COMMANDS
+#define BY_COMMANDS 0
+#endif
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
-struct Place {
-  Degrees latitude, longitude;
-};
-constexpr Place kStart = {-35.3632621_deg, 149.1652374_deg};
-constexpr Place fields[] = {
+constexpr LatLon kStart = {-35.3632621_deg, 149.1652374_deg};
+constexpr LatLon fields[] = {
     {-35.3631000_deg, 149.1652374_deg},
     {-35.3631000_deg, 149.1654000_deg},
 };
@@ -22,27 +24,50 @@ constexpr uint32_t kSampleMs = 5000;  // the time that the probe needs
 MissionClient autopilot(TELEM);
 MissionFollower mission(autopilot);
 
-enum class Stage : uint8_t { Uploading, Starting, Flying, Sampling, Done };
+enum class Stage : uint8_t { Uploading, Starting, Climbing, Crossing, Flying, Sampling, Done };
 Stage stage = Stage::Uploading;
 uint8_t field;
 bool saysComplete;     // the text that a rover sends at the end of its mission has come
 uint32_t notOverAtMs;  // when the leg was last known to be under way
 uint32_t landedAtMs;
 
+#if BY_COMMANDS
+Steering steering(autopilot);
+
+void beginLeg() {
+  stage = Stage::Starting;
+  steering.takeOff(kHeight);
+}
+
+// The commands behind the takeoff.
+void goOnWithLeg() {
+  if (autopilot.isBusy() || !steering.hasArrived()) return;
+  if (stage == Stage::Climbing) {
+    stage = Stage::Crossing;
+    steering.goTo(fields[field], kHeight);
+  } else if (stage == Stage::Crossing) {
+    stage = Stage::Flying;
+    steering.landNow();
+  }
+}
+#else
 // Takes off where the aircraft stands, flies to the field, lands there.
 bool legItem(void*, uint16_t index, MissionItem& item) {
-  const Place& from = field == 0 ? kStart : fields[field - 1];
-  const Place& to = fields[field];
+  const LatLon& from = field == 0 ? kStart : fields[field - 1];
+  const LatLon& to = fields[field];
   item = index == 0   ? takeoff(from.latitude, from.longitude, kHeight)
          : index == 1 ? waypoint(to.latitude, to.longitude, kHeight)
                       : land(to.latitude, to.longitude);
   return true;
 }
 
-void uploadLeg() {
+void beginLeg() {
   stage = Stage::Uploading;
   autopilot.upload(fromFunction(legItem, 3), Readback::Always);
 }
+
+void goOnWithLeg() {}
+#endif
 
 void onText(void*, uint8_t, const char* text) {
   CONSOLE.print(F("autopilot: "));
@@ -54,7 +79,7 @@ void setup() {
   CONSOLE.begin(115200);
   beginTelem(57600);
   mission.onText(onText);
-  uploadLeg();
+  beginLeg();
 }
 
 void onEnded(Status status) {
@@ -64,9 +89,9 @@ void onEnded(Status status) {
     saysComplete = false;
     autopilot.start();
   } else if (stage == Stage::Starting && status == Status::Done) {
-    stage = Stage::Flying;
-  } else if (stage == Stage::Flying && status == Status::Done) {
-    return;  // disarmed, which loop() notices
+    stage = BY_COMMANDS ? Stage::Climbing : Stage::Flying;
+  } else if ((stage == Stage::Flying || stage == Stage::Crossing) && status == Status::Done) {
+    return;  // disarmed, which loop() notices; or on the way
   } else {
     stage = Stage::Done;  // something was refused, as printed above: leave the aircraft to the pilot
   }
@@ -75,6 +100,7 @@ void onEnded(Status status) {
 void loop() {
   const Status status = autopilot.update();
   if (isEnd(status)) onEnded(status);
+  goOnWithLeg();
   if (stage == Stage::Flying && autopilot.hasAutopilot() && !autopilot.isBusy()) {
     const bool isOver = saysComplete || mission.state() == MissionState::Complete;
     if (!isOver) notOverAtMs = millis();
@@ -90,7 +116,7 @@ void loop() {
   if (stage == Stage::Sampling && millis() - landedAtMs >= kSampleMs) {
     ++field;
     if (field < kFields) {
-      uploadLeg();
+      beginLeg();
     } else {
       CONSOLE.println(F("all fields sampled"));
       stage = Stage::Done;

@@ -45,6 +45,10 @@ GLOBAL_POSITION_INT = mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT
 _WAYPOINTS = (16, 82)
 _TAKEOFFS = (TAKEOFF, VTOL_TAKEOFF)
 _NAVIGATION = range(16, 96)  # the commands that fly somewhere or wait; the others are done in passing
+_ABOVE_HOME, _ABOVE_THE_SEA, _ABOVE_GROUND = (3, 6), (0, 5), (10, 11)  # MAV_FRAME
+POSITION_TARGET_GLOBAL_INT = mavlink.MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT
+EXTENDED_SYS_STATE = mavlink.MAVLINK_MSG_ID_EXTENDED_SYS_STATE
+PLACE_ALONE = 65016  # POSITION_TARGET_GLOBAL_INT.type_mask: velocity, acceleration and yaw say nothing
 _STREAMS = {0: (MISSION_CURRENT, GLOBAL_POSITION_INT),  # MAV_DATA_STREAM_ALL
             2: (MISSION_CURRENT,), 6: (GLOBAL_POSITION_INT,)}
 
@@ -122,6 +126,7 @@ class ArduPilot(FakeAutopilot):
             "COMMAND_LONG": self._on_command,
             "COMMAND_INT": self._on_command,
             "SET_MODE": self._on_set_mode,
+            "SET_POSITION_TARGET_GLOBAL_INT": self._on_set_target,
             "REQUEST_DATA_STREAM": self._on_request_data_stream,
             "PARAM_SET": self._on_param_set,
         }
@@ -217,6 +222,11 @@ class ArduPilot(FakeAutopilot):
             self._fly_from(self.current, now)
         return True
 
+    def _on_set_target(self, message, sender, now: float) -> None:
+        """One is enough. There is no answer, and in another mode than GUIDED it does nothing."""
+        if self.mode == "GUIDED":
+            self._fly_guided(message.lat_int, message.lon_int, message.alt, message.coordinate_frame, now)
+
     def _on_request_data_stream(self, message, sender, now: float) -> None:
         for identity in _STREAMS.get(message.req_stream_id, ()):
             on = message.start_stop and message.req_message_rate
@@ -240,6 +250,9 @@ class ArduPilot(FakeAutopilot):
             mavlink.MAV_CMD_DO_SET_MODE: self._do_set_mode,
             mavlink.MAV_CMD_MISSION_START: self._mission_start,
             mavlink.MAV_CMD_DO_SET_MISSION_CURRENT: self._do_set_mission_current,
+            mavlink.MAV_CMD_NAV_TAKEOFF: self._nav_takeoff,
+            mavlink.MAV_CMD_DO_REPOSITION: self._do_reposition,
+            mavlink.MAV_CMD_DO_CHANGE_SPEED: self._do_change_speed,
             mavlink.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_message_interval,
             mavlink.MAV_CMD_GET_MESSAGE_INTERVAL: self._get_message_interval,
             mavlink.MAV_CMD_REQUEST_MESSAGE: self._request_message,
@@ -315,6 +328,49 @@ class ArduPilot(FakeAutopilot):
         self.answer(self._mission_current(), now, later_s=0.001)
         return RESULT_ACCEPTED
 
+    def _nav_takeoff(self, message, now: float) -> int:
+        """Climbs where it stands, in GUIDED; z is above home."""
+        if not self.kind.needs_takeoff:
+            return RESULT_UNSUPPORTED
+        z = message.z if message.get_type() == "COMMAND_INT" else message.param7
+        if getattr(message, "frame", 3) not in _ABOVE_HOME:
+            return RESULT_DENIED  # by source
+        if self.mode != "GUIDED" or not self.armed or self.flight.airborne(now) or not z > 0:
+            return RESULT_FAILED
+        here = self.flight.where(now)
+        self.flight.fly_to(here._replace(height=z), now, spool_up_s=self.kind.pace.spool_up_s)
+        self._follow_flight()
+        return RESULT_ACCEPTED
+
+    def _do_reposition(self, message, now: float) -> int:
+        """As COMMAND_INT alone. In another mode than GUIDED it wants the flag that changes the mode."""
+        if message.get_type() != "COMMAND_INT":
+            return RESULT_UNSUPPORTED
+        if self.mode != "GUIDED" and not whole_number(message.param2) & 1:
+            return RESULT_DENIED
+        if message.x == message.y == 0 or not math.isfinite(message.z):
+            return RESULT_DENIED
+        if message.frame not in (*_ABOVE_HOME, *_ABOVE_THE_SEA, *_ABOVE_GROUND):
+            self.text(INFO, f"Unknown mavlink coordinate frame {message.frame}", now, later_s=2 * TEXT_LAG_S)
+            return RESULT_DENIED
+        if not self._set_mode(self.kind.modes["GUIDED"], now):
+            return RESULT_FAILED
+        self._fly_guided(message.x, message.y, message.z, message.frame, now)
+        return RESULT_ACCEPTED
+
+    def _fly_guided(self, lat: int, lon: int, z: float, frame: int, now: float) -> None:
+        """On the ground a copter does not leave it, and a disarmed vehicle does not move."""
+        height = z - self.flight.home_altitude if frame in _ABOVE_THE_SEA else z
+        if self.armed and (self.flight.airborne(now) or not self.kind.needs_takeoff):
+            self.flight.fly_to(Place(lat, lon, height), now)
+            self._follow_flight()
+
+    def _do_change_speed(self, message, now: float) -> int:
+        if not message.param2 > 0:
+            return RESULT_FAILED  # by source
+        self.flight.pace = self.flight.pace._replace(speed=message.param2)
+        return RESULT_ACCEPTED
+
     def _set_message_interval(self, message, now: float) -> int:
         identity = whole_number(message.param1)
         known = identity in mavlink.mavlink_map or identity in _ARDUPILOTMEGA
@@ -377,6 +433,10 @@ class ArduPilot(FakeAutopilot):
             self._begin_plan(now)
         elif name == self.kind.land_mode and self.armed:
             self._land(now)
+        elif name == "RTL" and self.flight.airborne(now):
+            self.flight.fly_to(self.flight.home._replace(height=self.flight.where(now).height), now,
+                               lands=self.kind.land_mode is not None)
+            self._follow_flight()
         return True
 
     def _why_not_mode(self, name: str, now: float) -> list[tuple[int, str]]:
@@ -563,6 +623,12 @@ class ArduPilot(FakeAutopilot):
             return mavlink.MAVLink_home_position_message(
                 self.home[0], self.home[1], round(self.home[2] * 1000), 0, 0, 0,
                 [math.nan] * 4, 0, 0, 0, boot_ms * 1000)
+        if identity == EXTENDED_SYS_STATE and self.kind.needs_takeoff:  # by source
+            return mavlink.MAVLink_extended_sys_state_message(0, self.flight.landed_state(now))
+        if identity == POSITION_TARGET_GLOBAL_INT and self.flight.target and self.mode == "GUIDED":
+            target = self.flight.target
+            return mavlink.MAVLink_position_target_global_int_message(
+                boot_ms, 0, PLACE_ALONE, target.lat_e7, target.lon_e7, target.height, 0, 0, 0, 0, 0, 0, 0, 0)
         if identity == mavlink.MAVLINK_MSG_ID_AUTOPILOT_VERSION:
             capabilities = mavlink.MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT \
                 | mavlink.MAV_PROTOCOL_CAPABILITY_COMMAND_INT \

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from . import frames
 from .dialect import mavlink
 from .faults import Faults
+from .flight import Flight
 from .hearing import Hearing
 from .items import MISSION, Item
 
@@ -18,6 +19,7 @@ Address = tuple[int, int]  # system id, component id
 
 TEXT_LAG_S = 0.006  # a STATUSTEXT goes out this much after the answer it belongs to
 HEARTBEAT_PERIOD_S = 1.0
+NOW_AND_THEN = (mavlink.MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT,)  # messages that are there at some times only
 SHORTEST_INTERVAL_S = 0.0025  # of a stream: no message more often than the main loop turns
 
 
@@ -50,6 +52,8 @@ class FakeAutopilot:
     """
 
     autopilot_type: int = mavlink.MAV_AUTOPILOT_GENERIC
+    flight: Flight
+    armed: bool
     heard_by: int  # whose way of using the C parser: hearing.ARDUPILOT or hearing.PX4
     response_delay_s = 0.010
     response_delay_on_line_s = 0.0
@@ -215,6 +219,7 @@ class FakeAutopilot:
             message = self.message_of(identity, time)
             if message is not None:
                 self.send_now(message, time)
+            if message is not None or identity in NOW_AND_THEN:
                 self.at(name, time + period_s, send)
         self.at(name, now + period_s, send)
 

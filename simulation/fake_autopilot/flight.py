@@ -96,7 +96,9 @@ class Flight:
         self.ends_at = math.inf  # when that item ends [s]
         self.waiting = False  # at the beginning of that item, for begin()
         self.sinking = False  # at the end of a landing
+        self.target: Place | None = None  # of fly_to(); None when not flying to a place of no plan
         self._moves_to_land = False
+        self._lands_at_target = self._into_ground = False
         self._items = items
         self._begun, self._reached, self._over, self._landed = begun, reached, over, landed
         self._from, self._to = home, home
@@ -110,15 +112,40 @@ class Flight:
         length = self.ends_at - self._began_at
         if not 0 < length < math.inf:
             return self._to
+        if now < self._began_at:
+            return self._from
         share = (now - self._began_at) / length
         return self._from.towards(self._to, share * share * (3 - 2 * share))
 
     def airborne(self, now: float) -> bool:
         return self.where(now).height > 0.1
 
+    def landed_state(self, now: float, takes_off: bool = False) -> int:
+        """As in EXTENDED_SYS_STATE."""
+        if not self.airborne(now):
+            return mavlink.MAV_LANDED_STATE_ON_GROUND
+        if takes_off:
+            return mavlink.MAV_LANDED_STATE_TAKEOFF
+        return mavlink.MAV_LANDED_STATE_LANDING if self.sinking else mavlink.MAV_LANDED_STATE_IN_AIR
+
+    def fly_to(self, target: Place, now: float, *, spool_up_s: float = 0.0, lands: bool = False) -> None:
+        """Leave the plan and fly to a place; with lands, come down there. Into the ground, it lands on the way."""
+        self.stop(now)
+        target = target if self.pace.flies else target._replace(height=self._from.height)
+        self.target, self._lands_at_target = target, lands
+        if target.height < 0:
+            self._into_ground, target = True, target._replace(height=0.0)
+        climbs = target[:2] == self._from[:2] and target.height > self._from.height
+        takes_s = (target.height - self._from.height) / self.pace.climb if climbs \
+            else max(self.pace.leg_s(self._from.distance(target)),
+                     (self._from.height - target.height) / self.pace.descent)
+        self._to, self._began_at = target, now + spool_up_s
+        self.ends_at = self._began_at + max(takes_s, 0.02)
+
     def begin(self, index: int, now: float) -> None:
         """Fly item `index`, and from there on."""
         self._from = self.where(now)
+        self.target = None
         self.waiting = self.sinking = False
         for _ in range(MOST_JUMPS_AT_ONCE):
             items = self._items()
@@ -150,9 +177,12 @@ class Flight:
         item = items[index] if index is not None and index < len(items) else None
         self._from = self._to
         self.ends_at = math.inf
-        sank, self.sinking = self.sinking, False
+        sank = self.sinking or self._into_ground
+        self.sinking = self._into_ground = False
         if sank and not self._landed(now):
             return
+        if index is None and self._lands_at_target and not sank:
+            self.sink(now)
         if index is None:
             return
         lands = item is not None and item.command in LANDINGS and self.pace.flies
@@ -181,13 +211,15 @@ class Flight:
         """Fly no item any more: stay where we are."""
         self._to = self._from = self.where(now)
         self.index, self.ends_at = None, math.inf
-        self.waiting = self.sinking = False
+        self.waiting = self.sinking = self._lands_at_target = self._into_ground = False
+        self.target = None
 
     def land_at_once(self) -> None:
         """As after a restart: on the ground, at rest, where it is."""
         self._from = self._to = self._to._replace(height=0.0)
         self.index, self.ends_at = None, math.inf
-        self.waiting = self.sinking = False
+        self.waiting = self.sinking = self._lands_at_target = self._into_ground = False
+        self.target = None
 
     def forget_jumps(self) -> None:
         self._jumps_left.clear()

@@ -22,7 +22,7 @@ RESULT_FAILED = mavlink.MAV_RESULT_FAILED
 
 MAIN_MODES = {1: "MANUAL", 2: "ALTCTL", 3: "POSCTL", 4: "AUTO", 5: "ACRO", 6: "OFFBOARD",
               7: "STABILIZED"}
-AUTO = 4
+AUTO, OFFBOARD = 4, 6
 SUB_TAKEOFF, SUB_LOITER, SUB_MISSION, SUB_RTL, SUB_LAND = 2, 3, 4, 5, 6
 _PLAN_MODES = (SUB_TAKEOFF, SUB_MISSION, SUB_LAND)
 
@@ -38,6 +38,8 @@ DISARM_AFTER_LANDING_S = 2.0  # in LAND; at the end of a plan at once
 MISSION_LANDED_S = 0.18  # from the landing to the text, and as long again to the disarming
 LOOKS_AFTER_S = 0.025  # after it has accepted a plan; 0.010 to 0.062 seen
 COMMANDER_S = 0.005  # so much later answers the part that arms and changes modes; 0.004 to 0.014 seen
+STREAM_S = 1.0  # OFFBOARD wants a target in this time
+DEFAULT_TAKEOFF_M = 2.5  # its parameter MIS_TAKEOFF_ALT
 TEXT_LENGTH = 50  # of a STATUSTEXT; what is longer comes in several
 
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
@@ -46,6 +48,8 @@ _TO_THE_COMMANDER = (mavlink.MAV_CMD_DO_SET_MODE, mavlink.MAV_CMD_COMPONENT_ARM_
                      mavlink.MAV_CMD_MISSION_START)
 _NO_STREAMS = (MISSION_CURRENT, MISSION_ITEM_REACHED)  # they come as they come, and cannot be asked for
 GLOBAL_POSITION_INT = mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT
+POSITION_TARGET_GLOBAL_INT = mavlink.MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT
+EXTENDED_SYS_STATE = mavlink.MAVLINK_MSG_ID_EXTENDED_SYS_STATE
 
 
 def custom_mode(main: int, sub: int = 0) -> int:
@@ -60,7 +64,8 @@ class Px4(FakeAutopilot):
     item_limit, fence_limit, rally_limit: how many items it has room for; not seen.
     infeasible_text: whether it says in a STATUSTEXT why it will not fly an accepted plan (by
     source). The recorded one did not: it said so only by mission_state in MISSION_CURRENT.
-    takeoff_required: its parameter MIS_TKO_LAND_REQ, off by default.
+    takeoff_required: its parameter MIS_TKO_LAND_REQ, off by default. streams: further messages that
+    it sends unasked, and how often [s].
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_PX4
@@ -72,7 +77,7 @@ class Px4(FakeAutopilot):
                  home: tuple[int, int, float] = (473977428, 85455937, 489.5),
                  armed: bool = False, mode: tuple[int, int] | None = None,
                  infeasible_text: bool = True, takeoff_required: bool = False,
-                 tells_at_s: float = 0.5, **options) -> None:
+                 tells_at_s: float = 0.5, streams: dict[int, float] | None = None, **options) -> None:
         super().__init__(**options)
         if self.mavlink_version != 2:
             raise ValueError("PX4 speaks MAVLink 2: give mavlink_version=2")
@@ -88,6 +93,10 @@ class Px4(FakeAutopilot):
         self._text_number = 0
         self._reached: int | None = None
         self._reached_again = 0
+        self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
+        self.home_is_known = True
+        self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
+        self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
                                         RALLY: rally_limit})
         self.flight = Flight(PACE, Place(home[0], home[1], 0.0), home[2],
@@ -107,8 +116,15 @@ class Px4(FakeAutopilot):
             "COMMAND_LONG": self._on_command,
             "COMMAND_INT": self._on_command,
             "SET_MODE": self._on_set_mode,
+            "SET_POSITION_TARGET_GLOBAL_INT": self._on_set_target,
         }
         self.at("tell", tells_at_s, self._tell)
+        self._streams = streams or {}
+        self._begin_streams(0.0)
+
+    def _begin_streams(self, now: float) -> None:
+        for identity, period_s in self._streams.items():
+            self.default_stream(identity, period_s, now)
 
     # -- the plan -------------------------------------------------------------------------
 
@@ -199,6 +215,15 @@ class Px4(FakeAutopilot):
         main, sub = message.custom_mode >> 16 & 0xFF, message.custom_mode >> 24 & 0xFF
         self._command_ack(mavlink.MAV_CMD_DO_SET_MODE, self._mode_ordered(main, sub, now), sender, now)
 
+    def _on_set_target(self, message, sender, now: float) -> None:
+        """Flown to in OFFBOARD alone, which wants a stream of them."""
+        if message.target_system not in (0, self.address[0]):
+            return
+        self._streamed_at = now
+
+    def _has_stream(self, now: float) -> bool:
+        return now - self._streamed_at <= STREAM_S
+
     # -- commands -------------------------------------------------------------------------
 
     def _on_command(self, message, sender, now: float) -> None:
@@ -209,6 +234,9 @@ class Px4(FakeAutopilot):
             mavlink.MAV_CMD_COMPONENT_ARM_DISARM: self._arm_or_disarm,
             mavlink.MAV_CMD_DO_SET_MODE: self._do_set_mode,
             mavlink.MAV_CMD_MISSION_START: self._mission_start,
+            mavlink.MAV_CMD_NAV_TAKEOFF: self._nav_takeoff,
+            mavlink.MAV_CMD_DO_REPOSITION: self._do_reposition,
+            mavlink.MAV_CMD_DO_CHANGE_SPEED: self._do_change_speed,
             mavlink.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_message_interval,
             mavlink.MAV_CMD_GET_MESSAGE_INTERVAL: self._get_message_interval,
             mavlink.MAV_CMD_REQUEST_MESSAGE: self._request_message,
@@ -241,6 +269,8 @@ class Px4(FakeAutopilot):
             self.text(INFO, "Armed by external command\t", now, later_s=COMMANDER_S + 0.001)
             if in_mission_mode:
                 self._fly_plan(now)
+            elif (self.main_mode, self.sub_mode) == (AUTO, SUB_TAKEOFF):
+                self._take_off(now, COMMANDER_S + 0.17)
             return RESULT_ACCEPTED
         if message.param1 != 0:
             return RESULT_UNSUPPORTED
@@ -267,7 +297,8 @@ class Px4(FakeAutopilot):
         if main not in MAIN_MODES or not 0 <= sub <= 255:
             return RESULT_UNSUPPORTED
         name = MODE_NAMES.get((main, sub))
-        if self.armed and name and not (name == "Mission" and self._can_fly_plan()):
+        is_possible = self._has_stream(now) if name == "Offboard" else self._can_fly_plan()
+        if self.armed and name and not is_possible:
             self.text(CRITICAL, f"Switching to {name} is currently not available\t", now,
                       later_s=COMMANDER_S + TEXT_LAG_S)
             return RESULT_REJECTED_FOR_NOW
@@ -295,6 +326,51 @@ class Px4(FakeAutopilot):
                 self.text(INFO, "Armed by mission start\t", now, later_s=COMMANDER_S + 0.001)
             self._set_mode(AUTO, SUB_MISSION, now)
         self._tell_if_changed(now)
+        return RESULT_ACCEPTED
+
+    def _nav_takeoff(self, message, now: float) -> int:
+        """Its mode is TAKEOFF then; disarmed, it takes off once it is armed. z is above the sea."""
+        self._takeoff_z = message.z if message.get_type() == "COMMAND_INT" else message.param7
+        self._set_mode(AUTO, SUB_TAKEOFF, now)
+        if self.armed:
+            self._take_off(now, 0.15)
+        return RESULT_ACCEPTED
+
+    def _take_off(self, now: float, said_later_s: float) -> None:
+        here = self.flight.where(now)
+        height = self._takeoff_z - self.home[2]
+        if math.isnan(height):
+            height = DEFAULT_TAKEOFF_M
+            self.text(INFO, f"Using default takeoff altitude: {height:.1f} m\t", now, later_s=said_later_s)
+        if here.height <= 0.1:
+            self.text(INFO, "Takeoff detected\t", now, later_s=PACE.spool_up_s)
+        spool_up_s = PACE.spool_up_s if here.height <= 0.1 else 0.0
+        self.flight.fly_to(here._replace(height=max(height, here.height + 0.2)), now, spool_up_s=spool_up_s)
+        self._follow_flight()
+
+    def _do_reposition(self, message, now: float) -> int:
+        """It ignores the frame: z is above the sea. Without the flag that changes the mode it refuses, and in
+        HOLD flies there all the same."""
+        if message.get_type() == "COMMAND_INT":
+            lat, lon, z = message.x, message.y, message.z
+        elif math.isnan(message.param5) or math.isnan(message.param6):
+            lat, lon, z = None, None, message.param7
+        else:
+            lat, lon, z = round(message.param5 * 1e7), round(message.param6 * 1e7), message.param7
+        changes_mode = whole_number(message.param2) & 1
+        if changes_mode:
+            self._set_mode(AUTO, SUB_LOITER, now)
+        if self.armed and (self.main_mode, self.sub_mode) == (AUTO, SUB_LOITER) and self.flight.airborne(now):
+            here = self.flight.where(now)
+            height = here.height if math.isnan(z) else z - self.home[2]
+            if lat is None:  # stays where it is
+                lat, lon = here.lat_e7, here.lon_e7
+            self.flight.fly_to(Place(lat, lon, height), now)
+            self._follow_flight()
+        return RESULT_ACCEPTED if changes_mode else RESULT_UNSUPPORTED
+
+    def _do_change_speed(self, message, now: float) -> int:
+        self.flight.pace = self.flight.pace._replace(speed=message.param2 if message.param2 > 0 else PACE.speed)
         return RESULT_ACCEPTED
 
     def _set_message_interval(self, message, now: float) -> int:
@@ -334,6 +410,8 @@ class Px4(FakeAutopilot):
         self.flight.stop(now)
         if self.armed and (main, sub) == (AUTO, SUB_LAND):
             self.flight.sink(now)
+        elif (main, sub) == (AUTO, SUB_RTL) and self.flight.airborne(now):
+            self.flight.fly_to(self.flight.home._replace(height=self.flight.where(now).height), now, lands=True)
         self._follow_flight()
         if self.armed and (main, sub) == (AUTO, SUB_MISSION) and self._can_fly_plan():
             self._fly_plan(now)
@@ -361,8 +439,12 @@ class Px4(FakeAutopilot):
             self.at("leg", self.flight.ends_at, self._leg_over)
 
     def _leg_over(self, now: float) -> None:
+        has_climbed = (self.main_mode, self.sub_mode) == (AUTO, SUB_TAKEOFF) and self.flight.target is not None
         self.flight.advance(now)
         self._follow_flight()
+        if has_climbed:
+            self.sub_mode = SUB_LOITER
+            self._mode_when_disarmed = (AUTO, SUB_LOITER)
 
     def _item_begun(self, index: int, item: Item, now: float) -> None:
         self.missions.current = self._known_current = index
@@ -422,12 +504,16 @@ class Px4(FakeAutopilot):
             base = (mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
                     | mavlink.MAV_MODE_FLAG_STABILIZE_ENABLED
                     | mavlink.MAV_MODE_FLAG_MANUAL_INPUT_ENABLED)
+        if self.main_mode == OFFBOARD:
+            base &= ~mavlink.MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
         status = mavlink.MAV_STATE_STANDBY
+        if self.main_mode == OFFBOARD and not self._has_stream(self._now):
+            status = mavlink.MAV_STATE_UNINIT
         if (self.main_mode, self.sub_mode) == (AUTO, SUB_MISSION) and not self._can_fly_plan():
             status = mavlink.MAV_STATE_UNINIT  # it would not be armed like this
         if self.armed:
             base |= mavlink.MAV_MODE_FLAG_SAFETY_ARMED
-            status = mavlink.MAV_STATE_ACTIVE
+            status = mavlink.MAV_STATE_CRITICAL if self.in_failsafe else mavlink.MAV_STATE_ACTIVE
         return mavlink.MAVLink_heartbeat_message(
             self.vehicle_types[self.vehicle], self.autopilot_type, base,
             custom_mode(self.main_mode, self.sub_mode), status, 3)
@@ -474,7 +560,15 @@ class Px4(FakeAutopilot):
             return mavlink.MAVLink_global_position_int_message(
                 boot_ms, lat, lon, round((self.home[2] + height) * 1000), round(height * 1000),
                 0, 0, 0, 0)
-        if identity == mavlink.MAVLINK_MSG_ID_HOME_POSITION:
+        if identity == EXTENDED_SYS_STATE:
+            takes_off = (self.main_mode, self.sub_mode) == (AUTO, SUB_TAKEOFF)
+            return mavlink.MAVLink_extended_sys_state_message(0, self.flight.landed_state(now, takes_off))
+        if identity == POSITION_TARGET_GLOBAL_INT and self.armed and self.flight.target:
+            target = self.flight.target
+            return mavlink.MAVLink_position_target_global_int_message(
+                boot_ms, 5, 0, int(target.lat_e7 * 1e-7 * 1e7), int(target.lon_e7 * 1e-7 * 1e7),
+                self.home[2] + target.height, 0, 0, 0, 0, 0, 0, 0, 0)
+        if identity == mavlink.MAVLINK_MSG_ID_HOME_POSITION and self.home_is_known:
             return mavlink.MAVLink_home_position_message(
                 self.home[0], self.home[1], round(self.home[2] * 1000), 0, 0, 0,
                 [1.0, 0.0, 0.0, 0.0], 0, 0, 0, boot_ms * 1000)
@@ -502,3 +596,4 @@ class Px4(FakeAutopilot):
         self.flight.land_at_once()
         self.flight.forget_jumps()
         self.at("tell", now + TELLS_PERIOD_S / 2, self._tell)
+        self._begin_streams(now)

@@ -30,17 +30,23 @@ class Heard(NamedTuple):
 
 _LOSSY = "lossy_"
 _FTP = "ftp_"
+_GUIDED = "guided_"
 _OF_STARTS = ("start_", "mission_", "set_current_", "auto_and_arming", "request_messages")
 
 
 def names() -> list[str]:
     """All recordings of transfers, as "px4/item_lost"."""
-    return [name for name in _all() if not name.split("/")[1].startswith((*_OF_STARTS, _LOSSY, _FTP))]
+    return [name for name in _all() if not name.split("/")[1].startswith((*_OF_STARTS, _LOSSY, _FTP, _GUIDED))]
 
 
 def starts() -> list[str]:
     """All recordings of how a mission is started, changed and ended, as "px4/mission_end"."""
     return [name for name in _all() if name.split("/")[1].startswith(_OF_STARTS)]
+
+
+def guided() -> list[str]:
+    """All recordings of commands that fly an aircraft without a plan, as "px4/guided_flight"."""
+    return [name for name in _all() if name.split("/")[1].startswith(_GUIDED)]
 
 
 def ftp() -> list[str]:

@@ -42,6 +42,9 @@ MissionFollower follower(client);
 #ifdef BENCH_QUIET
 TelemetryPause quiet(client);
 #endif
+#ifdef BENCH_STEERING
+Steering steering(client);
+#endif
 
 static ItemSource plan = emptyPlan();
 static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
@@ -214,8 +217,8 @@ ACTION(mode) { tellBegun(client.setMode(static_cast<FlightMode>(numbers[0]))); }
 ACTION(custommode) { tellBegun(client.setCustomMode(numbers[0])); }
 ACTION(startmission) { tellBegun(client.startMission()); }
 ACTION(setcurrent) { tellBegun(client.setCurrentItem(numbers[0])); }
-ACTION(pause) { tellBegun(client.pause()); }
-ACTION(resume) { tellBegun(client.resume()); }
+ACTION(pause) { tellBegun(client.setMode(FlightMode::Hold)); }
+ACTION(resume) { tellBegun(client.setMode(FlightMode::Auto)); }
 ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
 // benchCommand; 1: repeat it always.
 ACTION(order) { tellBegun(client.send(benchCommand, static_cast<CommandRepeat>(numbers[0]))); }
@@ -235,6 +238,33 @@ ACTION(raw) { client.useRawNumbering(numbers[0]); }
 ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
 ACTION(limit) { client.setOperationTimeout(numbers[0]); }
 ACTION(backoff) { client.retryWhenBusy(numbers[0]); }
+#ifdef BENCH_STEERING
+static float asFloat(uint32_t bits) {
+  float value;
+  memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+// Numbers with a fraction come as the bits of a float.
+ACTION(takeoff) { tellBegun(steering.takeOff(Metres(asFloat(numbers[0])))); }
+// Latitude and longitude [1e-7 degrees], altitude, frame.
+ACTION(goTo) {
+  const LatLon place = {Degrees::fromE7(static_cast<int32_t>(numbers[0])),
+                        Degrees::fromE7(static_cast<int32_t>(numbers[1]))};
+  tellBegun(steering.goTo(place, Altitude(Metres(asFloat(numbers[2])), static_cast<Frame>(numbers[3]))));
+}
+ACTION(hold) { tellBegun(steering.pause()); }
+ACTION(goOn) { tellBegun(steering.resume()); }
+ACTION(home) { tellBegun(steering.returnHome()); }
+ACTION(landNow) { tellBegun(steering.landNow()); }
+ACTION(speed) { tellBegun(steering.setSpeed(MetresPerSecond(asFloat(numbers[0])))); }
+// Within so many centimetres.
+ACTION(steered) {
+  tell(F("steered"), static_cast<uint8_t>(steering.step()));
+  tellNumber(F("arrived"), steering.hasArrived(numbers[0]));
+  tellNumber(F("may"), steering.maySteer());
+  Serial.println();
+}
+#endif
 #ifndef BENCH_DIRECT
 ACTION(room) { line.setRoom(numbers[0]); }
 #endif
@@ -266,15 +296,26 @@ ACTION(fieldtext) {
 }
 
 static const Word words[] = {
-    WORD(ram),       WORD(empty),         WORD(upload),          WORD(uploadagain),  WORD(uploadpart), WORD(verify),
-    WORD(download),  WORD(downloadtoram), WORD(downloadtosmall), WORD(clear),        WORD(start),      WORD(arm),
-    WORD(disarm),    WORD(mode),          WORD(custommode),      WORD(startmission), WORD(setcurrent), WORD(pause),
-    WORD(resume),    WORD(interval),      WORD(order),           WORD(cancel),       WORD(post),       WORD(chain),
-    WORD(ids),       WORD(talk),          WORD(speak),           WORD(armed),        WORD(raw),        WORD(waiting),
-    WORD(limit),     WORD(backoff),       WORD(state),           WORD(followed),     WORD(counters),   WORD(compare),
-    WORD(fieldtext), WORD(stall),         WORD(ensure),
+    WORD(ram),          WORD(empty),         WORD(upload),
+    WORD(uploadagain),  WORD(uploadpart),    WORD(verify),
+    WORD(download),     WORD(downloadtoram), WORD(downloadtosmall),
+    WORD(clear),        WORD(start),         WORD(arm),
+    WORD(disarm),       WORD(mode),          WORD(custommode),
+    WORD(startmission), WORD(setcurrent),    WORD(pause),
+    WORD(resume),       WORD(interval),      WORD(order),
+    WORD(cancel),       WORD(post),          WORD(chain),
+    WORD(ids),          WORD(talk),          WORD(speak),
+    WORD(armed),        WORD(raw),           WORD(waiting),
+    WORD(limit),        WORD(backoff),       WORD(state),
+    WORD(followed),     WORD(counters),      WORD(compare),
+    WORD(fieldtext),    WORD(stall),         WORD(ensure),
+#ifdef BENCH_STEERING
+    WORD(takeoff),      WORD(goTo),          WORD(hold),
+    WORD(goOn),         WORD(home),          WORD(landNow),
+    WORD(speed),        WORD(steered),
+#endif
 #ifndef BENCH_DIRECT
-    WORD(room),      WORD(blocked),
+    WORD(room),         WORD(blocked),
 #endif
 };
 

@@ -131,13 +131,12 @@ class MissionClient : private detail::Client {
   // Status::NoSuchItem for a number that is not in the plan, where the plan is known; otherwise the autopilot refuses
   // it.
   Status setCurrentItem(uint16_t item);
-  // Makes the aircraft stay where it is, and continue its mission.
-  Status pause() { return setMode(FlightMode::Hold); }
-  Status resume() { return setMode(FlightMode::Auto); }
   // Sets the interval at which the autopilot sends a message [us]; 0 is its default, -1 never.
   Status setMessageInterval(uint16_t messageId, int32_t intervalUs);
   // Sends any command, which must live until the operation has ended. It does not force arming either, and does not
-  // send PX4's MISSION_START, which arms, to a disarmed aircraft (Status::NotArmed): that is what start() is for.
+  // send PX4's MISSION_START, which arms, to a disarmed aircraft (Status::NotArmed): that is what start() is for. Where
+  // the autopilot takes the command in its other form only (COMMAND_LONG or COMMAND_INT), it is sent again in that
+  // form, if each value fits in there.
   Status send(const FlightCommand& command, CommandRepeat repeat = CommandRepeat::IfHarmless);
   Status send(const FlightCommand&&,
               CommandRepeat = CommandRepeat::IfHarmless) = delete;  // a temporary would be gone before it is sent

@@ -76,11 +76,15 @@ namespace mavmission {
   X(Denied, "the autopilot said: denied (another ground station may be transferring)") \
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
   X(UnknownResult, "the autopilot answered with an unknown code") \
-  /* commands: MAV_RESULT 1 to 4 in order, then any other result */ \
+  /* commands: MAV_RESULT 1 to 4 and 7 to 10 in order, then any other result */ \
   X(CommandRejected, "the autopilot said: not now") \
   X(CommandDenied, "the autopilot said: denied (a parameter is not valid)") \
   X(CommandUnsupported, "the autopilot said: command not supported") \
   X(CommandFailed, "the autopilot said: failed") \
+  X(CommandLongOnly, "the autopilot said: only as COMMAND_LONG") \
+  X(CommandIntOnly, "the autopilot said: only as COMMAND_INT") \
+  X(CommandFrame, "the autopilot said: coordinate frame not supported by the command") \
+  X(NotInControl, "the autopilot said: another station is in control") \
   X(CommandRefused, "the autopilot refused with another code") \
   X(NoSuchMode, "this vehicle has no such mode") \
   X(NotArmed, "refused: the autopilot is not armed") \
@@ -89,7 +93,13 @@ namespace mavmission {
   X(NoSuchItem, "refused: the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to from this item on") \
   X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
-  X(TakenOver, "somebody else has set another mode")
+  X(TakenOver, "somebody else has set another mode") \
+  /* Steering: nothing was sent, unless it was lost in the middle */ \
+  X(PilotHasIt, "a pilot or another station has the aircraft") \
+  X(FailsafeHasIt, "a failsafe or another station lands it or brings it back") \
+  X(NotFlying, "refused: it is not in the air") \
+  X(NoHome, "refused: the autopilot does not say where home is") \
+  X(BadSpeed, "refused: a speed that is not above 0, or above 100 m/s")
 // clang-format on
 
 enum class Status : uint8_t {

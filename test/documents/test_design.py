@@ -93,6 +93,7 @@ STATES = {
     "command": ("CommandTransfer.h", "State"),
     "start": ("Operations.h", "StartStep"),
     "phases of start": ("StartTransfer.h", "State"),
+    "steering": ("Steering.h", "SteerStep"),
 }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from example_runs import SLICE_S, Run, commands, is_ardupilot
+from example_runs import SLICE_S, Run, commands, image_of, is_ardupilot
 from plans import HOME, NAN, jump, waypoint
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, mavlink
 
@@ -242,3 +242,84 @@ def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):
     example = Run("LinkDoctor", personality, baud=115200)
     lines = example.until("  it speaks at 115200", 15.0)
     assert lines[-2] == "frames, but at another baud rate"
+
+
+def test_go_to_places_flies_to_three_places_and_comes_home(run):
+    example = run("GoToPlaces")
+    flight, places = example.autopilot.flight, []
+    while "home" not in example.lines:
+        assert example.now < 200, example.lines
+        example.run(0.5)
+        if flight.target is not None and flight.target[:2] != flight.home[:2] and flight.target not in places:
+            places.append(flight.target)
+    # An unconnected sensor of the simulated Mega reads 0: each place is 30 m north of the one before.
+    assert [round((place.lat_e7 - flight.home.lat_e7) * 0.0111) for place in places] == [30, 60, 90]
+    assert [round(place.height, 1) for place in places] == [10.0] * 3
+    assert example.lines.count("there: working") == 3
+    assert flight.where(example.now).distance(flight.home) < 0.5 and not example.autopilot.armed
+
+
+def test_go_to_places_leaves_the_aircraft_to_a_pilot_who_takes_it(run, personality):
+    example = run("GoToPlaces")
+    example.until("there: working", 120.0)
+    mode = "LOITER" if is_ardupilot(example) else (3, 0)
+    if is_ardupilot(example):
+        example.autopilot._set_mode(5, example.now)
+    else:
+        example.autopilot._set_mode(*mode, example.now)
+    example.until("a pilot or another station has the aircraft", 60.0)
+    example.run(20.0)
+    autopilot = example.autopilot
+    assert (autopilot.mode if is_ardupilot(example) else (autopilot.main_mode, autopilot.sub_mode)) == mode
+    assert autopilot.armed and "to place 3" not in example.lines and "home" not in example.lines
+
+
+def test_work_at_waypoints_holds_the_mission_at_each_and_goes_on(run):
+    example = run("WorkAtWaypoints")
+    flight = example.autopilot.flight
+    held = []
+    while "landed" not in example.lines:
+        assert example.now < 200, example.lines
+        working = len([line for line in example.lines if line.startswith(("servo", "sensor"))])
+        resumed = example.lines.count("going on")
+        if working > resumed:
+            held.append((working, flight.where(example.now)))
+        example.run(0.25)
+    lines = [line for line in example.lines if not line.startswith("accepted")]
+    assert [line for line in lines if line not in ("reached 0", "reached 3")] == [
+        "reached 1", "servo open", "going on", "reached 2", "sensor: 0", "going on", "landed"]  # fmt: skip
+    for number in (1, 2):
+        stays = [place for which, place in held if which == number]
+        assert len(stays) >= 11  # 3 s
+        assert max(place.distance(stays[-1]) for place in stays) < 0.1
+    assert not example.autopilot.armed
+
+
+def test_work_at_waypoints_leaves_the_aircraft_to_a_pilot(run):
+    example = run("WorkAtWaypoints")
+    example.until("servo open", 100.0)
+    autopilot = example.autopilot
+    if is_ardupilot(example):
+        autopilot._set_mode(5, example.now)
+    else:
+        autopilot._set_mode(3, 0, example.now)
+    example.until("a pilot or another station has the aircraft", 20.0)
+    example.run(10.0)
+    assert (autopilot.mode == "LOITER") if is_ardupilot(example) else (autopilot.main_mode == 3)
+    assert "reached 2" not in example.lines
+
+
+def test_next_waypoint_flies_each_leg_by_commands_too(personality):
+    example = Run("NextWaypoint", personality, image=image_of("NextWaypoint", BY_COMMANDS=1))
+    flight, landed = example.autopilot.flight, []
+    while "all fields sampled" not in example.lines:
+        assert example.now < 200, example.lines
+        before = example.lines.count("landed: sampling")
+        example.run(0.25)
+        if example.lines.count("landed: sampling") > before:
+            landed.append(flight.where(example.now))
+    fields = [(-353631000, 1491652374), (-353631000, 1491654000)]
+    assert len(landed) == 2
+    for place, (lat, lon) in zip(landed, fields, strict=True):
+        assert max(abs(place.lat_e7 - lat), abs(place.lon_e7 - lon)) < 190 and place.height == 0  # 2 m
+    assert example.autopilot.messages(">", "MISSION_COUNT") == []

@@ -17,7 +17,8 @@ COMMANDS = pytest.mark.scenario(54, "Commands: acknowledged, lost, in progress, 
 SERVO, RELAY, GRIPPER, CHANGE_SPEED, REPOSITION = 183, 181, 211, 178, 192
 ARM, SET_MODE, MISSION_START, SET_CURRENT, INTERVAL = 400, 176, 300, 224, 511
 RESULTS = {0: "Done", 1: "CommandRejected", 2: "CommandDenied", 3: "CommandUnsupported", 4: "CommandFailed",
-           6: "CommandRefused", 7: "CommandRefused", 9: "CommandRefused", 77: "CommandRefused"}  # fmt: skip
+           6: "CommandRefused", 7: "CommandLongOnly", 8: "CommandIntOnly", 9: "CommandFrame", 10: "NotInControl",
+           11: "CommandRefused", 77: "CommandRefused"}  # fmt: skip
 
 
 def deafen(service) -> None:
@@ -40,13 +41,108 @@ def acknowledge(service, command: int, result: int, target: tuple[int, int] = (1
 def test_each_result_has_its_status(service):
     deafen(service)
     for number, (result, status) in enumerate(RESULTS.items(), start=1):
-        assert service.send_command(CHANGE_SPEED, 1.0, 5.0) == "WaitingForAutopilot"
+        # Half a metre as a number: there is no other form to send it in.
+        assert service.send_command(CHANGE_SPEED, 1.0, 5.0, 0.0, 0.0, 0.5) == "WaitingForAutopilot"
         service.run_until_sent("COMMAND_LONG", number)
         acknowledge(service, CHANGE_SPEED, result)
         assert service.done(limit_s=1) == status
         assert service.state.last_result == result
     service.run(4.0)
     assert len(service.heard("COMMAND_LONG")) == len(RESULTS)
+
+
+LONG_ONLY, INT_ONLY = 7, 8
+
+
+def sent_numbers(message) -> list[float]:
+    """All seven, of either form."""
+    names = ("param1", "param2", "param3", "param4", "param5", "param6", "param7")
+    if message.get_type() == "COMMAND_INT":
+        names = (*names[:4], "x", "y", "z")
+    return [getattr(message, name) for name in names]
+
+
+@COMMANDS
+@pytest.mark.parametrize("numbers", [(1.5, -2.25, 0.0, 4.0, 0.0, 0.0, 7.125), (1.0, 2.0, 3.0, 4.0, -9.0, 123456.0, 0.0)])
+def test_command_that_is_taken_as_command_int_only_is_sent_as_one(service, numbers):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, *numbers)
+    service.run_until_sent("COMMAND_LONG")
+    acknowledge(service, CHANGE_SPEED, INT_ONLY)
+    service.run_until_sent("COMMAND_INT")
+    (message,) = service.heard("COMMAND_INT")
+    assert sent_numbers(message) == [*numbers] and message.frame == mavlink.MAV_FRAME_MISSION
+    acknowledge(service, CHANGE_SPEED, 0)
+    assert service.done(limit_s=1) == "Done"
+    assert len(service.heard("COMMAND_LONG")) == 1
+
+
+@COMMANDS
+def test_command_that_is_taken_as_command_long_only_is_sent_as_one(service):
+    deafen(service)
+    service.send_command(31000, 1.5, 2.0, 3.0, 4.0, 0.0, 0.0, 7.0, place=(-9, 16777216), frame=2)
+    service.run_until_sent("COMMAND_INT")
+    acknowledge(service, 31000, LONG_ONLY)
+    service.run_until_sent("COMMAND_LONG")
+    (message,) = service.heard("COMMAND_LONG")
+    assert sent_numbers(message) == [1.5, 2.0, 3.0, 4.0, -9.0, 16777216.0, 7.0]
+    acknowledge(service, 31000, 0)
+    assert service.done(limit_s=1) == "Done"
+
+
+@COMMANDS
+@pytest.mark.parametrize("frame, place", [(6, (-353632621, 1491652374)), (0, (1, 2)), (2, (16777217, 0))])
+def test_place_is_not_squeezed_into_a_command_long(service, frame, place):
+    deafen(service)
+    service.send_command(REPOSITION, -1.0, 1.0, place=place, frame=frame)
+    service.run_until_sent("COMMAND_INT")
+    acknowledge(service, REPOSITION, LONG_ONLY)
+    assert service.done(limit_s=1) == "CommandLongOnly"
+    service.run(2.0)
+    assert service.heard("COMMAND_LONG") == []
+
+
+@COMMANDS
+@pytest.mark.parametrize("number", [0.5, math.nan, math.inf, 3e9])
+def test_number_that_is_not_whole_is_not_squeezed_into_a_command_int(service, number):
+    deafen(service)
+    service.send_command(31000, 0.0, 0.0, 0.0, 0.0, 0.0, number)
+    service.run_until_sent("COMMAND_LONG")
+    acknowledge(service, 31000, INT_ONLY)
+    assert service.done(limit_s=1) == "CommandIntOnly"
+    assert service.heard("COMMAND_INT") == []
+
+
+@COMMANDS
+@pytest.mark.parametrize("second", [INT_ONLY, LONG_ONLY])
+def test_form_is_changed_once_and_no_more(service, second):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    service.run_until_sent("COMMAND_LONG")
+    acknowledge(service, CHANGE_SPEED, INT_ONLY)
+    service.run_until_sent("COMMAND_INT")
+    acknowledge(service, CHANGE_SPEED, second)
+    assert service.done(limit_s=1) == ("CommandIntOnly" if second == INT_ONLY else "CommandLongOnly")
+    service.run(2.0)
+    assert len(service.heard("COMMAND_LONG", "COMMAND_INT")) == 2
+
+
+@COMMANDS
+def test_changed_form_is_made_up_for_when_it_is_lost_and_still_goes_out_once_where_once_is_meant(service):
+    deafen(service)
+    service.send_command(CHANGE_SPEED, 1.0, 5.0)
+    service.run_until_sent("COMMAND_LONG")
+    service.wire.lose(">", name="COMMAND_INT")
+    acknowledge(service, CHANGE_SPEED, INT_ONLY)
+    service.run_until_sent("COMMAND_INT", 2)
+    acknowledge(service, CHANGE_SPEED, 0)
+    assert service.done(limit_s=1) == "Done"
+    service.send_command(SERVO, 9.0, 1500.0)
+    service.run_until_sent("COMMAND_LONG", 2)
+    before = len(service.sent_at("COMMAND_INT"))
+    acknowledge(service, SERVO, INT_ONLY)
+    assert service.done(limit_s=10) == "Unconfirmed"
+    assert len(service.sent_at("COMMAND_INT")) == before + 1
 
 
 @COMMANDS

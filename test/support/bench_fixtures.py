@@ -68,6 +68,29 @@ def service(make_service):
     return make_service()
 
 
+@pytest.fixture
+def build_steered(request):
+    """Makes a Steered for an autopilot, whose transcript is shown when the test fails."""
+    from simulation.steered import Steered
+
+    def build(*arguments, **options) -> Steered:
+        made = Steered(*arguments, **options)
+        request.node.stash.setdefault(BENCHES, []).append(made)
+        return made
+
+    return build
+
+
+@pytest.fixture
+def make_steered(build_steered, personality):
+    return lambda **options: build_steered(personality, **options)
+
+
+@pytest.fixture
+def steered(make_steered):
+    return make_steered()
+
+
 BENCHES = pytest.StashKey[list]()
 
 

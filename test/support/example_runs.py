@@ -17,17 +17,19 @@ SLICE_S = 0.002
 
 
 @cache
-def image_of(example: str) -> Image:
-    """As the Arduino IDE makes it, but for the prototypes, which no example needs."""
-    source = WRAPPED / f"{example}.cpp"
+def image_of(example: str, **macros: int) -> Image:
+    """As the Arduino IDE makes it, but for the prototypes, which no example needs. macros: defined before it."""
+    name = "-".join([example, *macros])
+    source = WRAPPED / f"{name}.cpp"
     source.parent.mkdir(parents=True, exist_ok=True)
     sketch = EXAMPLES / example / f"{example}.ino"
-    text = f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
+    defined = "".join(f"#define {macro} {value}\n" for macro, value in macros.items())
+    text = f'{defined}#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
     if not source.exists() or source.read_text() != text:
         fresh = source.with_suffix(f".{os.getpid()}")
         fresh.write_text(text)
         fresh.replace(source)
-    return Image.load(build_firmware(example, [source]))
+    return Image.load(build_firmware(name, [source]))
 
 
 class Run:

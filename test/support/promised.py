@@ -10,6 +10,9 @@ TOO_LARGE = {
     ("StartMission", "leonardo"),
     ("StartMission", "nano"),
     ("NextWaypoint", "leonardo"),
+    ("WorkAtWaypoints", "leonardo"),
+    ("WorkAtWaypoints", "nano"),
+    ("WorkAtWaypoints", "uno"),
 }
 
 # It fits by less than another version of the compiler may take: the documents and the workflow do not promise it.

@@ -17,6 +17,7 @@ from parts import NEW, OLD
 from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
 from simulation.bench import same_bits
 from simulation.service import FENCE, MISSION, RALLY, Service
+from simulation.steered import bits as float_bits
 from starts import HOPS, LANDING_FIRST, is_flying, uploaded
 
 # Column: the fake autopilot there, and its options. PX4 is not asked to speak MAVLink 1: it answers in 2.
@@ -178,6 +179,19 @@ def quiet_transfers(make: Make, personality: str) -> str:
     return "yes" if silent and any(time > end + 2.5 for time in heard) else "no"
 
 
+def flown_without_a_plan(make: Make, personality: str) -> str:
+    """It takes off, goes to a place, and is there."""
+    service = make(defines={"BENCH_STEERING": True})
+    lat, lon = service.autopilot.flight.home[:2]
+    for order in (("takeoff", float_bits(8.0)), ("goTo", (lat + 2000) % 2**32, lon, float_bits(9.0), 3)):
+        service.order_of(*order)
+        if (ended := service.done(limit_s=30)) != "Done":
+            return refused(ended)
+    service.run(40.0)
+    where = service.autopilot.flight.where(service.now)
+    return "yes" if abs(where.lat_e7 - lat - 2000) < 20 and abs(where.height - 9.0) < 0.1 else "no"
+
+
 PROOFS: dict[str, Callable[[Make, str], str]] = {
     "upload, download, verify, clear a mission": whole_service,
     "proof of an upload whose last answer was lost": proof_of_a_lost_answer,
@@ -187,6 +201,7 @@ PROOFS: dict[str, Callable[[Make, str], str]] = {
     "upload of a part": part,
     "start, arm, modes, current item": flying,
     "current item and items reached": followed,
+    "flown without a plan (`Steering`)": flown_without_a_plan,
     "a plan found infeasible after it was accepted": infeasible,
     "telemetry silent during transfers (`TelemetryPause`)": quiet_transfers,
 }

@@ -49,6 +49,22 @@ def test_first_example_ends_with_its_plan_aboard(autopilot):
 
 
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_example_that_flies_without_a_plan_is_at_each_place_and_lands_at_home(autopilot):
+    good, text = shown("GoToPlaces", autopilot=autopilot)
+    assert good, text
+    assert text.count("Serial             there: working") == 3
+    assert "place 1: 3" in text and "place 3: 30 m from the one before" in text
+    assert text.splitlines()[-1].endswith("has been at all 3 places, and has landed at home.")
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_flight_that_misses_a_place_is_not_called_good(autopilot, monkeypatch):
+    monkeypatch.setattr(inside, "description", lambda example: {"flies": 4, "limit_s": 240})
+    good, text = shown("GoToPlaces", autopilot=autopilot)
+    assert not good and "FAILED" in text and "3 of 4 places" in text
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_plan_that_each_autopilot_gets_differently_is_judged_right(autopilot):
     good, text = shown(sketch("many_kinds"), autopilot=autopilot)
     assert good, text

@@ -23,3 +23,12 @@ def an_autopilot(name: str, vehicle: str = "copter", **options) -> FakeAutopilot
             telemetry=repeated("px4/clean_with_streams"), response_delay_s=Px4.response_delay_on_line_s, **options
         )
     return ArduPilot(vehicle=vehicle, response_delay_s=ArduPilot.response_delay_on_line_s, **options)
+
+
+def one_to_fly(name: str, vehicle: str = "copter") -> FakeAutopilot:
+    """At the place of the examples, ready to be armed. It tells where it is, and no more than that."""
+    home, uptime_s = (-353632621, 1491652374, 584.0), 60.0
+    if name == "px4":
+        return Px4(response_delay_s=Px4.response_delay_on_line_s, home=home, uptime_s=uptime_s)
+    delay_s = ArduPilot.response_delay_on_line_s
+    return ArduPilot(vehicle=vehicle, response_delay_s=delay_s, home=home, uptime_s=uptime_s)

@@ -11,11 +11,12 @@ from pathlib import Path
 from building import ROOT, BuildFailed, build_sketch
 from simulation.enumerators import texts_of
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
+from simulation.fake_autopilot.flight import Place
 from simulation.mega import Mega
 from simulation.mega.realtime import RealTime
 from simulation.wire import Entry
 
-from .autopilots import HELD, KINDS, NAMES, an_autopilot
+from .autopilots import HELD, KINDS, NAMES, an_autopilot, one_to_fly
 from .conversation import Conversation
 from .line import Line as SerialLine
 from .named_frames import NamedFrame
@@ -34,6 +35,8 @@ LIMIT_S = 120.0
 # What a sketch says of an upload that the library refuses, and how long it may take to say which item it is.
 REFUSALS = tuple(text for text in texts_of("Status.h", "MAVMISSION_STATUSES").values() if text.startswith("refused: "))
 REFUSED_AFTER_S = 0.3
+LANDED_S = 3.0  # how long an example that flies goes on behind its landing
+NEAR_HOME_M = 1.0
 
 class NoDemonstration(Exception):
     """It cannot be shown; the text says why and what to do."""
@@ -72,14 +75,21 @@ class Demonstration:
         self._screen = screen
         described = settings.described or description(settings.example)
         self._limit_s: float = described.get("runs_s") or described.get("limit_s", LIMIT_S)
-        self._uploads = "runs_s" not in described and "reads" not in described
+        self._flies: int = described.get("flies", 0)
+        self._visited: list[Place] = []
+        self._landed_at: float | None = None
+        self._has_flown = False
+        self._uploads = not described.keys() & {"runs_s", "reads", "flies"}
         self._reads: bool = described.get("reads", False)
         try:
             built = build_sketch(sketch(settings.example))
             self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
-        self.autopilot = an_autopilot(settings.autopilot, settings.vehicle)
+        if self._flies:
+            self.autopilot = one_to_fly(settings.autopilot, settings.vehicle)
+        else:
+            self.autopilot = an_autopilot(settings.autopilot, settings.vehicle)
         if self._reads:
             self.autopilot.load(on_the_wire(HELD, settings.autopilot))
         self._mega = Mega(built.elf)
@@ -116,6 +126,7 @@ class Demonstration:
             while not self._is_over():
                 self._line.step(self.now)
                 self._show()
+                self._watch()
                 world.slice()
         finally:
             world.close()
@@ -182,6 +193,19 @@ class Demonstration:
         if total := sum(talk.counts.values()):
             self._screen.progress(sum(talk.aboard.values()), total)
 
+    def _watch(self) -> None:
+        """Where it flies, for an example that flies without a plan."""
+        if not self._flies:
+            return
+        flight, now = self.autopilot.flight, self.now
+        there = flight.target
+        is_home = there is not None and there[:2] == flight.home[:2]
+        if there is not None and not is_home and there not in self._visited and flight.where(now).distance(there) < 0.1:
+            self._visited.append(there)
+        self._has_flown |= flight.airborne(now)
+        if self._has_flown and not self.autopilot.armed and self._landed_at is None:
+            self._landed_at = now
+
     def console_line(self, text: str) -> None:
         self.said.append(text)
         if text.strip() in REFUSALS and self._refused_at is None:
@@ -190,6 +214,9 @@ class Demonstration:
 
     def _is_over(self) -> bool:
         is_refused = self._refused_at is not None and self.now >= self._refused_at + REFUSED_AFTER_S
+        if self._flies:
+            has_landed = self._landed_at is not None and self.now >= self._landed_at + LANDED_S
+            return has_landed or self.now >= self._limit_s
         return is_refused or self.now >= self._limit_s or self._conversation.is_over(self.now)
 
     @property
@@ -207,6 +234,8 @@ class Demonstration:
         talk = self._conversation
         self._screen.say(f"beside these: {talk.others['HEARTBEAT']} heartbeats, {talk.telemetry} frames of telemetry")
         name = NAMES[self.settings.autopilot]
+        if self._flies:
+            return self._conclude_flying(name)
         if self._reads:
             return self._conclude_reading(name)
         if self._uploads and self.refusal:
@@ -242,6 +271,19 @@ class Demonstration:
         if talk.delivered == set(range(held)) and talk.thanked:
             return Verdict(True, f"The Mega has read all {held} items that {name} holds.")
         return Verdict(False, f"FAILED: the Mega has read {len(talk.delivered)} of the {held} items that {name} holds.")
+
+    def _conclude_flying(self, name: str) -> Verdict:
+        flight = self.autopilot.flight
+        legs = [flight.home, *self._visited]
+        for number, (one, other) in enumerate(itertools.pairwise(legs), start=1):
+            self._screen.say(f"place {number}: {one.distance(other):.0f} m from the one before, {other.height:.1f} m up")
+        if len(self._visited) != self._flies:
+            return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._flies} places.")
+        if self._landed_at is None:
+            return Verdict(False, f"FAILED: after {self.now:.0f} s {name} has not landed.")
+        if flight.where(self.now).distance(flight.home) > NEAR_HOME_M:
+            return Verdict(False, f"FAILED: {name} has landed, but not at home.")
+        return Verdict(True, f"{name} has been at all {self._flies} places, and has landed at home.")
 
     def _draw(self, file: Path, verdict: Verdict) -> None:
         """The run as a picture."""

@@ -33,7 +33,7 @@ MORE_CALLS = {
     17: "uploadPartial()",
     18: "start()",
     19: "arm(), disarm()",
-    20: "setMode(), pause(), resume()",
+    20: "setMode()",
     21: "setCurrentItem()",
     22: "setMessageInterval()",
     23: "send()",

@@ -23,8 +23,10 @@ EXAMPLES = ROOT / "examples"
 FIRST = "UploadMission"
 # What the Arduino core calls behind each pass through loop().
 PASS = "serialEventRun()"
-# Parts of start(), which are linked where a sketch arms; a real aircraft is not given to such a sketch.
-ARMING = re.compile(r"mavmission::detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)\(")
+# Parts of start(), and of Steering, which are linked where a sketch arms; a real aircraft is not given to such a sketch.
+ARMING = re.compile(
+    r"mavmission::(detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)|Steering::(fill|leave|onEvent|beginStep))\("
+)
 
 
 def make_sketches(folder: Path) -> None:

@@ -43,16 +43,18 @@ enum Trait : uint32_t {
   kRefusesTakenItems = 1ul << 25,  // answers an item that it has received already with INVALID_SEQUENCE
 
   // --- Flying
-  kArmsByMissionStart = 1ul << 15,  // MAV_CMD_MISSION_START sets the mode and arms
-  kFliesByMode = 1ul << 16,         // is armed in another mode, and then flies its mission in mode AUTO
-  kSaysCurrentUnasked = 1ul << 17,  // sends MISSION_CURRENT once a second; denies MAV_CMD_REQUEST_MESSAGE
-  kNamesFlownItems = 1ul << 18,     // MISSION_CURRENT names only items that are flown, no commands on the way
-  kModeIsOneByte = 1ul << 19,       // a larger HEARTBEAT.custom_mode would be cut
-  kModesByVehicle = 1ul << 20,      // mode numbers differ by HEARTBEAT.type
-  kModesHaveSubModes = 1ul << 21,   // custom_mode is a main mode and a sub mode
-  kRejectsInWords = 1ul << 22,      // may reject a plan by a STATUSTEXT after it has accepted the plan
-  kStreamsAsArduPilot = 1ul << 23,  // its telemetry consists mostly of the same messages as ArduPilot's
-  kPlanesKeepMore = 1ul << 24,      // its planes keep more fields: kByPlane
+  kArmsByMissionStart = 1ul << 15,    // MAV_CMD_MISSION_START sets the mode and arms
+  kFliesByMode = 1ul << 16,           // is armed in another mode, and then flies its mission in mode AUTO
+  kSaysCurrentUnasked = 1ul << 17,    // sends MISSION_CURRENT once a second; denies MAV_CMD_REQUEST_MESSAGE
+  kNamesFlownItems = 1ul << 18,       // MISSION_CURRENT names only items that are flown, no commands on the way
+  kModeIsOneByte = 1ul << 19,         // a larger HEARTBEAT.custom_mode would be cut
+  kModesByVehicle = 1ul << 20,        // mode numbers differ by HEARTBEAT.type
+  kModesHaveSubModes = 1ul << 21,     // custom_mode is a main mode and a sub mode
+  kRejectsInWords = 1ul << 22,        // may reject a plan by a STATUSTEXT after it has accepted the plan
+  kStreamsAsArduPilot = 1ul << 23,    // its telemetry consists mostly of the same messages as ArduPilot's
+  kIsActiveInAir = 1ul << 26,         // HEARTBEAT.system_status is ACTIVE in the air, and not when it is only armed
+  kAltitudesAreAboveSea = 1ul << 27,  // takes each altitude of a command as above sea level, whatever its frame
+  kPlanesKeepMore = 1ul << 24,        // its planes keep more fields: kByPlane
 };
 
 // X(Firmware, MAV_AUTOPILOT, KeeperFlag, traits). An autopilot is recognised by HEARTBEAT.autopilot.
@@ -61,11 +63,11 @@ enum Trait : uint32_t {
   X(ArduPilot, 3, kByArduPilot,                                                                            \
     kHomeIsItem0 | kReplacesItemByItem | kTakesTerrainFrames | kWipesShortFences | kDropsNanYaw |          \
     kErrorRefusesCount | kRefusesTakenItems | kFliesByMode | kNamesFlownItems | kModeIsOneByte | kModesByVehicle |              \
-    kStreamsAsArduPilot | kPlanesKeepMore)                                                                 \
+    kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir)                                                                 \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
-    kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords)
+    kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea)
 // clang-format on
 
 // The traits of any other autopilot.

@@ -80,6 +80,15 @@ struct StartRules {
   static constexpr uint16_t kConfirmMs = 7500;    // for what the autopilot sends by itself, once a second
 };
 
+struct SteerRules {
+  static constexpr uint16_t kConfirmMs = 7500;   // for the heartbeat that shows the mode, and for the target
+  static constexpr uint8_t kTakeOffS = 15;       // from the acceptance of a takeoff until it has left the ground
+  static constexpr uint16_t kAskAgainMs = 1000;  // from PX4's answer that it has not, to the next question
+  // In heartbeats of the autopilot, one a second: how old a position may be, and how long ago the autopilot may have
+  // named a target for another one to be waited for.
+  static constexpr uint8_t kFreshBeats = 3, kTargetBeats = 5;
+};
+
 struct ClientRules {
   static constexpr uint8_t kTickMs = 2;            // seconds, heartbeats and silence are looked at once in this time
   static constexpr uint16_t kLeftoversMs = 10000;  // an earlier transfer may still be answered

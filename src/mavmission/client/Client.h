@@ -112,6 +112,8 @@ class Client : public ClientRules {
                               uint16_t nowMs);
   typedef void (*FillCommand)(Client& client, FlightCommand& command);
   static void fillOwn(Client& client, FlightCommand& command);
+  static void fillOwnAsInt(Client& client, FlightCommand& command);
+  static void fillOwnAsLong(Client& client, FlightCommand& command);
   static void fillArm(Client& client, FlightCommand& command);
   static void fillDisarm(Client& client, FlightCommand& command);
   static void fillMode(Client& client, FlightCommand& command);
@@ -122,6 +124,7 @@ class Client : public ClientRules {
   static void fillCurrentMessage(Client& client, FlightCommand& command);
   static void fillInterval(Client& client, FlightCommand& command);
   static Status onOwn(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
+  Status sendInOtherForm(Status refusal, uint16_t nowMs);
   static Status onMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onCustomMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onNamedMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
@@ -286,6 +289,7 @@ class Client : public ClientRules {
     CommandTransfer transfer;
     union {
       const FlightCommand* own;
+      void* owner;  // the listener whose operation it is
       Modes mode;
       uint16_t item;  // to be set as current; a wire number
       Interval interval;

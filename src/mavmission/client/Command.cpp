@@ -9,15 +9,19 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
+// The status of a MAV_RESULT that lies `more` above `first`.
+constexpr Status behind(Status first, uint8_t more) { return static_cast<Status>(static_cast<uint8_t>(first) + more); }
+
+static_assert(behind(Status::CommandRejected, MAV_RESULT_FAILED - 1) == Status::CommandFailed &&
+                  behind(Status::CommandLongOnly, MAV_RESULT_NOT_IN_CONTROL - MAV_RESULT_COMMAND_LONG_ONLY) ==
+                      Status::NotInControl,
+              "Status must list the results of commands in the order of MAV_RESULT");
+
 Status fromCommandResult(uint8_t result) {
-  switch (result) {
-    case MAV_RESULT_ACCEPTED: return Status::Done;
-    case MAV_RESULT_TEMPORARILY_REJECTED: return Status::CommandRejected;
-    case MAV_RESULT_DENIED: return Status::CommandDenied;
-    case MAV_RESULT_UNSUPPORTED: return Status::CommandUnsupported;
-    case MAV_RESULT_FAILED: return Status::CommandFailed;
-    default: return Status::CommandRefused;
-  }
+  if (result == MAV_RESULT_ACCEPTED) return Status::Done;
+  if (result <= MAV_RESULT_FAILED) return behind(Status::CommandRejected, result - MAV_RESULT_TEMPORARILY_REJECTED);
+  if (result < MAV_RESULT_COMMAND_LONG_ONLY || result > MAV_RESULT_NOT_IN_CONTROL) return Status::CommandRefused;
+  return behind(Status::CommandLongOnly, result - MAV_RESULT_COMMAND_LONG_ONLY);
 }
 
 }  // namespace
@@ -144,7 +148,8 @@ Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
   return status;
 }
 
-Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  if (event == CommandEvent::Refused) return client.sendInOtherForm(status, nowMs);
   if (event != CommandEvent::Ready) return status;
   // MAV_CMD_MISSION_START would arm this autopilot.
   const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && has(client.firmware(), kArmsByMissionStart);

@@ -43,6 +43,7 @@ class CommandTransfer : public CommandRules {
   void listen(uint16_t waitMs, uint16_t nowMs) { wait(State::Listening, waitMs, nowMs); }
   void pause(uint16_t waitMs, uint16_t nowMs) { wait(State::Pausing, waitMs, nowMs); }
   void setRepeats(bool repeats) { repeats_ = repeats ? 1 : 0; }
+  bool repeats() const { return repeats_ != 0; }
 
   // Status::Transferring while the command goes on, or else the status with which it has ended.
   MAVMISSION_APART Status onTime(uint16_t nowMs);

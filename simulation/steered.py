@@ -1,0 +1,96 @@
+"""A bench for Steering: simulation/sketches/service.cpp with one, beside a fake autopilot.
+
+    steered = Steered("PX4")
+    steered.take_off(10.0)
+    steered.done(limit_s=30)              # "Done"
+    steered.go_to((north_m, east_m), 20.0)
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from typing import Any
+
+from simulation.fake_autopilot.flight import METRES_PER_E7, Place
+from simulation.service import Service
+
+STEPS = ("None", "AskLanded", "AskHome", "AskPosition", "Mode", "Arm", "Command", "Confirm", "Disarm")
+ABOVE_SEA, ABOVE_HOME, ABOVE_GROUND = 0, 3, 10  # MAV_FRAME
+TAKEOFF, REPOSITION, SPEED, REQUEST_MESSAGE, INTERVAL = 22, 192, 178, 512, 511
+
+
+def bits(number: float) -> int:
+    """Of the number as a float."""
+    return struct.unpack("<I", struct.pack("<f", number))[0]
+
+
+class Steered(Service):
+    autopilot: Any  # an ArduPilot or a Px4, whose modes it looks at
+
+    def __init__(self, *arguments, defines: dict | None = None, **options) -> None:
+        super().__init__(*arguments, defines={"BENCH_STEERING": True, **(defines or {})}, **options)
+
+    def place(self, north_m: float, east_m: float) -> tuple[int, int]:
+        """So many metres from home [1e-7 degrees]."""
+        lat, lon = self.autopilot.flight.home[:2]
+        east_e7 = east_m / METRES_PER_E7 / math.cos(math.radians(lat * 1e-7))
+        return lat + round(north_m / METRES_PER_E7), lon + round(east_e7)
+
+    def take_off(self, height_m: float) -> str:
+        return self.order_of("takeoff", bits(height_m))
+
+    def go_to(self, place: tuple[int, int], altitude_m: float, frame: int = ABOVE_HOME) -> str:
+        return self.order_of("goTo", place[0] % 2**32, place[1] % 2**32, bits(altitude_m), frame)
+
+    def set_speed(self, speed: float) -> str:
+        return self.order_of("speed", bits(speed))
+
+    def has_arrived(self, within_cm: int = 200) -> bool:
+        return bool(self._values_of_steering(within_cm)["arrived"])
+
+    @property
+    def may_steer(self) -> bool:
+        return bool(self._values_of_steering(200)["may"])
+
+    @property
+    def step(self) -> str:
+        (line,) = self.tell("steered", 200)
+        return STEPS[int(line.split(" ")[2])]
+
+    def _values_of_steering(self, within_cm: int) -> dict[str, int]:
+        (line,) = self.tell("steered", within_cm)
+        return {key: int(number) for key, _, number in (pair.partition("=") for pair in line.split(" ")[3:])}
+
+    @property
+    def where(self) -> Place:
+        return self.autopilot.flight.where(self.now)
+
+    @property
+    def mode(self) -> str | tuple[int, int]:
+        """ArduPilot's by name, PX4's main and sub mode."""
+        autopilot = self.autopilot
+        return autopilot.mode if hasattr(autopilot, "mode") else (autopilot.main_mode, autopilot.sub_mode)
+
+    def pilot_sets(self, mode: str | tuple[int, int]) -> None:
+        """By the switch of the remote control."""
+        if isinstance(mode, str):
+            self.autopilot._set_mode(self.autopilot.kind.modes[mode], self.now)
+        else:
+            self.autopilot._set_mode(*mode, self.now)
+        self.run(1.2)
+
+    def ordered(self) -> list:
+        """The commands that were heard and that move or arm something."""
+        asks = (REQUEST_MESSAGE, INTERVAL)
+        return [one for one in self.heard("COMMAND_LONG", "COMMAND_INT") if one.command not in asks]
+
+    def fly(self, height_m: float = 10.0) -> None:
+        """Up, and at that height."""
+        self.take_off(height_m)
+        assert self.done(limit_s=40) == "Done"
+        limit = self.now + 60
+        while not self.has_arrived():
+            assert self.now < limit, "it does not reach its height"
+            self.run(0.5)
+        self.run(1.5)

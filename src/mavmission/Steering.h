@@ -1,0 +1,151 @@
+// Flying without a plan: take off, go to a place now, hold, go on with the mission, land, return.
+#pragma once
+
+#include "LatLon.h"
+#include "MissionClient.h"
+#include "service/Listener.h"
+
+namespace mavmission {
+
+// The steps of a Steering operation, in order; each operation needs only some of them. AskLanded: PX4 is asked whether
+// it is in the air (EXTENDED_SYS_STATE). AskHome: and whether home is known (HOME_POSITION). AskPosition: the position
+// is requested twice a second (GLOBAL_POSITION_INT). Command: NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED. Confirm:
+// what shows that it is carried out. Disarm: takeOff() was refused after it had armed.
+enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Arm, Command, Confirm, Disarm };
+
+// Steers the client's aircraft. Declare one beside the client:
+//
+//   MissionClient autopilot(Serial1);
+//   Steering steering(autopilot);
+//
+// Each function begins an operation of the client, which ends as the client's other operations do: update() returns
+// Status::Done, or why not. One at a time; Status::Busy while another one runs.
+//
+// The aircraft is never taken out of other hands. Every function acts only while the heartbeat shows the mission mode,
+// or the mode that this sketch has set itself (by this object, or by setMode()). Otherwise it ends with
+// Status::PilotHasIt, or with Status::FailsafeHasIt when the aircraft returns or lands and the sketch has not ordered
+// it, or PX4 reports a failsafe; nothing was sent then. (Whoever wants to act all the same has
+// MissionClient::setMode().) On PX4 the mode HOLD is both where goTo() flies and what a pilot may choose: there a pilot
+// shows only by another mode.
+//
+// An Arduino that was reset in flight does nothing by itself: until this object has seen the aircraft disarmed, its
+// functions end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. The mode in which the
+// aircraft then flies is not known to be the sketch's own: only the mission mode is.
+//
+// Numbers are checked before anything is sent; MissionClient::differingField() names the field that was refused.
+class Steering : public detail::Listener, private detail::SteerRules {
+ public:
+  // The client must live as long as this object.
+  explicit Steering(MissionClient& client);
+
+  // Arms the aircraft where it stands, and makes it climb to this height above home: copters, and PX4. Done when it has
+  // left the ground; hasArrived() is then true at that height. Refused in the air (Status::Armed). If the takeoff is
+  // refused after arming, the aircraft is disarmed again.
+  Status takeOff(Metres aboveHome);
+
+  // Flies to a place now, and stays there (MAV_CMD_DO_REPOSITION). Done when the autopilot has accepted the place and
+  // its heartbeat shows the mode; where it sends its target (POSITION_TARGET_GLOBAL_INT), when that is the place.
+  // hasArrived() tells the rest. PX4 takes each altitude as above the sea, whatever it was told: home's altitude is
+  // asked for and added, and without it goTo() ends with Status::NoHome. An altitude above the ground is for ArduPilot
+  // alone (Status::BadFrame). Status::NotFlying on the ground; a rover has only to be armed.
+  Status goTo(const LatLon& place, Altitude altitude);
+
+  // Stops, and stays there, until goTo() or resume(). The mode is then ArduPilot's GUIDED, in which the sticks do
+  // nothing, or PX4's HOLD.
+  Status pause();
+  // Goes on with the mission, at its current item. Status::NotFlying on the ground: that is what start() is for.
+  Status resume();
+  // Flies home and lands, or lands here.
+  Status returnHome();
+  Status landNow();
+
+  // The ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED).
+  Status setSpeed(MetresPerSecond speed);
+
+  // True when the aircraft is at the place of the last goTo(), or at the height of takeOff(), within this distance
+  // north and south, east and west, up and down [cm]; false when its position is not known.
+  bool hasArrived(uint16_t withinCm = 200) const;
+
+  // True while the heartbeat shows the mission mode, or the mode that this sketch has set.
+  bool maySteer() const;
+
+  // The step of the running operation, or that at which the last one has ended.
+  SteerStep step() const { return step_; }
+
+ private:
+  enum class Order : uint8_t { TakeOff, GoTo, Pause, Resume, ReturnHome, Land, Speed };
+  // What an altitude is measured from.
+  enum class Above : uint8_t { Nothing, Home, Sea };
+
+  struct Place {
+    LatLon at;
+    int32_t heightCm;
+    Above above;
+    bool hasPlace;
+  };
+
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
+  static void fill(detail::Client& client, FlightCommand& command);
+  static Status on(detail::Client& client, detail::Client::CommandEvent event, Status status,
+                   const detail::FrameParser* frame, uint16_t nowMs);
+  Status begin(Order order);
+  Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
+  void takeHeartbeat();
+  void takePosition(const detail::FrameParser& frame);
+  void takeTarget(const detail::FrameParser& frame);
+  Status refuse();
+  Status refuseNumbers();
+  Status refuseField(Status status, ItemField field);
+  Status otherHands() const;
+  Status judgeFlight();
+  Status nextStep(uint16_t nowMs);
+  bool beginStep(uint16_t nowMs);
+  Status onRefused(Status refusal, uint16_t nowMs);
+  Status onSilent(Status silence);
+  Status onHeartbeat(uint16_t nowMs);
+  Status onTime(uint16_t nowMs);
+  Status leave(Status refusal, uint16_t nowMs);
+  Status done();
+  void forgetTarget();
+  void fillCommand(FlightCommand& command) const;
+  void findWanted();
+  bool isRunning() const;
+  bool is(Order order) const { return order_ == order; }
+  bool isGround() const;
+  bool isInAir() const;
+  bool isMissionMode() const;
+  bool isFailsafe() const;
+  bool needsHome() const;
+  bool stopsByPlace() const;
+  bool hasCommand() const;
+  bool wantsPosition() const;
+  bool waitsForHeartbeat() const;
+  bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }
+  uint16_t modeFor(Order order) const;
+
+  Place target_;      // to which it flies
+  Place wanted_;      // of the running goTo() or takeOff()
+  LatLon here_;       // its position
+  int32_t seaCm_;     // its altitude above the sea
+  int32_t homeCm_;    // and above home
+  float value_;       // the altitude [m] or the speed [m/s] of the order
+  uint16_t ownMode_;  // the mode that this sketch has set, while it lasts; kNoMode: none
+  uint16_t oldMode_;  // the mode at the beginning of the operation
+  uint16_t wantedMode_;
+  uint16_t beganS_;  // when the confirmation of a takeoff began [s]
+  Order order_;
+  Frame frame_;
+  SteerStep step_;
+  Status refusal_;         // with which a takeoff will end
+  uint8_t landedState_;    // MAV_LANDED_STATE; 0: not known
+  uint8_t positionAge_;    // heartbeats since the last position
+  uint8_t targetAge_;      // and since the last POSITION_TARGET_GLOBAL_INT
+  bool seenDisarmed_ : 1;  // since the sketch began
+  bool hasArmed_ : 1;      // in this operation
+  bool isModeSeen_ : 1;    // a heartbeat has shown the wanted mode
+  bool isHeard_ : 1;       // the message that the step asked for has come
+  bool isAnswered_ : 1;    // and its COMMAND_ACK
+  bool isTargetSame_ : 1;  // the autopilot has named our place as its target
+};
+
+}  // namespace mavmission

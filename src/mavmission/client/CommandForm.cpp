@@ -1,0 +1,63 @@
+// A command of the sketch's own that the autopilot takes in its other form only: COMMAND_LONG or COMMAND_INT.
+#include <string.h>
+
+#include "../MissionClient.h"
+#include "../base/FloatBits.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+// The whole number that this float is; false if it is none.
+bool isInteger(float value, int32_t& whole) {
+  int32_t bits;
+  memcpy(&bits, &value, sizeof(bits));
+  whole = timesWhole(bits, 1);
+  const float again = quotient(whole, 1);
+  return memcmp(&again, &value, sizeof(again)) == 0;
+}
+
+// True if this number is the same as a float.
+bool isFloat(int32_t whole) {
+  int32_t through = whole;
+  throughFloat(&through);
+  return through == whole;
+}
+
+}  // namespace
+
+// Sends the command again in the form that the autopilot has named, if each of its values has a place in that form. A
+// place does not fit into COMMAND_LONG: its coordinates would be rounded by metres, and the reference of its altitude
+// would be left to the autopilot. The refused command was not carried out, so this holds as well for one that must not
+// be carried out twice.
+Status Client::sendInOtherForm(Status refusal, uint16_t nowMs) {
+  if (commanding_.fill != fillOwn) return refusal;
+  const FlightCommand& own = *commanding_.own;
+  FillCommand other = nullptr;
+  int32_t whole = 0;
+  if (refusal == Status::CommandIntOnly && !own.hasPlace) {
+    if (isInteger(own.param5, whole) && isInteger(own.param6, whole)) other = fillOwnAsInt;
+  } else if (refusal == Status::CommandLongOnly && own.hasPlace && own.frame == Frame::Mission) {
+    if (isFloat(own.x) && isFloat(own.y)) other = fillOwnAsLong;
+  }
+  if (other == nullptr) return refusal;
+  commanding_.fill = other;
+  commanding_.transfer.next(commanding_.transfer.repeats(), nowMs);
+  return Status::Transferring;
+}
+
+void Client::fillOwnAsInt(Client& client, FlightCommand& command) {
+  fillOwn(client, command);
+  isInteger(command.param5, command.x);
+  isInteger(command.param6, command.y);
+  command.hasPlace = true;
+}
+
+void Client::fillOwnAsLong(Client& client, FlightCommand& command) {
+  fillOwn(client, command);
+  command.param5 = quotient(command.x, 1);
+  command.param6 = quotient(command.y, 1);
+  command.hasPlace = false;
+}
+
+}  // namespace mavmission

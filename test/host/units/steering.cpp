@@ -1,0 +1,183 @@
+// Steering by a whole client: whose aircraft it is, and what is sent when.
+#include <doctest/doctest.h>
+#include <string.h>
+
+#include <initializer_list>
+
+#include "ClientOnLine.h"
+#include "mavmission/base/MavlinkHeaders.h"
+
+using namespace mavmission;
+
+namespace {
+
+constexpr uint16_t kCommandInt = 75, kCommandLong = 76;
+constexpr uint8_t kDisarmed = 1, kArmed = 1 | 128;  // HEARTBEAT.base_mode
+constexpr uint8_t kStandby = 3, kActive = 4, kCritical = 5;
+constexpr uint32_t kAuto = 3, kGuided = 4, kLoiter = 5, kRtl = 6, kLand = 9;  // ArduCopter's modes
+constexpr LatLon kPlace = {-35.3630000_deg, 149.1652374_deg};
+
+// A copter whose heartbeats the test sends.
+struct Flight : ClientOnLine {
+  Steering steering;
+
+  explicit Flight(uint8_t baseMode = kDisarmed, uint32_t mode = 0, uint8_t state = kStandby)
+      : ClientOnLine(kArduPilot), steering(client) {
+    beats = false;
+    for (int second = 0; second < 3; ++second) beat(baseMode, mode, state);
+  }
+
+  void beat(uint8_t baseMode, uint32_t mode, uint8_t state) {
+    mavlink_heartbeat_t message = mavlink_heartbeat_t();
+    message.custom_mode = mode;
+    message.type = MAV_TYPE_QUADROTOR;
+    message.autopilot = MAV_AUTOPILOT_ARDUPILOTMEGA;
+    message.base_mode = baseMode;
+    message.system_status = state;
+    message.mavlink_version = 3;
+    Bytes payload(sizeof(message));
+    memcpy(payload.data(), &message, sizeof(message));
+    hear(FrameParts(0, payload, 50));
+    run(1000);
+  }
+  void fly(uint32_t mode, uint8_t state = kActive) { beat(kArmed, mode, state); }
+
+  void answer(uint16_t command, uint8_t result) {
+    hear(FrameParts(
+        77, {static_cast<uint8_t>(command), static_cast<uint8_t>(command >> 8), result, 0, 0, 0, 0, 0, 1, 191}, 143));
+  }
+
+  // What an order ends with, and whether anything but a heartbeat has left by then.
+  Status refusal() {
+    ended = Status::Idle;
+    run(50);
+    return ended;
+  }
+  bool hasSent() const {
+    for (const SentFrame& frame : sent) {
+      if (frame.messageId == kCommandInt || frame.messageId == kCommandLong) return true;
+    }
+    return false;
+  }
+  // The last command, and its second parameter.
+  uint16_t command() const {
+    const SentFrame& frame = sent.back();
+    return static_cast<uint16_t>(frame.payload[28] | frame.payload[29] << 8);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an aircraft that was armed before the sketch began is not steered until that is allowed") {
+  Flight flight(kArmed, kAuto, kActive);
+  flight.steering.goTo(kPlace, 20_m);
+  CHECK((flight.refusal() == Status::Armed));
+  flight.steering.returnHome();
+  CHECK((flight.refusal() == Status::Armed));
+  CHECK_FALSE(flight.hasSent());
+  flight.client.allowWhileArmed(true);
+  flight.steering.goTo(kPlace, 20_m);
+  CHECK(flight.runUntilSent(kCommandLong, 100));
+}
+
+TEST_CASE("an aircraft that was seen disarmed is steered out of its mission") {
+  Flight flight;
+  flight.fly(kAuto);
+  flight.steering.goTo(kPlace, 20_m);
+  CHECK(flight.runUntilSent(kCommandLong, 100));
+}
+
+TEST_CASE("in each mode that nobody here has set it says who has the aircraft, and sends nothing") {
+  for (uint32_t mode : {kGuided, kLoiter, kRtl, kLand}) {
+    for (uint8_t state : {kActive, kCritical}) {
+      Flight flight;
+      flight.fly(mode, state);
+      flight.sent.clear();
+      const bool isFailsafe = mode == kRtl || mode == kLand || state == kCritical;
+      const Status expected = isFailsafe ? Status::FailsafeHasIt : Status::PilotHasIt;
+      flight.steering.goTo(kPlace, 20_m);
+      CHECK((flight.refusal() == expected));
+      flight.steering.pause();
+      CHECK((flight.refusal() == expected));
+      flight.steering.resume();
+      CHECK((flight.refusal() == expected));
+      flight.steering.landNow();
+      CHECK((flight.refusal() == expected));
+      flight.steering.returnHome();
+      CHECK((flight.refusal() == expected));
+      flight.steering.setSpeed(5_mps);
+      CHECK((flight.refusal() == expected));
+      flight.steering.takeOff(5_m);
+      CHECK((flight.refusal() == expected));
+      CHECK_FALSE(flight.hasSent());
+      CHECK_FALSE(flight.steering.maySteer());
+    }
+  }
+}
+
+TEST_CASE("a mode that the sketch sets by setMode() is its own until another one is shown") {
+  Flight flight;
+  flight.fly(kLoiter);
+  flight.client.setMode(FlightMode::Guided);
+  REQUIRE(flight.runUntilSent(kCommandLong, 100));
+  flight.fly(kGuided);
+  CHECK((flight.ended == Status::Done));
+  CHECK(flight.steering.maySteer());
+  flight.fly(kGuided);
+  CHECK(flight.steering.maySteer());
+  flight.fly(kLoiter);
+  CHECK_FALSE(flight.steering.maySteer());
+  flight.fly(kGuided);
+  CHECK_FALSE(flight.steering.maySteer());
+}
+
+TEST_CASE("a place is confirmed by an answer and by a heartbeat that comes behind it") {
+  Flight flight;
+  flight.fly(kAuto);
+  flight.steering.goTo(kPlace, 20_m);
+  REQUIRE(flight.runUntilSent(kCommandLong, 100));
+  flight.answer(511, 0);
+  REQUIRE(flight.runUntilSent(kCommandInt, 100));
+  CHECK(flight.command() == 192);
+  CHECK(flight.sent.back().payload[32] == 6);  // the frame: above home
+  flight.run(50);
+  CHECK(flight.client.isBusy());
+  flight.answer(192, 0);
+  flight.run(10);
+  CHECK(flight.client.isBusy());
+  flight.fly(kAuto);  // sent before the answer
+  CHECK(flight.client.isBusy());
+  flight.fly(kGuided);
+  CHECK((flight.ended == Status::Done));
+  CHECK(flight.steering.maySteer());
+  CHECK_FALSE(flight.steering.hasArrived());
+}
+
+TEST_CASE("no heartbeat in the mode leaves an accepted place unconfirmed after 7.5 s") {
+  Flight flight;
+  flight.fly(kAuto);
+  flight.steering.goTo(kPlace, 20_m);
+  REQUIRE(flight.runUntilSent(kCommandLong, 100));
+  flight.answer(511, 0);
+  REQUIRE(flight.runUntilSent(kCommandInt, 100));
+  flight.answer(192, 0);
+  flight.run(10);
+  for (int second = 0; second < 7; ++second) flight.fly(kAuto);
+  CHECK(flight.client.isBusy());
+  flight.fly(kAuto);
+  CHECK((flight.ended == Status::Unconfirmed));
+}
+
+TEST_CASE("a pilot who takes over before the answer keeps the aircraft: nothing is repeated") {
+  Flight flight;
+  flight.fly(kAuto);
+  flight.steering.goTo(kPlace, 20_m);
+  REQUIRE(flight.runUntilSent(kCommandLong, 100));
+  flight.answer(511, 0);
+  REQUIRE(flight.runUntilSent(kCommandInt, 100));
+  flight.sent.clear();
+  flight.fly(kLoiter);
+  CHECK((flight.ended == Status::PilotHasIt));
+  for (int second = 0; second < 9; ++second) flight.fly(kLoiter);
+  CHECK_FALSE(flight.hasSent());
+}

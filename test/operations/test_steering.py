@@ -1,0 +1,499 @@
+"""Flying without a plan: takeOff(), goTo(), pause(), resume(), returnHome(), landNow(), setSpeed()."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from plans import on_the_wire
+from simulation.fake_autopilot import mavlink
+from simulation.steered import ABOVE_GROUND, ABOVE_SEA, REPOSITION, SPEED, TAKEOFF
+from simulation.wire import Wire
+from starts import hops
+
+STEERING = pytest.mark.scenario(60, "Steering: take off, go there now, hold, go on, return, land")
+ARM, SET_MODE = 400, 176
+
+
+def is_px4(steered) -> bool:
+    return not hasattr(steered.autopilot, "kind")
+
+
+def home_altitude(steered) -> float:
+    return steered.autopilot.home[2]
+
+
+@STEERING
+def test_takeoff_arms_and_climbs_to_the_height_above_home(steered):
+    steered.take_off(12.5)
+    assert steered.done(limit_s=30) == "Done"
+    assert steered.autopilot.armed and 0.1 < steered.where.height < 12.0
+    assert not steered.has_arrived()
+    steered.run(25.0)
+    assert steered.has_arrived()
+    assert steered.where.height == pytest.approx(12.5, abs=0.05)
+    (takeoff,) = [one for one in steered.ordered() if one.command == TAKEOFF]
+    if is_px4(steered):
+        assert takeoff.param7 == pytest.approx(home_altitude(steered) + 12.5, abs=0.01)  # above the sea
+        assert math.isnan(takeoff.param5) and math.isnan(takeoff.param6)  # where it stands, not 0 N 0 E
+    else:
+        assert takeoff.param7 == 12.5
+        assert not any(math.isnan(getattr(takeoff, f"param{number}")) for number in range(1, 8))
+
+
+@STEERING
+def test_it_goes_to_a_place_and_says_when_it_is_there(steered):
+    steered.fly()
+    place = steered.place(40.0, -25.0)
+    steered.go_to(place, 15.0)
+    assert steered.done(limit_s=12) == "Done"
+    assert not steered.has_arrived()
+    steered.run(40.0)
+    assert steered.has_arrived() and steered.has_arrived(50)
+    assert steered.where.height == pytest.approx(15.0, abs=0.05)
+    assert abs(steered.where.lat_e7 - place[0]) < 3 and abs(steered.where.lon_e7 - place[1]) < 3
+    assert steered.mode == ((4, 3) if is_px4(steered) else "GUIDED")
+    (sent,) = [one for one in steered.ordered() if one.command == REPOSITION]
+    assert sent.get_type() == "COMMAND_INT" and (sent.x, sent.y) == place and sent.param2 == 1
+    assert sent.z == pytest.approx(home_altitude(steered) + 15.0 if is_px4(steered) else 15.0, abs=0.01)
+
+
+@STEERING
+def test_height_above_the_sea_goes_out_as_it_is(steered):
+    steered.fly()
+    before = len(steered.heard("COMMAND_LONG"))
+    steered.go_to(steered.place(10, 0), home_altitude(steered) + 7.0, ABOVE_SEA)
+    assert steered.done(limit_s=12) == "Done"
+    home = mavlink.MAVLINK_MSG_ID_HOME_POSITION
+    assert not [one for one in steered.heard("COMMAND_LONG")[before:] if one.param1 == home]
+    steered.run(30.0)
+    assert steered.has_arrived()
+    assert steered.where.height == pytest.approx(7.0, abs=0.05)
+
+
+@STEERING
+def test_px4_that_does_not_know_home_is_told_no_height(build_steered):
+    steered = build_steered("PX4")
+    steered.fly()
+    before = len(steered.ordered())
+    steered.autopilot.home_is_known = False
+    steered.go_to(steered.place(10, 0), 15.0)
+    assert steered.done(limit_s=12) == "NoHome"
+    assert steered.step == "AskHome"
+    assert len(steered.ordered()) == before
+    steered.go_to(steered.place(10, 0), home_altitude(steered) + 15.0, ABOVE_SEA)
+    assert steered.done(limit_s=12) == "Done"
+
+
+@STEERING
+@pytest.mark.parametrize("direction, name, number", [
+    (">", "COMMAND_INT", 1), (">", "COMMAND_LONG", 1), ("<", "COMMAND_ACK", 1), ("<", "COMMAND_ACK", 2),
+    ("<", "HEARTBEAT", 1), ("<", "GLOBAL_POSITION_INT", 2)])  # fmt: skip
+def test_what_is_lost_on_the_way_to_a_place_is_made_up_for(steered, direction, name, number):
+    steered.fly()
+    steered.wire.lose(direction, name=name, times=number)
+    steered.go_to(steered.place(20, 20), 12.0)
+    assert steered.done(limit_s=20) == "Done"
+    steered.run(30.0)
+    assert steered.has_arrived()
+
+
+@STEERING
+@pytest.mark.parametrize("number", range(6))
+def test_takeoff_of_which_an_answer_is_lost_ends_well(make_steered, number):
+    steered = make_steered()
+    steered.run(2.0)
+    steered.wire.lose("<", name="COMMAND_ACK", index=number)
+    steered.take_off(8.0)
+    assert steered.done(limit_s=40) == "Done"
+    steered.run(25.0)
+    assert steered.has_arrived()
+
+
+# -- nothing is sent -------------------------------------------------------------------------------
+
+
+REFUSED = pytest.mark.scenario(60, "Steering: what cannot be meant is refused before the first byte, with its field")
+
+
+@REFUSED
+@pytest.mark.parametrize("place, altitude, frame, status, field", [
+    ((900000001, 1491652374), 10.0, 3, "BadLatitude", "Latitude"),
+    ((-2147483648, 1491652374), 10.0, 3, "BadLatitude", "Latitude"),
+    ((-353632621, 1800000001), 10.0, 3, "BadLongitude", "Longitude"),
+    ((-353632621, -2147483648), 10.0, 3, "BadLongitude", "Longitude"),
+    ((0, 0), 10.0, 3, "NeedsCoordinates", "Latitude"),
+    ((-353632621, 1491652374), math.nan, 3, "NotANumber", "Height"),
+    ((-353632621, 1491652374), -math.inf, 3, "NotFinite", "Height"),
+    ((-353632621, 1491652374), 10000.5, 3, "BadAltitude", "Height"),
+    ((-353632621, 1491652374), -10000.5, 0, "BadAltitude", "Height"),
+    ((-353632621, 1491652374), 3e38, 3, "BadAltitude", "Height"),
+    ((-353632621, 1491652374), 10.0, 2, "BadFrame", "Reference"),
+    ((-353632621, 1491652374), 10.0, 8, "BadFrame", "Reference")])  # fmt: skip
+def test_place_that_cannot_be_meant_is_refused(steered, place, altitude, frame, status, field):
+    steered.go_to(place, altitude, frame)
+    assert steered.done() == status
+    assert steered.state.field == field
+    assert steered.heard("COMMAND_LONG", "COMMAND_INT") == []
+
+
+@REFUSED
+@pytest.mark.parametrize("height, status", [(0.0, "BadAltitude"), (-5.0, "BadAltitude"), (math.nan, "NotANumber"),
+                                            (math.inf, "NotFinite"), (10000.5, "BadAltitude"), (1e30, "BadAltitude")])  # fmt: skip
+def test_height_of_a_takeoff_that_cannot_be_meant_is_refused(steered, height, status):
+    steered.take_off(height)
+    assert steered.done() == status
+    assert steered.state.field == "Height"
+    assert steered.heard("COMMAND_LONG", "COMMAND_INT") == [] and not steered.autopilot.armed
+
+
+@REFUSED
+@pytest.mark.parametrize("speed, status", [(0.0, "BadSpeed"), (-1.0, "BadSpeed"), (100.5, "BadSpeed"), (1e30, "BadSpeed"),
+                                           (math.nan, "NotANumber"), (math.inf, "NotFinite")])  # fmt: skip
+def test_speed_that_cannot_be_meant_is_refused(steered, speed, status):
+    steered.fly()
+    before = len(steered.heard("COMMAND_LONG"))
+    steered.set_speed(speed)
+    assert steered.done() == status
+    assert steered.state.field == "Param2"
+    assert len(steered.heard("COMMAND_LONG")) == before
+
+
+@REFUSED
+def test_height_above_the_ground_is_for_ardupilot_alone(steered):
+    steered.fly()
+    steered.go_to(steered.place(5, 5), 15.0, ABOVE_GROUND)
+    assert steered.done(limit_s=12) == ("BadFrame" if is_px4(steered) else "Done")
+
+
+ORDERS = {"goto": lambda steered: steered.go_to(steered.place(10, 10), 15.0), "hold": lambda steered: steered.order_of("hold"),
+          "goOn": lambda steered: steered.order_of("goOn"), "home": lambda steered: steered.order_of("home"),
+          "landNow": lambda steered: steered.order_of("landNow"), "speed": lambda steered: steered.set_speed(5.0)}  # fmt: skip
+EACH_ORDER = pytest.mark.parametrize("order", ORDERS)
+
+
+@REFUSED
+@EACH_ORDER
+def test_disarmed_aircraft_is_not_steered(steered, order):
+    ORDERS[order](steered)
+    assert steered.done() == "NotArmed"
+    assert steered.ordered() == []
+
+
+@REFUSED
+@EACH_ORDER
+def test_aircraft_that_is_armed_and_stands_is_not_steered(steered, order):
+    steered.run(2.0)
+    steered.set_mode("Hold" if is_px4(steered) else "Guided")
+    assert steered.done() == "Done"
+    steered.order_of("arm")
+    assert steered.done() == "Done"
+    steered.run(1.2)
+    before = len(steered.ordered())
+    ORDERS[order](steered)
+    # A speed is as good on the ground as in the air on PX4, which is not asked.
+    assert steered.done() == ("Done" if order == "speed" and is_px4(steered) else "NotFlying")
+    assert len(steered.ordered()) == before + (order == "speed" and is_px4(steered))
+
+
+@REFUSED
+def test_takeoff_in_the_air_is_refused(steered):
+    steered.fly()
+    before = len(steered.ordered())
+    steered.take_off(20.0)
+    assert steered.done() == "Armed"
+    assert len(steered.ordered()) == before
+
+
+@REFUSED
+@pytest.mark.parametrize("vehicle", ["rover", "plane"])
+def test_vehicle_that_cannot_take_off_by_command_is_not_armed(build_steered, vehicle):
+    steered = build_steered("ArduPilot", vehicle=vehicle, uptime_s=120.0)
+    steered.take_off(20.0)
+    assert steered.done() == "CommandUnsupported"
+    assert steered.heard("COMMAND_LONG", "COMMAND_INT") == []
+
+
+# -- in other hands --------------------------------------------------------------------------------
+
+
+HANDS = pytest.mark.scenario(60, "Steering: an aircraft in other hands is left there")
+PILOTS = {"ArduPilot": ("LOITER", "STABILIZE", "ALT_HOLD"), "PX4": ((3, 0), (2, 0), (1, 0))}
+FAILSAFES = {"ArduPilot": ("LAND", "RTL"), "PX4": ((4, 6), (4, 5))}
+
+
+@HANDS
+@EACH_ORDER
+@pytest.mark.parametrize("who, status", [(PILOTS, "PilotHasIt"), (FAILSAFES, "FailsafeHasIt")])
+def test_aircraft_that_somebody_else_has_is_left_to_him(steered, personality, order, who, status):
+    steered.fly(30.0)
+    for mode in who[personality]:
+        assert steered.may_steer
+        steered.pilot_sets(mode)
+        assert not steered.may_steer
+        before = len(steered.ordered())
+        ORDERS[order](steered)
+        assert steered.done(limit_s=3) == status
+        assert len(steered.ordered()) == before and steered.mode == mode
+        steered.set_mode("Hold" if is_px4(steered) else "Guided")  # the sketch's own wish
+        assert steered.done() == "Done"
+
+
+@HANDS
+@EACH_ORDER
+def test_px4_that_holds_for_a_failsafe_is_left_alone(build_steered, order):
+    """Its mode is that of goTo(); its system_status tells."""
+    steered = build_steered("PX4")
+    steered.fly()
+    steered.autopilot.in_failsafe = True
+    steered.run(1.2)
+    assert not steered.may_steer and steered.mode == (4, 3)
+    before = len(steered.ordered())
+    ORDERS[order](steered)
+    assert steered.done() == "FailsafeHasIt"
+    steered.autopilot.in_failsafe = False
+    steered.run(1.2)
+    ORDERS[order](steered)
+    assert steered.done() == "PilotHasIt"  # it may have been a pilot who ended it
+    assert len(steered.ordered()) == before
+
+
+@HANDS
+def test_mode_that_somebody_else_sets_to_what_was_ours_is_not_ours(build_steered):
+    steered = build_steered("ArduPilot")
+    steered.fly()
+    steered.pilot_sets("LOITER")
+    steered.pilot_sets("GUIDED")
+    steered.go_to(steered.place(10, 10), 15.0)
+    assert steered.done() == "PilotHasIt"
+
+
+@HANDS
+def test_aircraft_in_its_mission_may_be_steered(steered, personality):
+    steered.autopilot.load(on_the_wire(hops("px4" if is_px4(steered) else "copter", 4), personality))
+    steered.fly()
+    steered.pilot_sets((4, 4) if is_px4(steered) else "AUTO")
+    assert steered.may_steer
+    steered.go_to(steered.place(10, 10), 15.0)
+    assert steered.done(limit_s=12) == "Done"
+
+
+@HANDS
+@pytest.mark.parametrize("after_s", [0.05, 0.3, 0.55, 0.8])
+@pytest.mark.parametrize("order", ["goto", "goOn", "home", "landNow"])
+def test_mode_that_a_pilot_has_just_set_is_not_overruled(steered, personality, order, after_s):
+    """However long ago the last heartbeat was."""
+    steered.autopilot.load(on_the_wire(hops("px4" if is_px4(steered) else "copter", 4), personality))
+    steered.fly(20.0)
+    steered.run(after_s)
+    mode = PILOTS[personality][0]
+    autopilot = steered.autopilot
+    if is_px4(steered):
+        autopilot._set_mode(*mode, steered.now)
+    else:
+        autopilot._set_mode(autopilot.kind.modes[mode], steered.now)
+    steered.run(0.03)  # ArduPilot's heartbeat is on its way
+    before = len(steered.ordered())
+    ORDERS[order](steered)
+    assert steered.done(limit_s=3) == "PilotHasIt"
+    assert len(steered.ordered()) == before and steered.mode == mode
+
+
+@HANDS
+def test_pilot_who_takes_over_in_the_middle_ends_it(steered, personality):
+    steered.fly()
+    steered.wire.lose("<", name="COMMAND_ACK", times=9)
+    steered.go_to(steered.place(10, 10), 15.0)
+    steered.run(0.4)
+    before = len(steered.ordered())
+    steered.pilot_sets(PILOTS[personality][0])
+    assert steered.done(limit_s=2) == "PilotHasIt"
+    assert len(steered.ordered()) <= before + 1
+    assert steered.mode == PILOTS[personality][0]
+
+
+@HANDS
+def test_arduino_that_is_reset_in_flight_sends_nothing(make_steered, personality):
+    steered = make_steered(armed=True)
+    flight = steered.autopilot.flight
+    flight.fly_to(flight.home._replace(height=20.0), 0.0)
+    steered.autopilot._follow_flight()
+    if is_px4(steered):
+        steered.autopilot.sub_mode = 4
+        steered.autopilot.load(on_the_wire(hops("px4", 4), personality))
+    else:
+        steered.autopilot.load(on_the_wire(hops("copter", 4), personality))
+        steered.autopilot.mode = "AUTO"
+    steered.run(20.0)
+    for order in (*ORDERS.values(), lambda one: one.take_off(10.0)):
+        order(steered)
+        assert steered.done() == "Armed"
+    assert steered.heard("COMMAND_LONG", "COMMAND_INT") == []
+    steered.tell("armed", 1)
+    steered.go_to(steered.place(10, 10), 15.0)
+    assert steered.done(limit_s=12) == "Done"
+
+
+# -- hold, go on, come home ------------------------------------------------------------------------
+
+
+@STEERING
+def test_it_stops_on_the_way_and_stays(steered):
+    steered.fly()
+    steered.go_to(steered.place(200, 0), 10.0)
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(8.0)
+    steered.order_of("hold")
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(3.0)
+    stopped = steered.where
+    assert 1.0 < stopped.distance(steered.autopilot.flight.home) < 190.0
+    steered.run(5.0)
+    assert steered.where.distance(stopped) < 0.1 and not steered.has_arrived()
+    assert steered.where.height == pytest.approx(stopped.height, abs=0.1)
+
+
+@STEERING
+def test_mission_is_held_and_goes_on(steered, personality):
+    vehicle = "px4" if is_px4(steered) else "copter"
+    steered.upload(hops(vehicle, 5), proof="Always")
+    assert steered.done(limit_s=20) == "Accepted"
+    steered.order_of("start", 0)
+    assert steered.done(limit_s=20) == "Done"
+    steered.run(12.0)
+    flown = steered.followed.current
+    steered.order_of("hold")
+    assert steered.done(limit_s=12) == "Done"
+    assert steered.mode == ((4, 3) if is_px4(steered) else "GUIDED")
+    steered.run(2.0)
+    stopped = steered.where
+    steered.run(10.0)
+    assert steered.where.distance(stopped) < 0.1
+    steered.order_of("goOn")
+    assert steered.done(limit_s=12) == "Done"
+    assert steered.mode == ((4, 4) if is_px4(steered) else "AUTO")
+    steered.run(3.0)
+    assert steered.followed.current >= flown
+    steered.run(60.0)
+    assert 3 in steered.reached and not steered.autopilot.flight.airborne(steered.now)
+
+
+@STEERING
+def test_it_returns_home_and_lands(steered):
+    steered.fly()
+    steered.go_to(steered.place(20, 20), 10.0)
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(20.0)
+    steered.order_of("home")
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(60.0)
+    assert not steered.autopilot.armed
+    assert steered.where.distance(steered.autopilot.flight.home) < 0.5
+
+
+@STEERING
+def test_it_lands_where_it_is(steered):
+    steered.fly()
+    steered.go_to(steered.place(20, 20), 10.0)
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(20.0)
+    steered.order_of("landNow")
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(30.0)
+    assert not steered.autopilot.armed
+    assert steered.where.distance(steered.autopilot.flight.home) == pytest.approx(800 ** 0.5, abs=0.5)
+
+
+@STEERING
+def test_it_flies_at_the_speed_that_was_set(steered):
+    steered.fly()
+    steered.set_speed(2.5)
+    assert steered.done(limit_s=12) == "Done"
+    (sent,) = [one for one in steered.ordered() if one.command == SPEED]
+    assert (sent.param1, sent.param2, sent.param3) == (1.0, 2.5, -1.0)
+    assert steered.autopilot.flight.pace.speed == 2.5
+
+
+@STEERING
+def test_rover_goes_to_a_place(build_steered):
+    steered = build_steered("ArduPilot", vehicle="rover", uptime_s=120.0)
+    steered.run(2.0)
+    steered.set_mode("Guided")
+    assert steered.done() == "Done"
+    steered.order_of("arm")
+    assert steered.done() == "Done"
+    steered.run(1.2)
+    steered.go_to(steered.place(10, 10), 0.0)
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(30.0)
+    assert steered.has_arrived()
+
+
+@STEERING
+def test_takeoff_that_is_refused_after_arming_is_disarmed_again(steered):
+    steered.autopilot._nav_takeoff = lambda message, now: mavlink.MAV_RESULT_FAILED
+    steered.take_off(10.0)
+    assert steered.done(limit_s=15) == "CommandFailed"
+    assert not steered.autopilot.armed
+    assert [one.param1 for one in steered.ordered() if one.command == ARM] == [1.0, 0.0]
+
+
+@STEERING
+def test_takeoff_that_never_leaves_the_ground_is_unconfirmed(steered):
+    steered.autopilot._nav_takeoff = lambda message, now: mavlink.MAV_RESULT_ACCEPTED
+    if is_px4(steered):
+        def only_the_mode(message, now: float) -> int:
+            steered.autopilot.sub_mode = 2
+            return mavlink.MAV_RESULT_ACCEPTED
+        steered.autopilot._nav_takeoff = only_the_mode
+    steered.take_off(10.0)
+    assert steered.done(limit_s=30) == "Unconfirmed"
+    assert steered.step == "Confirm"
+
+
+@STEERING
+def test_target_that_px4_names_is_waited_for(build_steered):
+    """It sends its target every 2.2 s; one of before does not confirm."""
+    steered = build_steered("PX4", streams={87: 2.2})
+    steered.fly()
+    steered.go_to(steered.place(20, 20), 12.0)
+    assert steered.done(limit_s=12) == "Done"
+    steered.go_to(steered.place(-20, 20), 12.0)
+    began = steered.now
+    assert steered.done(limit_s=12) == "Done"
+    told = [one.lat_int for time, direction, one in steered.autopilot.log
+            if direction == "<" and one.get_type() == "POSITION_TARGET_GLOBAL_INT" and time > began]  # fmt: skip
+    assert abs(told[-1] - steered.place(-20, 20)[0]) <= 1
+
+
+@STEERING
+def test_target_of_somebody_else_is_no_confirmation(build_steered):
+    steered = build_steered("PX4", streams={87: 1.0})
+    steered.fly()
+    elsewhere = steered.place(50, 50)
+    steered.autopilot._do_reposition = lambda message, now: mavlink.MAV_RESULT_ACCEPTED
+    steered.autopilot.flight.fly_to(steered.where._replace(lat_e7=elsewhere[0], lon_e7=elsewhere[1]), steered.now)
+    steered.run(3.0)
+    steered.go_to(steered.place(20, 20), 12.0)
+    assert steered.done(limit_s=12) == "Unconfirmed"
+    assert not steered.has_arrived()
+
+
+@STEERING
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(4))
+def test_flight_on_a_line_that_loses_a_fifth_of_the_frames_comes_through(make_steered, seed):
+    steered = make_steered(wire=Wire(seed))
+    steered.run(2.0)
+    for direction in "><":
+        steered.wire.at_random(direction, lose=20)
+    for order in (lambda: steered.take_off(10.0), lambda: steered.go_to(steered.place(15, 0), 12.0),
+                  lambda: steered.order_of("home")):  # fmt: skip
+        for _ in range(4):
+            order()
+            if steered.done(limit_s=60) in ("Done", "Armed"):
+                break
+        steered.run(25.0)
+    steered.run(60.0)
+    assert not steered.autopilot.armed and steered.where.height == 0
