@@ -2,7 +2,7 @@
 import math
 from collections.abc import Iterable
 
-from . import hearing
+from . import hearing, instruments
 from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
 from .dialect import mavlink
@@ -93,6 +93,7 @@ class ArduPilot(FakeAutopilot):
         self.complete = False
         self.parameters: dict[str, float] = {}
         self.guided_targets: list[tuple[float, Item]] = []
+        self.instruments = instruments.of_ardupilot()
         self._last_reached = NOTHING_REACHED
         self._may_take_off = armed
         self._armed_at = 0.0
@@ -577,7 +578,7 @@ class ArduPilot(FakeAutopilot):
             return mavlink.MAVLink_autopilot_version_message(
                 capabilities, 4 << 24 | 6 << 16 | 3 << 8 | 255, 0, 0, 0,
                 [0] * 8, [0] * 8, [0] * 8, 0, 0, 0)
-        return None
+        return self.instruments.message_of(identity, boot_ms, self.flight.where(now), altitude_mm)
 
     def tell_param(self, name: str, kind: int, value: float, now: float) -> None:
         """A PARAM_VALUE nobody asked for: it tells of each parameter that it changes."""

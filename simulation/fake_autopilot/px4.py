@@ -2,7 +2,7 @@
 import math
 from collections.abc import Iterable
 
-from . import hearing
+from . import hearing, instruments
 from .autopilot import TEXT_LAG_S, FakeAutopilot
 from .dialect import mavlink
 from .feasibility import objection
@@ -82,6 +82,7 @@ class Px4(FakeAutopilot):
         self.infeasible_text = infeasible_text
         self.takeoff_required = takeoff_required
         self.complete = False
+        self.instruments = instruments.of_px4()
         self._mode_when_disarmed = (self.main_mode, self.sub_mode)
         self._known_current = self._told_current = 0  # see _on_set_current
         self._state_before: int | None = None  # of the mission, until it has looked at a new plan
@@ -489,7 +490,8 @@ class Px4(FakeAutopilot):
             return mavlink.MAVLink_autopilot_version_message(
                 capabilities, 1 << 24 | 17 << 16 | 255, 0, 0, 0,
                 [0] * 8, [0] * 8, [0] * 8, 0, 0, 0)
-        return None
+        return self.instruments.message_of(
+            identity, boot_ms, self.flight.where(now), round((self.home[2] + height) * 1000))
 
     def _restart(self, now: float) -> None:
         self.missions.forget_transfer()

@@ -50,10 +50,11 @@ struct CommandRules {
   static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from one of these answers to the next
 };
 
-// Commands that a listener sends beside an operation: TelemetryPause and MissionFollower.
+// Commands that a listener sends beside an operation: TelemetryPause, MissionFollower and the listeners of telemetry.
 struct IntervalRules {
   static constexpr uint8_t kTries = 5;
   static constexpr uint16_t kAnswerMs = 1500;
+  static constexpr uint16_t kRestartMs = 2500;  // a gap between two heartbeats: the autopilot may have restarted
 };
 
 struct FollowRules {
