@@ -16,6 +16,7 @@
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
+#include "mavmission/Parameters.h"
 #include "mavmission/PositionListener.h"
 #include "mavmission/RcListener.h"
 #include "mavmission/TelemetryListener.h"

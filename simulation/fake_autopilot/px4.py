@@ -2,7 +2,7 @@
 import math
 from collections.abc import Iterable
 
-from . import hearing, instruments
+from . import hearing, instruments, parameters
 from .autopilot import TEXT_LAG_S, FakeAutopilot
 from .dialect import mavlink
 from .feasibility import objection
@@ -38,6 +38,7 @@ DISARM_AFTER_LANDING_S = 2.0  # in LAND; at the end of a plan at once
 MISSION_LANDED_S = 0.18  # from the landing to the text, and as long again to the disarming
 LOOKS_AFTER_S = 0.025  # after it has accepted a plan; 0.010 to 0.062 seen
 COMMANDER_S = 0.005  # so much later answers the part that arms and changes modes; 0.004 to 0.014 seen
+PARAM_AGAIN_S = 0.012  # from PARAM_VALUE to its second copy, after a change; 7 to 19 ms seen
 TEXT_LENGTH = 50  # of a STATUSTEXT; what is longer comes in several
 
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
@@ -83,6 +84,8 @@ class Px4(FakeAutopilot):
         self.takeoff_required = takeoff_required
         self.complete = False
         self.instruments = instruments.of_px4()
+        self.parameters = parameters.of_px4()
+        self._parameters_set = 0
         self._mode_when_disarmed = (self.main_mode, self.sub_mode)
         self._known_current = self._told_current = 0  # see _on_set_current
         self._state_before: int | None = None  # of the mission, until it has looked at a new plan
@@ -108,6 +111,8 @@ class Px4(FakeAutopilot):
             "COMMAND_LONG": self._on_command,
             "COMMAND_INT": self._on_command,
             "SET_MODE": self._on_set_mode,
+            "PARAM_REQUEST_READ": self._on_param_request_read,
+            "PARAM_SET": self._on_param_set,
         }
         self.at("tell", tells_at_s, self._tell)
 
@@ -192,6 +197,33 @@ class Px4(FakeAutopilot):
         if self.flight.index is not None:
             self._fly_from(seq, now)
         return True
+
+    def _on_param_request_read(self, message, sender, now: float) -> None:
+        if not self._is_for_its_parameters(message):
+            return
+        known = self.parameters.asked_for(message)
+        if known is not None:
+            self.answer(self.parameters.told(known), now)
+
+    def _is_for_its_parameters(self, message) -> bool:
+        return message.target_system == self.address[0] and message.target_component in (0, self.address[1])
+
+    def _on_param_set(self, message, sender, now: float) -> None:
+        """It takes any number, also NaN, of the parameter's own type; a change is told a second time."""
+        known = self.parameters.all.get(message.param_id)
+        if known is None or message.param_type != known.kind or not self._is_for_its_parameters(message):
+            return
+
+        def take(time: float) -> None:
+            before = known.value
+            known.value = self.parameters.from_the_wire(known, message.param_value)
+            self.send_now(self.parameters.told(known), time)
+            if abs(known.value - before) > 0:  # not so from or to NaN
+                self.at(f"{known.name} again", time + PARAM_AGAIN_S,
+                        lambda later: self.send_now(self.parameters.told(known), later))
+
+        self._parameters_set += 1
+        self.at(f"parameter {self._parameters_set}", now + self.response_delay_s, take)
 
     def _on_set_mode(self, message, sender, now: float) -> None:
         """SET_MODE is taken for MAV_CMD_DO_SET_MODE, and acknowledged as that."""

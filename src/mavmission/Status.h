@@ -89,7 +89,10 @@ namespace mavmission {
   X(NoSuchItem, "refused: the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to from this item on") \
   X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
-  X(TakenOver, "somebody else has set another mode")
+  X(TakenOver, "somebody else has set another mode") \
+  /* parameters */ \
+  X(NoParameter, "no answer: it has no parameter of this name, or does not hear us") \
+  X(OtherValue, "the autopilot keeps another value")  /* Parameters::value() */
 // clang-format on
 
 enum class Status : uint8_t {

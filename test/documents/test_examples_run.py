@@ -234,6 +234,22 @@ def test_read_telemetry(run):
     assert example.lines.count("10 satellites") == 2
 
 
+def test_check_parameters():
+    example = Run("CheckParameters", "ArduPilot")
+    lines = example.until("MIS_RESTART: 1.00 done: the autopilot confirmed it", 10.0)
+    assert lines == ["SERIAL1_BAUD: 57.00 done: the autopilot confirmed it",
+                     "FENCE_ENABLE: 0.00 done: the autopilot confirmed it",
+                     "MIS_RESTART: 1.00 done: the autopilot confirmed it"]  # fmt: skip
+    assert example.autopilot.parameters.value("MIS_RESTART") == 1
+
+
+def test_check_parameters_says_that_px4_has_none_of_these_names():
+    example = Run("CheckParameters", "PX4")
+    said = "no answer: it has no parameter of this name, or does not hear us"
+    lines = example.until(f"MIS_RESTART: {said}", 40.0)
+    assert lines == [f"{name}: {said}" for name in ("SERIAL1_BAUD", "FENCE_ENABLE", "MIS_RESTART")]
+
+
 def test_link_doctor(run):
     assert run("LinkDoctor").until(QUIET, 8.0) == [QUIET]
     assert run("LinkDoctor", telemetry=1000.0).until("all is well", 8.0) == ["all is well"]

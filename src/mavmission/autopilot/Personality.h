@@ -53,6 +53,9 @@ enum Trait : uint32_t {
   kRejectsInWords = 1ul << 22,      // may reject a plan by a STATUSTEXT after it has accepted the plan
   kStreamsAsArduPilot = 1ul << 23,  // its telemetry consists mostly of the same messages as ArduPilot's
   kPlanesKeepMore = 1ul << 24,      // its planes keep more fields: kByPlane
+
+  // --- Parameters
+  kIntegersAsBits = 1ul << 30,  // PARAM_VALUE has integers as the bits of its float, and not as the float's value
 };
 
 // X(Firmware, MAV_AUTOPILOT, KeeperFlag, traits). An autopilot is recognised by HEARTBEAT.autopilot.
@@ -65,7 +68,7 @@ enum Trait : uint32_t {
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
-    kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords)
+    kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kIntegersAsBits)
 // clang-format on
 
 // The traits of any other autopilot.

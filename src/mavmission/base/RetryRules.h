@@ -67,6 +67,11 @@ struct FollowRules {
   static constexpr uint8_t kText = 3;
 };
 
+// Reading and setting a parameter; attempts and waits are those of a command.
+struct ParameterRules {
+  static constexpr uint8_t kOtherS = 2;  // another value than the one that was set is believed after this time
+};
+
 struct BackOffRules {
   static constexpr uint8_t kFirstS = 1;  // pause before the second COUNT; then twice the last one
   static constexpr uint8_t kMostS = 8;
