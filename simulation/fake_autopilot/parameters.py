@@ -67,11 +67,11 @@ def of_ardupilot(vehicle: str) -> Parameters:
     rover = vehicle == "rover"
     rows = [("MIS_OPTIONS", INT16, 0.0, 1000), ("MIS_RESTART", INT8, 0.0, 1001), ("FENCE_ENABLE", INT8, 0.0, 1002),
             ("SERIAL1_BAUD", INT32, 57.0, 1003), ("AUTO_OPTIONS", INT32, 0.0, 1004),
-            ("STAT_RUNTIME", INT32, 0.0, 1005)]  # fmt: skip
+            ("BARO1_GND_PRESS", REAL32, f32(101326.8), 1005)]  # fmt: skip
     rows += [("WP_RADIUS", REAL32, 3.0, 1006), ("SYSID_MYGCS", INT16, 255.0, 5)] if rover else \
             [("WPNAV_SPEED", REAL32, 1000.0, 1006), ("PILOT_THR_BHV", INT16, 0.0, 5)]  # fmt: skip
     found = Parameters(1263 if rover else 1375, rows, integers_as_bits=False)
-    found.all["STAT_RUNTIME"].read_only = True
+    found.all["BARO1_GND_PRESS"].read_only = True
     return found
 
 
