@@ -17,6 +17,8 @@
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
 #include "mavmission/Parameters.h"
+#include "mavmission/Payload.h"
+#include "mavmission/PayloadMessages.h"
 #include "mavmission/PositionListener.h"
 #include "mavmission/RcListener.h"
 #include "mavmission/TelemetryListener.h"

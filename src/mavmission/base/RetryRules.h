@@ -72,6 +72,12 @@ struct ParameterRules {
   static constexpr uint8_t kOtherS = 2;  // another value than the one that was set is believed after this time
 };
 
+// Commands that come to a Payload.
+struct PayloadRules {
+  static constexpr uint16_t kProgressMs = 1000;  // from IN_PROGRESS to the next one
+  static constexpr uint16_t kRepeatsMs = 5000;  // a command that is repeated within this time is not carried out again
+};
+
 struct BackOffRules {
   static constexpr uint8_t kFirstS = 1;  // pause before the second COUNT; then twice the last one
   static constexpr uint8_t kMostS = 8;
