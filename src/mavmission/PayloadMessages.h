@@ -35,6 +35,7 @@ class DistanceSensor {
 // only positions, which this message does not carry.
 class LandingTarget {
  public:
+  // `number`: of the target, if there are several.
   explicit LandingTarget(uint8_t number = 0);
   // The angles from the camera's axis to the target, to the right and upwards in the picture [rad], and how far the
   // target is away [m]; 0: not known.

@@ -250,6 +250,22 @@ def test_check_parameters_says_that_px4_has_none_of_these_names():
     assert lines == [f"{name}: {said}" for name in ("SERIAL1_BAUD", "FENCE_ENABLE", "MIS_RESTART")]
 
 
+def test_payload_winch(run):
+    example = run("PayloadWinch")
+    example.run(2.0)
+    winch = mavlink.MAVLink_command_long_message(1, 0, 42600, 0, 1, 1, 3.5, 0.5, 0, 0, 0)
+    example.autopilot.send_now(winch, example.now)
+    assert example.until("lowered", 8.0) == ["lowering 3.50 m of rope", "lowered"]
+    example.run(0.2)
+    answers = [(one.result, one.progress) for one in example.autopilot.messages(">", "COMMAND_ACK")]
+    *told, last = answers
+    assert last == (mavlink.MAV_RESULT_ACCEPTED, 0)
+    assert len(told) >= 4 and {result for result, _ in told} == {mavlink.MAV_RESULT_IN_PROGRESS}
+    assert [progress for _, progress in told] == sorted(progress for _, progress in told)
+    weights = example.autopilot.messages(">", "NAMED_VALUE_FLOAT")
+    assert len(weights) >= 5 and {one.name for one in weights} == {"weight"}
+
+
 def test_link_doctor(run):
     assert run("LinkDoctor").until(QUIET, 8.0) == [QUIET]
     assert run("LinkDoctor", telemetry=1000.0).until("all is well", 8.0) == ["all is well"]
