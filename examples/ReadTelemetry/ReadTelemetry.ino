@@ -1,43 +1,49 @@
-// Beside the mission: asks the autopilot for its position twice a second, and decodes it. Any message of any dialect
-// can be received in this way, and decoded by hand, as here, or with the headers of another MAVLink library.
+// Beside the mission: where the aircraft is, its battery and its GPS, every second. A sketch pays for the listeners
+// that it names, and for no others: there are AttitudeListener, RcListener and HomeListener too.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
-// GLOBAL_POSITION_INT: its id, CRC_EXTRA and length are in the MAVLink common messages.
-constexpr uint16_t kGlobalPositionInt = 33;
-const MessageKey keys[] PROGMEM = {messageKey(kGlobalPositionInt, 104, 28)};
+MissionClient autopilot(TELEM);
+PositionListener position(autopilot, 1000);  // asked for every 1000 ms
+BatteryListener battery(autopilot, 5000);
+GpsListener gps(autopilot, 5000);
 
-// Its payload in wire order.
-struct __attribute__((packed)) GlobalPositionInt {
-  uint32_t timeBootMs;
-  int32_t latE7, lonE7;
-  int32_t altMm, relativeAltMm;
-  int16_t vxCmS, vyCmS, vzCmS;
-  uint16_t headingCdeg;
-};
-
-void onPosition(void*, const ReceivedMessage& message) {
-  GlobalPositionInt position;
-  message.copyTo(&position, sizeof(position));
-  CONSOLE.print(position.latE7);
+void printPosition() {
+  CONSOLE.print(position.place().latitude.e7());
   CONSOLE.print(' ');
-  CONSOLE.print(position.lonE7);
+  CONSOLE.print(position.place().longitude.e7());
   CONSOLE.print(F(" (1e-7 deg), "));
-  CONSOLE.print(position.relativeAltMm / 1000);
-  CONSOLE.println(F(" m above home"));
+  if (position.hasHeights()) {
+    CONSOLE.print(position.aboveHomeMm() / 1000);
+    CONSOLE.print(F(" m above home, "));
+  }
+  CONSOLE.print(position.speedCmS());
+  CONSOLE.println(F(" cm/s"));
 }
 
-MissionClient autopilot(TELEM);
-MessageListener listener(autopilot, keys, onPosition);
+void printBattery() {
+  CONSOLE.print(battery.voltageMv());
+  CONSOLE.print(F(" mV, "));
+  if (battery.hasRemaining()) {
+    CONSOLE.print(battery.remainingPercent());
+    CONSOLE.println(F(" % left"));
+  } else {
+    CONSOLE.println(F("nobody measures how much is left"));
+  }
+}
 
 void setup() {
   CONSOLE.begin(115200);
   beginTelem(57600);
-  autopilot.setMessageInterval(kGlobalPositionInt, 500000);
 }
 
 void loop() {
-  const Status status = autopilot.update();
-  if (isEnd(status)) CONSOLE.println(toString(status));
+  autopilot.update();
+  if (position.isNew() && position.hasPlace()) printPosition();
+  if (battery.isNew()) printBattery();
+  if (gps.isNew()) {
+    CONSOLE.print(gps.satellites());
+    CONSOLE.println(gps.hasFix() ? F(" satellites") : F(" satellites, no fix yet"));
+  }
 }

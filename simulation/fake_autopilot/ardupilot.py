@@ -2,13 +2,14 @@
 import math
 from collections.abc import Iterable
 
-from . import hearing
+from . import hearing, instruments, parameters
 from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
 from .dialect import mavlink
 from .flight import TAKEOFF, VTOL_TAKEOFF, Flight, Place
 from .ftp import Ftp
 from .items import FENCE, MISSION, RALLY, Item, f32, whole_number
+from .parameters import NO_INDEX
 from .vehicles import VEHICLES
 
 BOOT_TEXT = b"\r\n\r\nInit ArduCopter V4.6.3\r\n\r\nFree RAM: 262144\r\n"
@@ -36,7 +37,7 @@ ON_THE_GROUND_S = 0.02  # a copter in LAND that stands on the ground disarms aft
 LANDED_AFTER_ARMING_S = 2.0  # a copter in LAND that never left the ground disarms no earlier
 WITHOUT_POSITION_S = 1.0  # after so long, armed, an EKF failsafe; and so long after the position it ends
 NOTHING_REACHED = 65535
-PARAM_COUNT = 1375
+PARAM_READ_S = 0.02  # from a request to the answer, beside response_delay_s; 40 to 185 ms seen
 
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
 MISSION_ITEM_REACHED = mavlink.MAVLINK_MSG_ID_MISSION_ITEM_REACHED
@@ -95,8 +96,9 @@ class ArduPilot(FakeAutopilot):
         self.current = 0  # the item that MISSION_CURRENT tells of; an upload leaves it alone
         self.running = False  # the plan; may be so without AUTO, too
         self.complete = False
-        self.parameters: dict[str, float] = {}
+        self.parameters = parameters.of_ardupilot(self.vehicle)
         self.guided_targets: list[tuple[float, Item]] = []
+        self.instruments = instruments.of_ardupilot()
         self._last_reached = NOTHING_REACHED
         self._may_take_off = armed
         self._armed_at = 0.0
@@ -128,6 +130,7 @@ class ArduPilot(FakeAutopilot):
             "SET_MODE": self._on_set_mode,
             "SET_POSITION_TARGET_GLOBAL_INT": self._on_set_target,
             "REQUEST_DATA_STREAM": self._on_request_data_stream,
+            "PARAM_REQUEST_READ": self._on_param_request_read,
             "PARAM_SET": self._on_param_set,
         }
         self._streams = streams or {}
@@ -232,11 +235,22 @@ class ArduPilot(FakeAutopilot):
             on = message.start_stop and message.req_message_rate
             self.default_stream(identity, 1.0 / message.req_message_rate if on else 0.0, now)
 
+    def _on_param_request_read(self, message, sender, now: float) -> None:
+        """It looks in between other work; one that it does not have it passes over."""
+        known = self.parameters.asked_for(message)
+        if known is not None:
+            by_name = message.param_index < 0
+            self.answer(self.parameters.told(known, NO_INDEX if by_name else None), now, later_s=PARAM_READ_S)
+
     def _on_param_set(self, message, sender, now: float) -> None:
-        """Of all parameters, one that a client sets is all that is known here."""
-        self.parameters[message.param_id] = message.param_value
-        self.answer(mavlink.MAVLink_param_value_message(
-            message.param_id.encode(), message.param_value, message.param_type, PARAM_COUNT, 65535), now)
+        known = self.parameters.all.get(message.param_id)
+        if known is None or not math.isfinite(message.param_value):
+            return
+        if known.read_only:
+            self.text(WARNING, f"Param write denied ({known.name})", now)
+        else:
+            known.value = self.parameters.from_the_wire(known, message.param_value)
+        self.answer(self.parameters.told(known, NO_INDEX), now)
 
     def _on_set_mode(self, message, sender, now: float) -> None:
         """SET_MODE has no acknowledgement: the next HEARTBEAT tells."""
@@ -291,7 +305,7 @@ class ArduPilot(FakeAutopilot):
     def _why_not_armed(self, now: float) -> str | None:
         if now < self.booted_at_s + self.kind.ready_s:
             return self.kind.not_ready
-        if self.mode == "AUTO" and int(self.parameters.get("AUTO_OPTIONS", 0)) & 1:
+        if self.mode == "AUTO" and int(self.parameters.value("AUTO_OPTIONS")) & 1:
             return None
         return f"Arm: {self.mode} mode not armable" if self.mode in self.kind.not_armed_in else None
 
@@ -643,12 +657,12 @@ class ArduPilot(FakeAutopilot):
             return mavlink.MAVLink_autopilot_version_message(
                 capabilities, 4 << 24 | 6 << 16 | 3 << 8 | 255, 0, 0, 0,
                 [0] * 8, [0] * 8, [0] * 8, 0, 0, 0)
-        return None
+        return self.instruments.message_of(identity, boot_ms, self.flight.where(now), altitude_mm)
 
     def tell_param(self, name: str, kind: int, value: float, now: float) -> None:
         """A PARAM_VALUE nobody asked for: it tells of each parameter that it changes."""
         self.answer(mavlink.MAVLink_param_value_message(
-            name.encode(), value, kind, PARAM_COUNT, 65535), now, later_s=0.003)
+            name.encode(), value, kind, self.parameters.count, NO_INDEX), now, later_s=0.003)
 
     # -- start ----------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 import math
 from collections.abc import Iterable
 
-from . import hearing
+from . import hearing, instruments, parameters
 from .autopilot import TEXT_LAG_S, FakeAutopilot
 from .dialect import mavlink
 from .feasibility import objection
@@ -40,6 +40,7 @@ LOOKS_AFTER_S = 0.025  # after it has accepted a plan; 0.010 to 0.062 seen
 COMMANDER_S = 0.005  # so much later answers the part that arms and changes modes; 0.004 to 0.014 seen
 STREAM_S = 1.0  # OFFBOARD wants a target in this time
 DEFAULT_TAKEOFF_M = 2.5  # its parameter MIS_TAKEOFF_ALT
+PARAM_AGAIN_S = 0.012  # from PARAM_VALUE to its second copy, after a change; 7 to 19 ms seen
 TEXT_LENGTH = 50  # of a STATUSTEXT; what is longer comes in several
 
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
@@ -87,6 +88,9 @@ class Px4(FakeAutopilot):
         self.infeasible_text = infeasible_text
         self.takeoff_required = takeoff_required
         self.complete = False
+        self.instruments = instruments.of_px4()
+        self.parameters = parameters.of_px4()
+        self._parameters_set = 0
         self._mode_when_disarmed = (self.main_mode, self.sub_mode)
         self._known_current = self._told_current = 0  # see _on_set_current
         self._state_before: int | None = None  # of the mission, until it has looked at a new plan
@@ -117,6 +121,8 @@ class Px4(FakeAutopilot):
             "COMMAND_INT": self._on_command,
             "SET_MODE": self._on_set_mode,
             "SET_POSITION_TARGET_GLOBAL_INT": self._on_set_target,
+            "PARAM_REQUEST_READ": self._on_param_request_read,
+            "PARAM_SET": self._on_param_set,
         }
         self.at("tell", tells_at_s, self._tell)
         self._streams = streams or {}
@@ -207,6 +213,33 @@ class Px4(FakeAutopilot):
         if self.flight.index is not None:
             self._fly_from(seq, now)
         return True
+
+    def _on_param_request_read(self, message, sender, now: float) -> None:
+        if not self._is_for_its_parameters(message):
+            return
+        known = self.parameters.asked_for(message)
+        if known is not None:
+            self.answer(self.parameters.told(known), now)
+
+    def _is_for_its_parameters(self, message) -> bool:
+        return message.target_system == self.address[0] and message.target_component in (0, self.address[1])
+
+    def _on_param_set(self, message, sender, now: float) -> None:
+        """It takes any number, also NaN, of the parameter's own type; a change is told a second time."""
+        known = self.parameters.all.get(message.param_id)
+        if known is None or message.param_type != known.kind or not self._is_for_its_parameters(message):
+            return
+
+        def take(time: float) -> None:
+            before = known.value
+            known.value = self.parameters.from_the_wire(known, message.param_value)
+            self.send_now(self.parameters.told(known), time)
+            if abs(known.value - before) > 0:  # not so from or to NaN
+                self.at(f"{known.name} again", time + PARAM_AGAIN_S,
+                        lambda later: self.send_now(self.parameters.told(known), later))
+
+        self._parameters_set += 1
+        self.at(f"parameter {self._parameters_set}", now + self.response_delay_s, take)
 
     def _on_set_mode(self, message, sender, now: float) -> None:
         """SET_MODE is taken for MAV_CMD_DO_SET_MODE, and acknowledged as that."""
@@ -583,7 +616,8 @@ class Px4(FakeAutopilot):
             return mavlink.MAVLink_autopilot_version_message(
                 capabilities, 1 << 24 | 17 << 16 | 255, 0, 0, 0,
                 [0] * 8, [0] * 8, [0] * 8, 0, 0, 0)
-        return None
+        return self.instruments.message_of(
+            identity, boot_ms, self.flight.where(now), round((self.home[2] + height) * 1000))
 
     def _restart(self, now: float) -> None:
         self.missions.forget_transfer()

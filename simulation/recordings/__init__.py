@@ -31,12 +31,14 @@ class Heard(NamedTuple):
 _LOSSY = "lossy_"
 _FTP = "ftp_"
 _GUIDED = "guided_"
+_PARAMETERS = "params"
 _OF_STARTS = ("start_", "mission_", "set_current_", "auto_and_arming", "request_messages")
 
 
 def names() -> list[str]:
     """All recordings of transfers, as "px4/item_lost"."""
-    return [name for name in _all() if not name.split("/")[1].startswith((*_OF_STARTS, _LOSSY, _FTP, _GUIDED))]
+    of_others = (*_OF_STARTS, _LOSSY, _FTP, _GUIDED, _PARAMETERS)
+    return [name for name in _all() if not name.split("/")[1].startswith(of_others)]
 
 
 def starts() -> list[str]:
@@ -52,6 +54,11 @@ def guided() -> list[str]:
 def ftp() -> list[str]:
     """All recordings of plans as files, as "arducopter/ftp_upload_clean"."""
     return [name for name in _all() if name.split("/")[1].startswith(_FTP)]
+
+
+def parameters() -> list[str]:
+    """All recordings of parameters read and set, as "px4/params"."""
+    return [name for name in _all() if name.split("/")[1].startswith(_PARAMETERS)]
 
 
 def lossy() -> list[str]:

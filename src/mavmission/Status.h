@@ -99,7 +99,10 @@ namespace mavmission {
   X(FailsafeHasIt, "a failsafe or another station lands it or brings it back") \
   X(NotFlying, "refused: it is not in the air") \
   X(NoHome, "refused: the autopilot does not say where home is") \
-  X(BadSpeed, "refused: a speed that is not above 0, or above 100 m/s")
+  X(BadSpeed, "refused: a speed that is not above 0, or above 100 m/s") \
+  /* parameters */ \
+  X(NoParameter, "no answer: it has no parameter of this name, or does not hear us") \
+  X(OtherValue, "the autopilot keeps another value")  /* Parameters::value() */
 // clang-format on
 
 enum class Status : uint8_t {

@@ -133,7 +133,7 @@ def test_change_names_files_that_exist_and_at_most_five(change):
 def test_every_change_that_was_tried_is_in_the_table():
     subjects = " ".join(changes(DESIGN))
     for subject in ("result code", "submarine", "COUNT", "NAV_SPLINE_WAYPOINT", "280 bytes", "third autopilot",
-                    "`Status`", "GLOBAL_POSITION_INT", "Linux", "timeline"):  # fmt: skip
+                    "`Status`", "message of telemetry", "Linux", "timeline"):  # fmt: skip
         assert subject in subjects
     assert len(changes(DESIGN)) == 10
 

@@ -225,12 +225,45 @@ def test_fence_and_rally_on_mavlink_1():
 
 def test_read_telemetry(run):
     example = run("ReadTelemetry")
-    lines = example.until("done: the autopilot confirmed it", 5.0)
-    example.run(3.1)
-    lines = example.lines
-    positions = [line for line in lines if line != "done: the autopilot confirmed it"]
-    assert len(positions) == 6
-    assert set(positions) == {"-353632621 1491652374 (1e-7 deg), 0 m above home"}
+    example.run(11.0)
+    positions = [line for line in example.lines if "1e-7 deg" in line]
+    assert 9 <= len(positions) <= 11
+    assert set(positions) == {"-353632621 1491652374 (1e-7 deg), 0 m above home, 0 cm/s"}
+    volts = example.autopilot.instruments.volts
+    assert example.lines.count(f"{round(1000 * volts)} mV, 100 % left") == 2
+    assert example.lines.count("10 satellites") == 2
+
+
+def test_check_parameters():
+    example = Run("CheckParameters", "ArduPilot")
+    lines = example.until("MIS_RESTART: 1.00 done: the autopilot confirmed it", 10.0)
+    assert lines == ["SERIAL1_BAUD: 57.00 done: the autopilot confirmed it",
+                     "FENCE_ENABLE: 0.00 done: the autopilot confirmed it",
+                     "MIS_RESTART: 1.00 done: the autopilot confirmed it"]  # fmt: skip
+    assert example.autopilot.parameters.value("MIS_RESTART") == 1
+
+
+def test_check_parameters_says_that_px4_has_none_of_these_names():
+    example = Run("CheckParameters", "PX4")
+    said = "no answer: it has no parameter of this name, or does not hear us"
+    lines = example.until(f"MIS_RESTART: {said}", 40.0)
+    assert lines == [f"{name}: {said}" for name in ("SERIAL1_BAUD", "FENCE_ENABLE", "MIS_RESTART")]
+
+
+def test_payload_winch(run):
+    example = run("PayloadWinch")
+    example.run(2.0)
+    winch = mavlink.MAVLink_command_long_message(1, 0, 42600, 0, 1, 1, 3.5, 0.5, 0, 0, 0)
+    example.autopilot.send_now(winch, example.now)
+    assert example.until("lowered", 8.0) == ["lowering 3.50 m of rope", "lowered"]
+    example.run(0.2)
+    answers = [(one.result, one.progress) for one in example.autopilot.messages(">", "COMMAND_ACK")]
+    *told, last = answers
+    assert last == (mavlink.MAV_RESULT_ACCEPTED, 0)
+    assert len(told) >= 4 and {result for result, _ in told} == {mavlink.MAV_RESULT_IN_PROGRESS}
+    assert [progress for _, progress in told] == sorted(progress for _, progress in told)
+    weights = example.autopilot.messages(">", "NAMED_VALUE_FLOAT")
+    assert len(weights) >= 5 and {one.name for one in weights} == {"weight"}
 
 
 def test_link_doctor(run):

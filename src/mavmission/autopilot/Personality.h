@@ -55,6 +55,9 @@ enum Trait : uint32_t {
   kIsActiveInAir = 1ul << 26,         // HEARTBEAT.system_status is ACTIVE in the air, and not when it is only armed
   kAltitudesAreAboveSea = 1ul << 27,  // takes each altitude of a command as above sea level, whatever its frame
   kPlanesKeepMore = 1ul << 24,        // its planes keep more fields: kByPlane
+
+  // --- Parameters
+  kIntegersAsBits = 1ul << 30,  // PARAM_VALUE has integers as the bits of its float, and not as the float's value
 };
 
 // X(Firmware, MAV_AUTOPILOT, KeeperFlag, traits). An autopilot is recognised by HEARTBEAT.autopilot.
@@ -67,7 +70,8 @@ enum Trait : uint32_t {
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
-    kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea)
+    kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea |                   \
+    kIntegersAsBits)
 // clang-format on
 
 // The traits of any other autopilot.

@@ -221,12 +221,8 @@ float quotient(int32_t value, uint32_t divisor) {
   if (value == 0) return 0;
   uint32_t rest = value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value);
   // Long division in binary: the whole part, then bits behind the point until there are 25, one of them to round by.
-  uint32_t quotient = 0;
-  if (divisor == 1) {
-    quotient = rest;
-    rest = 0;
-  }
-  for (; rest >= divisor; rest -= divisor) ++quotient;  // at most 214 times for an angle
+  uint32_t quotient = rest / divisor;
+  rest %= divisor;
   int8_t exponent = 24;
   while (quotient >= kHidden << 2) {
     quotient >>= 1;

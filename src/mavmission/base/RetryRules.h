@@ -49,10 +49,11 @@ struct CommandRules {
   static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from one of these answers to the next
 };
 
-// Commands that a listener sends beside an operation: TelemetryPause and MissionFollower.
+// Commands that a listener sends beside an operation: TelemetryPause, MissionFollower and the listeners of telemetry.
 struct IntervalRules {
   static constexpr uint8_t kTries = 5;
   static constexpr uint16_t kAnswerMs = 1500;
+  static constexpr uint16_t kRestartMs = 2500;  // a gap between two heartbeats: the autopilot may have restarted
 };
 
 struct FollowRules {
@@ -63,6 +64,17 @@ struct FollowRules {
   static constexpr uint8_t kPatience = 3;
   // For how many heartbeats after its acceptance ArduPilot's text about an upload of ours is expected.
   static constexpr uint8_t kText = 3;
+};
+
+// Reading and setting a parameter; attempts and waits are those of a command.
+struct ParameterRules {
+  static constexpr uint8_t kOtherS = 2;  // another value than the one that was set is believed after this time
+};
+
+// Commands that come to a Payload.
+struct PayloadRules {
+  static constexpr uint16_t kProgressMs = 1000;  // from IN_PROGRESS to the next one
+  static constexpr uint16_t kRepeatsMs = 5000;  // a command that is repeated within this time is not carried out again
 };
 
 struct BackOffRules {

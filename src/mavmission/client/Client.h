@@ -24,6 +24,8 @@
 namespace mavmission {
 namespace detail {
 
+class Listener;
+
 // All public, since only the library sees this class. MissionClient shows a sketch what it may call.
 class Client : public ClientRules {
  public:
@@ -294,6 +296,7 @@ class Client : public ClientRules {
       uint16_t item;  // to be set as current; a wire number
       Interval interval;
       StartTransfer start;
+      Listener* listener;  // whose operation this is
     };
   };
 

@@ -61,6 +61,9 @@ class Link : public LinkRules {
   template <typename T>
   void sendAs(void* payload);
 
+  // Sends a message that is not in Messages.h, with its key, in flash.
+  void send(void* payload, const MessageKey& key) { sendMessage(static_cast<uint8_t*>(payload), &key); }
+
   // Sends in two steps, for a message that may be needed soon: prepareAs() packs the message, to be called only when
   // canSend(); release() sends it, to be called only while isPrepared(). The prepared message is dropped when anything
   // else is sent, and at the autopilot's next heartbeat, which may have another MAVLink version or come from another

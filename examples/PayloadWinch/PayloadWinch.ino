@@ -1,0 +1,54 @@
+// A winch that a plan can command, where the autopilot hands its commands on: docs/payload.md. It lowers its rope for
+// five seconds, tells how far it is, and then that it is done; every second it tells a weight to the ground station.
+#include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
+using namespace mavmission;
+
+constexpr uint16_t kDoWinch = 42600;  // MAV_CMD_DO_WINCH: param 3 is the length of rope [m]
+constexpr uint8_t kMotorPin = 9;
+constexpr uint32_t kLoweringMs = 5000;
+
+MissionClient autopilot(TELEM);
+uint32_t startedMs;
+
+PayloadAnswer carryOut(void*, const PayloadCommand& command) {
+  if (command.id != kDoWinch) return PayloadAnswer::Unsupported;
+  CONSOLE.print(F("lowering "));
+  CONSOLE.print(command.param[2]);
+  CONSOLE.println(F(" m of rope"));
+  digitalWrite(kMotorPin, HIGH);
+  startedMs = millis();
+  return PayloadAnswer::InProgress;
+}
+
+Payload payload(autopilot, carryOut);
+NamedValue weight("weight");
+uint32_t toldMs;
+
+void lower() {
+  const uint32_t elapsedMs = millis() - startedMs;
+  payload.progress(elapsedMs * 100 / kLoweringMs);
+  if (elapsedMs < kLoweringMs) return;
+  digitalWrite(kMotorPin, LOW);
+  payload.finish(PayloadAnswer::Accepted);
+  CONSOLE.println(F("lowered"));
+}
+
+void tellWeight() {
+  if (millis() - toldMs < 1000 || !autopilot.isSent()) return;
+  weight.set(analogRead(A0) * 0.01f);  // [kg]
+  if (autopilot.sendMessage(weight)) toldMs = millis();
+}
+
+void setup() {
+  pinMode(kMotorPin, OUTPUT);
+  CONSOLE.begin(115200);
+  beginTelem(57600);
+}
+
+void loop() {
+  autopilot.update();
+  payload.update();
+  if (payload.isBusy()) lower();
+  tellWeight();
+}

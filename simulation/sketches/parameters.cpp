@@ -1,0 +1,82 @@
+// The firmware of the tests of Parameters: it reads and sets what lines on Serial tell it. simulation/parameters.py is
+// the other end; it writes names and floats into the arrays below.
+#include <Arduino.h>
+#include <MavMission.h>
+
+#include "Talk.h"
+
+using namespace mavmission;
+
+#ifndef BENCH_BAUD
+#define BENCH_BAUD 57600
+#endif
+
+extern "C" {
+#define FROM_OUTSIDE __attribute__((used, externally_visible))
+char benchName[20] FROM_OUTSIDE;
+float benchNumber FROM_OUTSIDE;
+}
+
+static MissionClient client(Serial1);
+static Parameters parameters(client);
+#ifdef BENCH_TELEMETRY
+static PositionListener position(client, 500);
+#endif
+static Status lastReturned = Status::Idle;
+
+static void tellBegun(Status status) {
+  tell(F("began"), static_cast<uint8_t>(status));
+  Serial.println();
+}
+
+static bool place(void*, uint16_t index, MissionItem& item) {
+  item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
+  return true;
+}
+
+ACTION(read) { tellBegun(parameters.read(benchName)); }
+ACTION(readflash) { tellBegun(parameters.read(F("FENCE_ENABLE"))); }
+ACTION(set) { tellBegun(parameters.set(benchName, benchNumber)); }
+ACTION(setflash) { tellBegun(parameters.set(F("WPNAV_SPEED"), 750.5f)); }
+ACTION(setwhole) {
+  tellBegun(parameters.setWhole(benchName, numbers[0] == 1 ? -static_cast<int32_t>(numbers[1]) : numbers[1]));
+}
+ACTION(setwholeflash) { tellBegun(parameters.setWhole(F("MIS_RESTART"), 1)); }
+ACTION(armed) { client.allowWhileArmed(numbers[0]); }
+ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
+ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
+ACTION(cancel) { client.cancel(); }
+ACTION(value) {
+  tell(F("value"), 0);
+  uint32_t bits;
+  const float number = parameters.value();
+  memcpy(&bits, &number, sizeof(bits));
+  tellNumber(F("bits"), bits);
+  tellNumber(F("whole"), parameters.whole());
+  tellNumber(F("iswhole"), parameters.isWhole());
+  Serial.println();
+}
+
+static const Word words[] = {
+    WORD(read),   WORD(readflash), WORD(set),    WORD(setflash), WORD(setwhole), WORD(setwholeflash),
+    WORD(upload), WORD(interval),  WORD(cancel), WORD(value),    WORD(armed),
+};
+
+void setup() {
+  Serial.begin(500000);
+  Serial1.begin(BENCH_BAUD);
+  setUpSleep();
+  asm volatile("" : : "r"(&benchName), "r"(&benchNumber) : "memory");
+  Serial.println(F("ready"));
+}
+
+void loop() {
+  listen(words);
+  const Status status = client.update();
+  if (isEnd(status) || status != lastReturned) {
+    lastReturned = status;
+    tell(F("returned"), static_cast<uint8_t>(status));
+    Serial.println();
+  }
+  sleepIfNothingCame(Serial1);
+}

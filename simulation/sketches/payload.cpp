@@ -1,0 +1,112 @@
+// The firmware of the tests of Payload: it tells each command that it is given, and answers as lines on Serial have
+// told it to. simulation/payload.py is the other end.
+#include <Arduino.h>
+#include <MavMission.h>
+
+#include "Talk.h"
+
+using namespace mavmission;
+
+#ifndef BENCH_BAUD
+#define BENCH_BAUD 57600
+#endif
+
+static PayloadAnswer next = PayloadAnswer::Accepted;
+static Status lastReturned = Status::Idle;
+
+static PayloadAnswer carryOut(void* context, const PayloadCommand& command) {
+  tell(F("command"), command.id);
+  tellNumber(F("system"), command.systemId);
+  tellNumber(F("component"), command.componentId);
+  tellNumber(F("all"), command.isForAll);
+  tellNumber(F("context"), *static_cast<uint8_t*>(context));
+  for (uint8_t i = 0; i < 7; ++i) {
+    uint32_t bits;
+    memcpy(&bits, &command.param[i], sizeof(bits));
+    Serial.print(F(" p"));
+    Serial.print(i + 1);
+    Serial.print('=');
+    Serial.print(bits);
+  }
+  Serial.println();
+  return next;
+}
+
+static bool place(void*, uint16_t index, MissionItem& item) {
+  item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
+  return true;
+}
+
+static uint8_t context = 77;
+static MissionClient client(Serial1);
+static Payload payload(client, carryOut, &context);
+static DistanceSensor distance(20, 700, 25, 3, 1);
+static LandingTarget target(2);
+static NamedValue value("ten_letter");
+static NamedValue cut("more than ten letters");
+static TextMessage text;
+
+static void tellSent(bool isTaken) {
+  tell(F("sent"), isTaken);
+  Serial.println();
+}
+
+ACTION(answer) { next = static_cast<PayloadAnswer>(numbers[0]); }
+ACTION(progress) { payload.progress(numbers[0]); }
+ACTION(finish) { payload.finish(static_cast<PayloadAnswer>(numbers[0])); }
+ACTION(busy) {
+  tell(F("busy"), payload.isBusy());
+  Serial.println();
+}
+ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
+ACTION(distance_) {
+  distance.set(numbers[0]);
+  tellSent(client.sendMessage(distance));
+}
+ACTION(target_) {
+  target.set(0.25f, -0.5f, 3);
+  tellSent(client.sendMessage(target));
+}
+ACTION(value_) {
+  value.set(-1.5f);
+  tellSent(client.sendMessage(value));
+}
+ACTION(cut_) {
+  cut.set(2);
+  tellSent(client.sendMessage(cut));
+}
+ACTION(text_) {
+  text.set(4, F("rope torn"));
+  tellSent(client.sendMessage(text));
+}
+ACTION(longtext) {
+  text.set(6, "a text of more than fifty characters, which are the most");
+  tellSent(client.sendMessage(text));
+}
+ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
+ACTION(arm) { client.arm(); }
+
+static const Word words[] = {
+    WORD(answer),        WORD(progress),    WORD(finish),  WORD(busy),      WORD(ids),      {"distance", distance_},
+    {"target", target_}, {"value", value_}, {"cut", cut_}, {"text", text_}, WORD(longtext), WORD(upload),
+    WORD(arm),
+};
+
+void setup() {
+  Serial.begin(500000);
+  Serial1.begin(BENCH_BAUD);
+  setUpSleep();
+  Serial.println(F("ready"));
+}
+
+void loop() {
+  listen(words);
+  const Status status = client.update();
+  if (isEnd(status) || status != lastReturned) {
+    lastReturned = status;
+    tell(F("returned"), static_cast<uint8_t>(status));
+    Serial.println();
+  }
+  payload.update();
+  sleepIfNothingCame(Serial1);
+}

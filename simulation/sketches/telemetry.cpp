@@ -1,0 +1,158 @@
+// The firmware of the tests of telemetry: its listeners beside a client on Serial1, told by lines on Serial what to do.
+// simulation/telemetry.py is the other end.
+#include <Arduino.h>
+#include <MavMission.h>
+
+#include "Talk.h"
+
+using namespace mavmission;
+
+#ifndef BENCH_BAUD
+#define BENCH_BAUD 57600
+#endif
+#ifndef BENCH_INTERVAL_MS
+#define BENCH_INTERVAL_MS 500
+#endif
+
+static MissionClient client(Serial1);
+static PositionListener position(client, BENCH_INTERVAL_MS);
+static AttitudeListener attitude(client, BENCH_INTERVAL_MS);
+static BatteryListener battery(client, BENCH_INTERVAL_MS);
+static GpsListener gps(client, BENCH_INTERVAL_MS);
+static RcListener rc(client, BENCH_INTERVAL_MS);
+#if MAVMISSION_MAX_PAYLOAD >= 60
+static HomeListener home(client, BENCH_INTERVAL_MS);
+#endif
+#ifdef BENCH_FOLLOWER
+static MissionFollower follower(client);
+#endif
+static Status lastReturned = Status::Idle;
+
+static bool place(void*, uint16_t index, MissionItem& item) {
+  item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
+  return true;
+}
+
+static void tellLatLon(const LatLon& where) {
+  tellNumber(F("lat"), where.latitude.e7());
+  tellNumber(F("lon"), where.longitude.e7());
+}
+
+template <typename T>
+static void tellHeard(T& listener) {
+  tellNumber(F("heard"), listener.isHeard());
+  tellNumber(F("age"), listener.ageMs());
+  tellNumber(F("confirmed"), listener.isConfirmed());
+  tellNumber(F("new"), listener.isNew());
+}
+
+ACTION(position_) {
+  tell(F("position"), 0);
+  tellHeard(position);
+  tellNumber(F("place"), position.hasPlace());
+  tellLatLon(position.place());
+  tellNumber(F("hasheights"), position.hasHeights());
+  tellNumber(F("sea"), position.aboveSeaLevelMm());
+  tellNumber(F("above"), position.aboveHomeMm());
+  tellNumber(F("homesea"), position.homeAboveSeaLevelMm());
+  uint32_t bits;
+  const float metres = position.altitude().metres();
+  memcpy(&bits, &metres, sizeof(bits));
+  tellNumber(F("altitude"), bits);
+  tellNumber(F("north"), position.northCmS());
+  tellNumber(F("east"), position.eastCmS());
+  tellNumber(F("down"), position.downCmS());
+  tellNumber(F("speed"), position.speedCmS());
+  tellNumber(F("hasheading"), position.hasHeading());
+  tellNumber(F("heading"), position.heading().e7());
+  tellNumber(F("cdeg"), position.headingCdeg());
+  Serial.println();
+}
+ACTION(attitude_) {
+  tell(F("attitude"), 0);
+  tellHeard(attitude);
+  tellNumber(F("roll"), attitude.roll().e7());
+  tellNumber(F("pitch"), attitude.pitch().e7());
+  tellNumber(F("yaw"), attitude.yaw().e7());
+  Serial.println();
+}
+ACTION(battery_) {
+  tell(F("battery"), 0);
+  tellHeard(battery);
+  tellNumber(F("mv"), battery.voltageMv());
+  tellNumber(F("hascurrent"), battery.hasCurrent());
+  tellNumber(F("ca"), battery.currentCa());
+  tellNumber(F("hasconsumed"), battery.hasConsumed());
+  tellNumber(F("mah"), battery.consumedMah());
+  tellNumber(F("hasremaining"), battery.hasRemaining());
+  tellNumber(F("percent"), battery.remainingPercent());
+  tellNumber(F("hastemperature"), battery.hasTemperature());
+  tellNumber(F("cdeg"), battery.temperatureCdeg());
+  Serial.println();
+}
+ACTION(gps_) {
+  tell(F("gps"), 0);
+  tellHeard(gps);
+  tellNumber(F("fix"), static_cast<uint8_t>(gps.fix()));
+  tellNumber(F("hasfix"), gps.hasFix());
+  tellNumber(F("hassatellites"), gps.hasSatellites());
+  tellNumber(F("satellites"), gps.satellites());
+  tellLatLon(gps.place());
+  tellNumber(F("sea"), gps.aboveSeaLevelMm());
+  tellNumber(F("hdop"), gps.hdopHundredths());
+  tellNumber(F("accuracy"), gps.accuracyMm());
+  tellNumber(F("speed"), gps.speedCmS());
+  tellNumber(F("course"), gps.courseCdeg());
+  Serial.println();
+}
+ACTION(rc_) {
+  tell(F("rc"), 0);
+  tellHeard(rc);
+  tellNumber(F("count"), rc.count());
+  tellNumber(F("hasrssi"), rc.hasRssi());
+  tellNumber(F("rssi"), rc.rssi());
+  for (uint8_t number = 0; number <= 19; ++number) {
+    Serial.print(F(" ch"));
+    Serial.print(number);
+    Serial.print('=');
+    Serial.print(rc.channelUs(number));
+  }
+  Serial.println();
+}
+#if MAVMISSION_MAX_PAYLOAD >= 60
+ACTION(home_) {
+  tell(F("home"), 0);
+  tellHeard(home);
+  tellLatLon(home.place());
+  tellNumber(F("sea"), home.aboveSeaLevelMm());
+  Serial.println();
+}
+#endif
+ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
+ACTION(interval) { client.setMessageInterval(numbers[0], numbers[1]); }
+
+static const Word words[] = {
+    {"position", position_}, {"attitude", attitude_}, {"battery", battery_}, {"gps", gps_}, {"rc", rc_}, WORD(upload),
+    WORD(interval),
+#if MAVMISSION_MAX_PAYLOAD >= 60
+    {"home", home_},
+#endif
+};
+
+void setup() {
+  Serial.begin(500000);
+  Serial1.begin(BENCH_BAUD);
+  setUpSleep();
+  Serial.println(F("ready"));
+}
+
+void loop() {
+  listen(words);
+  const Status status = client.update();
+  if (isEnd(status) || status != lastReturned) {
+    lastReturned = status;
+    tell(F("returned"), static_cast<uint8_t>(status));
+    Serial.println();
+  }
+  sleepIfNothingCame(Serial1);
+}

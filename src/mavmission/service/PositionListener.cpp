@@ -1,0 +1,54 @@
+#include "../PositionListener.h"
+
+#include "../base/FloatBits.h"
+#include "TelemetryKeys.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+MAVMISSION_TELEMETRY_KEYS(GLOBAL_POSITION_INT);
+
+}  // namespace
+
+PositionListener::PositionListener(MissionClient& client, uint16_t intervalMs)
+    : TelemetryListener(client, kListened, intervalMs, decode) {}
+
+bool PositionListener::decode(TelemetryListener& listener, const FrameParser& frame) {
+  PositionListener& self = static_cast<PositionListener&>(listener);
+  mavlink_global_position_int_t message;
+  frame.copyPayload(&message, sizeof(message));
+  self.place_ = LatLon{Degrees::fromE7(message.lat), Degrees::fromE7(message.lon)};
+  self.aboveSeaLevelMm_ = message.alt;
+  self.aboveHomeMm_ = message.relative_alt;
+  self.northCmS_ = message.vx;
+  self.eastCmS_ = message.vy;
+  self.downCmS_ = message.vz;
+  self.headingCdeg_ = message.hdg;
+  return true;
+}
+
+int32_t PositionListener::homeAboveSeaLevelMm() const {
+  return aboveHomeMm() == kNoHeight ? kNoHeight : aboveSeaLevelMm_ - aboveHomeMm_;
+}
+
+Altitude PositionListener::altitude() const { return aboveHome(Metres(quotient(aboveHomeMm_, 1000))); }
+
+uint16_t PositionListener::speedCmS() const {
+  // The root of the sum of squares, bit by bit.
+  const uint32_t square =
+      static_cast<uint32_t>(int32_t{northCmS_} * northCmS_) + static_cast<uint32_t>(int32_t{eastCmS_} * eastCmS_);
+  uint16_t root = 0;
+  for (uint16_t bit = 0x8000; bit != 0; bit >>= 1) {
+    const uint16_t more = root | bit;
+    if (static_cast<uint32_t>(more) * more <= square) root = more;
+  }
+  return root;
+}
+
+Degrees PositionListener::heading() const {
+  const int32_t cdeg = headingCdeg_ > 18000 ? int32_t{headingCdeg_} - 36000 : headingCdeg_;
+  return Degrees::fromE7(cdeg * 100000);
+}
+
+}  // namespace mavmission

@@ -1,0 +1,18 @@
+// The upload with a PositionListener.
+#include <Arduino.h>
+#include <MavMission.h>
+using namespace mavmission;
+
+constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
+MissionClient autopilot(Serial1);
+PositionListener position(autopilot, 500);
+volatile int32_t seen;
+
+void setup() {
+  Serial1.begin(57600);
+  autopilot.upload(inFlash(survey));
+}
+void loop() {
+  autopilot.update();
+  if (position.isNew()) seen = position.place().latitude.e7() + position.aboveHomeMm();
+}

@@ -1,0 +1,377 @@
+"""The listeners of telemetry: what they understand of real messages, and how they come by them."""
+
+from __future__ import annotations
+
+import math
+import struct
+from itertools import pairwise
+
+import pytest
+
+from simulation import recordings
+from simulation.fake_autopilot import mavlink
+from simulation.telemetry import LISTENERS, NEVER, Telemetry
+from simulation.wire import Wire
+
+NAMES = list(LISTENERS)
+INTERVAL_US = 500_000
+RECORDED = ["arducopter/clean_then_streams_10hz", "ardurover/mission_end", "px4/flight", "px4/mission_end"]
+UNKNOWN16 = 65535
+NO_HEIGHT = -(2**31)
+
+
+@pytest.fixture
+def make(request, personality):
+    return lambda **options: Telemetry(personality, **options)
+
+
+@pytest.fixture
+def telemetry(make):
+    return make()
+
+
+@pytest.fixture(scope="module")
+def alone():
+    """The firmware on a line where only recorded or made messages come, all of autopilot 1/1."""
+    return Telemetry(None)
+
+
+def say(bench: Telemetry, message) -> None:
+    bench.say(mavlink.MAVLink_heartbeat_message(2, 3, 81, 0, 3, 3), (1, 1))
+    bench.say(message, (1, 1))
+    bench.run(0.05)
+
+
+def float_of(bits: int) -> float:
+    return struct.unpack("<f", struct.pack("<i", bits))[0]
+
+
+def in_e7(radians: float) -> float:
+    return math.degrees(radians) * 1e7
+
+
+# What is understood
+
+
+def samples(name: str, message_id: int, most: int = 6) -> list:
+    """Some of the recorded messages of this id, from the first to the last."""
+    found = [one.message for one in recordings.heard(name)
+             if one.direction == "<" and one.message.get_msgId() == message_id]  # fmt: skip
+    return found[:: max(1, len(found) // most)]
+
+
+def recorded(listener: str) -> list:
+    found = [message for name in RECORDED for message in samples(name, LISTENERS[listener])]
+    assert len(found) >= 6, "the recordings have no such message"
+    return found
+
+
+def test_recorded_positions_are_understood(alone):
+    for message in recorded("position"):
+        say(alone, message)
+        told = alone.told("position")
+        assert told["heard"] and told["new"] and told["place"] and told["hasheights"] and told["hasheading"]
+        assert (told["lat"], told["lon"]) == (message.lat, message.lon)
+        assert (told["sea"], told["above"]) == (message.alt, message.relative_alt)
+        assert told["homesea"] == message.alt - message.relative_alt
+        assert float_of(told["altitude"]) == pytest.approx(message.relative_alt / 1000, rel=1e-6)
+        assert (told["north"], told["east"], told["down"]) == (message.vx, message.vy, message.vz)
+        assert told["speed"] == math.isqrt(message.vx**2 + message.vy**2)
+        assert told["cdeg"] == message.hdg
+        assert told["heading"] % 3_600_000_000 == message.hdg * 100_000
+        assert -1_800_000_000 <= told["heading"] <= 1_800_000_000
+
+
+def test_recorded_attitudes_are_understood_to_a_hundred_thousandth_of_a_degree(alone):
+    for message in recorded("attitude"):
+        say(alone, message)
+        told = alone.told("attitude")
+        for name in ("roll", "pitch", "yaw"):
+            assert told[name] == pytest.approx(in_e7(getattr(message, name)), rel=2e-7, abs=1)
+
+
+def test_recorded_batteries_are_understood(alone):
+    for message in recorded("battery"):
+        say(alone, message)
+        told = alone.told("battery")
+        assert told["mv"] == sum(cell for cell in message.voltages if cell != UNKNOWN16)
+        assert told["mv"] > 10_000
+        assert (told["hascurrent"], told["ca"]) == (message.current_battery >= 0, message.current_battery)
+        assert (told["hasconsumed"], told["mah"]) == (message.current_consumed >= 0, message.current_consumed)
+        assert (told["hasremaining"], told["percent"]) == (1, message.battery_remaining)
+        assert told["hastemperature"] == 0
+
+
+def test_recorded_gps_is_understood(alone):
+    for message in recorded("gps"):
+        say(alone, message)
+        told = alone.told("gps")
+        assert (told["fix"], told["hasfix"]) == (message.fix_type, message.fix_type >= 3)
+        assert (told["lat"], told["lon"], told["sea"]) == (message.lat, message.lon, message.alt)
+        assert (told["satellites"], told["hdop"]) == (message.satellites_visible, message.eph)
+        assert (told["speed"], told["course"], told["accuracy"]) == (message.vel, message.cog, message.h_acc)
+
+
+def test_recorded_channels_are_understood(alone):
+    for message in recorded("rc"):
+        say(alone, message)
+        told = alone.told("rc")
+        assert (told["count"], told["hasrssi"]) == (message.chancount, message.rssi != 255)
+        for number in range(1, 19):
+            us = getattr(message, f"chan{number}_raw")
+            assert told[f"ch{number}"] == (us if number <= message.chancount and us != UNKNOWN16 else 0)
+        assert told["ch0"] == told["ch19"] == 0
+
+
+# What is not known
+
+
+def position(**more):
+    values = dict(time_boot_ms=1, lat=1, lon=2, alt=500_000, relative_alt=20_000, vx=3, vy=-4, vz=0, hdg=27_000)
+    return mavlink.MAVLink_global_position_int_message(**{**values, **more})
+
+
+def test_position_before_the_first_fix_is_no_place(alone):
+    say(alone, position(lat=0, lon=0, hdg=UNKNOWN16))
+    told = alone.told("position")
+    assert (told["place"], told["hasheading"], told["cdeg"]) == (0, 0, UNKNOWN16)
+    say(alone, position())
+    told = alone.told("position")
+    assert (told["place"], told["hasheading"], told["heading"], told["speed"]) == (1, 1, -900_000_000, 5)
+
+
+def test_height_above_home_is_not_known_where_px4_has_no_home(alone):
+    say(alone, position(alt=489_500, relative_alt=489_500))
+    told = alone.told("position")
+    assert (told["hasheights"], told["above"], told["homesea"]) == (0, NO_HEIGHT, NO_HEIGHT)
+    assert told["sea"] == 489_500
+
+
+def test_fastest_speed_is_computed_without_an_overflow(alone):
+    say(alone, position(vx=-32_768, vy=32_767))
+    assert alone.told("position")["speed"] == math.isqrt(32_768**2 + 32_767**2)
+
+
+def test_attitude_with_a_number_that_is_none_changes_nothing(alone):
+    say(alone, mavlink.MAVLink_attitude_message(1, 0.5, -0.25, 3.0, 0, 0, 0))
+    before = alone.told("attitude")
+    assert before["new"] and before["yaw"] == pytest.approx(in_e7(3.0), rel=2e-7)
+    for bad in (math.nan, math.inf):
+        say(alone, mavlink.MAVLink_attitude_message(1, 0.1, bad, 1.0, 0, 0, 0))
+    after = alone.told("attitude")
+    assert not after["new"]
+    assert (after["roll"], after["yaw"]) == (before["roll"], before["yaw"])
+
+
+def battery(number=0, **more):
+    values = dict(id=number, battery_function=0, type=0, temperature=32_767, voltages=[UNKNOWN16] * 10,
+                  current_battery=-1, current_consumed=-1, energy_consumed=-1, battery_remaining=-1)  # fmt: skip
+    return mavlink.MAVLink_battery_status_message(**{**values, **more})
+
+
+def test_battery_that_nobody_measures_is_not_known(alone):
+    say(alone, battery())
+    told = alone.told("battery")
+    assert told["new"] and told["mv"] == 0
+    assert not any(told[f"has{what}"] for what in ("current", "consumed", "remaining", "temperature"))
+
+
+def test_cells_are_added_up_extension_included_and_a_battery_of_another_number_is_passed_over(alone):
+    cells = [4_100, 4_090, *[4_000] * 8]
+    say(alone, battery(voltages=cells, voltages_ext=[3_900, 3_950, 0, 0], temperature=2_512))
+    told = alone.told("battery")
+    assert told["mv"] == sum(cells) + 3_900 + 3_950
+    assert (told["hastemperature"], told["cdeg"]) == (1, 2_512)
+    say(alone, battery(1, voltages=[9_000, *[UNKNOWN16] * 9]))
+    other = alone.told("battery")
+    assert (other["mv"], other["new"]) == (told["mv"], 0)
+
+
+def test_gps_without_a_fix_says_so(alone):
+    say(alone, mavlink.MAVLink_gps_raw_int_message(1, 1, 0, 0, 0, UNKNOWN16, UNKNOWN16, UNKNOWN16, UNKNOWN16, 255))
+    told = alone.told("gps")
+    assert (told["fix"], told["hasfix"], told["hassatellites"]) == (1, 0, 0)
+    assert (told["hdop"], told["speed"], told["course"], told["accuracy"]) == (UNKNOWN16, UNKNOWN16, UNKNOWN16, 0)
+
+
+def test_what_another_system_says_of_itself_is_not_taken(alone):
+    say(alone, position(lat=111))
+    alone.told("position")
+    alone.say(position(lat=222), (2, 1))
+    alone.say(position(lat=333), (1, 220))
+    alone.run(0.1)
+    told = alone.told("position")
+    assert (told["lat"], told["new"]) == (111, 0)
+
+
+# How it comes
+
+
+def test_nothing_is_heard_nor_asked_for_before_an_autopilot_is():
+    bench = Telemetry(None)
+    bench.run(3.0)
+    assert bench.wire.frames(">", "COMMAND_LONG") == []
+    for name in NAMES:
+        told = bench.told(name)
+        assert (told["heard"], told["age"], told["new"], told["confirmed"]) == (0, NEVER, 0, 0)
+
+
+def test_each_is_asked_for_once_at_its_interval_and_comes_at_it(telemetry):
+    telemetry.autopilot.instruments.rc = [1500] * 8
+    telemetry.run(6.0)
+    for name in NAMES:
+        assert [interval for _, interval in telemetry.asked(name)] == [INTERVAL_US]
+        told = telemetry.told(name)
+        assert told["confirmed"] and told["heard"] and told["new"] and told["age"] < 600
+        times = [entry.time for entry in telemetry.wire.frames("<")
+                 if entry.message is not None and entry.message.get_msgId() == LISTENERS[name]]  # fmt: skip
+        assert all(later - sooner == pytest.approx(0.5, abs=0.02) for sooner, later in pairwise(times))
+        assert len(times) >= 10
+
+
+def test_all_of_them_are_known_within_a_second(telemetry):
+    telemetry.autopilot.instruments.rc = [1500] * 8
+    telemetry.run(1.0)
+    assert telemetry.heard_all(*NAMES)
+
+
+def test_new_is_said_once_for_each_message(telemetry):
+    telemetry.run(2.0)
+    assert telemetry.told("position")["new"]
+    assert not telemetry.told("position")["new"]
+    telemetry.run(0.5)
+    assert telemetry.told("position")["new"]
+
+
+def test_age_grows_while_nothing_comes_and_the_wrap_of_millis_does_not_disturb_it(telemetry):
+    telemetry.run(2.0)
+    telemetry.set_millis(2**32 - 1000)
+    telemetry.run(0.8)
+    telemetry.wire.pull("<")
+    before = telemetry.told("position")["age"]
+    assert 0 <= before <= 600
+    telemetry.run(3.0)
+    assert telemetry.told("position")["age"] == pytest.approx(before + 3000, abs=30)
+
+
+@pytest.mark.parametrize("silent_s", [3.0, 8.0])
+def test_autopilot_that_has_restarted_is_asked_again(telemetry, silent_s):
+    telemetry.autopilot.instruments.rc = [1500] * 8
+    telemetry.run(4.0)
+    telemetry.autopilot.reboot(telemetry.now, silent_for_s=silent_s)
+    again = telemetry.now + silent_s
+    telemetry.run(silent_s + 3.0)
+    for name in NAMES:
+        assert any(time >= again for time, _ in telemetry.asked(name))
+        told = telemetry.told(name)
+        assert told["confirmed"] and told["age"] < 600
+
+
+def test_restarted_autopilot_that_sends_it_at_another_interval_is_asked_again(telemetry):
+    telemetry.run(4.0)
+    telemetry.autopilot.reboot(telemetry.now)
+    telemetry.autopilot.default_stream(LISTENERS["position"], 2.0, telemetry.now + 3.0)
+    telemetry.run(3.0 + 4.0)
+    assert telemetry.autopilot.interval_us(LISTENERS["position"]) == INTERVAL_US
+
+
+def test_stream_that_somebody_else_has_switched_off_comes_again(telemetry):
+    telemetry.run(4.0)
+    telemetry.autopilot.set_interval(LISTENERS["gps"], -1, telemetry.now)
+    telemetry.run(5.0)
+    assert telemetry.told("gps")["age"] < 600
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2])
+def test_all_come_on_a_line_that_loses_a_fifth_of_the_frames(make, seed):
+    telemetry = make(wire=Wire(seed))
+    telemetry.autopilot.instruments.rc = [1500] * 8
+    telemetry.wire.at_random(">", lose=0.2)
+    telemetry.wire.at_random("<", lose=0.2)
+    telemetry.run_until_confirmed(*NAMES, limit_s=40.0)
+    assert all(telemetry.told(name)["age"] < 3000 for name in NAMES)
+    telemetry.autopilot.reboot(telemetry.now)
+    telemetry.run(5.0)
+    telemetry.run_until_confirmed(*NAMES, limit_s=40.0)
+    assert all(telemetry.told(name)["age"] < 3000 for name in NAMES)
+
+
+@pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK")])
+def test_lost_request_or_confirmation_is_asked_for_again(telemetry, direction, name):
+    telemetry.wire.lose(direction, name=name, times=3)
+    telemetry.run_until_confirmed(*NAMES)
+    telemetry.run(0.7)
+    assert telemetry.heard_all("position", "attitude", "battery", "gps")
+
+
+def test_what_the_autopilot_has_not_is_asked_for_less_and_less():
+    telemetry = Telemetry("PX4")  # without a remote control
+    telemetry.run(40.0)
+    told = telemetry.told("rc")
+    assert (told["heard"], told["confirmed"]) == (0, 1)
+    pauses = [round(later - sooner) for (sooner, _), (later, _) in pairwise(telemetry.asked("rc"))]
+    assert pauses == sorted(pauses)
+    assert pauses[-1] >= 16
+    assert len(telemetry.asked("position")) == 1
+
+
+def test_refused_interval_is_not_confirmed_and_the_others_are(telemetry):
+    refused = LISTENERS["gps"]
+    take = telemetry.autopilot._set_message_interval
+
+    def refuse(message, now):
+        return mavlink.MAV_RESULT_DENIED if message.param1 == refused else take(message, now)
+
+    telemetry.autopilot._set_message_interval = refuse
+    telemetry.run(6.0)
+    assert not telemetry.told("gps")["confirmed"]
+    assert all(telemetry.told(name)["confirmed"] for name in ("position", "attitude", "battery"))
+
+
+def test_operations_go_on_beside_them(telemetry):
+    telemetry.tell("upload", 20)
+    assert telemetry.run_until_ended(limit_s=20) == "Accepted"
+    telemetry.tell("interval", 42, 1_000_000)
+    assert telemetry.run_until_ended(limit_s=20) == ("Done" if telemetry.autopilot.autopilot_type == 3 else
+                                                     "CommandFailed")  # fmt: skip
+    telemetry.run(3.0)
+    for name in ("position", "attitude", "battery", "gps"):
+        told = telemetry.told(name)
+        assert told["confirmed"] and told["age"] < 600
+
+
+def test_follower_beside_them_has_its_message_too(make):
+    telemetry = make(defines={"BENCH_FOLLOWER": True})
+    telemetry.run(6.0)
+    assert telemetry.wire.frames("<", "MISSION_CURRENT")
+    assert all(telemetry.told(name)["confirmed"] for name in NAMES)
+
+
+def test_interval_of_zero_asks_for_nothing_and_hears_what_comes(make):
+    telemetry = make(defines={"BENCH_INTERVAL_MS": 0})
+    telemetry.run(3.0)
+    telemetry.say(position(lat=77))
+    telemetry.run(0.1)
+    assert telemetry.wire.frames(">", "COMMAND_LONG") == []
+    told = telemetry.told("position")
+    assert (told["lat"], told["heard"], told["confirmed"]) == (77, 1, 0)
+
+
+def test_home_is_heard_where_the_library_keeps_60_bytes(make):
+    telemetry = make(defines={"MAVMISSION_MAX_PAYLOAD": 60})
+    telemetry.run(3.0)
+    told = telemetry.told("home")
+    lat, lon, altitude = telemetry.autopilot.home
+    assert (told["confirmed"], told["lat"], told["lon"], told["sea"]) == (1, lat, lon, round(altitude * 1000))
+    assert telemetry.heard_all("position", "attitude", "battery", "gps")
+
+
+@pytest.mark.parametrize("name", [name for name in RECORDED if name.startswith("px4")])
+def test_recorded_home_is_understood(name):
+    bench = Telemetry(None, defines={"MAVMISSION_MAX_PAYLOAD": 60})
+    for message in samples(name, mavlink.MAVLINK_MSG_ID_HOME_POSITION, 3):
+        say(bench, message)
+        told = bench.told("home")
+        assert (told["lat"], told["lon"], told["sea"]) == (message.latitude, message.longitude, message.altitude)
+        assert told["new"]
