@@ -63,7 +63,9 @@ def sent_numbers(message) -> list[float]:
 
 
 @COMMANDS
-@pytest.mark.parametrize("numbers", [(1.5, -2.25, 0.0, 4.0, 0.0, 0.0, 7.125), (1.0, 2.0, 3.0, 4.0, -9.0, 123456.0, 0.0)])
+@pytest.mark.parametrize(
+    "numbers", [(1.5, -2.25, 0.0, 4.0, 0.0, 0.0, 7.125), (1.0, 2.0, 3.0, 4.0, -9.0, 123456.0, 0.0)]
+)
 def test_command_that_is_taken_as_command_int_only_is_sent_as_one(service, numbers):
     deafen(service)
     service.send_command(CHANGE_SPEED, *numbers)

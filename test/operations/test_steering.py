@@ -139,8 +139,10 @@ def test_place_that_cannot_be_meant_is_refused(steered, place, altitude, frame, 
 
 
 @REFUSED
-@pytest.mark.parametrize("height, status", [(0.0, "BadAltitude"), (-5.0, "BadAltitude"), (math.nan, "NotANumber"),
-                                            (math.inf, "NotFinite"), (10000.5, "BadAltitude"), (1e30, "BadAltitude")])  # fmt: skip
+@pytest.mark.parametrize("height, status", [
+    (0.0, "BadAltitude"), (-5.0, "BadAltitude"), (math.nan, "NotANumber"), (math.inf, "NotFinite"),
+    (10000.5, "BadAltitude"), (1e30, "BadAltitude"),
+])  # fmt: skip
 def test_height_of_a_takeoff_that_cannot_be_meant_is_refused(steered, height, status):
     steered.take_off(height)
     assert steered.done() == status
@@ -149,8 +151,10 @@ def test_height_of_a_takeoff_that_cannot_be_meant_is_refused(steered, height, st
 
 
 @REFUSED
-@pytest.mark.parametrize("speed, status", [(0.0, "BadSpeed"), (-1.0, "BadSpeed"), (100.5, "BadSpeed"), (1e30, "BadSpeed"),
-                                           (math.nan, "NotANumber"), (math.inf, "NotFinite")])  # fmt: skip
+@pytest.mark.parametrize("speed, status", [
+    (0.0, "BadSpeed"), (-1.0, "BadSpeed"), (100.5, "BadSpeed"), (1e30, "BadSpeed"), (math.nan, "NotANumber"),
+    (math.inf, "NotFinite"),
+])  # fmt: skip
 def test_speed_that_cannot_be_meant_is_refused(steered, speed, status):
     steered.fly()
     before = len(steered.heard("COMMAND_LONG"))
@@ -167,9 +171,14 @@ def test_height_above_the_ground_is_for_ardupilot_alone(steered):
     assert steered.done(limit_s=12) == ("BadFrame" if is_px4(steered) else "Done")
 
 
-ORDERS = {"goto": lambda steered: steered.go_to(steered.place(10, 10), 15.0), "hold": lambda steered: steered.order_of("hold"),
-          "goOn": lambda steered: steered.order_of("goOn"), "home": lambda steered: steered.order_of("home"),
-          "landNow": lambda steered: steered.order_of("landNow"), "speed": lambda steered: steered.set_speed(5.0)}  # fmt: skip
+ORDERS = {
+    "goto": lambda steered: steered.go_to(steered.place(10, 10), 15.0),
+    "hold": lambda steered: steered.order_of("hold"),
+    "goOn": lambda steered: steered.order_of("goOn"),
+    "home": lambda steered: steered.order_of("home"),
+    "landNow": lambda steered: steered.order_of("landNow"),
+    "speed": lambda steered: steered.set_speed(5.0),
+}
 EACH_ORDER = pytest.mark.parametrize("order", ORDERS)
 
 

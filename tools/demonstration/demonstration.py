@@ -276,7 +276,8 @@ class Demonstration:
         flight = self.autopilot.flight
         legs = [flight.home, *self._visited]
         for number, (one, other) in enumerate(itertools.pairwise(legs), start=1):
-            self._screen.say(f"place {number}: {one.distance(other):.0f} m from the one before, {other.height:.1f} m up")
+            away_m = one.distance(other)
+            self._screen.say(f"place {number}: {away_m:.0f} m from the one before, {other.height:.1f} m up")
         if len(self._visited) != self._flies:
             return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._flies} places.")
         if self._landed_at is None:

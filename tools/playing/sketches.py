@@ -23,7 +23,7 @@ EXAMPLES = ROOT / "examples"
 FIRST = "UploadMission"
 # What the Arduino core calls behind each pass through loop().
 PASS = "serialEventRun()"
-# Parts of start(), and of Steering, which are linked where a sketch arms; a real aircraft is not given to such a sketch.
+# Parts of start(), and of Steering, which are linked where a sketch arms: such a sketch is not given a real aircraft.
 ARMING = re.compile(
     r"mavmission::(detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)|Steering::(fill|leave|onEvent|beginStep))\("
 )
