@@ -218,6 +218,11 @@ void order(Words& words) {
       const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
       const Counting counting;
       status = client().verify(source, type);
+    } else if (what == "ensure") {  // type, items
+      const PlanType type = typeOf(words);
+      const ItemSource source = inRam(plan, static_cast<uint16_t>(words.number()));
+      const Counting counting;
+      status = client().ensure(source, type);
     } else if (what == "download") {  // type
       const PlanType type = typeOf(words);
       const Counting counting;
@@ -296,6 +301,9 @@ void tellIdle(Words&) {
   LEFT_OUT(link_.state_.framesSent);
   LEFT_OUT(link_.state_.sequence);
   LEFT_OUT(link_.state_.heardSequence);
+  LEFT_OUT(link_.damage_);  // made of counters
+  LEFT_OUT(link_.pace_.roundTripMs_);
+  LEFT_OUT(link_.pace_.busyMs_);
   LEFT_OUT(link_.finder_.heardMs_);
   LEFT_OUT(link_.finder_.firstMs_);
   LEFT_OUT(link_.finder_.otherMs_);

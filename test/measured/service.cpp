@@ -26,7 +26,7 @@ FlightCommand command = {};
 
 volatile uint16_t stallMs;
 volatile uint8_t ended, ends;
-volatile uint8_t operationDue;  // 1 to 8, in the order below
+volatile uint8_t operationDue;  // 1 to 9, in the order below
 
 extern "C" __attribute__((noinline)) Status measured_update() { return autopilot.update(); }
 
@@ -45,6 +45,7 @@ void begin(uint8_t operation) {
       autopilot.send(command);
       break;
     case 8: autopilot.uploadPartial(source, 3, 4); break;
+    case 9: autopilot.ensure(source); break;
   }
 }
 

@@ -103,7 +103,7 @@ class HostClient:
         if left != "-":
             before = len(self.wire.entries)
             self.wire.send(">", bytes.fromhex(left), self.now)
-            fresh = self.wire.entries[before:]
+            fresh = [entry for entry in self.wire.entries[before:] if entry.number is not None]
             self.frames_sent += len(fresh)
             self.sent += [(entry.time, entry.message) for entry in fresh]
         if int(end) >= 0:
@@ -135,6 +135,9 @@ class HostClient:
 
     def verify(self, plan: Sequence[Item], mission_type: int = MISSION) -> str:
         return self.order("verify", mission_type, self.use(plan))
+
+    def ensure(self, plan: Sequence[Item], mission_type: int = MISSION) -> str:
+        return self.order("ensure", mission_type, self.use(plan))
 
     # -- what came of it
 

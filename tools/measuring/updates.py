@@ -34,6 +34,7 @@ OPERATIONS = {
     "set current item": 6,
     "command": 7,
     "partial upload": 8,
+    "ensure": 9,
 }
 STALLS_MS = (0, 6, 20, 100)
 BAUDS = (57600, 115200)
