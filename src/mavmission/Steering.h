@@ -59,7 +59,8 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status returnHome();
   Status landNow();
 
-  // The ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED).
+  // The ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED). ArduCopter goes back to its own with the
+  // first place after a takeoff: there, set it behind goTo().
   Status setSpeed(MetresPerSecond speed);
 
   // True when the aircraft is at the place of the last goTo(), or at the height of takeOff(), within this distance

@@ -14,7 +14,9 @@ bool isInteger(float value, int32_t& whole) {
   memcpy(&bits, &value, sizeof(bits));
   whole = timesWhole(bits, 1);
   const float again = quotient(whole, 1);
-  return memcmp(&again, &value, sizeof(again)) == 0;
+  int32_t againBits;
+  memcpy(&againBits, &again, sizeof(againBits));
+  return againBits == bits;
 }
 
 // True if this number is the same as a float.
