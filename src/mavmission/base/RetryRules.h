@@ -75,7 +75,7 @@ struct ParameterRules {
 // Commands that come to a Payload.
 struct PayloadRules {
   static constexpr uint16_t kProgressMs = 1000;  // from IN_PROGRESS to the next one
-  static constexpr uint16_t kRepeatsMs = 5000;  // a command that is repeated within this time is not carried out again
+  static constexpr uint16_t kRepeatsMs = 5000;   // a command that is repeated within this time is not carried out again
 };
 
 struct BackOffRules {
