@@ -302,8 +302,8 @@ def as_sketch(block: str) -> str:
         lines.append("constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};")
     if not re.search(r"\bMissionClient\s+autopilot\b", block):
         lines.append("MissionClient autopilot(Serial1);")
-    words = r"constexpr|const |static|struct|class|enum|using|MissionClient|\w+Listener|Parameters|Payload"
-    declaration = rf"#|{words}|[\w:&<>]+ \w+\([^;]*\{{"
+    objects = r"MissionClient|\w+Listener|Parameters|Payload"
+    declaration = rf"#|constexpr|const |static|struct|class|enum|using|{objects}|[\w:&<>]+ \w+\([^;]*\{{"
     if re.match(rf"(?:\s|//[^\n]*\n)*(?:{declaration})", block):
         return "\n".join([*lines, block, "void setup() {}", "void loop() {}", ""])
     return "\n".join([*lines, "void setup() { Serial1.begin(57600); }", "void loop() {", block, "}", ""])
