@@ -12,5 +12,6 @@
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
+#include "mavmission/PlanFiles.h"
 #include "mavmission/TelemetryPause.h"
 #include "mavmission/WaypointsSource.h"

@@ -42,6 +42,9 @@ MissionFollower follower(client);
 #ifdef BENCH_QUIET
 TelemetryPause quiet(client);
 #endif
+#ifdef BENCH_FILES
+PlanFiles files(client);
+#endif
 
 static ItemSource plan = emptyPlan();
 static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
@@ -206,6 +209,20 @@ ACTION(downloadtosmall) {
   tellBegun(client.download(toRam(smallSink), typeOf(numbers[0])));
   memcpy(benchSink, smallSink, sizeof(smallSink));
 }
+#ifdef BENCH_FILES
+// The same by file.
+ACTION(fileupload) { tellBegun(files.upload(plan, typeOf(numbers[0]))); }
+ACTION(fileverify) { tellBegun(files.verify(plan, typeOf(numbers[0]))); }
+ACTION(filedownload) {
+  refusedSinkItem = numbers[2];
+  tellBegun(files.download(toFunction(takeItem, nullptr, numbers[1]), typeOf(numbers[0])));
+}
+// Whether the last operation went by file.
+ACTION(byfile) {
+  tell(F("byfile"), files.isByFile());
+  Serial.println();
+}
+#endif
 ACTION(clear) { tellBegun(client.clear(typeOf(numbers[0]))); }
 ACTION(start) { tellBegun(client.start(numbers[0])); }
 ACTION(arm) { tellBegun(client.arm()); }
@@ -266,15 +283,18 @@ ACTION(fieldtext) {
 }
 
 static const Word words[] = {
-    WORD(ram),       WORD(empty),         WORD(upload),          WORD(uploadagain),  WORD(uploadpart), WORD(verify),
-    WORD(download),  WORD(downloadtoram), WORD(downloadtosmall), WORD(clear),        WORD(start),      WORD(arm),
-    WORD(disarm),    WORD(mode),          WORD(custommode),      WORD(startmission), WORD(setcurrent), WORD(pause),
-    WORD(resume),    WORD(interval),      WORD(order),           WORD(cancel),       WORD(post),       WORD(chain),
-    WORD(ids),       WORD(talk),          WORD(speak),           WORD(armed),        WORD(raw),        WORD(waiting),
-    WORD(limit),     WORD(backoff),       WORD(state),           WORD(followed),     WORD(counters),   WORD(compare),
-    WORD(fieldtext), WORD(stall),         WORD(ensure),
+    WORD(ram),        WORD(empty),         WORD(upload),          WORD(uploadagain),  WORD(uploadpart), WORD(verify),
+    WORD(download),   WORD(downloadtoram), WORD(downloadtosmall), WORD(clear),        WORD(start),      WORD(arm),
+    WORD(disarm),     WORD(mode),          WORD(custommode),      WORD(startmission), WORD(setcurrent), WORD(pause),
+    WORD(resume),     WORD(interval),      WORD(order),           WORD(cancel),       WORD(post),       WORD(chain),
+    WORD(ids),        WORD(talk),          WORD(speak),           WORD(armed),        WORD(raw),        WORD(waiting),
+    WORD(limit),      WORD(backoff),       WORD(state),           WORD(followed),     WORD(counters),   WORD(compare),
+    WORD(fieldtext),  WORD(stall),         WORD(ensure),
 #ifndef BENCH_DIRECT
-    WORD(room),      WORD(blocked),
+    WORD(room),       WORD(blocked),
+#endif
+#ifdef BENCH_FILES
+    WORD(fileupload), WORD(fileverify),    WORD(filedownload),    WORD(byfile),
 #endif
 };
 
