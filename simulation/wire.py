@@ -25,6 +25,7 @@ from typing import Any
 
 from simulation.fake_autopilot.dialect import mavlink
 from simulation.fake_autopilot.frames import FrameSplitter, decode
+from simulation.fake_autopilot.ftp import Request
 
 DIRECTIONS = (">", "<")
 
@@ -407,6 +408,8 @@ def summary(message, data: bytes) -> str:
         return f'STATUSTEXT "{message.text.strip()}"'
     if name == "MISSION_ACK":
         return f"MISSION_ACK {result_name(message.type)}" + _type_shown(message.mission_type)
+    if name == "FILE_TRANSFER_PROTOCOL":
+        return f"FTP {Request.of(message)}"
     shown: Iterable[str] = _SHOWN.get(name, message.get_fieldnames())
     words = []
     for key in shown:

@@ -19,6 +19,7 @@
 #include "mavmission/Parameters.h"
 #include "mavmission/Payload.h"
 #include "mavmission/PayloadMessages.h"
+#include "mavmission/PlanFiles.h"
 #include "mavmission/PositionListener.h"
 #include "mavmission/RcListener.h"
 #include "mavmission/Steering.h"

@@ -137,8 +137,10 @@ class ArduPilot(FakeAutopilot):
         self._start_timers(0.0)
 
     def thinned_by(self) -> int:
-        # By source: streams come at a quarter of their rate while it asks for items; not while it is read.
-        return 4 if any(missions.receiving for missions in self.missions.values()) else 1
+        # By source: streams come at a quarter of their rate while it asks for items, and while it answers FTP; not
+        # while items are read.
+        is_busy = any(missions.receiving for missions in self.missions.values()) or self.ftp.is_answering(self._now)
+        return 4 if is_busy else 1
 
     # -- the plan -------------------------------------------------------------------------
 

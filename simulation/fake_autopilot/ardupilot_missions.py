@@ -42,6 +42,7 @@ class Missions:
         self.held: list[Item] = []
         self.received: list[Item] = []
         self._staged: list[tuple[Item, Item]] | None = None
+        self._tells_count = True
         self._told_of_float_items = self._told_of_float_requests = False
         self._timer = f"upload of type {mission_type}"
         self.forget_transfer()
@@ -274,6 +275,7 @@ class Missions:
         if self.mission_type == FENCE:
             self._store_fence(items, now)
             return
+        before, self._tells_count = len(self.held), False  # seen: the new total is told once
         if not keeps_rest and not (self.mission_type == MISSION and self.autopilot.is_flying_plan()):
             self._cut(0, now)
         for seq, item in enumerate(items, start=start):
@@ -283,6 +285,9 @@ class Missions:
             self._store(seq, item, held, now)
             if self.mission_type == MISSION:
                 self.autopilot.item_stored(now)
+        self._tells_count = True
+        if len(self.held) != before:
+            self._tell_count(now)
         if self.mission_type == MISSION:
             self.autopilot.plan_changed(now)
 
@@ -395,5 +400,7 @@ class Missions:
         self.autopilot.answer(self._ack_message(sender, result), now)
 
     def _tell_count(self, now: float) -> None:
+        if not self._tells_count:
+            return
         name, kind = _COUNT_PARAM[self.mission_type]
         self.autopilot.tell_param(name, kind, len(self.held), now)

@@ -22,8 +22,11 @@ HEADER = struct.Struct("<5H")  # magic, mission type, options, start, number of 
 ITEM = struct.Struct("<4f2if2H5B")  # the payload of MISSION_ITEM_INT, and its mission_type
 SIZE_TOLD = 1048576  # by OpenFileRO, whatever the length
 MOST_DATA = 239
+SLOWED_S = 1.0  # so long after a reply streams are slower
 IDLE_S = 3.0  # so long after the last reply another session may take over
 
+_NAMES = {TERMINATE: "TERMINATE", RESET: "RESET", LIST: "LIST", OPEN_RO: "OPEN_RO", READ: "READ", CREATE: "CREATE",
+          WRITE: "WRITE", OPEN_WO: "OPEN_WO", CRC: "CRC", BURST: "BURST", ACK: "ACK", NAK: "NAK"}
 _FRAME = struct.Struct("<HBBBBBxI")  # seq, session, opcode, size, req_opcode, burst_complete, offset
 _PAYLOAD = 251
 
@@ -45,6 +48,18 @@ class Request(NamedTuple):
         payload = bytes(message.payload)
         seq, session, opcode, size, req_opcode, burst_complete, offset = _FRAME.unpack_from(payload)
         return cls(seq, session, opcode, size, req_opcode, burst_complete, offset, payload[_FRAME.size :])
+
+    def __str__(self) -> str:
+        """In few words: OPEN_RO "@MISSION/mission.dat" #1, or ACK of READ at 10, 38 bytes #2."""
+        of = f" of {_NAMES.get(self.req_opcode, self.req_opcode)}" if self.opcode in (ACK, NAK) else ""
+        data = self.data[: self.size]
+        if self.opcode == NAK:
+            what = f" error {data[0] if data else 0}"
+        elif self.opcode in (OPEN_RO, CREATE, OPEN_WO):
+            what = f' "{data.decode(errors="replace")}"'
+        else:
+            what = f" at {self.offset}, {self.size} bytes"
+        return f"{_NAMES.get(self.opcode, self.opcode)}{of}{what} #{self.seq} of session {self.session}"
 
     def packed(self) -> bytes:
         head = _FRAME.pack(self.seq % 65536, *self[1:7])
@@ -84,6 +99,10 @@ class Ftp:
         self._last = (asked, replies[-1])
         if request.opcode != TERMINATE:
             self._replied_at = now
+
+    def is_answering(self, now: float) -> bool:
+        """Whether a reply went out within the last second, and no session was ended since."""
+        return now - self._replied_at < SLOWED_S
 
     def _send(self, reply: Request, sender, now: float, later_s: float = 0.0) -> None:
         self.autopilot.answer(

@@ -36,6 +36,9 @@ MissionClient client(Serial1);
 Line line(Serial1);
 MissionClient client(line);
 #endif
+#ifdef BENCH_FILES
+PlanFiles files(client);
+#endif
 
 struct FunctionPlan {
   uint16_t refusedItem;
@@ -185,6 +188,20 @@ ACTION(upload) {
        static_cast<uint8_t>(proof == Readback() ? client.uploadWithoutReadback(plan) : client.upload(plan, proof)));
   Serial.println();
 }
+#ifdef BENCH_FILES
+ACTION(fileupload) {
+  tell(F("began"), static_cast<uint8_t>(files.upload(plan)));
+  Serial.println();
+}
+ACTION(fileverify) {
+  tell(F("began"), static_cast<uint8_t>(files.verify(plan)));
+  Serial.println();
+}
+ACTION(verify) {
+  tell(F("began"), static_cast<uint8_t>(client.verify(plan)));
+  Serial.println();
+}
+#endif
 #ifdef BENCH_ENSURE
 ACTION(ensure) {
   tell(F("began"), static_cast<uint8_t>(client.ensure(plan)));
@@ -244,18 +261,21 @@ struct Word {
 };
 #define WORD(name) {#name, name}
 static const Word words[] = {
-    WORD(ram),     WORD(flash), WORD(empty),     WORD(function), WORD(upload),   WORD(cancel),
-    WORD(ids),     WORD(talk),  WORD(speak),     WORD(armed),    WORD(raw),      WORD(floats),
-    WORD(waiting), WORD(limit), WORD(callbacks), WORD(again),    WORD(cancelat), WORD(stall),
-    WORD(nosleep), WORD(state), WORD(counters),  WORD(text),     WORD(aboard),   WORD(backoff),
+    WORD(ram),        WORD(flash),      WORD(empty),     WORD(function), WORD(upload),   WORD(cancel),
+    WORD(ids),        WORD(talk),       WORD(speak),     WORD(armed),    WORD(raw),      WORD(floats),
+    WORD(waiting),    WORD(limit),      WORD(callbacks), WORD(again),    WORD(cancelat), WORD(stall),
+    WORD(nosleep),    WORD(state),      WORD(counters),  WORD(text),     WORD(aboard),   WORD(backoff),
+#ifdef BENCH_FILES
+    WORD(fileupload), WORD(fileverify), WORD(verify),
+#endif
 #ifdef BENCH_ENSURE
     WORD(ensure),
 #endif
 #if MAVMISSION_SIGNING
-    WORD(sign),    WORD(time),  WORD(signing),   WORD(post),
+    WORD(sign),       WORD(time),       WORD(signing),   WORD(post),
 #endif
 #ifndef BENCH_DIRECT
-    WORD(room),    WORD(blind), WORD(blocked),
+    WORD(room),       WORD(blind),      WORD(blocked),
 #endif
 };
 

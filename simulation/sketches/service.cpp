@@ -45,6 +45,9 @@ TelemetryPause quiet(client);
 #ifdef BENCH_STEERING
 Steering steering(client);
 #endif
+#ifdef BENCH_FILES
+PlanFiles files(client);
+#endif
 
 static ItemSource plan = emptyPlan();
 static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
@@ -209,6 +212,20 @@ ACTION(downloadtosmall) {
   tellBegun(client.download(toRam(smallSink), typeOf(numbers[0])));
   memcpy(benchSink, smallSink, sizeof(smallSink));
 }
+#ifdef BENCH_FILES
+// The same by file.
+ACTION(fileupload) { tellBegun(files.upload(plan, typeOf(numbers[0]))); }
+ACTION(fileverify) { tellBegun(files.verify(plan, typeOf(numbers[0]))); }
+ACTION(filedownload) {
+  refusedSinkItem = numbers[2];
+  tellBegun(files.download(toFunction(takeItem, nullptr, numbers[1]), typeOf(numbers[0])));
+}
+// Whether the last operation went by file.
+ACTION(byfile) {
+  tell(F("byfile"), files.isByFile());
+  Serial.println();
+}
+#endif
 ACTION(clear) { tellBegun(client.clear(typeOf(numbers[0]))); }
 ACTION(start) { tellBegun(client.start(numbers[0])); }
 ACTION(arm) { tellBegun(client.arm()); }
@@ -316,6 +333,10 @@ static const Word words[] = {
 #endif
 #ifndef BENCH_DIRECT
     WORD(room),         WORD(blocked),
+#endif
+#ifdef BENCH_FILES
+    WORD(fileupload),   WORD(fileverify),    WORD(filedownload),
+    WORD(byfile),
 #endif
 };
 

@@ -89,6 +89,8 @@ def diagrams() -> str:
 STATES = {
     "upload": ("UploadTransfer.h", "State"),
     "download": ("DownloadTransfer.h", "State"),
+    "reading a file": ("FileReadTransfer.h", "State"),
+    "writing a file": ("FileWriteTransfer.h", "State"),
     "clear": ("ClearTransfer.h", "State"),
     "command": ("CommandTransfer.h", "State"),
     "start": ("Operations.h", "StartStep"),
@@ -97,13 +99,17 @@ STATES = {
 }
 
 
+# Requests of MAVLink FTP, by the guide's names.
+FTP = ("CreateFile", "WriteFile", "ReadFile", "BurstReadFile", "TerminateSession")
+
+
 @pytest.mark.parametrize("machine", STATES)
 def test_every_state_is_in_a_diagram(machine):
     assert enumerators(*STATES[machine]) - {"None"} - set(re.findall(r"\w+", diagrams())) == set()
 
 
 def test_every_name_in_a_diagram_is_one_of_the_code():
-    known = statuses().union(*(enumerators(*place) for place in STATES.values())) | {"PlanType"}
+    known = statuses().union(*(enumerators(*place) for place in STATES.values())) | {"PlanType", *FTP}
     assert "Accepted" in known
     named_there = set(re.findall(r"\b(?:[A-Z][a-z]+){2,}\b", diagrams()))
     assert len(named_there) > 10
@@ -168,7 +174,7 @@ def test_measured_table_is_not_stale(name):
 def test_each_place_for_a_measured_table_is_written_by_the_tool():
     texts = [place.read_text() for place in documents.DOCUMENTS]
     marked = [name for text in texts for name in re.findall(r"<!-- ([\w ]+): begin -->", text)]
-    assert sorted(marked) == sorted([*documents.TABLES, report.MARK, "rates"])
+    assert sorted(marked) == sorted([*documents.TABLES, report.MARK, "files", "rates"])
 
 
 def test_parts_of_the_budget_add_up_to_the_whole():

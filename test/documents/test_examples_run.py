@@ -87,6 +87,14 @@ def test_verify_upload(run):
     assert len(example.autopilot.messages(">", "MISSION_REQUEST_LIST")) == 1
 
 
+def test_upload_by_file(run, personality):
+    example = run("UploadByFile")
+    lines = example.until("aboard: our plan, whole", 6.0)
+    way = "by file" if is_ardupilot(example) else "item by item"
+    assert lines == ["accepted: the plan is aboard", way, "aboard: our plan, whole"]
+    assert commands(example) == [22, 16, 178, 16, 21]
+
+
 @pytest.mark.slow
 def test_verify_upload_says_what_differs(run):
     example = run("VerifyUpload")

@@ -323,7 +323,6 @@ def test_nothing_grows_in_a_day_of_transfers(personality, record_property):
     for (then, what, operation), (now, _, _) in zip(first[0], last[0], strict=True):
         # start() waits for what the autopilot says once a second, at moments of its own, and for the flight's end.
         assert now == pytest.approx(then, abs=1.0 if operation == "start" else SAME_S + STEP_S), (operation, what)
-    print("DIFF", [(i, a, b) for i, (a, b) in enumerate(zip(first[2], last[2])) if a != b], len(first[2]))
     assert last[1:] == first[1:]
     assert tally["allocations"] == 0
     assert tally["ends"] == day.ended.total() > 3000

@@ -1,6 +1,6 @@
 """Fuzzing: a fixed number of inputs, the same each time.
 
-What must hold is written at the top of fuzz/parser.cpp and fuzz/client.cpp. A longer search, by hand:
+What must hold is written at the top of fuzz/parser.cpp, fuzz/client.cpp and fuzz/files.cpp. A longer search, by hand:
 
     build/venv/bin/python test/proof/test_fuzz.py client -max_total_time=3600
 
@@ -27,7 +27,8 @@ FUZZ = ROOT / "test" / "fuzz"
 PARSER = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
 
 # target: (its other sources, the library's, inputs that are tried, the longest one [bytes])
-TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 25_000, 400)}
+TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), None, 25_000, 400),
+           "files": (("Evidence.cpp",), None, 25_000, 300)}  # fmt: skip
 
 
 def build_target(target: str) -> Path:
@@ -57,7 +58,9 @@ def fuzz(
     return subprocess.run(words, capture_output=True, text=True, check=False, env=os.environ | (environment or {}))
 
 
-@pytest.mark.parametrize("target", ["parser", pytest.param("client", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "target", ["parser", *(pytest.param(target, marks=pytest.mark.slow) for target in ("client", "files"))]
+)
 def test_what_must_hold_holds_for_the_corpus(target):
     corpus = sorted((FUZZ / "corpus" / target).iterdir())
     words = [build_target(target), "-rss_limit_mb=0", *corpus]

@@ -98,6 +98,23 @@ def plan_that_is_there(make: Make, personality: str) -> str:
     return found
 
 
+def upload_that_breaks_off(make: Make, personality: str) -> str:
+    """What is aboard when the cable is pulled in the middle of an upload by PlanFiles, and what aboard() says."""
+    service = make(defines={"BENCH_FILES": 1})
+    service.autopilot.load(OLD_PLAN)
+    before = service.autopilot.received()
+    service.use(SURVEY * 10)
+    service.order_of("fileupload", MISSION)
+    limit = service.now + 5.0
+    while not service.heard("MISSION_ITEM_INT") and len(service.heard("FILE_TRANSFER_PROTOCOL")) < 4:
+        assert service.now < limit, "nothing ended within 5 s: nothing was sent"
+        service.run(0.01)
+    service.wire.pull()
+    assert service.done(limit_s=30) != "Accepted"
+    is_old = same_bits(service.autopilot.received(), before)
+    return "yes" if is_old and service.state.aboard == "AsBefore" else "no"
+
+
 def somebody_elses_plan(make: Make, personality: str) -> str:
     """aboard(), when another station has put a longer plan there."""
     service = uploaded(make(), HOPS[personality])
@@ -196,6 +213,7 @@ PROOFS: dict[str, Callable[[Make, str], str]] = {
     "upload, download, verify, clear a mission": whole_service,
     "proof of an upload whose last answer was lost": proof_of_a_lost_answer,
     "a plan that is there is found, and not uploaded again (`ensure()`)": plan_that_is_there,
+    "an upload that breaks off leaves the old plan (`PlanFiles`)": upload_that_breaks_off,
     "a longer plan of another ground station is noticed (`MissionFollower`)": somebody_elses_plan,
     "fence and rally points": fence_and_rally,
     "upload of a part": part,

@@ -41,6 +41,7 @@ enum Trait : uint32_t {
   kGoesOnWithOlder = 1ul << 13,    // may ignore a COUNT, and continue an older transfer that has received no item yet
   kMayBeOld = 1ul << 14,           // may know only MISSION_REQUEST and MISSION_ITEM, not the _INT messages
   kRefusesTakenItems = 1ul << 25,  // answers an item that it has received already with INVALID_SEQUENCE
+  kHasPlanFiles = 1ul << 28,       // gives and takes its plans as files too, by MAVLink FTP
 
   // --- Flying
   kArmsByMissionStart = 1ul << 15,    // MAV_CMD_MISSION_START sets the mode and arms
@@ -65,8 +66,8 @@ enum Trait : uint32_t {
 #define MAVMISSION_PERSONALITIES(X)                                                                        \
   X(ArduPilot, 3, kByArduPilot,                                                                            \
     kHomeIsItem0 | kReplacesItemByItem | kTakesTerrainFrames | kWipesShortFences | kDropsNanYaw |          \
-    kErrorRefusesCount | kRefusesTakenItems | kFliesByMode | kNamesFlownItems | kModeIsOneByte | kModesByVehicle |              \
-    kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir)                                                                 \
+    kErrorRefusesCount | kRefusesTakenItems | kHasPlanFiles | kFliesByMode | kNamesFlownItems |            \
+    kModeIsOneByte | kModesByVehicle | kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir)             \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \

@@ -22,6 +22,9 @@
 #include "../transfer/UploadTransfer.h"
 
 namespace mavmission {
+
+class PlanFiles;
+
 namespace detail {
 
 class Listener;
@@ -51,6 +54,12 @@ class Client : public ClientRules {
   static constexpr uint8_t kFrameBytes = 16;
   // The least number of bytes that an update() may write [bytes].
   static constexpr uint8_t kStartBytes = 8;
+
+  // When a fence of fewer than three corners or circles replaces a longer fence, ArduPilot accepts the short fence,
+  // still has it in a read-back at once, and wipes it at its next check of the fence, 3 to 25 times a second depending
+  // on the vehicle. A return point is neither a corner nor a circle, so such a short fence has at most three items
+  // [items].
+  static constexpr uint8_t kShortFence = 3;
 
   // An operation's part of update(): takes a frame of the autopilot, or null for the passing of time.
   typedef void (*Operation)(Client& client, const FrameParser* frame, uint16_t nowMs);
@@ -261,8 +270,11 @@ class Client : public ClientRules {
     DownloadTransfer transfer;
     // Takes an item. Returns Transferring, Checking (not ready: request it again), or why the operation ends.
     Status (*take)(Client& client, uint16_t wireItem, MissionItem& item);
-    // Makes a MISSION_ITEM_INT of a MISSION_ITEM.
-    void (*fromFloats)(void* itemMessage);
+    union {
+      // Makes a MISSION_ITEM_INT of a MISSION_ITEM.
+      void (*fromFloats)(void* itemMessage);
+      PlanFiles* files;  // while the plan is transferred as a file
+    };
     union {
       ItemSink sink;
       uint16_t summed;  // ensure(), before it looks: how many items are in the checksum

@@ -4,14 +4,6 @@
 
 namespace mavmission {
 using namespace detail;
-namespace {
-
-// When a fence of fewer than three corners or circles replaces a longer fence, ArduPilot accepts the short fence, still
-// has it in a read-back at once, and wipes it at its next check of the fence, 3 to 25 times a second depending on the
-// vehicle. A return point is neither a corner nor a circle, so such a short fence has at most three items [items].
-constexpr uint8_t kShortFence = 3;
-
-}  // namespace
 
 // A short fence is always read back, and uploaded again if it was wiped: the second upload does not replace a longer
 // fence, and so the short fence stays.

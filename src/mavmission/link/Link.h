@@ -60,6 +60,11 @@ class Link : public LinkRules {
   // Sends a payload that has the layout of T.
   template <typename T>
   void sendAs(void* payload);
+  // Sends a payload of key->length bytes, which may lie in draft(). The key lies in flash.
+  void sendMessage(uint8_t* payload, const MessageKey* key);
+  // Sends a message whose payload is made while it goes out. To be called only when canSend(), in MAVLink 2, and where
+  // nothing is signed.
+  void sendStreamed(const MessageKey* key, uint8_t length, Outbox::NextPiece next, void* context);
 
   // Sends a message that is not in Messages.h, with its key, in flash.
   void send(void* payload, const MessageKey& key) { sendMessage(static_cast<uint8_t*>(payload), &key); }
@@ -124,7 +129,6 @@ class Link : public LinkRules {
   void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
   void pack(uint8_t* payload, const MessageKey* key);
-  void sendMessage(uint8_t* payload, const MessageKey* key);
 
   struct State {
     uint16_t heardByteMs;

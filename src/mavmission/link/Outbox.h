@@ -44,6 +44,15 @@ class Outbox {
   // frame has been sent.
   void completeForeign(const OutgoingMessage& message);
 
+  // Makes the next piece of a payload, up to kMaxPayload bytes, and returns its length; kNotNow: ask again; kBroken:
+  // the payload cannot be completed, and the frame becomes one that nobody accepts.
+  typedef uint8_t (*NextPiece)(void* context, uint8_t* piece);
+  static constexpr uint8_t kNotNow = 0, kBroken = 255;
+
+  // Completes a MAVLink 2 frame with a message whose payload of `length` bytes is made piece by piece while it goes
+  // out. Such a frame cannot be signed.
+  void completeStreamed(const MessageKey* key, uint8_t length, NextPiece next, void* context);
+
   // A held frame is complete and waits: it is sent after release(), or never if it is dropped or another one is begun.
   bool isHeld() const { return held_; }
   void release(bool isFilled = false) {
@@ -88,11 +97,24 @@ class Outbox {
     const uint8_t* body;
   };
 
+  // A frame of which only one piece lies here: at first its header.
+  struct Streamed {
+    uint8_t piece[kMaxPayload];
+    uint8_t length;
+    uint8_t sent;
+    uint8_t extra;  // CRC_EXTRA
+    uint16_t crc;
+    NextPiece next;
+    void* context;
+  };
+
   static void writeForeign(Outbox& outbox, Stream& stream, uint16_t room);
+  static void writeStreamed(Outbox& outbox, Stream& stream, uint16_t room);
 
   uint16_t length_;  // length of the whole frame
   uint16_t sent_;
-  // Writes the next bytes of a frame with the sketch's own message; null for a frame of ours, which lies in one piece.
+  // Writes the next bytes of a frame with the sketch's own message, or of one that is made while it goes out; null for
+  // a frame that lies in one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
   StreamRoom room_;
   bool held_;
@@ -106,6 +128,7 @@ class Outbox {
   union {
     uint8_t frame_[10 + kMaxPayload + 2 + kSignature];
     Foreign foreign_;
+    Streamed streamed_;
     uint32_t alignment_;
   };
   static_assert(kDraft >= 10 && kDraft % 4 == 0 && kDraft + kMaxPayload <= sizeof(frame_),

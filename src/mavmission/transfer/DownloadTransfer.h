@@ -24,6 +24,8 @@ class DownloadTransfer : public DownloadRules {
   enum class Send : uint8_t { Nothing, List, Request, Accepted };
 
   void begin(uint16_t nowMs);
+  // After begin(): the items before this one are there already.
+  void skipTo(uint16_t item) { next_ = item; }
 
   // The inputs: the messages that have been received, and the time. Those that return a Status return
   // Status::Transferring while the download goes on, or else the status with which it has ended.

@@ -1,0 +1,123 @@
+// Plans as files: ArduPilot gives and takes a whole plan as a file, by MAVLink FTP.
+#pragma once
+
+#include "ItemSink.h"
+#include "ItemSource.h"
+#include "PlanType.h"
+#include "Status.h"
+#include "service/Listener.h"
+#include "transfer/FileReadTransfer.h"
+#include "transfer/FileWriteTransfer.h"
+
+namespace mavmission {
+
+// Transfers plans as files where that is the quicker way, and by the mission protocol everywhere else. Declare one
+// beside the client; it holds what these transfers need in RAM:
+//
+//   MissionClient autopilot(Serial1);
+//   PlanFiles files(autopilot);
+//
+// A plan that is uploaded by file takes the place of the old one at once, when all of it has arrived: an upload that
+// breaks off leaves the old plan aboard, not a mixture.
+//
+// Its operations are operations of the client: one at a time, update() returns their status, and status(), aboard(),
+// failedItem() and the callbacks say what they say of the client's own. The mission protocol is used by itself where
+// there are no such files (PX4, a MAVLink 1 link, FTP that is switched off, a file that another ground station holds),
+// and for reading on a line that loses.
+class PlanFiles : public detail::Listener {
+ public:
+  // The client must live as long as this object.
+  explicit PlanFiles(MissionClient& client);
+
+  // As MissionClient::upload(), and always read back: the autopilot does not say what has become of a file.
+  // Status::Accepted means that the plan is aboard, Status::Differs that another one was read, Status::Unconfirmed that
+  // none could be read. aboard() says after each end what is aboard: the old plan where the upload has broken off, not
+  // known behind Differs and Unconfirmed. The mission protocol is used also for a plan with a command that this library
+  // does not know, for one of more than 650 items, for a fence of up to three items, for a plan that is shorter than
+  // the one aboard an armed aircraft, and where frames are signed; and when the file is lost, because the autopilot has
+  // restarted or somebody else has taken it. isByFile() is false then, and aboard() may be a mixture.
+  Status upload(const ItemSource& plan, PlanType type = PlanType::Mission);
+  // An array does not say where it lies.
+  template <size_t N, typename... More>
+  Status upload(const MissionItem (&)[N], More...) {
+    static_assert(N == 0, "write upload(inFlash(plan)) for a plan with PROGMEM, upload(inRam(plan)) for one without");
+    return Status::Idle;
+  }
+
+  // As MissionClient::verify() and download(). A sink that may be not ready is filled by the mission protocol.
+  Status verify(const ItemSource& plan, PlanType type = PlanType::Mission);
+  Status download(const ItemSink& sink, PlanType type = PlanType::Mission);
+
+  // True if the running or last operation of this object transfers by file; false once it has gone over to the mission
+  // protocol.
+  bool isByFile() const { return isByFile_; }
+
+ private:
+  typedef void (*Operation)(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
+  typedef detail::FileWriteTransfer::Request Request;
+
+  // The most items, home included, that a file may have: of more ArduPilot stores the first ones, and says nothing.
+  static constexpr uint16_t kMostItems = 650;
+  static constexpr uint8_t kUntilClosed = 255;
+
+  struct Writing {
+    detail::FileWriteTransfer transfer;
+    Request going;   // the write that is on its way out
+    uint8_t pieces;  // of that write which have been made
+    bool isBroken;   // the source has given no item
+  };
+
+  // In PlanFiles.cpp
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
+  void beginOperation(Operation operation);
+  bool isRunning() const;
+  bool isUsable() const;
+  void beginFile();
+  bool isReply(const detail::FrameParser& frame) const;
+  void send(uint16_t sequence, uint8_t opcode, uint8_t size = 0, uint32_t offset = 0);
+  void sendOpening(uint16_t sequence, uint8_t opcode);
+
+  // In PlanFilesReading.cpp
+  static void readStep(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
+  void beginReading();
+  void readOn(uint16_t nowMs);
+  void takeReadReply(const detail::FrameParser& frame, uint16_t nowMs);
+  void takeCount(const detail::FrameParser& frame, uint16_t nowMs);
+  void takeItem(const detail::FrameParser& frame, uint16_t item, uint16_t nowMs);
+  void readByItems(uint16_t first, uint16_t nowMs);
+  void endReading(Status status, uint16_t nowMs);
+
+  // In PlanFilesWriting.cpp
+  static void writeStep(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
+  static void takeLook(PlanFiles& self, Status status, uint16_t nowMs);
+  static void takeProof(PlanFiles& self, Status status, uint16_t nowMs);
+  static uint8_t nextPiece(void* context, uint8_t* piece);
+  void check(uint16_t nowMs);
+  bool isForeseen(const MissionItem& item) const;
+  void beginWriting();
+  void beginComparing(void (*onRead)(PlanFiles& self, Status status, uint16_t nowMs));
+  void writeOn(uint16_t nowMs);
+  void sendItems(uint16_t nowMs);
+  uint8_t makeHead(uint8_t* piece) const;
+  Status makeItem(uint16_t wireItem, void* piece) const;
+  void takeWriteReply(const detail::FrameParser& frame, uint16_t nowMs);
+  void uploadByItems(uint16_t nowMs);
+
+  Operation operation_;  // the client's while one of this object runs
+  // What follows a reading; null: the operation ends.
+  void (*onRead_)(PlanFiles& self, Status status, uint16_t nowMs);
+  union {
+    detail::FileReadTransfer reading_;
+    Writing writing_;
+  };
+  uint16_t sequence_;       // of the last request
+  uint16_t firstSequence_;  // answers to the running operation have later ones
+  uint8_t session_;
+  uint8_t closings_;  // how often the file is still to be closed; kUntilClosed: until that is answered
+  bool isByFile_ : 1;
+  bool isForeseen_ : 1;
+  bool isLook_ : 1;         // only the number of items aboard is read
+  bool isLengthKnown_ : 1;  // the plan aboard is not longer than ours
+};
+
+}  // namespace mavmission

@@ -1,0 +1,136 @@
+// What all operations of PlanFiles share: the requests, the replies, and the file that was left open.
+#include "../PlanFiles.h"
+
+#include <Arduino.h>
+#include <string.h>
+
+#include "../MissionClient.h"
+#include "FileFrame.h"
+
+namespace mavmission {
+using namespace detail;
+const MessageKey detail::kKeysOfFiles[] PROGMEM = {
+    // As long as the longest request that is made in the outbox. A reply in MAVLink 1 is longer than the parser keeps.
+    {MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL_CRC,
+     MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL_MIN_LEN, Outbox::kMaxPayload,
+     offsetof(mavlink_file_transfer_protocol_t, target_system)},
+    {MAVLINK_MSG_ID_HEARTBEAT, MAVLINK_MSG_ID_HEARTBEAT_CRC, MAVLINK_MSG_ID_HEARTBEAT_MIN_LEN,
+     MAVLINK_MSG_ID_HEARTBEAT_LEN, MessageKey::kNoTarget},
+};
+
+namespace {
+
+const char kNames[][21] PROGMEM = {"@MISSION/mission.dat", "@MISSION/fence.dat", "@MISSION/rally.dat"};
+
+}  // namespace
+
+PlanFiles::PlanFiles(MissionClient& client)
+    : Listener(client, kKeysOfFiles, 2, take),
+      operation_(nullptr),
+      onRead_(nullptr),
+      sequence_(0),
+      firstSequence_(0),
+      session_(0),
+      closings_(0),
+      isByFile_(false),
+      isForeseen_(false),
+      isLook_(false),
+      isLengthKnown_(false) {}
+
+void PlanFiles::beginOperation(Client::Operation operation) {
+  client_.reading_.files = this;
+  client_.state_.operation = operation;
+  operation_ = operation;
+  onRead_ = nullptr;
+  isByFile_ = false;
+  isLook_ = false;
+  isLengthKnown_ = false;
+}
+
+bool PlanFiles::isRunning() const {
+  return client_.state_.operation != nullptr && client_.state_.operation == operation_;
+}
+
+// True if the plan may be transferred by file. A piece of a file is as long as an item, and must fit into the parser.
+bool PlanFiles::isUsable() const {
+  return FileFrame::kItem <= MAVMISSION_MAX_PAYLOAD && has(client_.firmware(), kHasPlanFiles) &&
+         client_.link_.version() == 2;
+}
+
+// There is one file for the whole autopilot, and whoever has its session number writes into it. So the number is drawn
+// by lot, from the time and from what has been heard until now; low numbers are those of ground stations.
+void PlanFiles::beginFile() {
+  if (session_ == 0) {
+    const LinkCounters heard = client_.link_.counters();
+    sequence_ = static_cast<uint16_t>(millis());
+    session_ = static_cast<uint8_t>(heard.bytes) ^ static_cast<uint8_t>(sequence_ >> 2) ^ 0x5A;
+    if (session_ < 16) session_ += 16;
+  }
+  firstSequence_ = ++sequence_;  // unused: the answer to the last request of the operation before would have it
+  isByFile_ = true;
+}
+
+// Sends a request. ArduPilot answers one that has the number of the last one from memory.
+void PlanFiles::send(uint16_t sequence, uint8_t opcode, uint8_t size, uint32_t offset) {
+  FileFrame& request = *static_cast<FileFrame*>(client_.link_.draft());
+  request.network = 0;
+  request.sequence = sequence;
+  request.session = session_;
+  request.opcode = opcode;
+  request.size = size;
+  request.requested = 0;
+  request.isBurstComplete = 0;
+  request.padding = 0;
+  request.offset = offset;
+  // Only these carry data; otherwise the size is that of the answer.
+  const bool hasData =
+      opcode == MAV_FTP_OPCODE_OPENFILERO || opcode == MAV_FTP_OPCODE_CREATEFILE || opcode == MAV_FTP_OPCODE_WRITEFILE;
+  const uint8_t used = hasData ? size : 0;
+  memset(request.data + used, 0, sizeof(request.data) - used);
+  client_.link_.sendMessage(&request.network, kKeysOfFiles);
+}
+
+void PlanFiles::sendOpening(uint16_t sequence, uint8_t opcode) {
+  FileFrame& request = *static_cast<FileFrame*>(client_.link_.draft());
+  static_assert(sizeof(kNames[0]) <= sizeof(request.data), "the longest name must fit into a request");
+  memcpy_P(request.data, kNames[static_cast<uint8_t>(client_.state_.type)], sizeof(kNames[0]));
+  send(sequence, opcode, static_cast<uint8_t>(strlen(reinterpret_cast<const char*>(request.data))));
+  if (closings_ == 0) closings_ = FileRules::kUnsureClosings;
+}
+
+bool PlanFiles::isReply(const FrameParser& frame) const {
+  return frame.messageId() == MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL &&
+         frame.payloadByte(offsetof(FileFrame, session)) == session_ &&
+         static_cast<int16_t>(frame.payloadWord(offsetof(FileFrame, sequence)) - firstSequence_) > 0;
+}
+
+// Notes whether the file is open. A file that was left open is closed beside whatever runs: once with each heartbeat of
+// the autopilot, until it answers.
+void PlanFiles::take(Listener& listener, const FrameParser& frame) {
+  PlanFiles& self = static_cast<PlanFiles&>(listener);
+  Client& client = self.client_;
+  if (!self.isFromAutopilot(frame)) return;
+  if (frame.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
+    if (self.closings_ == 0 || self.isRunning() || !client.link_.canSend()) return;
+    self.send(++self.sequence_, MAV_FTP_OPCODE_TERMINATESESSION);
+    if (self.closings_ != kUntilClosed) --self.closings_;
+    return;
+  }
+  if (!frame.isFor(client.link_.systemId(), client.link_.componentId()) || !self.isReply(frame)) return;
+  const bool isAck = frame.payloadByte(offsetof(FileFrame, opcode)) == MAV_FTP_OPCODE_ACK;
+  switch (frame.payloadByte(offsetof(FileFrame, requested))) {
+    case MAV_FTP_OPCODE_OPENFILERO:
+    case MAV_FTP_OPCODE_CREATEFILE:
+      if (isAck) self.closings_ = kUntilClosed;
+      break;
+    case MAV_FTP_OPCODE_TERMINATESESSION: self.closings_ = 0; break;
+    default: break;
+  }
+  if (isAck) return;
+  const uint8_t error = frame.payloadByte(offsetof(FileFrame, data));
+  // It is somebody else's file that is open, or none. To close it all the same would hand that file to the next client
+  // that asks.
+  if (error == MAV_FTP_ERR_INVALIDSESSION || error == MAV_FTP_ERR_FILENOTFOUND) self.closings_ = 0;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,14 @@
+// The upload by file, PlanFiles.
+#include <Arduino.h>
+#include <MavMission.h>
+using namespace mavmission;
+
+constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
+MissionClient autopilot(Serial1);
+PlanFiles files(autopilot);
+
+void setup() {
+  Serial1.begin(57600);
+  files.upload(inFlash(survey));
+}
+void loop() { autopilot.update(); }

@@ -1,0 +1,424 @@
+"""A plan is written to ArduPilot as a file, which takes the place of the old plan at once, or not at all."""
+
+from __future__ import annotations
+
+import pytest
+
+from areas import FIELD, POINTS
+from downloads import WRITTEN, as_ardupilot_has_it, loaded
+from files import by_items, is_by_file, open_file, other_asks, other_opens, requests, spoken, with_files
+from plans import HOME, OLD_PLAN, SURVEY, on_the_wire, waypoint
+from simulation.bench import FunctionPlan, same_bits
+from simulation.fake_autopilot import item, mavlink
+from simulation.fake_autopilot.ftp import BURST, CREATE, HEADER, OPEN_RO, READ, TERMINATE, WRITE, file_of
+from simulation.service import FENCE, MISSION, RALLY
+from simulation.wire import Wire
+
+BY_FILE = pytest.mark.scenario(62, "A plan is uploaded as a file", "ArduPilot")
+BY_ITEMS = pytest.mark.scenario(63, "A plan that no file can carry is uploaded item by item")
+NO_MIXTURE = pytest.mark.scenario(64, "An upload by file leaves the old plan or the new one, or says neither",
+                                   "ArduPilot")  # fmt: skip
+LIMIT_S = 30
+FTP = "FILE_TRANSFER_PROTOCOL"
+LONG = [waypoint(x=470000000 + 7 * n, z=n + 1.0) for n in range(20)]
+SMALL_FENCE = [item(5003, x=473977420, y=85455970, param1=50.0, frame=0)]
+
+
+def uploading(service, plan=None, mission_type=MISSION) -> str:
+    if plan is not None:
+        service.use(plan)
+    return service.order_of("fileupload", mission_type)
+
+
+def meant(plan) -> list:
+    return [HOME, *as_ardupilot_has_it(plan)] if plan else []
+
+
+def holds(service, plan) -> bool:
+    """Whether this is what was last put aboard, to the bit."""
+    return same_bits(service.autopilot.received(), meant(plan))
+
+
+def go_to(service, count: int, opcode: int | None = None) -> None:
+    """Go on until so many requests have left, or so many of one kind."""
+    limit = service.now + 10
+    while len([one for one in requests(service) if opcode in (None, one)]) < count:
+        assert service.now < limit
+        service.run(0.001)
+
+
+# -- the way it goes
+
+
+@BY_FILE
+def test_plan_is_written_and_read_back(build_service):
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    assert uploading(service, WRITTEN) == "WaitingForAutopilot"
+    assert service.done(LIMIT_S) == "Accepted"
+    assert holds(service, [one._replace(param4=0.0 if one.param4 != one.param4 else one.param4) for one in WRITTEN])
+    assert requests(service) == [CREATE, WRITE, WRITE, WRITE, TERMINATE, OPEN_RO, READ, BURST, TERMINATE]
+    assert by_items(service) == []
+    state = service.state
+    assert (state.aboard, state.done, state.total, state.failed_item, state.field) == ("OurPlan", 8, 8, None, "None")
+    assert is_by_file(service)
+    assert open_file(service) is None
+
+
+@BY_FILE
+def test_file_is_as_other_clients_write_it(build_service):
+    service = with_files(build_service)
+    service.wire.lose(">", name=FTP, index=6)  # the closing
+    uploading(service, LONG)
+    go_to(service, 7)
+    assert open_file(service) == file_of(meant(LONG))
+    assert service.done(LIMIT_S) == "Accepted"
+
+
+@BY_FILE
+def test_header_is_written_last(build_service):
+    service = with_files(build_service)
+    uploading(service, LONG)
+    assert service.done(LIMIT_S) == "Accepted"
+    writes = [(request.offset, request.size) for request in spoken(service) if request.opcode == WRITE]
+    assert writes == [(10, 228), (238, 228), (466, 228), (694, 114), (0, HEADER.size)]
+
+
+@BY_FILE
+def test_progress_stands_still_before_the_last_item_until_the_plan_is_proven(build_service):
+    service = with_files(build_service)
+    uploading(service, LONG)
+    go_to(service, 1, BURST)
+    assert service.progress[-1] == (19, 20)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert service.progress[-1] == (20, 20)
+    assert service.progress == sorted(service.progress)
+
+
+@BY_FILE
+@pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (RALLY, POINTS)], ids=["fence", "rally"])
+def test_fence_and_rally_points_are_written_to_files_of_their_own(build_service, mission_type, plan):
+    service = with_files(build_service)
+    uploading(service, plan, mission_type)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert is_by_file(service) and by_items(service) == []
+    assert same_bits(service.autopilot.missions[mission_type].received, plan)
+    assert (service.state.aboard_fence if mission_type == FENCE else service.state.aboard_rally) == "OurPlan"
+    assert service.state.aboard == "NotKnown"
+
+
+@BY_FILE
+def test_empty_plan_clears(build_service):
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, "empty")
+    assert service.done(LIMIT_S) == "Accepted"
+    assert len(service.autopilot.plan()) <= 1
+    assert is_by_file(service)
+
+
+@BY_FILE
+def test_line_that_loses_is_given_an_item_at_a_time(build_service):
+    service = with_files(build_service)
+    service.run(0.5)
+    service.say_bytes(b"\x55" * 5)
+    uploading(service, LONG)
+    assert service.done(LIMIT_S) == "Accepted"
+    sizes = {request.size for request in spoken(service) if request.opcode == WRITE}
+    assert sizes == {38, HEADER.size}
+    assert "MISSION_REQUEST_LIST" in by_items(service), "reading item by item is quicker there"
+    assert is_by_file(service)
+
+
+@BY_FILE
+def test_line_that_answers_late_has_one_write_at_a_time(build_service):
+    service = with_files(build_service, response_delay_s=0.15)
+    uploading(service, LONG)
+    assert service.done(LIMIT_S) == "Accepted"
+    said = [entry for direction in "<>" for entry in service.wire.frames(direction, FTP)]
+    order = [entry.direction for entry in sorted(said, key=lambda entry: entry.time)][:12]
+    assert order == [">", "<"] * 6
+
+
+# -- where there are no files, or none for this plan
+
+
+@BY_ITEMS
+@pytest.mark.parametrize("case", ["PX4", "MAVLink 1", "switched off", "held by another"])
+def test_without_a_file_the_mission_protocol_is_used(build_service, case):
+    personality = "PX4" if case == "PX4" else "ArduPilot"
+    options = {"MAVLink 1": {"mavlink_version": 1}, "switched off": {"ftp": False}}.get(case, {})
+    service = with_files(build_service, personality, **options)
+    if case == "held by another":
+        service.run(1.0)
+        other_opens(service)
+    uploading(service, SURVEY)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert service.autopilot.received() == on_the_wire(SURVEY, personality)
+    assert not is_by_file(service)
+    assert service.state.aboard == "OurPlan"
+    if case == "held by another":
+        service.run(3.0)
+        assert open_file(service) is not None, "the other's file was closed"
+
+
+@BY_ITEMS
+def test_command_that_is_not_known_is_refused_by_the_autopilot_in_words(build_service):
+    """In a file it would have left the items before it aboard, without a word."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, [SURVEY[0], item(31010, frame=2), SURVEY[1]])
+    assert service.done(LIMIT_S) == "Unsupported"
+    assert requests(service) == []
+    assert service.state.failed_item == 1
+
+
+@BY_ITEMS
+def test_short_fence_is_read_back_after_it_has_settled(build_service):
+    service = with_files(build_service)
+    uploading(service, SMALL_FENCE, FENCE)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert requests(service) == [] and not is_by_file(service)
+    assert service.state.aboard_fence == "OurPlan"
+
+
+@BY_FILE
+@pytest.mark.parametrize("bad, status", [({"x": 950000000}, "BadLatitude"), ({"param1": 0.5}, "NotKept")])
+def test_plan_that_cannot_be_flown_is_refused_before_anything_is_sent(build_service, bad, status):
+    service = with_files(build_service)
+    uploading(service, [SURVEY[0], SURVEY[1]._replace(**bad)])
+    assert service.done(LIMIT_S) == status
+    assert service.state.failed_item == 1
+    assert requests(service) == [] and by_items(service) == []
+
+
+# -- in flight
+
+
+@BY_FILE
+def test_nothing_is_sent_to_an_armed_aircraft(build_service):
+    service = with_files(build_service, armed=True)
+    uploading(service, SURVEY)
+    assert service.done(LIMIT_S) == "Armed"
+    assert requests(service) == [] and by_items(service) == []
+
+
+@BY_FILE
+@pytest.mark.parametrize("aboard, is_file", [(3, True), (5, True), (6, False)], ids=["longer", "as long", "shorter"])
+def test_plan_in_flight_goes_by_file_unless_it_is_shorter_than_the_one_aboard(build_service, aboard, is_file):
+    service = with_files(build_service, armed=True)
+    loaded(service, LONG[:aboard])
+    service.tell("armed", True)
+    uploading(service, SURVEY)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert is_by_file(service) == is_file
+    assert (CREATE in requests(service)) == is_file
+    assert holds(service, SURVEY)
+
+
+@BY_FILE
+@pytest.mark.parametrize("is_allowed, status", [(False, "Armed"), (True, "Accepted")])
+def test_aircraft_that_is_armed_meanwhile_keeps_its_plan_or_gets_the_new_one_item_by_item(
+    build_service, is_allowed, status
+):
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    service.tell("armed", is_allowed)
+    service.run(0.8)
+    uploading(service, LONG)
+    go_to(service, 2)
+    service.autopilot.armed = True
+    service.say(mavlink.MAVLink_heartbeat_message(2, 3, 128 | 81, 0, 4, 3))
+    assert service.done(LIMIT_S) == status
+    assert not (status == "Armed" and not same_bits(service.autopilot.received(), OLD_PLAN))
+
+
+# -- what the line loses
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("direction, index", [
+    *[pytest.param(">", index, id=f"request {index}") for index in range(7)],
+    *[pytest.param("<", index, id=f"answer {index}") for index in range(7)],
+])  # fmt: skip
+def test_each_lost_frame_costs_time_alone(build_service, direction, index):
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    service.wire.lose(direction, name=FTP, index=index)
+    uploading(service, LONG)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert holds(service, LONG) and service.state.aboard == "OurPlan"
+    said = [request for request in spoken(service) if request.opcode != BURST]
+    for request in said:
+        alike = [one for one in said if one.seq == request.seq]
+        assert all(one == request for one in alike), "a repeat is another request"
+    assert is_by_file(service) and "MISSION_ITEM_INT" not in by_items(service)
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("loss", [5, 25])
+def test_what_it_says_is_true_on_a_bad_line(build_service, seed, loss):
+    service = with_files(build_service, wire=Wire(seed=seed))
+    service.autopilot.load(OLD_PLAN)
+    service.run(1.2)
+    for direction in "<>":
+        service.wire.at_random(direction, lose=loss, repeat=3, delay=3)
+    uploading(service, LONG)
+    expect_truth(service, service.done(150))
+
+
+def expect_truth(service, ended: str) -> None:
+    """What is aboard is the old plan or the new one, or is said to be neither."""
+    is_old, is_new = same_bits(service.autopilot.received(), OLD_PLAN), holds(service, LONG)
+    aboard = service.state.aboard
+    assert (ended == "Accepted") == (aboard == "OurPlan")
+    assert aboard != "OurPlan" or is_new
+    assert aboard != "AsBefore" or is_old
+    assert is_old or is_new or aboard in ("NotKnown", "Mixture")
+    assert aboard != "Mixture" or not is_by_file(service)
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("percent", [0.3, 1, 3])
+def test_bytes_that_are_lost_cost_time_alone(build_service, seed, percent):
+    service = with_files(build_service, wire=Wire(seed=seed))
+    service.autopilot.load(OLD_PLAN)
+    service.run(1.2)
+    service.wire.damage_bytes(lose=percent)
+    uploading(service, LONG)
+    ended = service.done(150)
+    assert ended == "Accepted"
+    expect_truth(service, ended)
+
+
+# -- what happens meanwhile
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("sent", range(8))
+def test_upload_that_is_cancelled_leaves_what_it_says(build_service, sent):
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, LONG)
+    if sent:
+        go_to(service, sent)
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    aboard = service.state.aboard
+    assert aboard == ("NotKnown" if sent >= 6 or sent == 0 else "AsBefore")
+    service.run(2.5)
+    assert open_file(service) is None, "the file was left open"
+    assert same_bits(service.autopilot.received(), OLD_PLAN) or (sent >= 6 and holds(service, LONG))
+    uploading(service, SURVEY)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert holds(service, SURVEY) and is_by_file(service)
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("sent", range(1, 8))
+def test_autopilot_that_restarts_meanwhile_has_what_is_said(build_service, sent):
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, LONG)
+    go_to(service, sent)
+    service.autopilot.ftp.forget()
+    expect_truth(service, service.done(LIMIT_S))
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("sent", range(1, 8))
+def test_cable_that_is_pulled_leaves_what_is_said(build_service, sent):
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, LONG)
+    go_to(service, sent)
+    service.wire.pull()
+    ended = service.done(60)
+    assert ended in ("TimedOut", "Unconfirmed", "NoAnswer"), ended
+    expect_truth(service, ended)
+    service.wire.plug()
+    service.run(3.0)
+    assert open_file(service) is None, "the file was left open"
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("sent", range(1, 7))
+def test_another_client_that_takes_the_file_over_does_not_spoil_the_plan(build_service, sent):
+    """It ends a session of its own, and opens the file at once."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, LONG)
+    go_to(service, sent)
+    other_asks(service, TERMINATE, 7, 1)
+    other_opens(service, 7)
+    ended = service.done(LIMIT_S)
+    assert ended == "Accepted" and holds(service, LONG)
+    expect_truth(service, ended)
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("sent", range(2, 7))
+def test_another_client_with_our_session_number_is_noticed(build_service, sent):
+    """It writes an item of its own into our file, or closes it."""
+    for opcode in (WRITE, TERMINATE):
+        service = with_files(build_service)
+        service.autopilot.load(OLD_PLAN)
+        uploading(service, LONG)
+        go_to(service, sent)
+        session = spoken(service)[0].session
+        piece = file_of([waypoint(z=999.0)])[HEADER.size :]
+        other_asks(service, opcode, session, 4711, piece if opcode == WRITE else b"", 10 + 2 * 38)
+        expect_truth(service, service.done(LIMIT_S))
+
+
+@NO_MIXTURE
+def test_plan_that_another_client_has_spoilt_is_said_to_differ(build_service):
+    service = with_files(build_service)
+    uploading(service, LONG)
+    go_to(service, 6)
+    session = spoken(service)[0].session
+    other_asks(service, WRITE, session, 4711, file_of([waypoint(z=999.0)])[HEADER.size :], 10 + 4 * 38)
+    assert service.done(LIMIT_S) == "Differs"
+    state = service.state
+    assert (state.aboard, state.failed_item) == ("NotKnown", 3)
+
+
+@NO_MIXTURE
+def test_plan_that_the_autopilot_does_not_store_whole_is_said_to_differ(build_service):
+    """It has room for a few items only, and answers the closing as always."""
+    service = with_files(build_service, item_limit=10)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, LONG)
+    assert service.done(LIMIT_S) == "Differs"
+    assert (service.state.aboard, service.state.field) == ("NotKnown", "Count")
+
+
+@NO_MIXTURE
+def test_source_that_gives_no_item_any_more_leaves_the_old_plan(build_bench):
+    bench = build_bench("ArduPilot", defines={"BENCH_FILES": 1})
+    bench.autopilot.load(OLD_PLAN)
+    bench.use(FunctionPlan(20, 12, 1))
+    bench.tell("fileupload")
+    assert bench.run_until_ended(LIMIT_S) == "SourceRefused"
+    assert (bench.state.aboard, bench.state.failed_item) == ("AsBefore", 12)
+    bench.run(2.5)
+    assert same_bits(bench.autopilot.received(), OLD_PLAN)
+    assert open_file(bench) is None
+
+
+@BY_FILE
+@pytest.mark.parametrize("count", [50, 200])
+def test_plan_is_written_in_little_more_than_the_time_of_its_bytes(build_bench, count):
+    """The goal is 1.25 times that, from CreateFile to the answer to TerminateSession."""
+    bench = build_bench("ArduPilot", defines={"BENCH_FILES": 1})
+    bench.use(FunctionPlan(count))
+    bench.tell("fileupload")
+    assert bench.run_until_ended(LIMIT_S) == "Accepted"
+    said, answered = (bench.wire.frames(direction, FTP) for direction in "><")
+    closed = next(entry.time for entry, answer in zip(answered, spoken(bench, "<"), strict=True)
+                  if answer.req_opcode == TERMINATE)  # fmt: skip
+    took, bytes_s = closed - said[0].time, (HEADER.size + 38 * (count + 1)) / 5760
+    print(f"{count} items: {took:.2f} s, the bytes of the file alone {bytes_s:.2f} s")
+    assert took < 1.25 * bytes_s
