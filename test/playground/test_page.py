@@ -65,7 +65,7 @@ def test_the_first_upload_ends_accepted_with_the_plan_on_the_map(page, autopilot
     assert page.on_map(".grid") > 4 and page.on_map(".scale") == page.on_map(".north") == 1
     assert any("MISSION_ACK ACCEPTED" in line for line in page.frames)
     assert page.browser.text("#items").split().count("aboard") == count
-    assert "499 of 8192" in page.browser.text("#ram")
+    assert "507 of 8192" in page.browser.text("#ram")
 
 
 @pytest.mark.parametrize("autopilot", NAMES)

@@ -128,12 +128,12 @@ class Demonstration:
                 self._show()
                 self._watch()
                 world.slice()
+            self._line.step(self.now)
+            self._show()
         finally:
             world.close()
             if self._log is not None:
                 self._log.close()
-        self._line.step(self.now)
-        self._show()
         self._console.flush()
         verdict = self._conclude()
         for named in self.settings.lose:
@@ -174,7 +174,7 @@ class Demonstration:
 
     def _show(self) -> None:
         for entry in self._line.seen():
-            if self._log is not None and not entry.fate:
+            if self._log is not None and not entry.fate and entry.number is not None:
                 self._log.add(entry.data, entry.time)
             self._hear(entry)
 

@@ -25,7 +25,8 @@ FIRST = "UploadMission"
 PASS = "serialEventRun()"
 # Parts of start(), and of Steering, which are linked where a sketch arms: such a sketch is not given a real aircraft.
 ARMING = re.compile(
-    r"mavmission::(detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)|Steering::(fill|leave|onEvent|beginStep))\("
+    r"mavmission::(detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)"
+    r"|Steering::(fill|leave|onEvent|beginStep))\("
 )
 
 
