@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 from collections import Counter
 
-from simulation.fake_autopilot import MISSION, Item, mavlink
+from simulation.fake_autopilot import MISSION, Item, ftp, mavlink
 from simulation.wire import Entry
 
-from .words import ITEMS
+from .words import FILES, ITEMS
 
 # Each side speaks again sooner than this while it still hopes: the client after
 # 1.5 s, or after 8.5 s of waiting in vain; ArduPilot after 1 s, until 8 s are over.
 QUIET_AFTER_ANSWER_S = 3.0
 QUIET_S = 10.0
 
-SHOWN = ("MISSION_", "COMMAND_", "STATUSTEXT", "SET_MODE")
+SHOWN = ("MISSION_", "COMMAND_", "STATUSTEXT", "SET_MODE", FILES)
 NOT_SHOWN = ("MISSION_CURRENT",)  # PX4 says it each second
 
 
@@ -28,10 +28,12 @@ class Conversation:
         self.contradictions: list[str] = []
         self.aboard: Counter[int] = Counter()  # items, by mission type
         self.told: set[int] = set()  # types whose acceptance reached the Mega
+        self.as_files: set[int] = set()  # types whose plan was written as a file
         self.delivered: set[int] = set()  # items that the Mega got in a download
         self.thanked = False  # the Mega has acknowledged a download
         self.others: Counter[str] = Counter()  # what is not shown, by name
         self._said: set[tuple] = set()
+        self._writing: int | None = None  # the type of plan whose file is open for writing
         self._heartbeats: set[str] = set()
         self._last_at = math.inf
         self._last_answer: int | None = None  # MAV_MISSION_RESULT
@@ -41,6 +43,8 @@ class Conversation:
         """Take note of a frame; True if the same was said before."""
         message = entry.message
         name = message.get_type() if message is not None else "unknown frames"
+        if name == FILES:
+            return self._file(entry)
         if not name.startswith(("MISSION_", "COMMAND_")) or name in NOT_SHOWN:
             self._count_other(entry, name)
             return False
@@ -51,6 +55,29 @@ class Conversation:
             self._from_autopilot(entry, message, name)
         said = (entry.direction, name, *(getattr(message, what, None) for what in ("seq", "command", "mission_type")))
         again = said in self._said and name != "MISSION_ACK"
+        self._said.add(said)
+        return again
+
+    def _file(self, entry: Entry) -> bool:
+        """A request or a reply of MAVLink FTP; True if the same was said before."""
+        self._last_at = entry.time
+        self._answered = entry.direction == "<"
+        request = ftp.Request.of(entry.message)
+        data = request.data[: request.size]
+        if entry.direction == ">" and request.opcode == ftp.CREATE:
+            self._writing = ftp.FILES.get(data.decode(errors="replace").rstrip("\0"))
+            if self._writing is not None:
+                self.counts.setdefault(self._writing, 0)
+                self.as_files.add(self._writing)
+        is_head = request.opcode == ftp.WRITE and request.offset == 0 and len(data) >= ftp.HEADER.size
+        if entry.direction == ">" and self._writing is not None and is_head:
+            self.counts[self._writing] = ftp.HEADER.unpack_from(data)[-1]
+        is_closed = request.opcode == ftp.ACK and request.req_opcode == ftp.TERMINATE
+        if entry.direction == "<" and self._writing is not None and is_closed:
+            self.aboard[self._writing] = self.counts[self._writing]
+            self._writing = None
+        said = (entry.direction, FILES, request.seq, request.opcode)
+        again = said in self._said
         self._said.add(said)
         return again
 
@@ -106,6 +133,8 @@ class Conversation:
 
     def last_word(self) -> str:
         """What the autopilot said at the end."""
+        if self.as_files and self._last_answer is None:
+            return "It was written as a file."
         if self._last_answer is None:
             return "The autopilot never answered."
         if self._last_answer == mavlink.MAV_MISSION_ACCEPTED:

@@ -12,7 +12,7 @@ from itertools import pairwise
 from simulation.fake_autopilot import mavlink
 
 from .line import OnTheLine
-from .words import ITEMS, command_name, message_in_words
+from .words import FILES, ITEMS, command_name, message_in_words
 
 SILENCE_S = 0.3  # that begins another burst, at the least
 MOST_BURSTS = 6
@@ -73,6 +73,8 @@ def label(message, data: bytes) -> str:
     if message is None:
         return message_in_words(message, data)
     name = message.get_type()
+    if name == FILES:
+        return " ".join(message_in_words(message, data).split()[:2])
     short = name.removeprefix("MISSION_")
     if name in ITEMS or hasattr(message, "seq"):
         return f"{short} {message.seq}"

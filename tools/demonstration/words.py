@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 
 from simulation.fake_autopilot import Item, mavlink
+from simulation.fake_autopilot.ftp import Request
 from simulation.wire import summary
 
 ALTITUDES = {0: "above sea level", 3: "above home", 5: "above sea level", 6: "above home",
              10: "above the ground", 11: "above the ground"}  # fmt: skip
 ITEMS = ("MISSION_ITEM_INT", "MISSION_ITEM")
+FILES = "FILE_TRANSFER_PROTOCOL"
 
 
 def item_in_words(item: Item) -> str:
@@ -55,6 +57,8 @@ def message_in_words(message, data: bytes) -> str:
         return f"{name} {message.count} items"
     if name == "MISSION_ACK":
         return summary(message, data) + (f", checksum {message.opaque_id:08x}" if message.opaque_id else "")
+    if name == FILES:
+        return f"FTP {Request.of(message)}"
     if name == "HEARTBEAT":
         return f"{name} of {autopilot_name(message.autopilot)}"
     return summary(message, data)
