@@ -73,6 +73,12 @@ typedef uint16_t word;
 inline void interrupts() { asm volatile("cpsie i" : : : "memory"); }
 inline void noInterrupts() { asm volatile("cpsid i" : : : "memory"); }
 
+// Pins that nothing is connected to.
+static const uint8_t A0 = 14;
+inline void pinMode(uint8_t, uint8_t) {}
+inline void digitalWrite(uint8_t, uint8_t) {}
+inline int analogRead(uint8_t) { return 0; }
+
 unsigned long millis();
 void delay(unsigned long ms);
 void yield();
