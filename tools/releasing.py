@@ -24,6 +24,7 @@ PLAIN_FILE = 0o100644
 VENDORED = "mavlink"
 MESSAGE_HEADER = re.compile(r"mavlink_msg_(\w+)\.h")
 MESSAGE_INCLUDE = re.compile(rb'^#include "\./mavlink_msg_(\w+)\.h"\n', re.M)
+FUNCTIONS = re.compile(rb"/\*\*\r?\n \* @brief Pack a .*", re.DOTALL)  # of a message, to the end of its header
 UNWANTED = {"__pycache__", ".DS_Store", "Thumbs.db"}
 
 
@@ -133,10 +134,13 @@ def is_left_out(root: Path, file: Path) -> bool:
 
 
 def content_of(root: Path, file: Path) -> bytes:
-    """As it goes into the zip: a vendored header does not include those that are left out."""
+    """As it goes into the zip: a vendored header does not include those that are left out, and a message's has no
+    functions, which are most of it; the library uses its numbers and its struct."""
     data = file.read_bytes()
     if VENDORED not in file.relative_to(root).parts or file.suffix != ".h":
         return data
+    if MESSAGE_HEADER.fullmatch(file.name):
+        data = FUNCTIONS.sub(b"", data)
     return MESSAGE_INCLUDE.sub(lambda line: line[0] if is_used(root, line[1].decode()) else b"", data)
 
 

@@ -24,7 +24,7 @@ from .picture import draw
 from .plan_in_firmware import NotOnePlan, Plan, plan_in
 from .screen import Line, Row
 from .telemetry_log import TelemetryLog
-from .timeline import laid_out, mark_of
+from .timeline import joined, laid_out, mark_of
 from .wire_form import on_the_wire
 from .words import item_in_words, message_in_words
 
@@ -289,7 +289,8 @@ class Demonstration:
     def _draw(self, file: Path, verdict: Verdict) -> None:
         """The run as a picture."""
         silent = (False, False)
-        marks = [mark_of(crossing, *self._remarks.get(id(crossing.entry), silent)) for crossing in self._line.crossed]
+        crossed = joined(self._line.crossed)
+        marks = [mark_of(crossing, *self._remarks.get(id(crossing.entry), silent)) for crossing in crossed]
         title = f"{Path(self.settings.example).stem} to {NAMES[self.settings.autopilot]}{self._losses()}"
         try:
             draw(laid_out(marks), file, title, verdict.sentence)

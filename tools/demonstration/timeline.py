@@ -54,6 +54,21 @@ class Timeline:
     share: dict[str, float]  # of the time from first frame to last that each direction was in use, silences included
 
 
+def joined(crossed: Iterable[OnTheLine]) -> list[OnTheLine]:
+    """What crossed, with bytes between frames (the zeros on a line that loses) that follow each other as one."""
+    found: list[OnTheLine] = []
+    last: dict[str, int] = {}  # by direction: where in `found`
+    for crossing in crossed:
+        way = crossing.entry.direction
+        before = found[last[way]] if way in last else None
+        if before is not None and before.entry.number is None and crossing.entry.number is None:
+            found[last[way]] = before._replace(ended=crossing.ended)
+            continue
+        last[way] = len(found)
+        found.append(crossing)
+    return found
+
+
 def mark_of(crossing: OnTheLine, shown: bool, again: bool) -> Mark:
     entry = crossing.entry
     text = label(entry.message, entry.data) if shown and not is_heartbeat(entry.message) else ""
