@@ -8,7 +8,7 @@
 namespace mavmission {
 
 // Used like a PositionListener. HOME_POSITION has 60 bytes, more than the library keeps by default: compile it with
-// -DMAVMISSION_MAX_PAYLOAD=60, or change that line of Config.h, which costs 6 bytes of RAM.
+// -DMAVMISSION_MAX_PAYLOAD=60, or change that line of Config.h.
 // PositionListener::homeAboveSeaLevelMm() tells the height of home without that.
 class HomeListener : public TelemetryListener {
  public:

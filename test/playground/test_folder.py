@@ -57,8 +57,8 @@ def test_every_example_is_offered_and_those_that_arm_are_known(folder):
     arming = {example["name"] for example in known["examples"] if example["arms"]}
     sources = {path.stem: path.read_text() for path in (ROOT / "examples").glob("*/*.ino")}
     assert arming == {name for name, text in sources.items()
-                      if re.search(r"autopilot\.(start|arm|startFrom)\(|offerStart\(|offerAll\(", text)}  # fmt: skip
-    assert {"StartMission", "NextWaypoint", "PlanConsole"} == arming
+                      if re.search(r"autopilot\.(start|arm|startFrom)\(|offerStart\(|offerAll\(|takeOff\(", text)}  # fmt: skip
+    assert {"StartMission", "NextWaypoint", "PlanConsole", "GoToPlaces", "WorkAtWaypoints"} == arming
 
 
 def test_the_firmware_is_the_compiled_one_unmodified(folder):
