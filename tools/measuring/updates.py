@@ -36,7 +36,7 @@ OPERATIONS = {
     "partial upload": 8,
     "ensure": 9,
 }
-STALLS_MS = (0, 6, 20, 100)
+STALLS_MS = (0, 4, 6, 20, 100)
 BAUDS = (57600, 115200)
 ENOUGH_S = 10.0  # for an operation, or for what it does over and over
 SLICE_CYCLES = 16_000
