@@ -55,6 +55,13 @@ void demand(bool holds, const char* what) {
   abort();
 }
 
+size_t behindFill(const Bytes& bytes, size_t at) {
+  constexpr size_t kFill = 12;
+  size_t zeros = 0;
+  while (zeros < kFill && at + zeros < bytes.size() && bytes[at + zeros] == 0) ++zeros;
+  return zeros == kFill ? at + zeros : at;
+}
+
 bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t& size) {
   const bool v2 = bytes[at] == 0xFD;
   const size_t header = v2 ? 10 : 6;

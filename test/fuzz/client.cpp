@@ -336,7 +336,8 @@ class Session {
     uint32_t id;
     Bytes payload;
     size_t size;
-    while (answered_ < line_.written.size() && isRight(line_.written, answered_, id, payload, size)) {
+    while (answered_ = behindFill(line_.written, answered_),
+           answered_ < line_.written.size() && isRight(line_.written, answered_, id, payload, size)) {
       answered_ += size;
       if (id == MAVLINK_MSG_ID_HEARTBEAT || size > 100) continue;
       said_ = id;
@@ -438,7 +439,9 @@ class Session {
       Bytes payload;
       size_t size;
       const Bytes& bytes = line_.written;
-      for (from = 0; from <= written_ && from < bytes.size() && isRight(bytes, from, id, payload, size);) from += size;
+      for (from = 0;
+           from <= written_ && from < bytes.size() && isRight(bytes, behindFill(bytes, from), id, payload, size);)
+        from = behindFill(bytes, from) + size;
       if (from <= written_) from = bytes.size();  // it is not whole yet
     }
     return Bytes(line_.written.begin() + static_cast<long>(from), line_.written.end());
@@ -515,6 +518,7 @@ class Session {
       uint32_t id;
       Bytes payload;
       size_t size = 0;
+      at = behindFill(bytes, at);
       demand(isRight(bytes, at, id, payload, size), "what was written is no frame");
       demand(bytes[at + (bytes[at] == 0xFD ? 4 : 2)] == sequence, "a sequence number was left out or used twice");
       for (const OutgoingMessage& own : kLong) {
