@@ -52,9 +52,9 @@ def outcome(file: str, was: str, becomes: str) -> str:
 
 @pytest.mark.slow
 def test_mutant_is_found_by_the_cheapest_tests_that_can_and_one_that_changes_nothing_by_none():
-    last = "if (tries_ == kLastItemTries) return Status::Unconfirmed;"
-    assert outcome("UploadTransfer", last, last.replace("==", "!=")) == "unit tests"
-    assert outcome("UploadTransfer", "progressMs_ = nowMs;", ";") == SURVIVED
+    asked = "if (item == asked_) {"
+    assert outcome("UploadTransfer", asked, asked.replace("==", "!=")) == "unit tests"
+    assert outcome("DownloadTransfer", "sentMs_ = nowMs;", ";") == SURVIVED
     # Compiled only with MAVMISSION_SIGNING.
     signing = "if (--skip_ != 1) return grow(byte);"
     assert outcome("FrameParser", signing, signing.replace("!=", "==")) == SAME

@@ -21,10 +21,12 @@ bool BatteryListener::decode(TelemetryListener& listener, const FrameParser& fra
   // A cell that is not there is 65535, or 0 among the four cells of the extension. A voltage beyond 65.534 V without
   // cells is spread over several of them.
   uint32_t sum = 0;
-  for (uint8_t i = 0; i < sizeof(message.voltages) / sizeof(message.voltages[0]); ++i) {
+  constexpr uint8_t kCells = sizeof(message.voltages) / sizeof(message.voltages[0]);
+  constexpr uint8_t kMoreCells = sizeof(message.voltages_ext) / sizeof(message.voltages_ext[0]);
+  for (uint8_t i = 0; i < kCells; ++i) {
     if (message.voltages[i] != 0xFFFF) sum += message.voltages[i];
   }
-  for (uint8_t i = 0; i < sizeof(message.voltages_ext) / sizeof(message.voltages_ext[0]); ++i) {
+  for (uint8_t i = 0; i < kMoreCells; ++i) {
     if (message.voltages_ext[i] != 0xFFFF) sum += message.voltages_ext[i];
   }
   self.voltageMv_ = sum;
