@@ -132,8 +132,8 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property):
 DEFECTS = {
     "an idle ArduPilot's error is taken for an acceptance": (
         "UploadTransfer.cpp",
-        "if (!has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
-        "if (!has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
+        "if (isUnasked_ && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
+        "if (isUnasked_ && !has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
         "ArduPilot upload 1",
         "Accepted, and",
     ),

@@ -91,7 +91,8 @@ void TextMessage::set(uint8_t severity, FlashText text) {
                 "extensions are left out: they stay 0");
   memset(payload_, 0, sizeof(payload_));
   payload_[offsetof(Message, severity)] = severity;
-  for (uint8_t i = 0; i < sizeof(Message::text); ++i) {
+  constexpr uint8_t kLength = sizeof(Message::text);
+  for (uint8_t i = 0; i < kLength; ++i) {
     const uint8_t c = fromFlash(reinterpret_cast<const uint8_t*>(text) + i);
     if (c == 0) return;
     payload_[offsetof(Message, text) + i] = c;
