@@ -1,4 +1,4 @@
-// PX4: it keeps the old plan until the last item of the new one has come, asks again each 265 ms, gives up without a
+// PX4: it keeps the old plan until the last item of the new one has come, asks again every 265 ms, gives up without a
 // word 5 s after it heard something, ignores an item that it does not wait for, says ERROR ("busy") to a COUNT in
 // mid-transfer, and ACCEPTED again to the last item repeated. Its ACK and COUNT carry a checksum of the plan.
 #include <string.h>

@@ -3,7 +3,7 @@
 //   0: an item for each request heard; COUNT again after 1.2 s (PX4: 1.0 s)
 //   1: and 32 zero bytes before what is repeated; the last item again after 1 s without an answer
 //   2: and three copies to a repeated request
-//   3: and, unasked, the item again each 80 ms until the next request is heard
+//   3: and, unasked, the item again every 80 ms until the next request is heard
 //   5: 3, in turns with the next item
 // Each gives up 12 s after the last new request. ERROR to the last item counts as done from 1 on; other errors end it.
 #include "PlainClient.h"

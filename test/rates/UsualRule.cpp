@@ -1,5 +1,5 @@
 // For comparison, a client with the rule that is usual among ground stations and libraries, and that MAVLink's guide
-// gives for timeouts and retries. Its rule: COUNT is sent each 1500 ms, 5 times at most, until the first request; each
+// gives for timeouts and retries. Its rule: COUNT is sent every 1500 ms, 5 times at most, until the first request; each
 // request is answered by its item, a repeated one too; then it waits 1500 ms for the next request or the final ACK, 5
 // times at most, and says that the upload failed when nothing has come. ACCEPTED ends it well, any other ACK badly.
 // What became of a final ACK that was lost it does not find out.

@@ -8,7 +8,6 @@ that is full of it as in the recordings. The table in the documents is made by
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -106,18 +105,7 @@ def for_documents() -> str:
     return f"{note}\n\n{aligned(rows(), left=1)}"
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write-docs", action="store_true", help="put the table into the documents")
-    args = parser.parse_args()
-    fresh = for_documents()
-    print(fresh)
-    if args.write_docs:
-        from measuring import documents
-
-        documents.put("files", fresh)
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    from measuring import documents
+
+    sys.exit(documents.program(__doc__, "files", for_documents))

@@ -11,7 +11,6 @@ n-th frame of a direction, or its n-th byte, is lost or not by the seed alone. T
 
 from __future__ import annotations
 
-import argparse
 import functools
 import subprocess
 import sys
@@ -142,18 +141,7 @@ def for_documents() -> str:
     return f"{note}\n\n{aligned(rows(), left=2)}"
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write-docs", action="store_true", help="put the table into the documents")
-    args = parser.parse_args()
-    fresh = for_documents()
-    print(fresh)
-    if args.write_docs:
-        from measuring import documents
-
-        documents.put("rates", fresh)
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    from measuring import documents
+
+    sys.exit(documents.program(__doc__, "rates", for_documents))

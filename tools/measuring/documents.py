@@ -5,6 +5,8 @@ A table may be moved from one document to another, with its marks; the tools fin
 
 from __future__ import annotations
 
+import argparse
+from collections.abc import Callable
 from pathlib import Path
 
 from building import BOARDS, ROOT, build_sketch
@@ -66,3 +68,15 @@ def put(name: str, table: str) -> None:
     """Writes the table into the document that has its marks."""
     place = place_of(name)
     place.write_text(with_table(place.read_text(), name, table))
+
+
+def program(description: str | None, name: str, made: Callable[[], str]) -> int:
+    """The main() of a script that makes one table: prints it, and with --write-docs puts it into the documents."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--write-docs", action="store_true", help="put the table into the documents")
+    args = parser.parse_args()
+    fresh = made()
+    print(fresh)
+    if args.write_docs:
+        put(name, fresh)
+    return 0

@@ -308,7 +308,7 @@ class Client : public ClientRules {
       uint16_t item;  // to be set as current; a wire number
       Interval interval;
       StartTransfer start;
-      Listener* listener;  // whose operation this is
+      Listener* listener;  // the listener that has begun this operation
     };
   };
 
