@@ -42,6 +42,7 @@ static MissionClient client(Serial1);
 static Payload payload(client, carryOut, &context);
 static DistanceSensor distance(20, 700, 25, 3, 1);
 static LandingTarget target(2);
+static LandingTargetPosition landingPlace(3);
 static NamedValue value("ten_letter");
 static NamedValue cut("more than ten letters");
 static TextMessage text;
@@ -67,6 +68,14 @@ ACTION(target_) {
   target.set(0.25f, -0.5f, 3);
   tellSent(client.sendMessage(target));
 }
+ACTION(seen) {
+  landingPlace.setFromAircraft(-1.5f, 2, 6, 6.5f);
+  tellSent(client.sendMessage(landingPlace));
+}
+ACTION(origin) {
+  landingPlace.setFromOrigin(-30.25f, 12, -0.5f);
+  tellSent(client.sendMessage(landingPlace));
+}
 ACTION(value_) {
   value.set(-1.5f);
   tellSent(client.sendMessage(value));
@@ -87,9 +96,9 @@ ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
 ACTION(arm) { client.arm(); }
 
 static const Word words[] = {
-    WORD(answer),        WORD(progress),    WORD(finish),  WORD(busy),      WORD(ids),      {"distance", distance_},
-    {"target", target_}, {"value", value_}, {"cut", cut_}, {"text", text_}, WORD(longtext), WORD(upload),
-    WORD(arm),
+    WORD(answer),        WORD(progress), WORD(finish), WORD(busy),        WORD(ids),     {"distance", distance_},
+    {"target", target_}, WORD(seen),     WORD(origin), {"value", value_}, {"cut", cut_}, {"text", text_},
+    WORD(longtext),      WORD(upload),   WORD(arm),
 };
 
 void setup() {

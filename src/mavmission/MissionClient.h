@@ -151,8 +151,8 @@ class MissionClient : private detail::Client {
   Status update();
 
   // Sends a message of the sketch's own, with the right sequence number. False if another frame is still being sent, or
-  // nothing may be sent yet (no autopilot heard, or several): call it again later. The payload must live until
-  // isSent().
+  // nothing may be sent yet (no autopilot heard, or several): call it again later. False also for a message that a
+  // MAVLink 1 link does not carry: an id above 255, or a lengthV1 of 0. The payload must live until isSent().
   bool sendMessage(const OutgoingMessage& message) { return link_.sendForeign(message); }
   // True when every frame has been handed to the stream.
   bool isSent() const { return link_.isSent(); }

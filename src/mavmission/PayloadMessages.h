@@ -31,20 +31,42 @@ class DistanceSensor {
   uint8_t payload_[14];
 };
 
-// Where a landing target is, as a camera sees it (LANDING_TARGET). ArduPilot takes it so, with `PLND_TYPE` 1; PX4 takes
-// only positions, which this message does not carry.
+// Where a landing target is, as a camera sees it that looks down, with the top of its picture forwards
+// (LANDING_TARGET). ArduPilot takes it so, with `PLND_TYPE` 1. PX4 gives it to its landing target estimator, a module
+// that has to be started by the autopilot's own start-up script.
 class LandingTarget {
  public:
   // `number`: of the target, if there are several.
   explicit LandingTarget(uint8_t number = 0);
-  // The angles from the camera's axis to the target, to the right and upwards in the picture [rad], and how far the
-  // target is away [m]; 0: not known.
-  void set(float rightRad, float upRad, float distanceM = 0);
+  // The angles from the camera's axis to the target, to the right and downwards in the picture [rad]: a target behind
+  // the aircraft is below the middle of the picture, and `downRad` is positive. How far the target is away [m]; 0: not
+  // known.
+  void set(float rightRad, float downRad, float distanceM = 0);
   // For MissionClient::sendMessage().
   operator OutgoingMessage() const;
 
  private:
   uint8_t payload_[30];
+};
+
+// Where a landing target is, as a position (LANDING_TARGET). Each autopilot takes one of the two forms, and only that.
+// MAVLink 1 does not carry the position: sendMessage() returns false on such a link.
+class LandingTargetPosition {
+ public:
+  // `number`: of the target, if there are several.
+  explicit LandingTargetPosition(uint8_t number = 0);
+  // For ArduPilot with `PLND_TYPE` 1: seen from the aircraft (MAV_FRAME_BODY_FRD), and the distance, which is the
+  // length of these three [m]. ArduPilot ignores a message whose distance is 0.
+  void setFromAircraft(float forwardM, float rightM, float downM, float distanceM);
+  // For PX4: seen from the origin of its local positions (MAV_FRAME_LOCAL_NED, as LOCAL_POSITION_NED) [m].
+  void setFromOrigin(float northM, float eastM, float downM);
+  // For MissionClient::sendMessage().
+  operator OutgoingMessage() const;
+
+ private:
+  void set(uint8_t frame, float x, float y, float z, float distanceM);
+
+  uint8_t payload_[60];
 };
 
 // A number with a name (NAMED_VALUE_FLOAT): ground stations draw it, autopilots log it.

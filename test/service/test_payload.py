@@ -215,6 +215,30 @@ def test_landing_target_is_told(payload):
     assert message.time_usec == pytest.approx(payload.now * 1e6, abs=200_000)
 
 
+def test_position_of_a_landing_target_is_told_as_seen_from_the_aircraft(payload):
+    message = sent(payload, "seen", "LANDING_TARGET")
+    assert (message.x, message.y, message.z, message.distance) == (-1.5, 2.0, 6.0, 6.5)
+    assert (message.position_valid, message.frame, message.target_num) == (1, mavlink.MAV_FRAME_BODY_FRD, 3)
+    assert message.q == [1.0, 0.0, 0.0, 0.0]
+    assert message.time_usec == pytest.approx(payload.now * 1e6, abs=200_000)
+
+
+def test_position_of_a_landing_target_is_told_as_seen_from_the_origin(payload):
+    message = sent(payload, "origin", "LANDING_TARGET")
+    assert (message.x, message.y, message.z) == (-30.25, 12.0, -0.5)
+    assert (message.position_valid, message.frame) == (1, mavlink.MAV_FRAME_LOCAL_NED)
+
+
+def test_position_of_a_landing_target_is_not_sent_where_mavlink_1_would_cut_it_off():
+    payload = PayloadBench("ArduPilot", mavlink_version=1)
+    payload.run(2.0)
+    for word in ("seen", "origin"):
+        (line,) = payload.tell(word)
+        assert line.split(" ")[1:3] == ["sent", "0"]
+    payload.run(0.1)
+    assert payload.autopilot.messages(">", "LANDING_TARGET") == []
+
+
 def test_value_with_a_name_is_told(payload):
     message = sent(payload, "value", "NAMED_VALUE_FLOAT")
     assert (message.name, message.value) == ("ten_letter", -1.5)

@@ -142,7 +142,9 @@ void Link::pack(uint8_t* payload, const MessageKey* key) {
 
 bool Link::sendForeign(const OutgoingMessage& message) {
   const bool isV1 = version() == 1;
-  if (!canSend() || !maySpeak() || (isV1 && message.id > 0xFF)) return false;
+  if (!canSend() || !maySpeak() || (isV1 && (message.id > 0xFF || message.lengthV1 == 0))) {
+    return false;
+  }
   outbox_.begin(version(), state_.sequence, systemId(), componentId());
   outbox_.completeForeign(message);
   release();

@@ -56,15 +56,48 @@ LandingTarget::LandingTarget(uint8_t number) {
   put(payload_, offsetof(Message, frame), static_cast<uint8_t>(MAV_FRAME_BODY_FRD));
 }
 
-void LandingTarget::set(float rightRad, float upRad, float distanceM) {
+void LandingTarget::set(float rightRad, float downRad, float distanceM) {
   typedef mavlink_landing_target_t Message;
   put(payload_, offsetof(Message, time_usec), uint64_t{1000} * millis());
   put(payload_, offsetof(Message, angle_x), rightRad);
-  put(payload_, offsetof(Message, angle_y), upRad);
+  put(payload_, offsetof(Message, angle_y), downRad);
   put(payload_, offsetof(Message, distance), distanceM);
 }
 
 LandingTarget::operator OutgoingMessage() const { return MAVMISSION_OUTGOING(LANDING_TARGET, payload_); }
+
+LandingTargetPosition::LandingTargetPosition(uint8_t number) {
+  typedef mavlink_landing_target_t Message;
+  static_assert(sizeof(payload_) == sizeof(Message), "the payload is the whole message");
+  memset(payload_, 0, sizeof(payload_));
+  put(payload_, offsetof(Message, target_num), number);
+  put(payload_, offsetof(Message, q), 1.0f);  // not turned
+  put(payload_, offsetof(Message, position_valid), uint8_t{1});
+}
+
+void LandingTargetPosition::set(uint8_t frame, float x, float y, float z, float distanceM) {
+  typedef mavlink_landing_target_t Message;
+  put(payload_, offsetof(Message, time_usec), uint64_t{1000} * millis());
+  put(payload_, offsetof(Message, frame), frame);
+  put(payload_, offsetof(Message, x), x);
+  put(payload_, offsetof(Message, y), y);
+  put(payload_, offsetof(Message, z), z);
+  put(payload_, offsetof(Message, distance), distanceM);
+}
+
+void LandingTargetPosition::setFromAircraft(float forwardM, float rightM, float downM, float distanceM) {
+  set(MAV_FRAME_BODY_FRD, forwardM, rightM, downM, distanceM);
+}
+
+void LandingTargetPosition::setFromOrigin(float northM, float eastM, float downM) {
+  set(MAV_FRAME_LOCAL_NED, northM, eastM, downM, 0);
+}
+
+LandingTargetPosition::operator OutgoingMessage() const {
+  // Without its extensions it would say that the target is straight below.
+  return OutgoingMessage{MAVLINK_MSG_ID_LANDING_TARGET, MAVLINK_MSG_ID_LANDING_TARGET_CRC, sizeof(payload_), 0,
+                         payload_};
+}
 
 // --- NAMED_VALUE_FLOAT
 
