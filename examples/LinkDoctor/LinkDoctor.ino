@@ -1,5 +1,6 @@
 // Prints on the serial monitor (115200 baud) why nothing works, or that all is well. Correct the fault, and the verdict
-// changes within some seconds. docs/troubleshooting.md says what to do about each verdict.
+// changes within some seconds. docs/troubleshooting.md says what to do about each verdict. When all is well, it reads
+// the settings of the autopilot that matter to a mission, and says what follows from them.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -8,7 +9,58 @@ constexpr uint32_t kBaud = 57600;  // what the autopilot's port is set to
 
 MissionClient autopilot(TELEM);
 LinkDoctor doctor(autopilot);
+Parameters parameters(autopilot);
 Verdict said = Verdict::Listening;
+
+struct Setting {
+  char name[17];
+  int8_t value;  // for which the advice is
+  char advice[56];
+};
+const Setting kArduPilot[] PROGMEM = {
+    {"SERIAL1_PROTOCOL", 1, "TELEM1 has MAVLink 1: no fences, no rally points"},
+    {"SERIAL1_BAUD", -1, ""},  // in thousands
+    {"SERIAL2_PROTOCOL", 1, "TELEM2 has MAVLink 1: no fences, no rally points"},
+    {"SERIAL2_BAUD", -1, ""},
+    {"MIS_RESTART", 0, "AUTO goes on at the item where it was left"},
+    {"FENCE_ENABLE", 0, "it does not keep to a fence that is uploaded"},
+};
+const Setting kPx4[] PROGMEM = {
+    {"SER_TEL1_BAUD", -1, ""},
+    {"GF_ACTION", 0, "it does not keep to a fence that is uploaded"},
+    {"MAV_0_FORWARD", 0, "TELEM1 gets no commands from a ground station"},
+};
+uint8_t next = 0;  // the setting that is read
+
+FlashText inFlash(const char* text) { return reinterpret_cast<FlashText>(text); }
+
+// Null behind the last one.
+const Setting* setting() {
+  const bool isPx4 = autopilot.firmware() == Firmware::Px4;
+  const uint8_t settings = isPx4 ? sizeof(kPx4) / sizeof(Setting) : sizeof(kArduPilot) / sizeof(Setting);
+  return next < settings ? (isPx4 ? kPx4 : kArduPilot) + next : nullptr;
+}
+
+void readSetting() {
+  if (setting() != nullptr) parameters.read(inFlash(setting()->name));
+}
+
+void printSetting(Status ended) {
+  const Setting& read = *setting();
+  CONSOLE.print(F("  "));
+  CONSOLE.print(inFlash(read.name));
+  CONSOLE.print(' ');
+  if (ended != Status::Done) {
+    CONSOLE.println(toString(ended));
+    return;
+  }
+  CONSOLE.print(parameters.whole());
+  if (parameters.whole() == static_cast<int8_t>(pgm_read_byte(&read.value))) {
+    CONSOLE.print(F(": "));
+    CONSOLE.print(inFlash(read.advice));
+  }
+  CONSOLE.println();
+}
 
 void openPort(void*, uint32_t baud) { beginTelem(baud); }
 
@@ -40,8 +92,17 @@ void setup() {
 
 void loop() {
   const Verdict verdict = doctor.update();
-  autopilot.update();
+  const Status status = autopilot.update();
+  if (isEnd(status) && isWell(verdict) && setting() != nullptr) {
+    printSetting(status);
+    ++next;
+    readSetting();
+  }
   if (verdict == said) return;
+  if (isWell(verdict) && !isWell(said)) {
+    next = 0;
+    readSetting();
+  }
   said = verdict;
   report(verdict);
 }

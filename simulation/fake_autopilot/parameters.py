@@ -67,7 +67,8 @@ def of_ardupilot(vehicle: str) -> Parameters:
     rover = vehicle == "rover"
     rows = [("MIS_OPTIONS", INT16, 0.0, 1000), ("MIS_RESTART", INT8, 0.0, 1001), ("FENCE_ENABLE", INT8, 0.0, 1002),
             ("SERIAL1_BAUD", INT32, 57.0, 1003), ("AUTO_OPTIONS", INT32, 0.0, 1004),
-            ("BARO1_GND_PRESS", REAL32, f32(101326.8), 1005)]  # fmt: skip
+            ("BARO1_GND_PRESS", REAL32, f32(101326.8), 1005), ("SERIAL1_PROTOCOL", INT8, 2.0, 1007),
+            ("SERIAL2_PROTOCOL", INT8, 2.0, 1008), ("SERIAL2_BAUD", INT32, 57.0, 1009)]  # fmt: skip
     rows += [("WP_RADIUS", REAL32, 3.0, 1006), ("SYSID_MYGCS", INT16, 255.0, 5)] if rover else \
             [("WPNAV_SPEED", REAL32, 1000.0, 1006), ("PILOT_THR_BHV", INT16, 0.0, 5)]  # fmt: skip
     found = Parameters(1263 if rover else 1375, rows, integers_as_bits=False)
@@ -77,5 +78,6 @@ def of_ardupilot(vehicle: str) -> Parameters:
 
 def of_px4() -> Parameters:
     rows = [("MIS_TAKEOFF_ALT", REAL32, 2.5, 561), ("BAT1_V_CHARGED", REAL32, f32(4.05), 5),
-            ("MAV_SYS_ID", INT32, 1.0, 507), ("SER_TEL1_BAUD", INT32, 57600.0, 700)]  # fmt: skip
+            ("MAV_SYS_ID", INT32, 1.0, 507), ("SER_TEL1_BAUD", INT32, 57600.0, 700),
+            ("GF_ACTION", INT32, 2.0, 300), ("MAV_0_FORWARD", INT32, 1.0, 501)]  # fmt: skip
     return Parameters(873, rows, integers_as_bits=True)

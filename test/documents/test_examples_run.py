@@ -275,8 +275,46 @@ def test_payload_winch(run):
 
 
 def test_link_doctor(run):
-    assert run("LinkDoctor").until(QUIET, 8.0) == [QUIET]
-    assert run("LinkDoctor", telemetry=1000.0).until("all is well", 8.0) == ["all is well"]
+    assert run("LinkDoctor").until(QUIET, 8.0)[0] == QUIET
+    assert run("LinkDoctor", telemetry=1000.0).until("all is well", 8.0)[0] == "all is well"
+
+
+def test_link_doctor_reads_the_settings_of_a_good_line(run):
+    example = run("LinkDoctor")
+    parameters = example.autopilot.parameters.all
+    if is_ardupilot(example):
+        parameters["SERIAL2_PROTOCOL"].value = 1
+        said = ["SERIAL1_PROTOCOL 2", "SERIAL1_BAUD 57", "SERIAL2_PROTOCOL 1: TELEM2 has MAVLink 1: no fences, no "
+                "rally points", "SERIAL2_BAUD 57", "MIS_RESTART 0: AUTO goes on at the item where it was left",
+                "FENCE_ENABLE 0: it does not keep to a fence that is uploaded"]  # fmt: skip
+    else:
+        parameters["MAV_0_FORWARD"].value = 0
+        said = ["SER_TEL1_BAUD 57600", "GF_ACTION 2", "MAV_0_FORWARD 0: TELEM1 gets no commands from a ground station"]
+    assert example.until(f"  {said[-1]}", 12.0) == [QUIET, *(f"  {line}" for line in said)]
+    example.run(5.0)
+    assert len(example.lines) == 1 + len(said)
+    assert example.autopilot.messages(">", "PARAM_SET") == []
+
+
+def test_link_doctor_reads_the_settings_again_when_a_cable_was_off(run):
+    example = run("LinkDoctor")
+    example.until(QUIET, 8.0)
+    example.is_plugged = False
+    example.until("no bytes: look at the wire from its TX to our RX, at GND, and whether that port is on", 12.0)
+    said = len(example.lines)
+    example.run(20.0)
+    assert len(example.lines) == said
+    example.is_plugged = True
+    example.run(12.0)
+    name = "FENCE_ENABLE" if is_ardupilot(example) else "GF_ACTION"
+    assert len([line for line in example.lines[said:] if line.startswith(f"  {name} ")]) == 1
+
+
+def test_link_doctor_says_of_a_setting_that_it_does_not_know_it(personality):
+    example = Run("LinkDoctor", personality)
+    name = "FENCE_ENABLE" if is_ardupilot(example) else "GF_ACTION"
+    del example.autopilot.parameters.all[name]
+    example.until(f"  {name} no answer: it has no parameter of this name, or does not hear us", 30.0)
 
 
 def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):

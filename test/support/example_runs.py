@@ -44,6 +44,7 @@ class Run:
         self.mega = Mega(image or image_of(example))
         self.mega.serial(1).peer_baud = baud
         self.autopilot = fake(personality, baud or 57600, home=PLACE, **options)
+        self.is_plugged = True  # False: nothing comes or goes on Serial1
         self._said = b""
 
     @property
@@ -60,10 +61,10 @@ class Run:
         while self.mega.cycle < until:
             self.mega.run_until(self.mega.cycle + int(SLICE_S * self.mega.hz))
             heard = port.sent_bytes()
-            if heard:
+            if heard and self.is_plugged:
                 self.autopilot.receive(heard, self.now)
             arriving = self.autopilot.run(self.now)
-            if arriving:
+            if arriving and self.is_plugged:
                 port.send(arriving)
             self._said += console.sent_bytes()
 
