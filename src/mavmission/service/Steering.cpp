@@ -11,16 +11,12 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-#define MAVMISSION_STEER_KEY(NAME)                                                                                   \
-  {MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, MAVLINK_MSG_ID_##NAME##_MIN_LEN, MAVLINK_MSG_ID_##NAME##_LEN, \
-   MessageKey::kNoTarget}
 const MessageKey kSteered[] PROGMEM = {
-    MAVMISSION_STEER_KEY(HEARTBEAT),
-    MAVMISSION_STEER_KEY(GLOBAL_POSITION_INT),
-    MAVMISSION_STEER_KEY(POSITION_TARGET_GLOBAL_INT),
-    MAVMISSION_STEER_KEY(EXTENDED_SYS_STATE),
+    MAVMISSION_LISTENER_KEY(HEARTBEAT),
+    MAVMISSION_LISTENER_KEY(GLOBAL_POSITION_INT),
+    MAVMISSION_LISTENER_KEY(POSITION_TARGET_GLOBAL_INT),
+    MAVMISSION_LISTENER_KEY(EXTENDED_SYS_STATE),
 };
-#undef MAVMISSION_STEER_KEY
 
 constexpr float kPositionUs = 500000;
 constexpr int32_t kMostHeightCm = 1000000;
