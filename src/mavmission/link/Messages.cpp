@@ -6,9 +6,7 @@ namespace mavmission {
 namespace detail {
 
 const MessageKey kKeys[] PROGMEM = {
-#define MAVMISSION_KEY(NAME, type, target)                                                                           \
-  {MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, MAVLINK_MSG_ID_##NAME##_MIN_LEN, MAVLINK_MSG_ID_##NAME##_LEN, \
-   target},
+#define MAVMISSION_KEY(NAME, type, target) MAVMISSION_MESSAGE_KEY(NAME, target),
     MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_KEY) MAVMISSION_SENT_MESSAGES(MAVMISSION_KEY)
 #undef MAVMISSION_KEY
 };

@@ -30,6 +30,13 @@ namespace detail {
   X(MISSION_WRITE_PARTIAL_LIST, mavlink_mission_write_partial_list_t,                                              \
     offsetof(mavlink_mission_write_partial_list_t, target_system))
 
+// The key of a message, from the vendored headers. `target`: where target_system lies in the payload.
+#define MAVMISSION_MESSAGE_KEY(NAME, target)                                                                         \
+  {MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, MAVLINK_MSG_ID_##NAME##_MIN_LEN, MAVLINK_MSG_ID_##NAME##_LEN, \
+   target}
+// The same for a message without one, or for a listener that takes it whomever it is for.
+#define MAVMISSION_LISTENER_KEY(NAME) MAVMISSION_MESSAGE_KEY(NAME, MessageKey::kNoTarget)
+
 // The indices of their keys in kKeys, in this order.
 enum class KeyIndex : uint8_t {
 #define MAVMISSION_NAME(NAME, type, target) NAME,

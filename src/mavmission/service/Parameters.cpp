@@ -12,15 +12,10 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-const MessageKey kValue[] PROGMEM = {{MAVLINK_MSG_ID_PARAM_VALUE, MAVLINK_MSG_ID_PARAM_VALUE_CRC,
-                                      MAVLINK_MSG_ID_PARAM_VALUE_MIN_LEN, MAVLINK_MSG_ID_PARAM_VALUE_LEN,
-                                      MessageKey::kNoTarget}};
-const MessageKey kRequest PROGMEM = {MAVLINK_MSG_ID_PARAM_REQUEST_READ, MAVLINK_MSG_ID_PARAM_REQUEST_READ_CRC,
-                                     MAVLINK_MSG_ID_PARAM_REQUEST_READ_MIN_LEN, MAVLINK_MSG_ID_PARAM_REQUEST_READ_LEN,
-                                     offsetof(mavlink_param_request_read_t, target_system)};
-const MessageKey kSet PROGMEM = {MAVLINK_MSG_ID_PARAM_SET, MAVLINK_MSG_ID_PARAM_SET_CRC,
-                                 MAVLINK_MSG_ID_PARAM_SET_MIN_LEN, MAVLINK_MSG_ID_PARAM_SET_LEN,
-                                 offsetof(mavlink_param_set_t, target_system)};
+const MessageKey kValue[] PROGMEM = {MAVMISSION_LISTENER_KEY(PARAM_VALUE)};
+const MessageKey kRequest PROGMEM =
+    MAVMISSION_MESSAGE_KEY(PARAM_REQUEST_READ, offsetof(mavlink_param_request_read_t, target_system));
+const MessageKey kSet PROGMEM = MAVMISSION_MESSAGE_KEY(PARAM_SET, offsetof(mavlink_param_set_t, target_system));
 static_assert(sizeof(mavlink_param_request_read_t) == MAVLINK_MSG_ID_PARAM_REQUEST_READ_LEN &&
                   sizeof(mavlink_param_set_t) == MAVLINK_MSG_ID_PARAM_SET_LEN &&
                   sizeof(mavlink_param_value_t) == MAVLINK_MSG_ID_PARAM_VALUE_LEN,

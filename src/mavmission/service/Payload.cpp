@@ -13,13 +13,10 @@ namespace mavmission {
 using namespace detail;
 namespace {
 
-const MessageKey kCommands[] PROGMEM = {{MAVLINK_MSG_ID_COMMAND_LONG, MAVLINK_MSG_ID_COMMAND_LONG_CRC,
-                                         MAVLINK_MSG_ID_COMMAND_LONG_MIN_LEN, MAVLINK_MSG_ID_COMMAND_LONG_LEN,
-                                         offsetof(mavlink_command_long_t, target_system)}};
+const MessageKey kCommands[] PROGMEM = {
+    MAVMISSION_MESSAGE_KEY(COMMAND_LONG, offsetof(mavlink_command_long_t, target_system))};
 // The answer goes to whoever has sent the command: its targets are not the autopilot's.
-const MessageKey kAnswer PROGMEM = {MAVLINK_MSG_ID_COMMAND_ACK, MAVLINK_MSG_ID_COMMAND_ACK_CRC,
-                                    MAVLINK_MSG_ID_COMMAND_ACK_MIN_LEN, MAVLINK_MSG_ID_COMMAND_ACK_LEN,
-                                    MessageKey::kNoTarget};
+const MessageKey kAnswer PROGMEM = MAVMISSION_LISTENER_KEY(COMMAND_ACK);
 
 }  // namespace
 

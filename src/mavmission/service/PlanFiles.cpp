@@ -14,8 +14,7 @@ const MessageKey detail::kKeysOfFiles[] PROGMEM = {
     {MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL_CRC,
      MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL_MIN_LEN, Outbox::kMaxPayload,
      offsetof(mavlink_file_transfer_protocol_t, target_system)},
-    {MAVLINK_MSG_ID_HEARTBEAT, MAVLINK_MSG_ID_HEARTBEAT_CRC, MAVLINK_MSG_ID_HEARTBEAT_MIN_LEN,
-     MAVLINK_MSG_ID_HEARTBEAT_LEN, MessageKey::kNoTarget},
+    MAVMISSION_LISTENER_KEY(HEARTBEAT),
 };
 
 namespace {

@@ -4,10 +4,6 @@
 #include "../base/Flash.h"
 #include "../link/Messages.h"
 
-#define MAVMISSION_LISTENER_KEY(NAME)                                                                                \
-  {MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, MAVLINK_MSG_ID_##NAME##_MIN_LEN, MAVLINK_MSG_ID_##NAME##_LEN, \
-   MessageKey::kNoTarget}
-
 #define MAVMISSION_TELEMETRY_KEYS(NAME)                                                                              \
   const MessageKey kListened[3] PROGMEM = {MAVMISSION_LISTENER_KEY(HEARTBEAT), MAVMISSION_LISTENER_KEY(COMMAND_ACK), \
                                            MAVMISSION_LISTENER_KEY(NAME)};                                           \

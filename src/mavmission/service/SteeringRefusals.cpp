@@ -1,0 +1,138 @@
+// Steering: who has the aircraft, and what is refused before anything is sent.
+#include "../Steering.h"
+
+#include "../MissionClient.h"
+#include "../link/Messages.h"
+#include "SteeringNumbers.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+constexpr int32_t kMostHeightCm = 1000000;
+constexpr int32_t kMostSpeedCm = 10000;
+
+// True for a finite number of 2^17 and more, or of -2^17 and less.
+bool isHuge(float value) {
+  uint8_t bytes[sizeof(value)];
+  memcpy(bytes, &value, sizeof(value));
+  return static_cast<uint8_t>(bytes[3] << 1 | bytes[2] >> 7) >= 127 + 17;
+}
+
+}  // namespace
+
+bool Steering::isMissionMode() const {
+  const uint16_t mission = client_.numberOf(FlightMode::Auto);
+  return mission != kNoMode && client_.shownMode() == mission;
+}
+
+// PX4 says CRITICAL while a failsafe flies, in whatever mode: HOLD, which is ours as well, is one of them. ArduPilot
+// says so for each failsafe, also for one that it is set to ignore; there the mode tells who flies.
+bool Steering::isFailsafe() const {
+  return has(client_.firmware(), kAltitudesAreAboveSea) &&
+         client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL;
+}
+
+bool Steering::maySteer() const {
+  if (!client_.hasAutopilot() || isFailsafe()) return false;
+  return isMissionMode() || (ownMode_ != kNoMode && client_.shownMode() == ownMode_);
+}
+
+Status Steering::refuseField(Status status, ItemField field) {
+  client_.rest_.field = field;
+  return status;
+}
+
+Status Steering::refuseNumbers() {
+  const bool hasHeight = is(Order::TakeOff) || is(Order::GoTo);
+  if (!hasHeight && !is(Order::Speed)) return Status::Transferring;
+  const ItemField field = hasHeight ? ItemField::Height : ItemField::Param2;
+  const FloatKind kind = kindOf(&value_);
+  if (kind == FloatKind::NotANumber) return refuseField(Status::NotANumber, field);
+  if (kind == FloatKind::Infinite) return refuseField(Status::NotFinite, field);
+  const int32_t cm = centimetres(value_);
+  if (is(Order::Speed)) {
+    const bool isSpeed = !isHuge(value_) && cm > 0 && cm <= kMostSpeedCm;
+    return isSpeed ? Status::Transferring : refuseField(Status::BadSpeed, field);
+  }
+  const bool isOut = isHuge(value_) || !isNear(cm, 0, kMostHeightCm) || (is(Order::TakeOff) && cm <= 0);
+  if (isOut) return refuseField(Status::BadAltitude, field);
+  wanted_.heightCm = cm;
+  if (is(Order::TakeOff)) return Status::Transferring;
+  const int32_t latitude = wanted_.at.latitude.e7(), longitude = wanted_.at.longitude.e7();
+  if (!isNear(latitude, 0, 900000000)) return refuseField(Status::BadLatitude, ItemField::Latitude);
+  if (longitude < -1800000000 || longitude > 1800000000) {
+    return refuseField(Status::BadLongitude, ItemField::Longitude);
+  }
+  // ArduPilot refuses 0 N 0 E, and PX4 flies there.
+  if (latitude == 0 && longitude == 0) return refuseField(Status::NeedsCoordinates, ItemField::Latitude);
+  const bool isTerrain = frame_ == Frame::GlobalTerrain;
+  const bool isTaken = isTerrain ? !has(client_.firmware(), kAltitudesAreAboveSea)
+                                 : frame_ == Frame::Global || frame_ == Frame::GlobalRelative;
+  return isTaken ? Status::Transferring : refuseField(Status::BadFrame, ItemField::Reference);
+}
+
+// Who has the aircraft, as a status; Transferring: this sketch, or the mission.
+Status Steering::otherHands() const {
+  if (maySteer()) return Status::Transferring;
+  const uint16_t shown = client_.shownMode();
+  const bool isFailsafe = client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL ||
+                          shown == client_.numberOf(FlightMode::ReturnToLaunch) ||
+                          shown == client_.numberOf(FlightMode::Land);
+  return isFailsafe ? Status::FailsafeHasIt : Status::PilotHasIt;
+}
+
+bool Steering::isGround() const {
+  const uint8_t type = client_.link_.finder().heartbeat().vehicleType;
+  return type == MAV_TYPE_GROUND_ROVER || type == MAV_TYPE_SURFACE_BOAT;
+}
+
+// ArduPilot's heartbeat says ACTIVE in the air only; PX4's does as soon as it is armed.
+bool Steering::isInAir() const {
+  if (has(client_.firmware(), kIsActiveInAir)) {
+    return client_.isArmed() && client_.link_.finder().heartbeat().state >= MAV_STATE_ACTIVE;
+  }
+  return landedState_ >= MAV_LANDED_STATE_IN_AIR;
+}
+
+// Whether the order fits an aircraft that flies, or one that stands.
+Status Steering::judgeFlight() {
+  if (is(Order::TakeOff)) return isInAir() ? Status::Armed : Status::Transferring;
+  return isGround() || isInAir() ? Status::Transferring : Status::NotFlying;
+}
+
+Status Steering::refuse() {
+  const Status numbers = refuseNumbers();
+  if (numbers != Status::Transferring) return numbers;
+  const bool isTakeOff = is(Order::TakeOff);
+  if (modeFor(order_) == kNoMode) return Status::NoSuchMode;
+  if (client_.isArmed()) {
+    if (!seenDisarmed_ && !client_.rest_.armedAllowed) return Status::Armed;
+    const Status others = otherHands();
+    if (others != Status::Transferring) return others;
+  } else if (!isTakeOff) {
+    return Status::NotArmed;
+  }
+  // ArduPilot's rovers and planes have no such command.
+  if (isTakeOff && has(client_.firmware(), kFliesByMode) && client_.numberOf(FlightMode::Land) == kNoMode) {
+    return Status::CommandUnsupported;
+  }
+  return has(client_.firmware(), kIsActiveInAir) ? judgeFlight() : Status::Transferring;
+}
+
+// The mode that the order leads to.
+uint16_t Steering::modeFor(Order order) const {
+  switch (order) {
+    case Order::Resume: return client_.numberOf(FlightMode::Auto);
+    case Order::ReturnHome: return client_.numberOf(FlightMode::ReturnToLaunch);
+    case Order::Land: return client_.numberOf(FlightMode::Land);
+    case Order::Speed: return client_.shownMode();
+    case Order::TakeOff:
+    case Order::GoTo:
+    case Order::Pause: break;
+  }
+  if (!has(client_.firmware(), kAltitudesAreAboveSea)) return client_.numberOf(FlightMode::Guided);
+  return is(Order::TakeOff) ? kPx4TakeOff : client_.numberOf(FlightMode::Hold);
+}
+
+}  // namespace mavmission

@@ -1,0 +1,311 @@
+// Steering: the steps of an order, one after the other, and what each event leads to.
+#include "../Steering.h"
+
+#include "../MissionClient.h"
+#include "../link/Messages.h"
+#include "SteeringNumbers.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+constexpr float kPositionUs = 500000;
+
+}  // namespace
+
+Status Steering::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  return static_cast<Steering*>(client.commanding_.owner)->onEvent(event, status, nowMs);
+}
+
+Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
+  switch (event) {
+    case Client::CommandEvent::Ready: {
+      const Status refusal = refuse();
+      if (refusal != Status::Transferring) return refusal;
+      oldMode_ = client_.shownMode();
+      wantedMode_ = modeFor(order_);
+      return nextStep(nowMs);
+    }
+    case Client::CommandEvent::Accepted:
+      switch (step_) {
+        case SteerStep::Arm:
+        case SteerStep::AskHome: return nextStep(nowMs);
+        case SteerStep::Command: return is(Order::Speed) ? done() : nextStep(nowMs);
+        case SteerStep::Disarm: return refusal_;
+        case SteerStep::AskPosition:
+          if (!wantsPosition()) return nextStep(nowMs);
+          client_.commanding_.transfer.listen(kConfirmMs, nowMs);
+          break;
+        default: isAnswered_ = true;
+      }
+      return Status::Transferring;
+    case Client::CommandEvent::Refused: return onRefused(status, nowMs);
+    case Client::CommandEvent::Silent: return onSilent(status);
+    case Client::CommandEvent::Heartbeat: return onHeartbeat(nowMs);
+    case Client::CommandEvent::Time: return onTime(nowMs);
+    case Client::CommandEvent::Current: break;
+  }
+  return status;
+}
+
+Status Steering::nextStep(uint16_t nowMs) {
+  do {
+    step_ = static_cast<SteerStep>(static_cast<uint8_t>(step_) + 1);
+    if (step_ > SteerStep::Confirm) return done();
+  } while (!beginStep(nowMs));
+  return Status::Transferring;
+}
+
+// PX4 takes each altitude as above the sea.
+bool Steering::needsHome() const {
+  const bool hasHeight = is(Order::TakeOff) || is(Order::GoTo);
+  return hasHeight && isRelative() && has(client_.firmware(), kAltitudesAreAboveSea);
+}
+
+// An aircraft that pauses stops by another mode, or, where it flies in that mode already, by a place.
+bool Steering::stopsByPlace() const {
+  return is(Order::Pause) && (oldMode_ == wantedMode_ || has(client_.firmware(), kAltitudesAreAboveSea));
+}
+
+bool Steering::hasCommand() const {
+  return is(Order::TakeOff) || is(Order::GoTo) || is(Order::Speed) || stopsByPlace();
+}
+
+// True if the command is made of the present position. (PX4 knows by itself where it is.)
+bool Steering::wantsPosition() const {
+  return needsHome() || (stopsByPlace() && !has(client_.firmware(), kAltitudesAreAboveSea));
+}
+
+// False if the order does not need this step on this autopilot.
+bool Steering::beginStep(uint16_t nowMs) {
+  CommandTransfer& sending = client_.commanding_.transfer;
+  const bool isHeartbeatEnough = has(client_.firmware(), kIsActiveInAir);
+  const bool isTakeOff = is(Order::TakeOff);
+  const bool isFresh = positionAge_ <= kFreshBeats;
+  switch (step_) {
+    case SteerStep::AskLanded:
+      if (isHeartbeatEnough || is(Order::Speed)) return false;
+      break;
+    case SteerStep::AskHome:
+      if (!needsHome()) return false;
+      break;
+    case SteerStep::AskPosition:
+      if (!wantsPosition() && (isFresh || !(isTakeOff || is(Order::GoTo)))) return false;
+      break;
+    case SteerStep::Mode: {
+      const bool isReady = !has(client_.firmware(), kFliesByMode) || client_.shownMode() == wantedMode_;
+      if (isTakeOff ? isReady : hasCommand()) return false;
+      forgetTarget();
+      break;
+    }
+    case SteerStep::Arm:
+      if (!isTakeOff || client_.isArmed()) return false;
+      hasArmed_ = true;
+      break;
+    case SteerStep::Command:
+      if (!hasCommand()) return false;
+      findWanted();
+      if (!is(Order::Speed)) forgetTarget();  // from now on it may fly elsewhere
+      break;
+    case SteerStep::Confirm:
+      if (!hasCommand()) return false;
+      break;
+    default: break;
+  }
+  isHeard_ = isAnswered_ = isTargetSame_ = false;
+  isModeSeen_ = isModeSeen_ && step_ != SteerStep::Confirm;
+  // The first command of an operation may have to wait for late answers to the operation before.
+  if (sending.tries() != 0 || sending.state() != CommandTransfer::State::Due) sending.next(true, nowMs);
+  if (step_ == SteerStep::AskPosition && isFresh) sending.listen(kConfirmMs, nowMs);  // the next one comes by itself
+  if (step_ == SteerStep::Confirm && (isHeartbeatEnough || !isTakeOff)) {
+    sending.listen(isTakeOff ? kTakeOffS * 1000u : kConfirmMs, nowMs);
+  }
+  if (waitsForHeartbeat()) sending.listen(kConfirmMs, nowMs);
+  beganS_ = client_.state_.seconds;
+  return true;
+}
+
+// PX4 tells its mode once a second, ArduPilot as soon as it changes. So what would take PX4 out of a pilot's hands
+// leaves right behind a heartbeat. Only a pause, and an aircraft on the ground, do not wait for one.
+bool Steering::waitsForHeartbeat() const {
+  if (has(client_.firmware(), kIsActiveInAir) || is(Order::Pause) || is(Order::TakeOff)) return false;
+  return step_ == SteerStep::Mode || step_ == SteerStep::Command;
+}
+
+// What wanted_ is in the numbers of this autopilot.
+void Steering::findWanted() {
+  if (is(Order::TakeOff)) wanted_.at = LatLon();
+  if (is(Order::Pause)) {
+    wanted_.at = here_;
+    wanted_.heightCm = homeCm_;
+    wanted_.hasPlace = true;
+    frame_ = Frame::GlobalRelative;
+  }
+  const bool isAboveSea = frame_ == Frame::Global || needsHome();
+  wanted_.above = isGround() || frame_ == Frame::GlobalTerrain ? Above::Nothing : isAboveSea ? Above::Sea : Above::Home;
+  if (needsHome()) wanted_.heightCm += seaCm_ - homeCm_;
+}
+
+void Steering::fill(Client& client, FlightCommand& command) {
+  const Steering& self = *static_cast<const Steering*>(client.commanding_.owner);
+  command.id = MAV_CMD_REQUEST_MESSAGE;
+  switch (self.step_) {
+    case SteerStep::AskHome: command.param1 = MAVLINK_MSG_ID_HOME_POSITION; return;
+    case SteerStep::AskPosition:
+      command.id = MAV_CMD_SET_MESSAGE_INTERVAL;
+      command.param1 = MAVLINK_MSG_ID_GLOBAL_POSITION_INT;
+      command.param2 = kPositionUs;
+      return;
+    case SteerStep::Mode: return Client::fillModeNumber(command, self.wantedMode_);
+    case SteerStep::Arm: return Client::fillArm(client, command);
+    case SteerStep::Disarm: return Client::fillDisarm(client, command);
+    case SteerStep::Command: return self.fillCommand(command);
+    default: command.param1 = MAVLINK_MSG_ID_EXTENDED_SYS_STATE;
+  }
+}
+
+void Steering::fillCommand(FlightCommand& command) const {
+  const bool isAboveSea = has(client_.firmware(), kAltitudesAreAboveSea);
+  const float unset = Yaw().inDegrees();  // NaN: as it flies
+  float height = value_;
+  if (needsHome() || is(Order::Pause)) {
+    height = quotient(wanted_.heightCm, 1);
+    multiply(&height, Times::Hundredth);
+  }
+  command.param1 = -1;
+  command.param4 = unset;
+  switch (order_) {
+    case Order::Speed:
+      command.id = MAV_CMD_DO_CHANGE_SPEED;
+      command.param1 = SPEED_TYPE_GROUNDSPEED;
+      command.param2 = value_;
+      command.param3 = -1;
+      command.param4 = 0;
+      return;
+    case Order::TakeOff:
+      command.id = MAV_CMD_NAV_TAKEOFF;
+      command.param7 = height;
+      if (!isAboveSea) {
+        command.param1 = command.param4 = 0;
+      } else {
+        command.param5 = command.param6 = unset;  // where it stands
+      }
+      return;
+    default: break;
+  }
+  command.id = MAV_CMD_DO_REPOSITION;
+  command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
+  if (isAboveSea && is(Order::Pause)) {  // PX4: stop here
+    command.param5 = command.param6 = command.param7 = unset;
+    return;
+  }
+  command.hasPlace = true;
+  command.x = wanted_.at.latitude.e7();
+  command.y = wanted_.at.longitude.e7();
+  command.param7 = height;
+  // The numbers that were recorded with ArduPilot; PX4 looks at none.
+  command.frame = frame_ == Frame::GlobalTerrain           ? Frame::GlobalTerrainInt
+                  : frame_ == Frame::Global || needsHome() ? Frame::Global
+                                                           : Frame::GlobalRelativeInt;
+}
+
+void Steering::forgetTarget() {
+  target_.hasPlace = false;
+  target_.above = Above::Nothing;
+}
+
+Status Steering::done() {
+  if (is(Order::TakeOff) || is(Order::GoTo)) target_ = wanted_;
+  return Status::Done;
+}
+
+// If a takeoff has armed and cannot go on, the aircraft is disarmed, while it is in our hands.
+Status Steering::leave(Status refusal, uint16_t nowMs) {
+  const uint16_t shown = client_.shownMode();
+  if (!hasArmed_ || (shown != wantedMode_ && shown != oldMode_)) return refusal;
+  refusal_ = refusal;
+  step_ = SteerStep::Disarm;
+  client_.commanding_.transfer.next(true, nowMs);
+  return Status::Transferring;
+}
+
+Status Steering::onRefused(Status refusal, uint16_t nowMs) {
+  switch (step_) {
+    case SteerStep::AskHome: return Status::NoHome;
+    case SteerStep::AskPosition: return wantsPosition() ? refusal : nextStep(nowMs);
+    case SteerStep::Arm: hasArmed_ = false; return refusal;
+    case SteerStep::Command:
+      // A repeated takeoff is refused by an aircraft that is taking off already.
+      if (is(Order::TakeOff) && client_.commanding_.transfer.tries() > 1) return nextStep(nowMs);
+      return leave(refusal, nowMs);
+    case SteerStep::Confirm: return Status::Transferring;
+    case SteerStep::Disarm: return refusal_;
+    default: return refusal;
+  }
+}
+
+Status Steering::onSilent(Status silence) {
+  if (silence == Status::TookTooLong) return silence;
+  const bool isAnswered = client_.rest_.lastResult == MAV_RESULT_ACCEPTED;
+  switch (step_) {
+    case SteerStep::Disarm: return refusal_;
+    case SteerStep::AskPosition: return needsHome() ? Status::NoHome : silence;
+    case SteerStep::Confirm: return Status::Unconfirmed;
+    case SteerStep::Mode: return isAnswered ? Status::Unconfirmed : silence;
+    default: return silence;
+  }
+}
+
+Status Steering::onHeartbeat(uint16_t nowMs) {
+  const uint16_t shown = client_.shownMode();
+  const bool isSent = client_.commanding_.transfer.tries() != 0 || step_ == SteerStep::Confirm;
+  const bool hasClimbed = wantedMode_ == kPx4TakeOff && shown == client_.numberOf(FlightMode::Hold) && isInAir();
+  const bool isWanted = shown == wantedMode_ || hasClimbed;
+  if (step_ == SteerStep::Disarm) return client_.isArmed() ? Status::Transferring : refusal_;
+  if (isFailsafe()) return Status::FailsafeHasIt;
+  if (isWanted && isSent && step_ >= SteerStep::Mode) {
+    isModeSeen_ = true;
+    ownMode_ = shown;
+  }
+  if (!isWanted && (shown != oldMode_ || (isModeSeen_ && step_ != SteerStep::Confirm))) {
+    // A mode that nobody here has set. (While it is confirmed, a heartbeat of before may still come.)
+    const Status others = otherHands();
+    if (others != Status::Transferring) return others;
+  }
+  CommandTransfer& sending = client_.commanding_.transfer;
+  if (waitsForHeartbeat() && sending.state() == CommandTransfer::State::Listening) sending.next(true, nowMs);
+  if (step_ == SteerStep::Mode && isSent && isWanted) return nextStep(nowMs);
+  if (step_ == SteerStep::Arm && isSent && client_.isArmed()) return nextStep(nowMs);
+  return Status::Transferring;
+}
+
+Status Steering::onTime(uint16_t nowMs) {
+  CommandTransfer& sending = client_.commanding_.transfer;
+  switch (step_) {
+    case SteerStep::AskLanded: {
+      if (!isHeard_ || !isAnswered_) break;  // without the answer, it would be taken for that to the next question
+      const Status flight = judgeFlight();
+      return flight == Status::Transferring ? nextStep(nowMs) : flight;
+    }
+    case SteerStep::AskPosition: return isHeard_ ? nextStep(nowMs) : Status::Transferring;
+    case SteerStep::Confirm: {
+      if (is(Order::TakeOff)) {
+        if (isInAir() && isModeSeen_) return done();
+        if (isHeard_ && !has(client_.firmware(), kIsActiveInAir)) {  // on the ground still: ask again
+          if (static_cast<uint16_t>(client_.state_.seconds - beganS_) >= kTakeOffS) return Status::Unconfirmed;
+          isHeard_ = false;
+          sending.next(true, nowMs);
+          sending.pause(kAskAgainMs, nowMs);
+        }
+        break;
+      }
+      const bool isTargetKnown = is(Order::GoTo) && targetAge_ <= kTargetBeats;
+      if (isModeSeen_ && (isTargetSame_ || !isTargetKnown)) return done();
+      break;
+    }
+    default: break;
+  }
+  return Status::Transferring;
+}
+
+}  // namespace mavmission
