@@ -12,7 +12,7 @@ from simulation.service import Service
 
 WRAPS = pytest.mark.scenario(16, "millis() wraps in a download, a verification, a clear, a command, a start()")
 BEGINS_S = 3.0  # after power-on
-SAME_S = 0.017  # limits in seconds are looked at each 16 ms
+SAME_S = 0.003  # time limits are looked at every 2 ms
 
 
 def without_loss(service: Service, name: str) -> None:
