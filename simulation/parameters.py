@@ -44,6 +44,10 @@ class ParameterBench(Bench):
         return self.done(limit_s)
 
     @property
+    def state(self) -> tuple[float, int, bool]:
+        return self.value
+
+    @property
     def value(self) -> tuple[float, int, bool]:
         (line,) = self.tell("value")
         words = dict(word.split("=") for word in line.split(" ")[3:])

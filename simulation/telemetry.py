@@ -39,7 +39,7 @@ class Telemetry(Bench):
     def run_until_confirmed(self, *names: str, limit_s: float = 10.0) -> None:
         limit = self.now + limit_s
         while not all(self.told(name)["confirmed"] for name in names):
-            assert self.now < limit, f"not confirmed within {limit_s} s: {names}"
+            assert self.now < limit, f"nothing ended within {limit_s} s: not confirmed: {names}"
             self.run(0.1)
 
 

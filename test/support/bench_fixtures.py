@@ -47,11 +47,11 @@ def line(build_bench):
 
 @pytest.fixture
 def build_service(request):
-    """Makes a Service for an autopilot, whose transcript is shown when the test fails."""
+    """Makes a Service, or a bench of another kind, for an autopilot; its transcript is shown when the test fails."""
     from simulation.service import Service
 
-    def build(*arguments, **options) -> Service:
-        made = Service(*arguments, **options)
+    def build(*arguments, kind=Service, **options):
+        made = kind(*arguments, **options)
         request.node.stash.setdefault(BENCHES, []).append(made)
         return made
 

@@ -16,8 +16,10 @@ from flights import fly, reached_in, started
 from parts import NEW, OLD
 from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
 from simulation.bench import same_bits
+from simulation.parameters import ParameterBench
 from simulation.service import FENCE, MISSION, RALLY, Service
 from simulation.steered import bits as float_bits
+from simulation.telemetry import LISTENERS, Telemetry
 from starts import HOPS, LANDING_FIRST, is_flying, uploaded
 
 # Column: the fake autopilot there, and its options. PX4 is not asked to speak MAVLink 1: it answers in 2.
@@ -209,6 +211,31 @@ def flown_without_a_plan(make: Make, personality: str) -> str:
     return "yes" if abs(where.lat_e7 - lat - 2000) < 20 and abs(where.height - 9.0) < 0.1 else "no"
 
 
+def telemetry(make: Make, personality: str) -> str:
+    """Each listener has its interval confirmed, and then hears its message."""
+    bench = make(kind=Telemetry)
+    bench.autopilot.instruments.rc = [1500] * 8
+    bench.run_until_confirmed(*LISTENERS)
+    bench.run(6.0)
+    return "yes" if bench.heard_all(*LISTENERS) else "no"
+
+
+def parameters(make: Make, personality: str) -> str:
+    """A number and a whole number are read, and set to something else."""
+    bench = make(kind=ParameterBench)
+    known = bench.autopilot.parameters.all
+    names = {"ArduPilot": ("WPNAV_SPEED", "SERIAL1_BAUD"), "PX4": ("MIS_TAKEOFF_ALT", "SER_TEL1_BAUD")}
+    number, whole = names[personality]
+    for name in (number, whole):
+        if (ended := bench.read(name)) != "Done":
+            return refused(ended)
+        assert bench.value[0] == known[name].value
+    for ended in (bench.set(number, 3.25), bench.set_whole(whole, 115)):
+        if ended != "Done":
+            return refused(ended)
+    return "yes" if (known[number].value, known[whole].value) == (3.25, 115) else "no"
+
+
 PROOFS: dict[str, Callable[[Make, str], str]] = {
     "upload, download, verify, clear a mission": whole_service,
     "proof of an upload whose last answer was lost": proof_of_a_lost_answer,
@@ -220,6 +247,8 @@ PROOFS: dict[str, Callable[[Make, str], str]] = {
     "start, arm, modes, current item": flying,
     "current item and items reached": followed,
     "flown without a plan (`Steering`)": flown_without_a_plan,
+    "telemetry, at an interval that is confirmed (`PositionListener` and others)": telemetry,
+    "parameters read and set (`Parameters`)": parameters,
     "a plan found infeasible after it was accepted": infeasible,
     "telemetry silent during transfers (`TelemetryPause`)": quiet_transfers,
 }
