@@ -44,7 +44,7 @@ class ParameterBench(Bench):
         return self.done(limit_s)
 
     @property
-    def state(self) -> tuple[float, int, bool]:
+    def state(self) -> tuple[float, int, bool]:  # type: ignore[override]  # its sketch tells no more
         return self.value
 
     @property
