@@ -101,3 +101,5 @@ def pytest_runtest_makereport(item, call):
         for bench in item.stash.get(BENCHES, []):
             lines = bench.transcript().splitlines()
             report.sections.append(("transcript", "\n".join(lines[-LONGEST_TRANSCRIPT:])))
+    if report.when == "teardown" and BENCHES in item.stash:
+        del item.stash[BENCHES]  # pytest keeps its items, and these would keep every simulated machine of the run
