@@ -19,6 +19,7 @@ from demonstration import demonstration as inside
 from demonstration.plan_in_firmware import NotOnePlan, plan_in
 from demonstration.screen import PlainScreen, TerminalScreen
 from demonstration.wire_form import HOME, on_the_wire
+from interrupts import can_be_interrupted
 from simulation.fake_autopilot import MISSION, ArduPilot, Px4, item, mavlink
 
 SKETCHES = Path(__file__).resolve().parents[1] / "demonstrated"
@@ -296,6 +297,7 @@ def test_interrupted_tool_leaves_without_a_traceback():
     with subprocess.Popen(
         [sys.executable, ROOT / "tools" / "demo", "--loss", "100"],  # which does not end by itself for two minutes
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        preexec_fn=can_be_interrupted,
     ) as running:  # fmt: skip
         assert running.stdout.readline()  # it is under way
         assert "its plan" in running.stdout.readline()

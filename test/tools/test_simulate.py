@@ -19,6 +19,7 @@ from pathlib import Path
 import pytest
 
 from building import ROOT
+from interrupts import can_be_interrupted
 from simulation import recordings
 from simulation.bench import PERSONALITIES, firmware_image, status_names
 from simulation.fake_autopilot import FakeAutopilot, mavlink
@@ -752,8 +753,9 @@ class Process:
 
     def __init__(self, *command: object) -> None:
         self._process = subprocess.Popen(
-            list(map(str, command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-        )
+            list(map(str, command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            preexec_fn=can_be_interrupted,
+        )  # fmt: skip
         self._lines: queue.Queue[str | None] = queue.Queue()
         self._said: list[str] = []
         threading.Thread(target=self._listen, daemon=True).start()
