@@ -76,6 +76,7 @@ class PlanFiles : public detail::Listener {
   bool isReply(const detail::FrameParser& frame) const;
   void send(uint16_t sequence, uint8_t opcode, uint8_t size = 0, uint32_t offset = 0);
   void sendOpening(uint16_t sequence, uint8_t opcode);
+  void closeLeftOpen();
 
   // In PlanFilesReading.cpp
   static void readStep(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
@@ -118,6 +119,8 @@ class PlanFiles : public detail::Listener {
   bool isForeseen_ : 1;
   bool isLook_ : 1;         // only the number of items aboard is read
   bool isLengthKnown_ : 1;  // the plan aboard is not longer than ours
+  bool isStorable_ : 1;     // the file that may be open has its header: closing it stores it
+  bool isSpoiling_ : 1;     // the last request is to take that header away
 };
 
 }  // namespace mavmission

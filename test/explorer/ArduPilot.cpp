@@ -52,6 +52,10 @@ void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
     return acknowledge(answers, autopilot.acceptsInMs != kNever ? kInvalidSequence : kError);
   }
   if (item.number != autopilot.expected) return acknowledge(answers, kInvalidSequence);
+  if (autopilot.refused != 0 && item.number == autopilot.refused) {
+    forget(autopilot);
+    return acknowledge(answers, kUnsupported);
+  }
   autopilot.held[item.number] = item.number == 0 ? kHome : item.item;
   if (item.number == autopilot.heldCount) ++autopilot.heldCount;
   autopilot.givesUpInMs = kGivesUpMs;
@@ -82,7 +86,9 @@ void hearAsArduPilot(Autopilot& autopilot, const Message& heard, Answers& answer
       cut(autopilot, 0);
       return acknowledge(answers, kAccepted);
     case Kind::Ack:  // a cancellation too: it times out
-    case Kind::Heartbeat: return;
+    case Kind::Heartbeat:
+    case Kind::File:
+    case Kind::FileReply: return;
   }
 }
 

@@ -6,12 +6,12 @@
 
 #include "Message.h"
 
-constexpr uint8_t kMostHeld = 6;
+constexpr uint8_t kMostHeld = 8;
 constexpr uint16_t kNever = 0xFFFF;
 
 // What a model sends in answer to one message or at one moment.
 struct Answers {
-  Message messages[2];
+  Message messages[kMostHeld + 1];
   int count = 0;
   void add(const Message& message) { messages[count++] = message; }
 };
@@ -31,7 +31,7 @@ struct Autopilot {
   uint8_t staged[kMostHeld];  // PX4: the plan that is being received
   uint8_t hasPartner;         // PX4: knows with whom it transfers or has transferred
   uint8_t isUploadOpen;       // PX4: outlives the state in some corners, and then bars COUNT
-  uint8_t spare;
+  uint8_t refused;            // ArduPilot: the item that it does not take; 0: none
   uint16_t asksInMs;
   uint16_t givesUpInMs;
   uint16_t acceptsInMs;  // LateArduPilot: the final ACK is under way in itself

@@ -19,6 +19,7 @@ namespace {
 // It is always this moment between two steps, so that each wait crosses the wrap of millis(), in 16 bits and in 32.
 constexpr uint32_t kNowMs = 0xFFFFFFFC;
 constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
+constexpr uint8_t kFrameMs = 8;   // for which a frame keeps the line busy
 constexpr int kQuietUpdates = 3;  // a client that does nothing in so many has come to rest: items are got ready in two
 constexpr int kMostUpdates = 40;  // in one step; a client that sends in each of them would never stop
 
@@ -49,6 +50,7 @@ class FedStream : public Stream {
     return size;
   }
   bool isWhole() const { return begun_.empty(); }
+  void clear() { begun_.clear(); }
 
  private:
   static constexpr size_t kAround = 12;  // header and checksum of a MAVLink 2 frame
@@ -86,30 +88,61 @@ void foldTries(uint8_t& tries, uint8_t most) {
   }
 }
 
-bool isReading(const MissionClient& client) {
-  return client.state_.operation == MissionClient::readStep || client.state_.operation == MissionClient::ensureStep;
-}
-
 template <typename T>
 void blank(T& what) {
   memset(static_cast<void*>(&what), 0, sizeof(what));
 }
 
+bool isReading(const MissionClient& client) {
+  return client.state_.operation == MissionClient::readStep || client.state_.operation == MissionClient::ensureStep;
+}
+
 }  // namespace
 
-void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy) {
+alignas(8) uint8_t ClientUnderTest::clientAwake[];
+alignas(8) uint8_t ClientUnderTest::filesAwake[];
+
+// While it exists, a client that has PlanFiles is in the place where it runs.
+class ClientUnderTest::Awake {
+ public:
+  explicit Awake(ClientUnderTest& of) : of_(of) {
+    if (of.hasFiles_ == 0) return;
+    memcpy(clientAwake, of.bytes_, sizeof(clientAwake));
+    memcpy(filesAwake, of.fileBytes_, sizeof(filesAwake));
+  }
+  ~Awake() {
+    if (of_.hasFiles_ == 0) return;
+    memcpy(of_.bytes_, clientAwake, sizeof(clientAwake));
+    memcpy(of_.fileBytes_, filesAwake, sizeof(filesAwake));
+  }
+
+ private:
+  ClientUnderTest& of_;
+};
+
+void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy, bool hasFiles) {
+  const bool isAnother = hasFiles_ != 0;
   memset(bytes_, 0, sizeof(bytes_));
+  memset(fileBytes_, 0, sizeof(fileBytes_));
+  hasFiles_ = hasFiles;
   setMillis(kNowMs);
-  new (bytes_) MissionClient(stream);
-  client().setTargetIds(1, 1);
-  client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
-  client().state_.unsettledMs = kNow;
-  if (isLossy) client().link_.pace_.noteLoss();
+  {
+    const Awake awake(*this);
+    new (&client()) MissionClient(stream);
+    if (hasFiles) new (filesAwake) PlanFiles(client());
+    client().setTargetIds(1, 1);
+    client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
+    client().state_.unsettledMs = kNow;
+    if (isLossy) client().link_.pace_.noteLoss();
+    // Drawn by lot, it would be another one after a reset.
+    if (isAnother && hasFiles) files().session_ = 77;
+  }
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
   run(0, heartbeat.data(), heartbeat.size(), false);
 }
 
 void ClientUnderTest::begin(const Task& task) {
+  const Awake awake(*this);
   setMillis(kNowMs);
   const ItemSource plan = inRam(sketchPlan(task.plan), task.items);
   switch (task.operation) {
@@ -123,15 +156,19 @@ void ClientUnderTest::begin(const Task& task) {
       return;
     case Operation::Verify: client().verify(plan); return;
     case Operation::Clear: client().clear(); return;
+    case Operation::FileUpload: files().upload(plan); return;
+    case Operation::FileVerify: files().verify(plan); return;
   }
 }
 
 void ClientUnderTest::cancel() {
+  const Awake awake(*this);
   setMillis(kNowMs);
   client().cancel();
 }
 
 Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, bool isLast) {
+  const Awake awake(*this);
   Doing doing = Doing();
   const uint32_t nowMs = kNowMs + ms;
   setMillis(nowMs);
@@ -145,6 +182,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   stream.bytes = bytes;
   stream.length = length;
   stream.frames = &doing.frames;
+  stream.clear();
   int quiet = 0;
   for (int i = 0; i < kMostUpdates && quiet < kQuietUpdates; ++i) {
     const size_t sent = doing.frames.size();
@@ -168,6 +206,8 @@ uint16_t ClientUnderTest::nextMs() const {
   uint16_t next = kNever;
   if (!c.link_.parser_.isIdle()) next = leftOf(FrameParser::kSilenceMs, c.link_.state_.heardByteMs);
   if (c.state_.status != Status::Transferring || !c.isBusy()) return next;
+  if (c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep)
+    return std::min(next, nextOfFilesMs());
   const Pace& pace = c.link_.pace_;
   if (c.state_.operation == MissionClient::uploadStep) {
     const UploadTransfer& t = c.transfer_;
@@ -193,8 +233,77 @@ uint16_t ClientUnderTest::nextMs() const {
   return std::min(next, leftOf(pace.waitMs(ClearTransfer::kAnswerMs), c.clearing_.sentMs_));
 }
 
+uint16_t ClientUnderTest::nextOfFilesMs() const {
+  const Pace& pace = client().link_.pace_;
+  if (client().state_.operation == PlanFiles::readStep) {
+    const FileReadTransfer& t = files().reading_;
+    const bool isOpening = t.state_ == FileReadTransfer::State::Opening;
+    return leftOf(pace.waitMs(isOpening ? FileRules::kOpenMs : FileRules::kPieceMs), t.sentMs_);
+  }
+  const FileWriteTransfer& t = files().writing_.transfer;
+  const bool isCreating = t.state_ == FileWriteTransfer::State::Creating;
+  const uint16_t waitMs = pace.waitMs(isCreating ? FileRules::kOpenMs : FileRules::kWriteMs);
+  uint16_t next = kNever;
+  for (const FileWriteTransfer::Slot& slot : t.slots_) {
+    if (slot.phase == FileWriteTransfer::Phase::Sent) next = std::min(next, leftOf(waitMs, slot.sentMs));
+  }
+  return next;
+}
+
+bool ClientUnderTest::waitsForHeartbeat() const {
+  return hasFiles_ != 0 && files().closings_ != 0 &&
+         (client().state_.operation == nullptr || client().state_.operation != files().operation_);
+}
+
+void ClientUnderTest::renumber(uint16_t by) {
+  PlanFiles& f = *reinterpret_cast<PlanFiles*>(fileBytes_);
+  // An answer so old is none to anything.
+  constexpr int kOld = 48;
+  f.sequence_ = static_cast<uint16_t>(f.sequence_ - by);
+  f.firstSequence_ = static_cast<uint16_t>(std::max<int>(static_cast<int16_t>(f.firstSequence_ - by), -kOld));
+  if (client().state_.operation != PlanFiles::writeStep || client().state_.status != Status::Transferring) return;
+  for (FileWriteTransfer::Slot& slot : f.writing_.transfer.slots_) {
+    if (slot.phase != FileWriteTransfer::Phase::Idle && slot.tries != 0)
+      slot.request.sequence = static_cast<uint16_t>(slot.request.sequence - by);
+  }
+}
+
+void ClientUnderTest::restFiles(uint16_t ms) {
+  const MissionClient& c = client();
+  PlanFiles& f = files();
+  const bool isHasty = c.link_.pace_.isLossy();
+  if (c.state_.operation == PlanFiles::readStep && c.state_.status == Status::Transferring) {
+    FileReadTransfer& t = f.reading_;
+    keep(t.sentMs_, ms, FileRules::kOpenMs);
+    const bool isOpening = t.state_ == FileReadTransfer::State::Opening;
+    foldTries(t.tries_,
+              isHasty ? (isOpening ? FileRules::kLossyOpenTries : FileRules::kLossyTries) : FileRules::kPieceTries);
+    memset(static_cast<void*>(t.holes_ + t.holeCount_), 0,
+           static_cast<size_t>(FileReadTransfer::kHoles - t.holeCount_) * sizeof(t.holes_[0]));
+  } else if (c.state_.operation == PlanFiles::writeStep && c.state_.status == Status::Transferring) {
+    FileWriteTransfer& t = f.writing_.transfer;
+    const bool isCreating = t.state_ == FileWriteTransfer::State::Creating;
+    for (FileWriteTransfer::Slot& slot : t.slots_) {
+      if (slot.phase == FileWriteTransfer::Phase::Idle) blank(slot);
+      if (slot.phase != FileWriteTransfer::Phase::Sent) slot.sentMs = kNow;
+      if (slot.tries == 0) slot.request.sequence = 0;
+      keep(slot.sentMs, ms, FileRules::kWriteMs);
+      foldTries(slot.tries,
+                isHasty ? (isCreating ? FileRules::kLossyOpenTries : FileRules::kLossyTries) : FileRules::kPieceTries);
+    }
+    if (!t.isLeaving()) blank(f.writing_.going);
+    if (!t.isLeaving()) f.writing_.pieces = 0;
+  } else {
+    blank(f.reading_);
+    blank(f.writing_);
+    f.onRead_ = nullptr;
+  }
+}
+
 void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   MissionClient& c = client();
+  const bool isHasty = c.link_.pace_.isLossy();
+  if (hasFiles_ != 0) restFiles(ms);
   Link::State& link = c.link_.state_;
   FrameParser& parser = c.link_.parser_;
   link.bytes = 0;
@@ -205,12 +314,14 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   c.link_.damage_ = 0;
   // One pace for all lines, and slower than on a quick one: what there is between two repeats is the same.
   c.link_.pace_.roundTripMs_ = kRoundTripMs;
-  c.link_.pace_.busyMs_ = 0;
+  c.link_.pace_.busyMs_ = kFrameMs;
   c.link_.finder_.heardMs_ = c.link_.finder_.firstMs_ = kNow;
   if (parser.isIdle()) {
     const bool inStep = parser.inStep_;
+    MoreKeys* const moreKeys = parser.moreKeys_;
     blank(parser);
     parser.inStep_ = inStep;
+    parser.moreKeys_ = moreKeys;
     link.heardByteMs = kNow;
   } else {
     keep(link.heardByteMs, ms, FrameParser::kSilenceMs);
@@ -229,6 +340,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   c.state_.secondMs = kNow;
   c.state_.seconds = 0;
   const bool isLooking = c.state_.operation == MissionClient::ensureStep;
+  const bool isByFile = c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep;
   if (!isLooking) c.rest_.lastResult = 255;  // ensure() remembers a refusal
   const bool isUpload = c.state_.operation == MissionClient::uploadStep;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
@@ -236,7 +348,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   // it says at its end.
   const bool isClear = c.state_.operation == MissionClient::clearStep;
   const bool isLeftUnread =
-      isLast ? (isTransferring && !isClear && !isLooking) || !c.isBusy() : isTransferring && isUpload;
+      isLast ? (isTransferring && !isClear && !isLooking && !isByFile) || !c.isBusy() : isTransferring && isUpload;
   if (isLeftUnread) c.state_.unsettled = 0;
   c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
   keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
@@ -245,7 +357,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     blank(c.reading_);
     blank(c.commanding_);
   }
-  if (!isTransferring) return;
+  if (!isTransferring || isByFile) return;
   if (isUpload) {
     UploadTransfer& t = c.transfer_;
     keep(t.sentMs_, ms, UploadTransfer::kRepeatMs);
@@ -254,9 +366,9 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     if (t.state_ == UploadTransfer::State::Sending) t.tries_ = std::min<uint8_t>(t.tries_, 2);
   } else if (isReading(c)) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
-    foldTries(c.reading_.transfer.tries_, isHurried() ? Pace::kLossyTries : 0);
+    foldTries(c.reading_.transfer.tries_, isHasty ? Pace::kLossyTries : 0);
   } else {
     keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);
-    foldTries(c.clearing_.tries_, isHurried() ? Pace::kLossyTries : 0);
+    foldTries(c.clearing_.tries_, isHasty ? Pace::kLossyTries : 0);
   }
 }

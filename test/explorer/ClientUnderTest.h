@@ -12,6 +12,7 @@
 #include "Message.h"
 #include "Referee.h"
 #include "mavmission/MissionClient.h"
+#include "mavmission/PlanFiles.h"
 
 // What a client has sent and how it ended in a step.
 struct Doing {
@@ -25,7 +26,7 @@ class ClientUnderTest {
  public:
   // As after power-on, the autopilot named and heard. `isFresh`: the first ten seconds, in which an earlier transfer
   // may still be answered, have not passed.
-  void construct(Firmwares firmware, bool isFresh, bool isLossy);
+  void construct(Firmwares firmware, bool isFresh, bool isLossy, bool hasFiles);
   void begin(const Task& task);
   void cancel();
   // Time passes [ms]; the bytes come; update() runs until it has nothing to do. `isLast`: no operation follows.
@@ -36,21 +37,41 @@ class ClientUnderTest {
   bool isHurried() const { return client().link_.pace_.isLossy(); }
   static constexpr uint16_t kRoundTripMs = 200;
   bool isBusy() const { return client().isBusy(); }
+  // Of PlanFiles. A file that was left open is closed with the next heartbeat, which is seen only then.
+  bool isByFile() const { return hasFiles_ != 0 && files().isByFile_; }
+  bool waitsForHeartbeat() const;
+  uint8_t session() const { return hasFiles_ != 0 ? files().session_ : 0; }
+  uint16_t lastNumber() const { return hasFiles_ != 0 ? files().sequence_ : 0; }
+  // Numbers of requests count from another one.
+  void renumber(uint16_t by);
   mavmission::Aboard aboard() const { return client().aboard(); }
 
  private:
-  mavmission::MissionClient& client() { return *reinterpret_cast<mavmission::MissionClient*>(bytes_); }
+  class Awake;
+  typedef mavmission::MissionClient Client;
+  typedef mavmission::PlanFiles Files;
+  Client& client() { return *reinterpret_cast<Client*>(hasFiles_ != 0 ? clientAwake : bytes_); }
+  Files& files() { return *reinterpret_cast<Files*>(filesAwake); }
+  const Files& files() const { return *reinterpret_cast<const Files*>(fileBytes_); }
   const mavmission::MissionClient& client() const {
     return *reinterpret_cast<const mavmission::MissionClient*>(bytes_);
   }
   void rest(uint16_t ms, bool isLast);
+  void restFiles(uint16_t ms);
+  uint16_t nextOfFilesMs() const;
 
-  alignas(8) uint8_t bytes_[(sizeof(mavmission::MissionClient) + 7) / 8 * 8];
+  // PlanFiles and its client know each other by address: they are run in this place.
+  alignas(8) static uint8_t clientAwake[sizeof(Client)];
+  alignas(8) static uint8_t filesAwake[sizeof(Files)];
+
+  alignas(8) uint8_t bytes_[(sizeof(Client) + 7) / 8 * 8];
+  alignas(8) uint8_t fileBytes_[(sizeof(Files) + 7) / 8 * 8];
+  uint64_t hasFiles_;
 };
 
 // The items that the running download has given to the sketch, in their order: those of the client that runs next.
 struct Sunk {
   uint8_t count;
-  uint8_t items[7];
+  uint8_t items[15];
 };
 extern Sunk* sunk;

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "FileWords.h"
 #include "Plans.h"
 #include "mavmission/base/Checksum.h"
 #include "mavmission/base/MavlinkHeaders.h"
@@ -17,6 +18,7 @@ const char* resultName(uint16_t result) {
   switch (result) {
     case kAccepted: return "accepted";
     case kError: return "error";
+    case kUnsupported: return "unsupported";
     case kInvalidSequence: return "invalid sequence";
     case kDenied: return "denied";
     case kCancelled: return "cancelled";
@@ -56,9 +58,13 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
       return FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT,
                         payloadOf(message.item, message.number, firmware, true, message.number == 0),
                         MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC);
+    case Kind::FileReply:
+      return FrameParts(MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, fileReplyPayload(message, firmware),
+                        MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL_CRC);
     case Kind::Ack:
     case Kind::List:
-    case Kind::ClearAll: break;
+    case Kind::ClearAll:
+    case Kind::File: break;
   }
   return ackParts(static_cast<uint8_t>(message.number), 1, kClientComponent, 0, message.opaqueId);
 }
@@ -78,6 +84,8 @@ std::string inWords(const Message& message) {
     case Kind::Ack: return std::string("ACK ") + resultName(message.number);
     case Kind::List: return "REQUEST_LIST";
     case Kind::ClearAll: return "CLEAR_ALL";
+    case Kind::File:
+    case Kind::FileReply: return fileInWords(message);
   }
   return "";
 }
@@ -143,6 +151,7 @@ const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Mess
       decoded = message(Kind::Ack, ack.type);
       return nullptr;
     }
+    case MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL: return decodeFile(payload, firmware, decoded);
     default: return "a message is sent that has no place in these operations";
   }
 }

@@ -10,16 +10,24 @@
 
 enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4 };
 
-enum class Kind : uint8_t { Heartbeat, Count, Request, Item, Ack, List, ClearAll };
+// File and FileReply: a request of MAVLink FTP and its answer, see FileWords.h.
+enum class Kind : uint8_t { Heartbeat, Count, Request, Item, Ack, List, ClearAll, File, FileReply };
 
 // MAV_MISSION_RESULT, as far as it occurs.
-enum Result : uint8_t { kAccepted = 0, kError = 1, kInvalidSequence = 13, kDenied = 14, kCancelled = 15 };
+enum Result : uint8_t {
+  kAccepted = 0,
+  kError = 1,
+  kUnsupported = 3,
+  kInvalidSequence = 13,
+  kDenied = 14,
+  kCancelled = 15
+};
 
 struct Message {
   Kind kind;
-  uint8_t item;       // Item: which one of Plans.h
-  uint16_t number;    // Count: how many; Request, Item: sequence number; Ack: MAV_MISSION_RESULT
-  uint32_t opaqueId;  // Count, Ack
+  uint8_t item;       // Item, FileReply: which one of Plans.h; File: the plan whose items are written
+  uint16_t number;    // Count: how many; Request, Item, File, FileReply: sequence number; Ack: MAV_MISSION_RESULT
+  uint32_t opaqueId;  // Count, Ack; File, FileReply: FileWords
 };
 static_assert(std::has_unique_object_representations<Message>::value, "folded by its bytes");
 

@@ -10,7 +10,7 @@
 // Items of plan `plan` (0: aboard from before; 1, 2: uploaded) are 16 * plan + 1, + 2, ... Home is ArduPilot's item 0.
 constexpr uint8_t kHome = 0x0F;
 constexpr uint8_t kNoItemAtAll = 0;
-constexpr uint8_t kMostItems = 5;
+constexpr uint8_t kMostItems = 7;
 constexpr uint8_t itemOf(uint8_t plan, uint8_t index) { return static_cast<uint8_t>(16 * plan + 1 + index); }
 
 // The items as a sketch writes them.

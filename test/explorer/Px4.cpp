@@ -120,7 +120,9 @@ void hearAsPx4(Autopilot& autopilot, const Message& heard, Answers& answers) {
       hold(autopilot, nullptr, 0, 0);
       return acknowledge(answers, kAccepted);
     case Kind::Ack: return hearAck(autopilot, heard.number);
-    case Kind::Heartbeat: return;
+    case Kind::Heartbeat:
+    case Kind::File:
+    case Kind::FileReply: return;
   }
 }
 

@@ -45,6 +45,16 @@ void Referee::begin(const Task& what, Firmwares firmware) {
   isReading = isLooking || what.operation == Operation::Download || what.operation == Operation::Verify;
 }
 
+void Referee::goOnByItems(bool isProof) {
+  if (task.operation == Operation::FileVerify) {
+    task.operation = Operation::Verify;
+    isReading = true;
+  } else {
+    task.operation = Operation::UploadInDoubt;
+    isLastSent = isProof;
+  }
+}
+
 void Referee::pass(uint16_t ms) {
   if (!isRunning) return;
   sinceSentMs = static_cast<uint16_t>(std::min<int>(sinceSentMs + ms, kAnswerMs));
@@ -146,7 +156,9 @@ const char* Referee::sentInUpload(const Message& message) {
     case Kind::Heartbeat:
     case Kind::Request:
     case Kind::List:
-    case Kind::ClearAll: break;
+    case Kind::ClearAll:
+    case Kind::File:
+    case Kind::FileReply: break;
   }
   return "a frame is sent that has no place in an upload";
 }
@@ -178,7 +190,9 @@ const char* Referee::sentInReading(const Message& message) {
     case Kind::Heartbeat:
     case Kind::Count:
     case Kind::Item:
-    case Kind::ClearAll: break;
+    case Kind::ClearAll:
+    case Kind::File:
+    case Kind::FileReply: break;
   }
   return "a frame is sent that has no place in a download";
 }
@@ -228,7 +242,9 @@ void Referee::heard(const Message& message, Firmwares firmware) {
 
     case Kind::Heartbeat:
     case Kind::List:
-    case Kind::ClearAll: return;
+    case Kind::ClearAll:
+    case Kind::File:
+    case Kind::FileReply: return;
   }
 }
 

@@ -9,7 +9,19 @@
 #include "Autopilot.h"
 #include "mavmission/Status.h"
 
-enum class Operation : uint8_t { Upload, UploadInDoubt, UploadVerified, Ensure, Download, Verify, Clear };
+enum class Operation : uint8_t {
+  Upload,
+  UploadInDoubt,
+  UploadVerified,
+  Ensure,
+  Download,
+  Verify,
+  Clear,
+  FileUpload,  // PlanFiles': a FileReferee judges them for as long as they go by file
+  FileVerify,
+};
+
+inline bool isByFiles(Operation operation) { return operation >= Operation::FileUpload; }
 
 // Plan `plan` with `items` items, or what is to be read.
 struct Task {
@@ -59,6 +71,8 @@ struct Referee {
   uint16_t sinceNewMs;  // since the first COUNT, or since an item was asked for that had not been before, 9000 at most
 
   void begin(const Task& task, Firmwares firmware);
+  // What went by file goes on by the mission protocol. `isProof`: to read back what was written.
+  void goOnByItems(bool isProof);
   void pass(uint16_t ms);
   // Each: null, or what was broken.
   const char* sent(const Message& message, Firmwares firmware);

@@ -10,8 +10,15 @@ using mavmission::Status;
 
 namespace {
 
-const char* const kOperations[] = {
-    "upload", "upload, read back when in doubt", "upload, read back", "ensure", "download", "verify", "clear"};
+const char* const kOperations[] = {"upload",
+                                   "upload, read back when in doubt",
+                                   "upload, read back",
+                                   "ensure",
+                                   "download",
+                                   "verify",
+                                   "clear",
+                                   "upload by file",
+                                   "verify by file"};
 const char* const kFateWords[kFates] = {
     "", " is lost", " is repeated", " is repeated later", " is delayed", " is damaged", " is cut"};
 
@@ -35,7 +42,10 @@ Outcome World::begin(const Scenario& scenario) {
   autopilot_.firmware = scenario.firmware;
   autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
   autopilot_.hold(scenario.heldPlan, scenario.heldItems);
-  client_.construct(scenario.firmware, false, scenario.isLossy);
+  others_ = scenario.others;
+  autopilot_.refused = scenario.refused;
+  heartbeatInMs_ = kNever;
+  client_.construct(scenario.firmware, false, scenario.isLossy, scenario.hasFiles());
   beginTask(scenario, nullptr);
   return runClient(scenario, 0, Bytes(), nullptr);
 }
@@ -46,6 +56,7 @@ void World::beginTask(const Scenario& scenario, std::string* log) {
                std::to_string(task.items) + " items");
   before_ = autopilot_;
   referee_.begin(task, scenario.firmware);
+  if (isByFiles(task.operation)) fileReferee_.begin();
   sunk = &sunk_;
   client_.begin(task);
 }
@@ -62,6 +73,7 @@ World::Event World::next(uint16_t& ms) const {
   if (up >= 0) consider(Event::ToAutopilot, toAutopilot_.frames[up].dueMs);
   consider(Event::Autopilot, autopilot_.nextMs());
   if (down >= 0) consider(Event::ToClient, toClient_.frames[down].dueMs);
+  consider(Event::Heartbeat, heartbeatInMs_);
   consider(Event::Client, client_.nextMs());
   return event;
 }
@@ -74,7 +86,8 @@ std::vector<Move> World::moves() const {
   moves.push_back(Move{Choice::Event, Fate::Delivered});
   if (event == Event::ToAutopilot || event == Event::ToClient) {
     const Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
-    const bool isSpared = line.frames[line.first()].isSpared;
+    const InFlight& due = line.frames[line.first()];
+    const bool isSpared = due.isSpared || isSure(due.message);
     if (losses_ != 0 && !isSpared) moves.push_back(Move{Choice::Event, Fate::Lost});
     if (faults_ != 0 && !isSpared) {
       for (Fate fate : {Fate::Repeated, Fate::RepeatedLate, Fate::Delayed}) moves.push_back(Move{Choice::Event, fate});
@@ -85,6 +98,10 @@ std::vector<Move> World::moves() const {
     }
   }
   if (reboots_ != 0) moves.push_back(Move{Choice::Reboot, Fate::Delivered});
+  if (others_ != 0) {
+    for (Choice choice : {Choice::OtherOpens, Choice::OtherCreates, Choice::OtherWrites, Choice::OtherEnds})
+      moves.push_back(Move{choice, Fate::Delivered});
+  }
   if (!referee_.isRunning) return moves;
   if (cancels_ != 0) moves.push_back(Move{Choice::Cancel, Fate::Delivered});
   if (resets_ != 0 && task_ == 0) moves.push_back(Move{Choice::Reset, Fate::Delivered});
@@ -92,6 +109,11 @@ std::vector<Move> World::moves() const {
 }
 
 void World::pass(uint16_t ms) {
+  if (heartbeatInMs_ != kNever) heartbeatInMs_ = static_cast<uint16_t>(heartbeatInMs_ > ms ? heartbeatInMs_ - ms : 0);
+  if (fileReferee_.session != 0) {
+    files_.pass(ms);
+    fileReferee_.pass(ms);
+  }
   autopilot_.pass(ms);
   toAutopilot_.pass(ms);
   toClient_.pass(ms);
@@ -121,8 +143,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
       outcome.task = task_;
       outcome.status = doing.status;
       say(log, std::string("it ends: ") + mavmission::toString(doing.status));
-      const char* broken = referee_.end(doing.status, client_.aboard(), autopilot_, task_ == 0 ? &before_ : nullptr,
-                                        scenario.faults != 0);
+      const char* broken = end(doing, scenario.faults != 0);
       if (broken == nullptr && doing.status == Status::Downloaded &&
           (sunk_.count != autopilot_.heldCount || memcmp(sunk_.items, autopilot_.held, sunk_.count) != 0)) {
         broken = "Downloaded, and what was read is not what is aboard";
@@ -140,7 +161,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
           takeEnd();
         }
         say(log, "client: " + inWords(sent));
-        broken = referee_.sent(sent, scenario.firmware);
+        broken = this->sent(sent, scenario.firmware);
         if (!toAutopilot_.send(sent)) broken = "the line to the autopilot is fuller than the exploration foresees";
       } else {
         say(log, "client: a frame");
@@ -154,6 +175,84 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
       again = true;
     }
   }
+  if (scenario.hasFiles()) renumber();
+  return outcome;
+}
+
+// What is lost without end after the last operation would be asked for without end.
+bool World::isSure(const Message& message) const {
+  return isOfFiles(message) && !referee_.isRunning && losses_ == Scenario::kAnyNumber;
+}
+
+const char* World::sent(const Message& message, Firmwares firmware) {
+  if (message.kind == Kind::File) return fileReferee_.sent(message, referee_);
+  const bool isCancel = message.kind == Kind::Ack && message.number == kCancelled;
+  if (isCancel && fileReferee_.mayCancel) {
+    fileReferee_.mayCancel = false;
+    return nullptr;
+  }
+  if (fileReferee_.isRunning) {
+    fileReferee_.isRunning = false;
+    const bool isProof = message.kind == Kind::List;
+    if (isProof && referee_.task.operation == Operation::FileUpload && !fileReferee_.isClosed)
+      return "the plan is read back before the file was closed";
+    referee_.goOnByItems(isProof);
+  }
+  return referee_.sent(message, firmware);
+}
+
+void World::heard(const Message& message, Firmwares firmware) {
+  if (message.kind == Kind::FileReply) return fileReferee_.heard(message);
+  if (!fileReferee_.isRunning) referee_.heard(message, firmware);
+}
+
+const char* World::end(const Doing& doing, bool lineRepeats) {
+  const Autopilot* const before = task_ == 0 ? &before_ : nullptr;
+  if (!fileReferee_.isRunning) return referee_.end(doing.status, client_.aboard(), autopilot_, before, lineRepeats);
+  referee_.isRunning = false;
+  referee_.ended = doing.status;
+  return fileReferee_.end(doing.status, client_.aboard(), referee_, autopilot_, before);
+}
+
+// Numbers of requests count from the client's last one, so that a state is known again whatever they were.
+void World::renumber() {
+  const uint16_t by = client_.lastNumber();
+  client_.renumber(by);
+  fileReferee_.renumber(by);
+  files_.last.number = static_cast<uint16_t>(files_.last.number - by);
+  for (Line* line : {&toAutopilot_, &toClient_}) {
+    for (uint32_t i = 0; i < line->count; ++i) {
+      Message& message = line->frames[i].message;
+      if (isOfFiles(message)) message.number = static_cast<uint16_t>(message.number - by);
+    }
+  }
+  // Nothing that is sent from now on has the number of an answer so old.
+  constexpr int16_t kOld = -48;
+  if (static_cast<int16_t>(files_.last.number) < kOld) files_.last = Message();
+  if (client_.waitsForHeartbeat() != (heartbeatInMs_ != kNever))
+    heartbeatInMs_ = heartbeatInMs_ == kNever ? 1000 : kNever;
+}
+
+// A client with a session of its own. It has our ids, so that we hear its answers; and it numbers its requests as we
+// do.
+Outcome World::hearOther(Choice choice, std::string* log) {
+  constexpr uint8_t kOtherSession = 7;
+  FileWords words = FileWords();
+  words.session = kOtherSession;
+  words.opcode = choice == Choice::OtherOpens     ? kFileOpen
+                 : choice == Choice::OtherCreates ? kFileCreate
+                 : choice == Choice::OtherWrites  ? kFileWrite
+                                                  : kFileTerminate;
+  words.count = choice == Choice::OtherWrites;
+  const Message request = message(Kind::File, client_.lastNumber(), 0, words.packed());
+  say(log, "another client: " + inWords(request));
+  --others_;
+  Outcome outcome;
+  outcome.isFault = true;
+  if (autopilot_.bootsInMs != kNever) return outcome;
+  Answers answers;
+  files_.hear(request, autopilot_, answers);
+  outcome.broken = answer(answers, log);
   return outcome;
 }
 
@@ -164,6 +263,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       say(log, "the autopilot reboots");
       --reboots_;
       autopilot_.reboot();
+      files_.reboot();
       outcome.isFault = true;
       return outcome;
     case Choice::Cancel:
@@ -178,11 +278,16 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       --resets_;
       if (!isLastTask(scenario)) ++task_;
       referee_.owesCancel = referee_.hasEndedOne = false;
-      client_.construct(scenario.firmware, true, scenario.isLossy);
+      fileReferee_ = FileReferee();
+      client_.construct(scenario.firmware, true, scenario.isLossy, scenario.hasFiles());
       beginTask(scenario, log);
       outcome = runClient(scenario, 0, Bytes(), log);
       outcome.isFault = true;
       return outcome;
+    case Choice::OtherOpens:
+    case Choice::OtherCreates:
+    case Choice::OtherWrites:
+    case Choice::OtherEnds: return hearOther(move.choice, log);
     case Choice::Event: break;
   }
 
@@ -202,14 +307,20 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
     }
     if (event == Event::ToAutopilot) {
       Answers answers;
-      if (isDelivered(move.fate)) autopilot_.hear(message, answers);
+      if (isDelivered(move.fate) && message.kind != Kind::File) autopilot_.hear(message, answers);
+      if (isDelivered(move.fate) && message.kind == Kind::File && autopilot_.bootsInMs == kNever)
+        files_.hear(message, autopilot_, answers);
       outcome.broken = answer(answers, log);
     } else if (move.fate != Fate::Lost && move.fate != Fate::Delayed) {
       bytes = frameOf(message, scenario.firmware);
       if (move.fate == Fate::Damaged) bytes[bytes.size() - 3] = static_cast<uint8_t>(~bytes[bytes.size() - 3]);
       if (move.fate == Fate::Cut) bytes.resize(bytes.size() - 3);
-      if (isDelivered(move.fate)) referee_.heard(message, scenario.firmware);
+      if (isDelivered(move.fate)) heard(message, scenario.firmware);
     }
+  } else if (event == Event::Heartbeat) {
+    heartbeatInMs_ = 1000;
+    if (autopilot_.bootsInMs == kNever) bytes = frameOf(message(Kind::Heartbeat), scenario.firmware);
+    say(log, "a heartbeat");
   } else if (event == Event::Autopilot) {
     Answers answers;
     autopilot_.act(answers);
@@ -228,6 +339,8 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
 
 const char* World::leftUndone() const {
   if (referee_.isRunning) return "nothing happens any more, and it has not ended";
+  if (files_.isOpen && files_.session == client_.session() && !fileReferee_.mayLeaveOpen())
+    return "a file of ours is left open";
   if (referee_.owesCancel) return "the autopilot is not told that it is over";
   return nullptr;
 }

@@ -7,6 +7,8 @@
 
 #include "Autopilot.h"
 #include "ClientUnderTest.h"
+#include "FileReferee.h"
+#include "FileServer.h"
 #include "Line.h"
 #include "Referee.h"
 
@@ -23,10 +25,13 @@ struct Scenario {
   uint8_t reboots = 0;   // of the autopilot
   uint8_t cancels = 0;   // by the sketch, of what runs then
   uint8_t resets = 0;    // of the Arduino in the first task
+  uint8_t others = 0;    // requests of another client to the server of files
+  uint8_t refused = 0;   // the wire item that ArduPilot does not take; 0: none
   bool isLossy = false;  // the client takes the line for one that loses, from the beginning
+  bool hasFiles() const { return !tasks.empty() && isByFiles(tasks.front().operation); }
 };
 
-enum class Choice : uint8_t { Event, Reboot, Cancel, Reset };
+enum class Choice : uint8_t { Event, Reboot, Cancel, Reset, OtherOpens, OtherCreates, OtherWrites, OtherEnds };
 
 struct Move {
   Choice choice;
@@ -55,10 +60,16 @@ class World {
   const char* leftUndone() const;
 
  private:
-  enum class Event : uint8_t { None, ToAutopilot, Autopilot, ToClient, Client };
+  enum class Event : uint8_t { None, ToAutopilot, Autopilot, ToClient, Heartbeat, Client };
   Event next(uint16_t& ms) const;
   Outcome runClient(const Scenario& scenario, uint16_t ms, const Bytes& bytes, std::string* log);
   const char* answer(const Answers& answers, std::string* log);
+  const char* sent(const Message& message, Firmwares firmware);
+  void heard(const Message& message, Firmwares firmware);
+  const char* end(const Doing& doing, bool lineRepeats);
+  Outcome hearOther(Choice choice, std::string* log);
+  bool isSure(const Message& message) const;
+  void renumber();
   void beginTask(const Scenario& scenario, std::string* log);
   bool isLastTask(const Scenario& scenario) const { return task_ + 1u >= scenario.tasks.size(); }
   void pass(uint16_t ms);
@@ -71,7 +82,10 @@ class World {
   Referee referee_;
   Sunk sunk_;
   uint8_t task_;
-  uint8_t losses_, faults_, reboots_, cancels_, resets_;
-  uint8_t spare_[2];
+  FileServer files_;
+  FileReferee fileReferee_;
+  uint16_t heartbeatInMs_;  // of the autopilot; kNever where nobody waits for it
+  uint8_t losses_, faults_, reboots_, cancels_, resets_, others_;
+  uint8_t spare_[5];
 };
 static_assert(std::is_trivially_copyable<World>::value, "copied and folded by its bytes");

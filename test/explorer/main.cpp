@@ -8,8 +8,8 @@
 
 namespace {
 
-const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure", "download", "verify",
-                                   "clear"};
+const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure",     "download",
+                                   "verify", "clear",           "file-upload",     "file-verify"};
 const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
 
 [[noreturn]] void usage(const char* problem) {
@@ -18,16 +18,18 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
       "%s\n"
       "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
-      "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear; a second one\n"
-      "             begins when the first has ended or was broken off\n"
-      "  ITEMS      0 to 5: of the plan that is uploaded or verified\n"
-      "  --held N       items aboard at the beginning, 0 to 5 (2)\n"
+      "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear, and as files\n"
+      "             file-upload, file-verify; a second one begins when the first has ended or was broken off\n"
+      "  ITEMS      0 to 7: of the plan that is uploaded or verified\n"
+      "  --held N       items aboard at the beginning, 0 to 7 (2)\n"
       "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
       "  --losses N     frames lost; `any` for any number (any)\n"
       "  --faults N     frames repeated, delayed, damaged or cut (0)\n"
       "  --reboots N    reboots of the autopilot, at any point (0)\n"
       "  --cancels N    the sketch cancels what runs, at any point (0)\n"
       "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
+      "  --others N     requests of another client to the server of files, at any point (0)\n"
+      "  --refused N    the item on the wire that ArduPilot does not take; 0: it takes all (0)\n"
       "  --lossy N      1: the client takes the line for one that loses, from the beginning; 0: from when it sees it\n"
       "                 by a repeated request or a damaged frame (0)\n"
       "  --most-states N  give up beyond (200000000)\n"
@@ -61,7 +63,7 @@ int main(int argc, char** argv) {
   int at = 2;
   for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {
     Task task;
-    task.operation = static_cast<Operation>(nameAmong(kOperations, 7, argv[at], "no such operation"));
+    task.operation = static_cast<Operation>(nameAmong(kOperations, 9, argv[at], "no such operation"));
     task.items = static_cast<uint8_t>(number(argv[at + 1], kMostItems));
     task.plan = static_cast<uint8_t>(scenario.tasks.size() + 1);
     scenario.tasks.push_back(task);
@@ -87,6 +89,10 @@ int main(int argc, char** argv) {
       scenario.cancels = static_cast<uint8_t>(number(value, 254));
     } else if (strcmp(option, "--resets") == 0) {
       scenario.resets = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--others") == 0) {
+      scenario.others = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--refused") == 0) {
+      scenario.refused = static_cast<uint8_t>(number(value, kMostItems));
     } else if (strcmp(option, "--lossy") == 0) {
       scenario.isLossy = number(value, 1) != 0;
     } else if (strcmp(option, "--most-states") == 0) {

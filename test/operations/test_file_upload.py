@@ -317,6 +317,29 @@ def test_upload_that_is_cancelled_leaves_what_it_says(build_service, sent):
 
 
 @NO_MIXTURE
+@pytest.mark.parametrize("by_file", [False, True], ids=["item by item", "by file"])
+@pytest.mark.parametrize("lost", [">", "<"])
+def test_file_that_was_complete_and_left_open_is_never_stored_over_the_next_plan(build_service, by_file, lost):
+    """The header has left, and the upload is cancelled; the file is closed while the next upload runs, or behind it."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, LONG)
+    go_to(service, 6)
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    service.wire.lose(lost, name=FTP)
+    if by_file:
+        uploading(service, SURVEY)
+    else:
+        service.upload(SURVEY, proof="InDoubt")
+    assert service.done(LIMIT_S) == "Accepted"
+    service.run(5.0)
+    assert open_file(service) is None, "the file was left open"
+    assert same_bits(service.autopilot.received(), meant(SURVEY))
+    assert service.state.aboard == "OurPlan"
+
+
+@NO_MIXTURE
 @pytest.mark.parametrize("sent", range(1, 8))
 def test_autopilot_that_restarts_meanwhile_has_what_is_said(build_service, sent):
     service = with_files(build_service)

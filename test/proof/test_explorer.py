@@ -2,7 +2,8 @@
 
 Any number of frames may be lost, in both directions, and up to `--faults` more are repeated, delayed past the next,
 damaged or cut short; the autopilot may reboot, the sketch cancel, the Arduino be reset, at any point. What must hold is
-in explorer/Referee.h: it ends; what it says is so; a failure has its cause; no frame is sent that the protocol forbids.
+in explorer/Referee.h, and for plans as files in explorer/FileReferee.h: it ends; what it says is so; a failure has its
+cause; no frame is sent that the protocol forbids.
 A scenario by hand, to any bound:
 
     build/venv/bin/python test/proof/test_explorer.py PX4 upload-in-doubt 3 --faults 3
@@ -73,6 +74,26 @@ def pairs(autopilot: str) -> list[str]:
     )]  # fmt: skip
 
 
+def by_file() -> list[tuple[str, str]]:
+    """PlanFiles on ArduPilot. A plan of 6 items and home is written in two pieces, both on their way at once."""
+    cases = [("file-upload 1", ""), *((f"file-verify {n} --held {n} --held-plan 1", "") for n in (0, 1, 2))]
+    for lossy in ("", " --lossy 1"):
+        cases += [(f"file-upload {n}", f"--losses 4{lossy}") for n in (0, 2, 3, 6, 7)]
+        for beside in ("--reboots 1", "--cancels 1", "--faults 1"):
+            cases += [(f"file-upload {n}", f"--losses 2 {beside}{lossy}") for n in (0, 1, 2)]
+            cases.append(("file-verify 2 --held 2 --held-plan 1", f"--losses 2 {beside}{lossy}"))
+    cases += [("file-upload 6", f"--losses 2 {beside}") for beside in ("--cancels 1", "--others 1")]
+    # Another client, and an item that ArduPilot does not take.
+    cases += [("file-upload 1", "--losses 1 --others 3"), ("file-upload 2", "--losses 2 --others 2")]
+    cases += [("file-upload 1", f"--losses 1 --others 2 {beside}") for beside in ("--cancels 1", "--reboots 1")]
+    cases += [(f"file-verify 2 --held {held} --held-plan 1", "--losses 2 --others 2") for held in (2, 3)]
+    cases += [("file-upload 2", f"--refused {item} --losses 2 --cancels 1 --others 1") for item in (1, 2)]
+    # An operation behind an upload by file that ended somehow, or was broken off.
+    for second in ("file-upload 1", "file-upload 3", "file-verify 2", "upload-in-doubt 1", "verify 2", "clear 0"):
+        cases += [(f"file-upload 2 {second}", f"--losses 2 {beside}") for beside in ("--cancels 1", "--resets 1")]
+    return [(f"ArduPilot {words}", options) for words, options in cases]
+
+
 def expect_nothing_broken(record_property, title: str, scenarios: list[tuple[str, str]]) -> int:
     """Explore each (words, options), and print one row for each operation with each autopilot; the states in all."""
     rows: dict[tuple[str, ...], list[int]] = {}
@@ -126,6 +147,12 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property):
         for options in ("--losses 8", "--losses 8 --lossy 1"):
             scenarios.append((f"{autopilot} upload-in-doubt 2 upload-in-doubt 1", options))
     expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios)
+
+
+@pytest.mark.slow
+def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(record_property):
+    states = expect_nothing_broken(record_property, "explored: plans as files, of 0 to 7 items", by_file())
+    assert states > 1_000_000  # as DESIGN.md says
 
 
 # What is changed in which file, and the scenario that shows it, by the rule that is then broken.
@@ -207,6 +234,69 @@ DEFECTS = {
         "if (stillMs >= kConfirmingMs) return Status::Transferring;",
         "ArduPilot upload 1",
         "it goes round for ever",
+    ),
+    "an upload by file believes the answer to the closing": (
+        "PlanFilesWriting.cpp",
+        "  beginReading();\n}\n\nvoid PlanFiles::takeProof",
+        "  takeProof(*this, Status::Downloaded, nowMs);\n}\n\nvoid PlanFiles::takeProof",
+        "ArduPilot file-upload 2 --losses 1 --refused 1",
+        "aboard() says our plan, and it is not",
+    ),
+    "an upload by file is accepted without a look when somebody has taken its file": (
+        "PlanFilesWriting.cpp",
+        "!= MAV_FTP_OPCODE_ACK) return uploadByItems(nowMs);",
+        "!= MAV_FTP_OPCODE_ACK) return takeProof(*this, Status::Downloaded, nowMs);",
+        "ArduPilot file-upload 1 --losses 0 --others 2",
+        "aboard() says our plan, and it is not",
+    ),
+    "a write is repeated with a number of its own": (
+        "FileWriteTransfer.cpp",
+        "if (slot.tries == 0) slot.request.sequence = ++lastSequence;",
+        "slot.request.sequence = ++lastSequence;",
+        "ArduPilot file-upload 1 --losses 1",
+        "a request is repeated under a number of its own",
+    ),
+    "the header of a file is written while an item is not answered": (
+        "FileWriteTransfer.cpp",
+        "if (open == 0) enter(State::Heading);",
+        "if (next_ == count_) enter(State::Heading);",
+        "ArduPilot file-upload 7 --losses 1",
+        "the header is written before each item is answered",
+    ),
+    "an upload by file takes the answers to another session": (
+        "PlanFiles.cpp",
+        "frame.payloadByte(offsetof(FileFrame, session)) == session_ &&",
+        "",
+        "ArduPilot file-upload 1 --losses 1 --others 2",
+        "it is written to a file that is not open",
+    ),
+    "aboard() does not say that the file may have been stored": (
+        "PlanFilesWriting.cpp",
+        "client.setAboard(Aboard::NotKnown);",
+        "",
+        "ArduPilot file-upload 1 --losses 1 --cancels 1",
+        "aboard() says as before, and it is not",
+    ),
+    "a file that was left open is not closed": (
+        "PlanFiles.cpp",
+        "&& client.link_.canSend()) self.closeLeftOpen();",
+        "&& client.link_.canSend()) self.closings_ = 0;",
+        "ArduPilot file-upload 1 --losses 1 --cancels 1",
+        "a file of ours is left open",
+    ),
+    "a complete file that was left open is closed as it is, over the plan of the next upload": (
+        "PlanFiles.cpp",
+        "if (!isStorable_) {",
+        "if (closings_ != 0) {",
+        "ArduPilot file-upload 2 upload-in-doubt 1 --losses 2 --cancels 1",
+        "a plan is stored after the end",
+    ),
+    "the late answer to the header is taken for that to the zeros in its place": (
+        "PlanFiles.cpp",
+        "if (self.isSpoiling_ && isLast)",
+        "if (isLast)",
+        "ArduPilot file-upload 1 --losses 1 --cancels 1",
+        "a plan is stored after the end",
     ),
 }  # fmt: skip
 

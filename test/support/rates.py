@@ -26,7 +26,7 @@ from truth import longest_s  # noqa: E402
 
 RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
 HEARING = ROOT / "simulation" / "hearing" / "Hearing.cpp"
-MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
+MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "FileWords.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
 
 # Name on the command line -> in words.
 AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", "PX4": "PX4"}

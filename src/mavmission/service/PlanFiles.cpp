@@ -34,7 +34,9 @@ PlanFiles::PlanFiles(MissionClient& client)
       isByFile_(false),
       isForeseen_(false),
       isLook_(false),
-      isLengthKnown_(false) {}
+      isLengthKnown_(false),
+      isStorable_(false),
+      isSpoiling_(false) {}
 
 void PlanFiles::beginOperation(Client::Operation operation) {
   client_.reading_.files = this;
@@ -67,6 +69,7 @@ void PlanFiles::beginFile() {
   }
   firstSequence_ = ++sequence_;  // unused: the answer to the last request of the operation before would have it
   isByFile_ = true;
+  isSpoiling_ = false;
 }
 
 // Sends a request. ArduPilot answers one that has the number of the last one from memory.
@@ -110,9 +113,7 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
   Client& client = self.client_;
   if (!self.isFromAutopilot(frame)) return;
   if (frame.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
-    if (self.closings_ == 0 || self.isRunning() || !client.link_.canSend()) return;
-    self.send(++self.sequence_, MAV_FTP_OPCODE_TERMINATESESSION);
-    if (self.closings_ != kUntilClosed) --self.closings_;
+    if (self.closings_ != 0 && !self.isRunning() && client.link_.canSend()) self.closeLeftOpen();
     return;
   }
   if (!frame.isFor(client.link_.systemId(), client.link_.componentId()) || !self.isReply(frame)) return;
@@ -122,14 +123,38 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
     case MAV_FTP_OPCODE_CREATEFILE:
       if (isAck) self.closings_ = kUntilClosed;
       break;
-    case MAV_FTP_OPCODE_TERMINATESESSION: self.closings_ = 0; break;
+    case MAV_FTP_OPCODE_TERMINATESESSION:
+      self.closings_ = 0;
+      self.isStorable_ = false;
+      break;
+    case MAV_FTP_OPCODE_WRITEFILE: {
+      const uint16_t sequence = frame.payloadWord(offsetof(FileFrame, sequence));
+      const bool isLast = static_cast<uint16_t>(self.sequence_ + 1) == sequence;
+      if (self.isSpoiling_ && isLast) self.isStorable_ = false;  // a refusal too: it is open for reading by now
+      break;
+    }
     default: break;
   }
   if (isAck) return;
   const uint8_t error = frame.payloadByte(offsetof(FileFrame, data));
   // It is somebody else's file that is open, or none. To close it all the same would hand that file to the next client
   // that asks.
-  if (error == MAV_FTP_ERR_INVALIDSESSION || error == MAV_FTP_ERR_FILENOTFOUND) self.closings_ = 0;
+  if (error != MAV_FTP_ERR_INVALIDSESSION && error != MAV_FTP_ERR_FILENOTFOUND) return;
+  self.closings_ = 0;
+  self.isStorable_ = false;
+}
+
+// A plan that is complete in its file would be stored now, behind the end of its upload, and perhaps over another plan
+// that has been uploaded meanwhile. So its header is spoilt first; when that is answered, the next heartbeat closes it.
+void PlanFiles::closeLeftOpen() {
+  if (!isStorable_) {
+    send(++sequence_, MAV_FTP_OPCODE_TERMINATESESSION);
+    if (closings_ != kUntilClosed) --closings_;
+    return;
+  }
+  memset(static_cast<FileFrame*>(client_.link_.draft())->data, 0, kFileHeader);
+  isSpoiling_ = true;
+  send(++sequence_, MAV_FTP_OPCODE_WRITEFILE, kFileHeader);
 }
 
 }  // namespace mavmission

@@ -151,6 +151,7 @@ void PlanFiles::writeOn(uint16_t nowMs) {
       if (client.isArmed() && !isLengthKnown_)
         return client.rest_.armedAllowed ? uploadByItems(nowMs) : client.end(Status::Armed);
       client.setAboard(Aboard::NotKnown);  // from now on whoever closes the file may store it
+      isStorable_ = true;
       const FileHeader header = {FileHeader::kMagic, static_cast<uint8_t>(client.state_.type), 0, 0,
                                  client.plan_.wireCount()};
       memcpy(static_cast<FileFrame*>(client.link_.draft())->data, &header, kFileHeader);
