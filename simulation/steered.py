@@ -13,6 +13,7 @@ import struct
 from typing import Any
 
 from simulation.fake_autopilot.flight import METRES_PER_E7, Place
+from simulation.bench import status_names
 from simulation.service import Service
 
 STEPS = ("None", "AskLanded", "AskHome", "AskPosition", "Mode", "Arm", "Command", "Confirm", "Disarm")
@@ -94,3 +95,33 @@ class Steered(Service):
             assert self.now < limit, "it does not reach its height"
             self.run(0.5)
         self.run(1.5)
+
+
+class Following(Steered):
+    """With a MovingTarget, whose target the sketch renews by itself once told to."""
+
+    def __init__(self, *arguments, defines: dict | None = None, **options) -> None:
+        super().__init__(*arguments, defines={"BENCH_TARGET": True, **(defines or {})}, **options)
+
+    def follow(self, place: tuple[int, int], altitude_m: float, frame: int = ABOVE_HOME, renew_ms: int = 100) -> str:
+        self.tell("renewing", renew_ms)
+        return self.order_of("follow", *_target(place, altitude_m, frame))
+
+    def renew(self, place: tuple[int, int], altitude_m: float, frame: int = ABOVE_HOME) -> str:
+        return self.order_of("renew", *_target(place, altitude_m, frame))
+
+    def is_followed(self) -> bool:
+        return "followed=1" in self.tell("target")[0]
+
+    @property
+    def target_status(self) -> str:
+        return status_names()[int(self.tell("target")[0].split(" ")[2])]
+
+    def targets(self, since: float = 0.0) -> list[tuple[float, Any]]:
+        """Those that have reached the autopilot, with their times [s]."""
+        return [(entry.time, entry.message) for entry in self._sent("SET_POSITION_TARGET_GLOBAL_INT")
+                if entry.time >= since]  # fmt: skip
+
+
+def _target(place: tuple[int, int], altitude_m: float, frame: int) -> tuple[int, ...]:
+    return place[0] % 2**32, place[1] % 2**32, bits(altitude_m), frame

@@ -16,6 +16,7 @@
 #include "mavmission/MessageListener.h"
 #include "mavmission/MissionClient.h"
 #include "mavmission/MissionFollower.h"
+#include "mavmission/MovingTarget.h"
 #include "mavmission/Parameters.h"
 #include "mavmission/Payload.h"
 #include "mavmission/PayloadMessages.h"

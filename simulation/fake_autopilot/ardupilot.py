@@ -6,7 +6,7 @@ from . import hearing, instruments, parameters
 from .ardupilot_missions import Missions
 from .autopilot import TEXT_LAG_S, Address, FakeAutopilot
 from .dialect import mavlink
-from .flight import TAKEOFF, VTOL_TAKEOFF, Flight, Place
+from .flight import PLACE_IGNORED, TAKEOFF, VTOL_TAKEOFF, Flight, Place
 from .ftp import Ftp
 from .items import FENCE, MISSION, RALLY, Item, f32, whole_number
 from .parameters import NO_INDEX
@@ -228,9 +228,10 @@ class ArduPilot(FakeAutopilot):
         return True
 
     def _on_set_target(self, message, sender, now: float) -> None:
-        """One is enough. There is no answer, and in another mode than GUIDED it does nothing."""
-        if self.mode == "GUIDED":
-            self._fly_guided(message.lat_int, message.lon_int, message.alt, message.coordinate_frame, now)
+        """One is enough: it flies on to the last one. There is no answer, and in another mode than GUIDED it does
+        nothing; a plane takes nothing but the altitude (by source)."""
+        if self.mode == "GUIDED" and not message.type_mask & PLACE_IGNORED and self.vehicle != "plane":
+            self._fly_guided(message.lat_int, message.lon_int, message.alt, message.coordinate_frame, now, moves=True)
 
     def _on_request_data_stream(self, message, sender, now: float) -> None:
         for identity in _STREAMS.get(message.req_stream_id, ()):
@@ -374,11 +375,12 @@ class ArduPilot(FakeAutopilot):
         self._fly_guided(message.x, message.y, message.z, message.frame, now)
         return RESULT_ACCEPTED
 
-    def _fly_guided(self, lat: int, lon: int, z: float, frame: int, now: float) -> None:
+    def _fly_guided(self, lat: int, lon: int, z: float, frame: int, now: float, moves: bool = False) -> None:
         """On the ground a copter does not leave it, and a disarmed vehicle does not move."""
         height = z - self.flight.home_altitude if frame in _ABOVE_THE_SEA else z
         if self.armed and (self.flight.airborne(now) or not self.kind.needs_takeoff):
-            self.flight.fly_to(Place(lat, lon, height), now)
+            fly_to = self.flight.chase if moves else self.flight.fly_to
+            fly_to(Place(lat, lon, height), now)
             self._follow_flight()
 
     def _do_change_speed(self, message, now: float) -> int:

@@ -11,6 +11,7 @@ from .dialect import mavlink
 from .items import Item
 
 METRES_PER_E7 = 0.011131884502145034  # a 1e-7 degree of latitude [m]
+PLACE_IGNORED = 7  # in the type mask of a target: a coordinate that does not count
 HIGHEST = 1e6  # [m]; no plan means more, and GLOBAL_POSITION_INT could not tell of it
 ELSEWHERE = 2.0  # [m] away, at least
 MOST_JUMPS_AT_ONCE = 1000  # a plan of nothing but jumps must not hang the test
@@ -99,6 +100,7 @@ class Flight:
         self.target: Place | None = None  # of fly_to(); None when not flying to a place of no plan
         self._moves_to_land = False
         self._lands_at_target = self._into_ground = False
+        self._is_steady = False  # flies at its speed from the first moment on
         self._items = items
         self._begun, self._reached, self._over, self._landed = begun, reached, over, landed
         self._from, self._to = home, home
@@ -115,7 +117,7 @@ class Flight:
         if now < self._began_at:
             return self._from
         share = (now - self._began_at) / length
-        return self._from.towards(self._to, share * share * (3 - 2 * share))
+        return self._from.towards(self._to, share if self._is_steady else share * share * (3 - 2 * share))
 
     def airborne(self, now: float) -> bool:
         return self.where(now).height > 0.1
@@ -142,10 +144,23 @@ class Flight:
         self._to, self._began_at = target, now + spool_up_s
         self.ends_at = self._began_at + max(takes_s, 0.02)
 
+    def chase(self, target: Place, now: float) -> None:
+        """Fly to a target that moves: at full speed, without slowing down for each place that is named."""
+        target = target if self.pace.flies else target._replace(height=self.where(now).height)
+        if target == self.target:
+            return
+        self.stop(now)
+        rise = target.height - self._from.height
+        takes_s = max(self._from.distance(target) / self.pace.speed,
+                      rise / self.pace.climb if rise > 0 else -rise / self.pace.descent)
+        self.target, self._to, self._began_at, self._is_steady = target, target, now, True
+        self.ends_at = now + max(takes_s, 0.02)
+
     def begin(self, index: int, now: float) -> None:
         """Fly item `index`, and from there on."""
         self._from = self.where(now)
         self.target = None
+        self._is_steady = False
         self.waiting = self.sinking = False
         for _ in range(MOST_JUMPS_AT_ONCE):
             items = self._items()
@@ -203,6 +218,7 @@ class Flight:
     def sink(self, now: float) -> None:
         """Come down where we are."""
         self._from = self.where(now)
+        self._is_steady = False
         self._to = self._from._replace(height=0.0)
         self._began_at, self.ends_at = now, now + max(self._from.height, 0.0) / self.pace.descent
         self.sinking = True
@@ -211,14 +227,14 @@ class Flight:
         """Fly no item any more: stay where we are."""
         self._to = self._from = self.where(now)
         self.index, self.ends_at = None, math.inf
-        self.waiting = self.sinking = self._lands_at_target = self._into_ground = False
+        self.waiting = self.sinking = self._lands_at_target = self._into_ground = self._is_steady = False
         self.target = None
 
     def land_at_once(self) -> None:
         """As after a restart: on the ground, at rest, where it is."""
         self._from = self._to = self._to._replace(height=0.0)
         self.index, self.ends_at = None, math.inf
-        self.waiting = self.sinking = self._lands_at_target = self._into_ground = False
+        self.waiting = self.sinking = self._lands_at_target = self._into_ground = self._is_steady = False
         self.target = None
 
     def forget_jumps(self) -> None:

@@ -6,7 +6,7 @@ from . import hearing, instruments, parameters
 from .autopilot import TEXT_LAG_S, FakeAutopilot
 from .dialect import mavlink
 from .feasibility import objection
-from .flight import LANDINGS, Flight, Pace, Place
+from .flight import LANDINGS, PLACE_IGNORED, Flight, Pace, Place
 from .items import FENCE, MISSION, RALLY, Item, whole_number
 from .px4_missions import Missions, State
 from .px4_rewriting import AT_A_PLACE
@@ -39,6 +39,7 @@ MISSION_LANDED_S = 0.18  # from the landing to the text, and as long again to th
 LOOKS_AFTER_S = 0.025  # after it has accepted a plan; 0.010 to 0.062 seen
 COMMANDER_S = 0.005  # so much later answers the part that arms and changes modes; 0.004 to 0.014 seen
 STREAM_S = 1.0  # OFFBOARD wants a target in this time
+STREAM_GONE_S = 0.14  # and when it has still none so much later, it returns; 1.14 s from the last target seen
 DEFAULT_TAKEOFF_M = 2.5  # its parameter MIS_TAKEOFF_ALT
 PARAM_AGAIN_S = 0.012  # from PARAM_VALUE to its second copy, after a change; 7 to 19 ms seen
 TEXT_LENGTH = 50  # of a STATUSTEXT; what is longer comes in several
@@ -249,10 +250,44 @@ class Px4(FakeAutopilot):
         self._command_ack(mavlink.MAV_CMD_DO_SET_MODE, self._mode_ordered(main, sub, now), sender, now)
 
     def _on_set_target(self, message, sender, now: float) -> None:
-        """Flown to in OFFBOARD alone, which wants a stream of them."""
-        if message.target_system not in (0, self.address[0]):
+        """Flown to in OFFBOARD alone, which wants a stream of them.
+
+        By source: it looks at the frame, and takes these numbers of frames alone; a height above home needs home.
+        """
+        if message.target_system not in (0, self.address[0]) \
+                or message.target_component not in (0, self.address[1]):
+            return
+        height = message.alt
+        if message.coordinate_frame == mavlink.MAV_FRAME_GLOBAL_INT:
+            height -= self.home[2]
+        elif message.coordinate_frame != mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT:
+            self.text(CRITICAL, f"SET_POSITION_TARGET_GLOBAL_INT invalid coordinate frame {message.coordinate_frame}\t",
+                      now)
+            return
+        elif not self.home_is_known:
             return
         self._streamed_at = now
+        if self.main_mode != OFFBOARD:
+            return
+        self._watch_stream()
+        if self.armed and self.flight.airborne(now) and not message.type_mask & PLACE_IGNORED:
+            self.flight.chase(Place(message.lat_int, message.lon_int, height), now)
+            self._follow_flight()
+
+    def _watch_stream(self) -> None:
+        self.never("stream gone")
+        self.at("stream late", self._streamed_at + STREAM_S, self._stream_is_late)
+
+    def _stream_is_late(self, now: float) -> None:
+        if self.armed and self.main_mode == OFFBOARD:
+            self.text(CRITICAL, "Failsafe activated\t", now)
+            self.at("stream gone", now + STREAM_GONE_S, self._stream_is_gone)
+
+    def _stream_is_gone(self, now: float) -> None:
+        """It returns. (Had a target come meanwhile, it would go on.)"""
+        if self.armed and self.main_mode == OFFBOARD:
+            self._set_mode(AUTO, SUB_RTL, now)
+            self.in_failsafe = True
 
     def _has_stream(self, now: float) -> bool:
         return now - self._streamed_at <= STREAM_S
@@ -438,6 +473,9 @@ class Px4(FakeAutopilot):
         if (main, sub) == (self.main_mode, self.sub_mode) and self.flight.index is not None:
             return
         self.main_mode, self.sub_mode = main, sub
+        self.in_failsafe = False
+        if main == OFFBOARD:
+            self._watch_stream()
         if main != AUTO or sub not in _FOR_A_WHILE:
             self._mode_when_disarmed = (main, sub)
         self.flight.stop(now)

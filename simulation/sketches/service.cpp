@@ -45,6 +45,9 @@ TelemetryPause quiet(client);
 #ifdef BENCH_STEERING
 Steering steering(client);
 #endif
+#ifdef BENCH_TARGET
+MovingTarget moving(steering);
+#endif
 #ifdef BENCH_FILES
 PlanFiles files(client);
 #endif
@@ -282,6 +285,47 @@ ACTION(steered) {
   Serial.println();
 }
 #endif
+#ifdef BENCH_TARGET
+static uint8_t targetEnds;    // how often update() has returned how it has ended
+static uint16_t renewEachMs;  // 0: the test renews it
+static LatLon targetPlace;
+static Altitude targetAltitude = 0_m;
+// Latitude and longitude [1e-7 degrees], altitude, frame; then how it went.
+static void readTarget(const Numbers& numbers) {
+  targetPlace =
+      LatLon{Degrees::fromE7(static_cast<int32_t>(numbers[0])), Degrees::fromE7(static_cast<int32_t>(numbers[1]))};
+  targetAltitude = Altitude(Metres(asFloat(numbers[2])), static_cast<Frame>(numbers[3]));
+}
+ACTION(follow) {
+  readTarget(numbers);
+  tellBegun(moving.start(targetPlace, targetAltitude));
+}
+ACTION(renew) {
+  readTarget(numbers);
+  tellBegun(moving.renew(targetPlace, targetAltitude));
+}
+// The sketch itself renews the last place each so many milliseconds.
+ACTION(renewing) { renewEachMs = numbers[0]; }
+ACTION(unfollow) { moving.stop(); }
+// loop() stands still once for so many milliseconds, in the middle of the next long message.
+static uint32_t hangMs;
+ACTION(hang) { hangMs = numbers[0]; }
+ACTION(patience) { moving.setTimeout(numbers[0]); }
+ACTION(target) {
+  tell(F("target"), static_cast<uint8_t>(moving.status()));
+  tellNumber(F("followed"), moving.isFollowed());
+  tellNumber(F("ends"), targetEnds);
+  Serial.println();
+}
+static void moveTarget() {
+  static uint16_t renewedMs;
+  if (isEnd(moving.update())) ++targetEnds;
+  const uint16_t nowMs = millis();
+  if (renewEachMs == 0 || static_cast<uint16_t>(nowMs - renewedMs) < renewEachMs) return;
+  renewedMs = nowMs;
+  moving.renew(targetPlace, targetAltitude);
+}
+#endif
 #ifndef BENCH_DIRECT
 ACTION(room) { line.setRoom(numbers[0]); }
 #endif
@@ -331,6 +375,11 @@ static const Word words[] = {
     WORD(goOn),         WORD(home),          WORD(landNow),
     WORD(speed),        WORD(steered),
 #endif
+#ifdef BENCH_TARGET
+    WORD(follow),       WORD(renew),         WORD(renewing),
+    WORD(unfollow),     WORD(patience),      WORD(target),
+    WORD(hang),
+#endif
 #ifndef BENCH_DIRECT
     WORD(room),         WORD(blocked),
 #endif
@@ -364,7 +413,16 @@ void loop() {
 #ifdef BENCH_QUIET
   quiet.update();
 #endif
+#ifdef BENCH_TARGET
+  moveTarget();
+#endif
   const Status status = client.update();
+#ifdef BENCH_TARGET
+  if (hangMs != 0 && !client.isSent()) {
+    delay(hangMs);
+    hangMs = 0;
+  }
+#endif
   if (status != lastReturned || isEnd(status)) {
     lastReturned = status;
     tell(F("returned"), static_cast<uint8_t>(status));

@@ -100,6 +100,7 @@ namespace mavmission {
   X(NotFlying, "refused: it is not in the air") \
   X(NoHome, "refused: the autopilot does not say where home is") \
   X(BadSpeed, "refused: a speed that is not above 0, or above 100 m/s") \
+  X(NotRenewed, "held: the sketch has not renewed its target in time") /* MovingTarget */ \
   /* parameters */ \
   X(NoParameter, "no answer: it has no parameter of this name, or does not hear us") \
   X(OtherValue, "the autopilot keeps another value")  /* Parameters::value() */

@@ -7,6 +7,8 @@
 
 namespace mavmission {
 
+class MovingTarget;
+
 // The steps of a Steering operation, in order; each operation needs only some of them. AskLanded: PX4 is asked whether
 // it is in the air (EXTENDED_SYS_STATE). AskHome: and whether home is known (HOME_POSITION). AskPosition: the position
 // is requested twice a second (GLOBAL_POSITION_INT). Command: NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED. Confirm:
@@ -74,6 +76,8 @@ class Steering : public detail::Listener, private detail::SteerRules {
   SteerStep step() const { return step_; }
 
  private:
+  friend class MovingTarget;
+
   enum class Order : uint8_t { TakeOff, GoTo, Pause, Resume, ReturnHome, Land, Speed };
   // What an altitude is measured from.
   enum class Above : uint8_t { Nothing, Home, Sea };
@@ -108,6 +112,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status leave(Status refusal, uint16_t nowMs);
   Status done();
   void forgetTarget();
+  void fillStep(FlightCommand& command) const;
   void fillCommand(FlightCommand& command) const;
   void findWanted();
   bool isRunning() const;

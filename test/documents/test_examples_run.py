@@ -353,6 +353,39 @@ def test_go_to_places_leaves_the_aircraft_to_a_pilot_who_takes_it(run, personali
     assert autopilot.armed and "to place 3" not in example.lines and "home" not in example.lines
 
 
+TARGET = "SET_POSITION_TARGET_GLOBAL_INT"
+
+
+def test_follow_beacon_is_behind_its_target_holds_and_comes_home(run):
+    example = run("FollowBeacon")
+    flight, away = example.autopilot.flight, []
+    while "home" not in example.lines:
+        assert example.now < 240, example.lines
+        example.run(0.5)
+        ended = example.lines.count("done: the autopilot confirmed it")
+        targets = example.autopilot.messages(">", TARGET)
+        if targets and ended == 2:
+            here = flight.where(example.now)
+            away.append(here.distance(here._replace(lat_e7=targets[-1].lat_int, lon_e7=targets[-1].lon_int)))
+    assert len(targets) > 290 and max(away[20:]) < 5.0
+    assert flight.where(example.now).distance(flight.home) < 0.5 and not example.autopilot.armed
+
+
+def test_follow_beacon_leaves_the_aircraft_to_a_pilot_who_takes_it(run):
+    example = run("FollowBeacon")
+    while example.lines.count("done: the autopilot confirmed it") < 2:
+        assert example.now < 100, example.lines
+        example.run(0.5)
+    example.run(5.0)
+    mode = (5,) if is_ardupilot(example) else (3, 0)
+    example.autopilot._set_mode(*mode, example.now)
+    example.until("a pilot or another station has the aircraft", 5.0)
+    sent = len(example.autopilot.messages(">", TARGET))
+    example.run(10.0)
+    assert sent > 0 and len(example.autopilot.messages(">", TARGET)) == sent
+    assert example.autopilot.armed and "home" not in example.lines
+
+
 def test_work_at_waypoints_holds_the_mission_at_each_and_goes_on(run):
     example = run("WorkAtWaypoints")
     flight = example.autopilot.flight

@@ -91,6 +91,29 @@ def steered(make_steered):
     return make_steered()
 
 
+@pytest.fixture
+def build_following(request):
+    """Makes a Following for an autopilot, whose transcript is shown when the test fails."""
+    from simulation.steered import Following
+
+    def build(*arguments, **options) -> Following:
+        made = Following(*arguments, **options)
+        request.node.stash.setdefault(BENCHES, []).append(made)
+        return made
+
+    return build
+
+
+@pytest.fixture
+def make_following(build_following, personality):
+    return lambda **options: build_following(personality, **options)
+
+
+@pytest.fixture
+def following(make_following):
+    return make_following()
+
+
 BENCHES = pytest.StashKey[list]()
 
 

@@ -59,6 +59,15 @@ def test_example_that_flies_without_a_plan_is_at_each_place_and_lands_at_home(au
 
 
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_example_that_follows_a_target_is_behind_it_all_the_time_and_lands_at_home(autopilot):
+    good, text = shown("FollowBeacon", autopilot=autopilot)
+    assert good, text
+    assert "Failsafe" not in text
+    behind, end = text.splitlines()[-1].split(" has been behind its target at ")[1].split(" ", 1)
+    assert int(behind) >= 250 and end == "places, and has landed at home."
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_flight_that_misses_a_place_is_not_called_good(autopilot, monkeypatch):
     monkeypatch.setattr(inside, "description", lambda example: {"flies": 4, "limit_s": 240})
     good, text = shown("GoToPlaces", autopilot=autopilot)

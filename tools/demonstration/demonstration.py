@@ -76,17 +76,18 @@ class Demonstration:
         described = settings.described or description(settings.example)
         self._limit_s: float = described.get("runs_s") or described.get("limit_s", LIMIT_S)
         self._flies: int = described.get("flies", 0)
+        self._follows: int = described.get("follows", 0)
         self._visited: list[Place] = []
         self._landed_at: float | None = None
         self._has_flown = False
-        self._uploads = not described.keys() & {"runs_s", "reads", "flies"}
+        self._uploads = not described.keys() & {"runs_s", "reads", "flies", "follows"}
         self._reads: bool = described.get("reads", False)
         try:
             built = build_sketch(sketch(settings.example))
             self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
-        if self._flies:
+        if self._flies or self._follows:
             self.autopilot = one_to_fly(settings.autopilot, settings.vehicle)
         else:
             self.autopilot = an_autopilot(settings.autopilot, settings.vehicle)
@@ -195,7 +196,7 @@ class Demonstration:
 
     def _watch(self) -> None:
         """Where it flies, for an example that flies without a plan."""
-        if not self._flies:
+        if not self._flies and not self._follows:
             return
         flight, now = self.autopilot.flight, self.now
         there = flight.target
@@ -214,7 +215,7 @@ class Demonstration:
 
     def _is_over(self) -> bool:
         is_refused = self._refused_at is not None and self.now >= self._refused_at + REFUSED_AFTER_S
-        if self._flies:
+        if self._flies or self._follows:
             has_landed = self._landed_at is not None and self.now >= self._landed_at + LANDED_S
             return has_landed or self.now >= self._limit_s
         return is_refused or self.now >= self._limit_s or self._conversation.is_over(self.now)
@@ -234,7 +235,7 @@ class Demonstration:
         talk = self._conversation
         self._screen.say(f"beside these: {talk.others['HEARTBEAT']} heartbeats, {talk.telemetry} frames of telemetry")
         name = NAMES[self.settings.autopilot]
-        if self._flies:
+        if self._flies or self._follows:
             return self._conclude_flying(name)
         if self._reads:
             return self._conclude_reading(name)
@@ -275,16 +276,20 @@ class Demonstration:
     def _conclude_flying(self, name: str) -> Verdict:
         flight = self.autopilot.flight
         legs = [flight.home, *self._visited]
-        for number, (one, other) in enumerate(itertools.pairwise(legs), start=1):
+        # One that follows is told a place five times a second: too many to be listed.
+        for number, (one, other) in enumerate(itertools.pairwise(legs if self._flies else ()), start=1):
             away_m = one.distance(other)
             self._screen.say(f"place {number}: {away_m:.0f} m from the one before, {other.height:.1f} m up")
-        if len(self._visited) != self._flies:
+        if len(self._visited) < self._follows:
+            return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._follows} targets or more.")
+        if self._flies and len(self._visited) != self._flies:
             return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._flies} places.")
         if self._landed_at is None:
             return Verdict(False, f"FAILED: after {self.now:.0f} s {name} has not landed.")
         if flight.where(self.now).distance(flight.home) > NEAR_HOME_M:
             return Verdict(False, f"FAILED: {name} has landed, but not at home.")
-        return Verdict(True, f"{name} has been at all {self._flies} places, and has landed at home.")
+        been = f"at all {self._flies} places" if self._flies else f"behind its target at {len(self._visited)} places"
+        return Verdict(True, f"{name} has been {been}, and has landed at home.")
 
     def _draw(self, file: Path, verdict: Verdict) -> None:
         """The run as a picture."""

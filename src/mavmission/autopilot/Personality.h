@@ -57,6 +57,8 @@ enum Trait : uint32_t {
   kAltitudesAreAboveSea = 1ul << 27,  // takes each altitude of a command as above sea level, whatever its frame
   kPlanesKeepMore = 1ul << 24,        // its planes keep more fields: kByPlane
 
+  kNeedsStream = 1ul << 29,           // its guided mode (OFFBOARD) wants targets first, and a failsafe ends it without
+
   // --- Parameters
   kIntegersAsBits = 1ul << 30,  // PARAM_VALUE has integers as the bits of its float, and not as the float's value
 };
@@ -72,7 +74,7 @@ enum Trait : uint32_t {
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
     kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea |                   \
-    kIntegersAsBits)
+    kNeedsStream | kIntegersAsBits)
 // clang-format on
 
 // The traits of any other autopilot.

@@ -116,6 +116,13 @@ struct SteerRules {
   static constexpr uint8_t kFreshBeats = 3, kTargetBeats = 5;
 };
 
+struct TargetRules {
+  static constexpr uint16_t kEveryMs = 200;     // from one target of a MovingTarget to the next
+  static constexpr uint16_t kLeadMs = 1000;     // PX4: targets before OFFBOARD is set
+  static constexpr uint16_t kTimeoutMs = 1000;  // the sketch must have renewed its target within this time
+  static constexpr uint16_t kBlindMs = 1000;    // a loop() that stood still for so long waits for a heartbeat
+};
+
 struct ClientRules {
   static constexpr uint8_t kTickMs = 2;            // seconds, heartbeats and silence are looked at once in this time
   static constexpr uint16_t kLeftoversMs = 10000;  // an earlier transfer may still be answered

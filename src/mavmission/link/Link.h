@@ -86,6 +86,8 @@ class Link : public LinkRules {
 
   // Sends a message of the sketch's own; false if that cannot be done now.
   bool sendForeign(const OutgoingMessage& message);
+  // Spoils that message, if it is still going out: what it says is no longer true.
+  void spoilForeign(const void* payload) { outbox_.spoilForeign(payload); }
   bool isSent() const { return outbox_.isEmpty(); }
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.

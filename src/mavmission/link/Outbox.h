@@ -44,6 +44,14 @@ class Outbox {
   // frame has been sent.
   void completeForeign(const OutgoingMessage& message);
 
+  // Makes the frame with this payload, if it is still going out, one that nobody accepts.
+  void spoilForeign(const void* payload) {
+    if (isEmpty() || writeForeign_ != writeForeign || foreign_.body != payload) return;
+    uint8_t* const crc = foreign_.around + foreign_.headLength;
+    crc[0] ^= 0xFF;
+    crc[1] ^= 0xFF;  // the first one may have left
+  }
+
   // Makes the next piece of a payload, up to kMaxPayload bytes, and returns its length; kNotNow: ask again; kBroken:
   // the payload cannot be completed, and the frame becomes one that nobody accepts.
   typedef uint8_t (*NextPiece)(void* context, uint8_t* piece);

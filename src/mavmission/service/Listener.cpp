@@ -10,6 +10,11 @@ Listener::Listener(MissionClient& client, const MessageKey* keys, uint8_t count,
   client_.link_.add(*this);
 }
 
+Listener::Listener(const Listener& beside, const MessageKey* keys, uint8_t count, Take take)
+    : MoreKeys{keys, count, nullptr, keyAmong, tellAll}, client_(beside.client_), take_(take) {
+  client_.link_.add(*this);
+}
+
 const MessageKey* Listener::keyAmong(const MoreKeys* list, uint16_t messageId) {
   const MessageKey* key = nullptr;
   for (; key == nullptr && list != nullptr; list = list->next) key = list->find(messageId);

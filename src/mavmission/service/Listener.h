@@ -26,6 +26,9 @@ class Listener : private MoreKeys {
   // `keys`: of the messages to be received, in flash. The listener must live as long as the client.
   Listener(MissionClient& client, const MessageKey* keys, uint8_t count, Take take);
 
+  // The same, on the client of another listener.
+  Listener(const Listener& beside, const MessageKey* keys, uint8_t count, Take take);
+
   // True if the frame is from the client's autopilot.
   bool isFromAutopilot(const FrameParser& frame) const;
 

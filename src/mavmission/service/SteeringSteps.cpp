@@ -147,19 +147,22 @@ void Steering::findWanted() {
 }
 
 void Steering::fill(Client& client, FlightCommand& command) {
-  const Steering& self = *static_cast<const Steering*>(client.commanding_.owner);
+  static_cast<const Steering*>(client.commanding_.owner)->fillStep(command);
+}
+
+void Steering::fillStep(FlightCommand& command) const {
   command.id = MAV_CMD_REQUEST_MESSAGE;
-  switch (self.step_) {
+  switch (step_) {
     case SteerStep::AskHome: command.param1 = MAVLINK_MSG_ID_HOME_POSITION; return;
     case SteerStep::AskPosition:
       command.id = MAV_CMD_SET_MESSAGE_INTERVAL;
       command.param1 = MAVLINK_MSG_ID_GLOBAL_POSITION_INT;
       command.param2 = kPositionUs;
       return;
-    case SteerStep::Mode: return Client::fillModeNumber(command, self.wantedMode_);
-    case SteerStep::Arm: return Client::fillArm(client, command);
-    case SteerStep::Disarm: return Client::fillDisarm(client, command);
-    case SteerStep::Command: return self.fillCommand(command);
+    case SteerStep::Mode: return Client::fillModeNumber(command, wantedMode_);
+    case SteerStep::Arm: return Client::fillArm(client_, command);
+    case SteerStep::Disarm: return Client::fillDisarm(client_, command);
+    case SteerStep::Command: return fillCommand(command);
     default: command.param1 = MAVLINK_MSG_ID_EXTENDED_SYS_STATE;
   }
 }

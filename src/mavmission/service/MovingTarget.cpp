@@ -1,0 +1,321 @@
+#include "../MovingTarget.h"
+
+#include <Arduino.h>
+#include <string.h>
+
+#include "../base/Clock.h"
+#include "../base/FloatBits.h"
+#include "../link/Messages.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+const MessageKey kBeats[] PROGMEM = {MAVMISSION_LISTENER_KEY(HEARTBEAT)};
+
+typedef mavlink_set_position_target_global_int_t Message;
+
+// The place alone counts.
+constexpr uint16_t kPlaceAlone = POSITION_TARGET_TYPEMASK_VX_IGNORE | POSITION_TARGET_TYPEMASK_VY_IGNORE |
+                                 POSITION_TARGET_TYPEMASK_VZ_IGNORE | POSITION_TARGET_TYPEMASK_AX_IGNORE |
+                                 POSITION_TARGET_TYPEMASK_AY_IGNORE | POSITION_TARGET_TYPEMASK_AZ_IGNORE |
+                                 POSITION_TARGET_TYPEMASK_YAW_IGNORE | POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE;
+
+}  // namespace
+
+MovingTarget::MovingTarget(Steering& steering)
+    : Listener(steering, kBeats, 1, take),
+      steering_(steering),
+      renewedMs_(0),
+      updatedMs_(0),
+      timeoutMs_(kTimeoutMs),
+      sentMs_(0),
+      beganMs_(0),
+      blindMs_(0),
+      mode_(kNoMode),
+      at_(),
+      heightCm_(0),
+      frame_(Frame::Global),
+      status_(Status::Idle),
+      toReturn_(Status::Idle),
+      ending_(Status::Idle),
+      stage_(Stage::Off),
+      isBlind_(false),
+      isStopped_(false),
+      hasSent_(false),
+      isOrdered_(false),
+      isAimed_(false),
+      isHere_(false),
+      isSpoilt_(true) {
+  static_assert(
+      sizeof(payload_) == sizeof(Message) && sizeof(Message) == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_LEN,
+      "the struct of a message must have the layout of its payload on the wire");
+}
+
+// --- What the sketch calls
+
+Status MovingTarget::start(const LatLon& place, Altitude altitude) {
+  if (stage_ != Stage::Off) return Status::Busy;
+  const Status status = steering_.goTo(place, altitude);
+  if (status == Status::Busy) return status;
+  takeOver();
+  stage_ = Stage::Starting;
+  status_ = Status::Transferring;
+  toReturn_ = Status::Idle;
+  frame_ = steering_.frame_;
+  isBlind_ = isStopped_ = hasSent_ = isOrdered_ = isHere_ = false;
+  isAimed_ = true;
+  renewedMs_ = updatedMs_ = millis();
+  renew(place, altitude);  // a number that cannot be meant is refused by the order, too
+  return status;
+}
+
+// The numbers are checked as those of goTo(), beside an order that may be running.
+Status MovingTarget::renew(const LatLon& place, Altitude altitude) {
+  if (stage_ == Stage::Off) return status_;
+  if (stage_ == Stage::Holding) return ending_;
+  if (isLate()) return isStopped_ ? Status::Cancelled : Status::NotRenewed;
+  Steering& checks = steering_;
+  if (modern(altitude.frame()) != frame_) return checks.refuseField(Status::BadFrame, ItemField::Reference);
+  const Steering::Place wanted = checks.wanted_;
+  const Steering::Order order = checks.order_;
+  const Frame frame = checks.frame_;
+  const float value = checks.value_;
+  checks.order_ = Steering::Order::GoTo;
+  checks.frame_ = frame_;
+  checks.value_ = altitude.metres();
+  checks.wanted_.at = place;
+  const Status status = checks.refuseNumbers();
+  const int32_t heightCm = checks.wanted_.heightCm;
+  checks.wanted_ = wanted;
+  checks.order_ = order;
+  checks.frame_ = frame;
+  checks.value_ = value;
+  if (status != Status::Transferring) return status;
+  at_ = place;
+  heightCm_ = heightCm;
+  renewedMs_ = millis();
+  return status;
+}
+
+void MovingTarget::stop() { isStopped_ = true; }
+
+Status MovingTarget::update() {
+  const uint32_t exactMs = millis();
+  const uint16_t nowMs = static_cast<uint16_t>(exactMs);
+  look(exactMs);
+  switch (stage_) {
+    case Stage::Off: break;
+    case Stage::Starting:
+      // cancel(), or no autopilot in the time allowed: what else ends it comes by on().
+      if (!isOperating()) {
+        const Status ended = client_.status();
+        finish(isEnd(ended) ? ended : Status::Cancelled);
+      } else if (needsStream() && steering_.step_ == SteerStep::Mode) {
+        if (isLate()) aimHere();
+        send(nowMs);
+      }
+      break;
+    case Stage::Following: follow(nowMs); break;
+    case Stage::Holding: keepHolding(nowMs); break;
+  }
+  const Status ended = toReturn_;
+  toReturn_ = Status::Idle;
+  if (ended != Status::Idle) return ended;
+  return stage_ == Stage::Off ? Status::Idle : Status::Transferring;
+}
+
+// --- What it looks at
+
+void MovingTarget::take(Listener& listener, const FrameParser& frame) {
+  MovingTarget& self = static_cast<MovingTarget&>(listener);
+  // The first bytes that are read after a standstill are older than that.
+  const bool isNew = since(self.blindMs_, static_cast<uint16_t>(millis())) >= kEveryMs;
+  if (isNew && self.isFromAutopilot(frame)) self.isBlind_ = false;
+}
+
+// A loop() that has stood still knows neither where the aircraft is nor who has it.
+void MovingTarget::look(uint32_t nowMs) {
+  if (nowMs - updatedMs_ >= kBlindMs) {
+    isBlind_ = true;
+    blindMs_ = static_cast<uint16_t>(nowMs);
+  }
+  updatedMs_ = nowMs;
+  if (isBlind_) steering_.positionAge_ = 255;
+}
+
+// 32 bits: a loop() that has stood still for a minute must not find that its target is fresh.
+bool MovingTarget::isLate() const { return isStopped_ || millis() - renewedMs_ > timeoutMs_; }
+
+// True while the client's operation is the beginning, or the hold.
+bool MovingTarget::isOperating() const {
+  return client_.isBusy() && client_.rest_.isCommanding && client_.commanding_.fill == fill;
+}
+
+// True while the sketch has ordered something else of the Steering.
+bool MovingTarget::isSteered() const { return steering_.isRunning() && !steering_.is(Steering::Order::Speed); }
+
+bool MovingTarget::needsStream() const { return has(client_.firmware(), kNeedsStream); }
+
+// True while the aircraft is in our hands, and in the mode in which it follows.
+bool MovingTarget::mayFollow() const {
+  return client_.isArmed() && steering_.ownMode_ == mode_ && steering_.maySteer() && client_.shownMode() == mode_;
+}
+
+// If it is not: why, as the status with which we end.
+Status MovingTarget::whoHasIt() const {
+  if (!client_.hasAutopilot()) return Status::NoAutopilot;
+  const uint16_t own = steering_.ownMode_;
+  if (own != kNoMode && own != mode_ && steering_.maySteer()) return Status::Cancelled;  // by the sketch
+  const Status others = steering_.otherHands();
+  if (others != Status::Transferring) return others;
+  return client_.isArmed() ? Status::PilotHasIt : Status::NotArmed;
+}
+
+// --- The beginning
+
+// The operation of the Steering that has just begun becomes ours: its events come here first.
+void MovingTarget::takeOver() {
+  Client::Commanding& commanding = client_.commanding_;
+  commanding.owner = this;
+  commanding.fill = fill;
+  commanding.on = on;
+}
+
+void MovingTarget::fill(Client& client, FlightCommand& command) {
+  static_cast<const MovingTarget*>(client.commanding_.owner)->steering_.fillStep(command);
+}
+
+Status MovingTarget::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  return static_cast<MovingTarget*>(client.commanding_.owner)->onEvent(event, status, nowMs);
+}
+
+Status MovingTarget::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
+  if (stage_ == Stage::Starting) {
+    status = onStart(event, status, nowMs);
+    if (status == Status::Done) stage_ = Stage::Following;
+    if (status != Status::Transferring && status != Status::Done) finish(status);
+    return status;
+  }
+  status = steering_.onEvent(event, status, nowMs);
+  if (status != Status::Transferring) finish(status == Status::Done ? ending_ : status);
+  return status;
+}
+
+// The steps of a goTo() as far as its command, in whose place a mode is set.
+Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t nowMs) {
+  CommandTransfer& sending = client_.commanding_.transfer;
+  const bool isLeading = needsStream() && (!hasSent_ || since(beganMs_, nowMs) < kLeadMs);
+  const bool isWaiting =
+      steering_.step_ == SteerStep::Mode && sending.state() == CommandTransfer::State::Listening && isLeading;
+  if (event == Client::CommandEvent::Ready) {
+    const bool isPlane =
+        has(client_.firmware(), kFliesByMode) && !steering_.isGround() && client_.numberOf(FlightMode::Land) == kNoMode;
+    if (isPlane) return Status::CommandUnsupported;
+    mode_ = client_.numberOf(FlightMode::Guided);
+  }
+  // Before the mode has been ordered there is nothing to hold. (What is refused at once is refused for its own reason.)
+  const bool isOrdered = steering_.step_ == SteerStep::Mode && sending.tries() != 0;
+  if (isLate() && !isOrdered && event != Client::CommandEvent::Ready)
+    return isStopped_ ? Status::Cancelled : Status::NotRenewed;
+  status = steering_.onEvent(event, status, nowMs);
+  if (status != Status::Transferring) return status;
+  if (event == Client::CommandEvent::Ready) steering_.wantedMode_ = mode_;
+  if (isWaiting && event == Client::CommandEvent::Heartbeat) sending.listen(SteerRules::kConfirmMs, nowMs);
+  if (steering_.step_ != SteerStep::Command) return status;
+  if (steering_.ownMode_ == mode_ && client_.shownMode() == mode_) return Status::Done;
+  steering_.step_ = SteerStep::Mode;
+  return status;
+}
+
+// --- Following, and its end
+
+void MovingTarget::follow(uint16_t nowMs) {
+  const bool isBlind = isBlind_ && isLate();
+  if (!mayFollow() && !isBlind) return finish(whoHasIt());
+  if (isSteered()) return hold(Status::Cancelled);
+  if (isLate()) return hold(isStopped_ ? Status::Done : Status::NotRenewed);
+  send(nowMs);
+}
+
+void MovingTarget::hold(Status ending) {
+  stage_ = Stage::Holding;
+  ending_ = ending;
+  aimHere();
+}
+
+// PX4 would call a failsafe if the targets ended before its mode has changed: until then they name the place where the
+// aircraft was when the hold began. ArduPilot gets that place while the client has something else to do.
+void MovingTarget::keepHolding(uint16_t nowMs) {
+  if (isOperating()) {
+    if (needsStream() && mayFollow()) send(nowMs);
+    return;
+  }
+  if (isOrdered_) return finish(Status::Cancelled);
+  if (isBlind_ && since(blindMs_, nowMs) < FinderRules::kLostMs) return;
+  if (!mayFollow()) return finish(whoHasIt());
+  if (isSteered()) {
+    if (needsStream()) send(nowMs);
+    return;
+  }
+  // The sketch has sent it to a place, in the same mode.
+  if (steering_.target_.hasPlace) return finish(ending_);
+  if (steering_.pause() == Status::Busy) return send(nowMs);
+  takeOver();
+  isOrdered_ = true;
+}
+
+// From now on the target is where the aircraft is, if that is known.
+void MovingTarget::aimHere() {
+  if (isHere_) return;
+  isHere_ = true;
+  spoil();
+  const bool isAboveSea = has(client_.firmware(), kAltitudesAreAboveSea);
+  isAimed_ = steering_.positionAge_ <= SteerRules::kFreshBeats;
+  at_ = steering_.here_;
+  heightCm_ = isAboveSea ? steering_.seaCm_ : steering_.homeCm_;
+  frame_ = isAboveSea ? Frame::Global : Frame::GlobalRelative;
+}
+
+// What is still going out is no longer true. (Twice would make it right again.)
+void MovingTarget::spoil() {
+  if (!isSpoilt_) client_.link_.spoilForeign(payload_);
+  isSpoilt_ = true;
+}
+
+void MovingTarget::finish(Status status) {
+  spoil();
+  stage_ = Stage::Off;
+  status_ = toReturn_ = status;
+}
+
+void MovingTarget::send(uint16_t nowMs) {
+  if (!isAimed_ || (hasSent_ && since(sentMs_, nowMs) < kEveryMs) || !client_.link_.canSend()) return;
+  // PX4 looks at the frame of this message, and wants its older number.
+  const bool isAboveHome = frame_ == Frame::GlobalRelative;
+  const bool isFromHome = isAboveHome && has(client_.firmware(), kAltitudesAreAboveSea);
+  float altitude = quotient(isFromHome ? heightCm_ + steering_.seaCm_ - steering_.homeCm_ : heightCm_, 1);
+  multiply(&altitude, Times::Hundredth);
+  Message message = Message();
+  message.time_boot_ms = millis();
+  message.lat_int = at_.latitude.e7();
+  message.lon_int = at_.longitude.e7();
+  message.alt = altitude;
+  message.type_mask = kPlaceAlone;
+  message.target_system = client_.link_.finder().heartbeat().systemId;
+  message.target_component = client_.link_.finder().heartbeat().componentId;
+  message.coordinate_frame = static_cast<uint8_t>(frame_ == Frame::GlobalTerrain ? Frame::GlobalTerrainInt
+                                                  : isAboveHome && !isFromHome   ? Frame::GlobalRelativeInt
+                                                                                 : Frame::GlobalInt);
+  memcpy(payload_, &message, sizeof(payload_));
+  const OutgoingMessage outgoing = {MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT,
+                                    MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_CRC, sizeof(payload_),
+                                    MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_MIN_LEN, payload_};
+  if (!client_.link_.sendForeign(outgoing)) return;
+  if (!hasSent_) beganMs_ = nowMs;
+  hasSent_ = true;
+  isSpoilt_ = false;
+  sentMs_ = nowMs;
+}
+
+}  // namespace mavmission

@@ -1,0 +1,489 @@
+"""A target that moves: MovingTarget, whose targets leave only while the sketch renews them."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import pytest
+
+from simulation.fake_autopilot import mavlink
+from simulation.steered import ABOVE_GROUND, ABOVE_HOME, ABOVE_SEA, REPOSITION
+from simulation.wire import Wire
+
+FOLLOWED = pytest.mark.scenario(65, "MovingTarget: a target that moves is followed, and held when it is not renewed")
+SET_MODE = 176
+OFFBOARD, HOLD = (6, 0), (4, 3)
+LONGEST_GAP_S = 0.3  # between two targets
+PLACE_ALONE = 0x0DF8
+
+
+def is_px4(following) -> bool:
+    return not hasattr(following.autopilot, "kind")
+
+
+def followed_in(following):
+    return OFFBOARD if is_px4(following) else "GUIDED"
+
+
+def held_in(following):
+    return HOLD if is_px4(following) else "GUIDED"
+
+
+def begin(following, north: float = 40.0, east: float = 0.0, **options) -> tuple[int, int]:
+    """In the air, and behind a target."""
+    following.fly()
+    place = following.place(north, east)
+    following.follow(place, 12.0, **options)
+    assert following.done(limit_s=15) == "Done"
+    following.run(0.1)
+    assert following.is_followed() and following.mode == followed_in(following)
+    return place
+
+
+def run_until_ended(following, limit_s: float) -> str:
+    limit = following.now + limit_s
+    while following.target_status == "Transferring":
+        assert following.now < limit, "it does not end"
+        following.run(0.05)
+    return following.target_status
+
+
+def failsafes(following) -> list:
+    texts = following.wire.frames("<", "STATUSTEXT")
+    return [entry for entry in texts if "Failsafe" in entry.message.text]
+
+
+def height_of(following, message) -> float:
+    """[m above home]"""
+    above_home = message.coordinate_frame == mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
+    return message.alt if above_home else message.alt - following.autopilot.home[2]
+
+
+@FOLLOWED
+def test_target_that_moves_is_followed_and_held_at_the_end(following):
+    begin(following)
+    for step in range(60):
+        assert following.renew(following.place(40.0 + step, 0.5 * step), 12.0) == "Transferring"
+        following.run(0.5)
+    last = following.place(99.0, 29.5)
+    following.run(4.0)
+    assert following.where.height == pytest.approx(12.0, abs=0.1)
+    assert abs(following.where.lat_e7 - last[0]) < 3 and abs(following.where.lon_e7 - last[1]) < 3
+    following.tell("unfollow")
+    assert run_until_ended(following, 6.0) == "Done"
+    assert following.mode == held_in(following) and not failsafes(following)
+    after = following.now
+    following.run(5.0)
+    assert following.targets(after) == [] and following.mode == held_in(following)
+    assert "ends=1" in following.tell("target")[0]
+
+
+@FOLLOWED
+def test_targets_leave_five_times_a_second_each_with_its_place_alone(following):
+    place = begin(following)
+    since = following.now
+    following.run(10.0)
+    targets = following.targets(since)
+    assert 48 <= len(targets) <= 51
+    assert all(later - earlier < LONGEST_GAP_S for (earlier, _), (later, _) in pairwise(targets))
+    for _, target in targets:
+        assert (target.lat_int, target.lon_int) == place
+        assert height_of(following, target) == pytest.approx(12.0, abs=0.01)
+        assert target.type_mask == PLACE_ALONE
+        assert (target.target_system, target.target_component) == following.autopilot.address
+        # PX4 takes these older numbers of frames alone, and is told altitudes above the sea.
+        assert target.coordinate_frame == (5 if is_px4(following) else 6)
+
+
+@FOLLOWED
+def test_px4_gets_targets_for_a_second_before_its_mode(build_following):
+    following = build_following("PX4")
+    begin(following)
+    (ordered,) = [entry.time for entry in following._sent("COMMAND_LONG")
+                  if entry.message.command == SET_MODE and entry.message.param2 == 6]  # fmt: skip
+    before = [time for time, _ in following.targets() if time < ordered]
+    assert len(before) >= 5 and ordered - before[0] >= 1.0
+    assert ordered - before[-1] < LONGEST_GAP_S
+    assert not failsafes(following)
+
+
+@FOLLOWED
+def test_ardupilot_gets_no_target_before_its_mode(build_following):
+    following = build_following("ArduPilot")
+    following.fly()
+    following.set_mode("Brake")
+    assert following.done() == "Done"
+    following.follow(following.place(20, 0), 12.0)
+    assert following.done(limit_s=15) == "Done"
+    shown = [entry.time for entry in following.wire.frames("<", "HEARTBEAT") if entry.message.custom_mode == 4]
+    assert following.mode == "GUIDED"
+    following.run(1.0)
+    assert following.targets()[0][0] >= shown[-1] - 2.0 and following.targets()
+
+
+@FOLLOWED
+@pytest.mark.parametrize("frame, altitude", [(ABOVE_HOME, 15.0), (ABOVE_SEA, None), (ABOVE_GROUND, 15.0)])
+def test_altitude_is_never_taken_for_one_of_another_reference(following, frame, altitude):
+    following.fly()
+    sea = following.autopilot.home[2] + 15.0
+    following.follow(following.place(10, 0), altitude or sea, frame)
+    if is_px4(following) and frame == ABOVE_GROUND:
+        assert following.done(limit_s=15) == "BadFrame" and following.targets() == []
+        return
+    assert following.done(limit_s=15) == "Done"
+    following.run(15.0)
+    _, target = following.targets()[-1]
+    if frame == ABOVE_GROUND:
+        assert (target.coordinate_frame, target.alt) == (11, 15.0)
+        return
+    assert following.where.height == pytest.approx(15.0, abs=0.1)
+    if frame == ABOVE_SEA:
+        assert target.coordinate_frame == 5 and target.alt == pytest.approx(sea, abs=0.01)
+    other = ABOVE_HOME if frame == ABOVE_SEA else ABOVE_SEA
+    assert following.renew(following.place(10, 0), 15.0, other) == "BadFrame"
+    assert following.state.field == "Reference"
+
+
+@FOLLOWED
+def test_px4_that_does_not_know_home_is_told_no_target_above_it(build_following):
+    following = build_following("PX4")
+    following.fly()
+    following.autopilot.home_is_known = False
+    following.follow(following.place(10, 0), 15.0)
+    assert following.done(limit_s=12) == "NoHome"
+    assert following.targets() == [] and following.target_status == "NoHome"
+
+
+@FOLLOWED
+def test_target_that_jumps_is_flown_to_from_the_next_message_on(following):
+    begin(following)
+    far, near = following.place(-900.0, 900.0), following.place(40.0, 0.0)
+    for place in (far, near, far):
+        following.renew(place, 12.0)
+        since = following.now
+        following.run(1.0)
+        assert {(target.lat_int, target.lon_int) for _, target in following.targets(since + 0.21)} == {place}
+    assert following.mode == followed_in(following)
+
+
+# -- what is not renewed ---------------------------------------------------------------------------
+
+
+@FOLLOWED
+@pytest.mark.parametrize("patience_ms", [None, 300, 3000])
+def test_target_that_is_not_renewed_in_time_goes_out_no_more_and_the_aircraft_holds(following, patience_ms):
+    place = following.place(300.0, 0.0)
+    if patience_ms:
+        following.tell("patience", patience_ms)
+    begin(following, north=300.0)
+    following.run(4.0)
+    following.tell("renewing", 0)
+    since, patience_s = following.now, (patience_ms or 1000) / 1000
+    assert run_until_ended(following, patience_s + 6.0) == "NotRenewed"
+    assert following.mode == held_in(following) and not failsafes(following)
+    stale = [time for time, target in following.targets(since) if (target.lat_int, target.lon_int) == place]
+    assert stale == [] or stale[-1] < since + patience_s + 0.05
+    following.run(10.0)
+    held = following.where
+    following.run(5.0)
+    assert following.where.distance(held) < 0.1 and held.distance(following.autopilot.flight.home) < 100.0
+    before = len(following.targets())
+    assert following.renew(place, 12.0) == "NotRenewed"  # for good, until start() is called
+    following.run(1.0)
+    assert len(following.targets()) == before
+    following.follow(place, 12.0)
+    assert following.done(limit_s=15) == "Done"
+
+
+@FOLLOWED
+@pytest.mark.parametrize("stands_still_ms", [1400, 5000, 66000])
+def test_loop_that_stands_still_in_the_middle_of_a_target_completes_none_of_before(following, stands_still_ms):
+    """Nor does it find its target fresh where 16 bits of milliseconds have come round."""
+    place = begin(following, north=300.0)
+    following.run(2.0)
+    following.tell("hang", stands_still_ms)
+    stood_at = following.now
+    commanded = len(following.ordered())
+    following.run(stands_still_ms / 1000 + 0.3)
+    where = following.where
+    following.run(8.0)
+    stale = [time for time, target in following.targets(stood_at) if (target.lat_int, target.lon_int) == place]
+    assert stale == [] or stale[-1] < stood_at + 0.3
+    if is_px4(following):  # which is in its failsafe by then, and is left there
+        has_landed = stands_still_ms > 60000
+        assert following.target_status == ("NotArmed" if has_landed else "FailsafeHasIt")
+        assert has_landed or following.mode == (4, 5)
+        assert len(following.ordered()) == commanded and following.targets(stood_at + 0.3) == []
+    else:  # held where it is now, not where it was when loop() stood still
+        assert following.target_status == "NotRenewed" and following.mode == "GUIDED"
+        assert following.where.distance(where) < 12.0
+
+
+@FOLLOWED
+def test_aircraft_holds_when_its_start_is_done_and_nothing_was_renewed(following):
+    following.fly()
+    following.follow(following.place(300, 0), 12.0, renew_ms=0)
+    ended = following.done(limit_s=15)
+    if ended == "Done":
+        assert run_until_ended(following, 8.0) == "NotRenewed"
+    else:
+        assert ended == "NotRenewed" and not following.is_followed()
+    following.run(3.0)
+    assert following.mode == held_in(following) and not failsafes(following)
+
+
+# -- in other hands --------------------------------------------------------------------------------
+
+
+@FOLLOWED
+@pytest.mark.parametrize("mode_of, status", [
+    ({"ArduPilot": "LOITER", "PX4": (3, 0)}, "PilotHasIt"), ({"ArduPilot": "STABILIZE", "PX4": (1, 0)}, "PilotHasIt"),
+    ({"ArduPilot": "RTL", "PX4": (4, 5)}, "FailsafeHasIt"), ({"ArduPilot": "LAND", "PX4": (4, 6)}, "FailsafeHasIt"),
+])  # fmt: skip
+def test_pilot_or_a_failsafe_ends_it_at_once_and_for_good(following, personality, mode_of, status):
+    place = begin(following)
+    following.pilot_sets(mode_of[personality])
+    shown = [entry.time for entry in following.wire.frames("<", "HEARTBEAT")][-1]
+    assert run_until_ended(following, 0.2) == status
+    commanded = len(following.ordered())
+    assert following.renew(place, 12.0) == status
+    following.run(5.0)
+    assert following.targets(shown + 0.05) == [] and len(following.ordered()) == commanded
+    assert following.mode == mode_of[personality]
+    # Nor does it begin again by itself when the mode is set back.
+    following.pilot_sets(followed_in(following))
+    before = len(following.targets())
+    following.run(2.0)
+    assert len(following.targets()) == before
+    following.follow(place, 12.0)
+    assert following.done(limit_s=5) in ("PilotHasIt", "FailsafeHasIt")
+    assert len(following.targets()) == before and len(following.ordered()) == commanded
+
+
+@FOLLOWED
+def test_pilot_who_takes_over_while_it_begins_keeps_the_aircraft(following, personality):
+    following.fly()
+    following.wire.lose("<", name="COMMAND_ACK", times=9)
+    following.follow(following.place(40, 0), 12.0)
+    following.run(0.4)
+    mode = {"ArduPilot": "LOITER", "PX4": (3, 0)}[personality]
+    following.pilot_sets(mode)
+    assert following.target_status in ("PilotHasIt", "Transferring")
+    if following.target_status == "Transferring":
+        assert run_until_ended(following, 3.0) == "PilotHasIt"
+    ended = following.now
+    following.run(4.0)
+    assert following.mode == mode and following.targets(ended) == []
+
+
+@FOLLOWED
+def test_px4_in_a_failsafe_is_left_there(build_following):
+    """It shows in system_status alone."""
+    following = build_following("PX4")
+    begin(following)
+    following.autopilot.in_failsafe = True
+    following.run(1.2)
+    assert following.target_status == "FailsafeHasIt"
+    ended = following.now
+    following.run(3.0)
+    assert following.targets(ended) == []
+
+
+@FOLLOWED
+def test_arduino_that_is_reset_in_flight_sends_no_target(following):
+    place = begin(following)
+    following.reset()
+    reset_at = following.now
+    following.run(4.0)
+    assert following.targets(reset_at + 0.05) == []
+    following.follow(place, 12.0)
+    assert following.done(limit_s=5) == "Armed"
+    following.tell("armed", 1)
+    following.follow(place, 12.0)
+    # The mode may be anybody's now: PX4 has called its failsafe meanwhile.
+    assert following.done(limit_s=5) == ("FailsafeHasIt" if is_px4(following) else "PilotHasIt")
+    assert following.targets(reset_at + 0.05) == [] and following.mode == ((4, 5) if is_px4(following) else "GUIDED")
+
+
+@FOLLOWED
+def test_aircraft_that_is_disarmed_gets_no_more_targets(following):
+    begin(following)
+    following.autopilot.armed = False
+    following.run(1.2)
+    assert following.target_status in ("NotArmed", "PilotHasIt")
+    ended = following.now
+    following.run(2.0)
+    assert following.targets(ended) == []
+
+
+# -- the sketch orders something else --------------------------------------------------------------
+
+
+@FOLLOWED
+def test_other_order_of_the_sketch_ends_it(following):
+    begin(following, north=200.0)
+    elsewhere = following.place(0.0, 60.0)
+    following.go_to(elsewhere, 15.0)
+    assert following.done(limit_s=12) == "Done"
+    following.run(0.1)
+    assert following.target_status == "Cancelled" and following.mode == held_in(following)
+    ended = following.now
+    following.run(25.0)
+    assert following.targets(ended) == [] and following.has_arrived() and not failsafes(following)
+
+
+@FOLLOWED
+def test_other_order_that_is_refused_ends_in_a_hold(following):
+    begin(following, north=300.0)
+    following.go_to((0, 0), 15.0)
+    assert following.done() == "NeedsCoordinates"
+    assert run_until_ended(following, 6.0) == "Cancelled"
+    assert following.mode == held_in(following) and not failsafes(following)
+    following.run(8.0)
+    held = following.where
+    following.run(3.0)
+    assert following.where.distance(held) < 0.1
+
+
+@FOLLOWED
+def test_mode_that_the_sketch_sets_ends_it(following):
+    begin(following)
+    following.order_of("home")
+    assert following.done(limit_s=12) == "Done"
+    following.run(0.2)
+    assert following.target_status == "Cancelled" and not failsafes(following)
+    assert following.mode == ((4, 5) if is_px4(following) else "RTL")
+    ended = following.now
+    following.run(2.0)
+    assert following.targets(ended) == []
+
+
+@FOLLOWED
+def test_speed_is_set_while_it_follows(following):
+    begin(following)
+    following.set_speed(2.5)
+    assert following.done(limit_s=5) == "Done"
+    following.run(0.5)
+    assert following.is_followed() and following.autopilot.flight.pace.speed == 2.5
+
+
+@FOLLOWED
+def test_hold_waits_for_a_transfer_and_px4_has_its_targets_meanwhile(following, personality):
+    from plans import SURVEY
+
+    begin(following, north=300.0)
+    following.tell("armed", 1)
+    following.wire.lose("<", name="MISSION_REQUEST_INT", times=3)
+    following.wire.lose("<", name="MISSION_REQUEST", times=3)
+    following.upload(SURVEY)
+    following.tell("renewing", 0)
+    following.run(1.3)
+    assert not following.is_followed() and following.target_status == "Transferring"
+    assert following.done(limit_s=40) == "Accepted"
+    assert run_until_ended(following, 6.0) == "NotRenewed"
+    assert following.mode == held_in(following) and not failsafes(following)
+
+
+# -- refused ---------------------------------------------------------------------------------------
+
+
+BAD = [
+    ((900000001, 1491652374), 10.0, "BadLatitude", "Latitude"),
+    ((-353632621, 1800000001), 10.0, "BadLongitude", "Longitude"),
+    ((0, 0), 10.0, "NeedsCoordinates", "Latitude"),
+    ((-353632621, 1491652374), math.nan, "NotANumber", "Height"),
+    ((-353632621, 1491652374), math.inf, "NotFinite", "Height"),
+    ((-353632621, 1491652374), 10000.5, "BadAltitude", "Height"),
+    ((-353632621, 1491652374), -3e38, "BadAltitude", "Height"),
+]  # fmt: skip
+
+
+@FOLLOWED
+@pytest.mark.parametrize("place, altitude, status, field", BAD)
+def test_target_that_cannot_be_meant_is_refused_at_the_start(following, place, altitude, status, field):
+    following.follow(place, altitude)
+    assert following.done() == status
+    assert following.state.field == field and following.target_status == status
+    assert following.targets() == [] and following.heard("COMMAND_LONG", "COMMAND_INT") == []
+
+
+@FOLLOWED
+def test_target_that_cannot_be_meant_is_not_taken_and_does_not_renew(following):
+    place = begin(following)
+    following.tell("renewing", 0)
+    for bad, altitude, status, field in BAD:
+        assert following.renew(bad, altitude) == status
+        assert following.state.field == field
+        assert following.renew(place, 12.0) == "Transferring"
+    since = following.now
+    for _ in range(30):
+        following.renew((0, 0), 12.0)
+        following.run(0.1)
+    assert following.target_status != "Transferring" or not following.is_followed()
+    assert {(target.lat_int, target.lon_int) for time, target in following.targets(since) if time < since + 0.9} \
+        == {place}  # fmt: skip
+    assert (0, 0) not in {(target.lat_int, target.lon_int) for _, target in following.targets()}
+
+
+@FOLLOWED
+def test_aircraft_on_the_ground_gets_no_targets(following):
+    following.follow(following.place(10, 0), 10.0)
+    assert following.done() == "NotArmed" and following.target_status == "NotArmed"
+    assert following.targets() == []
+    assert following.renew(following.place(10, 0), 10.0) == "NotArmed"
+
+
+@FOLLOWED
+def test_plane_which_would_take_the_altitude_alone_is_refused(build_following):
+    following = build_following("ArduPilot", vehicle="plane", uptime_s=120.0)
+    following.follow(following.place(10, 0), 10.0)
+    assert following.done() == "CommandUnsupported"
+    assert following.heard("COMMAND_LONG", "COMMAND_INT") == [] and following.targets() == []
+
+
+@FOLLOWED
+def test_second_start_is_busy_and_changes_nothing(following):
+    place = begin(following)
+    assert following.follow(following.place(-50, 0), 30.0) == "Busy"
+    following.run(1.0)
+    _, target = following.targets()[-1]
+    assert following.is_followed() and (target.lat_int, target.lon_int) != following.place(-50, 0) or place
+
+
+@FOLLOWED
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_line_that_loses_a_fifth_of_its_frames_is_followed_on_and_held_over(make_following, seed):
+    following = make_following(wire=Wire(seed))
+    begin(following, north=300.0)
+    for direction in "><":
+        following.wire.at_random(direction, lose=20)
+    following.run(20.0)
+    assert following.is_followed() and not failsafes(following)
+    following.tell("unfollow")
+    assert run_until_ended(following, 20.0) == "Done"
+    assert following.mode == held_in(following)
+
+
+@FOLLOWED
+def test_stop_before_the_start_is_done_gives_it_up(following):
+    following.fly()
+    mode = following.mode
+    following.wire.lose("<", name="HEARTBEAT", times=2)
+    following.follow(following.place(10, 0), 12.0)
+    following.tell("unfollow")
+    assert run_until_ended(following, 8.0) in ("Cancelled", "Done")
+    following.run(3.0)
+    assert following.mode == (HOLD if is_px4(following) else mode) and not failsafes(following)
+
+
+@FOLLOWED
+def test_hold_is_ordered_once_and_shown(following):
+    begin(following)
+    before = len(following.ordered())
+    following.tell("unfollow")
+    assert run_until_ended(following, 6.0) == "Done"
+    (held,) = following.ordered()[before:]
+    assert held.command == REPOSITION
+    following.run(2.0)
+    assert len(following.ordered()) == before + 1
