@@ -35,7 +35,8 @@ class PlanFiles : public detail::Listener {
   // known behind Differs and Unconfirmed. The mission protocol is used also for a plan with a command that this library
   // does not know, for one of more than 650 items, for a fence of up to three items, for a plan that is shorter than
   // the one aboard an armed aircraft, and where frames are signed; and when the file is lost, because the autopilot has
-  // restarted or somebody else has taken it. isByFile() is false then, and aboard() may be a mixture.
+  // restarted or somebody else has taken it, or when another plan is read back on a line that loses bytes. isByFile()
+  // is false then, and aboard() may be a mixture.
   Status upload(const ItemSource& plan, PlanType type = PlanType::Mission);
   // An array does not say where it lies.
   template <size_t N, typename... More>
@@ -92,6 +93,8 @@ class PlanFiles : public detail::Listener {
   static void writeStep(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
   static void takeLook(PlanFiles& self, Status status, uint16_t nowMs);
   static void takeProof(PlanFiles& self, Status status, uint16_t nowMs);
+  static void proveByItemsStep(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
+  static Status proveItem(detail::Client& client, uint16_t wireItem, MissionItem& item);
   static uint8_t nextPiece(void* context, uint8_t* piece);
   void check(uint16_t nowMs);
   bool isForeseen(const MissionItem& item) const;
@@ -103,6 +106,8 @@ class PlanFiles : public detail::Listener {
   Status makeItem(uint16_t wireItem, void* piece) const;
   void takeWriteReply(const detail::FrameParser& frame, uint16_t nowMs);
   void uploadByItems(uint16_t nowMs);
+  void proveByItems(uint16_t nowMs);
+  void uploadDamaged(uint16_t nowMs);
 
   Operation operation_;  // the client's while one of this object runs
   // What follows a reading; null: the operation ends.
@@ -120,6 +125,7 @@ class PlanFiles : public detail::Listener {
   bool isLook_ : 1;         // only the number of items aboard is read
   bool isLengthKnown_ : 1;  // the plan aboard is not longer than ours
   bool isStorable_ : 1;     // the file that may be open has its header: closing it stores it
+  bool isDamaged_ : 1;      // what was read back is another plan: it is uploaded item by item
   bool isSpoiling_ : 1;     // the last request is to take that header away
 };
 

@@ -94,7 +94,8 @@ void blank(T& what) {
 }
 
 bool isReading(const MissionClient& client) {
-  return client.state_.operation == MissionClient::readStep || client.state_.operation == MissionClient::ensureStep;
+  return client.state_.operation == MissionClient::readStep || client.state_.operation == MissionClient::ensureStep ||
+         client.state_.operation == PlanFiles::proveByItemsStep;
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void Referee::goOnByItems(bool isProof) {
     isReading = true;
   } else {
     task.operation = Operation::UploadInDoubt;
-    isLastSent = isProof;
+    isLastSent = mayGoOn = isProof;
   }
 }
 
@@ -83,11 +83,23 @@ const char* Referee::sent(const Message& message, Firmwares firmware) {
     const Task upload = task;
     const uint8_t onTheWire = items;
     const bool isRefused = (heardAcks & (1u << kError)) != 0;
+    const uint8_t goesOn = mayGoOn;
     memset(static_cast<void*>(this), 0, sizeof(*this));
     wasRefused = isRefused;
+    mayGoOn = goesOn;
     task = upload;
     items = onTheWire;
     isRunning = isReading = true;
+  }
+  if (mayGoOn && isReading && message.kind == Kind::Count) {
+    Task upload = task;
+    upload.operation = Operation::UploadVerified;
+    const uint8_t onTheWire = items, hurried = isHurried;
+    memset(static_cast<void*>(this), 0, sizeof(*this));
+    task = upload;
+    items = onTheWire;
+    isRunning = true;
+    isHurried = hurried;
   }
   if (isLooking && isCancel) {
     if (!isCounted) return "an upload begins before it was looked what is aboard";

@@ -65,7 +65,7 @@ struct Referee {
   uint8_t copies;          // of the item before `asked`, since that was asked for; 2 at most
   uint8_t isOnly;          // no other was asked for since
   uint8_t isPresumed;      // the autopilot has the item before `asked`, by its INVALID_SEQUENCE
-  uint8_t even;            // always 0: without a hole, states can be compared by their bytes
+  uint8_t mayGoOn;         // what was written as a file is read back, and may be uploaded item by item
   uint16_t heardAcks;      // bit r: ACK r was heard
   uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
   uint16_t sinceNewMs;  // since the first COUNT, or since an item was asked for that had not been before, 9000 at most

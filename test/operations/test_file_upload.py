@@ -419,6 +419,28 @@ def test_plan_that_the_autopilot_does_not_store_whole_is_said_to_differ(build_se
 
 
 @NO_MIXTURE
+@pytest.mark.parametrize("is_lossy", [False, True], ids=["quiet", "lossy"])
+@pytest.mark.parametrize("at, put", [(30, 0x4B), (18, 0x01)], ids=["command", "place"])
+def test_item_that_the_line_has_altered_unnoticed_is_put_right_where_the_line_loses(build_service, is_lossy, at, put):
+    """A frame that has lost bytes has the right checksum by chance: ArduPilot refuses the item, or keeps another one."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    service.run(0.5)
+    if is_lossy:
+        service.say_bytes(b"\x55" * 5)
+    uploading(service, LONG)
+    while HEADER.size not in (request.size for request in spoken(service) if request.opcode == WRITE):
+        service.run(0.001)
+    service.autopilot.ftp._data[HEADER.size + 8 * 38 + at] ^= put
+    ended = service.done(LIMIT_S)
+    assert ended == ("Accepted" if is_lossy else "Differs")
+    assert (service.state.aboard, holds(service, LONG)) == (("OurPlan", True) if is_lossy else ("NotKnown", False))
+    assert is_by_file(service) == (not is_lossy)
+    if is_lossy:
+        assert by_items(service)[-1] == "MISSION_REQUEST_INT", "it was not read back"
+
+
+@NO_MIXTURE
 def test_source_that_gives_no_item_any_more_leaves_the_old_plan(build_bench):
     bench = build_bench("ArduPilot", defines={"BENCH_FILES": 1})
     bench.autopilot.load(OLD_PLAN)

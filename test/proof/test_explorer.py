@@ -87,7 +87,9 @@ def by_file() -> list[tuple[str, str]]:
     cases += [("file-upload 1", "--losses 1 --others 3"), ("file-upload 2", "--losses 2 --others 2")]
     cases += [("file-upload 1", f"--losses 1 --others 2 {beside}") for beside in ("--cancels 1", "--reboots 1")]
     cases += [(f"file-verify 2 --held {held} --held-plan 1", "--losses 2 --others 2") for held in (2, 3)]
-    cases += [("file-upload 2", f"--refused {item} --losses 2 --cancels 1 --others 1") for item in (1, 2)]
+    for item in (1, 2):
+        cases.append(("file-upload 2", f"--refused {item} --losses 2 --cancels 1 --others 1"))
+        cases.append(("file-upload 2", f"--refused {item} --losses 4 --lossy 1"))
     # An operation behind an upload by file that ended somehow, or was broken off.
     for second in ("file-upload 1", "file-upload 3", "file-verify 2", "upload-in-doubt 1", "verify 2", "clear 0"):
         cases += [(f"file-upload 2 {second}", f"--losses 2 {beside}") for beside in ("--cancels 1", "--resets 1")]

@@ -36,6 +36,7 @@ PlanFiles::PlanFiles(MissionClient& client)
       isLook_(false),
       isLengthKnown_(false),
       isStorable_(false),
+      isDamaged_(false),
       isSpoiling_(false) {}
 
 void PlanFiles::beginOperation(Client::Operation operation) {

@@ -200,9 +200,9 @@ void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t now
 void PlanFiles::readByItems(uint16_t first, uint16_t nowMs) {
   Client& client = client_;
   if (isLook_) return onRead_(*this, Status::NoAnswer, nowMs);
-  if (!client.rest_.proving) isByFile_ = false;
-  // An autopilot that gives only floats cannot prove an upload.
-  client.reading_.fromFloats = client.rest_.proving ? nullptr : Client::fromFloats;
+  if (client.rest_.proving) return proveByItems(nowMs);
+  isByFile_ = false;
+  client.reading_.fromFloats = Client::fromFloats;
   client.state_.operation = Client::readStep;
   client.reading_.transfer.begin(nowMs);
   client.reading_.transfer.skipTo(first);
