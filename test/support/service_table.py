@@ -15,7 +15,7 @@ from downloads import WRITTEN, same
 from flights import fly, reached_in, started
 from parts import NEW, OLD
 from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
-from simulation.bench import same_bits
+from simulation.bench import same_bits, status_names
 from simulation.parameters import ParameterBench
 from simulation.service import FENCE, MISSION, RALLY, Service
 from simulation.steered import bits as float_bits
@@ -211,6 +211,27 @@ def flown_without_a_plan(make: Make, personality: str) -> str:
     return "yes" if abs(where.lat_e7 - lat - 2000) < 20 and abs(where.height - 9.0) < 0.1 else "no"
 
 
+def target_that_moves(make: Make, personality: str) -> str:
+    """It follows a target, and stays where it is when the target is renewed no more."""
+    service = make(defines={"BENCH_STEERING": True, "BENCH_TARGET": True})
+    lat, lon = service.autopilot.flight.home[:2]
+    service.order_of("takeoff", float_bits(8.0))
+    if (ended := service.done(limit_s=30)) != "Done":
+        return refused(ended)
+    service.run(15.0)
+    service.tell("renewing", 100)
+    service.order_of("follow", (lat + 2000) % 2**32, lon, float_bits(9.0), 3)
+    if (ended := service.done(limit_s=30)) != "Done":
+        return refused(ended)
+    service.run(20.0)
+    where = service.autopilot.flight.where(service.now)
+    service.tell("renewing", 0)
+    service.run(8.0)
+    has_held = status_names()[int(service.tell("target")[0].split(" ")[2])] == "NotRenewed"
+    is_there = abs(where.lat_e7 - lat - 2000) < 20 and abs(where.height - 9.0) < 0.1
+    return "yes" if has_held and is_there and service.autopilot.flight.airborne(service.now) else "no"
+
+
 def telemetry(make: Make, personality: str) -> str:
     """Each listener has its interval confirmed, and then hears its message."""
     bench = make(kind=Telemetry)
@@ -247,6 +268,7 @@ PROOFS: dict[str, Callable[[Make, str], str]] = {
     "start, arm, modes, current item": flying,
     "current item and items reached": followed,
     "flown without a plan (`Steering`)": flown_without_a_plan,
+    "a target that moves is followed, and held at the end (`MovingTarget`)": target_that_moves,
     "telemetry, at an interval that is confirmed (`PositionListener` and others)": telemetry,
     "parameters read and set (`Parameters`)": parameters,
     "a plan found infeasible after it was accepted": infeasible,
