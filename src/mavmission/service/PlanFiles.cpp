@@ -35,6 +35,8 @@ PlanFiles::PlanFiles(MissionClient& client)
       isByFile_(false),
       isForeseen_(false),
       isLook_(false),
+      isEnsuring_(false),
+      isWholeLook_(false),
       isLengthKnown_(false),
       isStorable_(false),
       isDamaged_(false),
@@ -47,6 +49,8 @@ void PlanFiles::beginOperation(Client::Operation operation) {
   onRead_ = nullptr;
   isByFile_ = false;
   isLook_ = false;
+  isEnsuring_ = false;
+  isWholeLook_ = false;
   isLengthKnown_ = false;
 }
 
