@@ -193,6 +193,10 @@ ACTION(fileupload) {
   tell(F("began"), static_cast<uint8_t>(files.upload(plan)));
   Serial.println();
 }
+ACTION(fileensure) {
+  tell(F("began"), static_cast<uint8_t>(files.ensure(plan)));
+  Serial.println();
+}
 ACTION(fileverify) {
   tell(F("began"), static_cast<uint8_t>(files.verify(plan)));
   Serial.println();
@@ -261,18 +265,18 @@ struct Word {
 };
 #define WORD(name) {#name, name}
 static const Word words[] = {
-    WORD(ram),        WORD(flash),      WORD(empty),     WORD(function), WORD(upload),   WORD(cancel),
-    WORD(ids),        WORD(talk),       WORD(speak),     WORD(armed),    WORD(raw),      WORD(floats),
-    WORD(waiting),    WORD(limit),      WORD(callbacks), WORD(again),    WORD(cancelat), WORD(stall),
-    WORD(nosleep),    WORD(state),      WORD(counters),  WORD(text),     WORD(aboard),   WORD(backoff),
+    WORD(ram),        WORD(flash),      WORD(empty),      WORD(function), WORD(upload),   WORD(cancel),
+    WORD(ids),        WORD(talk),       WORD(speak),      WORD(armed),    WORD(raw),      WORD(floats),
+    WORD(waiting),    WORD(limit),      WORD(callbacks),  WORD(again),    WORD(cancelat), WORD(stall),
+    WORD(nosleep),    WORD(state),      WORD(counters),   WORD(text),     WORD(aboard),   WORD(backoff),
 #ifdef BENCH_FILES
-    WORD(fileupload), WORD(fileverify), WORD(verify),
+    WORD(fileupload), WORD(fileverify), WORD(fileensure), WORD(verify),
 #endif
 #ifdef BENCH_ENSURE
     WORD(ensure),
 #endif
 #if MAVMISSION_SIGNING
-    WORD(sign),       WORD(time),       WORD(signing),   WORD(post),
+    WORD(sign),       WORD(time),       WORD(signing),    WORD(post),
 #endif
 #ifndef BENCH_DIRECT
     WORD(room),       WORD(blind),      WORD(blocked),

@@ -218,6 +218,7 @@ ACTION(downloadtosmall) {
 #ifdef BENCH_FILES
 // The same by file.
 ACTION(fileupload) { tellBegun(files.upload(plan, typeOf(numbers[0]))); }
+ACTION(fileensure) { tellBegun(files.ensure(plan, typeOf(numbers[0]))); }
 ACTION(fileverify) { tellBegun(files.verify(plan, typeOf(numbers[0]))); }
 ACTION(filedownload) {
   refusedSinkItem = numbers[2];
@@ -385,7 +386,7 @@ static const Word words[] = {
 #endif
 #ifdef BENCH_FILES
     WORD(fileupload),   WORD(fileverify),    WORD(filedownload),
-    WORD(byfile),
+    WORD(byfile),       WORD(fileensure),
 #endif
 };
 

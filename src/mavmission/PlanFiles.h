@@ -45,6 +45,17 @@ class PlanFiles : public detail::Listener {
     return Status::Idle;
   }
 
+  // As MissionClient::ensure(): looks which plan is aboard, and uploads only where it is another one. ArduPilot's plan
+  // is read as a file, and replaced by upload(). MissionClient::ensure() does it on PX4, where files cannot be used, on a
+  // line that loses and while the autopilot is armed: opening a file would store a plan that another client has left
+  // open. An armed autopilot keeps the plan that it has: Status::Armed.
+  Status ensure(const ItemSource& plan, PlanType type = PlanType::Mission);
+  template <size_t N, typename... More>
+  Status ensure(const MissionItem (&)[N], More...) {
+    static_assert(N == 0, "write ensure(inFlash(plan)) for a plan with PROGMEM, ensure(inRam(plan)) for one without");
+    return Status::Idle;
+  }
+
   // As MissionClient::verify() and download(). A sink that may be not ready is filled by the mission protocol.
   Status verify(const ItemSource& plan, PlanType type = PlanType::Mission);
   Status download(const ItemSink& sink, PlanType type = PlanType::Mission);
@@ -89,6 +100,10 @@ class PlanFiles : public detail::Listener {
   void readByItems(uint16_t first, uint16_t nowMs);
   void endReading(Status status, uint16_t nowMs);
 
+  // In PlanFilesEnsuring.cpp
+  static void ensureStep(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
+  static void takeEnsured(PlanFiles& self, Status status, uint16_t nowMs);
+
   // In PlanFilesWriting.cpp
   static void writeStep(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
   static void takeLook(PlanFiles& self, Status status, uint16_t nowMs);
@@ -97,6 +112,8 @@ class PlanFiles : public detail::Listener {
   static Status proveItem(detail::Client& client, uint16_t wireItem, MissionItem& item);
   static uint8_t nextPiece(void* context, uint8_t* piece);
   void check(uint16_t nowMs);
+  bool isChecked();
+  bool isForFile() const;
   bool isForeseen(const MissionItem& item) const;
   void beginWriting();
   void beginComparing(void (*onRead)(PlanFiles& self, Status status, uint16_t nowMs));
@@ -123,6 +140,8 @@ class PlanFiles : public detail::Listener {
   bool isByFile_ : 1;
   bool isForeseen_ : 1;
   bool isLook_ : 1;         // only the number of items aboard is read
+  bool isEnsuring_ : 1;     // ensure(): an armed autopilot gets no plan
+  bool isWholeLook_ : 1;    // ensure() reads the plan aboard
   bool isLengthKnown_ : 1;  // the plan aboard is not longer than ours
   bool isStorable_ : 1;     // the file that may be open has its header: closing it stores it
   bool isDamaged_ : 1;      // what was read back is another plan: it is uploaded item by item

@@ -422,7 +422,7 @@ def test_plan_that_the_autopilot_does_not_store_whole_is_said_to_differ(build_se
 @pytest.mark.parametrize("is_lossy", [False, True], ids=["quiet", "lossy"])
 @pytest.mark.parametrize("at, put", [(30, 0x4B), (18, 0x01)], ids=["command", "place"])
 def test_item_that_the_line_has_altered_unnoticed_is_put_right_where_the_line_loses(build_service, is_lossy, at, put):
-    """A frame that has lost bytes has the right checksum by chance: ArduPilot refuses the item, or keeps another one."""
+    """A frame that has lost bytes has the right checksum by chance: ArduPilot refuses the item, or keeps another."""
     service = with_files(build_service)
     service.autopilot.load(OLD_PLAN)
     service.run(0.5)

@@ -23,6 +23,8 @@ BAUD = 57600
 PLANS = (10, 50, 200, 600)
 LINES = {"idle": {}, "full": as_recorded("ArduPilot")}
 FTP = "FILE_TRANSFER_PROTOCOL"
+READINGS = (("verify", "Verified"), ("fileverify", "Verified"), ("ensure", "AlreadyAboard"),
+            ("fileensure", "AlreadyAboard"))  # fmt: skip
 LISTENS_S = 2.0  # before an operation begins
 LONGEST_S = 300.0
 
@@ -30,7 +32,7 @@ LONGEST_S = 300.0
 def bench(line: str) -> Bench:
     # A generator of telemetry is used up by one bench.
     options = as_recorded("ArduPilot") if line == "full" else LINES[line]
-    made = Bench("ArduPilot", baud=BAUD, defines={"BENCH_FILES": 1}, **options)
+    made = Bench("ArduPilot", baud=BAUD, defines={"BENCH_FILES": 1, "BENCH_ENSURE": 1}, **options)
     made.run(LISTENS_S)
     return made
 
@@ -65,16 +67,16 @@ def uploaded(line: str, items: int, by_file: bool) -> tuple[float, float]:
     return stored_s(made) - began, ended_s(made) - began
 
 
-def read(line: str, items: int, by_file: bool) -> float:
-    """From the first request to Verified [s]."""
+def read(line: str, items: int, word: str, end: str) -> float:
+    """From the first request of what reads the plan aboard to its end [s]."""
     made = bench(line)
     made.use(FunctionPlan(items))
     made.tell("fileupload")
     made.run_until_ended(LONGEST_S)
     made.run(LISTENS_S)
     since_s = made.now
-    made.tell("fileverify" if by_file else "verify")
-    if (ended := made.run_until_ended(LONGEST_S)) != "Verified":
+    made.tell(word)
+    if (ended := made.run_until_ended(LONGEST_S)) != end:
         raise RuntimeError(f"{items} items on a {line} line: {ended}")
     return ended_s(made) - began_s(made, since_s)
 
@@ -87,12 +89,13 @@ def bytes_s(items: int) -> float:
 def rows() -> list[list[str]]:
     """The table, its head first: a row for each plan on each line."""
     table = [["line", "items", "bytes alone", "answered, by item", "answered, by file", "`Accepted`, by item",
-              "`Accepted`, by file", "`Verified`, by item", "`Verified`, by file"]]  # fmt: skip
+              "`Accepted`, by file", "`Verified`, by item", "`Verified`, by file", "`AlreadyAboard`, by item",
+              "`AlreadyAboard`, by file"]]  # fmt: skip
     for line in LINES:
         for items in PLANS:
             (item_s, item_proven_s), (file_s, file_proven_s) = (uploaded(line, items, way) for way in (False, True))
             took = [bytes_s(items), item_s, file_s, item_proven_s, file_proven_s,
-                    *(read(line, items, way) for way in (False, True))]  # fmt: skip
+                    *(read(line, items, *way) for way in READINGS)]  # fmt: skip
             table.append([line, str(items), *(f"{seconds:.2f}" for seconds in took)])
     return table
 

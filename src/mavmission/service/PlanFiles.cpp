@@ -34,6 +34,8 @@ PlanFiles::PlanFiles(MissionClient& client)
       isByFile_(false),
       isForeseen_(false),
       isLook_(false),
+      isEnsuring_(false),
+      isWholeLook_(false),
       isLengthKnown_(false),
       isStorable_(false),
       isDamaged_(false),
@@ -46,6 +48,8 @@ void PlanFiles::beginOperation(Client::Operation operation) {
   onRead_ = nullptr;
   isByFile_ = false;
   isLook_ = false;
+  isEnsuring_ = false;
+  isWholeLook_ = false;
   isLengthKnown_ = false;
 }
 

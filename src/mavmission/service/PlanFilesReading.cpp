@@ -199,7 +199,7 @@ void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t now
 // Goes over to the mission protocol, from this item on.
 void PlanFiles::readByItems(uint16_t first, uint16_t nowMs) {
   Client& client = client_;
-  if (isLook_) return onRead_(*this, Status::NoAnswer, nowMs);
+  if (isLook_ || isWholeLook_) return onRead_(*this, Status::NoAnswer, nowMs);
   if (client.rest_.proving) return proveByItems(nowMs);
   isByFile_ = false;
   client.reading_.fromFloats = Client::fromFloats;

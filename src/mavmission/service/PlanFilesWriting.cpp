@@ -48,40 +48,56 @@ void PlanFiles::writeStep(Client& client, const FrameParser* frame, uint16_t now
   self.check(nowMs);
 }
 
-// As Client::checkPlan(), and asks of each item whether it is known what ArduPilot makes of it.
 void PlanFiles::check(uint16_t nowMs) {
+  Client& client = client_;
+  if (client.isArmed() && !client.rest_.armedAllowed) return client.end(Status::Armed);
+  if (!isChecked()) return;
+  if (!isUsable() || !isForFile()) return uploadByItems(nowMs);
+  client.beginSeconds(nowMs);
+  client.state_.status = Status::Transferring;
+  if (!client.isArmed()) return beginWriting();
+  isLook_ = true;
+  beginComparing(takeLook);
+  beginReading();
+}
+
+// As Client::checkPlan(), and asks of each item whether it is known what ArduPilot makes of it. True when all is
+// checked.
+bool PlanFiles::isChecked() {
   Client& client = client_;
   Client::State& state = client.state_;
   const WirePlan& plan = client.plan_;
   if (!client.hasAutopilot() || client.firmware() != plan.firmware()) {
     state.status = Status::WaitingForAutopilot;  // the autopilot was lost, or is another one now
-    return;
+    return false;
   }
-  if (plan.isTooLong()) return client.end(Status::TooManyItems);
-  if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-  if (client.isArmed() && !client.rest_.armedAllowed) return client.end(Status::Armed);
-  if (!client.link_.canSend() || !client.claimHeavyWork()) return;
-  if (state.next < plan.wireCount()) {
-    const Status checked = client.checkItem(state.next);
-    if (checked == Status::Checking) return;
-    if (checked != Status::Accepted) {
-      state.failedItem = client.ownItem(state.next);
-      return client.end(checked);
+  Status checked = Status::Accepted;
+  if (plan.isTooLong()) {
+    checked = Status::TooManyItems;
+  } else if (!client.isTypeCarried()) {
+    checked = Status::NeedsMavlink2;
+  } else {
+    if (!client.link_.canSend() || !client.claimHeavyWork()) return false;
+    if (state.next == plan.wireCount()) return true;
+    checked = client.checkItem(state.next);
+    if (checked == Status::Checking) return false;
+    if (checked == Status::Accepted) {
+      if (!isForeseen(*static_cast<const MissionItem*>(client.link_.draft()))) isForeseen_ = false;
+      ++state.next;
+      return false;
     }
-    if (!isForeseen(*static_cast<const MissionItem*>(client.link_.draft()))) isForeseen_ = false;
-    ++state.next;
-    return;
+    state.failedItem = client.ownItem(state.next);
   }
+  client.end(checked);
+  return false;
+}
+
+// True if the plan that was checked may be written as a file.
+bool PlanFiles::isForFile() const {
 #if MAVMISSION_SIGNING
-  if (client.link_.signing().isOn()) isForeseen_ = false;  // a frame that is made while it goes out cannot be signed
+  if (client_.link_.signing().isOn()) return false;  // a frame that is made while it goes out cannot be signed
 #endif
-  if (!isUsable() || !isForeseen_ || plan.wireCount() > kMostItems) return uploadByItems(nowMs);
-  client.beginSeconds(nowMs);
-  state.status = Status::Transferring;
-  if (!client.isArmed()) return beginWriting();
-  isLook_ = true;
-  beginComparing(takeLook);
-  beginReading();
+  return isForeseen_ && client_.plan_.wireCount() <= kMostItems;
 }
 
 // False for a command without a row of rules: if ArduPilot does not take it, a file that holds it would leave the items
@@ -125,6 +141,7 @@ void PlanFiles::takeLook(PlanFiles& self, Status status, uint16_t nowMs) {
 
 void PlanFiles::uploadByItems(uint16_t nowMs) {
   isByFile_ = false;
+  if (isEnsuring_ && client_.isArmed()) return client_.end(Status::Armed);
   client_.state_.operation = Client::uploadStep;
   client_.beginUpload(nowMs);
 }
@@ -149,7 +166,7 @@ void PlanFiles::writeOn(uint16_t nowMs) {
     case FileWriteTransfer::State::Heading: {
       // It was armed meanwhile, and may fly the old plan by now. What has been written is not stored without a header.
       if (client.isArmed() && !isLengthKnown_)
-        return client.rest_.armedAllowed ? uploadByItems(nowMs) : client.end(Status::Armed);
+        return client.rest_.armedAllowed && !isEnsuring_ ? uploadByItems(nowMs) : client.end(Status::Armed);
       client.setAboard(Aboard::NotKnown);  // from now on whoever closes the file may store it
       isStorable_ = true;
       const FileHeader header = {FileHeader::kMagic, static_cast<uint8_t>(client.state_.type), 0, 0,
