@@ -12,8 +12,8 @@ import math
 import struct
 from typing import Any
 
-from simulation.fake_autopilot.flight import METRES_PER_E7, Place
 from simulation.bench import status_names
+from simulation.fake_autopilot.flight import METRES_PER_E7, Place
 from simulation.service import Service
 
 STEPS = ("None", "AskLanded", "AskHome", "AskPosition", "Mode", "Arm", "Command", "Confirm", "Disarm")

@@ -11,11 +11,11 @@ os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypo
 from bench_fixtures import (  # noqa: E402, F401
     bench,
     build_bench,
-    build_service,
     build_following,
+    build_service,
     build_steered,
-    line,
     following,
+    line,
     make_bench,
     make_following,
     make_service,

@@ -1,6 +1,6 @@
-// Takes off, follows a beacon for a minute, holds, and comes home. Here the beacon is computed: it walks around a square
-// of 30 m. A sketch with a real one calls renew() whenever the beacon has told where it is, and only then: when it falls
-// silent for a second, the aircraft holds where it is. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Takes off, follows a beacon for a minute, holds, and comes home. Here the beacon is computed: it walks around a
+// square of 30 m. A sketch with a real one calls renew() whenever the beacon has told where it is, and only then: when
+// it falls silent for a second, the aircraft holds where it is. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
 // The aircraft is never taken out of a pilot's hands, and an Arduino that resets in flight sends nothing.
 #include <MavMission.h>

@@ -6,8 +6,8 @@ The client's side of each recording is played to a fake, which climbs and lands 
 - HEARTBEAT is compared with what the fake would tell then, but for ArduCopter's system_status: when that says that it
   flies depends on how it flies. So is whether it is landed, and where it flies to.
 
-px4/guided_flight_2 is compared up to its change to OFFBOARD with one target a second, which real PX4 takes, and then
-calls a failsafe: the fake has no failsafe.
+px4/guided_flight_2 is compared up to the failsafe that it calls in OFFBOARD with one target a second: the real one then
+announced its return, and flew on to the targets, which the fake does without announcing it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from simulation import recordings
 from simulation.fake_autopilot import ArduPilot, Px4, mavlink
 
 HOME = (-353632621, 1491652371, 584.08)
-UNTIL_S = {"px4/guided_flight_2": 42.0}
+UNTIL_S = {"px4/guided_flight_2": 43.05}
 ALIKE_WITHIN_S = 0.4
 TOLD_WITHIN_S = 0.25
 LANDED_WITHIN_S = 2.3  # PX4 tells every 2.24 s whether it is landed, and how it leaves the ground is its own affair

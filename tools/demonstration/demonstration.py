@@ -281,7 +281,7 @@ class Demonstration:
             away_m = one.distance(other)
             self._screen.say(f"place {number}: {away_m:.0f} m from the one before, {other.height:.1f} m up")
         if len(self._visited) < self._follows:
-            return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._follows} targets or more.")
+            return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._follows} targets.")
         if self._flies and len(self._visited) != self._flies:
             return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._flies} places.")
         if self._landed_at is None:

@@ -56,7 +56,6 @@ enum Trait : uint32_t {
   kIsActiveInAir = 1ul << 26,         // HEARTBEAT.system_status is ACTIVE in the air, and not when it is only armed
   kAltitudesAreAboveSea = 1ul << 27,  // takes each altitude of a command as above sea level, whatever its frame
   kPlanesKeepMore = 1ul << 24,        // its planes keep more fields: kByPlane
-
   kNeedsStream = 1ul << 29,           // its guided mode (OFFBOARD) wants targets first, and a failsafe ends it without
 
   // --- Parameters
