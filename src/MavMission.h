@@ -23,6 +23,7 @@
 #include "mavmission/PlanFiles.h"
 #include "mavmission/PositionListener.h"
 #include "mavmission/RcListener.h"
+#include "mavmission/StandardModes.h"
 #include "mavmission/Steering.h"
 #include "mavmission/TelemetryListener.h"
 #include "mavmission/TelemetryPause.h"

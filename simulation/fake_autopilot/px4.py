@@ -47,16 +47,34 @@ TEXT_LENGTH = 50  # of a STATUSTEXT; what is longer comes in several
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
 MISSION_ITEM_REACHED = mavlink.MAVLINK_MSG_ID_MISSION_ITEM_REACHED
 _TO_THE_COMMANDER = (mavlink.MAV_CMD_DO_SET_MODE, mavlink.MAV_CMD_COMPONENT_ARM_DISARM,
-                     mavlink.MAV_CMD_MISSION_START)
+                     mavlink.MAV_CMD_MISSION_START, mavlink.MAV_CMD_DO_SET_STANDARD_MODE)
 _NO_STREAMS = (MISSION_CURRENT, MISSION_ITEM_REACHED)  # they come as they come, and cannot be asked for
 GLOBAL_POSITION_INT = mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT
 POSITION_TARGET_GLOBAL_INT = mavlink.MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT
 EXTENDED_SYS_STATE = mavlink.MAVLINK_MSG_ID_EXTENDED_SYS_STATE
 
 
+# MAV_STANDARD_MODE: the mode of a multicopter (by source).
+STANDARD_MODES = {
+    mavlink.MAV_STANDARD_MODE_POSITION_HOLD: (3, 0), mavlink.MAV_STANDARD_MODE_ORBIT: (3, 1),
+    mavlink.MAV_STANDARD_MODE_ALTITUDE_HOLD: (2, 0), mavlink.MAV_STANDARD_MODE_SAFE_RECOVERY: (AUTO, SUB_RTL),
+    mavlink.MAV_STANDARD_MODE_MISSION: (AUTO, SUB_MISSION), mavlink.MAV_STANDARD_MODE_LAND: (AUTO, SUB_LAND),
+    mavlink.MAV_STANDARD_MODE_TAKEOFF: (AUTO, SUB_TAKEOFF),
+}  # fmt: skip
+# The list of modes: (mode, its name if it has no standard one, whether it can be set).
+MODES = [((1, 0), "Manual", True), ((2, 0), "", True), ((3, 0), "", True), ((AUTO, SUB_MISSION), "", True),
+         ((AUTO, SUB_LOITER), "Hold", True), ((AUTO, SUB_RTL), "", True), ((AUTO, SUB_LAND), "", True),
+         ((AUTO, SUB_TAKEOFF), "", True), ((OFFBOARD, 0), "Offboard", False)]  # fmt: skip
+
+
 def custom_mode(main: int, sub: int = 0) -> int:
     """HEARTBEAT.custom_mode as PX4 packs it."""
     return main << 16 | sub << 24
+
+
+def _standard_mode(main: int, sub: int) -> int:
+    return next((standard for standard, mode in STANDARD_MODES.items() if mode == (main, sub)),
+                mavlink.MAV_STANDARD_MODE_NON_STANDARD)
 
 
 class Px4(FakeAutopilot):
@@ -100,6 +118,7 @@ class Px4(FakeAutopilot):
         self._reached_again = 0
         self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
         self.home_is_known = True
+        self.has_standard_messages = True  # AVAILABLE_MODES and CURRENT_MODE: boards with little flash do without
         self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
         self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
@@ -301,6 +320,7 @@ class Px4(FakeAutopilot):
         act = {
             mavlink.MAV_CMD_COMPONENT_ARM_DISARM: self._arm_or_disarm,
             mavlink.MAV_CMD_DO_SET_MODE: self._do_set_mode,
+            mavlink.MAV_CMD_DO_SET_STANDARD_MODE: self._set_standard_mode,
             mavlink.MAV_CMD_MISSION_START: self._mission_start,
             mavlink.MAV_CMD_NAV_TAKEOFF: self._nav_takeoff,
             mavlink.MAV_CMD_DO_REPOSITION: self._do_reposition,
@@ -372,6 +392,10 @@ class Px4(FakeAutopilot):
             return RESULT_REJECTED_FOR_NOW
         self._set_mode(main, sub, now)
         return RESULT_ACCEPTED
+
+    def _set_standard_mode(self, message, now: float) -> int:
+        mode = STANDARD_MODES.get(whole_number(message.param1))
+        return RESULT_FAILED if mode is None else self._mode_ordered(*mode, now)
 
     def _can_fly_plan(self) -> bool:
         return bool(self.missions.held[MISSION]) and self.objection is None
@@ -457,10 +481,23 @@ class Px4(FakeAutopilot):
 
     def _request_message(self, message, now: float) -> int:
         identity = whole_number(message.param1)
+        if identity == mavlink.MAVLINK_MSG_ID_AVAILABLE_MODES:
+            return self._tell_modes(whole_number(message.param2), now)
         reply = None if identity in _NO_STREAMS else self.message_of(identity, now)
         if reply is None:
             return RESULT_DENIED
         self.answer(reply, now)
+        return RESULT_ACCEPTED
+
+    def _tell_modes(self, number: int, now: float) -> int:
+        """An entry of its list; 0: all of them."""
+        if not self.has_standard_messages or number > len(MODES):
+            return RESULT_DENIED
+        for index in range(len(MODES)) if number == 0 else [number - 1]:
+            (main, sub), name, can_be_set = MODES[index]
+            self.answer(mavlink.MAVLink_available_modes_message(
+                len(MODES), index + 1, _standard_mode(main, sub), custom_mode(main, sub),
+                0 if can_be_set else mavlink.MAV_MODE_PROPERTY_NOT_USER_SELECTABLE, name.encode()), now)
         return RESULT_ACCEPTED
 
     def _request_capabilities(self, message, now: float) -> int:
@@ -627,6 +664,10 @@ class Px4(FakeAutopilot):
             return self.heartbeat()
         if identity == MISSION_CURRENT:
             return self._mission_current()
+        if identity == mavlink.MAVLINK_MSG_ID_CURRENT_MODE and self.has_standard_messages:
+            shown = custom_mode(self.main_mode, self.sub_mode)
+            return mavlink.MAVLink_current_mode_message(
+                _standard_mode(self.main_mode, self.sub_mode), shown, shown)
         if identity == GLOBAL_POSITION_INT:
             return mavlink.MAVLink_global_position_int_message(
                 boot_ms, lat, lon, round((self.home[2] + height) * 1000), round(height * 1000),

@@ -116,6 +116,11 @@ struct SteerRules {
   static constexpr uint8_t kFreshBeats = 3, kTargetBeats = 5;
 };
 
+struct StandardModeRules {
+  static constexpr uint8_t kConfirmS = 5;       // a mode that was accepted must be shown within this time
+  static constexpr uint16_t kAskAgainMs = 250;  // the pause before the autopilot is asked again for its mode
+};
+
 struct TargetRules {
   static constexpr uint16_t kEveryMs = 200;     // from one target of a MovingTarget to the next
   static constexpr uint16_t kLeadMs = 1000;     // PX4: targets before OFFBOARD is set
