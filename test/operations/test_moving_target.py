@@ -433,6 +433,30 @@ def test_aircraft_on_the_ground_gets_no_targets(following):
 
 
 @FOLLOWED
+def test_rover_follows_a_target_and_stops(build_following):
+    following = build_following("ArduPilot", vehicle="rover", uptime_s=120.0)
+    following.run(2.0)
+    following.set_mode("Guided")
+    assert following.done() == "Done"
+    following.order_of("arm")
+    assert following.done() == "Done"
+    following.run(1.2)
+    place = following.place(20, 10)
+    following.follow(place, 0.0)
+    assert following.done(limit_s=12) == "Done"
+    following.run(20.0)
+    assert abs(following.where.lat_e7 - place[0]) < 3 and abs(following.where.lon_e7 - place[1]) < 3
+    following.renew(following.place(300, 10), 0.0)
+    following.run(3.0)
+    following.tell("unfollow")
+    assert run_until_ended(following, 6.0) == "Done"
+    following.run(5.0)
+    held = following.where
+    following.run(3.0)
+    assert following.where.distance(held) < 0.1 and held.distance(following.autopilot.flight.home) < 100.0
+
+
+@FOLLOWED
 def test_plane_which_would_take_the_altitude_alone_is_refused(build_following):
     following = build_following("ArduPilot", vehicle="plane", uptime_s=120.0)
     following.follow(following.place(10, 0), 10.0)

@@ -11,6 +11,7 @@ TOO_LARGE = {
     ("StartMission", "nano"),
     ("NextWaypoint", "leonardo"),
     ("PlanFromSd", "leonardo"),
+    ("FollowBeacon", "leonardo"),
     ("UploadByFile", "leonardo"),
     ("UploadByFile", "nano"),
     ("WorkAtWaypoints", "leonardo"),
