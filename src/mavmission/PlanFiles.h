@@ -45,10 +45,10 @@ class PlanFiles : public detail::Listener {
     return Status::Idle;
   }
 
-  // As MissionClient::ensure(): looks which plan is aboard, and uploads only where it is another one. ArduPilot's plan
-  // is read as a file, and replaced by upload(). MissionClient::ensure() does it on PX4, where files cannot be used, on a
-  // line that loses and while the autopilot is armed: opening a file would store a plan that another client has left
-  // open. An armed autopilot keeps the plan that it has: Status::Armed.
+  // As MissionClient::ensure(): looks which plan is aboard, and uploads only where it is another one. ArduPilot's
+  // plan is read as a file, and replaced by upload(). MissionClient::ensure() does it on PX4, where files cannot be
+  // used, on a line that loses and while the autopilot is armed: opening a file would store a plan that another
+  // client has left open. An armed autopilot keeps the plan that it has: Status::Armed.
   Status ensure(const ItemSource& plan, PlanType type = PlanType::Mission);
   template <size_t N, typename... More>
   Status ensure(const MissionItem (&)[N], More...) {

@@ -239,8 +239,8 @@ DEFECTS = {
     ),
     "an upload by file believes the answer to the closing": (
         "PlanFilesWriting.cpp",
-        "  beginReading();\n}\n\nvoid PlanFiles::takeProof",
-        "  takeProof(*this, Status::Downloaded, nowMs);\n}\n\nvoid PlanFiles::takeProof",
+        "return proveByItems(nowMs);\n  beginReading();\n",
+        "return proveByItems(nowMs);\n  takeProof(*this, Status::Downloaded, nowMs);\n",
         "ArduPilot file-upload 2 --losses 1 --refused 1",
         "aboard() says our plan, and it is not",
     ),
