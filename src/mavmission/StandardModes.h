@@ -29,8 +29,8 @@ enum class StandardMode : uint8_t {
 //   modes.set(StandardMode::Land);
 //
 // Both are operations of the client, one at a time as all of them: they return its first status, or Status::Busy. For
-// autopilots that have standard modes: PX4 1.16 sets them, and tells and lists them on boards that have the room (by
-// source); ArduPilot 4.6 does neither. MissionClient::setMode() serves ArduPilot and PX4 without them.
+// autopilots that have standard modes: PX4 1.16 sets them, and tells and lists them on boards that have the room;
+// ArduPilot 4.6 does neither. MissionClient::setMode() serves ArduPilot and PX4 without them.
 class StandardModes : public detail::Listener, private detail::StandardModeRules {
  public:
   // The characters of the longest name.
