@@ -35,8 +35,8 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   // Begins: an operation of the client, as Steering::goTo(), and with its refusals. Done when the heartbeat shows the
   // mode: GUIDED, or PX4's OFFBOARD, before which targets go out for a second. The target must be renewed meanwhile.
   // Status::Busy if it runs already, or another operation does; Status::CommandUnsupported for ArduPilot's planes,
-  // which would take the altitude alone. After MissionClient::cancel() no hold is ordered: PX4, if
-  // it is in OFFBOARD by then, does what its failsafe for that mode says.
+  // which would take the altitude alone. After MissionClient::cancel() no hold is ordered: PX4, if it is in OFFBOARD by
+  // then, does what its failsafe for that mode says.
   Status start(const LatLon& place, Altitude altitude);
 
   // Names the target's place again, or its new one. Returns Status::Transferring when that is what goes out from now
