@@ -67,11 +67,15 @@ class Request(NamedTuple):
 
 
 class Ftp:
-    """The server of an ArduPilot. is_enabled: BRD_OPTIONS' bit 1 is not set."""
+    """The server of an ArduPilot. is_enabled: BRD_OPTIONS' bit 1 is not set.
+
+    opening_waits_s: for room behind telemetry; seen: 2.85 s on a full line, where later answers came at once.
+    """
 
     def __init__(self, autopilot, is_enabled: bool = True) -> None:
         self.autopilot = autopilot
         self.is_enabled = is_enabled
+        self.opening_waits_s = 0.0
         self.forget()
 
     def forget(self) -> None:
@@ -81,6 +85,7 @@ class Ftp:
         self._writes = False
         self._data = bytearray()
         self._replied_at = -math.inf
+        self._opened_at = -math.inf
         self._last: tuple | None = None  # whose request, and its reply
 
     def hear(self, message, sender, now: float) -> None:
@@ -105,6 +110,8 @@ class Ftp:
         return now - self._replied_at < SLOWED_S
 
     def _send(self, reply: Request, sender, now: float, later_s: float = 0.0) -> None:
+        if reply.req_opcode in (OPEN_RO, CREATE, OPEN_WO):
+            later_s += max(0.0, self._opened_at + self.opening_waits_s - now)
         self.autopilot.answer(
             mavlink.MAVLink_file_transfer_protocol_message(0, *sender, list(reply.packed())), now, later_s)
 
@@ -128,6 +135,7 @@ class Ftp:
             self._close(now)  # taken over
         self._session = request.session
         if opens:
+            self._opened_at = now
             return self._open(request)
         act = {READ: self._read, WRITE: self._write, CRC: self._crc}.get(request.opcode)
         if act is not None:

@@ -174,7 +174,7 @@ def test_without_a_file_the_mission_protocol_is_used(build_service, case, word, 
     assert service.done(LIMIT_S) == end
     assert not is_by_file(service)
     assert "MISSION_REQUEST_LIST" in by_items(service)
-    tried = {"switched off": [OPEN_RO] * 4, "held by another": [OPEN_RO]}.get(case, [])
+    tried = {"switched off": [OPEN_RO] * 12, "held by another": [OPEN_RO]}.get(case, [])
     assert requests(service)[: len(tried)] == tried
     if case == "held by another":
         service.run(3.0)
@@ -183,13 +183,13 @@ def test_without_a_file_the_mission_protocol_is_used(build_service, case, word, 
 
 
 @pytest.mark.scenario(61, "Where there are no files, plans are transferred item by item")
-def test_ftp_that_is_silent_costs_two_and_a_half_seconds(build_service):
+def test_ftp_that_is_silent_costs_seven_seconds(build_service):
     service = with_files(build_service, ftp=False)
     loaded(service, SURVEY)
     verifying(service, SURVEY)
     assert service.done(LIMIT_S) == "Verified"
     (listed_s,) = service.sent_at("MISSION_REQUEST_LIST")
-    assert listed_s - service.sent_at("FILE_TRANSFER_PROTOCOL")[0] < 2.5
+    assert listed_s - service.sent_at("FILE_TRANSFER_PROTOCOL")[0] < 7.3
 
 
 @BY_FILE

@@ -162,6 +162,18 @@ def test_without_a_file_the_mission_protocol_is_used(build_service, case):
         assert open_file(service) is not None, "the other's file was closed"
 
 
+@BY_FILE
+def test_opening_that_a_full_line_answers_late_is_waited_for(build_service):
+    """An ArduCopter on a line full of telemetry answered after 2.85 s, and later requests at once."""
+    service = with_files(build_service)
+    service.autopilot.ftp.opening_waits_s = 2.85
+    uploading(service, SURVEY)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert is_by_file(service)
+    assert service.autopilot.received() == on_the_wire(SURVEY, "ArduPilot")
+    assert requests(service).count(CREATE) > 4
+
+
 @BY_ITEMS
 def test_command_that_is_not_known_is_refused_by_the_autopilot_in_words(build_service):
     """In a file it would have left the items before it aboard, without a word."""

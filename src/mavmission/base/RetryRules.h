@@ -37,12 +37,12 @@ struct DownloadRules {
 
 // Plans as files.
 struct FileRules {
-  static constexpr uint8_t kOpenTries = 4;        // of opening a file, before FTP is taken for switched off
+  static constexpr uint8_t kOpenTries = 12;       // of opening a file, before FTP is taken for switched off
   static constexpr uint16_t kOpenMs = 600;        // to the answer
   static constexpr uint8_t kPieceTries = 8;       // of any other request
   static constexpr uint16_t kPieceMs = 250;       // to what was read, or between two pieces of a burst
   static constexpr uint16_t kWriteMs = 1000;      // to the answer to what was written, and to the closing
-  static constexpr uint8_t kLossyOpenTries = 20;  // of each, on a line that loses
+  static constexpr uint8_t kLossyOpenTries = 90;  // of each, on a line that loses
   static constexpr uint8_t kLossyTries = 250;
   static constexpr uint8_t kMostLost = 8;        // a burst of which more than 1 of 8 pieces is lost is the last
   static constexpr uint8_t kFewItems = 8;        // behind such a burst more than these are read item by item

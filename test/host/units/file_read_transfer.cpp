@@ -97,10 +97,10 @@ TEST_CASE("an empty file is closed at once, and a file of one item needs no burs
   CHECK(transfer.toSend() == Send::Item);
 }
 
-TEST_CASE("the opening is repeated 4 times, 600 ms apart, and then there is no FTP") {
+TEST_CASE("the opening is repeated 12 times, 600 ms apart, and then there is no FTP") {
   FileReadTransfer transfer = begun();
   uint16_t now = 65000;
-  for (int tries = 0; tries < 4; ++tries) {
+  for (int tries = 0; tries < 12; ++tries) {
     CHECK(transfer.toSend() == Send::Open);
     transfer.sent(now);
     CHECK(transfer.tries() == tries + 1);
@@ -108,7 +108,7 @@ TEST_CASE("the opening is repeated 4 times, 600 ms apart, and then there is no F
     CHECK(goesOn(transfer.onTime(now, pace)));
     CHECK(transfer.toSend() == Send::Nothing);
     const Status status = transfer.onTime(++now, pace);
-    CHECK((status == (tries < 3 ? Status::Transferring : Status::NoAnswer)));
+    CHECK((status == (tries < 11 ? Status::Transferring : Status::NoAnswer)));
   }
 }
 

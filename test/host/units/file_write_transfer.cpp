@@ -161,7 +161,7 @@ TEST_CASE("silence ends the writing as its state says") {
     uint16_t waitMs;
     int tries;
     Status status;
-  } const cases[] = {{0, 600, 4, Status::NoAnswer},
+  } const cases[] = {{0, 600, 12, Status::NoAnswer},
                      {1, 1000, 8, Status::TimedOut},
                      {2, 1000, 8, Status::Unconfirmed},
                      {3, 1000, 8, Status::Unconfirmed}};
