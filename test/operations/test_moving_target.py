@@ -12,7 +12,7 @@ from simulation.fake_autopilot import mavlink
 from simulation.steered import ABOVE_GROUND, ABOVE_HOME, ABOVE_SEA, REPOSITION
 from simulation.wire import Wire
 
-FOLLOWED = pytest.mark.scenario(65, "MovingTarget: a target that moves is followed, and held when it is not renewed")
+FOLLOWED = pytest.mark.scenario(66, "MovingTarget: a target that moves is followed, and held when it is not renewed")
 SET_MODE = 176
 OFFBOARD, HOLD = (6, 0), (4, 3)
 LONGEST_GAP_S = 0.3  # between two targets
