@@ -86,6 +86,14 @@ class Steered(Service):
         asks = (REQUEST_MESSAGE, INTERVAL)
         return [one for one in self.heard("COMMAND_LONG", "COMMAND_INT") if one.command not in asks]
 
+    def arm_in_guided(self) -> None:
+        """A rover, which needs no takeoff."""
+        self.run(2.0)
+        for order in (lambda: self.set_mode("Guided"), lambda: self.order_of("arm")):
+            order()
+            assert self.done() == "Done"
+        self.run(1.2)
+
     def fly(self, height_m: float = 10.0) -> None:
         """Up, and at that height."""
         self.take_off(height_m)

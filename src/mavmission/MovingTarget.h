@@ -21,8 +21,8 @@ namespace mavmission {
 // A target leaves only from update(), and only while the sketch has renewed it within the last second: when it stops
 // doing so, or calls stop(), the aircraft is made to hold where it is, as Steering::pause() does. So a loop() that goes
 // on while its sensor is silent ends with a hold. A loop() that stands still sends nothing: ArduPilot then flies to the
-// last target and stays there, PX4 does what its failsafe for OFFBOARD says (as it comes, it returns home); a loop()
-// that goes on later sends no target of before.
+// last target and stays there, PX4 does what its failsafe for OFFBOARD says (as it comes, it returns home). When loop()
+// goes on later, an old target is not sent.
 //
 // The aircraft is never taken out of other hands: what Steering says about that holds here too. A pilot who sets
 // another mode, or a failsafe, ends it at once and for good: nothing more is sent until the sketch calls start(), which

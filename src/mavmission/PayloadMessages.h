@@ -33,7 +33,7 @@ class DistanceSensor {
 
 // Where a landing target is, as a camera sees it that looks down, with the top of its picture forwards
 // (LANDING_TARGET). ArduPilot takes it so, with `PLND_TYPE` 1. PX4 gives it to its landing target estimator, a module
-// that has to be started by the autopilot's own start-up script.
+// that PX4 does not start by itself: its start-up script has to.
 class LandingTarget {
  public:
   // `number`: of the target, if there are several.

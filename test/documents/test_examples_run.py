@@ -314,7 +314,8 @@ def test_link_doctor_says_of_a_setting_that_it_does_not_know_it(personality):
     example = Run("LinkDoctor", personality)
     name = "FENCE_ENABLE" if is_ardupilot(example) else "GF_ACTION"
     del example.autopilot.parameters.all[name]
-    example.until(f"  {name} no answer: it has no parameter of this name, or does not hear us", 30.0)
+    said = f"  {name} no answer: it has no parameter of this name, or does not hear us"
+    assert said in example.until(said, 30.0)
 
 
 def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):

@@ -22,7 +22,7 @@ struct FileReferee {
 
   Asked open[kMostOpen];
   uint16_t latest;   // the number of the newest request
-  uint16_t opening;  // that with which the file was opened
+  uint16_t opening;  // the number of the request that opened the file
   uint8_t session;
   uint8_t isRunning;  // an operation goes by file
   uint8_t mayBeOpen;  // the file, by us; kKnown: that was answered

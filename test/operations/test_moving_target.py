@@ -212,7 +212,7 @@ def test_loop_that_stands_still_in_the_middle_of_a_target_completes_none_of_befo
     following.run(8.0)
     stale = [time for time, target in following.targets(stood_at) if (target.lat_int, target.lon_int) == place]
     assert stale == [] or stale[-1] < stood_at + 0.3
-    if is_px4(following):  # which is in its failsafe by then, and is left there
+    if is_px4(following):  # its failsafe flies by then
         has_landed = stands_still_ms > 60000
         assert following.target_status == ("NotArmed" if has_landed else "FailsafeHasIt")
         assert has_landed or following.mode == (4, 5)
@@ -277,17 +277,22 @@ def test_pilot_who_takes_over_while_it_begins_keeps_the_aircraft(following, pers
     assert following.mode == mode and following.targets(ended) == []
 
 
+def expect_silence_behind(following, status: str) -> None:
+    """It ends so with the next heartbeat, and from then on no target leaves."""
+    following.run(1.2)
+    assert following.target_status == status
+    ended = following.now
+    following.run(3.0)
+    assert following.targets(ended) == []
+
+
 @FOLLOWED
 def test_px4_in_a_failsafe_is_left_there(build_following):
     """It shows in system_status alone."""
     following = build_following("PX4")
     begin(following)
     following.autopilot.in_failsafe = True
-    following.run(1.2)
-    assert following.target_status == "FailsafeHasIt"
-    ended = following.now
-    following.run(3.0)
-    assert following.targets(ended) == []
+    expect_silence_behind(following, "FailsafeHasIt")
 
 
 @FOLLOWED
@@ -310,11 +315,7 @@ def test_arduino_that_is_reset_in_flight_sends_no_target(following):
 def test_aircraft_that_is_disarmed_gets_no_more_targets(following):
     begin(following)
     following.autopilot.armed = False
-    following.run(1.2)
-    assert following.target_status == "NotArmed"
-    ended = following.now
-    following.run(2.0)
-    assert following.targets(ended) == []
+    expect_silence_behind(following, "NotArmed")
 
 
 # -- the sketch orders something else --------------------------------------------------------------
@@ -435,12 +436,7 @@ def test_aircraft_on_the_ground_gets_no_targets(following):
 @FOLLOWED
 def test_rover_follows_a_target_and_stops(build_following):
     following = build_following("ArduPilot", vehicle="rover", uptime_s=120.0)
-    following.run(2.0)
-    following.set_mode("Guided")
-    assert following.done() == "Done"
-    following.order_of("arm")
-    assert following.done() == "Done"
-    following.run(1.2)
+    following.arm_in_guided()
     place = following.place(20, 10)
     following.follow(place, 0.0)
     assert following.done(limit_s=12) == "Done"

@@ -427,12 +427,7 @@ def test_it_flies_at_the_speed_that_was_set(steered):
 @STEERING
 def test_rover_goes_to_a_place(build_steered):
     steered = build_steered("ArduPilot", vehicle="rover", uptime_s=120.0)
-    steered.run(2.0)
-    steered.set_mode("Guided")
-    assert steered.done() == "Done"
-    steered.order_of("arm")
-    assert steered.done() == "Done"
-    steered.run(1.2)
+    steered.arm_in_guided()
     steered.go_to(steered.place(10, 10), 0.0)
     assert steered.done(limit_s=12) == "Done"
     steered.run(30.0)
