@@ -18,7 +18,6 @@ static MissionClient client(Serial1);
 static LinkDoctor doctor(client);
 static uint32_t baud = 57600;
 static uint16_t stallEachMs, stallMs;
-static Status lastReturned = Status::Idle;
 static Verdict lastVerdict = Verdict::Listening;
 
 static void setBaud(void*, uint32_t tried) {
@@ -79,11 +78,7 @@ void loop() {
   }
   const Verdict verdict = updateDoctor();
   const Status status = client.update();
-  if (isEnd(status) || status != lastReturned) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
+  tellReturned(status);
   if (verdict != lastVerdict) {
     lastVerdict = verdict;
     tell(F("verdict"), static_cast<uint8_t>(verdict));

@@ -13,7 +13,6 @@ using namespace mavmission;
 
 static MissionClient client(Serial1);
 static StandardModes modes(client);
-static Status lastReturned = Status::Idle;
 
 static void tellBegun(Status status) {
   tell(F("began"), static_cast<uint8_t>(status));
@@ -47,10 +46,6 @@ void setup() {
 void loop() {
   listen(words);
   const Status status = client.update();
-  if (isEnd(status) || status != lastReturned) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
+  tellReturned(status);
   sleepIfNothingCame(Serial1);
 }

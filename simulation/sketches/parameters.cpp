@@ -22,7 +22,6 @@ static Parameters parameters(client);
 #ifdef BENCH_TELEMETRY
 static PositionListener position(client, 500);
 #endif
-static Status lastReturned = Status::Idle;
 
 static void tellBegun(Status status) {
   tell(F("began"), static_cast<uint8_t>(status));
@@ -73,10 +72,6 @@ void setup() {
 void loop() {
   listen(words);
   const Status status = client.update();
-  if (isEnd(status) || status != lastReturned) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
+  tellReturned(status);
   sleepIfNothingCame(Serial1);
 }

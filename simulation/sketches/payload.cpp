@@ -12,7 +12,6 @@ using namespace mavmission;
 #endif
 
 static PayloadAnswer next = PayloadAnswer::Accepted;
-static Status lastReturned = Status::Idle;
 
 static PayloadAnswer carryOut(void* context, const PayloadCommand& command) {
   tell(F("command"), command.id);
@@ -111,11 +110,7 @@ void setup() {
 void loop() {
   listen(words);
   const Status status = client.update();
-  if (isEnd(status) || status != lastReturned) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
+  tellReturned(status);
   payload.update();
   sleepIfNothingCame(Serial1);
 }

@@ -19,7 +19,6 @@ static TelemetryPause quiet(client, silent);
 static TelemetryPause quiet(client);
 #endif
 static bool isUsed = true;
-static Status lastReturned = Status::Idle;
 
 static bool place(void*, uint16_t index, MissionItem& item) {
   item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
@@ -59,10 +58,6 @@ void loop() {
   listen(words);
   if (isUsed) updateQuiet();
   const Status status = client.update();
-  if (isEnd(status) || status != lastReturned) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
+  tellReturned(status);
   sleepIfNothingCame(Serial1);
 }

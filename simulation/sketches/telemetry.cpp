@@ -26,7 +26,6 @@ static HomeListener home(client, BENCH_INTERVAL_MS);
 #ifdef BENCH_FOLLOWER
 static MissionFollower follower(client);
 #endif
-static Status lastReturned = Status::Idle;
 
 static bool place(void*, uint16_t index, MissionItem& item) {
   item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
@@ -149,10 +148,6 @@ void setup() {
 void loop() {
   listen(words);
   const Status status = client.update();
-  if (isEnd(status) || status != lastReturned) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
+  tellReturned(status);
   sleepIfNothingCame(Serial1);
 }
