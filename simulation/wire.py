@@ -123,11 +123,12 @@ class _Direction:
         self.delivered = 0  # bytes that have come to the damaged end
         self.dropped_bytes: list[tuple[int, int]] = []
         self.damage: ByteDamage | None = None
+        self.latency_s = 0.0
         self.cut = False
 
 
 class Wire:
-    """Carries bytes both ways at no delay of its own, and fails as it is told to."""
+    """Carries bytes both ways, at no delay of its own unless it is told one, and fails as it is told to."""
 
     def __init__(self, seed: int = 0) -> None:
         self.entries: list[Entry] = []
@@ -234,6 +235,14 @@ class Wire:
             drawn = random.Random(f"{self._seed} {which}")
             way.damage = ByteDamage(lose / 100, alter / 100, insert / 100, drawn) if lose or alter or insert else None
 
+    def set_latency(self, seconds: float, direction: str | None = None) -> None:
+        """From now on all that is sent takes so long [s], as over a radio, in one direction or each of both.
+
+        A fault's own delay comes on top.
+        """
+        for way in ([self._way(direction)] if direction else self._ways.values()):
+            way.latency_s = seconds
+
     def pull(self, direction: str | None = None) -> None:
         """From now on nothing that is sent arrives, in one direction or both."""
         for way in ([self._way(direction)] if direction else self._ways.values()):
@@ -328,7 +337,7 @@ class Wire:
             data, done = way.damage.done_to(data)
             entry.fate = ", ".join(words for words in (entry.fate, done) if words)
         entry.arriving += len(data)
-        heapq.heappush(way.on_the_way, (entry.time + later_s, self._number, data))
+        heapq.heappush(way.on_the_way, (entry.time + way.latency_s + later_s, self._number, data))
 
     def _strike_lost(self, entry: Entry) -> None:
         pass

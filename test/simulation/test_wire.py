@@ -92,6 +92,22 @@ def test_a_frame_can_be_delayed_and_overtaken():
     assert carried(wire, sent) == sent[1] + sent[0] + sent[2]
 
 
+def test_a_line_with_latency_keeps_each_frame_and_their_order():
+    wire = Wire()
+    wire.set_latency(0.15)
+    first, second, third = frames(3)
+    wire.send(">", first, 1.0)
+    wire.send(">", second, 1.1)
+    wire.send("<", third, 1.0)
+    assert wire.next_event() == 1.15 and wire.deliver(">", 1.149) == b""
+    assert wire.deliver(">", 1.15) == first and wire.deliver("<", 1.15) == third
+    assert wire.deliver(">", 1.25) == second
+    wire.set_latency(0, "<")
+    wire.send("<", third, 2.0)
+    wire.send(">", first, 2.0)
+    assert wire.deliver("<", 2.0) == third and wire.deliver(">", 2.0) == b""
+
+
 def test_a_frame_can_be_held_past_the_next():
     sent = frames(3)
     wire = Wire()
