@@ -1,9 +1,16 @@
 """What all tests share; where they find the simulated world, the tools and their helpers is in pytest.ini."""
 
 import os
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+
+# What Python has compiled is kept, also where the environment says not to: without it each start of a tool takes
+# two seconds. Under build/, so that no folder of sources has it.
+sys.dont_write_bytecode = False
+sys.pycache_prefix = os.environ["PYTHONPYCACHEPREFIX"] = str(ROOT / "build" / "pycache")
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 # Hypothesis would keep its examples beside the sources.
 os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypothesis"))
@@ -29,8 +36,10 @@ from scenario_table import pytest_collection_modifyitems, pytest_terminal_summar
 
 
 def pytest_configure(config):
+    import cpu_time
     import loss_table
+    import sample
     import tables
 
-    config.pluginmanager.register(tables)
-    config.pluginmanager.register(loss_table)
+    for plugin in (sample, tables, loss_table, cpu_time.CpuTime(config)):
+        config.pluginmanager.register(plugin)

@@ -93,10 +93,12 @@ def test_requirements_are_pinned_and_installed():
 
 
 @pytest.mark.slow
-def test_quick_leaves_out_the_slow_tests_and_other_arguments_reach_pytest(tmp_path):
-    (tmp_path / "test_two.py").write_text(
-        "import pytest\ndef test_quick_one(): pass\n@pytest.mark.slow\ndef test_slow_one(): pass\n"
+@pytest.mark.parametrize("run, passed", [([], 2), (["--quick"], 1), (["--all"], 3)])
+def test_each_run_leaves_out_what_it_should_and_other_arguments_reach_pytest(tmp_path, run, passed):
+    (tmp_path / "test_three.py").write_text(
+        "import pytest\ndef test_one(): pass\n"
+        "@pytest.mark.slow\ndef test_slow_one(): pass\n@pytest.mark.thorough\ndef test_sweep(): pass\n"
     )
-    command = [ROOT / "tools" / "test", "--quick", "-c", ROOT / "pytest.ini", tmp_path]
+    command = [ROOT / "tools" / "test", *run, "-c", ROOT / "pytest.ini", tmp_path]
     ran = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
-    assert re.search(r"\b1 passed in ", ran.stdout.splitlines()[-1]), ran.stdout + ran.stderr
+    assert re.search(rf"\b{passed} passed in ", ran.stdout.splitlines()[-1]), ran.stdout + ran.stderr

@@ -1,0 +1,81 @@
+"""The sample that tools/test keeps of each sweep, and the table of processor time at its end."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+import cpu_time
+import sample
+from building import ROOT
+
+
+def test_list_names_tests_that_there_are():
+    for file, tests in sample.listed().items():
+        text = (ROOT / "test" / file).read_text()
+        assert [name for name in tests if not re.search(rf"^def {name}\(", text, re.M)] == [], file
+
+
+def test_sample_is_the_same_each_time_and_does_not_move_when_a_test_is_added():
+    names = [f"test_something[PX4-{n}]" for n in range(1000)]
+    kept = [name for name in names if sample.stays(name, 10)]
+    assert 60 < len(kept) < 150
+    assert [name for name in [*names, "test_something[PX4-new]"] if sample.stays(name, 10)][: len(kept)] == kept
+    assert not any(sample.stays(name, 0) for name in names) and all(sample.stays(name, 1) for name in names)
+
+
+class Item:
+    """As pytest has it, with what the sample looks at."""
+
+    path, originalname = ROOT / "test" / "somewhere" / "test_some.py", "test_some"
+
+    def __init__(self, name: str, *marks: str) -> None:
+        self.name, self.marks = name, [*marks]
+
+    def get_closest_marker(self, mark: str) -> bool:
+        return mark in self.marks
+
+    def add_marker(self, mark: str) -> None:
+        self.marks.append(mark)
+
+
+@pytest.mark.parametrize("one_in, left", [(1, 0), (0, 8)])
+def test_what_is_slow_and_not_in_the_sample_is_marked(one_in, left):
+    items = [Item(f"test_some[{number}]", *(["slow"] if number < 8 else [])) for number in range(10)]
+    sample.mark(items, {"somewhere/test_some.py": {"test_some": one_in}})
+    assert sum("thorough" in item.marks for item in items) == left
+    assert not any("thorough" in item.marks for item in items[8:])
+
+
+def test_folder_above_its_budget_is_warned_of():
+    files = {"test/upload/test_a.py": [10.0, 2.0], "test/upload/test_b.py": [1.0, 0.0], "test/link/test_c.py": [3.0, 0]}
+    head, link, upload, both = cpu_time.rows(files, {"upload": 12.5, "link": 3.5})
+    assert link == ["link", "3", "0", "3", "4", ""]
+    assert upload == ["upload", "11", "2", "13", "12", "ABOVE ITS BUDGET"]
+    assert both[:5] == ["all", "14", "2", "16", "16"]
+
+
+def test_processor_time_of_a_test_is_counted_with_what_it_started(tmp_path):
+    (tmp_path / "test_busy.py").write_text(
+        "import subprocess, sys\n"
+        "SPIN = 'import time; end = time.process_time() + 0.5\\nwhile time.process_time() < end: pass'\n"
+        "def test_busy(): exec(SPIN)\n"
+        "def test_program(): subprocess.run([sys.executable, '-c', SPIN])\n"
+    )
+    probe = tmp_path / "probe.py"
+    probe.write_text(
+        "import cpu_time\n"
+        "class Probe(cpu_time.CpuTime):\n"
+        "    def pytest_terminal_summary(self, terminalreporter):\n"
+        "        terminalreporter.write_line('took ' + ' '.join(f'{s:.1f}' for s in self.files['test_busy.py']))\n"
+        "def pytest_configure(config):\n    config.pluginmanager.register(Probe(config))\n"
+    )
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "probe", "-c", "/dev/null", "--rootdir", tmp_path, tmp_path]
+    environment = {"PYTHONPATH": f"{tmp_path}:{ROOT / 'test' / 'support'}", "PATH": "/usr/bin:/bin"}
+    for more in ([], ["-n", "2"]):
+        ran = subprocess.run([*command, *more], capture_output=True, text=True, env=environment, check=False)
+        own, programs = map(float, re.search(r"took (\S+) (\S+)", ran.stdout).groups())
+        assert 0.45 < own < 1.5 and 0.5 <= programs < 1.5, ran.stdout + ran.stderr
