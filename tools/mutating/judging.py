@@ -145,7 +145,8 @@ class Desk:
     def compiled(self, killer: Program, source: Path) -> Path | None:
         """None if it does not compile. Programs with the same flags share the library's objects."""
         command = killer.plainly(source)
-        words = [*NICE, command[0], f"-I{self.overlay.place}", *command[1:], str(self.overlay.path(source))]
+        quick = host_build.quickened(source, command)
+        words = [*NICE, quick[0], f"-I{self.overlay.place}", *quick[1:], str(self.overlay.path(source))]
         key = tuple(words)
         if key not in self.made:
             made = self.place / f"{digest(*words)[:12]}.o"

@@ -1,0 +1,31 @@
+"""MAVLink's headers compiled once: the objects are the same, and other headers or flags are compiled anew."""
+
+from __future__ import annotations
+
+import subprocess
+
+import pytest
+
+from simulation import precompiled
+from simulation.firmware import library_file
+from simulation.host_build import COMPILERS, PLACES, compiler_version
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_object_is_the_same_with_the_headers_precompiled(compiler, tmp_path):
+    command = [compiler, "-c", "-std=c++11", "-O1", "-g0", "-Wall", "-Wextra", "-Wpedantic", "-Werror", *PLACES]
+    made = []
+    for name, more in (("plain", []), ("quick", precompiled.with_mavlink(command, compiler_version(compiler)))):
+        made.append(tmp_path / f"{name}.o")
+        subprocess.run([*command, *more, library_file("Upload.cpp"), "-o", made[-1]], check=True)
+    assert made[0].read_bytes() == made[1].read_bytes()
+
+
+def test_other_headers_flags_or_compilers_are_compiled_anew(monkeypatch, tmp_path):
+    monkeypatch.setattr(precompiled, "OUTPUT", tmp_path)
+    monkeypatch.setattr(precompiled, "HEADERS", library_file("Clock.h"))
+    base = ("g++", "-c", "-std=c++11"), "12", "headers"
+    others = [(("g++", "-c", "-std=c++17"), "12", "headers"), (base[0], "13", "headers"), (base[0], "12", "changed")]
+    folders = {precompiled.made(*words) for words in (base, *others)}
+    assert len(folders) == 4
+    assert precompiled.made(*base) in folders
