@@ -65,6 +65,9 @@ def is_end(status: str) -> bool:
     return status_names().index(status) > status_names().index("Transferring")
 
 
+_EVENTS = ("began", "returned", "progress", "end", "restarted", "nested", "heard")
+
+
 class Event(NamedTuple):
     """A line that the firmware said on Serial."""
 
@@ -242,7 +245,7 @@ class Bench:
         *lines, self._text = self._text.split(b"\r\n")
         for line in lines:
             words = line.decode().split(" ")
-            if words[0].isdigit() and words[1] in ("began", "returned", "progress", "end", "restarted"):
+            if words[0].isdigit() and words[1] in _EVENTS:
                 self._note(Event(int(words[0]), words[1], tuple(int(word) for word in words[2:])))
             else:
                 self._take_line(line.decode())
@@ -342,6 +345,11 @@ class Bench:
     def restarts(self) -> list[str]:
         """What upload() returned within the callback."""
         return [status_names()[number] for (number,) in self._numbers("restarted")]
+
+    @property
+    def nested_updates(self) -> list[str]:
+        """What update() returned in onProgress()."""
+        return [status_names()[number] for (number,) in self._numbers("nested")]
 
     @property
     def progress(self) -> list[tuple[int, int]]:

@@ -61,6 +61,11 @@ class PayloadBench(Bench):
                 for one in self.heard("COMMAND_ACK")]  # fmt: skip
 
     @property
+    def commands_heard(self) -> int:
+        """By a listener of the sketch's own, with BENCH_LISTENER."""
+        return len(self._numbers("heard"))
+
+    @property
     def is_busy(self) -> bool:
         (line,) = self.tell("busy")
         return line.split(" ")[2] == "1"

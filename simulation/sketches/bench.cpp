@@ -49,6 +49,8 @@ static FunctionPlan functionPlan;
 static ItemSource plan = emptyPlan();
 static uint8_t uploadsInCallback;
 static uint16_t cancelAtItem = 0xFFFF;
+static uint16_t uploadAtItem = 0xFFFF;  // what onProgress() tries
+static uint16_t cancelInSource;         // at that call of the source's function, from 1
 static uint16_t stallEachMs, stallMs;
 static bool neverSleep;
 static Status lastReturned = Status::Idle;
@@ -56,6 +58,7 @@ static Status lastReturned = Status::Idle;
 // The same as item_of_function_plan() in simulation/bench.py.
 static bool itemOfFunctionPlan(void* context, uint16_t index, MissionItem& item) {
   FunctionPlan& function = *static_cast<FunctionPlan*>(context);
+  if (cancelInSource != 0 && --cancelInSource == 0) client.cancel();
   if (index == function.refusedItem && function.agreements-- == 0) {
     function.agreements = 0;
     return false;
@@ -87,6 +90,11 @@ static void onProgress(void*, uint16_t done, uint16_t total) {
   Serial.print(' ');
   Serial.println(total);
   if (done == cancelAtItem) client.cancel();
+  if (done != uploadAtItem) return;
+  tell(F("restarted"), static_cast<uint8_t>(client.uploadWithoutReadback(plan)));
+  Serial.println();
+  tell(F("nested"), static_cast<uint8_t>(client.update()));
+  Serial.println();
 }
 
 static void onEnd(void*, Status status) {
@@ -228,6 +236,8 @@ ACTION(callbacks) {
 }
 ACTION(again) { uploadsInCallback = numbers[0]; }
 ACTION(cancelat) { cancelAtItem = numbers[0]; }
+ACTION(uploadat) { uploadAtItem = numbers[0]; }
+ACTION(cancelin) { cancelInSource = numbers[0]; }
 // Each so many milliseconds, loop() takes so many milliseconds longer.
 ACTION(stall) {
   stallEachMs = numbers[0];
@@ -265,10 +275,10 @@ struct Word {
 };
 #define WORD(name) {#name, name}
 static const Word words[] = {
-    WORD(ram),        WORD(flash),      WORD(empty),      WORD(function), WORD(upload),   WORD(cancel),
-    WORD(ids),        WORD(talk),       WORD(speak),      WORD(armed),    WORD(raw),      WORD(floats),
-    WORD(waiting),    WORD(limit),      WORD(callbacks),  WORD(again),    WORD(cancelat), WORD(stall),
-    WORD(nosleep),    WORD(state),      WORD(counters),   WORD(text),     WORD(aboard),   WORD(backoff),
+    WORD(ram),        WORD(flash),      WORD(empty),      WORD(function), WORD(upload),   WORD(cancel),   WORD(ids),
+    WORD(talk),       WORD(speak),      WORD(armed),      WORD(raw),      WORD(floats),   WORD(waiting),  WORD(limit),
+    WORD(callbacks),  WORD(again),      WORD(cancelat),   WORD(stall),    WORD(uploadat), WORD(cancelin), WORD(nosleep),
+    WORD(state),      WORD(counters),   WORD(text),       WORD(aboard),   WORD(backoff),
 #ifdef BENCH_FILES
     WORD(fileupload), WORD(fileverify), WORD(fileensure), WORD(verify),
 #endif

@@ -45,6 +45,15 @@ ACTION(armed) { client.allowWhileArmed(numbers[0]); }
 ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
 ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
 ACTION(cancel) { client.cancel(); }
+// keptValue(): its bits.
+ACTION(kept) {
+  const float kept = client.keptValue();
+  uint32_t bits;
+  memcpy(&bits, &kept, sizeof(bits));
+  tell(F("kept"), 0);
+  tellNumber(F("bits"), bits);
+  Serial.println();
+}
 ACTION(value) {
   tell(F("value"), 0);
   uint32_t bits;
@@ -58,7 +67,7 @@ ACTION(value) {
 
 static const Word words[] = {
     WORD(read),   WORD(readflash), WORD(set),    WORD(setflash), WORD(setwhole), WORD(setwholeflash),
-    WORD(upload), WORD(interval),  WORD(cancel), WORD(value),    WORD(armed),
+    WORD(upload), WORD(interval),  WORD(cancel), WORD(value),    WORD(armed),    WORD(kept),
 };
 
 void setup() {

@@ -39,6 +39,15 @@ static bool place(void*, uint16_t index, MissionItem& item) {
 static uint8_t context = 77;
 static MissionClient client(Serial1);
 static Payload payload(client, carryOut, &context);
+#ifdef BENCH_LISTENER
+// The sketch hears the same message, with a key that does not say whom it is for.
+const MessageKey commandKeys[] PROGMEM = {messageKey(76, 152, 33)};
+static void onCommand(void*, const ReceivedMessage& message) {
+  tell(F("heard"), message.id);
+  Serial.println();
+}
+static MessageListener commands(client, commandKeys, onCommand);
+#endif
 static DistanceSensor distance(20, 700, 25, 3, 1);
 static LandingTarget target(2);
 static LandingTargetPosition landingPlace(3);

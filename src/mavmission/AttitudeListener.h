@@ -9,7 +9,7 @@ namespace mavmission {
 // Used like a PositionListener.
 class AttitudeListener : public TelemetryListener {
  public:
-  // The client must live as long as this object. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
   explicit AttitudeListener(MissionClient& client, uint16_t intervalMs = 1000);
 
   // -180 to 180 degrees each: the right side down, the nose up, and the nose to the east of north are positive.

@@ -8,7 +8,7 @@ namespace mavmission {
 // Used like a PositionListener. The values of other batteries are passed over.
 class BatteryListener : public TelemetryListener {
  public:
-  // The client must live as long as this object. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
   // `number`: of the battery, from 0 on.
   explicit BatteryListener(MissionClient& client, uint16_t intervalMs = 1000, uint8_t number = 0);
 

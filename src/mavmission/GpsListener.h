@@ -22,7 +22,7 @@ enum class GpsFix : uint8_t {
 // Used like a PositionListener, whose place is the better one to fly by: it is estimated from all sensors.
 class GpsListener : public TelemetryListener {
  public:
-  // The client must live as long as this object. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
   explicit GpsListener(MissionClient& client, uint16_t intervalMs = 1000);
 
   // The kind of fix.

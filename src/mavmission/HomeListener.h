@@ -12,7 +12,7 @@ namespace mavmission {
 // PositionListener::homeAboveSeaLevelMm() tells the height of home without that.
 class HomeListener : public TelemetryListener {
  public:
-  // The client must live as long as this object. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
   template <uint8_t kMaxPayload = MAVMISSION_MAX_PAYLOAD>
   explicit HomeListener(MissionClient& client, uint16_t intervalMs = 5000) : HomeListener(client, intervalMs, Kept()) {
     static_assert(kMaxPayload >= 60, "compile the library with -DMAVMISSION_MAX_PAYLOAD=60 to use HomeListener");

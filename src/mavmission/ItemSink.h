@@ -9,7 +9,7 @@ namespace mavmission {
 
 // Takes item `index` of the autopilot's plan, and returns true; false ends the download with Status::SinkFull. Called
 // from update(), once for each item, in order. On ArduPilot it is called first with kHomeIndex and the home position,
-// which is no item of the plan.
+// which is no item of the plan. May call cancel(), which acts at the end of that update(); begins are Status::Busy.
 typedef bool (*ItemSinkFunction)(void* context, uint16_t index, const MissionItem& item);
 
 // The index with which a sink is given the home position.

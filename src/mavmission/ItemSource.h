@@ -10,8 +10,8 @@ namespace mavmission {
 
 // Fills `item` with item `index` (0 to count - 1) of a plan, and returns true; false ends the transfer with
 // Status::SourceRefused. Called from update(), more than once for an item (the plan is checked first, and an item may
-// be requested again), in any order: the same index must always give the same item. Must not block, and must not call
-// upload() or update().
+// be requested again), in any order: the same index must always give the same item. Must not block. May call cancel(),
+// which acts at the end of that update(); begins are Status::Busy.
 typedef bool (*ItemFunction)(void* context, uint16_t index, MissionItem& item);
 
 // A plan as a function, its context and its length. Small, and kept by value. What it points at belongs to the sketch,

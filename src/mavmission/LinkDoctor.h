@@ -66,7 +66,7 @@ struct Speaker {
 // until it is answered, then every 5 s. It requests nothing while a transfer is running.
 class LinkDoctor : public detail::Listener {
  public:
-  // The client must live as long as the doctor.
+  // The doctor must live as long as the client: declare it beside it, not in a function.
   explicit LinkDoctor(MissionClient& client);
 
   // Lets it try other baud rates when bytes come, but no frames: 9600 to 921600, as far as the board can do them.

@@ -18,7 +18,7 @@ struct ReceivedMessage {
   void copyTo(void* message, uint8_t size) const;
 };
 
-// Called from update() with each message that has one of the keys; may start operations.
+// Called from update() with each message that has one of the keys. May begin an operation, if none runs, and cancel().
 typedef void (*MessageFunction)(void* context, const ReceivedMessage& message);
 
 // Receives the messages of an array of keys in flash, from any sender, and hands each to a function. They may be of any
@@ -30,7 +30,7 @@ typedef void (*MessageFunction)(void* context, const ReceivedMessage& message);
 // Messages with a payload of more than MAVMISSION_MAX_PAYLOAD bytes are stepped over.
 class MessageListener : public detail::Listener {
  public:
-  // The keys must lie in flash; they and the client must live as long as the listener.
+  // The keys must lie in flash. The listener must live as long as the client: declare it beside it, not in a function.
   template <uint8_t N>
   MessageListener(MissionClient& client, const MessageKey (&keys)[N], MessageFunction function, void* context = nullptr)
       : Listener(client, keys, N, take), function_(function), context_(context) {}

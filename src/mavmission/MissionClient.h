@@ -142,12 +142,13 @@ class MissionClient : private detail::Client {
               CommandRepeat = CommandRepeat::IfHarmless) = delete;  // a temporary would be gone before it is sent
 
   // Ends the running operation with Status::Cancelled, and tells the autopilot (MISSION_ACK with
-  // MAV_MISSION_OPERATION_CANCELLED). Without one it does nothing.
+  // MAV_MISSION_OPERATION_CANCELLED). Without one it does nothing. In a callback of update() it acts when that update()
+  // ends, unless the operation has ended by itself by then.
   void cancel();
 
   // To be called from loop(). Reads the received bytes, sends what is due and fits, and returns without waiting.
   // Returns the status with which an operation has ended, once; otherwise the status of the running one, or
-  // Status::Idle.
+  // Status::Idle. In a callback of its own it does nothing, and returns Status::Busy.
   Status update();
 
   // Sends a message of the sketch's own, with the right sequence number. False if another frame is still being sent, or
@@ -170,9 +171,9 @@ class MissionClient : private detail::Client {
   // After Status::Differs the field that differs; after Status::NotKept the field that would be stored as another
   // value.
   ItemField differingField() const { return rest_.field; }
-  // After Status::NotKept: the value that the autopilot would store in that field. NaN where it is not known: where the
-  // autopilot would not take the value, or where the result depends on its board. Reads the item from the plan's source
-  // again.
+  // After the Status::NotKept of a plan: the value that the autopilot would store in that field, for which it reads the
+  // item from the plan's source again. NaN where it is not known: where the autopilot would not take the value, or
+  // where the result depends on its board. NaN, too, after any other end.
   float keptValue();
   // The plan of a type that the autopilot holds after the last upload, verification or clear of that type.
   Aboard aboard(PlanType type = PlanType::Mission) const { return Client::aboard(type); }
@@ -197,7 +198,8 @@ class MissionClient : private detail::Client {
   // Counters of frames and of faults on the line.
   LinkCounters counters() const { return link_.counters(); }
 
-  // --- Callbacks. Null, the default, means none. `context` is handed to the function and may be null.
+  // --- Callbacks. Null, the default, means none. `context` is handed to the function and may be null. What a callback
+  // may call is in docs/callbacks.md.
 
   // One function each: another call replaces it.
   void onProgress(ProgressFunction function, void* context = nullptr);

@@ -10,10 +10,10 @@ namespace mavmission {
 // MISSION_STATE (MAVLink common messages, MISSION_CURRENT.mission_state).
 enum class MissionState : uint8_t { NotKnown = 0, NoMission = 1, NotStarted = 2, Active = 3, Paused = 4, Complete = 5 };
 
-// `item` in the sketch's numbering. Called from update(); may start operations.
+// `item` in the sketch's numbering. Called from update(). May begin an operation, if none runs, and cancel().
 typedef void (*ItemNumberFunction)(void* context, uint16_t item);
 // `text` ends with a zero, has at most 50 characters, and is valid during the call. `severity`: MAV_SEVERITY, 0
-// (emergency) to 7 (debug).
+// (emergency) to 7 (debug). Called from update(), and may do the same.
 typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 
 // Follows the mission of the client's autopilot. Declare one beside the client:
@@ -27,7 +27,7 @@ typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 // one comes.
 class MissionFollower : public detail::MessageIntervals {
  public:
-  // The client must live as long as this object.
+  // This object must live as long as the client: declare it beside it, not in a function.
   explicit MissionFollower(MissionClient& client);
 
   // The item being flown, or MissionClient::kNoItem before the autopilot has reported one, and while that is home.

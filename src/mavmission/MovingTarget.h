@@ -29,7 +29,7 @@ namespace mavmission {
 // is refused while the aircraft is in his hands. An order of Steering, but for setSpeed(), ends it as well.
 class MovingTarget : private detail::Listener, private detail::TargetRules {
  public:
-  // The Steering must live as long as this object.
+  // This object and the Steering must live as long as the client: declare them beside it, not in a function.
   explicit MovingTarget(Steering& steering);
 
   // Begins: an operation of the client, as Steering::goTo(), and with its refusals. Done when the heartbeat shows the

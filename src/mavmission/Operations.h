@@ -8,10 +8,12 @@
 namespace mavmission {
 
 // Called from update() when another item has been transferred: `done` of `total` of the sketch's items. `done` never
-// goes back within a transfer, and reaches `total` only when the autopilot has accepted the plan. May call cancel().
+// goes back within a transfer, and reaches `total` only when the autopilot has accepted the plan. May call cancel(),
+// which acts at the end of that update(); the next operation is Status::Busy until then.
 typedef void (*ProgressFunction)(void* context, uint16_t done, uint16_t total);
 
-// Called from update() with the status of an operation that has ended. May start the next operation.
+// Called with the status of an operation that has ended: from update(), or from cancel() or the function that began it.
+// May begin the next operation. What each callback may call is in docs/callbacks.md.
 typedef void (*EndFunction)(void* context, Status status);
 
 // The steps of start(), in order. A vehicle needs only some of them.

@@ -28,7 +28,7 @@ class Parameters : public detail::Listener {
   // The longest name of a parameter.
   static constexpr uint8_t kMostCharacters = 16;
 
-  // The client must live as long as this object.
+  // This object must live as long as the client: declare it beside it, not in a function.
   explicit Parameters(MissionClient& client);
 
   // Reads a parameter. The name is copied; one with more than kMostCharacters ends with Status::NoParameter.

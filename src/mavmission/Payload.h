@@ -30,6 +30,7 @@ enum class PayloadAnswer : uint8_t {
 
 // Called from Payload::update() with each command, once, also when the sender has repeated it. While a command is in
 // progress, another one may come: it can be carried out beside that, or refused; InProgress is then told as Rejected.
+// May begin an operation of the client, if none runs, and cancel().
 typedef PayloadAnswer (*PayloadFunction)(void* context, const PayloadCommand& command);
 
 // Declare one beside the client:
@@ -45,7 +46,7 @@ typedef PayloadAnswer (*PayloadFunction)(void* context, const PayloadCommand& co
 // all components that is Unsupported is not answered, since it is meant for somebody else.
 class Payload : public detail::Listener {
  public:
-  // The client must live as long as this object.
+  // This object must live as long as the client: declare it beside it, not in a function.
   Payload(MissionClient& client, PayloadFunction function, void* context = nullptr);
 
   // To be called from loop(). Neither waits nor delays.

@@ -26,7 +26,7 @@ namespace mavmission {
 // and for reading on a line that loses.
 class PlanFiles : public detail::Listener {
  public:
-  // The client must live as long as this object.
+  // This object must live as long as the client: declare it beside it, not in a function.
   explicit PlanFiles(MissionClient& client);
 
   // As MissionClient::upload(), and always read back: the autopilot does not say what has become of a file.

@@ -20,7 +20,7 @@ class PositionListener : public TelemetryListener {
   // The value of a height that is not known [mm].
   static constexpr int32_t kNoHeight = INT32_MIN;
 
-  // The client must live as long as this object. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
   explicit PositionListener(MissionClient& client, uint16_t intervalMs = 1000);
 
   // False until the autopilot knows where it is: ArduPilot sends 0 N 0 E before.

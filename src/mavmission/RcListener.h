@@ -8,7 +8,7 @@ namespace mavmission {
 // Used like a PositionListener.
 class RcListener : public TelemetryListener {
  public:
-  // The client must live as long as this object. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
   explicit RcListener(MissionClient& client, uint16_t intervalMs = 1000);
 
   // How many channels the receiver has; 0 without one.

@@ -36,7 +36,7 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
   // The characters of the longest name.
   static constexpr uint8_t kMostCharacters = 35;
 
-  // The client must live as long as this object.
+  // This object must live as long as the client: declare it beside it, not in a function.
   template <uint8_t kMaxPayload = MAVMISSION_MAX_PAYLOAD>
   explicit StandardModes(MissionClient& client) : StandardModes(client, Kept()) {
     static_assert(kMaxPayload >= 46, "compile the library with -DMAVMISSION_MAX_PAYLOAD=46 to use StandardModes");

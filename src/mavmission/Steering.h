@@ -37,7 +37,7 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 // Numbers are checked before anything is sent; MissionClient::differingField() names the field that was refused.
 class Steering : public detail::Listener, private detail::SteerRules {
  public:
-  // The client must live as long as this object.
+  // This object must live as long as the client: declare it beside it, not in a function.
   explicit Steering(MissionClient& client);
 
   // Arms the aircraft where it stands, and makes it climb to this height above home: copters, and PX4. Done when it has

@@ -34,8 +34,8 @@ class TelemetryPause : public detail::MessageIntervals {
   // The greatest length of a list.
   static constexpr uint8_t kMostMessages = 32;
 
-  // For the telemetry of ArduPilot or PX4, whichever is heard; for another autopilot PX4's list is used. The client
-  // must live as long as this object.
+  // For the telemetry of ArduPilot or PX4, whichever is heard; for another autopilot PX4's list is used. This object
+  // must live as long as the client: declare it beside it, not in a function.
   explicit TelemetryPause(MissionClient& client);
 
   // For messages of the sketch's own choice, those with the most bytes a second first; the list must lie in flash.

@@ -26,6 +26,7 @@ class ClientOnLine {
   std::vector<SentFrame> sent;                          // until it is emptied
   mavmission::Status ended = mavmission::Status::Idle;  // what update() returned of the last end
   std::vector<mavmission::Status> returned;             // what update() returned, each change
+  std::vector<mavmission::Status> ends;                 // and each end
 
   bool beats = true;  // whether the peer sends heartbeats
 
@@ -47,6 +48,7 @@ class ClientOnLine {
       const mavmission::Status status = client.update();
       if (returned.empty() || returned.back() != status) returned.push_back(status);
       if (status != mavmission::Status::Idle && !client.isBusy()) ended = status;
+      if (isEnd(status)) ends.push_back(status);
       note(line.takeWritten());
     }
   }

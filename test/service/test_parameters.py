@@ -158,6 +158,17 @@ def test_fraction_or_a_number_too_large_is_not_sent_to_a_parameter_of_whole_numb
     assert sets(params) == []
 
 
+def test_kept_value_is_that_of_a_plan_alone(params, personality):
+    assert math.isnan(params.kept)
+    assert params.set(WHOLE[personality], 1.5) == "NotKept"
+    assert math.isnan(params.kept)
+    params.tell("upload", 2)
+    assert params.done() == "Accepted"
+    assert params.set(WHOLE[personality], 1.5) == "NotKept"
+    assert math.isnan(params.kept)
+    assert params.read(WHOLE[personality]) == "Done"
+
+
 def test_whole_number_that_a_float_cannot_carry_is_refused_where_it_goes_as_one(params, personality):
     odd = 2**24 + 1
     assert params.set_whole(REAL[personality], odd) == "NotKept"

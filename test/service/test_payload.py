@@ -52,6 +52,17 @@ def test_command_for_another_component_or_system_is_left_alone(payload):
     assert payload.carried_out == [] and payload.answers_sent == []
 
 
+def test_command_for_the_autopilot_is_left_alone_beside_a_listener_that_hears_it_too(make):
+    payload = make(defines={"BENCH_LISTENER": True})
+    for target in ((1, 1), (1, 192), (2, 191)):
+        payload.command(WINCH, target=target)
+    assert payload.carried_out == [] and payload.answers_sent == []
+    payload.command(WINCH)
+    assert len(payload.carried_out) == 1
+    assert payload.answers_sent == [(WINCH, ACCEPTED, AUTOPILOT, 0)]
+    assert payload.commands_heard == 4
+
+
 def test_command_for_all_is_answered_unless_it_is_not_ours(payload):
     payload.command(WINCH, target=(1, 0))
     assert payload.carried_out[0].for_all

@@ -152,6 +152,42 @@ def test_cancel_from_the_progress_callback(bench, personality):
 
 
 @CANCELLING
+def test_cancel_in_the_last_progress_callback_comes_too_late(bench):
+    bench.tell("cancelat", len(SURVEY))
+    bench.tell("again", 1)
+    bench.upload(SURVEY)
+    assert [bench.run_until_ended(limit_s=5) for _ in range(2)] == ["Accepted", "Accepted"]
+    bench.run(5)
+    assert bench.ends == bench.ends_called_back == ["Accepted", "Accepted"]
+    assert bench.restarts == ["WaitingForAutopilot"]
+    state = bench.state
+    assert (state.status, state.busy, state.aboard) == ("Accepted", False, "OurPlan")
+
+
+@CANCELLING
+@pytest.mark.parametrize("call", [1, 3, 7, 10])
+def test_cancel_in_the_source_ends_the_upload_once_and_the_next_one_begins(bench, personality, call):
+    bench.tell("cancelin", call)
+    bench.tell("again", 1)
+    bench.upload(FunctionPlan(6))
+    assert [bench.run_until_ended(limit_s=20) for _ in range(2)] == ["Cancelled", "Accepted"]
+    bench.run(5)
+    assert bench.ends == bench.ends_called_back == ["Cancelled", "Accepted"]
+    assert same_bits(bench.autopilot.received(), on_the_wire(FunctionPlan(6), personality))
+    assert bench.state.aboard == "OurPlan"
+
+
+@BUSY
+def test_progress_callback_can_neither_begin_nor_update(bench, personality):
+    bench.tell("uploadat", 2)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=5) == "Accepted"
+    assert bench.restarts == ["Busy"]
+    assert bench.nested_updates == ["Busy"]
+    assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
+
+
+@CANCELLING
 def test_new_upload_right_after_a_cancellation_is_accepted(bench, personality):
     bench.upload(SURVEY)
     bench.run_until_sent("MISSION_ITEM_INT", 3)

@@ -29,6 +29,7 @@ void MissionClient::onProgress(ProgressFunction function, void* context) {
 void MissionClient::onEnd(EndFunction function, void* context) {
   rest_.ended = function;
   rest_.endedContext = context;
+  rest_.tellEnd = function != nullptr ? tellEnd : nullptr;
 }
 
 void MissionClient::setSourceIds(uint8_t systemId, uint8_t componentId) { link_.setSourceIds(systemId, componentId); }
@@ -63,7 +64,24 @@ void Client::end(Status status) {
   state_.operation = nullptr;
   state_.status = status;
   rest_.toReturn = status;
-  if (rest_.ended != nullptr) rest_.ended(rest_.endedContext, status);
+  if (rest_.tellEnd != nullptr) rest_.tellEnd(*this, status);
+}
+
+// The function may begin an operation that ends at once: the next update() then tells about that end. Otherwise a
+// sketch that tries again with each end would call itself until the stack is used up.
+void Client::tellEnd(Client& client, Status status) {
+  if (client.rest_.isTelling) {
+    client.state_.operation = tellLaterStep;
+    return;
+  }
+  client.rest_.isTelling = true;
+  client.rest_.ended(client.rest_.endedContext, status);
+  client.rest_.isTelling = false;
+  if (client.state_.operation == tellLaterStep) client.rest_.toReturn = status;  // this end comes first
+}
+
+void Client::tellLaterStep(Client& client, const FrameParser* frame, uint16_t) {
+  if (frame == nullptr && client.rest_.toReturn == Status::Idle) client.end(client.state_.status);
 }
 
 void Client::unsettle(uint16_t nowMs) {
@@ -73,7 +91,30 @@ void Client::unsettle(uint16_t nowMs) {
 
 void Client::tellCancelled() { state_.cancelled = state_.type; }
 
+// A callback is called in the middle of an operation, which goes on to the end of this update().
 void MissionClient::cancel() {
+  if (state_.atEnd == nullptr) return cancelNow();
+  if (state_.operation != nullptr) state_.atEnd = rest_.toReturn == Status::Idle ? cancelAtEnd : cancelSecond;
+}
+
+void Client::cancelAtEnd(Client& client) {
+  if (client.rest_.toReturn == Status::Idle) client.cancelNow();  // otherwise it has ended by itself
+}
+
+// Cancels an operation that was begun in this update(), behind the end of another one. update() returns that end, and
+// the next update() this one.
+void Client::cancelSecond(Client& client) {
+  if (client.state_.operation == nullptr) return;
+  const Status first = client.rest_.toReturn;
+  const bool wasTelling = client.rest_.isTelling;
+  client.rest_.isTelling = true;
+  client.cancelNow();
+  client.rest_.isTelling = wasTelling;
+  client.state_.operation = tellLaterStep;
+  client.rest_.toReturn = first;
+}
+
+void Client::cancelNow() {
   if (state_.operation == nullptr) return;
   const bool isUpload = state_.operation == uploadStep;
   if (state_.status == Status::Transferring && (isUpload || rest_.proving || state_.operation == readStep)) {
@@ -85,6 +126,7 @@ void MissionClient::cancel() {
 }
 
 void Client::waitForAutopilot() {
+  if (rest_.toReturn != Status::Idle) return;  // an update() returns one end: this operation goes on in the next one
   const AutopilotFinder& finder = link_.finder();
   if (finder.isCertain()) {
     if (finder.isFrom(link_.systemId(), link_.componentId())) return end(Status::SameIdsAsAutopilot);
@@ -138,12 +180,14 @@ bool Client::claimHeavyWork() {
 }
 
 Status Client::updateAt(uint16_t nowMs) {
+  if (state_.atEnd != nullptr) return Status::Busy;  // called from a callback
 #if MAVMISSION_SIGNING
   if (link_.workOnSignatures()) {  // nothing else is done then, so that the longest update() is no longer
     link_.flush(nowMs, kStartBytes);
     return state_.operation != nullptr ? state_.status : Status::Idle;
   }
 #endif
+  state_.atEnd = doNothing;
   FrameParser::Budget budget;
   const uint8_t allowed = state_.bytesAllowed;
   budget.left = allowed;
@@ -167,6 +211,8 @@ Status Client::updateAt(uint16_t nowMs) {
   // The rest of the budget of bytes is for those that go out.
   link_.flush(nowMs, budget.left > kStartBytes ? budget.left : kStartBytes);
 
+  state_.atEnd(*this);
+  state_.atEnd = nullptr;
   const Status ended = rest_.toReturn;
   rest_.toReturn = Status::Idle;
   if (ended != Status::Idle) return ended;

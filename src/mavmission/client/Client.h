@@ -187,6 +187,17 @@ class Client : public ClientRules {
   MAVMISSION_APART uint16_t ownItem(uint16_t wireItem) const;
   void report(uint16_t done);
   void end(Status status);
+  // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
+  Status refuse(Status why) {
+    end(why);
+    return why;
+  }
+  static void tellEnd(Client& client, Status status);
+  static void tellLaterStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  void cancelNow();
+  static void doNothing(Client&) {}
+  static void cancelAtEnd(Client& client);
+  static void cancelSecond(Client& client);
   void sendRequestList();
   void sendRequest(uint16_t wireItem);
   void sendAck(uint8_t result, PlanType type);
@@ -218,15 +229,16 @@ class Client : public ClientRules {
     // Begins a partial upload, and announces it; null: the whole plan, announced by MISSION_COUNT.
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
-    uint8_t unsettled;                    // UploadTransfer::kAnswers (also after a reset) and kBusy
-    PlanType cancelled;                   // the plan type whose cancelling is still to be sent; All: none
-    PlanType type;                        // of the running operation
-    bool floatItems;                      // items go out as MISSION_ITEM
-    bool isLate;                          // the operation has reached its time limit
-    uint8_t bytesAllowed;                 // how many an update() may read
-    uint8_t bytesLeft;                    // how many this update() could still read; 0 before it has read
-    uint8_t tick;                         // when onTick() was called last [kTickMs], its low 8 bits
-    void (*toFloats)(void* itemMessage);  // makes a MISSION_ITEM of a MISSION_ITEM_INT; null: not wanted
+    uint8_t unsettled;     // UploadTransfer::kAnswers (also after a reset) and kBusy
+    PlanType cancelled;    // the plan type whose cancelling is still to be sent; All: none
+    PlanType type;         // of the running operation
+    bool floatItems;       // items go out as MISSION_ITEM
+    bool isLate;           // the operation has reached its time limit
+    uint8_t bytesAllowed;  // how many an update() may read
+    uint8_t bytesLeft;     // how many this update() could still read; 0 before it has read
+    uint8_t tick;          // when onTick() was called last [kTickMs], its low 8 bits
+    // What a running update() does at its end: nothing, or the cancel() of a callback. Null while none runs.
+    void (*atEnd)(Client& client);
   };
 
   // Settings and results.
@@ -238,6 +250,7 @@ class Client : public ClientRules {
     bool (*unsupported)(Client& client, Status refusal, uint16_t nowMs);
     ProgressFunction progress;
     void* progressContext;
+    void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none
     EndFunction ended;
     void* endedContext;
     uint16_t itemsTotal;
@@ -258,11 +271,13 @@ class Client : public ClientRules {
     ItemField field;        // the one that differs, or is not kept
     bool armedAllowed : 1;  // bits, for RAM: they cost a little flash
     bool raw : 1;
-    bool tooLong : 1;       // the source has more items than the protocol can count
-    bool infeasible : 1;    // the autopilot has reported that it cannot fly the accepted plan
-    bool proving : 1;       // an upload is being read back
-    bool isCommanding : 1;  // the running or last operation is a command: commanding_ is in use
-    bool mayBeRefused : 1;  // the read-back follows an error that may have been a refusal
+    bool tooLong : 1;                     // the source has more items than the protocol can count
+    bool infeasible : 1;                  // the autopilot has reported that it cannot fly the accepted plan
+    bool proving : 1;                     // an upload is being read back
+    bool isCommanding : 1;                // the running or last operation is a command: commanding_ is in use
+    bool mayBeRefused : 1;                // the read-back follows an error that may have been a refusal
+    bool isTelling : 1;                   // onEnd()'s function runs
+    void (*toFloats)(void* itemMessage);  // makes a MISSION_ITEM of a MISSION_ITEM_INT; null: not wanted
   };
 
   // Reading a plan: for download(), verify(), or the read-back after an upload.

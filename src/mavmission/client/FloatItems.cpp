@@ -34,7 +34,7 @@ bool Client::tryFloats(Client& client, Status refusal, uint16_t nowMs) {
 }
 
 void MissionClient::useMissionItemFallback(bool always) {
-  state_.toFloats = toFloats;
+  rest_.toFloats = toFloats;
   rest_.unsupported = tryFloats;
   rest_.takeUp = takeUpEnd;
   state_.floatItems = always;

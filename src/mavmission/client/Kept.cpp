@@ -9,9 +9,11 @@ using namespace detail;
 
 float MissionClient::keptValue() {
   MissionItem item;
-  Status read = Status::Checking;
+  // Parameters::set() ends so too, without an item.
+  const bool isItem = state_.status == Status::NotKept && state_.failedItem != kNoItem;
+  Status read = isItem ? Status::Checking : Status::NotKept;
   while (read == Status::Checking) read = plan_.read(state_.failedItem + homeBefore(), item);
-  if (state_.status != Status::NotKept || read != Status::Accepted) return Yaw().inDegrees();  // NaN
+  if (read != Status::Accepted) return Yaw().inDegrees();  // NaN
   return mavmission::keptValue(item, rest_.field, plan_.keeper());
 }
 

@@ -17,7 +17,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   rest_.partCount = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {
     rest_.planType = PlanType::All;  // there is no whole plan for uploadAgain()
-    end(Status::BadRange);
+    return refuse(Status::BadRange);
   }
   return state_.status;
 }

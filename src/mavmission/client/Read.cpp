@@ -18,7 +18,7 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   reading_.isCompared = true;
   reading_.fromFloats = fromFloats;
   rest_.itemsTotal = plan_.count();
-  if (rest_.tooLong) end(Status::TooManyItems);
+  if (rest_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
 }
 

@@ -19,8 +19,7 @@ Status Client::startUpload(const ItemSource& plan, PlanType type) {
 
 Status Client::refuseType() {
   startOperation(uploadStep);
-  end(Status::BadPlanType);
-  return state_.status;
+  return refuse(Status::BadPlanType);
 }
 
 void Client::setPlan(const ItemSource& plan, PlanType type) {
@@ -35,11 +34,8 @@ Status Client::uploadKeptPlan() {
   startOperation(uploadStep);
   state_.type = rest_.planType;
   rest_.itemsTotal = plan_.count();
-  if (state_.type == PlanType::All) {  // there is no plan yet
-    end(Status::SourceRefused);
-    return state_.status;
-  }
-  if (rest_.tooLong) end(Status::TooManyItems);
+  if (state_.type == PlanType::All) return refuse(Status::SourceRefused);  // there is no plan yet
+  if (rest_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
 }
 
@@ -156,10 +152,11 @@ Status Client::proven(uint32_t opaqueId) {
 
 // Reports the progress, and ends the upload or continues it, according to the transfer's status.
 void Client::continueUpload(Status status, uint16_t nowMs) {
+  if (state_.status != Status::Transferring) return;  // the source has refused the item that was to be sent
   // The autopilot holds every item that it has requested except the last one.
   const uint16_t notHeld = plan_.homeItems() + 1;
   if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
-  if (status == Status::Transferring || state_.operation == nullptr) return;
+  if (status == Status::Transferring) return;
 
   if (rest_.takeUp != nullptr && rest_.takeUp(*this, status, nowMs)) return;
   setAboard(aboardAfterUpload(status));
@@ -285,7 +282,7 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
     return opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
   }
   if (state_.floatItems) {
-    state_.toFloats(&message);
+    rest_.toFloats(&message);
     link_.prepareAs<mavlink_mission_item_t>(&message);
   } else {
     link_.prepareAs<mavlink_mission_item_int_t>(&message);

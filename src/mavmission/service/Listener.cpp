@@ -1,6 +1,7 @@
 #include "Listener.h"
 
 #include "../MissionClient.h"
+#include "../base/Flash.h"
 
 namespace mavmission {
 namespace detail {
@@ -17,7 +18,14 @@ Listener::Listener(const Listener& beside, const MessageKey* keys, uint8_t count
 
 const MessageKey* Listener::keyAmong(const MoreKeys* list, uint16_t messageId) {
   const MessageKey* key = nullptr;
-  for (; key == nullptr && list != nullptr; list = list->next) key = list->find(messageId);
+  for (; list != nullptr; list = list->next) {
+    const MessageKey* const found = list->find(messageId);
+    if (found == nullptr) continue;
+    key = found;
+    // A key of the sketch's own does not say where the message has its target. A listener of the library that hears the
+    // same message must know for whom it is.
+    if (fromFlash(&key->target) != MessageKey::kNoTarget) break;
+  }
   return key;
 }
 

@@ -34,7 +34,7 @@ Status PlanFiles::verify(const ItemSource& plan, PlanType type) {
   client.reading_.take = Client::compareItem;
   client.reading_.isCompared = true;
   client.rest_.itemsTotal = client.plan_.count();
-  if (client.rest_.tooLong) client.end(Status::TooManyItems);
+  if (client.rest_.tooLong) return client.refuse(Status::TooManyItems);
   return client.status();
 }
 
