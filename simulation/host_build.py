@@ -128,7 +128,7 @@ def run(command: Sequence[str | Path]) -> None:
     try:
         said = subprocess.run(words, capture_output=True, text=True, check=False, env={**os.environ, "LC_ALL": "C"})
     except OSError as error:
-        raise HostProgramNotBuilt(f"{words[0]} does not start: run tools/setup") from error
+        raise HostProgramNotBuilt(f"{words[0]} does not start: run tools/setup test") from error
     if said.returncode != 0:
         raise HostProgramNotBuilt(f"{' '.join(words)}\n{said.stdout}{said.stderr}")
 
@@ -138,4 +138,4 @@ def compiler_version(compiler: str) -> str:
     try:
         return subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
     except (OSError, subprocess.CalledProcessError) as error:
-        raise HostProgramNotBuilt(f"{compiler} does not start: run tools/setup") from error
+        raise HostProgramNotBuilt(f"{compiler} does not start: run tools/setup test") from error

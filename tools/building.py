@@ -136,7 +136,7 @@ def choose_backend() -> str:
     if shutil.which("arduino-builder") and all(d.is_dir() for d in HARDWARE):
         return "arduino-builder"
     raise BuildFailed(
-        "nothing here compiles for AVR: run tools/setup (Debian), or install arduino-cli and run\n"
+        "nothing here compiles for AVR: run tools/setup build (Debian), or install arduino-cli and run\n"
         "  arduino-cli core install arduino:avr"
     )
 

@@ -36,7 +36,7 @@ def upload_by_cli(built: Built, port: str) -> None:
 
 def upload_by_avrdude(built: Built, port: str) -> None:
     if not shutil.which("avrdude"):
-        raise BuildFailed("avrdude is not installed: run tools/setup")
+        raise BuildFailed("avrdude is not installed: run tools/setup build")
     if built.board.programmer == "avr109":
         port = touch_at_1200_baud(port)
     run_first_that_works([avrdude_command(built, port, baud) for baud in built.board.baud_rates], port)

@@ -17,21 +17,14 @@ import tty
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
+from simulation.forms_of_ends import FORMS
+
 from .words import Words
 
 if TYPE_CHECKING:
     from serial import Serial
 
 RETRY_S = 0.5  # between two tries to reach a peer that is away
-
-FORMS = """\
-  pty                     a new pseudo-terminal; its path is printed
-  tcp:HOST:PORT           connects, again and again if need be
-  tcp-listen:PORT         waits for one client at a time
-  udp:HOST:PORT           sends there, and hears whoever answers
-  udp-listen:PORT         answers whoever sent last
-  /dev/NAME[@BAUD]        a serial device, at 57600 unless told
-  none                    a cable with nothing at its end"""
 
 
 class BadEnd(Exception):

@@ -90,4 +90,4 @@ def version(name: str) -> str:
     try:
         return subprocess.run([name, "--version"], capture_output=True, text=True, check=True).stdout
     except (OSError, subprocess.CalledProcessError) as error:
-        raise ToolMissing(f"{name} does not start: run tools/setup") from error
+        raise ToolMissing(f"{name} does not start: run tools/setup test") from error

@@ -7,15 +7,16 @@ from pathlib import Path
 
 import pytest
 
+import command_table
 from planned import FARM, plan_of
 from planning import BadPlan, commands, judge, qgc_plan, waypoints
-from planning.commands import _entries
+from planning.commands import table
 from planning.header import header_of
 from waypoints_reader import WaypointsReader
 
 HOME = "0\t1\t0\t16\t0\t0\t0\t0\t-35.3632621\t149.1652374\t584\t1"
 CHANGE_ALTITUDE, ALTITUDE_WAIT, GUIDED, GO_AROUND, LAND_START, MOUNT = 30, 83, 92, 191, 189, 205
-OF_A_MISSION = [command for command in sorted(_entries()) if command not in (*range(5000, 5005), 5100, 177)]
+OF_A_MISSION = [command for command in sorted(table()) if command not in (*range(5000, 5005), 5100, 177)]
 
 
 @pytest.fixture(scope="module")
@@ -141,3 +142,7 @@ def test_place_of_a_camera_mount_counts_only_where_it_points_at_a_place():
 def test_plans_of_items_are_judged_with_the_frame_that_they_have():
     found = judge.refusals(plan_of(read((10, 16, 0, 0, 0, 0, 1, 1, 30)).items()))
     assert [refusal.status for refusal in found["px4"]] == ["BadFrame"] and found["ardupilot"] == []
+
+
+def test_table_of_commands_is_that_of_pymavlink():
+    assert command_table.FILE.read_text() == command_table.fresh()

@@ -1,95 +1,269 @@
-"""tools/setup does only what is missing, quickly, and says what it may not do."""
+"""tools/setup installs what a command needs and no more, only what is missing, and says what it may not do."""
 
-import os
+import math
 import re
 import subprocess
 import time
-from pathlib import Path
 
 import pytest
 
 from building import ROOT
+from fetched import (
+    BOUNDED,
+    GROUPS,
+    REQUIREMENTS,
+    SETUP,
+    Machine,
+    asked,
+    fetched,
+    fresh_machine,
+    pins,
+    python_bytes,
+    record,
+    wheel_of,
+)
 
-SETUP = ROOT / "tools" / "setup"
+# What tools/setup gives each tool.
+TOOLS = {
+    "build": {"build"}, "plan": {"plan", "pictures"}, "demo": {"demo", "pictures"}, "simulate": {"demo"},
+    "measure": {"demo", "pictures"}, "ram_budget": {"demo"}, "playground": {"playground", "browser"},
+    "release": {"release"}, "mutate": {"test"}, "test": {"--all"},
+}  # fmt: skip
 
 
-def packages() -> list[str]:
-    listed = re.search(r"^packages=\((.*?)^\)", SETUP.read_text(), re.M | re.S)[1]
-    return re.sub(r"#.*", "", listed).split()
-
-
-def run_setup(*arguments: str, path: Path | None = None) -> subprocess.CompletedProcess:
-    env = {**os.environ, "PATH": f"{path}:{os.environ['PATH']}"} if path else None
+def run_setup(*arguments: str) -> subprocess.CompletedProcess:
     command = [SETUP, *arguments]
-    return subprocess.run(command, capture_output=True, text=True, env=env, stdin=subprocess.DEVNULL, check=False)
+    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
 
 
 @pytest.fixture
 def machine(tmp_path):
-    """A machine that lacks simavr and doxygen: fakes of what tools/setup would run, to put on PATH."""
-    has = "\\n".join(f"ii {name}" for name in packages() if name not in ("simavr", "doxygen"))
+    """A machine that lacks simavr and doxygen."""
+    made = Machine(tmp_path)
+    made.lacks("simavr", "doxygen")
+    made.program("npm", "exit 0")
+    made.program("sudo", f'[ -f {tmp_path}/may ] || exit 1; shift; exec "$@"')
+    made.program("apt-get", f'''case "$*" in
+*--print-uris*)
+  echo "'http://debian/simavr_1.6_amd64.deb' simavr_1.6_amd64.deb 1200000 MD5Sum:0"
+  echo "'http://debian/doxygen_1_amd64.deb' doxygen_1_amd64.deb 2800000 MD5Sum:0" ;;
+*install*)
+  echo "$DEBIAN_FRONTEND $*" >>{tmp_path}/said
+  echo "dlstatus:1:0.0:Retrieving file 1 of 2"
+  echo "dlstatus:1:30.0:Retrieving file 1 of 2"
+  echo "dlstatus:2:32.0:Retrieving file 2 of 2"
+  echo "dlstatus:2:100:Retrieving file 2 of 2"
+  echo "Selecting previously unselected package simavr."
+  echo "pmstatus:simavr:50.0:Installed simavr (amd64)"
+  echo "pmstatus:doxygen:100.0:Installed doxygen (amd64)" ;;
+*) echo "$DEBIAN_FRONTEND $*" >>{tmp_path}/said ;;
+esac''')
+    return made
 
-    def program(name: str, script: str) -> None:
-        (tmp_path / name).write_text(f"#!/bin/sh\n{script}\n")
-        (tmp_path / name).chmod(0o755)
 
-    program("dpkg-query", f"printf '{has}\\n'; exit 1")
-    program("apt-get", f'echo "$DEBIAN_FRONTEND $*" >> {tmp_path}/said')
-    program("sudo", f'[ -f {tmp_path}/may ] || exit 1; shift; exec "$@"')
-    program("id", "echo 1000")
-    return tmp_path
+# What each group brings --------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_groups_fetch_on_a_fresh_debian_the_packages_that_are_recorded(tmp_path):
+    status = fresh_machine(tmp_path, record())
+    for group in BOUNDED:
+        arrives = fetched(status, asked(group).packages)
+        assert sorted(arrives) == record()["packages"][group], group
+        recorded = sum(record()["bytes"][name] for name in arrives)
+        # A security update is not the same to the byte.
+        assert sum(arrives.values()) == pytest.approx(recorded, rel=0.02), group
+
+
+@pytest.mark.parametrize("group", record()["most"])
+def test_group_has_no_more_to_fetch_than_it_may(group):
+    packages = sum(record()["bytes"][name] for name in record()["packages"][group])
+    total = packages + python_bytes(group, record()["wheels"])
+    assert total <= record()["most"][group] * 1_000_000
+    assert total / 1e6 == pytest.approx(record()["megabytes"][group], abs=0.06)
+
+
+def test_bounds_are_those_that_are_promised():
+    assert record()["most"] == {"build": 30, "plan": 70, "demo": 160}
+
+
+def test_recorded_wheels_are_the_pinned_ones():
+    wheels = record()["wheels"]
+    every = [pin for file in REQUIREMENTS.glob("*.txt") for pin in pins(file.stem)]
+    assert {wheel_of(pin, wheels) for pin in every} == wheels.keys()
+
+
+def test_groups_include_one_another():
+    def brings(group: str) -> set[str]:
+        packages, requirements = asked(group)
+        assert len(packages) == len(set(packages)) and len(requirements) == len(set(requirements))
+        return {*packages, *(f"{name}.txt" for name in requirements)}
+
+    assert brings("build") | brings("plan") < brings("demo") < brings("playground") < brings("browser")
+    assert brings("plan") < brings("pictures")
+    assert brings("playground") < brings("release")
+    assert {name for group in GROUPS for name in brings(group)} == brings("test") == brings("--all")
+    assert asked("build").requirements == []
+
+
+@pytest.mark.parametrize("tool", sorted(TOOLS))
+def test_tool_asks_for_its_groups(tool):
+    text = (ROOT / "tools" / tool).read_text()
+    calls = re.findall(r"(?:prepare|install)\((.*)\)|^tools/setup (.*)", text, re.M)
+    assert {word for call in calls for word in re.findall(r"[\w-]+", "".join(call))} & {*GROUPS, "--all"} == TOOLS[tool]
+
+
+def test_help_and_readme_name_each_group_and_its_size():
+    told = dict(re.findall(r"^  (\w+) +(\d+) MB ", run_setup("--help").stdout, re.M))
+    assert told == {group: str(math.ceil(record()["megabytes"][group])) for group in GROUPS}
+    said = [
+        found
+        for file in ("README.md", "CONTRIBUTING.md")
+        for found in re.findall(r"`tools/(?:setup )?(\w+)`[^`]*?(\d+) MB|^tools/(\w+) +# (\d+) MB",
+                                (ROOT / file).read_text(), re.M)
+    ]  # fmt: skip
+    sizes = {group or tool: size or other for group, size, tool, other in said}
+    assert sizes.keys() >= {"build", "plan", "demo", "playground", "test"}
+    assert {group: told[group] for group in sizes} == sizes
+
+
+# Installing --------------------------------------------------------------------------
 
 
 def test_setup_with_nothing_to_do_takes_under_two_seconds_and_says_nothing():
-    run_setup()
+    run_setup("--all")
     began = time.monotonic()
-    ran = run_setup()
+    ran = run_setup("--all")
     assert time.monotonic() - began < 2
     assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", "")
 
 
 def test_setup_that_may_not_install_names_what_is_missing_and_the_command(machine):
-    ran = run_setup(path=machine)
+    ran = machine.setup("test")
     assert ran.returncode == 1
     assert ran.stderr.splitlines() == [
         "tools/setup: these packages are missing: simavr doxygen",
         "tools/setup: install them with:  sudo apt-get update && "
         "sudo apt-get install -y --no-install-recommends simavr doxygen",
     ]
-    assert not (machine / "said").exists()
+    assert machine.said() == []
 
 
 def test_setup_installs_only_what_is_missing_and_asks_nothing(machine):
-    (machine / "may").touch()
-    ran = run_setup(path=machine)
+    (machine.folder / "may").touch()
+    assert machine.setup("demo").returncode == 0
+    assert [line for line in machine.said() if not line.startswith("python")] == []
+    ran = machine.setup("test")
     assert ran.returncode == 0, ran.stderr
-    assert (machine / "said").read_text().splitlines() == [
+    assert [line for line in machine.said() if not line.startswith("python")] == [
         "noninteractive update -qq",
-        "noninteractive install -y --no-install-recommends simavr doxygen -qq",
+        "noninteractive install -y --no-install-recommends simavr doxygen -qq -o APT::Status-Fd=1",
     ]
 
 
+def test_setup_says_what_it_installs_and_how_far_it_is(machine):
+    (machine.folder / "may").touch()
+    said = machine.setup("test").stdout.splitlines()
+    assert said[:7] == [
+        "tools/setup: reading Debian's lists of packages",
+        "tools/setup: installing 2 packages of Debian, 4.0 MB to fetch: simavr doxygen",
+        "  fetched 0.0 of 4.0 MB",
+        "  fetched 1.2 of 4.0 MB",
+        "  fetched 4.0 of 4.0 MB",
+        "  installed 1 of 2 packages",
+        "  installed 2 of 2 packages",
+    ]
+    assert (machine.folder / "build" / "apt.log").read_text() == "Selecting previously unselected package simavr.\n"
+
+
+def test_setup_says_which_package_of_python_has_arrived(machine):
+    machine.lacks()
+    pip = """case "$*" in *'pip install'*)
+  echo 'Collecting rich==15.0.0'
+  echo '  Downloading rich-15.0.0-py3-none-any.whl (310 kB)'
+  echo '  Using cached https://files/mdurl-0.1.2-py3-none-any.whl (9 kB)'
+  echo 'Installing collected packages: rich, mdurl' ;;
+*'-m venv'*) mkdir -p build/venv/bin; cp "$0" build/venv/bin/python ;;
+esac"""
+    machine.program("python3", pip)
+    assert machine.setup("plan").stdout.splitlines() == [
+        "tools/setup: making build/venv",
+        f"tools/setup: installing {len(pins('plan'))} packages of Python into build/venv: plan",
+        f"  fetched 1 of {len(pins('plan'))}: rich (310 kB)",
+        f"  fetched 2 of {len(pins('plan'))}: mdurl (9 kB)",
+        "  installing",
+    ]
+
+
+def test_environment_grows_by_what_another_command_needs(machine):
+    machine.lacks()
+    for group in ("plan", "plan", "demo", "pictures", "demo"):
+        assert machine.setup(group).returncode == 0
+    runs = [re.findall(r"requirements/(\w+)", line) for line in machine.said() if "pip install" in line]
+    assert runs == [["plan"], ["demo"], ["pictures"]]
+    assert len([line for line in machine.said() if "-m venv" in line]) == 1
+    assert len([line for line in machine.said() if "mavgen" in line]) == 1
+    pinned = machine.folder / "tools" / "requirements" / "demo.txt"
+    pinned.write_text(pinned.read_text().replace("pyserial==3.5", "pyserial==3.6"))
+    assert machine.setup("demo").returncode == 0
+    assert re.findall(r"requirements/(\w+)", machine.said()[-2]) == ["demo"]
+    assert "mavgen" in machine.said()[-1]
+
+
+def test_environment_whose_python_has_gone_is_made_again(machine):
+    machine.lacks()
+    assert machine.setup("plan").returncode == 0
+    (machine.folder / "build" / "venv" / "bin" / "python").unlink()
+    assert machine.setup("plan").returncode == 0
+    assert len([line for line in machine.said() if "-m venv" in line]) == 2
+    assert len([line for line in machine.said() if "pip install" in line]) == 2
+
+
 def test_setup_shows_what_apt_said_when_it_fails(machine):
-    (machine / "may").touch()
-    (machine / "apt-get").write_text("#!/bin/sh\necho 'E: Unable to locate package'; exit 100\n")
-    ran = run_setup(path=machine)
+    (machine.folder / "may").touch()
+    machine.program("apt-get", "echo 'E: Unable to locate package'; exit 100")
+    ran = machine.setup("test")
     assert ran.returncode == 1
     assert "E: Unable to locate package" in ran.stderr
     assert "build/apt.log" in ran.stderr
+    assert "is there a network" in ran.stderr
 
 
-def test_setup_takes_no_arguments_but_help():
-    assert run_setup("--help").returncode == 0
-    assert "Debian 12" in run_setup("--help").stdout
-    assert run_setup("--nonsense").returncode == 1
+def test_setup_shows_what_pip_said_when_it_fails_and_begins_again(machine):
+    machine.lacks()
+    good = (machine.programs / "python3").read_text()
+    bad = good.replace("exit 0", "case \"$*\" in *'pip install'*) echo 'no route'; exit 1 ;; esac")
+    machine.program("python3", bad)
+    ran = machine.setup("plan")
+    assert ran.returncode == 1
+    assert "no route" in ran.stderr and "build/pip.log" in ran.stderr and "is there a network" in ran.stderr
+    (machine.folder / "build" / "venv" / "bin" / "python").write_text(good)
+    assert machine.setup("plan").returncode == 0
+    assert "pip install" in machine.said()[-1]
+
+
+def test_setup_without_a_group_is_for_the_demo(machine):
+    machine.lacks("libsimavr-dev", "doxygen")
+    assert "packages are missing: libsimavr-dev\n" in machine.setup().stderr
+
+
+def test_setup_refuses_a_group_that_is_not_there(machine):
+    ran = machine.setup("nonsense")
+    assert ran.returncode == 1
+    assert ran.stderr == f"tools/setup: there is no group nonsense; there are {' '.join(GROUPS)}, and --all\n"
+
+
+# The environment ---------------------------------------------------------------------
 
 
 def test_requirements_are_pinned_and_installed():
-    lines = (ROOT / "tools" / "requirements.txt").read_text().splitlines()
-    pins = {line for line in lines if line and not line.startswith("#")}
-    assert all(re.fullmatch(r"[\w.-]+==[\w.]+", pin) for pin in pins)
-    command = [ROOT / "build" / "venv" / "bin" / "python", "-m", "pip", "freeze", "--disable-pip-version-check"]
-    assert set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()) == pins
+    every = {pin for file in REQUIREMENTS.glob("*.txt") for pin in pins(file.stem)}
+    assert all(re.fullmatch(r"[\w.-]+==[\w.]+", pin) for pin in every)
+    assert len({pin.partition("==")[0] for pin in every}) == len(every)  # no two versions of one
+    listed = "import importlib.metadata as m; [print(f'{d.name}=={d.version}') for d in m.distributions()]"
+    command = [ROOT / "build" / "venv" / "bin" / "python", "-c", listed]
+    found = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+    assert {pin for pin in found if not pin.startswith(("pip==", "setuptools=="))} == every
 
 
 @pytest.mark.slow

@@ -1,36 +1,49 @@
 """What is known of a command: its name, which parameters it uses, whether its items have a place or an altitude.
 
-The names and parameters are those of the messages that pymavlink brings: the common ones and ArduPilot's. Which items
-have neither a place nor an altitude is asked of the library's own table (src/mavmission/autopilot/Commands.cpp), so
-that a plan is read here as the firmware reads it.
+The names and parameters are in commands.txt, from the messages that pymavlink brings: the common ones and ArduPilot's.
+Which items have neither a place nor an altitude is asked of the library's own table
+(src/mavmission/autopilot/Commands.cpp), so that a plan is read here as the firmware reads it.
 """
 
 from __future__ import annotations
 
 import functools
+from pathlib import Path
+from typing import NamedTuple
 
 from . import judge
 
-NO_MEANING = ("empty", "reserved", "unused", "not used")
+TABLE = Path(__file__).resolve().with_name("commands.txt")
+
+
+class Command(NamedTuple):
+    """A line of the table."""
+
+    number: int
+    name: str  # without MAV_CMD_
+    is_at_a_place: bool
+    used: frozenset[int]  # parameters, 1 to 7
 
 
 @functools.cache
-def _entries() -> dict:
-    from pymavlink.dialects.v20 import ardupilotmega
-
-    entries = dict(ardupilotmega.enums["MAV_CMD"])
-    entries.pop(ardupilotmega.MAV_CMD_ENUM_END, None)
-    return entries
+def table() -> dict[int, Command]:
+    """By number."""
+    found = {}
+    for line in TABLE.read_text().splitlines():
+        if line and not line.startswith("#"):
+            number, name, place, used = line.split()
+            found[int(number)] = Command(int(number), name, place == "place", frozenset(map(int, used.strip("-"))))
+    return found
 
 
 def is_known(command: int) -> bool:
-    return command in _entries()
+    return command in table()
 
 
 def name_of(command: int) -> str:
     """NAV_WAYPOINT, or "command 31999"."""
-    entry = _entries().get(command)
-    return entry.name.removeprefix("MAV_CMD_") if entry else f"command {command}"
+    entry = table().get(command)
+    return entry.name if entry else f"command {command}"
 
 
 def is_placeless(command: int) -> bool:
@@ -40,13 +53,11 @@ def is_placeless(command: int) -> bool:
 
 def is_at_a_place(command: int) -> bool:
     """Whether MAVLink says of a command that parameters 5 to 7 are a place."""
-    entry = _entries().get(command)
-    return entry is not None and entry.has_location
+    entry = table().get(command)
+    return entry is not None and entry.is_at_a_place
 
 
 def uses(command: int, number: int) -> bool:
     """Whether parameter `number` (1 to 7) means anything to a command; yes for an unknown one."""
-    entry = _entries().get(command)
-    if entry is None or number in entry.label:
-        return True
-    return bool(text := entry.param.get(number, "").strip().lower()) and not text.startswith(NO_MEANING)
+    entry = table().get(command)
+    return entry is None or number in entry.used

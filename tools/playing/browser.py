@@ -40,7 +40,7 @@ class Browser:
     def __init__(self, width: int = 1400, height: int = 1000, *, dark: bool = False) -> None:
         driver = shutil.which("chromedriver")
         if driver is None or shutil.which("chromium") is None:
-            raise NoBrowser("chromium or chromium-driver is missing: run tools/setup")
+            raise NoBrowser("chromium or chromium-driver is missing: run tools/setup browser")
         self._profile = tempfile.TemporaryDirectory(prefix="playground-")
         port = free_port()
         self._driver = subprocess.Popen(

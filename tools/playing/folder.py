@@ -46,7 +46,7 @@ class Made:
 def make_folder(folder: Path = SITE) -> Made:
     """Make it anew. Raises NotMade."""
     if not (NPM / "pyodide").is_dir() or not (NPM / "avr8js").is_dir():
-        raise NotMade("avr8js and pyodide are missing: run tools/setup")
+        raise NotMade("avr8js and pyodide are missing: run tools/setup playground")
     folder.parent.mkdir(parents=True, exist_ok=True)
     with (folder.parent / f"{folder.name}.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)

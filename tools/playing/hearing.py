@@ -33,6 +33,6 @@ def compile_hearing(target: Path) -> None:
     try:
         said = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError as error:
-        raise NotCompiled("clang++ does not start: run tools/setup") from error
+        raise NotCompiled("clang++ does not start: run tools/setup playground") from error
     if said.returncode != 0:
         raise NotCompiled(said.stderr)

@@ -11,7 +11,7 @@ import zipfile
 from pathlib import Path
 
 from building import ROOT
-from planning import commands, judge
+from planning import judge
 
 INSIDE = Path(__file__).resolve().parent / "inside"
 NO_DATE = (1980, 1, 1, 0, 0, 0)  # the same files make the same archive
@@ -43,25 +43,11 @@ def contents() -> dict[str, bytes]:
     for name in PLANNING:
         found[f"planning/{name}.py"] = (ROOT / "tools" / "planning" / f"{name}.py").read_bytes()
     found["planning/judge.py"] = (INSIDE / "judge.py").read_bytes()
-    for package in ("pymavlink", "pymavlink/dialects", "pymavlink/dialects/v20"):
-        found[f"{package}/__init__.py"] = b""
-    found["pymavlink/dialects/v20/ardupilotmega.py"] = (INSIDE / "ardupilotmega.py").read_bytes()
-    found["commands.json"] = json.dumps(known_commands()).encode()
+    found["planning/commands.txt"] = (ROOT / "tools" / "planning" / "commands.txt").read_bytes()
+    found["known.json"] = json.dumps(judge.known()).encode()
     found["mavmission_dialect.py"] = (ROOT / "build" / "dialect" / "mavmission_dialect.py").read_bytes()
     found["far_end.py"] = (INSIDE / "far_end.py").read_bytes()
     return found
-
-
-def known_commands() -> dict:
-    """What is known of each command here."""
-    return {
-        "known": judge.known(),
-        "entries": {
-            command: {"name": entry.name, "param": entry.param, "label": entry.label,
-                      "has_location": entry.has_location}
-            for command, entry in commands._entries().items()
-        },
-    }  # fmt: skip
 
 
 def make_world(archive: Path) -> None:

@@ -9,10 +9,10 @@ import functools
 import json
 from pathlib import Path
 
-TABLE = Path(__file__).resolve().parent.parent / "commands.json"
+TABLE = Path(__file__).resolve().parent.parent / "known.json"
 
 
 @functools.cache
 def known() -> dict[int, bool]:
     """The commands in the library's table, and whether their items have neither a place nor an altitude."""
-    return {int(command): flag for command, flag in json.loads(TABLE.read_text())["known"].items()}
+    return {int(command): flag for command, flag in json.loads(TABLE.read_text()).items()}
