@@ -94,6 +94,7 @@ namespace mavmission {
   X(NothingToFly, "refused: nothing to fly to from this item on") \
   X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
+  X(Overruled, "it has undone somebody else's mode, and could not set it again") \
   /* Steering: nothing was sent, unless it was lost in the middle */ \
   X(PilotHasIt, "a pilot or another station has the aircraft") \
   X(FailsafeHasIt, "a failsafe or another station lands it or brings it back") \

@@ -62,6 +62,12 @@ struct CommandRules {
   static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
   static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected
   static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from one of these answers to the next
+  // An order that changes the mode, or arms.
+  static constexpr uint8_t kFreshMs = 20;       // from a heartbeat to the order that leaves right behind it
+  static constexpr uint8_t kAskMs = 100;        // from a request for a heartbeat to the next
+  static constexpr uint8_t kMostAsks = 75;      // requests without a heartbeat, before it is given up
+  static constexpr uint8_t kLateAsks = 3;       // requests that may still be answered when a heartbeat has come
+  static constexpr uint16_t kUnderWayMs = 400;  // an order that has left may not have arrived yet
 };
 
 // Commands that a listener sends beside an operation: TelemetryPause, MissionFollower and the listeners of telemetry.

@@ -17,6 +17,7 @@
 #include "../transfer/ClearTransfer.h"
 #include "../transfer/CommandTransfer.h"
 #include "../transfer/DownloadTransfer.h"
+#include "../transfer/ModeOrder.h"
 #include "../transfer/OpaqueId.h"
 #include "../transfer/StartTransfer.h"
 #include "../transfer/UploadTransfer.h"
@@ -136,6 +137,8 @@ class Client : public ClientRules {
   static void fillInterval(Client& client, FlightCommand& command);
   static Status onOwn(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   Status sendInOtherForm(Status refusal, uint16_t nowMs);
+  static Status onArm(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
+  Status whenSilent(Status silence) const;
   static Status onMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onCustomMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   static Status onNamedMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
@@ -147,6 +150,7 @@ class Client : public ClientRules {
   MAVMISSION_APART void nextCommand(FillCommand fill, uint16_t nowMs);
   void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
   void sendCommand(uint16_t nowMs);
+  MAVMISSION_APART uint16_t askAgainMs();  // from a request for a heartbeat to the next
   void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint16_t numberOf(FlightMode mode) const;
@@ -301,6 +305,7 @@ class Client : public ClientRules {
   // A mode to be set.
   struct Modes {
     uint16_t number;  // of modeNumber()
+    ModeOrder order;
     FlightMode named;
     bool isLarge;  // a custom mode beyond one byte
   };

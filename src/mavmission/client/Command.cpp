@@ -70,7 +70,9 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
   const bool goesOn = status == Status::Transferring;
   client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
   if (state.status != Status::Transferring) return;
-  const bool isDue = client.commanding_.transfer.state() == CommandTransfer::State::Due;
+  const CommandTransfer& sending = client.commanding_.transfer;
+  const bool isDue =
+      sending.state() == CommandTransfer::State::Due || sending.isAskDue(nowMs, client.askAgainMs());
   if (isDue && client.link_.canSend() && client.claimHeavyWork()) client.sendCommand(nowMs);
 }
 
@@ -83,10 +85,24 @@ void Client::takeCommandEvent(CommandEvent event, Status status, const FramePars
   end(status);
 }
 
+uint16_t Client::askAgainMs() { return link_.pace().waitMs(CommandTransfer::kAskMs); }
+
 void Client::sendCommand(uint16_t nowMs) {
+  CommandTransfer& sending = commanding_.transfer;
   FlightCommand command = flightCommand(CommandTransfer::kNoCommand);
-  commanding_.fill(*this, command);
-  if (!commanding_.transfer.isDue(command.id, nowMs)) return;
+  bool isAsking = sending.state() != CommandTransfer::State::Due;
+  if (!isAsking) {
+    commanding_.fill(*this, command);
+    if (!sending.isDue(command.id, nowMs)) return;
+    if (sending.lacksHeartbeat(nowMs)) {
+      sending.ask();
+      isAsking = true;
+    }
+  }
+  if (isAsking) {
+    if (!sending.isAskDue(nowMs, askAgainMs())) return;
+    command = flightCommand(MAV_CMD_REQUEST_MESSAGE, MAVLINK_MSG_ID_HEARTBEAT);
+  }
   if (command.id == CommandTransfer::kNoCommand) {
     mavlink_mission_set_current_t message = mavlink_mission_set_current_t();
     message.seq = static_cast<uint16_t>(command.x);
@@ -113,10 +129,11 @@ void Client::sendCommand(uint16_t nowMs) {
     message.param6 = command.param6;
     message.param7 = command.param7;
     message.command = command.id;
-    message.confirmation = commanding_.transfer.tries();
+    if (!isAsking) message.confirmation = sending.tries();
     link_.send(message);
   }
-  commanding_.transfer.sent(command.id, nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
+  if (isAsking) return sending.asked(nowMs);
+  sending.sent(command.id, nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
 }
 
 void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
@@ -125,6 +142,7 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_COMMAND_ACK: {
       const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
+      if (commanding_.transfer.isAnswerToAsking(ack.command, nowMs)) return;
       if (!commanding_.transfer.isAnswer(ack.command)) return;
       rest_.lastResult = ack.result;
       if (ack.result == MAV_RESULT_IN_PROGRESS) return commanding_.transfer.onProgress(nowMs);
@@ -133,7 +151,10 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
       event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
       break;
     }
-    case MAVLINK_MSG_ID_HEARTBEAT: event = CommandEvent::Heartbeat; break;
+    case MAVLINK_MSG_ID_HEARTBEAT:
+      commanding_.transfer.onHeartbeat(nowMs);
+      event = CommandEvent::Heartbeat;
+      break;
     case MAVLINK_MSG_ID_MISSION_CURRENT: event = CommandEvent::Current; break;
     default: return;
   }
@@ -161,9 +182,31 @@ void Client::fillOwn(Client& client, FlightCommand& command) {
   if (command.id == MAV_CMD_COMPONENT_ARM_DISARM) command.param2 = 0;  // never forced
 }
 
-Status MissionClient::arm() { return beginCommand(fillArm, nullptr); }
+Status MissionClient::arm() { return beginCommand(fillArm, onArm); }
 
-Status MissionClient::disarm() { return beginCommand(fillDisarm, nullptr); }
+Status MissionClient::disarm() { return beginCommand(fillDisarm, onArm); }
+
+// The aircraft is armed, or disarmed, when a heartbeat shows it: ArduPilot sends none at arming, so one is asked for.
+// The answer may be a late one, to an earlier command.
+Status Client::onArm(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  CommandTransfer& sending = client.commanding_.transfer;
+  switch (event) {
+    case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
+    case CommandEvent::Heartbeat: {
+      const bool isDone = sending.tries() != 0 && client.isArmed() == (client.commanding_.fill == fillArm);
+      if (isDone) return Status::Done;
+      if (client.rest_.lastResult == MAV_RESULT_ACCEPTED) sending.askLater();
+      return status;
+    }
+    case CommandEvent::Silent: return client.whenSilent(status);
+    default: return status;
+  }
+}
+
+// An order that was accepted, and that no heartbeat shows.
+Status Client::whenSilent(Status silence) const {
+  return rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : silence;
+}
 
 void Client::fillArm(Client&, FlightCommand& command) {
   command.id = MAV_CMD_COMPONENT_ARM_DISARM;
@@ -200,29 +243,45 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
 // ArduPilot's mode numbers have one byte. A larger number would be cut, and set another mode.
 Status Client::onCustomMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                             uint16_t nowMs) {
-  if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
-  const bool isNone = has(client.firmware(), kModeIsOneByte) && client.commanding_.mode.isLarge;
-  return isNone ? Status::NoSuchMode : status;
+  const Modes& mode = client.commanding_.mode;
+  const bool isNone = event == CommandEvent::Ready && has(client.firmware(), kModeIsOneByte) && mode.isLarge;
+  return isNone ? Status::NoSuchMode : onMode(client, event, status, frame, nowMs);
 }
 
 Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                            uint16_t nowMs) {
-  if (event != CommandEvent::Ready) return onMode(client, event, status, frame, nowMs);
   Modes& mode = client.commanding_.mode;
-  mode.number = client.numberOf(mode.named);
-  return mode.number == kNoMode ? Status::NoSuchMode : status;
+  if (event == CommandEvent::Ready) mode.number = client.numberOf(mode.named);
+  return mode.number == kNoMode ? Status::NoSuchMode : onMode(client, event, status, frame, nowMs);
 }
 
 // A mode is set when a heartbeat shows it: PX4 answers twice, and may first accept a mode that it then refuses. Until a
 // heartbeat shows the mode, the command is repeated, since the refusal may have been lost.
-Status Client::onMode(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+Status Client::onMode(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  Modes& mode = client.commanding_.mode;
+  CommandTransfer& sending = client.commanding_.transfer;
+  const bool isRestoring = mode.order.isRestoring();
   switch (event) {
-    case CommandEvent::Accepted: return Status::Transferring;
+    case CommandEvent::Ready:
+      mode.order.begin(client.shownMode(), mode.number);
+      sending.guard();
+      return status;
+    case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
     case CommandEvent::Heartbeat:
-      if (client.commanding_.transfer.tries() == 0 || client.shownMode() != client.commanding_.mode.number)
-        return status;
-      return Status::Done;
-    case CommandEvent::Silent: return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : status;
+      switch (mode.order.onHeartbeat(client.shownMode(), sending.tries() != 0, sending.mayBeUnderWay(nowMs))) {
+        case ModeOrder::Sight::Before: break;
+        case ModeOrder::Sight::Wanted: return isRestoring ? Status::TakenOver : Status::Done;
+        case ModeOrder::Sight::Foreign: return Status::TakenOver;
+        case ModeOrder::Sight::Doubtful: sending.askLater(); break;
+        case ModeOrder::Sight::Undone:
+          mode.number = mode.order.wanted();
+          client.nextCommand(fillMode, nowMs);
+          sending.guard();
+          break;
+      }
+      return status;
+    case CommandEvent::Silent: return isRestoring ? Status::Overruled : client.whenSilent(status);
+    case CommandEvent::Refused: return isRestoring ? Status::Overruled : status;
     default: return status;
   }
 }

@@ -98,7 +98,7 @@ Status Client::lookAtItem(const Aircraft& aircraft) {
 void Client::fillStart(Client& client, FlightCommand& command) {
   const StartTransfer& start = client.commanding_.start;
   switch (start.message()) {
-    case StartTransfer::Message::Mode: return fillModeNumber(command, start.modeToSet(client.aircraft(0)));
+    case StartTransfer::Message::Mode: return fillModeNumber(command, start.modeToSet());
     case StartTransfer::Message::FirstItem: command.x = start.first(); return;  // MISSION_SET_CURRENT
     case StartTransfer::Message::Arm: return fillArm(client, command);
     case StartTransfer::Message::Disarm: return fillDisarm(client, command);
@@ -119,15 +119,18 @@ Status MissionClient::startMission() { return beginCommand(fillBegin, onStartMis
 
 Status Client::onStartMission(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                               uint16_t nowMs) {
-  const bool arms = has(client.firmware(), kArmsByMissionStart);
-  if (event != CommandEvent::Ready) return arms ? onMode(client, event, status, frame, nowMs) : status;
-  if (!client.isArmed()) return Status::NotArmed;
-  if (arms) {
+  Commanding& commanding = client.commanding_;
+  const bool isRestoring = commanding.mode.order.isRestoring();
+  if (event == CommandEvent::Ready) {
+    commanding.mode.number = client.numberOf(FlightMode::Auto);
     // MAV_CMD_MISSION_START, which would arm, is not sent: an armed aircraft flies its mission by the mode alone.
-    client.commanding_.mode.number = client.numberOf(FlightMode::Auto);
-    client.commanding_.fill = fillMode;
+    if (has(client.firmware(), kArmsByMissionStart)) commanding.fill = fillMode;
   }
-  return status;
+  if (!isRestoring && !client.isArmed()) return Status::NotArmed;
+  const Status ended = onMode(client, event, status, frame, nowMs);
+  // Where AUTO is there already, a copter still waits for the command.
+  const bool isAnswered = commanding.fill != fillBegin || client.rest_.lastResult == MAV_RESULT_ACCEPTED;
+  return ended == Status::Done && !isAnswered ? Status::Transferring : ended;
 }
 
 }  // namespace mavmission

@@ -121,7 +121,7 @@ void Steering::takeHeartbeat() {
   // The sketch's own setMode() is about to end.
   const Client::Commanding& running = client_.commanding_;
   const bool isSetting = client_.isBusy() && client_.rest_.isCommanding && running.fill == Client::fillMode;
-  if (isSetting && running.transfer.tries() != 0 && running.mode.number == shown) ownMode_ = shown;
+  if (isSetting && !running.mode.order.isRestoring() && running.mode.number == shown) ownMode_ = shown;
   if (shown == ownMode_ && !isFailsafe()) return;
   const bool hasClimbed = ownMode_ == kPx4TakeOff && shown == client_.numberOf(FlightMode::Hold) && !isFailsafe();
   ownMode_ = hasClimbed ? shown : kNoMode;

@@ -17,6 +17,32 @@ void CommandTransfer::next(bool repeats, uint16_t nowMs) {
   rest(nowMs);
   state_ = static_cast<uint8_t>(State::Due);
   repeats_ = repeats ? 1 : 0;
+  isGuarded_ = 0;
+  isAsking_ = 0;
+}
+
+void CommandTransfer::asked(uint16_t nowMs) {
+  lookedMs_ = nowMs;
+  isFresh_ = 0;
+  if (asksOpen_ != kMostAsks) ++asksOpen_;
+}
+
+bool CommandTransfer::isAnswerToAsking(uint16_t command, uint16_t nowMs) {
+  if (command != kRequestMessage || asksOpen_ == 0) return false;
+  if (since(lookedMs_, nowMs) >= kAnswerMs) {
+    asksOpen_ = 0;
+    return false;
+  }
+  --asksOpen_;
+  return true;
+}
+
+void CommandTransfer::onHeartbeat(uint16_t nowMs) {
+  if (!mayBeUnderWay(nowMs)) hasOrdered_ = 0;
+  lookedMs_ = nowMs;
+  isFresh_ = 1;
+  isAsking_ = 0;
+  if (asksOpen_ > kLateAsks) asksOpen_ = kLateAsks;
 }
 
 void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
@@ -30,10 +56,22 @@ void CommandTransfer::sent(uint16_t id, uint16_t nowMs, uint16_t answerMs) {
   ++tries_;
   // A message without an answer of its own is answered by what the autopilot sends once a second.
   if (id == kNoCommand) answerMs = kAnswerMs;
+  if (isGuarded_ != 0) {
+    // What a heartbeat shows sooner may be from before the order has arrived: it would be sent once too often.
+    if (answerMs < kUnderWayMs) answerMs = kUnderWayMs;
+    ordered_ = static_cast<uint8_t>(nowMs / kOrderTickMs);
+    hasOrdered_ = 1;
+    isFresh_ = 0;
+  }
   wait(State::Sent, repeats_ != 0 ? answerMs : kProgressMs, nowMs);
 }
 
 Status CommandTransfer::onTime(uint16_t nowMs) {
+  if (isAsking_ != 0 && asksOpen_ == kMostAsks && since(lookedMs_, nowMs) >= kAskMs) {
+    isAsking_ = 0;
+    tries_ = 0;
+    return Status::NoAnswer;
+  }
   if (state() == State::Due || since(sentMs_, nowMs) < waitMs_) return Status::Transferring;
   // The autopilot may have carried out the command, and only its answer may be lost: a command that must not happen
   // twice is not sent again.

@@ -11,6 +11,11 @@
 //
 //   Listening: nothing is sent while we wait for a message that the autopilot sends by itself; Unconfirmed at timeout
 //   Pausing: a pause before the next attempt
+//
+// An order that others may have overtaken is guarded: each attempt leaves right behind a heartbeat, in the same
+// update(), so that the operation has seen whose the aircraft is (ModeOrder). Heartbeats come once a second; so one is
+// asked for, beside the command, and again until it comes (MAV_CMD_REQUEST_MESSAGE; both autopilots answer it at once,
+// and PX4 does not take SET_MESSAGE_INTERVAL for its heartbeat).
 #pragma once
 
 #include <stdint.h>
@@ -27,6 +32,7 @@ class CommandTransfer : public CommandRules {
  public:
   // In the place of a command's id (MAV_CMD): of a message that no COMMAND_ACK answers.
   static constexpr uint16_t kNoCommand = 0;
+  static constexpr uint16_t kRequestMessage = 512;  // MAV_CMD_REQUEST_MESSAGE
 
   enum class State : uint8_t { Due, Sent, InProgress, Listening, Pausing };
 
@@ -39,6 +45,8 @@ class CommandTransfer : public CommandRules {
     sentMs_ = last.sentMs_;
     waitMs_ = last.waitMs_;
     id_ = last.id_;
+    lookedMs_ = last.lookedMs_;
+    asksOpen_ = last.asksOpen_ < kLateAsks ? last.asksOpen_ : kLateAsks;
   }
   void listen(uint16_t waitMs, uint16_t nowMs) { wait(State::Listening, waitMs, nowMs); }
   void pause(uint16_t waitMs, uint16_t nowMs) { wait(State::Pausing, waitMs, nowMs); }
@@ -81,19 +89,60 @@ class CommandTransfer : public CommandRules {
     if (id_ == id && sentMs_ == sentMs) waitMs_ = 0;
   }
 
+  // --- Heartbeats
+
+  // Each attempt of the command that has begun leaves right behind a heartbeat.
+  void guard() { isGuarded_ = 1; }
+  // Asks for a heartbeat, at once, until one comes.
+  void ask() {
+    if (isAsking_ == 0) isFresh_ = 1;
+    isAsking_ = 1;
+  }
+  // The same a little later: behind a heartbeat that leaves a doubt.
+  void askLater() {
+    isAsking_ = 1;
+    isFresh_ = 0;
+  }
+  // True when the request must be sent, `againMs` behind the one before.
+  bool isAskDue(uint16_t nowMs, uint16_t againMs) const {
+    return isAsking_ != 0 && (isFresh_ != 0 || since(lookedMs_, nowMs) >= againMs);
+  }
+  void asked(uint16_t nowMs);
+  // True for a COMMAND_ACK that answers such a request, and not the command that is under way.
+  bool isAnswerToAsking(uint16_t command, uint16_t nowMs);
+  // The autopilot's heartbeat has come. To be called before the operation takes it.
+  void onHeartbeat(uint16_t nowMs);
+  // True if the command that is due lacks the heartbeat behind which it may leave.
+  bool lacksHeartbeat(uint16_t nowMs) const {
+    return isGuarded_ != 0 && (isAsking_ != 0 || isFresh_ == 0 || since(lookedMs_, nowMs) >= kFreshMs);
+  }
+  // True while a guarded command that has left may not have arrived yet.
+  bool mayBeUnderWay(uint16_t nowMs) const {
+    return hasOrdered_ != 0 && static_cast<uint8_t>(nowMs / kOrderTickMs - ordered_) < kUnderWayMs / kOrderTickMs;
+  }
+
   State state() const { return static_cast<State>(state_); }
   // How often the command has been sent.
   uint8_t tries() const { return tries_; }
 
  private:
+  static constexpr uint8_t kOrderTickMs = 16;  // a byte of them is 4 s; a heartbeat comes sooner
+
   MAVMISSION_APART void wait(State state, uint16_t waitMs, uint16_t nowMs);
 
   uint16_t sentMs_;
   uint16_t waitMs_;
   uint16_t id_;
+  uint16_t lookedMs_;  // when the last heartbeat came, or when one was asked for since
+  uint8_t ordered_;    // when a guarded command has left last [kOrderTickMs]
   uint8_t tries_;
-  uint8_t state_ : 7;  // State
+  uint8_t asksOpen_;   // requests for a heartbeat without a COMMAND_ACK
+  uint8_t state_ : 3;  // State
   uint8_t repeats_ : 1;
+  uint8_t isGuarded_ : 1;
+  uint8_t isAsking_ : 1;
+  uint8_t isFresh_ : 1;     // no command has left behind the last heartbeat yet; while asking: nor a request
+  uint8_t hasOrdered_ : 1;  // ordered_ is known
 };
 
 }  // namespace detail

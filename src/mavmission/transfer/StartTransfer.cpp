@@ -29,6 +29,11 @@ bool isNegative(float number) {
   return (bytes[3] & 0x80) != 0;
 }
 
+// True for what leaves the ground in AUTO only behind MISSION_START: an ArduPilot that has a mode for landing.
+bool takesOffByCommand(const Aircraft& aircraft) {
+  return modeNumber(FlightMode::Land, aircraft.firmware, aircraft.vehicleType) != kNoMode;
+}
+
 bool isRover(const Aircraft& aircraft) {
   return aircraft.vehicleType == MAV_TYPE_GROUND_ROVER || aircraft.vehicleType == MAV_TYPE_SURFACE_BOAT;
 }
@@ -39,7 +44,7 @@ void StartTransfer::begin(uint16_t first, bool isMission, Firmware firmware) {
   first_ = first;
   lookFromFirst(firmware);
   if (!isMission) looked_ = kCannotLook;
-  state_ = State::Looking;
+  setState(State::Looking);
 }
 
 // The wire item with which the flight begins, which is never home.
@@ -90,68 +95,87 @@ Status StartTransfer::onItem(Status read, const MissionItem* item, const Aircraf
       looked_ = kCannotLook;
       next_ = kNoItem;
     }
-    mode_ = aircraft.mode;
+    order_.begin(aircraft.mode, aircraft.autoMode == kNoMode ? kNoMode : aircraft.mode);
     // An aircraft that flies its mission already would fly to a newly set current item at once: skip these steps.
-    if (aircraft.isArmed && aircraft.mode == aircraft.autoMode) setStep(StartStep::Begin);
+    wasFlying_ = aircraft.isArmed && aircraft.mode == aircraft.autoMode;
+    isArmedSeen_ = aircraft.isArmed;
+    if (wasFlying_ != 0) setStep(StartStep::Begin);
     return nextStep(aircraft, sending);
   }
   if (found != Status::Done) return Status::OtherItem;
   if (isThere) return Status::Done;
   // The first item may be completed at once, if a rover already stands there or an aircraft in the air need not climb.
   const bool mayBeThrough = isRover(aircraft) || arming() != StartArming::Armed;
-  const bool wasSetBack = mode_ != aircraft.autoMode;
-  if (state_ == State::JudgingNext || !mayBeThrough || !wasSetBack) return Status::OtherItem;
-  state_ = State::JudgingNext;
+  if (state() == State::JudgingNext || !mayBeThrough || wasFlying_ != 0) return Status::OtherItem;
+  setState(State::JudgingNext);
   ++next_;
   return Status::Transferring;
 }
 
 // Continues with the next step that this vehicle needs.
 Status StartTransfer::nextStep(const Aircraft& aircraft, CommandTransfer& sending) {
-  state_ = State::Steps;
+  setState(State::Steps);
   do {
     ++step_;
   } while (!beginStep(aircraft, sending));
   return Status::Transferring;
 }
 
+// The mode in which it is armed: a rover in MANUAL, a plane in its current mode, and a copter, which refuses to be armed
+// in AUTO, in GUIDED.
+uint16_t StartTransfer::readyMode(const Aircraft& aircraft) const {
+  if (!has(aircraft.firmware, kFliesByMode) || aircraft.vehicleType == MAV_TYPE_FIXED_WING) return aircraft.mode;
+  return modeNumber(isRover(aircraft) ? FlightMode::Manual : FlightMode::Guided, aircraft.firmware,
+                    aircraft.vehicleType);
+}
+
 // False if this vehicle does not need this step.
 bool StartTransfer::beginStep(const Aircraft& aircraft, CommandTransfer& sending) {
   const Firmware firmware = aircraft.firmware;
   const bool armsByMissionStart = has(firmware, kArmsByMissionStart);
+  // MISSION_START sets AUTO by itself. A copter on the ground needs it to take off, and gets nothing else: each order
+  // may undo what a pilot has set. The others fly by the mode alone.
+  const bool fliesByModeAlone = has(firmware, kFliesByMode) && !takesOffByCommand(aircraft);
   switch (step()) {
     case StartStep::None:  // comes before the first step
-    case StartStep::ReadyMode:
-      // Copter refuses to be armed in AUTO: it is armed in GUIDED. A rover is armed in MANUAL, a plane in its current
-      // mode.
-      if (!has(firmware, kFliesByMode) || aircraft.isArmed || aircraft.vehicleType == MAV_TYPE_FIXED_WING) return false;
+    case StartStep::ReadyMode: {
+      const uint16_t ready = readyMode(aircraft);
+      if (aircraft.isArmed || aircraft.mode == ready) return false;
+      order_.begin(aircraft.mode, ready);
       break;
-    case StartStep::FirstItem:
-      mode_ = aircraft.mode;
-      seen_ = kNoItem;
-      break;
+    }
+    case StartStep::FirstItem: seen_ = kNoItem; break;
     case StartStep::Arm:
       if (armsByMissionStart || aircraft.isArmed) return false;
       setArming(StartArming::Armed);
       break;
     case StartStep::AutoMode:
-      if (!has(firmware, kFliesByMode)) return false;
-      seen_ = kNoItem;
+      if (!fliesByModeAlone) return false;
       beganS_ = aircraft.seconds;
+      order_.begin(order_.wanted(), aircraft.autoMode);
       break;
     case StartStep::Begin:
+      if (fliesByModeAlone) return false;
       if (armsByMissionStart && !aircraft.isArmed) setArming(StartArming::Armed);
+      order_.begin(order_.wanted(), aircraft.autoMode);
       break;
     case StartStep::Confirm: seen_ = kNoItem; break;
   }
-  sending.next(true, aircraft.nowMs);
-  if (step() == StartStep::Confirm && has(firmware, kSaysCurrentUnasked)) sending.listen(kConfirmMs, aircraft.nowMs);
+  const uint16_t nowMs = aircraft.nowMs;
+  sending.next(true, nowMs);
+  if (step() == StartStep::Confirm) {
+    if (has(firmware, kSaysCurrentUnasked)) sending.listen(kConfirmMs, nowMs);
+  } else if (step() != StartStep::FirstItem) {
+    sending.guard();
+    if (step() != StartStep::Arm) isSent_ = 0;
+  }
   return true;
 }
 
 StartTransfer::Message StartTransfer::message() const {
-  if (state_ == State::Disarming) return Message::Disarm;
-  if (state_ == State::Asking || step() == StartStep::Confirm) return Message::AskCurrent;
+  if (state() == State::Disarming) return Message::Disarm;
+  if (state() == State::Restoring) return Message::Mode;
+  if (state() == State::Asking || step() == StartStep::Confirm) return Message::AskCurrent;
   // No switch: avr-gcc makes a table of it, in RAM.
   if (step() == StartStep::FirstItem) return Message::FirstItem;
   if (step() == StartStep::Arm) return Message::Arm;
@@ -159,43 +183,48 @@ StartTransfer::Message StartTransfer::message() const {
   return Message::Mode;
 }
 
-uint16_t StartTransfer::modeToSet(const Aircraft& aircraft) const {
-  if (step() == StartStep::AutoMode) return aircraft.autoMode;
-  return modeNumber(isRover(aircraft) ? FlightMode::Manual : FlightMode::Guided, aircraft.firmware,
-                    aircraft.vehicleType);
-}
-
-// The other steps are confirmed by the change that they cause in the heartbeat or in MISSION_CURRENT.
+// Every step but Begin is confirmed by the change that it causes in the heartbeat or in MISSION_CURRENT.
 Status StartTransfer::onAccepted(const Aircraft& aircraft, CommandTransfer& sending) {
-  const bool isConfirmed = state_ == State::Steps && (step() == StartStep::Arm || step() == StartStep::Begin);
-  return isConfirmed ? nextStep(aircraft, sending) : Status::Transferring;
+  const bool isConfirmed = state() == State::Steps && step() == StartStep::Begin;
+  if (!isConfirmed) {
+    if (message() != Message::AskCurrent) sending.ask();
+    return Status::Transferring;
+  }
+  isSent_ = 1;
+  nextStep(aircraft, sending);
+  sending.ask();
+  return Status::Transferring;
 }
 
 // What start() does when the autopilot refuses: it tries again, ends, or leaves.
 Status StartTransfer::onRefused(Status refusal, const Aircraft& aircraft, CommandTransfer& sending) {
-  if (state_ == State::Disarming) return refusal_;
+  if (state() == State::Disarming) return refusal_;
+  if (state() == State::Restoring) return notRestored();
   if (message() == Message::AskCurrent) return Status::Transferring;  // MISSION_CURRENT may come unasked
   const bool isTriedAgain = step() == StartStep::AutoMode && isRover(aircraft) &&
                             static_cast<uint16_t>(aircraft.seconds - beganS_) < kAutoTriesS;
   if (isTriedAgain) {
     sending.next(true, aircraft.nowMs);
+    sending.guard();
     sending.pause(kAutoAgainMs, aircraft.nowMs);
     return Status::Transferring;
   }
   const bool wasFirst = isArmingStep(aircraft.firmware) && sending.tries() == 1;
   if (wasFirst && !aircraft.isArmed) setArming(StartArming::Untouched);
-  return leave(refusal, aircraft.nowMs, sending);
+  return leave(refusal, aircraft, sending);
 }
 
 Status StartTransfer::onSilent(Status silence, const Aircraft& aircraft, CommandTransfer& sending) {
-  if (state_ >= State::Leaving) return silence == Status::TookTooLong ? Status::Transferring : refusal_;
+  if (state() >= State::Leaving && silence == Status::TookTooLong) return Status::Transferring;
+  if (state() == State::Restoring) return notRestored();
+  if (state() >= State::Leaving) return refusal_;
   if (step() == StartStep::FirstItem && seen_ == kOtherPlan) return Status::Unproven;
   if (step() == StartStep::FirstItem && seen_ != kNoItem) return Status::OtherItem;
   if (step() == StartStep::Confirm) {
     if (silence == Status::NoAnswer) silence = Status::Unconfirmed;
     if (aircraft.mode == aircraft.autoMode) return silence;  // the aircraft may be flying: do not disarm
   }
-  return leave(silence, aircraft.nowMs, sending);
+  return leave(silence, aircraft, sending);
 }
 
 bool StartTransfer::isArmingStep(Firmware firmware) const {
@@ -203,63 +232,108 @@ bool StartTransfer::isArmingStep(Firmware firmware) const {
 }
 
 // Ends a start() that cannot succeed. If start() has armed the vehicle, the vehicle is disarmed first, once a heartbeat
-// shows that it is armed and that nobody else has taken over.
-Status StartTransfer::leave(Status refusal, uint16_t nowMs, CommandTransfer& sending) {
-  if (arming() != StartArming::Armed) return refusal;
+// shows that it is armed and that nobody else has taken over. A PX4 that refuses to begin may have changed its mode all
+// the same: a heartbeat shows that, too.
+Status StartTransfer::leave(Status refusal, const Aircraft& aircraft, CommandTransfer& sending) {
+  const bool mayHaveChanged = step() == StartStep::Begin && has(aircraft.firmware, kArmsByMissionStart);
+  if (arming() != StartArming::Armed && !mayHaveChanged) return refusal;
   refusal_ = refusal;
-  state_ = State::Leaving;
-  sending.rest(nowMs);
-  sending.listen(FinderRules::kLostMs, nowMs);
+  setState(State::Leaving);
+  sending.rest(aircraft.nowMs);
+  sending.listen(FinderRules::kLostMs, aircraft.nowMs);
+  sending.ask();
+  return Status::Transferring;
+}
+
+// Sets the mode order_.wanted(), which a step has undone, at once; start() ends with `refusal` then.
+Status StartTransfer::restore(Status refusal, const Aircraft& aircraft, CommandTransfer& sending) {
+  refusal_ = refusal;
+  setState(State::Restoring);
+  sending.next(true, aircraft.nowMs);
+  sending.guard();
+  return Status::Transferring;
+}
+
+Status StartTransfer::notRestored() const { return refusal_ == Status::TakenOver ? Status::Overruled : refusal_; }
+
+Status StartTransfer::onHeartbeatLeaving(const Aircraft& aircraft, CommandTransfer& sending) {
+  const bool armsByMissionStart = has(aircraft.firmware, kArmsByMissionStart);
+  const bool isWanted = aircraft.mode == order_.wanted() || aircraft.autoMode == kNoMode;
+  const bool isTaken = !isWanted && !order_.isFrom(aircraft.mode);
+  const bool hasBegun = armsByMissionStart && isWanted && aircraft.isArmed;  // began after all
+  const bool isOurArming = arming() == StartArming::Armed;
+  if (isOurArming && !aircraft.isArmed) {
+    const bool wasArmed = state() == State::Disarming || isArmedSeen_ != 0 || !isArmingStep(aircraft.firmware);
+    setArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
+  }
+  if (armsByMissionStart && !aircraft.isArmed && isWanted && !order_.isFrom(order_.wanted())) {
+    order_.turn();
+    return restore(refusal_, aircraft, sending);
+  }
+  if (!aircraft.isArmed || !isOurArming || isTaken || hasBegun) return refusal_;
+  if (state() == State::Leaving) {
+    setState(State::Disarming);
+    sending.next(true, aircraft.nowMs);
+    sending.guard();
+  }
   return Status::Transferring;
 }
 
 Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sending) {
-  const Firmware firmware = aircraft.firmware;
-  const bool armsByMissionStart = has(firmware, kArmsByMissionStart);
-  const uint16_t mode = aircraft.mode;
-  const uint16_t autoMode = aircraft.autoMode;
-  const bool isAuto = mode == autoMode || autoMode == kNoMode;
+  if (state() == State::Leaving || state() == State::Disarming) return onHeartbeatLeaving(aircraft, sending);
+  const bool isRestoring = state() == State::Restoring;
   const bool isSent = sending.tries() != 0;
-  const StartStep asksForAuto = armsByMissionStart ? StartStep::Begin : StartStep::AutoMode;
-  const bool isAskedFor = step() > asksForAuto || (step() == asksForAuto && isSent);
-  if (isAskedFor && mode == autoMode) isAutoSeen_ = 1;
-  // Once AUTO has been seen, a change back to the mode in which start() began is somebody else's choice as well.
-  const bool isTaken = !isAuto && (isAutoSeen_ != 0 || mode != mode_);
-  const bool isFlying = aircraft.isArmed && isAuto;
-  if (state_ >= State::Leaving) {
-    const bool wasArmed = state_ == State::Disarming || !isArmingStep(firmware);
-    if (!aircraft.isArmed) setArming(wasArmed ? StartArming::Disarmed : StartArming::Untouched);
-    const bool hasBegun = armsByMissionStart && isFlying;  // began after all
-    if (!aircraft.isArmed || isTaken || hasBegun) return refusal_;
-    if (state_ == State::Leaving) {
-      state_ = State::Disarming;
-      sending.next(true, aircraft.nowMs);
-    }
-    return Status::Transferring;
+  const bool setsMode = step() == StartStep::ReadyMode || step() == StartStep::AutoMode || step() == StartStep::Begin;
+  if (setsMode && isSent) isSent_ = 1;
+  switch (order_.onHeartbeat(aircraft.mode, isRestoring ? isSent : isSent_ != 0,
+                             sending.mayBeUnderWay(aircraft.nowMs))) {
+    case ModeOrder::Sight::Foreign:
+      if (isRestoring) return refusal_;
+      if (isArmingStep(aircraft.firmware) && !isSent && isArmedSeen_ == 0) setArming(StartArming::Untouched);
+      return Status::TakenOver;
+    case ModeOrder::Sight::Doubtful: sending.askLater(); return Status::Transferring;
+    case ModeOrder::Sight::Undone: return restore(Status::TakenOver, aircraft, sending);
+    case ModeOrder::Sight::Wanted:
+      if (isRestoring) return refusal_;
+      return onOwnMode(true, aircraft, sending);
+    case ModeOrder::Sight::Before: break;
   }
-  if (step() != StartStep::ReadyMode && isTaken) {
-    // AUTO has been requested: the next heartbeat may show AUTO, and the aircraft is then flying.
-    if (step() == StartStep::AutoMode && isSent && seen_ != mode) {
-      seen_ = mode;
-      return Status::Transferring;
-    }
-    if (isArmingStep(firmware) && !isSent) setArming(StartArming::Untouched);
-    return Status::TakenOver;
+  return isRestoring ? Status::Transferring : onOwnMode(false, aircraft, sending);
+}
+
+// A heartbeat that shows the wanted mode, or the one before.
+Status StartTransfer::onOwnMode(bool isWanted, const Aircraft& aircraft, CommandTransfer& sending) {
+  const bool isSent = sending.tries() != 0;
+  const bool isFlying = aircraft.isArmed && isWanted;
+  if (aircraft.isArmed) {
+    // Somebody else has armed it.
+    if (step() == StartStep::Arm && !isSent) setArming(StartArming::Untouched);
+    isArmedSeen_ = 1;
+  } else if (isArmedSeen_ != 0) {
+    if (arming() == StartArming::Armed) setArming(StartArming::Disarmed);
+    return Status::NotArmed;
   }
   bool isDone = false;
   switch (step()) {
     case StartStep::ReadyMode:
-    case StartStep::AutoMode: isDone = isSent && mode == modeToSet(aircraft); break;
-    case StartStep::Arm: isDone = isSent && aircraft.isArmed; break;
-    case StartStep::Begin: isDone = isSent && armsByMissionStart && isFlying; break;
+    case StartStep::AutoMode: isDone = isWanted; break;
+    case StartStep::Arm: isDone = aircraft.isArmed; break;
+    case StartStep::Begin: isDone = isSent && isFlying; break;
     case StartStep::Confirm:
-      if (!isFlying) state_ = State::Steps;
-      if (isFlying && !isJudging()) state_ = State::Shown;
-      return confirm(firmware);
+      if (!isFlying) {
+        setState(State::Steps);
+        sending.askLater();
+      } else if (!isJudging()) {
+        setState(State::Shown);
+      }
+      return confirm(aircraft.firmware);
     case StartStep::None:
     case StartStep::FirstItem: break;
   }
-  return isDone ? nextStep(aircraft, sending) : Status::Transferring;
+  if (!isDone) return Status::Transferring;
+  nextStep(aircraft, sending);
+  if (step() == StartStep::Confirm) setState(State::Shown);
+  return Status::Transferring;
 }
 
 Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& aircraft, CommandTransfer& sending) {
@@ -271,12 +345,12 @@ Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& 
     if (!has(aircraft.firmware, kNamesFlownItems)) {
       return item == first_ ? nextStep(aircraft, sending) : Status::Transferring;
     }
-    if (state_ != State::Asking) {
+    if (state() != State::Asking) {
       // ArduPilot's answer names the item as it was set, or is a message that came unasked: request MISSION_CURRENT to
       // learn the actual item.
       if (item != first_ && item != next_) return Status::Transferring;
       seen_ = kNoItem;
-      state_ = State::Asking;
+      setState(State::Asking);
       sending.next(true, aircraft.nowMs);
       return Status::Transferring;
     }
@@ -294,11 +368,11 @@ Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& 
 
 // Confirms the start, once a heartbeat has shown that the aircraft flies and MISSION_CURRENT has named its item.
 Status StartTransfer::confirm(Firmware firmware) {
-  if (state_ != State::Shown || seen_ == kNoItem) return Status::Transferring;
+  if (state() != State::Shown || seen_ == kNoItem) return Status::Transferring;
   const bool namesFlownItems = has(firmware, kNamesFlownItems);
   if (seen_ == (namesFlownItems ? next_ : first_)) return Status::Done;
   if (looked_ == kCannotLook) return namesFlownItems && next_ == kNoItem ? Status::Unconfirmed : Status::OtherItem;
-  state_ = State::Judging;
+  setState(State::Judging);
   lookFromFirst(firmware);
   return Status::Transferring;
 }

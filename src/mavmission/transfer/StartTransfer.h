@@ -12,6 +12,7 @@
 #include "../autopilot/Personality.h"
 #include "../base/RetryRules.h"
 #include "CommandTransfer.h"
+#include "ModeOrder.h"
 
 namespace mavmission {
 namespace detail {
@@ -37,7 +38,8 @@ class StartTransfer : public StartRules {
   // the first item was set, and the autopilot is asked for its current item. Shown: a heartbeat shows that the aircraft
   // flies. Judging, JudgingNext: compares its current item with the one that will be flown first, or with the next.
   // Leaving: a step failed; waits for a heartbeat that shows whether to disarm. Disarming: the command was sent.
-  enum class State : uint8_t { New, Looking, Steps, Asking, Shown, Judging, JudgingNext, Leaving, Disarming };
+  // Restoring: sets a mode again that a step has undone.
+  enum class State : uint8_t { New, Looking, Steps, Asking, Shown, Judging, JudgingNext, Leaving, Disarming, Restoring };
 
   // DO_SET_MODE, MISSION_SET_CURRENT, COMPONENT_ARM_DISARM, MISSION_START, REQUEST_MESSAGE for MISSION_CURRENT.
   enum class Message : uint8_t { Mode, FirstItem, Arm, Start, AskCurrent, Disarm };
@@ -49,8 +51,8 @@ class StartTransfer : public StartRules {
   // `isMission`: the plan whose items can be looked at is the mission that is aboard.
   void begin(uint16_t first, bool isMission, Firmware firmware);
 
-  bool isLooking() const { return state_ == State::Looking; }
-  bool isJudging() const { return state_ == State::Judging || state_ == State::JudgingNext; }
+  bool isLooking() const { return state() == State::Looking; }
+  bool isJudging() const { return state() == State::Judging || state() == State::JudgingNext; }
   // While isLooking() or isJudging(): Accepted if onItem() wants item next() of a plan with `items` items; Done if
   // start() has succeeded without a further look; otherwise what onItem() is to be told in the place of an item.
   Status wantsItem(uint16_t items, Firmware firmware) const;
@@ -70,9 +72,9 @@ class StartTransfer : public StartRules {
   // The message that `sending` sends when it is due. Of no use before the first step.
   Message message() const;
   // The mode of Message::Mode, in the numbers of modeNumber().
-  uint16_t modeToSet(const Aircraft& aircraft) const;
+  uint16_t modeToSet() const { return order_.wanted(); }
 
-  State state() const { return state_; }
+  State state() const { return static_cast<State>(state_); }
   StartStep step() const { return static_cast<StartStep>(step_); }
   StartArming arming() const { return static_cast<StartArming>(arming_); }
   // The current item that the autopilot named last; kNoItem: none yet. With Status::OtherItem it is that item.
@@ -87,25 +89,33 @@ class StartTransfer : public StartRules {
   Status nextStep(const Aircraft& aircraft, CommandTransfer& sending);
   bool beginStep(const Aircraft& aircraft, CommandTransfer& sending);
   bool isArmingStep(Firmware firmware) const;
-  MAVMISSION_APART Status leave(Status refusal, uint16_t nowMs, CommandTransfer& sending);
+  MAVMISSION_APART Status leave(Status refusal, const Aircraft& aircraft, CommandTransfer& sending);
+  MAVMISSION_APART Status restore(Status refusal, const Aircraft& aircraft, CommandTransfer& sending);
+  Status notRestored() const;
+  Status onHeartbeatLeaving(const Aircraft& aircraft, CommandTransfer& sending);
+  MAVMISSION_APART Status onOwnMode(bool isWanted, const Aircraft& aircraft, CommandTransfer& sending);
+  uint16_t readyMode(const Aircraft& aircraft) const;
   Status confirm(Firmware firmware);
+  void setState(State state) { state_ = static_cast<uint8_t>(state); }
   void setStep(StartStep step) { step_ = static_cast<uint8_t>(step); }
   void setArming(StartArming arming) { arming_ = static_cast<uint8_t>(arming); }
 
   uint16_t first_;  // the item to begin with
   uint16_t next_;   // the item to look at, and then the one that will be flown first; kNoItem: not known
-  uint16_t seen_;   // the autopilot's current item; kNoItem: not reported yet. In AutoMode: a mode seen once
-  uint16_t mode_;   // the mode after ReadyMode: any other one but AUTO was set by somebody else
+  uint16_t seen_;   // the autopilot's current item; kNoItem: not reported yet
+  ModeOrder order_;  // the mode in which the aircraft is to be: any other one was set by somebody else
   union {
     uint16_t jump_;    // Looking, Judging, JudgingNext: the last jump followed
     uint16_t beganS_;  // AutoMode: when AUTO was first requested [s]
-    Status refusal_;   // Leaving, Disarming: the status with which it will end
+    Status refusal_;   // Leaving, Disarming, Restoring: the status with which it will end
   };
-  uint8_t looked_ : 7;      // how many items were looked at on the way to the one that will be flown
-  uint8_t isAutoSeen_ : 1;  // a heartbeat has shown the mission mode after it was requested
-  State state_;
-  uint8_t step_ : 4;    // StartStep
-  uint8_t arming_ : 4;  // StartArming
+  uint8_t looked_ : 7;  // how many items were looked at on the way to the one that will be flown
+  uint8_t wasFlying_ : 1;    // its mission, before start()
+  uint8_t state_ : 4;        // State
+  uint8_t step_ : 3;         // StartStep
+  uint8_t isSent_ : 1;       // the order of order_ has left
+  uint8_t arming_ : 2;       // StartArming
+  uint8_t isArmedSeen_ : 1;  // a heartbeat has shown it armed
 };
 
 }  // namespace detail
