@@ -236,8 +236,8 @@ class Client : public ClientRules {
     uint8_t unsettled;     // UploadTransfer::kAnswers (also after a reset) and kBusy
     PlanType cancelled;    // the plan type whose cancelling is still to be sent; All: none
     PlanType type;         // of the running operation
-    bool floatItems;       // items go out as MISSION_ITEM
-    bool isLate;           // the operation has reached its time limit
+    bool floatItems : 1;   // items go out as MISSION_ITEM
+    bool isLate : 1;       // the operation has reached its time limit
     uint8_t bytesAllowed;  // how many an update() may read
     uint8_t bytesLeft;     // how many this update() could still read; 0 before it has read
     uint8_t tick;          // when onTick() was called last [kTickMs], its low 8 bits
@@ -269,9 +269,9 @@ class Client : public ClientRules {
     uint8_t lastResult;
     PlanType planType;        // of the plan that uploadAgain() takes; All before there is one
     uint32_t planId;          // the autopilot's name (opaque_id) of the mission accepted or verified last; 0: none
-    uint8_t startStep : 4;    // StartStep
-    uint8_t startArming : 4;  // StartArming
-    Readback proof;
+    uint8_t startStep : 3;    // StartStep
+    uint8_t startArming : 2;  // StartArming
+    uint8_t proof : 2;        // Readback
     ItemField field;        // the one that differs, or is not kept
     bool armedAllowed : 1;  // bits, for RAM: they cost a little flash
     bool raw : 1;
@@ -333,15 +333,19 @@ class Client : public ClientRules {
   };
 
   State state_;
-  union {  // one operation at a time
-    UploadTransfer transfer_;
-    Reading reading_;
+  WirePlan plan_;  // here avr-gcc reaches it cheaply
+  union {          // one operation at a time
+    __extension__ struct {
+      union {
+        UploadTransfer transfer_;
+        Reading reading_;
+      };
+      OpaqueId opaqueId_;
+    };
     ClearTransfer clearing_;
     Commanding commanding_;
   };
-  WirePlan plan_;  // before rest_, where avr-gcc reaches it cheaply
   Rest rest_;
-  OpaqueId opaqueId_;
   Link link_;
 };
 

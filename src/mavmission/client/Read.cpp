@@ -36,7 +36,7 @@ void Client::proveUpload(Client& client, uint16_t nowMs) {
 Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proof) {
   const Status status = startUpload(plan, type);
   if (isEnd(status)) return status;
-  rest_.proof = proof;
+  rest_.proof = static_cast<uint8_t>(proof);
   rest_.prove = proveUpload;
   rest_.takeUp = takeUpEnd;
   return status;

@@ -319,7 +319,7 @@ void PlanFiles::uploadDamaged(uint16_t nowMs) {
   Client& client = client_;
   isDamaged_ = false;
   client.rest_.proving = false;
-  client.rest_.proof = Readback::Always;
+  client.rest_.proof = static_cast<uint8_t>(Readback::Always);
   client.rest_.field = ItemField::None;
   client.state_.failedItem = Client::kNoItem;
   client.state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
