@@ -110,8 +110,9 @@ class Service(Bench):
     _wants_text = False
 
     def _sent(self, *names: str) -> list:
-        """What the client has sent, and not what its follower asks for beside it."""
-        return [entry for entry in super()._sent(*names) if not is_followers(entry.message)]
+        """What the client has sent, and not what it or its follower asks for beside it."""
+        return [entry for entry in super()._sent(*names)
+                if not is_followers(entry.message) and not asks_for_heartbeat(entry.message)]
 
     # Orders
 
@@ -277,6 +278,12 @@ def is_followers(message) -> bool:
     """Whether this asks for MISSION_CURRENT every second, as a follower does that hears none."""
     return (message is not None and message.get_type() == "COMMAND_LONG"
             and (message.command, message.param1, message.param2) == ASKED_FOR)  # fmt: skip
+
+
+def asks_for_heartbeat(message) -> bool:
+    """Whether this asks for a heartbeat, as an order does that is to leave right behind one."""
+    return (message is not None and message.get_type() == "COMMAND_LONG"
+            and (message.command, message.param1) == (mavlink.MAV_CMD_REQUEST_MESSAGE, 0))  # fmt: skip
 
 
 def unpacked(data: bytes) -> Item:

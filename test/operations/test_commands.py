@@ -330,12 +330,10 @@ ARMING = pytest.mark.scenario(54, "Arming: by arm() and start() alone, and never
 def test_arm_and_disarm(service):
     service.order_of("arm")
     assert service.done() == "Done"
-    assert service.autopilot.armed
-    service.run(1.1)
-    assert service.state.armed
+    assert service.autopilot.armed and service.state.armed
     service.order_of("disarm")
     assert service.done() == "Done"
-    assert not service.autopilot.armed
+    assert not service.autopilot.armed and not service.state.armed
     assert [(one.command, one.param1, one.param2) for one in service.heard("COMMAND_LONG")] == [
         (ARM, 1.0, 0.0), (ARM, 0.0, 0.0)]  # fmt: skip
 
@@ -407,9 +405,10 @@ def test_mode_is_the_vehicles_own(build_service, kind, name):
         assert service.heard("COMMAND_LONG") == []
         return
     assert service.done() == "Done"
-    (message,) = service.heard("COMMAND_LONG")
     main, sub = number if personality == "PX4" else (number, 0)
-    assert (message.command, message.param1, message.param2, message.param3) == (SET_MODE, 1.0, main, sub)
+    was_there = personality == "ArduPilot" and name == "Manual"  # its first mode: nothing is sent
+    assert [(one.command, one.param1, one.param2, one.param3) for one in service.heard("COMMAND_LONG")] == [
+        (SET_MODE, 1.0, main, sub)] * (not was_there)  # fmt: skip
     service.run(1.1)
     state = service.state
     assert state.modes == [name]
@@ -489,7 +488,7 @@ def test_mode_that_was_accepted_and_is_never_shown_is_unconfirmed(service, perso
     service.run(0.2)
     acknowledge(service, SET_MODE, 0)
     assert service.done() == "Unconfirmed"
-    assert 7.4 < service.now - before < 7.7
+    assert 7.4 < service.now - before < 12.6  # each attempt waits for a heartbeat, of which one comes each second
     service.order_of("custommode", 6 if personality == "ArduPilot" else 4 << 16 | 5 << 24)
     assert service.done() == "NoAnswer"  # and this one was not accepted either
 
@@ -710,11 +709,11 @@ def test_late_answer_to_the_first_mode_of_a_start_is_not_taken_for_one_to_the_se
 
     service = uploaded(build_service("ArduPilot"))
     service.wire.delay("<", 1.6, name="COMMAND_ACK", times=2)
-    service.wire.lose(">", name="COMMAND_LONG", where=lambda message: message.command == 176 and message.param2 == 3)
+    service.wire.lose(">", name="COMMAND_LONG", where=lambda message: message.command == 176 and message.param2 == 10)
     service.order_of("start")
     assert service.done(limit_s=20) == "Done"
     assert is_flying(service)
-    assert len([one for one in service.heard("COMMAND_LONG") if one.param2 == 3]) == 2
+    assert len([one for one in service.heard("COMMAND_LONG") if one.param2 == 10]) == 1
 
 
 @LATE_ANSWERS

@@ -18,9 +18,9 @@ ARMED = pytest.mark.scenario(48, "Changing the plan while armed is refused unles
 
 
 STEPS = {
-    ("ArduPilot", "copter"): [(SET_MODE, 1, 4), (ARM, 1, 0), (SET_MODE, 1, 3), (MISSION_START, 0, 0)],
-    ("ArduPilot", "rover"): [(SET_MODE, 1, 0), (ARM, 1, 0), (SET_MODE, 1, 10), (MISSION_START, 0, 0)],
-    ("ArduPilot", "plane"): [(ARM, 1, 0), (SET_MODE, 1, 10), (MISSION_START, 0, 0)],
+    ("ArduPilot", "copter"): [(SET_MODE, 1, 4), (ARM, 1, 0), (MISSION_START, 0, 0)],
+    ("ArduPilot", "rover"): [(ARM, 1, 0), (SET_MODE, 1, 10)],  # it stands in MANUAL
+    ("ArduPilot", "plane"): [(ARM, 1, 0), (SET_MODE, 1, 10)],
     ("PX4", "copter"): [(MISSION_START, 0, 0)],
 }
 KINDS = pytest.mark.parametrize("kind", STEPS, ids=" ".join)
@@ -55,8 +55,9 @@ def test_every_step_may_be_lost_once(build_service, kind, direction, name):
 
 
 REFUSED = [(("ArduPilot", "copter"), 0, "ReadyMode"), (("ArduPilot", "copter"), 1, "Arm"),
-           (("ArduPilot", "copter"), 2, "AutoMode"), (("ArduPilot", "copter"), 3, "Begin"),
-           (("ArduPilot", "rover"), 1, "Arm"), (("ArduPilot", "plane"), 0, "Arm"),
+           (("ArduPilot", "copter"), 2, "Begin"),
+           (("ArduPilot", "rover"), 0, "Arm"), (("ArduPilot", "plane"), 0, "Arm"),
+           (("ArduPilot", "plane"), 1, "AutoMode"),
            (("PX4", "copter"), 0, "Begin")]  # fmt: skip
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from simulation.fake_autopilot import mavlink
-from simulation.service import is_followers
+from simulation.service import asks_for_heartbeat, is_followers
 from simulation.wire import Wire
 from starts import (
     ARM,
@@ -254,7 +254,7 @@ def test_cancelled_anywhere_it_goes_no_further_and_another_start_flies(build_ser
 
 def said(service, *names: str) -> int:
     """How many of these messages have left, without what a follower asks for."""
-    return sum(not is_followers(entry.message) for entry in service.wire.frames(">", *names))
+    return sum(not is_followers(entry.message) and not asks_for_heartbeat(entry.message) for entry in service.wire.frames(">", *names))
 
 
 def reaches(service, commands: int) -> bool:

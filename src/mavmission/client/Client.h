@@ -272,8 +272,8 @@ class Client : public ClientRules {
     uint8_t startStep : 3;    // StartStep
     uint8_t startArming : 2;  // StartArming
     uint8_t proof : 2;        // Readback
-    ItemField field;        // the one that differs, or is not kept
-    bool armedAllowed : 1;  // bits, for RAM: they cost a little flash
+    ItemField field;          // the one that differs, or is not kept
+    bool armedAllowed : 1;    // bits, for RAM: they cost a little flash
     bool raw : 1;
     bool tooLong : 1;                     // the source has more items than the protocol can count
     bool infeasible : 1;                  // the autopilot has reported that it cannot fly the accepted plan

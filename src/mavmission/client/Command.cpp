@@ -71,8 +71,7 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
   client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
   if (state.status != Status::Transferring) return;
   const CommandTransfer& sending = client.commanding_.transfer;
-  const bool isDue =
-      sending.state() == CommandTransfer::State::Due || sending.isAskDue(nowMs, client.askAgainMs());
+  const bool isDue = sending.state() == CommandTransfer::State::Due || sending.isAskDue(nowMs, client.askAgainMs());
   if (isDue && client.link_.canSend() && client.claimHeavyWork()) client.sendCommand(nowMs);
 }
 

@@ -17,7 +17,8 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
                                transfer.state() == UploadTransfer::State::Confirming;
   const bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError ||
                          (status == Status::Accepted && transfer.hasBegun() && transfer.isAcceptanceDoubtful());
-  const bool isProofDue = isInDoubt || (status == Status::Accepted && rest.proof == static_cast<uint8_t>(Readback::Always));
+  const bool isAlways = rest.proof == static_cast<uint8_t>(Readback::Always);
+  const bool isProofDue = isInDoubt || (status == Status::Accepted && isAlways);
   if (!isProofDue || rest.prove == nullptr) return false;
   if (isInDoubt) client.unsettle(nowMs);
   rest.mayBeRefused = isDoubtfulError;

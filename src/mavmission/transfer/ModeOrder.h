@@ -36,9 +36,9 @@ class ModeOrder {
 
  private:
   uint16_t wanted_;
-  uint16_t other_;      // the mode from which it leads away; isForeign_: the last foreign mode that was seen
+  uint16_t other_;  // the mode from which it leads away; isForeign_: the last foreign mode that was seen
   bool isForeign_ : 1;
-  bool isSeen_ : 1;     // a heartbeat has shown the wanted mode
+  bool isSeen_ : 1;  // a heartbeat has shown the wanted mode
   bool isRestoring_ : 1;
 };
 

@@ -121,8 +121,8 @@ Status StartTransfer::nextStep(const Aircraft& aircraft, CommandTransfer& sendin
   return Status::Transferring;
 }
 
-// The mode in which it is armed: a rover in MANUAL, a plane in its current mode, and a copter, which refuses to be armed
-// in AUTO, in GUIDED.
+// The mode in which it is armed: a rover in MANUAL, a plane in its current mode, and a copter, which refuses to be
+// armed in AUTO, in GUIDED.
 uint16_t StartTransfer::readyMode(const Aircraft& aircraft) const {
   if (!has(aircraft.firmware, kFliesByMode) || aircraft.vehicleType == MAV_TYPE_FIXED_WING) return aircraft.mode;
   return modeNumber(isRover(aircraft) ? FlightMode::Manual : FlightMode::Guided, aircraft.firmware,
@@ -285,8 +285,8 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
   const bool isSent = sending.tries() != 0;
   const bool setsMode = step() == StartStep::ReadyMode || step() == StartStep::AutoMode || step() == StartStep::Begin;
   if (setsMode && isSent) isSent_ = 1;
-  switch (order_.onHeartbeat(aircraft.mode, isRestoring ? isSent : isSent_ != 0,
-                             sending.mayBeUnderWay(aircraft.nowMs))) {
+  switch (
+      order_.onHeartbeat(aircraft.mode, isRestoring ? isSent : isSent_ != 0, sending.mayBeUnderWay(aircraft.nowMs))) {
     case ModeOrder::Sight::Foreign:
       if (isRestoring) return refusal_;
       if (isArmingStep(aircraft.firmware) && !isSent && isArmedSeen_ == 0) setArming(StartArming::Untouched);

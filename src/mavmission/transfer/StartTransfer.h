@@ -39,7 +39,18 @@ class StartTransfer : public StartRules {
   // flies. Judging, JudgingNext: compares its current item with the one that will be flown first, or with the next.
   // Leaving: a step failed; waits for a heartbeat that shows whether to disarm. Disarming: the command was sent.
   // Restoring: sets a mode again that a step has undone.
-  enum class State : uint8_t { New, Looking, Steps, Asking, Shown, Judging, JudgingNext, Leaving, Disarming, Restoring };
+  enum class State : uint8_t {
+    New,
+    Looking,
+    Steps,
+    Asking,
+    Shown,
+    Judging,
+    JudgingNext,
+    Leaving,
+    Disarming,
+    Restoring
+  };
 
   // DO_SET_MODE, MISSION_SET_CURRENT, COMPONENT_ARM_DISARM, MISSION_START, REQUEST_MESSAGE for MISSION_CURRENT.
   enum class Message : uint8_t { Mode, FirstItem, Arm, Start, AskCurrent, Disarm };
@@ -100,16 +111,16 @@ class StartTransfer : public StartRules {
   void setStep(StartStep step) { step_ = static_cast<uint8_t>(step); }
   void setArming(StartArming arming) { arming_ = static_cast<uint8_t>(arming); }
 
-  uint16_t first_;  // the item to begin with
-  uint16_t next_;   // the item to look at, and then the one that will be flown first; kNoItem: not known
-  uint16_t seen_;   // the autopilot's current item; kNoItem: not reported yet
+  uint16_t first_;   // the item to begin with
+  uint16_t next_;    // the item to look at, and then the one that will be flown first; kNoItem: not known
+  uint16_t seen_;    // the autopilot's current item; kNoItem: not reported yet
   ModeOrder order_;  // the mode in which the aircraft is to be: any other one was set by somebody else
   union {
     uint16_t jump_;    // Looking, Judging, JudgingNext: the last jump followed
     uint16_t beganS_;  // AutoMode: when AUTO was first requested [s]
     Status refusal_;   // Leaving, Disarming, Restoring: the status with which it will end
   };
-  uint8_t looked_ : 7;  // how many items were looked at on the way to the one that will be flown
+  uint8_t looked_ : 7;       // how many items were looked at on the way to the one that will be flown
   uint8_t wasFlying_ : 1;    // its mission, before start()
   uint8_t state_ : 4;        // State
   uint8_t step_ : 3;         // StartStep
