@@ -35,9 +35,9 @@ def test_copter_that_refuses_auto_is_disarmed_and_it_is_said(build_service):
     began = service.now
     assert start(service) == "CommandFailed"
     state = service.state
-    assert (state.step, state.arming, state.last_result) == ("AutoMode", "Disarmed", 0)
+    assert (state.step, state.arming, state.last_result) == ("Begin", "Disarmed", 0)
     assert not service.autopilot.armed and service.now - began < 4.0
-    assert told(service) == [(SET_MODE, 1, 4), (ARM, 1, 0), (SET_MODE, 1, 3), (ARM, 0, 0)]
+    assert told(service) == [(SET_MODE, 1, 4), (ARM, 1, 0), (MISSION_START, 0, 0), (ARM, 0, 0)]
     assert {one.param2 for one in service.heard("COMMAND_LONG") if one.command == ARM} == {0.0}
     assert (2, "Auto: Missing Takeoff Cmd") in service.texts
     service.run(1.2)
@@ -91,7 +91,7 @@ def before_next(service, command: int, param1: float, param2: float | None, do) 
 def test_copter_whose_mode_somebody_else_has_set_is_not_disarmed(build_service):
     service = made(build_service, "copter")
     upload(service, without_takeoff("copter"))
-    before_next(service, SET_MODE, 1, 3, lambda now: service.autopilot._set_mode(5, now))  # LOITER, as by the pilot
+    before_next(service, MISSION_START, 0, 0, lambda now: service.autopilot._set_mode(5, now))  # LOITER, by the pilot
     assert start(service) in ("CommandFailed", "TakenOver")
     assert service.state.arming == "Armed"
     service.run(5.0)
@@ -99,21 +99,20 @@ def test_copter_whose_mode_somebody_else_has_set_is_not_disarmed(build_service):
     assert (ARM, 0, 0) not in told(service)
 
 
-AT_STEPS = [
-    (*vehicle, step) for vehicle in (("copter", 5), ("rover", 4)) for step in ("Arm", "AutoMode", "Begin", "Confirm")
-]
-# The mode in which start() has put it before: behind AUTO it is somebody else's too.
-BACK_IN_ITS_MODE = [(*vehicle, step) for vehicle in (("copter", 4), ("rover", 0)) for step in ("Begin", "Confirm")]
+AT_STEPS = [("copter", 5, "ReadyMode"), ("copter", 5, "Arm"), ("copter", 5, "Begin"), ("copter", 5, "Confirm"),
+            ("rover", 4, "Arm"), ("rover", 4, "AutoMode"), ("rover", 4, "Confirm"),
+            # The mode in which start() has put it before: behind AUTO it is somebody else's too.
+            ("copter", 4, "Confirm"), ("rover", 0, "Confirm")]  # fmt: skip
 
 
 @REFUSED
-@pytest.mark.parametrize("vehicle, other, step", [*AT_STEPS, *BACK_IN_ITS_MODE])
+@pytest.mark.parametrize("vehicle, other, step", AT_STEPS)
 def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, vehicle, other, step):
+    """Just before the autopilot hears the order: an order that then undoes that mode is undone itself."""
     service = made(build_service, vehicle)
     upload(service, hops(vehicle, 4))
-    auto = {"copter": 3, "rover": 10}[vehicle]
-    when = {"Arm": (ARM, 1, 0), "AutoMode": (SET_MODE, 1, auto), "Begin": (MISSION_START, 0, 0),
-            "Confirm": (512, 42, 0)}[step]  # fmt: skip
+    when = {"ReadyMode": (SET_MODE, 1, 4), "Arm": (ARM, 1, 0), "AutoMode": (SET_MODE, 1, 10),
+            "Begin": (MISSION_START, 0, 0), "Confirm": (512, 42, 0)}[step]  # fmt: skip
     taken = []
 
     def take(now) -> None:
@@ -121,27 +120,17 @@ def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, veh
             return before_next(service, *when, take)  # it is asked before it is armed, too
         taken.append(now)
         service.autopilot._set_mode(other, now)
-        service.autopilot._hears["COMMAND_LONG"] = lambda *_: None
-        return "swallowed" if step == "AutoMode" else None  # else AUTO would win
 
     before_next(service, *when, take)
     assert start(service) == "TakenOver"
-    service.run(0.1)  # what has left by then arrives
+    autopilot = service.autopilot
+    assert taken and autopilot.kind.modes[autopilot.mode] == other
     number = len(told(service))
     service.run(5.0)
     assert len(told(service)) == number and (ARM, 0, 0) not in told(service)
-    assert taken and service.state.arming == ("Armed" if service.autopilot.armed else "Untouched")
-
-
-@REFUSED
-def test_auto_that_wins_over_somebody_elses_mode_is_not_said_to_be_taken_over(build_service):
-    """Another mode in a heartbeat while AUTO is on its way: it flies, and start() says so."""
-    service = made(build_service, "copter")
-    upload(service, hops("copter", 4))
-
-    before_next(service, SET_MODE, 1, 3, lambda now: service.autopilot._set_mode(5, now))  # LOITER, in a heartbeat
-    assert start(service) == "Done"
-    assert service.autopilot.armed and service.autopilot.mode == "AUTO"
+    assert autopilot.kind.modes[autopilot.mode] == other
+    assert service.state.arming == ("Armed" if (ARM, 1, 0) in told(service) else "Untouched")
+    assert autopilot.armed == ((ARM, 1, 0) in told(service))
 
 
 @REFUSED
@@ -201,7 +190,7 @@ def test_aircraft_that_does_not_let_itself_be_disarmed_is_said_to_be_armed(build
 
     service.autopilot._hears["COMMAND_LONG"] = hear
     assert start(service) == "CommandFailed"
-    assert (service.state.step, service.state.arming) == ("AutoMode", "Armed")
+    assert (service.state.step, service.state.arming) == ("Begin", "Armed")
     assert service.autopilot.armed
 
 
@@ -216,20 +205,42 @@ def test_px4_that_refuses_to_begin_was_not_armed(build_service):
 
 
 @REFUSED
-def test_px4_that_is_armed_and_stays_in_its_mode_is_disarmed(build_service):
-    """Its answers are lost, and the mission mode is not to be had."""
+def test_px4_that_is_armed_and_back_in_its_mode_is_somebody_elses(build_service):
+    """It sets the mode before it arms."""
     service = made(build_service, "px4")
     upload(service, hops("px4", 3))
+    react = service.autopilot._mission_start
 
-    def arm_alone(message, now) -> int:
-        service.autopilot.armed = True
-        return 0
+    def begin(message, now) -> int:
+        result = react(message, now)
+        service.autopilot._set_mode(4, 3, now)  # HOLD, by the pilot
+        return result
 
-    service.autopilot._mission_start = arm_alone
+    service.autopilot._mission_start = begin
     service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command == MISSION_START)
-    assert start(service, limit_s=20) == "NoAnswer"
-    assert (service.state.step, service.state.arming) == ("Begin", "Disarmed")
-    assert not service.autopilot.armed
+    assert start(service, limit_s=20) == "TakenOver"
+    assert (service.state.step, service.state.arming) == ("Begin", "Armed")
+    assert service.autopilot.armed and (service.autopilot.main_mode, service.autopilot.sub_mode) == (4, 3)
+    assert told(service) == [(MISSION_START, 0, 0)]
+
+
+@REFUSED
+@pytest.mark.parametrize("sub_mode", [5, 6], ids=["RTL", "LAND"])
+def test_px4_that_rejects_the_start_gets_its_mode_back(build_service, sub_mode):
+    """By source it changes the mode first, and refuses to be armed from RTL and LAND then."""
+    service = made(build_service, "px4")
+    upload(service, hops("px4", 3))
+    service.autopilot._set_mode(4, sub_mode, service.now)
+    service.run(1.1)
+
+    def refuse(message, now) -> int:
+        service.autopilot._set_mode(4, 4, now)
+        return mavlink.MAV_RESULT_TEMPORARILY_REJECTED
+
+    service.autopilot._mission_start = refuse
+    assert start(service) == "CommandRejected"
+    assert (service.autopilot.main_mode, service.autopilot.sub_mode) == (4, sub_mode)
+    assert not service.autopilot.armed and service.state.arming == "Untouched"
 
 
 @REFUSED
@@ -249,7 +260,7 @@ def test_cancelled_anywhere_it_goes_no_further_and_another_start_flies(build_ser
         assert said(service, "COMMAND_LONG", "MISSION_SET_CURRENT") == sent
         service.tell("armed", 1)
         assert start(service) == "Done"
-    assert at > (1 if vehicle == "px4" else 5)
+    assert at > {"px4": 1, "rover": 4, "copter": 5}[vehicle]
 
 
 def said(service, *names: str) -> int:

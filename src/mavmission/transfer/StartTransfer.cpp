@@ -318,7 +318,15 @@ Status StartTransfer::onOwnMode(bool isWanted, const Aircraft& aircraft, Command
     case StartStep::ReadyMode:
     case StartStep::AutoMode: isDone = isWanted; break;
     case StartStep::Arm: isDone = aircraft.isArmed; break;
-    case StartStep::Begin: isDone = isSent && isFlying; break;
+    case StartStep::Begin:
+      isDone = isSent && isFlying;
+      // PX4 sets the mode before it arms: armed in the mode of before, it is somebody else's.
+      if (isSent && aircraft.isArmed && !isWanted && arming() == StartArming::Armed &&
+          has(aircraft.firmware, kArmsByMissionStart)) {
+        if (!sending.mayBeUnderWay(aircraft.nowMs)) return Status::TakenOver;
+        sending.askLater();
+      }
+      break;
     case StartStep::Confirm:
       if (!isFlying) {
         setState(State::Steps);
