@@ -286,3 +286,98 @@ TEST_CASE("late answers to many attempts on a line that loses are waited for as 
   CHECK_FALSE(transfer.isDue(kMode, later(kBeganMs, 4 * CommandTransfer::kNextAnswerMs - 1)));
   CHECK(transfer.isDue(kMode, later(kBeganMs, 4 * CommandTransfer::kNextAnswerMs)));
 }
+
+// Heartbeats
+
+TEST_CASE("a guarded command leaves right behind a heartbeat, and each attempt behind another one") {
+  CommandTransfer transfer = CommandTransfer();
+  uint16_t nowMs = kBeganMs;
+  transfer.next(true, nowMs);
+  CHECK_FALSE(transfer.lacksHeartbeat(nowMs));
+  transfer.guard();
+  CHECK(transfer.lacksHeartbeat(nowMs));
+  transfer.onHeartbeat(nowMs);
+  CHECK_FALSE(transfer.lacksHeartbeat(later(nowMs, 19)));
+  CHECK(transfer.lacksHeartbeat(later(nowMs, 20)));
+  transfer.onHeartbeat(nowMs);
+  CHECK_FALSE(transfer.mayBeUnderWay(nowMs));
+  transfer.sent(kMode, nowMs, 80);
+  CHECK(transfer.lacksHeartbeat(nowMs));
+  CHECK(transfer.mayBeUnderWay(later(nowMs, 380)));
+  CHECK_FALSE(transfer.mayBeUnderWay(later(nowMs, 416)));
+  CHECK((transfer.onTime(later(nowMs, 399)) == Status::Transferring));  // not before it has arrived
+  CHECK((transfer.state() == State::Sent));
+  CHECK((transfer.onTime(later(nowMs, 400)) == Status::Transferring));
+  CHECK((transfer.state() == State::Due));
+  CHECK(transfer.lacksHeartbeat(later(nowMs, 400)));
+}
+
+TEST_CASE("what has left stays under way behind the next command, and not for ever") {
+  CommandTransfer transfer = CommandTransfer();
+  transfer.next(true, kBeganMs);
+  transfer.guard();
+  transfer.onHeartbeat(kBeganMs);
+  transfer.sent(kMode, kBeganMs);
+  transfer.next(true, kBeganMs);
+  CHECK_FALSE(transfer.lacksHeartbeat(kBeganMs));
+  CHECK(transfer.mayBeUnderWay(later(kBeganMs, 100)));
+  transfer.onHeartbeat(later(kBeganMs, 1000));
+  for (uint16_t ms = 1000; ms < 9000; ms = static_cast<uint16_t>(ms + 100)) {
+    CHECK_FALSE(transfer.mayBeUnderWay(later(kBeganMs, ms)));
+  }
+}
+
+TEST_CASE("a heartbeat is asked for at once, or later, and again until it comes") {
+  CommandTransfer transfer = CommandTransfer();
+  transfer.next(true, kBeganMs);
+  CHECK_FALSE(transfer.isAskDue(kBeganMs, 100));
+  transfer.onHeartbeat(kBeganMs);
+  transfer.ask();
+  CHECK(transfer.isAskDue(kBeganMs, 100));
+  transfer.asked(kBeganMs);
+  transfer.ask();
+  CHECK_FALSE(transfer.isAskDue(later(kBeganMs, 99), 100));
+  CHECK(transfer.isAskDue(later(kBeganMs, 100), 100));
+  transfer.onHeartbeat(later(kBeganMs, 100));
+  CHECK_FALSE(transfer.isAskDue(later(kBeganMs, 300), 100));
+  transfer.askLater();
+  CHECK_FALSE(transfer.isAskDue(later(kBeganMs, 199), 100));
+  CHECK(transfer.isAskDue(later(kBeganMs, 200), 100));
+  transfer.next(true, kBeganMs);
+  CHECK_FALSE(transfer.isAskDue(later(kBeganMs, 200), 100));
+}
+
+TEST_CASE("an autopilot whose heartbeat does not come is given up after 75 requests") {
+  CommandTransfer transfer = CommandTransfer();
+  uint16_t nowMs = kBeganMs;
+  transfer.next(true, nowMs);
+  transfer.guard();
+  for (int n = 0; n < 75; ++n) {
+    transfer.ask();
+    CHECK((transfer.onTime(nowMs) == Status::Transferring));
+    transfer.asked(nowMs);
+    nowMs = later(nowMs, 100);
+  }
+  CommandTransfer heard = transfer;
+  CHECK((transfer.onTime(nowMs) == Status::NoAnswer));
+  CHECK(transfer.tries() == 0);
+  heard.onHeartbeat(nowMs);
+  heard.ask();
+  CHECK((heard.onTime(later(nowMs, 100)) == Status::Transferring));
+}
+
+TEST_CASE("the answer to a request for a heartbeat is not taken for one to another request") {
+  constexpr uint16_t kRequest = CommandTransfer::kRequestMessage;
+  CommandTransfer last = CommandTransfer();
+  last.next(true, kBeganMs);
+  last.ask();
+  last.asked(kBeganMs);
+  CHECK_FALSE(last.isAnswerToAsking(kMode, kBeganMs));
+  CommandTransfer transfer = CommandTransfer();
+  transfer.beginBehind(last);
+  transfer.sent(kRequest, kBeganMs);
+  CHECK(transfer.isAnswerToAsking(kRequest, kBeganMs));
+  CHECK_FALSE(transfer.isAnswerToAsking(kRequest, kBeganMs));
+  transfer.asked(kBeganMs);
+  CHECK_FALSE(transfer.isAnswerToAsking(kRequest, later(kBeganMs, 1500)));  // it was lost
+}

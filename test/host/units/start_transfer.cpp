@@ -76,6 +76,7 @@ struct Flight {
     aircraft.mode = mode;
     aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + 1000);
     ++aircraft.seconds;
+    sending.onHeartbeat(aircraft.nowMs);
     return start.onHeartbeat(aircraft, sending);
   }
   Status heartbeat() { return heartbeat(aircraft.isArmed, aircraft.mode); }
@@ -88,6 +89,9 @@ struct Flight {
   Status accepted() { return start.onAccepted(aircraft, sending); }
   Status refused(Status status = Status::CommandFailed) { return start.onRefused(status, aircraft, sending); }
   Status silent(Status status = Status::NoAnswer) { return start.onSilent(status, aircraft, sending); }
+
+  // True if it asks for a heartbeat.
+  bool asks() const { return sending.isAskDue(static_cast<uint16_t>(aircraft.nowMs + 100), 100); }
 
   bool isAt(StartStep step, State state = State::Steps) const { return start.step() == step && start.state() == state; }
 
@@ -106,12 +110,16 @@ struct Flight {
         case StartStep::FirstItem: REQUIRE((current(start.first()) == Status::Transferring)); break;
         case StartStep::ReadyMode:
         case StartStep::AutoMode:
-          REQUIRE((heartbeat(aircraft.isArmed, start.modeToSet(aircraft)) == Status::Transferring));
+          REQUIRE((heartbeat(aircraft.isArmed, start.modeToSet()) == Status::Transferring));
+          break;
+        case StartStep::Arm:
+          REQUIRE((accepted() == Status::Transferring));
+          REQUIRE((heartbeat(true, aircraft.mode) == Status::Transferring));
           break;
         default:
           REQUIRE((accepted() == Status::Transferring));
           aircraft.isArmed = true;
-          if (now == StartStep::Begin) aircraft.mode = aircraft.autoMode;
+          aircraft.mode = aircraft.autoMode;
           break;
       }
       REQUIRE(start.step() > now);
@@ -127,11 +135,12 @@ Flight px4() { return Flight(Firmware::Px4, kCopter); }
 // Has armed, was refused, and waits for a heartbeat.
 Flight leaving() {
   Flight flight = copter();
-  flight.goTo(StartStep::AutoMode);
-  flight.sent(Message::Mode);
+  flight.goTo(StartStep::Begin);
+  flight.sent(Message::Start);
   CHECK((flight.refused() == Status::Transferring));
   CHECK((flight.start.state() == State::Leaving));
   CHECK((flight.sending.state() == CommandTransfer::State::Listening));
+  CHECK(flight.asks());
   CHECK(flight.sending.tries() == 0);  // nothing can be answered
   return flight;
 }
@@ -246,10 +255,11 @@ TEST_CASE("each vehicle gets the steps that it needs, in their order") {
   const StartStep kReady = StartStep::ReadyMode, kItem = StartStep::FirstItem, kArm = StartStep::Arm,
                   kAuto = StartStep::AutoMode, kBegin = StartStep::Begin, kConfirm = StartStep::Confirm;
   const Vehicle vehicles[] = {
-      {Firmware::ArduPilot, kCopter, false, {kReady, kItem, kArm, kAuto, kBegin, kConfirm}},
-      {Firmware::ArduPilot, kRover, false, {kReady, kItem, kArm, kAuto, kBegin, kConfirm}},
-      {Firmware::ArduPilot, kPlane, false, {kItem, kArm, kAuto, kBegin, kConfirm}},
-      {Firmware::ArduPilot, kCopter, true, {kItem, kAuto, kBegin, kConfirm}},
+      {Firmware::ArduPilot, kCopter, false, {kReady, kItem, kArm, kBegin, kConfirm}},
+      {Firmware::ArduPilot, kRover, false, {kReady, kItem, kArm, kAuto, kConfirm}},
+      {Firmware::ArduPilot, kPlane, false, {kItem, kArm, kAuto, kConfirm}},
+      {Firmware::ArduPilot, kCopter, true, {kItem, kBegin, kConfirm}},
+      {Firmware::ArduPilot, kRover, true, {kItem, kAuto, kConfirm}},
       {Firmware::Px4, kCopter, false, {kItem, kBegin, kConfirm}},
       {Firmware::Px4, kCopter, true, {kItem, kBegin, kConfirm}},
   };
@@ -277,32 +287,59 @@ TEST_CASE("an aircraft that flies its mission already gets no command, and is on
   }
 }
 
-TEST_CASE("a copter is armed in GUIDED, a rover in MANUAL, and both fly in AUTO") {
-  for (Flight flight : {copter(), rover()}) {
-    const bool isCopter = flight.aircraft.vehicleType == kCopter;
-    flight.begin();
-    CHECK((flight.start.message() == Message::Mode));
-    CHECK(flight.start.modeToSet(flight.aircraft) == flight.number(isCopter ? FlightMode::Guided : FlightMode::Manual));
-    flight.goTo(StartStep::AutoMode);
-    CHECK((flight.start.message() == Message::Mode));
-    CHECK(flight.start.modeToSet(flight.aircraft) == flight.aircraft.autoMode);
-  }
+TEST_CASE("a copter is armed in GUIDED and begins by MISSION_START, a rover is armed in MANUAL and drives in AUTO") {
+  Flight flight = copter();
+  flight.begin();
+  CHECK((flight.start.message() == Message::Mode));
+  CHECK(flight.start.modeToSet() == flight.number(FlightMode::Guided));
+  flight.goTo(StartStep::Begin);
+  CHECK((flight.start.message() == Message::Start));
+
+  Flight other = rover();
+  other.begin();
+  CHECK((other.start.message() == Message::Mode));
+  CHECK(other.start.modeToSet() == other.number(FlightMode::Manual));
+  other.goTo(StartStep::AutoMode);
+  CHECK((other.start.message() == Message::Mode));
+  CHECK(other.start.modeToSet() == other.aircraft.autoMode);
 }
 
-TEST_CASE("a mode is set when a heartbeat shows it that comes after the command, and not by an answer") {
+TEST_CASE("a mode that is there already is not set, and no other order takes its place") {
+  Flight flight = copter();
+  flight.aircraft.mode = flight.number(FlightMode::Guided);
+  flight.begin();
+  CHECK(flight.isAt(StartStep::FirstItem));
+  Flight meanwhile = copter();
+  meanwhile.begin();
+  CHECK((meanwhile.heartbeat(false, meanwhile.number(FlightMode::Guided)) == Status::Transferring));
+  CHECK(meanwhile.isAt(StartStep::FirstItem));
+}
+
+TEST_CASE("a mode is set when a heartbeat shows it, which is asked for when the order was accepted") {
   for (StartStep step : {StartStep::ReadyMode, StartStep::AutoMode}) {
-    Flight flight = copter();
+    Flight flight = rover();
     flight.goTo(step);
-    const uint16_t mode = flight.start.modeToSet(flight.aircraft);
-    if (step == StartStep::ReadyMode) {
-      CHECK((flight.heartbeat(false, mode) == Status::Transferring));
-      CHECK(flight.isAt(step));
-    }
+    const uint16_t mode = flight.start.modeToSet();
+    CHECK(flight.sending.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)));
     flight.sent(Message::Mode);
     CHECK((flight.accepted() == Status::Transferring));
     CHECK(flight.isAt(step));
+    CHECK(flight.asks());
     CHECK((flight.heartbeat(step != StartStep::ReadyMode, mode) == Status::Transferring));
     CHECK(flight.start.step() > step);
+  }
+}
+
+TEST_CASE("each order that changes the mode or arms leaves behind a heartbeat, and no other message does") {
+  for (Flight flight : {copter(), rover(), px4()}) {
+    for (StartStep step : {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::AutoMode,
+                           StartStep::Begin, StartStep::Confirm}) {
+      if (flight.start.step() > step) continue;
+      flight.goTo(step);
+      if (flight.start.step() != step) continue;
+      const bool isOrder = step != StartStep::FirstItem && step != StartStep::Confirm;
+      CHECK(flight.sending.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)) == isOrder);
+    }
   }
 }
 
@@ -374,45 +411,70 @@ TEST_CASE("where the plan cannot be looked at, the item that ArduPilot names is 
   CHECK(flight.start.next() == 3);
 }
 
-TEST_CASE("arming is confirmed by the answer or by a heartbeat, once it was sent") {
-  for (bool isAnswered : {true, false}) {
+TEST_CASE("arming is confirmed by a heartbeat, which is asked for when it was accepted") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Arm);
+  flight.sent(Message::Arm);
+  CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Arm));
+  CHECK((flight.accepted() == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Arm));
+  CHECK(flight.asks());
+  CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Begin));
+  CHECK((flight.start.arming() == StartArming::Armed));
+}
+
+TEST_CASE("an aircraft that somebody else arms first was not armed by start()") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Arm);
+  CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));
+  CHECK(flight.isAt(StartStep::Begin));
+  CHECK((flight.start.arming() == StartArming::Untouched));
+}
+
+TEST_CASE("what somebody disarms ends start(), which says so") {
+  for (StartStep step : {StartStep::Begin, StartStep::Confirm}) {
     Flight flight = copter();
-    flight.goTo(StartStep::Arm);
-    CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));
-    CHECK(flight.isAt(StartStep::Arm));
-    flight.sent(Message::Arm);
-    CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
-    CHECK(flight.isAt(StartStep::Arm));
-    CHECK(((isAnswered ? flight.accepted() : flight.heartbeat(true, flight.aircraft.mode)) == Status::Transferring));
-    CHECK(flight.isAt(StartStep::AutoMode));
-    CHECK((flight.start.arming() == StartArming::Armed));
+    flight.goTo(step);
+    CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::NotArmed));
+    CHECK((flight.start.arming() == StartArming::Disarmed));
+  }
+  Flight before = copter();  // it was armed before start()
+  before.aircraft.isArmed = true;
+  before.begin();
+  CHECK((before.heartbeat(false, before.aircraft.mode) == Status::NotArmed));
+  CHECK((before.start.arming() == StartArming::Untouched));
+}
+
+TEST_CASE("the order that begins is answered, or a heartbeat shows what it does") {
+  for (Flight flight : {copter(), px4()}) {
+    flight.goTo(StartStep::Begin);
+    const bool isPx4 = flight.aircraft.firmware == Firmware::Px4;
+    Flight answered = flight;
+    if (isPx4) CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
+    flight.sent(Message::Start);
+    CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
+    CHECK(flight.isAt(StartStep::Confirm, State::Shown));
+    answered.sent(Message::Start);
+    CHECK((answered.accepted() == Status::Transferring));
+    CHECK(answered.isAt(StartStep::Confirm));
+    CHECK(answered.asks());
+    const CommandTransfer::State state = answered.sending.state();
+    CHECK((state == (isPx4 ? CommandTransfer::State::Listening : CommandTransfer::State::Due)));
   }
 }
 
-TEST_CASE("PX4 has begun when it answers, or when a heartbeat shows it; a copter only when it answers") {
-  Flight answered = px4();
-  answered.goTo(StartStep::Begin);
-  answered.sent(Message::Start);
-  CHECK((answered.heartbeat(false, answered.aircraft.autoMode) == Status::Transferring));
-  CHECK((answered.heartbeat(true, answered.aircraft.mode) == Status::Transferring));
-  CHECK(answered.isAt(StartStep::Confirm));
-  Flight other = px4();
-  other.goTo(StartStep::Begin);
-  CHECK((other.heartbeat(true, other.aircraft.autoMode) == Status::Transferring));  // before it was sent
-  CHECK(other.isAt(StartStep::Begin));
-  other.sent();
-  CHECK((other.accepted() == Status::Transferring));
-  CHECK(other.isAt(StartStep::Confirm));
-  CHECK((other.sending.state() == CommandTransfer::State::Listening));
-
-  Flight flight = copter();
+TEST_CASE("a PX4 that is armed in the mode of before is somebody else's, since it sets the mode before it arms") {
+  Flight flight = px4();
   flight.goTo(StartStep::Begin);
   flight.sent(Message::Start);
-  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Begin));
-  CHECK((flight.accepted() == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Confirm));
-  CHECK((flight.sending.state() == CommandTransfer::State::Due));
+  Flight other = flight;
+  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 800);
+  CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));  // the mode may follow
+  CHECK(flight.asks());
+  CHECK((other.heartbeat(true, other.aircraft.mode) == Status::TakenOver));
+  CHECK((other.start.arming() == StartArming::Armed));
 }
 
 // Confirm --> Shown --> Judging, JudgingNext --> the end
@@ -423,7 +485,8 @@ TEST_CASE("start() is done by a heartbeat and a MISSION_CURRENT, in either order
       Flight one = flight;
       one.goTo(StartStep::Confirm);
       const uint16_t first = one.start.next(), mode = one.aircraft.autoMode;
-      if (isHeartbeatFirst) {
+      const bool isShown = one.start.state() == State::Shown;  // a rover, by the heartbeat that shows AUTO
+      if (isHeartbeatFirst || isShown) {
         CHECK((one.heartbeat(true, mode) == Status::Transferring));
         CHECK(one.isAt(StartStep::Confirm, State::Shown));
         CHECK((one.current(first, false) == Status::Transferring));  // it says that nothing is flown
@@ -436,15 +499,6 @@ TEST_CASE("start() is done by a heartbeat and a MISSION_CURRENT, in either order
       CHECK((one.start.arming() == StartArming::Armed));
     }
   }
-}
-
-TEST_CASE("a heartbeat that shows it disarmed takes back what an earlier one has shown") {
-  Flight flight = copter();
-  flight.goTo(StartStep::Confirm);
-  flight.heartbeat(true, flight.aircraft.autoMode);
-  CHECK((flight.heartbeat(false, flight.aircraft.autoMode) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::Confirm));
-  CHECK((flight.current(1) == Status::Transferring));
 }
 
 TEST_CASE("PX4 may name each command on the way to the item that is flown first, and no other") {
@@ -553,8 +607,22 @@ TEST_CASE("a refusal before anything was armed is the end") {
   Flight flight = px4();
   flight.goTo(StartStep::Begin);
   flight.sent();
-  CHECK((flight.refused() == Status::CommandFailed));
+  CHECK((flight.refused() == Status::Transferring));  // its mode may have changed all the same
+  CHECK((flight.start.state() == State::Leaving));
+  CHECK(flight.asks());
+  Flight changed = flight;
+  CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::CommandFailed));
   CHECK((flight.start.arming() == StartArming::Untouched));
+
+  const uint16_t before = changed.aircraft.mode;
+  CHECK((changed.heartbeat(false, changed.aircraft.autoMode) == Status::Transferring));
+  CHECK((changed.start.state() == State::Restoring));
+  CHECK(changed.start.modeToSet() == before);
+  changed.sent(Message::Mode);
+  Flight refused = changed;
+  CHECK((changed.heartbeat(false, changed.aircraft.autoMode) == Status::Transferring));
+  CHECK((changed.heartbeat(false, before) == Status::CommandFailed));
+  CHECK((refused.refused(Status::CommandDenied) == Status::CommandFailed));
 }
 
 TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, leaves it in doubt") {
@@ -610,6 +678,7 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
     Flight silent = flight;
     silent.sent();
     CHECK(silent.isRepeated());
+    CHECK(silent.sending.lacksHeartbeat(silent.aircraft.nowMs));
   }
   flight.aircraft.seconds = static_cast<uint16_t>(began + StartTransfer::kAutoTriesS);
   flight.sent(Message::Mode);
@@ -707,15 +776,15 @@ TEST_CASE("without confirmation start() is unconfirmed while the mode is AUTO, a
 
 // Somebody else
 
-TEST_CASE("a mode that start() has not set is somebody else's, from the second step on") {
-  Flight ready = copter();
-  ready.goTo(StartStep::ReadyMode);
-  CHECK((ready.heartbeat(false, ready.other) == Status::Transferring));
-  for (StartStep step : {StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
-    Flight flight = copter();
-    flight.goTo(step);
-    flight.sent();
-    CHECK((flight.heartbeat(flight.aircraft.isArmed, flight.other) == Status::TakenOver));
+TEST_CASE("a mode that start() has not set is somebody else's, in every step") {
+  for (StartStep step :
+       {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
+    for (bool isSent : {false, true}) {
+      Flight flight = copter();
+      flight.goTo(step);
+      if (isSent) flight.sent();
+      CHECK((flight.heartbeat(flight.aircraft.isArmed, flight.other) == Status::TakenOver));
+    }
   }
 }
 
@@ -731,58 +800,57 @@ TEST_CASE("an arming that was not sent before somebody else took over has not ha
   CHECK((sent.start.arming() == StartArming::Armed));
 }
 
-TEST_CASE("while AUTO is asked for, another mode counts when two heartbeats show it") {
-  Flight flight = copter();
-  flight.goTo(StartStep::AutoMode);
-  CHECK((flight.heartbeat() == Status::Transferring));  // still the mode in which it was armed
-  flight.sent(Message::Mode);
-  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
-  Flight after = flight;
-  CHECK((after.heartbeat(true, after.aircraft.autoMode) == Status::Transferring));
-  CHECK(after.isAt(StartStep::Begin));
-  CHECK((flight.heartbeat(true, flight.other) == Status::TakenOver));
-
-  Flight unsent = copter();
-  unsent.goTo(StartStep::AutoMode);
-  CHECK((unsent.heartbeat(true, unsent.other) == Status::TakenOver));
+TEST_CASE("a mode that an order undoes is set again, and start() ends when a heartbeat shows it, or another one") {
+  for (StartStep step : {StartStep::ReadyMode, StartStep::AutoMode}) {
+    Flight flight = rover();
+    flight.goTo(step);
+    const bool isArmed = step == StartStep::AutoMode;
+    const uint16_t wanted = flight.start.modeToSet();
+    flight.sent(Message::Mode);
+    flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
+    CHECK((flight.heartbeat(isArmed, flight.other) == Status::Transferring));  // the order may still arrive
+    CHECK(flight.asks());
+    Flight stays = flight;
+    CHECK((stays.heartbeat(isArmed, stays.other) == Status::TakenOver));
+    CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));
+    CHECK((flight.start.state() == State::Restoring));
+    CHECK(flight.start.modeToSet() == flight.other);
+    CHECK_FALSE(flight.sending.lacksHeartbeat(flight.aircraft.nowMs));  // at once
+    flight.sent(Message::Mode);
+    CHECK((flight.accepted() == Status::Transferring));
+    CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));
+    Flight refused = flight, silent = flight, another = flight;
+    CHECK((flight.heartbeat(isArmed, flight.other) == Status::TakenOver));
+    CHECK((another.heartbeat(isArmed, another.number(FlightMode::Hold)) == Status::TakenOver));
+    CHECK((refused.refused() == Status::Overruled));
+    CHECK((silent.silent() == Status::Overruled));
+  }
 }
 
-TEST_CASE("AUTO that was set before start() asked for it does not count as seen") {
-  Flight flight = copter();
-  flight.aircraft.mode = flight.aircraft.autoMode;  // on the ground, disarmed
-  flight.begin();
-  flight.sent();
-  CHECK((flight.heartbeat() == Status::Transferring));
-  CHECK((flight.heartbeat(false, flight.number(FlightMode::Guided)) == Status::Transferring));
-  CHECK(flight.isAt(StartStep::FirstItem));
-  CHECK((flight.heartbeat() == Status::Transferring));
+TEST_CASE("a mode that a pilot sets while his first one is set again is set again, too") {
+  Flight flight = rover();
   flight.goTo(StartStep::AutoMode);
-  const uint16_t before = flight.aircraft.mode;
-  CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
-  CHECK((flight.heartbeat(true, before) == Status::Transferring));
-
-  Flight other = px4();
-  other.goTo(StartStep::FirstItem);
-  const uint16_t mode = other.aircraft.mode;
-  CHECK((other.heartbeat(false, other.aircraft.autoMode) == Status::Transferring));
-  CHECK((other.heartbeat(false, mode) == Status::Transferring));
-}
-
-TEST_CASE("a mode with the number of the first item is one that two heartbeats must show too") {
-  Flight flight(Firmware::ArduPilot, kCopter, std::vector<MissionItem>(9, fly()));
-  flight.goTo(StartStep::AutoMode, flight.other);
-  flight.sent();
-  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
+  const uint16_t second = flight.number(FlightMode::Hold);
+  for (uint16_t mode : {flight.other, second}) {
+    const uint16_t wanted = flight.start.modeToSet();
+    flight.sent(Message::Mode);
+    flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
+    CHECK((flight.heartbeat(true, mode) == Status::Transferring));
+    CHECK((flight.heartbeat(true, wanted) == Status::Transferring));
+    CHECK(flight.start.modeToSet() == mode);
+  }
+  CHECK((flight.heartbeat(true, second) == Status::TakenOver));
 }
 
 TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody else's too") {
-  Flight flight = copter();
+  Flight flight = rover();
   flight.goTo(StartStep::AutoMode);
   const uint16_t before = flight.aircraft.mode;
-  flight.goTo(StartStep::Begin);
+  CHECK((flight.heartbeat(true, before) == Status::Transferring));
+  flight.goTo(StartStep::Confirm);
   CHECK((flight.heartbeat(true, before) == Status::TakenOver));
 
-  Flight other = px4();  // AUTO has not been seen yet
+  Flight other = copter();  // AUTO has not been seen yet
   other.goTo(StartStep::Begin);
   other.sent();
   CHECK((other.heartbeat(true, other.aircraft.mode) == Status::Transferring));
