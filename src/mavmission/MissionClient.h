@@ -114,18 +114,23 @@ class MissionClient : private detail::Client {
   //
   // If a step after arming is refused, it disarms again, on the ground, never by force: the status stays the refusal,
   // and startArming() tells about the disarming. It does not disarm when somebody else has set another mode meanwhile
-  // (Status::TakenOver), nor after cancel(). A rover can be armed seconds before it accepts AUTO: on a rover AUTO is
+  // (Status::TakenOver), nor after cancel(). That mode stays: each order leaves right behind a heartbeat that shows no
+  // other one, and where an order was under way and undoes it, it is set again at once (Status::Overruled if the
+  // autopilot does not take it). Status::NotArmed when somebody has disarmed it meanwhile. A rover can be armed seconds before it accepts AUTO: on a rover AUTO is
   // tried for 15 s.
   Status start(uint16_t item = 0);
 
-  // Arms or disarms, as the autopilot's own checks allow.
+  // Arms or disarms, as the autopilot's own checks allow. Done when a heartbeat shows it, so isArmed() says the same.
   Status arm();
   Status disarm();
   // Sets the mode, by its name or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows
-  // the mode; Status::Unconfirmed when it was accepted and no heartbeat shows it.
+  // the mode, and nothing is sent if it is there already; Status::Unconfirmed when it was accepted and no heartbeat shows
+  // it. If somebody else has changed the mode since the last heartbeat, or does so meanwhile, that mode stays:
+  // Status::TakenOver, or Overruled as with start(). Who means it all the same calls it again.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);
-  // Makes an armed aircraft fly its mission from its current item on. Status::NotArmed if it is not armed.
+  // Makes an armed aircraft fly its mission from its current item on. Status::NotArmed if it is not armed; otherwise as
+  // setMode().
   Status startMission();
   // Makes this item, in the sketch's numbers, the current one: an aircraft that flies its mission goes there at once.
   // Status::NoSuchItem for a number that is not in the plan, where the plan is known; otherwise the autopilot refuses

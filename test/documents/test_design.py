@@ -93,6 +93,7 @@ STATES = {
     "writing a file": ("FileWriteTransfer.h", "State"),
     "clear": ("ClearTransfer.h", "State"),
     "command": ("CommandTransfer.h", "State"),
+    "order of a mode": ("ModeOrder.h", "Sight"),
     "start": ("Operations.h", "StartStep"),
     "phases of start": ("StartTransfer.h", "State"),
     "steering": ("Steering.h", "SteerStep"),

@@ -24,6 +24,7 @@ SUBJECTS = (
     Subject("ClearTransfer", ("clear_transfer",)),
     Subject("CommandTransfer", ("command_transfer",)),
     Subject("StartTransfer", ("start_transfer",)),
+    Subject("ModeOrder", ("mode_order",)),
     Subject("FrameParser", ("frame_parser",)),
     Subject("WirePlan", ("wire_plan",)),
     Subject("Comparison", ("comparison",)),
