@@ -116,16 +116,16 @@ class MissionClient : private detail::Client {
   // and startArming() tells about the disarming. It does not disarm when somebody else has set another mode meanwhile
   // (Status::TakenOver), nor after cancel(). That mode stays: each order leaves right behind a heartbeat that shows no
   // other one, and where an order was under way and undoes it, it is set again at once (Status::Overruled if the
-  // autopilot does not take it). Status::NotArmed when somebody has disarmed it meanwhile. A rover can be armed seconds before it accepts AUTO: on a rover AUTO is
-  // tried for 15 s.
+  // autopilot does not take it). Status::NotArmed when somebody has disarmed it meanwhile. A rover can be armed seconds
+  // before it accepts AUTO: on a rover AUTO is tried for 15 s.
   Status start(uint16_t item = 0);
 
   // Arms or disarms, as the autopilot's own checks allow. Done when a heartbeat shows it, so isArmed() says the same.
   Status arm();
   Status disarm();
   // Sets the mode, by its name or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows
-  // the mode, and nothing is sent if it is there already; Status::Unconfirmed when it was accepted and no heartbeat shows
-  // it. If somebody else has changed the mode since the last heartbeat, or does so meanwhile, that mode stays:
+  // the mode, and nothing is sent if it is there already; Status::Unconfirmed when it was accepted and no heartbeat
+  // shows it. If somebody else has changed the mode since the last heartbeat, or does so meanwhile, that mode stays:
   // Status::TakenOver, or Overruled as with start(). Who means it all the same calls it again.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);

@@ -265,7 +265,8 @@ def test_cancelled_anywhere_it_goes_no_further_and_another_start_flies(build_ser
 
 def said(service, *names: str) -> int:
     """How many of these messages have left, without what a follower asks for."""
-    return sum(not is_followers(entry.message) and not asks_for_heartbeat(entry.message) for entry in service.wire.frames(">", *names))
+    return sum(not is_followers(entry.message) and not asks_for_heartbeat(entry.message)
+               for entry in service.wire.frames(">", *names))  # fmt: skip
 
 
 def reaches(service, commands: int) -> bool:
