@@ -37,9 +37,9 @@ class Parameters : public detail::Listener {
   // Reads a parameter, which tells its type, and sets it if it has another value: Status::Done says that the autopilot
   // has confirmed this value. Status::OtherValue: it keeps another one, value(), because it limits the value or because
   // the parameter is read-only. Refused with Status::NotANumber and Status::NotFinite; with Status::NotKept if the
-  // parameter takes whole numbers only, or if the number has more digits than a float; and with Status::Armed while the
-  // autopilot is armed, unless MissionClient::allowWhileArmed() allows it. Many parameters take effect when the
-  // autopilot restarts.
+  // parameter takes whole numbers only, if its type does not reach as far (an INT8 has -128 to 127), or if the number
+  // has more digits than a float; and with Status::Armed while the autopilot is armed, unless
+  // MissionClient::allowWhileArmed() allows it. Many parameters take effect when the autopilot restarts.
   Status set(FlashText name, float value);
   // The same for a whole number, without a float in the sketch.
   Status setWhole(FlashText name, int32_t value);

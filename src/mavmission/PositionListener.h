@@ -28,10 +28,10 @@ class PositionListener : public TelemetryListener {
   LatLon place() const { return place_; }
 
   // Heights [mm], or kNoHeight. PX4 without a home sends the height above sea level as that above home, too: it is not
-  // known then.
+  // known then, nor where home is at 0.000 m above sea level (HomeListener tells).
   bool hasHeights() const { return aboveHomeMm() != kNoHeight; }
   int32_t aboveSeaLevelMm() const { return aboveSeaLevelMm_; }
-  int32_t aboveHomeMm() const { return aboveHomeMm_ == aboveSeaLevelMm_ ? kNoHeight : aboveHomeMm_; }
+  int32_t aboveHomeMm() const { return aboveHomeMm_; }
   // The height of home above sea level [mm], or kNoHeight.
   int32_t homeAboveSeaLevelMm() const;
   // The height above home as an altitude for a plan or a command. Only where aboveHomeMm() is known.
@@ -44,7 +44,8 @@ class PositionListener : public TelemetryListener {
   int16_t downCmS() const { return downCmS_; }
   uint16_t speedCmS() const;
 
-  // Where the nose points, from north, clockwise, -180 to 180 degrees: it may be given to a plan as a yaw.
+  // Where the nose points, from north, clockwise, -180 to 180 degrees: it may be given to a plan as a yaw. 0 while it
+  // is not known.
   bool hasHeading() const { return headingCdeg_ <= 36000; }
   Degrees heading() const;
   // The same from 0 to 35999, for printing [1/100 degree]; 65535: not known.

@@ -33,7 +33,7 @@ namespace mavmission {
   X(NoAutopilot, "no autopilot heard in the time allowed") \
   X(SeveralAutopilots, "several autopilots heard: name one with setTargetIds()") \
   X(SameIdsAsAutopilot, "our system and component id are the autopilot's own: it would ignore us") \
-  X(NeedsMavlink2, "refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1") \
+  X(NeedsMavlink2, "refused: this needs MAVLink 2, and the link speaks MAVLink 1") \
   X(Armed, "refused: the autopilot is armed")       /* allowWhileArmed() allows it */ \
   X(TooManyItems, "refused: more than 65535 items on the wire") \
   X(BadLatitude, "refused: a latitude beyond 90 degrees") \
@@ -79,7 +79,7 @@ namespace mavmission {
   /* commands: MAV_RESULT 1 to 4 and 7 to 10 in order, then any other result */ \
   X(CommandRejected, "the autopilot said: not now") \
   X(CommandDenied, "the autopilot said: denied (a parameter is not valid)") \
-  X(CommandUnsupported, "the autopilot said: command not supported") \
+  X(CommandUnsupported, "the autopilot does not support the command") \
   X(CommandFailed, "the autopilot said: failed") \
   X(CommandLongOnly, "the autopilot said: only as COMMAND_LONG") \
   X(CommandIntOnly, "the autopilot said: only as COMMAND_INT") \

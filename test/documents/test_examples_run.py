@@ -226,7 +226,7 @@ def test_fence_and_rally(run):
 @pytest.mark.slow
 def test_fence_and_rally_on_mavlink_1():
     example = Run("FenceAndRally", "ArduPilot", mavlink_version=1)
-    refused = "refused: fence and rally need MAVLink 2, and the link speaks MAVLink 1"
+    refused = "refused: this needs MAVLink 2, and the link speaks MAVLink 1"
     assert f"fence: {refused}" in example.until(f"fence: {refused}", 5.0)
     assert commands(example, FENCE) == [] and commands(example, RALLY) == []
 

@@ -142,9 +142,24 @@ bool isDropped(const RecordedItem& row, unsigned index) {
   return dropped.at(keyOf(row, index));
 }
 
+namespace {
+
+// True where ArduPilot drops a number that would change the flight.
+bool isMissed(const RecordedItem& row, unsigned index) {
+  switch (row.sent.command) {
+    case 178: return index == 3;   // DO_CHANGE_SPEED: a relative speed
+    case 207: return index == 1;   // DO_FENCE_ENABLE: which fences
+    case 3000: return index == 1;  // DO_VTOL_TRANSITION: at once
+    default: return false;
+  }
+}
+
+}  // namespace
+
 bool meansTheSame(const RecordedItem& row, unsigned index) {
   const double sent = numberOf(row.sent, index), read = numberOf(row.read, index);
-  if (sent == read || (std::isnan(sent) && std::isnan(read)) || isDropped(row, index)) return true;
+  if (sent == read || (std::isnan(sent) && std::isnan(read))) return true;
+  if (isDropped(row, index)) return row.isPx4() || !isMissed(row, index);
   const uint16_t command = row.sent.command;
   const bool isInCentimetres = std::fabs(read) <= std::fabs(sent) && std::fabs(sent - read) < 0.0101;
   const bool isASign = read == (std::signbit(sent) ? -1 : 1) && (!row.isPlane() || sent == 0);

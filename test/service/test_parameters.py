@@ -183,10 +183,20 @@ def test_zero_with_a_sign_is_zero(params, personality):
     assert of(params, WHOLE[personality]).value == 0
 
 
-def test_value_that_the_autopilot_limits_is_said():
+@pytest.mark.parametrize(("name", "number"), [("MIS_RESTART", 300), ("MIS_RESTART", -129), ("MIS_OPTIONS", 32768)])
+def test_number_that_the_type_does_not_reach_is_refused_before_anything_is_set(name, number):
     params = ParameterBench("ArduPilot")
-    assert params.set_whole("MIS_RESTART", 300) == "OtherValue"
-    assert params.value == (127.0, 127, True)
+    before = of(params, name).value
+    assert params.set_whole(name, number) == "NotKept"
+    assert params.set(name, number) == "NotKept"
+    assert sets(params) == [] and of(params, name).value == before
+
+
+@pytest.mark.parametrize(("name", "number"), [("MIS_RESTART", 127), ("MIS_RESTART", -128), ("MIS_OPTIONS", -32768)])
+def test_number_at_the_end_of_its_type_is_set(name, number):
+    params = ParameterBench("ArduPilot")
+    assert params.set_whole(name, number) == "Done"
+    assert of(params, name).value == number
 
 
 def test_parameter_that_is_read_only_keeps_its_value_and_it_is_said():

@@ -36,8 +36,8 @@ def alone():
     return Telemetry(None)
 
 
-def say(bench: Telemetry, message) -> None:
-    bench.say(mavlink.MAVLink_heartbeat_message(2, 3, 81, 0, 3, 3), (1, 1))
+def say(bench: Telemetry, message, autopilot: int = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA) -> None:
+    bench.say(mavlink.MAVLink_heartbeat_message(2, autopilot, 81, 0, 3, 3), (1, 1))
     bench.say(message, (1, 1))
     bench.run(0.05)
 
@@ -141,7 +141,7 @@ def test_position_before_the_first_fix_is_no_place(alone):
 
 
 def test_height_above_home_is_not_known_where_px4_has_no_home(alone):
-    say(alone, position(alt=489_500, relative_alt=489_500))
+    say(alone, position(alt=489_500, relative_alt=489_500), mavlink.MAV_AUTOPILOT_PX4)
     told = alone.told("position")
     assert (told["hasheights"], told["above"], told["homesea"]) == (0, NO_HEIGHT, NO_HEIGHT)
     assert told["sea"] == 489_500

@@ -20,6 +20,7 @@ KINDS = {
     "NoYaw": "– (yaw)",
     "Sign": "sign",
     "Special": "*",
+    "Zero": "0",
     "Centimetres": "cm",
     "U1": "0, 1",
     "U8": "to 255",

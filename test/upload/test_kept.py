@@ -22,6 +22,8 @@ COMES_ABOARD = [
     ("ArduPilot", "copter", item(LOITER_TURNS, param1=0.25, param3=-2550.0, **PLACE),
      {"param1": 0.25, "param3": -2550.0}),
     ("ArduPilot", "copter", waypoint(z=f32(28.6)), {"z": f32(28.5999985)}),
+    ("ArduPilot", "copter", item(207, param1=1.0, param2=-0.0), {"param1": 1.0, "param2": 0.0}),
+    ("PX4", "copter", item(178, param1=1.0, param2=5.0, param3=-1.0, param4=1.0), {"param4": 1.0}),
     ("ArduPilot", "plane", waypoint(param1=7.0, param2=30.0, param3=20.0),
      {"param1": 0.0, "param2": 30.0, "param3": 20.0}),
     ("ArduPilot", "rover", waypoint(param1=7.0, param2=30.0, param3=20.0),
@@ -36,6 +38,9 @@ REFUSED = [
     ("ArduPilot", "plane", waypoint(param2=300.0), "NotKept", "Param2"),
     ("ArduPilot", "plane", item(82, **PLACE), "NotFlown", "None"),
     ("ArduPilot", "plane", item(LOITER_TIME, param1=5.0, param3=50.0, **PLACE), "NotKept", "Param3"),
+    ("ArduPilot", "copter", item(207, param1=1.0, param2=2.0), "NotKept", "Param2"),  # DO_FENCE_ENABLE: which fences
+    ("ArduPilot", "copter", item(178, param1=1.0, param2=5.0, param4=1.0), "NotKept", "Param4"),  # a relative speed
+    ("ArduPilot", "plane", item(3000, param1=4.0, param2=1.0), "NotKept", "Param2"),  # DO_VTOL_TRANSITION, at once
     ("PX4", "copter", waypoint(param4=361.0), "NotKept", "Param4"),
     ("PX4", "copter", jump(1, -2), "NotKept", "Param2"),
 ]

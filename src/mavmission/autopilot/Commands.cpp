@@ -124,7 +124,7 @@ const Row kRows[] PROGMEM = {
     row(114, K, D, D, D, InArduPilot::None, InPx4::Command),                      // CONDITION_DISTANCE
     row(115, K, K, I8, U8, InArduPilot::None, InPx4::NotTaken),                   // CONDITION_YAW
     row(177, U16, I16, D, D, InArduPilot::None, InPx4::Jump),                     // DO_JUMP
-    row(178, U8, K, K, D, InArduPilot::None, InPx4::Command),                     // DO_CHANGE_SPEED
+    row(178, U8, K, K, Zero, InArduPilot::None, InPx4::Command),                  // DO_CHANGE_SPEED
     row(179, U16, D, D, D, InArduPilot::Place, InPx4::Command),                   // DO_SET_HOME
     row(181, U8, U8, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_SET_RELAY
     row(182, U8, I16, K, D, InArduPilot::None, InPx4::NotTaken),                  // DO_REPEAT_RELAY
@@ -146,7 +146,7 @@ const Row kRows[] PROGMEM = {
     row(204, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_MOUNT_CONFIGURE
     row(205, K, K, K, D, InArduPilot::Mount, InPx4::Command),                     // DO_MOUNT_CONTROL
     row(206, K, D, U8, D, InArduPilot::None, InPx4::Command),                     // DO_SET_CAM_TRIGG_DIST
-    row(207, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_FENCE_ENABLE
+    row(207, U16, Zero, D, D, InArduPilot::None, InPx4::NotTaken),                // DO_FENCE_ENABLE
     row(208, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_PARACHUTE
     row(210, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_INVERTED_FLIGHT
     row(211, U8, U8, D, D, InArduPilot::None, InPx4::Command),                    // DO_GRIPPER
@@ -174,7 +174,7 @@ const Row kRows[] PROGMEM = {
     row(2003, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                 // DO_TRIGGER_CONTROL
     row(2500, U8, D, D, D, InArduPilot::None, InPx4::Command),                    // VIDEO_START_CAPTURE
     row(2501, U8, D, D, D, InArduPilot::None, InPx4::Command),                    // VIDEO_STOP_CAPTURE
-    row(3000, U8, D, D, D, InArduPilot::None, InPx4::Command),                    // DO_VTOL_TRANSITION
+    row(3000, U8, Zero, D, D, InArduPilot::None, InPx4::Command),                 // DO_VTOL_TRANSITION
     row(4501, K, K, K, K, InArduPilot::NotTaken, InPx4::Place),                   // CONDITION_GATE
     row(5000, D, D, D, D, InArduPilot::Fence, InPx4::Place),                      // NAV_FENCE_RETURN_POINT
     row(5001, U8, D, D, D, InArduPilot::Fence, InPx4::Corner),                    // NAV_FENCE_POLYGON_VERTEX_INCLUSION

@@ -23,6 +23,7 @@ enum Kind : uint8_t {
   Sign = 4,       // -1 for a negative number, else 1
   MountMode = 4,  // z: always reads back as 2
   Special = 5,    // param1: turns, the radius of a fence, the mode of a region of interest; param3: the radius of turns
+  Zero = 5,       // param2, param4: dropped although another number than 0 would change the flight
   Centimetres = 6,  // 0 to 655.35, kept in whole hundredths, as an altitude is
   U1 = 7,           // 0 and 1; this and all kinds below keep whole numbers only
   U8 = 8,

@@ -29,7 +29,9 @@ const Limit kLimits[] PROGMEM = {
     {180, 180},      // To180
     {90, 90},        // To90
     {360, 180},      // To360
+    {0, 0},          // kOnlyZero
 };
+constexpr uint8_t kOnlyZero = To360 + 1;
 
 // param1 to param4, x, y and z lie one after the other, four bytes each.
 constexpr uint8_t kParam3 = 2, kYaw = 3, kX = 4, kY = 5, kZ = 6;
@@ -133,6 +135,8 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
     if (!is) makeTurn(&kept);
     return true;
   }
+  static_assert(Zero == Special, "a Zero is told from a Special by its field");
+  if (kind == Zero && (field & 1) != 0) kind = kOnlyZero;  // param2 or param4
   const int32_t whole = wholeNumber(magnitude.number);
   if (kind >= U1) {
     const uint16_t* limit = &kLimits[kind - U1].positive;

@@ -118,7 +118,9 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
   const bool isInt32 = whole(value, found);
   switch (kind) {
     case Sign: return (bits & 0x80000000) != 0 ? -1 : 1;
-    case Special: return keptSpecial(value, field == ItemField::Param3, keeper);
+    case Special:
+      if (field == ItemField::Param2 || field == ItemField::Param4) return 0;  // Zero
+      return keptSpecial(value, field == ItemField::Param3, keeper);
     case Centimetres: return keptHundredths(value);
     case U1:
       if (item.command == 223 && field == ItemField::Param4)

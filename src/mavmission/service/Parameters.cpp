@@ -23,6 +23,19 @@ static_assert(sizeof(mavlink_param_request_read_t) == MAVLINK_MSG_ID_PARAM_REQUE
 static_assert(sizeof(mavlink_param_set_t::param_id) == Parameters::kMostCharacters,
               "Parameters says how long a name may be");
 
+// Whether a type of whole numbers has this number. What has more than 32 bits has each.
+bool isWithin(uint8_t type, int32_t number) {
+  switch (type) {
+    case MAV_PARAM_TYPE_UINT8: return number >= 0 && number <= 0xFF;
+    case MAV_PARAM_TYPE_INT8: return number >= INT8_MIN && number <= INT8_MAX;
+    case MAV_PARAM_TYPE_UINT16: return number >= 0 && number <= 0xFFFF;
+    case MAV_PARAM_TYPE_INT16: return number >= INT16_MIN && number <= INT16_MAX;
+    case MAV_PARAM_TYPE_UINT32:
+    case MAV_PARAM_TYPE_UINT64: return number >= 0;
+    default: return true;
+  }
+}
+
 // Whether the type has whole numbers only.
 bool isWholeType(uint8_t type) { return type < MAV_PARAM_TYPE_REAL32; }
 
@@ -174,6 +187,7 @@ bool Parameters::makeBits() {
     if (!isWholeType(type_)) return true;
     number = timesWhole(wanted_, 1);
   }
+  if (!isWithin(type_, number)) return false;
   const int32_t asFloat = bitsOf(quotient(number, 1));
   if (what_ == Wanted::Float) {
     if (asFloat != wanted_) return false;

@@ -1,5 +1,6 @@
 #include "../PositionListener.h"
 
+#include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "TelemetryKeys.h"
 
@@ -20,7 +21,9 @@ bool PositionListener::decode(TelemetryListener& listener, const FrameParser& fr
   frame.copyPayload(&message, sizeof(message));
   self.place_ = LatLon{Degrees::fromE7(message.lat), Degrees::fromE7(message.lon)};
   self.aboveSeaLevelMm_ = message.alt;
-  self.aboveHomeMm_ = message.relative_alt;
+  // No home: PX4 then gives both heights alike, and ArduPilot, which does not know where it is, gives zeros.
+  const bool mayBeNone = has(self.client_.firmware(), kAltitudesAreAboveSea) || !self.hasPlace();
+  self.aboveHomeMm_ = mayBeNone && message.relative_alt == message.alt ? kNoHeight : message.relative_alt;
   self.northCmS_ = message.vx;
   self.eastCmS_ = message.vy;
   self.downCmS_ = message.vz;
@@ -47,6 +50,7 @@ uint16_t PositionListener::speedCmS() const {
 }
 
 Degrees PositionListener::heading() const {
+  if (!hasHeading()) return Degrees();
   const int32_t cdeg = headingCdeg_ > 18000 ? int32_t{headingCdeg_} - 36000 : headingCdeg_;
   return Degrees::fromE7(cdeg * 100000);
 }

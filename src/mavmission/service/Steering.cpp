@@ -94,7 +94,8 @@ bool Steering::hasArrived(uint16_t withinCm) const {
   if (!target_.hasPlace) return target_.above != Above::Nothing;
   const LatLon edge = moved(target_.at, withinCm, withinCm);
   return isNear(here_.latitude.e7(), target_.at.latitude.e7(), (edge.latitude - target_.at.latitude).e7()) &&
-         isNear(here_.longitude.e7(), target_.at.longitude.e7(), (edge.longitude - target_.at.longitude).e7());
+         isNearInLongitude(here_.longitude.e7(), target_.at.longitude.e7(),
+                           (edge.longitude - target_.at.longitude).e7());
 }
 
 // --- What is heard
@@ -150,7 +151,7 @@ void Steering::takeTarget(const FrameParser& frame) {
   const bool isHeight =
       !has(client_.firmware(), kAltitudesAreAboveSea) || isNear(centimetres(altitude), wanted_.heightCm, kSameCm);
   isTargetSame_ = isHeight && isNear(latitude, wanted_.at.latitude.e7(), kSameE7) &&
-                  isNear(longitude, wanted_.at.longitude.e7(), kSameE7);
+                  isNearInLongitude(longitude, wanted_.at.longitude.e7(), kSameE7);
 }
 
 }  // namespace mavmission

@@ -17,8 +17,17 @@ inline int32_t centimetres(float metres) {
 }
 
 inline bool isNear(int32_t a, int32_t b, int32_t within) {
-  const int32_t apart = a - b;
-  return apart <= within && apart >= -within;
+  // In 32 bits without a sign, which do not overflow: places may be 360 degrees apart.
+  const uint32_t most = static_cast<uint32_t>(within);
+  return static_cast<uint32_t>(a) - static_cast<uint32_t>(b) + most <= 2 * most;
+}
+
+// The same for longitudes [1e-7 deg]: 180 degrees west is 180 degrees east.
+inline bool isNearInLongitude(int32_t a, int32_t b, int32_t within) {
+  constexpr uint32_t kTurn = 3600000000u;
+  const uint32_t most = static_cast<uint32_t>(within);
+  const uint32_t apart = static_cast<uint32_t>(a) - static_cast<uint32_t>(b) + most;
+  return apart <= 2 * most || apart - kTurn <= 2 * most || apart + kTurn <= 2 * most;
 }
 
 // PX4's mode while it takes off, in the numbers of modeNumber(); it goes over to HOLD by itself.

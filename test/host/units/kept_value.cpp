@@ -102,6 +102,10 @@ TEST_CASE("what becomes of numbers at the limits of an integer, of a range and o
       {kCopter, 18, 2, 259, 250},
       {kCopter, 18, 2, -265, -260},
       {kCopter, 18, 2, 5000, 2550},
+      // What is dropped, and would change the flight.
+      {kCopter, 178, 3, 1, 0},
+      {kCopter, 207, 1, 2, 0},
+      {kCopter, 3000, 1, 1, 0},
       // 0 or 1.
       {kCopter, 18, 3, 0.5f, 1},
       {kCopter, 18, 3, -0.5f, 0},

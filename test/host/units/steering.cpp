@@ -47,6 +47,18 @@ struct Flight : ClientOnLine {
         77, {static_cast<uint8_t>(command), static_cast<uint8_t>(command >> 8), result, 0, 0, 0, 0, 0, 1, 191}, 143));
   }
 
+  // Its position, of which the test is the GPS.
+  void stand(const LatLon& place, int32_t aboveHomeMm) {
+    mavlink_global_position_int_t message = mavlink_global_position_int_t();
+    message.lat = place.latitude.e7();
+    message.lon = place.longitude.e7();
+    message.relative_alt = aboveHomeMm;
+    Bytes payload(sizeof(message));
+    memcpy(payload.data(), &message, sizeof(message));
+    hear(FrameParts(33, payload, 104));
+    run(10);
+  }
+
   // What an order ends with, and whether anything but a heartbeat has left by then.
   Status refusal() {
     ended = Status::Idle;
@@ -151,6 +163,37 @@ TEST_CASE("a place is confirmed by an answer and by a heartbeat that comes behin
   CHECK((flight.ended == Status::Done));
   CHECK(flight.steering.maySteer());
   CHECK_FALSE(flight.steering.hasArrived());
+}
+
+TEST_CASE("an aircraft arrives across the antimeridian, and nowhere else") {
+  const LatLon east = {-16_deg, 179.9999995_deg}, west = {-16_deg, -179.9999995_deg};
+  const struct {
+    LatLon target, here;
+    bool hasArrived;
+  } kCases[] = {
+      {east, west, true},
+      {west, east, true},
+      {east, east, true},
+      {east, {-16_deg, -179.999_deg}, false},
+      {east, {-16_deg, -34.4_deg}, false},  // 214.4 degrees: beyond 2^31 steps
+      {west, {-16_deg, 34.4_deg}, false},
+      {{-16_deg, 179_deg}, {-16_deg, -70.5_deg}, false},
+  };
+  for (const auto& one : kCases) {
+    CAPTURE(one.here.longitude.e7());
+    Flight flight;
+    flight.fly(kAuto);
+    flight.steering.goTo(one.target, 20_m);
+    REQUIRE(flight.runUntilSent(kCommandLong, 100));
+    flight.answer(511, 0);
+    REQUIRE(flight.runUntilSent(kCommandInt, 100));
+    flight.answer(192, 0);
+    flight.run(10);
+    flight.fly(kGuided);
+    REQUIRE((flight.ended == Status::Done));
+    flight.stand(one.here, 20000);
+    CHECK(flight.steering.hasArrived() == one.hasArrived);
+  }
 }
 
 TEST_CASE("no heartbeat in the mode leaves an accepted place unconfirmed after 7.5 s") {
