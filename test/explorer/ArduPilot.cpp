@@ -42,7 +42,7 @@ void hearCount(Autopilot& autopilot, uint16_t count, Answers& answers) {
   cut(autopilot, count);
   if (count == 0) return complete(autopilot, answers);
   autopilot.state = Autopilot::State::Receiving;
-  autopilot.count = static_cast<uint8_t>(count);
+  autopilot.count = count;
   autopilot.givesUpInMs = kGivesUpMs;
   ask(autopilot, answers);
 }

@@ -42,13 +42,13 @@ void Autopilot::reboot() {
   bootsInMs = kBootMs;
 }
 
-void Autopilot::hold(uint8_t plan, uint8_t items) {
+void Autopilot::hold(uint8_t plan, uint16_t items) {
   uint8_t* to = held;
   if (firmware != Firmwares::Px4 && items != 0) *to++ = kHome;
-  for (uint8_t i = 0; i < items; ++i) {
+  for (uint16_t i = 0; i < items; ++i) {
     *to++ = itemOf(plan, i);
     heldSum = checksummed(heldSum, itemOf(plan, i));
   }
-  heldCount = static_cast<uint8_t>(to - held);
+  heldCount = static_cast<uint16_t>(to - held);
   if (firmware != Firmwares::Px4) heldSum = 0;
 }

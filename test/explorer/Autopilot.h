@@ -6,7 +6,6 @@
 
 #include "Message.h"
 
-constexpr uint8_t kMostHeld = 8;
 constexpr uint16_t kNever = 0xFFFF;
 
 // What a model sends in answer to one message or at one moment.
@@ -24,14 +23,14 @@ struct Autopilot {
 
   Firmwares firmware;
   State state;
-  uint8_t expected;  // the item that it waits for, or will be asked for
-  uint8_t count;     // items of the transfer
-  uint8_t heldCount;
+  uint16_t expected;  // the item that it waits for, or will be asked for
+  uint16_t count;     // items of the transfer
+  uint16_t heldCount;
   uint8_t held[kMostHeld];    // the plan aboard
   uint8_t staged[kMostHeld];  // PX4: the plan that is being received
   uint8_t hasPartner;         // PX4: knows with whom it transfers or has transferred
   uint8_t isUploadOpen;       // PX4: outlives the state in some corners, and then bars COUNT
-  uint8_t refused;            // ArduPilot: the item that it does not take; 0: none
+  uint16_t refused;           // ArduPilot: the item that it does not take; 0: none
   uint16_t asksInMs;
   uint16_t givesUpInMs;
   uint16_t acceptsInMs;  // LateArduPilot: the final ACK is under way in itself
@@ -48,7 +47,7 @@ struct Autopilot {
   void act(Answers& answers);
   // Forgets every transfer, keeps the plan.
   void reboot();
-  void hold(uint8_t plan, uint8_t count);
+  void hold(uint8_t plan, uint16_t count);
 };
 static_assert(std::has_unique_object_representations<Autopilot>::value, "folded by its bytes");
 

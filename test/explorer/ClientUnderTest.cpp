@@ -19,7 +19,9 @@ namespace {
 // It is always this moment between two steps, so that each wait crosses the wrap of millis(), in 16 bits and in 32.
 constexpr uint32_t kNowMs = 0xFFFFFFFC;
 constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
-constexpr uint8_t kFrameMs = 8;   // for which a frame keeps the line busy
+// For which a frame keeps the line busy: repeats are five times as far apart. On a quicker line there are more of them,
+// and nothing else.
+constexpr uint8_t kFrameMs = 80;
 constexpr int kQuietUpdates = 3;  // a client that does nothing in so many has come to rest: items are got ready in two
 constexpr int kMostUpdates = 40;  // in one step; a client that sends in each of them would never stop
 
@@ -363,10 +365,18 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     UploadTransfer& t = c.transfer_;
     keep(t.sentMs_, ms, UploadTransfer::kRepeatMs);
     keep(t.progressMs_, ms, UploadTransfer::kConfirmingMs);
+    // Whether an INVALID_SEQUENCE may be the answer to an earlier item. (Times are not measured here.)
+    t.isAgain_ = false;
+    if (t.state_ == UploadTransfer::State::Sending && t.firmware_ == Firmware::ArduPilot) {
+      keep(t.startedMs_, ms, Referee::kLastAnswerMs);
+    } else {
+      t.startedMs_ = kNow;
+    }
     foldTries(t.tries_, 0);
     if (t.state_ == UploadTransfer::State::Sending) t.tries_ = std::min<uint8_t>(t.tries_, 2);
   } else if (isReading(c)) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
+    c.reading_.transfer.startedMs_ = kNow;
     foldTries(c.reading_.transfer.tries_, isHasty ? Pace::kLossyTries : 0);
   } else {
     keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);

@@ -13,6 +13,13 @@ enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4 };
 // File and FileReply: a request of MAVLink FTP and its answer, see FileWords.h.
 enum class Kind : uint8_t { Heartbeat, Count, Request, Item, Ack, List, ClearAll, File, FileReply };
 
+// Of a plan on the wire, home included. (A program that follows longer plans is compiled with its own number.)
+#ifdef MOST_HELD
+constexpr uint16_t kMostHeld = MOST_HELD;
+#else
+constexpr uint16_t kMostHeld = 8;
+#endif
+
 // MAV_MISSION_RESULT, as far as it occurs.
 enum Result : uint8_t {
   kAccepted = 0,

@@ -41,7 +41,7 @@ const MissionItem* sketchPlan(uint8_t plan) {
   static MissionItem plans[3][kMostItems];
   static const bool filled = [] {
     for (uint8_t which = 0; which < 3; ++which) {
-      for (uint8_t i = 0; i < kMostItems; ++i) {
+      for (uint16_t i = 0; i < kMostItems; ++i) {
         plans[which][i] = waypoint(Degrees::fromE7(latitudeOf(itemOf(which, i))), Degrees::fromE7(kLongitudeE7), 20_m);
       }
     }

@@ -10,8 +10,9 @@
 // Items of plan `plan` (0: aboard from before; 1, 2: uploaded) are 16 * plan + 1, + 2, ... Home is ArduPilot's item 0.
 constexpr uint8_t kHome = 0x0F;
 constexpr uint8_t kNoItemAtAll = 0;
-constexpr uint8_t kMostItems = 7;
-constexpr uint8_t itemOf(uint8_t plan, uint8_t index) { return static_cast<uint8_t>(16 * plan + 1 + index); }
+constexpr uint16_t kMostItems = kMostHeld - 1;
+// In a longer plan every 14th item is the same: a plan that is shifted by a few items differs all the same.
+constexpr uint8_t itemOf(uint8_t plan, uint16_t index) { return static_cast<uint8_t>(16 * plan + 1 + index % 14); }
 
 // The items as a sketch writes them.
 const mavmission::MissionItem* sketchPlan(uint8_t plan);

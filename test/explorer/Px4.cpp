@@ -25,7 +25,7 @@ void goIdle(Autopilot& autopilot) {
   autopilot.asksInMs = autopilot.givesUpInMs = kNever;
 }
 
-void hold(Autopilot& autopilot, const uint8_t* items, uint8_t count, uint32_t sum) {
+void hold(Autopilot& autopilot, const uint8_t* items, uint16_t count, uint32_t sum) {
   memset(autopilot.held, 0, sizeof(autopilot.held));
   memcpy(autopilot.held, items, count);
   autopilot.heldCount = count;
@@ -49,7 +49,7 @@ void hearCount(Autopilot& autopilot, uint16_t count, Answers& answers) {
   autopilot.isUploadOpen = true;
   autopilot.state = State::Receiving;
   autopilot.expected = 0;
-  autopilot.count = static_cast<uint8_t>(count);
+  autopilot.count = count;
   memset(autopilot.staged, 0, sizeof(autopilot.staged));
   autopilot.givesUpInMs = kGivesUpMs;
   ask(autopilot, answers);

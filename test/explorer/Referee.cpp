@@ -58,6 +58,7 @@ void Referee::goOnByItems(bool isProof) {
 void Referee::pass(uint16_t ms) {
   if (!isRunning) return;
   sinceSentMs = static_cast<uint16_t>(std::min<int>(sinceSentMs + ms, kAnswerMs));
+  sinceFirstMs = static_cast<uint16_t>(std::min<int>(sinceFirstMs + ms, kLastAnswerMs));
   if (asked != 0 || counts != 0) sinceNewMs = static_cast<uint16_t>(std::min<int>(sinceNewMs + ms, kConfirmingMs));
 }
 
@@ -137,20 +138,22 @@ const char* Referee::sentInUpload(const Message& message) {
       if (message.item != meant) return "an item is sent that is not the plan's";
       const uint8_t bit = static_cast<uint8_t>(1u << message.number);
       const bool isLast = message.number + 1 == items;
-      if (isPresumed && message.number == asked) {
-        open = static_cast<uint8_t>(open | 1u << asked++);
+      if (isPresumed && message.number == current) {
+        open = static_cast<uint8_t>(open | bit);
+        asked = std::max(asked, ++current);
         sinceNewMs = 0;
         copies = isPresumed = 0;
       }
-      const bool isConfirming = isLast && isLastSent;
+      const bool isConfirming = isLastSent;
       if ((open & bit) == 0) {
-        if (message.number + 1 != asked) return "an item is sent that was not asked for";
+        if (message.number + 1 != current) return "an item is sent that was not asked for";
         if (!isConfirming && !isHurried) return "an item is sent that was not asked for";
         if (sinceSentMs < againMs(kAnswerMs)) return "the last item is repeated too early";
         if (isConfirming && sinceNewMs >= kConfirmingMs) return "the last item is repeated too late";
       }
       open = static_cast<uint8_t>(open & ~bit);
       sentItem = static_cast<uint8_t>(message.number + 1);
+      if (copies == 0) sinceFirstMs = 0;
       if (copies < 2) ++copies;
       if (isLast) isLastSent = true;
       return nullptr;
@@ -162,7 +165,7 @@ const char* Referee::sentInUpload(const Message& message) {
       if (hasFreed && sinceSentMs < kAnswerMs) return "an older transfer is cancelled again too early";
       if (!hasFreed) counts = 0;  // as many tries again: PX4 gives it up by itself 5 s after it has heard something
       hasFreed = kJustNow;
-      asked = open = sentItem = isLastSent = copies = 0;
+      asked = current = heardLast = open = sentItem = isLastSent = copies = 0;
       return nullptr;
 
     case Kind::Heartbeat:
@@ -216,24 +219,24 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       if (!isUpload() || isReading || counts == 0) return;
       if (message.number >= items && isLastSent && isPx4(firmware)) mayFree = true;
       if (message.number >= items || message.number > asked) return;
-      if (message.number == asked) {
-        ++asked;
+      if (message.number + 1 < heardLast && sinceNewMs < kLateRequestMs) return;
+      heardLast = static_cast<uint8_t>(message.number + 1);
+      if (message.number + 1 != current) {
+        current = static_cast<uint8_t>(message.number + 1);
+        asked = std::max(asked, current);
         sinceNewMs = 0;
-        copies = 0;
-        isOnly = true;
-        isPresumed = false;
+        copies = isPresumed = 0;
       } else if (message.number + 1 == sentItem && sinceSentMs < kSameRequestMs) {
-        return;  // a queue that is being emptied: answered already
+        return;  // answered already
       }
-      if (message.number + 1 != asked) isOnly = false;
       open = static_cast<uint8_t>(open | 1u << message.number);
       return;
 
     case Kind::Ack:
       heardAcks = static_cast<uint16_t>(heardAcks | 1u << message.number);
-      // What was sent twice since it was asked for, and nothing else: it is there.
-      if (isUpload() && !isReading && !isPx4(firmware) && message.number == kInvalidSequence && isOnly && copies == 2 &&
-          asked < items) {
+      // What was sent twice since it was asked for, so long ago that this is no answer to anything before: it is there.
+      if (isUpload() && !isReading && !isPx4(firmware) && message.number == kInvalidSequence && copies == 2 &&
+          sinceFirstMs == kLastAnswerMs && current != 0 && current < items) {
         isPresumed = true;
       }
       if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;

@@ -33,20 +33,29 @@ struct Task {
 struct Referee {
   static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kCountingMs = 7500,
-                            kConfirmingMs = 9000, kSameRequestMs = 50;
+                            kConfirmingMs = 9000;
   // From a message to its repeat on a line that has been seen to lose.
-  static constexpr uint16_t kHurriedMs = 2 * 200;
+  static constexpr uint16_t kHurriedMs = 5 * 80;
+  // A round trip: a request that is repeated sooner was sent before its answer arrived.
+  static constexpr uint16_t kSameRequestMs = 200;
+  // An autopilot that asks for an older item so long behind a newer one has begun again.
+  static constexpr uint16_t kLateRequestMs = 500;
+  // From the first sending of an item to the last answer to what was sent before.
+  static constexpr uint16_t kLastAnswerMs = 250;
 
   Task task;
   uint8_t items;  // of the plan on the wire
   uint8_t isRunning;
   mavmission::Status ended;
-  uint8_t counts;    // COUNTs in a row, since an older transfer was cancelled first
-  uint8_t asked;     // items asked for, in their order
-  uint8_t open;      // bit i: item i was asked for, and has not been sent since
-  uint8_t sentItem;  // the item sent last, one more
-  uint8_t isLastSent;
-  uint8_t hasFreed;  // an older transfer was cancelled last: never (0), kJustNow, or kBefore the last COUNT
+  uint8_t counts;     // COUNTs in a row, since an older transfer was cancelled first
+  uint8_t asked;      // items asked for, or presumed to be waited for, in their order
+  uint8_t current;    // the item that was asked for last, or is presumed to be waited for, one more
+  uint8_t heardLast;  // the item that was asked for last, one more
+  uint8_t open;       // bit i: item i was asked for, and has not been sent since
+  uint8_t sentItem;   // the item sent last, one more
+  uint8_t isLastSent : 4;
+  uint8_t isPresumed : 4;  // the autopilot has the current item, by its INVALID_SEQUENCE
+  uint8_t hasFreed;        // an older transfer was cancelled last: never (0), kJustNow, or kBefore the last COUNT
   uint8_t isReading : 4;
   uint8_t isLooking : 4;   // ensure() reads, and has not begun to upload
   uint8_t lists;           // REQUEST_LISTs sent
@@ -62,11 +71,10 @@ struct Referee {
   uint8_t hasEndedOne;     // an operation of this client has ended, since the Arduino was reset
   uint8_t hasEndedBefore;  // before this one
   uint8_t isHurried;       // the client takes the line for one that loses
-  uint8_t copies;          // of the item before `asked`, since that was asked for; 2 at most
-  uint8_t isOnly;          // no other was asked for since
-  uint8_t isPresumed;      // the autopilot has the item before `asked`, by its INVALID_SEQUENCE
+  uint8_t copies;          // of the current item, since it is current; 2 at most
   uint8_t mayGoOn;         // what was written as a file is read back, and may be uploaded item by item
   uint16_t heardAcks;      // bit r: ACK r was heard
+  uint16_t sinceFirstMs;   // since the first of `copies`, kLastAnswerMs at most
   uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
   uint16_t sinceNewMs;  // since the first COUNT, or since an item was asked for that had not been before, 9000 at most
 

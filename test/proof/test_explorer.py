@@ -175,15 +175,15 @@ DEFECTS = {
     ),
     "the next item is sent unasked on a line that loses": (
         "UploadTransfer.cpp",
-        "item_ = asked_ - 1;",
-        "item_ = asked_;",
+        "isUnasked_ = true;",
+        "isUnasked_ = true;\n  if (nextItem() < behind_) ++item_;",
         "ArduPilot upload 2 --lossy 1",
         "an item is sent that was not asked for",
     ),
-    "ArduPilot's INVALID_SEQUENCE is believed when two items were sent since the request": (
+    "ArduPilot's INVALID_SEQUENCE is believed to be about an item that was sent once": (
         "UploadTransfer.cpp",
-        "has(firmware_, kRefusesTakenItems) && isOnly_ && tries_ > 1",
-        "has(firmware_, kRefusesTakenItems) && tries_ > 1",
+        "has(firmware_, kRefusesTakenItems) && tries_ > 1 &&",
+        "has(firmware_, kRefusesTakenItems) && tries_ > 0 &&",
         "ArduPilot upload 2 --lossy 1 --faults 1",
         "an item is sent that was not asked for",
     ),
@@ -218,7 +218,7 @@ DEFECTS = {
     ),
     "ensure() reads no item": (
         "Ensure.cpp",
-        "transfer.onCount(count);",
+        "transfer.onCount(count, nowMs, link_.pace());",
         "endLook(Status::AlreadyAboard);",
         "ArduPilot ensure 2 --held 2",
         "aboard() says our plan, and it is not",

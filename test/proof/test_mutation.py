@@ -52,7 +52,7 @@ def outcome(file: str, was: str, becomes: str) -> str:
 
 @pytest.mark.slow
 def test_mutant_is_found_by_the_cheapest_tests_that_can_and_one_that_changes_nothing_by_none():
-    asked = "if (item == asked_) {"
+    asked = "if (item == item_) {"
     assert outcome("UploadTransfer", asked, asked.replace("==", "!=")) == "unit tests"
     assert outcome("DownloadTransfer", "sentMs_ = nowMs;", ";") == SURVIVED
     # Compiled only with MAVMISSION_SIGNING.

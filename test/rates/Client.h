@@ -1,4 +1,4 @@
-// A client that puts a plan of five items aboard, as the measurement drives it: bytes and time in, bytes out.
+// A client that puts a plan aboard, as the measurement drives it: bytes and time in, bytes out.
 #pragma once
 
 #include <stdint.h>
@@ -10,7 +10,8 @@
 #include "../explorer/Message.h"
 
 constexpr uint8_t kPlan = 1, kOldPlan = 0;  // of explorer/Plans.h: meant, and aboard before
-constexpr uint8_t kItems = 5;
+// How many items the plan has, as a sketch counts them: 5, unless main() is told otherwise.
+extern uint16_t itemsOfPlan;
 
 // The items as they go over the wire: ArduPilot's begin with home.
 std::vector<uint8_t> wireItems(Firmwares firmware);

@@ -1,5 +1,5 @@
-// rates: uploads of a plan of five items on a line that loses frames or bytes at random, one line of output each. See
-// usage().
+// rates: uploads of a plan on a line that loses frames or bytes at random, and takes its time, one line of output each.
+// See usage().
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,7 +29,7 @@ constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
   fprintf(
       stderr,
       "%s\n"
-      "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY]]]\n"
+      "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY [LATENCY [ITEMS]]]]]\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
       "  CLIENT     upload, upload-by-answer, upload-verified (the library's), no-retries, usual-rule, strategy-0, "
       "-1,\n"
@@ -40,6 +40,8 @@ constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
       "  BAUD       of the line; 57600 if it is not given\n"
       "  LOOP       how seldom the client runs [ms]; by default four times in each\n"
       "  TELEMETRY  what the autopilot sends unasked [bytes/s]; by default 1100 from PX4 and none from ArduPilot\n"
+      "  LATENCY    of the line, each way [ms]; 0 if it is not given\n"
+      "  ITEMS      of the plan; 5 if it is not given\n"
       "Prints a line for each: the seed, how it ended, whether the plan is aboard then (1) or not (0), what the "
       "client\n"
       "says is aboard, whether that is true, the time from the first COUNT to the end [ms], and how many bytes the\n"
@@ -82,14 +84,14 @@ class Losses {
 // One direction: what is put in follows what is on its way, and comes out when its last byte has left.
 class Way {
  public:
-  explicit Way(unsigned baud) : byteUs_(10e6 / baud) {}
+  Way(unsigned baud, unsigned latencyMs) : byteUs_(10e6 / baud), latencyUs_(latencyMs * 1e3) {}
   // `length`: of what was sent, which takes its time also where it is lost.
   void put(const Bytes& bytes, size_t length, uint32_t nowUs) {
     freeUs_ = (freeUs_ > nowUs ? freeUs_ : nowUs) + byteUs_ * static_cast<double>(length);
-    pieces_.push_back(Piece{freeUs_, bytes});
+    pieces_.push_back(Piece{freeUs_ + latencyUs_, bytes});
   }
   bool take(uint32_t nowUs, Bytes& bytes) {
-    if (pieces_.empty() || pieces_.front().leftUs > nowUs) return false;
+    if (pieces_.empty() || pieces_.front().comesUs > nowUs) return false;
     bytes = pieces_.front().bytes;
     pieces_.pop_front();
     return true;
@@ -101,10 +103,10 @@ class Way {
 
  private:
   struct Piece {
-    double leftUs;
+    double comesUs;
     Bytes bytes;
   };
-  const double byteUs_;
+  const double byteUs_, latencyUs_;
   double freeUs_ = 0;
   std::deque<Piece> pieces_;
 };
@@ -129,7 +131,7 @@ uint32_t idOf(const Bytes& frame) { return static_cast<uint32_t>(frame[7] | fram
 class Upload {
  public:
   Upload(Firmwares firmware, std::unique_ptr<Client> client, bool byBytes, unsigned percent, unsigned seed,
-         unsigned baud, unsigned loopMs, unsigned telemetryPerSecond)
+         unsigned baud, unsigned loopMs, unsigned telemetryPerSecond, unsigned latencyMs)
       : client_(std::move(client)),
         losses_(percent, seed),
         byBytes_(byBytes),
@@ -138,12 +140,12 @@ class Upload {
         loopUs_(loopMs != 0 ? loopMs * kMs : kStepUs),
         telemetryPerSecond_(telemetryPerSecond),
         hearing_(firmware == Firmwares::Px4 ? HeardBy::Px4 : HeardBy::ArduPilot),
-        up_(baud),
-        down_(baud) {
+        up_(baud, latencyMs),
+        down_(baud, latencyMs) {
     memset(static_cast<void*>(&autopilot_), 0, sizeof(autopilot_));
     autopilot_.firmware = firmware;
     autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
-    autopilot_.hold(kOldPlan, kItems);
+    autopilot_.hold(kOldPlan, itemsOfPlan);
     before_ = autopilot_;
   }
 
@@ -341,15 +343,17 @@ bool isByBytes(const char* lost) {
 
 }  // namespace
 
+uint16_t itemsOfPlan = 5;
+
 std::vector<uint8_t> wireItems(Firmwares firmware) {
   std::vector<uint8_t> items;
   if (firmware != Firmwares::Px4) items.push_back(kHome);
-  for (uint8_t i = 0; i < kItems; ++i) items.push_back(itemOf(kPlan, i));
+  for (uint16_t i = 0; i < itemsOfPlan; ++i) items.push_back(itemOf(kPlan, i));
   return items;
 }
 
 int main(int argc, char** argv) {
-  if (argc < 6 || argc > 9) usage("five to eight arguments are wanted");
+  if (argc < 6 || argc > 11) usage("five to ten arguments are wanted");
   const Firmwares firmware = firmwareNamed(argv[1]);
   const bool byBytes = isByBytes(argv[3]);
   const unsigned percent = number(argv[4], 100);
@@ -357,9 +361,11 @@ int main(int argc, char** argv) {
   const unsigned baud = argc > 6 ? number(argv[6], 10000000) : kBaud;
   const unsigned loopMs = argc > 7 ? number(argv[7], 10000) : 0;
   const unsigned telemetry = argc > 8 ? number(argv[8], 1000000) : firmware == Firmwares::Px4 ? kPx4Telemetry : 0;
+  const unsigned latencyMs = argc > 9 ? number(argv[9], 10000) : 0;
+  if (argc > 10) itemsOfPlan = static_cast<uint16_t>(number(argv[10], kMostItems));
   if (baud == 0) usage("a number is missing or too large");
   for (unsigned seed = 0; seed < seeds; ++seed) {
-    Upload upload(firmware, makeClient(argv[2], firmware), byBytes, percent, seed, baud, loopMs, telemetry);
+    Upload upload(firmware, makeClient(argv[2], firmware), byBytes, percent, seed, baud, loopMs, telemetry, latencyMs);
     upload.run();
     upload.print(seed);
   }

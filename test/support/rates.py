@@ -38,9 +38,16 @@ CLIENTS = {
     "upload": "`upload()`",
 }
 OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it
-FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]  # as test_explorer.py, so that the objects are the same
+FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]  # as test_explorer.py, so that the library's objects are the same
+MOST_HELD = 302  # items on the wire, home included: an even number
 LINES = (("frames", 5), ("frames", 25), ("frames", 40), ("bytes", 1), ("bytes", 3), ("bytes", 5))  # what is lost [%]
 SEEDS = 200
+# Latency each way [ms], bytes lost [%], items: for long plans, and for lines that answer late.
+LONG = [(0, 0, 60), (0, 1, 60), (0, 3, 60), (0, 5, 60), (0, 0, 300), (0, 1, 300)]
+LATE = LONG + [(late_ms, percent, items) for late_ms in (150, 500) for items in (5, 60) for percent in (0, 1, 3)]
+LATE_SEEDS = 20
+BUSY = 2000  # telemetry on a busy line [bytes/s]
+TELEMETRY = {"ArduPilot": 0, "LateArduPilot": 0, "PX4": 1100}  # [bytes/s], unasked
 
 
 @dataclass(frozen=True)
@@ -80,17 +87,19 @@ def limit_s(autopilot: str, client: str) -> float:
 @functools.cache
 def build_rates(library: tuple[Path, ...] | None = None) -> Path:
     sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), HOST / "Frames.cpp", HEARING]
-    return build_host("rates", sources, "g++", FLAGS, library=library)
+    return build_host("rates", sources, "g++", FLAGS, library=library, defines={"MOST_HELD": MOST_HELD})
 
 
 @functools.cache
 def uploads(
     autopilot: str, client: str, lost: str, percent: int, seeds: int, program: Path | None = None, baud: int = 57600,
-    loop_ms: int = 0, telemetry: int | None = None,
+    loop_ms: int = 0, telemetry: int | None = None, latency_ms: int = 0, items: int = 5,
 ) -> tuple[Upload, ...]:
     """The ends of the uploads with the seeds from 0 on. Raises RuntimeError if the program fails."""
     words = [program or build_rates(), autopilot, client, lost, *map(str, (percent, seeds, baud, loop_ms))]
-    words += [str(telemetry)] if telemetry is not None else []
+    if telemetry is None:
+        telemetry = TELEMETRY[autopilot]
+    words += map(str, (telemetry, latency_ms, items))
     ran = subprocess.run(words, capture_output=True, text=True, check=False)
     if ran.returncode != 0:
         raise RuntimeError(f"{' '.join(map(str, words))}: {ran.stderr}")
@@ -119,6 +128,28 @@ def rows(seeds: int = SEEDS, lines: tuple[tuple[str, int], ...] = LINES) -> list
     return table
 
 
+def late_rows(seeds: int = LATE_SEEDS) -> list[list[str]]:
+    """upload() where plans are long or answers come late: a row for each, idle and busy lines of both autopilots."""
+    lines = [(autopilot, telemetry) for autopilot in ("ArduPilot", "PX4") for telemetry in (0, BUSY)]
+    table = [["each way", "bytes lost", "items", *(
+        f"{autopilot}, {'busy' if telemetry else 'idle'}" for autopilot, telemetry in lines)]]  # fmt: skip
+    for latency_ms, percent, items in LATE:
+        row = [f"{latency_ms} ms", f"{percent} %", str(items)]
+        for autopilot, telemetry in lines:
+            ends = late_uploads(autopilot, percent, seeds, telemetry, latency_ms, items)
+            row.append(f"{sum(end.is_success for end in ends)} of {len(ends)}, {median_s(ends)}")
+        table.append(row)
+    return table
+
+
+def late_uploads(
+    autopilot: str, percent: int, seeds: int, telemetry: int, latency_ms: int, items: int, program: Path | None = None
+) -> tuple[Upload, ...]:
+    return uploads(
+        autopilot, "upload", "bytes", percent, seeds, program, telemetry=telemetry, latency_ms=latency_ms, items=items
+    )
+
+
 def median_s(ends: tuple[Upload, ...]) -> str:
     """Of the successes, from the first COUNT."""
     times = sorted(end.took_s for end in ends if end.is_success)
@@ -138,7 +169,12 @@ def for_documents() -> str:
         "Unsaid: the plan was\naboard, and the client did not say so, "
         f"of {SEEDS * len(AUTOPILOTS)}; times are those of the successes, from the first COUNT."
     )
-    return f"{note}\n\n{aligned(rows(), left=2)}"
+    late = (
+        f"`upload()` of long plans, and on lines that take their time: how many of {LATE_SEEDS} succeeded, and their "
+        f"median time.\nOn a busy line the autopilot sends {BUSY} bytes a second of telemetry. Where nothing is lost, "
+        "the time is what the frames\nneed: an item, and the next request, one behind the other."
+    )
+    return f"{note}\n\n{aligned(rows(), left=2)}\n\n{late}\n\n{aligned(late_rows(), left=3)}"
 
 
 if __name__ == "__main__":

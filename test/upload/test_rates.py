@@ -67,6 +67,41 @@ def test_uploads_on_bad_lines_succeed_as_often_and_as_soon_as_promised(
         assert times[len(times) // 2] < longest_median_s
 
 
+def least_of_20(latency_ms: int, percent: int) -> int:
+    return 15 if percent == 5 or (latency_ms == 500 and percent == 3) else 20
+
+
+@pytest.mark.slow
+@RANDOM_LOSS
+@pytest.mark.parametrize("telemetry", [0, rates.BUSY])
+@pytest.mark.parametrize("latency_ms, percent, items", rates.LATE)
+@pytest.mark.parametrize("autopilot", ["ArduPilot", "PX4"])
+def test_long_plans_and_lines_that_answer_late_succeed_as_often_as_promised(
+    autopilot, latency_ms, percent, items, telemetry
+):
+    ends = rates.late_uploads(autopilot, percent, rates.LATE_SEEDS, telemetry, latency_ms, items)
+    assert sum(end.is_success for end in ends) >= least_of_20(latency_ms, percent)
+    assert [end for end in ends if end.is_false_acceptance or not end.is_aboard_true] == []
+    assert [end for end in ends if end.took_s > 130 + 2 * items] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("latency_ms", [150, 500])
+@pytest.mark.parametrize("autopilot", rates.AUTOPILOTS)
+def test_nothing_is_sent_twice_on_a_late_line_that_loses_nothing(autopilot, latency_ms):
+    """PX4 repeats each request every 265 ms, ArduPilot every second, before our answer can arrive."""
+    (end, *_) = rates.uploads(autopilot, "upload", "bytes", 0, 1, latency_ms=latency_ms, items=20)
+    assert end.is_success and end.repeated_unasked == 0 and end.zeros == 0 and end.bytes_repeated == 0
+
+
+@pytest.mark.slow
+def test_invalid_sequence_that_may_answer_an_older_item_would_lead_astray():
+    """The condition that keeps an upload to ArduPilot from running ahead of it."""
+    credulous = with_defect("UploadTransfer.cpp", "pace.isBehind(since(startedMs_, nowMs))", "true")
+    ends = rates.late_uploads("ArduPilot", 3, 40, 0, 500, 60, rates.build_rates(credulous))
+    assert sum(end.is_success for end in ends) < 38
+
+
 ITEM = 49  # bytes
 
 
@@ -133,7 +168,7 @@ def test_an_upload_that_never_ends_would_be_found():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("words, problem", [
-    ("ArduPilot upload frames 5", "five to eight arguments are wanted"),
+    ("ArduPilot upload frames 5", "five to ten arguments are wanted"),
     ("Ardupilot upload frames 5 1", "no such autopilot"),
     ("PX4 download frames 5 1", "no such client"),
     ("PX4 upload bits 5 1", "frames or bytes are lost"),

@@ -3,12 +3,23 @@
 namespace mavmission {
 namespace detail {
 
+void Pace::learn(uint16_t roundTripMs, bool isSure) {
+  if (roundTripMs > kMostMs) roundTripMs = kMostMs;
+  if (isSure && roundTripMs_ != 0 && roundTripMs > roundTripMs_)
+    roundTripMs = roundTripMs_ + (roundTripMs - roundTripMs_) / 4;
+  if (isSure || roundTripMs_ == 0 || roundTripMs < roundTripMs_) roundTripMs_ = roundTripMs;
+}
+
+uint16_t Pace::sameRequestMs() const { return roundTripMs_ > kSameRequestMs ? roundTripMs_ : kSameRequestMs; }
+
 uint16_t Pace::waitMs(uint16_t ruleMs) const {
-  uint16_t answeredMs = kHurry * roundTripMs_;
+  uint16_t answeredMs = roundTripMs_ / kHurry;
   if (isLossy()) {
+    if (answeredMs > kMostWaitMs) answeredMs = kMostWaitMs;
     ruleMs = kFrameTimes * busyMs_;
+    if (ruleMs < kLeastMs) ruleMs = kLeastMs;
   } else {
-    answeredMs *= kPatience / kHurry;
+    answeredMs = roundTripMs_ * kPatience;
   }
   return answeredMs > ruleMs ? answeredMs : ruleMs;
 }

@@ -11,8 +11,6 @@ namespace detail {
 
 class Pace : public PaceRules {
  public:
-  void begin() { roundTripMs_ = kFirstMs; }
-
   // Something was damaged or lost on the line.
   void noteLoss() { lossyS_ = kLossyS; }
   void onSecond() {
@@ -21,16 +19,22 @@ class Pace : public PaceRules {
   }
   bool isLossy() const { return lossyS_ != 0; }
 
-  // An answer has come `roundTripMs` after the last sending of its question. `isSure`: the question was sent only once.
-  // If it was sent more than once, it is not known which sending was answered; and an autopilot that repeats its own
-  // request makes the time look longer.
-  void learn(uint16_t roundTripMs, bool isSure) {
-    if (isSure || roundTripMs < roundTripMs_) roundTripMs_ = roundTripMs;
+  // An answer has come `roundTripMs` after the first sending of its question. `isSure`: the question was sent only
+  // once. If it was sent more than once, it is not known which sending was answered: the round trip takes no longer
+  // than that.
+  MAVMISSION_APART void learn(uint16_t roundTripMs, bool isSure);
+  // An answer came later than any that was measured.
+  void noteSlower() {
+    if (roundTripMs_ < kMostMs) roundTripMs_ *= 2;
   }
+  // True if `ms` after something new was sent an answer is no longer one to what was sent before that.
+  bool isBehind(uint16_t ms) const { return ms >= roundTripMs_ + kLeastMs; }
+  // A request that comes again sooner than that after its answer was sent before the answer arrived.
+  MAVMISSION_APART uint16_t sameRequestMs() const;
   // A request came again `afterMs` after our last answer to it: the answer, or the next request, was lost. A quicker
   // repeat says nothing: the next request may still be under way on a slow or full line.
   void noteRepeat(uint16_t afterMs) {
-    if (afterMs >= waitMs(kRepeatedMs)) noteLoss();
+    if (afterMs >= kRepeatedMs && afterMs >= roundTripMs_ + roundTripMs_ / 2) noteLoss();
   }
   // The line has been busy with a frame for `ms`. The longest time is kept, and halved each second.
   void noteBusy(uint8_t ms) {
@@ -39,11 +43,12 @@ class Pace : public PaceRules {
 
   // From a message to its repeat. On a line that loses nothing it is `ruleMs`, which the protocol or the autopilots
   // demand, or more where answers are slower than that. On a line that loses it is the time after which an answer
-  // should have come; repeats then take a fifth of the line, and with the zeros before them a quarter at the most.
+  // should have come, or on a line that answers late a quarter of it: what is lost is then there all the same, since
+  // several are on their way. Repeats take a fifth of the line, and with the zeros before them a quarter at the most.
   MAVMISSION_APART uint16_t waitMs(uint16_t ruleMs) const;
 
  private:
-  uint16_t roundTripMs_;
+  uint16_t roundTripMs_;  // no less than it takes; 0: nothing was measured yet
   uint8_t busyMs_;
   uint8_t lossyS_;
 };

@@ -10,12 +10,15 @@ namespace detail {
 // A line that loses bytes or frames, and when what has not been answered is sent again there.
 struct PaceRules {
   static constexpr uint8_t kLossyS = 10;        // after the last loss the line is taken for one that loses
-  static constexpr uint8_t kFirstMs = 40;       // the round trip before one was measured
+  static constexpr uint8_t kLeastMs = 50;       // from a message to its repeat on a line that loses, at least
+  static constexpr uint16_t kMostMs = 1500;     // longer round trips are not reckoned with
   static constexpr uint16_t kRepeatedMs = 500;  // a request that is repeated later than this after its answer says so
-  static constexpr uint8_t kPatience = 4;       // from a message to its repeat, in round trips, at least
-  static constexpr uint8_t kHurry = 2;          // the same on a line that loses
-  static constexpr uint8_t kFrameTimes = 5;     // the same, in the times that the line takes for a frame
-  static constexpr uint8_t kLossyTries = 250;   // of a question there, before it is given up
+  static constexpr uint8_t kMostWaitMs = 100;
+  static constexpr uint8_t kSameRequestMs = 50;  // a request that comes again within this time is not answered again
+  static constexpr uint8_t kPatience = 4;        // from a message to its repeat, in round trips, at least
+  static constexpr uint8_t kHurry = 8;           // repeats in a round trip, at the most, on a line that loses
+  static constexpr uint8_t kFrameTimes = 5;      // the same, in the times that the line takes for a frame
+  static constexpr uint8_t kLossyTries = 250;    // of a question there, before it is given up
 };
 
 struct UploadRules {
@@ -23,7 +26,7 @@ struct UploadRules {
   static constexpr uint16_t kCountingMs = 7500;  // to the first request, repeats of COUNT included
   static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
   static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request
-  static constexpr uint16_t kSameRequestMs = 50;   // a repeat within this time is not answered again
+  static constexpr uint16_t kLateRequestMs = 500;  // for an older item: within this time of a newer one it is late
   static constexpr uint16_t kConfirmingMs = 9000;  // from the last item's request to the end, repeats included
 };
 

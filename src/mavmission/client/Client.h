@@ -76,7 +76,7 @@ class Client : public ClientRules {
   static void fromFloats(void* itemMessage);
   static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
-  void takeReadCount(const FrameParser& frame);
+  void takeReadCount(const FrameParser& frame, uint16_t nowMs);
   void takeReadItem(const FrameParser& frame, uint16_t nowMs);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
@@ -96,7 +96,7 @@ class Client : public ClientRules {
   void beginLook(uint16_t nowMs);
   void look(uint16_t nowMs);
   void takeLookFrame(const FrameParser& frame, uint16_t nowMs);
-  void takeLookCount(const FrameParser& frame);
+  void takeLookCount(const FrameParser& frame, uint16_t nowMs);
   void replaceOther();
   void endLook(Status status);
   static void proveUpload(Client& client, uint16_t nowMs);

@@ -120,7 +120,7 @@ void Client::look(uint16_t nowMs) {
 
 void Client::takeLookFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_MISSION_COUNT: return takeLookCount(frame);
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeLookCount(frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case MAVLINK_MSG_ID_MISSION_ITEM:
       takeReadItem(frame, nowMs);
@@ -146,7 +146,7 @@ void Client::takeLookFrame(const FrameParser& frame, uint16_t nowMs) {
   }
 }
 
-void Client::takeLookCount(const FrameParser& frame) {
+void Client::takeLookCount(const FrameParser& frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;
   DownloadTransfer& transfer = reading_.transfer;
   if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
@@ -161,7 +161,7 @@ void Client::takeLookCount(const FrameParser& frame) {
   }
   // Our checksum is that of the items as integers.
   if (!plan_.has(kSaysChecksum) || reading_.planId == 0 || state_.floatItems) {
-    transfer.onCount(count);
+    transfer.onCount(count, nowMs, link_.pace());
   } else if (reading_.planId == opaqueId_.value()) {
     tellCancelled();  // otherwise PX4 would wait for our requests for 5 s
     endLook(Status::AlreadyAboard);

@@ -104,7 +104,7 @@ void Client::sendRequest(uint16_t wireItem) {
 
 void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame);
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeReadCount(frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case MAVLINK_MSG_ID_MISSION_ITEM: return takeReadItem(frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ACK: {
@@ -125,11 +125,11 @@ void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
   }
 }
 
-void Client::takeReadCount(const FrameParser& frame) {
+void Client::takeReadCount(const FrameParser& frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;
   if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
-  if (!reading_.transfer.onCount(count)) return;
+  if (!reading_.transfer.onCount(count, nowMs, link_.pace())) return;
   reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
   const bool isHomeFirst = homeBefore() != 0;
   if (!reading_.isCompared) {

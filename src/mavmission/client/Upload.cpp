@@ -171,7 +171,7 @@ void Client::continueUpload(Status status, uint16_t nowMs) {
     case Status::SourceRefused:
       tellCancelled();
       unsettle(nowMs);
-      if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.lastItem());
+      if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.itemsAskedFor() - 1);
       break;
     case Status::Unconfirmed: unsettle(nowMs); break;
     default:
@@ -211,8 +211,8 @@ uint16_t Client::ownItem(uint16_t wireItem) const {
 // the request then begins earlier by the time of packing, and no update() both packs an item and writes it.
 void Client::sendUpload(uint16_t nowMs) {
   if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
-    if (!transfer_.expectsRequest() || isPrepared(transfer_.itemsAskedFor()) || !link_.canSend()) return;
-    return prepareItem(transfer_.itemsAskedFor(), nowMs);
+    if (!transfer_.expectsRequest() || isPrepared(transfer_.nextItem()) || !link_.canSend()) return;
+    return prepareItem(transfer_.nextItem(), nowMs);
   }
   if (!link_.canSend()) return;
   if (transfer_.toSend() != UploadTransfer::Send::Item) {

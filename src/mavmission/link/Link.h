@@ -22,11 +22,8 @@ class Link : public LinkRules {
  public:
   static constexpr uint8_t kComponentId = 191;  // MAV_COMP_ID_ONBOARD_COMPUTER
 
-  // Sets the stream. All other members of a Link begin as zero, except the pace.
-  void begin(Stream& stream) {
-    stream_ = &stream;
-    pace_.begin();
-  }
+  // Sets the stream. All other members of a Link begin as zero.
+  void begin(Stream& stream) { stream_ = &stream; }
 
   // Sets our own ids. 0, 0 is the default: the autopilot's system id, and kComponentId.
   void setSourceIds(uint8_t systemId, uint8_t componentId);

@@ -14,9 +14,10 @@ void DownloadTransfer::begin(uint16_t nowMs) {
   tries_ = 0;
 }
 
-bool DownloadTransfer::onCount(uint16_t count) {
+bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
   // A second COUNT is the answer to a repeated REQUEST_LIST; the items are being requested already.
   if (!expectsAnswer(State::Listing)) return false;
+  pace.learn(since(startedMs_, nowMs), tries_ == 1);
   count_ = count;
   tries_ = 0;
   state_ = count == 0 ? State::Closing : State::Fetching;
@@ -26,7 +27,7 @@ bool DownloadTransfer::onCount(uint16_t count) {
 
 bool DownloadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
   if (!expectsAnswer(State::Fetching) || item != next_) return false;
-  pace.learn(since(sentMs_, nowMs), false);
+  pace.learn(since(startedMs_, nowMs), tries_ == 1);
   ++next_;
   tries_ = 0;
   const bool isLast = next_ == count_;
@@ -63,6 +64,7 @@ Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
 
 bool DownloadTransfer::sent(uint16_t nowMs) {
   const bool isAll = send_ == Send::Accepted;
+  if (tries_ == 0) startedMs_ = nowMs;
   ++tries_;
   sentMs_ = nowMs;
   send_ = Send::Nothing;

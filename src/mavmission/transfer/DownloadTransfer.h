@@ -30,7 +30,7 @@ class DownloadTransfer : public DownloadRules {
   // The inputs: the messages that have been received, and the time. Those that return a Status return
   // Status::Transferring while the download goes on, or else the status with which it has ended.
   // onCount() is true if the COUNT is the answer to our REQUEST_LIST.
-  bool onCount(uint16_t count);
+  bool onCount(uint16_t count, uint16_t nowMs, Pace& pace);
   // onItem() is true if this is the item that was requested; the next one is then requested.
   bool onItem(uint16_t item, uint16_t nowMs, Pace& pace);
   // Requests the item that has just come again at once, because it could not be used yet.
@@ -52,6 +52,7 @@ class DownloadTransfer : public DownloadRules {
 
  private:
   uint16_t sentMs_;
+  uint16_t startedMs_;  // when the request that is open now was sent first
   uint16_t count_;
   uint16_t next_;
   State state_;

@@ -29,7 +29,9 @@ void FileReadTransfer::askNext() {
   burstGot_ = 0;
 }
 
-void FileReadTransfer::learn(uint16_t nowMs, Pace& pace) const { pace.learn(since(sentMs_, nowMs), tries_ == 1); }
+void FileReadTransfer::learn(uint16_t nowMs, Pace& pace) const {
+  if (tries_ == 1) pace.learn(since(sentMs_, nowMs), true);
+}
 
 void FileReadTransfer::onOpened(uint16_t nowMs, Pace& pace) {
   if (state_ != State::Opening || tries_ == 0) return;

@@ -84,7 +84,7 @@ bool FileWriteTransfer::onAnswer(uint16_t sequence, uint16_t nowMs, Pace& pace) 
   const bool isBeingRepeated = leaving_ == index;
   const uint16_t roundTripMs = since(slot.sentMs, nowMs);
   if (!isBeingRepeated) {
-    pace.learn(roundTripMs, slot.tries == 1);
+    if (slot.tries == 1) pace.learn(roundTripMs, true);
     isQuick_ = slot.tries == 1 && roundTripMs <= kQuickMs;
   }
   slot.phase = Phase::Idle;

@@ -6,6 +6,7 @@ namespace detail {
 void UploadTransfer::begin(uint16_t count, Firmware firmware, uint8_t leftovers) {
   *this = UploadTransfer();  // all zero: state Counting, no item requested yet
   behind_ = count;
+  item_ = 0xFFFF;  // the one before item 0
   send_ = Send::Count;
   suspicion_ = Status::Transferring;
   firmware_ = firmware;
@@ -18,26 +19,40 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
   // A request that skips items, or lies beyond the plan, answers nothing that we sent: an autopilot requests an item
   // only when it has the one before. Such a request is ignored.
   if (item >= behind_ && state_ == State::Confirming) endOlder();
-  if (item > asked_ || item >= behind_ || item < first_) return Status::Transferring;
-  const uint16_t agoMs = since(sentMs_, nowMs);
-  if (item == asked_) {
-    pace.learn(agoMs, tries_ == 1);
-    ++asked_;
-    isOnly_ = true;
-    isUnasked_ = false;
-    progressMs_ = nowMs;
-    state_ = State::Sending;
-    tries_ = 0;
-  } else if (item == item_ && send_ == Send::Nothing && agoMs < (pace.isLossy() ? pace.waitMs(0) : kSameRequestMs)) {
-    return Status::Transferring;
-  } else {
+  if (item > most_ || item >= behind_ || item < first_) return Status::Transferring;
+  // An autopilot does not go back in a transfer: a request for an item before the one that it has requested is late. If
+  // it comes still, the autopilot has begun again.
+  if (item + 1u < asked_ && since(progressMs_, nowMs) < kLateRequestMs) return Status::Transferring;
+  // The request that is heard decides, also where it goes back to an item that was taken for received.
+  asked_ = item + 1;
+  if (item == item_) {
+    const uint16_t agoMs = since(sentMs_, nowMs);
+    if (send_ == Send::Nothing && agoMs < pace.sameRequestMs()) return Status::Transferring;
     pace.noteRepeat(agoMs);
     repeated_ = true;
-    if (item != item_) isOnly_ = false;
+    send_ = Send::Item;
+    return Status::Transferring;
   }
-  item_ = item;
-  send_ = Send::Item;
+  if (item != nextItem()) {
+    pace.noteSlower();
+    repeated_ = true;
+  } else if (!isAgain_) {
+    pace.learn(since(startedMs_, nowMs), tries_ == 1);
+  }
+  if (state_ == State::Counting) state_ = State::Sending;
+  moveTo(item, nowMs);
   return Status::Transferring;
+}
+
+// From now on this is the item that is sent, and sent again, until the autopilot is heard to have it.
+void UploadTransfer::moveTo(uint16_t item, uint16_t nowMs) {
+  isAgain_ = item < most_;
+  if (!isAgain_) most_ = item + 1;
+  item_ = item;
+  progressMs_ = nowMs;
+  tries_ = 0;
+  isUnasked_ = false;
+  send_ = Send::Item;
 }
 
 // PX4 may ignore our COUNT and continue an earlier, longer transfer of ours from which it had not received an item yet.
@@ -48,6 +63,8 @@ void UploadTransfer::endOlder() {
   state_ = State::Counting;
   send_ = Send::Cancel;
   asked_ = first_;
+  item_ = first_ - 1;
+  most_ = first_;
   tries_ = 0;
   repeated_ = false;
 }
@@ -70,13 +87,13 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
 
     case Status::InvalidSequence:
       if (state_ == State::Counting) break;
-      // ArduPilot answers so to every item that it receives twice, and continues. If no other item was sent since its
-      // request, ArduPilot has this item, and the next request was lost. (That is not certain for the last item but one
-      // while an earlier transfer may be answered: a newer ArduPilot answers so to every item until it has sent that
-      // transfer's acceptance.)
-      if (state_ == State::Sending && has(firmware_, kRefusesTakenItems) && isOnly_ && tries_ > 1 &&
-          send_ == Send::Nothing && !(mayBeAnswered() && asked_ + 1u == behind_)) {
-        onRequest(asked_, nowMs, pace);
+      // ArduPilot answers so to every item but the one that it waits for, and continues. It has waited for the current
+      // one; so if this answers a repeat of that, and no item before, the current item is there, and the next request
+      // was lost. (That is not certain for the last item but one while an earlier transfer may be answered: a newer
+      // ArduPilot answers so to every item until it has sent that transfer's acceptance.)
+      if (state_ == State::Sending && has(firmware_, kRefusesTakenItems) && tries_ > 1 && send_ == Send::Nothing &&
+          !(mayBeAnswered() && item_ + 2u == behind_) && pace.isBehind(since(startedMs_, nowMs))) {
+        moveTo(nextItem(), nowMs);
       }
       return Status::Transferring;
 
@@ -146,10 +163,9 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
     send_ = freed_ ? Send::Cancel : Send::Count;
     return Status::Transferring;
   }
-  // The item of the newest request, although it was not requested again.
+  // The current item, although it was not requested again.
   repeated_ = true;
   isUnasked_ = true;
-  item_ = asked_ - 1;
   send_ = Send::Item;
   return Status::Transferring;
 }
@@ -166,6 +182,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
     state_ = State::Confirming;
     suspicion_ = Status::Transferring;
   }
+  if (tries_ == 0) startedMs_ = nowMs;
   const uint8_t tries = tries_ + 1;
   if (tries != 0) tries_ = tries;
   sentMs_ = nowMs;

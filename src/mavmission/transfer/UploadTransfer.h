@@ -41,6 +41,8 @@ class UploadTransfer : public UploadRules {
   void limitTo(uint16_t first, uint16_t behind) {
     first_ = first;
     asked_ = first;
+    most_ = first;
+    item_ = first - 1;
     behind_ = behind;
   }
 
@@ -63,11 +65,12 @@ class UploadTransfer : public UploadRules {
   // PX4 then takes our last item for a repetition from the earlier transfer, and accepts it with the checksum of the
   // items that it had received until then.
   bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && isUnasked_; }
-  // The number of the item after the last one that the autopilot has requested. The autopilot holds all requested items
-  // except the last one.
+  // The number of the item after the one that the autopilot has requested last. The autopilot holds all items before
+  // that one.
   uint16_t itemsAskedFor() const { return asked_; }
-  // True while a request for item itemsAskedFor() is still to come: that item may be packed in advance.
-  bool expectsRequest() const { return state_ != State::Confirming && asked_ < behind_; }
+  // The item after the one that the autopilot waits for. While expectsRequest(), it may be packed in advance.
+  uint16_t nextItem() const { return item_ + 1; }
+  bool expectsRequest() const { return state_ != State::Confirming && nextItem() < behind_; }
   // The item that was sent last: a refusal is about this item.
   uint16_t lastItem() const { return item_; }
 
@@ -75,24 +78,27 @@ class UploadTransfer : public UploadRules {
   bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
   void endOlder();
   Status onAcceptance();
+  MAVMISSION_APART void moveTo(uint16_t item, uint16_t nowMs);
 
   uint16_t progressMs_;
   uint16_t sentMs_;
+  uint16_t startedMs_;  // when COUNT, or the current item, was sent first
   uint16_t first_;
   uint16_t behind_;
-  uint16_t asked_;
-  uint16_t item_;
+  uint16_t asked_;  // the item after the one that was requested last
+  uint16_t most_;   // the item after the last one that was sent
+  uint16_t item_;   // the item that the autopilot waits for, as far as is known; first_ - 1 before the first request
   State state_;
   Send send_;
-  uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the newest request
+  uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the current one is current
   Status suspicion_;  // an answer that may belong to an earlier transfer: the result if no other answer comes
   Firmware firmware_;
   uint8_t leftovers_;
   bool recounted_;  // COUNT was sent more than once
   bool freed_;      // an open earlier transfer of ours was cancelled first
+  bool isAgain_;    // the current item was sent before it became current the last time
   bool repeated_;   // an item was sent more than once
-  bool isUnasked_;  // the item before asked_ was sent again without being asked for
-  bool isOnly_;     // nothing but the item before asked_ was sent since that was asked for
+  bool isUnasked_;  // the current item was sent again without being asked for
 };
 
 }  // namespace detail

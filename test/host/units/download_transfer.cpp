@@ -18,7 +18,7 @@ Pace pace;
 // In the client the memory may hold anything before begin().
 DownloadTransfer begun(uint16_t nowMs = 0) {
   pace = Pace();
-  pace.begin();
+
   DownloadTransfer transfer;
   memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
   transfer.begin(nowMs);
@@ -29,7 +29,7 @@ DownloadTransfer begun(uint16_t nowMs = 0) {
 DownloadTransfer fetching(uint16_t items, uint16_t nowMs = 0) {
   DownloadTransfer transfer = begun(nowMs);
   transfer.sent(nowMs);
-  transfer.onCount(items);
+  transfer.onCount(items, 0, pace);
   transfer.sent(nowMs);
   return transfer;
 }
@@ -43,7 +43,7 @@ TEST_CASE("a plan is asked for item by item, each when the one before has come, 
   CHECK(transfer.toSend() == Send::List);
   CHECK_FALSE(transfer.sent(0));
   CHECK(transfer.toSend() == Send::Nothing);
-  CHECK(transfer.onCount(3));
+  CHECK(transfer.onCount(3, 0, pace));
   for (uint16_t item = 0; item < 3; ++item) {
     CHECK(transfer.toSend() == Send::Request);
     CHECK(transfer.itemToAsk() == item);
@@ -99,9 +99,9 @@ TEST_CASE("a question that the line has not taken yet is not counted, and no tim
 
 TEST_CASE("a count is an answer once: a second one is of a list that was asked for twice") {
   DownloadTransfer transfer = fetching(2);
-  CHECK_FALSE(transfer.onCount(7));
+  CHECK_FALSE(transfer.onCount(7, 0, pace));
   CHECK(transfer.toSend() == Send::Nothing);
-  CHECK_FALSE(begun().onCount(2));  // before the list was asked for
+  CHECK_FALSE(begun().onCount(2, 0, pace));  // before the list was asked for
 }
 
 TEST_CASE("an item that is not taken is asked for again at once, and has all its tries again") {
@@ -136,18 +136,18 @@ TEST_CASE("each refusal ends the reading, but for the words that belong to somet
 
 TEST_CASE("a count that comes before the list was asked for is no answer") {
   DownloadTransfer transfer = begun();
-  transfer.onCount(0);
+  transfer.onCount(0, 0, pace);
   CHECK(transfer.state() == State::Listing);
   CHECK(transfer.toSend() == Send::List);
   transfer.sent(0);
-  transfer.onCount(2);
+  transfer.onCount(2, 0, pace);
   CHECK(transfer.state() == State::Fetching);
 }
 
 TEST_CASE("an item that comes before it was asked for is no answer") {
   DownloadTransfer transfer = begun();
   transfer.sent(0);
-  transfer.onCount(2);
+  transfer.onCount(2, 0, pace);
   CHECK_FALSE(transfer.onItem(0, 0, pace));
   transfer.sent(0);
   CHECK(transfer.onItem(0, 0, pace));
@@ -161,7 +161,7 @@ TEST_CASE("an item that comes before it was asked for is no answer") {
 TEST_CASE("a plan without items is read when its count has come") {
   DownloadTransfer transfer = begun();
   transfer.sent(0);
-  transfer.onCount(0);
+  transfer.onCount(0, 0, pace);
   CHECK(transfer.state() == State::Closing);
   CHECK(transfer.toSend() == Send::Accepted);
   CHECK(transfer.sent(0));

@@ -18,7 +18,7 @@ Pace pace;
 // In the client the memory may hold anything before begin().
 FileReadTransfer begun(bool takesAnyOrder = true) {
   pace = Pace();
-  pace.begin();
+
   FileReadTransfer transfer;
   memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
   transfer.begin(takesAnyOrder);

@@ -18,7 +18,7 @@ uint16_t sequence;
 
 FileWriteTransfer begun(uint16_t items) {
   pace = Pace();
-  pace.begin();
+
   sequence = 1000;
   FileWriteTransfer transfer;
   memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));

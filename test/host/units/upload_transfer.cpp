@@ -26,7 +26,6 @@ class Upload {
       : now(start) {
     memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));  // whatever another operation has left there
     pace = Pace();
-    pace.begin();
     transfer.begin(count, firmware, leftovers);
   }
 
@@ -161,13 +160,44 @@ TEST_CASE("a request within 50 ms of its answer is a queue being emptied") {
   CHECK((upload.send() == Send::Item));
 }
 
-TEST_CASE("a request for an earlier item is answered, though another was answered just now") {
+TEST_CASE("a request for an earlier item is late; if it still comes 500 ms behind a newer one, it decides") {
   Upload upload(5);
   upload.served(4);
+  upload.wait(499);
+  upload.request(1);  // late: it holds items 0 to 2
+  CHECK((upload.send() == Send::Nothing));
+  CHECK(upload.transfer.itemsAskedFor() == 4);
+  upload.wait(1);
   upload.request(1);
   CHECK(upload.transfer.itemToSend() == 1);
   CHECK((upload.send() == Send::Item));
-  CHECK(upload.transfer.itemsAskedFor() == 4);
+  CHECK(upload.transfer.itemsAskedFor() == 2);
+  upload.request(4);  // the one for item 1 was late
+  CHECK(upload.transfer.itemToSend() == 4);
+  CHECK((upload.send() == Send::Item));
+  CHECK((upload.ack(kAccepted) == Status::Accepted));
+}
+
+TEST_CASE(
+    "an item that is asked for again and again, behind one that was taken for received, is sent again and again") {
+  Upload upload(5, Firmware::ArduPilot);
+  upload.served(2);
+  upload.pace.noteLoss();
+  upload.wait(250);
+  upload.send();
+  upload.ack(kInvalidSequence);  // an answer to item 0, which stood still somewhere
+  CHECK((upload.send() == Send::Item));
+  CHECK(upload.transfer.lastItem() == 2);
+  CHECK(upload.transfer.itemsAskedFor() == 2);  // no item is said to have arrived whose next was not asked for
+  upload.wait(300);
+  CHECK(goesOn(upload.request(1)));
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    CHECK((upload.send() == Send::Item));
+    CHECK(upload.transfer.lastItem() == 1);
+    CHECK(goesOn(upload.wait(100)));
+  }
+  CHECK(goesOn(upload.request(2)));
+  CHECK(upload.transfer.itemToSend() == 2);
 }
 
 TEST_CASE("a request that jumps ahead or beyond the plan moves nothing") {
@@ -644,7 +674,7 @@ TEST_CASE("whatever is heard in whatever order, accepted means that every item w
   }
 }
 
-TEST_CASE("on a line that loses, an item that is not answered is sent again every two round trips") {
+TEST_CASE("on a line that loses, an item that is not answered is sent again every 50 ms") {
   Upload upload(3);
   upload.send();
   upload.wait(18);
@@ -652,7 +682,7 @@ TEST_CASE("on a line that loses, an item that is not answered is sent again ever
   upload.send();
   upload.pace.noteLoss();
   for (int repeat = 0; repeat < 20; ++repeat) {
-    CHECK(goesOn(upload.wait(35)));
+    CHECK(goesOn(upload.wait(49)));
     CHECK((upload.transfer.toSend() == Send::Nothing));
     upload.wait(1);
     CHECK((upload.send() == Send::Item));
@@ -679,17 +709,56 @@ TEST_CASE("a request that is repeated says that the line loses; one of a queue t
   CHECK(upload.pace.isLossy());
 }
 
-TEST_CASE("a line that loses and answers slowly is waited for twice as long as it took to answer") {
-  Upload upload(3);
+TEST_CASE("on a line that loses and answers late, an item is repeated eight times in a round trip at the most") {
+  for (uint16_t roundTripMs : {480, 800, 1400}) {
+    Upload upload(3);
+    upload.send();
+    upload.wait(roundTripMs);
+    upload.request(0);
+    upload.send();
+    upload.pace.noteLoss();
+    CHECK(goesOn(upload.wait(roundTripMs < 800 ? 59 : 99)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    upload.wait(1);
+    CHECK((upload.transfer.toSend() == Send::Item));
+  }
+}
+
+TEST_CASE("a request that comes again within a round trip after its answer was sent before that arrived") {
+  Upload upload(3, Firmware::Px4);
   upload.send();
-  upload.wait(160);
+  upload.wait(1000);  // 500 ms each way, and PX4 asks every 265 ms
   upload.request(0);
-  upload.send();
+  CHECK((upload.send() == Send::Item));
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    upload.wait(265);
+    upload.request(0);
+    CHECK((upload.send() == Send::Nothing));
+  }
+  upload.wait(265);
+  upload.request(0);
+  CHECK((upload.send() == Send::Item));
+}
+
+TEST_CASE("the first answer says how long a round trip takes, at the most; of repeats it is the first that counts") {
+  Upload upload(4, Firmware::ArduPilot);
   upload.pace.noteLoss();
-  CHECK(goesOn(upload.wait(319)));
-  CHECK((upload.transfer.toSend() == Send::Nothing));
-  upload.wait(1);
-  CHECK((upload.transfer.toSend() == Send::Item));
+  for (int count = 0; count < 20; ++count) {
+    CHECK((upload.send() == Send::Count));
+    CHECK(goesOn(upload.wait(50)));
+  }
+  upload.request(0);  // 20 ms after the last COUNT, 1 s after the first
+  upload.send();
+  upload.wait(100);
+  upload.send();
+  upload.wait(900);
+  upload.ack(kInvalidSequence);  // to what was sent before: no word of item 0
+  CHECK(upload.transfer.itemToSend() == 0);
+  upload.send();
+  upload.wait(50);
+  upload.send();
+  upload.ack(kInvalidSequence);
+  CHECK(upload.transfer.itemToSend() == 1);
 }
 
 TEST_CASE("an item is sent again until the time for the next request is over") {
@@ -745,8 +814,7 @@ TEST_CASE("on a line that loses, COUNT is sent again for 7.5 s, before ArduPilot
   CHECK(counts > 80);
 }
 
-TEST_CASE(
-    "ArduPilot's word that an item is out of sequence means that it has it, if that alone was sent since, twice") {
+TEST_CASE("ArduPilot's word that an item is out of sequence means that it has it, if no answer to another can come") {
   Upload upload(3, Firmware::ArduPilot);
   upload.served(2);
   upload.ack(kInvalidSequence);  // it may be to the item before
@@ -762,15 +830,28 @@ TEST_CASE(
   CHECK((upload.transfer.toSend() == Send::Nothing));
   CHECK((upload.ack(kAccepted) == Status::Accepted));
 
-  Upload older(3, Firmware::ArduPilot);
-  older.served(2);
-  older.wait(60);
-  older.request(0);  // an older one, from a line that repeats
-  older.send();
-  older.wait(250);
-  older.send();
-  older.ack(kInvalidSequence);
-  CHECK((older.transfer.toSend() == Send::Nothing));
+  Upload slow(3, Firmware::ArduPilot);
+  slow.send();
+  slow.wait(300);
+  slow.request(0);
+  slow.send();
+  slow.pace.noteLoss();
+  for (int repeat = 0; repeat < 6; ++repeat) {
+    slow.wait(50);
+    slow.send();
+  }
+  slow.request(1);
+  slow.send();
+  for (int late = 0; late < 6; ++late) {
+    slow.wait(50);
+    slow.send();
+    slow.ack(kInvalidSequence);  // each is to a repeat of item 0
+    CHECK(slow.transfer.lastItem() == 1);
+  }
+  slow.wait(50);
+  slow.send();
+  slow.ack(kInvalidSequence);
+  CHECK(slow.transfer.itemToSend() == 2);
 
   Upload px4(3, Firmware::Px4);
   px4.served(2);
