@@ -22,6 +22,9 @@ constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
 // For which a frame keeps the line busy: repeats are five times as far apart. On a quicker line there are more of them,
 // and nothing else.
 constexpr uint8_t kFrameMs = 80;
+// The client counts turns of 512 ms, the first of which may be nearly over: this is the least that it waits for.
+constexpr uint16_t kLateMs = (ClientRules::kLateTurns - 1) * 512;
+constexpr uint8_t kNoneLate = 255, kWaiting = 2;  // State::quiet between two steps; less when late answers are expected
 constexpr int kQuietUpdates = 3;  // a client that does nothing in so many has come to rest: items are got ready in two
 constexpr int kMostUpdates = 40;  // in one step; a client that sends in each of them would never stop
 
@@ -182,6 +185,12 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   // The limit on the whole operation is out of the way: it has to end without it.
   client().state_.secondMs = static_cast<uint16_t>(nowMs);
 
+  if (client().state_.quiet < kWaiting) quietMs_ = 0;  // by a cancel()
+  if (client().state_.quiet != kNoneLate) {
+    quietMs_ += ms;
+    client().state_.quiet = quietMs_ < kLateMs ? kWaiting : kNoneLate;
+  }
+
   stream.bytes = bytes;
   stream.length = length;
   stream.frames = &doing.frames;
@@ -195,7 +204,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
       doing.hasEnded = true;
       doing.status = status;
     }
-    const bool isWaiting = status == Status::Idle || status == Status::Transferring;
+    const bool isWaiting = status == Status::Idle || status == Status::Transferring || waitsForLateAnswers();
     const bool isPaused = stream.length == 0 && stream.isWhole() && doing.frames.size() == sent && isWaiting;
     quiet = isPaused ? quiet + 1 : 0;
   }
@@ -204,10 +213,17 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   return doing;
 }
 
+// A new operation has sent nothing yet.
+bool ClientUnderTest::waitsForLateAnswers() const {
+  const MissionClient& c = client();
+  return c.isBusy() && c.state_.status == Status::WaitingForAutopilot && c.state_.quiet != kNoneLate;
+}
+
 uint16_t ClientUnderTest::nextMs() const {
   const MissionClient& c = client();
   uint16_t next = kNever;
   if (!c.link_.parser_.isIdle()) next = leftOf(FrameParser::kSilenceMs, c.link_.state_.heardByteMs);
+  if (waitsForLateAnswers()) return std::min<uint16_t>(next, static_cast<uint16_t>(kLateMs - quietMs_));
   if (c.state_.status != Status::Transferring || !c.isBusy()) return next;
   if (c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep)
     return std::min(next, nextOfFilesMs());
@@ -353,6 +369,13 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   const bool isLeftUnread =
       isLast ? (isTransferring && !isClear && !isLooking && !isByFile) || !c.isBusy() : isTransferring && isUpload;
   if (isLeftUnread) c.state_.unsettled = 0;
+  if (c.state_.quiet < kWaiting) quietMs_ = 0;
+  if (isLast && (!c.isBusy() || isTransferring)) c.state_.quiet = kNoneLate;
+  if (c.state_.quiet == kNoneLate) {
+    quietMs_ = 0;
+  } else {
+    c.state_.quiet = kWaiting;
+  }
   c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
   keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
   if (!c.isBusy()) {

@@ -57,6 +57,7 @@ class ClientUnderTest {
     return *reinterpret_cast<const mavmission::MissionClient*>(bytes_);
   }
   void rest(uint16_t ms, bool isLast);
+  bool waitsForLateAnswers() const;
   void restFiles(uint16_t ms);
   uint16_t nextOfFilesMs() const;
 
@@ -66,7 +67,8 @@ class ClientUnderTest {
 
   alignas(8) uint8_t bytes_[(sizeof(Client) + 7) / 8 * 8];
   alignas(8) uint8_t fileBytes_[(sizeof(Files) + 7) / 8 * 8];
-  uint64_t hasFiles_;
+  uint32_t hasFiles_;
+  uint32_t quietMs_;  // since answers were expected that may be late; 0 too where none are
 };
 
 // The items that the running download has given to the sketch, in their order: those of the client that runs next.

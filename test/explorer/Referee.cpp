@@ -69,6 +69,13 @@ const char* Referee::sent(const Message& message, Firmwares firmware) {
     return nullptr;
   }
   if (!isRunning) return "a frame is sent after the end";
+  const char* const broken = sentWhile(message, firmware);
+  hasSent = true;
+  return broken;
+}
+
+const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
+  const bool isCancel = message.kind == Kind::Ack && message.number == kCancelled;
   if (task.operation == Operation::Clear) {
     if (message.kind != Kind::ClearAll) return "a frame is sent that is not CLEAR_ALL";
     if (clears == kTries && !isHurried) return "CLEAR_ALL is sent too often";
@@ -290,13 +297,13 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
 const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot, const Autopilot* before,
                          bool lineRepeats) {
   const bool isMeant = isAboard(autopilot, task.plan, task.items);
-  const bool wasTransferring = isUpload() || isReading;
+  const bool wasTransferring = (isUpload() || isReading) && hasSent;
   isRunning = false;
   hasEndedOne = true;
   ended = status;
   const bool isFound = status == Status::AlreadyAboard && isClosed;
-  const bool isRead =
-      isReading && !isFound && status != Status::Accepted && status != Status::Verified && status != Status::Downloaded;
+  const bool isRead = isReading && hasSent && !isFound && status != Status::Accepted && status != Status::Verified &&
+                      status != Status::Downloaded;
   owesCancel = isRead || (wasTransferring &&
                           (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut));
 

@@ -53,7 +53,8 @@ struct Referee {
   uint8_t heardLast;  // the item that was asked for last, one more
   uint8_t open;       // bit i: item i was asked for, and has not been sent since
   uint8_t sentItem;   // the item sent last, one more
-  uint8_t isLastSent : 4;
+  uint8_t isLastSent : 2;
+  uint8_t hasSent : 2;     // a frame of this operation
   uint8_t isPresumed : 4;  // the autopilot has the current item, by its INVALID_SEQUENCE
   uint8_t hasFreed;        // an older transfer was cancelled last: never (0), kJustNow, or kBefore the last COUNT
   uint8_t isReading : 4;
@@ -95,6 +96,7 @@ struct Referee {
   uint16_t againMs(uint16_t otherwiseMs) const { return isHurried ? kHurriedMs : otherwiseMs; }
   const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                            const Autopilot* before) const;
+  const char* sentWhile(const Message& message, Firmwares firmware);
   const char* sentInUpload(const Message& message);
   const char* sentInReading(const Message& message);
 };

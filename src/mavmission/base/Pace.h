@@ -18,6 +18,7 @@ class Pace : public PaceRules {
     if (lossyS_ != 0) --lossyS_;
   }
   bool isLossy() const { return lossyS_ != 0; }
+  uint16_t roundTripMs() const { return roundTripMs_; }
 
   // An answer has come `roundTripMs` after the first sending of its question. `isSure`: the question was sent only
   // once. If it was sent more than once, it is not known which sending was answered: the round trip takes no longer

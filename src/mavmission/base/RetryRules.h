@@ -139,6 +139,7 @@ struct TargetRules {
 
 struct ClientRules {
   static constexpr uint8_t kTickMs = 2;            // seconds, heartbeats and silence are looked at once in this time
+  static constexpr uint8_t kLateTurns = 4;         // a message that was sent again may still be answered [512 ms]
   static constexpr uint16_t kLeftoversMs = 10000;  // an earlier transfer may still be answered
   // The default limit for a whole operation [s].
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }

@@ -32,6 +32,7 @@ void Client::backOffStep(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
   if (frame != nullptr || state.seconds < client.state_.backOffEndS) return;
   state.operation = uploadStep;
+  state.quiet = 255;                           // what is answered late was asked for the same plan
   state.status = Status::WaitingForAutopilot;  // it may be armed, or lost, by now: from the start
 }
 

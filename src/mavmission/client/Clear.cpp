@@ -29,7 +29,9 @@ void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs)
       client.setAboard(clearing.type(), Aboard::Nothing);
       status = clearing.onAccepted();
     }
-    if (status != Status::Transferring) client.endClearing(status);
+    // ArduPilot gives up an upload that was left open, 8 s later: that is no answer to this.
+    const bool isOlder = status == Status::CancelledByAutopilot && (state.unsettled & UploadTransfer::kAnswers) != 0;
+    if (status != Status::Transferring && !isOlder) client.endClearing(status);
     return;
   }
   if (state.status == Status::WaitingForAutopilot) {
@@ -47,6 +49,7 @@ void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs)
   if (mayBeAnswered && since(state.unsettledMs, nowMs) < ClearTransfer::kAnswerMs) return;
   if (clearing.state() != ClearTransfer::State::Due || !client.link_.canSend()) return;
   clearing.sent(nowMs);
+  client.noteSent(clearing.tries());
   mavlink_mission_clear_all_t message = mavlink_mission_clear_all_t();
   message.mission_type = static_cast<uint8_t>(clearing.type());
   client.link_.send(message);

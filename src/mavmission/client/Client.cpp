@@ -17,6 +17,7 @@ Client::Client(Stream& stream) {
   rest_.lastResult = 255;
   state_.unsettled = UploadTransfer::kAnswers;
   state_.cancelled = PlanType::All;
+  state_.quiet = 255;
   state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   rest_.planType = PlanType::All;
 }
@@ -87,6 +88,7 @@ void Client::tellLaterStep(Client& client, const FrameParser* frame, uint16_t) {
 void Client::unsettle(uint16_t nowMs) {
   state_.unsettled = UploadTransfer::kAnswers | UploadTransfer::kBusy;
   state_.unsettledMs = nowMs;
+  expectLateAnswers();
 }
 
 void Client::tellCancelled() { state_.cancelled = state_.type; }
@@ -116,6 +118,7 @@ void Client::cancelSecond(Client& client) {
 
 void Client::cancelNow() {
   if (state_.operation == nullptr) return;
+  if (state_.status == Status::Transferring && !rest_.isCommanding) expectLateAnswers();
   const bool isUpload = state_.operation == uploadStep;
   if (state_.status == Status::Transferring && (isUpload || rest_.proving || state_.operation == readStep)) {
     tellCancelled();
@@ -130,6 +133,11 @@ void Client::waitForAutopilot() {
   const AutopilotFinder& finder = link_.finder();
   if (finder.isCertain()) {
     if (finder.isFrom(link_.systemId(), link_.componentId())) return end(Status::SameIdsAsAutopilot);
+    // What comes before this operation has sent anything is no answer to it: so it waits for late answers first. No
+    // command is answered by a message of the mission protocol.
+    const uint8_t roundTrips = static_cast<uint8_t>(link_.pace().roundTripMs() >> 8);  // 2 of them [512 ms]
+    const uint8_t lateTurns = static_cast<uint8_t>(kLateTurns + roundTrips);
+    if (state_.quiet < lateTurns && !rest_.isCommanding) return;
     state_.status = Status::Checking;
     return;
   }
@@ -204,6 +212,7 @@ Status Client::updateAt(uint16_t nowMs) {
   }
   const uint8_t tick = static_cast<uint8_t>(nowMs / kTickMs);
   if (tick != state_.tick) {
+    if (tick < state_.tick && state_.quiet != 255) ++state_.quiet;  // once a turn of 256 ticks
     state_.tick = tick;
     onTick(nowMs);
   }

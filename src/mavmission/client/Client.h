@@ -169,6 +169,12 @@ class Client : public ClientRules {
   MAVMISSION_APART Status startOperation(Operation operation);
   void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
+  // To be called when a message of the mission protocol has been sent, with how often it has been sent by now. Each may
+  // be answered, and an operation waits for one answer: the others come late.
+  void noteSent(uint8_t tries) {
+    if (tries > 1) expectLateAnswers();
+  }
+  void expectLateAnswers() { state_.quiet = 0; }
   void tellCancelled();
   void setAboard(Aboard what) { setAboard(state_.type, what); }
   void setAboard(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
@@ -214,6 +220,7 @@ class Client : public ClientRules {
   void noteInfeasible();
   void noteAccepted();
   void setPlan(const ItemSource& plan, PlanType type);
+  void setPlanToVerify(const ItemSource& plan, PlanType type);
   MAVMISSION_APART Status refuseType();
   bool namesOther(const FrameParser& frame) const;
   uint32_t acceptedPlanId() const { return rest_.planId; }
@@ -234,6 +241,7 @@ class Client : public ClientRules {
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
     uint8_t unsettled;     // UploadTransfer::kAnswers (also after a reset) and kBusy
+    uint8_t quiet;         // since a message was sent again, or a transfer was left open [256 ticks]
     PlanType cancelled;    // the plan type whose cancelling is still to be sent; All: none
     PlanType type;         // of the running operation
     bool floatItems : 1;   // items go out as MISSION_ITEM

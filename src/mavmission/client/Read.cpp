@@ -11,8 +11,7 @@ using namespace detail;
 Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
-  setPlan(plan, type);
-  state_.type = type;
+  setPlanToVerify(plan, type);
   startOperation(readStep);
   reading_.take = compareItem;
   reading_.isCompared = true;
@@ -20,6 +19,13 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   rest_.itemsTotal = plan_.count();
   if (rest_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
+}
+
+void Client::setPlanToVerify(const ItemSource& plan, PlanType type) {
+  // "Our plan" is this one from now on: whether it is aboard is what is to be found out.
+  if (aboard(type) == Aboard::OurPlan && !plan_.isFrom(plan)) setAboard(type, Aboard::NotKnown);
+  setPlan(plan, type);
+  state_.type = type;
 }
 
 // Reads back the plan that is aboard; the comparison decides how the upload ends.
@@ -80,7 +86,9 @@ void Client::sendRead(uint16_t nowMs) {
     case DownloadTransfer::Send::Request: sendRequest(transfer.itemToAsk()); break;
     case DownloadTransfer::Send::Accepted: sendAck(MAV_MISSION_ACCEPTED, state_.type); break;
   }
-  if (transfer.sent(nowMs)) endReading(Status::Downloaded);
+  const bool isAll = transfer.sent(nowMs);
+  noteSent(transfer.tries());
+  if (isAll) endReading(Status::Downloaded);
 }
 
 void Client::sendRequestList() {
@@ -117,7 +125,10 @@ void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
       // until it gives the upload up, and PX4 answers with an error. The request is repeated, and the number of its
       // attempts limits the wait. An error may also be the late answer to our last item, if that was sent again.
       const bool isListing = reading_.transfer.state() == DownloadTransfer::State::Listing;
-      if (rest_.proving && (isListing || status == Status::Error)) return;
+      // Behind a transfer that was left open it may be the answer to that, or ArduPilot's giving it up.
+      const bool mayBeOlder = (state_.unsettled & UploadTransfer::kAnswers) != 0 &&
+                              (status == Status::Error || status == Status::CancelledByAutopilot);
+      if (mayBeOlder || (rest_.proving && (isListing || status == Status::Error))) return;
       rest_.lastResult = result;
       return endReading(status);
     }

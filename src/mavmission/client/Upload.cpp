@@ -11,6 +11,8 @@ using namespace detail;
 Status Client::startUpload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
+  // "Our plan" is this one from now on, and what was ours is what was aboard before.
+  if (aboard(type) == Aboard::OurPlan) setAboard(type, Aboard::AsBefore);
   setPlan(plan, type);
   rest_.prove = nullptr;
   rest_.partFirst = 0;
@@ -131,6 +133,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
       rest_.lastResult = result;
+      if (!transfer_.hasBegun() && !link_.isSent()) return;  // COUNT still waits for room: this answers something else
       Status status = transfer_.onAck(result, nowMs, link_.pace());
       if (status == Status::Accepted) status = proven(frame.payloadLong(offsetof(Ack, opaque_id)));
       continueUpload(status, nowMs);
@@ -223,6 +226,7 @@ void Client::sendUpload(uint16_t nowMs) {
     return prepareItem(transfer_.itemToSend(), nowMs);
   }
   transfer_.sent(nowMs);
+  noteSent(transfer_.tries());
 }
 
 // Sends the message that comes before the items (COUNT, or the announcement of a part), or a cancellation.

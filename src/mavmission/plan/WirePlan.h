@@ -22,6 +22,10 @@ class WirePlan {
  public:
   // Sets the source of the items, at most 65,535.
   void setSource(const ItemSource& plan);
+  // True if this source was set last.
+  bool isFrom(const ItemSource& plan) const {
+    return read_ == plan.read && context_ == plan.context && count_ == static_cast<uint16_t>(plan.count);
+  }
 
   // Sets the autopilot that gets the plan. `vehicleType`: HEARTBEAT.type. `raw`: the sketch uses the autopilot's own
   // item numbers, so that home is not added and jumps are not shifted. Fence and rally are always raw, since they have

@@ -27,8 +27,7 @@ Status PlanFiles::verify(const ItemSource& plan, PlanType type) {
   Client& client = client_;
   if (client.isBusy()) return Status::Busy;
   if (type == PlanType::All) return client.refuseType();
-  client.setPlan(plan, type);
-  client.state_.type = type;
+  client.setPlanToVerify(plan, type);
   client.startOperation(readStep);
   beginOperation(readStep);
   client.reading_.take = Client::compareItem;

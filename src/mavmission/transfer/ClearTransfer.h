@@ -30,6 +30,7 @@ class ClearTransfer : public ClearRules {
   PlanType type() const { return type_; }
   // False before MISSION_CLEAR_ALL of this type has left: nothing can answer it.
   bool hasBeenSent() const { return tries_ != 0; }
+  uint8_t tries() const { return tries_; }
 
  private:
   void next(PlanType type);

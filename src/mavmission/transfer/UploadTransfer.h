@@ -58,6 +58,8 @@ class UploadTransfer : public UploadRules {
   MAVMISSION_APART void sent(uint16_t nowMs);
 
   State state() const { return state_; }
+  // Attempts at COUNT; later, how often items were sent since the newest request.
+  uint8_t tries() const { return tries_; }
   bool hasBegun() const { return state_ != State::Counting; }
   // True if an answer has come that may belong to an earlier transfer.
   bool isSuspected() const { return suspicion_ != Status::Transferring; }

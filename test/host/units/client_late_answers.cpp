@@ -1,0 +1,168 @@
+// What one operation leaves behind for the next: answers that are still on their way, and what aboard() says.
+#include <doctest/doctest.h>
+
+#include "ClientOnLine.h"
+
+using namespace mavmission;
+
+namespace {
+
+const uint8_t kAccepted = 0, kError = 1, kCancelled = 15;
+const uint16_t kClearAll = 45;
+const MissionItem kPlan[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)};
+const MissionItem kOther[] = {waypoint(-35.3632621_deg, 149.1652374_deg, 40_m), returnToLaunch()};
+
+// Up to its last item; nothing has answered that.
+void sendPlan(ClientOnLine& desk, uint16_t itemsOnTheWire) {
+  desk.client.uploadWithoutReadback(inRam(kPlan));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+  for (uint16_t item = 0; item < itemsOnTheWire; ++item) {
+    desk.hear(requestParts(item));
+    REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
+  }
+}
+
+// As after a line that answers late: the last item was sent twice, and the first of them is accepted.
+void acceptLate(ClientOnLine& desk) {
+  sendPlan(desk, 2);
+  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 2000));
+  desk.hear(ackParts(kAccepted));
+  desk.run(2);
+  REQUIRE((desk.ended == Status::Accepted));
+}
+
+}  // namespace
+
+TEST_CASE("what follows an upload that has repeated its last item is not ended by the answer to that") {
+  for (int second = 0; second < 3; ++second) {
+    ClientOnLine desk(ClientOnLine::kArduPilot);
+    desk.run(11000);
+    acceptLate(desk);
+    desk.sent.clear();
+    if (second == 0) desk.client.clear();
+    if (second == 1) desk.client.verify(inRam(kPlan));
+    if (second == 2) desk.client.uploadWithoutReadback(inRam(kOther));
+    desk.run(100);
+    desk.hear(ackParts(kError));
+    desk.run(1000);
+    desk.hear(ackParts(kError));
+    desk.run(400);
+    CHECK(desk.client.isBusy());
+    CHECK(desk.timesOf(kClearAll, 0).empty());
+    CHECK(desk.timesOf(ClientOnLine::kRequestList, 0).empty());
+    CHECK(desk.timesOf(ClientOnLine::kCount, 0).empty());
+    const uint16_t first[] = {kClearAll, ClientOnLine::kRequestList, ClientOnLine::kCount};
+    CHECK(desk.runUntilSent(first[second], 600));
+  }
+}
+
+TEST_CASE("what follows an upload that has repeated nothing begins at once") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(11000);
+  sendPlan(desk, 2);
+  desk.hear(ackParts(kAccepted));
+  desk.run(2);
+  REQUIRE((desk.ended == Status::Accepted));
+  desk.client.clear();
+  CHECK(desk.runUntilSent(kClearAll, 10));
+}
+
+TEST_CASE("a command does not wait for late answers of the mission protocol") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(11000);
+  acceptLate(desk);
+  desk.client.arm();
+  CHECK(desk.runUntilSent(76, 10));
+}
+
+TEST_CASE("the acceptance of an upload that was cancelled is not that of the next one") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(11000);
+  sendPlan(desk, 2);
+  desk.client.cancel();
+  desk.run(2);
+  desk.ended = Status::Idle;
+  desk.client.uploadWithoutReadback(emptyPlan());
+  desk.run(700);
+  desk.hear(ackParts(kAccepted));
+  desk.run(50);
+  CHECK((desk.ended == Status::Idle));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1500));
+  desk.hear(ackParts(kAccepted));
+  desk.run(2);
+  CHECK((desk.ended == Status::Accepted));
+}
+
+TEST_CASE("ArduPilot gives up an upload that was left open, and the clear or the reading goes on") {
+  for (const bool clears : {true, false}) {
+    ClientOnLine desk(ClientOnLine::kArduPilot);
+    desk.run(11000);
+    sendPlan(desk, 1);
+    desk.client.cancel();
+    desk.run(2500);
+    if (clears) {
+      desk.client.clear();
+      REQUIRE(desk.runUntilSent(kClearAll, 10));
+    } else {
+      desk.client.verify(inRam(kPlan));
+      REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
+    }
+    desk.hear(ackParts(kCancelled));
+    desk.run(2);
+    CHECK(desk.client.isBusy());
+  }
+}
+
+TEST_CASE("an empty plan is not accepted while its COUNT waits for room") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(3000);
+  desk.line.room = 4;
+  desk.line.takes = 4;
+  desk.client.uploadWithoutReadback(emptyPlan());
+  desk.run(1);
+  desk.line.room = 0;
+  desk.run(20);
+  desk.hear(ackParts(kAccepted));
+  desk.run(20);
+  CHECK(desk.client.isBusy());
+  desk.line.room = desk.line.kAlwaysRoom;
+  desk.line.takes = 1000000;
+  desk.run(10);
+  desk.hear(ackParts(kAccepted));
+  desk.run(2);
+  CHECK((desk.ended == Status::Accepted));
+}
+
+TEST_CASE("aboard() is about the plan that was given last, also when that ended early") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(11000);
+  sendPlan(desk, 2);
+  desk.hear(ackParts(kAccepted));
+  desk.run(2);
+  REQUIRE((desk.client.aboard() == Aboard::OurPlan));
+
+  desk.client.verify(inRam(kPlan));  // the same one
+  desk.client.cancel();
+  CHECK((desk.client.aboard() == Aboard::OurPlan));
+
+  SUBCASE("verify() of another one") {
+    desk.client.verify(inRam(kOther));
+    desk.client.cancel();
+    CHECK((desk.client.aboard() == Aboard::NotKnown));
+  }
+  SUBCASE("a longer part of the same array") {
+    desk.client.verify(inRam(kPlan, 2));
+    desk.client.cancel();
+    CHECK((desk.client.aboard() == Aboard::NotKnown));
+  }
+  SUBCASE("upload() of another one") {
+    desk.client.uploadWithoutReadback(inRam(kOther));
+    desk.client.cancel();
+    CHECK((desk.client.aboard() == Aboard::AsBefore));
+  }
+  SUBCASE("a plan of another type") {
+    desk.client.uploadWithoutReadback(inRam(kOther), PlanType::Rally);
+    desk.client.cancel();
+    CHECK((desk.client.aboard() == Aboard::OurPlan));
+  }
+}
