@@ -25,6 +25,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from library_objects import LibraryObjects
+from near import nearest
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
@@ -307,7 +308,9 @@ def sketch_folder(source: Path, folder: Path) -> Path:
 
 
 def no_sketch_at(source: Path) -> BuildFailed:
-    return BuildFailed(f"no sketch at {source}: name a folder with a .ino of the same name, or a .cpp")
+    near = nearest(source.stem, [sketch.stem for sketch in (ROOT / "examples").glob("*/*.ino")])
+    meant = f"; did you mean examples/{near}?" if near else ""
+    return BuildFailed(f"no sketch at {source}: name a folder with a .ino of the same name, or a .cpp{meant}")
 
 
 def library_folder() -> Path:

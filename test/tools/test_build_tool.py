@@ -2,8 +2,10 @@
 
 import os
 import re
+import signal
 import subprocess
 import termios
+import time
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,7 @@ import pytest
 import building
 import flashing
 from building import BOARDS, ROOT, BuildFailed, build_sketch
+from interrupts import can_be_interrupted
 
 ECHO = """\
 void setup() { Serial1.begin(57600); }
@@ -188,8 +191,9 @@ src/MavMission.h:9:1: warning: ours too
     [
         (["nowhere", "--board", "mega"], "no sketch at"),
         (["tools/building.py", "--board", "mega"], "no sketch at"),
-        (["nowhere", "--board", "due"], "invalid choice: 'due'"),
-        (["nowhere"], "--board"),
+        (["examples/UplaodMission"], "did you mean examples/UploadMission?"),
+        (["nowhere", "--board", "due"], "there is no due; there are mega, uno, nano, leonardo"),
+        (["nowhere", "--board", "Megga"], "there is no Megga; did you mean mega? There are mega, uno, nano, leonardo"),
     ],
 )
 def test_bad_input_gets_an_error_that_names_it(arguments, says):
@@ -197,6 +201,25 @@ def test_bad_input_gets_an_error_that_names_it(arguments, says):
     assert ran.returncode != 0
     assert says in ran.stderr
     assert "Traceback" not in ran.stderr
+
+
+def test_the_board_is_a_mega_unless_told(tmp_path):
+    ran = tools_build(sketch(tmp_path, ECHO))
+    assert "bytes of 253952" in ran.stdout, ran.stderr
+
+
+def test_interrupted_tool_leaves_without_a_traceback(tmp_path):
+    fake = program(tmp_path / "bin", "arduino-builder", f"touch {tmp_path}/began; exec sleep 60")
+    with subprocess.Popen(
+        [ROOT / "tools" / "build", sketch(tmp_path, ECHO)], stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PATH": f"{fake}:{os.environ['PATH']}"}, preexec_fn=can_be_interrupted,
+    ) as running:  # fmt: skip
+        while not (tmp_path / "began").exists():
+            assert running.poll() is None
+            time.sleep(0.02)
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=20)
+    assert (running.returncode, said.strip()) == (130, "tools/build: interrupted")
 
 
 def test_a_sketch_in_a_folder_of_another_name_is_refused(tmp_path):

@@ -16,11 +16,14 @@ from rich.console import Console
 from building import ROOT, build_sketch
 from demonstration import Demonstration, NoDemonstration, Settings
 from demonstration import demonstration as inside
+from demonstration.conversation import Conversation
 from demonstration.plan_in_firmware import NotOnePlan, plan_in
 from demonstration.screen import PlainScreen, TerminalScreen
 from demonstration.wire_form import HOME, on_the_wire
+from demonstration.words import message_in_words
 from interrupts import can_be_interrupted
 from simulation.fake_autopilot import MISSION, ArduPilot, Px4, item, mavlink
+from simulation.wire import Entry
 
 SKETCHES = Path(__file__).resolve().parents[1] / "demonstrated"
 AUTOPILOTS = ["ardupilot", "px4"]
@@ -94,6 +97,47 @@ def test_download_that_misses_an_item_is_a_failure(monkeypatch):
     good, text = shown("DownloadMission", loss_percent=100)
     assert not good
     assert "has read 0 of the" in text
+
+
+SET_MODE, REQUEST = mavlink.MAV_CMD_DO_SET_MODE, mavlink.MAV_CMD_REQUEST_MESSAGE
+ACCEPTED, IN_PROGRESS = mavlink.MAV_RESULT_ACCEPTED, mavlink.MAV_RESULT_IN_PROGRESS
+
+
+def order(command: int, first: float, confirmation: int = 0):
+    return ">", mavlink.MAVLink_command_long_message(1, 1, command, confirmation, first, 0, 0, 0, 0, 0, 0), ""
+
+
+def answer(command: int, result: int, fate: str = ""):
+    return "<", mavlink.MAVLink_command_ack_message(command, result), fate
+
+
+@pytest.mark.parametrize(
+    "talk, again",
+    [
+        ([order(SET_MODE, 1), order(SET_MODE, 1, 1)], [False, True]),
+        ([order(SET_MODE, 1), order(REQUEST, 1), order(SET_MODE, 2)], [False, False, False]),
+        ([order(SET_MODE, 1), answer(SET_MODE, ACCEPTED), order(SET_MODE, 1)], [False, False, False]),
+        ([order(SET_MODE, 1), answer(REQUEST, ACCEPTED), order(SET_MODE, 1)], [False, False, True]),
+        ([order(SET_MODE, 1), answer(SET_MODE, ACCEPTED, "lost"), order(SET_MODE, 1)], [False, False, True]),
+        ([order(SET_MODE, 1), answer(SET_MODE, IN_PROGRESS), order(SET_MODE, 1)], [False, False, True]),
+        ([order(SET_MODE, 1), *2 * [answer(SET_MODE, ACCEPTED)]], [False, False, True]),
+        (2 * [order(SET_MODE, 1), answer(SET_MODE, ACCEPTED)], [False, False, False, False]),
+    ],
+)
+def test_order_is_said_again_until_it_is_answered(talk, again):
+    heard = Conversation()
+    assert [heard.add(Entry(0.0, way, 0, message, b"", fate)) for way, message, fate in talk] == again
+
+
+def test_order_and_its_answer_have_the_name_of_the_command():
+    place = mavlink.MAVLink_command_int_message(1, 1, 6, 192, 0, 0, -1, 0, 0, float("nan"), -353632621, 1491652374, 20)
+    assert [message_in_words(message, b"") for _, message, _ in (
+        order(SET_MODE, 1), order(31999, 0), answer(SET_MODE, ACCEPTED), answer(SET_MODE, 77), (">", place, ""),
+    )] == [
+        "COMMAND_LONG DO_SET_MODE (1: 1)", "COMMAND_LONG command 31999", "COMMAND_ACK DO_SET_MODE ACCEPTED",
+        "COMMAND_ACK DO_SET_MODE 77",
+        "COMMAND_INT DO_REPOSITION (1: -1, 4: unset, 5: -353632621, 6: 1491652374, 7: 20)",
+    ]  # fmt: skip
 
 
 def test_lost_and_repeated_frames_are_marked():
@@ -215,8 +259,10 @@ def test_several_plans_must_be_told_apart():
 
 
 def test_unknown_example_is_refused_with_those_there_are():
-    with pytest.raises(NoDemonstration, match="there are: .*UploadMission"):
+    with pytest.raises(NoDemonstration, match=r"did you mean UploadMission\? There are .*, DownloadMission, "):
         shown("UplaodMission")
+    with pytest.raises(NoDemonstration, match="no example Xyz; there are CheckParameters, "):
+        shown("Xyz")
 
 
 # The form on the wire -------------------------------------------------------
@@ -297,6 +343,7 @@ def test_tool_exits_with_a_bad_verdict():
 
 def test_tool_refuses_nonsense_and_says_what_to_do():
     assert "is not 0 to 100" in run_tool("--loss", "101").stderr
+    assert "argument --loss: 'abc' is no number" in run_tool("--loss", "abc").stderr
     ran = run_tool("Nothing")
     assert ran.returncode == 1
     assert ran.stderr.startswith("tools/demo: there is no example Nothing")

@@ -99,6 +99,15 @@ def test_nonsense_is_refused_on_one_printable_line(tmp_path, text, suffix):
     assert str(caught.value).isprintable()
 
 
+@pytest.mark.parametrize("text", ["", "\n", " \n\n"])
+def test_empty_plan_is_called_empty_and_one_that_ends_early_cut_off(tmp_path, text):
+    file = tmp_path / "some.plan"
+    file.write_text(text)
+    refused(run("check", file), "the file is empty")
+    file.write_text('{"mission":')
+    refused(run("check", file), "the file ends in the middle: it was cut off")
+
+
 def test_thousand_items_are_checked_in_less_than_a_second_of_the_processor(tmp_path):
     file = tmp_path / "long.waypoints"
     rows = [f"{n} 0 3 16 0 0 0 0 {47 + n / 1e6:.7f} {8 + n / 1e6:.7f} 20.5 1" for n in range(1, 1001)]

@@ -287,6 +287,16 @@ def test_table_cuts_no_coordinate_however_narrow_the_terminal(width):
     assert max(map(len, text.splitlines())) <= max(width, 80)
 
 
+@pytest.mark.parametrize("width", [60, 80, 100])
+def test_name_of_a_command_is_broken_at_an_underscore_alone(width):
+    out = io.StringIO()
+    show(read_plan(FARM), Speeds(5.0), Console(file=out, width=width, color_system=None))
+    words = out.getvalue().split()
+    assert "DO_CHANGE_" in words and "SPEED" in words
+    assert "DO_SET_CAM_" in words and "TRIGG_DIST" in words
+    assert "NAV_WAYPOINT" in words
+
+
 def test_long_flight_is_in_hours():
     flight = fly(plan_of([at(0), at(100_000)], home=HOME), Speeds(5.0))
     assert "about 5 h 33 min" in summary(flight, Speeds(5.0))[0]

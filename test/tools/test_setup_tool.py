@@ -1,6 +1,7 @@
 """tools/setup installs what a command needs and no more, only what is missing, and says what it may not do."""
 
 import math
+import os
 import re
 import subprocess
 import time
@@ -251,6 +252,17 @@ def test_setup_refuses_a_group_that_is_not_there(machine):
     ran = machine.setup("nonsense")
     assert ran.returncode == 1
     assert ran.stderr == f"tools/setup: there is no group nonsense; there are {' '.join(GROUPS)}, and --all\n"
+
+
+def test_tool_looks_once_for_what_is_missing(tmp_path):
+    (tmp_path / "dpkg-query").write_text(f'#!/bin/sh\necho looked >>{tmp_path}/said\nexec /usr/bin/dpkg-query "$@"\n')
+    (tmp_path / "dpkg-query").chmod(0o755)
+    # By the system's Python, from which it goes on under build/venv.
+    command = ["/usr/bin/python3", ROOT / "tools" / "plan", "check", ROOT / "docs" / "farm.plan"]
+    env = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    ran = subprocess.run(command, capture_output=True, text=True, env=env, check=False)
+    assert ran.returncode == 0, ran.stderr
+    assert (tmp_path / "said").read_text() == "looked\n"
 
 
 # The environment ---------------------------------------------------------------------

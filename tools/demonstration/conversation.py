@@ -33,6 +33,7 @@ class Conversation:
         self.thanked = False  # the Mega has acknowledged a download
         self.others: Counter[str] = Counter()  # what is not shown, by name
         self._said: set[tuple] = set()
+        self._orders: dict[int | None, set[tuple]] = {}  # by command: what was said of it since its last answer
         self._writing: int | None = None  # the type of plan whose file is open for writing
         self._heartbeats: set[str] = set()
         self._last_at = math.inf
@@ -53,9 +54,28 @@ class Conversation:
             self._from_mega(message, name)
         else:
             self._from_autopilot(entry, message, name)
+        if name.startswith("COMMAND_"):
+            return self._command(entry)
         said = (entry.direction, name, *(getattr(message, what, None) for what in ("seq", "command", "mission_type")))
         again = said in self._said and name != "MISSION_ACK"
         self._said.add(said)
+        return again
+
+    def _command(self, entry: Entry) -> bool:
+        """An order or its answer; True if the same was said before. An order is a new one when the last has been
+        answered, or with another parameter."""
+        message = entry.message
+        values = message.to_dict()
+        values.pop("confirmation", None)  # counts how often the order was sent
+        words = tuple((name, str(value)) for name, value in values.items())
+        talk = self._orders.setdefault(getattr(message, "command", None), set())
+        again = (entry.direction, words) in talk
+        is_answer = hasattr(message, "result")
+        if not is_answer and not again:
+            talk.clear()
+        talk.add((entry.direction, words))
+        if is_answer and not entry.fate and message.result != mavlink.MAV_RESULT_IN_PROGRESS:
+            talk -= {said for said in talk if said[0] != entry.direction}
         return again
 
     def _file(self, entry: Entry) -> bool:

@@ -5,14 +5,20 @@ from __future__ import annotations
 import itertools
 import time
 import tomllib
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from building import ROOT, BuildFailed, build_sketch
+from near import did_you_mean
+from planning import judge
 from simulation.enumerators import texts_of
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
 from simulation.fake_autopilot.flight import Place
 from simulation.mega import Mega
+from simulation.mega import library as mega_library
 from simulation.mega.realtime import RealTime
 from simulation.wire import Entry
 
@@ -82,8 +88,10 @@ class Demonstration:
         self._has_flown = False
         self._uploads = not described.keys() & {"runs_s", "reads", "flies", "follows"}
         self._reads: bool = described.get("reads", False)
+        folder = sketch(settings.example)
         try:
-            built = build_sketch(sketch(settings.example))
+            with compiled_meanwhile():
+                built = build_sketch(folder)
             self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
@@ -340,6 +348,16 @@ class Console:
         pass
 
 
+@contextmanager
+def compiled_meanwhile() -> Iterator[None]:
+    """The simulator and the library's checks are compiled beside what is done within, where they are not yet; what is
+    wrong with them is said when they are used."""
+    with ThreadPoolExecutor() as workers:
+        workers.submit(mega_library.compiled)
+        workers.submit(judge.program)
+        yield
+
+
 def plans_of(elf: Path, described: dict) -> dict[int, Plan]:
     """What an example uploads, by mission type; nothing where it comes from a function."""
     named = {FENCE: described.get("fence"), RALLY: described.get("rally")}
@@ -365,8 +383,8 @@ def sketch(example: str) -> Path:
         return named
     if Path(example).exists():
         return Path(example)
-    names = ", ".join(sorted(folder.name for folder in EXAMPLES.iterdir() if folder.is_dir()))
-    raise NoDemonstration(f"there is no example {example}; there are: {names}")
+    names = sorted(folder.name for folder in EXAMPLES.iterdir() if folder.is_dir())
+    raise NoDemonstration(f"there is no example {example}{did_you_mean(example, names)}")
 
 
 def compared(meant: list[Item], aboard: list[Item]) -> list[Row]:

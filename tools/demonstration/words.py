@@ -59,9 +59,29 @@ def message_in_words(message, data: bytes) -> str:
         return summary(message, data) + (f", checksum {message.opaque_id:08x}" if message.opaque_id else "")
     if name == FILES:
         return f"FTP {Request.of(message)}"
+    if name.startswith("COMMAND_") and hasattr(message, "command"):
+        return f"{name} {command_name(message.command)}{command_details(message)}"
     if name == "HEARTBEAT":
         return f"{name} of {autopilot_name(message.autopilot)}"
     return summary(message, data)
+
+
+def command_details(message) -> str:
+    """What an order says beside its name, or what was answered to it."""
+    if hasattr(message, "result"):
+        result = mavlink.enums["MAV_RESULT"].get(message.result)
+        return f" {result.name.removeprefix('MAV_RESULT_') if result else message.result}"
+    values = [(number, getattr(message, f"param{number}", 0.0)) for number in range(1, 8)]
+    if hasattr(message, "x"):  # COMMAND_INT: a place in whole numbers
+        values += [(5, message.x), (6, message.y), (7, message.z)]
+    said = [
+        f"{number}: {value if isinstance(value, int) else value_text(value)}" for number, value in values if value != 0
+    ]
+    return f" ({', '.join(said)})" if said else ""
+
+
+def value_text(value: float) -> str:
+    return "unset" if math.isnan(value) else f"{value:.9g}"
 
 
 def autopilot_name(autopilot: int) -> str:

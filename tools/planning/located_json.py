@@ -110,7 +110,7 @@ class _Reader:
 
     def _bad(self, text: str) -> BadPlan:
         if self._at >= len(self._text):
-            text = "the file ends in the middle: it was cut off"
+            text = "the file ends in the middle: it was cut off" if self._text.strip() else "the file is empty"
         return BadPlan(self._file, self._here(), text)
 
     def _skip(self) -> None:

@@ -21,6 +21,7 @@ REFERENCES = {0: "above sea level", 3: "above home", 10: "above ground"}
 
 # A terminal with fewer columns gets a place in two lines, and a table without walls.
 WIDE = 120
+NARROW = 14  # letters of a command's name that stay in one line there
 
 
 def show(plan: Plan, speeds: Speeds, console: Console, why: str = "") -> None:
@@ -62,7 +63,7 @@ def mission_table(plan: Plan, flight: Flight, is_wide: bool = True) -> Table:
         column.no_wrap = column.header in ("item", *places, *lengths)
         column.overflow = "fold"
     flown = first_flown(flight)
-    group = ""
+    group, longest = "", 0
     for index, step in enumerate(plan.mission):
         if step.group != group:
             group = step.group
@@ -70,7 +71,9 @@ def mission_table(plan: Plan, flight: Flight, is_wide: bool = True) -> Table:
         item = step.item
         first, upto = flown.get(index, ([], 0.0))
         climbs = [leg.climb for leg in first if leg.climb is not None]
-        name = commands.name_of(item.command) + (f" ({group})" if group else "")
+        name = commands.name_of(item.command)
+        name = (name if is_wide else in_two_lines(name)) + (f" ({group})" if group else "")
+        longest = max(longest, *map(len, name.split()))
         latitude, longitude, altitude = place_cells(item)
         place = (latitude, longitude) if is_wide else (f"{latitude}\n{longitude}".strip(),)
         leg = f"{sum(leg.distance for leg in first):.0f}" if first else ""
@@ -78,7 +81,17 @@ def mission_table(plan: Plan, flight: Flight, is_wide: bool = True) -> Table:
         total = f"{upto:.0f}" if first else ""
         sizes = (leg, climb, total) if is_wide else (leg, total)
         table.add_row(str(index), escape(name), *place, altitude, escape(parameters(item)), *sizes)
+    table.columns[1].min_width = longest
     return table
+
+
+def in_two_lines(name: str) -> str:
+    """A command's name for a narrow column: a long one ends its first line behind an underscore near its middle."""
+    if len(name) <= NARROW:
+        return name
+    breaks = [at + 1 for at, letter in enumerate(name) if letter == "_"]
+    at = min(breaks, key=lambda at: abs(2 * at - len(name)), default=len(name))
+    return f"{name[:at]}\n{name[at:]}"
 
 
 def first_flown(flight: Flight) -> dict[int, tuple[list[Leg], float]]:

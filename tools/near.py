@@ -1,0 +1,55 @@
+"""What somebody meant who mistyped a name, and numbers of a command line that are told apart from words."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+from collections.abc import Callable, Iterable
+
+
+def nearest(word: str, names: Iterable[str]) -> str:
+    """The name that was meant, or "" where none is near."""
+    by_small = {name.lower(): name for name in names}
+    near = difflib.get_close_matches(word.lower(), by_small, n=1)
+    return by_small[near[0]] if near else ""
+
+
+def did_you_mean(word: str, names: Iterable[str]) -> str:
+    """; did you mean UploadMission? There are DownloadMission, UploadMission"""
+    known = list(names)
+    near = nearest(word, known)
+    every = ", ".join(known)
+    return f"; did you mean {near}? There are {every}" if near else f"; there are {every}"
+
+
+def one_of(names: Iterable[str]) -> Callable[[str], str]:
+    """For `type` of an argument: one of these names, and the nearest for another."""
+    known = list(names)
+
+    def checked(word: str) -> str:
+        if word not in known:
+            raise argparse.ArgumentTypeError(f"there is no {word}{did_you_mean(word, known)}")
+        return word
+
+    return checked
+
+
+def number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number") from None
+
+
+def percent(text: str) -> float:
+    value = number(text)
+    if not 0 <= value <= 100:
+        raise argparse.ArgumentTypeError(f"{text} is not 0 to 100")
+    return value
+
+
+def positive(text: str) -> float:
+    value = number(text)
+    if not 0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return value
