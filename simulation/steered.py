@@ -16,7 +16,7 @@ from simulation.bench import status_names
 from simulation.fake_autopilot.flight import METRES_PER_E7, Place
 from simulation.service import Service
 
-STEPS = ("None", "AskLanded", "AskHome", "AskPosition", "Mode", "Arm", "Command", "Confirm", "Disarm")
+STEPS = ("None", "AskLanded", "AskHome", "AskPosition", "Mode", "Arm", "Command", "Confirm", "Disarm", "GiveBack")
 ABOVE_SEA, ABOVE_HOME, ABOVE_GROUND = 0, 3, 10  # MAV_FRAME
 TAKEOFF, REPOSITION, SPEED, REQUEST_MESSAGE, INTERVAL = 22, 192, 178, 512, 511
 
@@ -75,11 +75,28 @@ class Steered(Service):
 
     def pilot_sets(self, mode: str | tuple[int, int]) -> None:
         """By the switch of the remote control."""
-        if isinstance(mode, str):
-            self.autopilot._set_mode(self.autopilot.kind.modes[mode], self.now)
-        else:
-            self.autopilot._set_mode(*mode, self.now)
+        self.pilot_sets_in(0.0, mode)
         self.run(1.2)
+
+    def pilot_sets_in(self, seconds: float, mode: str | tuple[int, int]) -> float:
+        """The same, so much later; when that is [s]."""
+        autopilot, at = self.autopilot, self.now + seconds
+        numbers = (autopilot.kind.modes[mode],) if isinstance(mode, str) else mode
+        autopilot.at("pilot", at, lambda now: autopilot._set_mode(*numbers, now))
+        return at
+
+    def undone_s(self, mode: str | tuple[int, int], since: float) -> float:
+        """For how long it flew in another mode than this one, which a pilot has set at `since` [s]."""
+        times = [(time, flown) for time, flown in self.autopilot.modes_flown if time >= since]
+        ends = [time for time, _ in times[1:]] + [self.now]
+        return sum(end - time for (time, flown), end in zip(times, ends, strict=True) if flown != mode)
+
+    def orders_since(self, since: float) -> list[tuple[float, Any]]:
+        """The commands that move or arm something and that have reached the autopilot, with their times [s]."""
+        return [(entry.time, entry.message) for entry in self.autopilot.log
+                if entry.time >= since and entry.direction == ">"
+                and entry.message.get_type() in ("COMMAND_LONG", "COMMAND_INT")
+                and entry.message.command not in (REQUEST_MESSAGE, INTERVAL)]  # fmt: skip
 
     def ordered(self) -> list:
         """The commands that were heard and that move or arm something."""

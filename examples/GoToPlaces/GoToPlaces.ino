@@ -79,6 +79,11 @@ void loop() {
   if (autopilot.isBusy()) return;
   if (tryAgain && millis() - sinceMs >= 5000) return order();
   if (tryAgain) return;
+  const bool isWaiting = stage == Stage::Climbing || stage == Stage::Flying || stage == Stage::Working;
+  if (isWaiting && autopilot.hasAutopilot() && !steering.maySteer()) {
+    CONSOLE.println(F("somebody else has it"));
+    stage = Stage::Done;
+  }
   switch (stage) {
     case Stage::Climbing:
       if (steering.hasArrived()) goOn();

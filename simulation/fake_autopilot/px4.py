@@ -116,10 +116,12 @@ class Px4(FakeAutopilot):
         self._text_number = 0
         self._reached: int | None = None
         self._reached_again = 0
+        self.modes_flown: list[tuple[float, tuple[int, int]]] = []  # each with the time at which it was set [s]
         self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
         self.home_is_known = True
         self.has_standard_messages = True  # AVAILABLE_MODES and CURRENT_MODE: boards with little flash do without
         self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
+        self._has_lost_stream = False  # why it is in its failsafe: its targets have ended in OFFBOARD
         self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
                                         RALLY: rally_limit})
@@ -286,6 +288,8 @@ class Px4(FakeAutopilot):
         elif not self.home_is_known:
             return
         self._streamed_at = now
+        if self._has_lost_stream:
+            self._set_mode(OFFBOARD, 0, now)  # what was ordered is still OFFBOARD, and can be flown again
         if self.main_mode != OFFBOARD:
             return
         self._watch_stream()
@@ -306,7 +310,7 @@ class Px4(FakeAutopilot):
         """It returns. (Had a target come meanwhile, it would go on.)"""
         if self.armed and self.main_mode == OFFBOARD:
             self._set_mode(AUTO, SUB_RTL, now)
-            self.in_failsafe = True
+            self.in_failsafe = self._has_lost_stream = True
 
     def _has_stream(self, now: float) -> bool:
         return now - self._streamed_at <= STREAM_S
@@ -510,7 +514,8 @@ class Px4(FakeAutopilot):
         if (main, sub) == (self.main_mode, self.sub_mode) and self.flight.index is not None:
             return
         self.main_mode, self.sub_mode = main, sub
-        self.in_failsafe = False
+        self.modes_flown.append((now, (main, sub)))
+        self.in_failsafe = self._has_lost_stream = False
         if main == OFFBOARD:
             self._watch_stream()
         if main != AUTO or sub not in _FOR_A_WHILE:

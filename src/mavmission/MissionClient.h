@@ -102,7 +102,8 @@ class MissionClient : private detail::Client {
   Status clear(PlanType type = PlanType::Mission);
 
   // --- Flying. Each ends with Status::Done, or with the autopilot's refusal (MAVLink guide, Command Protocol). Nothing
-  // arms but arm() and start(), and arming is never forced.
+  // arms but arm(), start(), Steering::takeOff(), and a command that arms in the sketch's own send(). Arming is never
+  // forced. docs/who_has_the_aircraft.md is to be read before the first flight.
 
   // Arms, and flies the plan that is aboard from this item on, in the sketch's numbers: the steps that this autopilot
   // needs, in its order, each of them confirmed; startStep() says which one was refused. Done when the autopilot is

@@ -21,12 +21,16 @@ namespace mavmission {
 // A target leaves only from update(), and only while the sketch has renewed it within the last second: when it stops
 // doing so, or calls stop(), the aircraft is made to hold where it is, as Steering::pause() does. So a loop() that goes
 // on while its sensor is silent ends with a hold. A loop() that stands still sends nothing: ArduPilot then flies to the
-// last target and stays there, PX4 does what its failsafe for OFFBOARD says (as it comes, it returns home). When loop()
-// goes on later, an old target is not sent.
+// last target and stays there, PX4 does what its failsafe for OFFBOARD says (as it comes, it returns home 1 s later).
+// When loop() goes on later, an old target is not sent.
 //
-// The aircraft is never taken out of other hands: what Steering says about that holds here too. A pilot who sets
-// another mode, or a failsafe, ends it at once and for good: nothing more is sent until the sketch calls start(), which
-// is refused while the aircraft is in his hands. An order of Steering, but for setSpeed(), ends it as well.
+// Nor does a target leave while the autopilot is not heard: none 0.6 s after its last message. For PX4 would take the
+// first target that gets through for an order to come back from its failsafe. Behind such a gap, and behind a loop()
+// that stood still for so long, a heartbeat has to show first that the aircraft is still the sketch's.
+//
+// The aircraft is never taken out of other hands: what Steering says about that holds here too. A heartbeat that shows
+// another mode, or a failsafe, ends it for good: nothing more is sent until the sketch calls start(), which is refused
+// while the aircraft is in other hands. An order of Steering, but for setSpeed(), ends it as well.
 class MovingTarget : private detail::Listener, private detail::TargetRules {
  public:
   // This object and the Steering must live as long as the client: declare them beside it, not in a function.
@@ -76,6 +80,7 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   bool isOperating() const;
   bool isLate() const;
   void look(uint32_t nowMs);
+  void ask(uint16_t nowMs);
   bool isSteered() const;
   bool needsStream() const;
   bool mayFollow() const;
@@ -95,6 +100,7 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   uint16_t sentMs_;   // when the last target left
   uint16_t beganMs_;  // when the first one did
   uint16_t blindMs_;  // since when it is blind
+  uint16_t askedMs_;  // when a heartbeat was asked for last
   uint16_t mode_;     // in which the aircraft follows
   LatLon at_;         // the target
   int32_t heightCm_;
@@ -103,7 +109,8 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   Status toReturn_;
   Status ending_;  // with which a hold ends
   Stage stage_;
-  bool isBlind_ : 1;     // loop() has stood still, and no heartbeat has come since then
+  bool isBlind_ : 1;     // loop() has stood still, or the autopilot was silent, and no heartbeat has come since then
+  bool isStale_ : 1;     // loop() has stood still: what comes next may be from before
   bool isStopped_ : 1;   // by stop()
   bool hasSent_ : 1;     // a target has left since start()
   bool isOrdered_ : 1;   // the hold is an operation of the client, and has not ended

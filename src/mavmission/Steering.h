@@ -4,6 +4,7 @@
 #include "LatLon.h"
 #include "MissionClient.h"
 #include "service/Listener.h"
+#include "transfer/ModeOrder.h"
 
 namespace mavmission {
 
@@ -12,8 +13,9 @@ class MovingTarget;
 // The steps of a Steering operation, in order; each operation needs only some of them. AskLanded: PX4 is asked whether
 // it is in the air (EXTENDED_SYS_STATE). AskHome: and whether home is known (HOME_POSITION). AskPosition: the position
 // is requested twice a second (GLOBAL_POSITION_INT). Command: NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED. Confirm:
-// what shows that it is carried out. Disarm: takeOff() was refused after it had armed.
-enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Arm, Command, Confirm, Disarm };
+// what shows that it is carried out. Disarm: takeOff() was refused after it had armed. GiveBack: an order has undone a
+// mode that somebody else had set at the same moment, and that mode is set again.
+enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Arm, Command, Confirm, Disarm, GiveBack };
 
 // Steers the client's aircraft. Declare one beside the client:
 //
@@ -29,6 +31,11 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 // it, or PX4 reports a failsafe; nothing was sent then. (Whoever wants to act all the same has
 // MissionClient::setMode().) On PX4 the mode HOLD is both where goTo() flies and what a pilot may choose: there a pilot
 // shows only by another mode.
+//
+// What changes the mode leaves right behind a heartbeat, which is asked for; where the aircraft is in the order's mode
+// already, the order is sent in a form that changes none. If somebody else's mode was set in the moment between, and
+// the order undoes it, and a heartbeat has shown it, that mode is set again: PilotHasIt or FailsafeHasIt when it flies
+// again, Overruled when it could not be set. docs/who_has_the_aircraft.md has the times.
 //
 // An Arduino that was reset in flight does nothing by itself: until this object has seen the aircraft disarmed, its
 // functions end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. The mode in which the
@@ -95,6 +102,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
                    const detail::FrameParser* frame, uint16_t nowMs);
   Status begin(Order order);
   Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
+  void look();
   void takeHeartbeat();
   void takePosition(const detail::FrameParser& frame);
   void takeTarget(const detail::FrameParser& frame);
@@ -102,12 +110,18 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status refuseNumbers();
   Status refuseField(Status status, ItemField field);
   Status otherHands() const;
+  Status whoFlies() const;
   Status judgeFlight();
   Status nextStep(uint16_t nowMs);
   bool beginStep(uint16_t nowMs);
   Status onRefused(Status refusal, uint16_t nowMs);
   Status onSilent(Status silence);
   Status onHeartbeat(uint16_t nowMs);
+  Status onOwnMode(uint16_t nowMs);
+  void noteSent();
+  void lead(uint16_t from, uint16_t wanted);
+  Status leaveTo(Status other, uint16_t nowMs);
+  Status giveBack(uint16_t nowMs);
   Status onTime(uint16_t nowMs);
   Status leave(Status refusal, uint16_t nowMs);
   Status done();
@@ -124,21 +138,26 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool needsHome() const;
   bool stopsByPlace() const;
   bool hasCommand() const;
+  bool isPlaced() const { return is(Order::GoTo) || is(Order::Pause); }
   bool wantsPosition() const;
-  bool waitsForHeartbeat() const;
+  bool changesMode() const;
+  bool isGuarded() const;
+  bool hasClimbed() const;
   bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }
   uint16_t modeFor(Order order) const;
 
-  Place target_;      // to which it flies
-  Place wanted_;      // of the running goTo() or takeOff()
-  LatLon here_;       // its position
-  int32_t seaCm_;     // its altitude above the sea
-  int32_t homeCm_;    // and above home
-  float value_;       // the altitude [m] or the speed [m/s] of the order
-  uint16_t ownMode_;  // the mode that this sketch has set, while it lasts; kNoMode: none
-  uint16_t oldMode_;  // the mode at the beginning of the operation
-  uint16_t wantedMode_;
-  uint16_t beganS_;  // when the confirmation of a takeoff began [s]
+  Place target_;              // to which it flies
+  Place wanted_;              // of the running goTo() or takeOff()
+  LatLon here_;               // its position
+  int32_t seaCm_;             // its altitude above the sea
+  int32_t homeCm_;            // and above home
+  float value_;               // the altitude [m] or the speed [m/s] of the order
+  uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
+  uint16_t oldMode_;          // the mode at the beginning of the operation
+  detail::ModeOrder change_;  // from that mode to the one of the order
+  uint32_t lookedMs_;         // when anything was read, or an operation went on, last
+  uint16_t oldMs_;            // since when what is read may be old
+  uint16_t beganS_;           // when the confirmation of a takeoff began [s]
   Order order_;
   Frame frame_;
   SteerStep step_;
@@ -152,6 +171,9 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isHeard_ : 1;       // the message that the step asked for has come
   bool isAnswered_ : 1;    // and its COMMAND_ACK
   bool isTargetSame_ : 1;  // the autopilot has named our place as its target
+  bool isOrdered_ : 1;     // what changes the mode has left in this operation
+  bool isDenied_ : 1;      // the place was refused: it is looked who has the aircraft
+  bool isOld_ : 1;         // what is read now may have waited while loop() stood still
 };
 
 }  // namespace mavmission

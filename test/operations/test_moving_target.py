@@ -235,6 +235,102 @@ def test_aircraft_holds_when_its_start_is_done_and_nothing_was_renewed(following
     assert following.mode == held_in(following) and not failsafes(following)
 
 
+# -- not heard -------------------------------------------------------------------------------------
+
+
+def sent_targets(following, since: float) -> list[float]:
+    """When those left that the Arduino has sent, whether they arrived or not [s]."""
+    return [entry.time for entry in following.wire.frames(">", "SET_POSITION_TARGET_GLOBAL_INT") if entry.time >= since]
+
+
+def cut(following, seconds: float, direction: str | None = None) -> float:
+    """Pulls the cable for so long; when that was [s]."""
+    began = following.now
+    following.wire.pull(direction)
+    following.run(seconds)
+    following.wire.plug(direction)
+    return began
+
+
+def expect_its_failsafe_to_last(following, since: float) -> None:
+    assert [mode for time, mode in following.autopilot.modes_flown if time >= since] == [(4, 5)]
+    assert following.target_status == "FailsafeHasIt" and not following.may_steer
+    assert following.mode == (4, 5)
+
+
+@FOLLOWED
+@pytest.mark.parametrize("direction", [None, "<", ">"])
+@pytest.mark.parametrize("seconds", [2.5, 5.0, 8.0])
+def test_px4_that_was_not_heard_is_left_in_its_failsafe(build_following, seconds, direction):
+    """Not a target goes out into the silence, nor behind it."""
+    following = build_following("PX4")
+    begin(following, north=300.0)
+    following.run(2.0)
+    began = cut(following, seconds, direction)
+    following.run(5.0)
+    assert [mode for time, mode in following.autopilot.modes_flown if time >= began] == [(4, 5)]
+    assert following.mode == (4, 5) and not following.may_steer
+    assert following.target_status in ("FailsafeHasIt", "NoAutopilot")
+    last = 2.2 if direction == ">" else 0.7  # its heartbeat of each second tells of the failsafe
+    assert sent_targets(following, began + last) == []
+
+
+@FOLLOWED
+@pytest.mark.parametrize("tenths", range(1, 19))
+def test_px4_is_not_taken_out_of_its_failsafe_by_what_comes_behind_a_gap(build_following, tenths):
+    following = build_following("PX4")
+    begin(following, north=300.0)
+    following.run(2.0 + 0.03 * tenths)
+    began = cut(following, tenths / 10)
+    following.run(5.0)
+    if [time for time, _ in following.autopilot.modes_flown if time >= began]:
+        expect_its_failsafe_to_last(following, began)
+        assert tenths > 6
+    else:
+        assert following.is_followed() and tenths < 12
+        assert len(sent_targets(following, following.now - 1.0)) >= 4
+
+
+@FOLLOWED
+@pytest.mark.parametrize("tenths", range(3, 19, 2))
+def test_px4_is_not_taken_out_of_its_failsafe_by_what_comes_behind_a_standstill(build_following, tenths):
+    following = build_following("PX4")
+    following.tell("patience", 2000)
+    begin(following, north=300.0)
+    following.run(2.0 + 0.03 * tenths)
+    began = following.now
+    following.tell("hang", tenths * 100)
+    following.run(6.0)
+    if [time for time, _ in following.autopilot.modes_flown if time >= began]:
+        expect_its_failsafe_to_last(following, began)
+    else:
+        assert following.is_followed() and tenths < 10
+
+
+@FOLLOWED
+def test_ardupilot_that_was_not_heard_gets_no_target_meanwhile(build_following):
+    following = build_following("ArduPilot")
+    begin(following, north=300.0)
+    following.run(2.0)
+    began = cut(following, 3.0)
+    assert sent_targets(following, began + 0.9) == []
+    following.run(1.5)
+    assert following.is_followed() and following.mode == "GUIDED"
+    assert len(sent_targets(following, following.now - 1.0)) >= 4
+
+
+@FOLLOWED
+def test_px4_holds_before_its_failsafe_where_its_position_is_not_known(build_following):
+    following = build_following("PX4")
+    begin(following, north=300.0)
+    following.run(2.0)
+    following.wire.lose("<", name="GLOBAL_POSITION_INT", times=99)
+    following.run(5.0)
+    following.tell("renewing", 0)
+    assert run_until_ended(following, 4.0) == "NotRenewed"
+    assert following.mode == HOLD and not failsafes(following)
+
+
 # -- in other hands --------------------------------------------------------------------------------
 
 
@@ -373,12 +469,12 @@ def test_speed_is_set_while_it_follows(following):
 def test_hold_waits_for_a_transfer_and_px4_has_its_targets_meanwhile(following, personality):
     begin(following, north=300.0)
     following.tell("armed", 1)
-    following.wire.lose("<", name="MISSION_REQUEST_INT", times=3)
-    following.wire.lose("<", name="MISSION_REQUEST", times=3)
+    following.wire.lose(">", name="MISSION_COUNT", times=2)
     following.upload(SURVEY)
     following.tell("renewing", 0)
-    following.run(1.3)
+    following.run(2.5)
     assert not following.is_followed() and following.target_status == "Transferring"
+    assert following.state.status == "Transferring" and following.state.done == 0
     assert following.done(limit_s=40) == "Accepted"
     assert run_until_ended(following, 6.0) == "NotRenewed"
     assert following.mode == held_in(following) and not failsafes(following)

@@ -8,6 +8,7 @@ import pytest
 
 from plans import on_the_wire
 from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.flight import Place
 from simulation.steered import ABOVE_GROUND, ABOVE_SEA, REPOSITION, SPEED, TAKEOFF
 from simulation.wire import Wire
 from starts import hops
@@ -45,6 +46,7 @@ def test_takeoff_arms_and_climbs_to_the_height_above_home(steered):
 @STEERING
 def test_it_goes_to_a_place_and_says_when_it_is_there(steered):
     steered.fly()
+    steered.run(3.0)
     place = steered.place(40.0, -25.0)
     steered.go_to(place, 15.0)
     assert steered.done(limit_s=12) == "Done"
@@ -55,7 +57,8 @@ def test_it_goes_to_a_place_and_says_when_it_is_there(steered):
     assert abs(steered.where.lat_e7 - place[0]) < 3 and abs(steered.where.lon_e7 - place[1]) < 3
     assert steered.mode == ((4, 3) if is_px4(steered) else "GUIDED")
     (sent,) = [one for one in steered.ordered() if one.command == REPOSITION]
-    assert sent.get_type() == "COMMAND_INT" and (sent.x, sent.y) == place and sent.param2 == 1
+    # It is in the mode already, and the order can change none.
+    assert sent.get_type() == "COMMAND_INT" and (sent.x, sent.y) == place and sent.param2 == 0
     assert sent.z == pytest.approx(home_altitude(steered) + 15.0 if is_px4(steered) else 15.0, abs=0.01)
 
 
@@ -361,6 +364,53 @@ def test_it_stops_on_the_way_and_stays(steered):
     steered.run(5.0)
     assert steered.where.distance(stopped) < 0.1 and not steered.has_arrived()
     assert steered.where.height == pytest.approx(stopped.height, abs=0.1)
+
+
+@STEERING
+def test_place_at_which_it_stops_is_where_it_is_now_also_behind_a_loop_that_stood_still(build_steered):
+    """What waits in the receive buffer is older."""
+    steered = build_steered("ArduPilot")
+    steered.fly()
+    steered.go_to(steered.place(900, 0), 10.0)
+    assert steered.done(limit_s=12) == "Done"
+    steered.run(max(8.0, 31.0 - steered.now))
+    steered.tell("stall", 30000, 1800)
+    steered.order_of("hold")  # heard when loop() goes on
+    assert steered.done(limit_s=12) == "Done"
+    time, stop = steered.orders_since(steered.now - 5.0)[-1]
+    assert stop.command == REPOSITION
+    there = Place(stop.x, stop.y, stop.z)
+    assert there.distance(steered.autopilot.flight.where(time)) < 1.0, "it was somewhere else when it was told to stop"
+
+
+@STEERING
+@pytest.mark.parametrize("height", [0.12, 0.9, 4.0])
+def test_takeoff_that_a_pilot_ends_is_his(make_steered, personality, height):
+    """PX4 holds by itself, at the top: lower down that is a pilot."""
+    steered = make_steered()
+    steered.take_off(10.0)
+    while steered.where.height < height:
+        steered.run(0.02)
+    left_the_ground = steered.state.status == "Done"
+    steered.pilot_sets((4, 3) if is_px4(steered) else "LOITER")
+    assert steered.done() == ("Done" if left_the_ground else "PilotHasIt")
+    assert not steered.may_steer
+    steered.go_to(steered.place(10, 10), 15.0)
+    assert steered.done() == "PilotHasIt"
+
+
+@STEERING
+def test_pilot_who_takes_over_right_behind_arming_finds_it_disarmed(make_steered, personality):
+    """It was armed for a takeoff, and has not left the ground."""
+    steered = make_steered()
+    steered.run(2.0)
+    steered.wire.lose(">", name="COMMAND_LONG", where=lambda message: message.command == TAKEOFF, times=99)
+    steered.take_off(10.0)
+    while not steered.autopilot.armed:
+        steered.run(0.002)
+    steered.pilot_sets((3, 0) if is_px4(steered) else "LOITER")
+    assert steered.done(limit_s=5) == "PilotHasIt"
+    assert not steered.autopilot.armed and steered.mode == ((3, 0) if is_px4(steered) else "LOITER")
 
 
 @STEERING

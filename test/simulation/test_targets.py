@@ -1,7 +1,8 @@
 """What the fake autopilots make of SET_POSITION_TARGET_GLOBAL_INT.
 
 ArduPilot as guided_flight shows it; PX4 as px4/guided_flight_2 shows it where OFFBOARD begins and where its targets
-end: 1.14 s behind the last one it said "Failsafe activated", and returned. Which frames it takes is by source.
+end: 1.14 s behind the last one it said "Failsafe activated", and returned. With a target a second it did so too, and
+its heartbeats showed OFFBOARD all the same, for 8 s: each target took it back. Which frames it takes is by source.
 """
 
 from __future__ import annotations
@@ -62,6 +63,26 @@ def test_px4_returns_when_its_targets_have_ended():
     assert mode(fake) == RTL and fake.heartbeat().system_status == mavlink.MAV_STATE_CRITICAL
     fake._set_mode(*HOLD, last + 3.0)
     assert fake.heartbeat().system_status == mavlink.MAV_STATE_ACTIVE
+
+
+def test_target_takes_px4_out_of_the_return_for_which_targets_were_missing():
+    fake = in_the_air(Px4)
+    aim(fake, 60.0)
+    to_offboard(fake, 60.1)
+    fake._advance(63.0)
+    assert mode(fake) == RTL
+    aim(fake, 63.1)
+    assert mode(fake) == OFFBOARD and fake.heartbeat().system_status == mavlink.MAV_STATE_ACTIVE
+
+
+def test_target_does_not_take_px4_out_of_a_return_that_was_set_or_has_another_reason():
+    fake = in_the_air(Px4)
+    aim(fake, 60.0)
+    to_offboard(fake, 60.1)
+    fake._set_mode(*RTL, 60.2)
+    fake.in_failsafe = True
+    aim(fake, 60.3)
+    assert mode(fake) == RTL
 
 
 @pytest.mark.parametrize("frame, alt, is_taken", [

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "../Config.h"
+#include "../base/Clock.h"
 #include "../base/RetryRules.h"
 #include "Personality.h"
 
@@ -39,6 +40,8 @@ class AutopilotFinder : public FinderRules {
   // A message of the autopilot other than its heartbeat: it is not lost, although its heartbeats may be.
   void onFrame(uint16_t nowMs) { heardMs_ = nowMs; }
   MAVMISSION_APART void onTime(uint16_t nowMs);
+  // The time since a message of the autopilot was heard, while it is heard [ms].
+  uint16_t quietMs(uint16_t nowMs) const { return since(heardMs_, nowMs); }
 
   // True if an autopilot is heard.
   bool isHeard() const { return heard_; }

@@ -58,6 +58,9 @@ enum Trait : uint32_t {
   kPlanesKeepMore = 1ul << 24,        // its planes keep more fields: kByPlane
   kNeedsStream = 1ul << 29,           // its guided mode (OFFBOARD) wants targets first, and a failsafe ends it without
 
+  // MAV_CMD_DO_REPOSITION without its flag CHANGE_MODE is answered UNSUPPORTED, and flown to all the same in HOLD alone
+  kRefusesAndRepositions = 1ul << 31,
+
   // --- Parameters
   kIntegersAsBits = 1ul << 30,  // PARAM_VALUE has integers as the bits of its float, and not as the float's value
 };
@@ -73,7 +76,7 @@ enum Trait : uint32_t {
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
     kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea |                   \
-    kNeedsStream | kIntegersAsBits)
+    kNeedsStream | kRefusesAndRepositions | kIntegersAsBits)
 // clang-format on
 
 // The traits of any other autopilot.

@@ -123,6 +123,8 @@ struct SteerRules {
   // In heartbeats of the autopilot, one a second: how old a position may be, and how long ago the autopilot may have
   // named a target for another one to be waited for.
   static constexpr uint8_t kFreshBeats = 3, kTargetBeats = 5;
+  // Behind a loop() that stood still for so long, what is read in the next so many milliseconds is old.
+  static constexpr uint8_t kStoodStillMs = 200, kDrainMs = 20;
 };
 
 struct StandardModeRules {
@@ -134,7 +136,10 @@ struct TargetRules {
   static constexpr uint16_t kEveryMs = 200;     // from one target of a MovingTarget to the next
   static constexpr uint16_t kLeadMs = 1000;     // PX4: targets before OFFBOARD is set
   static constexpr uint16_t kTimeoutMs = 1000;  // the sketch must have renewed its target within this time
-  static constexpr uint16_t kBlindMs = 1000;    // a loop() that stood still for so long waits for a heartbeat
+  // A loop() that stood still for so long, or has not heard the autopilot for so long, waits for a heartbeat.
+  static constexpr uint16_t kBlindMs = 600;
+  static constexpr uint16_t kQuietMs = 300;  // when nothing has been heard for so long, a heartbeat is asked for
+  static constexpr uint8_t kAskMs = 100;     // and so much later again
 };
 
 struct ClientRules {

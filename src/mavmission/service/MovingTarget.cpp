@@ -6,6 +6,7 @@
 #include "../base/Clock.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
+#include "../link/Sending.h"
 
 namespace mavmission {
 using namespace detail;
@@ -32,6 +33,7 @@ MovingTarget::MovingTarget(Steering& steering)
       sentMs_(0),
       beganMs_(0),
       blindMs_(0),
+      askedMs_(0),
       mode_(kNoMode),
       at_(),
       heightCm_(0),
@@ -41,6 +43,7 @@ MovingTarget::MovingTarget(Steering& steering)
       ending_(Status::Idle),
       stage_(Stage::Off),
       isBlind_(false),
+      isStale_(false),
       isStopped_(false),
       hasSent_(false),
       isOrdered_(false),
@@ -63,7 +66,7 @@ Status MovingTarget::start(const LatLon& place, Altitude altitude) {
   status_ = Status::Transferring;
   toReturn_ = Status::Idle;
   frame_ = steering_.frame_;
-  isBlind_ = isStopped_ = hasSent_ = isOrdered_ = isHere_ = false;
+  isBlind_ = isStale_ = isStopped_ = hasSent_ = isOrdered_ = isHere_ = false;
   isAimed_ = true;
   renewedMs_ = updatedMs_ = millis();
   renew(place, altitude);  // a number that cannot be meant is refused by the order, too
@@ -130,18 +133,39 @@ Status MovingTarget::update() {
 void MovingTarget::take(Listener& listener, const FrameParser& frame) {
   MovingTarget& self = static_cast<MovingTarget&>(listener);
   // The first bytes that are read after a standstill are older than that.
-  const bool isNew = since(self.blindMs_, static_cast<uint16_t>(millis())) >= kEveryMs;
-  if (isNew && self.isFromAutopilot(frame)) self.isBlind_ = false;
+  const bool isNew = !self.isStale_ || since(self.blindMs_, static_cast<uint16_t>(millis())) >= kEveryMs;
+  if (isNew && self.isFromAutopilot(frame)) self.isBlind_ = self.isStale_ = false;
 }
 
-// A loop() that has stood still knows neither where the aircraft is nor who has it.
+// A loop() that has stood still, or has not heard the autopilot, knows neither where the aircraft is nor who has it.
+// Both are asked for in time: PX4's failsafe comes 1 s behind the last target.
 void MovingTarget::look(uint32_t nowMs) {
-  if (nowMs - updatedMs_ >= kBlindMs) {
+  const uint16_t shortMs = static_cast<uint16_t>(nowMs);
+  const uint16_t quietMs = client_.link_.finder().quietMs(shortMs);
+  const bool hasStoodStill = nowMs - updatedMs_ >= kBlindMs;
+  if (hasStoodStill || (quietMs >= kBlindMs && !isBlind_)) {
     isBlind_ = true;
-    blindMs_ = static_cast<uint16_t>(nowMs);
+    blindMs_ = shortMs;
+  }
+  if (hasStoodStill) {
+    isStale_ = true;
+    spoil();
   }
   updatedMs_ = nowMs;
   if (isBlind_) steering_.positionAge_ = 255;
+  if (stage_ != Stage::Off && (isBlind_ || quietMs >= kQuietMs)) ask(shortMs);
+}
+
+// The answer to it is not waited for. An operation of the client that is under way, or the next one, has to know that
+// it will come.
+void MovingTarget::ask(uint16_t nowMs) {
+  if (since(askedMs_, nowMs) < kAskMs || !client_.hasAutopilot() || !client_.link_.canSend()) return;
+  mavlink_command_long_t message = mavlink_command_long_t();
+  message.command = MAV_CMD_REQUEST_MESSAGE;
+  message.param1 = MAVLINK_MSG_ID_HEARTBEAT;
+  client_.link_.send(message);
+  askedMs_ = nowMs;
+  if (client_.rest_.isCommanding) client_.commanding_.transfer.asked(nowMs);
 }
 
 // 32 bits: a loop() that has stood still for a minute must not find that its target is fresh.
@@ -205,9 +229,6 @@ Status MovingTarget::onEvent(Client::CommandEvent event, Status status, uint16_t
 // The steps of a goTo() as far as its command, in whose place a mode is set.
 Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t nowMs) {
   CommandTransfer& sending = client_.commanding_.transfer;
-  const bool isLeading = needsStream() && (!hasSent_ || since(beganMs_, nowMs) < kLeadMs);
-  const bool isWaiting =
-      steering_.step_ == SteerStep::Mode && sending.state() == CommandTransfer::State::Listening && isLeading;
   if (event == Client::CommandEvent::Ready) {
     const bool isPlane =
         has(client_.firmware(), kFliesByMode) && !steering_.isGround() && client_.numberOf(FlightMode::Land) == kNoMode;
@@ -215,16 +236,27 @@ Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t
     mode_ = client_.numberOf(FlightMode::Guided);
   }
   // Before the mode has been ordered there is nothing to hold. (What is refused at once is refused for its own reason.)
-  const bool isOrdered = steering_.step_ == SteerStep::Mode && sending.tries() != 0;
-  if (isLate() && !isOrdered && event != Client::CommandEvent::Ready)
+  if (isLate() && !steering_.isOrdered_ && event != Client::CommandEvent::Ready)
     return isStopped_ ? Status::Cancelled : Status::NotRenewed;
   status = steering_.onEvent(event, status, nowMs);
   if (status != Status::Transferring) return status;
-  if (event == Client::CommandEvent::Ready) steering_.wantedMode_ = mode_;
-  if (isWaiting && event == Client::CommandEvent::Heartbeat) sending.listen(SteerRules::kConfirmMs, nowMs);
-  if (steering_.step_ != SteerStep::Command) return status;
-  if (steering_.ownMode_ == mode_ && client_.shownMode() == mode_) return Status::Done;
-  steering_.step_ = SteerStep::Mode;
+  if (event == Client::CommandEvent::Ready) steering_.lead(client_.shownMode(), mode_);
+  if (steering_.step_ == SteerStep::Command) {
+    if (steering_.ownMode_ == mode_ && client_.shownMode() == mode_) {
+      steering_.forgetTarget();
+      return Status::Done;
+    }
+    steering_.step_ = SteerStep::Mode;
+    sending.guard();
+  }
+  if (steering_.step_ != SteerStep::Mode) return status;
+  const bool isListening = sending.state() == CommandTransfer::State::Listening;
+  if (needsStream() && (!hasSent_ || since(beganMs_, nowMs) < kLeadMs)) {
+    if (!isListening) sending.listen(SteerRules::kConfirmMs, nowMs);
+  } else if (isListening) {
+    sending.next(true, nowMs);
+    sending.guard();
+  }
   return status;
 }
 
@@ -247,6 +279,7 @@ void MovingTarget::hold(Status ending) {
 // PX4 would call a failsafe if the targets ended before its mode has changed: until then they name the place where the
 // aircraft was when the hold began. ArduPilot gets that place while the client has something else to do.
 void MovingTarget::keepHolding(uint16_t nowMs) {
+  aimHere();
   if (isOperating()) {
     if (needsStream() && mayFollow()) send(nowMs);
     return;
@@ -265,11 +298,11 @@ void MovingTarget::keepHolding(uint16_t nowMs) {
   isOrdered_ = true;
 }
 
-// From now on the target is where the aircraft is, if that is known.
+// From now on the target is where the aircraft is, as soon as that is known.
 void MovingTarget::aimHere() {
-  if (isHere_) return;
+  if (isHere_ && isAimed_) return;
+  if (!isHere_) spoil();
   isHere_ = true;
-  spoil();
   const bool isAboveSea = has(client_.firmware(), kAltitudesAreAboveSea);
   isAimed_ = steering_.positionAge_ <= SteerRules::kFreshBeats;
   at_ = steering_.here_;
@@ -290,7 +323,7 @@ void MovingTarget::finish(Status status) {
 }
 
 void MovingTarget::send(uint16_t nowMs) {
-  if (!isAimed_ || (hasSent_ && since(sentMs_, nowMs) < kEveryMs) || !client_.link_.canSend()) return;
+  if (isBlind_ || !isAimed_ || (hasSent_ && since(sentMs_, nowMs) < kEveryMs) || !client_.link_.canSend()) return;
   // PX4 looks at the frame of this message, and wants its older number.
   const bool isAboveHome = frame_ == Frame::GlobalRelative;
   const bool isFromHome = isAboveHome && has(client_.firmware(), kAltitudesAreAboveSea);

@@ -29,8 +29,10 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   target_ = wanted_ = Place{LatLon(), 0, Above::Nothing, false};
   seaCm_ = homeCm_ = 0;
   value_ = 0;
-  ownMode_ = oldMode_ = wantedMode_ = kNoMode;
-  beganS_ = 0;
+  ownMode_ = oldMode_ = kNoMode;
+  change_.begin(kNoMode, kNoMode);
+  lookedMs_ = 0;
+  oldMs_ = beganS_ = 0;
   order_ = Order::TakeOff;
   frame_ = Frame::Global;
   step_ = SteerStep::None;
@@ -38,6 +40,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   landedState_ = MAV_LANDED_STATE_UNDEFINED;
   positionAge_ = targetAge_ = 255;
   seenDisarmed_ = hasArmed_ = isModeSeen_ = isHeard_ = isAnswered_ = isTargetSame_ = false;
+  isOrdered_ = isDenied_ = isOld_ = false;
 }
 
 // --- What the sketch calls
@@ -48,7 +51,7 @@ Status Steering::begin(Order order) {
   client_.commanding_.owner = this;
   order_ = order;
   step_ = SteerStep::None;
-  hasArmed_ = isModeSeen_ = false;
+  hasArmed_ = isModeSeen_ = isOrdered_ = isDenied_ = false;
   return status;
 }
 
@@ -103,6 +106,7 @@ bool Steering::hasArrived(uint16_t withinCm) const {
 void Steering::take(Listener& listener, const FrameParser& frame) {
   Steering& self = static_cast<Steering&>(listener);
   if (!self.isFromAutopilot(frame)) return;
+  self.look();
   const SteerStep step = self.step_;
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_HEARTBEAT: return self.takeHeartbeat();
@@ -114,6 +118,18 @@ void Steering::take(Listener& listener, const FrameParser& frame) {
   }
 }
 
+// Behind a loop() that has stood still, what waits in the receive buffer is as old as that.
+void Steering::look() {
+  const uint32_t nowMs = millis();
+  const uint16_t shortMs = static_cast<uint16_t>(nowMs);
+  if (nowMs - lookedMs_ >= kStoodStillMs) {
+    isOld_ = true;
+    oldMs_ = shortMs;
+  }
+  if (isOld_ && since(oldMs_, shortMs) >= kDrainMs) isOld_ = false;
+  lookedMs_ = nowMs;
+}
+
 void Steering::takeHeartbeat() {
   if (positionAge_ != 255) ++positionAge_;
   if (targetAge_ != 255) ++targetAge_;
@@ -121,11 +137,18 @@ void Steering::takeHeartbeat() {
   if (!client_.isArmed()) seenDisarmed_ = true;
   // The sketch's own setMode() is about to end.
   const Client::Commanding& running = client_.commanding_;
-  const bool isSetting = client_.isBusy() && client_.rest_.isCommanding && running.fill == Client::fillMode;
+  const bool isSetting =
+      client_.status() == Status::Transferring && client_.rest_.isCommanding && running.fill == Client::fillMode;
   if (isSetting && !running.mode.order.isRestoring() && running.mode.number == shown) ownMode_ = shown;
   if (shown == ownMode_ && !isFailsafe()) return;
-  const bool hasClimbed = ownMode_ == kPx4TakeOff && shown == client_.numberOf(FlightMode::Hold) && !isFailsafe();
-  ownMode_ = hasClimbed ? shown : kNoMode;
+  ownMode_ = ownMode_ == kPx4TakeOff && hasClimbed() ? shown : kNoMode;
+}
+
+// At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.
+bool Steering::hasClimbed() const {
+  const Place& top = is(Order::TakeOff) ? wanted_ : target_;
+  return client_.shownMode() == client_.numberOf(FlightMode::Hold) && !isFailsafe() && isInAir() &&
+         positionAge_ <= kFreshBeats && isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
 }
 
 void Steering::takePosition(const FrameParser& frame) {
@@ -135,7 +158,7 @@ void Steering::takePosition(const FrameParser& frame) {
   seaCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, alt))) / 10;
   homeCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, relative_alt))) / 10;
   positionAge_ = 0;
-  if (step_ == SteerStep::AskPosition) isHeard_ = true;
+  if (step_ == SteerStep::AskPosition && !isOld_) isHeard_ = true;
 }
 
 void Steering::takeTarget(const FrameParser& frame) {

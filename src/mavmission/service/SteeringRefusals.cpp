@@ -73,8 +73,10 @@ Status Steering::refuseNumbers() {
 }
 
 // Who has the aircraft, as a status; Transferring: this sketch, or the mission.
-Status Steering::otherHands() const {
-  if (maySteer()) return Status::Transferring;
+Status Steering::otherHands() const { return maySteer() ? Status::Transferring : whoFlies(); }
+
+// The same of a mode that somebody else has set, the mission's included.
+Status Steering::whoFlies() const {
   const uint16_t shown = client_.shownMode();
   const bool isFailsafe = client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL ||
                           shown == client_.numberOf(FlightMode::ReturnToLaunch) ||
@@ -120,19 +122,19 @@ Status Steering::refuse() {
   return has(client_.firmware(), kIsActiveInAir) ? judgeFlight() : Status::Transferring;
 }
 
-// The mode that the order leads to.
+// The mode that the order leads to; kNoMode, which is refused, for an order that has no line here.
 uint16_t Steering::modeFor(Order order) const {
+  const bool hasGuided = !has(client_.firmware(), kAltitudesAreAboveSea);
   switch (order) {
+    case Order::TakeOff: return hasGuided ? client_.numberOf(FlightMode::Guided) : kPx4TakeOff;
+    case Order::GoTo:
+    case Order::Pause: return client_.numberOf(hasGuided ? FlightMode::Guided : FlightMode::Hold);
     case Order::Resume: return client_.numberOf(FlightMode::Auto);
     case Order::ReturnHome: return client_.numberOf(FlightMode::ReturnToLaunch);
     case Order::Land: return client_.numberOf(FlightMode::Land);
     case Order::Speed: return client_.shownMode();
-    case Order::TakeOff:
-    case Order::GoTo:
-    case Order::Pause: break;
   }
-  if (!has(client_.firmware(), kAltitudesAreAboveSea)) return client_.numberOf(FlightMode::Guided);
-  return is(Order::TakeOff) ? kPx4TakeOff : client_.numberOf(FlightMode::Hold);
+  return kNoMode;
 }
 
 }  // namespace mavmission

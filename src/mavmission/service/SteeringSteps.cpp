@@ -18,18 +18,21 @@ Status Steering::on(Client& client, Client::CommandEvent event, Status status, c
 }
 
 Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
+  look();
+  noteSent();
   switch (event) {
     case Client::CommandEvent::Ready: {
       const Status refusal = refuse();
       if (refusal != Status::Transferring) return refusal;
-      oldMode_ = client_.shownMode();
-      wantedMode_ = modeFor(order_);
+      lead(client_.shownMode(), modeFor(order_));
       return nextStep(nowMs);
     }
     case Client::CommandEvent::Accepted:
       switch (step_) {
         case SteerStep::Arm:
         case SteerStep::AskHome: return nextStep(nowMs);
+        case SteerStep::Mode:
+        case SteerStep::GiveBack: client_.commanding_.transfer.ask(); break;
         case SteerStep::Command: return is(Order::Speed) ? done() : nextStep(nowMs);
         case SteerStep::Disarm: return refusal_;
         case SteerStep::AskPosition:
@@ -64,7 +67,7 @@ bool Steering::needsHome() const {
 
 // An aircraft that pauses stops by another mode, or, where it flies in that mode already, by a place.
 bool Steering::stopsByPlace() const {
-  return is(Order::Pause) && (oldMode_ == wantedMode_ || has(client_.firmware(), kAltitudesAreAboveSea));
+  return is(Order::Pause) && (oldMode_ == change_.wanted() || has(client_.firmware(), kAltitudesAreAboveSea));
 }
 
 bool Steering::hasCommand() const {
@@ -93,19 +96,16 @@ bool Steering::beginStep(uint16_t nowMs) {
       if (!wantsPosition() && (isFresh || !(isTakeOff || is(Order::GoTo)))) return false;
       break;
     case SteerStep::Mode: {
-      const bool isReady = !has(client_.firmware(), kFliesByMode) || client_.shownMode() == wantedMode_;
+      const bool isReady = !has(client_.firmware(), kFliesByMode) || client_.shownMode() == change_.wanted();
       if (isTakeOff ? isReady : hasCommand()) return false;
-      forgetTarget();
       break;
     }
     case SteerStep::Arm:
       if (!isTakeOff || client_.isArmed()) return false;
-      hasArmed_ = true;
       break;
     case SteerStep::Command:
       if (!hasCommand()) return false;
       findWanted();
-      if (!is(Order::Speed)) forgetTarget();  // from now on it may fly elsewhere
       break;
     case SteerStep::Confirm:
       if (!hasCommand()) return false;
@@ -113,23 +113,17 @@ bool Steering::beginStep(uint16_t nowMs) {
     default: break;
   }
   isHeard_ = isAnswered_ = isTargetSame_ = false;
-  isModeSeen_ = isModeSeen_ && step_ != SteerStep::Confirm;
+  isModeSeen_ = isDenied_ = false;
   // The first command of an operation may have to wait for late answers to the operation before.
   if (sending.tries() != 0 || sending.state() != CommandTransfer::State::Due) sending.next(true, nowMs);
   if (step_ == SteerStep::AskPosition && isFresh) sending.listen(kConfirmMs, nowMs);  // the next one comes by itself
   if (step_ == SteerStep::Confirm && (isHeartbeatEnough || !isTakeOff)) {
     sending.listen(isTakeOff ? kTakeOffS * 1000u : kConfirmMs, nowMs);
   }
-  if (waitsForHeartbeat()) sending.listen(kConfirmMs, nowMs);
+  if (step_ == SteerStep::Confirm) sending.ask();
+  if (isGuarded()) sending.guard();
   beganS_ = client_.state_.seconds;
   return true;
-}
-
-// PX4 tells its mode once a second, ArduPilot as soon as it changes. So what would take PX4 out of a pilot's hands
-// leaves right behind a heartbeat. Only a pause, and an aircraft on the ground, do not wait for one.
-bool Steering::waitsForHeartbeat() const {
-  if (has(client_.firmware(), kIsActiveInAir) || is(Order::Pause) || is(Order::TakeOff)) return false;
-  return step_ == SteerStep::Mode || step_ == SteerStep::Command;
 }
 
 // What wanted_ is in the numbers of this autopilot.
@@ -159,7 +153,8 @@ void Steering::fillStep(FlightCommand& command) const {
       command.param1 = MAVLINK_MSG_ID_GLOBAL_POSITION_INT;
       command.param2 = kPositionUs;
       return;
-    case SteerStep::Mode: return Client::fillModeNumber(command, wantedMode_);
+    case SteerStep::Mode:
+    case SteerStep::GiveBack: return Client::fillModeNumber(command, change_.wanted());
     case SteerStep::Arm: return Client::fillArm(client_, command);
     case SteerStep::Disarm: return Client::fillDisarm(client_, command);
     case SteerStep::Command: return fillCommand(command);
@@ -194,10 +189,15 @@ void Steering::fillCommand(FlightCommand& command) const {
         command.param5 = command.param6 = unset;  // where it stands
       }
       return;
-    default: break;
+    case Order::GoTo:
+    case Order::Pause: break;
+    // An order that has no line here is refused before this; it must not leave as another one.
+    default: return;
   }
   command.id = MAV_CMD_DO_REPOSITION;
-  command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
+  // Without the flag, ArduPilot refuses it in another mode than GUIDED, and PX4 does nothing in another mode than HOLD:
+  // so it cannot take the aircraft out of anybody's hands.
+  if (client_.shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
   if (isAboveSea && is(Order::Pause)) {  // PX4: stop here
     command.param5 = command.param6 = command.param7 = unset;
     return;
@@ -210,6 +210,11 @@ void Steering::fillCommand(FlightCommand& command) const {
   command.frame = frame_ == Frame::GlobalTerrain           ? Frame::GlobalTerrainInt
                   : frame_ == Frame::Global || needsHome() ? Frame::Global
                                                            : Frame::GlobalRelativeInt;
+}
+
+void Steering::lead(uint16_t from, uint16_t wanted) {
+  oldMode_ = from;
+  change_.begin(from, wanted);
 }
 
 void Steering::forgetTarget() {
@@ -225,7 +230,7 @@ Status Steering::done() {
 // If a takeoff has armed and cannot go on, the aircraft is disarmed, while it is in our hands.
 Status Steering::leave(Status refusal, uint16_t nowMs) {
   const uint16_t shown = client_.shownMode();
-  if (!hasArmed_ || (shown != wantedMode_ && shown != oldMode_)) return refusal;
+  if (!hasArmed_ || (shown != change_.wanted() && shown != oldMode_)) return refusal;
   refusal_ = refusal;
   step_ = SteerStep::Disarm;
   client_.commanding_.transfer.next(true, nowMs);
@@ -240,15 +245,27 @@ Status Steering::onRefused(Status refusal, uint16_t nowMs) {
     case SteerStep::Command:
       // A repeated takeoff is refused by an aircraft that is taking off already.
       if (is(Order::TakeOff) && client_.commanding_.transfer.tries() > 1) return nextStep(nowMs);
-      return leave(refusal, nowMs);
+      if (!isPlaced() || client_.shownMode() != change_.wanted()) return leave(refusal, nowMs);
+      if (refusal == Status::CommandUnsupported && has(client_.firmware(), kRefusesAndRepositions)) {
+        return nextStep(nowMs);
+      }
+      // Its place, or another mode by now: the next heartbeat tells.
+      isDenied_ = true;
+      refusal_ = refusal;
+      client_.commanding_.transfer.listen(kConfirmMs, nowMs);
+      client_.commanding_.transfer.ask();
+      return Status::Transferring;
     case SteerStep::Confirm: return Status::Transferring;
     case SteerStep::Disarm: return refusal_;
+    case SteerStep::GiveBack: return Status::Overruled;
     default: return refusal;
   }
 }
 
 Status Steering::onSilent(Status silence) {
+  if (step_ == SteerStep::GiveBack) return Status::Overruled;
   if (silence == Status::TookTooLong) return silence;
+  if (isDenied_) return refusal_;
   const bool isAnswered = client_.rest_.lastResult == MAV_RESULT_ACCEPTED;
   switch (step_) {
     case SteerStep::Disarm: return refusal_;
@@ -257,29 +274,6 @@ Status Steering::onSilent(Status silence) {
     case SteerStep::Mode: return isAnswered ? Status::Unconfirmed : silence;
     default: return silence;
   }
-}
-
-Status Steering::onHeartbeat(uint16_t nowMs) {
-  const uint16_t shown = client_.shownMode();
-  const bool isSent = client_.commanding_.transfer.tries() != 0 || step_ == SteerStep::Confirm;
-  const bool hasClimbed = wantedMode_ == kPx4TakeOff && shown == client_.numberOf(FlightMode::Hold) && isInAir();
-  const bool isWanted = shown == wantedMode_ || hasClimbed;
-  if (step_ == SteerStep::Disarm) return client_.isArmed() ? Status::Transferring : refusal_;
-  if (isFailsafe()) return Status::FailsafeHasIt;
-  if (isWanted && isSent && step_ >= SteerStep::Mode) {
-    isModeSeen_ = true;
-    ownMode_ = shown;
-  }
-  if (!isWanted && (shown != oldMode_ || (isModeSeen_ && step_ != SteerStep::Confirm))) {
-    // A mode that nobody here has set. (While it is confirmed, a heartbeat of before may still come.)
-    const Status others = otherHands();
-    if (others != Status::Transferring) return others;
-  }
-  CommandTransfer& sending = client_.commanding_.transfer;
-  if (waitsForHeartbeat() && sending.state() == CommandTransfer::State::Listening) sending.next(true, nowMs);
-  if (step_ == SteerStep::Mode && isSent && isWanted) return nextStep(nowMs);
-  if (step_ == SteerStep::Arm && isSent && client_.isArmed()) return nextStep(nowMs);
-  return Status::Transferring;
 }
 
 Status Steering::onTime(uint16_t nowMs) {
@@ -293,13 +287,20 @@ Status Steering::onTime(uint16_t nowMs) {
     case SteerStep::AskPosition: return isHeard_ ? nextStep(nowMs) : Status::Transferring;
     case SteerStep::Confirm: {
       if (is(Order::TakeOff)) {
-        if (isInAir() && isModeSeen_) return done();
-        if (isHeard_ && !has(client_.firmware(), kIsActiveInAir)) {  // on the ground still: ask again
-          if (static_cast<uint16_t>(client_.state_.seconds - beganS_) >= kTakeOffS) return Status::Unconfirmed;
+        if (isHeard_ && !has(client_.firmware(), kIsActiveInAir)) {
           isHeard_ = false;
           sending.next(true, nowMs);
+          if (isInAir()) {  // and in whose hands?
+            isModeSeen_ = false;
+            sending.listen(kConfirmMs, nowMs);
+            sending.ask();
+            break;
+          }
+          // On the ground still: ask again.
+          if (static_cast<uint16_t>(client_.state_.seconds - beganS_) >= kTakeOffS) return Status::Unconfirmed;
           sending.pause(kAskAgainMs, nowMs);
         }
+        if (isInAir() && isModeSeen_) return done();
         break;
       }
       const bool isTargetKnown = is(Order::GoTo) && targetAge_ <= kTargetBeats;

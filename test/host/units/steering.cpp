@@ -28,6 +28,10 @@ struct Flight : ClientOnLine {
   }
 
   void beat(uint8_t baseMode, uint32_t mode, uint8_t state) {
+    show(baseMode, mode, state);
+    run(1000);
+  }
+  void show(uint8_t baseMode, uint32_t mode, uint8_t state) {
     mavlink_heartbeat_t message = mavlink_heartbeat_t();
     message.custom_mode = mode;
     message.type = MAV_TYPE_QUADROTOR;
@@ -38,8 +42,8 @@ struct Flight : ClientOnLine {
     Bytes payload(sizeof(message));
     memcpy(payload.data(), &message, sizeof(message));
     hear(FrameParts(0, payload, 50));
-    run(1000);
   }
+  void show(uint32_t mode) { show(kArmed, mode, kActive); }
   void fly(uint32_t mode, uint8_t state = kActive) { beat(kArmed, mode, state); }
 
   void answer(uint16_t command, uint8_t result) {
@@ -65,11 +69,23 @@ struct Flight : ClientOnLine {
     run(50);
     return ended;
   }
+  // A heartbeat that is asked for moves nothing.
   bool hasSent() const {
     for (const SentFrame& frame : sent) {
-      if (frame.messageId == kCommandInt || frame.messageId == kCommandLong) return true;
+      const bool isCommand = frame.messageId == kCommandInt || frame.messageId == kCommandLong;
+      if (isCommand && !isForHeartbeat(frame)) return true;
     }
     return false;
+  }
+  static bool isForHeartbeat(const SentFrame& frame) {
+    return frame.messageId == kCommandLong && frame.payload[28] == 0 && frame.payload[29] == 2;  // 512
+  }
+  // The order that changes the mode leaves behind the heartbeat that was asked for.
+  bool runUntilOrdered(uint16_t messageId, uint32_t mode) {
+    if (!runUntilSent(kCommandLong, 100) || !isForHeartbeat(sent.back())) return false;
+    run(25);  // the time that an answer takes
+    show(mode);
+    return runUntilSent(messageId, 20);
   }
   // The last command, and its second parameter.
   uint16_t command() const {
@@ -127,11 +143,46 @@ TEST_CASE("in each mode that nobody here has set it says who has the aircraft, a
   }
 }
 
+TEST_CASE("a mode that an order has undone is set again at once, and flies when the order ends") {
+  Flight flight;
+  flight.fly(kAuto);
+  flight.steering.landNow();
+  REQUIRE(flight.runUntilOrdered(kCommandLong, kAuto));
+  CHECK(flight.sent.back().payload[4 * 1 + 2] == 0x10);  // DO_SET_MODE 9.0f: LAND
+  flight.show(kRtl);
+  flight.run(10);
+  CHECK(flight.client.isBusy());
+  flight.show(kLand);
+  REQUIRE(flight.runUntilSent(kCommandLong, 20));
+  CHECK(flight.command() == 176);
+  CHECK(flight.sent.back().payload[4 * 1 + 2] == 0xC0);  // 6.0f: RTL
+  CHECK((flight.steering.step() == SteerStep::GiveBack));
+  flight.show(kRtl);
+  flight.run(10);
+  CHECK((flight.ended == Status::FailsafeHasIt));
+  CHECK_FALSE(flight.steering.maySteer());
+}
+
+TEST_CASE("a mode of somebody else that is not set again in time is told") {
+  Flight flight;
+  flight.fly(kAuto);
+  flight.steering.landNow();
+  REQUIRE(flight.runUntilOrdered(kCommandLong, kAuto));
+  flight.show(kLoiter);
+  flight.run(10);
+  flight.show(kLand);
+  REQUIRE(flight.runUntilSent(kCommandLong, 20));
+  flight.answer(176, 4);
+  flight.run(10);
+  CHECK((flight.ended == Status::Overruled));
+  CHECK_FALSE(flight.steering.maySteer());
+}
+
 TEST_CASE("a mode that the sketch sets by setMode() is its own until another one is shown") {
   Flight flight;
   flight.fly(kLoiter);
   flight.client.setMode(FlightMode::Guided);
-  REQUIRE(flight.runUntilSent(kCommandLong, 100));
+  REQUIRE(flight.runUntilOrdered(kCommandLong, kLoiter));
   flight.fly(kGuided);
   CHECK((flight.ended == Status::Done));
   CHECK(flight.steering.maySteer());
@@ -149,7 +200,7 @@ TEST_CASE("a place is confirmed by an answer and by a heartbeat that comes behin
   flight.steering.goTo(kPlace, 20_m);
   REQUIRE(flight.runUntilSent(kCommandLong, 100));
   flight.answer(511, 0);
-  REQUIRE(flight.runUntilSent(kCommandInt, 100));
+  REQUIRE(flight.runUntilOrdered(kCommandInt, kAuto));
   CHECK(flight.command() == 192);
   CHECK(flight.sent.back().payload[32] == 6);  // the frame: above home
   flight.run(50);
@@ -186,7 +237,7 @@ TEST_CASE("an aircraft arrives across the antimeridian, and nowhere else") {
     flight.steering.goTo(one.target, 20_m);
     REQUIRE(flight.runUntilSent(kCommandLong, 100));
     flight.answer(511, 0);
-    REQUIRE(flight.runUntilSent(kCommandInt, 100));
+    REQUIRE(flight.runUntilOrdered(kCommandInt, kAuto));
     flight.answer(192, 0);
     flight.run(10);
     flight.fly(kGuided);
@@ -202,7 +253,7 @@ TEST_CASE("no heartbeat in the mode leaves an accepted place unconfirmed after 7
   flight.steering.goTo(kPlace, 20_m);
   REQUIRE(flight.runUntilSent(kCommandLong, 100));
   flight.answer(511, 0);
-  REQUIRE(flight.runUntilSent(kCommandInt, 100));
+  REQUIRE(flight.runUntilOrdered(kCommandInt, kAuto));
   flight.answer(192, 0);
   flight.run(10);
   for (int second = 0; second < 7; ++second) flight.fly(kAuto);
@@ -217,8 +268,10 @@ TEST_CASE("a pilot who takes over before the answer keeps the aircraft: nothing 
   flight.steering.goTo(kPlace, 20_m);
   REQUIRE(flight.runUntilSent(kCommandLong, 100));
   flight.answer(511, 0);
-  REQUIRE(flight.runUntilSent(kCommandInt, 100));
+  REQUIRE(flight.runUntilOrdered(kCommandInt, kAuto));
   flight.sent.clear();
+  flight.fly(kLoiter);  // the order may be under way still, and undo it
+  CHECK(flight.client.isBusy());
   flight.fly(kLoiter);
   CHECK((flight.ended == Status::PilotHasIt));
   for (int second = 0; second < 9; ++second) flight.fly(kLoiter);

@@ -1,0 +1,87 @@
+// Steering: somebody else may take the aircraft while an order is under way.
+//
+// MAVLink has no command that changes a mode only if it is still the one that was seen. So what changes the mode leaves
+// right behind a heartbeat (CommandTransfer::guard()), and what each heartbeat shows is judged here (ModeOrder).
+#include "../MissionClient.h"
+#include "../Steering.h"
+#include "SteeringNumbers.h"
+
+namespace mavmission {
+using namespace detail;
+
+// True if the step's order takes the aircraft out of the mode in which it was.
+bool Steering::changesMode() const {
+  return step_ == SteerStep::Mode || (step_ == SteerStep::Command && oldMode_ != change_.wanted());
+}
+
+// What arms does not change the mode, but PX4 flies its mission when it is armed in that mode. A speed changes what a
+// failsafe of PX4 flies, of which its heartbeat tells up to a second later.
+bool Steering::isGuarded() const {
+  const bool isLateTold = is(Order::Speed) && !has(client_.firmware(), kIsActiveInAir);
+  return changesMode() || step_ == SteerStep::Arm || (step_ == SteerStep::Command && isLateTold);
+}
+
+// To be called before each event is looked at: the client sends behind them.
+void Steering::noteSent() {
+  if (client_.commanding_.transfer.tries() == 0) return;
+  if (step_ == SteerStep::Arm) hasArmed_ = true;
+  if (changesMode()) isOrdered_ = true;
+  // From now on it may fly elsewhere.
+  if (step_ == SteerStep::Mode || (step_ == SteerStep::Command && !is(Order::Speed))) forgetTarget();
+}
+
+Status Steering::onHeartbeat(uint16_t nowMs) {
+  CommandTransfer& sending = client_.commanding_.transfer;
+  if (step_ == SteerStep::Disarm) return client_.isArmed() ? Status::Transferring : refusal_;
+  if (isOld_) sending.askLater();  // nothing may leave behind this one
+  const uint16_t shown = client_.shownMode();
+  const bool isUnderWay = isOrdered_ && sending.mayBeUnderWay(nowMs);
+  if (isFailsafe() && (!isUnderWay || shown == change_.wanted())) return leaveTo(Status::FailsafeHasIt, nowMs);
+  const bool hasTakenOff = change_.wanted() == kPx4TakeOff && hasClimbed();
+  if (oldMode_ == kPx4TakeOff && ownMode_ == shown && !isOrdered_) lead(shown, change_.wanted());
+  switch (change_.onHeartbeat(hasTakenOff ? kPx4TakeOff : shown, isOrdered_, isUnderWay)) {
+    case ModeOrder::Sight::Before: break;
+    case ModeOrder::Sight::Wanted:
+      if (change_.isRestoring()) return leaveTo(whoFlies(), nowMs);
+      // Not by this order: somebody else has set its mode.
+      if (!isOrdered_ && oldMode_ != change_.wanted()) return leaveTo(whoFlies(), nowMs);
+      return onOwnMode(nowMs);
+    case ModeOrder::Sight::Doubtful: sending.askLater(); return Status::Transferring;
+    case ModeOrder::Sight::Foreign: return leaveTo(whoFlies(), nowMs);
+    case ModeOrder::Sight::Undone: return giveBack(nowMs);
+  }
+  const bool isArmed = step_ == SteerStep::Arm && sending.tries() != 0 && client_.isArmed();
+  return isArmed ? nextStep(nowMs) : Status::Transferring;
+}
+
+// The mode of the order is shown.
+Status Steering::onOwnMode(uint16_t nowMs) {
+  if (isDenied_) return refusal_;
+  isModeSeen_ = true;
+  ownMode_ = client_.shownMode();
+  if (step_ == SteerStep::Mode) return nextStep(nowMs);
+  const bool isArmed = step_ == SteerStep::Arm && client_.commanding_.transfer.tries() != 0 && client_.isArmed();
+  return isArmed ? nextStep(nowMs) : Status::Transferring;
+}
+
+// The aircraft is somebody else's. If this operation has armed it, and it stands on the ground, it is disarmed first:
+// in the air autopilots refuse that.
+Status Steering::leaveTo(Status other, uint16_t nowMs) {
+  if (!hasArmed_ || isInAir()) return other;
+  refusal_ = other;
+  step_ = SteerStep::Disarm;
+  client_.commanding_.transfer.next(true, nowMs);
+  return Status::Transferring;
+}
+
+Status Steering::giveBack(uint16_t nowMs) {
+  CommandTransfer& sending = client_.commanding_.transfer;
+  step_ = SteerStep::GiveBack;
+  ownMode_ = kNoMode;
+  forgetTarget();
+  sending.next(true, nowMs);
+  sending.guard();  // a heartbeat has just come: it leaves at once
+  return Status::Transferring;
+}
+
+}  // namespace mavmission

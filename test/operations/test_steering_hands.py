@@ -1,0 +1,183 @@
+"""A pilot, or a failsafe, takes the aircraft in the same moment as an order of Steering: he keeps it."""
+
+from __future__ import annotations
+
+import pytest
+
+from plans import on_the_wire, waypoint
+from simulation.wire import Wire
+
+MOMENT = pytest.mark.scenario(60, "Steering: whoever takes the aircraft in the moment of an order keeps it")
+GIVEN_BACK_S = 0.3  # a mode is undone for so long at most, on a line that loses nothing
+WINDOW_S = 0.03  # from the heartbeat that shows no foreign mode to the order's arrival
+OURS = {"ArduPilot": "Guided", "PX4": "Hold"}
+PILOT = {"ArduPilot": "LOITER", "PX4": (3, 0)}
+RETURNS, LANDS = {"ArduPilot": "RTL", "PX4": (4, 5)}, {"ArduPilot": "LAND", "PX4": (4, 6)}
+
+ORDERS = {
+    "goTo": lambda steered: steered.go_to(steered.place(10, 10), 15.0),
+    "pause": lambda steered: steered.order_of("hold"),
+    "resume": lambda steered: steered.order_of("goOn"),
+    "returnHome": lambda steered: steered.order_of("home"),
+    "landNow": lambda steered: steered.order_of("landNow"),
+}
+
+
+def far(steered) -> list:
+    """A plan that is flown for minutes."""
+    return [waypoint(*steered.place(20.0 * north, 0.0), 20.0) for north in range(1, 60)]
+
+
+def in_the_air(steered, personality) -> None:
+    steered.autopilot.load(on_the_wire(far(steered), personality))
+    steered.fly(20.0)
+
+
+def others(order: str) -> tuple[dict, dict]:
+    """The modes of a pilot and of a failsafe; not the one that is ordered, which would not show."""
+    return PILOT, LANDS if order == "returnHome" else RETURNS
+
+
+def take_back(steered, mode: str) -> None:
+    steered.set_mode(mode)
+    assert steered.done() == "Done"
+    steered.run(0.3)
+
+
+def heartbeat_before(steered, time: float) -> float:
+    """When the last heartbeat that came through had left the autopilot [s]."""
+    return max(entry.time for entry in steered.wire.frames("<", "HEARTBEAT")
+               if entry.time < time and "lost" not in entry.fate and entry.message.autopilot != 8)  # fmt: skip
+
+
+def windows(steered, since: float) -> list[tuple[float, float]]:
+    """When each order arrived that could change the mode, and how long before that the heartbeat had left [s]."""
+    return [(time, time - heartbeat_before(steered, time)) for time, order in steered.orders_since(since)
+            if order.command != 192 or order.param2]  # fmt: skip
+
+
+def judge(steered, mode, pilot_at: float, status: str) -> None:
+    """The pilot's mode flies, and the status does not say anything else."""
+    steered.run(1.5)
+    came_too_late = any(time - pilot_at <= window for time, window in windows(steered, pilot_at))
+    if came_too_late and not hasattr(steered.autopilot, "kind"):
+        return  # PX4 tells of a mode once a second: of one that is undone within some milliseconds it tells never
+    assert steered.mode == mode, (status, steered.autopilot.modes_flown[-4:], pilot_at)
+    assert steered.undone_s(mode, pilot_at) < GIVEN_BACK_S
+    assert not steered.may_steer
+    ended_before = status == "Done"
+    assert ended_before or status == ("PilotHasIt" if mode in PILOT.values() else "FailsafeHasIt")
+
+
+@MOMENT
+@pytest.mark.parametrize("begins_in", ["own", "Auto"])
+@pytest.mark.parametrize("order", ORDERS)
+def test_mode_that_is_set_around_an_order_is_kept(steered, personality, order, begins_in):
+    in_the_air(steered, personality)
+    own = OURS[personality] if begins_in == "own" else "Auto"
+    take_back(steered, own)
+    for number, after_ms in enumerate(range(0, 72, 6)):
+        mode = others(order)[number % 2][personality]
+        since = steered.now
+        pilot_at = steered.pilot_sets_in(after_ms / 1000, mode)
+        ORDERS[order](steered)
+        status = steered.done(limit_s=12)
+        steered.run(max(0.0, pilot_at - steered.now))
+        judge(steered, mode, pilot_at, status)
+        assert all(window < WINDOW_S for _, window in windows(steered, since))
+        take_back(steered, own)
+
+
+@MOMENT
+@pytest.mark.parametrize("order", ["goTo", "pause", "returnHome"])
+def test_heartbeat_that_would_have_told_is_lost(steered, personality, order):
+    """The order waits for another one."""
+    in_the_air(steered, personality)
+    for number in range(4):
+        take_back(steered, "Auto")
+        mode = (PILOT, LANDS)[number % 2][personality]
+        steered.run(0.23 * number)
+        steered.wire.lose("<", name="HEARTBEAT", times=1 + number)
+        pilot_at = steered.pilot_sets_in(0.0, mode)
+        steered.run(0.02)
+        ORDERS[order](steered)
+        assert steered.done(limit_s=12) == ("PilotHasIt" if number % 2 == 0 else "FailsafeHasIt")
+        assert steered.orders_since(pilot_at) == [] and steered.mode == mode
+
+
+@MOMENT
+def test_place_in_its_own_mode_cannot_undo_another_one(steered, personality):
+    """However late it comes: it is sent in a form that changes no mode."""
+    in_the_air(steered, personality)
+    take_back(steered, OURS[personality])
+    for late_s in (0.05, 0.5, 2.0):
+        steered.wire.delay(">", late_s, name="COMMAND_INT")
+        ORDERS["goTo"](steered)
+        steered.run(0.04)
+        pilot_at = steered.pilot_sets_in(0.0, PILOT[personality])
+        assert steered.done(limit_s=12) == "PilotHasIt"
+        steered.run(late_s + 0.5)
+        assert steered.mode == PILOT[personality] and steered.undone_s(PILOT[personality], pilot_at) == 0
+        take_back(steered, OURS[personality])
+
+
+@MOMENT
+def test_mode_that_an_order_has_undone_is_set_again_and_told(build_steered):
+    """ArduPilot's heartbeat tells of both."""
+    steered = build_steered("ArduPilot")
+    in_the_air(steered, "ArduPilot")
+    for mode, status in (("RTL", "FailsafeHasIt"), ("LOITER", "PilotHasIt")):
+        take_back(steered, "Auto")
+        steered.wire.delay(">", 0.05, name="COMMAND_INT")
+        since = steered.now
+        ORDERS["goTo"](steered)
+        while not steered.wire.frames(">", "COMMAND_INT") or steered.wire.frames(">", "COMMAND_INT")[-1].time < since:
+            steered.run(0.002)
+        pilot_at = steered.pilot_sets_in(0.01, mode)
+        assert steered.done(limit_s=5) == status
+        assert steered.step == "GiveBack"
+        assert [flown for time, flown in steered.autopilot.modes_flown if time >= pilot_at] == [mode, "GUIDED", mode]
+        assert 0 < steered.undone_s(mode, pilot_at) < GIVEN_BACK_S
+        steered.run(2.0)
+        assert steered.mode == mode and not steered.may_steer
+
+
+@MOMENT
+def test_mode_that_cannot_be_set_again_is_told_too(build_steered):
+    steered = build_steered("ArduPilot")
+    in_the_air(steered, "ArduPilot")
+    take_back(steered, "Auto")
+    steered.wire.delay(">", 0.05, name="COMMAND_INT")
+    ORDERS["goTo"](steered)
+    while not steered.wire.frames(">", "COMMAND_INT"):
+        steered.run(0.002)
+    pilot_at = steered.pilot_sets_in(0.01, "LOITER")
+
+    def refuse(now: float) -> None:
+        steered.autopilot._why_not_mode = lambda name, now: [(4, "no")] if name == "LOITER" else []
+
+    steered.autopilot.at("refuse", pilot_at + 0.001, refuse)
+    assert steered.done(limit_s=15) == "Overruled"
+    assert steered.mode == "GUIDED" and not steered.may_steer
+
+
+@MOMENT
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("order", ORDERS)
+def test_mode_that_is_set_around_an_order_is_kept_on_a_line_that_loses(make_steered, personality, order, seed):
+    steered = make_steered(wire=Wire(seed))
+    in_the_air(steered, personality)
+    take_back(steered, "Auto")
+    for number, after_ms in enumerate(range(seed * 5, 400, 40)):
+        mode = others(order)[number % 2][personality]
+        for direction in "><":
+            steered.wire.damage_bytes(direction, lose=1.0)
+        pilot_at = steered.pilot_sets_in(after_ms / 1000, mode)
+        ORDERS[order](steered)
+        status = steered.done(limit_s=30)
+        for direction in "><":
+            steered.wire.damage_bytes(direction)
+        steered.run(max(0.0, pilot_at - steered.now))
+        judge(steered, mode, pilot_at, status)
+        take_back(steered, "Auto")
