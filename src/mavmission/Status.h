@@ -38,7 +38,7 @@ namespace mavmission {
   X(TooManyItems, "refused: more than 65535 items on the wire") \
   X(BadLatitude, "refused: a latitude beyond 90 degrees") \
   X(BadLongitude, "refused: a longitude beyond 180 degrees") \
-  X(NotANumber, "refused: a NaN that is not a yaw") \
+  X(NotANumber, "refused: a NaN that means nothing here") \
   X(NotFinite, "refused: an infinite number") \
   X(BadCurrent, "refused: current is 2 or more, which means fly there now") \
   X(BadJump, "refused: a jump to an item that is not in the plan") \

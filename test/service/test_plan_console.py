@@ -299,7 +299,7 @@ def test_a_plan_that_is_aboard_is_cleared_and_differs(console):
 def test_an_item_is_named_as_the_file_names_it(console):
     console.load(SURVEY[0], SURVEY[1].replace("\t0\t0\t0\t0\t", "\tnan\t0\t0\t0\t", 1))
     lines = console.answer("upload", "aboard: not known")
-    assert lines == ["refused: a NaN that is not a yaw", "item 2", "aboard: not known"]
+    assert lines == ["refused: a NaN that means nothing here", "item 2", "aboard: not known"]
 
 
 def test_an_upload_is_cancelled_and_the_plan_is_not_exchanged_meanwhile(console):

@@ -61,10 +61,12 @@ IN_PX4 = {
     "Corner": "place; to 65535, –, –, –",
     "Circle": "place; kept, –, –, –",
 }
+UNSET = re.compile(r"^    \{(\d+), unset\(([\d, ]+)\)\},", re.M)
 ROW = re.compile(r"^    row\((\d+), (\w+), (\w+), (\w+), (\w+), InArduPilot::(\w+), InPx4::(\w+)\), +// (.+)$", re.M)
 
 
 def table() -> str:
+    may_be_nan = dict(UNSET.findall(SOURCE.read_text()))
     lines = [
         "| command | | ArduPilot: param1 | param2 | param3 | param4 | x, y, z | PX4 |",
         "|---:|---|---|---|---|---|---|---|",
@@ -77,6 +79,8 @@ def table() -> str:
         is_plane = " on a plane" in name
         label = name.split(" on a plane")[0] + (", plane" if is_plane else "")
         px4 = "" if is_plane else IN_PX4[in_px4]
+        if number in may_be_nan and px4:
+            px4 += f"; may be NaN: {may_be_nan[number].replace('7', 'z')}"
         lines.append(f"| {number} | {label} | {' | '.join(cells)} | {px4} |")
     return "\n".join(lines) + "\n"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import subprocess
 import sys
@@ -160,7 +161,7 @@ WRONG_IN_WAYPOINTS = [
     (4, 2, "4", "frame 4 is no altitude reference"),
     (4, 3, "31999", "the command is not known"),
     (4, 3, "16.0", "command must be a whole number"),
-    (4, 4, "nan", "a NaN that is not a yaw (parameter 1)"),
+    (4, 4, "nan", "a NaN that means nothing here (parameter 1)"),
     (4, 4, "inf", "parameter 1 must be a number, and is 'inf'"),
     (4, 8, "91", "a latitude beyond 90 degrees (91.0)"),
     (4, 8, "-35,36", "latitude must be a number, and is '-35,36': write a point, not a comma"),
@@ -260,14 +261,57 @@ def test_null_is_an_unset_yaw_or_a_parameter_that_is_not_used():
     assert any("does not use are unset" in note for note in plan.notes)
 
 
-def test_null_in_a_parameter_that_counts_is_refused_unless_it_is_said_to_be_0():
+def test_camera_that_leaves_a_number_unset_is_for_px4_and_with_0_for_both():
     file = FILES / "hover_and_capture.plan"
-    with pytest.raises(BadPlan, match=r"a NaN that is not a yaw \(parameter 4\); .*--unset-as-zero") as refused:
-        judge.expect_right(read_plan(file))
-    assert refused.value.line == line_of(file.read_text(), '"command": 2000') - 2
-    plan = read_plan(file, unset_as_zero=True)
+    plan = read_plan(file)
     judge.expect_right(plan)
-    assert plan.items()[0].param4 == 0 == plan.items()[2].param4
+    found = judge.refusals(plan)
+    assert found["px4"] == found["any"] == []
+    assert {one.step.item.command for one in found["ardupilot"]} == {2000}
+    assert all("--unset-as-zero for 0" in one.text for one in found["ardupilot"])
+    plan = read_plan(file, unset_as_zero=True)
+    assert not any(judge.refusals(plan).values())
+    assert plan.items()[2].param4 == 0
+    assert math.isnan(plan.items()[0].param4)  # a yaw: 0 is north
+
+
+def one_item(tmp_path: Path, command: int, params: list) -> Path:
+    document = json.loads((FILES / "hover_and_capture.plan").read_text())
+    document["mission"]["items"].append(
+        {"autoContinue": True, "command": command, "doJumpId": 9, "frame": 2, "params": params, "type": "SimpleItem"}
+    )
+    file = tmp_path / "one.plan"
+    file.write_text(json.dumps(document))
+    return file
+
+
+@pytest.mark.parametrize(("command", "params"), [(187, [0.5, None, None, None, 0, 0, 0]),
+                                                 (1000, [None, None, 10, -5, 0, 0, 0])])  # fmt: skip
+@pytest.mark.parametrize("as_zero", [False, True])
+def test_unset_actuator_or_angle_stays_unset(tmp_path, command, params, as_zero):
+    plan = read_plan(one_item(tmp_path, command, params), unset_as_zero=as_zero)
+    (item,) = [item for item in plan.items() if item.command == command]
+    assert [None if math.isnan(value) else value for value in item[4:8]] == params[:4]
+    assert judge.refusals(plan)["px4"] == []
+    (refused,) = [one for one in judge.refusals(plan)["ardupilot"] if one.step.item.command == command]
+    assert "--unset-as-zero" not in refused.text
+
+
+@pytest.mark.parametrize("as_zero", [False, True])
+def test_actuator_that_no_item_can_leave_unset_is_refused(tmp_path, as_zero):
+    with pytest.raises(BadPlan, match="parameter 5 is unset, .* would move that actuator"):
+        read_plan(one_item(tmp_path, 187, [0.5, *[None] * 5, 0]), unset_as_zero=as_zero)
+
+
+@pytest.mark.parametrize("as_zero", [False, True])
+def test_number_whose_nan_means_nothing_is_refused_unless_it_is_said_to_be_0(tmp_path, as_zero):
+    plan = read_plan(one_item(tmp_path, 93, [None, 0, 0, 0, 0, 0, 0]), unset_as_zero=as_zero)
+    texts = [one.text for one in judge.refusals(plan)["any"]]
+    if as_zero:
+        assert texts == []
+    else:
+        assert len(texts) == 1 and "a NaN that means nothing here (parameter 1)" in texts[0]
+        assert texts[0].endswith("or say --unset-as-zero for 0")
 
 
 def test_altitudes_keep_what_they_are_measured_from():

@@ -146,6 +146,27 @@ def test_nan_is_as_you_fly_where_param4_is_a_yaw(bench, personality, command):
 
 
 @YAW
+@pytest.mark.parametrize(
+    ("one", "on_ardupilot"),
+    [
+        (item(187, param1=0.5, param2=NAN, param3=NAN, param4=NAN), "NotANumber"),  # DO_SET_ACTUATOR: one of them
+        (item(1000, param1=NAN, param2=NAN, param3=10.0, param4=-5.0), "NotANumber"),  # DO_GIMBAL_MANAGER_PITCHYAW
+        (item(2001, param2=NAN, param3=NAN, param4=NAN, z=NAN), "NotANumber"),  # IMAGE_STOP_CAPTURE of QGroundControl
+        (waypoint(param2=NAN), "NotANumber"),  # MAVSDK's acceptance radius
+    ],
+)
+def test_nan_that_means_unset_comes_aboard_on_px4_alone(bench, personality, one, on_ardupilot):
+    bench.upload([waypoint(), one._replace(frame=one.frame if one.command == 16 else NO_PLACE)], proof="Always")
+    if personality == "ArduPilot":
+        assert bench.run_until_ended(limit_s=5) == on_ardupilot
+        assert bench.heard("MISSION_COUNT") == []
+        return
+    assert bench.run_until_ended(limit_s=5) == "Accepted"
+    (arrived,) = bench.autopilot.received()[-1:]
+    assert [math.isnan(value) for value in arrived[4:8]] == [math.isnan(value) for value in one[4:8]]
+
+
+@YAW
 @pytest.mark.parametrize("vehicle", ["arducopter", "ardurover", "px4"])
 def test_recorded_answer_to_each_command_is_foreseen(build_bench, vehicle):
     """Everything that a real autopilot refused is refused before COUNT; what it took comes aboard."""

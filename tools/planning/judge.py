@@ -15,6 +15,7 @@ from . import fences
 from .bad_plan import BadPlan, shown
 from .exact import decimal_text, degrees_text
 from .plan import KINDS, Item, Plan, Step
+from .unset import is_unset_not_0
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
@@ -95,7 +96,10 @@ def wrong_number(status: str, item: Item) -> str:
     }
     unset = [str(i) for i, value in zip((1, 2, 3, 4, 7), (*item[4:8], item.z), strict=True) if value != value]
     if status == "NotANumber":
-        return f" (parameter {', '.join(unset)}); give it one where the plan was drawn, or say --unset-as-zero"
+        text = f" (parameter {', '.join(unset)}); give it a number where the plan was drawn"
+        # Where 0 would mean something else, it is no way out.
+        is_way_out = not any(is_unset_not_0(item.command, int(i)) for i in unset)
+        return f"{text}, or say --unset-as-zero for 0" if is_way_out else text
     return f" ({shown[status]})" if status in shown else ""
 
 

@@ -10,6 +10,7 @@ from typing import TypeGuard
 from . import commands
 from .exact import DoesNotFit, e7_of, float32_of, int32_of, is_whole
 from .plan import GLOBAL, NO_PLACE, RELATIVE, TERRAIN, Item, modern
+from .unset import is_unset_not_0
 
 PLACE_FRAMES = (GLOBAL, RELATIVE, TERRAIN)
 # Commands whose place some programs write in degrees in frame 2 too.
@@ -137,6 +138,14 @@ def _unset(command: int, i: int, value: Number, placed: bool, number: int, notes
         return Decimal(0)
     if placed and i in PLACE_NAMES:
         raise DoesNotFit(f"it has no {PLACE_NAMES[i]}: give it a place where the plan was drawn", i)
+    if is_unset_not_0(command, i):
+        if i in (5, 6):
+            raise DoesNotFit(
+                f"parameter {i} is unset, which a whole number cannot be, and 0 would move that actuator: give it the"
+                " number that is meant",
+                i,
+            )
+        return value
     if as_zero:
         notes.add("unset parameters are taken for 0", number)
         return Decimal(0)

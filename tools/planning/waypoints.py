@@ -262,7 +262,7 @@ def write(plan: Plan, kind: str = "mission") -> tuple[str, list[str]]:
     for number, step in enumerate(Progress("lines written").of(plan.steps(kind))):
         if any(math.isnan(value) for value in (*step.item[4:8], step.item.z)):
             notes.add(
-                "unset numbers are written as NaN; for a program that does not read that, say --unset-as-zero", number
+                "unset numbers are written as NaN, which not every program reads", number
             )
         if step.group:
             notes.add("patterns are written as the items that they carry")

@@ -186,6 +186,31 @@ const Row kRows[] PROGMEM = {
     row(42703, U16, To180, To90, To360, InArduPilot::Attitude, InPx4::NotTaken),  // NAV_ATTITUDE_TIME
 };
 
+// The parameters of a command that PX4 keeps as NaN, one bit each, and to which that means something: by MAVLink's own
+// definitions, for which a NaN also fills what is reserved; by MAVSDK, which leaves the acceptance radius to PX4 so;
+// and by QGroundControl, which leaves all unset of a camera's item that it does not use.
+struct Unset {
+  uint16_t command;
+  uint8_t params;
+};
+
+constexpr uint8_t unset(uint8_t first, uint8_t second = 0, uint8_t third = 0, uint8_t fourth = 0) {
+  return static_cast<uint8_t>((1 << first | 1 << second | 1 << third | 1 << fourth) & ~1);
+}
+
+const Unset kUnset[] PROGMEM = {
+    {16, unset(2)},             // NAV_WAYPOINT: the acceptance radius
+    {179, unset(2, 3, 4)},      // DO_SET_HOME: the surface, the heading
+    {187, unset(1, 2, 3, 4)},   // DO_SET_ACTUATOR: the others are left as they are
+    {530, unset(3, 4, 7)},      // SET_CAMERA_MODE
+    {532, unset(4)},            // SET_CAMERA_FOCUS
+    {1000, unset(1, 2, 3, 4)},  // DO_GIMBAL_MANAGER_PITCHYAW: by angles, by rates
+    {2000, unset(4, 7)},        // IMAGE_START_CAPTURE
+    {2001, unset(2, 3, 4, 7)},  // IMAGE_STOP_CAPTURE
+    {2500, unset(3, 4, 7)},     // VIDEO_START_CAPTURE
+    {2501, unset(2, 3, 4, 7)},  // VIDEO_STOP_CAPTURE
+};
+
 }  // namespace
 
 Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
@@ -224,6 +249,15 @@ Rules rulesOf(const MissionItem& item, Keeper keeper) {
     more = four(K, K, Height, kHasNoPlace);
   }
   return Rules{params | static_cast<uint32_t>(more) << 16};
+}
+
+bool mayBeUnset(const MissionItem& item, uint8_t param, Keeper keeper) {
+  if (param == 4 && rulesOf(item, keeper).hasYaw()) return true;
+  if ((keeper & kByArduPilot) != 0) return false;  // which refuses it
+  for (const Unset& one : kUnset) {
+    if (fromFlash(&one.command) == item.command) return (fromFlash(&one.params) >> param & 1) != 0;
+  }
+  return false;
 }
 
 uint8_t traitsOf(uint16_t command) {

@@ -54,5 +54,9 @@ struct Rules {
 // The rules by which this keeper keeps the fields of an item. They depend on the item's command and frame.
 Rules rulesOf(const MissionItem& item, Keeper keeper);
 
+// True if a parameter of an item (1 to 4, or 7 for z) may be NaN, which means unset: a yaw, and what PX4
+// keeps so, and MAVLink gives a meaning.
+MAVMISSION_APART bool mayBeUnset(const MissionItem& item, uint8_t param, Keeper keeper);
+
 }  // namespace detail
 }  // namespace mavmission

@@ -82,7 +82,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     if (i == 5 || i == 6) continue;
     const FloatKind kind = kindOf(number);
     if (kind == FloatKind::Infinite) return Status::NotFinite;
-    if (kind == FloatKind::NotANumber && !(i == 4 && rules.hasYaw())) return Status::NotANumber;
+    if (kind == FloatKind::NotANumber && !mayBeUnset(item, i, keeper_)) return Status::NotANumber;
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
   const bool isArduPilot = (keeper_ & kByArduPilot) != 0;

@@ -121,16 +121,38 @@ TEST_CASE("parameters 5 and 6 of an item without a place are no coordinates") {
   for (Firmware firmware : kAll) CHECK((check(home, firmware) == Status::Accepted));
 }
 
-TEST_CASE("a NaN is refused but for a yaw, an infinity everywhere") {
+namespace {
+
+// The parameters that may be NaN, but for a yaw: on PX4, and where the guide alone is followed.
+bool mayBeUnset(uint16_t command, int param) {
+  switch (command) {
+    case 16: return param == 2;                                // NAV_WAYPOINT, the acceptance radius
+    case 179: return param == 2 || param == 3 || param == 4;   // DO_SET_HOME
+    case 187:                                                  // DO_SET_ACTUATOR
+    case 1000: return param <= 4;                              // DO_GIMBAL_MANAGER_PITCHYAW
+    case 530:                                                  // SET_CAMERA_MODE
+    case 2500: return param == 3 || param == 4 || param == 7;  // VIDEO_START_CAPTURE
+    case 532: return param == 4;                               // SET_CAMERA_FOCUS
+    case 2000: return param == 4 || param == 7;                // IMAGE_START_CAPTURE
+    case 2001:
+    case 2501: return param != 1;  // IMAGE_STOP_CAPTURE, VIDEO_STOP_CAPTURE
+    default: return false;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a NaN is refused but where it means unset, an infinity everywhere") {
   float MissionItem::*const numbers[] = {&MissionItem::param1, &MissionItem::param2, &MissionItem::param3,
                                          &MissionItem::param4, &MissionItem::z};
   for (Firmware firmware : kAll) {
     for (float MissionItem::*number : numbers) {
       MissionItem item = kHere;
       item.*number = kNaN;
-      const bool isYaw = number == &MissionItem::param4;
-      CHECK((check(item, firmware) == (isYaw ? Status::Accepted : Status::NotANumber)));
-      CHECK((check(item, firmware, true) == (isYaw ? Status::Accepted : Status::NotANumber)));
+      const bool isRadius = number == &MissionItem::param2 && firmware != Firmware::ArduPilot;
+      const bool isUnset = number == &MissionItem::param4 || isRadius;
+      CHECK((check(item, firmware) == (isUnset ? Status::Accepted : Status::NotANumber)));
+      CHECK((check(item, firmware, true) == (isUnset ? Status::Accepted : Status::NotANumber)));
       item.*number = kInfinity;
       CHECK((check(item, firmware) == Status::NotFinite));
       item.*number = -kInfinity;
@@ -140,6 +162,26 @@ TEST_CASE("a NaN is refused but for a yaw, an infinity everywhere") {
     speed.param4 = kNaN;
     CHECK((check(speed, firmware) == Status::NotANumber));
   }
+}
+
+TEST_CASE("of the commands without a yaw those take a NaN to which it means something, and ArduPilot none") {
+  float MissionItem::*const numbers[] = {&MissionItem::param1, &MissionItem::param2, &MissionItem::param3,
+                                         &MissionItem::param4, &MissionItem::z};
+  int taken = 0;
+  for (uint16_t command = 86; command < 3001; ++command) {
+    for (int i = 0; i < 5; ++i) {
+      MissionItem item = anyCommand(command);
+      item.*numbers[i] = kNaN;
+      const bool isUnset = mayBeUnset(command, i < 4 ? i + 1 : 7);
+      if (isUnset) ++taken;
+      for (Firmware firmware : {Firmware::Px4, Firmware::Other}) {
+        CHECK((check(item, firmware) == Status::NotANumber) == !isUnset);
+        if (isUnset) CHECK((check(item, firmware) == Status::Accepted));
+      }
+      CHECK((check(item, Firmware::ArduPilot) == Status::NotANumber));
+    }
+  }
+  CHECK(taken == 3 + 4 + 4 + 3 + 3 + 1 + 2 + 4 + 4);
 }
 
 TEST_CASE("current says where to begin, and 2 and more would mean fly there now") {
