@@ -118,14 +118,20 @@ def expect_nothing_broken(record_property, title: str, scenarios: list[tuple[str
     return sum(row[0] for row in rows.values())
 
 
+# One scenario in so many; tools/test --all takes them all. (Those of the planted defects are explored each time.)
+ONE_IN = pytest.mark.parametrize("one_in", [7, pytest.param(1, marks=pytest.mark.thorough)])
+
+
 @pytest.mark.slow
-def test_no_way_that_losses_can_lead_breaks_a_rule(record_property):
-    scenarios = [(words, "") for autopilot in AUTOPILOTS for words in single(autopilot, 2)]
+@ONE_IN
+def test_no_way_that_losses_can_lead_breaks_a_rule(record_property, one_in):
+    scenarios = [(words, "") for autopilot in AUTOPILOTS for words in single(autopilot, 2)][::one_in]
     expect_nothing_broken(record_property, "explored: any frames lost, plans of 0 to 2 items", scenarios)
 
 
 @pytest.mark.slow
-def test_no_way_breaks_a_rule_with_reboots_cancels_and_a_fault_beside_any_losses(record_property):
+@ONE_IN
+def test_no_way_breaks_a_rule_with_reboots_cancels_and_a_fault_beside_any_losses(record_property, one_in):
     scenarios = []
     for autopilot in AUTOPILOTS:
         # (PX4 renews its 5 s with each item that it hears, so that repeats make many more ways.)
@@ -135,12 +141,13 @@ def test_no_way_breaks_a_rule_with_reboots_cancels_and_a_fault_beside_any_losses
             scenarios += [(words, f"--reboots 1{lossy}") for words in single(autopilot, most)]
             scenarios += [(words, f"--cancels 1{lossy}") for words in single(autopilot, most)]
             scenarios += [(words, f"--faults 1{lossy}") for words in single(autopilot, 1)]
-    states = expect_nothing_broken(record_property, "explored: plans of 0 to 4 items", scenarios)
-    assert states > 5_000_000  # as DESIGN.md says
+    states = expect_nothing_broken(record_property, "explored: plans of 0 to 4 items", scenarios[::one_in])
+    assert one_in > 1 or states > 5_000_000  # as DESIGN.md says
 
 
 @pytest.mark.slow
-def test_no_operation_is_misled_by_the_one_before_it(record_property):
+@ONE_IN
+def test_no_operation_is_misled_by_the_one_before_it(record_property, one_in):
     scenarios = []
     for autopilot in ("ArduPilot", "PX4"):
         for options in ("--losses 3", "--losses 2 --cancels 1", "--losses 2 --resets 1", "--losses 3 --lossy 1"):
@@ -148,13 +155,14 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property):
         # A shorter plan behind a longer one: PX4 may take it for the beginning of that.
         for options in ("--losses 8", "--losses 8 --lossy 1"):
             scenarios.append((f"{autopilot} upload-in-doubt 2 upload-in-doubt 1", options))
-    expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios)
+    expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios[::one_in])
 
 
 @pytest.mark.slow
-def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(record_property):
-    states = expect_nothing_broken(record_property, "explored: plans as files, of 0 to 7 items", by_file())
-    assert states > 1_000_000  # as DESIGN.md says
+@ONE_IN
+def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(record_property, one_in):
+    states = expect_nothing_broken(record_property, "explored: plans as files, of 0 to 7 items", by_file()[::one_in])
+    assert one_in > 1 or states > 1_000_000  # as DESIGN.md says
 
 
 # What is changed in which file, and the scenario that shows it, by the rule that is then broken.

@@ -31,6 +31,7 @@ def test_every_case_of_a_unit_passes(unit, compiler, tmp_path):
     assert run_unit(build_units(compiler), unit, tmp_path) == (0, cases_of(unit))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("unit", [unit for unit in UNITS if unit != "float_bits"])
 def test_every_case_of_a_unit_passes_on_32_bits(unit, tmp_path):
     """Where float_bits' millions of values would take long, and are the same bits."""

@@ -11,7 +11,8 @@ import pytest
 
 from simulation.enumerators import texts_of
 from simulation.firmware import LIBRARY, ROOT, library_sources
-from simulation.host_build import HOST, SHIM
+from simulation.host_build import HOST, SHIM, compiler_version
+from simulation.precompiled import with_mavlink
 
 AUTOPILOT = 9  # MAV_AUTOPILOT_PPZ
 NAME = "a third autopilot"
@@ -35,7 +36,8 @@ def talk(library: Path, folder: Path, autopilot: int) -> dict[str, str]:
     ]  # fmt: skip
     command = ["g++", "-O0", "-std=c++11", "-Wall", "-Wextra", "-Werror", f"-I{library}", f"-I{SHIM}", f"-I{HOST}"]
     if not program.exists():
-        subprocess.run([*command, *map(str, sources), "-o", str(program)], check=True)
+        quick = with_mavlink(command, compiler_version("g++"))
+        subprocess.run([*command, *quick, *map(str, sources), "-o", str(program)], check=True)
     ran = subprocess.run([str(program), str(autopilot)], capture_output=True, text=True, check=True, timeout=60)
     said = [line.split(" ", 2 if line.startswith("item") else 1) for line in ran.stdout.splitlines()]
     return {" ".join(words[:-1]): words[-1] for words in said}

@@ -2,16 +2,18 @@
 
     ["upload/test_losses.py"]
     test_upload_survives_losing_any_two_frames = 12   # one in twelve of those marked slow; 0: none of them
+    "*" = 3                                           # of all others in the file
 
-What is not marked slow stays. Of the others one stays by a checksum of its name and parameters: the sample is the same
-each time, and does not move when another test is added. The rest gets the mark `thorough`. test/conftest.py registers
-this module with pytest.
+What is not marked slow stays. Of the others those stay that a checksum of their names and parameters puts first, at
+least one: the sample is the same each time, and hardly moves when another test is added. The rest gets the mark
+`thorough`. A single test that is asked for by its name is run. test/conftest.py registers this module with pytest.
 """
 
 from __future__ import annotations
 
 import tomllib
 import zlib
+from collections import defaultdict
 from pathlib import Path
 
 import pytest
@@ -19,8 +21,10 @@ import pytest
 LIST = Path(__file__).resolve().parents[1] / "sample.toml"
 
 
-def stays(name: str, one_in: int) -> bool:
-    return one_in > 0 and zlib.crc32(name.encode()) % one_in == 0
+def kept(names: list[str], one_in: int) -> set[str]:
+    """One in so many of them, at least one; of 0 none."""
+    most = -(-len(names) // one_in) if one_in else 0
+    return set(sorted(names, key=lambda name: zlib.crc32(name.encode()))[:most])
 
 
 def listed() -> dict[str, dict[str, int]]:
@@ -28,10 +32,18 @@ def listed() -> dict[str, dict[str, int]]:
 
 
 def mark(items: list[pytest.Item], sampled: dict[str, dict[str, int]]) -> None:
+    """Each entry of the list is a group of tests, of which a sample stays."""
+    groups: dict[tuple[str, str], list[pytest.Item]] = defaultdict(list)
     for item in items:
-        one_in = sampled.get("/".join(item.path.parts[-2:]), {}).get(getattr(item, "originalname", item.name))
-        if one_in is not None and item.get_closest_marker("slow") and not stays(item.name, one_in):
-            item.add_marker("thorough")
+        file = "/".join(item.path.parts[-2:])
+        test = getattr(item, "originalname", item.name)
+        if file in sampled and item.get_closest_marker("slow"):
+            groups[file, test if test in sampled[file] else "*"].append(item)
+    for (file, test), group in groups.items():
+        staying = kept([item.name for item in group], sampled[file].get(test, 1))
+        for item in group:
+            if item.name not in staying and len(items) > 1:
+                item.add_marker("thorough")
 
 
 @pytest.hookimpl(tryfirst=True)
