@@ -115,3 +115,9 @@ def test_sizes_are_reported_where_they_are_kept():
 def test_tests_run_on_the_system_that_setup_is_for():
     assert load("test.yml")["jobs"]["test"]["container"] == "debian:12"
     assert "Debian 12" in Path(ROOT / "tools" / "setup").read_text()
+
+
+def test_every_folder_of_tests_is_run_by_one_job():
+    folders = load("test.yml")["jobs"]["test"]["strategy"]["matrix"]["folders"]
+    named = [Path(name) for line in folders for name in line.split()]
+    assert sorted(ROOT / name for name in named) == sorted({file.parent for file in (ROOT / "test").rglob("test_*.py")})

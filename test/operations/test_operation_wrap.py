@@ -72,6 +72,7 @@ def expect_the_same(personality: str, name: str, what: str, bits: int, every_s: 
         assert [time for time, _ in found] == pytest.approx([time for time, _ in sent], abs=SAME_S), at_s
 
 
+@pytest.mark.slow
 @WRAPS
 @pytest.mark.parametrize("name", OPERATIONS)
 @pytest.mark.parametrize("what", COURSES)

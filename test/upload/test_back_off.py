@@ -22,6 +22,7 @@ def other_begins(service, items: int) -> mavlink.MAVLink:
     return packer
 
 
+@pytest.mark.slow
 @BACK_OFF
 def test_upload_meanwhile_is_refused_and_said_as_such(service, personality):
     service.run(2.0)

@@ -111,8 +111,9 @@ def expect_the_same(personality: str, name: str, bits: int, at_s: float) -> None
 
 
 @WRAPS
+@pytest.mark.slow
 @pytest.mark.parametrize("name", COURSES)
-@pytest.mark.parametrize("bits", [32, pytest.param(16, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("bits", [32, 16])
 def test_upload_goes_the_same_way_whenever_millis_wraps(personality, name, bits):
     expected_ends = undisturbed(personality, name)[1]
     assert len(expected_ends) == 1

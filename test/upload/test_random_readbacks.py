@@ -77,6 +77,7 @@ BOTH_NUMBERINGS = pytest.mark.parametrize("raw", [False, True], ids=["", "raw"])
 EACH = pytest.mark.parametrize("recording", VEHICLES)
 
 
+@pytest.mark.slow
 @EACH
 @BOTH_NUMBERINGS
 def test_each_item_verifies_or_is_refused_before_count_by_its_own_status(recording, raw):
@@ -101,6 +102,7 @@ def test_each_item_verifies_or_is_refused_before_count_by_its_own_status(recordi
             assert (end.status == "NotKept") == (end.field >= FIRST_FIELD), (group, end)
 
 
+@pytest.mark.slow
 @EACH
 def test_what_came_aboard_means_what_was_sent(recording):
     """Told by the rows alone: each field is kept, or dropped, or one of the rewritings of docs/readback.md."""
