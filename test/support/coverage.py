@@ -48,8 +48,9 @@ def branches(folder: Path) -> dict[str, tuple[int, int]]:
         program = folder / f"{name}.program"
         objects = compiled(sources, TESTS, folder / name)
         subprocess.run(["g++", "--coverage", *objects, *library, "-o", program], check=True)
+        places = environment(folder / "uploads")
         for words in runs:
-            subprocess.run([program, *words.split()], check=True, capture_output=True, env=environment(folder / "uploads"))
+            subprocess.run([program, *words.split()], check=True, capture_output=True, env=places)
     return by_folder(folder / "library")
 
 

@@ -23,7 +23,7 @@ BUDGET = ROOT / "test" / "figures" / "cpu_budget.toml"
 KEPT = ROOT / "build" / "cpu_seconds.json"
 PROPERTY = "cpu_s"
 # The three runs of tools/test, by the marks that they leave out.
-RUNS = {"": "all", "not thorough": "default", "not slow and not thorough": "quick"}
+RUNS = {"": "all", "not thorough": "default", "not slow and not thorough and not beyond_quick": "quick"}
 COLLECTING = "(starting, collecting)"
 
 

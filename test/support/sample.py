@@ -4,9 +4,13 @@
     test_upload_survives_losing_any_two_frames = 12   # one in twelve of those marked slow; 0: none of them
     "*" = 3                                           # of all others in the file
 
+    [quick]
+    operations = 3   # of the tests of this folder that are not marked slow, tools/test --quick runs one in three
+
 What is not marked slow stays. Of the others those stay that a checksum of their names and parameters puts first, at
 least one: the sample is the same each time, and hardly moves when another test is added. The rest gets the mark
-`thorough`. A single test that is asked for by its name is run. test/conftest.py registers this module with pytest.
+`thorough`, or `beyond_quick`. A single test that is asked for by its name is run. test/conftest.py registers this
+module with pytest.
 """
 
 from __future__ import annotations
@@ -31,6 +35,15 @@ def listed() -> dict[str, dict[str, int]]:
     return tomllib.loads(LIST.read_text())
 
 
+def mark_beyond_quick(items: list[pytest.Item], folders: dict[str, int]) -> None:
+    for folder, one_in in folders.items():
+        group = [item for item in items if item.path.parts[-2] == folder and not item.get_closest_marker("slow")]
+        staying = kept([item.nodeid for item in group], one_in)
+        for item in group:
+            if item.nodeid not in staying and len(items) > 1:
+                item.add_marker("beyond_quick")
+
+
 def mark(items: list[pytest.Item], sampled: dict[str, dict[str, int]]) -> None:
     """Each entry of the list is a group of tests, of which a sample stays."""
     groups: dict[tuple[str, str], list[pytest.Item]] = defaultdict(list)
@@ -48,4 +61,6 @@ def mark(items: list[pytest.Item], sampled: dict[str, dict[str, int]]) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    mark(items, listed())
+    sampled = listed()
+    mark_beyond_quick(items, sampled.pop("quick", {}))
+    mark(items, sampled)

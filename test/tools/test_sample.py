@@ -14,7 +14,9 @@ from building import ROOT
 
 
 def test_list_names_tests_that_there_are():
-    for file, tests in sample.listed().items():
+    files = sample.listed()
+    assert all((ROOT / "test" / folder).is_dir() for folder in files.pop("quick"))
+    for file, tests in files.items():
         text = (ROOT / "test" / file).read_text()
         assert [name for name in tests if name != "*" and not re.search(rf"^def {name}\(", text, re.M)] == [], file
 
@@ -35,6 +37,7 @@ class Item:
 
     def __init__(self, name: str, *marks: str) -> None:
         self.name, self.marks = name, [*marks]
+        self.nodeid = f"test/somewhere/test_some.py::{name}"
 
     def get_closest_marker(self, mark: str) -> bool:
         return mark in self.marks
@@ -52,6 +55,13 @@ def test_what_is_slow_and_not_in_the_sample_is_marked(tests, left):
     sample.mark(items, {"somewhere/test_some.py": tests})
     assert sum("thorough" in item.marks for item in items) == left
     assert not any("thorough" in item.marks for item in items[8:])
+
+
+def test_quick_run_leaves_some_of_a_folder_with_many_small_tests():
+    items = [Item(f"test_some[{number}]", *(["slow"] if number < 8 else [])) for number in range(20)]
+    sample.mark_beyond_quick(items, {"somewhere": 3, "elsewhere": 2})
+    assert sum("beyond_quick" in item.marks for item in items) == 8
+    assert not any("beyond_quick" in item.marks for item in items[:8])
 
 
 def test_folder_above_its_budget_is_warned_of():
