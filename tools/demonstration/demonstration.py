@@ -56,6 +56,7 @@ class Settings:
     autopilot: str = "ardupilot"  # or "px4"
     loss_percent: float = 0.0  # of the frames, in each direction
     byte_loss_percent: float = 0.0  # of the bytes, in each direction
+    latency_ms: float = 0.0  # of the line, in each direction
     seed: int = 0
     lose: tuple[NamedFrame, ...] = ()
     log: Path | None = None
@@ -104,7 +105,7 @@ class Demonstration:
         self._mega = Mega(built.elf)
         self._line = SerialLine(
             self.autopilot, self._mega.serial(1), settings.loss_percent, settings.seed, settings.lose,
-            settings.byte_loss_percent,
+            settings.byte_loss_percent, settings.latency_ms,
         )  # fmt: skip
         self._remarks: dict[int, tuple[bool, bool]] = {}  # by the entry's id(): is it shown, was it said before
         self._console = Console(self)
@@ -172,6 +173,8 @@ class Demonstration:
         loss = f", {self.settings.loss_percent:g} % of the frames lost each way" if self.settings.loss_percent else ""
         if self.settings.byte_loss_percent:
             loss += f", {self.settings.byte_loss_percent:g} % of the bytes lost each way"
+        if self.settings.latency_ms:
+            loss += f", {self.settings.latency_ms:g} ms each way"
         return loss + "".join(f", {named.text} lost" for named in self.settings.lose)
 
     def _pace(self) -> dict:

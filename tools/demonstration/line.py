@@ -42,6 +42,7 @@ class Line:
         seed: int = 0,
         lose: Sequence[NamedFrame] = (),
         byte_loss_percent: float = 0.0,
+        latency_ms: float = 0.0,
     ) -> None:
         self.autopilot = autopilot
         self._port = port
@@ -53,6 +54,8 @@ class Line:
                 self.wire.at_random(direction, lose=loss_percent)
         if byte_loss_percent:
             self.wire.damage_bytes(lose=byte_loss_percent)
+        if latency_ms:
+            self.wire.set_latency(latency_ms / 1000)
         self._to_mega = bytearray()
         self._from_mega: list[Sent] = []
         self._now = 0.0
