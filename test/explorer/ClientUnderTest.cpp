@@ -363,11 +363,11 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   if (!isLooking) c.rest_.lastResult = 255;  // ensure() remembers a refusal
   const bool isUpload = c.state_.operation == MissionClient::uploadStep;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
-  // What earlier transfers left matters when a transfer begins, and until a clear has been sent; what an upload leaves
-  // it says at its end.
+  // What earlier transfers left matters when a transfer begins, and to a clear and a reading; what an upload leaves it
+  // says at its end.
   const bool isClear = c.state_.operation == MissionClient::clearStep;
   const bool isLeftUnread =
-      isLast ? (isTransferring && !isClear && !isLooking && !isByFile) || !c.isBusy() : isTransferring && isUpload;
+      isLast ? (isTransferring && !isClear && !isReading(c) && !isByFile) || !c.isBusy() : isTransferring && isUpload;
   if (isLeftUnread) c.state_.unsettled = 0;
   if (c.state_.quiet < kWaiting) quietMs_ = 0;
   if (isLast && (!c.isBusy() || isTransferring)) c.state_.quiet = kNoneLate;

@@ -33,7 +33,8 @@ struct Line {
   static constexpr int kMost = 12;
 
   InFlight frames[kMost];  // the rest is zero
-  uint32_t count;
+  uint16_t count;
+  uint16_t latencyMs;  // beside kWayMs: a radio, or a line that keeps frames back
 
   bool isEmpty() const { return count == 0; }
   // True if nothing but frames that wait for another one is left.
@@ -55,13 +56,15 @@ struct Line {
   }
 
   // False if the line is fuller than the exploration foresees.
-  bool send(const Message& message) { return put(InFlight{message, kWayMs, false, false}); }
+  bool send(const Message& message) {
+    return put(InFlight{message, static_cast<uint16_t>(kWayMs + latencyMs), false, false});
+  }
 
   // Takes the frame out; those that waited for it follow.
   Message take(int which, Fate fate) {
     const Message message = frames[which].message;
     --count;
-    memmove(&frames[which], &frames[which + 1], (count - static_cast<uint32_t>(which)) * sizeof(InFlight));
+    memmove(&frames[which], &frames[which + 1], static_cast<size_t>(count - which) * sizeof(InFlight));
     memset(static_cast<void*>(&frames[count]), 0, sizeof(InFlight));
     for (uint32_t i = 0; i < count; ++i) {
       if (!frames[i].isHeld) continue;

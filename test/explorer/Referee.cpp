@@ -318,6 +318,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if ((heardAcks & 1) == 0 && !isClosed) return "Accepted, and nothing was acknowledged";
       if (task.operation == Operation::UploadVerified && !isClosed) return "Accepted, and not read back";
       if (isLooking) return "Accepted, and nothing was uploaded";
+      if (isHurried == kHurriedBefore && task.operation != Operation::Upload && !isClosed && !isPx4(autopilot.firmware))
+        return "Accepted on a line that loses, and not read back";
       if (task.operation == Operation::Ensure && before != nullptr && isAboard(*before, task.plan, task.items)) {
         return "a plan that was aboard is uploaded again";
       }
@@ -381,6 +383,11 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   }
   for (uint8_t result = 1; result < 16; ++result) {
     if (status != mavmission::fromMissionResult(result)) continue;
+    // No model refuses a CLEAR_ALL: this was the answer to something earlier.
+    if (task.operation == Operation::Clear) return "a clear ends by an answer that is another's";
+    // Nor does ArduPilot answer a reading with an error while its plan stays the same.
+    if (task.operation == Operation::Verify && result == kError && !isPx4(autopilot.firmware) && !lineRepeats)
+      return "a reading ends by an answer that is another's";
     const bool isProven = isReading && result == kError && wasRefused;  // what was read back was not the plan
     if ((heardAcks & (1u << result)) == 0 && !isProven) return "a refusal that the autopilot did not send";
     // With what this client has read. PX4 gives that up by itself before all tries are used up.

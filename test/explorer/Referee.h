@@ -31,6 +31,7 @@ struct Task {
 };
 
 struct Referee {
+  static constexpr uint8_t kHurriedBefore = 2;
   static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kCountingMs = 7500,
                             kConfirmingMs = 9000;
@@ -71,7 +72,7 @@ struct Referee {
   uint8_t mayFree;         // what shows that an older transfer is open was heard
   uint8_t hasEndedOne;     // an operation of this client has ended, since the Arduino was reset
   uint8_t hasEndedBefore;  // before this one
-  uint8_t isHurried;       // the client takes the line for one that loses
+  uint8_t isHurried;       // the client takes the line for one that loses: 1, or kHurriedBefore this step
   uint8_t copies;          // of the current item, since it is current; 2 at most
   uint8_t mayGoOn;         // what was written as a file is read back, and may be uploaded item by item
   uint16_t heardAcks;      // bit r: ACK r was heard

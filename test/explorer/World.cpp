@@ -43,6 +43,7 @@ Outcome World::begin(const Scenario& scenario) {
   autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
   autopilot_.hold(scenario.heldPlan, scenario.heldItems);
   others_ = scenario.others;
+  toAutopilot_.latencyMs = toClient_.latencyMs = scenario.latencyMs;
   autopilot_.refused = scenario.refused;
   heartbeatInMs_ = kNever;
   client_.construct(scenario.firmware, false, scenario.isLossy, scenario.hasFiles());
@@ -135,7 +136,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
   for (bool isFirst = true; again; isFirst = false) {
     again = false;
     const Doing doing = client_.run(isFirst ? ms : 0, bytes.data(), isFirst ? bytes.size() : 0, isLastTask(scenario));
-    referee_.isHurried = client_.isHurried();
+    referee_.isHurried = !client_.isHurried() ? 0 : referee_.isHurried == 0 ? 1 : Referee::kHurriedBefore;
     if (doing.isRestless) outcome.broken = "the client does not come to rest";
     // It ended before what it sends behind the end: a cancellation, which the referee then expects.
     const auto takeEnd = [&] {

@@ -21,13 +21,14 @@ struct Scenario {
   uint8_t heldPlan = 0;     // what is aboard at the beginning
   uint8_t heldItems = 2;
   uint8_t losses = kAnyNumber;
-  uint8_t faults = 0;    // frames that are repeated, delayed or damaged
-  uint8_t reboots = 0;   // of the autopilot
-  uint8_t cancels = 0;   // by the sketch, of what runs then
-  uint8_t resets = 0;    // of the Arduino in the first task
-  uint8_t others = 0;    // requests of another client to the server of files
-  uint8_t refused = 0;   // the wire item that ArduPilot does not take; 0: none
-  bool isLossy = false;  // the client takes the line for one that loses, from the beginning
+  uint8_t faults = 0;      // frames that are repeated, delayed or damaged
+  uint8_t reboots = 0;     // of the autopilot
+  uint8_t cancels = 0;     // by the sketch, of what runs then
+  uint8_t resets = 0;      // of the Arduino in the first task
+  uint16_t latencyMs = 0;  // each way
+  uint8_t others = 0;      // requests of another client to the server of files
+  uint8_t refused = 0;     // the wire item that ArduPilot does not take; 0: none
+  bool isLossy = false;    // the client takes the line for one that loses, from the beginning
   bool hasFiles() const { return !tasks.empty() && isByFiles(tasks.front().operation); }
 };
 

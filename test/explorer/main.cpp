@@ -30,6 +30,7 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
       "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
       "  --others N     requests of another client to the server of files, at any point (0)\n"
       "  --refused N    the item on the wire that ArduPilot does not take; 0: it takes all (0)\n"
+      "  --latency N    ms that each frame takes longer, each way, 0 to 500 (0)\n"
       "  --lossy N      1: the client takes the line for one that loses, from the beginning; 0: from when it sees it\n"
       "                 by a repeated request or a damaged frame (0)\n"
       "  --most-states N  give up beyond (200000000)\n"
@@ -93,6 +94,8 @@ int main(int argc, char** argv) {
       scenario.others = static_cast<uint8_t>(number(value, 254));
     } else if (strcmp(option, "--refused") == 0) {
       scenario.refused = static_cast<uint8_t>(number(value, kMostItems));
+    } else if (strcmp(option, "--latency") == 0) {
+      scenario.latencyMs = static_cast<uint16_t>(number(value, 500));
     } else if (strcmp(option, "--lossy") == 0) {
       scenario.isLossy = number(value, 1) != 0;
     } else if (strcmp(option, "--most-states") == 0) {

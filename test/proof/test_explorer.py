@@ -155,7 +155,13 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property, one_in):
         # A shorter plan behind a longer one: PX4 may take it for the beginning of that.
         for options in ("--losses 8", "--losses 8 --lossy 1"):
             scenarios.append((f"{autopilot} upload-in-doubt 2 upload-in-doubt 1", options))
-    expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios[::one_in])
+    # Repeats leave sooner than answers come: the answers to them come when the next operation has begun.
+    late = [(words, f"--losses 1 --lossy 1 --latency {ms}") for autopilot in ("ArduPilot", "PX4")
+            for ms in (150, 300) for words in pairs(autopilot)]  # fmt: skip
+    late += [(words, "--losses 3 --cancels 1") for words in pairs("LateArduPilot")]
+    # Those are few states.
+    scenarios = [*scenarios[::one_in], *late]
+    expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios)
 
 
 @pytest.mark.slow
@@ -237,6 +243,34 @@ DEFECTS = {
         "if (hasBegun || status != Status::Idle) return false;",
         "ArduPilot ensure 1 --held 2 --faults 2 --losses 3",
         "aboard() says as before, and it is not",
+    ),
+    "an operation takes the late answers to the one before for its own": (
+        "Client.cpp",
+        "if (state_.quiet < lateTurns && !rest_.isCommanding) return;",
+        "(void)lateTurns;",
+        "ArduPilot upload 1 clear 0 --losses 0 --lossy 1 --latency 300",
+        "a clear ends by an answer that is another's",
+    ),
+    "the acceptance of a cancelled upload is taken for that of the next one": (
+        "Client.cpp",
+        "if (state_.quiet < lateTurns && !rest_.isCommanding) return;",
+        "(void)lateTurns;",
+        "LateArduPilot upload 1 upload 1 --losses 1 --cancels 1",
+        "aboard() says our plan, and it is not",
+    ),
+    "an acceptance on a line that loses is not proven": (
+        "TakeUp.cpp",
+        ": client.link_.pace().isLossy();",
+        ": false;",
+        "ArduPilot upload-in-doubt 1 --losses 1 --lossy 1",
+        "Accepted on a line that loses, and not read back",
+    ),
+    "aboard() stays our plan when an upload of another one ends early": (
+        "Upload.cpp",
+        "if (aboard(type) == Aboard::OurPlan) setAboard(type, Aboard::AsBefore);",
+        "",
+        "ArduPilot upload 1 upload 1 --losses 1 --cancels 1",
+        "aboard() says our plan, and it is not",
     ),
     "an upload waits for its last answer for ever": (
         "UploadTransfer.cpp",
