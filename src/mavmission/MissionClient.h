@@ -196,6 +196,7 @@ class MissionClient : private detail::Client {
   Firmware firmware() const { return Client::firmware(); }
   uint8_t autopilotSystemId() const { return link_.finder().heartbeat().systemId; }
   uint8_t autopilotComponentId() const { return link_.finder().heartbeat().componentId; }
+  // As its last heartbeat has shown it, also while it is not heard any more: an aircraft in the air stays armed.
   bool isArmed() const { return Client::isArmed(); }
   // The autopilot's own number of its mode (HEARTBEAT.custom_mode).
   uint32_t customMode() const { return Client::customMode(); }

@@ -27,8 +27,8 @@ struct PausableMessage {
 // starts and the autopilot has been heard, in case a reset came in the middle of a transfer. So an interval that the
 // sketch has set by setMessageInterval() for a message of the list is lost: name it in a list of your own instead.
 //
-// COMMAND_ACK does not say which message it is about: call setMessageInterval() only while isIdle(), or it may take the
-// answer to a command of this object for its own.
+// COMMAND_ACK does not say which message it is about: setMessageInterval() waits for the answer to the last command of
+// this object.
 class TelemetryPause : public detail::MessageIntervals {
  public:
   // The greatest length of a list.

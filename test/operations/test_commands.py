@@ -406,7 +406,7 @@ def test_mode_is_the_vehicles_own(build_service, kind, name):
         return
     assert service.done() == "Done"
     main, sub = number if personality == "PX4" else (number, 0)
-    was_there = personality == "ArduPilot" and name == "Manual"  # its first mode: nothing is sent
+    was_there = name == ("Manual" if personality == "ArduPilot" else "Hold")  # its first mode: nothing is sent
     assert [(one.command, one.param1, one.param2, one.param3) for one in service.heard("COMMAND_LONG")] == [
         (SET_MODE, 1.0, main, sub)] * (not was_there)  # fmt: skip
     service.run(1.1)
@@ -715,7 +715,7 @@ def test_late_answer_to_the_first_mode_of_a_start_is_not_taken_for_one_to_the_se
     service.order_of("start")
     assert service.done(limit_s=20) == "Done"
     assert is_flying(service)
-    assert len([one for one in service.heard("COMMAND_LONG") if one.param2 == 10]) == 1
+    assert len([one for one in service.heard("COMMAND_LONG") if one.param2 == 10]) == 2
 
 
 @LATE_ANSWERS

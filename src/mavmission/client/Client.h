@@ -48,7 +48,7 @@ class Client : public ClientRules {
   bool isBusy() const { return state_.operation != nullptr; }
   bool hasAutopilot() const { return link_.finder().isFound(); }
   Firmware firmware() const { return link_.finder().firmware(); }
-  bool isArmed() const { return hasAutopilot() && link_.finder().isArmed(); }
+  bool isArmed() const { return link_.finder().isArmed(); }
   uint32_t customMode() const { return link_.finder().heartbeat().customMode; }
 
   // The time that a frame for us takes, as a number of bytes that could be read in that time [bytes].
@@ -270,8 +270,8 @@ class Client : public ClientRules {
     uint16_t transferLimitS;
     uint16_t backOffLimitS;  // the limit of all back-offs [s]
     uint16_t partFirst;      // the items of a partial upload, in the sketch's numbers
-    uint16_t partCount;
-    uint8_t backOffPauseS;  // the pause before the next try; 0 before the first
+    uint16_t intervalMs;     // when a listener has last sent SET_MESSAGE_INTERVAL
+    uint8_t backOffPauseS;   // the pause before the next try; 0 before the first
     Status toReturn;
     Aboard aboard[4];  // by PlanType; the last is unused
     uint8_t lastResult;
@@ -349,6 +349,7 @@ class Client : public ClientRules {
         Reading reading_;
       };
       OpaqueId opaqueId_;
+      uint16_t partCount_;  // of a partial upload: how many items
     };
     ClearTransfer clearing_;
     Commanding commanding_;

@@ -2,6 +2,7 @@
 #include <Arduino.h>
 
 #include "../MissionClient.h"
+#include "../base/Clock.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 
@@ -93,6 +94,9 @@ void Client::sendCommand(uint16_t nowMs) {
   if (!isAsking) {
     commanding_.fill(*this, command);
     if (!sending.isDue(command.id, nowMs)) return;
+    // The answer to a listener's command could not be told from the answer to this one.
+    const bool isInterval = command.id == MAV_CMD_SET_MESSAGE_INTERVAL && sending.tries() == 0;
+    if (isInterval && rest_.isIntervalOpen && since(rest_.intervalMs, nowMs) < IntervalRules::kAnswerMs) return;
     if (sending.lacksHeartbeat(nowMs)) {
       sending.ask();
       isAsking = true;

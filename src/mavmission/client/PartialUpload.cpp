@@ -14,7 +14,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   if (isEnd(status)) return status;
   state_.announce = announcePart;
   rest_.partFirst = first;
-  rest_.partCount = count;
+  partCount_ = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {
     rest_.planType = PlanType::All;  // there is no whole plan for uploadAgain()
     return refuse(Status::BadRange);
@@ -24,7 +24,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
 
 Status Client::announcePart(Client& client, bool isBeginning) {
   const uint16_t first = client.rest_.partFirst + client.plan_.homeItems();
-  const uint16_t behind = first + client.rest_.partCount;
+  const uint16_t behind = first + client.partCount_;
   if (isBeginning) {
     client.transfer_.limitTo(first, behind);
     return Status::Transferring;

@@ -16,6 +16,10 @@ bool MessageIntervals::mayAsk(uint16_t nowMs) const {
   // Commands and clear() have no items, nor has a download before its MISSION_COUNT.
   const bool isCommanding = client_.isBusy() && client_.itemsTotal() == 0;
   if (isCommanding || !client_.hasAutopilot()) return false;
+  // Late answers to the client's own command.
+  const bool isBehindOne =
+      !client_.isBusy() && client_.rest_.isCommanding && client_.state_.seconds < CommandRules::kLateAnswersS;
+  if (isBehindOne && client_.commanding_.transfer.awaitsLate(MAV_CMD_SET_MESSAGE_INTERVAL, nowMs)) return false;
   for (const Listener* other = nextAlike(nullptr); other != nullptr; other = nextAlike(other)) {
     const MessageIntervals& asker = static_cast<const MessageIntervals&>(*other);
     if (&asker != this && asker.isWaiting_ && since(asker.askedMs_, nowMs) < IntervalRules::kAnswerMs) return false;
@@ -31,11 +35,13 @@ void MessageIntervals::ask(float messageId, float intervalUs, uint8_t tries, uin
   command.confirmation = tries;
   client_.link_.send(command);
   isWaiting_ = true;
+  await(nowMs);
+}
+
+void MessageIntervals::await(uint16_t nowMs) {
   askedMs_ = nowMs;
-  if (client_.isBusy()) return;
-  client_.rest_.isCommanding = true;
-  client_.beginSeconds(nowMs);
-  client_.commanding_.transfer.sentByListener(MAV_CMD_SET_MESSAGE_INTERVAL, nowMs);
+  client_.rest_.intervalMs = nowMs;
+  client_.rest_.isIntervalOpen = true;
 }
 
 bool MessageIntervals::isAnswer(const FrameParser& frame) const {
@@ -47,8 +53,7 @@ bool MessageIntervals::isAnswer(const FrameParser& frame) const {
 
 void MessageIntervals::settle() {
   isWaiting_ = false;
-  if (client_.isBusy() || !client_.rest_.isCommanding) return;
-  client_.commanding_.transfer.answeredToListener(MAV_CMD_SET_MESSAGE_INTERVAL, askedMs_);
+  client_.rest_.isIntervalOpen = false;
 }
 
 }  // namespace detail

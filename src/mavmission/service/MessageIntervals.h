@@ -20,6 +20,9 @@ class MessageIntervals : public Listener {
   // can send. `tries`: the number of earlier attempts.
   void ask(float messageId, float intervalUs, uint8_t tries, uint16_t nowMs);
 
+  // From now on answers may come, to the last command or to its repeats.
+  void await(uint16_t nowMs);
+
   // True for a COMMAND_ACK that answers a command of ask().
   bool isAnswer(const FrameParser& frame) const;
 

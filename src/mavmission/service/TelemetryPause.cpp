@@ -151,7 +151,7 @@ void TelemetryPause::take(Listener& listener, const FrameParser& frame) {
 void TelemetryPause::takeResult(uint8_t result, uint16_t nowMs) {
   if (result == MAV_RESULT_TEMPORARILY_REJECTED) return;  // sent again after the timeout
   if (result == MAV_RESULT_IN_PROGRESS) {
-    askedMs_ = nowMs;
+    await(nowMs);
     return;
   }
   // If the autopilot refuses to restore the interval, it does not have such a message.
@@ -164,7 +164,7 @@ void TelemetryPause::takeResult(uint8_t result, uint16_t nowMs) {
   }
   // The answer to another attempt may still come, and could not be told from the answer to the next message's command.
   isAnswered_ = true;
-  askedMs_ = nowMs;
+  await(nowMs);
 }
 
 }  // namespace mavmission

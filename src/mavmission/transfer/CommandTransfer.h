@@ -71,22 +71,13 @@ class CommandTransfer : public CommandRules {
 
   // True when the command with this id must be sent now. If the command before had the same id and was sent more than
   // once, this one waits until the late answers should have come: COMMAND_ACK does not say which attempt it answers.
-  bool isDue(uint16_t id, uint16_t nowMs) const {
-    return state() == State::Due && (tries_ != 0 || id != id_ || since(sentMs_, nowMs) >= waitMs_);
-  }
+  bool isDue(uint16_t id, uint16_t nowMs) const { return state() == State::Due && !awaitsLate(id, nowMs); }
   // `answerMs`: how long to wait for an answer before it is sent again; less on a line that loses, and then more often.
   void sent(uint16_t id, uint16_t nowMs, uint16_t answerMs = kAnswerMs);
 
-  // A listener on the same link has sent a command with this id. Our next command with the same id waits until the
-  // listener's command has been answered, or until the timeout for that answer.
-  void sentByListener(uint16_t id, uint16_t nowMs) {
-    id_ = id;
-    tries_ = 0;
-    wait(State::Due, kAnswerMs, nowMs);
-  }
-  // The listener's command with this id, sent at `sentMs`, has been answered.
-  void answeredToListener(uint16_t id, uint16_t sentMs) {
-    if (id_ == id && sentMs_ == sentMs) waitMs_ = 0;
+  // True while a late answer to this command, which has ended, may come.
+  bool awaitsLate(uint16_t id, uint16_t nowMs) const {
+    return tries_ == 0 && id == id_ && since(sentMs_, nowMs) < waitMs_;
   }
 
   // --- Heartbeats

@@ -184,31 +184,14 @@ TEST_CASE("whether a command may be sent again can be said before it is sent") {
   }
 }
 
-TEST_CASE("what a listener sends holds back our own with the same id for 1500 ms, and no other") {
+TEST_CASE("a late answer to a command that was sent twice is awaited, and none to another or behind the next") {
   uint16_t nowMs;
-  CommandTransfer last = sentTimes(1, true, nowMs, kArm);
-  nowMs = later(nowMs, 300);
-  last.sentByListener(kMode, nowMs);
-  CHECK_FALSE(last.isAnswer(kMode));  // it is the listener's
-  CHECK((last.state() == State::Due));
-  CommandTransfer transfer = CommandTransfer();
-  transfer.beginBehind(last);
-  CHECK(transfer.isDue(kArm, nowMs));
-  CHECK_FALSE(transfer.isDue(kMode, later(nowMs, 1499)));
-  CHECK(transfer.isDue(kMode, later(nowMs, 1500)));
-}
-
-TEST_CASE("an answer to what a listener sent releases our own, and an answer to anything else does not") {
-  const struct {
-    uint16_t id, sentMs;
-    bool isReleased;
-  } kAnswers[] = {{kMode, kBeganMs, true}, {kArm, kBeganMs, false}, {kMode, kBeganMs - 1, false}};
-  for (const auto& answer : kAnswers) {
-    CommandTransfer last = CommandTransfer();
-    last.sentByListener(kMode, kBeganMs);
-    last.answeredToListener(answer.id, answer.sentMs);
-    CHECK(last.isDue(kMode, kBeganMs) == answer.isReleased);
-  }
+  CommandTransfer last = sentTimes(2, true, nowMs);
+  CHECK_FALSE(last.awaitsLate(kMode, nowMs));  // it is under way
+  last.rest(nowMs);
+  CHECK(last.awaitsLate(kMode, later(nowMs, CommandTransfer::kNextAnswerMs - 1)));
+  CHECK_FALSE(last.awaitsLate(kMode, later(nowMs, CommandTransfer::kNextAnswerMs)));
+  CHECK_FALSE(last.awaitsLate(kArm, nowMs));
 }
 
 TEST_CASE("on a line that loses a command is sent again sooner, up to 100 attempts") {
