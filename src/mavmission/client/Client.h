@@ -280,6 +280,7 @@ class Client : public ClientRules {
     uint8_t startStep : 3;    // StartStep
     uint8_t startArming : 2;  // StartArming
     uint8_t proof : 2;        // Readback
+    bool isIntervalOpen : 1;  // a listener's SET_MESSAGE_INTERVAL has not been answered
     ItemField field;          // the one that differs, or is not kept
     bool armedAllowed : 1;    // bits, for RAM: they cost a little flash
     bool raw : 1;
