@@ -40,7 +40,7 @@ enum class Do {
   NoCallbacks,
   Last
 };
-constexpr int kMoments = 5;  // the first calls of each callback
+constexpr int kMoments = 5;                            // the first calls of each callback
 constexpr int kRunning = static_cast<int>(Do::Start);  // of these each is also what runs meanwhile
 
 const MessageKey kPosition[] PROGMEM = {messageKey(24, 24, 30)};  // GPS_RAW_INT
