@@ -341,6 +341,11 @@ class Client : public ClientRules {
     };
   };
 
+// The struct within the union is an extension that both compilers have; clang warns of it in spite of __extension__.
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wnested-anon-types"
+#endif
   State state_;
   WirePlan plan_;  // here avr-gcc reaches it cheaply
   union {          // one operation at a time
@@ -355,6 +360,9 @@ class Client : public ClientRules {
     ClearTransfer clearing_;
     Commanding commanding_;
   };
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
   Rest rest_;
   Link link_;
 };
