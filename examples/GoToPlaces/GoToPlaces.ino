@@ -81,7 +81,7 @@ void loop() {
   if (tryAgain) return;
   const bool isWaiting = stage == Stage::Climbing || stage == Stage::Flying || stage == Stage::Working;
   if (isWaiting && autopilot.hasAutopilot() && !steering.maySteer()) {
-    CONSOLE.println(F("somebody else has it"));
+    CONSOLE.println(F("a pilot, a failsafe or another station has the aircraft"));
     stage = Stage::Done;
   }
   switch (stage) {

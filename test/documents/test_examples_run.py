@@ -347,7 +347,7 @@ def test_go_to_places_leaves_the_aircraft_to_a_pilot_who_takes_it(run, personali
         example.autopilot._set_mode(5, example.now)
     else:
         example.autopilot._set_mode(*mode, example.now)
-    example.until("a pilot or another station has the aircraft", 60.0)
+    example.until("a pilot, a failsafe or another station has the aircraft", 60.0)
     example.run(20.0)
     autopilot = example.autopilot
     assert (autopilot.mode if is_ardupilot(example) else (autopilot.main_mode, autopilot.sub_mode)) == mode
