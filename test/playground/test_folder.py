@@ -68,6 +68,11 @@ def test_the_firmware_is_the_compiled_one_unmodified(folder):
         assert file.read_bytes() == build_sketch(ROOT / "examples" / file.stem).hex.read_bytes()
 
 
+def test_every_module_that_a_dropped_plan_needs_is_in_the_archive(folder):
+    reads = f"import sys; sys.path.insert(0, {str(folder / 'world.zip')!r}); from planning import read_plan, write_plan"
+    subprocess.run([sys.executable, "-I", "-c", reads], cwd="/", check=True)
+
+
 def test_what_is_packed_comes_with_its_licence(folder):
     listed = (folder / "licences" / "README.txt").read_text()
     packed = {file.name for file in (folder / "licences").iterdir()} - {"README.txt"}

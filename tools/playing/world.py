@@ -20,7 +20,7 @@ SIMULATION = ("__init__", "wire")
 DEMONSTRATION = ("autopilots", "conversation", "line", "named_frames", "timeline", "words")
 PLANNING = (
     "__init__", "bad_plan", "commands", "exact", "files", "flight", "json_text", "landing_pattern", "located_json",
-    "plan", "progress", "qgc_mission", "qgc_plan", "settling", "waypoints",
+    "plan", "progress", "qgc_mission", "qgc_plan", "settling", "unset", "waypoints",
 )  # fmt: skip
 RECORDINGS = ("px4/clean_with_streams.txt",)
 
