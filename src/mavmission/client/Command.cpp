@@ -88,14 +88,26 @@ void Client::takeCommandEvent(CommandEvent event, Status status, const FramePars
 uint16_t Client::askAgainMs() { return link_.pace().waitMs(CommandTransfer::kAskMs); }
 
 void Client::sendCommand(uint16_t nowMs) {
+  // The command is turned into its message in place: param1 to param4, and z, stay where they are.
+  union {
+    FlightCommand command;
+    mavlink_command_long_t asLong;
+    mavlink_command_int_t asInt;
+    mavlink_mission_set_current_t asItem;
+  } piece;
+  static_assert(offsetof(mavlink_command_long_t, command) == offsetof(FlightCommand, x) &&
+                    offsetof(mavlink_command_int_t, x) == offsetof(FlightCommand, param5) &&
+                    offsetof(mavlink_command_int_t, z) == offsetof(FlightCommand, param7),
+                "param1 to param7 must lie in FlightCommand as they lie in COMMAND_LONG and COMMAND_INT");
+  memset(&piece, 0, sizeof(piece));
   CommandTransfer& sending = commanding_.transfer;
-  FlightCommand command = flightCommand(CommandTransfer::kNoCommand);
   bool isAsking = sending.state() != CommandTransfer::State::Due;
   if (!isAsking) {
-    commanding_.fill(*this, command);
-    if (!sending.isDue(command.id, nowMs)) return;
+    commanding_.fill(*this, piece.command);
+    const uint16_t id = piece.command.id;
+    if (!sending.isDue(id, nowMs)) return;
     // The answer to a listener's command could not be told from the answer to this one.
-    const bool isInterval = command.id == MAV_CMD_SET_MESSAGE_INTERVAL && sending.tries() == 0;
+    const bool isInterval = id == MAV_CMD_SET_MESSAGE_INTERVAL && sending.tries() == 0;
     if (isInterval && rest_.isIntervalOpen && since(rest_.intervalMs, nowMs) < IntervalRules::kAnswerMs) return;
     if (sending.lacksHeartbeat(nowMs)) {
       sending.ask();
@@ -104,39 +116,31 @@ void Client::sendCommand(uint16_t nowMs) {
   }
   if (isAsking) {
     if (!sending.isAskDue(nowMs, askAgainMs())) return;
-    command = flightCommand(MAV_CMD_REQUEST_MESSAGE, MAVLINK_MSG_ID_HEARTBEAT);
+    static_assert(MAVLINK_MSG_ID_HEARTBEAT == 0, "param1 is the message that is asked for");
+    memset(&piece, 0, sizeof(piece));
+    piece.command.id = MAV_CMD_REQUEST_MESSAGE;
   }
-  if (command.id == CommandTransfer::kNoCommand) {
-    mavlink_mission_set_current_t message = mavlink_mission_set_current_t();
-    message.seq = static_cast<uint16_t>(command.x);
-    link_.send(message);
-  } else if (command.hasPlace) {
-    mavlink_command_int_t message = mavlink_command_int_t();
-    message.param1 = command.param1;
-    message.param2 = command.param2;
-    message.param3 = command.param3;
-    message.param4 = command.param4;
-    message.x = command.x;
-    message.y = command.y;
-    message.z = command.param7;
-    message.command = command.id;
-    message.frame = static_cast<uint8_t>(command.frame);
-    link_.send(message);
+  const uint16_t id = piece.command.id;
+  KeyIndex key = KeyIndex::COMMAND_LONG;
+  if (id == CommandTransfer::kNoCommand) {
+    const int32_t item = piece.command.x;
+    piece.asItem.seq = static_cast<uint16_t>(item);
+    key = KeyIndex::MISSION_SET_CURRENT;
+  } else if (piece.command.hasPlace) {
+    const Frame frame = piece.command.frame;
+    memmove(&piece.command.param5, &piece.command.x, 2 * sizeof(piece.command.x));
+    piece.asInt.command = id;
+    piece.asInt.frame = static_cast<uint8_t>(frame);
+    piece.asInt.current = 0;
+    piece.asInt.autocontinue = 0;
+    key = KeyIndex::COMMAND_INT;
   } else {
-    mavlink_command_long_t message = mavlink_command_long_t();
-    message.param1 = command.param1;
-    message.param2 = command.param2;
-    message.param3 = command.param3;
-    message.param4 = command.param4;
-    message.param5 = command.param5;
-    message.param6 = command.param6;
-    message.param7 = command.param7;
-    message.command = command.id;
-    if (!isAsking) message.confirmation = sending.tries();
-    link_.send(message);
+    piece.asLong.command = id;
+    piece.asLong.confirmation = isAsking ? 0 : sending.tries();
   }
+  link_.sendMessage(reinterpret_cast<uint8_t*>(&piece), &kKeys[static_cast<uint8_t>(key)]);
   if (isAsking) return sending.asked(nowMs);
-  sending.sent(command.id, nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
+  sending.sent(id, nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
 }
 
 void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
