@@ -2,10 +2,10 @@
 
 import os
 import re
+import select
 import signal
 import subprocess
 import termios
-import time
 from pathlib import Path
 
 import pytest
@@ -209,16 +209,17 @@ def test_the_board_is_a_mega_unless_told(tmp_path):
 
 
 def test_interrupted_tool_leaves_without_a_traceback(tmp_path):
-    fake = program(tmp_path / "bin", "arduino-builder", f"touch {tmp_path}/began; exec sleep 60")
+    os.mkfifo(tmp_path / "began")
+    began = os.open(tmp_path / "began", os.O_RDONLY | os.O_NONBLOCK)
+    fake = program(tmp_path / "bin", "arduino-builder", f"echo began > {tmp_path}/began; exec sleep 60")
     with subprocess.Popen(
         [ROOT / "tools" / "build", sketch(tmp_path, ECHO)], stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PATH": f"{fake}:{os.environ['PATH']}"}, preexec_fn=can_be_interrupted,
     ) as running:  # fmt: skip
-        while not (tmp_path / "began").exists():
-            assert running.poll() is None
-            time.sleep(0.02)
+        assert select.select([began], [], [], 120)[0]
         running.send_signal(signal.SIGINT)
         _, said = running.communicate(timeout=20)
+    os.close(began)
     assert (running.returncode, said.strip()) == (130, "tools/build: interrupted")
 
 
