@@ -50,6 +50,7 @@ class Missions:
     def forget_transfer(self) -> None:
         self.receiving = False
         self._partner = (0, 0)
+        self._is_elsewhere = False  # the partner is on another link
         self._expected = self._last = 0
         self._staged = None
         self._last_good_at = self._last_request_at = 0.0
@@ -204,6 +205,7 @@ class Missions:
     def _begin(self, sender, first: int, last: int, now: float) -> None:
         self.receiving = True
         self._partner = sender
+        self._is_elsewhere = self.autopilot.hears_elsewhere
         self._expected, self._last = first, last
         self._last_good_at = now
         self._request(now)
@@ -214,10 +216,10 @@ class Missions:
             *self._partner, seq, self.mission_type)
         if at_once:
             self._last_request_at = now
-            self.autopilot.send_now(message, now)
         else:
             self._last_request_at = now + self.autopilot.response_delay_s
-            self.autopilot.answer(message, now)
+        if not self._is_elsewhere:
+            self.autopilot.send_now(message, self._last_request_at)
         self._set_timer()
 
     def _set_timer(self) -> None:
@@ -229,8 +231,10 @@ class Missions:
 
     def _on_timer(self, now: float) -> None:
         if now >= self._last_good_at + GIVES_UP_S:
-            partner = self._partner
+            partner, is_elsewhere = self._partner, self._is_elsewhere
             self.forget_transfer()
+            if is_elsewhere:
+                return
             self.autopilot.send_now(self._ack_message(partner, CANCELLED), now)
             words = f"{_NAME[self.mission_type]} upload timeout"
             self.autopilot.text(WARNING, words, now - self.autopilot.response_delay_s)
@@ -257,9 +261,10 @@ class Missions:
         later_s = self.autopilot.faults.final_ack()
         if refusal is not None:
             result = refusal
-        if later_s is not None:
+        is_here = not self.autopilot.hears_elsewhere
+        if later_s is not None and is_here:
             self.autopilot.answer(self._ack_message(sender, result), now, later_s)
-        if result == ACCEPTED and self.mission_type in _COMPLETE_TEXT:
+        if result == ACCEPTED and self.mission_type in _COMPLETE_TEXT and (is_here or self.mission_type != MISSION):
             self.autopilot.text(*_COMPLETE_TEXT[self.mission_type], now)
         if self.mission_type == MISSION:
             self.autopilot.plan_changed(now)
@@ -397,6 +402,8 @@ class Missions:
         return mavlink.MAVLink_mission_ack_message(*sender, result, self.mission_type)
 
     def _ack(self, sender, result: int, now: float) -> None:
+        if self.autopilot.hears_elsewhere:
+            return
         self.autopilot.answer(self._ack_message(sender, result), now)
 
     def _tell_count(self, now: float) -> None:

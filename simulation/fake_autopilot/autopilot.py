@@ -88,6 +88,8 @@ class FakeAutopilot:
             self._decode = self._decode_signed
         self._signing_time_s = signing_time_s
         self._hearing = Hearing(self.heard_by)
+        self._hearing_elsewhere = Hearing(self.heard_by)
+        self.hears_elsewhere = False  # what it hears just now has come by another link
         self._now = 0.0
         self._timers: dict[str, tuple[float, Callable[[float], None]]] = {}
         self._pending: list[tuple[float, int, Any]] = []  # a heap of what waits to be sent
@@ -122,18 +124,25 @@ class FakeAutopilot:
 
     # -- driven from outside --------------------------------------------------------------
 
-    def receive(self, data: bytes, now: float) -> None:
-        """Bytes that have arrived by now [s]. What they cause comes out of run()."""
+    def receive(self, data: bytes, now: float, elsewhere: bool = False) -> None:
+        """Bytes that have arrived by now [s]. What they cause comes out of run().
+
+        elsewhere: by another link of the autopilot. What goes to the sender's link alone, the steps of a transfer and
+        ArduPilot's text at its end, does not come out of run() then.
+        """
         self._advance(now)
-        for frame in self._hearing.feed(data):
+        for frame in (self._hearing_elsewhere if elsewhere else self._hearing).feed(data):
             if self.is_silent(now):
                 continue
             try:
                 message = self._decode(bytearray(frame))
             except mavlink.MAVError:
                 continue  # too long or too short for its message
-            self.log.append(LogEntry(now, ">", message))
+            if not elsewhere:
+                self.log.append(LogEntry(now, ">", message))
+            self.hears_elsewhere = elsewhere
             self._hear(message, now)
+            self.hears_elsewhere = False
 
     def run(self, now: float) -> bytes:
         """The bytes sent since the last call and up to now [s].

@@ -53,6 +53,7 @@ class Missions:
         self._int_mode = True
         self._type = MISSION
         self._partner = (0, 0)
+        self._is_elsewhere = False  # the partner is on another link
         self._upload_open = False  # outlives the state in some corners, and then bars COUNT
         self._seq = self._count = 0
         self._given = []
@@ -122,6 +123,7 @@ class Missions:
 
     def _begin(self, message, sender, now: float) -> None:
         self._partner = sender
+        self._is_elsewhere = self.autopilot.hears_elsewhere
         self._type = message.mission_type
         self._staged_checksum = 0
         self.autopilot.forget_reached()
@@ -227,12 +229,9 @@ class Missions:
         kind = (mavlink.MAVLink_mission_request_int_message if self._int_mode
                 else mavlink.MAVLink_mission_request_message)
         message = kind(*self._partner, self.autopilot.faults.requested(self._seq), self._type)
-        if at_once:
-            self._sent_at = now
-            self.autopilot.send_now(message, now)
-        else:
-            self._sent_at = now + self.autopilot.response_delay_s
-            self.autopilot.answer(message, now)
+        self._sent_at = now if at_once else now + self.autopilot.response_delay_s
+        if not self._is_elsewhere:
+            self.autopilot.send_now(message, self._sent_at)
         self._set_timer()
 
     def _set_timer(self) -> None:
@@ -369,6 +368,8 @@ class Missions:
 
     def _ack(self, sender, result: int, now: float, opaque_id: int = 0,
              later_s: float = 0.0) -> None:
+        if self.autopilot.hears_elsewhere:
+            return
         self.autopilot.answer(mavlink.MAVLink_mission_ack_message(
             *sender, result, self._type, opaque_id), now, later_s)
 

@@ -124,7 +124,7 @@ bool isWorthRetry(Status status);
   X(OurPlan, "our plan, whole")                                                  \
   X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
   X(Nothing, "no plan")                                                          \
-  X(OtherPlan, "another plan: somebody else has put it there")
+  X(OtherPlan, "not our plan any more: somebody else has replaced or cleared it")
 
 // Which plan is aboard.
 enum class Aboard : uint8_t {

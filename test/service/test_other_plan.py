@@ -6,7 +6,7 @@ import pytest
 
 from plans import HOME, on_the_wire, waypoint
 from simulation.fake_autopilot import mavlink
-from starts import HOPS
+from starts import HOPS, VEHICLES, hops, is_flying
 
 OTHER = pytest.mark.scenario(58, "Somebody else's plan is noticed, and aboard(), isOurPlan() and start() agree")
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
@@ -42,14 +42,14 @@ def expect(service, is_ours: bool) -> None:
         assert len(service.heard("COMMAND_LONG")) == before, "start() has sent something"
 
 
-def put_by_another(service, plan) -> None:
-    """The other station uploads it through a link of its own, in the steps of the protocol."""
+def put_by_another(service, plan, elsewhere: bool = True) -> None:
+    """The other station uploads it, in the steps of the protocol; elsewhere: through a link of its own."""
     autopilot, now = service.autopilot, service.now
     sender = STATION
 
     def say(message) -> None:
         packer = mavlink.MAVLink(None, *sender)
-        autopilot.receive(message.pack(packer), now)
+        autopilot.receive(message.pack(packer), now, elsewhere)
 
     say(mavlink.MAVLink_mission_count_message(1, 1, len(plan), 0))
     for seq, one in enumerate(plan):
@@ -59,23 +59,71 @@ def put_by_another(service, plan) -> None:
     assert len(autopilot.received()) == len(plan)
 
 
+def another(change: str, personality: str) -> list:
+    """A plan that differs from ours in this."""
+    plan = on_the_wire(HOPS[personality], personality)
+    return {"longer": [*plan, waypoint()], "shorter": plan[:-1],
+            "same length": [*plan[:-1], plan[-1]._replace(x=plan[-1].x + 1000)]}[change]  # fmt: skip
+
+
 @OTHER
-@pytest.mark.parametrize("change", ["longer", "shorter", "same length"])
+@pytest.mark.parametrize(
+    "personality, change",
+    [("ArduPilot", "longer"), ("ArduPilot", "shorter"), ("PX4", "longer"), ("PX4", "shorter"), ("PX4", "same length")],
+)
 def test_plan_that_another_station_uploads_is_noticed(uploaded, personality, change):
     service = uploaded(personality)
-    plan = on_the_wire(HOPS[personality], personality)
-    plan = {"longer": [*plan, waypoint()], "shorter": plan[:-1],
-            "same length": [*plan[:-1], plan[-1]._replace(x=plan[-1].x + 1000)]}[change]  # fmt: skip
-    put_by_another(service, plan)
+    put_by_another(service, another(change, personality))
     service.run(3.0)
     expect(service, is_ours=False)
 
 
 @OTHER
-def test_plan_that_another_station_clears_is_noticed_on_ardupilot(uploaded):
+def test_plan_of_the_same_length_is_noticed_where_the_station_uses_our_line(uploaded):
+    """ArduPilot's "Flight plan received" goes to the line of the station that has uploaded, and nowhere else."""
     service = uploaded("ArduPilot")
-    service.autopilot.missions[0].load([])
+    put_by_another(service, another("same length", "ArduPilot"), elsewhere=False)
+    service.run(3.0)
+    expect(service, is_ours=False)
+
+
+@OTHER
+def test_plan_of_the_same_length_by_another_line_is_not_noticed_on_ardupilot(uploaded):
+    service = uploaded("ArduPilot")
+    put_by_another(service, another("same length", "ArduPilot"))
     service.run(5.0)
+    assert service.state.aboard == "OurPlan" and service.followed.ours
+    service.verify(HOPS["ArduPilot"])
+    assert service.done() == "Differs"
+    assert service.state.aboard == "NotKnown" and not service.followed.ours
+
+
+@OTHER
+@pytest.mark.parametrize("behind_s", [0.05, 0.3, 0.6, 0.9])
+def test_plan_that_another_station_uploads_right_behind_ours_is_noticed_soon(build_service, personality, behind_s):
+    service = build_service(personality, **STREAM if personality == "ArduPilot" else {})
+    service.run(2.5)
+    service.upload(HOPS[personality])
+    assert service.done() == "Accepted"
+    service.run(behind_s)
+    put_by_another(service, another("longer", personality))
+    service.run(2.2)
+    expect(service, is_ours=False)
+
+
+@OTHER
+@pytest.mark.parametrize("way", ["cleared by another station", "lost in a restart"])
+def test_plan_that_is_gone_is_noticed(uploaded, personality, way):
+    service = uploaded(personality)
+    if way == "lost in a restart":
+        service.autopilot.reboot(service.now)
+        service.autopilot.load([])
+        service.run(4.0)
+    else:
+        message = mavlink.MAVLink_mission_clear_all_message(1, 1, 0)
+        service.autopilot.receive(message.pack(mavlink.MAVLink(None, *STATION)), service.now, elsewhere=True)
+    service.run(3.5)
+    assert service.followed.total == 0
     expect(service, is_ours=False)
 
 
@@ -193,12 +241,37 @@ def test_start_notices_it_by_itself_and_does_not_arm(build_service, personality)
     service.upload(HOPS[personality])
     assert service.done() == "Accepted"
     service.autopilot.load([*on_the_wire(HOPS[personality], personality), waypoint()])
+    began = service.now
     service.order_of("start")
     assert service.done(30) == "Unproven"
+    assert service.now - began < 2.0  # two MISSION_CURRENTs, of which PX4 sends one a second
     assert service.state.step == "FirstItem"
     assert not service.autopilot.armed
     assert service.state.aboard == "OtherPlan"
     assert not service.followed.ours
+
+
+@OTHER
+@pytest.mark.parametrize("vehicle", ["copter", "rover", "px4"])
+@pytest.mark.parametrize("behind_s", [0.02, 0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4, 0.6, 0.9, 1.2])
+def test_start_beside_an_upload_of_another_station_is_never_done(build_service, vehicle, behind_s):
+    """What it has armed is disarmed again, while it stands; in the air it is left to the pilot."""
+    personality, kind = VEHICLES[vehicle]
+    service = build_service(personality, vehicle=kind, uptime_s=120.0, **STREAM if personality == "ArduPilot" else {})
+    plan = hops(vehicle, 4)
+    service.upload(plan)
+    assert service.done() == "Accepted"
+    service.run(3.0)
+    service.order_of("start")
+    service.run(behind_s)
+    if service.ends[1:]:
+        return  # it was done before
+    wire = on_the_wire(plan, personality)
+    put_by_another(service, [*wire, *wire[-2:]])
+    assert service.done(30) == "Unproven"
+    service.run(3.0)
+    assert service.state.aboard == "OtherPlan"
+    assert is_flying(service) or not service.autopilot.armed
 
 
 @OTHER

@@ -6,18 +6,19 @@ namespace mavmission {
 using namespace detail;
 
 // True if this MISSION_CURRENT is about another plan than ours: by the name that PX4 gives it, or on ArduPilot by the
-// number of its items.
+// number of its items. PX4 without a plan names none, and its number is 65535.
 bool Client::namesOther(const FrameParser& frame) const {
   typedef mavlink_mission_current_t Current;
   const uint32_t name = frame.payloadLong(offsetof(Current, mission_id));
-  if (name != 0 && rest_.planId != 0) return name != rest_.planId;
+  const uint16_t total = frame.payloadWord(offsetof(Current, total));
+  if (rest_.planId != 0 && (name != 0 || total == 0xFFFF)) return name != rest_.planId;
   // An autopilot that does not know the mission's state does not know its total either.
   const bool isTotalKnown = has(firmware(), kHomeIsItem0) && rest_.planType == PlanType::Mission &&
                             frame.payloadByte(offsetof(Current, mission_state)) != MISSION_STATE_UNKNOWN;
   if (!isTotalKnown) return false;
   // The autopilot does not count home; a plan in raw numbering does.
   const uint16_t home = rest_.raw && plan_.count() != 0 ? 1 : 0;
-  return frame.payloadWord(offsetof(Current, total)) + home != plan_.count();
+  return total + home != plan_.count();
 }
 
 }  // namespace mavmission

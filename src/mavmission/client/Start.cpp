@@ -22,23 +22,27 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
     status = client.beginStart();
     if (status != Status::Transferring) return status;
   }
-  if (event == CommandEvent::Time && !start.isJudging()) return status;
+  const bool isOther = client.aboard() != Aboard::OurPlan && !start.isLeaving();
+  if (event == CommandEvent::Time && !start.isJudging() && !isOther) return status;
   const Aircraft aircraft = client.aircraft(nowMs);
-  switch (event) {
-    case CommandEvent::Ready:
-    case CommandEvent::Time: status = client.lookAtItem(aircraft); break;
-    case CommandEvent::Accepted: status = start.onAccepted(aircraft, sending); break;
-    case CommandEvent::Refused: status = start.onRefused(status, aircraft, sending); break;
-    case CommandEvent::Silent: status = start.onSilent(status, aircraft, sending); break;
-    case CommandEvent::Heartbeat: status = start.onHeartbeat(aircraft, sending); break;
-    case CommandEvent::Current: {
-      const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
-      const uint8_t state = current.mission_state;
-      const bool isUnderWay = state == MISSION_STATE_UNKNOWN || state == MISSION_STATE_ACTIVE;
-      const bool isFirst = start.step() == StartStep::FirstItem;
-      const uint16_t item = isFirst && client.namesOther(*frame) ? StartTransfer::kOtherPlan : current.seq;
-      status = start.onCurrent(item, isUnderWay, aircraft, sending);
-      break;
+  if (isOther) {
+    status = start.onOther(aircraft, sending);
+  } else {
+    switch (event) {
+      case CommandEvent::Ready:
+      case CommandEvent::Time: status = client.lookAtItem(aircraft); break;
+      case CommandEvent::Accepted: status = start.onAccepted(aircraft, sending); break;
+      case CommandEvent::Refused: status = start.onRefused(status, aircraft, sending); break;
+      case CommandEvent::Silent: status = start.onSilent(status, aircraft, sending); break;
+      case CommandEvent::Heartbeat: status = start.onHeartbeat(aircraft, sending); break;
+      case CommandEvent::Current: {
+        const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
+        const uint8_t state = current.mission_state;
+        const bool isUnderWay = state == MISSION_STATE_UNKNOWN || state == MISSION_STATE_ACTIVE;
+        status = client.namesOther(*frame) ? start.onOtherNamed(aircraft, sending)
+                                           : start.onCurrent(current.seq, isUnderWay, aircraft, sending);
+        break;
+      }
     }
   }
   client.noteStart();

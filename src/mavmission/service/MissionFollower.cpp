@@ -22,8 +22,8 @@ const MessageKey kFollowed[] PROGMEM = {
 
 const char kRejected[] PROGMEM = "Mission rejected";
 
-// How ArduPilot's texts at the end of an upload begin, whoever's it was: "Flight plan received", "Mission upload
-// timeout".
+// How ArduPilot's texts at the end of an upload begin: "Flight plan received", "Mission upload timeout". They go to the
+// line of the station that has uploaded, and nowhere else: so these are ours, or of a station on our line.
 const char kReceived[] PROGMEM = "Flight pl";
 const char kBrokenOff[] PROGMEM = "Mission up";
 
@@ -122,7 +122,11 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   mavlink_mission_current_t message;
   frame.copyPayload(&message, sizeof(message));
   const uint16_t item = client_.itemFromWire(message.seq);
-  total_ = message.total == 0xFFFF ? 0 : message.total;
+  const uint16_t total = message.total == 0xFFFF ? 0 : message.total;
+  // What is older than our plan has the total of before. Another one is somebody else's: it is believed when it comes
+  // twice.
+  if (patience_ > 1 && total != total_) patience_ = 1;
+  total_ = total;
   state_ = static_cast<MissionState>(message.mission_state);
   const uint32_t planId = message.mission_id;
   if (planId != planId_ && patience_ != 0 && planId_ == client_.acceptedPlanId()) {

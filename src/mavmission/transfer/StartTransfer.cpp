@@ -215,10 +215,9 @@ Status StartTransfer::onRefused(Status refusal, const Aircraft& aircraft, Comman
 }
 
 Status StartTransfer::onSilent(Status silence, const Aircraft& aircraft, CommandTransfer& sending) {
-  if (state() >= State::Leaving && silence == Status::TookTooLong) return Status::Transferring;
+  if (isLeaving() && silence == Status::TookTooLong) return Status::Transferring;
   if (state() == State::Restoring) return notRestored();
-  if (state() >= State::Leaving) return refusal_;
-  if (step() == StartStep::FirstItem && seen_ == kOtherPlan) return Status::Unproven;
+  if (isLeaving()) return refusal_;
   if (step() == StartStep::FirstItem && seen_ != kNoItem) return Status::OtherItem;
   if (step() == StartStep::Confirm) {
     if (silence == Status::NoAnswer) silence = Status::Unconfirmed;
@@ -344,12 +343,25 @@ Status StartTransfer::onOwnMode(bool isWanted, const Aircraft& aircraft, Command
   return Status::Transferring;
 }
 
+Status StartTransfer::onOtherNamed(const Aircraft& aircraft, CommandTransfer& sending) {
+  const bool asks = step() == StartStep::FirstItem || step() == StartStep::Confirm;
+  if (isLeaving() || (asks && sending.tries() == 0 && isDoubted_ == 0)) return Status::Transferring;
+  if (isDoubted_ != 0) return onOther(aircraft, sending);
+  // The message may be older than our plan: a second one decides.
+  isDoubted_ = 1;
+  if (asks && sending.state() == CommandTransfer::State::Sent) sending.next(true, aircraft.nowMs);
+  return Status::Transferring;
+}
+
+Status StartTransfer::onOther(const Aircraft& aircraft, CommandTransfer& sending) {
+  return leave(Status::Unproven, aircraft, sending);
+}
+
 Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& aircraft, CommandTransfer& sending) {
+  isDoubted_ = 0;
   if (step() == StartStep::FirstItem) {
     if (sending.tries() == 0) return Status::Transferring;
     seen_ = item;
-    // The message may be older than our plan, and no answer then.
-    if (item == kOtherPlan) return Status::Transferring;
     if (!has(aircraft.firmware, kNamesFlownItems)) {
       return item == first_ ? nextStep(aircraft, sending) : Status::Transferring;
     }

@@ -32,7 +32,6 @@ struct Aircraft {
 class StartTransfer : public StartRules {
  public:
   static constexpr uint16_t kNoItem = 0xFFFF;
-  static constexpr uint16_t kOtherPlan = 0xFFFE;  // in the place of a current item: the autopilot has another plan
 
   // New: before begin(). Looking: searches for the item that will be flown first. Steps: a step is under way. Asking:
   // the first item was set, and the autopilot is asked for its current item. Shown: a heartbeat shows that the aircraft
@@ -77,8 +76,14 @@ class StartTransfer : public StartRules {
   Status onSilent(Status silence, const Aircraft& aircraft, CommandTransfer& sending);
   Status onHeartbeat(const Aircraft& aircraft, CommandTransfer& sending);
   // `isUnderWay`: MISSION_CURRENT.mission_state does not deny that the mission is flown.
-  // `item` may be kOtherPlan: it then ends as Unproven if no other MISSION_CURRENT comes before it arms.
   Status onCurrent(uint16_t item, bool isUnderWay, const Aircraft& aircraft, CommandTransfer& sending);
+
+  // A MISSION_CURRENT is about another plan than ours.
+  Status onOtherNamed(const Aircraft& aircraft, CommandTransfer& sending);
+  // The autopilot is known to have another plan than ours. What start() has armed is disarmed; in the air the autopilot
+  // refuses that.
+  Status onOther(const Aircraft& aircraft, CommandTransfer& sending);
+  bool isLeaving() const { return state() >= State::Leaving; }
 
   // The message that `sending` sends when it is due. Of no use before the first step.
   Message message() const;
@@ -127,6 +132,7 @@ class StartTransfer : public StartRules {
   uint8_t isSent_ : 1;       // the order of order_ has left
   uint8_t arming_ : 2;       // StartArming
   uint8_t isArmedSeen_ : 1;  // a heartbeat has shown it armed
+  uint8_t isDoubted_ : 1;    // the last MISSION_CURRENT was about another plan
 };
 
 }  // namespace detail
