@@ -29,6 +29,8 @@ float fromBits(uint32_t bits) {
 // (Shifting the upper half takes half the code of shifting the whole.)
 uint8_t biasedExponent(uint32_t bits) { return static_cast<uint8_t>(static_cast<uint16_t>(bits >> 16) >> 7); }
 
+uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
+
 // `mantissa` has its highest bit at bit 23; the value is mantissa * 2^(exponent - 23).
 float assemble(uint32_t mantissa, int8_t exponent) {
   const uint8_t biased = static_cast<uint8_t>(kBias + exponent);
@@ -59,17 +61,27 @@ int32_t wholeNumber(float value) {
 }
 
 int32_t timesWhole(int32_t bits, uint32_t factor) {
-  const uint32_t magnitude = static_cast<uint32_t>(bits) & ~kSign;
-  const uint8_t biased = static_cast<uint8_t>(magnitude >> 23);
+  uint8_t biased = biasedExponent(static_cast<uint32_t>(bits));
   if (biased == 0 || biased > kBias + 31) return 0;
-  uint64_t product = static_cast<uint64_t>((magnitude & (kHidden - 1)) | kHidden) * factor;
-  int16_t exponent = static_cast<int16_t>(biased) - kBias - 23;
-  for (; exponent > 0; --exponent) product <<= 1;
-  // From -149 at the lowest.  NOLINTNEXTLINE(bugprone-too-small-loop-variable)
-  for (; exponent < -1; ++exponent) product >>= 1;
-  if (exponent < 0) product = (product + 1) >> 1;
-  if (product > 0x7FFFFFFF) return 0;
-  return bits < 0 ? -static_cast<int32_t>(product) : static_cast<int32_t>(product);
+  uint32_t mantissa = mantissaOf(static_cast<uint32_t>(bits));
+  uint32_t sum = 0;
+  uint8_t half = 0;
+  // The bits behind the point, of which the product keeps one to round by; then the others.
+  for (; biased < kBias + 23; ++biased) {
+    if ((mantissa & 1) != 0) sum += factor;
+    mantissa >>= 1;
+    half = static_cast<uint8_t>(sum) & 1;
+    sum >>= 1;
+  }
+  sum += half;
+  for (; biased > kBias + 23; --biased) mantissa <<= 1;
+  for (; mantissa != 0; mantissa >>= 1) {
+    if ((factor & kSign) != 0) return 0;
+    if ((mantissa & 1) != 0) sum += factor;
+    if ((sum & kSign) != 0) return 0;
+    factor <<= 1;
+  }
+  return bits < 0 ? -static_cast<int32_t>(sum) : static_cast<int32_t>(sum);
 }
 
 namespace {
@@ -81,8 +93,6 @@ uint32_t load(const void* number) {
 }
 
 void store(void* number, uint32_t bits) { memcpy(number, &bits, sizeof(bits)); }
-
-uint32_t mantissaOf(uint32_t bits) { return (bits & (kHidden - 1)) | kHidden; }
 
 // Stores the nearest float and keeps the sign that is there. `biased` is the exponent for a mantissa whose leading 1 is
 // at bit 23. `more`: a bit below the mantissa's last one is set.
@@ -191,30 +201,24 @@ void makeTurn(void* degrees) {
   multiply(degrees, Times::Degree);
 }
 
-namespace {
-
-// The mantissa bit that is worth 1 in a whole number from 1 on.
-uint32_t unitBit(uint32_t bits) {
-  uint32_t unit = kHidden;
-  for (uint8_t biased = biasedExponent(bits); biased > kBias; --biased) unit >>= 1;
-  return unit;
+float floatOf(uint16_t whole) {
+  if (whole == 0) return 0;
+  uint8_t exponent = 15;
+  for (; (whole & 0x8000) == 0; --exponent) whole <<= 1;
+  return assemble(static_cast<uint32_t>(whole) << 8, static_cast<int8_t>(exponent));
 }
-
-}  // namespace
 
 float oneMore(float whole) {
   const uint32_t bits = bitsOf(whole);
   if (bits == 0) return 1;
-  return fromBits(bits + unitBit(bits));  // a carry out of the mantissa raises the exponent, as it should
+  uint32_t unit = kHidden;  // the mantissa bit that is worth 1 in a whole number from 1 on
+  for (uint8_t biased = biasedExponent(bits); biased > kBias; --biased) unit >>= 1;
+  return fromBits(bits + unit);  // a carry out of the mantissa raises the exponent, as it should
 }
 
 float oneLess(float whole) {
-  const uint32_t bits = bitsOf(whole);
-  const uint8_t biased = biasedExponent(bits);
-  if (biased <= kBias) return 0;
-  // Below a power of two the unit is worth twice as many bits.
-  const bool isPower = (bits & (kHidden - 1)) == 0;
-  return fromBits(bits - (isPower ? unitBit(bits) << 1 : unitBit(bits)));
+  const int32_t number = wholeNumber(whole);
+  return number > 0 ? floatOf(static_cast<uint16_t>(number - 1)) : whole;
 }
 
 float quotient(int32_t value, uint32_t divisor) {

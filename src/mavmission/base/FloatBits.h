@@ -15,9 +15,12 @@ FloatKind kindOf(const void* bytes);
 // The whole number from 0 to 65535 that `value` is, or -1 if it is none.
 int32_t wholeNumber(float value);
 
+// A whole number as a float.
+MAVMISSION_APART float floatOf(uint16_t whole);
+
 // A whole number from 0 to 65535 as a float, plus one.
 float oneMore(float whole);
-// A whole number as a float, minus one; 0 stays 0.
+// The same, minus one. 0 stays 0, and what is no such number stays as it is.
 float oneLess(float whole);
 
 // The float whose bits are `bits`, times `factor`, to the nearest whole number; 0 if it does not fit. `factor` is 1 to

@@ -3,6 +3,7 @@
 
 #include "../MissionClient.h"
 #include "../base/Clock.h"
+#include "../base/FloatBits.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 
@@ -300,8 +301,8 @@ void Client::fillMode(Client& client, FlightCommand& command) {
 void Client::fillModeNumber(FlightCommand& command, uint16_t number) {
   command.id = MAV_CMD_DO_SET_MODE;
   command.param1 = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
-  command.param2 = static_cast<uint8_t>(number);
-  command.param3 = static_cast<uint8_t>(number >> 8);
+  command.param2 = floatOf(static_cast<uint8_t>(number));
+  command.param3 = floatOf(number >> 8);
 }
 
 // False if the plan aboard is known not to have this item.
@@ -351,7 +352,7 @@ Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, c
 
 void Client::fillCurrent(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_DO_SET_MISSION_CURRENT;
-  command.param1 = client.commanding_.item;
+  command.param1 = floatOf(client.commanding_.item);
 }
 
 void Client::fillCurrentMessage(Client& client, FlightCommand& command) { command.x = client.commanding_.item; }
@@ -366,7 +367,7 @@ Status MissionClient::setMessageInterval(uint16_t messageId, int32_t intervalUs)
 
 void Client::fillInterval(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_SET_MESSAGE_INTERVAL;
-  command.param1 = client.commanding_.interval.message;
+  command.param1 = floatOf(client.commanding_.interval.message);
   command.param2 = static_cast<float>(client.commanding_.interval.us);
 }
 

@@ -2,6 +2,7 @@
 #include <Arduino.h>
 
 #include "../MissionClient.h"
+#include "../base/FloatBits.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -112,7 +113,7 @@ void Client::fillStart(Client& client, FlightCommand& command) {
       return;
     case StartTransfer::Message::Start:
       command.id = MAV_CMD_MISSION_START;  // ArduPilot wants parameters of 0; PX4 begins with the item in param1
-      if (client.plan_.has(kArmsByMissionStart)) command.param1 = start.first();
+      if (client.plan_.has(kArmsByMissionStart)) command.param1 = floatOf(start.first());
       return;
   }
 }

@@ -83,7 +83,12 @@ TEST_CASE("one more and one less than each whole number") {
   for (uint32_t number = 0; number <= 65535; ++number) {
     REQUIRE(oneMore(static_cast<float>(number)) == static_cast<float>(number + 1));
     REQUIRE(oneLess(static_cast<float>(number)) == static_cast<float>(number == 0 ? 0 : number - 1));
+    REQUIRE(floatOf(static_cast<uint16_t>(number)) == static_cast<float>(number));
   }
+}
+
+TEST_CASE("one less than what is no whole number, or too large a one, is that number") {
+  for (float value : {-1.f, 0.5f, 65536.f, 1e9f}) CHECK(oneLess(value) == value);
 }
 
 TEST_CASE("a coordinate as a float is the nearest float there is") {
@@ -131,6 +136,27 @@ TEST_CASE("a float times a whole number is the nearest whole number to it") {
     const double product = static_cast<double>(degrees) * 1e7;
     if (std::fabs(product) >= 2147483647.0) continue;
     REQUIRE_MESSAGE(timesWhole(bits, 10000000) == static_cast<int32_t>(std::lround(product)), degrees);
+  }
+}
+
+TEST_CASE("a float times any factor is the nearest whole number, or 0 where that does not fit") {
+  const auto check = [](float value, uint32_t factor) {
+    const double product = std::fabs(static_cast<double>(value)) * factor;
+    const double nearest = std::floor(product + 0.5);
+    const int32_t expected = nearest > 2147483647.0 ? 0 : static_cast<int32_t>(std::copysign(nearest, value));
+    REQUIRE_MESSAGE(timesWhole(static_cast<int32_t>(bitsOf(value)), factor) == expected, value << " times " << factor);
+  };
+  for (uint32_t factor : {1u, 2u, 3u, 100u, 255u, 1000u, 65536u, 10000000u, 0xFFFFFFu, 0x1000000u}) {
+    for (uint32_t exponent = 1; exponent < 255; ++exponent) {
+      for (uint32_t mantissa : {0u, 1u, 0x400000u, 0x7FFFFFu, 0x7FFFFEu, static_cast<uint32_t>(random32()) >> 9}) {
+        check(fromBits(exponent << 23 | mantissa), factor);
+        check(fromBits(0x80000000u | exponent << 23 | mantissa), factor);
+      }
+    }
+    for (double limit : {2147483647.0, 2147483647.5, 2147483648.0, 4294967296.0}) {
+      const float near = static_cast<float>(limit / factor);
+      for (float value : {std::nextafter(near, 0.f), near, std::nextafter(near, kInfinity)}) check(value, factor);
+    }
   }
 }
 
