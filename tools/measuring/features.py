@@ -2,38 +2,70 @@
 
 from __future__ import annotations
 
-import re
+import functools
+import tomllib
+from pathlib import Path
 from typing import NamedTuple
 
-from building import elf_sizes
+from building import ROOT, elf_sizes
+from simulation.firmware import build_firmware, exclusive
 
-from .firmware import MEASURED, measured
+from .firmware import MEASURED
 from .report import aligned
 
-FOLDER = "features"
+SKETCHES = MEASURED / "features.toml"
+WRITTEN = ROOT / "build" / "measured"
+CLIENT = """\
+constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
+MissionClient autopilot(Serial1);"""
+SETUP = "autopilot.upload(inFlash(survey));"
+LOOP = "autopilot.update();"
 
 
 class Feature(NamedTuple):
-    """A sketch of test/measured/features, and what it takes on a Mega [bytes]."""
+    """A sketch of test/measured/features.toml, and what it takes on a Mega [bytes]."""
 
     label: str
     flash: int
     globals: int
 
 
+def sketch_of(parts: dict[str, str]) -> str:
+    """Its text: an upload, with what the list has instead or besides."""
+    return f"""\
+#include <Arduino.h>
+#include <{parts.get("header", "MavMission.h")}>
+using namespace mavmission;
+{parts.get("client", CLIENT)}
+{parts.get("declares", "")}
+void setup() {{
+Serial1.begin(57600);
+{parts.get("setup", SETUP)}
+}}
+void loop() {{
+{parts.get("loop", LOOP)}
+}}
+"""
+
+
+@functools.cache
+def listed() -> dict[str, dict]:
+    return tomllib.loads(SKETCHES.read_text())
+
+
+def built(name: str, *, library: bool | Path = True) -> Path:
+    """The ELF of one of them, with the library or a changed copy of it."""
+    source = WRITTEN / f"{name}.cpp"
+    with exclusive(source):
+        text = sketch_of(listed()[name])
+        if not source.exists() or source.read_text() != text:
+            source.write_text(text)
+    return build_firmware(f"measured_{name}", [source], listed()[name].get("macros"), library=library)
+
+
 def features() -> list[Feature]:
-    """In the order of the file names; the label is the first line of each file, the second may name macros."""
-    found = []
-    for source in sorted((MEASURED / FOLDER).glob("*.cpp")):
-        first, second, *_ = source.read_text().splitlines()
-        label = first.removeprefix("// ").rstrip(".")
-        found.append(Feature(label, *elf_sizes(measured(f"{FOLDER}/{source.stem}", **macros(second)))))
-    return found
-
-
-def macros(line: str) -> dict[str, str]:
-    """Of a comment such as `// -DMAVMISSION_SIGNING=1`: the macros that a sketch is compiled with."""
-    return dict(re.findall(r"-D(\w+)=(\w+)", line)) if line.startswith("// -D") else {}
+    """In the order of the list."""
+    return [Feature(parts["label"], *elf_sizes(built(name))) for name, parts in listed().items()]
 
 
 def table() -> str:

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from building import BUILD, elf_sizes
 from simulation.firmware import LIBRARY, digest, exclusive, library_file
 
-from . import runs
-from .firmware import MEASURED, measured
+from . import features, runs
+from .firmware import MEASURED
 from .report import aligned
 
 FILE = MEASURED / "tricks.toml"
@@ -56,7 +56,7 @@ def undone(trick: Trick) -> Path:
 
 
 def taken(library: Path = LIBRARY) -> Taken:
-    flash, ram = elf_sizes(measured("features/3_upload", library=library))
+    flash, ram = elf_sizes(features.built("upload", library=library))
     return Taken(flash, ram, runs.cpu_left(57600, library=library, seconds=0.2))
 
 
