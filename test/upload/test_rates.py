@@ -50,21 +50,21 @@ def test_table_in_the_documents_is_not_stale():
     assert current, "run build/venv/bin/python test/support/rates.py --write-docs"
 
 
-GOALS = [("bytes", 1, 100, 1.5), ("bytes", 3, 100, None), ("bytes", 5, 90, None), ("frames", 40, 99, None)]
+GOALS = [("bytes", 1, 100), ("bytes", 3, 100), ("bytes", 5, 90), ("frames", 40, 99)]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("lost, percent, least_share, longest_median_s", GOALS)
+@pytest.mark.parametrize("lost, percent, least_share", GOALS)
 @pytest.mark.parametrize("client", ["upload", "upload-verified"])
 @pytest.mark.parametrize("autopilot", ["ArduPilot", "PX4"])
 def test_uploads_on_bad_lines_succeed_as_often_and_as_soon_as_promised(
-    autopilot, client, lost, percent, least_share, longest_median_s
+    autopilot, client, lost, percent, least_share
 ):
     ends = rates.uploads(autopilot, client, lost, percent, 100)
     times = sorted(end.took_s for end in ends if end.is_success)
     assert 100 * len(times) >= least_share * len(ends)
-    if longest_median_s is not None and client == "upload":  # reading back takes as long again
-        assert times[len(times) // 2] < longest_median_s
+    if (lost, percent, client) == ("bytes", 1, "upload"):  # reading back in any case takes longer
+        assert times[len(times) // 2] <= rates.MEDIAN_S[autopilot]
 
 
 def least_of_20(latency_ms: int, percent: int) -> int:

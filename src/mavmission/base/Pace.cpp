@@ -16,8 +16,9 @@ uint16_t Pace::waitMs(uint16_t ruleMs) const {
   uint16_t answeredMs = roundTripMs_ / kHurry;
   if (isLossy()) {
     if (answeredMs > kMostWaitMs) answeredMs = kMostWaitMs;
+    const uint8_t leastMs = ruleMs < kQuickMs ? kLeastMs / 2 : kLeastMs;
     ruleMs = kFrameTimes * busyMs_;
-    if (ruleMs < kLeastMs) ruleMs = kLeastMs;
+    if (ruleMs < leastMs) ruleMs = leastMs;
   } else {
     answeredMs = roundTripMs_ * kPatience;
   }

@@ -42,6 +42,9 @@ class Pace : public PaceRules {
     if (ms > busyMs_) busyMs_ = ms;
   }
 
+  // The frames are shorter from now on: what was noted of longer ones no longer counts.
+  void noteShorterFrames() { busyMs_ = 0; }
+
   // From a message to its repeat. On a line that loses nothing it is `ruleMs`, which the protocol or the autopilots
   // demand, or more where answers are slower than that. On a line that loses it is the time after which an answer
   // should have come, or on a line that answers late a quarter of it: what is lost is then there all the same, since

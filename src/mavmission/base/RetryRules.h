@@ -11,6 +11,7 @@ namespace detail {
 struct PaceRules {
   static constexpr uint8_t kLossyS = 10;        // after the last loss the line is taken for one that loses
   static constexpr uint8_t kLeastMs = 50;       // from a message to its repeat on a line that loses, at least
+  static constexpr uint16_t kQuickMs = 500;     // a question whose rule is less than this: after half of that
   static constexpr uint16_t kMostMs = 1500;     // longer round trips are not reckoned with
   static constexpr uint16_t kRepeatedMs = 500;  // a request that is repeated later than this after its answer says so
   static constexpr uint8_t kMostWaitMs = 100;

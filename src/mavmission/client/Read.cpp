@@ -32,6 +32,7 @@ void Client::setPlanToVerify(const ItemSource& plan, PlanType type) {
 void Client::proveUpload(Client& client, uint16_t nowMs) {
   client.state_.operation = readStep;
   client.rest_.proving = true;
+  client.link_.pace().noteShorterFrames();
   client.setAboard(Aboard::NotKnown);
   client.reading_.take = compareItem;
   client.reading_.isCompared = true;
@@ -123,12 +124,15 @@ void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
       if (status == Status::Transferring) return;
       // While an upload is being proven, the autopilot may still hold the upload open: ArduPilot then denies reading
       // until it gives the upload up, and PX4 answers with an error. The request is repeated, and the number of its
-      // attempts limits the wait. An error may also be the late answer to our last item, if that was sent again.
+      // attempts limits the wait. An error to a request for an item may be PX4's end of this reading, which a request
+      // that comes late is for it: what is asked behind that stays unanswered, so the reading begins anew. (It may also
+      // be the late answer to our last item, if that was sent again.)
       const bool isListing = reading_.transfer.state() == DownloadTransfer::State::Listing;
       // Behind a transfer that was left open it may be the answer to that, or ArduPilot's giving it up.
       const bool mayBeOlder = (state_.unsettled & UploadTransfer::kAnswers) != 0 &&
                               (status == Status::Error || status == Status::CancelledByAutopilot);
-      if (mayBeOlder || (rest_.proving && (isListing || status == Status::Error))) return;
+      if (rest_.proving && !isListing && status == Status::Error) return reading_.transfer.begin(nowMs);
+      if (mayBeOlder || (rest_.proving && isListing)) return;
       rest_.lastResult = result;
       return endReading(status);
     }

@@ -88,6 +88,23 @@ TEST_CASE("an item is asked for 5 times, 250 ms apart, and then the time is out"
   }
 }
 
+TEST_CASE("on a line that loses, an item is asked for again after half the time of the list") {
+  DownloadTransfer transfer = begun();
+  pace.noteLoss();
+  transfer.sent(0);
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs - 1, pace)));
+  CHECK(transfer.toSend() == Send::Nothing);
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs, pace)));
+  CHECK(transfer.toSend() == Send::List);
+
+  transfer = fetching(2);
+  pace.noteLoss();
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs / 2 - 1, pace)));
+  CHECK(transfer.toSend() == Send::Nothing);
+  CHECK(goesOn(transfer.onTime(PaceRules::kLeastMs / 2, pace)));
+  CHECK(transfer.toSend() == Send::Request);
+}
+
 TEST_CASE("a question that the line has not taken yet is not counted, and no time runs") {
   DownloadTransfer transfer = begun();
   CHECK(goesOn(transfer.onTime(60000, pace)));
