@@ -49,9 +49,9 @@ def test_named_test_is_there_and_the_named_figure_is_measured():
     assert f"[{figure}]" in (ROOT / "test" / "figures" / "measure_bounds.toml").read_text()
 
 
-def test_pictures_of_the_readme_are_drawn_by_the_same_commands_here():
-    readme = (ROOT / "README.md").read_text()
-    drawn = re.findall(r"^tools/demo .*--timeline docs/.*$", readme, re.M)
+def test_pictures_of_the_page_on_simulation_are_drawn_by_the_same_commands_here():
+    page = (ROOT / "docs" / "simulation.md").read_text()
+    drawn = re.findall(r"^tools/demo .*--timeline docs/.*$", page, re.M)
     assert drawn and set(drawn) <= set(COMMANDS)
 
 

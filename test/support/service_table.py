@@ -1,4 +1,4 @@
-"""The README's table of what the service does on which autopilot, and the proof of each row on the firmware.
+"""The table of docs/autopilots.md: what the service does on which autopilot, and the proof of each row on the firmware.
 
 A proof is a function of an autopilot and a MAVLink version: it lets the firmware do on a bench what the row names,
 and returns the words that the cell must then have.
@@ -31,9 +31,9 @@ COLUMNS = {
 Make = Callable[..., Service]
 
 
-def read_table(readme: str) -> dict[str, dict[str, str]]:
+def read_table(page: str) -> dict[str, dict[str, str]]:
     """Row -> column -> cell."""
-    lines = dropwhile(lambda line: line != f"| | {' | '.join(COLUMNS)} |", readme.splitlines())
+    lines = dropwhile(lambda line: line != f"| | {' | '.join(COLUMNS)} |", page.splitlines())
     head, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")]
                       for line in takewhile(lambda line: line.startswith("|"), lines)] or [[], []]  # fmt: skip
     return {row[0]: dict(zip(head[1:], row[1:], strict=True)) for row in rows}

@@ -114,12 +114,12 @@ def test_tool_asks_for_its_groups(tool):
     assert {word for call in calls for word in re.findall(r"[\w-]+", "".join(call))} & {*GROUPS, "--all"} == TOOLS[tool]
 
 
-def test_help_and_readme_name_each_group_and_its_size():
+def test_help_and_documents_name_each_group_and_its_size():
     told = dict(re.findall(r"^  (\w+) +(\d+) MB ", run_setup("--help").stdout, re.M))
     assert told == {group: str(math.ceil(record()["megabytes"][group])) for group in GROUPS}
     said = [
         found
-        for file in ("README.md", "CONTRIBUTING.md")
+        for file in ("README.md", "CONTRIBUTING.md", "docs/simulation.md")
         for found in re.findall(r"`tools/(?:setup )?(\w+)`[^`]*?(\d+) MB|^tools/(\w+) +# (\d+) MB",
                                 (ROOT / file).read_text(), re.M)
     ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""tools/demo --timeline draws what crossed the line when, and the pictures in the README are what it draws."""
+"""tools/demo --timeline draws what crossed the line when, and the pictures in docs/simulation.md are what it draws."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from demonstration.picture import draw, ticks, with_room
 from demonstration.screen import PlainScreen
 from demonstration.timeline import MOST_BURSTS, Burst, Mark, busy, laid_out
 
-README = ROOT / "README.md"
-COMMANDS = re.findall(r"^(tools/demo .*--timeline (docs/\w+\.svg))$", README.read_text(), re.M)
+PAGE = ROOT / "docs" / "simulation.md"
+COMMANDS = re.findall(r"^(tools/demo .*--timeline (docs/\w+\.svg))$", PAGE.read_text(), re.M)
 
 
 def run(**settings) -> tuple[Demonstration, str]:
@@ -45,15 +45,16 @@ def at(began: float, label: str = "ITEM", direction: str = ">", for_s: float = 0
 # The pictures in the documents ----------------------------------------------
 
 
-def test_readme_shows_each_picture_that_its_commands_draw():
+def test_page_shows_each_picture_that_its_commands_draw():
     drawn = [picture for _, picture in COMMANDS]
-    assert drawn == re.findall(r"\]\((docs/(?:upload|recovered|lossy)\.svg)\)", README.read_text())
+    shown = re.findall(r"\]\(((?:upload|recovered|lossy)\.svg)\)", PAGE.read_text())
+    assert drawn == [f"docs/{picture}" for picture in shown]
     assert len(drawn) == 3
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("command", "picture"), COMMANDS)
-def test_picture_in_the_readme_is_what_its_command_draws(command, picture, tmp_path):
+def test_picture_on_the_page_is_what_its_command_draws(command, picture, tmp_path):
     fresh = tmp_path / "fresh.svg"
     words = [str(fresh) if word == picture else word for word in shlex.split(command)[1:]]
     subprocess.run([sys.executable, ROOT / "tools" / "demo", *words], check=True, capture_output=True)

@@ -1,4 +1,4 @@
-"""What the README says of ArduPilot, of PX4 and of MAVLink 1 is what the firmware does there."""
+"""What docs/autopilots.md says of ArduPilot, of PX4 and of MAVLink 1 is what the firmware does there."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ import pytest
 from building import ROOT
 from service_table import COLUMNS, PROOFS, cells, proven, read_table
 
-README = (ROOT / "README.md").read_text()
+PAGE = (ROOT / "docs" / "autopilots.md").read_text()
 
 
 def test_each_row_has_its_proof_and_each_proof_its_row():
-    table = read_table(README)
+    table = read_table(PAGE)
     assert list(table) == list(PROOFS)
     assert all(list(columns) == list(COLUMNS) and all(columns.values()) for columns in table.values())
 
 
-@pytest.mark.parametrize(("row", "column", "words"), cells(README))
+@pytest.mark.parametrize(("row", "column", "words"), cells(PAGE))
 def test_cell_says_what_the_firmware_does(build_service, row, column, words):
     assert proven(row, column, build_service) == words
 

@@ -1,0 +1,101 @@
+"""Every link leads somewhere, in every document; and what sources and documents name in them is there."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from building import ROOT
+
+UNTRACKED = {"build", ".git", "node_modules", ".pytest_cache"}
+SOURCES = (".h", ".cpp", ".ino", ".py", ".toml", ".js", ".svg", ".html", "")
+
+
+def files(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
+    return [file for file in sorted(folder.rglob("*")) if file.suffix in suffixes and file.is_file()
+            and not UNTRACKED & set(file.relative_to(ROOT).parts)]  # fmt: skip
+
+
+DOCUMENTS = files(ROOT, (".md",))
+
+
+def without_code(text: str) -> str:
+    return re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
+
+
+@cache
+def headings(document: Path) -> list[str]:
+    return re.findall(r"^#+ (.*)$", without_code(document.read_text()), re.M)
+
+
+def anchor(heading: str) -> str:
+    """As GitHub makes it: without links and marks, in small letters, words joined by hyphens."""
+    plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading)
+    return re.sub(r"[^\w -]", "", plain.lower()).replace(" ", "-")
+
+
+def dead(document: Path) -> list[str]:
+    """Links of a document that lead to no file, or to no heading."""
+    found = []
+    for target in re.findall(r"\]\(([^)\s]+)\)", without_code(document.read_text())):
+        if re.match(r"https?:|mailto:", target):
+            continue
+        name, _, part = target.partition("#")
+        place = (document.parent / name).resolve() if name else document
+        if not place.exists() or (part and part not in map(anchor, headings(place))):
+            found.append(target)
+    return found
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda file: str(file.relative_to(ROOT)))
+def test_every_link_leads_to_a_file_and_a_heading(document):
+    assert dead(document) == []
+
+
+def test_link_to_a_file_or_a_heading_that_is_not_there_is_found(tmp_path):
+    other = tmp_path / "other.md"
+    other.write_text("# A title, with `marks`\n")
+    page = tmp_path / "page.md"
+    page.write_text("[1](gone.md) [2](other.md) [3](other.md#gone) [4](other.md#a-title-with-marks) [5](#no)\n")
+    assert dead(page) == ["gone.md", "other.md#gone", "#no"]
+
+
+# Names in comments and in running text --------------------------------------------
+
+
+def named(text: str) -> list[tuple[str, str]]:
+    """(document, heading) of each `docs/x.md` and of each `DESIGN.md, "A heading"`; the heading may be missing."""
+    flat = re.sub(r"\n *(?://|#)? *", " ", text)
+    return re.findall(r'(?<![\w/.-])((?:docs/[\w/]+|README|DESIGN|CONTRIBUTING|CHANGELOG|SECURITY)\.md)'
+                      r'(?:,? "([^"]+)")?', flat)  # fmt: skip
+
+
+def amiss(text: str) -> list[tuple[str, str]]:
+    return [(name, heading) for name, heading in named(text)
+            if not (ROOT / name).exists()
+            or (heading and not any(one.startswith(heading.rstrip(".")) for one in headings(ROOT / name)))]  # fmt: skip
+
+
+def found_in(sources: list[Path]) -> dict[str, list[tuple[str, str]]]:
+    found = {str(file.relative_to(ROOT)): amiss(file.read_text(errors="replace")) for file in sources}
+    return {name: wrong for name, wrong in found.items() if wrong}
+
+
+def test_document_and_heading_that_the_first_documents_name_are_there():
+    assert found_in(sorted(ROOT.glob("*.md"))) == {}
+
+
+@pytest.mark.parametrize("folder", ["src", "examples", "simulation", "tools", "test", "docs"])
+def test_document_and_heading_that_a_file_names_are_there(folder):
+    sources = [file for file in files(ROOT / folder, (*SOURCES, ".md")) if "mavlink/" not in str(file)
+               and "recordings" not in file.parts and file.name != Path(__file__).name]  # fmt: skip
+    assert len(sources) > 10
+    assert found_in(sources) == {}
+
+
+def test_name_of_a_document_or_heading_that_is_not_there_is_found():
+    text = 'See docs/gone.md, and README.md, "A link that\n// is gone"; CONTRIBUTING.md, "Tests" is there.'
+    assert amiss(text) == [("docs/gone.md", ""), ("README.md", "A link that is gone")]

@@ -1,0 +1,72 @@
+"""docs/wiring.svg is what tools/wiring draws, its pins are those of the library, and a phone shows all of it."""
+
+from __future__ import annotations
+
+import importlib.machinery
+import importlib.util
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+
+from building import ROOT
+
+
+def load():
+    loader = importlib.machinery.SourceFileLoader("wiring", str(ROOT / "tools" / "wiring"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    sys.modules[loader.name] = module
+    loader.exec_module(module)
+    return module
+
+
+WIRING = load()
+PICTURE = ROOT / "docs" / "wiring.svg"
+PHONE = 390  # [px], the width of many phones' screens
+BOARDS = {board.name.partition(",")[0].split()[0]: board for board in WIRING.BOARDS}
+
+
+def words():
+    for element in ElementTree.parse(PICTURE).iter():
+        if element.tag.endswith("}text"):
+            yield element
+
+
+def test_picture_is_what_the_tool_draws():
+    assert PICTURE.read_text(encoding="utf-8") == WIRING.drawing(), "run  tools/wiring -o docs/wiring.svg"
+
+
+def test_picture_is_as_wide_as_a_phone_and_its_letters_are_not_small():
+    assert ElementTree.parse(PICTURE).getroot().get("viewBox").split()[2] == str(PHONE)
+    assert min(float(element.get("font-size")) for element in words()) >= 14
+
+
+@pytest.mark.parametrize("element", [*words()], ids=lambda element: element.text)
+def test_words_stay_within_the_picture(element):
+    x, width = float(element.get("x")), WIRING.LETTER * float(element.get("font-size")) * len(element.text)
+    left = x - {"start": 0, "middle": width / 2, "end": width}[element.get("text-anchor")]
+    assert left >= 0 and left + width <= PHONE
+
+
+def test_pins_of_the_esp32_are_those_that_the_library_takes():
+    header = (ROOT / "src" / "MavMissionTelem.h").read_text()
+    rx, tx = (re.search(rf"#define TELEM_{name} (\d+)\b", header.partition("#ifdef CONFIG_IDF")[2])[1]
+              for name in ("RX", "TX"))  # fmt: skip
+    assert (BOARDS["ESP32"].rx, BOARDS["ESP32"].tx) == (f"GPIO{rx}", f"GPIO{tx}")
+
+
+@pytest.mark.parametrize("name", BOARDS)
+def test_pins_and_divider_are_those_of_the_table_of_boards(name):
+    table = (ROOT / "docs" / "boards.md").read_text().partition("| board |")[2].partition("\n\n")[0]
+    row = next(line for line in table.splitlines() if re.match(rf"\| [^|]*\b{name}\b", line))
+    _, _, _, pins, level, *_ = [cell.strip() for cell in row.split("|")]
+    drawn = [re.search(r"\d+", pin)[0] for pin in (BOARDS[name].rx, BOARDS[name].tx)]
+    assert pins == ", ".join(drawn)
+    assert BOARDS[name].needs_divider == ("divider" in level)
+
+
+def test_divider_leaves_a_level_that_the_pixhawk_is_made_for():
+    ohms = {number for element in words() for number in re.findall(r"(\d) kΩ", element.text)}
+    assert ohms == {"1", "2"}
+    assert 3.0 < 5.0 * 2 / (1 + 2) < 3.6
