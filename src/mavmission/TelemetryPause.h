@@ -21,7 +21,7 @@ struct PausableMessage {
 //
 // It switches off the messages that make up nine tenths of the telemetry of ArduPilot with all its streams, or of PX4,
 // or else those of the sketch's own list. Each message needs a command, and the commands go out one at a time, beside
-// the transfer: this pays for long plans and for full or slow lines (DESIGN.md, "Pausing telemetry").
+// the transfer: this pays for long plans and for full or slow lines (docs/design/parts.md).
 //
 // Nothing stays switched off: each interval is restored until COMMAND_ACK has confirmed it, and once when the sketch
 // starts and the autopilot has been heard, in case a reset came in the middle of a transfer. So an interval that the

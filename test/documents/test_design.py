@@ -1,4 +1,4 @@
-"""DESIGN.md says what the code does: its numbers, its states and its budget of RAM are compared."""
+"""DESIGN.md and its pages say what the code does: its numbers, its states and its budget of RAM are compared."""
 
 from __future__ import annotations
 
@@ -6,33 +6,35 @@ import re
 
 import pytest
 
+import retry_table
 from building import ROOT
 from measuring import budget, documents, report
 from simulation.firmware import library_file
 
 DESIGN = (ROOT / "DESIGN.md").read_text()
+PAGES = sorted((ROOT / "docs" / "design").glob("*.md"))
+RETRIES = retry_table.DOCUMENT.read_text()
 SOURCES = ROOT / "src" / "mavmission"
-# Where the protocol's waits and retries are.
-RULES = library_file("RetryRules.h").read_text()
+MOST_LINES = 400
+
+
+def test_design_is_short_enough_to_be_read_once_and_leads_to_each_of_its_pages():
+    assert len(DESIGN.splitlines()) <= MOST_LINES
+    linked = re.findall(r"\]\((docs/design/\w+\.md)\)", DESIGN)
+    assert {page.name for page in PAGES} == {link.rpartition("/")[2] for link in linked}
+
+
+# The rules of retrying --------------------------------------------------------
 
 
 def waits_in_the_code() -> dict[str, str]:
-    """Struct::name -> value of each rule."""
-    found = {}
-    for struct, body in re.findall(r"^struct (\w+) \{\n(.*?)^\};", RULES, re.M | re.S):
-        constants = re.sub(r"//.*", "", body)
-        for line in re.findall(r"static constexpr \w+ (.*?);", constants):
-            found |= {f"{struct}::{name}": value for name, value in re.findall(r"(k\w+) = ([^,]+)", line)}
-        found |= {f"{struct}::{name}": value for name, value in
-                  re.findall(r"static \w+ (\w+)\(\w+ count\) \{ return .*? \? (.*?) :", constants)}  # fmt: skip
-    return found
+    return retry_table.values(library_file("RetryRules.h").read_text())
 
 
 def rules() -> list[list[str]]:
     """The cells of each row of the table of waits and retries."""
-    section = DESIGN.partition("## Every wait and retry")[2].partition("\n## ")[0]
     return [[cell.strip() for cell in line.strip("|").split("|")]
-            for line in section.splitlines() if line.startswith("| ")][1:]  # fmt: skip
+            for line in RETRIES.splitlines() if line.startswith("| ")][1:]  # fmt: skip
 
 
 def named(cell: str) -> list[tuple[str, str]]:
@@ -43,6 +45,17 @@ def test_every_wait_in_the_code_is_a_rule_of_the_table_with_its_value():
     written = [pair for row in rules() for pair in named(row[2])]
     assert len(written) == len(dict(written)), "one is there twice"
     assert dict(written) == waits_in_the_code()
+
+
+def test_values_are_those_that_the_tool_writes():
+    known = waits_in_the_code()
+    assert retry_table.with_values(RETRIES, known) == RETRIES, "run test/support/retry_table.py --write"
+    row = "| `UploadRules::kRepeatMs` = 7, `UploadRules::kBusyTries` = 8 | seen |"
+    assert retry_table.with_values(row, {"UploadRules::kRepeatMs": "1 + 2", "UploadRules::kBusyTries": "9"}) == (
+        "| `UploadRules::kRepeatMs` = 1 + 2, `UploadRules::kBusyTries` = 9 | seen |"
+    )
+    with pytest.raises(KeyError, match="kGone"):
+        retry_table.with_values("| `UploadRules::kGone` = 7 |", known)
 
 
 def worth(name: str, value: str) -> str:
@@ -83,7 +96,8 @@ def statuses() -> set[str]:
 
 
 def diagrams() -> str:
-    return "\n".join(re.findall(r"^```states\n(.*?)^```$", DESIGN, re.M | re.S))
+    text = "\n".join([DESIGN, *(page.read_text() for page in PAGES)])
+    return "\n".join(re.findall(r"^```states\n(.*?)^```$", text, re.M | re.S))
 
 
 STATES = {
@@ -147,14 +161,6 @@ def test_table_of_changes_is_read_to_its_last_row():
     head = "\n## How to change it\n\n| change | files | what |\n|---|---|---|\n"
     table = f"{head}| one | `a.h`, `b.h` | why |\n| two | `c` | `x` |\n"
     assert changes(f"{table}\n## Next\n\n| three | `d` |\n") == {"one": ["a.h", "b.h"], "two": ["c"]}
-
-
-def test_links_within_the_page_lead_to_a_heading():
-    headings = re.findall(r"^#+ (.*)$", DESIGN, re.M)
-    anchors = {re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-") for heading in headings}
-    links = re.findall(r"\]\(#([^)]+)\)", DESIGN)
-    assert len(links) > 10
-    assert [link for link in links if link not in anchors] == []
 
 
 # The budget -------------------------------------------------------------------

@@ -142,7 +142,7 @@ def test_no_way_breaks_a_rule_with_reboots_cancels_and_a_fault_beside_any_losses
             scenarios += [(words, f"--cancels 1{lossy}") for words in single(autopilot, most)]
             scenarios += [(words, f"--faults 1{lossy}") for words in single(autopilot, 1)]
     states = expect_nothing_broken(record_property, "explored: plans of 0 to 4 items", scenarios[::one_in])
-    assert one_in > 1 or states > 5_000_000  # as DESIGN.md says
+    assert one_in > 1 or states > 5_000_000  # as docs/design/proof.md says
 
 
 @pytest.mark.slow
@@ -168,7 +168,7 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property, one_in):
 @ONE_IN
 def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(record_property, one_in):
     states = expect_nothing_broken(record_property, "explored: plans as files, of 0 to 7 items", by_file()[::one_in])
-    assert one_in > 1 or states > 1_000_000  # as DESIGN.md says
+    assert one_in > 1 or states > 1_000_000  # as docs/design/proof.md says
 
 
 # What is changed in which file, and the scenario that shows it, by the rule that is then broken.

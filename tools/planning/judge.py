@@ -19,7 +19,8 @@ from .unset import is_unset_not_0
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
-PARTS = ("Commands", "Comparison", "FlashTable", "FloatBits", "ItemField", "ItemSource", "KeptValue", "Status", "WirePlan")
+PARTS = ("Commands", "Comparison", "FlashTable", "FloatBits", "ItemField", "ItemSource", "KeptValue", "Status",
+         "WirePlan")  # fmt: skip
 
 # As judge.cpp checks them, by their names here.
 AUTOPILOTS = ("ardupilot", "px4", "any")

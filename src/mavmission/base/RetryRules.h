@@ -1,5 +1,5 @@
-// Every timeout and every number of attempts, one constant for each rule. DESIGN.md, "Every wait and retry", has each
-// of them in words, with its source; a test compares the two. A class has the rules that it keeps as its base.
+// Every timeout and every number of attempts, one constant for each rule. docs/design/retries.md has each of them in
+// words, with its source; a test compares the two. A class has the rules that it keeps as its base.
 #pragma once
 
 #include <stdint.h>

@@ -9,7 +9,7 @@
 namespace mavmission {
 namespace detail {
 
-// All zero at the start. DESIGN.md, "Other boards", says which ports return what.
+// All zero at the start. docs/design/parts.md, "Other boards", says which ports return what.
 class StreamRoom : public StreamRules {
  public:
   // The bytes that may be written now. `blindBytes`: the answer for a stream without availableForWrite(), which always

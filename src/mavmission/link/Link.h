@@ -155,7 +155,7 @@ class Link : public LinkRules {
   uint8_t damage_;  // low byte of what has been counted as skipped or lost
 
 #if MAVMISSION_SIGNING
-  // Rounds of SHA-256 in an update() that is spent on hashing (DESIGN.md, "Signing").
+  // Rounds of SHA-256 in an update() that is spent on hashing (docs/design/signing.md).
   static constexpr uint8_t kRoundsAtOnce = 16;
   // Bytes that may wait in the stream during hashing: half the receive buffer of a hardware serial port [bytes].
   static constexpr uint8_t kMayWait = 32;

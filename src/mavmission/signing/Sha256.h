@@ -1,5 +1,5 @@
 // SHA-256 (FIPS 180-4), a few rounds at a time: on an AVR a block of 64 bytes takes longer than an update() may take
-// (DESIGN.md, "Signing").
+// (docs/design/signing.md).
 //
 //   Sha256 sum;
 //   sum.begin();

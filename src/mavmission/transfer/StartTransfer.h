@@ -1,6 +1,6 @@
 // Making an aircraft fly the plan that is aboard, as a pure state machine: its inputs are the answers to commands,
 // heartbeats, MISSION_CURRENT and the items of the plan, its outputs are the next message and the item to look at. A
-// CommandTransfer repeats each message until it is answered. DESIGN.md, "Commands, and start()", has the diagram.
+// CommandTransfer repeats each message until it is answered. docs/design/flying.md has the diagram.
 #pragma once
 
 #include <stdint.h>

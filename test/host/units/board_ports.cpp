@@ -23,7 +23,7 @@ struct Kind {
   size_t received;  // bytes that wait to be read; what comes then is lost
 };
 
-// By the cores' sources; DESIGN.md, "Other boards".
+// By the cores' sources; docs/design/parts.md, "Other boards".
 const Kind kKinds[] = {
     {"Uno R4", Says::Nothing, 512, 512},      {"Pico", Says::OneOrNothing, 32, 31}, {"ESP32", Says::Room, 128, 256},
     {"Teensy 4", Says::Room, 63, 63},         {"Nano Every", Says::Room, 63, 63},   {"a Mega", Says::Room, 63, 63},
