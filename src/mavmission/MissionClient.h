@@ -38,8 +38,8 @@ class MissionClient : private detail::Client {
 
   // --- Operations: one at a time. A second one is refused with Status::Busy, and the running one continues.
 
-  // Puts a plan aboard in the place of the one that is there. Waits for the autopilot, checks the plan, then transfers
-  // it. Returns the first status of the operation, or Status::Busy; update() returns the status with which it ends.
+  // Uploads a plan, which replaces the autopilot's own. Waits for the autopilot, checks the plan, then transfers it.
+  // Returns the first status of the operation, or Status::Busy; update() returns the status with which it ends.
   // That is Status::Accepted exactly when the plan is aboard. Where the final acknowledgement is in doubt, the plan
   // aboard is read back and compared: Status::Differs means that it is another plan, Status::Unconfirmed that it could
   // not be read back either. With Readback::Always it is read back in any case. The source must live until the
@@ -50,7 +50,7 @@ class MissionClient : private detail::Client {
   // The same for a fence or rally points. A fence of up to three items is always read back, 1 s after it was accepted,
   // and sent again if ArduPilot has wiped it by then.
   Status upload(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
-  // An array does not say where it lies.
+  // A bare array is refused: it does not say whether it is in flash or in RAM.
   template <size_t N, typename... More>
   Status upload(const MissionItem (&)[N], More...) {
     static_assert(N == 0, "write upload(inFlash(plan)) for a plan with PROGMEM, upload(inRam(plan)) for one without");
@@ -127,7 +127,7 @@ class MissionClient : private detail::Client {
   // Sets the mode, by its name or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows
   // the mode, and nothing is sent if it is there already; Status::Unconfirmed when it was accepted and no heartbeat
   // shows it. If somebody else has changed the mode since the last heartbeat, or does so meanwhile, that mode stays:
-  // Status::TakenOver, or Overruled as with start(). Who means it all the same calls it again.
+  // Status::TakenOver, or Overruled as with start(). A sketch that insists calls it again.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);
   // Makes an armed aircraft fly its mission from its current item on. Status::NotArmed if it is not armed; otherwise as

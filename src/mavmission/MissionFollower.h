@@ -41,8 +41,8 @@ class MissionFollower : public detail::MessageIntervals {
   // True while the client's aboard() is our plan. The follower sets aboard() to Aboard::OtherPlan, and start() is then
   // refused, when somebody else puts a plan there. PX4 names its plan by a checksum, in MISSION_CURRENT, MISSION_COUNT
   // and an upload's MISSION_ACK; if our plan comes back, so does Aboard::OurPlan. ArduPilot tells by the number of
-  // items in MISSION_CURRENT, and a station on our own line by its texts at the end of an upload. A plan of the same
-  // length that another line or a file brings to ArduPilot shows nowhere: verify() or ensure() looks at the plan itself.
+  // items in MISSION_CURRENT, and its texts tell of an upload by a station on our own line. A plan of the same length
+  // that another line or a file brings to ArduPilot shows nowhere: verify() or ensure() looks at the plan itself.
   bool isOurPlan() const;
 
   // Called when the current item changes.

@@ -23,7 +23,7 @@ namespace mavmission {
 // Its operations are operations of the client: one at a time, update() returns their status, and status(), aboard(),
 // failedItem() and the callbacks say what they say of the client's own. The mission protocol is used by itself where
 // there are no such files (PX4, a MAVLink 1 link, FTP that is switched off, a file that another ground station holds),
-// and for reading on a line that loses.
+// and for reading on a lossy link.
 class PlanFiles : public detail::Listener {
  public:
   // This object must live as long as the client: declare it beside it, not in a function.
@@ -35,10 +35,10 @@ class PlanFiles : public detail::Listener {
   // known behind Differs and Unconfirmed. The mission protocol is used also for a plan with a command that this library
   // does not know, for one of more than 650 items, for a fence of up to three items, for a plan that is shorter than
   // the one aboard an armed aircraft, and where frames are signed; and when the file is lost, because the autopilot has
-  // restarted or somebody else has taken it, or when another plan is read back on a line that loses bytes. isByFile()
+  // restarted or somebody else has taken it, or when another plan is read back on a lossy link. isByFile()
   // is false then, and aboard() may be a mixture.
   Status upload(const ItemSource& plan, PlanType type = PlanType::Mission);
-  // An array does not say where it lies.
+  // A bare array is refused: it does not say whether it is in flash or in RAM.
   template <size_t N, typename... More>
   Status upload(const MissionItem (&)[N], More...) {
     static_assert(N == 0, "write upload(inFlash(plan)) for a plan with PROGMEM, upload(inRam(plan)) for one without");
@@ -47,7 +47,7 @@ class PlanFiles : public detail::Listener {
 
   // As MissionClient::ensure(): looks which plan is aboard, and uploads only where it is another one. ArduPilot's
   // plan is read as a file, and replaced by upload(). MissionClient::ensure() does it on PX4, where files cannot be
-  // used, on a line that loses and while the autopilot is armed: opening a file would store a plan that another
+  // used, on a lossy link and while the autopilot is armed: opening a file would store a plan that another
   // client has left open. An armed autopilot keeps the plan that it has: Status::Armed.
   Status ensure(const ItemSource& plan, PlanType type = PlanType::Mission);
   template <size_t N, typename... More>

@@ -47,9 +47,9 @@ namespace mavmission {
   X(WholePlansOnly, "refused: this autopilot takes only whole plans") \
   X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
-  X(NeedsCoordinates, "refused: it needs a place on this autopilot, and has none") \
+  X(NeedsCoordinates, "refused: this autopilot needs coordinates in the item") \
   X(BadAltitude, "refused: an altitude beyond what this autopilot takes") \
-  X(NotKept, "refused: this autopilot would keep another value") /* keptValue() of differingField() */ \
+  X(NotKept, "refused: this autopilot would store another value") /* keptValue() of differingField() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
   X(SinkFull, "the plan aboard is larger than the sink takes") \
@@ -94,17 +94,17 @@ namespace mavmission {
   X(NothingToFly, "refused: nothing to fly to from this item on") \
   X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
-  X(Overruled, "it has undone somebody else's mode, and could not set it again") \
+  X(Overruled, "an order has undone another mode, which could not be set again") \
   /* Steering: nothing was sent, unless it was lost in the middle */ \
   X(PilotHasIt, "a pilot or another station has the aircraft") \
-  X(FailsafeHasIt, "a failsafe or another station lands it or brings it back") \
-  X(NotFlying, "refused: it is not in the air") \
+  X(FailsafeHasIt, "a failsafe or another station lands the aircraft, or flies it home") \
+  X(NotFlying, "refused: the aircraft is not in the air") \
   X(NoHome, "refused: the autopilot does not say where home is") \
   X(BadSpeed, "refused: a speed that is not above 0, or above 100 m/s") \
   X(NotRenewed, "held: the sketch has not renewed its target in time") /* MovingTarget */ \
   /* parameters */ \
   X(NoParameter, "no answer: it has no parameter of this name, or does not hear us") \
-  X(OtherValue, "the autopilot keeps another value")  /* Parameters::value() */
+  X(OtherValue, "the autopilot stores another value")  /* Parameters::value() */
 // clang-format on
 
 enum class Status : uint8_t {

@@ -28,7 +28,7 @@ namespace mavmission {
   X(NoItems, "no item behind home")                                                                \
   X(Unreadable, "it cannot be read to its end")                                                    \
   X(NoRoom, "more items than there is room for")                                                   \
-  X(NotKept, "the EEPROM does not keep what it is given")                                          \
+  X(NotKept, "the EEPROM could not store the plan")                                                \
   X(TooFast, "it came faster than it could be stored: send it line by line")
 // clang-format on
 

@@ -15,7 +15,7 @@ constexpr uint8_t kClient = 191;   // the client's component
 // Ends the program with what was violated.
 void demand(bool holds, const char* what);
 
-// Where the frame at `at` begins: behind the 12 zeros that stand before it on a line that loses, if they are all there.
+// Where the frame at `at` begins: behind the 12 zeros that stand before it on a lossy link, if they are all there.
 size_t behindFill(const Bytes& bytes, size_t at);
 // True if a frame of a known message lies at `at`; its payload is filled up with zeros.
 bool isRight(const Bytes& bytes, size_t at, uint32_t& id, Bytes& payload, size_t& size);

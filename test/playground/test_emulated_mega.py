@@ -48,7 +48,7 @@ def test_the_serial_monitor_says_the_same_as_on_simavr(folder):
 def test_a_typed_plan_is_in_the_same_eeprom_as_on_simavr(folder):
     plan = "load\nQGC WPL 110\n0 0 0 16 0 0 0 0 0 0 0 1\n1 0 3 22 0 0 0 0 0 0 20 1\nend\n"
     told, ours = agree(folder, example="PlanConsole", autopilot="px4", seconds=3, typed=plan)
-    assert b"kept: list prints it\r\n" in ours.bytes(0)
+    assert b"stored: list prints it\r\n" in ours.bytes(0)
     assert ours.eeprom == told.heard.eeprom
     assert ours.eeprom != b"\xff" * 4096
 

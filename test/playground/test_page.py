@@ -102,7 +102,7 @@ def test_a_dropped_plan_is_put_aboard_verified_and_started_by_plan_console(page)
     page.drop("farm.plan", PLAN)
     page.wait_for_text("#outcome", "PlanConsole has verified and started it.")
     lines = page.browser.text("#console").splitlines()
-    order = ["kept: list prints it", "accepted: the plan is aboard", "verified: what is aboard is the plan",
+    order = ["stored: list prints it", "accepted: the plan is aboard", "verified: what is aboard is the plan",
              "done: the autopilot confirmed it"]  # fmt: skip
     assert [line for line in lines if line in order] == order
     assert page.value("document.getElementById('example').value") == "PlanConsole"
@@ -167,7 +167,7 @@ def test_what_is_typed_reaches_the_sketch_and_its_answer_is_shown(page):
     page.wait_for_text("#outcome", "type help")
     page.browser.wait_for("return document.getElementById('clock').textContent.startsWith('1')")
     page.browser.type("#line", "help\n")
-    page.wait_for_text("#console", "start: arm, and fly what is aboard")
+    page.wait_for_text("#console", "start: ARM, and fly the plan aboard")
 
 
 @pytest.mark.parametrize("example", ["DownloadMission", "LinkDoctor", "ReadTelemetry", "PlanFromSd"])

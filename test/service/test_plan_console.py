@@ -15,8 +15,8 @@ SURVEY = [
     "3\t0\t3\t177\t2\t2\t0\t0\t0\t0\t0\t1",
     "4\t0\t3\t21\t0\t0\t0\t0\t-35.3632621\t149.1652374\t0\t1",
 ]
-KEPT = "kept: list prints it"
-PASSED_OVER = "nothing was loaded; what is still to come of it is passed over, up to end"
+KEPT = "stored: list prints it"
+PASSED_OVER = "nothing was loaded; further lines are ignored, up to end"
 TORN = (0xFF, 0x00, 0x4D, 0xA5)  # what may be left of a byte whose writing was cut short
 
 
@@ -114,7 +114,7 @@ def test_a_plan_stays_when_the_power_goes(console):
     console.answer("erase", "erased")
     console.mega.reset()
     console.run(0.3)
-    assert console.answer("upload", "no plan is here: load one") == ["no plan is here: load one"]
+    assert console.answer("upload", "no plan is stored: type load") == ["no plan is stored: type load"]
 
 
 @pytest.mark.slow
@@ -184,13 +184,13 @@ def test_bad_text_is_refused_with_its_line_and_the_old_plan_stays(console):
     (["load", *HEAD, SURVEY[0], SURVEY[1], SURVEY[2].replace("\t2\t2", "\t7\t2"), "end"],
      "line 5, field 5: a jump to home, or to a line that is not there"),
     (["load", "cancel"], "nothing was loaded"),
-    (["end"], "nothing is being loaded: load comes first"),
-    (["list"], "no plan is here: load one"),
-    (["upload"], "no plan is here: load one"),
-    (["Verify"], "no plan is here: load one"),
-    (["fly"], "no such command here: help names them"),
-    (["downloadeverything"], "no such command here: help names them"),
-    (["hexlp\b\b\b", "he\x7f\x7fhelp"], "help: these words"),
+    (["end"], "nothing is being loaded: type load first"),
+    (["list"], "no plan is stored: type load"),
+    (["upload"], "no plan is stored: type load"),
+    (["Verify"], "no plan is stored: type load"),
+    (["fly"], "unknown command: type help"),
+    (["downloadeverything"], "unknown command: type help"),
+    (["hexlp\b\b\b", "he\x7f\x7fhelp"], "help: list the commands"),
 ])  # fmt: skip
 def test_what_is_said_of_a_mistake(lines, said):
     console = Console("PX4")
@@ -200,7 +200,7 @@ def test_what_is_said_of_a_mistake(lines, said):
     # And the console goes on.
     console.send("end")
     console.run(0.2)
-    assert console.answer("status", "here: items 0")[-1] == "here: items 0"
+    assert console.answer("status", "stored: items 0")[-1] == "stored: items 0"
 
 
 def test_more_items_than_the_eeprom_holds_are_refused(console):
@@ -225,7 +225,7 @@ def test_a_text_that_comes_faster_than_it_is_stored_is_refused(console):
         if line.endswith(": it came faster than it could be stored: send it line by line")
     ]
     console.run(1.0)
-    assert console.answer("list", "no plan is here: load one")[-1] == "no plan is here: load one"
+    assert console.answer("list", "no plan is stored: type load")[-1] == "no plan is stored: type load"
 
 
 def test_a_text_of_which_bytes_were_lost_is_refused():
@@ -238,7 +238,7 @@ def test_a_text_of_which_bytes_were_lost_is_refused():
     too_fast = "line 3: it came faster than it could be stored: send it line by line"
     assert too_fast in console.until(too_fast, 3.0)
     console.run(1.0)
-    assert console.answer("list", "no plan is here: load one")[-1] == "no plan is here: load one"
+    assert console.answer("list", "no plan is stored: type load")[-1] == "no plan is stored: type load"
     console.send("load", *HEAD)
     console.run(0.5)
     for field in row.split("\t"):
@@ -251,14 +251,14 @@ def test_a_text_of_which_bytes_were_lost_is_refused():
 
 def test_status_and_help(console):
     console.run(2.5)
-    lines = console.answer("status", "here: items 0")
+    lines = console.answer("status", "stored: items 0")
     assert lines == [
         f"{'ArduPilot' if is_ardupilot(console) else 'PX4'}, disarmed",
         "idle",
         "aboard: not known",
-        "here: items 0",
+        "stored: items 0",
     ]
-    lines = console.answer("help", "start: arm, and fly what is aboard")
+    lines = console.answer("help", "start: ARM, and fly the plan aboard")
     assert [line.partition(":")[0] for line in lines] == [
         "help", "status", "load", "end", "upload", "cancel", "erase", "list", "verify", "download", "clear",
         "start"]  # fmt: skip

@@ -7,17 +7,17 @@
 namespace mavmission {
 namespace detail {
 
-// A line that loses bytes or frames, and when what has not been answered is sent again there.
+// A lossy link or frames, and when what has not been answered is sent again there.
 struct PaceRules {
   static constexpr uint8_t kLossyS = 10;        // after the last loss the line is taken for one that loses
-  static constexpr uint8_t kLeastMs = 50;       // from a message to its repeat on a line that loses, at least
+  static constexpr uint8_t kLeastMs = 50;       // from a message to its repeat on a lossy link, at least
   static constexpr uint16_t kQuickMs = 500;     // a question whose rule is less than this: after half of that
   static constexpr uint16_t kMostMs = 1500;     // longer round trips are not reckoned with
   static constexpr uint16_t kRepeatedMs = 500;  // a request that is repeated later than this after its answer says so
   static constexpr uint8_t kMostWaitMs = 100;
   static constexpr uint8_t kSameRequestMs = 50;  // a request that comes again within this time is not answered again
   static constexpr uint8_t kPatience = 4;        // from a message to its repeat, in round trips, at least
-  static constexpr uint8_t kHurry = 8;           // repeats in a round trip, at the most, on a line that loses
+  static constexpr uint8_t kHurry = 8;           // repeats in a round trip, at the most, on a lossy link
   static constexpr uint8_t kFrameTimes = 5;      // the same, in the times that the line takes for a frame
   static constexpr uint8_t kLossyTries = 250;    // of a question there, before it is given up
 };
@@ -46,7 +46,7 @@ struct FileRules {
   static constexpr uint8_t kPieceTries = 8;       // of any other request
   static constexpr uint16_t kPieceMs = 250;       // to what was read, or between two pieces of a burst
   static constexpr uint16_t kWriteMs = 1000;      // to the answer to what was written, and to the closing
-  static constexpr uint8_t kLossyOpenTries = 90;  // of each, on a line that loses
+  static constexpr uint8_t kLossyOpenTries = 90;  // of each, on a lossy link
   static constexpr uint8_t kLossyTries = 250;
   static constexpr uint8_t kMostLost = 8;        // a burst of which more than 1 of 8 pieces is lost is the last
   static constexpr uint8_t kFewItems = 8;        // behind such a burst more than these are read item by item
@@ -61,7 +61,7 @@ struct ClearRules {
 
 struct CommandRules {
   static constexpr uint8_t kTries = 5;
-  static constexpr uint8_t kLossyTries = 100;  // on a line that loses
+  static constexpr uint8_t kLossyTries = 100;  // on a lossy link
   static constexpr uint16_t kAnswerMs = 1500;
   static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
   static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected

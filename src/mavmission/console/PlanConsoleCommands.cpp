@@ -10,18 +10,18 @@ namespace {
 // One line for each command: its name, and what it does.
 // clang-format off
 #define MAVMISSION_COMMANDS(X)                                            \
-  X(help, "these words")                                                  \
-  X(status, "the autopilot, the plan aboard, the plan here")              \
-  X(load, "take the lines of a .waypoints file, up to end or cancel")     \
-  X(end, "of the file: keep it, in EEPROM")                               \
-  X(upload, "put it aboard")                                              \
-  X(cancel, "what is going on")                                           \
-  X(erase, "take the plan here away")                                     \
-  X(list, "print the plan here, as a .waypoints file")                    \
-  X(verify, "is it what is aboard?")                                      \
-  X(download, "keep what is aboard")                                      \
-  X(clear, "take the plan aboard away")                                   \
-  X(start, "arm, and fly what is aboard")
+  X(help, "list the commands")                                            \
+  X(status, "show the autopilot, its plan and the stored plan")           \
+  X(load, "read a .waypoints file, up to end or cancel")                  \
+  X(end, "end of the file: store the plan in EEPROM")                     \
+  X(upload, "upload the stored plan")                                     \
+  X(cancel, "stop what is running")                                       \
+  X(erase, "delete the stored plan")                                      \
+  X(list, "print the stored plan as a .waypoints file")                   \
+  X(verify, "compare the plan aboard with the stored plan")               \
+  X(download, "store the plan aboard")                                    \
+  X(clear, "delete the plan aboard")                                      \
+  X(start, "ARM, and fly the plan aboard")
 // clang-format on
 
 #define MAVMISSION_TEXT(name, text) #name "\0" text "\0"
@@ -87,7 +87,7 @@ void PlanConsole::run(Command command) {
   switch (command) {
     case Command::help: return due(kHelp);
     case Command::status: return due(kStatus);
-    case Command::end: return isInText ? endText() : say(F("nothing is being loaded: load comes first"));
+    case Command::end: return isInText ? endText() : say(F("nothing is being loaded: type load first"));
     case Command::cancel:
       if (!isInText) return autopilot_.cancel();
       mode_ = Mode::Commands;
@@ -110,12 +110,12 @@ void PlanConsole::run(Command command) {
       break;
     case Command::unknown: break;
   }
-  say(F("no such command here: help names them"));
+  say(F("unknown command: type help"));
 }
 
 bool PlanConsole::mayUsePlan() {
   if (plan_.hasPlan()) return true;
-  say(F("no plan is here: load one"));
+  say(F("no plan is stored: type load"));
   return false;
 }
 
@@ -124,7 +124,7 @@ bool PlanConsole::mayExchangePlan() {
   if (autopilot_.isBusy()) {
     began(Status::Busy);
   } else if (plan_.isBusy()) {
-    say(F("the EEPROM is being written: wait"));
+    say(F("busy: the EEPROM is being written"));
   } else {
     return true;
   }

@@ -114,7 +114,7 @@ bool PlanConsole::composeError() {
       return true;
     case 2: put(F(": ")); return true;
     case 3: put(toString(error_)); return true;
-    default: put(F("\r\nnothing was loaded; what is still to come of it is passed over, up to end\r\n")); return false;
+    default: put(F("\r\nnothing was loaded; further lines are ignored, up to end\r\n")); return false;
   }
 }
 
@@ -135,7 +135,7 @@ bool PlanConsole::composeStatus() {
     case 4:
     case 5: putOutcome(step_ - 3); return true;
     case 6:
-      put(plan_.isDamaged() ? F("\r\nhere: damaged, items ") : F("\r\nhere: items "));
+      put(plan_.isDamaged() ? F("\r\nstored: damaged, items ") : F("\r\nstored: items "));
       putNumber(plan_.count());
       return true;
     default: putLineEnd(); return false;

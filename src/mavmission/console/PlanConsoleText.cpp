@@ -76,9 +76,9 @@ void PlanConsole::watchPlan() {
   if (!isPlanAwaited_ || plan_.isBusy()) return;
   isPlanAwaited_ = false;
   if (plan_.state() == EepromPlan::State::Failed) {
-    say(F("the EEPROM does not keep it"));
+    say(F("the EEPROM could not store it"));
   } else if (plan_.hasPlan()) {
-    say(F("kept: list prints it"));
+    say(F("stored: list prints it"));
   } else {
     say(F("erased"));
   }

@@ -23,7 +23,7 @@ class Outbox {
   // What a stream without availableForWrite() is given in one call: each byte may wait for the line [bytes].
   static constexpr uint8_t kBlindBytes = 8;
 
-  // Zero bytes before a frame on a line that loses bytes [bytes]. The autopilot's parser may still wait for the rest of
+  // Zero bytes before a frame on a lossy link [bytes]. The autopilot's parser may still wait for the rest of
   // a frame that has lost some bytes: it then takes the zeros for that rest, and not the beginning of our frame.
   static constexpr uint8_t kFill = 12;
 

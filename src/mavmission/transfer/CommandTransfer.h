@@ -59,7 +59,7 @@ class CommandTransfer : public CommandRules {
   bool isAnswer(uint16_t command) const { return command == id_ && id_ != kNoCommand && tries_ != 0; }
   void onProgress(uint16_t nowMs) { wait(State::InProgress, kProgressMs, nowMs); }
   // The command has been accepted. If it is to be confirmed by what the autopilot sends once a second, it is not sent
-  // again before that time, on a line that loses too.
+  // again before that time, on a lossy link too.
   void onAccepted() {
     if (waitMs_ >= kAnswerMs) return;
     waitMs_ = kAnswerMs;
@@ -72,7 +72,7 @@ class CommandTransfer : public CommandRules {
   // True when the command with this id must be sent now. If the command before had the same id and was sent more than
   // once, this one waits until the late answers should have come: COMMAND_ACK does not say which attempt it answers.
   bool isDue(uint16_t id, uint16_t nowMs) const { return state() == State::Due && !awaitsLate(id, nowMs); }
-  // `answerMs`: how long to wait for an answer before it is sent again; less on a line that loses, and then more often.
+  // `answerMs`: how long to wait for an answer before it is sent again; less on a lossy link, and then more often.
   void sent(uint16_t id, uint16_t nowMs, uint16_t answerMs = kAnswerMs);
 
   // True while a late answer to this command, which has ended, may come.

@@ -73,7 +73,7 @@ TEST_CASE("it never writes more than the port takes") {
   for (int i = 0; i < 90; ++i) desk.update();
   CHECK(desk.said().empty());
   std::string whole;
-  for (int room = 1; whole.find("here: items 0\r\n") == std::string::npos; room = room % 70 + 1) {
+  for (int room = 1; whole.find("stored: items 0\r\n") == std::string::npos; room = room % 70 + 1) {
     REQUIRE(whole.size() < 5000);
     desk.port.room = room;
     const size_t before = desk.port.written.size();
@@ -100,7 +100,7 @@ TEST_CASE("an item for which there is no room yet is not lost: what comes behind
   Desk desk;
   std::string text = std::string("load\n") + kHead;
   for (int n = 1; n <= 9; ++n) text += std::to_string(n) + " 0 3 16 1 0 0 0 1 2 " + std::to_string(n) + " 1\n";
-  CHECK(desk.answer(text + "end\n", 6000).find("9\r\nkept: list prints it\r\n") != std::string::npos);
+  CHECK(desk.answer(text + "end\n", 6000).find("9\r\nstored: list prints it\r\n") != std::string::npos);
   REQUIRE(desk.plan.count() == 9);
   const ItemSource source = desk.plan.source();
   for (uint16_t i = 0; i < 9; ++i) {
@@ -135,8 +135,8 @@ TEST_CASE("an EEPROM that does not keep what it is given is told, and the consol
     broken.update();
     console.update();
   }
-  CHECK(desk.said().find(": the EEPROM does not keep what it is given\r\n") != std::string::npos);
-  CHECK(desk.said().find("here: items 0\r\n") != std::string::npos);
+  CHECK(desk.said().find(": the EEPROM could not store the plan\r\n") != std::string::npos);
+  CHECK(desk.said().find("stored: items 0\r\n") != std::string::npos);
 }
 
 TEST_CASE("whatever is typed, it goes on") {
@@ -153,5 +153,5 @@ TEST_CASE("whatever is typed, it goes on") {
     desk.answer(text, 100);
   }
   desk.answer("\ncancel\nend\n");
-  CHECK(desk.answer("help\n").find("help: these words\r\n") != std::string::npos);
+  CHECK(desk.answer("help\n").find("help: list the commands\r\n") != std::string::npos);
 }

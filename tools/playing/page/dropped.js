@@ -2,14 +2,14 @@
 // the next one when the sketch has said that it is done.
 
 const STEPS = [
-  { types: (plan) => `load\n${plan.waypoints}end\n`, done: "kept: list prints it" },
+  { types: (plan) => `load\n${plan.waypoints}end\n`, done: "stored: list prints it" },
   { types: () => "upload\n", done: "accepted: the plan is aboard" },
   { types: () => "verify\n", done: "verified: what is aboard is the plan" },
   { types: () => "start\n", done: "done: the autopilot confirmed it" },
 ];
 const REFUSED = [
-  "nothing was loaded; what is still to come of it is passed over, up to end",
-  "the EEPROM does not keep it",
+  "nothing was loaded; further lines are ignored, up to end",
+  "the EEPROM could not store it",
 ];
 
 export class Dropped {

@@ -1,0 +1,46 @@
+"""What a user reads is in the words of the field: phrases that readers stumbled over do not come back."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from building import ROOT
+
+# The phrase, and what is written instead.
+INSTEAD = {
+    r"line that loses\b(?! (?:\d|nothing|just|frames))": "lossy link",
+    r"line that is seen to lose": "lossy link",
+    r"port's ways": "what the port does",
+    r"finds? no place": "say what is missing",
+    r"takes? the plan (?:here|aboard) away": "delete the plan",
+    r"fake autopilot": "simulated autopilot",
+    r"does not say where it lies": "whether it is in flash or in RAM",
+}
+READ = [
+    ROOT / "README.md", ROOT / "SECURITY.md", *sorted((ROOT / "docs").glob("*.md")),
+    *sorted((ROOT / "src" / "mavmission").glob("*.h")),
+    *sorted((ROOT / "src" / "mavmission" / "console").glob("*.cpp")),
+    *sorted((ROOT / "examples").rglob("*.ino")),
+]  # fmt: skip
+
+
+def stumbled_over(text: str) -> list[str]:
+    flat = re.sub(r"\s+(?://)?\s*", " ", text)
+    return [found for phrase in INSTEAD for found in re.findall(phrase, flat)]
+
+
+@pytest.mark.parametrize("page", READ, ids=lambda file: file.name)
+def test_page_has_no_phrase_that_readers_stumbled_over(page):
+    assert stumbled_over(page.read_text()) == []
+
+
+def test_phrase_is_found_across_lines_of_a_comment():
+    assert stumbled_over("// is slower on a line that\n  // loses, and so on\n") == ["line that loses"]
+    assert stumbled_over("on a line that loses 3 of 100 bytes") == []
+
+
+def test_glossary_is_short():
+    rows = [line for line in (ROOT / "docs" / "glossary.md").read_text().splitlines() if line.startswith("| ")][1:]
+    assert 10 <= len(rows) <= 15
