@@ -248,16 +248,20 @@ Rules rulesOf(const MissionItem& item, Keeper keeper) {
     params &= 15;
     more = four(K, K, Height, kHasNoPlace);
   }
-  return Rules{params | static_cast<uint32_t>(more) << 16};
+  union {  // avr-gcc puts two words together more cheaply so
+    uint16_t words[2];
+    Rules rules;
+  } both;
+  both.words[0] = params;
+  both.words[1] = more;
+  return both.rules;
 }
 
-bool mayBeUnset(const MissionItem& item, uint8_t param, Keeper keeper) {
-  if (param == 4 && rulesOf(item, keeper).hasYaw()) return true;
-  if ((keeper & kByArduPilot) != 0) return false;  // which refuses it
+uint8_t unsetOf(uint16_t command) {
   for (const Unset& one : kUnset) {
-    if (fromFlash(&one.command) == item.command) return (fromFlash(&one.params) >> param & 1) != 0;
+    if (fromFlash(&one.command) == command) return fromFlash(&one.params);
   }
-  return false;
+  return 0;
 }
 
 uint8_t traitsOf(uint16_t command) {

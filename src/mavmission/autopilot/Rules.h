@@ -54,9 +54,9 @@ struct Rules {
 // The rules by which this keeper keeps the fields of an item. They depend on the item's command and frame.
 Rules rulesOf(const MissionItem& item, Keeper keeper);
 
-// True if a parameter of an item (1 to 4, or 7 for z) may be NaN, which means unset: a yaw, and what PX4
-// keeps so, and MAVLink gives a meaning.
-MAVMISSION_APART bool mayBeUnset(const MissionItem& item, uint8_t param, Keeper keeper);
+// The parameters of a command (1 to 4, or 7 for z), one bit each, that may be NaN beside a yaw: it means unset, PX4
+// keeps it so, and MAVLink gives it a meaning.
+MAVMISSION_APART uint8_t unsetOf(uint16_t command);
 
 }  // namespace detail
 }  // namespace mavmission

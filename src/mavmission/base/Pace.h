@@ -23,7 +23,9 @@ class Pace : public PaceRules {
   // An answer has come `roundTripMs` after the first sending of its question. `isSure`: the question was sent only
   // once. If it was sent more than once, it is not known which sending was answered: the round trip takes no longer
   // than that.
-  MAVMISSION_APART void learn(uint16_t roundTripMs, bool isSure);
+  void learn(uint16_t roundTripMs, bool isSure);
+  // The same for an answer that comes now to a question that was sent first at `startedMs`, and `tries` times.
+  MAVMISSION_APART void learn(uint16_t startedMs, uint16_t nowMs, uint8_t tries);
   // An answer came later than any that was measured.
   void noteSlower() {
     if (roundTripMs_ < kMostMs) roundTripMs_ *= 2;

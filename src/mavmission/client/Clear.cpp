@@ -50,9 +50,7 @@ void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs)
   if (clearing.state() != ClearTransfer::State::Due || !client.link_.canSend()) return;
   clearing.sent(nowMs);
   client.noteSent(clearing.tries());
-  mavlink_mission_clear_all_t message = mavlink_mission_clear_all_t();
-  message.mission_type = static_cast<uint8_t>(clearing.type());
-  client.link_.send(message);
+  client.sendShort(KeyIndex::MISSION_CLEAR_ALL, 0, clearing.type());
 }
 
 void Client::endClearing(Status status) {

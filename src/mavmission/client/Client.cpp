@@ -3,6 +3,7 @@
 #include <Arduino.h>
 
 #include "../base/Clock.h"
+#include "../base/Flash.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 
@@ -151,11 +152,26 @@ void Client::report(uint16_t done) {
   if (rest_.progress != nullptr) rest_.progress(rest_.progressContext, state_.itemsDone, rest_.itemsTotal);
 }
 
-void Client::sendAck(uint8_t result, PlanType type) {
-  mavlink_mission_ack_t ack = mavlink_mission_ack_t();
-  ack.type = result;
-  ack.mission_type = static_cast<uint8_t>(type);
-  link_.send(ack);
+void Client::sendAck(uint8_t result, PlanType type) { sendShort(KeyIndex::MISSION_ACK, result, type); }
+
+// MISSION_COUNT, MISSION_REQUEST_INT and MISSION_REQUEST begin with a number, MISSION_REQUEST_LIST, MISSION_CLEAR_ALL
+// and MISSION_ACK with the target; behind the target MISSION_ACK has its result, and all have the type of the plan.
+void Client::sendShort(KeyIndex message, uint16_t number, PlanType type) {
+  static_assert(offsetof(mavlink_mission_count_t, mission_type) == 4 && offsetof(mavlink_mission_count_t, count) == 0 &&
+                    offsetof(mavlink_mission_request_int_t, mission_type) == 4 &&
+                    offsetof(mavlink_mission_request_int_t, seq) == 0 &&
+                    offsetof(mavlink_mission_request_list_t, mission_type) == 2 &&
+                    offsetof(mavlink_mission_clear_all_t, mission_type) == 2 &&
+                    offsetof(mavlink_mission_ack_t, type) == 2 && offsetof(mavlink_mission_ack_t, mission_type) == 3,
+                "the short messages must lie as they are made here");
+  uint8_t payload[sizeof(mavlink_mission_count_t)] = {};  // the longest of them
+  payload[0] = static_cast<uint8_t>(number);
+  payload[1] = static_cast<uint8_t>(number >> 8);
+  const MessageKey* const key = &kKeys[static_cast<uint8_t>(message)];
+  uint8_t* behindTarget = payload + fromFlash(&key->target) + 2;
+  if (message == KeyIndex::MISSION_ACK) *behindTarget++ = static_cast<uint8_t>(number);
+  *behindTarget = static_cast<uint8_t>(type);
+  link_.sendMessage(payload, key);
 }
 
 Status MissionClient::update() {
@@ -172,7 +188,7 @@ void Client::onTick(uint16_t nowMs) {
     ++state_.seconds;
     link_.pace().onSecond();
     const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
-    state_.isLate = static_cast<uint16_t>(state_.seconds - state_.backOffEndS) >= limitS;
+    if (static_cast<uint16_t>(state_.seconds - state_.backOffEndS) >= limitS) state_.isLate = true;
   }
   if (state_.unsettled != 0 && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = 0;
   link_.onTime(nowMs);

@@ -29,6 +29,7 @@ class PlanFiles;
 namespace detail {
 
 class Listener;
+enum class KeyIndex : uint8_t;
 
 // All public, since only the library sees this class. MissionClient shows a sketch what it may call.
 class Client : public ClientRules {
@@ -167,7 +168,7 @@ class Client : public ClientRules {
   MAVMISSION_APART bool claimHeavyWork();
   MAVMISSION_APART void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Operation operation);
-  void beginSeconds(uint16_t nowMs);
+  MAVMISSION_APART void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
   // To be called when a message of the mission protocol has been sent, with how often it has been sent by now. Each may
   // be answered, and an operation waits for one answer: the others come late.
@@ -189,7 +190,6 @@ class Client : public ClientRules {
   void sendUpload(uint16_t nowMs);
   MAVMISSION_APART void sendAnnouncement();
   MAVMISSION_APART Status checkItem(uint16_t wireItem);
-  void sendCount(uint16_t items);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && state_.prepared == wireItem; }
   MAVMISSION_APART void prepareItem(uint16_t wireItem, uint16_t nowMs);
   Status proven(uint32_t opaqueId);
@@ -208,9 +208,9 @@ class Client : public ClientRules {
   static void doNothing(Client&) {}
   static void cancelAtEnd(Client& client);
   static void cancelSecond(Client& client);
-  void sendRequestList();
   void sendRequest(uint16_t wireItem);
   void sendAck(uint8_t result, PlanType type);
+  MAVMISSION_APART void sendShort(KeyIndex message, uint16_t number, PlanType type);
   void endClearing(Status status);
   uint8_t homeBefore() const;
   static Status announcePart(Client& client, bool isBeginning);

@@ -83,7 +83,7 @@ void Client::sendRead(uint16_t nowMs) {
   if (!link_.canSend()) return;
   switch (transfer.toSend()) {
     case DownloadTransfer::Send::Nothing: return;
-    case DownloadTransfer::Send::List: sendRequestList(); break;
+    case DownloadTransfer::Send::List: sendShort(KeyIndex::MISSION_REQUEST_LIST, 0, state_.type); break;
     case DownloadTransfer::Send::Request: sendRequest(transfer.itemToAsk()); break;
     case DownloadTransfer::Send::Accepted: sendAck(MAV_MISSION_ACCEPTED, state_.type); break;
   }
@@ -92,23 +92,10 @@ void Client::sendRead(uint16_t nowMs) {
   if (isAll) endReading(Status::Downloaded);
 }
 
-void Client::sendRequestList() {
-  mavlink_mission_request_list_t list = mavlink_mission_request_list_t();
-  list.mission_type = static_cast<uint8_t>(state_.type);
-  link_.send(list);
-}
-
 void Client::sendRequest(uint16_t wireItem) {
-  mavlink_mission_request_int_t request = mavlink_mission_request_int_t();
-  request.seq = wireItem;
-  request.mission_type = static_cast<uint8_t>(state_.type);
   // An autopilot that is neither ArduPilot nor PX4 may know only the older request.
   const bool older = plan_.has(kMayBeOld) && reading_.transfer.tries() >= DownloadRules::kNewRequestTries;
-  if (older) {
-    link_.sendAs<mavlink_mission_request_t>(&request);
-  } else {
-    link_.send(request);
-  }
+  sendShort(older ? KeyIndex::MISSION_REQUEST : KeyIndex::MISSION_REQUEST_INT, wireItem, state_.type);
 }
 
 void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {

@@ -236,15 +236,8 @@ void Client::sendAnnouncement() {
   } else if (state_.announce != nullptr) {
     state_.announce(*this, false);
   } else {
-    sendCount(plan_.wireCount());
+    sendShort(KeyIndex::MISSION_COUNT, plan_.wireCount(), state_.type);
   }
-}
-
-void Client::sendCount(uint16_t items) {
-  mavlink_mission_count_t count = mavlink_mission_count_t();
-  count.count = items;
-  count.mission_type = static_cast<uint8_t>(state_.type);
-  link_.send(count);
 }
 
 void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {

@@ -61,11 +61,11 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
   int room = room_.of(stream, nowMs, kBlindBytes);
   if (room == 0) return;
   if (room > idle_) idle_ = static_cast<int16_t>(room);
-  if (room > most) room = most;
-  for (; fill_ != 0 && room != 0; --room, --fill_) stream.write(static_cast<uint8_t>(0));
-  if (writeForeign_ != nullptr) return writeForeign_(*this, stream, static_cast<uint16_t>(room));
+  if (room < most) most = static_cast<uint8_t>(room);
+  for (; fill_ != 0 && most != 0; --most, --fill_) stream.write(static_cast<uint8_t>(0));
+  if (writeForeign_ != nullptr) return writeForeign_(*this, stream, most);
   const uint8_t left = static_cast<uint8_t>(length_ - sent_);
-  sent_ += stream.write(frame_ + sent_, room < left ? room : left);
+  sent_ += stream.write(frame_ + sent_, most < left ? most : left);
 }
 
 uint8_t Outbox::busyMs(Stream& stream, uint16_t nowMs) const {

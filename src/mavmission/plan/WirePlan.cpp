@@ -10,12 +10,15 @@ namespace mavmission {
 namespace detail {
 namespace {
 
-bool isBeyond(int32_t value, int32_t limit) { return value > limit || value < -limit; }
+// Above the limit, or below its negative. In one comparison: what is below becomes large.
+bool isBeyond(int32_t value, uint32_t limit) { return static_cast<uint32_t>(value) + limit > 2 * limit; }
 
 constexpr uint16_t kNavRoi = 80, kDoSetRoi = 201;  // MAV_CMD
 
 bool is(const float& number, uint32_t bits) {
-  return memcmp(reinterpret_cast<const uint8_t*>(&number), &bits, sizeof(bits)) == 0;
+  uint32_t found;
+  memcpy(&found, &number, sizeof(found));
+  return found == bits;
 }
 constexpr uint32_t kMinus1 = 0xBF800000, k65535 = 0x477FFF00;
 
@@ -27,7 +30,8 @@ bool isBelow83km(float metres) {
 }
 
 bool hasPlace(const MissionItem& item) { return item.frame != Frame::Mission; }
-bool isSomewhere(const MissionItem& item) { return hasPlace(item) && (item.x != 0 || item.y != 0); }
+MAVMISSION_APART bool isAtZero(const MissionItem& item) { return (item.x | item.y) == 0; }
+bool isSomewhere(const MissionItem& item) { return hasPlace(item) && !isAtZero(item); }
 
 constexpr uint16_t bitOf(Frame frame) { return 1u << static_cast<uint8_t>(frame); }
 constexpr uint16_t kPlaceFrames =
@@ -78,11 +82,13 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
   if (item.current > 1) return Status::BadCurrent;
   // param1 to param4, x, y and z lie one after the other, four bytes each.
   const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
-  for (uint8_t i = 1; i <= 7; ++i, number += 4) {
-    if (i == 5 || i == 6) continue;
+  for (uint8_t bit = 1 << 1; bit != 0; bit <<= 1, number += 4) {
+    if ((bit & (1 << 5 | 1 << 6)) != 0) continue;
     const FloatKind kind = kindOf(number);
     if (kind == FloatKind::Infinite) return Status::NotFinite;
-    if (kind == FloatKind::NotANumber && !mayBeUnset(item, i, keeper_)) return Status::NotANumber;
+    if (kind != FloatKind::NotANumber || (bit == 1 << 4 && rules.hasYaw())) continue;
+    // ArduPilot refuses every other one.
+    if ((keeper_ & kByArduPilot) != 0 || (unsetOf(item.command) & bit) == 0) return Status::NotANumber;
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
   const bool isArduPilot = (keeper_ & kByArduPilot) != 0;
@@ -99,15 +105,13 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     }
     if (isArduPilot && (keeper_ & kOfFence) == 0) {
       if (!isBelow83km(item.z)) return Status::BadAltitude;
-      if (!isMission && (item.x | item.y) == 0) return Status::NeedsCoordinates;  // taken, but never given back
+      if (!isMission && isAtZero(item)) return Status::NeedsCoordinates;  // taken, but never given back
     }
   }
   if (item.command == kDoJump) {
-    const int32_t target = wholeNumber(item.param1);
+    const uint16_t target = static_cast<uint16_t>(wholeNumber(item.param1));  // 65535, which is beyond: it is none
     // Home cannot be a jump's target. With raw item numbers, home is item 0.
-    if (target < (has(kHomeIsItem0) && (keeper_ & kIsRaw) != 0 ? 1 : 0) || static_cast<uint16_t>(target) >= count_) {
-      return Status::BadJump;
-    }
+    if (target >= count_ || (target == 0 && has(kHomeIsItem0) && (keeper_ & kIsRaw) != 0)) return Status::BadJump;
   }
   return Status::Accepted;
 }

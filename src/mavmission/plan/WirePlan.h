@@ -59,7 +59,7 @@ class WirePlan {
 
  private:
   static constexpr uint8_t kIsRaw = 64;  // a further flag beside those of a Keeper
-  Status check(const MissionItem& item, const Rules& rules) const;
+  MAVMISSION_APART Status check(const MissionItem& item, const Rules& rules) const;
   // Searches for the item with a place that is nearest to item `index`. `item` holds item `index` before the call, and
   // the item that was found after it.
   MAVMISSION_APART Status findPlaceFor(uint16_t index, MissionItem& item);

@@ -17,7 +17,7 @@ void DownloadTransfer::begin(uint16_t nowMs) {
 bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
   // A second COUNT is the answer to a repeated REQUEST_LIST; the items are being requested already.
   if (!expectsAnswer(State::Listing)) return false;
-  pace.learn(since(startedMs_, nowMs), tries_ == 1);
+  pace.learn(startedMs_, nowMs, tries_);
   count_ = count;
   tries_ = 0;
   state_ = count == 0 ? State::Closing : State::Fetching;
@@ -27,7 +27,7 @@ bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
 
 bool DownloadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
   if (!expectsAnswer(State::Fetching) || item != next_) return false;
-  pace.learn(since(startedMs_, nowMs), tries_ == 1);
+  pace.learn(startedMs_, nowMs, tries_);
   ++next_;
   tries_ = 0;
   const bool isLast = next_ == count_;

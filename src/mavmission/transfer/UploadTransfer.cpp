@@ -37,7 +37,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
     pace.noteSlower();
     repeated_ = true;
   } else if (!isAgain_) {
-    pace.learn(since(startedMs_, nowMs), tries_ == 1);
+    pace.learn(startedMs_, nowMs, tries_);
   }
   if (state_ == State::Counting) state_ = State::Sending;
   moveTo(item, nowMs);

@@ -95,12 +95,12 @@ class UploadTransfer : public UploadRules {
   uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the current one is current
   Status suspicion_;  // an answer that may belong to an earlier transfer: the result if no other answer comes
   Firmware firmware_;
-  uint8_t leftovers_;
-  bool recounted_;  // COUNT was sent more than once
-  bool freed_;      // an open earlier transfer of ours was cancelled first
-  bool isAgain_;    // the current item was sent before it became current the last time
-  bool repeated_;   // an item was sent more than once
-  bool isUnasked_;  // the current item was sent again without being asked for
+  uint8_t leftovers_ : 2;
+  bool recounted_ : 1;  // COUNT was sent more than once
+  bool freed_ : 1;      // an open earlier transfer of ours was cancelled first
+  bool isAgain_ : 1;    // the current item was sent before it became current the last time
+  bool repeated_ : 1;   // an item was sent more than once
+  bool isUnasked_ : 1;  // the current item was sent again without being asked for
 };
 
 }  // namespace detail
