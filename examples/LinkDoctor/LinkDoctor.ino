@@ -32,7 +32,7 @@ const Setting kPx4[] PROGMEM = {
 };
 uint8_t next = 0;  // the setting that is read
 
-FlashText inFlash(const char* text) { return reinterpret_cast<FlashText>(text); }
+FlashText flashText(const char* text) { return reinterpret_cast<FlashText>(text); }
 
 // Null behind the last one.
 const Setting* setting() {
@@ -42,13 +42,13 @@ const Setting* setting() {
 }
 
 void readSetting() {
-  if (setting() != nullptr) parameters.read(inFlash(setting()->name));
+  if (setting() != nullptr) parameters.read(flashText(setting()->name));
 }
 
 void printSetting(Status ended) {
   const Setting& read = *setting();
   CONSOLE.print(F("  "));
-  CONSOLE.print(inFlash(read.name));
+  CONSOLE.print(flashText(read.name));
   CONSOLE.print(' ');
   if (ended != Status::Done) {
     CONSOLE.println(toString(ended));
@@ -57,7 +57,7 @@ void printSetting(Status ended) {
   CONSOLE.print(parameters.whole());
   if (parameters.whole() == static_cast<int8_t>(pgm_read_byte(&read.value))) {
     CONSOLE.print(F(": "));
-    CONSOLE.print(inFlash(read.advice));
+    CONSOLE.print(flashText(read.advice));
   }
   CONSOLE.println();
 }

@@ -2,8 +2,10 @@
 // may be of any length, and hold a mission, a fence or rally points; it is read item by item, as the autopilot requests
 // them. An error in it is printed with its line.
 //
-// With a card (any shield; chip select on CARD_SELECT), remove the two slashes of the next line. Without a card the
-// text below takes the place of the file. #define CARD_SELECT 10
+// Without a card the text below takes the place of the file. With a card (any shield; 10 is its chip select pin),
+// remove the two slashes at the beginning of the next line:
+// #define CARD_SELECT 10
+
 #include <MavMission.h>
 // On an Uno or a Nano: pins that the card leaves free.
 #define CONSOLE_RX 8

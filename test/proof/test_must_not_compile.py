@@ -94,12 +94,13 @@ def said_of(compiler: str, standard: str, *, is_mended: bool) -> dict[str, list[
     by_macro = defaultdict(list)
     for name, mistake in MISTAKES.items():
         if compiler == "avr-g++" or not mistake.get("of_avr_alone"):
-            by_macro[mistake.get("mended_with" if is_mended else "wrong_with")].append(name)
+            macro = mistake.get("mended_with" if is_mended else "wrong_with")
+            by_macro[macro, "is_without_using" in mistake].append(name)
     found: dict[str, list[str]] = {}
-    for macro, names in by_macro.items():
+    for (macro, is_without_using), names in by_macro.items():
         left = names
         while left:
-            source = "#include <MavMission.h>\nusing namespace mavmission;\n"
+            source = "#include <MavMission.h>\n" + ("" if is_without_using else "using namespace mavmission;\n")
             source += "".join(text_of(name, is_mended=is_mended) for name in left)
             ran = compiled(compiler, standard, source, *([f"-D{macro}"] if macro else []))
             all_errors = errors(ran.stderr)
