@@ -8,6 +8,7 @@ from areas import FIELD, POINTS
 from plans import OLD_PLAN, SURVEY, on_the_wire
 from simulation.bench import same_bits
 from simulation.fake_autopilot import mavlink
+from simulation.peer import US
 from simulation.service import FENCE, MISSION, RALLY
 
 BUSY = pytest.mark.scenario(23, "PX4 is busy with what was ours: ended, or waited for", "PX4")
@@ -95,6 +96,24 @@ def test_reading_that_ended_otherwise_is_outlived_too(px4, how):
     px4.upload(SURVEY)
     assert px4.done() == "Accepted"
     assert px4.now - began < TRIED_S + 0.4
+
+
+@BUSY
+@pytest.mark.parametrize("lost", [0, 1, 2])
+def test_reading_from_before_a_reset_is_outlived_on_a_line_that_loses(px4, lost):
+    """COUNT is repeated before an answer can come: PX4's errors to the copies arrive behind the cancelling."""
+    px4.autopilot.load(OLD_PLAN)
+    px4.wire.set_latency(0.15)
+    px4.run(1.8)
+    px4.wire.lose("<", name="HEARTBEAT")
+    px4.run(1.2)
+    wanted = mavlink.MAVLink_mission_request_list_message(1, 1, MISSION)
+    px4.autopilot.receive(wanted.pack(mavlink.MAVLink(None, *US)), px4.now)
+    px4.wire.lose(">", name="MISSION_ACK", times=lost)
+    px4.upload(SURVEY)
+    assert px4.done() == "Accepted"
+    assert px4.now - px4.sent_at("MISSION_COUNT")[0] < TRIED_S + 2.0  # and five items
+    assert same_bits(px4.autopilot.received(), SURVEY)
 
 
 @BUSY

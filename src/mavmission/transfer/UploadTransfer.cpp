@@ -112,8 +112,10 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
     case Status::Error:
       if (state_ == State::Counting && !has(firmware_, kErrorRefusesCount)) {
         // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well,
-        // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up.
-        if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kBusyTries ? status : Status::Transferring;
+        // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up. On a line that
+        // loses that is so behind a reset, too, and each repeat of COUNT from before the cancelling has its error.
+        const uint8_t mayBeOurs = pace.isLossy() ? kBusy | kAnswers : kBusy;
+        if (freed_) return (leftovers_ & mayBeOurs) == 0 || tries_ >= kBusyTries ? status : Status::Transferring;
         freed_ = true;
         tries_ = 0;
         send_ = Send::Cancel;

@@ -367,6 +367,18 @@ TEST_CASE("a PX4 that may be busy with what was ours is told so and asked every 
   }
 }
 
+TEST_CASE("behind a reset, and on a line that loses, a PX4 that is busy may be so with what was ours") {
+  for (uint8_t leftovers : {kNothing, kAnswers}) {
+    Upload upload(3, Firmware::Px4, leftovers);
+    upload.pace.noteLoss();
+    upload.send();
+    CHECK(goesOn(upload.ack(kError)));
+    upload.send();
+    upload.send();
+    CHECK((upload.ack(kError) == (leftovers == kNothing ? Status::Error : Status::Transferring)));
+  }
+}
+
 TEST_CASE("a PX4 that falls silent when it has been busy did not answer") {
   for (uint8_t leftovers : {kNothing, kAnswers, kBusy}) {
     Upload upload(3, Firmware::Px4, leftovers);
