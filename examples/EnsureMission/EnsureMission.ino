@@ -1,5 +1,6 @@
 // Safe to run at each power-on: puts the plan aboard only if it is not there already, and prints which of the two it
-// was. If the board is reset in flight, it only looks, and changes nothing.
+// was. If the board is reset in flight, it only looks, and changes nothing. Where nothing goes on, it says every 5 s
+// what it can see; the example LinkDoctor finds out more.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -11,16 +12,29 @@ constexpr MissionItem plan[] PROGMEM = {
     returnToLaunch(),
 };
 
-constexpr uint32_t kPauseMs = 5000;  // before a retry
+constexpr uint32_t kPauseMs = 5000;  // before a retry, and from one word about what is missing to the next
 
 MissionClient autopilot(TELEM);
-uint32_t failedAtMs;
+uint32_t failedAtMs, saidAtMs;
+uint32_t bytesBefore;
 bool tryAgain;
 
 void report(Status status) {
   CONSOLE.println(toString(status));
   CONSOLE.print(F("aboard: "));
   CONSOLE.println(toString(autopilot.aboard()));
+}
+
+void sayWhatIsMissing() {
+  const uint32_t bytes = autopilot.counters().bytes;
+  if (bytes == bytesBefore) {
+    CONSOLE.println(F("no bytes come: look at the wire from its TX to our RX, and at GND"));
+  } else if (!autopilot.hasAutopilot()) {
+    CONSOLE.println(F("bytes, but no autopilot: look at the baud rate, and at the port's protocol"));
+  } else {
+    CONSOLE.println(F("no end yet: if this stays, look at the wire from our TX to its RX"));
+  }
+  bytesBefore = bytes;
 }
 
 void setup() {
@@ -31,9 +45,13 @@ void setup() {
 
 void loop() {
   const Status status = autopilot.update();
+  if (autopilot.isBusy() && millis() - saidAtMs >= kPauseMs) {
+    saidAtMs = millis();
+    sayWhatIsMissing();
+  }
   if (isEnd(status)) {
     report(status);
-    failedAtMs = millis();
+    failedAtMs = saidAtMs = millis();
     tryAgain = isWorthRetry(status);
   }
   if (tryAgain && millis() - failedAtMs >= kPauseMs) {

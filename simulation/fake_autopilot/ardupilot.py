@@ -64,6 +64,7 @@ class ArduPilot(FakeAutopilot):
     is set. item_limit, fence_limit, rally_limit: how many items it has room for; only the
     650 of the mission is known. radio_slowdown_s: how much later than after one second it
     asks again, as behind a slow radio. ready_s, position_s: in place of the Vehicle's.
+    storage_s: how long after power-on it has no room for plans, since its storage is not there yet.
     streams: the messages it sends unasked, and how often [s]; by default none, as a port whose
     SRn_ parameters are 0. ftp: False for BRD_OPTIONS' bit that disables MAVLink FTP.
     """
@@ -78,7 +79,7 @@ class ArduPilot(FakeAutopilot):
     def __init__(self, *, item_limit: int = 650, fence_limit: int = 84, rally_limit: int = 84,
                  home: tuple[int, int, float] | None = (-353632620, 1491652370, 584.09),
                  armed: bool = False, mode: str | None = None, radio_slowdown_s: float = 0.0,
-                 ready_s: float | None = None, position_s: float | None = None,
+                 ready_s: float | None = None, position_s: float | None = None, storage_s: float = 0.0,
                  streams: dict[int, float] | None = None, ftp: bool = True, **options) -> None:
         super().__init__(**options)
         self.kind = VEHICLES[self.vehicle]
@@ -87,6 +88,7 @@ class ArduPilot(FakeAutopilot):
         if position_s is not None:
             self.kind = self.kind._replace(position_s=position_s)
         self.home = home
+        self.storage_s = storage_s
         self.radio_slowdown_s = radio_slowdown_s
         self.armed = armed
         self.mode = mode or self.kind.first_mode
@@ -201,6 +203,9 @@ class ArduPilot(FakeAutopilot):
         if system != self.address[0]:
             return False
         return component in (0, self.address[1]) or (system, component) not in self._seen
+
+    def has_storage(self, now: float) -> bool:
+        return now >= self.booted_at_s + self.storage_s
 
     def _to_missions(self, react):
         def hear(message, sender, now: float) -> None:

@@ -84,9 +84,10 @@ class Missions:
         if refusal is not None:
             self._ack(sender, refusal, now)
             return
-        if message.count > self.item_limit:
+        room = self.item_limit if self.autopilot.has_storage(now) else 0
+        if message.count > room:
             self._ack(sender, NO_SPACE, now)
-            self.autopilot.text(WARNING, f"Only {self.item_limit} items are supported", now)
+            self.autopilot.text(WARNING, f"Only {room} items are supported", now)
             return
         if self.mission_type == FENCE:
             self._staged = []

@@ -136,7 +136,7 @@ class Ftp:
         self._session = request.session
         if opens:
             self._opened_at = now
-            return self._open(request)
+            return self._open(request) if self.autopilot.has_storage(now) else self._nak(request, FAIL)
         act = {READ: self._read, WRITE: self._write, CRC: self._crc}.get(request.opcode)
         if act is not None:
             return act(request)

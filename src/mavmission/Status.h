@@ -63,7 +63,7 @@ namespace mavmission {
   X(Error, "the autopilot said: error") \
   X(UnsupportedFrame, "the autopilot said: coordinate frame not supported") \
   X(Unsupported, "the autopilot said: command not supported in a plan") \
-  X(NoSpace, "the autopilot said: too many items") \
+  X(NoSpace, "the autopilot said: no room for the items") \
   X(Invalid, "the autopilot said: a parameter is invalid") \
   X(InvalidParam1, "the autopilot said: param1 is invalid") \
   X(InvalidParam2, "the autopilot said: param2 is invalid") \

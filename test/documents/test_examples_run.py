@@ -121,6 +121,24 @@ def test_ensure_mission_uploads_once_and_looks_at_the_next_power_on(run, persona
     assert again.autopilot.messages(">", "MISSION_COUNT") == []
 
 
+def test_ensure_mission_tries_again_where_ardupilot_is_still_starting():
+    """It says that it has no room for a plan, however short."""
+    example = Run("EnsureMission", "ArduPilot", storage_s=4.0, uptime_s=0.0)
+    lines = example.until("aboard: our plan, whole", 15.0)
+    assert lines[0] == "the autopilot said: no room for the items"
+    assert lines[-2:] == ["accepted: the plan is aboard", "aboard: our plan, whole"]
+
+
+def test_ensure_mission_says_early_what_is_missing():
+    """A cable that is cut at power-on, then one of which only our TX is cut."""
+    example = Run("EnsureMission", "ArduPilot")
+    example.is_plugged = False
+    example.until("no bytes come: look at the wire from its TX to our RX, and at GND", 6.0)
+    example.is_plugged = True
+    example.is_heard = False
+    example.until("no end yet: if this stays, look at the wire from our TX to its RX", 7.0)
+
+
 def test_ensure_mission_changes_nothing_in_flight(run):
     example = run("EnsureMission", armed=True)
     example.autopilot.load([HOME, waypoint(), waypoint(z=30.0)])

@@ -625,6 +625,22 @@ def test_older_message_that_is_lost_is_sent_again(service):
 
 
 @CURRENT
+def test_older_message_is_sent_again_as_soon_as_any_command_on_a_line_that_loses(service):
+    loaded(service, SURVEY)
+    older(service)
+    service.run(1.2)
+    service.wire.lose("<", name="HEARTBEAT")
+    service.run(2.0)
+    lost = service.wire.lose(">", name="MISSION_SET_CURRENT", times=8)
+    service.order_of("setcurrent", 2)
+    service.run_until_sent("MISSION_SET_CURRENT")
+    began = service.now
+    assert service.done() == "Done"
+    assert lost.struck == 8
+    assert service.now - began < 2.0  # PX4 tells of its current item once a second
+
+
+@CURRENT
 def test_older_message_for_an_item_out_of_range_is_not_confirmed(service, personality):
     loaded(service, SURVEY)
     older(service)

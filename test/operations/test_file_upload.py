@@ -66,6 +66,19 @@ def test_plan_is_written_and_read_back(build_service):
 
 
 @BY_FILE
+def test_ardupilot_that_is_still_starting_has_no_room_and_takes_the_plan_later(build_service):
+    """Nor does it open the file; what it says then is said of the items."""
+    service = with_files(build_service, storage_s=4.0, uptime_s=0.0)
+    uploading(service, SURVEY)
+    assert service.done(LIMIT_S) == "NoSpace"
+    assert (service.state.aboard, service.now < 4.0) == ("AsBefore", True)
+    service.run_until(4.5)
+    uploading(service)
+    assert service.done(LIMIT_S) == "Accepted"
+    assert is_by_file(service) and holds(service, SURVEY)
+
+
+@BY_FILE
 def test_file_is_as_other_clients_write_it(build_service):
     service = with_files(build_service)
     service.wire.lose(">", name=FTP, index=6)  # the closing

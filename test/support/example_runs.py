@@ -45,6 +45,7 @@ class Run:
         self.mega.serial(1).peer_baud = baud
         self.autopilot = fake(personality, baud or 57600, home=PLACE, **options)
         self.is_plugged = True  # False: nothing comes or goes on Serial1
+        self.is_heard = True  # False: what comes arrives, what goes does not
         self._said = b""
 
     @property
@@ -61,7 +62,7 @@ class Run:
         while self.mega.cycle < until:
             self.mega.run_until(self.mega.cycle + int(SLICE_S * self.mega.hz))
             heard = port.sent_bytes()
-            if heard and self.is_plugged:
+            if heard and self.is_plugged and self.is_heard:
                 self.autopilot.receive(heard, self.now)
             arriving = self.autopilot.run(self.now)
             if arriving and self.is_plugged:

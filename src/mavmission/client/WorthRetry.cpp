@@ -13,6 +13,7 @@ bool isWorthRetry(Status status) {
     case Status::OtherPlanAboard:
     case Status::Differs:
     case Status::Error:
+    case Status::NoSpace:  // also from an ArduPilot that starts, whose storage is not there yet
     case Status::Denied:
     case Status::InvalidSequence:
     case Status::CancelledByAutopilot:

@@ -54,8 +54,6 @@ void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
 void CommandTransfer::sent(uint16_t id, uint16_t nowMs, uint16_t answerMs) {
   id_ = id;
   ++tries_;
-  // A message without an answer of its own is answered by what the autopilot sends once a second.
-  if (id == kNoCommand) answerMs = kAnswerMs;
   if (isGuarded_ != 0) {
     // What a heartbeat shows sooner may be from before the order has arrived: it would be sent once too often.
     if (answerMs < kUnderWayMs) answerMs = kUnderWayMs;

@@ -251,14 +251,18 @@ TEST_CASE("acceptance does not shorten the wait on a slow line") {
   CHECK_FALSE(transfer.isDue(kMode, later(kBeganMs, 3999)));
 }
 
-TEST_CASE("on a line that loses a message without an answer of its own is sent again after 1500 ms") {
+TEST_CASE("on a line that loses MISSION_SET_CURRENT is sent again as soon and as often as any command") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true, kBeganMs);
-  transfer.sent(CommandTransfer::kNoCommand, kBeganMs, 80);
-  CHECK((transfer.onTime(later(kBeganMs, CommandTransfer::kAnswerMs - 1)) == Status::Transferring));
-  CHECK_FALSE(transfer.isDue(CommandTransfer::kNoCommand, later(kBeganMs, CommandTransfer::kAnswerMs - 1)));
-  CHECK((transfer.onTime(later(kBeganMs, CommandTransfer::kAnswerMs)) == Status::Transferring));
-  CHECK(transfer.isDue(CommandTransfer::kNoCommand, later(kBeganMs, CommandTransfer::kAnswerMs)));
+  uint16_t nowMs = kBeganMs;
+  for (int sent = 1; sent <= 100; ++sent) {
+    CHECK(transfer.isDue(CommandTransfer::kNoCommand, nowMs));
+    transfer.sent(CommandTransfer::kNoCommand, nowMs, 80);
+    CHECK((transfer.onTime(later(nowMs, 79)) == Status::Transferring));
+    CHECK_FALSE(transfer.isDue(CommandTransfer::kNoCommand, later(nowMs, 79)));
+    nowMs = later(nowMs, 80);
+    CHECK((transfer.onTime(nowMs) == (sent == 100 ? Status::NoAnswer : Status::Transferring)));
+  }
 }
 
 TEST_CASE("late answers to many attempts on a line that loses are waited for as to five") {

@@ -84,11 +84,12 @@ TEST_CASE("only what may go well as it is is worth a retry") {
   }
   for (Status status :
        {Status::Accepted, Status::AlreadyAboard, Status::Verified, Status::Downloaded, Status::Cleared, Status::Done,
-        Status::Cancelled, Status::Busy, Status::NoSpace, Status::Infeasible, Status::TakenOver, Status::Overruled}) {
+        Status::Cancelled, Status::Busy, Status::Infeasible, Status::TakenOver, Status::Overruled}) {
     CHECK_FALSE_MESSAGE(isWorthRetry(status), toString(status));
   }
-  for (Status status : {Status::NoAnswer, Status::TimedOut, Status::TookTooLong, Status::Unconfirmed, Status::Differs,
-                        Status::Error, Status::Denied, Status::OtherPlanAboard, Status::CancelledByAutopilot}) {
+  for (Status status :
+       {Status::NoAnswer, Status::TimedOut, Status::TookTooLong, Status::Unconfirmed, Status::Differs, Status::Error,
+        Status::NoSpace, Status::Denied, Status::OtherPlanAboard, Status::CancelledByAutopilot}) {
     CHECK_MESSAGE(isWorthRetry(status), toString(status));
   }
 }
