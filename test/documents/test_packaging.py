@@ -76,6 +76,13 @@ def test_paragraph_does_not_repeat_the_sentence():
     assert fields["sentence"] not in fields["paragraph"]
 
 
+def test_what_a_maker_searches_for_is_found():
+    told = f"{properties()['sentence']} {properties()['paragraph']}".lower()
+    searched = ("mavlink", "mission", "pixhawk", "ardupilot", "px4", "drone", "waypoint", "telemetry")
+    assert [word for word in searched if word not in told] == []
+    assert [word for word in searched if word not in manifest()["keywords"]] == []
+
+
 def test_main_header_is_named_after_the_library_and_is_the_one_included():
     fields = properties()
     assert fields["includes"] == f"{fields['name']}.h"
