@@ -18,7 +18,7 @@ from simulation.service import Service
 
 STEPS = ("None", "AskLanded", "AskHome", "AskPosition", "Mode", "Arm", "Command", "Confirm", "Disarm", "GiveBack")
 ABOVE_SEA, ABOVE_HOME, ABOVE_GROUND = 0, 3, 10  # MAV_FRAME
-TAKEOFF, REPOSITION, SPEED, REQUEST_MESSAGE, INTERVAL = 22, 192, 178, 512, 511
+TAKEOFF, REPOSITION, SPEED, REQUEST_MESSAGE, INTERVAL, ASK_VEHICLE = 22, 192, 178, 512, 511, 3000
 
 
 def bits(number: float) -> int:
@@ -96,11 +96,11 @@ class Steered(Service):
         return [(entry.time, entry.message) for entry in self.autopilot.log
                 if entry.time >= since and entry.direction == ">"
                 and entry.message.get_type() in ("COMMAND_LONG", "COMMAND_INT")
-                and entry.message.command not in (REQUEST_MESSAGE, INTERVAL)]  # fmt: skip
+                and entry.message.command not in (REQUEST_MESSAGE, INTERVAL, ASK_VEHICLE)]  # fmt: skip
 
     def ordered(self) -> list:
         """The commands that were heard and that move or arm something."""
-        asks = (REQUEST_MESSAGE, INTERVAL)
+        asks = (REQUEST_MESSAGE, INTERVAL, ASK_VEHICLE)
         return [one for one in self.heard("COMMAND_LONG", "COMMAND_INT") if one.command not in asks]
 
     def arm_in_guided(self) -> None:

@@ -58,13 +58,14 @@ _ARDUPILOTMEGA = {152, 163, 164, 168, 178, 193}
 
 
 class ArduPilot(FakeAutopilot):
-    """ArduCopter, ArduRover or ArduPlane.
+    """ArduCopter, ArduRover, ArduPlane, ArduSub or Blimp.
 
     home: (latitude [1e-7 degrees], longitude [1e-7 degrees], altitude [m]); None until one
     is set. item_limit, fence_limit, rally_limit: how many items it has room for; only the
     650 of the mission is known. radio_slowdown_s: how much later than after one second it
     asks again, as behind a slow radio. ready_s, position_s: in place of the Vehicle's.
     storage_s: how long after power-on it has no room for plans, since its storage is not there yet.
+    vehicle_type: HEARTBEAT.type, as a plane has it in Q_MAV_TYPE; None for the vehicle's own.
     streams: the messages it sends unasked, and how often [s]; by default none, as a port whose
     SRn_ parameters are 0. ftp: False for BRD_OPTIONS' bit that disables MAVLink FTP.
     """
@@ -80,6 +81,8 @@ class ArduPilot(FakeAutopilot):
                  home: tuple[int, int, float] | None = (-353632620, 1491652370, 584.09),
                  armed: bool = False, mode: str | None = None, radio_slowdown_s: float = 0.0,
                  ready_s: float | None = None, position_s: float | None = None, storage_s: float = 0.0,
+                 ready_s: float | None = None, position_s: float | None = None,
+                 vehicle_type: int | None = None,
                  streams: dict[int, float] | None = None, ftp: bool = True, **options) -> None:
         super().__init__(**options)
         self.kind = VEHICLES[self.vehicle]
@@ -87,6 +90,7 @@ class ArduPilot(FakeAutopilot):
             self.kind = self.kind._replace(ready_s=ready_s)
         if position_s is not None:
             self.kind = self.kind._replace(position_s=position_s)
+        self.vehicle_type = self.vehicle_types[self.vehicle] if vehicle_type is None else vehicle_type
         self.home = home
         self.storage_s = storage_s
         self.radio_slowdown_s = radio_slowdown_s
@@ -236,7 +240,7 @@ class ArduPilot(FakeAutopilot):
     def _on_set_target(self, message, sender, now: float) -> None:
         """One is enough: it flies on to the last one. There is no answer, and in another mode than GUIDED it does
         nothing; a plane takes nothing but the altitude (by source)."""
-        if self.mode == "GUIDED" and not message.type_mask & PLACE_IGNORED and self.vehicle != "plane":
+        if self.mode == "GUIDED" and not message.type_mask & PLACE_IGNORED and not self.kind.is_plane:
             self._fly_guided(message.lat_int, message.lon_int, message.alt, message.coordinate_frame, now, moves=True)
 
     def _on_request_data_stream(self, message, sender, now: float) -> None:
@@ -274,6 +278,7 @@ class ArduPilot(FakeAutopilot):
             mavlink.MAV_CMD_MISSION_START: self._mission_start,
             mavlink.MAV_CMD_DO_SET_MISSION_CURRENT: self._do_set_mission_current,
             mavlink.MAV_CMD_NAV_TAKEOFF: self._nav_takeoff,
+            mavlink.MAV_CMD_DO_VTOL_TRANSITION: self._do_vtol_transition,
             mavlink.MAV_CMD_DO_REPOSITION: self._do_reposition,
             mavlink.MAV_CMD_DO_CHANGE_SPEED: self._do_change_speed,
             mavlink.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_message_interval,
@@ -352,18 +357,32 @@ class ArduPilot(FakeAutopilot):
         return RESULT_ACCEPTED
 
     def _nav_takeoff(self, message, now: float) -> int:
-        """Climbs where it stands, in GUIDED; z is above home."""
-        if not self.kind.needs_takeoff:
+        """Climbs where it stands, in GUIDED; z is above home, of a plane above where it stands."""
+        if not self.kind.needs_takeoff and not self.kind.is_plane:
             return RESULT_UNSUPPORTED
         z = message.z if message.get_type() == "COMMAND_INT" else message.param7
         if getattr(message, "frame", 3) not in _ABOVE_HOME:
             return RESULT_DENIED  # by source
+        if self.kind.is_plane and not self.kind.hovers:
+            return RESULT_FAILED
         if self.mode != "GUIDED" or not self.armed or self.flight.airborne(now) or not z > 0:
             return RESULT_FAILED
         here = self.flight.where(now)
         self.flight.fly_to(here._replace(height=z), now, spool_up_s=self.kind.pace.spool_up_s)
         self._follow_flight()
         return RESULT_ACCEPTED
+
+    def _do_vtol_transition(self, message, now: float) -> int:
+        """Only planes know it. Its effect on one that flies its mission is not imitated."""
+        if not self.kind.is_plane:
+            return RESULT_UNSUPPORTED
+        why = "VTOL not available" if not self.kind.hovers else "VTOL transition only in AUTO"
+        if self.kind.hovers and self.mode == "AUTO":
+            if whole_number(message.param1) in (mavlink.MAV_VTOL_STATE_MC, mavlink.MAV_VTOL_STATE_FW):
+                return RESULT_ACCEPTED
+            why = "Invalid VTOL mode"
+        self.text(NOTICE, why, now)
+        return RESULT_FAILED
 
     def _do_reposition(self, message, now: float) -> int:
         """As COMMAND_INT alone. In another mode than GUIDED it wants the flag that changes the mode."""
@@ -607,7 +626,7 @@ class ArduPilot(FakeAutopilot):
         if self.armed:
             base |= mavlink.MAV_MODE_FLAG_SAFETY_ARMED
         return mavlink.MAVLink_heartbeat_message(
-            self.vehicle_types[self.vehicle], self.autopilot_type, base,
+            self.vehicle_type, self.autopilot_type, base,
             kind.modes[self.mode], self._system_status(), 3)
 
     def _system_status(self) -> int:
@@ -648,8 +667,10 @@ class ArduPilot(FakeAutopilot):
             return mavlink.MAVLink_home_position_message(
                 self.home[0], self.home[1], round(self.home[2] * 1000), 0, 0, 0,
                 [math.nan] * 4, 0, 0, 0, boot_ms * 1000)
-        if identity == EXTENDED_SYS_STATE and self.kind.needs_takeoff:  # by source
-            return mavlink.MAVLink_extended_sys_state_message(0, self.flight.landed_state(now))
+        if identity == EXTENDED_SYS_STATE and (self.kind.needs_takeoff or self.kind.is_plane):  # by source
+            vtol_state = mavlink.MAV_VTOL_STATE_UNDEFINED if self.kind.is_plane and not self.kind.hovers \
+                else mavlink.MAV_VTOL_STATE_MC
+            return mavlink.MAVLink_extended_sys_state_message(vtol_state, self.flight.landed_state(now))
         if identity == POSITION_TARGET_GLOBAL_INT and self.flight.target and self.mode == "GUIDED":
             target = self.flight.target
             return mavlink.MAVLink_position_target_global_int_message(

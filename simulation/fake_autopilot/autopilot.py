@@ -115,6 +115,9 @@ class FakeAutopilot:
         "copter": mavlink.MAV_TYPE_QUADROTOR,
         "plane": mavlink.MAV_TYPE_FIXED_WING,
         "rover": mavlink.MAV_TYPE_GROUND_ROVER,
+        "quadplane": mavlink.MAV_TYPE_FIXED_WING,  # unless its Q_MAV_TYPE says another
+        "sub": mavlink.MAV_TYPE_SUBMARINE,
+        "blimp": mavlink.MAV_TYPE_AIRSHIP,
     }
 
     @property

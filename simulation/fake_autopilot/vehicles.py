@@ -7,7 +7,7 @@ _BY_ITSELF = frozenset(("AUTO", "GUIDED", "LOITER", "RTL", "LAND", "BRAKE"))
 
 
 class Vehicle(NamedTuple):
-    """Copter and Rover as recorded, Plane by source."""
+    """Copter and Rover as recorded, the others by source."""
 
     modes: dict[str, int]  # name -> HEARTBEAT.custom_mode
     first_mode: str  # after power-on
@@ -30,7 +30,17 @@ class Vehicle(NamedTuple):
     by_itself: frozenset = _BY_ITSELF  # the modes with HEARTBEAT's flag GUIDED
     idle_modes: frozenset | None = None  # those in which HEARTBEAT says STANDBY; None: in any, on the ground
     manual_modes: frozenset = frozenset(("MANUAL",))
+    is_plane: bool = False
+    hovers: bool = False  # a plane that takes off upwards by NAV_TAKEOFF, in GUIDED
 
+
+_PLANE = Vehicle(
+    modes={"MANUAL": 0, "TRAINING": 3, "FBWA": 5, "FBWB": 6, "AUTO": 10, "RTL": 11, "LOITER": 12, "GUIDED": 15},
+    first_mode="MANUAL",
+    pace=Pace(acceleration=3.0, speed=22.0, climb=5.0, descent=3.0, spool_up_s=3.0),
+    not_ready="Arm: AHRS: waiting for home", armed="Throttle armed", disarmed="Throttle disarmed",
+    reached="Reached waypoint #{}", auto_refused="Flight mode change failed",
+    manual_modes=frozenset(("MANUAL", "TRAINING", "FBWA", "FBWB", "AUTO", "RTL", "LOITER", "GUIDED")), is_plane=True)
 
 VEHICLES = {
     "copter": Vehicle(
@@ -50,11 +60,20 @@ VEHICLES = {
         disarmed="Throttle disarmed", reached="Reached waypoint #{}",
         auto_refused="Flight mode change failed", no_plan="No Mission. Can't set AUTO.",
         position_s=10.0, complete="Mission Complete", idle_modes=frozenset(("HOLD",))),
-    "plane": Vehicle(
-        modes={"MANUAL": 0, "FBWA": 5, "AUTO": 10, "RTL": 11, "LOITER": 12, "GUIDED": 15},
+    "plane": _PLANE,
+    "quadplane": _PLANE._replace(
+        modes={**_PLANE.modes, "QLOITER": 19, "QLAND": 20, "QRTL": 21}, hovers=True, land_mode="QLAND",
+        pace=Pace(acceleration=3.0, speed=22.0, climb=2.5, descent=1.5, spool_up_s=3.0)),
+    "sub": Vehicle(
+        modes={"STABILIZE": 0, "ALT_HOLD": 2, "AUTO": 3, "GUIDED": 4, "SURFACE": 9, "POSHOLD": 16, "MANUAL": 19},
         first_mode="MANUAL",
-        pace=Pace(acceleration=3.0, speed=22.0, climb=5.0, descent=3.0, spool_up_s=3.0),
-        not_ready="Arm: AHRS: waiting for home", armed="Throttle armed", disarmed="Throttle disarmed",
-        reached="Reached waypoint #{}", auto_refused="Flight mode change failed",
-        manual_modes=frozenset(("MANUAL", "FBWA", "AUTO", "RTL", "LOITER", "GUIDED"))),
+        pace=Pace(acceleration=1.0, speed=1.0, climb=0.5, descent=0.5, spool_up_s=0.0, flies=False),
+        not_ready="Arm: AHRS: waiting for home", armed="Arming motors", disarmed="Disarming motors",
+        reached="Reached command #{}", auto_refused="Flight mode change failed", idle_modes=frozenset()),
+    "blimp": Vehicle(
+        modes={"LAND": 0, "MANUAL": 1, "VELOCITY": 2, "LOITER": 3, "RTL": 4},
+        first_mode="MANUAL",
+        pace=Pace(acceleration=1.0, speed=2.0, climb=0.5, descent=0.5, spool_up_s=0.0),
+        not_ready="Arm: AHRS: waiting for home", armed="Arming motors", disarmed="Disarming motors",
+        reached="Reached command #{}", auto_refused="Flight mode change failed"),
 }

@@ -12,14 +12,14 @@ enum class FlightMode : uint8_t {
   Auto,            // fly the mission: AUTO on ArduPilot, MISSION on PX4
   Guided,          // fly where a companion says: GUIDED, or OFFBOARD on PX4 (which wants setpoints first)
   ReturnToLaunch,  // fly home: RTL
-  Hold,            // stay: LOITER on Copter and Plane, HOLD on Rover and PX4
-  Land,            // land here: LAND; Copter and PX4
+  Hold,            // stay: LOITER on Copter, Plane and Blimp, HOLD on Rover and PX4, POSHOLD on Sub
+  Land,            // land here: LAND; Copter, PX4, Blimp, and QLAND on what says that it is a QuadPlane
   Brake,           // stop at once: BRAKE; Copter
-  Manual,          // the pilot steers: MANUAL on Rover, Plane and PX4, STABILIZE on Copter
+  Manual,          // the pilot steers: STABILIZE on Copter, else MANUAL
 };
 
-// This vehicle's number of a mode: DO_SET_MODE's parameter 2 in the lower byte, parameter 3 in the upper one; kNoMode
-// if it has no such mode.
+// This vehicle's number of a mode (docs/modes.md has them all): DO_SET_MODE's parameter 2 in the lower byte, parameter
+// 3 in the upper one; kNoMode if it has no such mode, or if no vehicle of ArduPilot's has that type (HEARTBEAT.type).
 constexpr uint16_t kNoMode = 0xFFFF;
 uint16_t modeNumber(FlightMode mode, Firmware firmware, uint8_t vehicleType);
 

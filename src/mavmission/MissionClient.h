@@ -127,7 +127,8 @@ class MissionClient : private detail::Client {
   // Sets the mode, by its name or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows
   // the mode, and nothing is sent if it is there already; Status::Unconfirmed when it was accepted and no heartbeat
   // shows it. If somebody else has changed the mode since the last heartbeat, or does so meanwhile, that mode stays:
-  // Status::TakenOver, or Overruled as with start(). A sketch that insists calls it again.
+  // Status::TakenOver, or Overruled as with start(). A sketch that insists calls it again. By its name: NoSuchMode
+  // where the vehicle has no such mode, or is none that is known (docs/modes.md); nothing is sent then.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);
   // Makes an armed aircraft fly its mission from its current item on. Status::NotArmed if it is not armed; otherwise as

@@ -3,6 +3,7 @@
 
 #include "LatLon.h"
 #include "MissionClient.h"
+#include "autopilot/Vehicle.h"
 #include "service/Listener.h"
 #include "transfer/ModeOrder.h"
 
@@ -11,10 +12,11 @@ namespace mavmission {
 class MovingTarget;
 
 // The steps of a Steering operation, in order; each operation needs only some of them. AskLanded: PX4 is asked whether
-// it is in the air (EXTENDED_SYS_STATE). AskHome: and whether home is known (HOME_POSITION). AskPosition: the position
-// is requested twice a second (GLOBAL_POSITION_INT). Command: NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED. Confirm:
-// what shows that it is carried out. Disarm: takeOff() was refused after it had armed. GiveBack: an order has undone a
-// mode that somebody else had set at the same moment, and that mode is set again.
+// it is in the air (EXTENDED_SYS_STATE), and a plane of ArduPilot whether it can hover. AskHome: and PX4 whether home
+// is known (HOME_POSITION). AskPosition: the position is requested twice a second (GLOBAL_POSITION_INT). Command:
+// NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED. Confirm: what shows that it is carried out. Disarm: takeOff() was
+// refused after it had armed. GiveBack: an order has undone a mode that somebody else had set at the same moment, and
+// that mode is set again.
 enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Arm, Command, Confirm, Disarm, GiveBack };
 
 // Steers the client's aircraft. Declare one beside the client:
@@ -47,9 +49,10 @@ class Steering : public detail::Listener, private detail::SteerRules {
   // This object must live as long as the client: declare it beside it, not in a function.
   explicit Steering(MissionClient& client);
 
-  // Arms the aircraft where it stands, and makes it climb to this height above home: copters, and PX4. Done when it has
-  // left the ground; hasArrived() is then true at that height. Refused in the air (Status::Armed). If the takeoff is
-  // refused after arming, the aircraft is disarmed again.
+  // Arms the aircraft where it stands, and makes it climb to this height above home: copters, QuadPlanes, and PX4. Done
+  // when it has left the ground; hasArrived() is then true at that height. Refused in the air (Status::Armed). If the
+  // takeoff is refused after arming, the aircraft is disarmed again. A plane is asked first whether it can hover
+  // (EXTENDED_SYS_STATE), and a QuadPlane climbs by this height from where it stands.
   Status takeOff(Metres aboveHome);
 
   // Flies to a place now, and stays there (MAV_CMD_DO_REPOSITION). Done when the autopilot has accepted the place and
@@ -131,6 +134,8 @@ class Steering : public detail::Listener, private detail::SteerRules {
   void findWanted();
   bool isRunning() const;
   bool is(Order order) const { return order_ == order; }
+  detail::Vehicle vehicle() const { return detail::vehicleOf(client_.vehicleType()); }
+  bool isPlane() const;
   bool isGround() const;
   bool isInAir() const;
   bool isMissionMode() const;
@@ -173,6 +178,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isTargetSame_ : 1;  // the autopilot has named our place as its target
   bool isOrdered_ : 1;     // what changes the mode has left in this operation
   bool isDenied_ : 1;      // the place was refused: it is looked who has the aircraft
+  bool canHover_ : 1;      // EXTENDED_SYS_STATE has named a state of a VTOL
   bool isOld_ : 1;         // what is read now may have waited while loop() stood still
 };
 

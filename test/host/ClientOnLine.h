@@ -28,7 +28,8 @@ class ClientOnLine {
   std::vector<mavmission::Status> returned;             // what update() returned, each change
   std::vector<mavmission::Status> ends;                 // and each end
 
-  bool beats = true;  // whether the peer sends heartbeats
+  bool beats = true;        // whether the peer sends heartbeats
+  bool saysVehicle = true;  // whether it answers, as a vehicle that is no plane, when it is asked which one it is
 
   explicit ClientOnLine(uint8_t autopilot) : client(line), autopilot_(autopilot), nowMs_(65000) { setMillis(nowMs_); }
 
@@ -75,6 +76,14 @@ class ClientOnLine {
   }
 
  private:
+  // DO_VTOL_TRANSITION, which a vehicle that is no plane answers with UNSUPPORTED.
+  bool isForVehicle(uint16_t id, const Bytes& payload) {
+    const uint8_t low = 3000 & 255, high = 3000 >> 8;
+    if (id != 76 || payload[28] != low || payload[29] != high) return false;
+    hear(FrameParts(77, {low, high, 3, 0, 0, 0, 0, 0, 1, 191}, 143));
+    return true;
+  }
+
   void note(const Bytes& bytes) {
     unread_ = unread_ + bytes;
     while (unread_.size() > 2) {
@@ -89,7 +98,7 @@ class ClientOnLine {
       const uint16_t id = static_cast<uint16_t>(isV2 ? unread_[7] | unread_[8] << 8 : unread_[5]);
       Bytes payload(unread_.begin() + static_cast<long>(header), unread_.begin() + static_cast<long>(length - 2));
       payload.resize(255);
-      sent.push_back({nowMs_, id, payload});
+      if (!(saysVehicle && isForVehicle(id, payload))) sent.push_back({nowMs_, id, payload});
       unread_.erase(unread_.begin(), unread_.begin() + static_cast<long>(length));
     }
   }

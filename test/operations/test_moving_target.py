@@ -549,11 +549,26 @@ def test_rover_follows_a_target_and_stops(build_following):
 
 
 @FOLLOWED
-def test_plane_which_would_take_the_altitude_alone_is_refused(build_following):
-    following = build_following("ArduPilot", vehicle="plane", uptime_s=120.0)
+@pytest.mark.parametrize("vehicle_type", [1, 20, 2])
+def test_plane_which_would_take_the_altitude_alone_is_refused(build_following, vehicle_type):
+    """Also one that calls itself a quadrotor (Q_MAV_TYPE)."""
+    following = build_following("ArduPilot", vehicle="plane", vehicle_type=vehicle_type, uptime_s=120.0)
+    following.arm_in_guided()
+    before = len(following.ordered())
     following.follow(following.place(10, 0), 10.0)
     assert following.done() == "CommandUnsupported"
-    assert following.heard("COMMAND_LONG", "COMMAND_INT") == [] and following.targets() == []
+    assert len(following.ordered()) == before and following.targets() == []
+    assert following.target_status == "CommandUnsupported"
+
+
+@FOLLOWED
+def test_vehicle_that_is_not_answered_is_not_followed_and_may_be_later(build_following):
+    following = build_following("ArduPilot", uptime_s=120.0)
+    following.wire.lose("<", name="COMMAND_ACK", times=None)
+    following.follow(following.place(10, 0), 10.0)
+    assert following.done(limit_s=15) in ("NoAnswer", "NotArmed")
+    assert following.target_status != "Transferring"
+    assert following.ordered() == []
 
 
 @FOLLOWED

@@ -21,6 +21,8 @@ STEPS = {
     ("ArduPilot", "copter"): [(SET_MODE, 1, 4), (ARM, 1, 0), (MISSION_START, 0, 0)],
     ("ArduPilot", "rover"): [(ARM, 1, 0), (SET_MODE, 1, 10)],  # it stands in MANUAL
     ("ArduPilot", "plane"): [(ARM, 1, 0), (SET_MODE, 1, 10)],
+    ("ArduPilot", "quadplane"): [(ARM, 1, 0), (SET_MODE, 1, 10)],
+    ("ArduPilot", "sub"): [(ARM, 1, 0), (SET_MODE, 1, 3)],
     ("PX4", "copter"): [(MISSION_START, 0, 0)],
 }
 KINDS = pytest.mark.parametrize("kind", STEPS, ids=" ".join)

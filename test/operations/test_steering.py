@@ -224,7 +224,7 @@ def test_vehicle_that_cannot_take_off_by_command_is_not_armed(build_steered, veh
     steered = build_steered("ArduPilot", vehicle=vehicle, uptime_s=120.0)
     steered.take_off(20.0)
     assert steered.done() == "CommandUnsupported"
-    assert steered.heard("COMMAND_LONG", "COMMAND_INT") == []
+    assert steered.ordered() == []
 
 
 # -- in other hands --------------------------------------------------------------------------------
@@ -551,3 +551,42 @@ def test_flight_on_a_line_that_loses_a_fifth_of_the_frames_comes_through(make_st
         steered.run(25.0)
     steered.run(60.0)
     assert not steered.autopilot.armed and steered.where.height == 0
+
+
+# -- a plane that hovers ---------------------------------------------------------------------------
+
+HOVERS = pytest.mark.scenario(60, "Steering: a QuadPlane takes off, a plane does not")
+
+
+@HOVERS
+@pytest.mark.parametrize("vehicle_type", [1, 20, 22, 2])
+def test_quadplane_takes_off_flies_and_lands_where_it_is(build_steered, vehicle_type):
+    steered = build_steered("ArduPilot", vehicle="quadplane", vehicle_type=vehicle_type, uptime_s=120.0)
+    steered.fly(10.0)
+    assert [(one.command, one.param2) for one in steered.ordered()] == [(SET_MODE, 15), (ARM, 0), (TAKEOFF, 0)]
+    assert steered.where.height == pytest.approx(10.0)
+    assert steered.go_to(steered.place(30.0, 0.0), 20.0) != "Busy"
+    assert steered.done() == "Done"
+    steered.order_of("landNow")
+    assert steered.done() == ("NoSuchMode" if vehicle_type == 1 else "Done")  # which does not say that it can hover
+    assert steered.mode == ("GUIDED" if vehicle_type == 1 else "QLAND")
+
+
+@HOVERS
+@pytest.mark.parametrize("vehicle_type", [1, 20, 2])
+def test_plane_that_cannot_hover_is_not_armed(build_steered, vehicle_type):
+    """In GUIDED, armed on the ground, its motor could run."""
+    steered = build_steered("ArduPilot", vehicle="plane", vehicle_type=vehicle_type, uptime_s=120.0)
+    steered.take_off(10.0)
+    assert steered.done() == "CommandUnsupported"
+    assert steered.step == "AskLanded"
+    assert steered.ordered() == []
+
+
+@HOVERS
+def test_plane_that_does_not_say_whether_it_hovers_is_not_armed(build_steered):
+    steered = build_steered("ArduPilot", vehicle="quadplane", uptime_s=120.0)
+    steered.autopilot.faults.keep_back("EXTENDED_SYS_STATE")
+    steered.take_off(10.0)
+    assert steered.done(limit_s=20) == "NoAnswer"
+    assert steered.ordered() == []

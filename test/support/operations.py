@@ -47,11 +47,19 @@ LOOP_S = 0.1  # when the bench looks at the end, and a turn of the autopilot's
 
 
 def prepared(service: Service, personality: str) -> Service:
-    """A plan of ours is aboard, and the line is quiet."""
+    """A plan of ours is aboard, it is known which vehicle it is, and the line is quiet."""
     service.upload(HOPS[personality])
     assert service.done() == "Accepted"
+    know_vehicle(service, personality)
     service.run_until(3.0)
     return service
+
+
+def know_vehicle(service: Service, personality: str) -> None:
+    """Have the client ask an ArduPilot whether it is a plane, as it does once, by a mode in which it is already."""
+    if personality == "ArduPilot":
+        service.set_mode("Manual")
+        assert service.done() == "Done"
 
 
 def took_s(service: Service) -> float:

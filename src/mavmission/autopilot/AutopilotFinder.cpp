@@ -35,6 +35,8 @@ void AutopilotFinder::setTargetIds(uint8_t systemId, uint8_t componentId) {
   if (!isOther && named_) return;
   heard_ = false;
   settled_ = false;
+  isVehicleKnown_ = false;
+  isPlane_ = false;
   heartbeat_ = Heartbeat();
   heartbeat_.systemId = systemId;
   heartbeat_.componentId = componentId;
@@ -63,6 +65,8 @@ void AutopilotFinder::onTime(uint16_t nowMs) {
     if (since(heardMs_, nowMs) >= kLostMs) {
       heard_ = false;
       settled_ = false;
+      isVehicleKnown_ = false;
+      isPlane_ = false;
     }
   }
   if (severalHeard_ && since(otherMs_, nowMs) >= kLostMs) severalHeard_ = false;

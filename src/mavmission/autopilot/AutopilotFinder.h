@@ -62,7 +62,18 @@ class AutopilotFinder : public FinderRules {
   Firmware firmware() const;
   bool isArmed() const;
 
+  // MAV_TYPE: that of its heartbeat, or a QuadPlane's, if a plane was found to say another one.
+  uint8_t vehicleType() const { return isPlane_ ? kQuadPlane : heartbeat_.vehicleType; }
+  // False while a plane might say that it is what the heartbeat says (Client::asksVehicle()).
+  bool isVehicleKnown() const { return isVehicleKnown_; }
+  void setVehicle(bool isPlane) {
+    isVehicleKnown_ = true;
+    isPlane_ = isPlane;
+  }
+
  private:
+  static constexpr uint8_t kQuadPlane = 20;  // MAV_TYPE_VTOL_TAILSITTER_QUADROTOR, of all VTOL types
+
   Heartbeat heartbeat_;
   uint16_t heardMs_;
   uint16_t firstMs_;
@@ -71,6 +82,8 @@ class AutopilotFinder : public FinderRules {
   bool settled_ : 1;
   bool severalHeard_ : 1;
   bool named_ : 1;
+  bool isVehicleKnown_ : 1;
+  bool isPlane_ : 1;  // which says another type in its heartbeat
 };
 
 }  // namespace detail

@@ -2,6 +2,7 @@
 
 #include "../base/Flash.h"
 #include "Rules.h"
+#include "Vehicle.h"
 
 namespace mavmission {
 namespace detail {
@@ -218,9 +219,7 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
       static_cast<uint8_t>(PlanType::Fence) << 3 == kOfFence && static_cast<uint8_t>(PlanType::Rally) << 3 == kOfRally,
       "the flags of a Keeper must be the numbers of PlanType, shifted by 3 bits");
   Keeper keeper = static_cast<uint8_t>(static_cast<uint8_t>(type) << 3) | flagOf(firmware);
-  // MAV_TYPE_FIXED_WING, MAV_TYPE_VTOL_...
-  const bool isPlane = vehicleType == 1 || static_cast<uint8_t>(vehicleType - 19) <= 25 - 19;
-  if (isPlane && has(firmware, kPlanesKeepMore)) keeper |= kByPlane;
+  if (isPlane(vehicleType) && has(firmware, kPlanesKeepMore)) keeper |= kByPlane;
   return keeper;
 }
 

@@ -155,10 +155,18 @@ class Client : public ClientRules {
   void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint16_t numberOf(FlightMode mode) const;
+  uint8_t vehicleType() const { return link_.finder().vehicleType(); }
+  // What orders a mode by its number calls this in CommandEvent::Ready. True: the vehicle is asked first. While it
+  // isAskingVehicle(), the events are for onVehicle(); then CommandEvent::Ready comes again, with fill function `then`.
+  bool asksVehicle();
+  bool isAskingVehicle() const { return commanding_.fill == fillVehicle; }
+  MAVMISSION_APART Status onVehicle(CommandEvent event, Status status, FillCommand then, uint16_t nowMs);
+  static void fillVehicle(Client&, FlightCommand& command);
   MAVMISSION_APART uint16_t shownMode() const;  // of the last heartbeat, in the numbers of modeNumber()
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
-  Status beginStart();
+  Status mayStart();
+  void beginStart();
   MAVMISSION_APART Aircraft aircraft(uint16_t nowMs) const;
   void noteStart();
   Status lookAtItem(const Aircraft& aircraft);

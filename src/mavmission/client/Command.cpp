@@ -223,13 +223,10 @@ void Client::fillArm(Client&, FlightCommand& command) {
 
 void Client::fillDisarm(Client&, FlightCommand& command) { command.id = MAV_CMD_COMPONENT_ARM_DISARM; }
 
-uint16_t Client::numberOf(FlightMode mode) const {
-  return modeNumber(mode, firmware(), link_.finder().heartbeat().vehicleType);
-}
+uint16_t Client::numberOf(FlightMode mode) const { return modeNumber(mode, firmware(), vehicleType()); }
 
 bool MissionClient::isInMode(FlightMode mode) const {
-  const Heartbeat& heartbeat = link_.finder().heartbeat();
-  return mavmission::isInMode(mode, firmware(), heartbeat.vehicleType, heartbeat.customMode);
+  return mavmission::isInMode(mode, firmware(), vehicleType(), customMode());
 }
 
 uint16_t Client::shownMode() const { return modeNumberOf(customMode()); }
@@ -259,7 +256,11 @@ Status Client::onCustomMode(Client& client, CommandEvent event, Status status, c
 Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                            uint16_t nowMs) {
   Modes& mode = client.commanding_.mode;
-  if (event == CommandEvent::Ready) mode.number = client.numberOf(mode.named);
+  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillMode, nowMs);
+  if (event == CommandEvent::Ready) {
+    if (client.numberOf(mode.named) != kNoMode && client.asksVehicle()) return status;
+    mode.number = client.numberOf(mode.named);
+  }
   return mode.number == kNoMode ? Status::NoSuchMode : onMode(client, event, status, frame, nowMs);
 }
 

@@ -19,9 +19,11 @@ Status MissionClient::start(uint16_t item) {
 Status Client::onStart(Client& client, CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
   StartTransfer& start = client.commanding_.start;
   CommandTransfer& sending = client.commanding_.transfer;
+  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillStart, nowMs);
   if (start.state() == StartTransfer::State::New) {
-    status = client.beginStart();
-    if (status != Status::Transferring) return status;
+    status = client.mayStart();
+    if (status != Status::Transferring || client.asksVehicle()) return status;
+    client.beginStart();
   }
   const bool isOther = client.aboard() != Aboard::OurPlan && !start.isLeaving();
   if (event == CommandEvent::Time && !start.isJudging() && !isOther) return status;
@@ -53,29 +55,29 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
 }
 
 // Whether the plan may be flown: Transferring, or why not.
-Status Client::beginStart() {
+Status Client::mayStart() {
   if (isArmed() && !rest_.armedAllowed) return Status::Armed;
   if (aboard() != Aboard::OurPlan) return Status::Unproven;
   if (rest_.infeasible) return Status::Infeasible;
   const uint16_t item = commanding_.start.first();
   if (!hasItem(item)) return Status::NoSuchItem;
+  const bool hasMode = !has(firmware(), kModesByVehicle) || numberOf(FlightMode::Auto) != kNoMode;
+  return hasMode ? Status::Transferring : Status::NoSuchMode;
+}
+
+void Client::beginStart() {
+  const uint16_t item = commanding_.start.first();
   plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, PlanType::Mission, rest_.raw);
   // ArduPilot's item 0 is home. When home is set as the current item, ArduPilot resets its jump counters and begins
   // with item 1.
   const uint16_t first = item != 0 ? item + homeBefore() : item;
   // If the plan that was uploaded last is a fence, plan_ is no mission any more.
   commanding_.start.begin(first, rest_.planType == PlanType::Mission, plan_.firmware());
-  return Status::Transferring;
 }
 
 Aircraft Client::aircraft(uint16_t nowMs) const {
-  return Aircraft{plan_.firmware(),
-                  link_.finder().heartbeat().vehicleType,
-                  isArmed(),
-                  shownMode(),
-                  numberOf(FlightMode::Auto),
-                  state_.seconds,
-                  nowMs};
+  return Aircraft{plan_.firmware(),           vehicleType(),  isArmed(), shownMode(),
+                  numberOf(FlightMode::Auto), state_.seconds, nowMs};
 }
 
 // What outlives the operation.
@@ -125,8 +127,12 @@ Status MissionClient::startMission() { return beginCommand(fillBegin, onStartMis
 Status Client::onStartMission(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                               uint16_t nowMs) {
   Commanding& commanding = client.commanding_;
+  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillBegin, nowMs);
   const bool isRestoring = commanding.mode.order.isRestoring();
   if (event == CommandEvent::Ready) {
+    commanding.mode.number = client.numberOf(FlightMode::Auto);
+    if (has(client.firmware(), kModesByVehicle) && commanding.mode.number == kNoMode) return Status::NoSuchMode;
+    if (client.isArmed() && client.asksVehicle()) return status;
     commanding.mode.number = client.numberOf(FlightMode::Auto);
     // MAV_CMD_MISSION_START, which would arm, is not sent: an armed aircraft flies its mission by the mode alone.
     if (has(client.firmware(), kArmsByMissionStart)) commanding.fill = fillMode;

@@ -211,7 +211,11 @@ void MovingTarget::fill(Client& client, FlightCommand& command) {
 }
 
 Status MovingTarget::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
-  return static_cast<MovingTarget*>(client.commanding_.owner)->onEvent(event, status, nowMs);
+  MovingTarget& self = *static_cast<MovingTarget*>(client.commanding_.owner);
+  if (!client.isAskingVehicle()) return self.onEvent(event, status, nowMs);
+  status = client.onVehicle(event, status, fill, nowMs);
+  if (status != Status::Transferring) self.finish(status);
+  return status;
 }
 
 Status MovingTarget::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
@@ -230,9 +234,7 @@ Status MovingTarget::onEvent(Client::CommandEvent event, Status status, uint16_t
 Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t nowMs) {
   CommandTransfer& sending = client_.commanding_.transfer;
   if (event == Client::CommandEvent::Ready) {
-    const bool isPlane =
-        has(client_.firmware(), kFliesByMode) && !steering_.isGround() && client_.numberOf(FlightMode::Land) == kNoMode;
-    if (isPlane) return Status::CommandUnsupported;
+    if (steering_.isPlane()) return Status::CommandUnsupported;
     mode_ = client_.numberOf(FlightMode::Guided);
   }
   // Before the mode has been ordered there is nothing to hold. (What is refused at once is refused for its own reason.)

@@ -40,7 +40,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   landedState_ = MAV_LANDED_STATE_UNDEFINED;
   positionAge_ = targetAge_ = 255;
   seenDisarmed_ = hasArmed_ = isModeSeen_ = isHeard_ = isAnswered_ = isTargetSame_ = false;
-  isOrdered_ = isDenied_ = isOld_ = false;
+  isOrdered_ = isDenied_ = canHover_ = isOld_ = false;
 }
 
 // --- What the sketch calls
@@ -114,6 +114,8 @@ void Steering::take(Listener& listener, const FrameParser& frame) {
     case MAVLINK_MSG_ID_POSITION_TARGET_GLOBAL_INT: return self.takeTarget(frame);
     default:
       self.landedState_ = frame.payloadByte(offsetof(mavlink_extended_sys_state_t, landed_state));
+      self.canHover_ =
+          frame.payloadByte(offsetof(mavlink_extended_sys_state_t, vtol_state)) != MAV_VTOL_STATE_UNDEFINED;
       if (step == SteerStep::AskLanded || step == SteerStep::Confirm) self.isHeard_ = true;
   }
 }

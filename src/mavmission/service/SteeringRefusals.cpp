@@ -84,9 +84,11 @@ Status Steering::whoFlies() const {
   return isFailsafe ? Status::FailsafeHasIt : Status::PilotHasIt;
 }
 
-bool Steering::isGround() const {
-  const uint8_t type = client_.link_.finder().heartbeat().vehicleType;
-  return type == MAV_TYPE_GROUND_ROVER || type == MAV_TYPE_SURFACE_BOAT;
+bool Steering::isGround() const { return vehicle() == Vehicle::Rover; }
+
+// True for ArduPilot's.
+bool Steering::isPlane() const {
+  return has(client_.firmware(), kModesByVehicle) && detail::isPlane(client_.vehicleType());
 }
 
 // ArduPilot's heartbeat says ACTIVE in the air only; PX4's does as soon as it is armed.
@@ -115,8 +117,8 @@ Status Steering::refuse() {
   } else if (!isTakeOff) {
     return Status::NotArmed;
   }
-  // ArduPilot's rovers and planes have no such command.
-  if (isTakeOff && has(client_.firmware(), kFliesByMode) && client_.numberOf(FlightMode::Land) == kNoMode) {
+  // Of ArduPilot's, only a copter and a plane that can hover have such a command: a plane is asked.
+  if (isTakeOff && has(client_.firmware(), kModesByVehicle) && vehicle() != Vehicle::Copter && !isPlane()) {
     return Status::CommandUnsupported;
   }
   return has(client_.firmware(), kIsActiveInAir) ? judgeFlight() : Status::Transferring;

@@ -14,6 +14,7 @@ constexpr float kPositionUs = 500000;
 }  // namespace
 
 Status Steering::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  if (client.isAskingVehicle()) return client.onVehicle(event, status, fill, nowMs);
   return static_cast<Steering*>(client.commanding_.owner)->onEvent(event, status, nowMs);
 }
 
@@ -23,7 +24,7 @@ Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t now
   switch (event) {
     case Client::CommandEvent::Ready: {
       const Status refusal = refuse();
-      if (refusal != Status::Transferring) return refusal;
+      if (refusal != Status::Transferring || client_.asksVehicle()) return refusal;
       lead(client_.shownMode(), modeFor(order_));
       return nextStep(nowMs);
     }
@@ -87,7 +88,7 @@ bool Steering::beginStep(uint16_t nowMs) {
   const bool isFresh = positionAge_ <= kFreshBeats;
   switch (step_) {
     case SteerStep::AskLanded:
-      if (isHeartbeatEnough || is(Order::Speed)) return false;
+      if ((isHeartbeatEnough && !(isTakeOff && isPlane())) || is(Order::Speed)) return false;
       break;
     case SteerStep::AskHome:
       if (!needsHome()) return false;
@@ -281,6 +282,7 @@ Status Steering::onTime(uint16_t nowMs) {
   switch (step_) {
     case SteerStep::AskLanded: {
       if (!isHeard_ || !isAnswered_) break;  // without the answer, it would be taken for that to the next question
+      if (isPlane() && !canHover_) return Status::CommandUnsupported;
       const Status flight = judgeFlight();
       return flight == Status::Transferring ? nextStep(nowMs) : flight;
     }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../FlightMode.h"
+#include "../autopilot/Vehicle.h"
 #include "../base/FloatBits.h"
 #include "../base/MavlinkHeaders.h"
 
@@ -29,14 +30,7 @@ bool isNegative(float number) {
   return (bytes[3] & 0x80) != 0;
 }
 
-// True for what leaves the ground in AUTO only behind MISSION_START: an ArduPilot that has a mode for landing.
-bool takesOffByCommand(const Aircraft& aircraft) {
-  return modeNumber(FlightMode::Land, aircraft.firmware, aircraft.vehicleType) != kNoMode;
-}
-
-bool isRover(const Aircraft& aircraft) {
-  return aircraft.vehicleType == MAV_TYPE_GROUND_ROVER || aircraft.vehicleType == MAV_TYPE_SURFACE_BOAT;
-}
+bool isVehicle(const Aircraft& aircraft, Vehicle vehicle) { return vehicleOf(aircraft.vehicleType) == vehicle; }
 
 }  // namespace
 
@@ -104,8 +98,10 @@ Status StartTransfer::onItem(Status read, const MissionItem* item, const Aircraf
   }
   if (found != Status::Done) return Status::OtherItem;
   if (isThere) return Status::Done;
-  // The first item may be completed at once, if a rover already stands there or an aircraft in the air need not climb.
-  const bool mayBeThrough = isRover(aircraft) || arming() != StartArming::Armed;
+  // The first item may be completed at once, if a rover or a submarine is there already or an aircraft in the air need
+  // not climb.
+  const bool isLow = isVehicle(aircraft, Vehicle::Rover) || isVehicle(aircraft, Vehicle::Submarine);
+  const bool mayBeThrough = isLow || arming() != StartArming::Armed;
   if (state() == State::JudgingNext || !mayBeThrough || wasFlying_ != 0) return Status::OtherItem;
   setState(State::JudgingNext);
   ++next_;
@@ -121,12 +117,13 @@ Status StartTransfer::nextStep(const Aircraft& aircraft, CommandTransfer& sendin
   return Status::Transferring;
 }
 
-// The mode in which it is armed: a rover in MANUAL, a plane in its current mode, and a copter, which refuses to be
-// armed in AUTO, in GUIDED.
+// The mode in which it is armed: a rover in MANUAL, a copter, which refuses to be armed in AUTO, in GUIDED, and any
+// other vehicle in its current mode.
 uint16_t StartTransfer::readyMode(const Aircraft& aircraft) const {
-  if (!has(aircraft.firmware, kFliesByMode) || aircraft.vehicleType == MAV_TYPE_FIXED_WING) return aircraft.mode;
-  return modeNumber(isRover(aircraft) ? FlightMode::Manual : FlightMode::Guided, aircraft.firmware,
-                    aircraft.vehicleType);
+  const bool isRover = isVehicle(aircraft, Vehicle::Rover);
+  const bool isReady = !has(aircraft.firmware, kFliesByMode) || !(isRover || isVehicle(aircraft, Vehicle::Copter));
+  if (isReady) return aircraft.mode;
+  return modeNumber(isRover ? FlightMode::Manual : FlightMode::Guided, aircraft.firmware, aircraft.vehicleType);
 }
 
 // False if this vehicle does not need this step.
@@ -135,7 +132,7 @@ bool StartTransfer::beginStep(const Aircraft& aircraft, CommandTransfer& sending
   const bool armsByMissionStart = has(firmware, kArmsByMissionStart);
   // MISSION_START sets AUTO by itself. A copter on the ground needs it to take off, and gets nothing else: each order
   // may undo what a pilot has set. The others fly by the mode alone.
-  const bool fliesByModeAlone = has(firmware, kFliesByMode) && !takesOffByCommand(aircraft);
+  const bool fliesByModeAlone = has(firmware, kFliesByMode) && !isVehicle(aircraft, Vehicle::Copter);
   switch (step()) {
     case StartStep::None:  // comes before the first step
     case StartStep::ReadyMode: {
@@ -201,7 +198,7 @@ Status StartTransfer::onRefused(Status refusal, const Aircraft& aircraft, Comman
   if (state() == State::Disarming) return refusal_;
   if (state() == State::Restoring) return notRestored();
   if (message() == Message::AskCurrent) return Status::Transferring;  // MISSION_CURRENT may come unasked
-  const bool isTriedAgain = step() == StartStep::AutoMode && isRover(aircraft) &&
+  const bool isTriedAgain = step() == StartStep::AutoMode && isVehicle(aircraft, Vehicle::Rover) &&
                             static_cast<uint16_t>(aircraft.seconds - beganS_) < kAutoTriesS;
   if (isTriedAgain) {
     sending.next(true, aircraft.nowMs);

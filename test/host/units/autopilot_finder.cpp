@@ -137,3 +137,24 @@ TEST_CASE("armed is what the last heartbeat says") {
   finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, 0x7F), 0);
   CHECK_FALSE(finder.isArmed());
 }
+
+TEST_CASE("a plane that says another type is a plane until the autopilot is lost or another is named") {
+  for (const bool isNamed : {false, true}) {
+    Finder finder;
+    finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_ARDUPILOTMEGA, MAV_TYPE_HEXAROTOR), 0);
+    CHECK_FALSE(finder.isVehicleKnown());
+    CHECK(finder.vehicleType() == MAV_TYPE_HEXAROTOR);
+    finder.setVehicle(true);
+    finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_ARDUPILOTMEGA, MAV_TYPE_HEXAROTOR), 1000);
+    CHECK(finder.isVehicleKnown());
+    CHECK(finder.vehicleType() == MAV_TYPE_VTOL_TAILSITTER_QUADROTOR);
+    if (isNamed) {
+      finder.setTargetIds(2, 1);
+    } else {
+      finder.onTime(static_cast<uint16_t>(1000 + AutopilotFinder::kLostMs));
+    }
+    CHECK_FALSE(finder.isVehicleKnown());
+    finder.onHeartbeat(from(2, 1, MAV_AUTOPILOT_ARDUPILOTMEGA, MAV_TYPE_HEXAROTOR), 9000);
+    CHECK(finder.vehicleType() == MAV_TYPE_HEXAROTOR);
+  }
+}

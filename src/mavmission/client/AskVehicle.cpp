@@ -1,0 +1,39 @@
+// Which vehicle an ArduPilot is, before a mode is ordered by its number.
+//
+// A plane says in its heartbeat whatever type its Q_MAV_TYPE has: also a copter's, whose mode numbers are others. So
+// what does not say that it is a plane is asked, once, by a command that only planes know: DO_VTOL_TRANSITION to the
+// state "undefined", which changes nothing. A plane answers FAILED, whether it can hover or not, and any other vehicle
+// UNSUPPORTED (ArduPilot 4.6.3). Its name would come as a text, which may be lost; AUTOPILOT_VERSION does not have it.
+#include "../MissionClient.h"
+#include "../autopilot/Vehicle.h"
+#include "../link/Messages.h"
+
+namespace mavmission {
+namespace detail {
+
+bool Client::asksVehicle() {
+  const bool isKnown = !has(firmware(), kModesByVehicle) || isPlane(vehicleType()) || link_.finder().isVehicleKnown();
+  if (isKnown) return false;
+  commanding_.fill = fillVehicle;
+  return true;
+}
+
+void Client::fillVehicle(Client&, FlightCommand& command) {
+  command.id = MAV_CMD_DO_VTOL_TRANSITION;
+  command.param1 = MAV_VTOL_STATE_UNDEFINED;
+}
+
+Status Client::onVehicle(CommandEvent event, Status status, FillCommand then, uint16_t nowMs) {
+  if (event == CommandEvent::Silent) return status;
+  if (event != CommandEvent::Refused) return Status::Transferring;
+  if (status != Status::CommandUnsupported && status != Status::CommandFailed) return status;
+  link_.finder().setVehicle(status == Status::CommandFailed);
+  rest_.lastResult = 255;
+  commanding_.fill = then;
+  commanding_.transfer.next(true, nowMs);
+  state_.status = Status::Checking;  // CommandEvent::Ready comes again
+  return Status::Transferring;
+}
+
+}  // namespace detail
+}  // namespace mavmission

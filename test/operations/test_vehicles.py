@@ -1,0 +1,144 @@
+"""Which vehicle an ArduPilot is: no mode is ordered by another vehicle's number."""
+
+from __future__ import annotations
+
+import pytest
+
+import modes_document
+from plans import SURVEY, on_the_wire
+from simulation.fake_autopilot import mavlink
+from starts import ARM, ASK_VEHICLE, SET_MODE, told, uploaded
+
+VEHICLES = pytest.mark.scenario(54, "Modes: what is no known vehicle gets no other one's")
+TYPES = modes_document.types()
+UNKNOWN = (0, 8, 9, 16, 17, 28, 43, 45, 46, 47, 200)  # MAV_TYPE: of vehicles that are none of ArduPilot's, or to come
+CLAIMED = sorted(set(TYPES) - {1, *range(19, 26)})  # what a plane may say, though it is none
+
+
+def asked(service) -> int:
+    return len([one for one in service.heard("COMMAND_LONG") if one.command == ASK_VEHICLE])
+
+
+@VEHICLES
+@pytest.mark.parametrize("vehicle_type", TYPES)
+def test_type_is_its_vehicles(build_service, vehicle_type):
+    """Each type of docs/modes.md, by the number of a mode in which the vehicles differ."""
+    vehicle = TYPES[vehicle_type]
+    fake = {**modes_document.fake_of(vehicle), "vehicle_type": vehicle_type}
+    service = build_service("ArduPilot", **fake)
+    numbers = modes_document.modes()[vehicle]
+    for name in ("Hold", "Land", "Manual"):
+        service.set_mode(name)
+        assert service.done() == ("Done" if name in numbers else "NoSuchMode")
+        service.run(1.1)
+        if name in numbers:
+            assert service.state.custom_mode == numbers[name][0]
+
+
+@VEHICLES
+@pytest.mark.parametrize("vehicle_type", UNKNOWN)
+def test_type_that_is_none_of_ardupilots_gets_nothing(build_service, vehicle_type):
+    service = uploaded(build_service("ArduPilot", vehicle="plane", vehicle_type=vehicle_type))
+    for name in ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual"):
+        service.set_mode(name)
+        assert service.done() == "NoSuchMode"
+    service.order_of("start")
+    assert service.done() == "NoSuchMode"
+    assert service.heard("COMMAND_LONG", "COMMAND_INT", "MISSION_SET_CURRENT") == []
+    service.order_of("arm")
+    assert service.done() == "Done"
+    service.order_of("startmission")
+    assert service.done() == "NoSuchMode"
+    assert told(service) == [(ARM, 1, 0)]
+
+
+@VEHICLES
+@pytest.mark.parametrize("claimed", CLAIMED)
+@pytest.mark.parametrize("vehicle", ["plane", "quadplane"])
+def test_plane_that_says_another_type_gets_a_planes_modes(build_service, vehicle, claimed):
+    """Q_MAV_TYPE. By a copter's numbers, RTL would be FLY_BY_WIRE_B, and AUTO TRAINING."""
+    service = build_service("ArduPilot", vehicle=vehicle, vehicle_type=claimed)
+    service.autopilot.load(on_the_wire(SURVEY, "ArduPilot"))
+    claims = modes_document.modes()[TYPES[claimed]]
+    for name, flown in (("ReturnToLaunch", "RTL"), ("Auto", "AUTO"), ("Guided", "GUIDED"), ("Manual", "MANUAL")):
+        service.set_mode(name)
+        if name not in claims and asked(service) == 0:  # by what it says: it is not even asked
+            assert service.done() == "NoSuchMode"
+            continue
+        assert service.done() == "Done"
+        assert service.autopilot.mode == flown
+        service.run(1.1)
+        assert service.state.modes == [name]
+    assert asked(service) == 1
+
+
+@VEHICLES
+@pytest.mark.parametrize("vehicle_type", [1, 20, 21, 2, 13])
+def test_plane_is_started_as_a_plane_whatever_it_says(build_service, vehicle_type):
+    """Armed as it stands, and not in GUIDED."""
+    service = uploaded(build_service("ArduPilot", vehicle="quadplane", vehicle_type=vehicle_type))
+    service.order_of("start")
+    assert service.done() == "Done"
+    assert told(service) == [(ARM, 1, 0), (SET_MODE, 1, 10)]
+    assert [mode for _, mode in service.autopilot.modes_flown] == ["AUTO"]
+
+
+@VEHICLES
+@pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK")])
+@pytest.mark.parametrize("vehicle", ["copter", "quadplane"])
+def test_question_or_its_answer_may_be_lost(build_service, vehicle, direction, name):
+    service = build_service("ArduPilot", vehicle=vehicle, vehicle_type=2)
+    service.wire.lose(direction, name=name, where=lambda message: message.command == ASK_VEHICLE)
+    service.set_mode("ReturnToLaunch")
+    assert service.done(limit_s=5) == "Done"
+    assert service.autopilot.mode == "RTL"
+
+
+@VEHICLES
+@pytest.mark.parametrize("operation", ["start", "setmode"])
+def test_without_an_answer_no_mode_is_ordered(build_service, operation):
+    service = uploaded(build_service("ArduPilot", vehicle="quadplane", vehicle_type=2))
+    service.wire.lose("<", name="COMMAND_ACK", times=None)
+    if operation == "start":
+        service.order_of("start")
+    else:
+        service.set_mode("ReturnToLaunch")
+    assert service.done(limit_s=15) == "NoAnswer"
+    assert told(service) == [] and asked(service) >= 5
+
+
+@VEHICLES
+def test_answer_that_says_neither_is_the_end(build_service):
+    service = build_service("ArduPilot")
+
+    def deny(message, sender, now) -> None:
+        denied = mavlink.MAVLink_command_ack_message(message.command, mavlink.MAV_RESULT_DENIED, 0, 0, *sender)
+        service.autopilot.answer(denied, now)
+
+    service.autopilot._hears["COMMAND_LONG"] = deny
+    service.set_mode("ReturnToLaunch")
+    assert service.done() == "CommandDenied"
+    assert told(service) == []
+
+
+@VEHICLES
+def test_vehicle_is_asked_once_and_again_when_another_may_be_there(build_service):
+    service = build_service("ArduPilot")
+    for name in ("Hold", "Guided"):
+        service.set_mode(name)
+        assert service.done() == "Done"
+    assert asked(service) == 1
+    service.autopilot.faults.fall_silent(from_time=service.now, for_s=7.0)
+    service.run(9.0)
+    service.set_mode("Hold")
+    assert service.done() == "Done"
+    assert asked(service) == 2
+
+
+@VEHICLES
+def test_what_cannot_be_a_plane_in_disguise_is_not_asked(build_service, personality):
+    fake = {"vehicle": "plane"} if personality == "ArduPilot" else {}
+    service = build_service(personality, **fake)
+    service.set_mode("ReturnToLaunch")
+    assert service.done() == "Done"
+    assert asked(service) == 0
