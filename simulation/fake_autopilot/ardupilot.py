@@ -81,7 +81,6 @@ class ArduPilot(FakeAutopilot):
                  home: tuple[int, int, float] | None = (-353632620, 1491652370, 584.09),
                  armed: bool = False, mode: str | None = None, radio_slowdown_s: float = 0.0,
                  ready_s: float | None = None, position_s: float | None = None, storage_s: float = 0.0,
-                 ready_s: float | None = None, position_s: float | None = None,
                  vehicle_type: int | None = None,
                  streams: dict[int, float] | None = None, ftp: bool = True, **options) -> None:
         super().__init__(**options)
