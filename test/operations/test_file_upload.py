@@ -78,6 +78,25 @@ def test_ardupilot_that_is_still_starting_has_no_room_and_takes_the_plan_later(b
     assert is_by_file(service) and holds(service, SURVEY)
 
 
+@NO_MIXTURE
+@pytest.mark.parametrize("then", ["fileverify", "fileensure", "fileupload"])
+def test_reset_between_a_files_header_and_its_closing_leaves_a_whole_plan_that_is_found(build_service, then):
+    """ArduPilot stores it when a file is opened next. Only who has written it could take its header away."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    service.wire.lose(">", name=FTP, index=6)  # the closing
+    uploading(service, LONG)
+    go_to(service, 7)
+    service.reset()
+    service.run(4.0)
+    assert same_bits(service.autopilot.received(), OLD_PLAN) and open_file(service) == file_of(meant(LONG))
+    service.use(LONG)
+    service.order_of(then, MISSION)
+    assert service.done(LIMIT_S) == {"fileverify": "Verified", "fileensure": "AlreadyAboard"}.get(then, "Accepted")
+    assert holds(service, LONG) and open_file(service) is None
+    assert service.state.aboard == "OurPlan"
+
+
 @BY_FILE
 def test_file_is_as_other_clients_write_it(build_service):
     service = with_files(build_service)

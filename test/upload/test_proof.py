@@ -17,6 +17,40 @@ def is_aboard(service, plan, personality) -> bool:
     return same_bits(service.autopilot.received(), on_the_wire(plan, personality))
 
 
+def forged(service, seq: int):
+    """The item with this number reaches the autopilot with another altitude, and with a checksum that is right."""
+    react = service.autopilot._hears["MISSION_ITEM_INT"]
+
+    def hear(message, sender, now) -> None:
+        if message.seq == seq:
+            message.z += 64.0
+        react(message, sender, now)
+
+    service.autopilot._hears["MISSION_ITEM_INT"] = hear
+
+
+def made_lossy(service) -> None:
+    """A heartbeat is lost, and the next one shows it."""
+    service.run(1.2)
+    service.wire.lose("<", name="HEARTBEAT")
+    service.run(2.0)
+
+
+@LOST
+@pytest.mark.parametrize("proof", ["InDoubt", "Always"])
+def test_broken_item_whose_checksum_is_right_is_found_on_a_line_that_loses(service, personality, proof):
+    """Of 65,536 broken frames one is taken for a good one. PX4 names the checksum of its plan, ArduPilot is read."""
+    service.autopilot.load(OLD_PLAN)
+    made_lossy(service)
+    forged(service, 2)
+    service.upload(SURVEY, proof=proof)
+    assert service.done(limit_s=30) == ("Differs" if personality == "ArduPilot" else "OtherPlanAboard")
+    assert not is_aboard(service, SURVEY, personality)
+    assert service.state.aboard == "NotKnown"
+    if personality == "ArduPilot":
+        assert (service.state.failed_item, service.state.field) == (1, "Height")
+
+
 @LOST
 @pytest.mark.parametrize("proof", ["InDoubt", "Always"])
 def test_lost_final_ack_ends_in_accepted_when_the_plan_is_aboard(service, personality, proof):

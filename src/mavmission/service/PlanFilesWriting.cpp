@@ -179,6 +179,9 @@ void PlanFiles::writeOn(uint16_t nowMs) {
   }
 }
 
+static_assert(FileFrame::kHead + FileWriteTransfer::kMostItems * kFileItem <= MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL_LEN,
+              "a write must fit into a frame, and its length into a byte");
+
 // A write of one item or of several. The frame's length must be known before it begins: MAVLink 2 leaves out the zeros
 // at the end of a payload, so the last item is looked at first.
 void PlanFiles::sendItems(uint16_t nowMs) {
