@@ -1,5 +1,5 @@
 // Which port of this board goes to the autopilot: TELEM, and beginTelem(57600), which opens it. The same sketch then
-// works on a Mega, an Uno, a Nano Every, an Uno R4, a Pico, an ESP32, a Teensy. Include it behind MavMission.h.
+// works on a Mega, an Uno, a Nano Every, an Uno R4, a Pico, an ESP32, a Teensy. Include it after MavMission.h.
 //
 // A sketch that knows better says so before it includes this:
 //

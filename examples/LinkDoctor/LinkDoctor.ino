@@ -34,7 +34,7 @@ uint8_t next = 0;  // the setting that is read
 
 FlashText flashText(const char* text) { return reinterpret_cast<FlashText>(text); }
 
-// Null behind the last one.
+// Null after the last one.
 const Setting* setting() {
   const bool isPx4 = autopilot.firmware() == Firmware::Px4;
   const uint8_t settings = isPx4 ? sizeof(kPx4) / sizeof(Setting) : sizeof(kArduPilot) / sizeof(Setting);

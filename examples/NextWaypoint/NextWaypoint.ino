@@ -39,7 +39,7 @@ void beginLeg() {
   steering.takeOff(kHeight);
 }
 
-// The commands behind the takeoff.
+// The commands after the takeoff.
 void goOnWithLeg() {
   if (autopilot.isBusy() || !steering.hasArrived()) return;
   if (stage == Stage::Climbing) {

@@ -107,7 +107,7 @@ class MissionClient : private detail::Client {
 
   // Arms, and flies the plan that is aboard from this item on, in the sketch's numbers: the steps that this autopilot
   // needs, in its order, each of them confirmed; startStep() says which one was refused. Done when the autopilot is
-  // armed, in its mission mode, and at the first item from there on that can be flown (behind DO_ commands and jumps).
+  // armed, in its mission mode, and at the first item from there on that can be flown (after DO_ commands and jumps).
   // Status::OtherItem when it flies to another one, Status::Unconfirmed when it does not report its item. If it flies
   // its mission already, nothing is sent that would change that. Refused with Status::Unproven unless aboard() is our
   // plan, and with Status::Armed while the autopilot is armed, unless that is allowed. It ends with Unproven, too, as
@@ -115,7 +115,7 @@ class MissionClient : private detail::Client {
   //
   // If a step after arming is refused, it disarms again, on the ground, never by force: the status stays the refusal,
   // and startArming() tells about the disarming. It does not disarm when somebody else has set another mode meanwhile
-  // (Status::TakenOver), nor after cancel(). That mode stays: each order leaves right behind a heartbeat that shows no
+  // (Status::TakenOver), nor after cancel(). That mode stays: each order is sent right after a heartbeat that shows no
   // other one, and where an order was under way and undoes it, it is set again at once (Status::Overruled if the
   // autopilot does not take it). Status::NotArmed when somebody has disarmed it meanwhile. A rover can be armed seconds
   // before it accepts AUTO: on a rover AUTO is tried for 15 s.

@@ -21,11 +21,11 @@ namespace mavmission {
 // A target leaves only from update(), and only while the sketch has renewed it within the last second: when it stops
 // doing so, or calls stop(), the aircraft is made to hold where it is, as Steering::pause() does. So a loop() that goes
 // on while its sensor is silent ends with a hold. A loop() that stands still sends nothing: ArduPilot then flies to the
-// last target and stays there, PX4 does what its failsafe for OFFBOARD says (as it comes, it returns home 1 s later).
+// last target and stays there, PX4 does what its failsafe for OFFBOARD says (by default it returns home 1 s later).
 // When loop() goes on later, an old target is not sent.
 //
 // Nor does a target leave while the autopilot is not heard: none 0.6 s after its last message. For PX4 would take the
-// first target that gets through for an order to come back from its failsafe. Behind such a gap, and behind a loop()
+// first target that gets through for an order to come back from its failsafe. After such a gap, and after a loop()
 // that stood still for so long, a heartbeat has to show first that the aircraft is still the sketch's.
 //
 // The aircraft is never taken out of other hands: what Steering says about that holds here too. A heartbeat that shows

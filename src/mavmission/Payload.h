@@ -52,7 +52,7 @@ class Payload : public detail::Listener {
   // To be called from loop(). Neither waits nor delays.
   void update();
 
-  // How far the command is that is in progress, 0 to 100 [%]; it is told with the answer, once a second.
+  // How far the command is that is in progress, 0 to 100 [%]; it is sent with the answer, once a second.
   void progress(uint8_t percent) { percent_ = percent; }
   // Ends the command that is in progress. Without one it does nothing.
   void finish(PayloadAnswer answer);

@@ -32,7 +32,7 @@ class PlanFiles : public detail::Listener {
   // As MissionClient::upload(), and always read back: the autopilot does not say what has become of a file.
   // Status::Accepted means that the plan is aboard, Status::Differs that another one was read, Status::Unconfirmed that
   // none could be read. aboard() says after each end what is aboard: the old plan where the upload has broken off, not
-  // known behind Differs and Unconfirmed. The mission protocol is used also for a plan with a command that this library
+  // known after Differs and Unconfirmed. The mission protocol is used also for a plan with a command that this library
   // does not know, for one of more than 650 items, for a fence of up to three items, for a plan that is shorter than
   // the one aboard an armed aircraft, and where frames are signed; and when the file is lost, because the autopilot has
   // restarted or somebody else has taken it, or when another plan is read back on a lossy link. isByFile()

@@ -52,7 +52,7 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
   Status set(StandardMode mode);
 
   // Reads an entry of the autopilot's list (AVAILABLE_MODES). `number`: 1 to count(), which the first entry tells. Done
-  // when it has come: the functions below then are about it. Status::CommandDenied behind the end of the list, and from
+  // when it has come: the functions below then are about it. Status::CommandDenied after the end of the list, and from
   // an autopilot that has none; ArduPilot says Status::CommandFailed. Status::NeedsMavlink2 as above.
   Status read(uint8_t number);
 

@@ -34,10 +34,10 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 // MissionClient::setMode().) On PX4 the mode HOLD is both where goTo() flies and what a pilot may choose: there a pilot
 // shows only by another mode.
 //
-// What changes the mode leaves right behind a heartbeat, which is asked for; where the aircraft is in the order's mode
-// already, the order is sent in a form that changes none. If somebody else's mode was set in the moment between, and
-// the order undoes it, and a heartbeat has shown it, that mode is set again: PilotHasIt or FailsafeHasIt when it flies
-// again, Overruled when it could not be set. docs/who_has_the_aircraft.md has the times.
+// What changes the mode is sent right after a heartbeat, which is requested for it; where the aircraft is in the
+// order's mode already, the order is sent in a form that changes none. If somebody else's mode was set in the moment
+// between, and the order undoes it, and a heartbeat has shown it, that mode is set again: PilotHasIt or FailsafeHasIt
+// when it flies again, Overruled when it could not be set. docs/who_has_the_aircraft.md has the times.
 //
 // An Arduino that was reset in flight does nothing by itself: until this object has seen the aircraft disarmed, its
 // functions end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. The mode in which the
@@ -72,7 +72,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status landNow();
 
   // The ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED). ArduCopter goes back to its own with the
-  // first place after a takeoff: there, set it behind goTo().
+  // first place after a takeoff: there, set it after goTo().
   Status setSpeed(MetresPerSecond speed);
 
   // True when the aircraft is at the place of the last goTo(), or at the height of takeOff(), within this distance
