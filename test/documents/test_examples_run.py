@@ -220,6 +220,55 @@ def test_start_mission_that_resets_in_flight_changes_nothing(run):
     assert example.autopilot.received() == plan and example.autopilot.armed
 
 
+BUTTON = 0x2C, 1 << 4  # pin 2 of a Mega: PINE, bit 4
+
+
+def press(example: Run, *, is_down: bool = True) -> None:
+    pins = example.mega.peek_int(BUTTON[0])
+    example.mega.poke_int(BUTTON[0], pins & ~BUTTON[1] if is_down else pins | BUTTON[1])
+
+
+def test_start_button_that_is_held_for_two_seconds_starts_the_mission(run):
+    example = run("StartButton")
+    example.until("accepted: the plan is aboard", 6.0)
+    example.run(4.0)
+    press(example)
+    example.run(1.8)
+    assert "the button: start" not in example.lines and not example.autopilot.armed
+    press(example, is_down=False)
+    example.run(0.1)
+    press(example)
+    example.run(1.8)
+    assert "the button: start" not in example.lines and not example.autopilot.armed
+    example.until("done: the autopilot confirmed it", 20.0)
+    assert example.lines.count("the button: start") == 1 and example.autopilot.armed
+
+
+def test_start_button_that_is_stuck_or_pressed_in_flight_after_a_reset_starts_nothing(run):
+    example = run("StartButton")
+    for _ in range(1000):  # also after pinMode(), whose pull-up the simulated pin follows
+        example.mega.run_until(example.mega.cycle + 64)
+        press(example)
+    example.run(8.0)
+    assert "the button: start" not in example.lines
+    press(example, is_down=False)
+    example.run(0.1)
+    press(example)
+    example.until("done: the autopilot confirmed it", 20.0)
+    plan = example.autopilot.received()
+    example.mega.reset()
+    example.until("refused: the autopilot is armed", 6.0)
+    press(example, is_down=False)
+    example.run(0.1)
+    press(example)
+    example.run(6.0)
+    assert example.lines.count("the button: start") == 2
+    assert example.lines.count("refused: the autopilot is armed") + example.lines.count(
+        "refused: what is aboard is not known to be our plan") == 2  # fmt: skip
+    assert example.lines.count("done: the autopilot confirmed it") == 1
+    assert example.autopilot.received() == plan
+
+
 @pytest.mark.slow
 def test_next_waypoint(run):
     example = run("NextWaypoint")

@@ -1,0 +1,56 @@
+// A button that starts the mission. At power-on the plan is uploaded; whoever then holds the button for two seconds arms
+// the aircraft, and it flies the plan. Prints how each of the two has ended, and what the autopilot says.
+// TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+//
+// A button that is stuck, or pressed at power-on, starts nothing: it has to be released first. A board that is reset in
+// flight uploads and starts nothing: both are refused while the aircraft is armed.
+#include <MavMission.h>
+#include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
+using namespace mavmission;
+
+constexpr uint8_t kButton = 2;  // the button joins this pin to GND
+constexpr uint32_t kHoldMs = 2000;
+
+constexpr MissionItem plan[] PROGMEM = {
+    takeoff(-35.3632621_deg, 149.1652374_deg, 10_m),
+    waypoint(-35.3630000_deg, 149.1652374_deg, 10_m),
+    land(-35.3632621_deg, 149.1652374_deg),
+};
+
+MissionClient autopilot(TELEM);
+MissionFollower mission(autopilot);
+bool wasReleased;
+uint32_t releasedAtMs;
+
+// True once, when the button has been held long enough.
+bool isHeld() {
+  if (digitalRead(kButton) == HIGH) {
+    wasReleased = true;
+    releasedAtMs = millis();
+    return false;
+  }
+  if (!wasReleased || millis() - releasedAtMs < kHoldMs) return false;
+  wasReleased = false;
+  return true;
+}
+
+void onText(void*, uint8_t, const char* text) {
+  CONSOLE.print(F("autopilot: "));
+  CONSOLE.println(text);
+}
+
+void setup() {
+  pinMode(kButton, INPUT_PULLUP);
+  CONSOLE.begin(115200);
+  beginTelem(57600);
+  mission.onText(onText);
+  autopilot.upload(inFlash(plan));
+}
+
+void loop() {
+  const Status status = autopilot.update();
+  if (isEnd(status)) CONSOLE.println(toString(status));
+  if (!isHeld()) return;
+  CONSOLE.println(F("the button: start"));
+  if (autopilot.start() == Status::Busy) CONSOLE.println(toString(Status::Busy));
+}
