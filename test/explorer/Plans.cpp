@@ -19,7 +19,7 @@ int32_t latitudeOf(uint8_t item) { return kLatitudeE7 + 1000 * item; }
 mavlink_mission_item_int_t waypointOf(uint8_t item, Firmwares firmware) {
   mavlink_mission_item_int_t message;
   memset(&message, 0, sizeof(message));
-  message.command = MAV_CMD_NAV_WAYPOINT;
+  message.command = item == kHome ? MAV_CMD_CONDITION_DELAY : MAV_CMD_NAV_WAYPOINT;
   message.autocontinue = 1;
   if (item == kHome) return message;
   message.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
@@ -57,6 +57,7 @@ Bytes payloadOf(uint8_t item, uint16_t sequence, Firmwares firmware, bool isRead
   message.target_system = 1;
   message.target_component = isReadBack ? 191 : 1;
   if (isReadBack && item == kHome) {
+    message.command = MAV_CMD_NAV_WAYPOINT;
     message.x = kLatitudeE7;
     message.y = kLongitudeE7;
     message.z = 584;

@@ -38,6 +38,10 @@ class ClientOnLine {
   // A frame of the peer's, the next by its sequence number: nothing was lost.
   void hear(FrameParts parts) {
     parts.sequence = sequence_++;
+    if (autopilot_ == kArduPilot && parts.messageId == kRequestInt) {  // it asks by MISSION_REQUEST
+      parts.messageId = kRequest;
+      parts.crcExtra = 230;
+    }
     line.bring(packed(parts));
   }
 

@@ -7,7 +7,7 @@ import struct
 import pytest
 from pymavlink.dialects.v10 import common as mavlink1
 
-from plans import HOME, NO_PLACE, SURVEY, on_the_wire, sent, smooth_steps, steps, waypoint
+from plans import HOME, NO_PLACE, OLD_PLAN, SURVEY, on_the_wire, sent, smooth_steps, steps, waypoint
 from simulation.bench import FunctionPlan, same_bits
 from simulation.fake_autopilot import Item, item, mavlink
 from simulation.fake_autopilot.items import f32, item_float_message, item_int_message
@@ -244,7 +244,7 @@ def test_autopilot_that_refuses_item_int_is_served_float_items_where_the_sketch_
     bench.autopilot.autopilot_type = mavlink.MAV_AUTOPILOT_GENERIC
     bench.autopilot.faults.take_only_float_items()
     bench.tell("floats", 0)
-    plan = [HOME, *SURVEY]
+    plan = [OLD_PLAN[0], *SURVEY]
     bench.upload(plan)
     assert bench.run_until_ended(limit_s=10) == "Accepted"
     as_floats = [one._replace(x=f32(one.x / 1e7), y=f32(one.y / 1e7)) for one in plan]

@@ -13,9 +13,10 @@ NO_PLACE = 2  # MAV_FRAME_MISSION
 GLOBAL, RELATIVE = 0, 3
 WAYPOINT, LOITER_TIME, RETURN, LAND, TAKEOFF, DELAY, JUMP, SPEED = 16, 19, 20, 21, 22, 93, 177, 178
 SERVO = 183
+CONDITION_DELAY = 112
 
 # What goes to ArduPilot as item 0, in the place of its home.
-HOME = Item(GLOBAL, WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0)
+HOME = Item(GLOBAL, CONDITION_DELAY, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0)
 
 
 def waypoint(x: int = 473977420, y: int = 85455970, z: float = 20.0, **more) -> Item:
@@ -37,7 +38,8 @@ SURVEY = [
 ]
 
 # What may lie aboard before.
-OLD_PLAN = [HOME, *(waypoint(470000000 + n, 80000000 - n, 100.0 + n) for n in range(8))]
+OLD_PLAN = [Item(GLOBAL, WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0),
+            *(waypoint(470000000 + n, 80000000 - n, 100.0 + n) for n in range(8))]
 
 # Numbers whose bits are easily spoiled, none of which an autopilot minds.
 ODD_NUMBERS = [

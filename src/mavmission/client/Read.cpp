@@ -186,15 +186,20 @@ void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
 Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item) {
   WirePlan& plan = client.plan_;
   const bool hasHome = plan.has(kHomeIsItem0) && client.state_.type == PlanType::Mission;
-  if (wireItem == 0 && hasHome) return Status::Transferring;  // home is the autopilot's own, however the sketch counts
-  MissionItem meant;
-  const Status read = plan.read(wireItem, meant);
-  if (read == Status::Checking) client.reading_.transfer.askAgain();  // the search for a place continues then
-  if (read != Status::Accepted) return read;
-  const ItemField field = difference(meant, item, plan.keeper());
-  if (field == ItemField::None) return Status::Transferring;
-  // A value that this autopilot cannot keep is reported as NotKept, not as a difference.
-  if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
+  ItemField field = ItemField::Command;
+  if (wireItem == 0 && hasHome) {
+    // Home is the autopilot's own, however the sketch counts, and nothing else: not what we have sent in its place.
+    if (item.command == kNavWaypoint && item.frame == Frame::Global) return Status::Transferring;
+  } else {
+    MissionItem meant;
+    const Status read = plan.read(wireItem, meant);
+    if (read == Status::Checking) client.reading_.transfer.askAgain();  // the search for a place continues then
+    if (read != Status::Accepted) return read;
+    field = difference(meant, item, plan.keeper());
+    if (field == ItemField::None) return Status::Transferring;
+    // A value that this autopilot cannot keep is reported as NotKept, not as a difference.
+    if (client.keeping(meant) != Status::Accepted) return Status::NotKept;
+  }
   client.rest_.field = field;
   return Status::Differs;
 }

@@ -121,6 +121,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request),
                     "MISSION_REQUEST and MISSION_REQUEST_INT must have the same layout");
       if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      if (frame.messageId() == MAVLINK_MSG_ID_MISSION_REQUEST_INT) transfer_.noteInt();
       const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, link_.pace());
       // The item is sent at once, before the rest of this update().
       sendUpload(nowMs);
@@ -147,6 +148,9 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
 // holds. It is not compared when it is 0, which means that none is reported, nor when items were sent as floats, since
 // our checksum was computed before the conversion.
 Status Client::proven(uint32_t opaqueId) {
+  // ArduPilot asks by MISSION_REQUEST. Another one may only say that it is an ArduPilot, and hold as the first item
+  // what was sent in home's place.
+  if (plan_.homeItems() != 0 && transfer_.isAskedByInt()) return Status::Unconfirmed;
   const bool says = plan_.has(kSaysChecksum) && opaqueId != 0 && !state_.floatItems;
   if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
   if (state_.type == PlanType::Mission) rest_.planId = opaqueId;

@@ -10,6 +10,7 @@ namespace mavmission {
 namespace detail {
 namespace {
 
+constexpr uint16_t kConditionDelay = 112;  // MAV_CMD
 // Above the limit, or below its negative. In one comparison: what is below becomes large.
 bool isBeyond(int32_t value, uint32_t limit) { return static_cast<uint32_t>(value) + limit > 2 * limit; }
 
@@ -145,10 +146,12 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
 Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
   if (homeItems_ != 0) {
     if (wireIndex == 0) {
-      // ArduPilot parses item 0, but then stores its own home instead.
+      // ArduPilot parses item 0, but then stores its own home instead, and gives back that. Who only says that it is an
+      // ArduPilot stores the item, and may fly it: so it is one that moves nothing (CONDITION_DELAY for 0 s), and that
+      // no home can be (compareItem()).
       // cppcheck-suppress memsetClassFloat ; a float of zero bits is 0 wherever there is an Arduino core
       memset(&item, 0, sizeof(item));  // copying a constant item would cost RAM for that constant
-      item.command = kNavWaypoint;
+      item.command = kConditionDelay;
       item.frame = Frame::Global;
       item.autocontinue = 1;
       return Status::Accepted;

@@ -57,6 +57,10 @@ class UploadTransfer : public UploadRules {
   uint16_t itemToSend() const { return item_; }
   MAVMISSION_APART void sent(uint16_t nowMs);
 
+  // An item was requested by MISSION_REQUEST_INT.
+  void noteInt() { isAskedByInt_ = true; }
+  bool isAskedByInt() const { return isAskedByInt_; }
+
   State state() const { return state_; }
   // Attempts at COUNT; later, how often items were sent since the newest request.
   uint8_t tries() const { return tries_; }
@@ -100,6 +104,7 @@ class UploadTransfer : public UploadRules {
   bool freed_ : 1;      // an open earlier transfer of ours was cancelled first
   bool isAgain_ : 1;    // the current item was sent before it became current the last time
   bool repeated_ : 1;   // an item was sent more than once
+  bool isAskedByInt_ : 1;
   bool isUnasked_ : 1;  // the current item was sent again without being asked for
 };
 
