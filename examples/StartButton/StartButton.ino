@@ -1,5 +1,5 @@
-// A button that starts the mission. At power-on the plan is uploaded; whoever then holds the button for two seconds arms
-// the aircraft, and it flies the plan. Prints how each of the two has ended, and what the autopilot says.
+// A button that starts the mission. At power-on the plan is uploaded; whoever then holds the button for two seconds
+// arms the aircraft, and it flies the plan. Prints how each of the two has ended, and what the autopilot says.
 // TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
 // A button that is stuck, or pressed at power-on, starts nothing: it has to be released first. A board that is reset in
