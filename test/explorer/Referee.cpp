@@ -188,6 +188,11 @@ const char* Referee::sentInUpload(const Message& message) {
 const char* Referee::sentInReading(const Message& message) {
   switch (message.kind) {
     case Kind::List:
+      // An error may be PX4's end of the reading.
+      if (isCounted && isUpload() && !isLooking && (heardAcks & 1u << kError) != 0) {
+        isCounted = lists = received = requests = 0;
+        heardAcks = static_cast<uint16_t>(heardAcks & ~(1u << kError));
+      }
       if (isCounted) return "REQUEST_LIST is sent in mid-transfer";
       if (isLooking && lists == kTries && heardAcks != 0) lists = heardAcks = 0;  // it was refused, and asks anew
       if (lists == kTries && !isHurried) return "REQUEST_LIST is sent too often";

@@ -56,6 +56,8 @@ void World::beginTask(const Scenario& scenario, std::string* log) {
   say(log, std::string("the sketch begins: ") + kOperations[static_cast<int>(task.operation)] + ", " +
                std::to_string(task.items) + " items");
   before_ = autopilot_;
+  // (A board that was reset listens for 1.2 s first, which is left out here.)
+  isUndisturbed_ = scenario.resets == 0 && (losses_ | faults_ | reboots_ | cancels_ | others_) == 0;
   referee_.begin(task, scenario.firmware);
   if (isByFiles(task.operation)) fileReferee_.begin();
   sunk = &sunk_;
@@ -207,12 +209,34 @@ void World::heard(const Message& message, Firmwares firmware) {
   if (!fileReferee_.isRunning) referee_.heard(message, firmware);
 }
 
+// An operation that nothing can happen to any more ends well, whatever has happened before. (ArduPilot denies reading
+// while it holds an upload open; it has no ear for a cancelling.)
+bool World::isAlive(Status status) const {
+  if (!isUndisturbed_) return true;
+  switch (status) {
+    case Status::Accepted:
+    case Status::AlreadyAboard:
+    case Status::Verified:
+    case Status::Downloaded:
+    case Status::Cleared: return true;
+    case Status::Differs: return referee_.task.operation == Operation::Verify;
+    case Status::Denied: return !referee_.isUpload() && autopilot_.state == Autopilot::State::Receiving;
+    default: return false;
+  }
+}
+
 const char* World::end(const Doing& doing, bool lineRepeats) {
   const Autopilot* const before = task_ == 0 ? &before_ : nullptr;
-  if (!fileReferee_.isRunning) return referee_.end(doing.status, client_.aboard(), autopilot_, before, lineRepeats);
-  referee_.isRunning = false;
-  referee_.ended = doing.status;
-  return fileReferee_.end(doing.status, client_.aboard(), referee_, autopilot_, before);
+  const char* broken;
+  if (fileReferee_.isRunning) {
+    referee_.isRunning = false;
+    referee_.ended = doing.status;
+    broken = fileReferee_.end(doing.status, client_.aboard(), referee_, autopilot_, before);
+  } else {
+    broken = referee_.end(doing.status, client_.aboard(), autopilot_, before, lineRepeats);
+  }
+  if (broken != nullptr || isAlive(doing.status)) return broken;
+  return "nothing is lost any more, and it does not end well";
 }
 
 // Numbers of requests count from the client's last one, so that a state is known again whatever they were.

@@ -68,6 +68,7 @@ class World {
   const char* sent(const Message& message, Firmwares firmware);
   void heard(const Message& message, Firmwares firmware);
   const char* end(const Doing& doing, bool lineRepeats);
+  bool isAlive(mavmission::Status status) const;
   Outcome hearOther(Choice choice, std::string* log);
   bool isSure(const Message& message) const;
   void renumber();
@@ -87,6 +88,7 @@ class World {
   FileReferee fileReferee_;
   uint16_t heartbeatInMs_;  // of the autopilot; kNever where nobody waits for it
   uint8_t losses_, faults_, reboots_, cancels_, resets_, others_;
-  uint8_t spare_[5];
+  uint8_t isUndisturbed_;  // nothing can happen to the operation any more
+  uint8_t spare_[4];
 };
 static_assert(std::is_trivially_copyable<World>::value, "copied and folded by its bytes");

@@ -194,17 +194,18 @@ DEFECTS = {
         "ArduPilot upload 2 --lossy 1",
         "an item is sent that was not asked for",
     ),
-    "ArduPilot's INVALID_SEQUENCE is believed to be about an item that was sent once": (
+    "ArduPilot's INVALID_SEQUENCE is believed to be about the current item, whatever it may answer": (
         "UploadTransfer.cpp",
-        "has(firmware_, kRefusesTakenItems) && tries_ > 1 &&",
-        "has(firmware_, kRefusesTakenItems) && tries_ > 0 &&",
+        "tries_ > 1 && send_ == Send::Nothing &&\n"
+        "          !(mayBeAnswered() && item_ + 2u == behind_) && pace.isBehind(since(startedMs_, nowMs))",
+        "true",
         "ArduPilot upload 2 --lossy 1 --faults 1",
         "an item is sent that was not asked for",
     ),
     "a PX4 that is busy is asked once more, and then given up": (
         "UploadTransfer.cpp",
-        "if (freed_) return (leftovers_ & kBusy) == 0 || tries_ >= kBusyTries ? status : Status::Transferring;",
-        "if (freed_) return status;",
+        "if (freed_) return (leftovers_ & mayBeOurs) == 0 || tries_ >= kBusyTries ? status : Status::Transferring;",
+        "(void)mayBeOurs;\n        if (freed_) return status;",
         "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
         "busy with what was ours, and the tries were not exhausted",
     ),
@@ -233,7 +234,7 @@ DEFECTS = {
     "ensure() reads no item": (
         "Ensure.cpp",
         "transfer.onCount(count, nowMs, link_.pace());",
-        "endLook(Status::AlreadyAboard);",
+        "(void)nowMs;\n    endLook(Status::AlreadyAboard);",
         "ArduPilot ensure 2 --held 2",
         "aboard() says our plan, and it is not",
     ),
@@ -255,8 +256,29 @@ DEFECTS = {
         "Client.cpp",
         "if (state_.quiet < lateTurns && !rest_.isCommanding) return;",
         "(void)lateTurns;",
-        "LateArduPilot upload 1 upload 1 --losses 1 --cancels 1",
+        "LateArduPilot upload 2 ensure 1 --losses 1 --cancels 1",
         "aboard() says our plan, and it is not",
+    ),
+    "an upload ends by a late answer though nothing is lost any more": (
+        "Client.cpp",
+        "if (state_.quiet < lateTurns && !rest_.isCommanding) return;",
+        "(void)lateTurns;",
+        "ArduPilot clear 0 upload-in-doubt 1 --losses 0 --lossy 1 --latency 300",
+        "nothing is lost any more, and it does not end well",
+    ),
+    "a reading ends by a late answer though nothing is lost any more": (
+        "Client.cpp",
+        "if (state_.quiet < lateTurns && !rest_.isCommanding) return;",
+        "(void)lateTurns;",
+        "ArduPilot upload 2 download 0 --losses 0 --lossy 1 --latency 300",
+        "nothing is lost any more, and it does not end well",
+    ),
+    "an upload to PX4 ends by a late answer though nothing is lost any more": (
+        "Client.cpp",
+        "if (state_.quiet < lateTurns && !rest_.isCommanding) return;",
+        "(void)lateTurns;",
+        "PX4 upload-in-doubt 2 upload-in-doubt 1 --losses 0 --lossy 1 --latency 300",
+        "nothing is lost any more, and it does not end well",
     ),
     "an acceptance on a line that loses is not proven": (
         "TakeUp.cpp",
