@@ -58,6 +58,11 @@ void start() {
   autopilot.start();
 }
 
+void readBack() {
+  stage = Stage::Reading;
+  autopilot.download(toFunction(printCommand));
+}
+
 void onEnded(Status status) {
   CONSOLE.println(toString(status));
   switch (stage) {
@@ -80,10 +85,7 @@ void onEnded(Status status) {
       refusedAtMs = millis();
       if (startAgain) return;
       break;
-    case Stage::Ending:
-      stage = Stage::Reading;
-      autopilot.download(toFunction(printCommand));
-      return;
+    case Stage::Ending: readBack(); return;
     case Stage::Flying:  // PX4 may find an accepted plan infeasible later
     case Stage::Reading:
     case Stage::Done: break;
@@ -102,8 +104,7 @@ void loop() {
   if (!autopilot.hasAutopilot()) return;  // its heartbeats are missing for a while
   if (!autopilot.isArmed()) {
     CONSOLE.println(F("landed"));
-    stage = Stage::Reading;
-    autopilot.download(toFunction(printCommand));
+    readBack();
   } else if (millis() - notOverAtMs >= 5000) {
     CONSOLE.println(F("arrived: disarm"));
     stage = Stage::Ending;

@@ -55,7 +55,7 @@ class MissionFollower : public detail::MessageIntervals {
  private:
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeHeartbeat();
-  void takeName(uint8_t missionType, uint32_t planId);
+  MAVMISSION_APART void takeName(uint32_t planId);
   void takeAcceptance(const detail::FrameParser& frame);
   void takePlanText(const char* text);
   void noteOther();

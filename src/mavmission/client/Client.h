@@ -78,7 +78,7 @@ class Client : public ClientRules {
   static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
   void takeReadCount(const FrameParser& frame, uint16_t nowMs);
-  void takeReadItem(const FrameParser& frame, uint16_t nowMs);
+  MAVMISSION_APART void takeReadItem(const FrameParser& frame, uint16_t nowMs);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
   Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
@@ -166,9 +166,9 @@ class Client : public ClientRules {
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
   Status mayStart();
-  void beginStart();
+  MAVMISSION_APART void beginStart();
   MAVMISSION_APART Aircraft aircraft(uint16_t nowMs) const;
-  void noteStart();
+  MAVMISSION_APART void noteStart();
   Status lookAtItem(const Aircraft& aircraft);
   Status updateAt(uint16_t nowMs);
   // Takes the time of this update() for heavy work. False when bytes have taken it: the work then waits for the next

@@ -67,7 +67,8 @@ Status Client::mayStart() {
 
 void Client::beginStart() {
   const uint16_t item = commanding_.start.first();
-  plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, PlanType::Mission, rest_.raw);
+  state_.type = PlanType::Mission;
+  beginPlan();
   // ArduPilot's item 0 is home. When home is set as the current item, ArduPilot resets its jump counters and begins
   // with item 1.
   const uint16_t first = item != 0 ? item + homeBefore() : item;

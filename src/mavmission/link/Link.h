@@ -125,7 +125,7 @@ class Link : public LinkRules {
   void noteSequence();
   // Counts a frame and notes its sequence number; true if receive() must return the frame.
   MAVMISSION_APART bool takeResult(FrameParser::Result result, uint16_t nowMs);
-  void sendHeartbeat();
+  MAVMISSION_APART void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
   void pack(uint8_t* payload, const MessageKey* key);
 

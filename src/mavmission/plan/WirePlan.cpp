@@ -74,8 +74,12 @@ void WirePlan::setSource(const ItemSource& plan) {
 void WirePlan::begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool raw) {
   firmware_ = firmware;
   keeper_ = keeperOf(firmware, vehicleType, type);
-  if (raw || type != PlanType::Mission) keeper_ |= kIsRaw;
-  homeItems_ = beginsWithHome() && count_ > 0 ? 1 : 0;
+  homeItems_ = 0;
+  if (raw || type != PlanType::Mission) {
+    keeper_ |= kIsRaw;
+  } else if (has(kHomeIsItem0) && count_ != 0) {
+    homeItems_ = 1;
+  }
   searched_ = 0;
 }
 

@@ -57,14 +57,15 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
       return;
     case MAVLINK_MSG_ID_MISSION_COUNT: {
       typedef mavlink_mission_count_t Count;
-      return self.takeName(frame.payloadByte(offsetof(Count, mission_type)),
-                           frame.payloadLong(offsetof(Count, opaque_id)));
+      if (frame.payloadByte(offsetof(Count, mission_type)) != MAV_MISSION_TYPE_MISSION) return;
+      return self.takeName(frame.payloadLong(offsetof(Count, opaque_id)));
     }
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, type)) != MAV_MISSION_ACCEPTED) return;
-      if (frame.payloadByte(offsetof(Ack, mission_type)) == MAV_MISSION_TYPE_MISSION) self.takeAcceptance(frame);
-      return self.takeName(frame.payloadByte(offsetof(Ack, mission_type)), frame.payloadLong(offsetof(Ack, opaque_id)));
+      if (frame.payloadByte(offsetof(Ack, mission_type)) != MAV_MISSION_TYPE_MISSION) return;
+      self.takeAcceptance(frame);
+      return self.takeName(frame.payloadLong(offsetof(Ack, opaque_id)));
     }
     case MAVLINK_MSG_ID_MISSION_CURRENT: return self.takeCurrent(frame);
     case MAVLINK_MSG_ID_MISSION_ITEM_REACHED: return self.takeReached(frame);
@@ -85,9 +86,9 @@ void MissionFollower::takeHeartbeat() {
   if (pause_ < FollowRules::kLongestPause) pause_ *= 2;
 }
 
-// The answer to an upload or a download names the plan aboard.
-void MissionFollower::takeName(uint8_t missionType, uint32_t planId) {
-  if (missionType != MAV_MISSION_TYPE_MISSION || planId == 0) return;
+// The answer to an upload or a download of a mission names the plan aboard.
+void MissionFollower::takeName(uint32_t planId) {
+  if (planId == 0) return;
   planId_ = planId;
   patience_ = FollowRules::kPatience;
   judgeName();
@@ -142,9 +143,10 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
     }
   }
   // PX4 checks a plan after it has accepted it, and reports no mission until then too: only the second report counts.
-  const bool isDoubted = state_ == MissionState::NoMission && planId != 0 && planId == planId_ && isOurPlan();
-  if (isDoubted && planId_ == doubtedId_) client_.noteInfeasible();
-  doubtedId_ = isDoubted ? planId_ : 0;
+  uint32_t doubtedId = 0;
+  if (state_ == MissionState::NoMission && planId == planId_ && isOurPlan()) doubtedId = planId;
+  if (doubtedId != 0 && doubtedId == doubtedId_) client_.noteInfeasible();
+  doubtedId_ = doubtedId;
   if (item == current_) return;
   current_ = item;
   if (item == reached_) isNewLeg_ = true;
@@ -163,17 +165,20 @@ void MissionFollower::takeReached(const FrameParser& frame) {
 }
 
 void MissionFollower::takeText(const FrameParser& frame) {
-  mavlink_statustext_t message;
-  frame.copyPayload(&message, sizeof(message));
-  char text[sizeof(message.text) + 1];
-  memcpy(text, message.text, sizeof(message.text));
-  text[sizeof(message.text)] = 0;
+  typedef mavlink_statustext_t Text;
+  constexpr uint8_t kEnd = offsetof(Text, text) + sizeof(Text::text);
+  static_assert(kEnd < sizeof(Text), "a text is ended where it lies");
+  char message[sizeof(Text)];
+  frame.copyPayload(message, sizeof(message));
+  message[kEnd] = 0;
+  const char* const text = message + offsetof(Text, text);
   // PX4 accepts a plan first and checks it afterwards.
   if (has(client_.firmware(), kRejectsInWords) && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
     client_.noteInfeasible();
   }
   takePlanText(text);
-  if (textFunction_ != nullptr) textFunction_(textContext_, message.severity, text);
+  if (textFunction_ != nullptr)
+    textFunction_(textContext_, static_cast<uint8_t>(message[offsetof(Text, severity)]), text);
 }
 
 // ArduPilot says in words that an upload has ended. One such text belongs to each upload of ours.

@@ -38,7 +38,7 @@ class CommandTransfer : public CommandRules {
 
   // Begins the next command of an operation, after the answer to the one before. `repeats`: the command may be sent
   // again when its answer does not come.
-  void next(bool repeats, uint16_t nowMs);
+  MAVMISSION_APART void next(bool repeats, uint16_t nowMs);
   // Begins the first command of an operation. `last` is the transfer of the operation before, which was a command, too:
   // late answers to that command may still come.
   void beginBehind(const CommandTransfer& last) {
@@ -76,7 +76,7 @@ class CommandTransfer : public CommandRules {
   void sent(uint16_t id, uint16_t nowMs, uint16_t answerMs = kAnswerMs);
 
   // True while a late answer to this command, which has ended, may come.
-  bool awaitsLate(uint16_t id, uint16_t nowMs) const {
+  MAVMISSION_APART bool awaitsLate(uint16_t id, uint16_t nowMs) const {
     return tries_ == 0 && id == id_ && since(sentMs_, nowMs) < waitMs_;
   }
 
@@ -95,14 +95,14 @@ class CommandTransfer : public CommandRules {
     isFresh_ = 0;
   }
   // True when the request must be sent, `againMs` behind the one before.
-  bool isAskDue(uint16_t nowMs, uint16_t againMs) const {
+  MAVMISSION_APART bool isAskDue(uint16_t nowMs, uint16_t againMs) const {
     return isAsking_ != 0 && (isFresh_ != 0 || since(lookedMs_, nowMs) >= againMs);
   }
   void asked(uint16_t nowMs);
   // True for a COMMAND_ACK that answers such a request, and not the command that is under way.
   bool isAnswerToAsking(uint16_t command, uint16_t nowMs);
   // The autopilot's heartbeat has come. To be called before the operation takes it.
-  void onHeartbeat(uint16_t nowMs);
+  MAVMISSION_APART void onHeartbeat(uint16_t nowMs);
   // True if the command that is due lacks the heartbeat behind which it may leave.
   bool lacksHeartbeat(uint16_t nowMs) const {
     return isGuarded_ != 0 && (isAsking_ != 0 || isFresh_ == 0 || since(lookedMs_, nowMs) >= kFreshMs);

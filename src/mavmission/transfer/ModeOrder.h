@@ -23,7 +23,7 @@ class ModeOrder {
   //   again, and isRestoring(): send it at once.
   enum class Sight : uint8_t { Before, Wanted, Doubtful, Foreign, Undone };
 
-  void begin(uint16_t from, uint16_t wanted);
+  MAVMISSION_APART void begin(uint16_t from, uint16_t wanted);
   uint16_t wanted() const { return wanted_; }
   // True for the mode from which the order leads away, as long as no other one was seen.
   bool isFrom(uint16_t mode) const { return !isForeign_ && mode == other_; }

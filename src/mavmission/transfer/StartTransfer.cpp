@@ -112,7 +112,7 @@ Status StartTransfer::onItem(Status read, const MissionItem* item, const Aircraf
 Status StartTransfer::nextStep(const Aircraft& aircraft, CommandTransfer& sending) {
   setState(State::Steps);
   do {
-    ++step_;
+    step_ = static_cast<StartStep>(static_cast<uint8_t>(step_) + 1);
   } while (!beginStep(aircraft, sending));
   return Status::Transferring;
 }
