@@ -42,11 +42,14 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
     static_assert(kMaxPayload >= 46, "compile the library with -DMAVMISSION_MAX_PAYLOAD=46 to use StandardModes");
   }
 
-  // Sets a mode (MAV_CMD_DO_SET_STANDARD_MODE), whoever has the aircraft, as MissionClient::setMode() does. Done when
-  // the autopilot says that it is in this mode (CURRENT_MODE); Status::Unconfirmed when it was accepted, and the
-  // autopilot does not say so within 5 s. Status::CommandUnsupported from an autopilot without standard modes,
-  // Status::CommandFailed for a mode that this aircraft does not have, Status::CommandRejected while it cannot be set;
-  // Status::NoSuchMode for NonStandard, and Status::NeedsMavlink2 on a MAVLink 1 link: nothing is sent then.
+  // Sets a mode (MAV_CMD_DO_SET_STANDARD_MODE). As with MissionClient::setMode() each order leaves right behind a
+  // heartbeat, which is asked for, and none behind one that shows another mode than at the beginning:
+  // Status::TakenOver. A mode that an order on its way undoes is not set again, since a heartbeat does not tell which
+  // of the two flies. Done when the autopilot says that it is in this mode (CURRENT_MODE); Status::Unconfirmed when it
+  // was accepted, and the autopilot does not say so within 5 s. Status::CommandUnsupported from an autopilot without
+  // standard modes, Status::CommandFailed for a mode that this aircraft does not have, Status::CommandRejected while it
+  // cannot be set; Status::NoSuchMode for NonStandard, and Status::NeedsMavlink2 on a MAVLink 1 link: nothing is sent
+  // then.
   //
   // Steering takes such a mode for somebody else's, except for Mission.
   Status set(StandardMode mode);
@@ -80,9 +83,11 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
   void takeEntry(const detail::FrameParser& frame);
   bool isSetting() const { return number_ == 0; }
   Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
+  void beginAsking(uint16_t nowMs);
   void askAgain(uint16_t nowMs);
 
   uint32_t customMode_;
+  uint16_t before_;  // the mode in which a setting has begun, in the numbers of modeNumber()
   char name_[kMostCharacters + 1];
   StandardMode mode_;
   StandardMode current_;

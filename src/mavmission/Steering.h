@@ -105,7 +105,6 @@ class Steering : public detail::Listener, private detail::SteerRules {
                    const detail::FrameParser* frame, uint16_t nowMs);
   Status begin(Order order);
   Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
-  void look();
   void takeHeartbeat();
   void takePosition(const detail::FrameParser& frame);
   void takeTarget(const detail::FrameParser& frame);
@@ -160,8 +159,6 @@ class Steering : public detail::Listener, private detail::SteerRules {
   uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
   uint16_t oldMode_;          // the mode at the beginning of the operation
   detail::ModeOrder change_;  // from that mode to the one of the order
-  uint32_t lookedMs_;         // when anything was read, or an operation went on, last
-  uint16_t oldMs_;            // since when what is read may be old
   uint16_t beganS_;           // when the confirmation of a takeoff began [s]
   Order order_;
   Frame frame_;
@@ -179,7 +176,6 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isOrdered_ : 1;     // what changes the mode has left in this operation
   bool isDenied_ : 1;      // the place was refused: it is looked who has the aircraft
   bool canHover_ : 1;      // EXTENDED_SYS_STATE has named a state of a VTOL
-  bool isOld_ : 1;         // what is read now may have waited while loop() stood still
 };
 
 }  // namespace mavmission

@@ -175,3 +175,54 @@ def test_each_order_leaves_right_behind_a_heartbeat(build_service, vehicle):
     for time in sent:
         age = min(time - heartbeat for heartbeat in heartbeats if heartbeat < time)
         assert age < 0.035, "from the first byte of the heartbeat to the last of the order"
+
+
+STALL_S = 0.7
+
+
+def stall_at(service, time: float) -> None:
+    """loop() stands still then, once in this test."""
+    service.tell("stall", round(time * 1000), round(STALL_S * 1000))
+
+
+@PILOT
+@pytest.mark.parametrize("order", ["start", "mode"])
+@pytest.mark.parametrize("vehicle", BEGINS)
+def test_no_order_leaves_behind_a_heartbeat_that_has_waited_while_loop_stood_still(build_service, vehicle, order):
+    """The heartbeat that was asked for waits in the receive buffer meanwhile, and the pilot takes the aircraft."""
+    other = OTHERS[vehicle]
+    stood_still = 0
+    for number in range(14):
+        service = ready(build_service, vehicle)
+        began = 6.0 + 0.004 + 0.007 * number
+        moment = began + STALL_S / 2
+        service.autopilot.at("pilot", moment, lambda now, s=service: set_by_pilot(s, other, now))
+        stall_at(service, began)
+        modes = watch(service)
+        if order == "mode":
+            service.set_mode("ReturnToLaunch")
+        else:
+            service.order_of("start")
+        status = service.done(limit_s=30)
+        service.run(2.0)
+        stood_still += status == "TakenOver"
+        undone = [mode for time, mode in modes if time > moment + 0.0005 and mode != other]
+        assert undone == [], f"{number}: {modes}"
+    assert stood_still > 1
+
+
+@PILOT
+@pytest.mark.parametrize("vehicle", ["copter", "rover"])
+def test_pilot_who_disarms_is_told_by_start_arming_whatever_mode_he_has_set(build_service, vehicle):
+    at = heard_at(build_service, vehicle, (ARM, 0))
+    for behind_ms in (20, 40):  # a heartbeat has shown it armed, and it does not fly yet
+        service = ready(build_service, vehicle)
+
+        def take(now, s=service):
+            s.autopilot.armed = False
+            set_by_pilot(s, OTHERS[vehicle], now)
+
+        service.autopilot.at("pilot", at + behind_ms / 1000, take)
+        service.order_of("start")
+        assert service.done() in ("TakenOver", "NotArmed"), behind_ms
+        assert not service.autopilot.armed and service.state.arming != "Armed", behind_ms

@@ -623,3 +623,25 @@ def test_hold_is_ordered_once_and_shown(following):
     assert held.command == REPOSITION
     following.run(2.0)
     assert len(following.ordered()) == before + 1
+
+
+@FOLLOWED
+@pytest.mark.parametrize("tenths", range(1, 15, 2))
+def test_offboard_is_ordered_behind_a_second_of_targets_without_a_gap(build_following, tenths):
+    """A gap in the first second: PX4 would refuse the mode."""
+    following = build_following("PX4")
+    following.fly()
+    following.run(3.0)  # it holds at the top
+    began = following.now
+    following.follow(following.place(300.0, 0.0), 12.0)
+    while not sent_targets(following, began):
+        following.run(0.02)
+    following.run(tenths / 10)
+    cut(following, 1.8)
+    status = following.done(limit_s=20)
+    assert status in ("Done", "FailsafeHasIt", "NoAutopilot")
+    orders = [entry.time for entry in following.wire.frames(">", "COMMAND_LONG")
+              if entry.time > began and entry.message.command == 176]  # fmt: skip
+    for time in orders:
+        before = [sent for sent in sent_targets(following, began) if time - 1.0 < sent < time]
+        assert len(before) >= 4, (tenths, time)

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from plans import on_the_wire
-from simulation.fake_autopilot import mavlink
+from plans import NAN, on_the_wire, waypoint
+from simulation.fake_autopilot import item, mavlink
 from simulation.fake_autopilot.flight import Place
 from simulation.steered import ABOVE_GROUND, ABOVE_SEA, REPOSITION, SPEED, TAKEOFF
 from simulation.wire import Wire
@@ -590,3 +590,20 @@ def test_plane_that_does_not_say_whether_it_hovers_is_not_armed(build_steered):
     steered.take_off(10.0)
     assert steered.done(limit_s=20) == "NoAnswer"
     assert steered.ordered() == []
+
+
+@STEERING
+@pytest.mark.parametrize("mode", [(4, 4), (4, 2)], ids=["mission", "takeoff"])
+def test_px4_is_not_armed_in_a_mode_in_which_it_flies_off_at_once(build_steered, mode):
+    steered = build_steered("PX4")
+    steered.autopilot.load([item(22, x=473977418, y=85455938, z=50.0, param4=NAN), waypoint(473997418, 85455938, 50.0)])
+    steered.autopilot._set_mode(*mode, 0.0)
+    steered.run(35.0)
+    steered.take_off(10.0)
+    armed_in = []
+    arm = steered.autopilot._arm_or_disarm
+    steered.autopilot._arm_or_disarm = lambda message, now: (armed_in.append(steered.mode), arm(message, now))[1]
+    assert steered.done(limit_s=40) == "Done"
+    assert armed_in == [(4, 3)]
+    steered.run(20.0)
+    assert steered.where.height == pytest.approx(10.0, abs=0.5)

@@ -171,3 +171,35 @@ def test_second_operation_is_busy_and_changes_nothing(px4):
     assert px4.begin("read", 1) == "Busy"
     px4.run(3.0)
     assert {message.param1 for message in commands(px4, SET)} == {LAND}
+
+
+def test_standard_mode_is_ordered_right_behind_a_heartbeat_each_time(px4):
+    px4.run(2.0)
+    px4.wire.lose(">", name="COMMAND_LONG", times=2, where=lambda message: message.command == SET)
+    assert px4.order("set", LAND) == "Done"
+    sent = [entry.time for entry in px4.wire.frames(">", "COMMAND_LONG") if entry.message.command == SET]
+    heartbeats = [entry.time for entry in px4.wire.frames("<", "HEARTBEAT")]
+    assert len(sent) == 3
+    assert all(any(0 < time - beat < 0.03 for beat in heartbeats) for time in sent)
+
+
+@pytest.mark.parametrize("at_ms", [1, 3, 5])
+def test_standard_mode_does_not_overrule_a_pilot_who_was_sooner(px4, at_ms):
+    px4.run(2.0)
+    px4.begin("set", LAND)
+    px4.run(at_ms / 1000)
+    assert not commands(px4, SET)
+    px4.autopilot._set_mode(3, 0, px4.now)  # POSITION
+    assert px4.run_until_ended(limit_s=20) == "TakenOver"
+    assert not commands(px4, SET) and px4.autopilot.main_mode == 3
+
+
+def test_standard_mode_is_not_ordered_again_when_another_one_is_shown(px4):
+    px4.run(2.0)
+    px4.wire.lose("<", name="COMMAND_ACK", where=lambda message: message.command == SET)
+    px4.begin("set", LAND)
+    while px4.autopilot.sub_mode != SUB_LAND:
+        px4.run(0.001)
+    px4.autopilot._set_mode(3, 0, px4.now)  # POSITION
+    assert px4.run_until_ended(limit_s=20) == "Unconfirmed"
+    assert len(commands(px4, SET)) == 1 and px4.autopilot.main_mode == 3

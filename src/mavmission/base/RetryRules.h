@@ -72,6 +72,8 @@ struct CommandRules {
   static constexpr uint8_t kMostAsks = 75;      // requests without a heartbeat, before it is given up
   static constexpr uint8_t kLateAsks = 3;       // requests that may still be answered when a heartbeat has come
   static constexpr uint16_t kUnderWayMs = 400;  // an order that has left may not have arrived yet
+  // Behind a loop() that stood still for so long, what is read in the next so many milliseconds is old.
+  static constexpr uint8_t kStoodStillMs = 200, kDrainMs = 20;
 };
 
 // Commands that a listener sends beside an operation: TelemetryPause, MissionFollower and the listeners of telemetry.
@@ -124,8 +126,6 @@ struct SteerRules {
   // In heartbeats of the autopilot, one a second: how old a position may be, and how long ago the autopilot may have
   // named a target for another one to be waited for.
   static constexpr uint8_t kFreshBeats = 3, kTargetBeats = 5;
-  // Behind a loop() that stood still for so long, what is read in the next so many milliseconds is old.
-  static constexpr uint8_t kStoodStillMs = 200, kDrainMs = 20;
 };
 
 struct StandardModeRules {

@@ -41,6 +41,7 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
   commanding_.fill = fill;
   commanding_.on = on;
   commanding_.transfer.setRepeats(true);
+  commanding_.transfer.beginLooking(static_cast<uint16_t>(millis()));
   return state_.status;
 }
 
@@ -51,6 +52,7 @@ void Client::nextCommand(FillCommand fill, uint16_t nowMs) {
 
 void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
+  client.commanding_.transfer.look(nowMs);
   if (frame != nullptr) {
     if (state.status == Status::Transferring) client.takeCommandFrame(*frame, nowMs);
     return;

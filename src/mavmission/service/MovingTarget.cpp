@@ -253,7 +253,9 @@ Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t
   }
   if (steering_.step_ != SteerStep::Mode) return status;
   const bool isListening = sending.state() == CommandTransfer::State::Listening;
-  if (needsStream() && (!hasSent_ || since(beganMs_, nowMs) < kLeadMs)) {
+  // PX4 takes the mode behind a second of targets.
+  const bool isLed = hasSent_ && since(sentMs_, nowMs) < kBlindMs && since(beganMs_, nowMs) >= kLeadMs;
+  if (needsStream() && !isLed) {
     if (!isListening) sending.listen(SteerRules::kConfirmMs, nowMs);
   } else if (isListening) {
     sending.next(true, nowMs);
@@ -347,7 +349,8 @@ void MovingTarget::send(uint16_t nowMs) {
                                     MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_CRC, sizeof(payload_),
                                     MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_MIN_LEN, payload_};
   if (!client_.link_.sendForeign(outgoing)) return;
-  if (!hasSent_) beganMs_ = nowMs;
+  // A second of targets has no gap in it.
+  if (!hasSent_ || since(sentMs_, nowMs) >= kBlindMs) beganMs_ = nowMs;
   hasSent_ = true;
   isSpoilt_ = false;
   sentMs_ = nowMs;

@@ -26,6 +26,7 @@ static_assert(sizeof(mavlink_available_modes_t::mode_name) == StandardModes::kMo
 StandardModes::StandardModes(MissionClient& client, Kept)
     : Listener(client, kModes, sizeof(kModes) / sizeof(kModes[0]), take),
       customMode_(0),
+      before_(0),
       mode_(StandardMode::NonStandard),
       current_(StandardMode::NonStandard),
       wanted_(StandardMode::NonStandard),
@@ -98,20 +99,25 @@ Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_
   switch (event) {
     case Client::CommandEvent::Ready:
       if (isSetting() && wanted_ == StandardMode::NonStandard) return Status::NoSuchMode;
+      before_ = client_.shownMode();
+      if (isSetting()) client_.commanding_.transfer.guard();
       return client_.link_.version() == 1 ? Status::NeedsMavlink2 : status;
     case Client::CommandEvent::Accepted:
       if (!isSetting() || isAsking_) {
         isAnswered_ = true;
         return Status::Transferring;
       }
-      isAsking_ = true;
-      client_.beginSeconds(nowMs);
-      askAgain(nowMs);
+      beginAsking(nowMs);
       return Status::Transferring;
     case Client::CommandEvent::Refused: return isAsking_ ? Status::Unconfirmed : status;
     case Client::CommandEvent::Silent: return isAsking_ || isAnswered_ ? Status::Unconfirmed : status;
     case Client::CommandEvent::Time: break;
     case Client::CommandEvent::Heartbeat:
+      // Another mode by now: somebody else's, or this order's. It does not leave again in any case.
+      if (!isSetting() || isAsking_ || client_.shownMode() == before_) return status;
+      if (client_.commanding_.transfer.tries() == 0) return Status::TakenOver;
+      beginAsking(nowMs);
+      return status;
     case Client::CommandEvent::Current: return status;
   }
   // Without the answer, it would be taken for that to the next question.
@@ -121,6 +127,13 @@ Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_
   askAgain(nowMs);
   client_.commanding_.transfer.pause(kAskAgainMs, nowMs);
   return status;
+}
+
+// From now on the autopilot is asked for its mode.
+void StandardModes::beginAsking(uint16_t nowMs) {
+  isAsking_ = true;
+  client_.beginSeconds(nowMs);
+  askAgain(nowMs);
 }
 
 void StandardModes::askAgain(uint16_t nowMs) {

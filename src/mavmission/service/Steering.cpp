@@ -31,8 +31,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   value_ = 0;
   ownMode_ = oldMode_ = kNoMode;
   change_.begin(kNoMode, kNoMode);
-  lookedMs_ = 0;
-  oldMs_ = beganS_ = 0;
+  beganS_ = 0;
   order_ = Order::TakeOff;
   frame_ = Frame::Global;
   step_ = SteerStep::None;
@@ -40,7 +39,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   landedState_ = MAV_LANDED_STATE_UNDEFINED;
   positionAge_ = targetAge_ = 255;
   seenDisarmed_ = hasArmed_ = isModeSeen_ = isHeard_ = isAnswered_ = isTargetSame_ = false;
-  isOrdered_ = isDenied_ = canHover_ = isOld_ = false;
+  isOrdered_ = isDenied_ = canHover_ = false;
 }
 
 // --- What the sketch calls
@@ -106,7 +105,6 @@ bool Steering::hasArrived(uint16_t withinCm) const {
 void Steering::take(Listener& listener, const FrameParser& frame) {
   Steering& self = static_cast<Steering&>(listener);
   if (!self.isFromAutopilot(frame)) return;
-  self.look();
   const SteerStep step = self.step_;
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_HEARTBEAT: return self.takeHeartbeat();
@@ -118,18 +116,6 @@ void Steering::take(Listener& listener, const FrameParser& frame) {
           frame.payloadByte(offsetof(mavlink_extended_sys_state_t, vtol_state)) != MAV_VTOL_STATE_UNDEFINED;
       if (step == SteerStep::AskLanded || step == SteerStep::Confirm) self.isHeard_ = true;
   }
-}
-
-// Behind a loop() that has stood still, what waits in the receive buffer is as old as that.
-void Steering::look() {
-  const uint32_t nowMs = millis();
-  const uint16_t shortMs = static_cast<uint16_t>(nowMs);
-  if (nowMs - lookedMs_ >= kStoodStillMs) {
-    isOld_ = true;
-    oldMs_ = shortMs;
-  }
-  if (isOld_ && since(oldMs_, shortMs) >= kDrainMs) isOld_ = false;
-  lookedMs_ = nowMs;
 }
 
 void Steering::takeHeartbeat() {
@@ -160,7 +146,10 @@ void Steering::takePosition(const FrameParser& frame) {
   seaCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, alt))) / 10;
   homeCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, relative_alt))) / 10;
   positionAge_ = 0;
-  if (step_ == SteerStep::AskPosition && !isOld_) isHeard_ = true;
+  if (step_ != SteerStep::AskPosition || !client_.rest_.isCommanding) return;
+  CommandTransfer& sending = client_.commanding_.transfer;
+  sending.look(static_cast<uint16_t>(millis()));  // a listener hears before the operation does
+  if (!sending.isOld()) isHeard_ = true;
 }
 
 void Steering::takeTarget(const FrameParser& frame) {

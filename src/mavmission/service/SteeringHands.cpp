@@ -33,7 +33,6 @@ void Steering::noteSent() {
 Status Steering::onHeartbeat(uint16_t nowMs) {
   CommandTransfer& sending = client_.commanding_.transfer;
   if (step_ == SteerStep::Disarm) return client_.isArmed() ? Status::Transferring : refusal_;
-  if (isOld_) sending.askLater();  // nothing may leave behind this one
   const uint16_t shown = client_.shownMode();
   const bool isUnderWay = isOrdered_ && sending.mayBeUnderWay(nowMs);
   if (isFailsafe() && (!isUnderWay || shown == change_.wanted())) return leaveTo(Status::FailsafeHasIt, nowMs);

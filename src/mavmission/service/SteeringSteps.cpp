@@ -19,7 +19,6 @@ Status Steering::on(Client& client, Client::CommandEvent event, Status status, c
 }
 
 Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
-  look();
   noteSent();
   switch (event) {
     case Client::CommandEvent::Ready: {
@@ -97,8 +96,13 @@ bool Steering::beginStep(uint16_t nowMs) {
       if (!wantsPosition() && (isFresh || !(isTakeOff || is(Order::GoTo)))) return false;
       break;
     case SteerStep::Mode: {
-      const bool isReady = !has(client_.firmware(), kFliesByMode) || client_.shownMode() == change_.wanted();
-      if (isTakeOff ? isReady : hasCommand()) return false;
+      const uint16_t shown = client_.shownMode();
+      // PX4 that is armed in its mission's mode, or in that of a takeoff, takes off at once: so not in these.
+      const bool isFirstHeld = isTakeOff && !has(client_.firmware(), kFliesByMode) &&
+                               (shown == client_.numberOf(FlightMode::Auto) || shown == kPx4TakeOff);
+      if (isFirstHeld) lead(shown, client_.numberOf(FlightMode::Hold));
+      const bool isReady = !has(client_.firmware(), kFliesByMode) || shown == change_.wanted();
+      if (isTakeOff ? isReady && !isFirstHeld : hasCommand()) return false;
       break;
     }
     case SteerStep::Arm:
@@ -107,6 +111,10 @@ bool Steering::beginStep(uint16_t nowMs) {
     case SteerStep::Command:
       if (!hasCommand()) return false;
       findWanted();
+      if (isTakeOff && change_.wanted() != modeFor(order_)) {  // it has been made to hold first
+        lead(change_.wanted(), modeFor(order_));
+        isOrdered_ = false;
+      }
       break;
     case SteerStep::Confirm:
       if (!hasCommand()) return false;

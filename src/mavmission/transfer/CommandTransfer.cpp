@@ -37,8 +37,19 @@ bool CommandTransfer::isAnswerToAsking(uint16_t command, uint16_t nowMs) {
   return true;
 }
 
+void CommandTransfer::look(uint16_t nowMs) {
+  if (since(calledMs_, nowMs) >= kStoodStillMs) {
+    isOld_ = 1;
+    isFresh_ = isAsking_;
+    lookedMs_ = nowMs;
+  }
+  if (since(lookedMs_, nowMs) >= kDrainMs) isOld_ = 0;
+  calledMs_ = nowMs;
+}
+
 void CommandTransfer::onHeartbeat(uint16_t nowMs) {
   if (!mayBeUnderWay(nowMs)) hasOrdered_ = 0;
+  if (isOld_ != 0) return;  // a newer one is asked for
   lookedMs_ = nowMs;
   isFresh_ = 1;
   isAsking_ = 0;

@@ -82,6 +82,14 @@ class CommandTransfer : public CommandRules {
 
   // --- Heartbeats
 
+  // To be called whenever update() comes by, before anything is made of what it has read. What waits in the receive
+  // buffer behind a loop() that has stood still is as old as that: no order leaves behind such a heartbeat.
+  MAVMISSION_APART void look(uint16_t nowMs);
+  // The first look.
+  void beginLooking(uint16_t nowMs) { calledMs_ = nowMs; }
+  // True while what is read may have waited while loop() stood still.
+  bool isOld() const { return isOld_ != 0; }
+
   // Each attempt of the command that has begun leaves right behind a heartbeat.
   void guard() { isGuarded_ = 1; }
   // Asks for a heartbeat, at once, until one comes.
@@ -96,7 +104,7 @@ class CommandTransfer : public CommandRules {
   }
   // True when the request must be sent, `againMs` behind the one before.
   MAVMISSION_APART bool isAskDue(uint16_t nowMs, uint16_t againMs) const {
-    return isAsking_ != 0 && (isFresh_ != 0 || since(lookedMs_, nowMs) >= againMs);
+    return isAsking_ != 0 && isOld_ == 0 && (isFresh_ != 0 || since(lookedMs_, nowMs) >= againMs);
   }
   void asked(uint16_t nowMs);
   // True for a COMMAND_ACK that answers such a request, and not the command that is under way.
@@ -105,7 +113,7 @@ class CommandTransfer : public CommandRules {
   MAVMISSION_APART void onHeartbeat(uint16_t nowMs);
   // True if the command that is due lacks the heartbeat behind which it may leave.
   bool lacksHeartbeat(uint16_t nowMs) const {
-    return isGuarded_ != 0 && (isAsking_ != 0 || isFresh_ == 0 || since(lookedMs_, nowMs) >= kFreshMs);
+    return isGuarded_ != 0 && (isOld_ != 0 || isAsking_ != 0 || isFresh_ == 0 || since(lookedMs_, nowMs) >= kFreshMs);
   }
   // True while a guarded command that has left may not have arrived yet.
   bool mayBeUnderWay(uint16_t nowMs) const {
@@ -121,13 +129,15 @@ class CommandTransfer : public CommandRules {
 
   MAVMISSION_APART void wait(State state, uint16_t waitMs, uint16_t nowMs);
 
+  uint16_t calledMs_;  // when update() came by last
   uint16_t sentMs_;
   uint16_t waitMs_;
   uint16_t id_;
-  uint16_t lookedMs_;  // when the last heartbeat came, or when one was asked for since
+  uint16_t lookedMs_;  // when the last heartbeat came, or when one was asked for since; isOld_: since when
   uint8_t ordered_;    // when a guarded command has left last [kOrderTickMs]
   uint8_t tries_;
-  uint8_t asksOpen_;   // requests for a heartbeat without a COMMAND_ACK
+  uint8_t asksOpen_ : 7;  // requests for a heartbeat without a COMMAND_ACK
+  uint8_t isOld_ : 1;
   uint8_t state_ : 3;  // State
   uint8_t repeats_ : 1;
   uint8_t isGuarded_ : 1;

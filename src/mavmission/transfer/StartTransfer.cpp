@@ -281,6 +281,13 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
   const bool isSent = sending.tries() != 0;
   const bool setsMode = step() == StartStep::ReadyMode || step() == StartStep::AutoMode || step() == StartStep::Begin;
   if (setsMode && isSent) isSent_ = 1;
+  if (aircraft.isArmed) {
+    // Somebody else has armed it.
+    if (step() == StartStep::Arm && !isSent) setArming(StartArming::Untouched);
+    isArmedSeen_ = 1;
+  } else if (isArmedSeen_ != 0 && arming() == StartArming::Armed) {
+    setArming(StartArming::Disarmed);
+  }
   switch (
       order_.onHeartbeat(aircraft.mode, isRestoring ? isSent : isSent_ != 0, sending.mayBeUnderWay(aircraft.nowMs))) {
     case ModeOrder::Sight::Foreign:
@@ -301,14 +308,7 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
 Status StartTransfer::onOwnMode(bool isWanted, const Aircraft& aircraft, CommandTransfer& sending) {
   const bool isSent = sending.tries() != 0;
   const bool isFlying = aircraft.isArmed && isWanted;
-  if (aircraft.isArmed) {
-    // Somebody else has armed it.
-    if (step() == StartStep::Arm && !isSent) setArming(StartArming::Untouched);
-    isArmedSeen_ = 1;
-  } else if (isArmedSeen_ != 0) {
-    if (arming() == StartArming::Armed) setArming(StartArming::Disarmed);
-    return Status::NotArmed;
-  }
+  if (!aircraft.isArmed && isArmedSeen_ != 0) return Status::NotArmed;
   bool isDone = false;
   switch (step()) {
     case StartStep::ReadyMode:
