@@ -18,6 +18,7 @@ INVALID_SEQUENCE = mavlink.MAV_MISSION_INVALID_SEQUENCE
 CANCELLED = mavlink.MAV_MISSION_OPERATION_CANCELLED
 
 RETRY_S = 1.0  # from what was heard last to the request that is sent again
+TAKES_ALL_RETRY_S = 0.5  # the same, by MAVSDK's source: each item that comes again begins it anew
 MOST_RETRIES = 5
 DOWNLOAD_S = 5.0
 MOST_ITEMS = 120
@@ -52,6 +53,7 @@ class Inav(FakeAutopilot):
         self._hears = {
             "MISSION_COUNT": self._on_count, "MISSION_ITEM_INT": self._on_item,
             "MISSION_REQUEST_LIST": self._on_request_list, "MISSION_REQUEST_INT": self._on_request,
+            "MISSION_REQUEST": self._on_older_request,
             "MISSION_CLEAR_ALL": self._on_clear, "COMMAND_LONG": self._on_command, "MISSION_ACK": self._on_ack,
         }  # fmt: skip
 
@@ -87,7 +89,7 @@ class Inav(FakeAutopilot):
         kind = mavlink.MAVLink_mission_request_int_message if self.asks_by_int \
             else mavlink.MAVLink_mission_request_message
         self.answer(kind(*self._sender, self._next, MISSION), now)
-        self.at("retry", now + RETRY_S, self._ask_again)
+        self.at("retry", now + (TAKES_ALL_RETRY_S if self.takes_all else RETRY_S), self._ask_again)
 
     def _ask_again(self, now: float) -> None:
         self._retries += 1
@@ -114,6 +116,8 @@ class Inav(FakeAutopilot):
         if why != ACCEPTED:
             return self._abort(why, now)
         self._retries = 0
+        if message.seq != self._next and self.takes_all:
+            return self.at("retry", now + TAKES_ALL_RETRY_S, self._ask_again)
         if message.seq != self._next:
             return self._ask(now) if message.seq + 1 == self._next else self._abort(INVALID_SEQUENCE, now)
         self.held[self._next:] = [one]
@@ -155,6 +159,11 @@ class Inav(FakeAutopilot):
             *sender, message.seq, one.frame, one.command, 0, 1, *one[4:8], int(one.x), int(one.y), one.z, MISSION), now)
         self._reading = message.seq + 1
         self.at("reading", now + DOWNLOAD_S, self._stop_reading)
+
+    def _on_older_request(self, message, sender, now: float) -> None:
+        """iNav would answer with a MISSION_ITEM, which is not imitated; MAVSDK's server says that it takes it not."""
+        if self.takes_all:
+            self._ack(UNSUPPORTED, now, sender)
 
     def _on_ack(self, message, sender, now: float) -> None:
         self._reading = None

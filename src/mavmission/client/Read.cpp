@@ -93,8 +93,10 @@ void Client::sendRead(uint16_t nowMs) {
 }
 
 void Client::sendRequest(uint16_t wireItem) {
-  // An autopilot that is neither ArduPilot nor PX4 may know only the older request.
-  const bool older = plan_.has(kMayBeOld) && reading_.transfer.tries() >= DownloadRules::kNewRequestTries;
+  // An autopilot that is neither ArduPilot nor PX4 may know only the older request. It is sent in turns with the newer
+  // one: most know only that, and on a line that loses both of the first may be lost.
+  const uint8_t tries = reading_.transfer.tries();
+  const bool older = plan_.has(kMayBeOld) && tries >= DownloadRules::kNewRequestTries && (tries & 1) == 0;
   sendShort(older ? KeyIndex::MISSION_REQUEST : KeyIndex::MISSION_REQUEST_INT, wireItem, state_.type);
 }
 
@@ -120,6 +122,9 @@ void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
                               (status == Status::Error || status == Status::CancelledByAutopilot);
       if (rest_.proving && !isListing && status == Status::Error) return reading_.transfer.begin(nowMs);
       if (mayBeOlder || (rest_.proving && isListing)) return;
+      // The refusal of the older request, perhaps.
+      const bool isOlderAsked = reading_.transfer.tries() > DownloadRules::kNewRequestTries;
+      if (plan_.has(kMayBeOld) && isOlderAsked && status == Status::Unsupported) return;
       rest_.lastResult = result;
       return endReading(status);
     }
