@@ -54,7 +54,7 @@ def test_row_in_two_files_makes_an_autopilot(tmp_path):
     third = talk(library, tmp_path, AUTOPILOT)
     assert third["name"] == NAME
     assert third["count"] == "3", "home is before the sketch's two items"
-    assert third["item 0"] == "command 16" and third["item 1"] == "command 22"
+    assert third["item 0"] == "command 112" and third["item 1"] == "command 22"
     status, _, aboard = third["status"].split(" ")
     assert ABOARD[int(aboard)] == "AsBefore", "it keeps the plan of before until the new one is whole"
 
