@@ -34,9 +34,9 @@ std::vector<uint16_t> requestsOfAnItem(uint8_t autopilot) {
 
 }  // namespace
 
-TEST_CASE("an autopilot that is neither is asked for an item twice by the new request, then by the older one") {
+TEST_CASE("an autopilot that is neither is asked for an item twice by the new request, then by both in turns") {
   const uint16_t newer = ClientOnLine::kRequestInt, older = ClientOnLine::kRequest;
-  CHECK(requestsOfAnItem(ClientOnLine::kOther) == std::vector<uint16_t>{newer, newer, older, older, older});
+  CHECK(requestsOfAnItem(ClientOnLine::kOther) == std::vector<uint16_t>{newer, newer, older, newer, older});
 }
 
 TEST_CASE("ArduPilot and PX4 are asked for an item by the new request alone") {

@@ -686,8 +686,24 @@ TEST_CASE("whatever is heard in whatever order, accepted means that every item w
   }
 }
 
+TEST_CASE("on a line that loses, an unknown server gets room for its own timeout behind each eight of an item") {
+  Upload upload(3, Firmware::Other);
+  upload.send();
+  upload.wait(18);
+  upload.request(0);
+  upload.send();
+  upload.pace.noteLoss();
+  for (int sent = 1; sent < 20; ++sent) {
+    const uint16_t waitMs = sent % 8 == 0 ? UploadTransfer::kRoomMs : 50;
+    CHECK(goesOn(upload.wait(waitMs - 1)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    upload.wait(1);
+    CHECK((upload.send() == Send::Item));
+  }
+}
+
 TEST_CASE("on a line that loses, an item that is not answered is sent again every 50 ms") {
-  Upload upload(3);
+  Upload upload(3, Firmware::Px4);
   upload.send();
   upload.wait(18);
   upload.request(0);
@@ -812,7 +828,7 @@ TEST_CASE("repeats take a fifth of the line at the most") {
 }
 
 TEST_CASE("on a line that loses, COUNT is sent again for 7.5 s, before ArduPilot would give up what it has heard") {
-  Upload upload(3);
+  Upload upload(3, Firmware::ArduPilot);
   upload.pace.noteLoss();
   uint16_t counts = 0;
   Status status = Status::Transferring;
