@@ -37,9 +37,10 @@ from scenario_table import pytest_collection_modifyitems, pytest_terminal_summar
 
 def pytest_configure(config):
     import cpu_time
+    import kept_results
     import loss_table
     import sample
     import tables
 
-    for plugin in (sample, tables, loss_table, cpu_time.CpuTime(config)):
+    for plugin in (sample, tables, loss_table, cpu_time.CpuTime(config), kept_results.KeptResults(config)):
         config.pluginmanager.register(plugin)

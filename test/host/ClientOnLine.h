@@ -45,11 +45,11 @@ class ClientOnLine {
     line.bring(packed(parts));
   }
 
-  // An update() each millisecond, and a heartbeat each second.
-  void run(uint32_t ms) {
+  // An update() every `step` ms, of which `ms` is a multiple, and a heartbeat each second.
+  void run(uint32_t ms, uint32_t step = 1) {
     for (uint32_t end = nowMs_ + ms; nowMs_ != end;) {
-      if (beats && nowMs_ % 1000 == 0) hear(heartbeatParts(autopilot_));
-      setMillis(++nowMs_);
+      if (beats && nowMs_ % 1000 < step) hear(heartbeatParts(autopilot_));
+      setMillis(nowMs_ += step);
       const mavmission::Status status = client.update();
       if (returned.empty() || returned.back() != status) returned.push_back(status);
       if (status != mavmission::Status::Idle && !client.isBusy()) ended = status;

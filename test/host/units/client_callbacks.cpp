@@ -40,6 +40,7 @@ enum class Do {
   NoCallbacks,
   Last
 };
+constexpr uint32_t kStepMs = 4;                        // between two passes of loop()
 constexpr int kMoments = 5;                            // the first calls of each callback
 constexpr int kRunning = static_cast<int>(Do::Start);  // of these each is also what runs meanwhile
 
@@ -93,8 +94,7 @@ class Sketch : public ClientOnLine {
   }
 
   void finish() {
-    for (int i = 0; i < 3000 && (client.isBusy() || i < 5); ++i) live(10);
-    live(1);
+    for (int i = 0; i < 3000 && (client.isBusy() || i < 5); ++i) live(3 * kStepMs);
     isCounting_ = false;
     if (client.isBusy()) faults.push_back("an operation does not end");
   }
@@ -123,9 +123,9 @@ class Sketch : public ClientOnLine {
   // --- The autopilot
 
   void live(uint32_t ms) {
-    for (; ms != 0; --ms) {
+    for (; ms != 0; ms -= kStepMs) {
       if (isCounting_ && !isDone && nowMs() % 8 == 0) tellSomething();
-      run(1);
+      run(kStepMs, kStepMs);
       payload_.update();
       std::vector<SentFrame> heard;
       heard.swap(sent);
