@@ -9,7 +9,7 @@ from planning import Item as PlannedItem
 from planning import judge
 from simulation.fake_autopilot import Item, mavlink
 
-HOME = Item(mavlink.MAV_FRAME_GLOBAL, mavlink.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0)
+from .words import HOME
 
 
 def on_the_wire(plan: list[Item], autopilot: str, vehicle: int = mavlink.MAV_TYPE_QUADROTOR) -> list[Item]:

@@ -12,10 +12,14 @@ ALTITUDES = {0: "above sea level", 3: "above home", 5: "above sea level", 6: "ab
              10: "above the ground", 11: "above the ground"}  # fmt: skip
 ITEMS = ("MISSION_ITEM_INT", "MISSION_ITEM")
 FILES = "FILE_TRANSFER_PROTOCOL"
+# What goes to ArduPilot as item 0, where it keeps a home of its own: a command that does nothing.
+HOME = Item(mavlink.MAV_FRAME_GLOBAL, mavlink.MAV_CMD_CONDITION_DELAY, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0)
 
 
 def item_in_words(item: Item) -> str:
     """NAV_WAYPOINT -35.3632621 149.1652374, 20 m above home, yaw as you fly."""
+    if item == HOME:
+        return "nothing, in the place of the autopilot's home"
     parts = [command_name(item.command)]
     if item.frame in ALTITUDES:
         place = f"{item.x / 1e7:.7f} {item.y / 1e7:.7f}, " if (item.x, item.y) != (0, 0) else ""
