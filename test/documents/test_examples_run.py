@@ -141,7 +141,7 @@ def test_ensure_mission_says_early_what_is_missing():
 
 def test_ensure_mission_changes_nothing_in_flight(run):
     example = run("EnsureMission", armed=True)
-    example.autopilot.load([HOME, waypoint(), waypoint(z=30.0)])
+    example.autopilot.load([waypoint(), waypoint(), waypoint(z=30.0)])
     held = example.autopilot.received()
     example.until("aboard: not known", 5.0)
     assert example.lines[0] == "refused: the autopilot is armed"

@@ -22,7 +22,7 @@ def root(tmp_path):
         "test/upload/test_b.py": "def test_other(): pass\n",
         "test/upload/test_table.py": "DOCUMENT = 'measurements.md'\n",
         "test/documents/test_readme.py": "def test_readme(): pass\n",
-        "docs/page.md": "words\n",
+        "notes.md": "words\n",
         "pytest.ini": "[pytest]\n",
     }.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
@@ -92,7 +92,7 @@ def test_comment_and_document_change_nothing(root):
     names_run(root)
     source = root / "src/mavmission/client/Client.cpp"
     source.write_text(source.read_text().replace("// one", "// another"))
-    (root / "docs/page.md").write_text("other words\n")
+    (root / "notes.md").write_text("other words\n")
     assert names_run(root) == []
 
 
