@@ -77,6 +77,7 @@ inline void noInterrupts() { asm volatile("cpsid i" : : : "memory"); }
 static const uint8_t A0 = 14;
 inline void pinMode(uint8_t, uint8_t) {}
 inline void digitalWrite(uint8_t, uint8_t) {}
+inline int digitalRead(uint8_t) { return LOW; }
 inline int analogRead(uint8_t) { return 0; }
 
 unsigned long millis();
