@@ -97,7 +97,13 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   const bool isWanted = result == FrameParser::Result::Wanted;
   if (isWanted) {
     ++state_.frames;
-    if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) takeHeartbeat(nowMs);
+    if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
+      if (isOvertaken()) {
+        state_.heardSequence = parser_.sequence();  // behind a restart of the autopilot's the next one counts
+        return false;
+      }
+      takeHeartbeat(nowMs);
+    }
     const MoreKeys* const listeners = parser_.moreKeys();
     if (listeners != nullptr) listeners->tell(listeners, parser_);
   } else {
@@ -107,6 +113,12 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   noteSequence();
   if (isWanted) finder_.onFrame(nowMs);
   return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
+}
+
+// A heartbeat that others have overtaken shows a mode that is over.
+bool Link::isOvertaken() const {
+  const uint8_t ahead = static_cast<uint8_t>(parser_.sequence() - state_.heardSequence);
+  return ahead > 255 - kLateFrames && state_.sequenceKnown && finder_.isFrom(parser_.systemId(), parser_.componentId());
 }
 
 void Link::noteSequence() {

@@ -121,6 +121,8 @@ class Link : public LinkRules {
   // True if we may send: when it is clear which autopilot is there, or when the sketch has set our system id and no
   // more than one autopilot is heard.
   MAVMISSION_APART bool maySpeak() const;
+  // True of a frame of the autopilot's that up to kLateFrames later ones have overtaken, by their numbers.
+  bool isOvertaken() const;
   // Counts the autopilot's frames that were lost, by the gap before the number of this one.
   void noteSequence();
   // Counts a frame and notes its sequence number; true if receive() must return the frame.
@@ -128,6 +130,8 @@ class Link : public LinkRules {
   MAVMISSION_APART void sendHeartbeat();
   void takeHeartbeat(uint16_t nowMs);
   void pack(uint8_t* payload, const MessageKey* key);
+
+  static constexpr uint8_t kLateFrames = 63;
 
   struct State {
     uint16_t heardByteMs;
