@@ -78,8 +78,18 @@ struct Autopilot {
     return packed(FrameParts(id, payload, extra));
   }
   Bytes heartbeat() const { return message(0, {0, 0, 0, 0, vehicle, autopilot, 0, 3, 3}, 50); }
+  bool hasHome() const { return autopilot == 3 && type == 0; }
+  // ArduPilot asks by MISSION_REQUEST.
   Bytes request(size_t seq) const {
-    return message(51, {static_cast<uint8_t>(seq), static_cast<uint8_t>(seq >> 8), 1, 191, type}, 196);
+    const Bytes payload = {static_cast<uint8_t>(seq), static_cast<uint8_t>(seq >> 8), 1, 191, type};
+    return autopilot == 3 ? message(40, payload, 230) : message(51, payload, 196);
+  }
+  // What it gives as item 0, whatever it got.
+  static Bytes home() {
+    Bytes item(kItemBytes);
+    item[kCommand] = 16;
+    item[kAutocontinue] = 1;
+    return item;
   }
   Bytes ack(uint8_t result) const { return message(47, {1, 191, result, type}, 153); }
 
@@ -111,7 +121,7 @@ struct Autopilot {
         if (coming.size() == count) return Bytes();
         const Answer& answer = answerTo(payload);
         if (answer.result != 0) return ack(answer.result);
-        coming.push_back(answer.kept);
+        coming.push_back(hasHome() && coming.empty() ? home() : answer.kept);
         if (coming.size() < count) return request(coming.size());
         held = coming;
         return ack(0);
@@ -231,8 +241,7 @@ int main() {
            static_cast<unsigned>(client.aboard(static_cast<PlanType>(type))),
            status == Status::NotKept ? static_cast<double>(client.keptValue()) : 0.0);
     fflush(stdout);
-    const bool hasHome = autopilotNumber == 3 && type == 0;
-    if (status == Status::Accepted) alterAll(client, autopilot, source, hasHome ? 1 : 0);
+    if (status == Status::Accepted) alterAll(client, autopilot, source, autopilot.hasHome() ? 1 : 0);
     std::cout << "done" << std::endl;
   }
   return 0;
