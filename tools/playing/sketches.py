@@ -37,7 +37,7 @@ def make_sketches(folder: Path) -> None:
     known = {"examples": [made(name, folder) for name in names],
              "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
              "ends": ends()}  # fmt: skip
-    (folder / "examples.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n")
+    (folder / "examples.json").write_text(json.dumps(known, separators=(",", ":"), allow_nan=False) + "\n")
 
 
 def made(name: str, folder: Path) -> dict[str, Any]:
