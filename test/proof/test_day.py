@@ -29,7 +29,8 @@ DAY_S = 24 * 3600
 WRAP_S = 15 * 3600.5  # when millis() wraps
 LONGEST_S = 150.0  # that an operation may take: the default limit of the longest plan here
 LEFTOVERS_S = 12.0  # after which nothing of an earlier operation is answered any more
-GONE_S = 5.0  # without a heartbeat: AutopilotFinder::kLostMs
+GONE_S = 5.0  # without a heartbeat or an answer: AutopilotFinder::kLostMs
+ANSWERS = {"MISSION_ACK", "MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_REQUEST", "MISSION_REQUEST_INT", "COMMAND_ACK"}
 SAME_S = 0.02  # seconds, heartbeats and the autopilot's turn fall a little differently
 STEP_S = 0.001  # from one update() to the next
 AS_MEANT = ("OurPlan", "Nothing")
@@ -58,7 +59,7 @@ class Day:
         self.frames_to_us = 0  # that arrived
         self.lost_to_us = 0  # and those that came before a heartbeat when the autopilot had been taken for gone
         self._losses_before = 0
-        self._heartbeat_s = 0.0  # when the last one came
+        self._heartbeat_s = 0.0  # when the last one came, or an answer
 
     # -- one operation
 
@@ -117,6 +118,8 @@ class Day:
             self._heartbeat_s = entry.time
         elif entry.time - self._heartbeat_s > GONE_S:
             self.lost_to_us += 1
+        elif entry.message.get_type() in ANSWERS:
+            self._heartbeat_s = entry.time
 
     # -- the operations, each by its name
 
