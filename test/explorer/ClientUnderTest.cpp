@@ -25,8 +25,9 @@ constexpr uint8_t kFrameMs = 80;
 // The client counts turns of 512 ms, the first of which may be nearly over: this is the least that it waits for.
 constexpr uint16_t kLateMs = (ClientRules::kLateTurns - 1) * 512;
 constexpr uint8_t kNoneLate = 255, kWaiting = 2;  // State::quiet between two steps; less when late answers are expected
-// A client that does nothing in so many has come to rest: a plan that goes as a file is checked in four.
-constexpr int kQuietUpdates = 5;
+// A client that does nothing in so many has come to rest: items are got ready in two, of a plan that goes as a file one in
+// each.
+constexpr int kQuietUpdates = 3, kQuietFileUpdates = 10;
 constexpr int kMostUpdates = 40;  // in one step; a client that sends in each of them would never stop
 
 class FedStream : public Stream {
@@ -197,7 +198,8 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   stream.frames = &doing.frames;
   stream.clear();
   int quiet = 0;
-  for (int i = 0; i < kMostUpdates && quiet < kQuietUpdates; ++i) {
+  const int enough = hasFiles_ != 0 ? kQuietFileUpdates : kQuietUpdates;
+  for (int i = 0; i < kMostUpdates && quiet < enough; ++i) {
     const size_t sent = doing.frames.size();
     client().link_.state_.sequence = 0;
     const Status status = client().update();
@@ -209,7 +211,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
     const bool isPaused = stream.length == 0 && stream.isWhole() && doing.frames.size() == sent && isWaiting;
     quiet = isPaused ? quiet + 1 : 0;
   }
-  doing.isRestless = quiet < kQuietUpdates;
+  doing.isRestless = quiet < enough;
   rest(ms, isLast);
   return doing;
 }

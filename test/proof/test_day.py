@@ -29,8 +29,9 @@ DAY_S = 24 * 3600
 WRAP_S = 15 * 3600.5  # when millis() wraps
 LONGEST_S = 150.0  # that an operation may take: the default limit of the longest plan here
 LEFTOVERS_S = 12.0  # after which nothing of an earlier operation is answered any more
-GONE_S = 5.0  # without a heartbeat or an answer: AutopilotFinder::kLostMs
-ANSWERS = {"MISSION_ACK", "MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_REQUEST", "MISSION_REQUEST_INT", "COMMAND_ACK"}
+GONE_S = 5.0  # without a heartbeat, an answer or what a follower listens to: AutopilotFinder::kLostMs
+ANSWERS = {"MISSION_ACK", "MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_REQUEST", "MISSION_REQUEST_INT", "COMMAND_ACK",
+           "MISSION_CURRENT", "MISSION_ITEM_REACHED", "STATUSTEXT"}  # fmt: skip
 SAME_S = 0.02  # seconds, heartbeats and the autopilot's turn fall a little differently
 STEP_S = 0.001  # from one update() to the next
 AS_MEANT = ("OurPlan", "Nothing")

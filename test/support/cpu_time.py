@@ -92,6 +92,7 @@ class CpuTime:
 
     # In the process that prints
 
+    @pytest.hookimpl(optionalhook=True)  # of xdist
     def pytest_testnodedown(self, node) -> None:
         own, programs, most_mb = getattr(node, "workeroutput", {}).get("cpu", (0.0, 0.0, 0.0))
         self._count(COLLECTING, (own, programs))

@@ -114,6 +114,7 @@ class KeptResults:
 
     # In the process that prints
 
+    @pytest.hookimpl(optionalhook=True)  # of xdist
     def pytest_testnodedown(self, node) -> None:
         left_out, digests = getattr(node, "workeroutput", {}).get("kept", (0, {}))
         self.left_out = max(self.left_out, left_out)
