@@ -219,7 +219,8 @@ bool World::isAlive(Status status) const {
     case Status::Verified:
     case Status::Downloaded:
     case Status::Cleared: return true;
-    case Status::Differs: return referee_.task.operation == Operation::Verify;
+    case Status::Differs:
+      return referee_.task.operation == Operation::Verify || referee_.task.operation == Operation::FileVerify;
     case Status::Denied: return !referee_.isUpload() && autopilot_.state == Autopilot::State::Receiving;
     default: return false;
   }

@@ -148,7 +148,7 @@ namespace {
 bool isMissed(const RecordedItem& row, unsigned index) {
   switch (row.sent.command) {
     case 178: return index == 3;   // DO_CHANGE_SPEED: a relative speed
-    case 207: return index == 1;   // DO_FENCE_ENABLE: which fences
+    case 207:                      // DO_FENCE_ENABLE: which fences
     case 3000: return index == 1;  // DO_VTOL_TRANSITION: at once
     default: return false;
   }

@@ -281,7 +281,7 @@ def test_what_is_aboard_is_downloaded_and_kept(console):
 def test_a_download_that_fails_leaves_the_plan_that_is_kept(console):
     console.load(*SURVEY)
     before = console.listed()
-    console.autopilot.load([HOME, *(waypoint(n, n, float(n)) for n in range(1, 200))])
+    console.autopilot.load([waypoint(n, n, float(n)) for n in range(1, 201)])
     console.answer("download", "the plan aboard is larger than the sink takes", limit_s=60.0)
     console.run(1.0)
     assert console.listed() == before

@@ -46,7 +46,7 @@ def test_two_clients_serve_two_autopilots_at_once(kinds):
     ports = Ports("two_ports", {1: first, 2: second})
     assert sorted(ports.run(6.0)) == ["first accepted: the plan is aboard", "second accepted: the plan is aboard"]
     for autopilot, kind, commands in ((first, kinds[0], [22, 16, 16, 20]), (second, kinds[1], [16, 16, 21])):
-        home = [16] if kind == "ArduPilot" else []
+        home = [112] if kind == "ArduPilot" else []  # what goes in its place
         assert [one.command for one in autopilot.received()] == [*home, *commands]
         system = autopilot.address[0]
         spoken = {message.target_system for message in autopilot.messages(">", "MISSION_COUNT", "MISSION_ITEM_INT")}
