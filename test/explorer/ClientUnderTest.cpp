@@ -25,8 +25,8 @@ constexpr uint8_t kFrameMs = 80;
 // The client counts turns of 512 ms, the first of which may be nearly over: this is the least that it waits for.
 constexpr uint16_t kLateMs = (ClientRules::kLateTurns - 1) * 512;
 constexpr uint8_t kNoneLate = 255, kWaiting = 2;  // State::quiet between two steps; less when late answers are expected
-// A client that does nothing in so many has come to rest: items are got ready in two, of a plan that goes as a file one in
-// each.
+// A client that does nothing in so many has come to rest: items are got ready in two, and of a plan that goes as a file
+// one in each.
 constexpr int kQuietUpdates = 3, kQuietFileUpdates = 10;
 constexpr int kMostUpdates = 40;  // in one step; a client that sends in each of them would never stop
 
