@@ -98,7 +98,10 @@ def by_file() -> list[tuple[str, str]]:
 
 # An answer that a line repeats later, after the next question, is taken for the answer to that: a plan that is aboard is
 # said to differ. (No serial line repeats.)
-KNOWN = {"ArduPilot ensure 0 --held 1 --faults 1 --lossy 1": "Differs, and the plan aboard is the plan meant"}
+KNOWN = {
+    f"{name} ensure 0 --held 1 --faults 1 --lossy 1": "Differs, and the plan aboard is the plan meant"
+    for name in ("ArduPilot", "LateArduPilot")
+}
 
 
 def expect_nothing_broken(record_property, title: str, scenarios: list[tuple[str, str]]) -> int:
