@@ -96,8 +96,8 @@ def by_file() -> list[tuple[str, str]]:
     return [(f"ArduPilot {words}", options) for words, options in cases]
 
 
-# An answer that a line repeats later, after the next question, is taken for the answer to that: a plan that is aboard is
-# said to differ. (No serial line repeats.)
+# An answer that a line repeats later, after the next question, is taken for the answer to that: a plan that is aboard
+# is said to differ. (No serial line repeats.)
 KNOWN = {
     f"{name} ensure 0 --held 1 --faults 1 --lossy 1": "Differs, and the plan aboard is the plan meant"
     for name in ("ArduPilot", "LateArduPilot")
