@@ -124,6 +124,9 @@ class _Direction:
         self.dropped_bytes: list[tuple[int, int]] = []
         self.damage: ByteDamage | None = None
         self.latency_s = 0.0
+        self.turn = 0.0  # of a radio: when its first turn begins [s]
+        self.free_at = 0.0  # when all that was given to it has left [s]
+        self.turn_ends = 0.0  # and has arrived: a cable that is put in its place overtakes nothing
         self.cut = False
 
 
@@ -134,6 +137,7 @@ class Wire:
         self.entries: list[Entry] = []
         self._ways = {direction: _Direction() for direction in DIRECTIONS}
         self._faults: list[Fault] = []
+        self._turn_s = 0.0
         self._seed = seed
         self._random = random.Random(seed)
         self._chances: dict[str, list[tuple[float, Fault]]] = {way: [] for way in DIRECTIONS}
@@ -243,6 +247,30 @@ class Wire:
         for way in ([self._way(direction)] if direction else self._ways.values()):
             way.latency_s = seconds
 
+    def set_radio(self, turn_s: float) -> None:
+        """From now on the directions take turns of this length [s], as over a SiK radio; 0: a cable again.
+
+        What is sent waits for its direction's turn, goes at 57600 baud there, which is half of that in the mean, and
+        arrives with all else of that turn when the turn is over.
+        """
+        self._turn_s = turn_s
+        for number, way in enumerate(self._ways.values()):
+            way.turn = number * turn_s
+
+    def _over_radio(self, way: _Direction, ready: float, length: int) -> float:
+        """When so many bytes arrive that are ready to be sent [s]."""
+        now, left = max(ready, way.free_at), length * 10 / 57600
+        turn = math.floor((now - way.turn) / (2 * self._turn_s) + 1e-9)
+        while True:
+            begins = way.turn + turn * 2 * self._turn_s
+            ends = begins + self._turn_s
+            now = max(now, begins)
+            if now + left <= ends:
+                way.free_at, way.turn_ends = now + left, ends
+                return ends
+            left -= max(0.0, ends - now)
+            turn += 1
+
     def pull(self, direction: str | None = None) -> None:
         """From now on nothing that is sent arrives, in one direction or both."""
         for way in ([self._way(direction)] if direction else self._ways.values()):
@@ -337,7 +365,11 @@ class Wire:
             data, done = way.damage.done_to(data)
             entry.fate = ", ".join(words for words in (entry.fate, done) if words)
         entry.arriving += len(data)
-        heapq.heappush(way.on_the_way, (entry.time + way.latency_s + later_s, self._number, data))
+        arrives = entry.time + way.latency_s + later_s
+        if self._turn_s:
+            arrives = self._over_radio(way, arrives, len(data))
+        arrives = max(arrives, way.turn_ends)
+        heapq.heappush(way.on_the_way, (arrives, self._number, data))
 
     def _strike_lost(self, entry: Entry) -> None:
         pass

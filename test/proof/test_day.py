@@ -33,6 +33,8 @@ GONE_S = 5.0  # without a heartbeat, an answer or what a follower listens to: Au
 ANSWERS = {"MISSION_ACK", "MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_REQUEST", "MISSION_REQUEST_INT", "COMMAND_ACK",
            "MISSION_CURRENT", "MISSION_ITEM_REACHED", "STATUSTEXT"}  # fmt: skip
 SAME_S = 0.02  # seconds, heartbeats and the autopilot's turn fall a little differently
+RADIO_TURN_S = 0.06  # of a SiK radio, each way in turn
+SLOT_S = 40.0  # for each operation of those that are watched
 STEP_S = 0.001  # from one update() to the next
 AS_MEANT = ("OurPlan", "Nothing")
 LONG = [waypoint(473977420 + 100 * n, 85455970, 20.0 + n) for n in range(12)]
@@ -235,17 +237,21 @@ class Day:
            rally, set_current, cancel, commands, start)  # fmt: skip
 
     def one(self) -> None:
-        """Any of them; each third on a line that loses 15 of 100 frames, each twentieth with the cable pulled."""
+        """Any of them; each third on a line that loses 15 of 100 frames, each tenth over a radio, each twentieth with
+        the cable pulled."""
         drawn = self.random.random()
         operation = self.random.choice(self.ALL)
         if drawn < 0.05:
             self.pulled()
         else:
             self.is_lossy = drawn < 0.38
+            is_by_radio = drawn > 0.9
+            self.client.wire.set_radio(RADIO_TURN_S if is_by_radio else 0.0)
             operation(self)
-            if self.is_lossy:
+            if self.is_lossy or is_by_radio:
                 self.is_lossy = False
                 self.client.run(LEFTOVERS_S)
+                self.client.wire.set_radio(0.0)
                 self.disarm()
         self.client.run(self.random.uniform(1.0, 60.0))
 
@@ -272,7 +278,7 @@ class Day:
         seen: list[tuple[float, str, str]] = []
         drawn, self.random = self.random, random.Random(1)
         began = self.client.now
-        for operation in self.ALL:
+        for number, operation in enumerate(self.ALL, 1):
             before, self._tidy = self._tidy, lambda: None
             self.client.sent.clear()
             operation(self)
@@ -280,7 +286,8 @@ class Day:
                      if message.get_type() != "HEARTBEAT"]  # fmt: skip
             self._tidy = before
             self._tidy()
-            self.client.run_until(began + 2 * ((self.client.now - began) // 2) + 4.0)
+            assert self.client.now < began + number * SLOT_S - 1.0
+            self.client.run_until(began + number * SLOT_S)
         self.random = drawn
         self.client.run_until(self.client.now + 0.5)
         return seen, *self.client.idle

@@ -108,6 +108,28 @@ def test_a_line_with_latency_keeps_each_frame_and_their_order():
     assert wire.deliver("<", 2.0) == third and wire.deliver(">", 2.0) == b""
 
 
+def test_a_radio_takes_turns_batches_and_halves_the_line():
+    wire = Wire()
+    wire.set_radio(0.06)
+    first, second, third = frames(3)
+    wire.send(">", first, 0.01)
+    wire.send(">", second, 0.02)
+    wire.send("<", third, 0.01)
+    assert wire.deliver(">", 0.059) == b"" and wire.deliver(">", 0.06) == first + second
+    assert wire.deliver("<", 0.119) == b"" and wire.deliver("<", 0.12) == third
+    for frame in frames(100):
+        wire.send(">", frame, 0.12)
+    came, now = 0, 0.12
+    while came < 100 * len(first):
+        now += 0.001
+        came += len(wire.deliver(">", now))
+    assert 0.9 < (now - 0.12) / (2 * 100 * len(first) * 10 / 57600) < 1.2
+    wire.send(">", second, now - 0.01)
+    wire.set_radio(0)
+    wire.send(">", third, now)
+    assert wire.deliver(">", now + 0.2) == second + third
+
+
 def test_a_frame_can_be_held_past_the_next():
     sent = frames(3)
     wire = Wire()
