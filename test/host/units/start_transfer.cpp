@@ -856,6 +856,30 @@ TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody e
   CHECK((other.heartbeat(true, other.aircraft.mode) == Status::Transferring));
 }
 
+TEST_CASE("another plan ends start() when two MISSION_CURRENTs have named it, behind what asked for them") {
+  for (StartStep step : {StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
+    const bool asks = step == StartStep::FirstItem || step == StartStep::Confirm;
+    Flight flight = copter();
+    flight.goTo(step);
+    const auto namesOther = [](Flight& one) { return one.start.onOtherNamed(one.aircraft, one.sending); };
+    if (asks) {
+      // What comes before the question may be older than our plan, however often.
+      CHECK((namesOther(flight) == Status::Transferring));
+      CHECK((namesOther(flight) == Status::Transferring));
+    }
+    flight.sent();
+    CHECK((namesOther(flight) == Status::Transferring));
+    // Only a question is sent again at once.
+    CHECK((flight.sending.state() == CommandTransfer::State::Due) == asks);
+    Flight cleared = flight;
+    CHECK_FALSE((namesOther(flight) == Status::Transferring && !flight.start.isLeaving()));
+    // One that names ours in between takes the doubt away.
+    cleared.current(kNoItem - 1, false);
+    CHECK((namesOther(cleared) == Status::Transferring));
+    CHECK_FALSE(cleared.start.isLeaving());
+  }
+}
+
 TEST_CASE("of an autopilot whose modes are not known no mode is another one") {
   Flight flight(Firmware::Other, kCopter);
   CHECK(flight.aircraft.autoMode == kNoMode);

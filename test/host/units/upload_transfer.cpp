@@ -546,6 +546,15 @@ TEST_CASE("of a part only its own items are served, from its first one on") {
   CHECK((part.ack(kAccepted) == Status::Accepted));
 }
 
+TEST_CASE("the request for the first item of a part shows the round trip") {
+  Upload part(6, Firmware::ArduPilot);
+  part.transfer.limitTo(2, 4);
+  part.send();
+  part.wait(40);
+  part.request(2);
+  CHECK(part.pace.roundTripMs() == 40);
+}
+
 TEST_CASE("denied ends a transfer, but for a part announced twice: it is the reason if nothing else comes") {
   for (uint16_t first : {uint16_t(0), uint16_t(2)}) {
     for (int announced = 1; announced <= 3; ++announced) {
