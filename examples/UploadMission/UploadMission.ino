@@ -1,5 +1,6 @@
 // Puts a flight plan aboard a Pixhawk.
 #include <MavMission.h>
+#include <MavMissionLed.h>    // showOnLed(): on the board's own LED
 #include <MavMissionTelem.h>  // TELEM: this board's port to the autopilot
 using namespace mavmission;
 
@@ -18,7 +19,6 @@ void setup() {
 }
 
 void loop() {
-  if (autopilot.update() == Status::Accepted) {
-    // The plan is aboard.
-  }
+  autopilot.update();
+  showOnLed(autopilot.status());  // slow: the plan is aboard; fast: it failed
 }

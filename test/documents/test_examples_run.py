@@ -21,10 +21,35 @@ def make_run_on_rover():
     return lambda example: Run(example, "ArduPilot", vehicle="rover", uptime_s=120.0)
 
 
-def test_upload_mission(run):
+LED = 0x25, 1 << 7  # pin 13 of a Mega: PORTB, bit 7
+
+
+def blinks(example: Run, seconds: float) -> int:
+    """How often the board's LED is switched on."""
+    until, was_on, found = example.now + seconds, False, 0
+    while example.now < until:
+        example.run(SLICE_S)
+        is_on = bool(example.mega.peek_int(LED[0]) & LED[1])
+        found += is_on and not was_on
+        was_on = is_on
+    return found
+
+
+def test_upload_mission_blinks_slowly_when_the_plan_is_aboard(run):
     example = run("UploadMission")
+    example.is_heard = False
+    assert blinks(example, 3.0) == 0  # nobody answers: it has not ended
+    example.is_heard = True
     example.run(4.0)
     assert commands(example) == [22, 16, 16, 20]
+    assert blinks(example, 8.192) == 4
+
+
+def test_upload_mission_blinks_fast_when_it_fails(run):
+    example = run("UploadMission", armed=True)
+    example.run(3.0)
+    assert commands(example) == []
+    assert 30 <= blinks(example, 8.192) <= 33
 
 
 def test_upload_with_progress(run):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from building import BOARDS, ROOT, BuildFailed, build_sketch
+from building import BOARDS, HARDWARE, ROOT, BuildFailed, build_sketch
 from promised import TOO_LARGE
 
 UNTRACKED = {"build", ".git", ".pio", "__pycache__", ".hypothesis", ".pytest_cache"}
@@ -87,7 +87,7 @@ def test_main_header_is_named_after_the_library_and_is_the_one_included():
     fields = properties()
     assert fields["includes"] == f"{fields['name']}.h"
     assert (ROOT / "src" / fields["includes"]).is_file()
-    more = {"MavMissionConsole.h", "MavMissionMonitor.h", "MavMissionTelem.h"}
+    more = {"MavMissionConsole.h", "MavMissionLed.h", "MavMissionMonitor.h", "MavMissionTelem.h"}
     assert {f.name for f in (ROOT / "src").glob("*.h")} == {fields["includes"], *more}
 
 
@@ -288,6 +288,24 @@ def test_every_example_compiles_for_every_board(example, board):
     assert built.flash <= BOARDS[board].flash
     # A sketch that leaves the stack no room is of no use on a small board.
     assert built.ram <= BOARDS[board].ram - 512
+
+
+def pins_of(variant: str, table: str) -> list[str]:
+    """What the Arduino core says of each digital pin: its port, or its bit there."""
+    text = (HARDWARE[0] / "arduino/avr/variants" / variant / "pins_arduino.h").read_text()
+    plain = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
+    (entries,) = re.findall(rf"{table}_PGM\[\] = \{{(.*?)\}}", plain, re.S)
+    return [entry.strip() for entry in entries.split(",")]
+
+
+@pytest.mark.parametrize(("mcu", "variant"), [
+    ("__AVR_ATmega2560__", "mega"), ("__AVR_ATmega328P__", "standard"), ("__AVR_ATmega32U4__", "leonardo"),
+])  # fmt: skip
+def test_led_is_the_one_that_the_core_has_on_pin_13(mcu, variant):
+    header = (ROOT / "src" / "MavMissionLed.h").read_text()
+    port, bit = re.search(rf"{mcu}\)\n#define MAVMISSION_LED\(name\) name##(\w), (\d)", header).groups()
+    assert pins_of(variant, "digital_pin_to_port")[13] == f"P{port}"
+    assert re.sub(r"\s", "", pins_of(variant, "digital_pin_to_bit_mask")[13]) == f"_BV({bit})"
 
 
 # The documents' code ------------------------------------------------------------

@@ -75,6 +75,7 @@ inline void noInterrupts() { asm volatile("cpsid i" : : : "memory"); }
 
 // Pins that nothing is connected to.
 static const uint8_t A0 = 14;
+#define LED_BUILTIN 13
 inline void pinMode(uint8_t, uint8_t) {}
 inline void digitalWrite(uint8_t, uint8_t) {}
 inline int digitalRead(uint8_t) { return LOW; }
