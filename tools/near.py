@@ -6,12 +6,21 @@ import argparse
 import difflib
 from collections.abc import Callable, Iterable
 
+NEAR = 0.6  # of difflib's ratios, which are 1 for the same word
+SHORTEST_BEGINNING = 3
+
 
 def nearest(word: str, names: Iterable[str]) -> str:
-    """The name that was meant, or "" where none is near."""
-    by_small = {name.lower(): name for name in names}
-    near = difflib.get_close_matches(word.lower(), by_small, n=1)
-    return by_small[near[0]] if near else ""
+    """The name that was meant, or "" where none is near. A word may be the beginning of a name: Uplad."""
+
+    def nearness(name: str) -> tuple[float, float]:
+        whole, beginning = (
+            difflib.SequenceMatcher(None, word.lower(), part.lower()).ratio() for part in (name, name[: len(word)])
+        )
+        return max(whole, beginning if len(word) >= SHORTEST_BEGINNING else 0), whole
+
+    best = max(names, key=nearness, default="")
+    return best if best and nearness(best)[0] >= NEAR else ""
 
 
 def did_you_mean(word: str, names: Iterable[str]) -> str:

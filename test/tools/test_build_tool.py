@@ -192,6 +192,7 @@ src/MavMission.h:9:1: warning: ours too
         (["nowhere", "--board", "mega"], "no sketch at"),
         (["tools/building.py", "--board", "mega"], "no sketch at"),
         (["examples/UplaodMission"], "did you mean examples/UploadMission?"),
+        (["examples/Uplad"], "did you mean examples/Upload"),
         (["nowhere", "--board", "due"], "there is no due; there are mega, uno, nano, leonardo"),
         (["nowhere", "--board", "Megga"], "there is no Megga; did you mean mega? There are mega, uno, nano, leonardo"),
     ],
