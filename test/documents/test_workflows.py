@@ -23,6 +23,8 @@ ACTIONS = {
         "sketches-report-path",
     },
     "arduino/report-size-deltas@v1": {"sketches-reports-source"},
+    "actions/upload-pages-artifact@v3": {"path"},
+    "actions/deploy-pages@v4": set(),
     "arduino/arduino-lint-action@v2": {"project-type", "compliance", "library-manager"},
 }  # fmt: skip
 
@@ -38,8 +40,8 @@ def steps() -> list[tuple[str, dict]]:
     return [(name, step) for name, job in jobs for step in job["steps"]]
 
 
-def test_there_is_one_for_the_examples_the_linter_and_the_tests():
-    assert [file.name for file in WORKFLOWS] == ["examples.yml", "lint.yml", "test.yml"]
+def test_there_is_one_for_the_examples_the_linter_the_site_and_the_tests():
+    assert [file.name for file in WORKFLOWS] == ["examples.yml", "lint.yml", "site.yml", "test.yml"]
 
 
 @pytest.mark.parametrize("file", WORKFLOWS, ids=lambda file: file.name)
@@ -66,7 +68,7 @@ def test_step_is_an_action_with_inputs_that_it_knows_or_commands(file, step):
 def test_commands_of_the_repository_exist():
     lines = [line for _, step in steps() for line in step.get("run", "").splitlines()]
     ours = [line.split()[0] for line in lines if re.match(r"[\w.]+/", line)]
-    assert {".ci/run", "tools/release"} <= set(ours)
+    assert {".ci/run", "tools/release", "tools/site"} <= set(ours)
     assert [command for command in ours if not os.access(ROOT / command, os.X_OK)] == []
 
 
@@ -110,6 +112,23 @@ def test_sizes_are_reported_where_they_are_kept():
     assert report["sketches-reports-source"] == download["path"]
     assert upload["name"].startswith(download["pattern"].rstrip("*"))
     assert job["needs"] == "compile" and job["permissions"] == {"pull-requests": "write"}
+
+
+def test_site_is_published_from_main_alone_as_it_was_made():
+    jobs = load("site.yml")["jobs"]
+    assert jobs["make"]["container"] == "debian:12" and "permissions" not in jobs["make"]
+    runs = [step["run"] for step in jobs["make"]["steps"] if "run" in step]
+    (upload,) = [step["with"] for step in jobs["make"]["steps"] if step.get("uses", "").startswith("actions/upload")]
+    assert f"tools/site --output {upload['path']}" in runs
+    assert jobs["publish"]["needs"] == "make" and jobs["publish"]["if"] == "github.event_name == 'push'"
+    assert load("site.yml")["on"]["push"] == {"branches": ["main"]}
+    assert jobs["publish"]["permissions"] == {"pages": "write", "id-token": "write"}
+
+
+def test_workflow_that_publishes_says_that_it_has_never_run():
+    for file in WORKFLOWS:
+        text = file.read_text()
+        assert ("write" not in re.findall(r"(?:pages|contents): (\w+)", text)) or "It has never run" in text, file
 
 
 def test_tests_run_on_the_system_that_setup_is_for():

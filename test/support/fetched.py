@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SETUP = ROOT / "tools" / "setup"
 REQUIREMENTS = ROOT / "tools" / "requirements"
 RECORD = ROOT / "test" / "figures" / "fetched.toml"
-GROUPS = ("build", "plan", "demo", "pictures", "playground", "browser", "release", "test")
+GROUPS = ("build", "plan", "demo", "pictures", "playground", "browser", "release", "site", "test")
 # Whose packages are recorded one by one; of the others the sum is, as chromium's and npm's change every month.
 BOUNDED = ("build", "plan", "demo", "pictures")
 

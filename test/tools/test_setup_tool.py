@@ -28,7 +28,7 @@ from fetched import (
 TOOLS = {
     "build": {"build"}, "plan": {"plan", "pictures"}, "demo": {"demo", "pictures"}, "simulate": {"demo"},
     "measure": {"demo", "pictures"}, "ram_budget": {"demo"}, "playground": {"playground", "browser"},
-    "release": {"release"}, "mutate": {"test"}, "test": {"--all"},
+    "release": {"release"}, "site": {"site"}, "mutate": {"test"}, "test": {"--all"},
 }  # fmt: skip
 
 
@@ -103,6 +103,7 @@ def test_groups_include_one_another():
     assert brings("build") | brings("plan") < brings("demo") < brings("playground") < brings("browser")
     assert brings("plan") < brings("pictures")
     assert brings("playground") < brings("release")
+    assert brings("playground") < brings("site")
     assert {name for group in GROUPS for name in brings(group)} == brings("test") == brings("--all")
     assert asked("build").requirements == []
 
@@ -143,9 +144,9 @@ def test_setup_that_may_not_install_names_what_is_missing_and_the_command(machin
     ran = machine.setup("test")
     assert ran.returncode == 1
     assert ran.stderr.splitlines() == [
-        "tools/setup: these packages are missing: simavr doxygen",
+        "tools/setup: these packages are missing: doxygen simavr",
         "tools/setup: install them with:  sudo apt-get update && "
-        "sudo apt-get install -y --no-install-recommends simavr doxygen",
+        "sudo apt-get install -y --no-install-recommends doxygen simavr",
     ]
     assert machine.said() == []
 
@@ -158,7 +159,7 @@ def test_setup_installs_only_what_is_missing_and_asks_nothing(machine):
     assert ran.returncode == 0, ran.stderr
     assert [line for line in machine.said() if not line.startswith("python")] == [
         "noninteractive update -qq",
-        "noninteractive install -y --no-install-recommends simavr doxygen -qq -o APT::Status-Fd=1",
+        "noninteractive install -y --no-install-recommends doxygen simavr -qq -o APT::Status-Fd=1",
     ]
 
 
@@ -167,7 +168,7 @@ def test_setup_says_what_it_installs_and_how_far_it_is(machine):
     said = machine.setup("test").stdout.splitlines()
     assert said[:7] == [
         "tools/setup: reading Debian's lists of packages",
-        "tools/setup: installing 2 packages of Debian, 4.0 MB to fetch: simavr doxygen",
+        "tools/setup: installing 2 packages of Debian, 4.0 MB to fetch: doxygen simavr",
         "  fetched 0.0 of 4.0 MB",
         "  fetched 1.2 of 4.0 MB",
         "  fetched 4.0 of 4.0 MB",

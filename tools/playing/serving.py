@@ -28,9 +28,10 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         ".hex": "text/plain",
     }
     protocol_version = "HTTP/1.1"
+    headers_too = HEADERS
 
     def end_headers(self) -> None:
-        for name, value in HEADERS.items():
+        for name, value in self.headers_too.items():
             self.send_header(name, value)
         super().end_headers()
 
@@ -38,13 +39,19 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
+class Plain(Handler):
+    """For pages with scripts of their own in them, as documents have."""
+
+    headers_too = {"Cache-Control": "no-cache"}  # noqa: RUF012  # as the base class has it
+
+
 class Server(http.server.ThreadingHTTPServer):
     """Serves a folder from its start to close(), in a thread; port 0: any that is free."""
 
     daemon_threads = True
 
-    def __init__(self, folder: Path, port: int = 0) -> None:
-        handler: Callable = functools.partial(Handler, directory=str(folder))
+    def __init__(self, folder: Path, port: int = 0, kind: type[Handler] = Handler) -> None:
+        handler: Callable = functools.partial(kind, directory=str(folder))
         super().__init__(("127.0.0.1", port), handler)
         self._thread = threading.Thread(target=self.serve_forever, daemon=True)
         self._thread.start()

@@ -20,7 +20,6 @@ from simulation.fake_autopilot import MISSION, Item
 from simulation.mega import Image
 
 EXAMPLES = ROOT / "examples"
-FIRST = "UploadMission"
 # What the Arduino core calls behind each pass through loop().
 PASS = "serialEventRun()"
 # Parts of start(), and of Steering, which are linked where a sketch arms: such a sketch is not given a real aircraft.
@@ -33,7 +32,11 @@ ARMING = re.compile(
 def make_sketches(folder: Path) -> None:
     """folder/NAME.hex for each example, and folder/examples.json."""
     folder.mkdir(parents=True, exist_ok=True)
-    names = sorted((path.name for path in EXAMPLES.iterdir() if path.is_dir()), key=lambda name: (name != FIRST, name))
+    # In the order in which one learns, which is README.md's.
+    readme = (ROOT / "README.md").read_text()
+    names = sorted(
+        (path.name for path in EXAMPLES.iterdir() if path.is_dir()), key=lambda name: readme.index(f"\n| [{name}](")
+    )
     known = {"examples": [made(name, folder) for name in names],
              "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
              "ends": ends()}  # fmt: skip

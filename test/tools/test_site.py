@@ -1,0 +1,124 @@
+"""The site of tools/site: every document, example and header is in it, no link leads nowhere, and a phone shows it."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from building import ROOT
+from playing.browser import Browser
+from playing.serving import Plain, Server
+from siting import dead_links, make_site
+from siting.pages import example_page, examples, for_the_site, navigation
+
+WIDTHS = {390: 844, 1400: 1000}
+# A page of each kind, and those with the widest tables.
+LOOKED_AT = [
+    "index.html", "docs/measurements.html", "docs/compiling.html", "docs/design/retries.html",
+    "examples/PlanConsole.html", "reference/index.html", "reference/annotated.html", "reference/Status_8h.html",
+    "reference/classmavmission_1_1MissionClient.html",
+]  # fmt: skip
+# What the search shows is in a tree of its own.
+FOUND = """return [...document.querySelectorAll("*")].map(one => one.shadowRoot).filter(root => root)
+  .map(root => root.textContent).join(" ")"""
+
+
+def named_in(tree) -> list[str]:
+    if isinstance(tree, str):
+        return [tree]
+    return [name for entry in tree for value in entry.values() for name in named_in(value)]
+
+
+def test_navigation_has_each_document_and_each_example_once():
+    names = named_in(navigation())
+    documents = [str(file.relative_to(ROOT)) for place in ("*.md", "docs/**/*.md") for file in ROOT.glob(place)]
+    sketches = [f"examples/{file.stem}.md" for file in (ROOT / "examples").glob("*/*.ino")]
+    assert sorted(names) == sorted([*documents, *sketches, "playground/index.html", "reference/index.html"])
+
+
+def test_examples_stand_in_the_order_in_which_one_learns():
+    (first, names), *others = examples()
+    assert (first, names[:3]) == ("upload", ["UploadMission", "UploadWithProgress", "EnsureMission"])
+    assert [heading for heading, _ in others] == ["hear, and be heard", "fly (these arm the aircraft)"]
+
+
+def test_page_of_an_example_has_the_sketch_and_leads_to_the_playground():
+    page = example_page("UploadMission")
+    assert (ROOT / "examples" / "UploadMission" / "UploadMission.ino").read_text() in page
+    assert "](../playground/index.html#example=UploadMission)" in page
+
+
+def test_link_to_a_sketch_leads_to_its_page():
+    text = "[One](examples/One/One.ino), [Two](../examples/Two/Two.ino#L3)"
+    assert for_the_site(text) == "[One](examples/One.md), [Two](../examples/Two.md#L3)"
+
+
+@pytest.mark.parametrize(("link", "is_dead"), [
+    ('<a href="two.html">', False), ('<a href="two.html#part">', False), ('<a href="#here">', False),
+    ('<a href="sub/">', False), ('<a href="https://mavlink.io/">', False), ('<img src="one.png">', False),
+    ('<a href="sub/index.html#example=One">', False),
+    ('<a href="gone.html">', True), ('<a href="two.html#gone">', True), ('<a href="#gone">', True),
+    ('<a href="../outside.html">', True), ('<img src="gone.png">', True),
+    ('<script src="https://elsewhere.example/a.js"></script>', True),
+])  # fmt: skip
+def test_link_that_leads_nowhere_is_found_and_no_other(link, is_dead, tmp_path):
+    folder = tmp_path / "site"
+    (folder / "sub").mkdir(parents=True)
+    (tmp_path / "outside.html").write_text("")
+    (folder / "sub" / "index.html").write_text("")
+    (folder / "one.png").write_text("")
+    (folder / "two.html").write_text('<h1 id="part">')
+    (folder / "one.html").write_text(f'<p id="here">{link}')
+    address = re.search(r'"(.*)"', link)[1]
+    assert dead_links(folder) == ([f"one.html: {address}"] if is_dead else [])
+
+
+# The whole of it ------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    return make_site(tmp_path_factory.mktemp("site") / "site")  # a link that leads nowhere would be NotMade
+
+
+@pytest.fixture(scope="module")
+def address(site):
+    server = Server(site, kind=Plain)
+    yield server.address
+    server.close()
+
+
+@pytest.mark.slow
+def test_site_has_the_pages_that_are_looked_at_the_search_and_the_playground(site):
+    for name in [*LOOKED_AT, "search.json", "playground/index.html", "playground/examples/UploadMission.hex"]:
+        assert (site / name).is_file(), name
+
+
+@pytest.mark.slow
+def test_each_page_fits_a_phone_and_a_desk_and_asks_no_other_host(address):
+    with Browser() as browser:
+        for width, height in WIDTHS.items():
+            browser.resize(width, height, phone=width < 500)
+            for name in LOOKED_AT:
+                browser.go(address + name)
+                browser.wait_for("return document.readyState == 'complete'")
+                assert browser.run("return document.documentElement.scrollWidth") <= width, (name, width)
+        assert [said for said in browser.complaints() if "favicon.ico" not in said] == []
+        asked = [url for url in browser.requests() if re.match(r"(http|ws)s?:", url)]
+        assert len(asked) > len(LOOKED_AT)
+        assert [url for url in asked if not url.startswith(address)] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("width", WIDTHS)
+def test_search_finds_a_page_by_its_words(address, width):
+    with Browser() as browser:
+        browser.resize(width, WIDTHS[width], phone=width < 500)
+        browser.go(f"{address}index.html")
+        browser.wait_for("return document.readyState == 'complete' && document.querySelector('.md-search__button')")
+        browser.run("document.querySelector('.md-search__button').click()")
+        browser.wait_for(f"{FOUND} != ''")
+        for letter in "passphrase":
+            browser.press(letter)
+        browser.wait_for(FOUND.replace("return", "return (") + ").includes('A signed link')")

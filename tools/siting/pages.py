@@ -1,0 +1,84 @@
+"""What Zensical reads: the documents under the paths that they have here, so that their links hold, and a page for each
+example, in the order of README.md."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+from building import ROOT
+
+TEXTS = ("README.md", "DESIGN.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
+SKETCH = re.compile(r"(examples/(\w+))/\2\.ino")
+# A workflow's picture is at the host of the repository, above its files.
+BADGES = re.compile(r"^\[!\[[^]]*\]\(\.\./\.\./actions/.*\n+", re.M)
+PLAYGROUND = "playground/index.html"
+REFERENCE = "reference/index.html"
+
+
+def for_the_site(text: str) -> str:
+    """A document's text: links to a sketch lead to its page."""
+    return SKETCH.sub(r"\1.md", BADGES.sub("", text))
+
+
+def copy_documents(folder: Path) -> None:
+    shown = [ROOT / name for name in TEXTS]
+    shown += [file for file in (ROOT / "docs").rglob("*") if file.suffix in (".md", ".svg", ".png")]
+    for file in shown:
+        target = folder / file.relative_to(ROOT)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if file.suffix == ".md":
+            target.write_text(for_the_site(file.read_text()))
+        else:
+            shutil.copyfile(file, target)
+
+
+def examples() -> list[tuple[str, list[str]]]:
+    """README.md's tables of examples: the heading of each, and the names in it."""
+    readme = (ROOT / "README.md").read_text()
+    tables = re.findall(r"^\| (.*?) \| \|\n\|---\|---\|\n((?:\| \[\w+\]\(examples/.*\n)+)", readme, re.M)
+    return [(heading, [name for _, name in SKETCH.findall(rows)]) for heading, rows in tables]
+
+
+def example_page(name: str) -> str:
+    sketch = ROOT / "examples" / name / f"{name}.ino"
+    return f"# {name}\n\n[Run it in the browser](../{PLAYGROUND}#example={name})\n\n```cpp\n{sketch.read_text()}```\n"
+
+
+def write_examples(folder: Path) -> None:
+    (folder / "examples").mkdir(parents=True, exist_ok=True)
+    for _, names in examples():
+        for name in names:
+            (folder / "examples" / f"{name}.md").write_text(example_page(name))
+
+
+def title(document: str) -> str:
+    (heading, *_) = re.findall(r"^# (.*)$", (ROOT / document).read_text(), re.M)
+    return heading
+
+
+def linked(document: str, folder: str) -> list[str]:
+    """The pages of a folder that a document links, in its order, each once, and behind them those that it does not."""
+    names = [f"{folder}/{name}" for name in re.findall(rf"\({folder}/(\w+\.md)", (ROOT / document).read_text())]
+    every = sorted(str(file.relative_to(ROOT)) for file in (ROOT / folder).glob("*.md"))
+    return list(dict.fromkeys([*names, *every]))
+
+
+def navigation() -> list[dict[str, Any]]:
+    """What stands beside each page."""
+
+    def under(documents: list[str]) -> list[dict[str, str]]:
+        return [{title(name): name} for name in documents]
+
+    return [
+        {"MavMission": "README.md"},
+        {"Examples": [{heading[0].upper() + heading[1:]: [{name: f"examples/{name}.md"} for name in names]}
+                      for heading, names in examples()]},
+        {"Pages": under(linked("README.md", "docs"))},
+        {"API reference": REFERENCE},
+        {"Playground": PLAYGROUND},
+        {"To change it": under(["DESIGN.md", *linked("DESIGN.md", "docs/design"), "CONTRIBUTING.md", "SECURITY.md",
+                                "CHANGELOG.md"])},
+    ]  # fmt: skip
