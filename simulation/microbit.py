@@ -29,6 +29,7 @@ from simulation.firmware import (
     library_sources,
 )
 from simulation.mega import Sent
+from simulation.precompiled import with_mavlink
 
 OUTPUT = ROOT / "build" / "cortex_m0"
 CORE = ROOT / "simulation" / "cortex_m0" / "core"
@@ -80,7 +81,8 @@ def cortex_m0_object(source: Path, flags: Sequence[str], places: Sequence[Path])
     with exclusive(target):
         if not target.exists():
             fresh = target.with_suffix(".new")
-            firmware.run([*command, source, "-o", fresh])
+            quick = with_mavlink(command, compiler_version()) if LIBRARY in source.parents else []
+            firmware.run([*command, *quick, source, "-o", fresh])
             fresh.replace(target)
     return target
 
