@@ -15,7 +15,7 @@ from building import ROOT
 
 def test_list_names_tests_that_there_are():
     files = sample.listed()
-    assert all((ROOT / "test" / folder).is_dir() for folder in files.pop("quick"))
+    assert all((ROOT / "test" / place).exists() for place in files.pop("quick"))
     for file, tests in files.items():
         text = (ROOT / "test" / file).read_text()
         assert [name for name in tests if name != "*" and not re.search(rf"^def {name}\(", text, re.M)] == [], file
@@ -62,6 +62,12 @@ def test_quick_run_leaves_some_of_a_folder_with_many_small_tests():
     sample.mark_beyond_quick(items, {"somewhere": 3, "elsewhere": 2})
     assert sum("beyond_quick" in item.marks for item in items) == 8
     assert not any("beyond_quick" in item.marks for item in items[:8])
+
+
+def test_file_that_the_quick_run_leaves_out_does_not_count_for_its_folder():
+    items = [Item(f"test_some[{number}]") for number in range(20)]
+    sample.mark_beyond_quick(items, {"somewhere": 3, "somewhere/test_some.py": 0})
+    assert all("beyond_quick" in item.marks for item in items)
 
 
 def test_folder_above_its_budget_is_warned_of():
