@@ -57,6 +57,7 @@ def problems(root: Path, *, snapshot: bool) -> list[str]:
     if not snapshot:
         wrong += problems_of_changelog((root / "CHANGELOG.md").read_text(), version)
         wrong += problems_of_clone(root)
+        wrong += problems_of_tags(root, version)
     return [*wrong, *problems_of_examples(root)]
 
 
@@ -86,6 +87,20 @@ def problems_of_clone(root: Path) -> list[str]:
     if ran.returncode != 0:
         return ["this is no git clone: a release is made from one"]
     return [f"not committed: {line[3:]}" for line in ran.stdout.splitlines()]
+
+
+def git(root: Path, *words: str) -> list[str]:
+    ran = subprocess.run(["git", *words], cwd=root, capture_output=True, text=True, check=False)
+    return ran.stdout.split()
+
+
+def problems_of_tags(root: Path, version: str) -> list[str]:
+    """A version is one commit, for ever: registries and users have kept what it was."""
+    here = git(root, "tag", "--points-at", "HEAD", "--list", "v[0-9]*")
+    wrong = [f"this commit has the tag {tag}, and its version is {version}" for tag in here if tag != f"v{version}"]
+    if f"v{version}" not in here and git(root, "tag", "--list", f"v{version}"):
+        wrong.append(f"v{version} is another commit's tag: a version that was released is not changed, make a new one")
+    return wrong
 
 
 def problems_of_examples(root: Path) -> list[str]:

@@ -40,8 +40,8 @@ def steps() -> list[tuple[str, dict]]:
     return [(name, step) for name, job in jobs for step in job["steps"]]
 
 
-def test_there_is_one_for_the_examples_the_linter_the_site_and_the_tests():
-    assert [file.name for file in WORKFLOWS] == ["examples.yml", "lint.yml", "site.yml", "test.yml"]
+def test_there_is_one_for_the_examples_the_linter_the_release_the_site_and_the_tests():
+    assert [file.name for file in WORKFLOWS] == ["examples.yml", "lint.yml", "release.yml", "site.yml", "test.yml"]
 
 
 @pytest.mark.parametrize("file", WORKFLOWS, ids=lambda file: file.name)
@@ -49,7 +49,7 @@ def test_workflow_has_what_every_one_needs(file):
     workflow = load(file.name)
     assert workflow.keys() == {"name", "on", "permissions", "jobs"}
     assert workflow["name"] == file.stem
-    assert workflow["on"].keys() == {"push", "pull_request"}
+    assert workflow["on"].keys() == ({"push"} if file.stem == "release" else {"push", "pull_request"})
     assert workflow["permissions"] == {"contents": "read"}
     for job in workflow["jobs"].values():
         assert job["runs-on"] == "ubuntu-latest"
@@ -72,8 +72,9 @@ def test_commands_of_the_repository_exist():
     assert [command for command in ours if not os.access(ROOT / command, os.X_OK)] == []
 
 
-def compile_step() -> dict:
-    (step,) = [step for _, step in steps() if step.get("uses", "").startswith("arduino/compile-sketches")]
+def compile_step(job: str = "compile") -> dict:
+    (step,) = [step for step in load("examples.yml")["jobs"][job]["steps"]
+               if step["uses"].startswith("arduino/compile-sketches")]  # fmt: skip
     return step["with"]
 
 
@@ -102,6 +103,20 @@ def test_examples_are_compiled_for_every_board():
     assert yaml.safe_load(compile_step()["libraries"]) == [{"source-path": "./"}]
 
 
+def test_every_other_board_of_the_table_is_compiled_for_by_its_makers_core():
+    table = (ROOT / "docs" / "boards.md").read_text().partition("\n| board | TELEM |")[2].partition("\n\n")[0]
+    rows = [line.split("|")[1].strip() for line in table.splitlines()[2:]]
+    avr_or_of_the_tests = {"Mega 2560", "Uno, Nano", "Leonardo, Micro", "any Cortex-M0"}
+    boards = load("examples.yml")["jobs"]["makers"]["strategy"]["matrix"]["board"]
+    told = {name for row in rows if row not in avr_or_of_the_tests for name in row.split(", ")}
+    assert {board["name"] for board in boards} == told
+    for board in boards:
+        assert board["fqbn"].startswith(f"{board['core']}:")
+        assert board["core"].startswith("arduino:") != ("index" in board)
+        assert board.get("index", "https://").startswith("https://")
+    assert yaml.safe_load(compile_step("makers")["sketch-paths"]) == ["examples"]
+
+
 def test_sizes_are_reported_where_they_are_kept():
     job = load("examples.yml")["jobs"]["sizes"]
     kept = compile_step()["sketches-report-path"]
@@ -125,10 +140,24 @@ def test_site_is_published_from_main_alone_as_it_was_made():
     assert jobs["publish"]["permissions"] == {"pages": "write", "id-token": "write"}
 
 
+def test_release_publishes_what_the_tool_makes_of_a_tag():
+    workflow = load("release.yml")
+    jobs = workflow["jobs"]
+    assert workflow["on"] == {"push": {"tags": ["v[0-9]+.[0-9]+.[0-9]+*"]}}
+    assert jobs["make"]["container"] == "debian:12"
+    assert "tools/release" in [step.get("run") for step in jobs["make"]["steps"]]
+    (kept,) = [step["with"] for step in jobs["make"]["steps"] if step.get("uses", "").startswith("actions/upload")]
+    assert kept["path"] == "build/release"
+    for job in ("github", "platformio"):
+        download, publish = jobs[job]["steps"]
+        assert download["with"]["pattern"] == kept["name"] and "release/" in publish["run"]
+    assert [job for job in jobs if jobs[job].get("permissions") == {"contents": "write"}] == ["github"]
+
+
 def test_workflow_that_publishes_says_that_it_has_never_run():
     for file in WORKFLOWS:
         text = file.read_text()
-        assert ("write" not in re.findall(r"(?:pages|contents): (\w+)", text)) or "It has never run" in text, file
+        assert ("write" not in re.findall(r"(?:pages|contents): (\w+)", text)) or "has never run" in text, file
 
 
 def test_tests_run_on_the_system_that_setup_is_for():

@@ -14,6 +14,7 @@ import pytest
 
 import building
 from building import ROOT, build_sketch
+from publishing import left_to_do, notes_of, prepare_version
 from releasing import NotReady, files_of, problems, release, versions, write_zip
 
 TOOL = ROOT / "tools" / "release"
@@ -30,7 +31,7 @@ def library(tmp_path) -> Path:
         "examples/One/One.ino": "void setup() {}\nvoid loop() {}\n",
         "README.md": "[One](examples/One/One.ino)\n",
         "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - 2031-04-05\n\n### Added\n- All.\n\n"
-                        "## [1.2.2] - 2031-01-01\n- Less.\n",
+        "## [1.2.2] - 2031-01-01\n- Less.\n",
         "test/test_one.py": "assert True\n",
     }
     for name, text in files.items():
@@ -90,6 +91,61 @@ def test_snapshot_needs_no_changelog_and_no_commit_but_one_version(library, tmp_
     change(library, "src/MavMission.h", "1.2.3", "1.2.4")
     with pytest.raises(NotReady, match="MavMission.h says version 1.2.4"):
         release(library, tmp_path, snapshot=True)
+
+
+def tag(library: Path, name: str) -> None:
+    subprocess.run(["git", "tag", name], cwd=library, check=True)
+
+
+def commit(library: Path) -> None:
+    identity = ["-c", "user.name=somebody", "-c", "user.email=somebody@localhost"]
+    subprocess.run(["git", *identity, "commit", "--quiet", "--all", "--message", "More"], cwd=library, check=True)
+
+
+def test_version_that_another_commit_has_is_not_released_again(library):
+    tag(library, "v1.2.3")
+    assert problems(library, snapshot=False) == []
+    change(library, "README.md", "[One]", "[Another]")
+    commit(library)
+    (said,) = problems(library, snapshot=False)
+    assert said.startswith("v1.2.3 is another commit's tag")
+
+
+def test_tag_of_another_version_is_refused(library):
+    tag(library, "v1.2.4")
+    assert problems(library, snapshot=False) == ["this commit has the tag v1.2.4, and its version is 1.2.3"]
+
+
+def test_version_is_written_wherever_it_stands_and_is_ready_when_it_is_committed(library):
+    change(library, "CHANGELOG.md", "## [1.2.3]", "## [Unreleased]\n\n### Added\n- More.\n\n## [1.2.3]")
+    changed = prepare_version(library, "1.3.0", "2031-06-07")
+    assert set(changed) == {"library.properties", "library.json", "src/MavMission.h", "CHANGELOG.md"}
+    assert set(versions(library).values()) == {"1.3.0"}
+    commit(library)
+    assert problems(library, snapshot=False) == []
+    assert notes_of(library, "1.3.0") == "### Added\n- More.\n"
+    assert "## [Unreleased]\n\n## [1.3.0] - 2031-06-07\n" in (library / "CHANGELOG.md").read_text()
+    assert left_to_do(library, "1.3.0")[0] == "git tag -a v1.3.0 -m 1.3.0"
+    tag(library, "v1.3.0")
+    assert left_to_do(library, "1.3.0")[0].startswith("git push origin v1.3.0: ")
+
+
+@pytest.mark.parametrize(("version", "unreleased", "says"), [
+    ("1.3", "- More.", "1.3 is not of the form 1.2.3"), ("1.3.0", "", "says nothing under Unreleased"),
+    ("1.2.3", "- More.", "has a version 1.2.3 already"),
+])  # fmt: skip
+def test_version_that_cannot_be_is_not_written_anywhere(library, version, unreleased, says):
+    change(library, "CHANGELOG.md", "## [1.2.3]", f"## [Unreleased]\n{unreleased}\n## [1.2.3]")
+    before = {file: file.read_bytes() for file in library.rglob("*.*") if file.is_file()}
+    with pytest.raises(NotReady, match=says):
+        prepare_version(library, version, "2031-06-07")
+    assert {file: file.read_bytes() for file in before} == before
+
+
+def test_what_the_registries_need_is_said_until_it_is_there(library):
+    assert any('no "repository"' in line for line in left_to_do(library, "1.2.3"))
+    change(library, "library.json", '{"version"', '{"repository": {"type": "git", "url": "x"}, "version"')
+    assert not any('no "repository"' in line for line in left_to_do(library, "1.2.3"))
 
 
 def test_zip_depends_on_nothing_but_the_files(library, tmp_path):

@@ -61,7 +61,9 @@ def title(document: str) -> str:
 
 def linked(document: str, folder: str) -> list[str]:
     """The pages of a folder that a document links, in its order, each once, and behind them those that it does not."""
-    names = [f"{folder}/{name}" for name in re.findall(rf"\({folder}/(\w+\.md)", (ROOT / document).read_text())]
+    text = (ROOT / document).read_text()
+    text = text.partition("\n## Pages\n")[2] + text  # README.md's list has the better order
+    names = [f"{folder}/{name}" for name in re.findall(rf"\({folder}/(\w+\.md)", text)]
     every = sorted(str(file.relative_to(ROOT)) for file in (ROOT / folder).glob("*.md"))
     return list(dict.fromkeys([*names, *every]))
 
