@@ -67,7 +67,8 @@ def problems_of_changelog(text: str, version: str) -> list[str]:
     for heading, behind in zip(headings, [*(one.start() for one in headings[1:]), len(text)], strict=True):
         sections[heading[1]] = (heading[2], re.findall(r"^- \S", text[heading.end() : behind], re.M))
     if "Unreleased" in sections and (version not in sections or sections["Unreleased"][1]):
-        return [f"CHANGELOG.md: what is under Unreleased belongs to this release: head it ## [{version}] - and the day"]
+        return [f"CHANGELOG.md: what is under Unreleased belongs to this release: head it ## [{version}] - and the day"
+                " (tools/release --prepare VERSION does)"]  # fmt: skip
     if version not in sections:
         return [f"CHANGELOG.md has no heading ## [{version}]"]
     date, entries = sections[version]
