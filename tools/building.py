@@ -1,7 +1,7 @@
 """Compile a sketch, or firmware under test, for an AVR board.
 
     from building import build_sketch
-    built = build_sketch("examples/UploadMission", board="mega")
+    built = build_sketch("UploadMission", board="mega")
     built.elf, built.hex, built.flash, built.ram     # paths, and bytes
 
 The compiler is arduino-cli where it is installed with the arduino:avr core,
@@ -24,6 +24,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from examples import example_folders
 from library_objects import LibraryObjects
 from near import nearest
 
@@ -100,8 +101,8 @@ def build_sketch(
 ) -> Built:
     """Compile `path` for `board`.
 
-    `path` is a sketch folder, its .ino, or a .cpp (or a folder of them) that
-    defines setup() and loop() itself. `defines` are "NAME" or "NAME=value",
+    `path` is a sketch folder, its .ino, an example's name, or a .cpp (or a
+    folder of them) that defines setup() and loop() itself. `defines` are "NAME" or "NAME=value",
     `flags` any further compiler flags. A warning about the sketch or about
     src/mavmission (the vendored headers apart) is an error while `strict`.
     Raises BuildFailed.
@@ -109,6 +110,9 @@ def build_sketch(
     if board not in BOARDS:
         raise BuildFailed(f"no board named {board!r}: choose one of {', '.join(BOARDS)}")
     source = Path(path).resolve()
+    if not source.exists():
+        # The name of an example will do.
+        source = example_folders().get(str(path)) or source
     if not source.exists():
         raise no_sketch_at(source)
     extra = [f"-D{d}" for d in defines] + [f"-I{Path(d).resolve()}" for d in include_dirs] + list(flags)
@@ -308,8 +312,8 @@ def sketch_folder(source: Path, folder: Path) -> Path:
 
 
 def no_sketch_at(source: Path) -> BuildFailed:
-    near = nearest(source.stem, [sketch.stem for sketch in (ROOT / "examples").glob("*/*.ino")])
-    meant = f"; did you mean examples/{near}?" if near else ""
+    near = nearest(source.stem, example_folders())
+    meant = f"; did you mean the example {near}?" if near else ""
     return BuildFailed(f"no sketch at {source}: name a folder with a .ino of the same name, or a .cpp{meant}")
 
 

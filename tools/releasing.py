@@ -107,8 +107,8 @@ def problems_of_tags(root: Path, version: str) -> list[str]:
 def problems_of_examples(root: Path) -> list[str]:
     readme = (root / "README.md").read_text()
     wrong = []
-    for folder in sorted(path for path in (root / "examples").iterdir() if path.is_dir()):
-        sketch = f"examples/{folder.name}/{folder.name}.ino"
+    for folder in sorted(path for path in (root / "examples").glob("*/*") if path.is_dir()):
+        sketch = f"{folder.relative_to(root)}/{folder.name}.ino"
         if not (root / sketch).is_file():
             wrong.append(f"{folder.name}: Arduino wants {sketch}")
         elif f"({sketch})" not in readme:

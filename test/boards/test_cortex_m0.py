@@ -13,10 +13,11 @@ import pytest
 from areas import FIELD
 from bench_fixtures import BENCHES
 from downloads import WRITTEN, loaded, same
+from examples import example_folders, sketch_of
 from plans import SURVEY, on_the_wire, waypoint
 from simulation.bench import same_bits
 from simulation.cortex_m0_service import CortexM0Service
-from simulation.firmware import LIBRARY, ROOT, FirmwareNotBuilt, library_sources
+from simulation.firmware import LIBRARY, FirmwareNotBuilt, library_sources
 from simulation.microbit import CORE, HZ, BoardFailed, Microbit, build_cortex_m0, cortex_m0_object
 from simulation.service import FENCE, SOURCE
 from simulation.wire import DIRECTIONS, Wire
@@ -176,7 +177,7 @@ def test_upload_at_the_rates_of_fast_boards_loses_no_byte(build_m0, personality,
 # Everything compiles
 
 
-EXAMPLES = sorted(folder.name for folder in (ROOT / "examples").iterdir() if folder.is_dir())
+EXAMPLES = sorted(example_folders())
 STANDARDS = ["gnu++11", "gnu++17", "gnu++20"]  # what the cores of today choose: AVR, Uno R4 and Pico, ESP32
 
 
@@ -193,7 +194,7 @@ def test_library_compiles_without_a_warning(standard):
 @pytest.mark.parametrize("standard", [STANDARDS[0], STANDARDS[-1]])
 @pytest.mark.parametrize("example", EXAMPLES)
 def test_example_compiles_without_a_warning(example, standard, tmp_path):
-    sketch = ROOT / "examples" / example / f"{example}.ino"
+    sketch = sketch_of(example)
     source = tmp_path / f"{example}.cpp"
     source.write_text(f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}')
     assert cortex_m0_object(source, [f"-std={standard}"], [CORE, LIBRARY]).is_file()

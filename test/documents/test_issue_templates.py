@@ -8,6 +8,7 @@ import pytest
 import yaml
 
 from building import ROOT
+from examples import sketch_of
 
 FOLDER = ROOT / ".github" / "ISSUE_TEMPLATE"
 FORMS = sorted(FOLDER.glob("[!c]*.yml"))
@@ -39,7 +40,7 @@ def test_form_is_one_that_github_takes(file):
 def test_output_of_linkdoctor_is_asked_for_first_and_as_its_sketch_gives_it():
     first = form("defect.yml")["body"][0]
     assert first["id"] == "linkdoctor" and first["validations"] == {"required": True}
-    sketch = (ROOT / "examples" / "LinkDoctor" / "LinkDoctor.ino").read_text()
+    sketch = sketch_of("LinkDoctor").read_text()
     (baud,) = re.findall(r"(\d+) baud", first["attributes"]["description"])
     assert f"CONSOLE.begin({baud})" in sketch
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from building import BOARDS, HARDWARE, ROOT, BuildFailed, build_sketch
+from examples import example_folders, sketch_of
 from promised import TOO_LARGE
 
 UNTRACKED = {"build", ".git", ".pio", "__pycache__", ".hypothesis", ".pytest_cache"}
@@ -116,7 +117,7 @@ def test_sketches_are_under_examples_only_each_in_a_folder_of_its_name():
     sketches = [f.relative_to(ROOT) for f in files() if f.suffix in (".ino", ".pde")]
     assert sketches
     for sketch in sketches:
-        assert sketch.parts[0] == "examples", sketch
+        assert sketch.parts[0] == "examples" and len(sketch.parts) == 4, sketch
         assert sketch.suffix == ".ino", sketch
         assert sketch.stem == sketch.parent.name, sketch
         assert re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,62}", sketch.stem), sketch
@@ -268,7 +269,7 @@ def test_platformio_environments_are_the_boards():
 
 
 def examples() -> list[Path]:
-    return sorted((ROOT / "examples").rglob("*.ino"))
+    return [sketch_of(name) for name in example_folders()]
 
 
 SLOW = pytest.mark.slow
@@ -354,8 +355,8 @@ def test_code_in_the_readme_and_in_docs_compiles(number, block, tmp_path):
 
 def test_first_example_is_the_readmes_word_for_word():
     assert cpp_blocks(), "README.md has no ```cpp block"
-    assert cpp_blocks()[0] == (ROOT / "examples" / "UploadMission" / "UploadMission.ino").read_text()
+    assert cpp_blocks()[0] == sketch_of("UploadMission").read_text()
 
 
 def test_first_example_fits_on_one_screen():
-    assert len((ROOT / "examples" / "UploadMission" / "UploadMission.ino").read_text().splitlines()) <= 40
+    assert len(sketch_of("UploadMission").read_text().splitlines()) <= 40

@@ -10,6 +10,7 @@ import pytest
 import yaml
 
 from building import BOARDS, ROOT
+from examples import example_folders
 from promised import NOT_PROMISED
 
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*"))
@@ -88,8 +89,8 @@ def test_every_example_is_compiled():
             compile_step()["sketch-paths"].replace("${{ matrix.board.more }}", board.get("more", ""))
         )
         assert sorted(paths) == sorted(
-            f"examples/{folder.name}" for folder in (ROOT / "examples").iterdir()
-            if folder.is_dir() and (folder.name, board["name"]) not in NOT_PROMISED
+            str(folder.relative_to(ROOT)) for name, folder in example_folders().items()
+            if (name, board["name"]) not in NOT_PROMISED
         )  # fmt: skip
 
 

@@ -19,7 +19,7 @@ from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
 from simulation.mega import Mega
 
 WHAT_FIGURES_DEPEND_ON = (
-    "src", "examples/UploadMission", "test/measured", "test/baseline", "simulation/fake_autopilot",
+    "src", "examples/01.First/UploadMission", "test/measured", "test/baseline", "simulation/fake_autopilot",
     "simulation/recordings", "simulation/firmware.py", "tools/measuring", "simulation/mega",
     "tools/building.py", "tools/baseline.py",
 )  # fmt: skip

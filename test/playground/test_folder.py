@@ -15,6 +15,7 @@ import zipfile
 import pytest
 
 from building import ROOT
+from examples import example_folders, sketch_of
 from releasing import write_playground
 
 BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())
@@ -53,12 +54,12 @@ def test_the_same_sources_make_the_same_folder(folder, tmp_path):
 def test_every_example_is_offered_and_those_that_arm_are_known(folder):
     known = json.loads((folder / "examples" / "examples.json").read_text())
     names = [example["name"] for example in known["examples"]]
-    assert sorted(names) == sorted(path.name for path in (ROOT / "examples").iterdir())
+    assert sorted(names) == sorted(example_folders())
     # In README.md's tables, which are in the order in which one learns.
     assert names == re.findall(r"^\| \[(\w+)\]\(examples/", (ROOT / "README.md").read_text(), re.M)
     assert names[0] == "UploadMission"
     arming = {example["name"] for example in known["examples"] if example["arms"]}
-    sources = {path.stem: path.read_text() for path in (ROOT / "examples").glob("*/*.ino")}
+    sources = {name: sketch_of(name).read_text() for name in example_folders()}
     arms = re.compile(r"autopilot\.(start|arm|startFrom)\(|offerStart\(|offerAll\(|takeOff\(")
     assert arming == {name for name, text in sources.items() if arms.search(text)}
     assert {"StartMission", "StartButton", "NextWaypoint", "PlanConsole", "GoToPlaces", "WorkAtWaypoints",
@@ -69,7 +70,7 @@ def test_the_firmware_is_the_compiled_one_unmodified(folder):
     from building import build_sketch
 
     for file in (folder / "examples").glob("*.hex"):
-        assert file.read_bytes() == build_sketch(ROOT / "examples" / file.stem).hex.read_bytes()
+        assert file.read_bytes() == build_sketch(file.stem).hex.read_bytes()
 
 
 def test_every_module_that_a_dropped_plan_needs_is_in_the_archive(folder):

@@ -10,11 +10,12 @@ from functools import cache
 import pytest
 
 from example_runs import Run, commands, is_ardupilot
+from examples import sketch_of
 from simulation.fake_autopilot import mavlink
 from simulation.firmware import ROOT, build_firmware
 from simulation.mega import Image
 
-SKETCH = ROOT / "examples" / "PlanFromSd" / "PlanFromSd.ino"
+SKETCH = sketch_of("PlanFromSd")
 CARD = ROOT / "simulation" / "sketches" / "card"
 HEAD = "QGC WPL 110\r\n0\t1\t0\t16\t0\t0\t0\t0\t-35.3632621\t149.1652374\t584\t1\r\n"
 

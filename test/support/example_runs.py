@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 from functools import cache
 
+from examples import sketch_of
 from simulation.bench import fake
 from simulation.fake_autopilot import MISSION, mavlink
 from simulation.firmware import ROOT, build_firmware
 from simulation.mega import Image, Mega
 
-EXAMPLES = ROOT / "examples"
 WRAPPED = ROOT / "build" / "examples"
 PLACE = (-353632621, 1491652374, 584.0)  # where the examples fly: latitude, longitude [1e-7 degrees], altitude [m]
 SLICE_S = 0.002
@@ -22,7 +22,7 @@ def image_of(example: str, **macros: int) -> Image:
     name = "-".join([example, *macros])
     source = WRAPPED / f"{name}.cpp"
     source.parent.mkdir(parents=True, exist_ok=True)
-    sketch = EXAMPLES / example / f"{example}.ino"
+    sketch = sketch_of(example)
     defined = "".join(f"#define {macro} {value}\n" for macro, value in macros.items())
     text = f'{defined}#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
     if not source.exists() or source.read_text() != text:

@@ -47,7 +47,7 @@ def talk(
     reset_at: float | None = None,
 ) -> Talk:  # fmt: skip
     """An example on simavr beside an autopilot; what is typed is typed at 0.5 s."""
-    mega = Mega(build_sketch(ROOT / "examples" / example).elf)
+    mega = Mega(build_sketch(example).elf)
     line = Line(an_autopilot(autopilot, uptime_s=60.0), mega.serial(1), loss, seed)
     given: list[dict] = []
     sent: dict[int, list[tuple[int, int]]] = {0: [], 1: []}
@@ -81,7 +81,7 @@ def give(mega: Mega, given: list[dict], port: int, data: bytes) -> None:
 
 def replayed(folder: Path, told: Talk) -> Heard:
     """The same input on the page's Mega."""
-    built = build_sketch(ROOT / "examples" / told.example)
+    built = build_sketch(told.example)
     order = {"hex": built.hex.read_text(), "input": told.input, "until": told.until,
              "pass": Image.load(built.elf).symbol("serialEventRun()").address}  # fmt: skip
     said = subprocess.run(

@@ -191,8 +191,8 @@ src/MavMission.h:9:1: warning: ours too
     [
         (["nowhere", "--board", "mega"], "no sketch at"),
         (["tools/building.py", "--board", "mega"], "no sketch at"),
-        (["examples/UplaodMission"], "did you mean examples/UploadMission?"),
-        (["examples/Uplad"], "did you mean examples/Upload"),
+        (["examples/UplaodMission"], "did you mean the example UploadMission?"),
+        (["examples/Uplad"], "did you mean the example Upload"),
         (["nowhere", "--board", "due"], "there is no due; there are mega, uno, nano, leonardo"),
         (["nowhere", "--board", "Megga"], "there is no Megga; did you mean mega? There are mega, uno, nano, leonardo"),
     ],
@@ -202,6 +202,11 @@ def test_bad_input_gets_an_error_that_names_it(arguments, says):
     assert ran.returncode != 0
     assert says in ran.stderr
     assert "Traceback" not in ran.stderr
+
+
+def test_name_of_an_example_will_do():
+    ran = tools_build("UploadMission")
+    assert re.search(r"ELF: .*/UploadMission-mega-\w+/out/UploadMission", ran.stdout), ran.stderr
 
 
 def test_the_board_is_a_mega_unless_told(tmp_path):

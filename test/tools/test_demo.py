@@ -21,6 +21,7 @@ from demonstration.plan_in_firmware import NotOnePlan, plan_in
 from demonstration.screen import PlainScreen, TerminalScreen
 from demonstration.wire_form import HOME, on_the_wire
 from demonstration.words import message_in_words
+from examples import example_folders
 from interrupts import can_be_interrupted
 from simulation.fake_autopilot import MISSION, ArduPilot, Px4, item, mavlink
 from simulation.wire import Entry
@@ -86,7 +87,7 @@ def test_plan_that_each_autopilot_gets_differently_is_judged_right(autopilot):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
-@pytest.mark.parametrize("example", sorted(folder.name for folder in (ROOT / "examples").iterdir()))
+@pytest.mark.parametrize("example", sorted(example_folders()))
 def test_each_example_runs_to_a_good_end(example, autopilot):
     good, text = shown(example, autopilot=autopilot)
     assert good, text

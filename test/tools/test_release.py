@@ -14,6 +14,7 @@ import pytest
 
 import building
 from building import ROOT, build_sketch
+from examples import example_folder
 from publishing import left_to_do, notes_of, prepare_version
 from releasing import NotReady, files_of, problems, release, versions, write_zip
 
@@ -28,8 +29,8 @@ def library(tmp_path) -> Path:
         "library.properties": "name=MavMission\nversion=1.2.3\n",
         "library.json": json.dumps({"version": "1.2.3", "export": {"include": ["src", "examples", "README.md"]}}),
         "src/MavMission.h": '#define MAVMISSION_VERSION "1.2.3"\n',
-        "examples/One/One.ino": "void setup() {}\nvoid loop() {}\n",
-        "README.md": "[One](examples/One/One.ino)\n",
+        "examples/01.First/One/One.ino": "void setup() {}\nvoid loop() {}\n",
+        "README.md": "[One](examples/01.First/One/One.ino)\n",
         "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - 2031-04-05\n\n### Added\n- All.\n\n"
         "## [1.2.2] - 2031-01-01\n- Less.\n",
         "test/test_one.py": "assert True\n",
@@ -53,7 +54,7 @@ def test_library_that_is_ready_is_released(library, tmp_path):
     made = release(library, tmp_path / "out")
     assert made.name == "MavMission-1.2.3.zip"
     assert zipfile.ZipFile(made).namelist() == [
-        "MavMission/README.md", "MavMission/examples/One/One.ino", "MavMission/src/MavMission.h",
+        "MavMission/README.md", "MavMission/examples/01.First/One/One.ino", "MavMission/src/MavMission.h",
     ]  # fmt: skip
 
 
@@ -68,7 +69,7 @@ def test_library_that_is_ready_is_released(library, tmp_path):
     ("CHANGELOG.md", "- All.", "", "says nothing of 1.2.3"),
     ("CHANGELOG.md", "[1.2.2]", "[1.2.3-rc1]", None),
     ("CHANGELOG.md", "## [1.2.3]", "## [2.0.0] - 2031-05-05\n- Most.\n\n## [1.2.3]", "1.2.3 is not the first version"),
-    ("README.md", "(examples/One/One.ino)", "(elsewhere)", "does not name examples/One/One.ino"),
+    ("README.md", "(examples/01.First/One/One.ino)", "(elsewhere)", "does not name examples/01.First/One/One.ino"),
     ("README.md", "[One]", "[one]", "not committed: README.md"),
 ])  # fmt: skip
 def test_library_that_is_not_ready_is_refused_in_words(library, file, old, new, says):
@@ -79,9 +80,9 @@ def test_library_that_is_not_ready_is_refused_in_words(library, file, old, new, 
 
 
 def test_example_without_its_sketch_and_file_that_is_not_committed_are_refused(library, tmp_path):
-    (library / "examples" / "Two").mkdir()
+    (library / "examples" / "01.First" / "Two").mkdir()
     (library / "src" / "new.cpp").write_text("")
-    with pytest.raises(NotReady, match="not committed: src/new.cpp\nTwo: Arduino wants examples/Two/Two.ino"):
+    with pytest.raises(NotReady, match="not committed: src/new.cpp\nTwo: Arduino wants examples/01.First/Two/Two.ino"):
         release(library, tmp_path)
 
 
@@ -205,7 +206,9 @@ def test_example_of_the_zip_builds_in_an_empty_sketchbook(made, tmp_path, monkey
     with zipfile.ZipFile(made) as archive:
         archive.extractall(sketchbook / "libraries")
     installed = sketchbook / "libraries" / "MavMission"
-    sketch = shutil.copytree(installed / "examples" / "UploadMission", sketchbook / "UploadMission")
+    sketch = shutil.copytree(
+        installed / example_folder("UploadMission").relative_to(ROOT), sketchbook / "UploadMission"
+    )
     monkeypatch.setattr(building, "BUILD", tmp_path / "build")
     monkeypatch.setattr(building, "library_folder", lambda: installed.parent)
     from_zip = build_sketch(sketch, strict=False)
@@ -213,7 +216,7 @@ def test_example_of_the_zip_builds_in_an_empty_sketchbook(made, tmp_path, monkey
     listed = (from_zip.elf.parent / "includes.cache").read_text()
     assert str(installed / "src") in listed and str(ROOT / "src") not in listed
     monkeypatch.undo()
-    from_clone = build_sketch(ROOT / "examples" / "UploadMission")
+    from_clone = build_sketch("UploadMission")
     assert (from_zip.flash, from_zip.ram) == (from_clone.flash, from_clone.ram)
     assert from_zip.hex.read_bytes() == from_clone.hex.read_bytes()
 

@@ -7,6 +7,7 @@ import re
 import pytest
 
 from building import ROOT
+from examples import example_folders, sketch_of
 from playing.browser import Browser
 from playing.serving import Plain, Server
 from siting import dead_links, make_site
@@ -33,24 +34,29 @@ def named_in(tree) -> list[str]:
 def test_navigation_has_each_document_and_each_example_once():
     names = named_in(navigation())
     documents = [str(file.relative_to(ROOT)) for place in ("*.md", "docs/**/*.md") for file in ROOT.glob(place)]
-    sketches = [f"examples/{file.stem}.md" for file in (ROOT / "examples").glob("*/*.ino")]
+    sketches = [f"examples/{name}.md" for name in example_folders()]
     assert sorted(names) == sorted([*documents, *sketches, "playground/index.html", "reference/index.html"])
 
 
 def test_examples_stand_in_the_order_in_which_one_learns():
-    (first, names), *others = examples()
-    assert (first, names[:3]) == ("upload", ["UploadMission", "UploadWithProgress", "EnsureMission"])
-    assert [heading for heading, _ in others] == ["hear, and be heard", "fly (these arm the aircraft)"]
+    groups = examples()
+    assert groups[0][1] == ["UploadMission", "UploadWithProgress"]
+    # README.md has a table for each folder of examples/, whose names are numbered for the IDE's menu.
+    folders = sorted((ROOT / "examples").iterdir())
+    assert [sorted(names) for _, names in groups] == [
+        sorted(one.name for one in folder.iterdir()) for folder in folders
+    ]
+    assert all(folder.name.startswith(f"{number:02}.") for number, folder in enumerate(folders, start=1))
 
 
 def test_page_of_an_example_has_the_sketch_and_leads_to_the_playground():
     page = example_page("UploadMission")
-    assert (ROOT / "examples" / "UploadMission" / "UploadMission.ino").read_text() in page
+    assert sketch_of("UploadMission").read_text() in page
     assert "](../playground/index.html#example=UploadMission)" in page
 
 
 def test_link_to_a_sketch_leads_to_its_page():
-    text = "[One](examples/One/One.ino), [Two](../examples/Two/Two.ino#L3)"
+    text = "[One](examples/01.A/One/One.ino), [Two](../examples/02.B/Two/Two.ino#L3)"
     assert for_the_site(text) == "[One](examples/One.md), [Two](../examples/Two.md#L3)"
 
 

@@ -11,7 +11,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from building import ROOT, BuildFailed, build_sketch
+from building import BuildFailed, build_sketch
+from examples import example_folders
 from near import did_you_mean
 from planning import judge
 from simulation.enumerators import texts_of
@@ -34,7 +35,6 @@ from .timeline import joined, laid_out, mark_of
 from .wire_form import on_the_wire
 from .words import item_in_words, message_in_words
 
-EXAMPLES = ROOT / "examples"
 DESCRIPTIONS = Path(__file__).resolve().parent / "examples.toml"
 
 LIMIT_S = 120.0
@@ -43,6 +43,7 @@ REFUSALS = tuple(text for text in texts_of("Status.h", "MAVMISSION_STATUSES").va
 REFUSED_AFTER_S = 0.3
 LANDED_S = 3.0  # how long an example that flies goes on behind its landing
 NEAR_HOME_M = 1.0
+
 
 class NoDemonstration(Exception):
     """It cannot be shown; the text says why and what to do."""
@@ -381,13 +382,12 @@ def description(example: str) -> dict:
 
 def sketch(example: str) -> Path:
     """The folder of an example by its name, or any sketch by its path."""
-    named = EXAMPLES / example
-    if "/" not in example and named.is_dir():
-        return named
+    named = example_folders()
+    if example in named:
+        return named[example]
     if Path(example).exists():
         return Path(example)
-    names = sorted(folder.name for folder in EXAMPLES.iterdir() if folder.is_dir())
-    raise NoDemonstration(f"there is no example {example}{did_you_mean(example, names)}")
+    raise NoDemonstration(f"there is no example {example}{did_you_mean(example, sorted(named))}")
 
 
 def compared(meant: list[Item], aboard: list[Item]) -> list[Row]:

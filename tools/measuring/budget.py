@@ -8,11 +8,12 @@ from pathlib import Path
 from elftools.dwarf.die import DIE
 from elftools.elf.elffile import ELFFile
 
-from building import BUILD, ROOT, build_sketch
+from building import BUILD, build_sketch
+from examples import example_folder
 from simulation.firmware import LIBRARY, compiled, exclusive, run
 from simulation.mega.image import demangle
 
-SKETCH = ROOT / "examples" / "UploadMission"
+SKETCH = example_folder("UploadMission")
 MARK = "RAM budget"
 CLIENT = "MissionClient"
 ROWS_FROM = 100  # a member as large as that gets a row for each of its own [bytes]

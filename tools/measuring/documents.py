@@ -18,7 +18,7 @@ DOCUMENTS = (ROOT / "README.md", ROOT / "DESIGN.md", ROOT / "docs" / "measuremen
 
 def in_short() -> str:
     """What the first example takes, for who looks no further."""
-    mega, uno = (build_sketch(ROOT / "examples" / "UploadMission", board) for board in ("mega", "uno"))
+    mega, uno = (build_sketch("UploadMission", board) for board in ("mega", "uno"))
     return (f"The first example takes {mega.flash:,} bytes of flash and {mega.ram:,} bytes of RAM on a Mega,\n"
             f"{uno.flash:,} of {BOARDS['uno'].flash:,} and {uno.ram:,} of {BOARDS['uno'].ram:,} on an Uno, "
             "however long the plan is.")  # fmt: skip

@@ -8,10 +8,11 @@ from pathlib import Path
 
 from baseline import build_baseline
 from building import ROOT, Built, build_sketch
+from examples import example_folder
 from simulation.firmware import build_firmware
 
 MEASURED = ROOT / "test" / "measured"
-EXAMPLE = ROOT / "examples" / "UploadMission"
+EXAMPLE = example_folder("UploadMission")
 
 
 @dataclass(frozen=True)
@@ -29,9 +30,7 @@ class Subject:
 @functools.cache
 def ours() -> Subject:
     parser = "mavmission::detail::FrameParser"
-    return Subject(
-        "ours", build_sketch(EXAMPLE), 2, 4, f"{parser}::take", f"{parser}::pull"
-    )
+    return Subject("ours", build_sketch(EXAMPLE), 2, 4, f"{parser}::take", f"{parser}::pull")
 
 
 @functools.cache

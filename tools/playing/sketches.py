@@ -15,11 +15,11 @@ from demonstration.autopilots import HELD, NAMES
 from demonstration.demonstration import description, plans_of
 from demonstration.wire_form import on_the_wire
 from demonstration.words import item_in_words
+from examples import example_folder, example_folders, sketch_of
 from simulation.enumerators import texts_of
 from simulation.fake_autopilot import MISSION, Item
 from simulation.mega import Image
 
-EXAMPLES = ROOT / "examples"
 # What the Arduino core calls behind each pass through loop().
 PASS = "serialEventRun()"
 # Parts of start(), and of Steering, which are linked where a sketch arms: such a sketch is not given a real aircraft.
@@ -34,9 +34,7 @@ def make_sketches(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     # In the order in which one learns, which is README.md's.
     readme = (ROOT / "README.md").read_text()
-    names = sorted(
-        (path.name for path in EXAMPLES.iterdir() if path.is_dir()), key=lambda name: readme.index(f"\n| [{name}](")
-    )
+    names = sorted(example_folders(), key=lambda name: readme.index(f"\n| [{name}]("))
     known = {"examples": [made(name, folder) for name in names],
              "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
              "ends": ends()}  # fmt: skip
@@ -44,7 +42,7 @@ def make_sketches(folder: Path) -> None:
 
 
 def made(name: str, folder: Path) -> dict[str, Any]:
-    built = build_sketch(EXAMPLES / name)
+    built = build_sketch(example_folder(name))
     shutil.copyfile(built.hex, folder / f"{name}.hex")
     image = Image.load(built.elf)
     described = description(name)
@@ -58,7 +56,7 @@ def made(name: str, folder: Path) -> dict[str, Any]:
     }
     return {
         "name": name,
-        "says": said(EXAMPLES / name / f"{name}.ino"),
+        "says": said(sketch_of(name)),
         "hex": f"{name}.hex",
         "flash": built.flash,
         "ram": built.ram,
@@ -66,7 +64,7 @@ def made(name: str, folder: Path) -> dict[str, Any]:
         "reads": reads,
         "arms": any(ARMING.match(symbol.name) for symbol in image.symbols),
         "console": name == "PlanConsole",
-        "prints": "CONSOLE" in (EXAMPLES / name / f"{name}.ino").read_text(),
+        "prints": "CONSOLE" in (sketch_of(name)).read_text(),
         "meant": {autopilot: {kind: values(items) for kind, items in kinds.items()}
                   for autopilot, kinds in meant.items()},
         "words": {autopilot: {kind: [item_in_words(item) for item in items] for kind, items in kinds.items()}

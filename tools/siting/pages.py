@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from building import ROOT
+from examples import sketch_of
 
 TEXTS = ("README.md", "DESIGN.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
-SKETCH = re.compile(r"(examples/(\w+))/\2\.ino")
+SKETCH = re.compile(r"examples/[\w.]+/(\w+)/\1\.ino")
 # A workflow's picture is at the host of the repository, above its files.
 BADGES = re.compile(r"^\[!\[[^]]*\]\(\.\./\.\./actions/.*\n+", re.M)
 PLAYGROUND = "playground/index.html"
@@ -20,7 +21,7 @@ REFERENCE = "reference/index.html"
 
 def for_the_site(text: str) -> str:
     """A document's text: links to a sketch lead to its page."""
-    return SKETCH.sub(r"\1.md", BADGES.sub("", text))
+    return SKETCH.sub(r"examples/\1.md", BADGES.sub("", text))
 
 
 def copy_documents(folder: Path) -> None:
@@ -39,12 +40,12 @@ def examples() -> list[tuple[str, list[str]]]:
     """README.md's tables of examples: the heading of each, and the names in it."""
     readme = (ROOT / "README.md").read_text()
     tables = re.findall(r"^\| (.*?) \| \|\n\|---\|---\|\n((?:\| \[\w+\]\(examples/.*\n)+)", readme, re.M)
-    return [(heading, [name for _, name in SKETCH.findall(rows)]) for heading, rows in tables]
+    return [(heading, SKETCH.findall(rows)) for heading, rows in tables]
 
 
 def example_page(name: str) -> str:
-    sketch = ROOT / "examples" / name / f"{name}.ino"
-    return f"# {name}\n\n[Run it in the browser](../{PLAYGROUND}#example={name})\n\n```cpp\n{sketch.read_text()}```\n"
+    code = sketch_of(name).read_text()
+    return f"# {name}\n\n[Run it in the browser](../{PLAYGROUND}#example={name})\n\n```cpp\n{code}```\n"
 
 
 def write_examples(folder: Path) -> None:
