@@ -370,7 +370,7 @@ class Bench:
             aboard=aboard_names()[value["aboard"]],
             last_result=None if value["result"] == NO_RESULT else value["result"],
             found=bool(value["found"]),
-            firmware=("Unknown", "ArduPilot", "Px4", "Other")[value["firmware"]],
+            firmware=list(texts_of("Firmware.h", "MAVMISSION_FIRMWARES"))[value["firmware"]],
             address=(value["system"], value["component"]),
             armed=bool(value["armed"]),
         )

@@ -256,7 +256,7 @@ class Service(Bench):
             step=STEPS[value["step"]],
             arming=ARMING[value["arming"]],
             last_result=None if value["result"] == NO_RESULT else value["result"],
-            firmware=("Unknown", "ArduPilot", "Px4", "Other")[value["firmware"]],
+            firmware=list(texts_of("Firmware.h", "MAVMISSION_FIRMWARES"))[value["firmware"]],
             armed=bool(value["armed"]),
             custom_mode=value["mode"],
             modes=[name for bit, name in enumerate(MODES) if value["modes"] >> bit & 1],

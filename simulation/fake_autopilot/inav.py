@@ -9,7 +9,7 @@ from . import hearing
 from .autopilot import FakeAutopilot
 from .dialect import mavlink
 from .flight import Flight, Pace, Place
-from .items import MISSION, Item
+from .items import MISSION, Item, f32
 
 ACCEPTED = mavlink.MAV_MISSION_ACCEPTED
 UNSUPPORTED = mavlink.MAV_MISSION_UNSUPPORTED
@@ -24,7 +24,14 @@ DOWNLOAD_S = 5.0
 MOST_ITEMS = 120
 _WITH_PLACE = (0, 3, 5, 6)  # MAV_FRAME
 _PLACED, _UNPLACED = (16, 19, 21, 201), (177, 115)  # commands: with coordinates, and in MAV_FRAME_MISSION alone
-_RETURN = 20
+_LOITER, _RETURN, _TURN, _JUMP, _ROI = 19, 20, 115, 177, 201
+_AT_A_PLACE = 3.0  # MAV_ROI_LOCATION
+_MOST = 32767  # INT16_MAX
+
+
+def centimetres(metres: float) -> int:
+    """Of a float, cut off."""
+    return int(f32(metres * f32(100.0)))
 
 
 class Inav(FakeAutopilot):
@@ -34,6 +41,7 @@ class Inav(FakeAutopilot):
     """
 
     heard_by = hearing.ARDUPILOT  # the parser of the C headers, as everybody has it
+    retry_s, most_items = RETRY_S, MOST_ITEMS
     response_delay_s = 0.017
     response_delay_on_line_s = 0.006
 
@@ -89,7 +97,7 @@ class Inav(FakeAutopilot):
         kind = mavlink.MAVLink_mission_request_int_message if self.asks_by_int \
             else mavlink.MAVLink_mission_request_message
         self.answer(kind(*self._sender, self._next, MISSION), now)
-        self.at("retry", now + (TAKES_ALL_RETRY_S if self.takes_all else RETRY_S), self._ask_again)
+        self.at("retry", now + (TAKES_ALL_RETRY_S if self.takes_all else self.retry_s), self._ask_again)
 
     def _ask_again(self, now: float) -> None:
         self._retries += 1
@@ -99,7 +107,7 @@ class Inav(FakeAutopilot):
     def _on_count(self, message, sender, now: float) -> None:
         if message.mission_type != MISSION:
             return self._ack(UNSUPPORTED, now, sender)
-        if message.count > MOST_ITEMS:
+        if message.count > self.most_items:
             return self._ack(mavlink.MAV_MISSION_NO_SPACE, now, sender)
         self._sender, self._count, self._next, self._retries = sender, message.count, 0, 0
         if message.count == 0:
@@ -129,17 +137,31 @@ class Inav(FakeAutopilot):
     def _why_not(self, one: Item) -> int:
         if not all(number == number for number in (*one[4:8], one.z)):
             return mavlink.MAV_MISSION_INVALID
-        if one.command in _PLACED:
-            return ACCEPTED if one.frame in _WITH_PLACE else UNSUPPORTED_FRAME
-        if one.command in _UNPLACED:
-            return ACCEPTED if one.frame == mavlink.MAV_FRAME_MISSION else UNSUPPORTED_FRAME
-        return ACCEPTED if one.command == _RETURN else UNSUPPORTED
+        if one.autocontinue == 0 and self._count is not None and self._next + 1 < self._count:
+            return UNSUPPORTED
+        if one.command in _PLACED and one.frame not in _WITH_PLACE:
+            return UNSUPPORTED if one.command == _ROI else UNSUPPORTED_FRAME
+        if one.command in _UNPLACED and one.frame != mavlink.MAV_FRAME_MISSION:
+            return UNSUPPORTED_FRAME
+        if (one.command == _LOITER and not 0 <= one.param1 <= _MOST) or \
+                (one.command == _TURN and not 0 <= one.param1 < 360) or \
+                (one.command == _JUMP and not 0 <= one.param1 < _MOST):
+            return mavlink.MAV_MISSION_INVALID_PARAM1
+        if (one.command == _ROI and one.param1 != _AT_A_PLACE) or (one.command == _TURN and one.param4 != 0):
+            return UNSUPPORTED
+        return ACCEPTED if one.command in (*_PLACED, *_UNPLACED, _RETURN) else UNSUPPORTED
 
     def _as_read(self, one: Item) -> Item:
-        """Whatever altitude it keeps comes in one of the _INT frames."""
-        if self.takes_all or one.command not in _PLACED:
+        """What it keeps. Whatever altitude it keeps comes in one of the _INT frames."""
+        if self.takes_all:
             return one
-        return one._replace(frame=5 if one.frame in (0, 5) else 6)
+        param1 = float(round(one.param1)) if one.command in (_LOITER, _TURN, _JUMP, _ROI) else 0.0
+        param2 = float(round(one.param2)) if one.command == _JUMP else 0.0
+        kept = Item(mavlink.MAV_FRAME_MISSION, one.command, 0, 1, param1, param2, 0.0, 0.0, 0, 0, 0.0)
+        if one.command not in _PLACED:
+            return kept
+        return kept._replace(frame=5 if one.frame in (0, 5) else 6, x=one.x, y=one.y,
+                             z=f32(centimetres(one.z) / 100.0))  # fmt: skip
 
     def _on_request_list(self, message, sender, now: float) -> None:
         self._sender, self._reading = sender, 0

@@ -27,6 +27,13 @@
 #define MAVMISSION_SIGNING 0
 #endif
 
+// What an autopilot is that calls itself generic in its heartbeat (HEARTBEAT.autopilot 0), as several do, and nothing
+// that they send tells them apart: 1 Betaflight, 2 iNav, 0 none of these; 0 to 2 [number]. Each takes other commands,
+// and stores them otherwise (docs/autopilots.md). Costs nothing at 0, and about 0.4 KB of flash at 1 and 2.
+#ifndef MAVMISSION_GENERIC_FIRMWARE
+#define MAVMISSION_GENERIC_FIRMWARE 0
+#endif
+
 // Keeps a function from being inlined, where avr-gcc would inline it and the program would grow. Each use was measured.
 #ifdef __AVR__
 #define MAVMISSION_APART __attribute__((noinline))
@@ -54,6 +61,9 @@
 #endif
 #if MAVMISSION_SIGNING < 0 || MAVMISSION_SIGNING > 1
 #error "MAVMISSION_SIGNING must be 0 to 1"
+#endif
+#if MAVMISSION_GENERIC_FIRMWARE < 0 || MAVMISSION_GENERIC_FIRMWARE > 2
+#error "MAVMISSION_GENERIC_FIRMWARE must be 0 to 2"
 #endif
 #if MAVMISSION_BYTES_PER_UPDATE < 16 || MAVMISSION_BYTES_PER_UPDATE > 255
 #error "MAVMISSION_BYTES_PER_UPDATE must be 16 to 255"

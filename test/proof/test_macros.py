@@ -17,6 +17,7 @@ LIMITS = {
     "MAVMISSION_BYTES_PER_UPDATE": (16, 255),
     "MAVMISSION_ITEMS_PER_UPDATE": (1, 255),
     "MAVMISSION_SIGNING": (0, 1),
+    "MAVMISSION_GENERIC_FIRMWARE": (0, 2),
 }
 SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"
 UNITS = ("frame_parser", "wire_plan", "outbox")

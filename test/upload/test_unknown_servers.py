@@ -1,4 +1,4 @@
-"""Uploads on a line that loses, to servers of an unknown firmware: as iNav's, and as MAVSDK's, by their sources."""
+"""Uploads on a line that loses, to servers of an unknown firmware: iNav's, MAVSDK's, Betaflight's, by their sources."""
 
 from __future__ import annotations
 
@@ -9,11 +9,17 @@ import pytest
 from plans import waypoint
 from simulation.bench import Bench
 from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.betaflight import Betaflight
 from simulation.fake_autopilot.inav import Inav
 from simulation.wire import Wire
 
-SERVERS = {"iNav": {}, "MAVSDK": {"takes_all": True}}
-PLAN = [waypoint(-353632621 + 900 * n, 1491652374, 20.0) for n in range(5)]
+GENERIC = {"autopilot": mavlink.MAV_AUTOPILOT_GENERIC}
+SERVERS = {
+    "iNav": lambda **options: Inav(**GENERIC, **options),
+    "MAVSDK": lambda **options: Inav(takes_all=True, **GENERIC, **options),
+    "Betaflight": Betaflight,  # ends an upload at an item that comes twice, and asks again after 1.5 s
+}
+PLAN = [waypoint(-353632621 + 900 * n, 1491652374, 600.0)._replace(frame=0) for n in range(5)]
 RUNS = 20
 
 
@@ -21,12 +27,12 @@ def ended(kind: str, lost: int, seed: int) -> tuple[str, bool]:
     """The status, and whether the plan is aboard."""
     wire = Wire(seed=seed)
     wire.damage_bytes(lose=lost)
-    server = Inav(autopilot=mavlink.MAV_AUTOPILOT_GENERIC, baud=57600, response_delay_s=Inav.response_delay_on_line_s,
-                  heartbeat_at_s=0.05, uptime_s=60.0, **SERVERS[kind])  # fmt: skip
+    server = SERVERS[kind](baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05,
+                           uptime_s=60.0)  # fmt: skip
     bench = Bench(server, wire=wire)
     bench.upload(PLAN, proof="InDoubt")
-    status = bench.run_until_ended(limit_s=120)
-    return status, server.held == PLAN
+    status = bench.run_until_ended(limit_s=150)
+    return status, [one._replace(frame=0) for one in server.held] == PLAN
 
 
 @pytest.mark.slow
@@ -37,3 +43,32 @@ def test_upload_gets_through(kind, lost, least):
     ends = [ended(kind, lost, seed) for seed in range(RUNS)]
     assert all(is_there for status, is_there in ends if status == "Accepted"), "a false Accepted"
     assert Counter(status for status, _ in ends)["Accepted"] >= least, ends
+
+
+@pytest.mark.scenario(29, "A server of an unknown firmware that has given the upload up")
+@pytest.mark.parametrize("is_lossy", [False, True])
+def test_upload_begins_anew_on_a_line_that_loses_alone(build_bench, is_lossy):
+    """An item comes twice, and Betaflight ends the upload. Elsewhere the cause is not the line, and it is said."""
+    server = Betaflight(baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05, uptime_s=60.0)
+    bench = build_bench(server)
+    if is_lossy:
+        bench.wire.lose("<", name="HEARTBEAT", index=1)
+    bench.run(2.5)
+    bench.wire.repeat(">", name="MISSION_ITEM_INT", index=2)
+    bench.upload(PLAN, proof="InDoubt")
+    ended = bench.run_until_ended(limit_s=20)
+    counts = bench.wire.frames(">", "MISSION_COUNT")
+    assert (ended, len(counts)) == (("Accepted", 2) if is_lossy else ("TimedOut", 1))
+
+
+@pytest.mark.scenario(29, "An idle server of an unknown firmware answers with INVALID_SEQUENCE behind the last item")
+def test_invalid_sequence_behind_the_last_item_is_no_refusal(build_bench):
+    """iNav's answer to the last item when that comes again and its acceptance was lost: the plan is read back."""
+    server = Inav(**GENERIC, baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05,
+                  uptime_s=60.0)  # fmt: skip
+    bench = build_bench(server)
+    bench.wire.lose("<", name="MISSION_ACK")
+    bench.upload(PLAN, proof="InDoubt")
+    assert bench.run_until_ended(limit_s=20) == "Accepted"
+    assert bench.now < 4.0  # at the first repeat, and not when all are used up
+    assert server.held == PLAN

@@ -212,6 +212,46 @@ const Unset kUnset[] PROGMEM = {
     {2501, unset(2, 3, 4, 7)},  // VIDEO_STOP_CAPTURE
 };
 
+// Where a table of its own has each command that an autopilot takes: all Kinds of each.
+struct OwnRow {
+  uint16_t command;
+  uint16_t params, more;
+};
+
+// From Betaflight's source (2026.12). What it takes and flies otherwise than it is meant has no row: a return at the
+// end (which it drops), spline waypoints (straight), turns and loitering without an end (kept as a time), fences
+// (stored, and not enforced).
+const OwnRow kInBetaflight[] PROGMEM = {
+    {16, four(Zero, D, D, NoYaw), four(K, K, Height, 0)},              // NAV_WAYPOINT: it does not hold there
+    {19, four(U8, D, Zero, NoYaw), four(K, K, Height, 0)},             // NAV_LOITER_TIME
+    {21, four(D, D, D, NoYaw), four(K, K, Height, kPlaceIsOptional)},  // NAV_LAND
+    {22, four(D, D, D, NoYaw), four(K, K, Height, kPlaceIsOptional)},  // NAV_TAKEOFF
+};
+
+// From iNav's source (10).
+const OwnRow kInInav[] PROGMEM = {
+    {16, four(Zero, D, D, NoYaw), four(K, K, Height, 0)},              // NAV_WAYPOINT: it does not hold there
+    {19, four(I16, D, Zero, NoYaw), four(K, K, Height, 0)},            // NAV_LOITER_TIME
+    {20, four(D, D, D, D), four(D, D, D, kHasNoPlace)},                // NAV_RETURN_TO_LAUNCH
+    {21, four(D, D, D, NoYaw), four(K, K, Height, kPlaceIsOptional)},  // NAV_LAND
+    {115, four(To360, D, D, Zero), four(D, D, D, kHasNoPlace)},        // CONDITION_YAW
+    {177, four(I16, I16, D, D), four(D, D, D, kHasNoPlace)},           // DO_JUMP
+    {201, four(U8, D, D, D), four(K, K, Height, 0)},                   // DO_SET_ROI
+};
+
+// The rules of a command, from the autopilot's own table.
+MAVMISSION_APART Rules ownRulesOf(uint16_t command) {
+  const bool isInav = flagOf(kGenericFirmware) == kByInav;
+  const OwnRow* row = isInav ? kInInav : kInBetaflight;
+  const OwnRow* const end = row + (isInav ? sizeof(kInInav) : sizeof(kInBetaflight)) / sizeof(OwnRow);
+  Rules rules = {static_cast<uint32_t>(kIsNotTaken) << 28};
+  for (; row != end; ++row) {
+    if (fromFlash(&row->command) != command) continue;
+    rules.bits = static_cast<uint32_t>(fromFlash(&row->more)) << 16 | fromFlash(&row->params);
+  }
+  return rules;
+}
+
 }  // namespace
 
 Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
@@ -224,6 +264,7 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
 }
 
 Rules rulesOf(const MissionItem& item, Keeper keeper) {
+  if ((keeper & kOwn) != 0) return ownRulesOf(item.command);
   uint16_t params = 0, more = four(K, K, Height, kAsItsFrameSays);
   for (const Row* row = (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows;
        row != kRows + sizeof(kRows) / sizeof(*kRows); ++row) {

@@ -18,51 +18,56 @@ enum KeeperFlag : uint8_t {
   kByPlane = 4,  // ArduPilot's Plane, which keeps some fields that ArduPilot's Copter drops
   kOfFence = 8,
   kOfRally = 16,
+  kByOwnTable = 32,  // a table of its own has each command that it takes
+  kByBetaflight = kByOwnTable,
+  kByInav = kByOwnTable | 4,
 };
 typedef uint8_t Keeper;
 
-enum Trait : uint32_t {
+enum Trait : uint64_t {
   // --- Plans
-  kHomeIsItem0 = 1ul << 0,           // item 0 of a mission on the wire is the autopilot's home
-  kReplacesItemByItem = 1ul << 1,    // a mission upload that breaks off leaves a mixture of two plans
-  kKeepsPlanUntilWhole = 1ul << 2,   // an upload that breaks off leaves the previous plan unchanged
-  kTakesWholePlansOnly = 1ul << 3,   // does not support MISSION_WRITE_PARTIAL_LIST
-  kTakesTerrainFrames = 1ul << 4,    // takes MAV_FRAME_GLOBAL_TERRAIN_ALT
-  kMayTakeAnyFrame = 1ul << 5,       // its frames are not known: an item is sent in any frame
-  kWipesShortFences = 1ul << 6,      // accepts a fence with too few corners, and wipes it some time later
-  kWantsRepeatsWithin16 = 1ul << 7,  // gives DO_JUMP's "for ever" back as 65535 in a read-back
-  kDropsNanYaw = 1ul << 8,           // gives a NaN yaw back as 0 in a read-back
+  kHomeIsItem0 = 1ull << 0,            // item 0 of a mission on the wire is the autopilot's home
+  kReplacesItemByItem = 1ull << 1,     // a mission upload that breaks off leaves a mixture of two plans
+  kKeepsPlanUntilWhole = 1ull << 2,    // an upload that breaks off leaves the previous plan unchanged
+  kTakesWholePlansOnly = 1ull << 3,    // does not support MISSION_WRITE_PARTIAL_LIST
+  kTakesTerrainFrames = 1ull << 4,     // takes MAV_FRAME_GLOBAL_TERRAIN_ALT
+  kMayTakeAnyFrame = 1ull << 5,        // its frames are not known: an item is sent in any frame
+  kWipesShortFences = 1ull << 6,       // accepts a fence with too few corners, and wipes it some time later
+  kWantsRepeatsWithin16 = 1ull << 7,   // gives DO_JUMP's "for ever" back as 65535 in a read-back
+  kDropsNanYaw = 1ull << 8,            // gives a NaN yaw back as 0 in a read-back
+  kDropsPlanFirst = 1ull << 32,        // MISSION_COUNT deletes the plan aboard: an upload that breaks off leaves none
+  kGivesHeightsAboveSea = 1ull << 33,  // gives a height above home back above sea level in a read-back
 
   // --- Transfers
-  kSaysChecksum = 1ul << 9,        // MISSION_ACK.opaque_id is the checksum of the plan that it holds
-  kSaysErrorWhenBusy = 1ul << 10,  // MAV_MISSION_ERROR to a COUNT while another transfer runs, and to a second COUNT
-  kErrorRefusesCount = 1ul << 11,  // MAV_MISSION_ERROR to a COUNT is a refusal
-  kRepeatsAcceptance = 1ul << 12,  // answers a repeated last item with ACCEPTED again
-  kGoesOnWithOlder = 1ul << 13,    // may ignore a COUNT, and continue an older transfer that has received no item yet
-  kMayBeOld = 1ul << 14,           // may know only MISSION_REQUEST and MISSION_ITEM, not the _INT messages
-  kRefusesTakenItems = 1ul << 25,  // answers an item that it has received already with INVALID_SEQUENCE
-  kHasPlanFiles = 1ul << 28,       // gives and takes its plans as files too, by MAVLink FTP
+  kSaysChecksum = 1ull << 9,        // MISSION_ACK.opaque_id is the checksum of the plan that it holds
+  kSaysErrorWhenBusy = 1ull << 10,  // MAV_MISSION_ERROR to a COUNT while another transfer runs, and to a second COUNT
+  kErrorRefusesCount = 1ull << 11,  // MAV_MISSION_ERROR to a COUNT is a refusal
+  kRepeatsAcceptance = 1ull << 12,  // answers a repeated last item with ACCEPTED again
+  kGoesOnWithOlder = 1ull << 13,    // may ignore a COUNT, and continue an older transfer that has received no item yet
+  kMayBeOld = 1ull << 14,           // may know only MISSION_REQUEST and MISSION_ITEM, not the _INT messages
+  kRefusesTakenItems = 1ull << 25,  // answers an item that it has received already with INVALID_SEQUENCE
+  kHasPlanFiles = 1ull << 28,       // gives and takes its plans as files too, by MAVLink FTP
 
   // --- Flying
-  kArmsByMissionStart = 1ul << 15,    // MAV_CMD_MISSION_START sets the mode and arms
-  kFliesByMode = 1ul << 16,           // is armed in another mode, and then flies its mission in mode AUTO
-  kSaysCurrentUnasked = 1ul << 17,    // sends MISSION_CURRENT once a second; denies MAV_CMD_REQUEST_MESSAGE
-  kNamesFlownItems = 1ul << 18,       // MISSION_CURRENT names only items that are flown, no commands on the way
-  kModeIsOneByte = 1ul << 19,         // a larger HEARTBEAT.custom_mode would be cut
-  kModesByVehicle = 1ul << 20,        // mode numbers differ by HEARTBEAT.type
-  kModesHaveSubModes = 1ul << 21,     // custom_mode is a main mode and a sub mode
-  kRejectsInWords = 1ul << 22,        // may reject a plan by a STATUSTEXT after it has accepted the plan
-  kStreamsAsArduPilot = 1ul << 23,    // its telemetry consists mostly of the same messages as ArduPilot's
-  kIsActiveInAir = 1ul << 26,         // HEARTBEAT.system_status is ACTIVE in the air, and not when it is only armed
-  kAltitudesAreAboveSea = 1ul << 27,  // takes each altitude of a command as above sea level, whatever its frame
-  kPlanesKeepMore = 1ul << 24,        // its planes keep more fields: kByPlane
-  kNeedsStream = 1ul << 29,           // its guided mode (OFFBOARD) wants targets first, and a failsafe ends it without
+  kArmsByMissionStart = 1ull << 15,    // MAV_CMD_MISSION_START sets the mode and arms
+  kFliesByMode = 1ull << 16,           // is armed in another mode, and then flies its mission in mode AUTO
+  kSaysCurrentUnasked = 1ull << 17,    // sends MISSION_CURRENT once a second; denies MAV_CMD_REQUEST_MESSAGE
+  kNamesFlownItems = 1ull << 18,       // MISSION_CURRENT names only items that are flown, no commands on the way
+  kModeIsOneByte = 1ull << 19,         // a larger HEARTBEAT.custom_mode would be cut
+  kModesByVehicle = 1ull << 20,        // mode numbers differ by HEARTBEAT.type
+  kModesHaveSubModes = 1ull << 21,     // custom_mode is a main mode and a sub mode
+  kRejectsInWords = 1ull << 22,        // may reject a plan by a STATUSTEXT after it has accepted the plan
+  kStreamsAsArduPilot = 1ull << 23,    // its telemetry consists mostly of the same messages as ArduPilot's
+  kIsActiveInAir = 1ull << 26,         // HEARTBEAT.system_status is ACTIVE in the air, and not when it is only armed
+  kAltitudesAreAboveSea = 1ull << 27,  // takes each altitude of a command as above sea level, whatever its frame
+  kPlanesKeepMore = 1ull << 24,        // its planes keep more fields: kByPlane
+  kNeedsStream = 1ull << 29,           // its guided mode (OFFBOARD) wants targets first, and a failsafe ends it without
 
   // MAV_CMD_DO_REPOSITION without its flag CHANGE_MODE is answered UNSUPPORTED, and flown to all the same in HOLD alone
-  kRefusesAndRepositions = 1ul << 31,
+  kRefusesAndRepositions = 1ull << 31,
 
   // --- Parameters
-  kIntegersAsBits = 1ul << 30,  // PARAM_VALUE has integers as the bits of its float, and not as the float's value
+  kIntegersAsBits = 1ull << 30,  // PARAM_VALUE has integers as the bits of its float, and not as the float's value
 };
 
 // X(Firmware, MAV_AUTOPILOT, KeeperFlag, traits). An autopilot is recognised by HEARTBEAT.autopilot.
@@ -79,17 +84,38 @@ enum Trait : uint32_t {
     kNeedsStream | kRefusesAndRepositions | kIntegersAsBits)
 // clang-format on
 
+// X(Firmware, KeeperFlag, traits). These say MAV_AUTOPILOT_GENERIC, as others do, and nothing that they send tells them
+// apart: MAVMISSION_GENERIC_FIRMWARE says which one it is. The others of these rows cost nothing.
+// clang-format off
+#define MAVMISSION_GENERIC_PERSONALITIES(X)                                                                \
+  X(Betaflight, kByBetaflight, kDropsPlanFirst | kGivesHeightsAboveSea | kMayBeOld)                        \
+  X(Inav, kByInav, kMayBeOld)
+// clang-format on
+
 // The traits of any other autopilot.
-constexpr uint32_t kOtherTraits = kMayTakeAnyFrame | kMayBeOld;
+constexpr uint64_t kOtherTraits = kMayTakeAnyFrame | kMayBeOld;
+
+// What a generic autopilot is.
+constexpr Firmware kGenericFirmware = MAVMISSION_GENERIC_FIRMWARE == 0   ? Firmware::Other
+                                      : MAVMISSION_GENERIC_FIRMWARE == 1 ? Firmware::Betaflight
+                                                                         : Firmware::Inav;
+constexpr bool isGenericKnown() { return kGenericFirmware != Firmware::Other; }
+// kByOwnTable where there is such a table.
+constexpr Keeper kOwn = isGenericKnown() ? kByOwnTable : 0;
 
 MAVMISSION_INLINE constexpr bool has(Firmware firmware, Trait trait) {
 #define MAVMISSION_ROW(NAME, ID, KEEPER, TRAITS) (((TRAITS) & trait) != 0 && firmware == Firmware::NAME) ||
-  return MAVMISSION_PERSONALITIES(MAVMISSION_ROW)((kOtherTraits & trait) != 0 && firmware == Firmware::Other);
+#define MAVMISSION_GENERIC_ROW(NAME, KEEPER, TRAITS) \
+  (((TRAITS) & trait) != 0 && kGenericFirmware == Firmware::NAME && firmware == Firmware::NAME) ||
+  return MAVMISSION_PERSONALITIES(MAVMISSION_ROW) MAVMISSION_GENERIC_PERSONALITIES(MAVMISSION_GENERIC_ROW)(
+      (kOtherTraits & trait) != 0 && firmware == Firmware::Other);
+#undef MAVMISSION_GENERIC_ROW
 #undef MAVMISSION_ROW
 }
 
 // `autopilot`: HEARTBEAT.autopilot.
 MAVMISSION_INLINE Firmware firmwareOf(uint8_t autopilot) {
+  if (isGenericKnown() && autopilot == 0) return kGenericFirmware;  // MAV_AUTOPILOT_GENERIC
   switch (autopilot) {
 #define MAVMISSION_ROW(NAME, ID, KEEPER, TRAITS) \
   case ID: return Firmware::NAME;
@@ -105,8 +131,13 @@ MAVMISSION_INLINE Keeper flagOf(Firmware firmware) {
   case Firmware::NAME: return KEEPER;
     MAVMISSION_PERSONALITIES(MAVMISSION_ROW)
 #undef MAVMISSION_ROW
-    default: return 0;
+    default: break;
   }
+#define MAVMISSION_GENERIC_ROW(NAME, KEEPER, TRAITS) \
+  if (kGenericFirmware == Firmware::NAME && firmware == Firmware::NAME) return KEEPER;
+  MAVMISSION_GENERIC_PERSONALITIES(MAVMISSION_GENERIC_ROW)
+#undef MAVMISSION_GENERIC_ROW
+  return 0;
 }
 
 }  // namespace detail

@@ -193,6 +193,7 @@ class Client : public ClientRules {
   MAVMISSION_APART Status keeping(const MissionItem& item);
   void beginChecking();
   void checkPlan(uint16_t nowMs);
+  void beginTransfer();
   MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
   void sendUpload(uint16_t nowMs);

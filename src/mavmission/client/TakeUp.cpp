@@ -11,6 +11,13 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
   if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
   if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
   const UploadTransfer& transfer = client.transfer_;
+  // A server whose ways are not known has given the upload up. On a line that loses that may be the cause, and what it
+  // held is gone: so the upload begins anew, within the time for the whole operation.
+  if ((status == Status::TimedOut || status == Status::CancelledByAutopilot) && client.plan_.has(kMayBeOld) &&
+      client.link_.pace().isLossy()) {
+    client.beginTransfer();
+    return true;
+  }
   // An idle ArduPilot answers with an error when the line has repeated the last item. The acceptance may have been lost
   // before that.
   const bool isDoubtfulError = status == Status::Error && !client.plan_.has(kRepeatsAcceptance) &&

@@ -102,8 +102,10 @@ void Client::checkPlan(uint16_t nowMs) {
   if (state_.next == count) beginUpload(nowMs);
 }
 
+void Client::beginTransfer() { transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled); }
+
 void Client::beginUpload(uint16_t nowMs) {
-  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled);
+  beginTransfer();
   if (state_.announce != nullptr) state_.announce(*this, true);
   opaqueId_.begin();
   state_.next = 0;
@@ -205,6 +207,7 @@ Aboard Client::aboardAfterUpload(Status status) const {
   // Such an autopilot keeps the old plan until the new plan is complete; an empty plan is complete at once.
   if (plan_.has(kKeepsPlanUntilWhole) && (refused || plan_.count() != 0)) return Aboard::AsBefore;
   if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
+  if (plan_.has(kDropsPlanFirst)) return Aboard::Nothing;
   // ArduPilot replaces a mission item by item, but a fence only as a whole.
   return plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
 }

@@ -58,6 +58,9 @@ struct Four {
 
 MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(a.bytes, b.bytes, sizeof(a.bytes)) == 0; }
 
+// True for equal floats and for neighbours: iNav divides its centimetres by 100, where others multiply them by 0.01.
+bool isNext(const Four& a, const Four& b) { return a.bits - b.bits + 1 <= 2; }
+
 // True if a Special field is kept in its meaning. Such fields are: a number of turns, kept in 256ths below 1; the
 // radius of turns, kept in tens of metres above 255; the radius of a fence; the mode of a region of interest, which
 // with a place is "none" or "a place", and without a place is "none" or "an item". `value` is the magnitude of the
@@ -118,7 +121,7 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
     return true;
   }
   if (kind == Height && isZ) {
-    if (!is && (keeper & kByArduPilot) != 0) makeHundredths(&kept);
+    if (!is && (keeper & (kByArduPilot | kOwn)) != 0) makeHundredths(&kept);
     return true;
   }
   const uint8_t sign = kept.bytes[3] & 0x80;
@@ -136,7 +139,8 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
     return true;
   }
   static_assert(Zero == Special, "a Zero is told from a Special by its field");
-  if (kind == Zero && (field & 1) != 0) kind = kOnlyZero;  // param2 or param4
+  // param2 or param4; no table of its own has a Special.
+  if (kind == Zero && ((field & 1) != 0 || (keeper & kOwn) != 0)) kind = kOnlyZero;
   const int32_t whole = wholeNumber(magnitude.number);
   if (kind >= U1) {
     const uint16_t* limit = &kLimits[kind - U1].positive;
@@ -169,7 +173,7 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
   if (read.command != sent.command) return ItemField::Command;
   Rules rules = rulesOf(sent, keeper);
   if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
-  if ((keeper & (kByArduPilot | kByPx4)) == 0) rules.bits = 0;  // all fields are kept
+  if ((keeper & (kByArduPilot | kByPx4 | kOwn)) == 0) rules.bits = 0;  // all fields are kept
   uint8_t flags = keeper;
   if ((keeper & kByPx4) != 0 && sent.frame == Frame::Mission) flags |= kInFloats;
   const Four* wasSent = reinterpret_cast<const Four*>(&sent);
@@ -179,9 +183,12 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
     Four kept = *wasSent;
     const bool isSame = isEqual(*wasRead, *wasSent);
     const bool isKept = keep(kept, kind, field, flags, isSame) &&
-                        (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)));
+                        (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)) ||
+                         ((keeper & kOwn) != 0 && field == kZ && isNext(*wasRead, kept)));
     if (!isKept) return static_cast<ItemField>(static_cast<uint8_t>(ItemField::Param1) + field);
   }
+  // It stops at no item, or refuses to.
+  if ((keeper & kOwn) != 0 && sent.autocontinue != 1) return ItemField::Autocontinue;
   // In a read-back, autocontinue is 0 in fence and rally items, and 1 in the items of ArduPilot's missions.
   const bool isAlways1 = (keeper & kByArduPilot) != 0 && read.autocontinue == 1;
   if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)

@@ -92,8 +92,8 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     const FloatKind kind = kindOf(number);
     if (kind == FloatKind::Infinite) return Status::NotFinite;
     if (kind != FloatKind::NotANumber || (bit == 1 << 4 && rules.hasYaw())) continue;
-    // ArduPilot refuses every other one.
-    if ((keeper_ & kByArduPilot) != 0 || (unsetOf(item.command) & bit) == 0) return Status::NotANumber;
+    // ArduPilot refuses every other one, as do those with a table of their own.
+    if ((keeper_ & (kByArduPilot | kOwn)) != 0 || (unsetOf(item.command) & bit) == 0) return Status::NotANumber;
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
   const bool isArduPilot = (keeper_ & kByArduPilot) != 0;
@@ -105,7 +105,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
     if (hasPlace(item)) {
       if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
-    } else if (!isMission || (keeper_ & kByPx4) != 0) {
+    } else if (!isMission || (keeper_ & (kByPx4 | kOwn)) != 0) {
       return Status::NeedsCoordinates;
     }
     if (isArduPilot && (keeper_ & kOfFence) == 0) {
@@ -173,15 +173,15 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
       if (isJump && is(item.param2, kMinus1)) item.param2 = 65535;
     }
     const Rules rules = rulesOf(item, keeper());
-    // A NaN means "as you fly"; ArduPilot has 0 for that.
-    if ((keeper_ & kByArduPilot) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
+    // A NaN means "as you fly"; ArduPilot has 0 for that, and those with a table of their own turn to no heading.
+    if ((keeper_ & (kByArduPilot | kOwn)) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
       item.param4 = 0;
     if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
     const Status checked = check(item, rules);
     if (checked != Status::Accepted) return checked;
     if (homeItems_ != 0) {
       if (isJump) item.param1 = oneMore(item.param1);
-    } else if ((keeper_ & kByPx4) != 0 && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
+    } else if ((keeper_ & (kByPx4 | kOwn)) != 0 && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
       // The search reads other items over this one, which is read again afterwards: this saves the stack of a second
       // item.
       const Status found = findPlaceFor(wireIndex, item);

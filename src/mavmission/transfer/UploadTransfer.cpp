@@ -87,6 +87,9 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
 
     case Status::InvalidSequence:
       if (state_ == State::Counting) break;
+      // A server whose ways are not known may be idle behind the last item, with our plan or without it: that is read
+      // back. Before, it has given the upload up at an item that came twice (Betaflight).
+      if (has(firmware_, kMayBeOld)) return state_ == State::Confirming ? Status::Unconfirmed : Status::TimedOut;
       // ArduPilot answers so to every item but the one that it waits for, and continues. It has waited for the current
       // one; so if this answers a repeat of that, and no item before, the current item is there, and the next request
       // was lost. (That is not certain for the last item but one while an earlier transfer may be answered: a newer
