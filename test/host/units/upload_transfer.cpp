@@ -322,10 +322,22 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
       upload.served(asked);
       const Status said = fromMissionResult(result);
       const bool counting = asked == 0;
-      const bool noise = (result == kInvalidSequence && !counting) || (result == kError && counting);
+      const bool noise = result == kError && counting;
       CAPTURE(result);
       CAPTURE(asked);
+      if (result == kInvalidSequence && !counting) {
+        // It has given the upload up, or is idle behind the last item.
+        CHECK((upload.ack(result) == (asked < 3 ? Status::TimedOut : Status::Unconfirmed)));
+        continue;
+      }
       CHECK((upload.ack(result) == (noise ? Status::Transferring : said)));
+    }
+  }
+  for (const Firmware firmware : {Firmware::ArduPilot, Firmware::Px4}) {
+    for (uint16_t asked = 1; asked <= 3; ++asked) {
+      Upload upload(3, firmware);
+      upload.served(asked);
+      CHECK(goesOn(upload.ack(kInvalidSequence)));
     }
   }
 }
