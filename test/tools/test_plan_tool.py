@@ -194,6 +194,12 @@ def test_wrong_waypoints_are_refused_by_their_line(line, column, new, says):
         assert error.line == line
 
 
+@pytest.mark.parametrize("suffix", [".plan", ".waypoints"])
+@pytest.mark.parametrize("text", ["", " \n\r\n"])
+def test_empty_file_is_called_empty(suffix, text):
+    assert "the file is empty" in str(refusal(text, suffix))
+
+
 def test_waypoints_without_home_are_refused():
     assert refusal("QGC WPL 110\n", ".waypoints").args[0].endswith("there is no line 0, which is home")
     assert refusal("", ".waypoints").line == 1

@@ -151,6 +151,16 @@ def test_setup_that_may_not_install_names_what_is_missing_and_the_command(machin
     assert machine.said() == []
 
 
+def test_setup_beyond_debian_names_the_page_that_says_what_works_there(machine):
+    (machine.programs / "dpkg-query").unlink()
+    ran = machine.setup("build")
+    assert ran.returncode == 1
+    page = re.search(r"this is not Debian: a container is one, see ([\w/.]+);", ran.stderr)[1]
+    text = (ROOT / page).read_text()
+    assert "docker run " in text and "arduino-cli compile " in text
+    assert "install what these Debian packages hold: gcc-avr " in ran.stderr
+
+
 def test_setup_installs_only_what_is_missing_and_asks_nothing(machine):
     (machine.folder / "may").touch()
     assert machine.setup("demo").returncode == 0

@@ -91,6 +91,8 @@ class _Reader:
         return BadPlan(self._file, line or self._line, text)
 
     def plan(self, lines: list[str]) -> Plan:
+        if not any(line.strip() for line in lines):
+            raise self._bad("the file is empty")
         header = " ".join(lines[0].split()) if lines and len(lines[0]) <= LONGEST_LINE else ""
         if header not in (HEADER, WITHOUT_HOME):
             seen = f", and is {cut(lines[0])}" if lines else ""
