@@ -86,6 +86,7 @@ void hearAsArduPilot(Autopilot& autopilot, const Message& heard, Answers& answer
       cut(autopilot, 0);
       return acknowledge(answers, kAccepted);
     case Kind::Ack:  // a cancellation too: it times out
+    case Kind::OlderRequest:
     case Kind::Heartbeat:
     case Kind::File:
     case Kind::FileReply: return;

@@ -23,19 +23,21 @@ void Autopilot::pass(uint16_t ms) {
 
 void Autopilot::hear(const Message& message, Answers& answers) {
   if (bootsInMs != kNever) return;
+  if (isGeneric(firmware)) return hearAsGeneric(*this, message, answers);
   if (firmware == Firmwares::Px4) return hearAsPx4(*this, message, answers);
   hearAsArduPilot(*this, message, answers);
 }
 
 void Autopilot::act(Answers& answers) {
   if (bootsInMs == 0) bootsInMs = kNever;
+  if (isGeneric(firmware)) return actAsGeneric(*this, answers);
   if (firmware == Firmwares::Px4) return actAsPx4(*this, answers);
   actAsArduPilot(*this, answers);
 }
 
 void Autopilot::reboot() {
   state = State::Idle;
-  expected = count = hasPartner = isUploadOpen = 0;
+  expected = count = hasPartner = isUploadOpen = requests = 0;
   memset(staged, 0, sizeof(staged));
   stagedSum = 0;
   asksInMs = givesUpInMs = acceptsInMs = kNever;
@@ -44,7 +46,7 @@ void Autopilot::reboot() {
 
 void Autopilot::hold(uint8_t plan, uint16_t items) {
   uint8_t* to = held;
-  if (firmware != Firmwares::Px4 && items != 0) *to++ = kHome;
+  if (isArduPilot(firmware) && items != 0) *to++ = kHome;
   for (uint16_t i = 0; i < items; ++i) {
     *to++ = itemOf(plan, i);
     heldSum = checksummed(heldSum, itemOf(plan, i));

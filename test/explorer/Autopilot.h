@@ -1,4 +1,4 @@
-// The two autopilots' mission servers as small models: plain data, a message or time in, messages out. What they do was
+// Mission servers as small models: plain data, a message or time in, messages out. What the two autopilots do was
 // observed on ArduPilot 4.6.3 and PX4 1.17.0 (simulation/recordings); only the mission, no fence and no rally.
 #pragma once
 
@@ -30,7 +30,9 @@ struct Autopilot {
   uint8_t staged[kMostHeld];  // PX4: the plan that is being received
   uint8_t hasPartner;         // PX4: knows with whom it transfers or has transferred
   uint8_t isUploadOpen;       // PX4: outlives the state in some corners, and then bars COUNT
-  uint16_t refused;           // ArduPilot: the item that it does not take; 0: none
+  uint8_t requests;           // generic: that have drawn no item
+  uint8_t unused[3];
+  uint16_t refused;  // ArduPilot: the item that it does not take; 0: none
   uint16_t asksInMs;
   uint16_t givesUpInMs;
   uint16_t acceptsInMs;  // LateArduPilot: the final ACK is under way in itself
@@ -55,3 +57,5 @@ void hearAsArduPilot(Autopilot& autopilot, const Message& message, Answers& answ
 void actAsArduPilot(Autopilot& autopilot, Answers& answers);
 void hearAsPx4(Autopilot& autopilot, const Message& message, Answers& answers);
 void actAsPx4(Autopilot& autopilot, Answers& answers);
+void hearAsGeneric(Autopilot& autopilot, const Message& message, Answers& answers);
+void actAsGeneric(Autopilot& autopilot, Answers& answers);

@@ -37,7 +37,9 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
     case Kind::Heartbeat: {
       mavlink_heartbeat_t beat = mavlink_heartbeat_t();
       beat.type = MAV_TYPE_QUADROTOR;
-      beat.autopilot = firmware == Firmwares::Px4 ? MAV_AUTOPILOT_PX4 : MAV_AUTOPILOT_ARDUPILOTMEGA;
+      beat.autopilot = isGeneric(firmware)     ? MAV_AUTOPILOT_GENERIC
+                       : isArduPilot(firmware) ? MAV_AUTOPILOT_ARDUPILOTMEGA
+                                               : MAV_AUTOPILOT_PX4;
       beat.mavlink_version = 3;
       return FrameParts(MAVLINK_MSG_ID_HEARTBEAT, bytesOf(beat), MAVLINK_MSG_ID_HEARTBEAT_CRC);
     }
@@ -51,7 +53,7 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
     }
     case Kind::Request:
       // ArduPilot asks by the older message, which has the same layout.
-      if (firmware == Firmwares::Px4) return requestParts(message.number);
+      if (!isArduPilot(firmware)) return requestParts(message.number);
       return FrameParts(MAVLINK_MSG_ID_MISSION_REQUEST, requestParts(message.number).payload,
                         MAVLINK_MSG_ID_MISSION_REQUEST_CRC);
     case Kind::Item:
@@ -62,6 +64,7 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
       return FrameParts(MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, fileReplyPayload(message, firmware),
                         MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL_CRC);
     case Kind::Ack:
+    case Kind::OlderRequest:
     case Kind::List:
     case Kind::ClearAll:
     case Kind::File: break;
@@ -77,6 +80,7 @@ std::string inWords(const Message& message) {
     case Kind::Heartbeat: return "HEARTBEAT";
     case Kind::Count: return "COUNT " + number;
     case Kind::Request: return "REQUEST " + number;
+    case Kind::OlderRequest: return "older REQUEST " + number;
     case Kind::Item: {
       const std::string plan = message.item == kHome ? "home" : "of plan " + std::to_string(message.item / 16);
       return "ITEM " + number + " (" + plan + ")";
@@ -136,6 +140,14 @@ const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Mess
       memcpy(&request, payload.data(), sizeof(request));
       if (request.mission_type != 0) return "a request is sent with a type";
       decoded = message(Kind::Request, request.seq);
+      return nullptr;
+    }
+    case MAVLINK_MSG_ID_MISSION_REQUEST: {
+      if (!isGeneric(firmware)) return "an item is asked for by MISSION_REQUEST";
+      mavlink_mission_request_t request;
+      memcpy(&request, payload.data(), sizeof(request));
+      if (request.mission_type != 0) return "a request is sent with a type";
+      decoded = message(Kind::OlderRequest, request.seq);
       return nullptr;
     }
     case MAVLINK_MSG_ID_MISSION_REQUEST_LIST:

@@ -8,10 +8,15 @@
 
 #include "Frames.h"
 
-enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4 };
+// Mavsdk and Betaflight say that they are generic: see Generic.cpp.
+enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4, Mavsdk, Betaflight };
 
-// File and FileReply: a request of MAVLink FTP and its answer, see FileWords.h.
-enum class Kind : uint8_t { Heartbeat, Count, Request, Item, Ack, List, ClearAll, File, FileReply };
+inline bool isArduPilot(Firmwares firmware) { return firmware <= Firmwares::LateArduPilot; }
+inline bool isGeneric(Firmwares firmware) { return firmware >= Firmwares::Mavsdk; }
+
+// OlderRequest: MISSION_REQUEST, where the client asks so. File and FileReply: a request of MAVLink FTP and its answer,
+// see FileWords.h.
+enum class Kind : uint8_t { Heartbeat, Count, Request, OlderRequest, Item, Ack, List, ClearAll, File, FileReply };
 
 // Of a plan on the wire, home included. (A program that follows longer plans is compiled with its own number.)
 #ifdef MOST_HELD

@@ -23,7 +23,7 @@ mavlink_mission_item_int_t waypointOf(uint8_t item, Firmwares firmware) {
   message.autocontinue = 1;
   if (item == kHome) return message;
   message.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
-  message.param4 = firmware == Firmwares::Px4 ? NAN : 0;
+  message.param4 = isArduPilot(firmware) ? 0 : NAN;
   message.x = latitudeOf(item);
   message.y = kLongitudeE7;
   message.z = kAltitudeM;

@@ -120,6 +120,7 @@ void hearAsPx4(Autopilot& autopilot, const Message& heard, Answers& answers) {
       hold(autopilot, nullptr, 0, 0);
       return acknowledge(answers, kAccepted);
     case Kind::Ack: return hearAck(autopilot, heard.number);
+    case Kind::OlderRequest:
     case Kind::Heartbeat:
     case Kind::File:
     case Kind::FileReply: return;

@@ -14,12 +14,12 @@ namespace {
 bool isPx4(Firmwares firmware) { return firmware == Firmwares::Px4; }
 
 uint8_t onTheWire(uint8_t plan, uint8_t number, Firmwares firmware) {
-  if (isPx4(firmware)) return itemOf(plan, number);
+  if (!isArduPilot(firmware)) return itemOf(plan, number);
   return number == 0 ? kHome : itemOf(plan, static_cast<uint8_t>(number - 1));
 }
 
 uint8_t wireCount(uint8_t items, Firmwares firmware) {
-  return static_cast<uint8_t>(isPx4(firmware) || items == 0 ? items : items + 1);
+  return static_cast<uint8_t>(!isArduPilot(firmware) || items == 0 ? items : items + 1);
 }
 
 }  // namespace
@@ -120,6 +120,12 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
     return nullptr;
   }
   if (isCancel && !isPx4(firmware)) return "a running transfer is cancelled";
+  // What has given the upload up on a line that loses gets it anew.
+  if (isGeneric(firmware) && isUpload() && !isReading && message.kind == Kind::Count && asked != 0 && isHurried &&
+      isGivenUp()) {
+    counts = asked = current = heardLast = open = sentItem = isLastSent = copies = 0;
+    heardAcks = 0;
+  }
   const char* const broken = isReading ? sentInReading(message) : sentInUpload(message);
   sinceSentMs = 0;
   return broken;
@@ -177,6 +183,7 @@ const char* Referee::sentInUpload(const Message& message) {
 
     case Kind::Heartbeat:
     case Kind::Request:
+    case Kind::OlderRequest:
     case Kind::List:
     case Kind::ClearAll:
     case Kind::File:
@@ -201,6 +208,7 @@ const char* Referee::sentInReading(const Message& message) {
       return nullptr;
 
     case Kind::Request:
+    case Kind::OlderRequest:
       if (!isCounted || message.number != received || received == announced) return "a wrong item is asked for";
       if (requests == kTries && !isHurried) return "an item is asked for too often";
       if (requests != 0 && sinceSentMs < againMs(kItemMs)) return "an item is asked for again too early";
@@ -247,7 +255,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
     case Kind::Ack:
       heardAcks = static_cast<uint16_t>(heardAcks | 1u << message.number);
       // What was sent twice since it was asked for, so long ago that this is no answer to anything before: it is there.
-      if (isUpload() && !isReading && !isPx4(firmware) && message.number == kInvalidSequence && copies == 2 &&
+      if (isUpload() && !isReading && isArduPilot(firmware) && message.number == kInvalidSequence && copies == 2 &&
           sinceFirstMs == kLastAnswerMs && current != 0 && current < items) {
         isPresumed = true;
       }
@@ -268,6 +276,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       return;
 
     case Kind::Heartbeat:
+    case Kind::OlderRequest:
     case Kind::List:
     case Kind::ClearAll:
     case Kind::File:
@@ -292,7 +301,8 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
         return nullptr;
       }
       return "aboard() says as before, and it is not";
-    case Aboard::Mixture: return isPx4(autopilot.firmware) ? "aboard() says a mixture, and PX4 holds none" : nullptr;
+    case Aboard::Mixture:
+      return isArduPilot(autopilot.firmware) ? nullptr : "aboard() says a mixture, and this autopilot holds none";
     case Aboard::OtherPlan: return "aboard() says somebody else's plan, and there is nobody else";
     case Aboard::NotKnown: return nullptr;
   }
@@ -357,7 +367,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (!isUpload() || (!isLastSent && !isReading)) return "Unconfirmed before the last item was sent";
       if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
       const bool isExhausted = sinceNewMs >= kConfirmingMs;
-      const bool isIdle = (heardAcks & (1u << kError)) != 0;
+      const bool isIdle = (heardAcks & (1u << kError)) != 0 ||
+                          (isGeneric(autopilot.firmware) && (heardAcks & (1u << kInvalidSequence)) != 0);
       return isExhausted || isIdle ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 
@@ -374,6 +385,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       if (isReading) return isReadOut ? nullptr : "TimedOut before the tries were exhausted";
       // An error to a repeat says that there is no transfer any more.
       if (asked != 0 && copies == 2 && (heardAcks & (1u << kError)) != 0) return nullptr;
+      if (asked != 0 && isGeneric(autopilot.firmware) && isGivenUp()) return nullptr;
       return asked != 0 && sinceNewMs >= kSilenceMs ? nullptr : "TimedOut before the wait was over";
 
     case Status::Cancelled: return nullptr;

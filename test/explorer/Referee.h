@@ -94,6 +94,10 @@ struct Referee {
   bool isUpload() const { return task.operation <= Operation::Ensure; }
 
  private:
+  // By what was heard, or by the silence: an unknown server has no transfer any more.
+  bool isGivenUp() const {
+    return (heardAcks & (1u << kInvalidSequence | 1u << kCancelled)) != 0 || sinceNewMs >= kSilenceMs;
+  }
   uint16_t againMs(uint16_t otherwiseMs) const { return isHurried ? kHurriedMs : otherwiseMs; }
   const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                            const Autopilot* before) const;

@@ -10,14 +10,14 @@ namespace {
 
 const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure",     "download",
                                    "verify", "clear",           "file-upload",     "file-verify"};
-const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4"};
+const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK", "Betaflight"};
 
 [[noreturn]] void usage(const char* problem) {
   fprintf(
       stderr,
       "%s\n"
       "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
-      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
+      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late), PX4, MAVSDK, Betaflight\n"
       "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear, and as files\n"
       "             file-upload, file-verify; a second one begins when the first has ended or was broken off\n"
       "  ITEMS      0 to 7: of the plan that is uploaded or verified\n"
@@ -60,7 +60,7 @@ uint64_t number(const char* text, uint64_t most) {
 int main(int argc, char** argv) {
   if (argc < 4) usage("arguments are missing");
   Scenario scenario;
-  scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 3, argv[1], "no such autopilot"));
+  scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 5, argv[1], "no such autopilot"));
   int at = 2;
   for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {
     Task task;

@@ -32,6 +32,7 @@ EXPLORER = ROOT / "test" / "explorer"
 # The rest form and the next timer of a client are about its private members.
 FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]
 AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
+SERVERS = ("MAVSDK", "Betaflight")  # of a firmware that the library does not know: explorer/Generic.cpp
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
            "violations"]  # fmt: skip
 
@@ -102,6 +103,14 @@ KNOWN = {
     f"{name} ensure 0 --held 1 --faults 1 --lossy 1": "Differs, and the plan aboard is the plan meant"
     for name in ("ArduPilot", "LateArduPilot")
 }
+KNOWN["MAVSDK ensure 0 --held 1 --losses 2 --faults 1 --lossy 1"] = "Differs, and the plan aboard is the plan meant"
+KNOWN["Betaflight ensure 0 --held 1 --losses 2 --faults 1 --lossy 1"] = "Differs, and the plan aboard is the plan meant"
+# Betaflight drops the plan that it has just accepted, when a line repeats its COUNT behind the acceptance.
+KNOWN |= {
+    f"Betaflight {words} --losses 2 --faults 1": "aboard() says our plan, and it is not"
+    for words in ("upload 1", "upload-in-doubt 1", "ensure 1 --held 2", "ensure 1 --held 0")
+}
+KNOWN["Betaflight upload 1 --losses 2 --faults 1 --lossy 1"] = "aboard() says our plan, and it is not"
 
 
 def expect_nothing_broken(record_property, title: str, scenarios: list[tuple[str, str]]) -> int:
@@ -173,6 +182,20 @@ def test_no_operation_is_misled_by_the_one_before_it(record_property, one_in):
     # Those are few states.
     scenarios = [*scenarios[::one_in], *late]
     expect_nothing_broken(record_property, "explored: two operations, one behind the other", scenarios)
+
+
+@pytest.mark.slow
+def test_no_server_of_an_unknown_firmware_misleads_the_client(record_property):
+    """By few losses: uploads that have been given up begin anew, and where all is lost that is so for 120 s."""
+    scenarios = []
+    for server in SERVERS:
+        for lossy in ("", " --lossy 1"):
+            scenarios += [(words, f"--losses 3{lossy}") for words in single(server, 2)]
+            for beside in ("--faults 1", "--reboots 1", "--cancels 1"):
+                scenarios += [(words, f"--losses 2 {beside}{lossy}") for words in single(server, 2)]
+        for beside in ("--losses 2", "--losses 1 --cancels 1", "--losses 1 --resets 1"):
+            scenarios += [(words, beside) for words in pairs(server)]
+    expect_nothing_broken(record_property, "explored: servers of an unknown firmware", scenarios)
 
 
 @pytest.mark.slow
@@ -297,6 +320,13 @@ DEFECTS = {
         ": false;",
         "ArduPilot upload-in-doubt 1 --losses 1 --lossy 1",
         "Accepted on a line that loses, and not read back",
+    ),
+    "an upload begins anew and forgets that the server has begun": (
+        "TakeUp.cpp",
+        "client.unsettle(nowMs);\n    client.beginTransfer();",
+        "client.beginTransfer();",
+        "Betaflight upload-in-doubt 2 --losses 2 --faults 1",
+        "aboard() says as before, and it is not",
     ),
     "aboard() stays our plan when an upload of another one ends early": (
         "Upload.cpp",

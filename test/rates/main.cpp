@@ -30,7 +30,8 @@ constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
       stderr,
       "%s\n"
       "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY [LATENCY [ITEMS]]]]]\n"
-      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) or PX4\n"
+      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) PX4, MAVSDK or\n"
+      "             Betaflight (servers of a firmware that the library does not know)\n"
       "  CLIENT     upload, upload-by-answer, upload-verified (the library's), no-retries, usual-rule, strategy-0, "
       "-1,\n"
       "             -2, -3 or -5 (for comparison)\n"
@@ -333,6 +334,8 @@ Firmwares firmwareNamed(const char* name) {
   if (strcmp(name, "ArduPilot") == 0) return Firmwares::ArduPilot;
   if (strcmp(name, "LateArduPilot") == 0) return Firmwares::LateArduPilot;
   if (strcmp(name, "PX4") == 0) return Firmwares::Px4;
+  if (strcmp(name, "MAVSDK") == 0) return Firmwares::Mavsdk;
+  if (strcmp(name, "Betaflight") == 0) return Firmwares::Betaflight;
   usage("no such autopilot");
 }
 
@@ -347,7 +350,7 @@ uint16_t itemsOfPlan = 5;
 
 std::vector<uint8_t> wireItems(Firmwares firmware) {
   std::vector<uint8_t> items;
-  if (firmware != Firmwares::Px4) items.push_back(kHome);
+  if (isArduPilot(firmware)) items.push_back(kHome);
   for (uint16_t i = 0; i < itemsOfPlan; ++i) items.push_back(itemOf(kPlan, i));
   return items;
 }

@@ -26,10 +26,13 @@ from truth import longest_s  # noqa: E402
 
 RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
 HEARING = ROOT / "simulation" / "hearing" / "Hearing.cpp"
-MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "FileWords.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
+MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "FileWords.cpp", "Generic.cpp", "Message.cpp", "Plans.cpp", "Px4.cpp")
 
 # Name on the command line -> in words.
 AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", "PX4": "PX4"}
+# Servers of a firmware that the library does not know (test/explorer/Generic.cpp), and what is lost of bytes there [%].
+SERVERS = {"MAVSDK": "MAVSDK's server", "Betaflight": "Betaflight's server"}
+SERVER_LINES = (0, 1, 3)
 CLIENTS = {
     "no-retries": "without retries",
     "usual-rule": "usual rule",
@@ -50,7 +53,7 @@ BUSY = 2000  # telemetry on a busy line [bytes/s]
 # upload() of five items where 1 % of the bytes are lost: what the median may be [s]. The goal is 1.5 for both; on
 # ArduPilot the read-back of what it has accepted on such a line costs more than is left of that. (docs/measurements.md)
 MEDIAN_S = {"ArduPilot": 1.6, "PX4": 1.5}
-TELEMETRY = {"ArduPilot": 0, "LateArduPilot": 0, "PX4": 1100}  # [bytes/s], unasked
+TELEMETRY = {"ArduPilot": 0, "LateArduPilot": 0, "PX4": 1100, "MAVSDK": 0, "Betaflight": 0}  # [bytes/s], unasked
 
 
 @dataclass(frozen=True)
@@ -131,6 +134,20 @@ def rows(seeds: int = SEEDS, lines: tuple[tuple[str, int], ...] = LINES) -> list
     return table
 
 
+def server_rows(seeds: int = SEEDS) -> list[list[str]]:
+    """upload() and uploadWithoutReadback() to servers of an unknown firmware: a row for each client and loss."""
+    heads = (f"{words} {name}" for name in SERVERS.values() for words in ("Accepted,", "median,"))
+    table = [["bytes lost", "client", *heads, "false Accepted"]]
+    for percent in SERVER_LINES:
+        for client in OURS:
+            by_server = [uploads(server, client, "bytes", percent, seeds) for server in SERVERS]
+            table.append([f"{percent} %", CLIENTS[client],
+                          *(cell for ends in by_server
+                            for cell in (share(sum(end.is_success for end in ends), len(ends)), median_s(ends))),
+                          str(sum(end.is_false_acceptance for ends in by_server for end in ends))])  # fmt: skip
+    return table
+
+
 def late_rows(seeds: int = LATE_SEEDS) -> list[list[str]]:
     """upload() where plans are long or answers come late: a row for each, idle and busy lines of both autopilots."""
     lines = [(autopilot, telemetry) for autopilot in ("ArduPilot", "PX4") for telemetry in (0, BUSY)]
@@ -177,7 +194,14 @@ def for_documents() -> str:
         f"median time.\nOn a busy line the autopilot sends {BUSY} bytes a second of telemetry. Where nothing is lost, "
         "the time is what the frames\nneed: an item, and the next request, one behind the other."
     )
-    return f"{note}\n\n{aligned(rows(), left=2)}\n\n{late}\n\n{aligned(late_rows(), left=3)}"
+    servers = (
+        f"The same, {SEEDS} of each, to servers of a firmware that the library does not know, by their sources: that\n"
+        "of MAVSDK, and that of Betaflight, which ends an upload at an item that comes twice."
+    )
+    return (
+        f"{note}\n\n{aligned(rows(), left=2)}\n\n{late}\n\n{aligned(late_rows(), left=3)}\n\n"
+        f"{servers}\n\n{aligned(server_rows(), left=2)}"
+    )
 
 
 if __name__ == "__main__":

@@ -67,6 +67,19 @@ def test_uploads_on_bad_lines_succeed_as_often_and_as_soon_as_promised(
         assert times[len(times) // 2] <= rates.MEDIAN_S[autopilot]
 
 
+@pytest.mark.slow
+@RANDOM_LOSS
+@pytest.mark.parametrize("percent, least_share", [(0, 100), (1, 100), (3, 90)])
+@pytest.mark.parametrize("server", rates.SERVERS)
+def test_uploads_to_servers_of_an_unknown_firmware_succeed_as_often_as_promised(server, percent, least_share):
+    ends = rates.uploads(server, "upload", "bytes", percent, 100)
+    assert 100 * sum(end.is_success for end in ends) >= least_share * len(ends)
+    for client in rates.OURS:
+        ends = rates.uploads(server, client, "bytes", percent, 100)
+        assert [end for end in ends if end.is_false_acceptance or not end.is_aboard_true] == []
+        assert [end for end in ends if end.status == "never" or end.took_s > 120 + 2 * 5 + 0.1] == []
+
+
 def least_of_20(latency_ms: int, percent: int) -> int:
     return 15 if percent == 5 or (latency_ms == 500 and percent == 3) else 20
 

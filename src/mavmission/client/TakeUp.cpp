@@ -15,6 +15,7 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
   // held is gone: so the upload begins anew, within the time for the whole operation.
   if ((status == Status::TimedOut || status == Status::CancelledByAutopilot) && client.plan_.has(kMayBeOld) &&
       client.link_.pace().isLossy()) {
+    client.unsettle(nowMs);
     client.beginTransfer();
     return true;
   }
