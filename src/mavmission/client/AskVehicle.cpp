@@ -31,7 +31,8 @@ Status Client::onVehicle(CommandEvent event, Status status, FillCommand then, ui
   rest_.lastResult = 255;
   commanding_.fill = then;
   commanding_.transfer.next(true, nowMs);
-  state_.status = Status::Checking;  // CommandEvent::Ready comes again
+  commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it
+  state_.status = Status::Checking;        // CommandEvent::Ready comes again
   return Status::Transferring;
 }
 

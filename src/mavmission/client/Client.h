@@ -108,6 +108,7 @@ class Client : public ClientRules {
   static void fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  MAVMISSION_APART void lookAtClock(uint16_t nowMs);  // before anything is made of what is read
   // The events of an operation that consists of commands. Each comes with the status to which it leads unless the
   // operation decides otherwise.
   enum class CommandEvent : uint8_t {
@@ -163,6 +164,9 @@ class Client : public ClientRules {
   MAVMISSION_APART Status onVehicle(CommandEvent event, Status status, FillCommand then, uint16_t nowMs);
   static void fillVehicle(Client&, FlightCommand& command);
   MAVMISSION_APART uint16_t shownMode() const;  // of the last heartbeat, in the numbers of modeNumber()
+  // The mode when the running command began. Another one that is shown since, also while the vehicle is asked, or while
+  // start() looks at the plan, was set meanwhile.
+  uint16_t firstMode() const { return state_.next; }
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
   Status mayStart();
@@ -241,7 +245,7 @@ class Client : public ClientRules {
     uint16_t secondMs;     // when `seconds` was last counted up
     uint16_t seconds;      // the time of the operation, or of its transfer [s]
     uint16_t unsettledMs;  // when a transfer was last left open, or a download ended
-    uint16_t next;         // the wire item to be checked, or to be added to opaqueId_
+    uint16_t next;         // the wire item to be checked, or to be added to opaqueId_; of commands: see firstMode()
     uint16_t prepared;     // the wire item that the link holds packed, if it holds one
     uint16_t itemsDone;
     uint16_t failedItem;

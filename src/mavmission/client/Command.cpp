@@ -50,14 +50,21 @@ void Client::nextCommand(FillCommand fill, uint16_t nowMs) {
   commanding_.transfer.next(true, nowMs);
 }
 
+void Client::lookAtClock(uint16_t nowMs) {
+  if (commanding_.transfer.look(nowMs)) link_.spoil();
+}
+
 void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
-  client.commanding_.transfer.look(nowMs);
+  client.lookAtClock(nowMs);
   if (frame != nullptr) {
     if (state.status == Status::Transferring) client.takeCommandFrame(*frame, nowMs);
     return;
   }
-  if (state.status == Status::WaitingForAutopilot) client.waitForAutopilot();
+  if (state.status == Status::WaitingForAutopilot) {
+    client.waitForAutopilot();
+    state.next = client.shownMode();
+  }
   if (state.status == Status::Checking) {
     OnCommand const on = client.commanding_.on;
     const Status ready =
@@ -204,7 +211,7 @@ Status Client::onArm(Client& client, CommandEvent event, Status status, const Fr
     case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
     case CommandEvent::Heartbeat: {
       const bool isDone = sending.tries() != 0 && client.isArmed() == (client.commanding_.fill == fillArm);
-      if (isDone) return Status::Done;
+      if (isDone && !sending.isOld()) return Status::Done;
       if (client.rest_.lastResult == MAV_RESULT_ACCEPTED) sending.askLater();
       return status;
     }
@@ -274,14 +281,17 @@ Status Client::onMode(Client& client, CommandEvent event, Status status, const F
   const bool isRestoring = mode.order.isRestoring();
   switch (event) {
     case CommandEvent::Ready:
-      mode.order.begin(client.shownMode(), mode.number);
+      mode.order.begin(client.firstMode(), mode.number);
       sending.guard();
       return status;
     case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
     case CommandEvent::Heartbeat:
       switch (mode.order.onHeartbeat(client.shownMode(), sending.tries() != 0, sending.mayBeUnderWay(nowMs))) {
         case ModeOrder::Sight::Before: break;
-        case ModeOrder::Sight::Wanted: return isRestoring ? Status::TakenOver : Status::Done;
+        case ModeOrder::Sight::Wanted:
+          if (!sending.isOld()) return isRestoring ? Status::TakenOver : Status::Done;
+          sending.ask();
+          break;
         case ModeOrder::Sight::Foreign: return Status::TakenOver;
         case ModeOrder::Sight::Doubtful: sending.askLater(); break;
         case ModeOrder::Sight::Undone:

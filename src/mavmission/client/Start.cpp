@@ -27,7 +27,8 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
   }
   const bool isOther = client.aboard() != Aboard::OurPlan && !start.isLeaving();
   if (event == CommandEvent::Time && !start.isJudging() && !isOther) return status;
-  const Aircraft aircraft = client.aircraft(nowMs);
+  Aircraft aircraft = client.aircraft(nowMs);
+  if (event == CommandEvent::Ready) aircraft.mode = client.firstMode();
   if (isOther) {
     status = start.onOther(aircraft, sending);
   } else {

@@ -85,6 +85,7 @@ class Link : public LinkRules {
   bool sendForeign(const OutgoingMessage& message);
   // Spoils that message, if it is still going out: what it says is no longer true.
   void spoilForeign(const void* payload) { outbox_.spoilForeign(payload); }
+  void spoil() { outbox_.spoil(); }
   bool isSent() const { return outbox_.isEmpty(); }
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.

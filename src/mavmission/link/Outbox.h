@@ -57,6 +57,11 @@ class Outbox {
   typedef uint8_t (*NextPiece)(void* context, uint8_t* piece);
   static constexpr uint8_t kNotNow = 0, kBroken = 255;
 
+  // The same for a frame of ours: its last byte leaves last.
+  void spoil() {
+    if (!isEmpty() && writeForeign_ == nullptr) frame_[length_ - 1] ^= 0xFF;
+  }
+
   // Completes a MAVLink 2 frame with a message whose payload of `length` bytes is made piece by piece while it goes
   // out. Such a frame cannot be signed.
   void completeStreamed(const MessageKey* key, uint8_t length, NextPiece next, void* context);

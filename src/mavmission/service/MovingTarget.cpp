@@ -173,7 +173,7 @@ bool MovingTarget::isLate() const { return isStopped_ || millis() - renewedMs_ >
 
 // True while the client's operation is the beginning, or the hold.
 bool MovingTarget::isOperating() const {
-  return client_.isBusy() && client_.rest_.isCommanding && client_.commanding_.fill == fill;
+  return client_.isBusy() && client_.rest_.isCommanding && client_.commanding_.on == on;
 }
 
 // True while the sketch has ordered something else of the Steering.
@@ -242,7 +242,7 @@ Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t
     return isStopped_ ? Status::Cancelled : Status::NotRenewed;
   status = steering_.onEvent(event, status, nowMs);
   if (status != Status::Transferring) return status;
-  if (event == Client::CommandEvent::Ready) steering_.lead(client_.shownMode(), mode_);
+  if (event == Client::CommandEvent::Ready) steering_.lead(client_.firstMode(), mode_);
   if (steering_.step_ == SteerStep::Command) {
     if (steering_.ownMode_ == mode_ && client_.shownMode() == mode_) {
       steering_.forgetTarget();

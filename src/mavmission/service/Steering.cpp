@@ -85,7 +85,7 @@ Status Steering::setSpeed(MetresPerSecond speed) {
 }
 
 bool Steering::isRunning() const {
-  return client_.isBusy() && client_.rest_.isCommanding && client_.commanding_.fill == fill;
+  return client_.isBusy() && client_.rest_.isCommanding && client_.commanding_.on == on;
 }
 
 bool Steering::hasArrived(uint16_t withinCm) const {
@@ -148,7 +148,7 @@ void Steering::takePosition(const FrameParser& frame) {
   positionAge_ = 0;
   if (step_ != SteerStep::AskPosition || !client_.rest_.isCommanding) return;
   CommandTransfer& sending = client_.commanding_.transfer;
-  sending.look(static_cast<uint16_t>(millis()));  // a listener hears before the operation does
+  client_.lookAtClock(static_cast<uint16_t>(millis()));  // a listener hears before the operation does
   if (!sending.isOld()) isHeard_ = true;
 }
 

@@ -44,8 +44,13 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
       if (change_.isRestoring()) return leaveTo(whoFlies(), nowMs);
       // Not by this order: somebody else has set its mode.
       if (!isOrdered_ && oldMode_ != change_.wanted()) return leaveTo(whoFlies(), nowMs);
-      return onOwnMode(nowMs);
-    case ModeOrder::Sight::Doubtful: sending.askLater(); return Status::Transferring;
+      if (!sending.isOld()) return onOwnMode(nowMs);
+      sending.ask();
+      return Status::Transferring;
+    case ModeOrder::Sight::Doubtful:
+      isModeSeen_ = false;
+      sending.askLater();
+      return Status::Transferring;
     case ModeOrder::Sight::Foreign: return leaveTo(whoFlies(), nowMs);
     case ModeOrder::Sight::Undone: return giveBack(nowMs);
   }

@@ -24,7 +24,7 @@ Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t now
     case Client::CommandEvent::Ready: {
       const Status refusal = refuse();
       if (refusal != Status::Transferring || client_.asksVehicle()) return refusal;
-      lead(client_.shownMode(), modeFor(order_));
+      lead(client_.firstMode(), modeFor(order_));
       return nextStep(nowMs);
     }
     case Client::CommandEvent::Accepted:
@@ -296,6 +296,11 @@ Status Steering::onTime(uint16_t nowMs) {
     }
     case SteerStep::AskPosition: return isHeard_ ? nextStep(nowMs) : Status::Transferring;
     case SteerStep::Confirm: {
+      if (sending.isOld()) {
+        isModeSeen_ = false;
+        sending.ask();
+        break;
+      }
       if (is(Order::TakeOff)) {
         if (isHeard_ && !has(client_.firmware(), kIsActiveInAir)) {
           isHeard_ = false;

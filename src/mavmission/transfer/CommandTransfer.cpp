@@ -37,14 +37,16 @@ bool CommandTransfer::isAnswerToAsking(uint16_t command, uint16_t nowMs) {
   return true;
 }
 
-void CommandTransfer::look(uint16_t nowMs) {
-  if (since(calledMs_, nowMs) >= kStoodStillMs) {
+bool CommandTransfer::look(uint16_t nowMs) {
+  const bool hasStoodStill = since(calledMs_, nowMs) >= kStoodStillMs;
+  if (hasStoodStill) {
     isOld_ = 1;
     isFresh_ = isAsking_;
     lookedMs_ = nowMs;
   }
   if (since(lookedMs_, nowMs) >= kDrainMs) isOld_ = 0;
   calledMs_ = nowMs;
+  return hasStoodStill && isGuarded_ != 0;
 }
 
 void CommandTransfer::onHeartbeat(uint16_t nowMs) {

@@ -83,8 +83,9 @@ class CommandTransfer : public CommandRules {
   // --- Heartbeats
 
   // To be called whenever update() comes by, before anything is made of what it has read. What waits in the receive
-  // buffer behind a loop() that has stood still is as old as that: no order leaves behind such a heartbeat.
-  MAVMISSION_APART void look(uint16_t nowMs);
+  // buffer behind a loop() that has stood still is as old as that: no order leaves behind such a heartbeat. True where
+  // loop() has stood still, and the rest of an order may still have to leave, which nobody means any more.
+  MAVMISSION_APART bool look(uint16_t nowMs);
   // The first look.
   void beginLooking(uint16_t nowMs) { calledMs_ = nowMs; }
   // True while what is read may have waited while loop() stood still.
@@ -92,6 +93,8 @@ class CommandTransfer : public CommandRules {
 
   // Each attempt of the command that has begun leaves right behind a heartbeat.
   void guard() { isGuarded_ = 1; }
+  // No order leaves behind the last heartbeat.
+  void forgetHeartbeat() { isFresh_ = 0; }
   // Asks for a heartbeat, at once, until one comes.
   void ask() {
     if (isAsking_ == 0) isFresh_ = 1;

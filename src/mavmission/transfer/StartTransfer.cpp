@@ -306,6 +306,10 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
 
 // A heartbeat that shows the wanted mode, or the one before.
 Status StartTransfer::onOwnMode(bool isWanted, const Aircraft& aircraft, CommandTransfer& sending) {
+  if (sending.isOld()) {
+    sending.ask();
+    return Status::Transferring;
+  }
   const bool isSent = sending.tries() != 0;
   const bool isFlying = aircraft.isArmed && isWanted;
   if (!aircraft.isArmed && isArmedSeen_ != 0) return Status::NotArmed;

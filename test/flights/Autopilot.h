@@ -1,0 +1,106 @@
+// A small model of an autopilot: its modes, its arming, its answers to commands, a climb and a descent, its plan. What
+// it does is by the recordings of the real ones and by their sources; what is not needed here is left out.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "Message.h"
+#include "Modes.h"
+
+// Who has brought a change about.
+enum class By : uint8_t { Order, Actor, Itself };
+
+// Is told what changes.
+class Witness {
+ public:
+  virtual void modeSet(uint16_t mode, By by) = 0;
+  virtual void armed(bool isArmed, By by) = 0;
+  virtual void planSet(bool isOurs) = 0;
+
+ protected:
+  ~Witness() = default;
+};
+
+class Autopilot {
+ public:
+  Autopilot(Kind kind, Witness& witness, uint32_t firstBeatMs);
+  virtual ~Autopilot() = default;
+
+  const Kind kind;
+  bool isArmed = false;
+  uint16_t mode;
+  int32_t heightCm = 0;
+  std::vector<Bytes> plan;  // MISSION_ITEM_INTs, without home
+
+  void hear(const Message& message, uint32_t nowMs);
+  // Time goes on to this moment.
+  void pass(uint32_t nowMs);
+  uint32_t nextMs() const;
+  std::vector<Message> takeSent();
+
+  // In the air, in its mission.
+  void putInAir(uint32_t nowMs);
+  // The actors.
+  void actorSetsMode(uint16_t mode, bool isFailsafe, uint32_t nowMs);
+  void actorDisarms(uint32_t nowMs);
+  void actorSetsPlan(int moreItems, uint32_t nowMs);  // another plan, so much longer than this one
+  void actorClearsPlan(uint32_t nowMs);
+  bool isAirborne() const { return heightCm > 10; }
+
+ protected:
+  // MAV_RESULT.
+  virtual uint8_t command(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs) = 0;
+  virtual uint8_t orderMode(uint16_t wanted, uint32_t nowMs) = 0;
+  virtual void hearTarget(uint32_t) {}
+  virtual void hearSetCurrent(uint16_t item, uint32_t nowMs) = 0;
+  virtual void modeChanged(uint32_t) {}
+  virtual void disarmed() {}
+  virtual uint8_t state() const = 0;  // MAV_STATE
+  virtual uint32_t customMode() const = 0;
+  virtual Message itemToRead(uint16_t item) const = 0;
+  virtual uint32_t planId() const { return 0; }
+  virtual int32_t heightGoal() const = 0;  // cm; where it is, to stay there
+  virtual void atHeight(uint32_t) {}       // it is where it was to climb to, or to sink to
+  virtual void beat(uint32_t) {}           // ten times a second
+
+  bool is(Means means) const { return mode == modeOf(kind, means); }
+  bool isPx4() const { return kind == Kind::Px4; }
+  void setMode(uint16_t wanted, uint32_t nowMs);
+  void setArmed(bool isArmed);
+  void send(const Message& message, uint32_t atMs);
+  // A message whose contents are those of the moment at which it is sent.
+  void sendFresh(uint32_t id, uint32_t atMs) { send(Message{id, Bytes()}, atMs); }
+  void requestMessage(uint32_t id, uint32_t atMs) { sendFresh(id, atMs); }
+  bool canTell(uint32_t id) const;
+  void setStream(uint32_t id, uint32_t everyMs, uint32_t nowMs);
+  uint16_t firstItem() const { return isPx4() ? 0 : 1; }
+
+  uint16_t current_ = 0;
+  bool isInFailsafe_ = false;
+  bool mayClimb_ = false;  // AUTO was begun
+  int32_t goalCm_ = -1;    // of a takeoff; -1: none
+  By by_ = By::Itself;
+
+ private:
+  struct Sending {
+    uint32_t atMs;
+    Message message;
+  };
+  Message composed(uint32_t id) const;
+  void hearCommand(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs);
+  bool hearMission(const Message& message, uint32_t nowMs);
+  void askForItem(uint32_t nowMs);
+  void acknowledge(uint8_t result, uint32_t nowMs);
+  void take(const std::vector<Bytes>& items, bool isOurs);
+
+  Witness& witness_;
+  std::vector<Sending> sending_;
+  std::vector<Message> sent_;
+  std::map<uint32_t, std::pair<uint32_t, uint32_t>> streams_;  // by id: every so many ms, next at
+  uint32_t movedMs_ = 0;
+  uint32_t landedMs_ = 0;
+  bool isReceiving_ = false;
+  uint16_t announced_ = 0, expected_ = 0;
+  std::vector<Bytes> received_;
+};

@@ -1,0 +1,44 @@
+#include "Line.h"
+
+namespace {
+constexpr uint32_t kByteUs = 174, kOnTheWayMs = 1;
+}
+
+void Line::pass(size_t bytes, uint32_t nowMs) {
+  const uint64_t nowUs = nowMs * 1000ull;
+  if (freeUs_ < nowUs) freeUs_ = nowUs;
+  freeUs_ += bytes * kByteUs;
+}
+
+void Line::occupy(size_t bytes, uint32_t nowMs) { pass(bytes, nowMs); }
+
+void Line::send(const Message& message, const Bytes& bytes, bool isRight, uint32_t nowMs, size_t sent) {
+  pass(bytes.size() - sent, nowMs);
+  Due due = {nowMs, static_cast<uint32_t>(freeUs_ / 1000) + kOnTheWayMs, Bytes(), message, isRight};
+  const bool isLost = loseNext_ != 0;
+  if (isLost) --loseNext_;
+  for (uint8_t byte : bytes) {
+    const bool isByteLost = loss_ > 0 && static_cast<double>(random_()) < loss_ * static_cast<double>(random_.max());
+    if (isLost || isByteLost) {
+      due.isWhole = false;
+    } else {
+      due.bytes.push_back(byte);
+    }
+  }
+  due_.push_back(due);
+}
+
+int Line::waiting(uint32_t nowMs) const {
+  const uint64_t nowUs = nowMs * 1000ull;
+  return freeUs_ <= nowUs ? 0 : static_cast<int>((freeUs_ - nowUs + kByteUs - 1) / kByteUs);
+}
+
+Due Line::take() {
+  Due due = due_.front();
+  due_.pop_front();
+  if (due.dueMs < cutUntilMs_) {
+    due.bytes.clear();
+    due.isWhole = false;
+  }
+  return due;
+}

@@ -1,0 +1,45 @@
+// A serial line of 57600 baud in one direction: frames take their time one behind the other, and some may be lost.
+#pragma once
+
+#include <deque>
+#include <random>
+
+#include "Message.h"
+
+struct Due {
+  uint32_t leftMs;  // when the sender has sent it
+  uint32_t dueMs;   // when its last byte arrives
+  Bytes bytes;      // that arrive
+  Message message;
+  bool isWhole;
+};
+
+class Line {
+ public:
+  Line(uint32_t seed, double lossPerByte) : random_(seed), loss_(lossPerByte) {}
+
+  // `sent`: so many of its bytes have gone out already.
+  void send(const Message& message, const Bytes& bytes, bool isRight, uint32_t nowMs, size_t sent = 0);
+  // The beginning of a frame goes out, the rest of which comes with send().
+  void occupy(size_t bytes, uint32_t nowMs);
+  // How many bytes wait to go out.
+  int waiting(uint32_t nowMs) const;
+  // Nothing that arrives before this time gets through.
+  void cutUntil(uint32_t untilMs) { cutUntilMs_ = untilMs; }
+  void loseNext(unsigned frames) { loseNext_ = frames; }
+  void setLoss(double perByte) { loss_ = perByte; }
+
+  bool isDue(uint32_t nowMs) const { return !due_.empty() && due_.front().dueMs <= nowMs; }
+  uint32_t nextMs() const { return due_.empty() ? 0xFFFFFFFFu : due_.front().dueMs; }
+  Due take();
+
+ private:
+  void pass(size_t bytes, uint32_t nowMs);
+
+  std::mt19937 random_;
+  double loss_;
+  uint64_t freeUs_ = 0;  // when the line has sent all
+  uint32_t cutUntilMs_ = 0;
+  unsigned loseNext_ = 0;
+  std::deque<Due> due_;
+};

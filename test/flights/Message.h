@@ -1,0 +1,46 @@
+// A message on the line between an autopilot and the sketch, and the frame that it goes in.
+#pragma once
+
+#include <stdint.h>
+#include <string.h>
+
+#include <vector>
+
+#include "Frames.h"
+#include "mavmission/base/MavlinkHeaders.h"
+
+struct Message {
+  uint32_t id;
+  Bytes payload;  // in full length
+};
+
+template <typename T>
+Message messageOf(uint32_t id, const T& payload) {
+  const uint8_t* begin = reinterpret_cast<const uint8_t*>(&payload);
+  return Message{id, Bytes(begin, begin + sizeof(payload))};
+}
+
+template <typename T>
+T read(const Message& message) {
+  T payload = T();
+  memcpy(&payload, message.payload.data(), message.payload.size() < sizeof(T) ? message.payload.size() : sizeof(T));
+  return payload;
+}
+
+// The frame of a message of the autopilot.
+Bytes frameOf(const Message& message, uint8_t sequence);
+
+// Finds the frames in what the client writes. It begins each at the start of a frame: nothing is lost before the line.
+class Unpacker {
+ public:
+  struct Found {
+    Message message;
+    bool isRight;  // its checksum
+    size_t length;
+    size_t end;  // bytes of the call up to its last one
+  };
+  std::vector<Found> take(const Bytes& bytes);
+
+ private:
+  Bytes unread_;
+};

@@ -1,0 +1,230 @@
+#include "Referee.h"
+
+using mavmission::Aboard;
+using mavmission::StartArming;
+using mavmission::Status;
+
+namespace {
+
+constexpr uint32_t kBufferedMs = 20;     // a frame that has begun to leave goes on
+constexpr uint32_t kDoubtfulMs = 600;    // targets go on while the mode that is seen may be from before the order
+constexpr uint32_t kStepsMs = 9;         // two update()s: a task ends in the one behind a heartbeat
+constexpr uint32_t kBeatMs = 1100;       // from a heartbeat to the next, and the way
+constexpr uint32_t kStreamMs = 1200;     // a target may call PX4 back from its failsafe
+constexpr uint32_t kPlanShownMs = 4000;  // a plan that can be told from ours is told by then
+
+bool isDisarming(const mavlink_command_long_t& command) {
+  return command.command == MAV_CMD_COMPONENT_ARM_DISARM && command.param1 == 0;
+}
+
+// Status::TakenOver and the like: somebody else flies it.
+bool saysTaken(Status status) {
+  return status == Status::TakenOver || status == Status::PilotHasIt || status == Status::FailsafeHasIt;
+}
+
+}  // namespace
+
+void Referee::say(const std::string& words) {
+  if (log_ != nullptr) *log_ += std::to_string(nowMs_) + " " + words + "\n";
+}
+
+void Referee::breaks(const std::string& rule) {
+  if (broken_.empty()) broken_ = rule;
+  say("BROKEN: " + rule);
+}
+
+void Referee::at(uint32_t nowMs) {
+  nowMs_ = nowMs;
+  if (!foreign_.is || !foreign_.isUndone || !foreign_.isShown || !isClean_) return;
+  if (nowMs_ - foreign_.undoneMs > kGivenBackMs) {
+    breaks("an order has undone " + name(foreign_.mode) + ", and it is not set again");
+    foreign_.is = false;
+  }
+}
+
+void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& autopilot) {
+  task_ = task;
+  isRunning_ = true;
+  isClean_ = loss <= 0 && !isDisturbed;
+  isBad_ = loss > 0.006;
+  firstMode_ = autopilot.mode;
+  isFirstOver_ = hasOrdered_ = false;
+  // These are for a sketch that takes the aircraft in any case.
+  const bool takesAnyway = task == Task::SetMode || task == Task::StartMission;
+  if (!autopilot.isArmed || takesAnyway) foreign_ = Foreign();
+  isArmed_ = autopilot.isArmed;
+  wasArmedByUs_ = false;
+  say(std::string("the sketch begins ") + kTaskNames[static_cast<int>(task)]);
+}
+
+void Referee::take(uint16_t mode) {
+  const bool isOnGround = task_ == Task::Start || task_ == Task::TakeOff;
+  if (!isArmed_ && !(isRunning_ && isOnGround)) return;
+  // The mode from which the order leads away, again, and no heartbeat has shown another one: nobody can tell.
+  if (isRunning_ && mode == firstMode_ && !isFirstOver_) return;
+  foreign_ = Foreign();
+  foreign_.is = true;
+  foreign_.mode = mode;
+  foreign_.sinceMs = nowMs_;
+  hasTaken_ = true;
+}
+
+void Referee::modeSet(uint16_t mode, By by) {
+  const char* const who = by == By::Order ? "an order" : by == By::Actor ? "somebody" : "the autopilot";
+  say(std::string(who) + " sets " + name(mode));
+  mode_ = mode;
+  // PX4's failsafe is somebody else; the end of its takeoff is not.
+  if (by == By::Actor) return take(mode);
+  if (by == By::Itself && mode == modeOf(kind_, Means::Return)) {
+    take(mode);
+    foreign_.isOfStream = true;
+    return;
+  }
+  if (by == By::Itself || !foreign_.is) return;
+  if (mode == foreign_.mode) {
+    if (!foreign_.isUndone) return;
+    foreign_.isUndone = false;
+    const uint32_t undoneMs = nowMs_ - foreign_.undoneMs;
+    if (undoneMs > longestUndoneMs_) longestUndoneMs_ = undoneMs;
+    if (foreign_.isShown && !isBad_ && undoneMs > kGivenBackLossyMs) breaks("it is set again too late: " + name(mode));
+    return;
+  }
+  if (foreign_.isUndone) return;
+  const uint32_t windowMs = nowMs_ - foreign_.sinceMs;
+  // A target that gets through before a heartbeat has told of the failsafe: docs/who_has_the_aircraft.md.
+  const bool mayBeUnseen = windowMs < kStreamMs || isBad_;
+  if (foreign_.isOfStream && mode == modeOf(kind_, Means::Offboard) && !foreign_.isShown && mayBeUnseen) {
+    foreign_.is = false;
+    return;
+  }
+  if (windowMs > longestWindowMs_) longestWindowMs_ = windowMs;
+  if (windowMs > kWindowMs) {
+    breaks("an order undoes " + name(foreign_.mode) + ", which was set " + std::to_string(windowMs) + " ms before");
+  }
+  foreign_.isUndone = true;
+  foreign_.undoneMs = nowMs_;
+}
+
+void Referee::armed(bool isArmed, By by) {
+  say(std::string("it is ") + (isArmed ? "armed" : "disarmed"));
+  isArmed_ = isArmed;
+  armedMs_ = nowMs_;
+  wasArmedByUs_ = isArmed && by == By::Order;
+  if (!isArmed) foreign_.is = false;
+}
+
+void Referee::planSet(bool isOurs) {
+  say(isOurs ? "our plan is aboard" : "another plan is aboard");
+  isOurPlan_ = isOurs;
+  otherNamed_ = 0;
+  if (!isOurs) otherPlanMs_ = nowMs_;
+}
+
+void Referee::comes(const Message& message, uint32_t sentMs) {
+  // What ArduPilot tells of its plan is how long it is.
+  if (message.id == MAVLINK_MSG_ID_MISSION_CURRENT && !isOurPlan_ && sentMs > otherPlanMs_ && otherNamed_ != 255) {
+    if (kind_ == Kind::Px4 || read<mavlink_mission_current_t>(message).total != kItems) ++otherNamed_;
+  }
+  if (message.id != MAVLINK_MSG_ID_HEARTBEAT) return;
+  const mavlink_heartbeat_t beat = read<mavlink_heartbeat_t>(message);
+  shownBefore_ = nowMs_ - cameMs_ < kStepsMs ? shownMode_ : kNoSuchMode;
+  cameMs_ = nowMs_;
+  shownMode_ = static_cast<uint16_t>(kind_ == Kind::Px4 ? beat.custom_mode >> 16 : beat.custom_mode);
+  isShownArmed_ = (beat.base_mode & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
+  shownMs_ = sentMs;
+  say("a heartbeat of " + std::to_string(sentMs) + " shows " + name(shownMode_) + (isShownArmed_ ? ", armed" : ""));
+  if (shownMode_ != firstMode_ && hasOrdered_) isFirstOver_ = true;
+  if (!foreign_.is) return;
+  if (sentMs < foreign_.sinceMs || shownMode_ != foreign_.mode || foreign_.isShown) return;
+  foreign_.isShown = true;
+  foreign_.shownMs = nowMs_;
+}
+
+void Referee::leaves(const Message& message) {
+  const mavlink_command_long_t command = read<mavlink_command_long_t>(message);
+  const bool isCommand = message.id == MAVLINK_MSG_ID_COMMAND_LONG || message.id == MAVLINK_MSG_ID_COMMAND_INT;
+  const bool isTarget = message.id == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
+  const bool isHarmless = !isCommand || command.command == MAV_CMD_REQUEST_MESSAGE ||
+                          command.command == MAV_CMD_SET_MESSAGE_INTERVAL ||
+                          command.command == MAV_CMD_DO_VTOL_TRANSITION || isDisarming(command);
+  if (log_ != nullptr) {
+    say(isCommand ? "the sketch sends command " + std::to_string(command.command) + "(" +
+                        std::to_string(static_cast<int>(command.param1)) + ", " +
+                        std::to_string(static_cast<int>(command.param2)) + ")"
+                  : "the sketch sends message " + std::to_string(message.id));
+  }
+  if (!isHarmless) hasOrdered_ = true;
+  if (task_ == Task::Arm) return;  // it arms, whatever the mode
+  if ((isHarmless && !isTarget) || !foreign_.is || !foreign_.isShown) return;
+  if (nowMs_ - foreign_.shownMs < (isTarget ? kDoubtfulMs : kBufferedMs)) return;
+  const uint32_t ordered = static_cast<uint32_t>(command.param2) | static_cast<uint32_t>(command.param3) << 8;
+  if (command.command == MAV_CMD_DO_SET_MODE && ordered == foreign_.mode) return;
+  breaks(isTarget ? "a target leaves behind a heartbeat that shows " + name(foreign_.mode)
+                  : "command " + std::to_string(command.command) + " leaves behind a heartbeat that shows " +
+                        name(foreign_.mode));
+}
+
+void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopilot) {
+  isRunning_ = false;
+  say(std::string("it ends: ") + mavmission::toString(status));
+  const std::string words =
+      std::string(kTaskNames[static_cast<int>(task_)]) + " ends with \"" + mavmission::toString(status) + "\", and ";
+  const uint16_t wanted = modeWanted(kind_, task_);
+  const bool isDone = status == Status::Done;
+  // PX4 goes over to HOLD at the top of a takeoff.
+  const bool isTop = task_ == Task::TakeOff && shownMode_ == modeOf(kind_, Means::Hold);
+  const bool isShown = shownMode_ == wanted || (shownBefore_ == wanted && nowMs_ - cameMs_ < kStepsMs);
+  if (isDone && wanted != kNoSuchMode && !isShown && !isTop) {
+    breaks(words + "the last heartbeat has shown " + name(shownMode_));
+  }
+  const bool isToArm = task_ == Task::Arm || task_ == Task::Start || task_ == Task::TakeOff;
+  if (isDone && isToArm && !isShownArmed_) breaks(words + "the last heartbeat has shown it disarmed");
+  if (isDone && isToArm && !sketch.client.isArmed()) breaks(words + "isArmed() is false");
+  if (isDone && task_ == Task::Disarm && sketch.client.isArmed()) breaks(words + "isArmed() is true");
+  // (start() ends with a MISSION_CURRENT, which tells too that the mission is flown.)
+  // (A MovingTarget tells its end a turn of loop() later.)
+  const bool isLateTold = !isClean_ && (task_ == Task::Start || task_ == Task::Follow);
+  if (isDone && nowMs_ - shownMs_ > kBeatMs && !isLateTold) breaks(words + "the last heartbeat is old");
+  if (saysTaken(status) && !foreign_.is && autopilot.isArmed && isClean_ && !hasTaken_) {
+    breaks(words + "nobody has taken it");
+  }
+  if (isDone && task_ == Task::Start) {
+    if (sketch.client.aboard() != Aboard::OurPlan) breaks(words + "aboard() is not our plan");
+    const bool isTold = kind_ == Kind::Px4 || autopilot.plan.size() != kItems;
+    if (!isOurPlan_ && isTold && isClean_ && nowMs_ - otherPlanMs_ > kPlanShownMs) {
+      breaks(words + "another plan has been flown for long");
+    }
+    if (otherNamed_ > 1) breaks(words + "it has named another plan");
+  }
+}
+
+void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
+  const std::string words = std::string("behind ") + kTaskNames[static_cast<int>(task_)] + " (" +
+                            mavmission::toString(sketch.status()) + ") ";
+  if (foreign_.is && foreign_.isUndone) {
+    if (foreign_.isShown && sketch.status() != Status::Overruled) {
+      breaks(words + "an order has undone " + name(foreign_.mode) + " for good");
+    } else {
+      isUnseen_ = true;
+    }
+  }
+  const bool hasIt = foreign_.is && !foreign_.isUndone && nowMs_ - foreign_.sinceMs > kBeatMs;
+  if (hasIt && sketch.steering.maySteer()) breaks(words + "maySteer() is true in " + name(foreign_.mode));
+  const bool isLong = nowMs_ - armedMs_ > kBeatMs;
+  if (isLong && sketch.client.isArmed() != autopilot.isArmed) breaks(words + "isArmed() is not so");
+  const bool isTold = kind_ == Kind::Px4 || autopilot.plan.size() != kItems;
+  if (!isOurPlan_ && isTold && sketch.client.aboard() == Aboard::OurPlan && nowMs_ - otherPlanMs_ > kPlanShownMs) {
+    breaks(words + "aboard() is our plan, and another one is there");
+  }
+  if (isOurPlan_ && sketch.client.aboard() != Aboard::OurPlan)
+    breaks(words + "our plan is aboard, and aboard() denies it");
+  const bool isFailed = (task_ == Task::Start || task_ == Task::TakeOff) && sketch.status() != Status::Done;
+  if (isFailed && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !foreign_.is &&
+      autopilot.mode != modeOf(kind_, Means::Mission)) {
+    breaks(words + "it stands armed");
+  }
+  const StartArming arming = sketch.client.startArming();
+  if (task_ == Task::Start && arming == StartArming::Disarmed && autopilot.isArmed) {
+    breaks(words + "startArming() says disarmed, and it is armed");
+  }
+}

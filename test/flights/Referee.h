@@ -1,0 +1,94 @@
+// Knows who has the aircraft, since it sees both ends of the line, and says what must not be.
+//
+// A mode that an actor sets, or a failsafe, is foreign from then on, as long as the aircraft is armed or a task runs.
+// What must hold:
+// - An order undoes a foreign mode only if it was set in the moment before the order's arrival (kWindowMs): for each
+//   order leaves right behind a heartbeat, which shows no foreign mode.
+// - If a heartbeat has shown that mode all the same, it is set again: within kGivenBackMs on a line that loses nothing,
+//   within kGivenBackLossyMs, two heartbeats, on one that loses 1 of 200 bytes; if it is not, the status says so.
+// - Behind a heartbeat that shows a foreign mode nothing leaves that moves, arms, or sets another mode than that.
+// - A task ends, and its status is so: see end().
+// - Later on maySteer(), isArmed() and aboard() are so, and nothing stands armed that a failed task has armed: rest().
+#pragma once
+
+#include <string>
+
+#include "Autopilot.h"
+#include "Sketch.h"
+
+class Referee : public Witness {
+ public:
+  static constexpr uint32_t kWindowMs = 45, kGivenBackMs = 300, kGivenBackLossyMs = 2200;
+
+  Referee(Kind kind, std::string* log) : kind_(kind), log_(log) {}
+  virtual ~Referee() = default;
+
+  // It is later.
+  void at(uint32_t nowMs);
+  void begins(Task task, double loss, bool isDisturbed, const Autopilot& autopilot);
+  // What an actor does to the line, or to loop(): from now on nothing must hold that needs a whole line.
+  void disturbs() { isClean_ = false; }
+
+  void modeSet(uint16_t mode, By by) override;
+  void armed(bool isArmed, By by) override;
+  void planSet(bool isOurs) override;
+  // A frame of the sketch leaves.
+  void leaves(const Message& message);
+  // A frame of the autopilot has come through, that was sent then.
+  void comes(const Message& message, uint32_t sentMs);
+
+  void ends(mavmission::Status status, const Sketch& sketch, const Autopilot& autopilot);
+  // The line has lost nothing for some seconds, and nothing has happened.
+  void rests(const Sketch& sketch, const Autopilot& autopilot);
+
+  const std::string& broken() const { return broken_; }
+  // A foreign mode has been undone for good, in the moment that nothing shows.
+  bool isUnseen() const { return isUnseen_; }
+  uint32_t longestWindowMs() const { return longestWindowMs_; }
+  uint32_t longestUndoneMs() const { return longestUndoneMs_; }
+  bool hasTaken() const { return hasTaken_; }
+
+ private:
+  struct Foreign {
+    bool is;
+    uint16_t mode;
+    uint32_t sinceMs;
+    bool isShown;  // a heartbeat has shown it to the sketch
+    uint32_t shownMs;
+    bool isUndone;  // by an order
+    uint32_t undoneMs;
+    bool isOfStream;  // PX4's failsafe, whose cause an order of ours ends: a target
+  };
+  void say(const std::string& words);
+  void breaks(const std::string& rule);
+  void take(uint16_t mode);
+  std::string name(uint16_t mode) const { return modeName(kind_, mode); }
+
+  Kind kind_;
+  std::string* log_;
+  std::string broken_;
+  uint32_t nowMs_ = 0;
+  Task task_ = Task::Start;
+  bool isRunning_ = false;
+  bool isClean_ = true;
+  bool isBad_ = false;  // the line loses more than 1 of 200 bytes
+  bool hasTaken_ = false;
+  bool isUnseen_ = false;
+  Foreign foreign_ = Foreign();
+  uint32_t longestWindowMs_ = 0, longestUndoneMs_ = 0;
+  bool isArmed_ = false;       // the aircraft
+  uint32_t armedMs_ = 0;       // when that changed
+  bool wasArmedByUs_ = false;  // and by an order
+  bool isOurPlan_ = true;
+  uint32_t otherPlanMs_ = 0;
+  uint8_t otherNamed_ = 0;  // MISSION_CURRENTs about it that have come through
+  uint16_t mode_ = kNoSuchMode;
+  uint16_t firstMode_ = kNoSuchMode;  // when the task began
+  bool isFirstOver_ = false;          // a heartbeat has shown another one since, behind an order
+  bool hasOrdered_ = false;           // something that is no question has left
+  uint16_t shownMode_ = kNoSuchMode;
+  uint16_t shownBefore_ = kNoSuchMode;  // by a heartbeat that came some milliseconds sooner
+  uint32_t cameMs_ = 0;
+  bool isShownArmed_ = false;
+  uint32_t shownMs_ = 0;  // when the heartbeat was sent that came through last
+};

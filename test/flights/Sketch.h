@@ -1,0 +1,59 @@
+// The library as it ships, in a sketch: it uploads a plan, and then does one thing.
+#pragma once
+
+#include <MavMission.h>
+
+#include "MemoryStream.h"
+#include "Modes.h"
+
+enum class Task : uint8_t {
+  Start,
+  TakeOff,
+  GoTo,
+  Pause,
+  Resume,
+  ReturnHome,
+  LandNow,
+  Follow,
+  Arm,
+  Disarm,
+  StartMission,
+  SetMode
+};
+constexpr uint16_t kItems = 3;  // of its plan
+constexpr int kTasks = 12;
+constexpr const char* kTaskNames[kTasks] = {"start",   "takeOff", "goTo", "pause",  "resume",       "returnHome",
+                                            "landNow", "follow",  "arm",  "disarm", "startMission", "setMode"};
+inline bool isInAir(Task task) {
+  return (task >= Task::GoTo && task <= Task::Follow) || task == Task::StartMission || task == Task::SetMode;
+}
+
+class Sketch {
+ public:
+  explicit Sketch(Kind kind);
+
+  MemoryStream line;
+  mavmission::MissionClient client;
+  mavmission::MissionFollower follower;
+  mavmission::Steering steering;
+  mavmission::MovingTarget target;
+
+  mavmission::Status upload();
+  mavmission::Status begin(Task task);
+  // What loop() does. True when the task, or the upload, has ended: status().
+  bool loop(uint32_t nowMs);
+  mavmission::Status status() const { return status_; }
+  bool isFollowed() const { return target.isFollowed(); }
+
+ private:
+  mavmission::Status take(mavmission::Status begun);
+
+  Kind kind_;
+  Task task_ = Task::Start;
+  bool isRunning_ = false;
+  mavmission::Status status_ = mavmission::Status::Idle;
+  uint32_t followedMs_ = 0;  // since when it is followed
+};
+
+// The mode in which the aircraft flies, when the task is done; kNoSuchMode: whatever it was.
+uint16_t modeWanted(Kind kind, Task task);

@@ -1,0 +1,207 @@
+// flights: a sketch flies, and others take the aircraft in between. See usage().
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <algorithm>
+#include <map>
+
+#include "Flight.h"
+
+namespace {
+
+[[noreturn]] void usage(const char* problem) {
+  fprintf(
+      stderr,
+      "%s\n"
+      "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
+      "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
+      "       flights AUTOPILOT TASK one ACT@MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
+      "  AUTOPILOT  Copter, Rover or PX4\n"
+      "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
+      "             setMode, all\n"
+      "  ACT        pilot, lands, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, lose-down, stall\n"
+      "  --seed S   of the losses, and of when heartbeats come (1)\n"
+      "  --loss P   per mille of the bytes that are lost (0)\n"
+      "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
+      "  --with ACT@MS[=AMOUNT]  each: beside the actor, in each flight\n"
+      "Prints findings as name=value; then, if a rule was broken, the first such flight. Exits with 1 then.\n",
+      problem);
+  exit(2);
+}
+
+template <size_t N>
+int nameAmong(const char* const (&names)[N], const std::string& name, const char* problem) {
+  for (size_t i = 0; i < N; ++i) {
+    if (name == names[i]) return static_cast<int>(i);
+  }
+  usage(problem);
+}
+
+struct Findings {
+  unsigned long flights = 0, taken = 0, unseen = 0, violations = 0;
+  uint32_t windowMs = 0, undoneMs = 0;
+  int32_t longestMs = 0;
+  std::map<std::string, unsigned long> ends;
+  std::map<std::string, unsigned long> rules;
+  FlightPlan broken;
+  std::string rule;
+
+  void note(const FlightPlan& plan) {
+    const Flown flown = fly(plan, nullptr);
+    ++flights;
+    taken += flown.hasTaken;
+    unseen += flown.isUnseen;
+    windowMs = std::max(windowMs, flown.longestWindowMs);
+    undoneMs = std::max(undoneMs, flown.longestUndoneMs);
+    longestMs = std::max(longestMs, flown.tookMs);
+    ++ends[mavmission::toString(flown.status)];
+    if (flown.broken.empty()) return;
+    ++rules[flown.broken];
+    if (violations++ != 0) return;
+    broken = plan;
+    rule = flown.broken;
+  }
+};
+
+struct Kinds {
+  What what;
+  uint32_t amount;
+};
+constexpr Kinds kSingle[] = {
+    {What::Pilot, 0},    {What::Lands, 0},    {What::Disarms, 0},  {What::Failsafe, 0}, {What::OtherPlan, 0},
+    {What::SamePlan, 0}, {What::Clears, 0},   {What::Cut, 700},    {What::Cut, 3000},   {What::LoseUp, 1},
+    {What::LoseUp, 3},   {What::LoseDown, 1}, {What::LoseDown, 4}, {What::Stall, 300},  {What::Stall, 2500},
+};
+
+// Whether this actor can be told from the task's own order, and has something to do.
+bool isOfUse(const FlightPlan& plan, What what) {
+  const uint16_t wanted = modeWanted(plan.kind, plan.task);
+  switch (what) {
+    case What::Lands: return wanted != modeOf(plan.kind, plan.kind == Kind::Rover ? Means::Hold : Means::Land);
+    case What::Failsafe: return wanted != modeOf(plan.kind, Means::Return);
+    case What::OtherPlan:
+    case What::SamePlan:
+    case What::Clears: return plan.task == Task::Start;
+    default: return true;
+  }
+}
+
+bool canBe(Kind kind, Task task) { return kind != Kind::Rover || (task != Task::TakeOff && task != Task::LandNow); }
+
+void flyEach(FlightPlan plan, unsigned every, Findings& findings) {
+  const std::vector<Act> always = plan.acts;
+  const Flown clean = fly(plan, nullptr);
+  findings.note(plan);
+  unsigned number = 0;
+  for (const Kinds& kind : kSingle) {
+    if (!isOfUse(plan, kind.what)) continue;
+    for (int32_t moment : clean.moments) {
+      for (int32_t later : {0, 1}) {
+        if (number++ % every != 0) continue;
+        plan.acts = always;
+        plan.acts.push_back(Act{kind.what, moment + later, kind.amount});
+        findings.note(plan);
+      }
+    }
+  }
+}
+
+void flyRandom(FlightPlan plan, unsigned count, Findings& findings) {
+  const uint32_t first = plan.seed;
+  for (unsigned i = 0; i < count; ++i) {
+    plan.seed = first + i;
+    std::mt19937 random(plan.seed);
+    const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
+    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && below(2) != 0;
+    plan.acts.clear();
+    for (uint32_t acts = 1 + below(3); acts != 0; --acts) {
+      const Kinds& kind = kSingle[below(sizeof(kSingle) / sizeof(kSingle[0]))];
+      // Most of them about when the orders leave.
+      const uint32_t spans[] = {250, 250, 250, 1500, 9000};
+      const uint32_t span = spans[below(5)];
+      const Act act = {kind.what, static_cast<int32_t>(below(span)) - (span < 1000 ? 20 : 600), kind.amount};
+      if (isOfUse(plan, kind.what)) plan.acts.push_back(act);
+    }
+    findings.note(plan);
+  }
+}
+
+Act actOf(const std::string& word) {
+  const size_t at = word.find('@'), amount = word.find('=');
+  if (at == std::string::npos) usage("an ACT without a moment");
+  const int what = nameAmong(kWhatNames, word.substr(0, at), "there is no such ACT");
+  return Act{static_cast<What>(what), atoi(word.c_str() + at + 1),
+             amount == std::string::npos ? 0 : static_cast<uint32_t>(atoi(word.c_str() + amount + 1))};
+}
+
+int tell(const FlightPlan& plan) {
+  std::string log;
+  const Flown flown = fly(plan, &log);
+  printf("%sstatus=%s\nbroken=%s\n", log.c_str(), mavmission::toString(flown.status), flown.broken.c_str());
+  return flown.broken.empty() ? 0 : 1;
+}
+
+int report(const Findings& findings) {
+  printf("flights=%lu\ntaken=%lu\nunseen=%lu\nviolations=%lu\nwindow_ms=%u\nundone_ms=%u\nlongest_ms=%d\n",
+         findings.flights, findings.taken, findings.unseen, findings.violations, findings.windowMs, findings.undoneMs,
+         findings.longestMs);
+  for (const auto& end : findings.ends) printf("end=%lu %s\n", end.second, end.first.c_str());
+  for (const auto& rule : findings.rules) printf("rule=%lu %s\n", rule.second, rule.first.c_str());
+  if (findings.violations == 0) return 0;
+  const FlightPlan& plan = findings.broken;
+  printf("broken=%s\n%s %s one", findings.rule.c_str(), kKinds[static_cast<int>(plan.kind)],
+         kTaskNames[static_cast<int>(plan.task)]);
+  for (const Act& act : plan.acts) printf(" %s", inWords(act).c_str());
+  printf(" --seed %u --loss %g --own %d\n", plan.seed, plan.loss * 1000, plan.isInOwnMode);
+  tell(plan);
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 4) usage("too few words");
+  FlightPlan plan;
+  plan.kind = static_cast<Kind>(nameAmong(kKinds, argv[1], "there is no such AUTOPILOT"));
+  const std::string task = argv[2], how = argv[3];
+  unsigned number = 0;
+  int word = 4;
+  if (how != "one") number = word < argc ? static_cast<unsigned>(atoi(argv[word++])) : 0;
+  for (; word < argc; ++word) {
+    const std::string name = argv[word];
+    if (name.compare(0, 2, "--") != 0) {
+      plan.acts.push_back(actOf(name));
+      continue;
+    }
+    if (++word == argc) usage("an option without a value");
+    if (name == "--seed") {
+      plan.seed = static_cast<uint32_t>(atol(argv[word]));
+    } else if (name == "--loss") {
+      plan.loss = atof(argv[word]) / 1000;
+    } else if (name == "--own") {
+      plan.isInOwnMode = atoi(argv[word]) != 0;
+    } else if (name == "--with") {
+      plan.acts.push_back(actOf(argv[word]));
+    } else {
+      usage("there is no such option");
+    }
+  }
+  if (how == "one") {
+    plan.task = static_cast<Task>(nameAmong(kTaskNames, task, "there is no such TASK"));
+    return tell(plan);
+  }
+  if (number == 0 || (how != "each" && how != "random")) usage("each or random, and a number");
+  Findings findings;
+  for (int i = 0; i < kTasks; ++i) {
+    plan.task = static_cast<Task>(i);
+    if ((task != "all" && task != kTaskNames[i]) || !canBe(plan.kind, plan.task)) continue;
+    if (how == "each") {
+      flyEach(plan, number, findings);
+    } else {
+      flyRandom(plan, number, findings);
+    }
+  }
+  if (findings.flights == 0) usage("there is no such TASK");
+  return report(findings);
+}

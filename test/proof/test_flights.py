@@ -1,0 +1,209 @@
+"""Others take the aircraft between any two frames: the library as it ships, in flights against small models of the
+autopilots, by test/flights.
+
+A pilot, a failsafe, another station, a line that is cut or loses, a loop() that stands still: each acts at every moment
+of a clean flight at which a frame leaves or arrives, and some of them at random on lines that lose. What must hold is
+in flights/Referee.h: whoever takes the aircraft keeps it, nothing is left armed, and what the library says is so.
+By hand, and one flight told in words:
+
+    build/venv/bin/python test/proof/test_flights.py PX4 goTo each 1
+    build/venv/bin/python test/proof/test_flights.py Copter start one pilot@120
+
+A planted defect is a line of the library changed in a copy of it.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parents[1] / "support")]
+
+import pytest
+
+from planted import with_defect
+from simulation.firmware import ROOT
+from simulation.host_build import FAST, HOST, build_host
+
+FLIGHTS = ROOT / "test" / "flights"
+AUTOPILOTS = ("Copter", "Rover", "PX4")
+COLUMNS = ["autopilot", "bytes lost", "flights", "somebody took it", "undone, longest", "undone and never shown",
+           "from his mode to the order, longest", "violations"]  # fmt: skip
+WINDOW_MS = 30  # from the heartbeat that shows no foreign mode to the order's arrival: docs/who_has_the_aircraft.md
+GIVEN_BACK_MS = 300
+
+
+@functools.cache
+def build_flights(library: tuple[Path, ...] | None = None) -> Path:
+    sources = [*sorted(FLIGHTS.glob("*.cpp")), HOST / "Frames.cpp"]
+    return build_host("flights", sources, "g++", FAST, library=library)
+
+
+def fly(words: str, program: Path | None = None) -> dict[str, str]:
+    """What the flights found, by name; `rules` were broken, `broken` is the first flight that has broken one."""
+    ran = subprocess.run([program or build_flights(), *words.split()], capture_output=True, text=True, check=False)
+    assert ran.returncode in (0, 1), f"{words}: {ran.stdout}{ran.stderr}"
+    figures, _, broken = ran.stdout.partition("broken=")
+    lines = [line.split("=", 1) for line in figures.splitlines()]
+    rules = [words.partition(" ")[2] for name, words in lines if name == "rule"]
+    return dict(lines) | {"rules": "\n".join(rules), "broken": broken}
+
+
+def expect_nothing_broken(record_property, flown: list[tuple[str, str, str]]) -> int:
+    """Fly each (autopilot, bytes lost, words), and print one row for each; the flights in all."""
+    rows = []
+    for autopilot, lost, words in flown:
+        found = fly(f"{autopilot} {words}")
+        assert found["violations"] == "0", f"{autopilot} {words}\n{found['broken']}"
+        assert int(found["taken"]) > 0
+        rows.append([autopilot, lost, found["flights"], found["taken"], found["undone_ms"] + " ms", found["unseen"],
+                     found["window_ms"] + " ms", "0"])  # fmt: skip
+        assert int(found["window_ms"]) <= WINDOW_MS
+        if lost == "none":
+            assert int(found["undone_ms"]) < GIVEN_BACK_MS
+    record_property("table", ["flights in which others take the aircraft", [COLUMNS, *rows]])
+    return sum(int(row[2]) for row in rows)
+
+
+# One flight in so many; tools/test --all takes more. (Those of the planted defects are flown each time.)
+@pytest.mark.parametrize("one_in", [30, pytest.param(4, marks=[pytest.mark.slow, pytest.mark.thorough])])
+def test_whoever_acts_at_any_moment_keeps_the_aircraft(record_property, one_in):
+    flown = [(autopilot, "none", f"all each {one_in} --own {own}") for autopilot in AUTOPILOTS for own in (0, 1)]
+    flights = expect_nothing_broken(record_property, flown)
+    assert one_in > 4 or flights > 25_000  # as docs/design/proof.md says
+
+
+@pytest.mark.parametrize("count", [20, pytest.param(300, marks=[pytest.mark.slow, pytest.mark.thorough])])
+def test_whoever_acts_keeps_the_aircraft_on_a_line_that_loses(record_property, count):
+    flown = [(autopilot, f"{loss / 10} %" if loss else "none", f"all random {count} --loss {loss}")
+             for autopilot in AUTOPILOTS for loss in (0, 5, 30)]  # fmt: skip
+    flights = expect_nothing_broken(record_property, flown)
+    assert count < 300 or flights > 25_000
+
+
+# What is changed in which file, and the flights that show it, by the beginning of the rule that is then broken.
+DEFECTS = {
+    "start() sends its orders at any time": (
+        "StartTransfer.cpp",
+        "    sending.guard();\n    if (step() != StartStep::Arm) isSent_ = 0;",
+        "    if (step() != StartStep::Arm) isSent_ = 0;",
+        "Copter start each 5",
+        "command ",
+    ),
+    "a mode that an order has undone is not set again": (
+        "ModeOrder.cpp",
+        "    if (!isForeign_) {\n",
+        "    if (!isRestoring_) {\n",
+        "Copter goTo each 5",
+        "an order has undone ",
+    ),
+    "goTo() leaves at any time": (
+        "SteeringHands.cpp",
+        "  return changesMode() || step_ == SteerStep::Arm",
+        "  return step_ == SteerStep::Arm",
+        "PX4 goTo random 400 --loss 5",
+        "an order undoes ",
+    ),
+    "a place in the order's own mode may change the mode": (
+        "SteeringSteps.cpp",
+        "  if (client_.shownMode() != change_.wanted()) command.param2 =",
+        "  command.param2 =",
+        "Copter goTo each 3 --own 1",
+        "an order ",
+    ),
+    "a target leaves behind a silence": (
+        "MovingTarget.cpp",
+        "  if (isBlind_ || !isAimed_",
+        "  if (!isAimed_",
+        "PX4 follow each 19",
+        "an order undoes RETURN",
+    ),
+    "nobody looks at how long the plan aboard is": (
+        "OtherPlan.cpp",
+        "  return total + home != plan_.count();",
+        "  return total + home == 0;",
+        "Copter start each 5",
+        "start ends with \"done: the autopilot confirmed it\", and it has named another plan",
+    ),
+    "a follower does not see another station's plan": (
+        "MissionFollower.cpp",
+        "  if (isOurPlan()) client_.setAboard(PlanType::Mission, Aboard::OtherPlan);",
+        "",
+        "Copter start each 5",
+        "behind start ",
+    ),
+    "arm() believes the answer": (
+        "Command.cpp",
+        "case CommandEvent::Accepted: sending.ask(); return Status::Transferring;\n    case CommandEvent::Heartbeat: {",
+        "case CommandEvent::Accepted: return Status::Done;\n    case CommandEvent::Heartbeat: {",
+        "Copter arm each 5",
+        'arm ends with "done: the autopilot confirmed it", and the last heartbeat has shown it disarmed',
+    ),
+    "disarm() believes what has waited while loop() stood still": (
+        "Command.cpp",
+        "if (isDone && !sending.isOld()) return Status::Done;",
+        "if (isDone) return Status::Done;",
+        "PX4 disarm each 2",
+        'disarm ends with "done: the autopilot confirmed it", and the last heartbeat is old',
+    ),
+    "a mode that is set while the vehicle is asked is taken for the one before": (
+        "Command.cpp",
+        "      mode.order.begin(client.firstMode(), mode.number);",
+        "      mode.order.begin(client.shownMode(), mode.number);",
+        "Copter setMode each 2",
+        "command 176 leaves behind a heartbeat",
+    ),
+    "an order leaves behind a heartbeat at which nobody has looked": (
+        "AskVehicle.cpp",
+        "  commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it\n",
+        "",
+        "Copter setMode each 1",
+        "an order has undone ",
+    ),
+    "a takeoff is done behind a heartbeat that leaves a doubt": (
+        "SteeringHands.cpp",
+        "      isModeSeen_ = false;\n      sending.askLater();",
+        "      sending.askLater();",
+        "Copter takeOff random 400",
+        'takeOff ends with "done: the autopilot confirmed it", and the last heartbeat has shown',
+    ),
+    "a MovingTarget ends when the vehicle is asked": (
+        "MovingTarget.cpp",
+        "client_.rest_.isCommanding && client_.commanding_.on == on;",
+        "client_.rest_.isCommanding && client_.commanding_.fill == fill;",
+        "Copter follow each 1000",
+        "nothing happens, and it does not end well",
+    ),
+    "the rest of an order leaves when loop() goes on": (
+        "Command.cpp",
+        "  if (commanding_.transfer.look(nowMs)) link_.spoil();",
+        "  commanding_.transfer.look(nowMs);",
+        "PX4 follow each 1",
+        "an order undoes RETURN",
+    ),
+}  # fmt: skip
+
+
+# Each time: orders that leave at any time, targets into silence, another station's plan, an arming that is not seen.
+ALWAYS = ("start() sends", "goTo() leaves", "a target leaves", "a follower does", "arm() believes")
+DEFECT = [name if name.startswith(ALWAYS) else pytest.param(name, marks=pytest.mark.thorough) for name in DEFECTS]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("defect", DEFECT)
+def test_a_planted_defect_is_found(defect):
+    file, right, wrong, words, rule = DEFECTS[defect]
+    assert fly(words)["violations"] == "0"
+    found = fly(words, build_flights(with_defect(file, right, wrong)))
+    assert int(found["violations"]) > 0
+    assert any(line.startswith(rule) for line in found["rules"].splitlines()), found["rules"]
+    assert "the sketch begins" in found["broken"]  # how it came to that
+
+
+if __name__ == "__main__":
+    flights = build_flights()
+    os.execv(flights, [str(flights), *sys.argv[1:]])
