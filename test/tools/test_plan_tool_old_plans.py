@@ -169,6 +169,24 @@ def test_jump_that_renumbering_leaves_without_a_line_is_refused(rows, says):
     assert says in str(refused(*rows, renumber=True))
 
 
+def test_numbers_out_of_order_are_taken_as_they_stand_where_no_item_is_named_by_its_number():
+    """As ArduPilot's and Mission Planner's readers do."""
+    rows = [HOME, "2 0 3 22 0 0 0 0 47.5 8.5 20 1", "1 0 3 16 0 0 0 0 47.6 8.5 20 1", "7 0 3 16 0 0 0 0 47.7 8.5 20 1"]
+    plan = read(*rows)
+    assert [item.command for item in plan.items()] == [22, 16, 16]
+    assert note_of(plan, "renumbered") == "from line 3 on the items are renumbered"
+    for naming in ("8 0 2 177 1 2 0 0 0 0 0 1", "8 0 2 224 1 0 0 0 0 0 0 1", "8 0 3 201 2 1 0 0 47.6 8.5 20 1"):
+        assert "--renumber numbers them as they stand" in str(refused(*rows, naming))
+
+
+def test_home_of_a_command_that_does_not_exist_is_home():
+    """It is never sent."""
+    plan = read(HOME.replace(" 16 ", " 31999 ", 1), "1 0 3 16 0 0 0 0 47.6 8.5 20 1")
+    assert [item.command for item in plan.items()] == [16]
+    assert "31999" in note_of(plan, "taken for home")
+    assert [item.command for item in read("0 0 3 22 0 0 0 0 47.6 8.5 20 1").items()] == [22]  # which is an item
+
+
 @pytest.mark.parametrize("current", ["-1", "2", "255"])
 def test_current_that_means_nothing_in_a_plan_goes_out_as_0(current):
     plan = read(HOME, f"1 {current} 3 16 0 0 0 0 47.6 8.5 20 1")

@@ -244,6 +244,24 @@ def test_fence_alone_is_filled_and_named(picture):
     assert not drawn.has("along the way")  # there is none
 
 
+@pytest.mark.parametrize("size, is_larger", [(600.0, False), (60_000.0, True)])
+def test_map_is_scaled_to_the_mission_where_a_fence_is_much_larger(size, is_larger):
+    from planning import drawing
+
+    mission, fence = [at(0), at(100), at(200)], square(-size / 2, size)
+    plan = plan_of(mission, fence)
+    figure, axes = drawing.pyplot.subplots()
+    above = drawing._Map(axes, plan)
+    above.draw(fly(plan, Speeds(5.0)))
+    low, high = axes.get_ylim()
+    assert low < 0 and high > 200  # the whole mission is there
+    assert high - low < 1000
+    assert (high < 300) is is_larger  # the smaller fence is there, too
+    assert bool(axes.get_title(loc="right")) is is_larger
+    assert any("fence" in text for text, _, _ in above._labels) is not is_larger
+    drawing.pyplot.close(figure)
+
+
 def test_home_that_is_far_is_told_and_not_drawn(picture):
     drawn = picture([at(0), at(100)], home=Home(400_000_000, 0, 0.0))
     assert drawn.has("km away, to the north: not drawn") and drawn.has("north of the first item [m]")

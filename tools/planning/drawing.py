@@ -33,6 +33,7 @@ GROUND = "#7d5a3c"
 START, END = "#27ae60", "#d35400"
 NOT_FLOWN, OTHER_HEIGHT = "#888888", "#b9770e"
 IN_KILOMETRES = 5_000.0  # [m] that a picture shows, beyond which its axes count kilometres
+LARGEST_FENCE = 5.0  # of the mission's size; a larger one is not drawn whole
 MOST_MARKS = 60  # of items; more would hide the way
 ARROWS = 14
 THINNEST, WIDEST = 0.06, 1.4  # [points]
@@ -126,6 +127,7 @@ class _Map:
         axes.margins(0.08)
         axes.grid(alpha=0.3)
         axes.autoscale_view()
+        self._look_at_the_mission()
         unit = in_kilometres(axes, axes.xaxis, axes.yaxis)
         axes.set(xlabel=f"east of {self._from} [{unit}]", ylabel=f"north of {self._from} [{unit}]")
         handles, names = axes.get_legend_handles_labels()
@@ -133,6 +135,25 @@ class _Map:
             axes.legend(
                 handles, names, loc="upper center", bbox_to_anchor=(0.5, -0.09), ncols=4, fontsize=8, frameon=False
             )
+
+    def _look_at_the_mission(self) -> None:
+        """A fence that is much larger than the mission goes beyond the picture: the mission would be a dot in it."""
+        ways = [self._metres(item) for item in self._plan.items() if is_flown_to(item) and (item.x, item.y) != (0, 0)]
+        if len(ways) < 2 or not self._plan.items("fence"):
+            return
+        if self._home is not None:
+            ways.append((0.0, 0.0))
+        axes = self._axes
+        spans = [(min(values), max(values)) for values in zip(*ways, strict=True)]
+        own = max(high - low for low, high in spans)
+        drawn = max(high - low for low, high in (axes.get_xlim(), axes.get_ylim()))
+        if own <= 0 or drawn <= LARGEST_FENCE * own:
+            return
+        for (low, high), limit in zip(spans, (axes.set_xlim, axes.set_ylim), strict=True):
+            limit(low - 0.15 * own, high + 0.15 * own)
+        (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+        self._labels = [one for one in self._labels if left <= one[1][0] <= right and bottom <= one[1][1] <= top]
+        axes.set_title("the fence goes beyond the picture", fontsize=9, color=INSIDE, loc="right")
 
     def _tell_home(self) -> None:
         """Home is too far to be in the picture."""

@@ -5,8 +5,11 @@
     1  0  3  22  0 0 0 NaN  -35.3632621 149.1652374 20   1
 
 The columns: number, current, frame, command, parameters 1 to 4, latitude, longitude, altitude, autocontinue. A file of
-a fence or of rally points has the same form. Line 0 is home only if it is a waypoint; any other command there is an
-item. QGC WPL 120, of an old QGroundControl, has no home.
+a fence or of rally points has the same form. Line 0 is home if it is a waypoint, or a command that does not exist: it
+is never sent. Any other command there is an item. QGC WPL 120, of an old QGroundControl, has no home.
+
+Programs take the lines in the order of the file. So their numbers matter only where an item names another one by its
+number: elsewhere they may be in any order.
 """
 
 from __future__ import annotations
@@ -53,6 +56,7 @@ COLUMNS = (
     "autocontinue",
 )
 HOMES = (0, WAYPOINT)  # of line 0; Mission Planner writes 0 where it has no home
+SET_CURRENT, ROI = 224, 201  # beside DO_JUMP they name an item by its number; a region of interest with parameter 1 = 2
 WHOLE = {0: (0, 65535), 1: (-1, 255), 2: (0, 255), 3: (0, 65535), 11: (0, 1)}  # column -> the smallest, the largest
 BLANKS = " \t\r\f\v"
 LONGEST_LINE = 255  # [characters], as the library's own reader takes it
@@ -84,7 +88,7 @@ class _Reader:
         self._unset_as_zero, self._renumber = unset_as_zero, renumber
         self._line = first
         self._numbers: dict[int, int | None] = {}  # of a line in the file -> of its item; None: home
-        self._is_renumbered = False
+        self._is_renumbered = self._has_names = False
         self._jumps: list[tuple[int, Decimal]] = []  # items that jump, and where to, as the file counts
 
     def _bad(self, text: str, line: int | None = None) -> BadPlan:
@@ -99,6 +103,8 @@ class _Reader:
             raise self._bad(f'the first line must be "{HEADER}" (or "{WITHOUT_HOME}"){seen}')
         steps: list[Step] = []
         expected = 0
+        self._has_names = any(names_an_item(line) for line in lines[1:])
+        self._renumber = self._renumber or not self._has_names
         with Progress("lines read") as progress:
             for line in lines[1:]:
                 self._line += 1
@@ -107,7 +113,7 @@ class _Reader:
                 if values is None:
                     continue
                 number = self._number(values[0], expected)
-                if expected == 0 and number == 0 and values[3] in HOMES and header == HEADER:
+                if expected == 0 and number == 0 and header == HEADER and self._is_home(values[3]):
                     self._home(values)
                     self._numbers[number] = None
                 else:
@@ -148,7 +154,8 @@ class _Reader:
                 )
             if not self._is_renumbered:
                 self._is_renumbered = True
-                self._notes.add(f"from line {self._line} on the items are renumbered, and jumps with them")
+                with_jumps = ", and jumps with them" if self._has_names else ""
+                self._notes.add(f"from line {self._line} on the items are renumbered{with_jumps}")
         return number
 
     def _values(self, words: list[str]) -> list:
@@ -168,6 +175,12 @@ class _Reader:
                 hint = ": write a point, not a comma" if "," in word else ""
                 raise self._bad(f"{name} must be a number, and is {cut(word)}{hint}") from None
         return values
+
+    def _is_home(self, command: int) -> bool:
+        if command not in HOMES and not commands.is_known(command):
+            self._notes.add(f"line 0 is taken for home, though no command has its number {command}: it is never sent")
+            return True
+        return command in HOMES
 
     def _begin_without_home(self, header: str, command: int) -> None:
         if command in FENCE_COMMANDS or command == RALLY_POINT:
@@ -245,6 +258,15 @@ class _Reader:
                 setattr(self._plan, kind, [plain(step) for step in steps])
                 return
         self._plan.mission = steps
+
+
+def names_an_item(line: str) -> bool:
+    """Whether a line's item names another one by its number."""
+    words = line.split()
+    if len(words) < 5 or not words[3].isdigit():
+        return False
+    command = int(words[3])
+    return command in (JUMP, SET_CURRENT) or (command == ROI and words[4].partition(".")[0] == "2")
 
 
 def plain(step: Step) -> Step:
