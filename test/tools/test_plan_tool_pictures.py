@@ -256,7 +256,7 @@ def test_map_is_scaled_to_the_mission_where_a_fence_is_much_larger(size, is_larg
     low, high = axes.get_ylim()
     assert low < 0 and high > 200  # the whole mission is there
     assert high - low < 1000
-    assert (high < 300) is is_larger  # the smaller fence is there, too
+    assert bool(high < 300) is is_larger  # the smaller fence is there, too
     assert bool(axes.get_title(loc="right")) is is_larger
     assert any("fence" in text for text, _, _ in above._labels) is not is_larger
     drawing.pyplot.close(figure)
