@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import pytest
 
+from disorders import latency_of
 from downloads import WRITTEN, is_ardupilot, loaded, same
 from plans import HOME, NAN, OLD_PLAN, SURVEY, steps, waypoint
 from simulation.bench import status_names
@@ -325,6 +326,7 @@ def test_download_survives_random_loss_or_says_that_it_did_not(make_service):
         wire = Wire(seed=seed)
         for way in "<>":
             wire.at_random(way, lose=20, repeat=5, delay=10, where=lambda message: message.get_type() != "HEARTBEAT")
+        wire.set_latency(latency_of(seed))
         service = make_service(wire=wire)
         loaded(service, WRITTEN)
         service.download()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from disorders import latency_of
 from downloads import WRITTEN, loaded
 from plans import SURVEY, on_the_wire, waypoint
 from simulation.bench import FunctionPlan, item_of_function_plan
@@ -239,6 +240,7 @@ def test_what_it_says_is_true_on_a_bad_line(make_service, personality, seed, los
     loaded(service, OTHER if is_there else [*OTHER[:2], OTHER[2]._replace(z=7.0)])
     service.wire.at_random("<", lose=loss)
     service.wire.at_random(">", lose=loss)
+    service.wire.set_latency(latency_of(seed))
     service.ensure(OTHER)
     ended = service.done(60)
     held = service.autopilot.received() == on_the_wire(OTHER, personality)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from areas import FIELD, POINTS
+from disorders import latency_of
 from downloads import loaded
 from files import by_items, is_by_file, open_file, other_asks, other_opens, requests, with_files
 from plans import HOME, OLD_PLAN, on_the_wire, waypoint
@@ -146,6 +147,7 @@ def test_what_it_says_is_true_on_a_bad_line(build_service, seed, is_there):
     service.run(1.2)
     for direction in "<>":
         service.wire.at_random(direction, lose=15, repeat=3)
+    service.wire.set_latency(latency_of(seed))
     ensuring(service, LONG)
     ended = service.done(150)
     is_aboard = len(service.autopilot.received()) == 21

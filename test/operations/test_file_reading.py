@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from areas import FIELD, POINTS
+from disorders import latency_of
 from downloads import WRITTEN, loaded, same
 from files import by_items, is_by_file, open_file, other_opens, requests, spoken, with_files
 from plans import NAN, SURVEY, jump, waypoint
@@ -275,6 +276,7 @@ def test_what_it_says_is_true_on_a_bad_line(build_service, seed, word, loss):
     service.run(1.2)
     for direction in "<>":
         service.wire.at_random(direction, lose=loss, repeat=3, delay=3)
+    service.wire.set_latency(latency_of(seed))
     service.use(LONG)
     service.order_of(word, MISSION, 60, HOME_INDEX - 1)
     ended = service.done(120)
@@ -295,6 +297,7 @@ def test_bytes_that_are_lost_cost_time_alone(build_service, seed, percent):
     loaded(service, LONG)
     service.run(1.2)
     service.wire.damage_bytes(lose=percent)
+    service.wire.set_latency(latency_of(seed))
     verifying(service, LONG)
     assert service.done(120) == "Verified"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from areas import FIELD, POINTS
+from disorders import latency_of
 from downloads import WRITTEN, as_ardupilot_has_it, loaded
 from files import by_items, is_by_file, open_file, other_asks, other_opens, requests, spoken, with_files
 from plans import HOME, OLD_PLAN, SURVEY, on_the_wire, waypoint
@@ -308,6 +309,7 @@ def test_what_it_says_is_true_on_a_bad_line(build_service, seed, loss):
     service.run(1.2)
     for direction in "<>":
         service.wire.at_random(direction, lose=loss, repeat=3, delay=3)
+    service.wire.set_latency(latency_of(seed))
     uploading(service, LONG)
     expect_truth(service, service.done(150))
 
@@ -331,6 +333,7 @@ def test_bytes_that_are_lost_cost_time_alone(build_service, seed, percent):
     service.autopilot.load(OLD_PLAN)
     service.run(1.2)
     service.wire.damage_bytes(lose=percent)
+    service.wire.set_latency(latency_of(seed))
     uploading(service, LONG)
     ended = service.done(150)
     assert ended == "Accepted"

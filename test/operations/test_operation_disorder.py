@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from disorders import DISORDERS, STALLS
+from disorders import DISORDERS, STALLS, latency_of
 from operations import LOOP_S, OPERATIONS, READING, begin, expect_truth, prepared, took_s
 from plans import waypoint
 from simulation import recordings
@@ -27,6 +27,7 @@ def test_disorder_ends_truthfully(make_service, personality, name, disorder, see
     service = prepared(make_service(wire=wire), personality)
     for way in "<>":
         wire.at_random(way, **DISORDERS[disorder])
+    wire.set_latency(latency_of(seed))
     begin(service, name)
     status = service.done(limit_s=120)
     expect_truth(service, personality, name, status)

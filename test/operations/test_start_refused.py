@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from disorders import latency_of
 from simulation.fake_autopilot import mavlink
 from simulation.service import asks_for_heartbeat, is_followers
 from simulation.wire import Wire
@@ -331,6 +332,7 @@ def test_on_a_bad_line_it_never_says_done_falsely_and_ends(build_service, vehicl
         assert service.done() == "Done"
         for direction in "<>":
             service.wire.at_random(direction, lose=25, repeat=8, delay=8, hold_past_next=4)
+        service.wire.set_latency(latency_of(seed))
         ends.append(start(service, limit_s=90))
         if ends[-1] == "Done":
             assert service.begun[0] == 0 and service.autopilot.armed

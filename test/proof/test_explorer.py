@@ -252,11 +252,11 @@ DEFECTS = {
         "REQUEST_LIST is sent too often",
     ),
     "an item that comes again is taken for the next": (
-        "Read.cpp",
-        "seq != transfer.itemToAsk()) return;",
-        "seq > transfer.itemToAsk()) return;",
+        "DownloadTransfer.cpp",
+        "return item == next_;",
+        "return item <= next_;",
         "PX4 download 0 --held 3 --faults 1",
-        "Downloaded, and",
+        "a wrong item is asked for",
     ),
     "ensure() takes any checksum for that of our plan": (
         "Ensure.cpp",

@@ -18,3 +18,11 @@ DISORDERS = {
         "lose": 5,
     },
 }
+
+
+# Of the line, each way [s]: a cable, WiFi, a telemetry radio, a modem. Each random test has each of them.
+LATENCIES_S = (0.0, 0.03, 0.15, 0.5)
+
+
+def latency_of(seed: int) -> float:
+    return LATENCIES_S[seed % len(LATENCIES_S)]

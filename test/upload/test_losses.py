@@ -10,7 +10,7 @@ from itertools import combinations, pairwise
 
 import pytest
 
-from disorders import DISORDERS
+from disorders import DISORDERS, latency_of
 from loss_table import note_end, note_survival
 from plans import OLD_PLAN, SURVEY, on_the_wire
 from simulation.bench import FunctionPlan, same_bits
@@ -172,6 +172,7 @@ def expect_truth_on_a_lossy_line(build_bench, record_property, personality, perc
     wire = Wire(seed=1000 * percent + seed)
     for way in "<>":
         wire.at_random(way, lose=percent)
+    wire.set_latency(latency_of(seed))
     bench = build_bench(personality, wire=wire)
     took = upload(bench, proof)
     held = bench.autopilot.received()
@@ -206,6 +207,7 @@ def test_disorder_ends_truthfully(build_bench, personality, disorder, seed):
     wire = Wire(seed=seed)
     for way in "<>":
         wire.at_random(way, **DISORDERS[disorder])
+    wire.set_latency(latency_of(seed))
     bench = build_bench(personality, wire=wire)
     proof = PROOFS[seed % 2]
     took = upload(bench, proof)

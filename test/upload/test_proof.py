@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from disorders import latency_of
 from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
 from simulation.bench import same_bits
 from simulation.fake_autopilot import mavlink
@@ -253,6 +254,7 @@ def test_random_loss_never_ends_in_a_false_word(make_service, personality, seed)
     wire = Wire(seed=seed)
     for way in "<>":
         wire.at_random(way, lose=30, repeat=5, delay=5, where=lambda message: message.get_type() != "HEARTBEAT")
+    wire.set_latency(latency_of(seed))
     service = make_service(wire=wire)
     service.autopilot.load(OLD_PLAN)
     service.upload(SURVEY, proof="InDoubt")

@@ -26,6 +26,10 @@ class Pace : public PaceRules {
   void learn(uint16_t roundTripMs, bool isSure);
   // The same for an answer that comes now to a question that was sent first at `startedMs`, and `tries` times.
   MAVMISSION_APART void learn(uint16_t startedMs, uint16_t nowMs, uint8_t tries);
+  // An answer has come that took at least so long.
+  void learnAtLeast(uint16_t ms) {
+    if (ms > roundTripMs_) roundTripMs_ = ms < kMostMs ? ms : kMostMs;
+  }
   // An answer came later than any that was measured.
   void noteSlower() {
     if (roundTripMs_ < kMostMs) roundTripMs_ *= 2;

@@ -164,7 +164,7 @@ void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
   DownloadTransfer& transfer = reading_.transfer;
   const uint16_t seq = message.seq;
   if (message.mission_type != static_cast<uint8_t>(state_.type)) return;
-  if (!transfer.expectsAnswer(DownloadTransfer::State::Fetching) || seq != transfer.itemToAsk()) return;
+  if (!transfer.expectsItem(seq, nowMs, link_.pace())) return;
   if (frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM) {
     if (reading_.fromFloats == nullptr) return;
     reading_.fromFloats(&piece.message);
@@ -183,7 +183,7 @@ void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
     state_.failedItem = ownItem(seq);
     return endReading(taken);
   }
-  transfer.onItem(seq, nowMs, link_.pace());
+  transfer.onItem(nowMs, link_.pace());
   // The progress of an upload stands still during its read-back: the upload is complete only when it is proven.
   if (!rest_.proving) report(seq + 1 - homeBefore());
 }

@@ -25,15 +25,20 @@ bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
   return true;
 }
 
-bool DownloadTransfer::onItem(uint16_t item, uint16_t nowMs, Pace& pace) {
-  if (!expectsAnswer(State::Fetching) || item != next_) return false;
+bool DownloadTransfer::expectsItem(uint16_t item, uint16_t nowMs, Pace& pace) const {
+  if (!expectsAnswer(State::Fetching)) return false;
+  // The one before comes again, for which nothing was sent since the request that is open now: it took so long.
+  if (item + 1u == next_) pace.learnAtLeast(since(startedMs_, nowMs));
+  return item == next_;
+}
+
+void DownloadTransfer::onItem(uint16_t nowMs, Pace& pace) {
   pace.learn(startedMs_, nowMs, tries_);
   ++next_;
   tries_ = 0;
   const bool isLast = next_ == count_;
   if (isLast) state_ = State::Closing;
   send_ = isLast ? Send::Accepted : Send::Request;
-  return true;
 }
 
 void DownloadTransfer::askAgain() {

@@ -29,9 +29,7 @@ void FileReadTransfer::askNext() {
   burstGot_ = 0;
 }
 
-void FileReadTransfer::learn(uint16_t nowMs, Pace& pace) const {
-  if (tries_ == 1) pace.learn(since(sentMs_, nowMs), true);
-}
+void FileReadTransfer::learn(uint16_t nowMs, Pace& pace) const { pace.learn(startedMs_, nowMs, tries_); }
 
 void FileReadTransfer::onOpened(uint16_t nowMs, Pace& pace) {
   if (state_ != State::Opening || tries_ == 0) return;
@@ -117,7 +115,11 @@ void FileReadTransfer::close(Status result) {
 Status FileReadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
   const bool isOpening = state_ == State::Opening;
-  if (since(sentMs_, nowMs) < pace.waitMs(isOpening ? kOpenMs : kPieceMs)) return Status::Transferring;
+  uint16_t waitMs = pace.waitMs(isOpening ? kOpenMs : kPieceMs);
+  // The autopilot sends a whole burst for each repeat, so none leaves before the first piece is late.
+  const uint16_t pieceMs = pace.roundTripMs() + pace.roundTripMs() / 2;
+  if (asked_ == Send::Burst && waitMs < pieceMs) waitMs = pieceMs;
+  if (since(sentMs_, nowMs) < waitMs) return Status::Transferring;
   if (state_ == State::Closing) return result_;
   const uint8_t most =
       isOpening ? (pace.isLossy() ? kLossyOpenTries : kOpenTries) : (pace.isLossy() ? kLossyTries : kPieceTries);
@@ -132,6 +134,7 @@ Status FileReadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
 }
 
 void FileReadTransfer::sent(uint16_t nowMs) {
+  if (tries_ == 0) startedMs_ = nowMs;
   ++tries_;
   sentMs_ = nowMs;
   send_ = Send::Nothing;

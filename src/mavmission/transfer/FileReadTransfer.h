@@ -67,7 +67,8 @@ class FileReadTransfer : public FileRules {
   void fill(uint8_t hole, uint16_t item);
 
   Hole holes_[kHoles];
-  uint16_t sentMs_;  // when the last request was sent, or the last piece came
+  uint16_t sentMs_;     // when the last request was sent, or the last piece came
+  uint16_t startedMs_;  // when the request that is open now was sent first
   uint16_t count_;
   uint16_t end_;  // the first item behind all that have been taken
   uint16_t taken_;

@@ -34,6 +34,13 @@ DownloadTransfer fetching(uint16_t items, uint16_t nowMs = 0) {
   return transfer;
 }
 
+// This item comes; true if it was asked for.
+bool came(DownloadTransfer& transfer, uint16_t item, uint16_t nowMs = 0) {
+  const bool isExpected = transfer.expectsItem(item, nowMs, pace);
+  if (isExpected) transfer.onItem(nowMs, pace);
+  return isExpected;
+}
+
 bool goesOn(Status status) { return status == Status::Transferring; }
 
 }  // namespace
@@ -48,7 +55,7 @@ TEST_CASE("a plan is asked for item by item, each when the one before has come, 
     CHECK(transfer.toSend() == Send::Request);
     CHECK(transfer.itemToAsk() == item);
     CHECK_FALSE(transfer.sent(0));
-    CHECK(transfer.onItem(item, 0, pace));
+    CHECK(came(transfer, item));
   }
   CHECK(transfer.state() == State::Closing);
   CHECK(transfer.toSend() == Send::Accepted);
@@ -73,7 +80,7 @@ TEST_CASE("the list is asked for 5 times, 1500 ms apart, and then there is no an
 
 TEST_CASE("an item is asked for 5 times, 250 ms apart, and then the time is out") {
   DownloadTransfer transfer = fetching(2);
-  transfer.onItem(0, 0, pace);
+  came(transfer, 0);
   uint16_t now = 0;
   for (int tries = 0; tries < 5; ++tries) {
     CHECK(transfer.toSend() == Send::Request);
@@ -132,7 +139,7 @@ TEST_CASE("an item that is not taken is asked for again at once, and has all its
   CHECK(transfer.tries() == 0);
   transfer.sent(251);
   CHECK(transfer.tries() == 1);
-  CHECK(transfer.onItem(0, 0, pace));
+  CHECK(came(transfer, 0));
 }
 
 TEST_CASE("each refusal ends the reading, but for the words that belong to something else") {
@@ -140,7 +147,7 @@ TEST_CASE("each refusal ends the reading, but for the words that belong to somet
   DownloadTransfer listing = begun();
   listing.sent(0);
   DownloadTransfer closing = fetching(1);
-  closing.onItem(0, 0, pace);
+  came(closing, 0);
   for (uint8_t result = 0; result <= 30; ++result) {
     CAPTURE(result);
     const bool isNoise = result == kAccepted || result == kInvalidSequence;
@@ -165,13 +172,13 @@ TEST_CASE("an item that comes before it was asked for is no answer") {
   DownloadTransfer transfer = begun();
   transfer.sent(0);
   transfer.onCount(2, 0, pace);
-  CHECK_FALSE(transfer.onItem(0, 0, pace));
+  CHECK_FALSE(came(transfer, 0));
   transfer.sent(0);
-  CHECK(transfer.onItem(0, 0, pace));
-  CHECK_FALSE(transfer.onItem(1, 0, pace));
+  CHECK(came(transfer, 0));
+  CHECK_FALSE(came(transfer, 1));
   transfer.sent(0);
-  CHECK_FALSE(transfer.onItem(0, 0, pace));
-  CHECK(transfer.onItem(1, 0, pace));
+  CHECK_FALSE(came(transfer, 0));
+  CHECK(came(transfer, 1));
   CHECK(transfer.state() == State::Closing);
 }
 
@@ -182,4 +189,22 @@ TEST_CASE("a plan without items is read when its count has come") {
   CHECK(transfer.state() == State::Closing);
   CHECK(transfer.toSend() == Send::Accepted);
   CHECK(transfer.sent(0));
+}
+
+TEST_CASE("an item that comes again shows how long the line takes, however soon its first coming was") {
+  DownloadTransfer transfer = fetching(3);
+  transfer.sent(0);
+  CHECK(came(transfer, 0, 20));  // the answer to a request of an earlier reading
+  CHECK(pace.roundTripMs() == 20);
+  CHECK_FALSE(came(transfer, 0, 40));  // the next one has not been asked for yet: it shows nothing
+  CHECK(pace.roundTripMs() == 20);
+  transfer.sent(60);
+  CHECK_FALSE(came(transfer, 1 + 1, 900));
+  CHECK_FALSE(came(transfer, 0, 70));
+  CHECK(pace.roundTripMs() == 20);
+  CHECK_FALSE(came(transfer, 0, 1000));
+  CHECK(pace.roundTripMs() == 940);
+  CHECK_FALSE(came(transfer, 0, 5000));
+  CHECK(pace.roundTripMs() == uint16_t(Pace::kMostMs));
+  CHECK(came(transfer, 1, 5100));
 }

@@ -205,6 +205,27 @@ TEST_CASE("a burst that falls silent is asked for anew, from what is missing") {
   CHECK(unheard.tries() == 1);
 }
 
+TEST_CASE(
+    "on a lossy line that answers late a burst is asked for again after one and a half round trips, an item sooner") {
+  for (bool isBurst : {true, false}) {
+    FileReadTransfer transfer = begun(true);
+    pace.noteLoss();
+    transfer.sent(0);
+    transfer.sent(50);              // repeated
+    transfer.onOpened(1000, pace);  // whichever was answered: no more than a second
+    CHECK(pace.roundTripMs() == 1000);
+    transfer.sent(1000);
+    transfer.onCount(isBurst ? 20 : 1, 1990, pace);
+    CHECK(pace.roundTripMs() == 990);
+    transfer.sent(1990);
+    const uint16_t waitMs = isBurst ? 990 + 990 / 2 : Pace::kMostWaitMs;
+    CHECK(goesOn(transfer.onTime(static_cast<uint16_t>(1990 + waitMs - 1), pace)));
+    CHECK(transfer.toSend() == Send::Nothing);
+    CHECK(goesOn(transfer.onTime(static_cast<uint16_t>(1990 + waitMs), pace)));
+    CHECK(transfer.toSend() == (isBurst ? Send::Burst : Send::Item));
+  }
+}
+
 TEST_CASE("pieces of a burst show that the answer to a request behind it is still to come") {
   FileReadTransfer transfer = bursting(20, false);
   take(transfer, 0);
