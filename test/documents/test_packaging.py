@@ -309,6 +309,15 @@ def test_led_is_the_one_that_the_core_has_on_pin_13(mcu, variant):
     assert re.sub(r"\s", "", pins_of(variant, "digital_pin_to_bit_mask")[13]) == f"_BV({bit})"
 
 
+def test_led_shows_as_good_what_ended_well():
+    statuses = (ROOT / "src" / "mavmission" / "Status.h").read_text()
+    well = statuses.partition("/* ended well */")[2].partition("/* ended with an unknown outcome */")[0]
+    names = re.findall(r"\bX\((\w+),", well)
+    header = (ROOT / "src" / "MavMissionLed.h").read_text()
+    shown = re.search(r"isGood\(.*return status >= Status::(\w+) && status <= Status::(\w+);", header)
+    assert shown.groups() == (names[0], names[-1])
+
+
 # The documents' code ------------------------------------------------------------
 
 
