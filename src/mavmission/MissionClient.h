@@ -111,7 +111,9 @@ class MissionClient : private detail::Client {
   // Status::OtherItem when it flies to another one, Status::Unconfirmed when it does not report its item. If it flies
   // its mission already, nothing is sent that would change that. Refused with Status::Unproven unless aboard() is our
   // plan, and with Status::Armed while the autopilot is armed, unless that is allowed. It ends with Unproven, too, as
-  // soon as it shows that somebody has put another plan there meanwhile. The plan's source must still exist.
+  // soon as it shows that somebody has put another plan there meanwhile; on ArduPilot a plan of the same length that
+  // another line brings does not show (docs/starting.md: verify() compares each item). The plan's source must still
+  // exist.
   //
   // If a step after arming is refused, it disarms again, on the ground, never by force: the status stays the refusal,
   // and startArming() tells about the disarming. It does not disarm when somebody else has set another mode meanwhile

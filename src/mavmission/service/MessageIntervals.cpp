@@ -56,5 +56,12 @@ void MessageIntervals::settle() {
   client_.rest_.isIntervalOpen = false;
 }
 
+void MessageIntervals::giveUpWaiting(uint16_t nowMs) {
+  if (since(askedMs_, nowMs) < IntervalRules::kAnswerMs) return;
+  isWaiting_ = false;
+  // Another listener may have asked since.
+  if (since(client_.rest_.intervalMs, nowMs) >= IntervalRules::kAnswerMs) client_.rest_.isIntervalOpen = false;
+}
+
 }  // namespace detail
 }  // namespace mavmission

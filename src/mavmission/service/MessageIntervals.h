@@ -28,6 +28,8 @@ class MessageIntervals : public Listener {
 
   // The only answer to the last command has been heard.
   void settle();
+  // To be called with each heartbeat: nobody answers any more after some time, and times have 16 bits.
+  void giveUpWaiting(uint16_t nowMs);
 
   uint16_t askedMs_ = 0;    // when the last command left, or got one of several answers
   bool isWaiting_ = false;  // for an answer, or for late ones

@@ -77,7 +77,7 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
 // request: PX4 refuses the request, and sends the message anyway.
 void MissionFollower::takeHeartbeat() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
-  if (since(askedMs_, nowMs) >= IntervalRules::kAnswerMs) isWaiting_ = false;
+  giveUpWaiting(nowMs);
   if (textDue_ != 0) --textDue_;
   if (heartbeatsLeft_ != 0) --heartbeatsLeft_;
   if (heartbeatsLeft_ != 0 || !mayAsk(nowMs) || !client_.link_.canSend()) return;

@@ -58,7 +58,7 @@ uint8_t TelemetryListener::patience() const {
 }
 
 void TelemetryListener::takeHeartbeat(uint16_t nowMs) {
-  if (since(askedMs_, nowMs) >= IntervalRules::kAnswerMs) isWaiting_ = false;
+  giveUpWaiting(nowMs);
   // An autopilot that has restarted has forgotten the interval, but may send the message at another one.
   if (since(heartbeatMs_, nowMs) >= IntervalRules::kRestartMs) {
     isConfirmed_ = false;
