@@ -22,5 +22,6 @@ def test_count_that_comes_again_changes_nothing(make_service, word, after_s):
     else:
         service.download()
     assert service.done() == ("Verified" if word == "verify" else "Downloaded")
-    asked = service.wire.frames(">", "MISSION_REQUEST_LIST")
-    assert len(asked) == 1
+    assert len(service.wire.frames(">", "MISSION_REQUEST_LIST")) == 1
+    asked = [entry.message.seq for entry in service.wire.frames(">", "MISSION_REQUEST_INT")]
+    assert asked == sorted(set(asked))  # each once
