@@ -8,6 +8,7 @@
 enum class What : uint8_t {
   Pilot,      // sets a mode that flies by the sticks
   Lands,      // sets LAND
+  Holds,      // sets HOLD, which on PX4 is the mode of before
   Disarms,    // disarms it, wherever it is
   Failsafe,   // makes it return
   OtherPlan,  // another station's plan, one item longer
@@ -18,9 +19,9 @@ enum class What : uint8_t {
   LoseDown,   // and to the sketch
   Stall       // the sketch's loop() stands still for so many ms
 };
-constexpr int kWhats = 11;
-constexpr const char* kWhatNames[kWhats] = {"pilot",  "lands", "disarms", "failsafe",  "other-plan", "same-plan",
-                                            "clears", "cut",   "lose-up", "lose-down", "stall"};
+constexpr int kWhats = 12;
+constexpr const char* kWhatNames[kWhats] = {"pilot",     "lands",  "holds", "disarms", "failsafe",  "other-plan",
+                                            "same-plan", "clears", "cut",   "lose-up", "lose-down", "stall"};
 
 struct Act {
   What what;

@@ -58,6 +58,8 @@ class Flying {
     while (nowMs_ < stallUntilMs_) step(stallUntilMs_);
     referee_.begins(plan_.task, plan_.loss, isDisturbed_, *autopilot_);
     sketch_.begin(plan_.task);
+    sketch_.loop(nowMs_);  // update() comes behind it, in the same loop()
+    send();
     if (!runUntilEnd(kLongestMs)) return broken("it does not end");
     const bool isQuiet = plan_.acts.empty() && plan_.loss <= 0;
     if (isQuiet && sketch_.status() != Status::Done) return broken("nothing happens, and it does not end well");
@@ -108,6 +110,7 @@ class Flying {
       case What::Pilot: return autopilot_->actorSetsMode(modeOf(kind, Means::Pilot), false, nowMs_);
       case What::Lands:
         return autopilot_->actorSetsMode(modeOf(kind, kind == Kind::Rover ? Means::Hold : Means::Land), false, nowMs_);
+      case What::Holds: return autopilot_->actorSetsMode(modeOf(kind, Means::Hold), false, nowMs_);
       case What::Disarms: return autopilot_->actorDisarms(nowMs_);
       case What::Failsafe: return autopilot_->actorSetsMode(modeOf(kind, Means::Return), true, nowMs_);
       case What::OtherPlan: return autopilot_->actorSetsPlan(1, nowMs_);

@@ -61,12 +61,12 @@ void Referee::take(uint16_t mode) {
   const bool isOnGround = task_ == Task::Start || task_ == Task::TakeOff;
   if (!isArmed_ && !(isRunning_ && isOnGround)) return;
   // The mode from which the order leads away, again, and no heartbeat has shown another one: nobody can tell.
+  hasTaken_ = true;
   if (isRunning_ && mode == firstMode_ && !isFirstOver_) return;
   foreign_ = Foreign();
   foreign_.is = true;
   foreign_.mode = mode;
   foreign_.sinceMs = nowMs_;
-  hasTaken_ = true;
 }
 
 void Referee::modeSet(uint16_t mode, By by) {
@@ -209,7 +209,9 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
     }
   }
   const bool hasIt = foreign_.is && !foreign_.isUndone && nowMs_ - foreign_.sinceMs > kBeatMs;
-  if (hasIt && sketch.steering.maySteer()) breaks(words + "maySteer() is true in " + name(foreign_.mode));
+  // Near the top of its takeoff PX4 goes over to HOLD by itself: there a pilot's HOLD cannot be told.
+  const bool isTop = task_ == Task::TakeOff && foreign_.mode == modeOf(kind_, Means::Hold);
+  if (hasIt && !isTop && sketch.steering.maySteer()) breaks(words + "maySteer() is true in " + name(foreign_.mode));
   const bool isLong = nowMs_ - armedMs_ > kBeatMs;
   if (isLong && sketch.client.isArmed() != autopilot.isArmed) breaks(words + "isArmed() is not so");
   const bool isTold = kind_ == Kind::Px4 || autopilot.plan.size() != kItems;
@@ -219,7 +221,9 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
   if (isOurPlan_ && sketch.client.aboard() != Aboard::OurPlan)
     breaks(words + "our plan is aboard, and aboard() denies it");
   const bool isFailed = (task_ == Task::Start || task_ == Task::TakeOff) && sketch.status() != Status::Done;
-  if (isFailed && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !foreign_.is &&
+  // In the mode of before, which somebody has set again, it is his.
+  const bool isHis = foreign_.is || (hasTaken_ && saysTaken(sketch.status()));
+  if (isFailed && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !isHis &&
       autopilot.mode != modeOf(kind_, Means::Mission)) {
     breaks(words + "it stands armed");
   }

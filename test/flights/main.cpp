@@ -11,22 +11,22 @@
 namespace {
 
 [[noreturn]] void usage(const char* problem) {
-  fprintf(
-      stderr,
-      "%s\n"
-      "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
-      "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
-      "       flights AUTOPILOT TASK one ACT@MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
-      "  AUTOPILOT  Copter, Rover or PX4\n"
-      "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
-      "             setMode, all\n"
-      "  ACT        pilot, lands, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, lose-down, stall\n"
-      "  --seed S   of the losses, and of when heartbeats come (1)\n"
-      "  --loss P   per mille of the bytes that are lost (0)\n"
-      "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
-      "  --with ACT@MS[=AMOUNT]  each: beside the actor, in each flight\n"
-      "Prints findings as name=value; then, if a rule was broken, the first such flight. Exits with 1 then.\n",
-      problem);
+  fprintf(stderr,
+          "%s\n"
+          "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
+          "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
+          "       flights AUTOPILOT TASK one ACT@MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
+          "  AUTOPILOT  Copter, Rover or PX4\n"
+          "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
+          "             setMode, all\n"
+          "  ACT        pilot, lands, holds, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, "
+          "lose-down, stall\n"
+          "  --seed S   of the losses, and of when heartbeats come (1)\n"
+          "  --loss P   per mille of the bytes that are lost (0)\n"
+          "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
+          "  --with ACT@MS[=AMOUNT]  each: beside the actor, in each flight\n"
+          "Prints findings as name=value; then, if a rule was broken, the first such flight. Exits with 1 then.\n",
+          problem);
   exit(2);
 }
 
@@ -69,9 +69,10 @@ struct Kinds {
   uint32_t amount;
 };
 constexpr Kinds kSingle[] = {
-    {What::Pilot, 0},    {What::Lands, 0},    {What::Disarms, 0},  {What::Failsafe, 0}, {What::OtherPlan, 0},
-    {What::SamePlan, 0}, {What::Clears, 0},   {What::Cut, 700},    {What::Cut, 3000},   {What::LoseUp, 1},
-    {What::LoseUp, 3},   {What::LoseDown, 1}, {What::LoseDown, 4}, {What::Stall, 300},  {What::Stall, 2500},
+    {What::Pilot, 0},    {What::Holds, 0},     {What::Lands, 0},    {What::Disarms, 0},
+    {What::Failsafe, 0}, {What::OtherPlan, 0}, {What::SamePlan, 0}, {What::Clears, 0},
+    {What::Cut, 700},    {What::Cut, 3000},    {What::LoseUp, 1},   {What::LoseUp, 3},
+    {What::LoseDown, 1}, {What::LoseDown, 4},  {What::Stall, 300},  {What::Stall, 2500},
 };
 
 // Whether this actor can be told from the task's own order, and has something to do.
@@ -79,6 +80,7 @@ bool isOfUse(const FlightPlan& plan, What what) {
   const uint16_t wanted = modeWanted(plan.kind, plan.task);
   switch (what) {
     case What::Lands: return wanted != modeOf(plan.kind, plan.kind == Kind::Rover ? Means::Hold : Means::Land);
+    case What::Holds: return plan.task == Task::Start || plan.task == Task::TakeOff;
     case What::Failsafe: return wanted != modeOf(plan.kind, Means::Return);
     case What::OtherPlan:
     case What::SamePlan:

@@ -312,7 +312,10 @@ Status Steering::onTime(uint16_t nowMs) {
             break;
           }
           // On the ground still: ask again.
-          if (static_cast<uint16_t>(client_.state_.seconds - beganS_) >= kTakeOffS) return Status::Unconfirmed;
+          if (static_cast<uint16_t>(client_.state_.seconds - beganS_) >= kTakeOffS) {
+            // In the mode of before it does not take off any more.
+            return client_.shownMode() == oldMode_ ? leave(Status::Unconfirmed, nowMs) : Status::Unconfirmed;
+          }
           sending.pause(kAskAgainMs, nowMs);
         }
         if (isInAir() && isModeSeen_) return done();

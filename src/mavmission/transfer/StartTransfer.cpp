@@ -313,6 +313,10 @@ Status StartTransfer::onOwnMode(bool isWanted, const Aircraft& aircraft, Command
   const bool isSent = sending.tries() != 0;
   const bool isFlying = aircraft.isArmed && isWanted;
   if (!aircraft.isArmed && isArmedSeen_ != 0) return Status::NotArmed;
+  // PX4 sets the mode before it arms: armed in the mode of before, it is somebody else's.
+  const bool isOdd =
+      aircraft.isArmed && !isWanted && arming() == StartArming::Armed && has(aircraft.firmware, kArmsByMissionStart);
+  const bool isPutBack = isOdd && !sending.mayBeUnderWay(aircraft.nowMs);
   bool isDone = false;
   switch (step()) {
     case StartStep::ReadyMode:
@@ -320,14 +324,11 @@ Status StartTransfer::onOwnMode(bool isWanted, const Aircraft& aircraft, Command
     case StartStep::Arm: isDone = aircraft.isArmed; break;
     case StartStep::Begin:
       isDone = isSent && isFlying;
-      // PX4 sets the mode before it arms: armed in the mode of before, it is somebody else's.
-      if (isSent && aircraft.isArmed && !isWanted && arming() == StartArming::Armed &&
-          has(aircraft.firmware, kArmsByMissionStart)) {
-        if (!sending.mayBeUnderWay(aircraft.nowMs)) return Status::TakenOver;
-        sending.askLater();
-      }
+      if (isSent && isPutBack) return Status::TakenOver;
+      if (isSent && isOdd) sending.askLater();
       break;
     case StartStep::Confirm:
+      if (isPutBack) return Status::TakenOver;
       if (!isFlying) {
         setState(State::Steps);
         sending.askLater();
