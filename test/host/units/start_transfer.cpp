@@ -473,8 +473,12 @@ TEST_CASE("a PX4 that is armed in the mode of before is somebody else's, since i
   flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 800);
   CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));  // the mode may follow
   CHECK(flight.asks());
+  Flight answered = other;
   CHECK((other.heartbeat(true, other.aircraft.mode) == Status::TakenOver));
   CHECK((other.start.arming() == StartArming::Armed));
+  answered.accepted();
+  CHECK((answered.heartbeat(true, answered.aircraft.mode) == Status::TakenOver));
+  CHECK((answered.start.arming() == StartArming::Armed));
 }
 
 // Confirm --> Shown --> Judging, JudgingNext --> the end
