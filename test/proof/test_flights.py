@@ -63,7 +63,7 @@ def expect_nothing_broken(record_property, flown: list[tuple[str, str, str]]) ->
         rows.append([autopilot, lost, found["flights"], found["taken"], found["undone_ms"] + " ms", found["unseen"],
                      found["window_ms"] + " ms", "0"])  # fmt: skip
         assert int(found["window_ms"]) <= WINDOW_MS
-        if lost == "none":
+        if lost == "none" and " each " in words:  # one actor: no line is cut beside a pilot
             assert int(found["undone_ms"]) < GIVEN_BACK_MS
     record_property("table", ["flights in which others take the aircraft", [COLUMNS, *rows]])
     return sum(int(row[2]) for row in rows)
