@@ -36,8 +36,8 @@ def test_upload_mission_puts_the_same_bytes_on_the_line_as_on_simavr(folder, aut
 @pytest.mark.slow
 @pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])
 def test_upload_mission_puts_the_same_bytes_on_a_line_that_loses_20_percent(folder, autopilot):
-    # Of a repeat that is due within the same millisecond as its answer one may send it, and the other not: this seed has
-    # no such moment.
+    # A repeat that is due in the millisecond in which its answer comes may leave one of the two: this seed has no such
+    # moment.
     told, ours = agree(folder, example="UploadMission", autopilot=autopilot, seconds=10, loss=20.0, seed=2)
     assert len(ours.bytes(1)) > 300
 
