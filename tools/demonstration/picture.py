@@ -26,7 +26,8 @@ def draw(timeline: Timeline, file: Path, title: str, verdict: str) -> None:
     import matplotlib
 
     matplotlib.use("svg")
-    matplotlib.rcParams.update({"svg.hashsalt": "mavmission", "svg.fonttype": "none", "font.size": 8})
+    matplotlib.rcParams.update({"svg.hashsalt": "mavmission", "svg.fonttype": "none", "font.size": 8,
+                                "font.sans-serif": ["DejaVu Sans", "Arial"]})  # fmt: skip
     from matplotlib import pyplot
 
     figure = pyplot.figure(figsize=(WIDTH_IN, HEIGHT_IN))

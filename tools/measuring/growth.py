@@ -46,7 +46,8 @@ def draw(measured: list[Cost], file: Path = PICTURE) -> None:
     import matplotlib
 
     matplotlib.use("svg")
-    matplotlib.rcParams.update({"svg.hashsalt": "mavmission", "svg.fonttype": "none", "font.size": 10})
+    matplotlib.rcParams.update({"svg.hashsalt": "mavmission", "svg.fonttype": "none", "font.size": 10,
+                                "font.sans-serif": ["DejaVu Sans", "Arial"]})  # fmt: skip
     from matplotlib import pyplot
 
     items = [cost.items for cost in measured]
