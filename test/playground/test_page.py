@@ -123,7 +123,7 @@ def test_a_dropped_waypoints_file_is_flown_where_it_was_drawn(page):
         ("empty.plan", "", "empty.plan:1: "),
         ("photo.jpg", "no plan", "what kind of file is it?"),
         ("bad.waypoints", WAYPOINTS.replace("47.3980000", "47,3980000"), "bad.waypoints:4: "),
-        ("two.waypoints", WAYPOINTS.replace("\n2 0", "\n7 0"), "this is number 7, and 2 is due"),
+        ("two.waypoints", WAYPOINTS.replace("\n2 0", "\n1 0"), "two.waypoints:4: number 1 is there twice"),
     ],
 )  # fmt: skip
 def test_a_file_that_is_no_plan_is_refused_in_words_and_nothing_changes(page, name, text, said):
