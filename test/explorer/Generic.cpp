@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr uint8_t kMostRequests = 5;       // that draw no item
+constexpr uint8_t kMostRequests = 5;       // requests that draw no item
 constexpr uint16_t kReadingEndsMs = 5000;  // of a download, without a request
 typedef Autopilot::State State;
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "Px4Checksum.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
@@ -87,15 +88,4 @@ uint8_t itemDownloaded(const MissionItem& item, bool isHome) {
   return isOurs ? static_cast<uint8_t>(steps) : kNoItemAtAll;
 }
 
-uint32_t checksummed(uint32_t sum, uint8_t item) {
-  const mavlink_mission_item_int_t message = waypointOf(item, Firmwares::Px4);
-  uint8_t bytes[32] = {message.frame};
-  memcpy(bytes + 1, &message.command, 2);
-  bytes[3] = message.autocontinue;
-  memcpy(bytes + 4, &message, 28);
-  for (uint8_t byte : bytes) {
-    sum ^= byte;
-    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1) != 0 ? 0xEDB88320u : 0u);
-  }
-  return sum;
-}
+uint32_t checksummed(uint32_t sum, uint8_t item) { return px4Checksum(sum, waypointOf(item, Firmwares::Px4)); }

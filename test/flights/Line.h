@@ -9,7 +9,7 @@
 struct Due {
   uint32_t leftMs;  // when the sender has sent it
   uint32_t dueMs;   // when its last byte arrives
-  Bytes bytes;      // that arrive
+  Bytes bytes;      // what arrives of the frame
   Message message;
   bool isWhole;
 };

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "Px4Checksum.h"
+
 namespace {
 
 constexpr int32_t kTakeOffCm = 1000, kHomeCm = 58400;
@@ -94,20 +96,12 @@ Message Px4::itemToRead(uint16_t item) const {
   return messageOf(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
 }
 
-// A CRC-32 of the fields as they arrived.
 uint32_t Px4::planId() const {
   uint32_t sum = 0;
   for (const Bytes& item : plan) {
     mavlink_mission_item_int_t message;
     memcpy(&message, item.data(), sizeof(message));
-    uint8_t bytes[32] = {message.frame};
-    memcpy(bytes + 1, &message.command, 2);
-    bytes[3] = message.autocontinue;
-    memcpy(bytes + 4, &message, 28);
-    for (uint8_t byte : bytes) {
-      sum ^= byte;
-      for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1) != 0 ? 0xEDB88320u : 0u);
-    }
+    sum = px4Checksum(sum, message);
   }
   return sum;
 }

@@ -20,7 +20,7 @@ DISORDERS = {
 }
 
 
-# Of the line, each way [s]: a cable, WiFi, a telemetry radio, a modem. Each random test has each of them.
+# A line's latency each way [s]: a cable, WiFi, a telemetry radio, a modem. A random test takes one by its seed.
 LATENCIES_S = (0.0, 0.03, 0.15, 0.5)
 
 

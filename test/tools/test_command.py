@@ -28,8 +28,8 @@ def test_tool_expects_an_interruption(tool):
 def test_interrupted_command_leaves_with_a_line_and_the_status_of_a_shell(tmp_path):
     tool = tmp_path / "one"
     tool.write_text(
-        f"import sys, time\nsys.path.insert(0, {str(ROOT / 'tools')!r})\nfrom _command import run_command\n"
-        "def main():\n    print('begun', flush=True)\n    time.sleep(60)\nrun_command(main)\n"
+        f"import signal, sys\nsys.path.insert(0, {str(ROOT / 'tools')!r})\nfrom _command import run_command\n"
+        "def main():\n    print('begun', flush=True)\n    signal.pause()\nrun_command(main)\n"
     )
     with subprocess.Popen([sys.executable, tool], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                           preexec_fn=can_be_interrupted) as running:  # fmt: skip

@@ -184,7 +184,7 @@ def test_home_of_a_command_that_does_not_exist_is_home():
     plan = read(HOME.replace(" 16 ", " 31999 ", 1), "1 0 3 16 0 0 0 0 47.6 8.5 20 1")
     assert [item.command for item in plan.items()] == [16]
     assert "31999" in note_of(plan, "taken for home")
-    assert [item.command for item in read("0 0 3 22 0 0 0 0 47.6 8.5 20 1").items()] == [22]  # which is an item
+    assert [item.command for item in read("0 0 3 22 0 0 0 0 47.6 8.5 20 1").items()] == [22]  # a takeoff is an item
 
 
 @pytest.mark.parametrize("current", ["-1", "2", "255"])

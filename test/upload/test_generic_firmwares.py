@@ -169,7 +169,7 @@ def test_what_it_takes_is_read_back_as_it_was_sent(build, firmware):
     service.upload(plan, proof="Always")
     assert service.done(limit_s=10) == "Accepted"
     assert len(service.autopilot.held) == len(plan)
-    if firmware == "Betaflight":  # which would land at 0 N 0 E
+    if firmware == "Betaflight":  # It would land at 0 N 0 E.
         assert (service.autopilot.held[-1].x, service.autopilot.held[-1].y) == (X, Y)
 
 

@@ -31,8 +31,8 @@ class DownloadTransfer : public DownloadRules {
   // Status::Transferring while the download goes on, or else the status with which it has ended.
   // onCount() is true if the COUNT is the answer to our REQUEST_LIST.
   bool onCount(uint16_t count, uint16_t nowMs, Pace& pace);
-  // expectsItem() is true if this is the item that was requested; onItem() says that it has been used, and requests the
-  // next one.
+  // expectsItem() is true if this is the item that was requested; the one before, which comes again, shows `pace` how
+  // long the line takes. onItem() says that the item has been used, and requests the next one.
   bool expectsItem(uint16_t item, uint16_t nowMs, Pace& pace) const;
   void onItem(uint16_t nowMs, Pace& pace);
   // Requests the item that has just come again at once, because it could not be used yet.
