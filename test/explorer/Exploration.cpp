@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include <algorithm>
-#include <deque>
 #include <vector>
 
 #include "mavmission/Status.h"
@@ -23,57 +22,91 @@ uint64_t mixed(uint64_t a, uint64_t b) {
   return static_cast<uint64_t>(product) ^ static_cast<uint64_t>(product >> 64);
 }
 
-// Two chains of multiplications, each with constants of its own.
-Hash hashOf(const World& world) {
-  static_assert(sizeof(World) % 8 == 0, "hashed by 8 bytes");
-  const unsigned char* bytes = reinterpret_cast<const unsigned char*>(&world);
-  uint64_t high = 0x9E3779B97F4A7C15u, low = 0xC2B2AE3D27D4EB4Fu;
-  for (size_t i = 0; i < sizeof(World); i += 8) {
-    uint64_t word;
-    memcpy(&word, bytes + i, 8);
-    high = mixed(high ^ word, 0xA0761D6478BD642Fu) + i;
-    low = mixed(low + word, 0xE7037ED1A0B428DBu) ^ high;
+// Sums of products of each two words to which numbers drawn by lot are added, two sums with numbers of their own: the
+// products do not wait for each other. Different worlds meet in one of them, of 128 bits, once in 2^64 draws.
+class Hasher {
+ public:
+  Hasher() {
+    uint64_t drawn = 0x9E3779B97F4A7C15u;
+    for (uint64_t& key : keys_) {
+      drawn += 0x9E3779B97F4A7C15u;
+      key = mixed(mixed(drawn, 0xBF58476D1CE4E5B9u) ^ drawn, 0x94D049BB133111EBu);
+    }
   }
-  return Hash{mixed(high, 0x8EBC6AF09C88C6E3u), mixed(low, 0x589965CC75374CC3u)};
-}
+
+  Hash of(const World& world) const {
+    uint64_t words[kWords];
+    memcpy(words, &world, sizeof(World));
+    Wide one = 0, other = 0;
+    for (size_t i = 0; i + 1 < kWords; i += 2) {
+      one += static_cast<Wide>(words[i] + keys_[i]) * (words[i + 1] + keys_[i + 1]);
+      other += static_cast<Wide>(words[i] + keys_[i + 2]) * (words[i + 1] + keys_[i + 3]);
+    }
+    if (kWords % 2 != 0) {
+      one += static_cast<Wide>(words[kWords - 1] + keys_[kWords - 1]) * keys_[kWords];
+      other += static_cast<Wide>(words[kWords - 1] + keys_[kWords + 1]) * keys_[kWords + 2];
+    }
+    return Hash{folded(one), folded(other)};
+  }
+
+ private:
+  static uint64_t folded(Wide sum) {
+    return mixed(static_cast<uint64_t>(sum) ^ 0x8EBC6AF09C88C6E3u,
+                 static_cast<uint64_t>(sum >> 64) ^ 0x589965CC75374CC3u);
+  }
+
+  static_assert(sizeof(World) % 8 == 0, "hashed by 8 bytes");
+  static constexpr size_t kWords = sizeof(World) / 8;
+  uint64_t keys_[kWords + 3];
+};
 
 // The worlds that were met, by hash; each has a number.
 class Known {
  public:
-  Known() : slots_(1 << 16, kFree) {}
+  Known() : slots_(1 << 16, Slot{kFree, 0}) {}
+
+  // It will be asked for soon.
+  void announce(const Hash& hash) const { __builtin_prefetch(&slots_[hash.high & (slots_.size() - 1)]); }
 
   // The number of a world; `isNew` if it had none.
   uint32_t numberOf(const Hash& hash, bool& isNew) {
+    const uint32_t tag = tagOf(hash);
     size_t slot = hash.high & (slots_.size() - 1);
-    for (; slots_[slot] != kFree; slot = (slot + 1) & (slots_.size() - 1)) {
-      const Hash& other = hashes_[slots_[slot]];
+    for (; slots_[slot].number != kFree; slot = (slot + 1) & (slots_.size() - 1)) {
+      if (slots_[slot].tag != tag) continue;
+      const Hash& other = hashes_[slots_[slot].number];
       if (other.high == hash.high && other.low == hash.low) {
         isNew = false;
-        return slots_[slot];
+        return slots_[slot].number;
       }
     }
     isNew = true;
-    slots_[slot] = static_cast<uint32_t>(hashes_.size());
+    const uint32_t number = static_cast<uint32_t>(hashes_.size());
+    slots_[slot] = Slot{number, tag};
     hashes_.push_back(hash);
     if (hashes_.size() * 2 > slots_.size()) grow();
-    return static_cast<uint32_t>(hashes_.size() - 1);
+    return number;
   }
   size_t size() const { return hashes_.size(); }
 
  private:
   static constexpr uint32_t kFree = 0xFFFFFFFF;
+  struct Slot {
+    uint32_t number, tag;  // of its hash a part, so that the whole is seldom looked up
+  };
+  static uint32_t tagOf(const Hash& hash) { return static_cast<uint32_t>(hash.low); }
 
   void grow() {
-    slots_.assign(slots_.size() * 2, kFree);
+    slots_.assign(slots_.size() * 2, Slot{kFree, 0});
     for (uint32_t i = 0; i < hashes_.size(); ++i) {
       size_t slot = hashes_[i].high & (slots_.size() - 1);
-      while (slots_[slot] != kFree) slot = (slot + 1) & (slots_.size() - 1);
-      slots_[slot] = i;
+      while (slots_[slot].number != kFree) slot = (slot + 1) & (slots_.size() - 1);
+      slots_[slot] = Slot{i, tagOf(hashes_[i])};
     }
   }
 
   std::vector<Hash> hashes_;
-  std::vector<uint32_t> slots_;
+  std::vector<Slot> slots_;
 };
 
 struct Edge {
@@ -97,24 +130,32 @@ class Explorer {
   Findings run() {
     World world;
     const Outcome began = world.begin(scenario_);
-    note(world, Way{0, 0}, began);
+    note(world, hasher_.of(world), Way{0, 0}, began);
     if (began.broken != nullptr) fail(began.broken, 0);
-    while (!waiting_.empty() && known_.size() <= mostStates_) {
-      const World next = waiting_.front();
-      waiting_.pop_front();
-      expand(next);
+    // As many steps away from the beginning, then those that are one more.
+    for (std::vector<World> nearest; !waiting_.empty() && known_.size() <= mostStates_;) {
+      nearest.swap(waiting_);
+      waiting_.clear();
+      for (const World& next : nearest) expand(next);
     }
     findings_.isWhole = waiting_.empty();
     findings_.states = known_.size();
     findings_.transitions = edges_.size();
+    for (int task = 0; task < kMostTasks; ++task) {
+      for (int status = 0; status < 256; ++status) {
+        if (ends_[task][status] == 0) continue;
+        findings_.ends[std::to_string(task) + " " + mavmission::toString(static_cast<Status>(status))] =
+            ends_[task][status];
+      }
+    }
     if (findings_.isWhole) measure();
     return findings_;
   }
 
  private:
-  uint32_t note(const World& world, const Way& way, const Outcome& outcome) {
+  uint32_t note(const World& world, const Hash& hash, const Way& way, const Outcome& outcome) {
     bool isNew;
-    const uint32_t number = known_.numberOf(hashOf(world), isNew);
+    const uint32_t number = known_.numberOf(hash, isNew);
     if (!isNew) return number;
     ways_.push_back(way);
     // What broke a rule is not followed further.
@@ -128,21 +169,26 @@ class Explorer {
   void expand(const World& world) {
     const uint32_t from = order_[expanded_++];
     firstEdge_.push_back(edges_.size());
-    const std::vector<Move> moves = world.moves();
-    if (moves.empty()) {
+    const Moves moves = world.moves();
+    if (moves.count == 0) {
       const char* const undone = world.leftUndone();
       if (undone != nullptr) fail(undone, from);
       return;
     }
-    for (size_t i = 0; i < moves.size(); ++i) {
-      World after;
-      memcpy(static_cast<void*>(&after), &world, sizeof(World));
-      const Outcome outcome = after.step(scenario_, moves[i], nullptr);
-      const uint32_t to = note(after, Way{from, static_cast<uint8_t>(i)}, outcome);
+    for (size_t i = 0; i < moves.count; ++i) {
+      Step& step = steps_[i];
+      memcpy(static_cast<void*>(&step.after), &world, sizeof(World));
+      step.outcome = step.after.step(scenario_, moves.list[i], nullptr);
+      step.hash = hasher_.of(step.after);
+      known_.announce(step.hash);
+    }
+    for (size_t i = 0; i < moves.count; ++i) {
+      const Outcome& outcome = steps_[i].outcome;
+      const uint32_t to = note(steps_[i].after, steps_[i].hash, Way{from, static_cast<uint8_t>(i)}, outcome);
       const bool isLast = outcome.hasEnded && outcome.task + 1u == scenario_.tasks.size();
       const uint8_t end = isLast ? static_cast<uint8_t>(1 + static_cast<uint8_t>(outcome.status)) : 0;
       edges_.push_back(Edge{to, outcome.ms, outcome.isFault, end});
-      if (outcome.hasEnded) ++findings_.ends[std::to_string(outcome.task) + " " + mavmission::toString(outcome.status)];
+      if (outcome.hasEnded) ++ends_[outcome.task][static_cast<uint8_t>(outcome.status)];
       if (outcome.broken != nullptr) fail(outcome.broken, from, static_cast<int>(i));
     }
   }
@@ -166,7 +212,7 @@ class Explorer {
     uint32_t nowMs = 0;
     for (int which : moves) {
       std::string log;
-      const Outcome outcome = world.step(scenario_, world.moves()[static_cast<size_t>(which)], &log);
+      const Outcome outcome = world.step(scenario_, world.moves().list[which], &log);
       nowMs += outcome.ms;
       char time[16];
       snprintf(time, sizeof(time), "%9.3f s  ", nowMs / 1000.0);
@@ -225,13 +271,22 @@ class Explorer {
   const Scenario& scenario_;
   const uint64_t mostStates_;
   Findings findings_;
+  const Hasher hasher_;
   Known known_;
-  std::deque<World> waiting_;
+  std::vector<World> waiting_;       // in the order in which they were come to
   std::vector<uint32_t> order_;      // the states, as they are expanded
   std::vector<uint64_t> firstEdge_;  // of each of them
   std::vector<Edge> edges_;
   std::vector<Way> ways_;  // how each state was first come to
   size_t expanded_ = 0;
+  struct Step {
+    World after;
+    Outcome outcome;
+    Hash hash;
+  };
+  Step steps_[Moves::kMost];  // from the world that is being expanded
+  static constexpr int kMostTasks = 2;
+  uint64_t ends_[kMostTasks][256] = {};  // by status, of each task
 };
 
 }  // namespace

@@ -22,10 +22,16 @@ const char* const kOperations[] = {"upload",
 const char* const kFateWords[kFates] = {
     "", " is lost", " is repeated", " is repeated later", " is delayed", " is damaged", " is cut"};
 
-void say(std::string* log, const std::string& words) {
+std::string inWords(const char* words) { return words; }
+std::string inWords(uint8_t number) { return std::to_string(number); }
+std::string inWords(Status status) { return mavmission::toString(status); }
+
+// Words are found for what happens only where somebody reads them.
+template <typename... Parts>
+void say(std::string* log, const Parts&... parts) {
   if (log == nullptr) return;
   if (!log->empty()) *log += "; ";
-  *log += words;
+  ((*log += inWords(parts)), ...);
 }
 
 bool isDelivered(Fate fate) { return fate == Fate::Delivered || fate == Fate::Repeated || fate == Fate::RepeatedLate; }
@@ -53,8 +59,7 @@ Outcome World::begin(const Scenario& scenario) {
 
 void World::beginTask(const Scenario& scenario, std::string* log) {
   const Task& task = scenario.tasks[task_];
-  say(log, std::string("the sketch begins: ") + kOperations[static_cast<int>(task.operation)] + ", " +
-               std::to_string(task.items) + " items");
+  say(log, "the sketch begins: ", kOperations[static_cast<int>(task.operation)], ", ", task.items, " items");
   before_ = autopilot_;
   // (A board that was reset listens for 1.2 s first, which is left out here.)
   isUndisturbed_ = scenario.resets == 0 && (losses_ | faults_ | reboots_ | cancels_ | others_) == 0;
@@ -81,33 +86,34 @@ World::Event World::next(uint16_t& ms) const {
   return event;
 }
 
-std::vector<Move> World::moves() const {
-  std::vector<Move> moves;
+Moves World::moves() const {
+  Moves moves;
+  moves.count = 0;
   uint16_t ms;
   const Event event = next(ms);
   if (event == Event::None) return moves;
-  moves.push_back(Move{Choice::Event, Fate::Delivered});
+  moves.add(Choice::Event);
   if (event == Event::ToAutopilot || event == Event::ToClient) {
     const Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
     const InFlight& due = line.frames[line.first()];
     const bool isSpared = due.isSpared || isSure(due.message);
-    if (losses_ != 0 && !isSpared) moves.push_back(Move{Choice::Event, Fate::Lost});
+    if (losses_ != 0 && !isSpared) moves.add(Choice::Event, Fate::Lost);
     if (faults_ != 0 && !isSpared) {
-      for (Fate fate : {Fate::Repeated, Fate::RepeatedLate, Fate::Delayed}) moves.push_back(Move{Choice::Event, fate});
+      for (Fate fate : {Fate::Repeated, Fate::RepeatedLate, Fate::Delayed}) moves.add(Choice::Event, fate);
       // A model has no parser: what is damaged on its way to the autopilot is lost.
       if (event == Event::ToClient) {
-        for (Fate fate : {Fate::Damaged, Fate::Cut}) moves.push_back(Move{Choice::Event, fate});
+        for (Fate fate : {Fate::Damaged, Fate::Cut}) moves.add(Choice::Event, fate);
       }
     }
   }
-  if (reboots_ != 0) moves.push_back(Move{Choice::Reboot, Fate::Delivered});
+  if (reboots_ != 0) moves.add(Choice::Reboot);
   if (others_ != 0) {
     for (Choice choice : {Choice::OtherOpens, Choice::OtherCreates, Choice::OtherWrites, Choice::OtherEnds})
-      moves.push_back(Move{choice, Fate::Delivered});
+      moves.add(choice);
   }
   if (!referee_.isRunning) return moves;
-  if (cancels_ != 0) moves.push_back(Move{Choice::Cancel, Fate::Delivered});
-  if (resets_ != 0 && task_ == 0) moves.push_back(Move{Choice::Reset, Fate::Delivered});
+  if (cancels_ != 0) moves.add(Choice::Cancel);
+  if (resets_ != 0 && task_ == 0) moves.add(Choice::Reset);
   return moves;
 }
 
@@ -125,7 +131,7 @@ void World::pass(uint16_t ms) {
 
 const char* World::answer(const Answers& answers, std::string* log) {
   for (int i = 0; i < answers.count; ++i) {
-    say(log, "autopilot: " + inWords(answers.messages[i]));
+    say(log, "autopilot: ", answers.messages[i]);
     if (!toClient_.send(answers.messages[i])) return "the line to the client is fuller than the exploration foresees";
   }
   return nullptr;
@@ -145,7 +151,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
       outcome.hasEnded = true;
       outcome.task = task_;
       outcome.status = doing.status;
-      say(log, std::string("it ends: ") + mavmission::toString(doing.status));
+      say(log, "it ends: ", doing.status);
       const char* broken = end(doing, scenario.faults != 0);
       if (broken == nullptr && doing.status == Status::Downloaded &&
           (sunk_.count != autopilot_.heldCount || memcmp(sunk_.items, autopilot_.held, sunk_.count) != 0)) {
@@ -163,7 +169,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
           isEndTaken = true;
           takeEnd();
         }
-        say(log, "client: " + inWords(sent));
+        say(log, "client: ", sent);
         broken = this->sent(sent, scenario.firmware);
         if (!toAutopilot_.send(sent)) broken = "the line to the autopilot is fuller than the exploration foresees";
       } else {
@@ -271,7 +277,7 @@ Outcome World::hearOther(Choice choice, std::string* log) {
                                                   : kFileTerminate;
   words.count = choice == Choice::OtherWrites;
   const Message request = message(Kind::File, client_.lastNumber(), 0, words.packed());
-  say(log, "another client: " + inWords(request));
+  say(log, "another client: ", request);
   --others_;
   Outcome outcome;
   outcome.isFault = true;
@@ -324,7 +330,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
   if (event == Event::ToAutopilot || event == Event::ToClient) {
     Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
     const Message message = line.take(line.first(), move.fate);
-    say(log, inWords(message) + (isDelivered(move.fate) ? " arrives" : "") + kFateWords[static_cast<int>(move.fate)]);
+    say(log, message, isDelivered(move.fate) ? " arrives" : "", kFateWords[static_cast<int>(move.fate)]);
     outcome.isFault = move.fate != Fate::Delivered;
     if (move.fate == Fate::Lost) {
       if (losses_ != Scenario::kAnyNumber) --losses_;

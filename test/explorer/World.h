@@ -39,6 +39,13 @@ struct Move {
   Fate fate;  // of the frame that is due, where one is
 };
 
+struct Moves {
+  static constexpr int kMost = 16;
+  Move list[kMost];
+  uint8_t count;
+  void add(Choice choice, Fate fate = Fate::Delivered) { list[count++] = Move{choice, fate}; }
+};
+
 // What a step did.
 struct Outcome {
   const char* broken = nullptr;  // the rule
@@ -54,7 +61,7 @@ class World {
   // All zero, then this.
   Outcome begin(const Scenario& scenario);
   // What can happen next; nothing at the end.
-  std::vector<Move> moves() const;
+  Moves moves() const;
   // `log`: what happened, in words; may be null.
   Outcome step(const Scenario& scenario, const Move& move, std::string* log);
   // At the end: null, or what is left undone.
