@@ -232,6 +232,7 @@ ACTION(byfile) {
 #endif
 ACTION(clear) { tellBegun(client.clear(typeOf(numbers[0]))); }
 ACTION(start) { tellBegun(client.start(numbers[0])); }
+ACTION(startproven) { tellBegun(client.verifyAndStart(plan, numbers[0])); }
 ACTION(arm) { tellBegun(client.arm()); }
 ACTION(disarm) { tellBegun(client.disarm()); }
 ACTION(mode) { tellBegun(client.setMode(static_cast<FlightMode>(numbers[0]))); }
@@ -371,6 +372,7 @@ static const Word words[] = {
     WORD(limit),        WORD(backoff),       WORD(state),
     WORD(followed),     WORD(counters),      WORD(compare),
     WORD(fieldtext),    WORD(stall),         WORD(ensure),
+    WORD(startproven),
 #ifdef BENCH_STEERING
     WORD(takeoff),      WORD(goTo),          WORD(hold),
     WORD(goOn),         WORD(home),          WORD(landNow),

@@ -123,6 +123,16 @@ class MissionClient : private detail::Client {
   // before it accepts AUTO: on a rover AUTO is tried for 15 s.
   Status start(uint16_t item = 0);
 
+  // verify(plan), then start(item); and where the autopilot gives its plan no checksum (ArduPilot), verify(plan) once
+  // more when the aircraft flies. So another station's plan is noticed, too, if it has as many items as ours, and Done
+  // means that each item aboard was compared while the aircraft flew. It ends as verify() if that does not end with
+  // Verified (then nothing was sent that arms), and otherwise as start(): with Unproven where the second look finds
+  // another plan (aboard(): OtherPlan; disarmed again as far as the autopilot allows that), or could not be finished
+  // (aboard() is as before or NotKnown; it goes on flying). A mode that somebody sets during a look stays: TakenOver.
+  // Until it has ended no other operation can begin; each look takes about as long as the upload did. onEnd() is to be
+  // called before it begins.
+  Status verifyAndStart(const ItemSource& plan, uint16_t item = 0);
+
   // Arms or disarms, as the autopilot's own checks allow. Done when a heartbeat shows it, so isArmed() says the same.
   Status arm();
   Status disarm();

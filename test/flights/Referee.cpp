@@ -11,6 +11,7 @@ constexpr uint32_t kDoubtfulMs = 600;    // targets go on while the mode that is
 constexpr uint32_t kStepsMs = 9;         // two update()s: a task ends in the one behind a heartbeat
 constexpr uint32_t kBeatMs = 1100;       // from a heartbeat to the next, and the way
 constexpr uint32_t kStreamMs = 1200;     // a target may call PX4 back from its failsafe
+constexpr uint32_t kLookMs = 400;        // a look at each item, and from there to the arming
 constexpr uint32_t kPlanShownMs = 4000;  // a plan that can be told from ours is told by then
 
 bool isDisarming(const mavlink_command_long_t& command) {
@@ -58,11 +59,14 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
 }
 
 void Referee::take(uint16_t mode) {
-  const bool isOnGround = task_ == Task::Start || task_ == Task::TakeOff;
+  const bool isOnGround = isStart(task_) || task_ == Task::TakeOff;
   if (!isArmed_ && !(isRunning_ && isOnGround)) return;
   // The mode from which the order leads away, again, and no heartbeat has shown another one: nobody can tell.
   hasTaken_ = true;
-  if (isRunning_ && mode == firstMode_ && !isFirstOver_) return;
+  if (isRunning_ && mode == firstMode_ && !isFirstOver_) {
+    foreign_.is = false;
+    return;
+  }
   foreign_ = Foreign();
   foreign_.is = true;
   foreign_.mode = mode;
@@ -109,7 +113,11 @@ void Referee::armed(bool isArmed, By by) {
   say(std::string("it is ") + (isArmed ? "armed" : "disarmed"));
   isArmed_ = isArmed;
   armedMs_ = nowMs_;
+  if (isArmed) wasArmedMs_ = nowMs_;
   wasArmedByUs_ = isArmed && by == By::Order;
+  if (wasArmedByUs_ && task_ == Task::VerifyAndStart && !isOurPlan_ && isClean_ && nowMs_ - otherPlanMs_ > kLookMs) {
+    breaks("it is armed " + std::to_string(nowMs_ - otherPlanMs_) + " ms behind another plan");
+  }
   if (!isArmed) foreign_.is = false;
 }
 
@@ -127,7 +135,9 @@ void Referee::comes(const Message& message, uint32_t sentMs) {
   }
   if (message.id != MAVLINK_MSG_ID_HEARTBEAT) return;
   const mavlink_heartbeat_t beat = read<mavlink_heartbeat_t>(message);
-  shownBefore_ = nowMs_ - cameMs_ < kStepsMs ? shownMode_ : kNoSuchMode;
+  // (A look at the items ends with an item, whatever heartbeat has just come and is not read yet.)
+  const bool isBefore = nowMs_ - cameMs_ < kStepsMs || task_ == Task::VerifyAndStart;
+  shownBefore_ = isBefore ? shownMode_ : kNoSuchMode;
   cameMs_ = nowMs_;
   shownMode_ = static_cast<uint16_t>(kind_ == Kind::Px4 ? beat.custom_mode >> 16 : beat.custom_mode);
   isShownArmed_ = (beat.base_mode & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
@@ -154,6 +164,7 @@ void Referee::leaves(const Message& message) {
                   : "the sketch sends message " + std::to_string(message.id));
   }
   if (!isHarmless) hasOrdered_ = true;
+  if (message.id == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) listedMs_ = nowMs_;
   if (task_ == Task::Arm) return;  // it arms, whatever the mode
   if ((isHarmless && !isTarget) || !foreign_.is || !foreign_.isShown) return;
   if (nowMs_ - foreign_.shownMs < (isTarget ? kDoubtfulMs : kBufferedMs)) return;
@@ -177,24 +188,29 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
   if (isDone && wanted != kNoSuchMode && !isShown && !isTop) {
     breaks(words + "the last heartbeat has shown " + name(shownMode_));
   }
-  const bool isToArm = task_ == Task::Arm || task_ == Task::Start || task_ == Task::TakeOff;
+  const bool isToArm = task_ == Task::Arm || isStart(task_) || task_ == Task::TakeOff;
   if (isDone && isToArm && !isShownArmed_) breaks(words + "the last heartbeat has shown it disarmed");
   if (isDone && isToArm && !sketch.client.isArmed()) breaks(words + "isArmed() is false");
   if (isDone && task_ == Task::Disarm && sketch.client.isArmed()) breaks(words + "isArmed() is true");
   // (start() ends with a MISSION_CURRENT, which tells too that the mission is flown.)
   // (A MovingTarget tells its end a turn of loop() later.)
-  const bool isLateTold = !isClean_ && (task_ == Task::Start || task_ == Task::Follow);
+  const bool isLateTold = !isClean_ && (isStart(task_) || task_ == Task::Follow);
   if (isDone && nowMs_ - shownMs_ > kBeatMs && !isLateTold) breaks(words + "the last heartbeat is old");
   if (saysTaken(status) && !foreign_.is && autopilot.isArmed && isClean_ && !hasTaken_) {
     breaks(words + "nobody has taken it");
   }
-  if (isDone && task_ == Task::Start) {
+  if (isDone && isStart(task_)) {
     if (sketch.client.aboard() != Aboard::OurPlan) breaks(words + "aboard() is not our plan");
     const bool isTold = kind_ == Kind::Px4 || autopilot.plan.size() != kItems;
     if (!isOurPlan_ && isTold && isClean_ && nowMs_ - otherPlanMs_ > kPlanShownMs) {
       breaks(words + "another plan has been flown for long");
     }
     if (otherNamed_ > 1) breaks(words + "it has named another plan");
+    // ArduPilot does not tell that its plan is another one, if it is as long: the items must have been looked at.
+    if (task_ == Task::VerifyAndStart && kind_ != Kind::Px4) {
+      if (listedMs_ < wasArmedMs_) breaks(words + "nothing has looked at the items since it was armed");
+      if (!isOurPlan_ && otherPlanMs_ < listedMs_) breaks(words + "another plan was there before the look");
+    }
   }
 }
 
@@ -220,7 +236,7 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
   }
   if (isOurPlan_ && sketch.client.aboard() != Aboard::OurPlan)
     breaks(words + "our plan is aboard, and aboard() denies it");
-  const bool isFailed = (task_ == Task::Start || task_ == Task::TakeOff) && sketch.status() != Status::Done;
+  const bool isFailed = (isStart(task_) || task_ == Task::TakeOff) && sketch.status() != Status::Done;
   // In the mode of before, which somebody has set again, it is his.
   const bool isHis = foreign_.is || (hasTaken_ && saysTaken(sketch.status()));
   if (isFailed && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !isHis &&
@@ -228,7 +244,7 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
     breaks(words + "it stands armed");
   }
   const StartArming arming = sketch.client.startArming();
-  if (task_ == Task::Start && arming == StartArming::Disarmed && autopilot.isArmed) {
+  if (isStart(task_) && arming == StartArming::Disarmed && autopilot.isArmed) {
     breaks(words + "startArming() says disarmed, and it is armed");
   }
 }

@@ -78,9 +78,11 @@ class Referee : public Witness {
   uint32_t longestWindowMs_ = 0, longestUndoneMs_ = 0;
   bool isArmed_ = false;       // the aircraft
   uint32_t armedMs_ = 0;       // when that changed
+  uint32_t wasArmedMs_ = 0;    // when it was armed last
   bool wasArmedByUs_ = false;  // and by an order
   bool isOurPlan_ = true;
   uint32_t otherPlanMs_ = 0;
+  uint32_t listedMs_ = 0;   // when a look at the items has begun
   uint8_t otherNamed_ = 0;  // MISSION_CURRENTs about it that have come through
   uint16_t mode_ = kNoSuchMode;
   uint16_t firstMode_ = kNoSuchMode;  // when the task began

@@ -37,6 +37,7 @@ Status Sketch::begin(Task task) {
   const LatLon place = placeNorth(9000);
   switch (task) {
     case Task::Start: return take(client.start());
+    case Task::VerifyAndStart: return take(client.verifyAndStart(inRam(plan(kind_), kItems)));
     case Task::TakeOff: return take(steering.takeOff(5_m));
     case Task::GoTo: return take(steering.goTo(place, 20_m));
     case Task::Pause: return take(steering.pause());
@@ -73,6 +74,7 @@ uint16_t modeWanted(Kind kind, Task task) {
   const bool isPx4 = kind == Kind::Px4;
   switch (task) {
     case Task::Start:
+    case Task::VerifyAndStart:
     case Task::Resume:
     case Task::StartMission: return modeOf(kind, Means::Mission);
     case Task::TakeOff: return modeOf(kind, isPx4 ? Means::TakeOff : Means::Guided);

@@ -18,12 +18,15 @@ enum class Task : uint8_t {
   Arm,
   Disarm,
   StartMission,
-  SetMode
+  SetMode,
+  VerifyAndStart
 };
 constexpr uint16_t kItems = 3;  // of its plan
-constexpr int kTasks = 12;
-constexpr const char* kTaskNames[kTasks] = {"start",   "takeOff", "goTo", "pause",  "resume",       "returnHome",
-                                            "landNow", "follow",  "arm",  "disarm", "startMission", "setMode"};
+constexpr int kTasks = 13;
+constexpr const char* kTaskNames[kTasks] = {"start",        "takeOff", "goTo",          "pause", "resume",
+                                            "returnHome",   "landNow", "follow",        "arm",   "disarm",
+                                            "startMission", "setMode", "verifyAndStart"};
+inline bool isStart(Task task) { return task == Task::Start || task == Task::VerifyAndStart; }
 inline bool isInAir(Task task) {
   return (task >= Task::GoTo && task <= Task::Follow) || task == Task::StartMission || task == Task::SetMode;
 }

@@ -18,7 +18,7 @@ namespace {
           "       flights AUTOPILOT TASK one ACT@MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
           "  AUTOPILOT  Copter, Rover or PX4\n"
           "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
-          "             setMode, all\n"
+          "             setMode, verifyAndStart, all\n"
           "  ACT        pilot, lands, holds, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, "
           "lose-down, stall\n"
           "  --seed S   of the losses, and of when heartbeats come (1)\n"
@@ -80,11 +80,11 @@ bool isOfUse(const FlightPlan& plan, What what) {
   const uint16_t wanted = modeWanted(plan.kind, plan.task);
   switch (what) {
     case What::Lands: return wanted != modeOf(plan.kind, plan.kind == Kind::Rover ? Means::Hold : Means::Land);
-    case What::Holds: return plan.task == Task::Start || plan.task == Task::TakeOff;
+    case What::Holds: return isStart(plan.task) || plan.task == Task::TakeOff;
     case What::Failsafe: return wanted != modeOf(plan.kind, Means::Return);
     case What::OtherPlan:
     case What::SamePlan:
-    case What::Clears: return plan.task == Task::Start;
+    case What::Clears: return isStart(plan.task);
     default: return true;
   }
 }

@@ -136,6 +136,27 @@ DEFECTS = {
         "Copter start each 5",
         "behind start ",
     ),
+    "verifyAndStart() looks once": (
+        "VerifyAndStart.cpp",
+        "  if (status != Status::Done || client.rest_.planId != 0) return status;",
+        "  if (frame == nullptr || frame != nullptr) return status;",
+        "Copter verifyAndStart each 9",
+        'verifyAndStart ends with "done: the autopilot confirmed it", and nothing has looked at the items',
+    ),
+    "verifyAndStart() does not compare": (
+        "VerifyAndStart.cpp",
+        "  return compareItem(client, wireItem, item);",
+        "  return wireItem != 0xFFFF ? Status::Transferring : compareItem(client, wireItem, item);",
+        "Rover verifyAndStart each 5",
+        "it is armed ",
+    ),
+    "what is set while the plan is read is taken for the mode of before": (
+        "VerifyAndStart.cpp",
+        "  client.state_.next = mode;",
+        "  client.state_.next = item != 0xFFFF ? client.shownMode() : mode;",
+        "Copter verifyAndStart each 5",
+        "command ",
+    ),
     "arm() believes the answer": (
         "Command.cpp",
         "case CommandEvent::Accepted: sending.ask(); return Status::Transferring;\n    case CommandEvent::Heartbeat: {",

@@ -169,6 +169,12 @@ class Client : public ClientRules {
   uint16_t firstMode() const { return state_.next; }
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
+  static Status compareFirst(Client& client, uint16_t wireItem, MissionItem& item);
+  static void startVerified(Client& client, Status status);
+  static Status onVerifiedStart(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
+  static void endVerifiedStart(Client& client, Status status);
+  static Status leaveOther(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
+  void takeLook();
   Status mayStart();
   MAVMISSION_APART void beginStart();
   MAVMISSION_APART Aircraft aircraft(uint16_t nowMs) const;
@@ -368,7 +374,10 @@ class Client : public ClientRules {
         Reading reading_;
       };
       OpaqueId opaqueId_;
-      uint16_t partCount_;  // of a partial upload: how many items
+      union {
+        uint16_t partCount_;  // of a partial upload: how many items
+        uint16_t startItem_;  // of verifyAndStart(), while it reads: the item to begin with
+      };
     };
     ClearTransfer clearing_;
     Commanding commanding_;

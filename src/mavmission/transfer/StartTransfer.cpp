@@ -359,6 +359,15 @@ Status StartTransfer::onOther(const Aircraft& aircraft, CommandTransfer& sending
   return leave(Status::Unproven, aircraft, sending);
 }
 
+Status StartTransfer::leaveFlying(StartArming arming, const Aircraft& aircraft, CommandTransfer& sending) {
+  setState(State::Steps);
+  setStep(StartStep::Confirm);
+  setArming(arming);
+  isArmedSeen_ = 1;
+  order_.begin(aircraft.autoMode, aircraft.autoMode);  // any other mode is somebody else's
+  return onOther(aircraft, sending);
+}
+
 Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& aircraft, CommandTransfer& sending) {
   isDoubted_ = 0;
   if (step() == StartStep::FirstItem) {

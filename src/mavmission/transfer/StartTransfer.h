@@ -83,6 +83,8 @@ class StartTransfer : public StartRules {
   // The autopilot is known to have another plan than ours. What start() has armed is disarmed; in the air the autopilot
   // refuses that.
   Status onOther(const Aircraft& aircraft, CommandTransfer& sending);
+  // The same for a StartTransfer of before begin(), of an aircraft that a start() with this `arming` has made fly.
+  Status leaveFlying(StartArming arming, const Aircraft& aircraft, CommandTransfer& sending);
   bool isLeaving() const { return state() >= State::Leaving; }
 
   // The message that `sending` sends when it is due. Of no use before the first step.

@@ -892,3 +892,40 @@ TEST_CASE("of an autopilot whose modes are not known no mode is another one") {
   CHECK(flight.isAt(StartStep::Confirm, State::Shown));
   CHECK((flight.current(0) == Status::Done));
 }
+
+TEST_CASE("behind its start() an aircraft that flies another plan is disarmed if start() has armed it, and else left") {
+  struct Case {
+    StartArming arming;
+    bool isArmed, isInAuto;
+    bool isDisarmed;
+  };
+  const Case cases[] = {
+      {StartArming::Armed, true, true, true},
+      {StartArming::Armed, true, false, false},  // somebody has it
+      {StartArming::Armed, false, true, false},
+      {StartArming::Untouched, true, true, false},
+  };
+  for (const Case& one : cases) {
+    CAPTURE(one.isArmed);
+    CAPTURE(one.isInAuto);
+    Flight flight = copter();
+    flight.aircraft.isArmed = true;
+    flight.aircraft.mode = flight.aircraft.autoMode;
+    const Status left = flight.start.leaveFlying(one.arming, flight.aircraft, flight.sending);
+    const bool isOurs = one.arming == StartArming::Armed;
+    CHECK((left == (isOurs ? Status::Transferring : Status::Unproven)));
+    CHECK((flight.start.arming() == one.arming));
+    CHECK((flight.start.step() == StartStep::Confirm));
+    if (!isOurs) continue;
+    CHECK(flight.start.isLeaving());
+    CHECK(flight.asks());
+    const Status shown = flight.heartbeat(one.isArmed, one.isInAuto ? flight.aircraft.autoMode : flight.other);
+    CHECK((flight.start.state() == State::Disarming) == one.isDisarmed);
+    CHECK((shown == (one.isDisarmed ? Status::Transferring : Status::Unproven)));
+    if (!one.isArmed) CHECK((flight.start.arming() == StartArming::Disarmed));
+    if (!one.isDisarmed) continue;
+    flight.sent(Message::Disarm);
+    CHECK((flight.heartbeat(false, flight.aircraft.autoMode) == Status::Unproven));
+    CHECK((flight.start.arming() == StartArming::Disarmed));
+  }
+}
