@@ -40,7 +40,7 @@ class Inav(FakeAutopilot):
     asks_by_int: by MISSION_REQUEST_INT; older versions ask by MISSION_REQUEST.
     """
 
-    heard_by = hearing.ARDUPILOT  # the parser of the C headers, as everybody has it
+    heard_by = hearing.PX4  # by mavlink_parse_char(), as PX4
     retry_s, most_items = RETRY_S, MOST_ITEMS
     response_delay_s = 0.017
     response_delay_on_line_s = 0.006
@@ -163,9 +163,13 @@ class Inav(FakeAutopilot):
         return kept._replace(frame=5 if one.frame in (0, 5) else 6, x=one.x, y=one.y,
                              z=f32(centimetres(one.z) / 100.0))  # fmt: skip
 
+    def _to_read(self) -> list[Item]:
+        """What a download gives."""
+        return self.held
+
     def _on_request_list(self, message, sender, now: float) -> None:
         self._sender, self._reading = sender, 0
-        self.answer(mavlink.MAVLink_mission_count_message(*sender, len(self.held), message.mission_type), now)
+        self.answer(mavlink.MAVLink_mission_count_message(*sender, len(self._to_read()), message.mission_type), now)
         self.at("reading", now + DOWNLOAD_S, self._stop_reading)
 
     def _stop_reading(self, now: float) -> None:
@@ -173,12 +177,13 @@ class Inav(FakeAutopilot):
 
     def _on_request(self, message, sender, now: float) -> None:
         if self._reading is None or message.seq not in (self._reading, self._reading - 1) \
-                or message.seq >= len(self.held):
+                or message.seq >= len(self._to_read()):
             self._reading = None
             return self._ack(INVALID_SEQUENCE, now, sender)
-        one = self._as_read(self.held[message.seq])
+        one = self._as_read(self._to_read()[message.seq])
         self.answer(mavlink.MAVLink_mission_item_int_message(
-            *sender, message.seq, one.frame, one.command, 0, 1, *one[4:8], int(one.x), int(one.y), one.z, MISSION), now)
+            *sender, message.seq, one.frame, one.command, 0, 1, *one[4:8], int(one.x), int(one.y), one.z,
+            message.mission_type), now)
         self._reading = message.seq + 1
         self.at("reading", now + DOWNLOAD_S, self._stop_reading)
 

@@ -7,11 +7,12 @@ from typing import Any
 
 from simulation import recordings
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, Item, Px4
+from simulation.fake_autopilot.betaflight import Betaflight
 
 ANSWER_WITHIN_S = 0.050
 BAUD = 57600  # of the recorded line
 CLIENT = (255, 190)
-NOT_ABOUT_MISSIONS = ("EKF", "AHRS:", "PreArm:", "SIM ", "[logger]")
+NOT_ABOUT_MISSIONS = ("EKF", "AHRS:", "PreArm:", "SIM ", "[logger]", "Arming disabled:")
 TELLS_AGAIN = ("MISSION_CURRENT", "MISSION_ITEM_REACHED")
 
 # The recording whose last accepted plan is aboard when this one begins, by mission type.
@@ -53,6 +54,8 @@ def fake_for(name: str):
         fake = ArduPilot(uptime_s=100.0)
     else:
         first_told = next(one.time for one in recordings.heard(name) if one.message.get_type() == "MISSION_CURRENT")
+        if name.startswith("betaflight/"):
+            return Betaflight(uptime_s=100.0, has_home=False, tells_at_s=first_told)
         fake = Px4(uptime_s=100.0, infeasible_text=False, tells_at_s=first_told)
     for mission_type, earlier in ABOARD_BEFORE.get(name, {}).items():
         fake.load(plan_uploaded(earlier, mission_type), mission_type)
