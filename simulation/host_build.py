@@ -56,13 +56,15 @@ def build_host(
     compiler: str = "g++",
     flags: Sequence[str] = SANITIZED,
     *,
+    own_flags: Sequence[str] = (),
     defines: Mapping[str, object] | None = None,
     link: Iterable[str] = (),
     library: Iterable[Path] | None = None,
 ) -> Path:
     """The program that `sources`, the library and the Arduino shim make.
 
-    `flags` are one of SANITIZED, OF_32_BITS, FUZZED and FAST. `library` names the sources of
+    `flags` are one of SANITIZED, OF_32_BITS, FUZZED and FAST; `own_flags` are for `sources` alone, so that
+    programs share the library's objects. `library` names the sources of
     the library that go in; all by default. Warnings are errors.
     """
     units = [*sources, *(library_sources() if library is None else library), SHIM / "Arduino.cpp"]
@@ -70,6 +72,7 @@ def build_host(
     unit = [*command, *FAST_ASSERTS]
     kinds = {source: [*unit, *AS_IT_IS] for source in units if source.parent == UNITS}
     kinds |= {source: unit for source in LONG_RUNNING}
+    kinds |= {source: [*command, *own_flags] for source in sources if own_flags}
     with ThreadPoolExecutor(os.cpu_count()) as workers:
         commands = [kinds.get(source, command) for source in units]
         objects = list(workers.map(make_object, units, commands))

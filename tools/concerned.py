@@ -44,7 +44,7 @@ def units(name: str) -> list[str]:
     word = re.compile(rf"\b{Path(name).stem}\b")
     found = [unit.stem for unit in sorted(UNITS.glob("*.cpp")) if word.search(unit.read_text())]
     test = "test/proof/test_host.py::test_every_case_of_a_unit_passes"
-    return [f"{test}[clang++-{unit}]" for unit in found if unit != "main"]
+    return [f"{test}[plain-{unit}]" for unit in found if unit != "main"]
 
 
 def named(test: str) -> list[str]:

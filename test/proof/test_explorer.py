@@ -30,7 +30,7 @@ from simulation.host_build import FAST, HOST, build_host
 
 EXPLORER = ROOT / "test" / "explorer"
 # The rest form and the next timer of a client are about its private members.
-FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]
+OWN_FLAGS = ["-std=c++17", "-fno-access-control"]
 AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
 SERVERS = ("MAVSDK", "Betaflight")  # of a firmware that the library does not know: explorer/Generic.cpp
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
@@ -40,7 +40,7 @@ COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "
 @functools.cache
 def build_explorer(library: tuple[Path, ...] | None = None) -> Path:
     sources = [*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp"]
-    return build_host("explorer", sources, "g++", FLAGS, library=library)
+    return build_host("explorer", sources, "g++", FAST, own_flags=OWN_FLAGS, library=library)
 
 
 def explore(words: str, program: Path | None = None) -> dict[str, str]:

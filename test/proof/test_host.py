@@ -1,6 +1,7 @@
 """The library's parts on this computer, under AddressSanitizer and UndefinedBehaviorSanitizer.
 
-Each file of host/units is run by itself, as g++ and as clang++ compile it.
+Each file of host/units is run by itself, as g++ and as clang++ compile it. (tools/test --quick runs them without the
+sanitizers, and shares the library's objects with other programs.)
 """
 
 from __future__ import annotations
@@ -10,25 +11,29 @@ from pathlib import Path
 
 import pytest
 
-from simulation.host_build import HOST, OF_32_BITS, SANITIZED, build_host
+from simulation.host_build import FAST, HOST, OF_32_BITS, SANITIZED, build_host
 from units import cases_of, run_unit
 
 UNITS = sorted(file.stem for file in (HOST / "units").glob("*.cpp") if file.stem != "main")
+WAYS = {"plain": ("g++", FAST), "g++": ("g++", SANITIZED), "clang++": ("clang++", SANITIZED)}
 
 
 @functools.cache
-def build_units(compiler: str, flags: tuple[str, ...] = tuple(SANITIZED)) -> Path:
+def build_units(compiler: str, flags: tuple[str, ...]) -> Path:
     sources = [*sorted((HOST / "units").glob("*.cpp")), *sorted(HOST.glob("*.cpp"))]
     return build_host("units", sources, compiler, flags)
 
 
 @pytest.mark.parametrize(
-    "unit", [pytest.param(unit, marks=pytest.mark.slow if unit == "float_bits" else ()) for unit in UNITS]
+    "unit", [pytest.param(unit, marks=pytest.mark.thorough if unit == "float_bits" else ()) for unit in UNITS]
 )
-@pytest.mark.parametrize("compiler", [pytest.param("g++", marks=pytest.mark.slow), "clang++"])
-def test_every_case_of_a_unit_passes(unit, compiler, tmp_path):
+@pytest.mark.parametrize(
+    "way", ["plain", pytest.param("g++", marks=pytest.mark.thorough), pytest.param("clang++", marks=pytest.mark.slow)]
+)
+def test_every_case_of_a_unit_passes(unit, way, tmp_path):
+    compiler, flags = WAYS[way]
     assert cases_of(unit) > 0
-    assert run_unit(build_units(compiler), unit, tmp_path) == (0, cases_of(unit))
+    assert run_unit(build_units(compiler, tuple(flags)), unit, tmp_path) == (0, cases_of(unit))
 
 
 @pytest.mark.slow
