@@ -25,17 +25,11 @@ class Client {
   // ended.
   virtual Bytes run(uint32_t nowMs, size_t room) = 0;
   virtual bool hasEnded() const = 0;
-  // Once it has ended: whether it says that the plan is aboard, its status in a word, and what it says is aboard
-  // ("NotKnown" where it says nothing).
-  virtual bool saysAccepted() const = 0;
+  // Once it has ended: its status in a word, and what it says is aboard.
   virtual std::string status() const = 0;
-  virtual std::string aboard() const { return "NotKnown"; }
+  virtual std::string aboard() const = 0;
 };
 
 // MissionClient with upload(), with uploadWithoutReadback(), or with upload(plan, Readback::Always).
 enum class Proven : uint8_t { ByAnswer, InDoubt, Always };
 std::unique_ptr<Client> makeMissionClient(Firmwares firmware, Proven proven);
-std::unique_ptr<Client> makeNoRetries(Firmwares firmware);
-std::unique_ptr<Client> makeUsualRule(Firmwares firmware);
-// Strategies 0, 1, 2, 3 and 5 (Strategies.cpp).
-std::unique_ptr<Client> makeStrategy(Firmwares firmware, int number);

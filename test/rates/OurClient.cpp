@@ -58,7 +58,6 @@ class OurClient : public ::Client {
   }
 
   bool hasEnded() const override { return !status_.empty(); }
-  bool saysAccepted() const override { return status_ == "Accepted"; }
   std::string status() const override { return status_; }
   std::string aboard() const override { return nameOf(client_.aboard()); }
 

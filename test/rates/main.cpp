@@ -32,9 +32,7 @@ constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
       "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY [LATENCY [ITEMS]]]]]\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) PX4, MAVSDK or\n"
       "             Betaflight (servers of a firmware that the library does not know)\n"
-      "  CLIENT     upload, upload-by-answer, upload-verified (the library's), no-retries, usual-rule, strategy-0, "
-      "-1,\n"
-      "             -2, -3 or -5 (for comparison)\n"
+      "  CLIENT     upload, upload-by-answer or upload-verified\n"
       "  LOST       frames or bytes\n"
       "  PERCENT    of them that are lost, in both directions: 0 to 100\n"
       "  SEEDS      uploads: those of the seeds 0 to SEEDS - 1\n"
@@ -322,11 +320,6 @@ std::unique_ptr<Client> makeClient(const char* name, Firmwares firmware) {
   if (strcmp(name, "upload") == 0) return makeMissionClient(firmware, Proven::InDoubt);
   if (strcmp(name, "upload-by-answer") == 0) return makeMissionClient(firmware, Proven::ByAnswer);
   if (strcmp(name, "upload-verified") == 0) return makeMissionClient(firmware, Proven::Always);
-  if (strcmp(name, "no-retries") == 0) return makeNoRetries(firmware);
-  if (strcmp(name, "usual-rule") == 0) return makeUsualRule(firmware);
-  for (int strategy : {0, 1, 2, 3, 5}) {
-    if (name == "strategy-" + std::to_string(strategy)) return makeStrategy(firmware, strategy);
-  }
   usage("no such client");
 }
 

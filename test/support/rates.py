@@ -1,10 +1,10 @@
 """How often an upload succeeds on a line that loses frames or bytes at random: the library beside plainer clients.
 
 The library's own MissionClient, compiled for this computer, puts a plan of five items aboard models of both
-autopilots (test/explorer), in simulated time, over a line of 57600 baud; so do a client without retries
-(rates/NoRetries.cpp), one with the usual rule (rates/UsualRule.cpp) and one that answers each request that it hears
-(rates/Strategies.cpp, number 0). The models hear bytes through the autopilots' own parsers (simulation/hearing). The
-n-th frame of a direction, or its n-th byte, is lost or not by the seed alone. The table in the documents is made by
+autopilots (test/explorer), in simulated time, over a line of 57600 baud. The models hear bytes through the autopilots'
+own parsers (simulation/hearing). The n-th frame of a direction, or its n-th byte, is lost or not by the seed alone.
+What three plainer clients reach on the same lines was measured once, and is in rates/plainer_clients.toml. The table
+in the documents is made by
 
     build/venv/bin/python test/support/rates.py --write-docs
 """
@@ -14,6 +14,7 @@ from __future__ import annotations
 import functools
 import subprocess
 import sys
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -33,16 +34,10 @@ AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", 
 # Servers of a firmware that the library does not know (test/explorer/Generic.cpp), and what is lost of bytes there [%].
 SERVERS = {"MAVSDK": "MAVSDK's server", "Betaflight": "Betaflight's server"}
 SERVER_LINES = (0, 1, 3)
-CLIENTS = {
-    "no-retries": "without retries",
-    "usual-rule": "usual rule",
-    "strategy-0": "an item for each request",
-    "upload-by-answer": "`uploadWithoutReadback()`",
-    "upload": "`upload()`",
-}
+CLIENTS = {"upload-by-answer": "`uploadWithoutReadback()`", "upload": "`upload()`"}
 OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it
-FLAGS = [*FAST, "-std=c++17", "-fno-access-control"]  # as test_explorer.py, so that the library's objects are the same
 MOST_HELD = 302  # items on the wire, home included: an even number
+OWN_FLAGS = ["-std=c++17", "-fno-access-control", f"-DMOST_HELD={MOST_HELD}"]
 LINES = (("frames", 5), ("frames", 25), ("frames", 40), ("bytes", 1), ("bytes", 3), ("bytes", 5))  # what is lost [%]
 SEEDS = 200
 # Latency each way [ms], bytes lost [%], items: for long plans, and for lines that answer late.
@@ -93,7 +88,7 @@ def limit_s(autopilot: str, client: str) -> float:
 @functools.cache
 def build_rates(library: tuple[Path, ...] | None = None) -> Path:
     sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), HOST / "Frames.cpp", HEARING]
-    return build_host("rates", sources, "g++", FLAGS, library=library, defines={"MOST_HELD": MOST_HELD})
+    return build_host("rates", sources, "g++", FAST, own_flags=OWN_FLAGS, library=library)
 
 
 @functools.cache
@@ -117,11 +112,17 @@ def uploads(
     return tuple(found)
 
 
+def plainer_clients(lost: str, percent: int) -> dict[str, list[str]]:
+    """By what each does, its cells of the table's row for this line."""
+    return tomllib.loads((RATES / "plainer_clients.toml").read_text())[f"{percent} % of {lost}"]
+
+
 def rows(seeds: int = SEEDS, lines: tuple[tuple[str, int], ...] = LINES) -> list[list[str]]:
     """The table, its head first: a row for each client on each line."""
     table = [["lost", "client", *(f"Accepted, {name}" for name in AUTOPILOTS.values()), "aboard, unsaid",
               "false Accepted", *(f"median, {name}" for name in AUTOPILOTS.values())]]  # fmt: skip
     for lost, percent in lines:
+        table += [[f"{percent} % of {lost}", name, *cells] for name, cells in plainer_clients(lost, percent).items()]
         for client, name in CLIENTS.items():
             by_autopilot = [uploads(autopilot, client, lost, percent, seeds) for autopilot in AUTOPILOTS]
             ends = [end for one in by_autopilot for end in one]
