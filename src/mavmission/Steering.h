@@ -124,6 +124,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   void lead(uint16_t from, uint16_t wanted);
   Status leaveTo(Status other, uint16_t nowMs);
   Status giveBack(uint16_t nowMs);
+  uint16_t secondsOfStep() const;
   Status onTime(uint16_t nowMs);
   Status leave(Status refusal, uint16_t nowMs);
   Status done();
@@ -159,7 +160,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
   uint16_t oldMode_;          // the mode at the beginning of the operation
   detail::ModeOrder change_;  // from that mode to the one of the order
-  uint16_t beganS_;           // when the confirmation of a takeoff began [s]
+  uint16_t beganS_;           // when the step began [s]
   Order order_;
   Frame frame_;
   SteerStep step_;

@@ -593,6 +593,20 @@ def test_plane_that_does_not_say_whether_it_hovers_is_not_armed(build_steered):
 
 
 @STEERING
+@pytest.mark.parametrize("loss", [0.0, 1.0, 3.0])
+def test_px4_that_never_says_whether_it_flies_is_asked_for_20_s_at_the_most(build_steered, loss):
+    steered = build_steered("PX4", wire=Wire(3))
+    steered.fly(10.0)
+    steered.autopilot.faults.keep_back("EXTENDED_SYS_STATE")
+    steered.wire.damage_bytes(lose=loss)
+    before, began = len(steered.ordered()), steered.now
+    steered.go_to(steered.place(30.0, 0.0), 20.0)
+    assert steered.done(limit_s=30) == "NoAnswer"
+    assert steered.now - began < 22.0 and steered.step == "AskLanded"
+    assert len(steered.ordered()) == before
+
+
+@STEERING
 @pytest.mark.parametrize("mode", [(4, 4), (4, 2)], ids=["mission", "takeoff"])
 def test_px4_is_not_armed_in_a_mode_in_which_it_flies_off_at_once(build_steered, mode):
     steered = build_steered("PX4")

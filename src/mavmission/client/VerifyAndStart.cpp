@@ -55,13 +55,13 @@ Status Client::onVerifiedStart(Client& client, CommandEvent event, Status status
 void Client::endVerifiedStart(Client& client, Status status) {
   client.takeLook();
   if (status == Status::Cancelled) return client.end(status);
+  if (status == Status::Differs) client.setAboard(PlanType::Mission, Aboard::OtherPlan);
   if (!client.isArmed()) return client.end(Status::NotArmed);
   const uint16_t wanted = client.numberOf(FlightMode::Auto);  // kNoMode: its modes are not known
   if (wanted != kNoMode && client.shownMode() != wanted) return client.end(Status::TakenOver);
   if (status == Status::Verified) return client.end(Status::Done);
   // Not to be read is not to be another plan: it goes on with what it flies.
   if (status != Status::Differs) return client.end(Status::Unproven);
-  client.setAboard(PlanType::Mission, Aboard::OtherPlan);
   client.beginCommand(fillStart, leaveOther);
   client.state_.status = Status::Checking;
 }

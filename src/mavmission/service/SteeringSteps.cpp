@@ -25,7 +25,9 @@ Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t now
       const Status refusal = refuse();
       if (refusal != Status::Transferring || client_.asksVehicle()) return refusal;
       lead(client_.firstMode(), modeFor(order_));
-      return nextStep(nowMs);
+      const Status begun = nextStep(nowMs);
+      beganS_ = 0;  // behind this event the seconds begin anew
+      return begun;
     }
     case Client::CommandEvent::Accepted:
       switch (step_) {
@@ -285,11 +287,15 @@ Status Steering::onSilent(Status silence) {
   }
 }
 
+uint16_t Steering::secondsOfStep() const { return static_cast<uint16_t>(client_.state_.seconds - beganS_); }
+
 Status Steering::onTime(uint16_t nowMs) {
   CommandTransfer& sending = client_.commanding_.transfer;
   switch (step_) {
     case SteerStep::AskLanded: {
-      if (!isHeard_ || !isAnswered_) break;  // without the answer, it would be taken for that to the next question
+      // Without the answer, it would be taken for that to the next question. An autopilot that accepts the question,
+      // and never tells, would be asked again and again on a line that loses.
+      if (!isHeard_ || !isAnswered_) return secondsOfStep() >= kLandedS ? Status::NoAnswer : Status::Transferring;
       if (isPlane() && !canHover_) return Status::CommandUnsupported;
       const Status flight = judgeFlight();
       return flight == Status::Transferring ? nextStep(nowMs) : flight;
@@ -312,7 +318,7 @@ Status Steering::onTime(uint16_t nowMs) {
             break;
           }
           // On the ground still: ask again.
-          if (static_cast<uint16_t>(client_.state_.seconds - beganS_) >= kTakeOffS) {
+          if (secondsOfStep() >= kTakeOffS) {
             // In the mode of before it does not take off any more.
             return client_.shownMode() == oldMode_ ? leave(Status::Unconfirmed, nowMs) : Status::Unconfirmed;
           }
