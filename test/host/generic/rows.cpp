@@ -1,0 +1,107 @@
+// The rows of Betaflight and iNav, in a library that was compiled for one of the two (MAVMISSION_GENERIC_FIRMWARE).
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <set>
+
+#include "mavmission/MissionItem.h"
+#include "mavmission/autopilot/Commands.h"
+#include "mavmission/autopilot/Personality.h"
+#include "mavmission/autopilot/Rules.h"
+
+using namespace mavmission;
+using namespace mavmission::detail;
+
+namespace {
+
+constexpr bool kIsBetaflight = MAVMISSION_GENERIC_FIRMWARE == 1;
+constexpr Firmware kThis = kIsBetaflight ? Firmware::Betaflight : Firmware::Inav;
+constexpr Firmware kTheOther = kIsBetaflight ? Firmware::Inav : Firmware::Betaflight;
+constexpr uint8_t kCopter = 2;
+
+Rules rulesOfCommand(uint16_t command, PlanType type = PlanType::Mission, Frame frame = Frame::Global) {
+  MissionItem item{};
+  item.command = command;
+  item.frame = frame;
+  return rulesOf(item, keeperOf(kThis, kCopter, type));
+}
+
+uint8_t kindOfParam(uint16_t command, uint8_t number) {
+  return static_cast<uint8_t>(rulesOfCommand(command).bits >> (4 * (number - 1)) & 15);
+}
+
+}  // namespace
+
+TEST_CASE("a generic autopilot is the one that the macro names, and no other autopilot is") {
+  for (unsigned autopilot = 0; autopilot < 256; ++autopilot) {
+    CAPTURE(autopilot);
+    const Firmware expected = autopilot == 0    ? kThis
+                              : autopilot == 3  ? Firmware::ArduPilot
+                              : autopilot == 12 ? Firmware::Px4
+                                                : Firmware::Other;
+    CHECK((firmwareOf(static_cast<uint8_t>(autopilot)) == expected));
+  }
+}
+
+TEST_CASE("what is known of it, and what is not") {
+  CHECK(has(kThis, kDropsPlanFirst) == kIsBetaflight);
+  CHECK(has(kThis, kGivesHeightsAboveSea) == kIsBetaflight);
+  CHECK(has(kThis, kMayBeOld));
+  for (const Trait trait : {kHomeIsItem0, kReplacesItemByItem, kKeepsPlanUntilWhole, kTakesTerrainFrames,
+                            kMayTakeAnyFrame, kSaysChecksum, kRepeatsAcceptance, kRefusesTakenItems, kHasPlanFiles,
+                            kFliesByMode, kArmsByMissionStart, kModesByVehicle, kModesHaveSubModes, kIntegersAsBits}) {
+    CAPTURE(static_cast<unsigned long long>(trait));
+    CHECK_FALSE(has(kThis, trait));
+  }
+}
+
+TEST_CASE("the other of the two has no traits and no table here, and those that say who they are keep theirs") {
+  for (unsigned bit = 0; bit < 40; ++bit) CHECK_FALSE(has(kTheOther, static_cast<Trait>(1ull << bit)));
+  CHECK(flagOf(kTheOther) == 0);
+  CHECK(has(Firmware::ArduPilot, kHomeIsItem0));
+  CHECK(has(Firmware::Px4, kSaysChecksum));
+  CHECK(flagOf(Firmware::ArduPilot) == kByArduPilot);
+  CHECK(flagOf(Firmware::Px4) == kByPx4);
+}
+
+TEST_CASE("of all commands those of its table are taken, whatever the frame says") {
+  const std::set<uint16_t> taken =
+      kIsBetaflight ? std::set<uint16_t>{16, 19, 21, 22} : std::set<uint16_t>{16, 19, 20, 21, 115, 177, 201};
+  for (const Frame frame : {Frame::Global, Frame::GlobalRelative, Frame::Mission}) {
+    for (uint32_t command = 0; command <= 65535; ++command) {
+      const uint16_t one = static_cast<uint16_t>(command);
+      const bool isTaken = !rulesOfCommand(one, PlanType::Mission, frame).has(kIsNotTaken);
+      if (isTaken != (taken.count(one) != 0)) FAIL_CHECK(command);
+    }
+  }
+}
+
+TEST_CASE("no item of a fence and no rally point is taken") {
+  for (uint16_t command = 5000; command <= 5100; ++command) {
+    CHECK(rulesOfCommand(command, PlanType::Fence).has(kIsNotTaken));
+    CHECK(rulesOfCommand(command, PlanType::Rally).has(kIsNotTaken));
+  }
+}
+
+TEST_CASE("a yaw may be unset where there is one, and is not kept") {
+  for (const uint16_t command : {16, 19, 21}) {
+    CAPTURE(command);
+    CHECK(kindOfParam(command, 4) == keeping::NoYaw);
+    CHECK(rulesOfCommand(command).hasYaw());
+  }
+  CHECK(kindOfParam(16, 1) == keeping::Zero);  // it does not hold at a waypoint
+  CHECK(kindOfParam(19, 3) == keeping::Zero);  // nor has a circle a radius
+  CHECK(kindOfParam(19, 1) == (kIsBetaflight ? keeping::U8 : keeping::I16));
+}
+
+TEST_CASE("which of its commands have a place") {
+  CHECK(rulesOfCommand(21).has(kPlaceIsOptional));
+  CHECK_FALSE(rulesOfCommand(16).has(kPlaceIsOptional));
+  if (kIsBetaflight) {
+    CHECK(rulesOfCommand(22).has(kPlaceIsOptional));
+  } else {
+    for (const uint16_t command : {20, 115, 177}) CHECK(rulesOfCommand(command).has(kHasNoPlace));
+    CHECK_FALSE(rulesOfCommand(201).has(kHasNoPlace));
+    CHECK(kindOfParam(115, 4) == keeping::Zero);  // a turn by an angle is refused
+  }
+}
