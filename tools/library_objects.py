@@ -4,6 +4,9 @@ arduino-builder compiles both again for every sketch, which is three quarters of
 not where it finds objects in the build folder that are younger than all that went into them; so
 those of the first sketch are kept, and put into the build folder of the next. The builder itself
 decides, file by file, whether they will do.
+
+It also looks for what each file of the library includes, unless its list of an earlier build begins as this one does:
+with what the sketch includes. So that list is kept for each set of includes that a sketch has had.
 """
 
 from __future__ import annotations
@@ -11,6 +14,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import Iterable
@@ -19,7 +23,8 @@ from pathlib import Path
 LENT = ("libraries/MavMission", "core", "includes.cache")
 MOST_KEPT = 16  # sets, of some 2 MB each
 # For what differs between two sketches in the files that name their own place.
-OUT, SKETCH = "@the build folder@", "@the sketch@"
+OUT, SKETCH, UNIT = "@the build folder@", "@the sketch@", "@its unit@"
+LISTS = "includes"
 
 
 class LibraryObjects:
@@ -40,25 +45,43 @@ class LibraryObjects:
         os.utime(self._kept)
         for name in LENT:
             copy(self._kept / name, out / name)
-        rename(out, {SKETCH: unit_of(out, sketch), OUT: str(out)})
+        known = self._kept / LISTS / includes_of(sketch)
+        if known.exists():
+            shutil.copy2(known, out / "includes.cache")
+        rename(out, {SKETCH: unit_of(out, sketch), UNIT: own_unit(out, sketch), OUT: str(out)})
         # Without these the builder takes the folder for another sketch's, and empties it.
         recorded = json.loads((self._kept / "build.options.json").read_text())
         (out / "build.options.json").write_text(json.dumps({**recorded, **options}, indent=2))
 
     def keep(self, out: Path, sketch: Path) -> None:
         """Keep those of a build that went well, if there are none yet and the sketch uses the library."""
-        if self._kept.is_dir() or not all((out / name).exists() for name in LENT):
+        if not all((out / name).exists() for name in LENT):
+            return
+        if self._kept.is_dir():
+            self._keep_list(out, sketch)
             return
         self._folder.mkdir(parents=True, exist_ok=True)
         fresh = Path(tempfile.mkdtemp(dir=self._folder, prefix="new-"))
         for name in (*LENT, "build.options.json"):
             copy(out / name, fresh / name)
-        rename(fresh, {unit_of(out, sketch): SKETCH, str(out): OUT})
+        rename(fresh, {unit_of(out, sketch): SKETCH, own_unit(out, sketch): UNIT, str(out): OUT})
+        copy(fresh / "includes.cache", fresh / LISTS / includes_of(sketch))
         try:
             fresh.rename(self._kept)
         except OSError:  # another worker was first
             shutil.rmtree(fresh)
         self._forget_old()
+
+    def _keep_list(self, out: Path, sketch: Path) -> None:
+        known = self._kept / LISTS / includes_of(sketch)
+        if known.exists():
+            return
+        text = (out / "includes.cache").read_text()
+        for old, new in {unit_of(out, sketch): SKETCH, own_unit(out, sketch): UNIT, str(out): OUT}.items():
+            text = text.replace(old, new)
+        fresh = known.with_suffix(f".{os.getpid()}")
+        fresh.write_text(text)
+        fresh.replace(known)
 
     def _forget_old(self) -> None:
         sets = sorted(self._folder.glob("[0-9a-f]*"), key=lambda kept: kept.stat().st_mtime, reverse=True)
@@ -69,6 +92,24 @@ class LibraryObjects:
 def unit_of(out: Path, sketch: Path) -> str:
     """What the builder makes of a sketch's .ino."""
     return str(out / "sketch" / f"{sketch.name}.ino.cpp")
+
+
+def own_unit(out: Path, sketch: Path) -> str:
+    """What is made around a sketch that is a .cpp."""
+    return str(out / "sketch" / f"{sketch.name}_unit.cpp")
+
+
+def includes_of(sketch: Path) -> str:
+    """A name of what a sketch includes, of the .cpp that it is made around too."""
+    lines: list[str] = []
+    for file in sorted(sketch.rglob("*")) if sketch.is_dir() else []:
+        if file.suffix in (".ino", ".h", ".cpp"):
+            text = file.read_text()
+            around = re.search(r'^#include "(/.*)"$', text, re.M)
+            lines += [file.suffix, *re.findall(r"^ *# *include *<.*?>", text, re.M)]
+            if around:
+                lines += re.findall(r"^ *# *include *<.*?>", Path(around[1]).read_text(), re.M)
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
 
 def copy(source: Path, target: Path) -> None:

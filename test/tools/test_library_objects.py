@@ -75,6 +75,21 @@ def test_lists_of_what_an_object_depends_on_name_the_new_place_and_keep_their_ti
     assert '"here"' in options and '"a:b:c"' in options
 
 
+def test_list_of_what_is_included_is_that_of_a_sketch_with_the_same_includes(tmp_path):
+    objects = LibraryObjects(tmp_path / "kept", ["a board"], [])
+    for name, included in (("One", "MavMission"), ("Two", "SD"), ("Three", "SD"), ("Four", "EEPROM")):
+        (tmp_path / "sketches" / name).mkdir(parents=True)
+        (tmp_path / "sketches" / name / f"{name}.ino").write_text(f"#include <{included}.h>\n")
+    for name in ("One", "Two"):
+        out = made(tmp_path, name)
+        (out / "includes.cache").write_text(f"{out}/sketch/{name}.ino.cpp finds what {name} includes")
+        objects.keep(out, tmp_path / "sketches" / name)
+    for name, like in (("Three", "Two"), ("Four", "One")):  # the first, where there is none
+        out = tmp_path / name
+        objects.lend(out, tmp_path / "sketches" / name, {})
+        assert (out / "includes.cache").read_text() == f"{out}/sketch/{name}.ino.cpp finds what {like} includes"
+
+
 def test_objects_of_another_library_compiler_or_board_are_not_lent(tmp_path):
     source = tmp_path / "Link.cpp"
     source.write_text("int one;")
