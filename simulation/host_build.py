@@ -33,8 +33,8 @@ SANITIZED = ["-O1", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
 # make other NaNs of some.)
 OF_32_BITS = ["-O1", "-m32", "-msse2", "-mfpmath=sse", "-fsanitize=alignment,undefined", "-fno-sanitize-recover=all"]
 # Without what depends on the environment and on where the system puts a program, since an input would be interesting on
-# one day alone: the depth of the stack, and the check of a virtual table, which looks it up by a hash of its address (two
-# tables have the same in one run of 20). The unit tests have that check.
+# one day alone: the depth of the stack, and the check of a virtual table, which looks it up by a hash of its address
+# (two tables have the same in one run of 20). The unit tests have that check.
 FUZZED = ["-O1", f"-fsanitize=fuzzer-no-link,{SANITIZERS}", "-fno-sanitize-coverage=stack-depth", "-fno-sanitize=vptr",
           "-fno-sanitize-recover=all"]  # fmt: skip
 FAST = ["-O2"]
