@@ -116,6 +116,21 @@ def test_more_items_than_it_has_room_for_change_nothing(build, firmware):
     assert service.state.aboard == "AsBefore"
 
 
+@GENERIC
+def test_follower_notices_that_betaflight_has_dropped_the_plan_that_it_accepted(build):
+    """It does when a line brings our MISSION_COUNT again, or when another station begins an upload."""
+    service = build("Betaflight")
+    service.upload(ABOVE_SEA)
+    assert service.done(limit_s=10) == "Accepted"
+    service.run(3.0)
+    assert service.state.aboard == "OurPlan"
+    (count,) = service.wire.frames(">", "MISSION_COUNT")
+    service.autopilot.receive(count.data, service.now)
+    service.run(3.0)
+    assert service.autopilot.held == []
+    assert service.state.aboard == "OtherPlan"
+
+
 REFUSED = {
     "Betaflight": {"a return, which it would drop": item(RETURN, frame=NO_PLACE), "a jump": jump(0),
                    "a spline": item(82, x=X, y=Y, z=20.0), "turns": item(18, x=X, y=Y, z=20.0, param1=2.0),

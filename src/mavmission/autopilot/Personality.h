@@ -37,6 +37,7 @@ enum Trait : uint64_t {
   kDropsNanYaw = 1ull << 8,            // gives a NaN yaw back as 0 in a read-back
   kDropsPlanFirst = 1ull << 32,        // MISSION_COUNT deletes the plan aboard: an upload that breaks off leaves none
   kGivesHeightsAboveSea = 1ull << 33,  // gives a height above home back above sea level in a read-back
+  kTellsTotal = 1ull << 34,            // MISSION_CURRENT.total is the number of items aboard
 
   // --- Transfers
   kSaysChecksum = 1ull << 9,        // MISSION_ACK.opaque_id is the checksum of the plan that it holds
@@ -76,7 +77,8 @@ enum Trait : uint64_t {
   X(ArduPilot, 3, kByArduPilot,                                                                            \
     kHomeIsItem0 | kReplacesItemByItem | kTakesTerrainFrames | kWipesShortFences | kDropsNanYaw |          \
     kErrorRefusesCount | kRefusesTakenItems | kHasPlanFiles | kFliesByMode | kNamesFlownItems |            \
-    kModeIsOneByte | kModesByVehicle | kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir)             \
+    kModeIsOneByte | kModesByVehicle | kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir |            \
+    kTellsTotal)                                                                                           \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
@@ -88,8 +90,8 @@ enum Trait : uint64_t {
 // apart: MAVMISSION_GENERIC_FIRMWARE says which one it is. The others of these rows cost nothing.
 // clang-format off
 #define MAVMISSION_GENERIC_PERSONALITIES(X)                                                                \
-  X(Betaflight, kByBetaflight, kDropsPlanFirst | kGivesHeightsAboveSea | kMayBeOld)                        \
-  X(Inav, kByInav, kMayBeOld)
+  X(Betaflight, kByBetaflight, kDropsPlanFirst | kGivesHeightsAboveSea | kMayBeOld | kTellsTotal)          \
+  X(Inav, kByInav, kMayBeOld | kTellsTotal)
 // clang-format on
 
 // The traits of any other autopilot.

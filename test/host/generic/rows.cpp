@@ -47,6 +47,7 @@ TEST_CASE("what is known of it, and what is not") {
   CHECK(has(kThis, kDropsPlanFirst) == kIsBetaflight);
   CHECK(has(kThis, kGivesHeightsAboveSea) == kIsBetaflight);
   CHECK(has(kThis, kMayBeOld));
+  CHECK(has(kThis, kTellsTotal));
   for (const Trait trait : {kHomeIsItem0, kReplacesItemByItem, kKeepsPlanUntilWhole, kTakesTerrainFrames,
                             kMayTakeAnyFrame, kSaysChecksum, kRepeatsAcceptance, kRefusesTakenItems, kHasPlanFiles,
                             kFliesByMode, kArmsByMissionStart, kModesByVehicle, kModesHaveSubModes, kIntegersAsBits}) {
