@@ -1,7 +1,7 @@
 // ArduPilot: it edits its plan in place from COUNT on, asks again each second, gives up 8 s after the last good item,
 // answers INVALID_SEQUENCE to an item that it does not wait for and ERROR to any item while it is idle, and says
-// ACCEPTED once. LateArduPilot is a newer one, whose final ACK comes 700 ms after the last item, and
-// INVALID_SEQUENCE to any item until then.
+// ACCEPTED once. A fence it replaces when all of the new one has come; home is of a mission alone. LateArduPilot is a
+// newer one, whose final ACK comes 700 ms after the last item, and INVALID_SEQUENCE to any item until then.
 #include <string.h>
 
 #include "Autopilot.h"
@@ -22,6 +22,7 @@ void forget(Autopilot& autopilot) {
   autopilot.state = Autopilot::State::Idle;
   autopilot.expected = autopilot.count = 0;
   autopilot.asksInMs = autopilot.givesUpInMs = kNever;
+  memset(autopilot.staged, 0, sizeof(autopilot.staged));
 }
 
 void cut(Autopilot& autopilot, uint16_t length) {
@@ -29,6 +30,10 @@ void cut(Autopilot& autopilot, uint16_t length) {
 }
 
 void complete(Autopilot& autopilot, Answers& answers) {
+  if (autopilot.type == kFence) {
+    memcpy(autopilot.held, autopilot.staged, sizeof(autopilot.held));
+    autopilot.heldCount = autopilot.count;
+  }
   forget(autopilot);
   if (autopilot.firmware == Firmwares::LateArduPilot) {
     autopilot.acceptsInMs = kLateMs;
@@ -39,10 +44,10 @@ void complete(Autopilot& autopilot, Answers& answers) {
 
 void hearCount(Autopilot& autopilot, uint16_t count, Answers& answers) {
   forget(autopilot);
-  cut(autopilot, count);
+  if (autopilot.type != kFence) cut(autopilot, count);
+  autopilot.count = count;
   if (count == 0) return complete(autopilot, answers);
   autopilot.state = Autopilot::State::Receiving;
-  autopilot.count = count;
   autopilot.givesUpInMs = kGivesUpMs;
   ask(autopilot, answers);
 }
@@ -56,8 +61,12 @@ void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
     forget(autopilot);
     return acknowledge(answers, kUnsupported);
   }
-  autopilot.held[item.number] = item.number == 0 ? kHome : item.item;
-  if (item.number == autopilot.heldCount) ++autopilot.heldCount;
+  if (autopilot.type == kFence) {
+    autopilot.staged[item.number] = item.item;
+  } else {
+    autopilot.held[item.number] = item.item;
+    if (item.number == autopilot.heldCount) ++autopilot.heldCount;
+  }
   autopilot.givesUpInMs = kGivesUpMs;
   ++autopilot.expected;
   if (autopilot.expected == autopilot.count) return complete(autopilot, answers);
@@ -66,8 +75,9 @@ void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
 
 void hearRequest(Autopilot& autopilot, uint16_t number, Answers& answers) {
   if (autopilot.state == Autopilot::State::Receiving) return acknowledge(answers, kDenied);
-  if (number != 0 && number >= autopilot.heldCount) return acknowledge(answers, kError);
-  answers.add(message(Kind::Item, number, number == 0 ? kHome : autopilot.held[number]));
+  const bool isHome = number == 0 && autopilot.type == kMission;
+  if (!isHome && number >= autopilot.heldCount) return acknowledge(answers, kError);
+  answers.add(message(Kind::Item, number, isHome ? kHome : autopilot.held[number]));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Mission servers as small models: plain data, a message or time in, messages out. What the two autopilots do was
-// observed on ArduPilot 4.6.3 and PX4 1.17.0 (simulation/recordings); only the mission, no fence and no rally.
+// observed on ArduPilot 4.6.3 and PX4 1.17.0 (simulation/recordings); fences and rally points by their sources.
 #pragma once
 
 #include <type_traits>
@@ -15,7 +15,9 @@ struct Answers {
   void add(const Message& message) { messages[count++] = message; }
 };
 
-// Times are what is left of a wait [ms], or kNever.
+// One kind of plan (MAV_MISSION_TYPE), and the transfer of it. ArduPilot has one transfer for each kind, side by side;
+// PX4 has one in all, which goes from the one kind to the other (hearOfKinds()). Times are what is left of a wait [ms],
+// or kNever.
 struct Autopilot {
   static constexpr uint16_t kBootMs = 3000;  // how long it is deaf and silent after a reboot
 
@@ -31,7 +33,9 @@ struct Autopilot {
   uint8_t hasPartner;         // PX4: knows with whom it transfers or has transferred
   uint8_t isUploadOpen;       // PX4: outlives the state in some corners, and then bars COUNT
   uint8_t requests;           // generic: that have drawn no item
-  uint8_t unused[3];
+  uint8_t type;
+  uint8_t hasTransfer;  // PX4: its one transfer is of this kind
+  uint8_t unused[1];
   uint16_t refused;  // ArduPilot: the item that it does not take; 0: none
   uint16_t asksInMs;
   uint16_t givesUpInMs;
@@ -52,6 +56,10 @@ struct Autopilot {
   void hold(uint8_t plan, uint16_t count);
 };
 static_assert(std::has_unique_object_representations<Autopilot>::value, "folded by its bytes");
+
+// What an autopilot with a plan of another kind beside the first one does.
+void hearOfKinds(Autopilot& one, Autopilot& other, const Message& message, Answers& answers);
+void hearAsPx4OfKinds(Autopilot& has, Autopilot& other, const Message& message, Answers& answers);
 
 void hearAsArduPilot(Autopilot& autopilot, const Message& message, Answers& answers);
 void actAsArduPilot(Autopilot& autopilot, Answers& answers);

@@ -67,7 +67,7 @@ class FedStream : public Stream {
 FedStream stream;
 
 bool sink(void*, uint16_t index, const MissionItem& item) {
-  const uint8_t taken = itemDownloaded(item, index == kHomeIndex);
+  const uint8_t taken = itemDownloaded(item, index == kHomeIndex, sunk->type);
   if (sunk->count < sizeof(sunk->items)) sunk->items[sunk->count++] = taken;
   return true;
 }
@@ -152,18 +152,20 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy, 
 void ClientUnderTest::begin(const Task& task) {
   const Awake awake(*this);
   setMillis(kNowMs);
-  const ItemSource plan = inRam(sketchPlan(task.plan), task.items);
+  const ItemSource plan = inRam(sketchPlan(task.plan, task.type), task.items);
+  const PlanType type = static_cast<PlanType>(task.type);
   switch (task.operation) {
-    case Operation::Upload: client().uploadWithoutReadback(plan); return;
-    case Operation::UploadInDoubt: client().upload(plan, PlanType::Mission, Readback::InDoubt); return;
-    case Operation::UploadVerified: client().upload(plan, PlanType::Mission, Readback::Always); return;
-    case Operation::Ensure: client().ensure(plan); return;
+    case Operation::Upload: client().uploadWithoutReadback(plan, type); return;
+    case Operation::UploadInDoubt: client().upload(plan, type, Readback::InDoubt); return;
+    case Operation::UploadVerified: client().upload(plan, type, Readback::Always); return;
+    case Operation::Ensure: client().ensure(plan, type); return;
     case Operation::Download:
       blank(*sunk);
-      client().download(toFunction(sink));
+      sunk->type = task.type;
+      client().download(toFunction(sink), type);
       return;
-    case Operation::Verify: client().verify(plan); return;
-    case Operation::Clear: client().clear(); return;
+    case Operation::Verify: client().verify(plan, type); return;
+    case Operation::Clear: client().clear(type); return;
     case Operation::FileUpload: files().upload(plan); return;
     case Operation::FileVerify: files().verify(plan); return;
   }

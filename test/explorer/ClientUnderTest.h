@@ -44,7 +44,7 @@ class ClientUnderTest {
   uint16_t lastNumber() const { return hasFiles_ != 0 ? files().sequence_ : 0; }
   // Numbers of requests count from another one.
   void renumber(uint16_t by);
-  mavmission::Aboard aboard() const { return client().aboard(); }
+  mavmission::Aboard aboard(uint8_t type) const { return client().aboard(static_cast<mavmission::PlanType>(type)); }
 
  private:
   class Awake;
@@ -74,6 +74,7 @@ class ClientUnderTest {
 // The items that the running download has given to the sketch, in their order: those of the client that runs next.
 struct Sunk {
   uint8_t count;
-  uint8_t items[15];
+  uint8_t type;
+  uint8_t items[14];
 };
 extern Sunk* sunk;

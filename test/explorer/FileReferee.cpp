@@ -106,7 +106,7 @@ const char* FileReferee::sentAnew(const Message& message, const FileWords& words
       if (isHeaderSent) return "an item is written behind the header";
       // Where the line is seen to lose, several items go one by one.
       for (Asked& asked : open) {
-        const FileWords before = wordsOf(Message{Kind::File, 0, 0, asked.what});
+        const FileWords before = wordsOf(::message(Kind::File, 0, 0, asked.what));
         if (asked.what == 0 || before.first != words.first) continue;
         if (before.count == 1 || words.count != 1 || !referee.isHurried) return "an item is written in another way";
         asked = Asked{0, 0, 0};
@@ -136,7 +136,7 @@ void FileReferee::heard(const Message& message) {
   for (Asked& asked : open) {
     if (asked.what == 0 || static_cast<uint16_t>(asked.number + 1) != message.number) continue;
     isAnswer = true;
-    request = wordsOf(Message{Kind::File, 0, 0, asked.what});
+    request = wordsOf(::message(Kind::File, 0, 0, asked.what));
     if (words.opcode != kFileBurst) asked = Asked{0, 0, 0};
   }
   if (!isAck && (words.error == kFileInvalidSession || words.error == kFileNotFound)) mayBeOpen = isStorable = false;

@@ -108,7 +108,7 @@ Bytes fileReplyPayload(const Message& message, Firmwares firmware) {
       put(data, 0, FileHeader::kMagic, 2);
       put(data, 8, words.count, 2);
     } else {
-      data = payloadOf(message.item, words.first, firmware, true, false);
+      data = payloadOf(message.item, words.first, kMission, firmware, true);
     }
     put(payload, kOffset, offsetOf(words), 4);
   } else if (words.opcode == kFileWrite) {

@@ -26,6 +26,12 @@ const char* resultName(uint16_t result) {
   }
 }
 
+const char* setType(Message& message, uint8_t type) {
+  if (type > kRally) return "a frame is sent with a type that no plan has";
+  message.type = type;
+  return nullptr;
+}
+
 template <typename T>
 Bytes bytesOf(const T& message) {
   const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
@@ -49,16 +55,18 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
       count.target_component = kClientComponent;
       count.count = message.number;
       count.opaque_id = message.opaqueId;
+      count.mission_type = message.type;
       return FrameParts(MAVLINK_MSG_ID_MISSION_COUNT, bytesOf(count), MAVLINK_MSG_ID_MISSION_COUNT_CRC);
     }
     case Kind::Request:
       // ArduPilot asks by the older message, which has the same layout.
-      if (!isArduPilot(firmware)) return requestParts(message.number);
-      return FrameParts(MAVLINK_MSG_ID_MISSION_REQUEST, requestParts(message.number).payload,
+      if (!isArduPilot(firmware)) return requestParts(message.number, 1, kClientComponent, message.type);
+      return FrameParts(MAVLINK_MSG_ID_MISSION_REQUEST,
+                        requestParts(message.number, 1, kClientComponent, message.type).payload,
                         MAVLINK_MSG_ID_MISSION_REQUEST_CRC);
     case Kind::Item:
       return FrameParts(MAVLINK_MSG_ID_MISSION_ITEM_INT,
-                        payloadOf(message.item, message.number, firmware, true, message.number == 0),
+                        payloadOf(message.item, message.number, message.type, firmware, true),
                         MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC);
     case Kind::FileReply:
       return FrameParts(MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, fileReplyPayload(message, firmware),
@@ -69,13 +77,14 @@ FrameParts partsOf(const Message& message, Firmwares firmware) {
     case Kind::ClearAll:
     case Kind::File: break;
   }
-  return ackParts(static_cast<uint8_t>(message.number), 1, kClientComponent, 0, message.opaqueId);
+  return ackParts(static_cast<uint8_t>(message.number), 1, kClientComponent, message.type, message.opaqueId);
 }
 
 }  // namespace
 
 std::string inWords(const Message& message) {
-  const std::string number = std::to_string(message.number);
+  static const char* const kTypes[] = {"", " (fence)", " (rally)"};
+  const std::string number = std::to_string(message.number) + kTypes[message.type];
   switch (message.kind) {
     case Kind::Heartbeat: return "HEARTBEAT";
     case Kind::Count: return "COUNT " + number;
@@ -85,9 +94,9 @@ std::string inWords(const Message& message) {
       const std::string plan = message.item == kHome ? "home" : "of plan " + std::to_string(message.item / 16);
       return "ITEM " + number + " (" + plan + ")";
     }
-    case Kind::Ack: return std::string("ACK ") + resultName(message.number);
-    case Kind::List: return "REQUEST_LIST";
-    case Kind::ClearAll: return "CLEAR_ALL";
+    case Kind::Ack: return std::string("ACK ") + resultName(message.number) + kTypes[message.type];
+    case Kind::List: return std::string("REQUEST_LIST") + kTypes[message.type];
+    case Kind::ClearAll: return std::string("CLEAR_ALL") + kTypes[message.type];
     case Kind::File:
     case Kind::FileReply: return fileInWords(message);
   }
@@ -95,10 +104,10 @@ std::string inWords(const Message& message) {
 }
 
 const Bytes& frameOf(const Message& message, Firmwares firmware) {
-  typedef std::tuple<uint8_t, uint8_t, uint16_t, uint32_t, uint8_t> Key;
+  typedef std::tuple<uint8_t, uint8_t, uint8_t, uint16_t, uint32_t, uint8_t> Key;
   static std::map<Key, Bytes> made;
-  Bytes& frame = made[Key(static_cast<uint8_t>(message.kind), message.item, message.number, message.opaqueId,
-                          static_cast<uint8_t>(firmware))];
+  Bytes& frame = made[Key(static_cast<uint8_t>(message.kind), message.type, message.item, message.number,
+                          message.opaqueId, static_cast<uint8_t>(firmware))];
   if (frame.empty()) frame = packed(partsOf(message, firmware));
   return frame;
 }
@@ -125,43 +134,37 @@ const char* decode(const uint8_t* frame, size_t length, Firmwares firmware, Mess
     case MAVLINK_MSG_ID_MISSION_COUNT: {
       mavlink_mission_count_t count;
       memcpy(&count, payload.data(), sizeof(count));
-      if (count.mission_type != 0 || count.opaque_id != 0) return "COUNT is sent with a type or an opaque_id";
+      if (count.opaque_id != 0) return "COUNT is sent with an opaque_id";
       decoded = message(Kind::Count, count.count);
-      return nullptr;
+      return setType(decoded, count.mission_type);
     }
     case MAVLINK_MSG_ID_MISSION_ITEM_INT: {
       const uint8_t item = itemIn(payload, firmware);
       if (item == kNoItemAtAll) return "an item is sent that is in no plan";
       decoded = message(Kind::Item, static_cast<uint16_t>(payload[28] | payload[29] << 8), item);
-      return nullptr;
+      return setType(decoded, payload[37]);
     }
     case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
       mavlink_mission_request_int_t request;
       memcpy(&request, payload.data(), sizeof(request));
-      if (request.mission_type != 0) return "a request is sent with a type";
       decoded = message(Kind::Request, request.seq);
-      return nullptr;
+      return setType(decoded, request.mission_type);
     }
     case MAVLINK_MSG_ID_MISSION_REQUEST: {
       if (!isGeneric(firmware)) return "an item is asked for by MISSION_REQUEST";
       mavlink_mission_request_t request;
       memcpy(&request, payload.data(), sizeof(request));
-      if (request.mission_type != 0) return "a request is sent with a type";
       decoded = message(Kind::OlderRequest, request.seq);
-      return nullptr;
+      return setType(decoded, request.mission_type);
     }
-    case MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
-      decoded = message(Kind::List);
-      return payload[2] == 0 ? nullptr : "REQUEST_LIST is sent with a type";
-    case MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
-      decoded = message(Kind::ClearAll);
-      return payload[2] == 0 ? nullptr : "CLEAR_ALL is sent with a type";
+    case MAVLINK_MSG_ID_MISSION_REQUEST_LIST: decoded = message(Kind::List); return setType(decoded, payload[2]);
+    case MAVLINK_MSG_ID_MISSION_CLEAR_ALL: decoded = message(Kind::ClearAll); return setType(decoded, payload[2]);
     case MAVLINK_MSG_ID_MISSION_ACK: {
       mavlink_mission_ack_t ack;
       memcpy(&ack, payload.data(), sizeof(ack));
-      if (ack.mission_type != 0 || ack.opaque_id != 0) return "ACK is sent with a type or an opaque_id";
+      if (ack.opaque_id != 0) return "ACK is sent with an opaque_id";
       decoded = message(Kind::Ack, ack.type);
-      return nullptr;
+      return setType(decoded, ack.mission_type);
     }
     case MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL: return decodeFile(payload, firmware, decoded);
     default: return "a message is sent that has no place in these operations";

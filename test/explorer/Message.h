@@ -25,6 +25,9 @@ constexpr uint16_t kMostHeld = MOST_HELD;
 constexpr uint16_t kMostHeld = 8;
 #endif
 
+// MAV_MISSION_TYPE.
+enum Type : uint8_t { kMission = 0, kFence = 1, kRally = 2 };
+
 // MAV_MISSION_RESULT, as far as it occurs.
 enum Result : uint8_t {
   kAccepted = 0,
@@ -36,7 +39,8 @@ enum Result : uint8_t {
 };
 
 struct Message {
-  Kind kind;
+  Kind kind : 6;
+  uint8_t type : 2;   // MAV_MISSION_TYPE
   uint8_t item;       // Item, FileReply: which one of Plans.h; File: the plan whose items are written
   uint16_t number;    // Count: how many; Request, Item, File, FileReply: sequence number; Ack: MAV_MISSION_RESULT
   uint32_t opaqueId;  // Count, Ack; File, FileReply: FileWords
@@ -44,7 +48,7 @@ struct Message {
 static_assert(std::has_unique_object_representations<Message>::value, "folded by its bytes");
 
 inline Message message(Kind kind, uint16_t number = 0, uint8_t item = 0, uint32_t opaqueId = 0) {
-  return Message{kind, item, number, opaqueId};
+  return Message{kind, kMission, item, number, opaqueId};
 }
 
 // "COUNT 3", "ACK accepted", ...

@@ -14,18 +14,17 @@ constexpr uint16_t kMostItems = kMostHeld - 1;
 // In a longer plan every 14th item is the same: a plan that is shifted by a few items differs all the same.
 constexpr uint8_t itemOf(uint8_t plan, uint16_t index) { return static_cast<uint8_t>(16 * plan + 1 + index % 14); }
 
-// The items as a sketch writes them.
-const mavmission::MissionItem* sketchPlan(uint8_t plan);
+// The items as a sketch writes them, by MAV_MISSION_TYPE.
+const mavmission::MissionItem* sketchPlan(uint8_t plan, uint8_t type);
 
 // MISSION_ITEM_INT's payload for an item: as it must arrive, and as this autopilot gives it when it is read back.
-// `isFirst` of the mission: PX4 flags it as current.
-Bytes payloadOf(uint8_t item, uint16_t sequence, Firmwares firmware, bool isReadBack, bool isFirst);
+Bytes payloadOf(uint8_t item, uint16_t sequence, uint8_t type, Firmwares firmware, bool isReadBack);
 
-// The item that a payload of the client's holds to the last bit, or kNoItemAtAll.
+// The item that a payload of the client's holds to the last bit, or kNoItemAtAll. Its mission_type is part of it.
 uint8_t itemIn(const Bytes& payload, Firmwares firmware);
 
 // The item of a MissionItem that a download has given to the sketch, or kNoItemAtAll.
-uint8_t itemDownloaded(const mavmission::MissionItem& item, bool isHome);
+uint8_t itemDownloaded(const mavmission::MissionItem& item, bool isHome, uint8_t type);
 
 // PX4's checksum over a plan, continued by an item (the fields as they arrived).
-uint32_t checksummed(uint32_t sum, uint8_t item);
+uint32_t checksummed(uint32_t sum, uint8_t item, uint8_t type);

@@ -64,7 +64,7 @@ void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
   if (autopilot.state == State::Sending) return acknowledge(answers, kError);
   autopilot.givesUpInMs = kGivesUpMs;
   if (item.number != autopilot.expected) return;
-  autopilot.stagedSum = checksummed(autopilot.stagedSum, item.item);
+  autopilot.stagedSum = checksummed(autopilot.stagedSum, item.item, autopilot.type);
   autopilot.staged[autopilot.expected++] = item.item;
   if (autopilot.expected < autopilot.count) return ask(autopilot, answers);
   goIdle(autopilot);
@@ -107,6 +107,21 @@ void hearAck(Autopilot& autopilot, uint16_t result) {
   autopilot.isUploadOpen = false;
 }
 
+// The one transfer becomes one of the other kind: how far the last one came stays, and what it staged.
+void handOver(Autopilot& from, Autopilot& to) {
+  to.expected = from.expected;
+  to.count = from.count;
+  to.hasPartner = from.hasPartner;
+  to.isUploadOpen = from.isUploadOpen;
+  to.stagedSum = from.stagedSum;
+  memcpy(to.staged, from.staged, sizeof(to.staged));
+  to.hasTransfer = true;
+  from.expected = from.count = 0;
+  from.hasPartner = from.isUploadOpen = from.hasTransfer = false;
+  from.stagedSum = 0;
+  memset(from.staged, 0, sizeof(from.staged));
+}
+
 }  // namespace
 
 void hearAsPx4(Autopilot& autopilot, const Message& heard, Answers& answers) {
@@ -125,6 +140,35 @@ void hearAsPx4(Autopilot& autopilot, const Message& heard, Answers& answers) {
     case Kind::File:
     case Kind::FileReply: return;
   }
+}
+
+void hearAsPx4OfKinds(Autopilot& has, Autopilot& other, const Message& heard, Answers& answers) {
+  if (heard.type == has.type) return hearAsPx4(has, heard, answers);
+  switch (heard.kind) {
+    case Kind::Count:
+      if (has.state != State::Idle || has.isUploadOpen) return hearAsPx4(has, heard, answers);  // asks, or is busy
+      break;
+    case Kind::List:
+      if (has.expected == has.heldCount) goIdle(has);
+      if (has.state != State::Idle) return;
+      break;
+    case Kind::ClearAll:
+      if (has.state != State::Idle) return;
+      break;
+    case Kind::Item:
+      if (has.hasPartner) acknowledge(answers, kError);
+      return;
+    case Kind::Ack:
+      if (has.state == State::Receiving) hearAck(has, heard.number);
+      return;
+    case Kind::Request:
+    case Kind::OlderRequest:
+    case Kind::Heartbeat:
+    case Kind::File:
+    case Kind::FileReply: return;
+  }
+  handOver(has, other);
+  hearAsPx4(other, heard, answers);
 }
 
 void actAsPx4(Autopilot& autopilot, Answers& answers) {

@@ -13,22 +13,24 @@ namespace {
 
 bool isPx4(Firmwares firmware) { return firmware == Firmwares::Px4; }
 
-uint8_t onTheWire(uint8_t plan, uint8_t number, Firmwares firmware) {
-  if (!isArduPilot(firmware)) return itemOf(plan, number);
+bool hasHome(Firmwares firmware, uint8_t type) { return isArduPilot(firmware) && type == kMission; }
+
+uint8_t onTheWire(uint8_t plan, uint8_t number, Firmwares firmware, uint8_t type) {
+  if (!hasHome(firmware, type)) return itemOf(plan, number);
   return number == 0 ? kHome : itemOf(plan, static_cast<uint8_t>(number - 1));
 }
 
-uint8_t wireCount(uint8_t items, Firmwares firmware) {
-  return static_cast<uint8_t>(!isArduPilot(firmware) || items == 0 ? items : items + 1);
+uint8_t wireCount(uint8_t items, Firmwares firmware, uint8_t type) {
+  return static_cast<uint8_t>(!hasHome(firmware, type) || items == 0 ? items : items + 1);
 }
 
 }  // namespace
 
 bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items) {
-  const uint8_t count = wireCount(items, autopilot.firmware);
+  const uint8_t count = wireCount(items, autopilot.firmware, autopilot.type);
   if (autopilot.heldCount != count) return false;
   for (uint8_t i = 0; i < count; ++i) {
-    if (autopilot.held[i] != onTheWire(plan, i, autopilot.firmware)) return false;
+    if (autopilot.held[i] != onTheWire(plan, i, autopilot.firmware, autopilot.type)) return false;
   }
   return true;
 }
@@ -40,7 +42,7 @@ void Referee::begin(const Task& what, Firmwares firmware) {
   owesCancel = owed;
   hasEndedBefore = hasEnded;
   isRunning = true;
-  items = wireCount(what.items, firmware);
+  items = wireCount(what.items, firmware, what.type);
   isLooking = what.operation == Operation::Ensure;
   isReading = isLooking || what.operation == Operation::Download || what.operation == Operation::Verify;
 }
@@ -64,11 +66,12 @@ void Referee::pass(uint16_t ms) {
 
 const char* Referee::sent(const Message& message, Firmwares firmware) {
   const bool isCancel = message.kind == Kind::Ack && message.number == kCancelled;
-  if (isCancel && owesCancel) {
-    owesCancel = false;
+  if (isCancel && owesCancel == 1 + message.type) {
+    owesCancel = 0;
     return nullptr;
   }
   if (!isRunning) return "a frame is sent after the end";
+  if (message.type != task.type) return "a frame is sent with the type of another plan";
   const char* const broken = sentWhile(message, firmware);
   hasSent = true;
   return broken;
@@ -233,7 +236,7 @@ const char* Referee::sentInReading(const Message& message) {
 }
 
 void Referee::heard(const Message& message, Firmwares firmware) {
-  if (!isRunning) return;
+  if (!isRunning || message.type != task.type) return;
   switch (message.kind) {
     case Kind::Request:
       if (!isUpload() || isReading || counts == 0) return;
@@ -320,7 +323,9 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   const bool isRead = isReading && hasSent && !isFound && status != Status::Accepted && status != Status::Verified &&
                       status != Status::Downloaded;
   owesCancel = isRead || (wasTransferring &&
-                          (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut));
+                          (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut))
+                   ? static_cast<uint8_t>(1 + task.type)
+                   : uint8_t{0};
 
   const char* const untrue = untrueAboard(status, said, autopilot, before);
   if (untrue != nullptr) return untrue;

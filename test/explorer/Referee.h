@@ -28,6 +28,7 @@ struct Task {
   Operation operation;
   uint8_t plan;
   uint8_t items;
+  uint8_t type;  // MAV_MISSION_TYPE
 };
 
 struct Referee {
@@ -67,7 +68,7 @@ struct Referee {
   uint8_t requests;        // for the next item
   uint8_t isClosed;        // our final ACK was sent
   uint8_t clears;          // CLEAR_ALLs sent
-  uint8_t owesCancel;      // the autopilot is to be told that it is over
+  uint8_t owesCancel;      // the autopilot is to be told that it is over: 1 + the plan's type
   uint8_t wasRefused;      // ERROR was heard before the plan was read back
   uint8_t mayFree;         // what shows that an older transfer is open was heard
   uint8_t hasEndedOne;     // an operation of this client has ended, since the Arduino was reset
@@ -75,9 +76,10 @@ struct Referee {
   uint8_t isHurried;       // the client takes the line for one that loses: 1, or kHurriedBefore this step
   uint8_t copies;          // of the current item, since it is current; 2 at most
   uint8_t mayGoOn;         // what was written as a file is read back, and may be uploaded item by item
-  uint16_t heardAcks;      // bit r: ACK r was heard
-  uint16_t sinceFirstMs;   // since the first of `copies`, kLastAnswerMs at most
-  uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
+  uint8_t unused;
+  uint16_t heardAcks;     // bit r: ACK r was heard
+  uint16_t sinceFirstMs;  // since the first of `copies`, kLastAnswerMs at most
+  uint16_t sinceSentMs;   // since the last frame of ours, 1500 at most
   uint16_t sinceNewMs;  // since the first COUNT, or since an item was asked for that had not been before, 9000 at most
 
   void begin(const Task& task, Firmwares firmware);

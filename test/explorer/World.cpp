@@ -38,6 +38,13 @@ bool isDelivered(Fate fate) { return fate == Fate::Delivered || fate == Fate::Re
 
 }  // namespace
 
+uint8_t Scenario::otherType() const {
+  for (const Task& task : tasks) {
+    if (task.type != kMission) return task.type;
+  }
+  return kRally;
+}
+
 Outcome World::begin(const Scenario& scenario) {
   memset(static_cast<void*>(this), 0, sizeof(*this));
   losses_ = scenario.losses;
@@ -45,9 +52,14 @@ Outcome World::begin(const Scenario& scenario) {
   reboots_ = scenario.reboots;
   cancels_ = scenario.cancels;
   resets_ = scenario.resets;
-  autopilot_.firmware = scenario.firmware;
-  autopilot_.asksInMs = autopilot_.givesUpInMs = autopilot_.acceptsInMs = autopilot_.bootsInMs = kNever;
-  autopilot_.hold(scenario.heldPlan, scenario.heldItems);
+  for (Autopilot* one : {&autopilot_, &beside_}) {
+    one->firmware = scenario.firmware;
+    one->asksInMs = one->givesUpInMs = one->acceptsInMs = one->bootsInMs = kNever;
+  }
+  beside_.type = scenario.otherType();
+  const bool isMission = scenario.tasks.front().type == kMission;
+  autopilot_.hold(isMission ? scenario.heldPlan : 0, isMission ? scenario.heldItems : scenario.heldBeside);
+  beside_.hold(isMission ? 0 : scenario.heldPlan, isMission ? scenario.heldBeside : scenario.heldItems);
   others_ = scenario.others;
   toAutopilot_.latencyMs = toClient_.latencyMs = scenario.latencyMs;
   autopilot_.refused = scenario.refused;
@@ -60,7 +72,7 @@ Outcome World::begin(const Scenario& scenario) {
 void World::beginTask(const Scenario& scenario, std::string* log) {
   const Task& task = scenario.tasks[task_];
   say(log, "the sketch begins: ", kOperations[static_cast<int>(task.operation)], ", ", task.items, " items");
-  before_ = autopilot_;
+  before_ = planOf(task.type);
   // (A board that was reset listens for 1.2 s first, which is left out here.)
   isUndisturbed_ = scenario.resets == 0 && (losses_ | faults_ | reboots_ | cancels_ | others_) == 0;
   referee_.begin(task, scenario.firmware);
@@ -79,7 +91,7 @@ World::Event World::next(uint16_t& ms) const {
   };
   const int up = toAutopilot_.first(), down = toClient_.first();
   if (up >= 0) consider(Event::ToAutopilot, toAutopilot_.frames[up].dueMs);
-  consider(Event::Autopilot, autopilot_.nextMs());
+  consider(Event::Autopilot, std::min(autopilot_.nextMs(), beside_.nextMs()));
   if (down >= 0) consider(Event::ToClient, toClient_.frames[down].dueMs);
   consider(Event::Heartbeat, heartbeatInMs_);
   consider(Event::Client, client_.nextMs());
@@ -124,6 +136,7 @@ void World::pass(uint16_t ms) {
     fileReferee_.pass(ms);
   }
   autopilot_.pass(ms);
+  beside_.pass(ms);
   toAutopilot_.pass(ms);
   toClient_.pass(ms);
   referee_.pass(ms);
@@ -152,9 +165,10 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
       outcome.task = task_;
       outcome.status = doing.status;
       say(log, "it ends: ", doing.status);
+      const Autopilot& plan = planOf(referee_.task.type);
       const char* broken = end(doing, scenario.faults != 0);
       if (broken == nullptr && doing.status == Status::Downloaded &&
-          (sunk_.count != autopilot_.heldCount || memcmp(sunk_.items, autopilot_.held, sunk_.count) != 0)) {
+          (sunk_.count != plan.heldCount || memcmp(sunk_.items, plan.held, sunk_.count) != 0)) {
         broken = "Downloaded, and what was read is not what is aboard";
       }
       if (outcome.broken == nullptr) outcome.broken = broken;
@@ -219,6 +233,7 @@ void World::heard(const Message& message, Firmwares firmware) {
 // while it holds an upload open; it has no ear for a cancelling.)
 bool World::isAlive(Status status) const {
   if (!isUndisturbed_) return true;
+  const bool isReceiving = (referee_.task.type == kMission ? autopilot_ : beside_).state == Autopilot::State::Receiving;
   switch (status) {
     case Status::Accepted:
     case Status::AlreadyAboard:
@@ -227,7 +242,7 @@ bool World::isAlive(Status status) const {
     case Status::Cleared: return true;
     case Status::Differs:
       return referee_.task.operation == Operation::Verify || referee_.task.operation == Operation::FileVerify;
-    case Status::Denied: return !referee_.isUpload() && autopilot_.state == Autopilot::State::Receiving;
+    case Status::Denied: return !referee_.isUpload() && isReceiving;
     default: return false;
   }
 }
@@ -238,9 +253,10 @@ const char* World::end(const Doing& doing, bool lineRepeats) {
   if (fileReferee_.isRunning) {
     referee_.isRunning = false;
     referee_.ended = doing.status;
-    broken = fileReferee_.end(doing.status, client_.aboard(), referee_, autopilot_, before);
+    broken = fileReferee_.end(doing.status, client_.aboard(kMission), referee_, autopilot_, before);
   } else {
-    broken = referee_.end(doing.status, client_.aboard(), autopilot_, before, lineRepeats);
+    const uint8_t type = referee_.task.type;
+    broken = referee_.end(doing.status, client_.aboard(type), planOf(type), before, lineRepeats);
   }
   if (broken != nullptr || isAlive(doing.status)) return broken;
   return "nothing is lost any more, and it does not end well";
@@ -295,6 +311,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       say(log, "the autopilot reboots");
       --reboots_;
       autopilot_.reboot();
+      beside_.reboot();
       files_.reboot();
       outcome.isFault = true;
       return outcome;
@@ -339,7 +356,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
     }
     if (event == Event::ToAutopilot) {
       Answers answers;
-      if (isDelivered(move.fate) && message.kind != Kind::File) autopilot_.hear(message, answers);
+      if (isDelivered(move.fate) && message.kind != Kind::File) hearOfKinds(autopilot_, beside_, message, answers);
       if (isDelivered(move.fate) && message.kind == Kind::File && autopilot_.bootsInMs == kNever)
         files_.hear(message, autopilot_, answers);
       outcome.broken = answer(answers, log);
@@ -355,7 +372,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
     say(log, "a heartbeat");
   } else if (event == Event::Autopilot) {
     Answers answers;
-    autopilot_.act(answers);
+    (beside_.nextMs() == 0 ? beside_ : autopilot_).act(answers);
     outcome.broken = answer(answers, log);
   }
   // Its time is every moment: update() is called in each.

@@ -20,6 +20,7 @@ struct Scenario {
   std::vector<Task> tasks;  // the second begins when the first has ended, however, or is broken off
   uint8_t heldPlan = 0;     // what is aboard at the beginning
   uint8_t heldItems = 2;
+  uint8_t heldBeside = 0;  // items of the other kind of plan
   uint8_t losses = kAnyNumber;
   uint8_t faults = 0;      // frames that are repeated, delayed or damaged
   uint8_t reboots = 0;     // of the autopilot
@@ -29,6 +30,8 @@ struct Scenario {
   uint8_t others = 0;      // requests of another client to the server of files
   uint8_t refused = 0;     // the wire item that ArduPilot does not take; 0: none
   bool isLossy = false;    // the client takes the line for one that loses, from the beginning
+  // The kind of plan beside the mission: a fence or rally points.
+  uint8_t otherType() const;
   bool hasFiles() const { return !tasks.empty() && isByFiles(tasks.front().operation); }
 };
 
@@ -84,8 +87,11 @@ class World {
   void pass(uint16_t ms);
 
   ClientUnderTest client_;
+  Autopilot& planOf(uint8_t type) { return type == kMission ? autopilot_ : beside_; }
+
   Autopilot autopilot_;
-  Autopilot before_;  // as it was when the operation began
+  Autopilot beside_;  // its plan of another kind
+  Autopilot before_;  // of the kind that the operation is about, as it was when that began
   Line toAutopilot_;
   Line toClient_;
   Referee referee_;

@@ -20,8 +20,10 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK",
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late), PX4, MAVSDK, Betaflight\n"
       "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear, and as files\n"
       "             file-upload, file-verify; a second one begins when the first has ended or was broken off\n"
-      "  ITEMS      0 to 7: of the plan that is uploaded or verified\n"
-      "  --held N       items aboard at the beginning, 0 to 7 (2)\n"
+      "             upload, upload-in-doubt, ... with \"fence-\" or \"rally-\" in front: of those; one of both\n"
+      "  ITEMS      0 to 7: of the plan that is uploaded or verified; of a fence 4 or more\n"
+      "  --held N       items aboard at the beginning, of the kind of the first operation, 0 to 7 (2)\n"
+      "  --held-beside N  items aboard of the other kind of plan, 0 to 7 (0)\n"
       "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
       "  --losses N     frames lost; `any` for any number (any)\n"
       "  --faults N     frames repeated, delayed, damaged or cut (0)\n"
@@ -64,7 +66,11 @@ int main(int argc, char** argv) {
   int at = 2;
   for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {
     Task task;
-    task.operation = static_cast<Operation>(nameAmong(kOperations, 9, argv[at], "no such operation"));
+    const char* name = argv[at];
+    task.type = strncmp(name, "fence-", 6) == 0 ? kFence : strncmp(name, "rally-", 6) == 0 ? kRally : kMission;
+    if (task.type != kMission) name += 6;
+    task.operation = static_cast<Operation>(nameAmong(kOperations, 9, name, "no such operation"));
+    if (task.type != kMission && isByFiles(task.operation)) usage("only a mission goes by file here");
     task.items = static_cast<uint8_t>(number(argv[at + 1], kMostItems));
     task.plan = static_cast<uint8_t>(scenario.tasks.size() + 1);
     scenario.tasks.push_back(task);
@@ -78,6 +84,8 @@ int main(int argc, char** argv) {
     const char* const value = argv[at + 1];
     if (strcmp(option, "--held") == 0) {
       scenario.heldItems = static_cast<uint8_t>(number(value, kMostItems));
+    } else if (strcmp(option, "--held-beside") == 0) {
+      scenario.heldBeside = static_cast<uint8_t>(number(value, kMostItems));
     } else if (strcmp(option, "--held-plan") == 0) {
       scenario.heldPlan = static_cast<uint8_t>(number(value, 1));
     } else if (strcmp(option, "--losses") == 0) {

@@ -75,6 +75,32 @@ def pairs(autopilot: str) -> list[str]:
     )]  # fmt: skip
 
 
+def by_kind(autopilot: str) -> list[tuple[str, str]]:
+    """Fences and rally points, beside a mission and one behind the other. (Shorter fences wait for a second first.)"""
+    cases = []
+    for lossy in ("", " --lossy 1"):
+        cases += [(words, f"--held-beside 2 --losses 3{lossy}") for words in single(f"{autopilot} rally", 2)]
+        for beside in ("--faults 1", "--reboots 1", "--cancels 1"):
+            cases += [
+                (words, f"--held-beside 2 --losses 1 {beside}{lossy}") for words in single(f"{autopilot} rally", 2)
+            ]
+        fences = ("upload 4", "upload-in-doubt 4", "upload-verified 4", "ensure 4", "download 0 --held 4", "clear 0")
+        cases += [(f"{autopilot} fence {words}", f"--held-beside 1 --losses 2{lossy}") for words in fences]
+        cases.append((f"{autopilot} fence verify 4 --held 4 --held-plan 1", f"--held-beside 1 --losses 2{lossy}"))
+    followed = (
+        ("upload-in-doubt 2", "rally-upload-in-doubt 1"), ("rally-upload-in-doubt 2", "upload-in-doubt 1"),
+        ("rally-upload-in-doubt 2", "rally-upload-in-doubt 1"), ("rally-upload 2", "verify 1"),
+        ("upload-in-doubt 2", "rally-download 0"), ("rally-download 0", "upload-in-doubt 2"),
+        ("rally-upload 1", "clear 0"), ("upload 1", "rally-clear 0"), ("rally-clear 0", "upload-in-doubt 1"),
+        ("upload 2", "rally-ensure 1"), ("rally-ensure 1", "ensure 1"), ("fence-upload 4", "upload-in-doubt 1"),
+        ("upload-in-doubt 1", "fence-upload-in-doubt 4"), ("fence-upload 4", "fence-clear 0"),
+    )  # fmt: skip
+    for beside in ("--losses 3", "--losses 2 --cancels 1", "--losses 2 --resets 1", "--losses 3 --lossy 1",
+                   "--losses 1 --lossy 1 --latency 150", "--losses 1 --lossy 1 --latency 300"):  # fmt: skip
+        cases += [(f"{autopilot} {one} {other}", f"--held-beside 2 {beside}") for one, other in followed]
+    return [(words.replace(" rally ", " rally-").replace(" fence ", " fence-"), options) for words, options in cases]
+
+
 def by_file() -> list[tuple[str, str]]:
     """PlanFiles on ArduPilot. A plan of 6 items and home is written in two pieces, both on their way at once."""
     cases = [("file-upload 1", ""), *((f"file-verify {n} --held {n} --held-plan 1", "") for n in (0, 1, 2))]
@@ -105,6 +131,9 @@ KNOWN = {
 }
 KNOWN["MAVSDK ensure 0 --held 1 --losses 2 --faults 1 --lossy 1"] = "Differs, and the plan aboard is the plan meant"
 KNOWN["Betaflight ensure 0 --held 1 --losses 2 --faults 1 --lossy 1"] = "Differs, and the plan aboard is the plan meant"
+KNOWN["ArduPilot rally-ensure 0 --held 1 --held-beside 2 --losses 1 --faults 1 --lossy 1"] = (
+    "Differs, and the plan aboard is the plan meant"
+)
 # Betaflight drops the plan that it has just accepted, when a line repeats its COUNT behind the acceptance.
 KNOWN |= {
     f"Betaflight {words} --losses 2 --faults 1": "aboard() says our plan, and it is not"
@@ -195,6 +224,13 @@ def test_no_server_of_an_unknown_firmware_misleads_the_client(record_property):
         for beside in ("--losses 2", "--losses 1 --cancels 1", "--losses 1 --resets 1"):
             scenarios += [(words, beside) for words in pairs(server)]
     expect_nothing_broken(record_property, "explored: servers of an unknown firmware", scenarios)
+
+
+@pytest.mark.slow
+def test_no_fence_and_no_rally_points_are_misled_by_a_mission_nor_mislead_one(record_property):
+    scenarios = [*by_kind("ArduPilot"), *by_kind("PX4")]
+    states = expect_nothing_broken(record_property, "explored: fences and rally points beside a mission", scenarios)
+    assert states > 400_000
 
 
 @pytest.mark.slow
@@ -341,6 +377,41 @@ DEFECTS = {
         "if (stillMs >= kConfirmingMs) return Status::Transferring;",
         "ArduPilot upload 1",
         "it goes round for ever",
+    ),
+    "the answer to a fence is taken for the mission's": (
+        "Upload.cpp",
+        "if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;",
+        "",
+        "ArduPilot fence-upload 4 upload-in-doubt 1 --losses 2 --resets 1",
+        "a refusal that the autopilot did not send",
+    ),
+    "a rally point is sent where the mission's item is asked for": (
+        "Upload.cpp",
+        "if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;",
+        "",
+        "ArduPilot upload-in-doubt 2 rally-upload-in-doubt 1 --losses 2 --cancels 1",
+        "an item is sent that was not asked for",
+    ),
+    "ensure() compares the rally points with how many items a mission has": (
+        "Ensure.cpp",
+        "if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;",
+        "",
+        "PX4 rally-ensure 1 ensure 1 --held-beside 2 --losses 2 --resets 1",
+        "an upload begins before it was looked what is aboard",
+    ),
+    "the end of rally points is told of the mission": (
+        "Client.cpp",
+        "sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelled);",
+        "sendAck(MAV_MISSION_OPERATION_CANCELLED, PlanType::Mission);",
+        "ArduPilot rally-verify 2 --held 3 --losses 1",
+        "a frame is sent after the end",
+    ),
+    "rally points that were begun are said to be as before": (
+        "Upload.cpp",
+        "plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown",
+        "plan_.has(kReplacesItemByItem) ? Aboard::AsBefore : Aboard::NotKnown",
+        "ArduPilot rally-upload 2 --losses 1 --cancels 1",
+        "aboard() says as before, and it is not",
     ),
     "an upload by file believes the answer to the closing": (
         "PlanFilesWriting.cpp",

@@ -35,7 +35,7 @@ const char* nameOf(Aboard aboard) {
 class OurClient : public ::Client {
  public:
   explicit OurClient(Proven proven) : client_(begun(stream_)) {
-    const ItemSource plan = inRam(sketchPlan(kPlan), itemsOfPlan);
+    const ItemSource plan = inRam(sketchPlan(kPlan, kMission), itemsOfPlan);
     switch (proven) {
       case Proven::ByAnswer: client_.uploadWithoutReadback(plan); return;
       case Proven::InDoubt: client_.upload(plan); return;
