@@ -111,3 +111,23 @@ def test_a_mode_that_a_pilot_sets_during_a_look_stays(build_service, vehicle):
         service.run(1.5)
         autopilot = service.autopilot
         assert autopilot.kind.modes[autopilot.mode] == OTHERS[vehicle] and autopilot.armed == (look == 2)
+
+
+@LOOKS
+@pytest.mark.parametrize("look", [1, 2])
+def test_cancelled_in_a_look_it_goes_no_further(build_service, look):
+    service = made(build_service, "copter")
+    plan = hops("copter", 4)
+    upload(service, plan)
+    before = len(service.heard(LISTS))
+    service.order_of("startproven", 0)
+    run_until(service, lambda: len(service.heard(LISTS)) == before + look)
+    service.tell("cancel")
+    assert service.done() == "Cancelled"
+    service.run(3.0)
+    assert service.autopilot.armed == (look == 2)
+    service.verify(plan)
+    assert service.done() == "Verified"  # and nothing begins behind it
+    service.run(3.0)
+    assert service.autopilot.armed == (look == 2)
+    assert service.ends_called_back == ["Accepted", "Cancelled", "Verified"]
