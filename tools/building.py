@@ -263,7 +263,9 @@ def compile_into(
         env={**os.environ, "LC_ALL": "C"},
         check=False,
     )
-    said = readable(ran.stderr if ran.returncode == 0 else ran.stdout + ran.stderr, folder, out, sketch, source)
+    # What arduino-cli prints beside an error is a table of libraries; arduino-builder has errors in both.
+    is_in_both = ran.returncode != 0 and (backend != "arduino-cli" or not ran.stderr.strip())
+    said = readable(ran.stdout + ran.stderr if is_in_both else ran.stderr, folder, out, sketch, source)
     if ran.returncode != 0:
         raise BuildFailed(f"{source.name} does not compile for {board.name}:\n{said.strip()}")
     warnings = own_warnings(said, source)

@@ -33,11 +33,13 @@ namespace mavmission {
   X(Well, "all is well")
 // clang-format on
 
+inline namespace print_it_with_toString {  // what println() of one says: see Status.h
 enum class Verdict : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_VERDICTS(MAVMISSION_NAME)
 #undef MAVMISSION_NAME
 };
+}  // namespace print_it_with_toString
 
 // The verdict in words, for Serial.print(). Flash text; null for a value that is no Verdict.
 FlashText toString(Verdict verdict);

@@ -107,11 +107,16 @@ namespace mavmission {
   X(OtherValue, "the autopilot stores another value")  /* Parameters::value() */
 // clang-format on
 
+// How an operation stands, or has ended. The namespace's name is for whoever writes Serial.println(status): Arduino's
+// println() takes no such type, and the first line of the compiler's error then says what to write:
+// Serial.println(toString(status)). No sketch writes the namespace.
+inline namespace print_it_with_toString {
 enum class Status : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_STATUSES(MAVMISSION_NAME)
 #undef MAVMISSION_NAME
 };
+}  // namespace print_it_with_toString
 
 // True if an operation that has ended with this status may succeed when it is started again. False if the plan itself
 // is wrong, or if the aircraft is armed.
@@ -127,11 +132,13 @@ bool isWorthRetry(Status status);
   X(OtherPlan, "not our plan any more: somebody else has replaced or cleared it")
 
 // Which plan is aboard.
+inline namespace print_it_with_toString {
 enum class Aboard : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_ABOARD(MAVMISSION_NAME)
 #undef MAVMISSION_NAME
 };
+}  // namespace print_it_with_toString
 
 // The status in words, for Serial.print(). The text is in flash; null for a value that is no Status.
 FlashText toString(Status status);

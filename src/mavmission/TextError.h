@@ -32,11 +32,13 @@ namespace mavmission {
   X(TooFast, "it came faster than it could be stored: send it line by line")
 // clang-format on
 
+inline namespace print_it_with_toString {  // what println() of one says: see Status.h
 enum class TextError : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
   MAVMISSION_TEXT_ERRORS(MAVMISSION_NAME)
 #undef MAVMISSION_NAME
 };
+}  // namespace print_it_with_toString
 
 // In words, for Serial.print(). Flash text; null for a value that is no TextError.
 FlashText toString(TextError error);

@@ -55,6 +55,26 @@ def dead(document: Path) -> list[str]:
     return found
 
 
+def beyond_the_site(document: Path, text: str) -> list[str]:
+    """Links of a page to files that tools/site leaves out: a reader there would find nothing."""
+    targets = re.findall(r"\]\((?!https?:|mailto:|#|\.\./\.\./actions/)([^)#\s]+)", without_code(text))
+    places = {target: (document.parent / target).resolve().relative_to(ROOT) for target in targets}
+    return [target for target, place in places.items()
+            if place.parts[0] not in ("docs", "examples") and len(place.parts) > 1]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "page", sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]), ids=lambda file: file.name
+)
+def test_page_links_to_nothing_that_the_site_leaves_out(page):
+    assert beyond_the_site(page, page.read_text()) == []
+
+
+def test_link_beyond_the_site_is_found():
+    text = "[a](../simulation/recordings/README.md) [b](plans.md) [c](../README.md#install)"
+    assert beyond_the_site(ROOT / "docs" / "boards.md", text) == ["../simulation/recordings/README.md"]
+
+
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda file: str(file.relative_to(ROOT)))
 def test_every_link_leads_to_a_file_and_a_heading(document):
     assert dead(document) == []

@@ -35,7 +35,7 @@ def test_tool_and_its_options_are_there(command):
 
 def test_every_other_command_is_one_of_arduino_or_platformio():
     others = [command.partition(" ")[0] for command in COMMANDS if not command.startswith("tools/")]
-    assert set(others) == {"arduino-cli", "lib_deps"}
+    assert set(others) == {"arduino-cli", "lib_deps", "ln"}
 
 
 def test_every_page_is_reached_from_the_readme_by_one_link():

@@ -111,6 +111,13 @@ def test_comment_that_begins_a_file_is_about_the_file():
     assert filtered("// Words.", "// More.", "#pragma once") == ["/// Words.", "/// More.", "/// @file"]
 
 
+def test_inline_namespace_is_left_out_and_the_comment_above_it_is_about_what_is_in_it():
+    end = "}  // namespace print_it_with_toString"
+    assert filtered("// A.", "inline namespace print_it_with_toString {", "enum class A {};", end) == [
+        "/// A.", "", "enum class A {};", "",
+    ]  # fmt: skip
+
+
 def test_heading_of_a_section_is_about_nothing():
     lines = ["  // --- Flying. Nothing", "  // arms.", "", "  int a();"]
     assert filtered(*lines) == lines

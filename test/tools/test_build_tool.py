@@ -264,6 +264,24 @@ def test_arduino_cli_is_used_where_it_has_the_avr_core_and_prints_the_same(tmp_p
     assert f"--libraries {ROOT}/build/libraries" in said
 
 
+CLI_WITH_AN_ERROR = """\
+if [ "$1 $2" = "core list" ]; then echo 'arduino:avr 1.8.6     1.8.6  Arduino AVR Boards'; exit; fi
+printf 'Used library Version Path\\nMavMission   0.1.0   /x\\n'
+echo 'Echo.ino:3:1: error: it is wrong' >&2
+exit 1
+"""
+
+
+def test_error_by_arduino_cli_comes_first_and_without_its_table_of_libraries(tmp_path):
+    fake = program(tmp_path / "bin", "arduino-cli", CLI_WITH_AN_ERROR)
+    ran = tools_build(sketch(tmp_path, ECHO), "--board", "mega", path=fake)
+    assert ran.returncode == 1
+    assert ran.stderr.splitlines() == [
+        "tools/build: Echo does not compile for mega:",
+        "Echo.ino:3:1: error: it is wrong",
+    ]
+
+
 def test_arduino_cli_without_the_avr_core_is_passed_over(tmp_path, monkeypatch):
     fake = program(tmp_path / "bin", "arduino-cli", "echo 'No platforms installed.'")
     monkeypatch.setenv("PATH", f"{fake}:{os.environ['PATH']}")
