@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from building import BOARDS, HARDWARE, ROOT, BuildFailed, build_sketch
+from building import BOARDS, BUILD, HARDWARE, ROOT, BuildFailed, build_sketch
 from examples import example_folders, sketch_of
 from promised import TOO_LARGE
 
@@ -353,10 +353,11 @@ def as_sketch(block: str) -> str:
         for number, block in enumerate(cpp_blocks() or [""], start=1)
     ],
 )
-def test_code_in_the_readme_and_in_docs_compiles(number, block, tmp_path):
+def test_code_in_the_readme_and_in_docs_compiles(number, block):
     assert block, "README.md has no ```cpp block"
-    sketch = tmp_path / f"Readme{number}" / f"Readme{number}.ino"
-    sketch.parent.mkdir()
+    # In the same place each time: what has not changed is not compiled again.
+    sketch = BUILD / "documented" / f"Readme{number}" / f"Readme{number}.ino"
+    sketch.parent.mkdir(parents=True, exist_ok=True)
     sketch.write_text(as_sketch(block))
     defines = ["MAVMISSION_SIGNING=1"] if "signWith" in block else []
     assert build_sketch(sketch, "mega", defines=defines).flash > 0
