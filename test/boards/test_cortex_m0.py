@@ -12,6 +12,7 @@ import pytest
 
 from areas import FIELD
 from bench_fixtures import BENCHES
+from disorders import latency_of
 from downloads import WRITTEN, loaded, same
 from examples import example_folders, sketch_of
 from plans import SURVEY, on_the_wire, waypoint
@@ -136,6 +137,7 @@ def test_upload_with_a_fifth_of_the_frames_lost_ends_as_it_is(build_m0, personal
     wire = Wire(seed)
     for direction in DIRECTIONS:
         wire.at_random(direction, lose=20)
+    wire.set_latency(latency_of(seed))
     m0 = build_m0(personality, wire=wire)
     m0.upload(SURVEY, proof="Always")
     ended = m0.done(limit_s=130)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import pytest
 
+from disorders import latency_of
 from simulation.service import asks_for_heartbeat
 from simulation.wire import Wire
 from starts import ARM, MISSION_START, SET_MODE, hops, made, told, upload
@@ -116,6 +117,7 @@ def test_on_a_line_that_loses_nothing_contradicts_the_autopilot(build_service, v
             service.autopilot._set_mode(3, 0, 0.0)
         upload(service, hops(vehicle, 4))
         service.wire.damage_bytes(lose=3)
+        service.wire.set_latency(latency_of(seed))
         moment = service.now + 0.2 + 0.45 * seed
         service.autopilot.at("pilot", moment, lambda now, s=service: set_by_pilot(s, other, now))
         service.order_of("start")

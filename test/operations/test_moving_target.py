@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+from disorders import latency_of
 from plans import SURVEY
 from simulation.fake_autopilot import mavlink
 from simulation.steered import ABOVE_GROUND, ABOVE_HOME, ABOVE_SEA, REPOSITION
@@ -589,6 +590,7 @@ def test_line_that_loses_a_fifth_of_its_frames_is_followed_on_and_held_over(make
     begin(following, north=300.0)
     for direction in "><":
         following.wire.at_random(direction, lose=20)
+    following.wire.set_latency(latency_of(seed))
     following.run(20.0)
     assert following.is_followed() and not failsafes(following)
     following.tell("unfollow")

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from disorders import latency_of
 from plans import NAN, on_the_wire, waypoint
 from simulation.fake_autopilot import item, mavlink
 from simulation.fake_autopilot.flight import Place
@@ -542,6 +543,7 @@ def test_flight_on_a_line_that_loses_a_fifth_of_the_frames_comes_through(make_st
     steered.run(2.0)
     for direction in "><":
         steered.wire.at_random(direction, lose=20)
+    steered.wire.set_latency(latency_of(seed))
     for order in (lambda: steered.take_off(10.0), lambda: steered.go_to(steered.place(15, 0), 12.0),
                   lambda: steered.order_of("home")):  # fmt: skip
         for _ in range(4):

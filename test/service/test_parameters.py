@@ -7,6 +7,7 @@ import struct
 
 import pytest
 
+from disorders import latency_of
 from simulation import recordings
 from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.items import f32
@@ -260,8 +261,9 @@ def test_confirmation_that_never_comes_is_unconfirmed(params, personality):
 @pytest.mark.parametrize("seed", range(4))
 def test_parameters_are_set_on_a_line_that_loses_a_fifth_of_the_frames(make, personality, seed):
     params = make(wire=Wire(seed))
-    params.wire.at_random(">", lose=0.2)
-    params.wire.at_random("<", lose=0.2)
+    params.wire.at_random(">", lose=20)
+    params.wire.at_random("<", lose=20)
+    params.wire.set_latency(latency_of(seed))
     for number in (2.0, 3.0, 4.0, 5.0):
         assert params.set(REAL[personality], number, limit_s=60) == "Done"
         assert of(params, REAL[personality]).value == number

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from disorders import latency_of
 from simulation.fake_autopilot import mavlink
 from simulation.payload import PayloadBench
 from simulation.wire import Wire
@@ -174,8 +175,9 @@ def test_end_of_nothing_is_not_told(payload):
 @pytest.mark.parametrize("seed", range(6))
 def test_sender_that_repeats_hears_its_answer_on_a_bad_line_and_the_winch_runs_once(make, seed):
     payload = make(wire=Wire(seed))
-    payload.wire.at_random(">", lose=0.4)
-    payload.wire.at_random("<", lose=0.4)
+    payload.wire.at_random(">", lose=40)
+    payload.wire.at_random("<", lose=40)
+    payload.wire.set_latency(latency_of(seed))
     for confirmation in range(40):
         payload.command(WINCH, 5.0, confirmation=confirmation, wait_s=0.5)
         arrived = [entry for entry in payload.autopilot.messages(">", "COMMAND_ACK") if entry.command == WINCH]

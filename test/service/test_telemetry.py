@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import pytest
 
+from disorders import latency_of
 from simulation import recordings
 from simulation.fake_autopilot import mavlink
 from simulation.telemetry import LISTENERS, NEVER, Telemetry
@@ -287,13 +288,15 @@ def test_stream_that_somebody_else_has_switched_off_comes_again(telemetry):
 def test_all_come_on_a_line_that_loses_a_fifth_of_the_frames(make, seed):
     telemetry = make(wire=Wire(seed))
     telemetry.autopilot.instruments.rc = [1500] * 8
-    telemetry.wire.at_random(">", lose=0.2)
-    telemetry.wire.at_random("<", lose=0.2)
+    telemetry.wire.at_random(">", lose=20)
+    telemetry.wire.at_random("<", lose=20)
+    telemetry.wire.set_latency(latency_of(seed))
     telemetry.run_until_confirmed(*NAMES, limit_s=40.0)
     assert all(telemetry.told(name)["age"] < 3000 for name in NAMES)
     telemetry.autopilot.reboot(telemetry.now)
     telemetry.run(5.0)
     telemetry.run_until_confirmed(*NAMES, limit_s=40.0)
+    telemetry.run(1.0)  # the confirmation comes before the first message
     assert all(telemetry.told(name)["age"] < 3000 for name in NAMES)
 
 

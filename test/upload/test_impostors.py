@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from disorders import latency_of
 from plans import HOME, OLD_PLAN, waypoint
 from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.inav import Inav
@@ -45,6 +46,7 @@ def test_upload_to_one_is_never_accepted(build, kind, proof):
 def test_nor_on_a_line_that_loses(build, kind, loss, seed):
     bench = build(**KINDS[kind])
     bench.wire.damage_bytes(lose=loss)
+    bench.wire.set_latency(latency_of(seed))
     bench.upload(PLAN, proof=PROOFS[seed % 3])
     assert bench.run_until_ended(limit_s=120) not in ("Accepted", "AlreadyAboard")
     assert bench.state.aboard != "OurPlan"
