@@ -68,6 +68,7 @@ class ArduPilot(FakeAutopilot):
     vehicle_type: HEARTBEAT.type, as a plane has it in Q_MAV_TYPE; None for the vehicle's own.
     streams: the messages it sends unasked, and how often [s]; by default none, as a port whose
     SRn_ parameters are 0. ftp: False for BRD_OPTIONS' bit that disables MAVLink FTP.
+    lists_modes: it has AVAILABLE_MODES, as later than 4.6.
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
@@ -82,9 +83,11 @@ class ArduPilot(FakeAutopilot):
                  armed: bool = False, mode: str | None = None, radio_slowdown_s: float = 0.0,
                  ready_s: float | None = None, position_s: float | None = None, storage_s: float = 0.0,
                  vehicle_type: int | None = None,
-                 streams: dict[int, float] | None = None, ftp: bool = True, **options) -> None:
+                 streams: dict[int, float] | None = None, ftp: bool = True, lists_modes: bool = False,
+                 **options) -> None:
         super().__init__(**options)
         self.kind = VEHICLES[self.vehicle]
+        self.lists_modes = lists_modes
         if ready_s is not None:
             self.kind = self.kind._replace(ready_s=ready_s)
         if position_s is not None:
@@ -428,12 +431,24 @@ class ArduPilot(FakeAutopilot):
 
     def _request_message(self, message, now: float) -> int:
         identity = whole_number(message.param1)
+        if identity == mavlink.MAVLINK_MSG_ID_AVAILABLE_MODES and self.lists_modes:
+            return self._tell_mode(whole_number(message.param2), now)
         reply = self.message_of(identity, now)
         if identity == MISSION_ITEM_REACHED:
             reply = mavlink.MAVLink_mission_item_reached_message(self._last_reached)
         if reply is None:
             return RESULT_FAILED
         self.answer(reply, now, later_s=0.001)
+        return RESULT_ACCEPTED
+
+    def _tell_mode(self, number: int, now: float) -> int:
+        """An entry of its list, behind the answer. Beyond the list it accepts, and tells nothing (seen)."""
+        modes = list(self.kind.modes.items())
+        if 1 <= number <= len(modes):
+            name, custom = modes[number - 1]
+            self.answer(mavlink.MAVLink_available_modes_message(
+                len(modes), number, mavlink.MAV_STANDARD_MODE_NON_STANDARD, custom, 0, name.encode()), now,
+                later_s=0.001)  # fmt: skip
         return RESULT_ACCEPTED
 
     def _request_capabilities(self, message, now: float) -> int:

@@ -30,7 +30,8 @@ enum class StandardMode : uint8_t {
 //
 // Both are operations of the client, one at a time as all of them: they return its first status, or Status::Busy. For
 // autopilots that have standard modes: PX4 1.16 sets them, and tells and lists them on boards that have the room;
-// ArduPilot 4.6 does neither. MissionClient::setMode() serves ArduPilot and PX4 without them.
+// ArduPilot 4.6 does neither, and later ones list their own modes. MissionClient::setMode() serves ArduPilot and PX4
+// without them.
 class StandardModes : public detail::Listener, private detail::StandardModeRules {
  public:
   // The characters of the longest name.
@@ -56,7 +57,8 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
 
   // Reads an entry of the autopilot's list (AVAILABLE_MODES). `number`: 1 to count(), which the first entry tells. Done
   // when it has come: the functions below then are about it. Status::CommandDenied after the end of the list, and from
-  // an autopilot that has none; ArduPilot says Status::CommandFailed. Status::NeedsMavlink2 as above.
+  // an autopilot that has none; ArduPilot 4.6 says Status::CommandFailed, and later ones nothing after the end of their
+  // list: Status::Unconfirmed. Status::NeedsMavlink2 as above.
   Status read(uint8_t number);
 
   // How many entries the list has; 0 before one has been read.

@@ -156,6 +156,20 @@ def test_ardupilot_has_no_standard_modes():
     assert bench.autopilot.mode == mode
 
 
+def test_list_of_a_newer_ardupilot_is_read_and_its_modes_are_no_standard_ones():
+    """As ArduCopter 4.8-dev: each has its own number and a name. A number beyond the list is accepted in silence."""
+    bench = ModeBench("ArduPilot", lists_modes=True)
+    modes = bench.autopilot.kind.modes
+    for number, (name, custom) in enumerate(modes.items(), 1):
+        assert bench.order("read", number) == "Done"
+        assert bench.entry == (0, len(modes), custom, True, 0, name)
+    assert bench.order("read", len(modes) + 1) == "Unconfirmed"
+    assert bench.order("set", LAND) == "CommandUnsupported"
+    assert bench.order("read", list(modes).index("GUIDED") + 1) == "Done"
+    assert bench.order("custom") == "Done"
+    assert bench.autopilot.mode == "GUIDED"
+
+
 def test_nothing_is_sent_over_mavlink_1():
     bench = ModeBench("ArduPilot", mavlink_version=1)
     assert bench.order("set", LAND) == "NeedsMavlink2"
