@@ -41,12 +41,15 @@ enum Kind : uint8_t {
 // The Kinds of param1 to param4, x, y and z, four bits each, beginning with the lowest; the highest four bits are the
 // command's flags (CommandTrait).
 struct Rules {
-  uint32_t bits;
+  union {
+    uint32_t bits;
+    uint8_t bytes[4];  // the lowest bits first, as in a MAVLink message
+  };
 
-  bool has(CommandTrait trait) const { return (static_cast<uint8_t>(bits >> 24) >> 4 & trait) != 0; }
+  bool has(CommandTrait trait) const { return (bytes[3] & trait << 4) != 0; }
   // True if param4 may be NaN, which means "as you fly".
   bool hasYaw() const {
-    const uint8_t kind = static_cast<uint8_t>(bits >> 8) >> 4;
+    const uint8_t kind = bytes[1] >> 4;
     return kind >= keeping::Yaw360 && kind <= keeping::Sign;
   }
 };

@@ -47,8 +47,9 @@ FloatKind kindOf(const void* bytes) {
   return magnitude == kInfinity ? FloatKind::Infinite : FloatKind::NotANumber;
 }
 
-int32_t wholeNumber(float value) {
-  const uint32_t bits = bitsOf(value);
+int32_t wholeNumber(const void* number) {
+  uint32_t bits;
+  memcpy(&bits, number, sizeof(bits));
   if ((bits & ~kSign) == 0) return 0;
   const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // with the sign above it: larger than any exponent
   if (biased < kBias || biased > kBias + 15) return -1;
@@ -217,7 +218,7 @@ float oneMore(float whole) {
 }
 
 float oneLess(float whole) {
-  const int32_t number = wholeNumber(whole);
+  const int32_t number = wholeNumber(&whole);
   return number > 0 ? floatOf(static_cast<uint16_t>(number - 1)) : whole;
 }
 

@@ -12,8 +12,8 @@ enum class FloatKind : uint8_t { Finite, Infinite, NotANumber };
 // The kind of the float that lies at `bytes`.
 FloatKind kindOf(const void* bytes);
 
-// The whole number from 0 to 65535 that `value` is, or -1 if it is none.
-int32_t wholeNumber(float value);
+// The whole number from 0 to 65535 that the float at `number` is, or -1 if it is none.
+int32_t wholeNumber(const void* number);
 
 // A whole number as a float.
 MAVMISSION_APART float floatOf(uint16_t whole);

@@ -184,7 +184,7 @@ class Client : public ClientRules {
   // Takes the time of this update() for heavy work. False when bytes have taken it: the work then waits for the next
   // one, which looks at half as many.
   MAVMISSION_APART bool claimHeavyWork();
-  MAVMISSION_APART void onTick(uint16_t nowMs);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Operation operation);
   MAVMISSION_APART void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
@@ -210,7 +210,7 @@ class Client : public ClientRules {
   MAVMISSION_APART void sendAnnouncement();
   MAVMISSION_APART Status checkItem(uint16_t wireItem);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && state_.prepared == wireItem; }
-  MAVMISSION_APART void prepareItem(uint16_t wireItem, uint16_t nowMs);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT void prepareItem(uint16_t wireItem, uint16_t nowMs);
   Status proven(uint32_t opaqueId);
   MAVMISSION_ONE_EXIT void continueUpload(Status status, uint16_t nowMs);
   MAVMISSION_APART uint16_t ownItem(uint16_t wireItem) const;

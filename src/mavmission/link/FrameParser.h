@@ -155,6 +155,11 @@ class FrameParser : public ParserRules {
   MAVMISSION_APART void skipByte();
   void giveUp();
 
+  // What Link asks for with each frame lies first, where avr-gcc reaches it cheaply.
+  uint16_t messageId_;
+  Sender sender_;  // of the last frame, or of the one being stepped over
+  uint8_t target_;
+  MoreKeys* moreKeys_;
   Index have_;    // bytes of the frame that has begun
   Index need_;    // its whole length, once the header has been read; before that the header's
   Index summed_;  // bytes in the checksum, without the first one and crcExtra_; 0: header not read yet
@@ -163,16 +168,12 @@ class FrameParser : public ParserRules {
   uint16_t skip_;   // stepping: bytes left, up to and including the first one behind the frame
   Index boundary_;  // where in bytes_ the first byte behind a stepped-over frame is; 0: nowhere
   uint16_t crc_;
-  uint16_t messageId_;
   uint8_t crcExtra_;
-  uint8_t target_;
   Stepping stepping_;
   bool inStep_;  // nothing but whole frames has come since the end of a frame
   uint16_t badChecksums_;
   uint16_t brokenFrames_;
   uint32_t bytesSkipped_;
-  MoreKeys* moreKeys_;
-  Sender sender_;  // of the last frame, or of the one being stepped over
 #if MAVMISSION_SIGNING
   uint8_t signature_[kSignature];
 #endif

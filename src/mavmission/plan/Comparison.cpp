@@ -67,10 +67,11 @@ bool isNext(const Four& a, const Four& b) { return a.bits - b.bits + 1 <= 2; }
 // field, and is overwritten.
 bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
   if ((keeper & kByPx4) != 0) makeWhole(&value);
-  int32_t whole = wholeNumber(value.number);
+  const int32_t number = wholeNumber(&value);
+  uint16_t whole = static_cast<uint16_t>(number);  // 65535, which none of these keeps, if it is none
   if ((keeper & kByPx4) != 0) {
     const uint8_t modes = (keeper & kInFloats) != 0 ? 1 << 0 | 1 << 1 | 1 << 2 : 1 << 0 | 1 << 3;
-    return static_cast<uint32_t>(whole) < 8 && (modes >> static_cast<uint8_t>(whole) & 1) != 0;
+    return whole < 8 && (modes >> whole & 1) != 0;
   }
   if ((keeper & kOfFence) != 0) {
     // ArduPilot cuts a radius that is less than a millimetre above a whole number of metres to that number, even to 0.
@@ -90,12 +91,12 @@ bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
     }
   } else {
     if (isBelow0) return false;
-    if (whole < 0) {
+    if (number < 0) {
       multiply(&value, Times::T256);
-      whole = wholeNumber(value.number);
+      whole = static_cast<uint16_t>(wholeNumber(&value));
     }
   }
-  return static_cast<uint32_t>(whole) <= 255;
+  return whole <= 255;
 }
 
 bool areNoNumbers(const void* a, const void* b) {
@@ -141,12 +142,13 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
   static_assert(Zero == Special, "a Zero is told from a Special by its field");
   // param2 or param4; no table of its own has a Special.
   if (kind == Zero && ((field & 1) != 0 || (keeper & kOwn) != 0)) kind = kOnlyZero;
-  const int32_t whole = wholeNumber(magnitude.number);
+  const int32_t number = wholeNumber(&magnitude);
+  const uint16_t whole = static_cast<uint16_t>(number);  // 65535 if it is none
   if (kind >= U1) {
     const uint16_t* limit = &kLimits[kind - U1].positive;
     if (sign != 0) ++limit;
     if (whole == 0) kept.bits = 0;
-    return whole >= 0 && static_cast<uint16_t>(whole) <= fromFlash(limit);
+    return number >= 0 && whole <= fromFlash(limit);
   }
   if (kind == Special) {
     // PX4 does not give back the mode of a region of interest that has a place.
@@ -155,7 +157,7 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
   }
   kept.bits = isZ ? 0x40000000 : 0x3F800000;  // 2, 1
   if (!isZ) kept.bytes[3] |= sign;
-  return (keeper & kByPlane) == 0 || isZ || static_cast<uint32_t>(whole) <= 1;
+  return (keeper & kByPlane) == 0 || isZ || whole <= 1;
 }
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {

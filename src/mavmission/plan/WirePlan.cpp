@@ -114,7 +114,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     }
   }
   if (item.command == kDoJump) {
-    const uint16_t target = static_cast<uint16_t>(wholeNumber(item.param1));  // 65535, which is beyond: it is none
+    const uint16_t target = static_cast<uint16_t>(wholeNumber(&item.param1));  // 65535, which is beyond: it is none
     // Home cannot be a jump's target. With raw item numbers, home is item 0.
     if (target >= count_ || (target == 0 && has(kHomeIsItem0) && (keeper_ & kIsRaw) != 0)) return Status::BadJump;
   }

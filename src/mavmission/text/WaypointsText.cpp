@@ -187,7 +187,7 @@ WaypointsText::Step WaypointsText::endLine() {
     }
   }
   if (isItem && !isHome && item_.command == kDoJump) {
-    const int32_t target = wholeNumber(item_.param1);
+    const int32_t target = wholeNumber(&item_.param1);
     if (target < firstNumber_) {
       field_ = 5;
       return fail(TextError::BadTarget);

@@ -65,13 +65,13 @@ Status StartTransfer::follow(const MissionItem& item) {
   ++looked_;
   if (isFlown(item.command)) return Status::Done;
   if (item.command == MAV_CMD_DO_JUMP_TAG) return Status::SourceRefused;
-  if (item.command == kDoJump && wholeNumber(item.param2) != 0) {
+  if (item.command == kDoJump && wholeNumber(&item.param2) != 0) {
     // In a loop with nothing to fly, a jump "for ever" never gets out. Any other jump is followed once here, and passed
     // by the second time.
     if (jump_ == next_ && isNegative(item.param2)) return Status::NothingToFly;
     if (jump_ != next_) {
       jump_ = next_;
-      next_ = static_cast<uint16_t>(wholeNumber(item.param1));
+      next_ = static_cast<uint16_t>(wholeNumber(&item.param1));
       return Status::Transferring;
     }
   }
