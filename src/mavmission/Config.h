@@ -34,6 +34,17 @@
 #define MAVMISSION_GENERIC_FIRMWARE 0
 #endif
 
+// 1: the library is for ArduPilot alone. What is known of other autopilots is left out, and an operation with one of
+// them ends with Status::OtherAutopilot before anything of it is sent; 0 to 1 [switch]. Costs nothing at 0.
+#ifndef MAVMISSION_ONLY_ARDUPILOT
+#define MAVMISSION_ONLY_ARDUPILOT 0
+#endif
+
+// 1: the same for PX4; 0 to 1 [switch]. Costs nothing at 0.
+#ifndef MAVMISSION_ONLY_PX4
+#define MAVMISSION_ONLY_PX4 0
+#endif
+
 // Keeps a function from being inlined, where avr-gcc would inline it and the program would grow. Each use was measured.
 #ifdef __AVR__
 #define MAVMISSION_APART __attribute__((noinline))
@@ -64,6 +75,15 @@
 #endif
 #if MAVMISSION_GENERIC_FIRMWARE < 0 || MAVMISSION_GENERIC_FIRMWARE > 2
 #error "MAVMISSION_GENERIC_FIRMWARE must be 0 to 2"
+#endif
+#if MAVMISSION_ONLY_ARDUPILOT < 0 || MAVMISSION_ONLY_ARDUPILOT > 1
+#error "MAVMISSION_ONLY_ARDUPILOT must be 0 to 1"
+#endif
+#if MAVMISSION_ONLY_PX4 < 0 || MAVMISSION_ONLY_PX4 > 1
+#error "MAVMISSION_ONLY_PX4 must be 0 to 1"
+#endif
+#if MAVMISSION_ONLY_ARDUPILOT + MAVMISSION_ONLY_PX4 + (MAVMISSION_GENERIC_FIRMWARE != 0) > 1
+#error "MAVMISSION_ONLY_ARDUPILOT, MAVMISSION_ONLY_PX4 and MAVMISSION_GENERIC_FIRMWARE exclude one another"
 #endif
 #if MAVMISSION_BYTES_PER_UPDATE < 16 || MAVMISSION_BYTES_PER_UPDATE > 255
 #error "MAVMISSION_BYTES_PER_UPDATE must be 16 to 255"

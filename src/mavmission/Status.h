@@ -33,6 +33,7 @@ namespace mavmission {
   X(NoAutopilot, "no autopilot heard in the time allowed") \
   X(SeveralAutopilots, "several autopilots heard: name one with setTargetIds()") \
   X(SameIdsAsAutopilot, "our system and component id are the autopilot's own: it would ignore us") \
+  X(OtherAutopilot, "refused: compiled for another autopilot") /* MAVMISSION_ONLY_ARDUPILOT, _PX4: Config.h */ \
   X(NeedsMavlink2, "refused: this needs MAVLink 2, and the link speaks MAVLink 1") \
   X(Armed, "refused: the autopilot is armed")       /* allowWhileArmed() allows it */ \
   X(TooManyItems, "refused: more than 65535 items on the wire") \

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 
 import pytest
@@ -18,7 +19,10 @@ LIMITS = {
     "MAVMISSION_ITEMS_PER_UPDATE": (1, 255),
     "MAVMISSION_SIGNING": (0, 1),
     "MAVMISSION_GENERIC_FIRMWARE": (0, 2),
+    "MAVMISSION_ONLY_ARDUPILOT": (0, 1),
+    "MAVMISSION_ONLY_PX4": (0, 1),
 }
+ONLY = ("MAVMISSION_ONLY_ARDUPILOT", "MAVMISSION_ONLY_PX4")  # what they leave out, other macros and the units ask for
 SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"
 UNITS = ("frame_parser", "wire_plan", "outbox")
 
@@ -43,10 +47,16 @@ def test_values_beyond_the_limits_are_refused_in_words(macro):
             firmware.compiled(SKETCH, "atmega2560", [f"-D{macro}={value}"], [LIBRARY])
 
 
+@pytest.mark.parametrize("two", itertools.combinations([*ONLY, "MAVMISSION_GENERIC_FIRMWARE"], 2))
+def test_one_autopilot_alone_excludes_others_in_words(two):
+    with pytest.raises(FirmwareNotBuilt, match="exclude one another"):
+        firmware.compiled(SKETCH, "atmega2560", [f"-D{macro}=1" for macro in two], [LIBRARY])
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("end", [0, 1], ids=["least", "greatest"])
 def test_parts_work_at_the_limits(end, tmp_path):
-    defines = {macro: limits[end] for macro, limits in LIMITS.items()}
+    defines = {macro: limits[end] for macro, limits in LIMITS.items() if macro not in ONLY}
     sources = [HOST / "units" / f"{unit}.cpp" for unit in ("main", *UNITS)]
     program = build_host("limits", [*sources, *sorted(HOST.glob("*.cpp"))], "clang++", defines=defines)
     for unit in UNITS:

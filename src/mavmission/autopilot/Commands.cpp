@@ -83,6 +83,20 @@ const Both kInPx4[] PROGMEM = {
     {four(K, D, D, D), four(K, K, K, 0)},
 };
 
+constexpr uint8_t whereOf(InArduPilot arduPilot, InPx4 px4) {
+  return static_cast<uint8_t>(static_cast<uint8_t>(arduPilot) | static_cast<uint8_t>(px4) << 4);
+}
+
+#if MAVMISSION_ONLY_PX4
+struct Row {
+  uint16_t command;
+  uint8_t where;  // InArduPilot in the lower four bits, InPx4 in the upper four
+};
+
+constexpr Row row(uint16_t command, uint8_t, uint8_t, uint8_t, uint8_t, InArduPilot arduPilot, InPx4 px4) {
+  return Row{command, whereOf(arduPilot, px4)};
+}
+#else
 struct Row {
   uint16_t command;
   uint16_t params;  // the Kinds of param1 to param4 on ArduPilot
@@ -91,9 +105,9 @@ struct Row {
 
 constexpr Row row(uint16_t command, uint8_t param1, uint8_t param2, uint8_t param3, uint8_t param4,
                   InArduPilot arduPilot, InPx4 px4) {
-  return Row{command, four(param1, param2, param3, param4),
-             static_cast<uint8_t>(static_cast<uint8_t>(arduPilot) | static_cast<uint8_t>(px4) << 4)};
+  return Row{command, four(param1, param2, param3, param4), whereOf(arduPilot, px4)};
 }
+#endif
 
 constexpr uint8_t kPlaneRows = 2;  // the first rows, which hold for planes only
 
@@ -264,18 +278,22 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
 }
 
 Rules rulesOf(const MissionItem& item, Keeper keeper) {
-  if ((keeper & kOwn) != 0) return ownRulesOf(item.command);
+  if (isByOwn(keeper)) return ownRulesOf(item.command);
   uint16_t params = 0, more = four(K, K, Height, kAsItsFrameSays);
-  for (const Row* row = (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows;
+  for (const Row* row = isServed(Firmware::ArduPilot) && (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows;
        row != kRows + sizeof(kRows) / sizeof(*kRows); ++row) {
     if (fromFlash(&row->command) != item.command) continue;
     const uint8_t where = fromFlash(&row->where);
     const uint8_t inArduPilot = where & 15;
+#if MAVMISSION_ONLY_PX4
+    const uint16_t *inFlash, *moreInFlash;
+#else
     const uint16_t* inFlash = &row->params;
     const uint16_t* moreInFlash = &kInArduPilot[inArduPilot];
+#endif
     // An autopilot that is neither ArduPilot nor PX4 is treated as ArduPilot, or as PX4 if ArduPilot does not take the
     // command.
-    if ((keeper & kByPx4) != 0 || ((keeper & kByArduPilot) == 0 && inArduPilot == 0)) {
+    if (isByPx4(keeper) || (!isByArduPilot(keeper) && inArduPilot == 0)) {
       inFlash = &kInPx4[where >> 4].params;
       moreInFlash = inFlash + 1;
     }

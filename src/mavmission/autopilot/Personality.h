@@ -105,12 +105,32 @@ constexpr bool isGenericKnown() { return kGenericFirmware != Firmware::Other; }
 // kByOwnTable where there is such a table.
 constexpr Keeper kOwn = isGenericKnown() ? kByOwnTable : 0;
 
+// The autopilot that the library is compiled for, where it is for one alone; else Unknown. With one alone the answers
+// of has(), isByArduPilot() and isByPx4() are constants, and what is behind the others is not linked.
+constexpr Firmware kOnly = MAVMISSION_ONLY_ARDUPILOT ? Firmware::ArduPilot
+                           : MAVMISSION_ONLY_PX4     ? Firmware::Px4
+                                                     : Firmware::Unknown;
+// True if the library serves this autopilot.
+constexpr bool isServed(Firmware firmware) { return kOnly == Firmware::Unknown || kOnly == firmware; }
+
+#if MAVMISSION_ONLY_ARDUPILOT || MAVMISSION_ONLY_PX4
+MAVMISSION_INLINE constexpr bool isByArduPilot(Keeper) { return kOnly == Firmware::ArduPilot; }
+MAVMISSION_INLINE constexpr bool isByPx4(Keeper) { return kOnly == Firmware::Px4; }
+MAVMISSION_INLINE constexpr bool isByEither(Keeper) { return true; }
+#else
+MAVMISSION_INLINE constexpr bool isByArduPilot(Keeper keeper) { return (keeper & kByArduPilot) != 0; }
+MAVMISSION_INLINE constexpr bool isByPx4(Keeper keeper) { return (keeper & kByPx4) != 0; }
+MAVMISSION_INLINE constexpr bool isByEither(Keeper keeper) { return (keeper & (kByArduPilot | kByPx4)) != 0; }
+#endif
+MAVMISSION_INLINE constexpr bool isByOwn(Keeper keeper) { return (keeper & kOwn) != 0; }
+
 MAVMISSION_INLINE constexpr bool has(Firmware firmware, Trait trait) {
-#define MAVMISSION_ROW(NAME, ID, KEEPER, TRAITS) (((TRAITS) & trait) != 0 && firmware == Firmware::NAME) ||
+#define MAVMISSION_ROW(NAME, ID, KEEPER, TRAITS) \
+  (((TRAITS) & trait) != 0 && (kOnly == Firmware::Unknown ? firmware : kOnly) == Firmware::NAME) ||
 #define MAVMISSION_GENERIC_ROW(NAME, KEEPER, TRAITS) \
   (((TRAITS) & trait) != 0 && kGenericFirmware == Firmware::NAME && firmware == Firmware::NAME) ||
   return MAVMISSION_PERSONALITIES(MAVMISSION_ROW) MAVMISSION_GENERIC_PERSONALITIES(MAVMISSION_GENERIC_ROW)(
-      (kOtherTraits & trait) != 0 && firmware == Firmware::Other);
+      (kOtherTraits & trait) != 0 && kOnly == Firmware::Unknown && firmware == Firmware::Other);
 #undef MAVMISSION_GENERIC_ROW
 #undef MAVMISSION_ROW
 }

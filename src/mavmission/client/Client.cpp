@@ -134,6 +134,7 @@ void Client::waitForAutopilot() {
   const AutopilotFinder& finder = link_.finder();
   if (finder.isCertain()) {
     if (finder.isFrom(link_.systemId(), link_.componentId())) return end(Status::SameIdsAsAutopilot);
+    if (kOnly != Firmware::Unknown && finder.firmware() != kOnly) return end(Status::OtherAutopilot);
     // What comes before this operation has sent anything is no answer to it: so it waits for late answers first. No
     // command is answered by a message of the mission protocol.
     const uint8_t roundTrips = static_cast<uint8_t>(link_.pace().roundTripMs() >> 8);  // 2 of them [512 ms]

@@ -66,10 +66,10 @@ bool isNext(const Four& a, const Four& b) { return a.bits - b.bits + 1 <= 2; }
 // with a place is "none" or "a place", and without a place is "none" or "an item". `value` is the magnitude of the
 // field, and is overwritten.
 bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
-  if ((keeper & kByPx4) != 0) makeWhole(&value);
+  if (isByPx4(keeper)) makeWhole(&value);
   const int32_t number = wholeNumber(&value);
   uint16_t whole = static_cast<uint16_t>(number);  // 65535, which none of these keeps, if it is none
-  if ((keeper & kByPx4) != 0) {
+  if (isByPx4(keeper)) {
     const uint8_t modes = (keeper & kInFloats) != 0 ? 1 << 0 | 1 << 1 | 1 << 2 : 1 << 0 | 1 << 3;
     return whole < 8 && (modes >> whole & 1) != 0;
   }
@@ -122,7 +122,7 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
     return true;
   }
   if (kind == Height && isZ) {
-    if (!is && (keeper & (kByArduPilot | kOwn)) != 0) makeHundredths(&kept);
+    if (!is && (isByArduPilot(keeper) || isByOwn(keeper))) makeHundredths(&kept);
     return true;
   }
   const uint8_t sign = kept.bytes[3] & 0x80;
@@ -152,7 +152,7 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
   }
   if (kind == Special) {
     // PX4 does not give back the mode of a region of interest that has a place.
-    if ((keeper & (kByPx4 | kInFloats)) == kByPx4) kept.bits = 0;
+    if (isByPx4(keeper) && (keeper & kInFloats) == 0) kept.bits = 0;
     return isSpecialKept(magnitude, sign != 0, field, keeper);
   }
   kept.bits = isZ ? 0x40000000 : 0x3F800000;  // 2, 1
@@ -165,8 +165,8 @@ bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& 
   if (modern(sent.frame) == found) return true;
   // Items of a fence, which have no altitude, are read back with Frame::Global, whatever frame was sent. So are
   // ArduPilot's items without a place.
-  if ((keeper & kByArduPilot) != 0 && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
-  return found == Frame::Global && (keeper & (kByArduPilot | kByPx4)) != 0 && (keeper & kOfFence) != 0;
+  if (isByArduPilot(keeper) && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
+  return found == Frame::Global && isByEither(keeper) && (keeper & kOfFence) != 0;
 }
 
 }  // namespace
@@ -175,9 +175,9 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
   if (read.command != sent.command) return ItemField::Command;
   Rules rules = rulesOf(sent, keeper);
   if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
-  if ((keeper & (kByArduPilot | kByPx4 | kOwn)) == 0) rules.bits = 0;  // all fields are kept
+  if (!isByEither(keeper) && !isByOwn(keeper)) rules.bits = 0;  // all fields are kept
   uint8_t flags = keeper;
-  if ((keeper & kByPx4) != 0 && sent.frame == Frame::Mission) flags |= kInFloats;
+  if (isByPx4(keeper) && sent.frame == Frame::Mission) flags |= kInFloats;
   const Four* wasSent = reinterpret_cast<const Four*>(&sent);
   const Four* wasRead = reinterpret_cast<const Four*>(&read);
   for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, rules.bits >>= 4) {
@@ -192,7 +192,7 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
   // It stops at no item, or refuses to.
   if ((keeper & kOwn) != 0 && sent.autocontinue != 1) return ItemField::Autocontinue;
   // In a read-back, autocontinue is 0 in fence and rally items, and 1 in the items of ArduPilot's missions.
-  const bool isAlways1 = (keeper & kByArduPilot) != 0 && read.autocontinue == 1;
+  const bool isAlways1 = isByArduPilot(keeper) && read.autocontinue == 1;
   if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)
     return ItemField::Autocontinue;
   return ItemField::None;

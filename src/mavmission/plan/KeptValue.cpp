@@ -72,7 +72,7 @@ int32_t atMost(int32_t value, int32_t limit) { return value < limit ? value : li
 
 float keptSpecial(float value, bool isRadius, Keeper keeper) {
   int32_t found;
-  if ((keeper & kByPx4) != 0 || !whole(value, found)) return fromBits(kNotKnown);  // not taken
+  if (isByPx4(keeper) || !whole(value, found)) return fromBits(kNotKnown);  // not taken
   if ((keeper & kOfFence) != 0) return bitsOf(value) > 0x80000000 || value == 0 ? fromBits(kNotKnown) : number(found);
   if (isRadius) {
     const bool isBelow0 = found < 0;
@@ -136,7 +136,7 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
     case U16:
       if (isAttitude) return number((bits & 0x80000000) != 0 ? 0 : !isInt32 || found > 65535 ? 65535 : found);
       // PX4 rounds the number of corners.
-      if ((keeper & (kByPx4 | kOfFence)) == (kByPx4 | kOfFence)) value = number(timesWhole(bits, 1));
+      if (isByPx4(keeper) && (keeper & kOfFence) != 0) value = number(timesWhole(bits, 1));
       return wrapped(value, 16, false);
     case I16:
       // ArduPilot refuses a rally point whose height does not fit.

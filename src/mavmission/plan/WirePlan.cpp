@@ -93,10 +93,10 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     if (kind == FloatKind::Infinite) return Status::NotFinite;
     if (kind != FloatKind::NotANumber || (bit == 1 << 4 && rules.hasYaw())) continue;
     // ArduPilot refuses every other one, as do those with a table of their own.
-    if ((keeper_ & (kByArduPilot | kOwn)) != 0 || (unsetOf(item.command) & bit) == 0) return Status::NotANumber;
+    if (isByArduPilot(keeper_) || isByOwn(keeper_) || (unsetOf(item.command) & bit) == 0) return Status::NotANumber;
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
-  const bool isArduPilot = (keeper_ & kByArduPilot) != 0;
+  const bool isArduPilot = isByArduPilot(keeper_);
   const bool isMission = (keeper_ & (kOfFence | kOfRally)) == 0;
   if (!rules.has(kHasNoPlace)) {
     // The coordinates are checked in every frame: in a mission ArduPilot uses them even if the frame says that there
@@ -105,7 +105,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     if (isBeyond(item.y, 1800000000)) return Status::BadLongitude;
     if (hasPlace(item)) {
       if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
-    } else if (!isMission || (keeper_ & (kByPx4 | kOwn)) != 0) {
+    } else if (!isMission || isByPx4(keeper_) || isByOwn(keeper_)) {
       return Status::NeedsCoordinates;
     }
     if (isArduPilot && (keeper_ & kOfFence) == 0) {
@@ -148,7 +148,7 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
 }
 
 Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
-  if (homeItems_ != 0) {
+  if (homeItems() != 0) {
     if (wireIndex == 0) {
       // ArduPilot parses item 0, but then stores its own home instead, and gives back that. Who only says that it is an
       // ArduPilot stores the item, and may fly it: so it is one that moves nothing (CONDITION_DELAY for 0 s), and that
@@ -167,21 +167,21 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     if (!read_(context_, wireIndex, item)) return Status::SourceRefused;
     if (place.isFound()) place.give(item);
     const bool isJump = item.command == kDoJump;
-    if ((keeper_ & kByPx4) != 0) {
+    if (isByPx4(keeper_)) {
       if (item.command == kNavRoi) item.command = kDoSetRoi;  // PX4 keeps it so
       // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
       if (isJump && is(item.param2, kMinus1)) item.param2 = 65535;
     }
     const Rules rules = rulesOf(item, keeper());
     // A NaN means "as you fly"; ArduPilot has 0 for that, and those with a table of their own turn to no heading.
-    if ((keeper_ & (kByArduPilot | kOwn)) != 0 && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
+    if ((isByArduPilot(keeper_) || isByOwn(keeper_)) && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
       item.param4 = 0;
     if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
     const Status checked = check(item, rules);
     if (checked != Status::Accepted) return checked;
-    if (homeItems_ != 0) {
+    if (homeItems() != 0) {
       if (isJump) item.param1 = oneMore(item.param1);
-    } else if ((keeper_ & (kByPx4 | kOwn)) != 0 && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
+    } else if ((isByPx4(keeper_) || isByOwn(keeper_)) && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
       // The search reads other items over this one, which is read again afterwards: this saves the stack of a second
       // item.
       const Status found = findPlaceFor(wireIndex, item);

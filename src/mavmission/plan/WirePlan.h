@@ -44,13 +44,13 @@ class WirePlan {
   uint16_t count() const { return count_; }
 
   // 1 if home is added as wire item 0, else 0. Home is not added to an empty plan: COUNT 0 clears the plan aboard.
-  uint8_t homeItems() const { return homeItems_; }
+  uint8_t homeItems() const { return isServed(Firmware::ArduPilot) ? homeItems_ : 0; }
 
   // True if there are more items, home included, than the protocol can count.
-  bool isTooLong() const { return count_ == 0xFFFF && homeItems_ != 0; }
+  bool isTooLong() const { return count_ == 0xFFFF && homeItems() != 0; }
 
   // The number of items on the wire, home included. Not valid when isTooLong().
-  uint16_t wireCount() const { return count_ + homeItems_; }
+  uint16_t wireCount() const { return count_ + homeItems(); }
 
   // Makes wire item `wireIndex` (below wireCount()). Status::Accepted: `item` is the item to send. Status::Checking:
   // the search for a place goes on, a few items in every call; call again. Any other status: the plan cannot be sent to
