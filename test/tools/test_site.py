@@ -116,6 +116,25 @@ def test_each_page_fits_a_phone_and_a_desk_and_asks_no_other_host(address):
         assert [url for url in asked if not url.startswith(address)] == []
 
 
+# Words of code in a table that are shown in two pieces.
+BROKEN = """return [...document.querySelectorAll("td code")].flatMap(code => {
+  const text = code.firstChild, range = document.createRange();
+  return [...text.data.matchAll(/[\\w:]+/g)].filter(word => {
+    range.setStart(text, word.index); range.setEnd(text, word.index + word[0].length);
+    return new Set([...range.getClientRects()].map(part => part.top)).size > 1;
+  }).map(word => word[0]); })"""
+
+
+@pytest.mark.slow
+def test_words_of_code_in_a_table_stay_whole_on_a_phone(address):
+    with Browser() as browser:
+        browser.resize(390, WIDTHS[390], phone=True)
+        browser.go(f"{address}docs/compiling.html")
+        browser.wait_for("return document.readyState == 'complete'")
+        assert browser.run("return document.querySelectorAll('td code').length") > 30
+        assert browser.run(BROKEN) == []
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("width", WIDTHS)
 def test_search_finds_a_page_by_its_words(address, width):

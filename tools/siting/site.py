@@ -56,6 +56,7 @@ def make_site(folder: Path = SITE) -> Path:
 
 def fill(pages: Path) -> None:
     copy_documents(pages)
+    shutil.copy(SETTINGS.with_name("pages.css"), pages)
     write_examples(pages)
     write_reference(pages / Path(REFERENCE).parent)
     shutil.copytree(make_folder().folder, pages / Path(PLAYGROUND).parent)
