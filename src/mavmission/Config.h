@@ -29,7 +29,7 @@
 
 // What an autopilot is that calls itself generic in its heartbeat (HEARTBEAT.autopilot 0), as several do, and nothing
 // that they send tells them apart: 1 Betaflight, 2 iNav, 0 none of these; 0 to 2 [number]. Each takes other commands,
-// and stores them otherwise (docs/autopilots.md).
+// and stores them otherwise (docs/autopilots.md). Costs nothing at 0; docs/measurements.md has the cost at 1 and 2.
 #ifndef MAVMISSION_GENERIC_FIRMWARE
 #define MAVMISSION_GENERIC_FIRMWARE 0
 #endif
