@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import math
+import re
 from pathlib import Path
 
 from .timeline import STEPS_S, Burst, Mark, Timeline
@@ -50,7 +52,10 @@ def draw(timeline: Timeline, file: Path, title: str, verdict: str) -> None:
     figure.text((LEFT + RIGHT) / 2, 0.015, "simulated time since power-on [s]", ha="center")
     draw_legend(figure, timeline)
     try:
-        figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
+        drawn = io.StringIO()
+        figure.savefig(drawn, format="svg", metadata={"Date": None, "Creator": None})
+        # A tenth of a point is enough, and the pictures go with each release.
+        file.write_text(re.sub(r"\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", drawn.getvalue()))
     finally:
         pyplot.close(figure)
 
