@@ -189,7 +189,7 @@ def test_beside_quiet_transfers_one_command_is_under_way_at_a_time(build_service
     service.wire.at_random(">", lose=loss)
     service.wire.at_random("<", lose=loss)
     service.run(2.0)
-    for _ in range(3):
+    for _ in range(4):
         service.upload(SURVEY, proof="Always")
         service.done(limit_s=60)
         service.run(1.0)
