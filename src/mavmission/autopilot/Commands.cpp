@@ -280,7 +280,7 @@ Keeper keeperOf(Firmware firmware, uint8_t vehicleType, PlanType type) {
 Rules rulesOf(const MissionItem& item, Keeper keeper) {
   if (isByOwn(keeper)) return ownRulesOf(item.command);
   uint16_t params = 0, more = four(K, K, Height, kAsItsFrameSays);
-  for (const Row* row = isServed(Firmware::ArduPilot) && (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows;
+  for (const Row* row = kServesArduPilot && (keeper & kByPlane) != 0 ? kRows : kRows + kPlaneRows;
        row != kRows + sizeof(kRows) / sizeof(*kRows); ++row) {
     if (fromFlash(&row->command) != item.command) continue;
     const uint8_t where = fromFlash(&row->where);

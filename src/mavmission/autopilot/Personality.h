@@ -112,6 +112,7 @@ constexpr Firmware kOnly = MAVMISSION_ONLY_ARDUPILOT ? Firmware::ArduPilot
                                                      : Firmware::Unknown;
 // True if the library serves this autopilot.
 constexpr bool isServed(Firmware firmware) { return kOnly == Firmware::Unknown || kOnly == firmware; }
+constexpr bool kServesArduPilot = isServed(Firmware::ArduPilot);
 
 #if MAVMISSION_ONLY_ARDUPILOT || MAVMISSION_ONLY_PX4
 MAVMISSION_INLINE constexpr bool isByArduPilot(Keeper) { return kOnly == Firmware::ArduPilot; }

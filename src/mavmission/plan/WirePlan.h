@@ -44,7 +44,7 @@ class WirePlan {
   uint16_t count() const { return count_; }
 
   // 1 if home is added as wire item 0, else 0. Home is not added to an empty plan: COUNT 0 clears the plan aboard.
-  uint8_t homeItems() const { return isServed(Firmware::ArduPilot) ? homeItems_ : 0; }
+  uint8_t homeItems() const { return kServesArduPilot ? homeItems_ : 0; }
 
   // True if there are more items, home included, than the protocol can count.
   bool isTooLong() const { return count_ == 0xFFFF && homeItems() != 0; }
