@@ -1,4 +1,5 @@
-"""The branches of src/ that the host tests take, by folder: the unit tests, and a few explorations, as gcov counts.
+"""The branches of src/ that the host tests take, by folder: the unit tests, a few explorations and flights, as gcov
+counts.
 
 Branches to where an exception would go are left out: the library has none.
 """
@@ -19,6 +20,8 @@ from simulation.precompiled import with_mavlink
 from simulation.recorded_for_units import environment
 
 EXPLORER = ROOT / "test" / "explorer"
+FLIGHTS = ROOT / "test" / "flights"
+FLOWN = ("Copter all random 30", "Rover all random 30", "PX4 all random 30 --loss 5")
 EXPLORED = ("ArduPilot upload-in-doubt 2", "PX4 upload-verified 2", "ArduPilot download 0 --held 2")
 LIBRARYS = ["g++", "-c", "-std=c++17", "-O0", "-g0", "-fno-access-control", "--coverage", "-w", *PLACES]
 TESTS = ["g++", "-c", "-std=c++17", "-O0", "-g0", "-fno-access-control", "-w", *PLACES]
@@ -44,6 +47,7 @@ def branches(folder: Path) -> dict[str, tuple[int, int]]:
     for name, sources, runs in (
         ("units", [*sorted(UNITS.glob("*.cpp")), *frames], ("--no-version",)),
         ("explorer", [*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp", SHIM / "Arduino.cpp"], EXPLORED),
+        ("flights", [*sorted(FLIGHTS.glob("*.cpp")), HOST / "Frames.cpp", SHIM / "Arduino.cpp"], FLOWN),
     ):
         program = folder / f"{name}.program"
         objects = compiled(sources, TESTS, folder / name)
