@@ -24,6 +24,8 @@ PLAIN_FILE = 0o100644
 VENDORED = "mavlink"
 MESSAGE_HEADER = re.compile(r"mavlink_msg_(\w+)\.h")
 MESSAGE_INCLUDE = re.compile(rb'^#include "\./mavlink_msg_(\w+)\.h"\n', re.M)
+# Names and fields of all messages, also of those that are left out; the library leaves texts to others.
+TABLES = re.compile(rb"^# *define MAVLINK_MESSAGE_(?:INFO|NAMES) .*\n", re.MULTILINE)
 FUNCTIONS = re.compile(rb"/\*\*\r?\n \* @brief Pack a .*", re.DOTALL)  # of a message, to the end of its header
 UNWANTED = {"__pycache__", ".DS_Store", "Thumbs.db"}
 
@@ -150,13 +152,15 @@ def is_left_out(root: Path, file: Path) -> bool:
 
 
 def content_of(root: Path, file: Path) -> bytes:
-    """As it goes into the zip: a vendored header does not include those that are left out, and a message's has no
-    functions, which are most of it; the library uses its numbers and its struct."""
+    """As it goes into the zip: a vendored header does not include those that are left out and has no table of all
+    messages' names, and a message's has no functions, which are most of it; the library uses its numbers and its
+    struct."""
     data = file.read_bytes()
     if VENDORED not in file.relative_to(root).parts or file.suffix != ".h":
         return data
     if MESSAGE_HEADER.fullmatch(file.name):
         data = FUNCTIONS.sub(b"", data)
+    data = TABLES.sub(b"", data)
     return MESSAGE_INCLUDE.sub(lambda line: line[0] if is_used(root, line[1].decode()) else b"", data)
 
 
