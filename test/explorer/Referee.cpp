@@ -268,6 +268,12 @@ void Referee::heard(const Message& message, Firmwares firmware) {
 
     case Kind::Count:
       if (!isReading || isCounted || lists == 0) return;
+      // The look's COUNT, perhaps, which the line has repeated: another number is believed when it comes again. (Home
+      // alone is no plan.)
+      if (isUpload() && !isLooking && lists < 2 && message.number != items &&
+          !(items == 0 && message.number == 1 && hasHome(firmware, task.type))) {
+        return;
+      }
       isCounted = true;
       announced = static_cast<uint8_t>(message.number);
       return;

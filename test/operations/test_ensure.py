@@ -232,6 +232,19 @@ def test_one_lost_message_costs_time_alone(service, personality, name, is_there)
 
 
 @ENSURE
+@pytest.mark.parametrize("plan", ["empty", OTHER[:2]], ids=["none", "shorter"])
+def test_count_of_the_look_that_comes_again_is_not_taken_for_that_of_the_read_back(build_service, plan):
+    """It comes so many milliseconds later, of which some lie between the second REQUEST_LIST and its answer."""
+    for after_ms in range(10, 40 if plan == "empty" else 90, 2):
+        service = build_service("ArduPilot")
+        loaded(service, OTHER)
+        service.wire.repeat("<", name="MISSION_COUNT", after_s=after_ms / 1000)
+        service.ensure(plan, proof="Always")
+        assert service.done(LIMIT_S) == "Accepted", f"repeated after {after_ms} ms"
+        assert service.state.aboard == "OurPlan"
+
+
+@ENSURE
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("loss", [5, 25])
 @pytest.mark.parametrize("is_there", [True, False], ids=["there", "another is there"])

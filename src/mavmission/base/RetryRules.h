@@ -35,6 +35,7 @@ struct UploadRules {
 struct DownloadRules {
   static constexpr uint8_t kListTries = 5;        // MISSION_REQUEST_LIST
   static constexpr uint16_t kListMs = 1500;       // to MISSION_COUNT
+  static constexpr uint8_t kOtherTries = 2;       // of it, before another number of items is believed in a read-back
   static constexpr uint8_t kItemTries = 5;        // MISSION_REQUEST_INT, for each item
   static constexpr uint16_t kItemMs = 250;        // to the item
   static constexpr uint8_t kNewRequestTries = 2;  // then MISSION_REQUEST, to an autopilot that may be old

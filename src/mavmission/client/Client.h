@@ -78,6 +78,7 @@ class Client : public ClientRules {
   static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
   void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
   void takeReadCount(const FrameParser& frame, uint16_t nowMs);
+  bool isOurCount(uint16_t count) const;
   MAVMISSION_APART void takeReadItem(const FrameParser& frame, uint16_t nowMs);
   void sendRead(uint16_t nowMs);
   void endReading(Status status);
@@ -88,6 +89,8 @@ class Client : public ClientRules {
   void beginEnsuring();
   static void ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void ensureFreeStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static void proveEnsured(Client& client, uint16_t nowMs);
+  static void ensureProofStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void ensureBackOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static bool ensureTakeUp(Client& client, Status status, uint16_t nowMs);
   static bool ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs);

@@ -153,9 +153,7 @@ void Client::takeLookCount(const FrameParser& frame, uint16_t nowMs) {
   if (!transfer.expectsAnswer(DownloadTransfer::State::Listing)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
   reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
-  // ArduPilot without a plan reports a count of 0, or of 1 for its home.
-  const bool isBothEmpty = homeBefore() != 0 && plan_.count() == 0 && count <= 1;
-  if (!isBothEmpty && count != plan_.wireCount()) {
+  if (!isOurCount(count)) {
     rest_.field = ItemField::Count;
     return replaceOther();
   }
@@ -202,8 +200,28 @@ void Client::ensureFreeStep(Client& client, const FrameParser* frame, uint16_t n
   client.rest_.field = ItemField::None;
   client.rest_.lastResult = 255;
   client.rest_.proving = false;
+  if (client.rest_.prove == proveUpload) client.rest_.prove = proveEnsured;
   state.operation = uploadStep;
   client.beginUpload(nowMs);
+}
+
+void Client::proveEnsured(Client& client, uint16_t nowMs) {
+  proveUpload(client, nowMs);
+  client.state_.operation = ensureProofStep;
+}
+
+// The read-back, as it is behind any upload, but for its COUNT: that may be the look's, which the line has repeated. So
+// another number of items is believed when REQUEST_LIST has been sent again.
+void Client::ensureProofStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  typedef mavlink_mission_count_t Count;
+  const DownloadTransfer& transfer = client.reading_.transfer;
+  if (frame != nullptr && frame->messageId() == MAVLINK_MSG_ID_MISSION_COUNT) {
+    if (frame->payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
+    const bool isOurs = client.isOurCount(frame->payloadWord(offsetof(Count, count)));
+    if (transfer.tries() < (isOurs ? 1 : DownloadRules::kOtherTries)) return;
+    client.state_.operation = readStep;
+  }
+  readStep(client, frame, nowMs);
 }
 
 void Client::endLook(Status status) {

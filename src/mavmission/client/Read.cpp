@@ -145,11 +145,15 @@ void Client::takeReadCount(const FrameParser& frame, uint16_t nowMs) {
     if (items > reading_.sink.limit) endReading(Status::SinkFull);
     return;
   }
-  // ArduPilot without a plan reports a count of 0, or of 1 for its home.
-  const bool isBothEmpty = isHomeFirst && plan_.count() == 0 && count <= 1;
-  if (isBothEmpty || count == plan_.wireCount()) return;
+  if (isOurCount(count)) return;
   rest_.field = ItemField::Count;
   endReading(Status::Differs);
+}
+
+// ArduPilot without a plan reports a count of 0, or of 1 for its home.
+bool Client::isOurCount(uint16_t count) const {
+  const bool isBothEmpty = homeBefore() != 0 && plan_.count() == 0 && count <= 1;
+  return isBothEmpty || count == plan_.wireCount();
 }
 
 void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {

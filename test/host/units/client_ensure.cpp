@@ -232,3 +232,38 @@ TEST_CASE("a refusal while items are read ends the look with it") {
   CHECK((desk.ended == Status::Denied));
   CHECK((desk.client.aboard() == Aboard::NotKnown));
 }
+
+namespace {
+
+// An empty plan is uploaded behind the look, and read back: REQUEST_LIST has been sent once.
+struct ProvingEmpty : ClientOnLine {
+  ProvingEmpty() : ClientOnLine(ClientOnLine::kArduPilot) {
+    run(3000);
+    client.ensure(emptyPlan(), PlanType::Mission, Readback::Always);
+    REQUIRE(runUntilSent(kRequestList, 3000));
+    hear(countParts(2));
+    REQUIRE(runUntilSent(kCount, 100));
+    hear(ackParts(0));
+    REQUIRE(runUntilSent(kRequestList, 100));
+    hear(countParts(2));  // the look's, which the line brings again
+    run(5);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a COUNT of the look that the line repeats is not the one of the read-back") {
+  ProvingEmpty desk;
+  CHECK(desk.client.isBusy());
+  desk.hear(countParts(1));  // home
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestInt, 100));
+}
+
+TEST_CASE("another number of items in the read-back behind a look is believed when it comes again") {
+  ProvingEmpty desk;
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 2000));
+  desk.hear(countParts(2));
+  desk.run(5);
+  CHECK((desk.ended == Status::Differs));
+  CHECK((desk.client.differingField() == ItemField::Count));
+}
