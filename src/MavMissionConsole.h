@@ -1,4 +1,5 @@
-// PlanConsole: a text console for a plan on the serial monitor. Not part of MavMission.h, since few sketches have one.
+// PlanConsole: a text console for a plan on the serial monitor. It is not part of MavMission.h, since few sketches use
+// it.
 #pragma once
 
 #include "MavMission.h"

@@ -1,21 +1,22 @@
 // Shows on the board's own LED how an operation ended, without a computer: showOnLed(autopilot.status()) in loop().
-// Dark: it has not ended yet. Once in two seconds: it ended well. Four times a second: it failed. On a board whose LED
-// is lit by LOW it shines in place of dark; the blinking is the same. Include it after MavMission.h.
+// Dark: it has not ended yet. One blink in two seconds: it ended well. Four blinks a second: it failed. If a board's
+// LED is lit by LOW, it is lit in place of dark; the blinking is the same. Include this after MavMission.h.
 //
-// A sketch that knows better says so before it includes this:
+// To choose another LED, write this before the #include:
 //
 //   #define STATUS_LED 5      // another pin
 #pragma once
 
 #include <Arduino.h>
 
-// An ESP32 whose board names no LED: most of its development boards have one there, many others none.
+// For an ESP32 board whose core defines no LED_BUILTIN: most development boards have an LED on this pin, many others
+// have none.
 #if !defined(STATUS_LED) && !defined(LED_BUILTIN) && defined(CONFIG_IDF_TARGET_ESP32)
 #define STATUS_LED 2
 #endif
 
-// Pin 13 by the processor's own name for it, on an Arduino Mega, on an Uno or a Nano, and on a Leonardo: a write is one
-// instruction there, and digitalWrite() with its tables 600 bytes of a Mega's flash.
+// The port and the bit of pin 13, on an Arduino Mega, on an Uno or a Nano, and on a Leonardo: writing it takes one
+// instruction, while digitalWrite() with its tables takes 600 bytes of a Mega's flash.
 #if !defined(STATUS_LED) && defined(__AVR__) && defined(LED_BUILTIN)
 #if LED_BUILTIN == 13
 #if defined(__AVR_ATmega1280__) || defined(__AVR_ATmega2560__)

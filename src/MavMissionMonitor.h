@@ -1,7 +1,7 @@
-// Where a sketch's words go: CONSOLE, the serial monitor. Where the board's only port is the autopilot's, it is a
-// USB-serial adapter, whose RX is on pin 11. It brings TELEM (MavMissionTelem.h).
+// CONSOLE: where a sketch prints. That is the serial monitor. On a board whose only port goes to the autopilot, it is a
+// USB-serial adapter, whose RX is wired to pin 11. This header includes MavMissionTelem.h, so TELEM is there too.
 //
-// A sketch that knows better says so before it includes this:
+// To choose another port or other pins, write this before the #include:
 //
 //   #define CONSOLE Serial2                       // another port
 //   #define CONSOLE_RX 8                          // an Uno's pins for the adapter

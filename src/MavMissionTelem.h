@@ -1,7 +1,7 @@
-// Which port of this board goes to the autopilot: TELEM, and beginTelem(57600), which opens it. The same sketch then
-// works on a Mega, an Uno, a Nano Every, an Uno R4, a Pico, an ESP32, a Teensy. Include it after MavMission.h.
+// TELEM: the port of this board that goes to the autopilot. beginTelem(57600) opens it. So the same sketch works on a
+// Mega, an Uno, a Nano Every, an Uno R4, a Pico, an ESP32, a Teensy. Include this after MavMission.h.
 //
-// A sketch that knows better says so before it includes this:
+// To choose another port or other pins, write this before the #include:
 //
 //   #define TELEM Serial2     // another port
 //   #define TELEM_RX 18       // an ESP32's pins, any that are free
@@ -36,7 +36,7 @@ inline void beginTelem(uint32_t baud) {
 #else
 #if defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED)
   TELEM.end();
-  TELEM.setFIFOSize(256);  // its own are 31 bytes, at 57600 baud full after 5 ms
+  TELEM.setFIFOSize(256);  // the default is 31 bytes, which at 57600 baud are full after 5 ms
 #endif
   TELEM.begin(baud);
 #endif

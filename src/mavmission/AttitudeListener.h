@@ -1,4 +1,4 @@
-// How the aircraft is turned (ATTITUDE).
+// The attitude of the aircraft (ATTITUDE): roll, pitch and yaw.
 #pragma once
 
 #include "Degrees.h"
@@ -9,10 +9,10 @@ namespace mavmission {
 // Used like a PositionListener.
 class AttitudeListener : public TelemetryListener {
  public:
-  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
   explicit AttitudeListener(MissionClient& client, uint16_t intervalMs = 1000);
 
-  // -180 to 180 degrees each: the right side down, the nose up, and the nose to the east of north are positive.
+  // Each is -180 to 180 degrees. Positive: the right side is down, the nose is up, the nose points east of north.
   Degrees roll() const { return angle(0); }
   Degrees pitch() const { return angle(1); }
   Degrees yaw() const { return angle(2); }

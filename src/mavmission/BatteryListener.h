@@ -5,16 +5,16 @@
 
 namespace mavmission {
 
-// Used like a PositionListener. The values of other batteries are passed over.
+// Used like a PositionListener. The values of other batteries are ignored.
 class BatteryListener : public TelemetryListener {
  public:
-  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
-  // `number`: of the battery, from 0 on.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
+  // `number`: which battery, counted from 0.
   explicit BatteryListener(MissionClient& client, uint16_t intervalMs = 1000, uint8_t number = 0);
 
   // The sum of all cells that the autopilot reports [mV]. 0: not known.
   uint32_t voltageMv() const { return voltageMv_; }
-  // Each of these is known or not: PX4 and ArduPilot send a negative number where they do not measure.
+  // An autopilot does not measure all of these: each value is valid only if its has...() is true.
   bool hasCurrent() const { return currentCa_ >= 0; }
   int16_t currentCa() const { return currentCa_; }  // [10 mA]
   bool hasConsumed() const { return consumedMah_ >= 0; }

@@ -1,12 +1,12 @@
-// Bytes that are kept without power: the board's own EEPROM, or a substitute of the sketch's.
+// Bytes that are kept without power: the board's own EEPROM, or a substitute that the sketch provides.
 #pragma once
 
 #include <stdint.h>
 
 namespace mavmission {
 
-// Functions that read and write its bytes. A sketch on a board that is no AVR includes EEPROM.h and says in one line
-// what it has:
+// Functions that read and write the bytes of an EEPROM. On a board that is not an AVR, the sketch includes EEPROM.h and
+// gives them in one line:
 //
 //   EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));  // on an ESP32 and a Pico EEPROM.begin(1024) comes first
 //   EepromPlan plan(Eeprom{readByte, writeByte, isReady, 8192});  // two or three functions of its own, for an FRAM
@@ -19,8 +19,8 @@ struct Eeprom {
   bool (*isReady)();
   uint16_t size;  // [bytes]
 #ifndef __AVR__
-  // Makes stay what has been written, where that takes a call; false if it failed. Null: it stays by itself. It may
-  // block: a page of flash takes some 50 ms.
+  // Stores permanently what has been written, if the memory needs such a call; returns false if that failed. Null: no
+  // such call is needed. It may block: a page of flash takes some 50 ms.
   bool (*commit)();
   constexpr Eeprom(uint8_t (*readByte)(uint16_t), void (*writeByte)(uint16_t, uint8_t), bool (*ready)(), uint16_t bytes,
                    bool (*commitAll)() = nullptr)

@@ -37,15 +37,15 @@ namespace mavmission {
 // A plan in EEPROM.
 class EepromPlan {
  public:
-  // Resting: nothing to do. Storing: takes items, one whenever isReady(). Committing, Erasing: is writing. Failed: no
-  // room, or the EEPROM does not keep what is written; the old plan is still whole.
+  // Resting: nothing to do. Storing: waits for items; put() takes one whenever isReady(). Committing, Erasing: it is
+  // writing. Failed: there is no room, or the EEPROM does not keep what is written; the old plan is still whole.
   enum class State : uint8_t { Resting, Storing, Committing, Erasing, Failed };
 
 #ifdef __AVR__
   // All of the board's own EEPROM.
   EepromPlan() : EepromPlan(ownEeprom()) {}
 #else
-  // None: which bytes stay when the power goes the sketch says.
+  // Does not compile: the sketch has to say where bytes are kept without power.
   template <int known = 0>
   EepromPlan() {
     static_assert(known != 0,
@@ -68,13 +68,13 @@ class EepromPlan {
   uint16_t count() const { return count_; }  // items of the plan
 
   // The plan. If there is none, an upload of the source is refused (Status::SourceRefused). Do not upload it while
-  // another plan is being stored: it would be exchanged in mid-transfer.
+  // another plan is being stored: the plan would change during the transfer.
   ItemSource source();
 
   // --- Storing another plan
 
-  // Begins a plan; a plan that was begun before is dropped. False if a plan is being committed or erased, or begin()
-  // has not been called.
+  // Begins to store a plan; a plan that was begun and not committed is dropped. False if a plan is being committed or
+  // erased, or begin() has not been called.
   bool store();
   // True when put() takes an item.
   bool isReady() const { return state_ == State::Storing && length_ == 0; }
@@ -122,7 +122,7 @@ class EepromPlan {
   void write(uint16_t address, uint8_t length, Step step);
   void writeMark(uint8_t bank, uint8_t mark, Step step);
   void stepDone();
-  // A change is whole: it is made to stay, where that takes a call.
+  // Called when a change is complete: it is stored permanently, where that takes a call.
   void settle() {
     state_ = State::Resting;
 #ifndef __AVR__

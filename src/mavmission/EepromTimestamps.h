@@ -27,13 +27,14 @@ class EepromTimestamps : public TimestampStore {
   EepromTimestamps(const EepromTimestamps&) = delete;
   EepromTimestamps& operator=(const EepromTimestamps&) = delete;
 
-  // `address`: of the first of bytes(slots) bytes of EEPROM, which nobody else may write. `slots`: at least 2, or a
-  // reset while one is being written leaves none. Must stay as long as the client that signs with it.
+  // `address`: of the first of bytes(slots) bytes of EEPROM, which nobody else may write. `slots`: at least 2; with 1,
+  // a reset while it is being written would leave no valid time. This object must live as long as the client that signs
+  // with it.
 #ifdef __AVR__
   explicit EepromTimestamps(uint16_t address, uint8_t slots = 8);
 #else
   explicit EepromTimestamps(const Eeprom& eeprom, uint16_t address, uint8_t slots = 8);
-  // None without an Eeprom.
+  // Does not compile: this board needs an Eeprom.
   template <typename Address>
   explicit EepromTimestamps(Address, uint8_t = 8) : TimestampStore(), eeprom_(nullptr, nullptr, nullptr, 0) {
     static_assert(sizeof(Address) == 0,

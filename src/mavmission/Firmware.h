@@ -7,7 +7,7 @@
 
 namespace mavmission {
 
-// The autopilot's software (HEARTBEAT.autopilot), with its name. autopilot/Personality.h has the differences.
+// The autopilot's software (HEARTBEAT.autopilot), with its name. autopilot/Personality.h lists the differences.
 #define MAVMISSION_FIRMWARES(X)                                                                                    \
   X(Unknown, "no autopilot is heard")                                                                              \
   X(ArduPilot, "ArduPilot")                                  /* MAV_AUTOPILOT_ARDUPILOTMEGA */                     \

@@ -28,7 +28,7 @@ constexpr FlightCommand flightCommandAt(uint16_t id, Degrees latitude, Degrees l
                        latitude.e7(), longitude.e7(), id,     altitude.frame(), true};
 }
 
-// Whether a command without an answer is sent again.
+// Whether a command is sent again if no answer comes.
 enum class CommandRepeat : uint8_t {
   IfHarmless,  // except those that must not be carried out twice: servo, relay, gripper, winch, parachute, picture ...
   Always,

@@ -1,4 +1,4 @@
-// Flight modes, with one name for all autopilots, each of which has its own numbers.
+// Flight modes, with one name for all autopilots. Each autopilot has its own number for a mode.
 #pragma once
 
 #include <stdint.h>
@@ -13,13 +13,14 @@ enum class FlightMode : uint8_t {
   Guided,          // fly where a companion says: GUIDED, or OFFBOARD on PX4 (which wants setpoints first)
   ReturnToLaunch,  // fly home: RTL
   Hold,            // stay: LOITER on Copter, Plane and Blimp, HOLD on Rover and PX4, POSHOLD on Sub
-  Land,            // land here: LAND; Copter, PX4, Blimp, and QLAND on what says that it is a QuadPlane
+  Land,            // land here: LAND on Copter, PX4 and Blimp, QLAND on a QuadPlane that says it is one
   Brake,           // stop at once: BRAKE; Copter
   Manual,          // the pilot steers: STABILIZE on Copter, else MANUAL
 };
 
-// This vehicle's number of a mode (docs/modes.md has them all): DO_SET_MODE's parameter 2 in the lower byte, parameter
-// 3 in the upper one; kNoMode if it has no such mode, or if no vehicle of ArduPilot's has that type (HEARTBEAT.type).
+// This vehicle's number of a mode (docs/modes.md lists them all): DO_SET_MODE's parameter 2 in the lower byte,
+// parameter 3 in the upper one; kNoMode if the vehicle has no such mode, or if no ArduPilot vehicle has that type
+// (HEARTBEAT.type).
 constexpr uint16_t kNoMode = 0xFFFF;
 uint16_t modeNumber(FlightMode mode, Firmware firmware, uint8_t vehicleType);
 

@@ -1,4 +1,4 @@
-// What the first GPS receiver says (GPS_RAW_INT): its fix, its satellites, and where it is.
+// The first GPS receiver (GPS_RAW_INT): its fix, its satellites, and its position.
 #pragma once
 
 #include "LatLon.h"
@@ -19,17 +19,17 @@ enum class GpsFix : uint8_t {
   Ppp = 8
 };
 
-// Used like a PositionListener, whose place is the better one to fly by: it is estimated from all sensors.
+// Used like a PositionListener. For flying use PositionListener: its position is estimated from all sensors.
 class GpsListener : public TelemetryListener {
  public:
-  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
   explicit GpsListener(MissionClient& client, uint16_t intervalMs = 1000);
 
   // The kind of fix.
   GpsFix fix() const { return fix_; }
-  // True from a fix in three dimensions on.
+  // True with a fix in three dimensions, or a better one.
   bool hasFix() const { return fix_ >= GpsFix::ThreeDimensional; }
-  // How many satellites are in use.
+  // The number of satellites in use.
   bool hasSatellites() const { return satellites_ != 255; }
   uint8_t satellites() const { return satellites_; }  // 255: not known
 
@@ -41,7 +41,7 @@ class GpsListener : public TelemetryListener {
   uint16_t hdopHundredths() const { return hdopHundredths_; }
   // The accuracy of the place [mm]; 0: not known, as over MAVLink 1.
   uint32_t accuracyMm() const { return accuracyMm_; }
-  // The speed over the ground [cm/s] and where it leads, from north, clockwise [1/100 degree]; 65535: not known.
+  // The speed over the ground [cm/s], and its direction from north, clockwise [1/100 degree]; 65535: not known.
   uint16_t speedCmS() const { return speedCmS_; }
   uint16_t courseCdeg() const { return courseCdeg_; }
 

@@ -7,21 +7,22 @@
 
 namespace mavmission {
 
-// Takes item `index` of the autopilot's plan, and returns true; false ends the download with Status::SinkFull. Called
-// from update(), once for each item, in order. On ArduPilot it is called first with kHomeIndex and the home position,
-// which is no item of the plan. May call cancel(), which acts at the end of that update(); begins are Status::Busy.
+// Takes item `index` of the autopilot's plan, and returns true; false ends the download with Status::SinkFull. It is
+// called from update(), once for each item, in order. On ArduPilot it is called first with kHomeIndex and the home
+// position, which is not an item of the plan. It may call cancel(), which takes effect at the end of that update(); an
+// operation that it tries to begin is refused (Status::Busy).
 typedef bool (*ItemSinkFunction)(void* context, uint16_t index, const MissionItem& item);
 
 // The index with which a sink is given the home position.
 constexpr uint16_t kHomeIndex = 0xFFFF;
 
-// A sink as a function, its context, and the greatest number of items. Kept by value.
+// A sink: a function, its context, and the greatest number of items. The library keeps a copy of this struct.
 struct ItemSink {
   ItemSinkFunction write;  // not null
   void* context;           // handed to the function; may be null
   uint16_t limit;          // items; a longer plan is not downloaded (Status::SinkFull)
-  // False: write() cannot take an item now; the item is requested again every 250 ms, up to 5 attempts. Null: always
-  // ready.
+  // Returns false if write() cannot take an item now: the item is then requested again every 250 ms, up to 5 times. A
+  // null pointer means that the sink is always ready.
   bool (*isReady)(void* context);
 };
 

@@ -9,13 +9,14 @@
 namespace mavmission {
 
 // Fills `item` with item `index` (0 to count - 1) of a plan, and returns true; false ends the transfer with
-// Status::SourceRefused. Called from update(), more than once for an item (the plan is checked first, and an item may
-// be requested again), in any order: the same index must always give the same item. Must not block. May call cancel(),
-// which acts at the end of that update(); begins are Status::Busy.
+// Status::SourceRefused. It is called from update(), in any order, and more than once for an item (the plan is checked
+// first, and an item may be requested again): the same index must always give the same item. It must not block. It may
+// call cancel(), which takes effect at the end of that update(); an operation that it tries to begin is refused
+// (Status::Busy).
 typedef bool (*ItemFunction)(void* context, uint16_t index, MissionItem& item);
 
-// A plan as a function, its context and its length. Small, and kept by value. What it points at belongs to the sketch,
-// and must live until the transfer has ended.
+// A plan: a function, its context, and the number of items. The library keeps a copy of this small struct. What it
+// points at belongs to the sketch, and must live until the transfer has ended.
 struct ItemSource {
   ItemFunction read;  // null with a count of 0
   void* context;      // handed to the function; may be null
@@ -26,14 +27,14 @@ struct ItemSource {
 bool readItemFromFlash(void* array, uint16_t index, MissionItem& item);
 bool readItemFromRam(void* array, uint16_t index, MissionItem& item);
 
-// A plan in flash: constexpr MissionItem plan[] PROGMEM = {...}; `constexpr`, not `const`, with which a value that is
-// no constant would put the array into RAM without a warning.
+// A plan in flash: constexpr MissionItem plan[] PROGMEM = {...}. Write `constexpr`, not `const`: with `const`, one
+// value that is not a constant puts the array into RAM without a warning.
 template <size_t N>
 ItemSource inFlash(const MissionItem (&plan)[N]) {
   return ItemSource{readItemFromFlash, const_cast<MissionItem*>(plan), N};
 }
 
-// One that is no constant lies in RAM.
+// An array that is not constant is in RAM, and is refused here.
 template <size_t N>
 ItemSource inFlash(MissionItem (&)[N]) {
   static_assert(N == 0,
@@ -47,7 +48,7 @@ template <size_t N>
 ItemSource inRam(MissionItem (&plan)[N]) {
   return ItemSource{readItemFromRam, plan, N};
 }
-// A constant array is refused: on an AVR it nearly always has PROGMEM, and lies in flash.
+// A constant array is refused: on an AVR it nearly always has PROGMEM, and is in flash.
 template <size_t N>
 ItemSource inRam(const MissionItem (&)[N]) {
   static_assert(N == 0, "write inFlash(plan) for a plan with PROGMEM, inRam(plan, count) for a constant plan without");

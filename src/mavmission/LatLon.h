@@ -1,4 +1,4 @@
-// A place, and another one that is so many metres north and east of it: for plans that are computed.
+// A place, and a second place at a given distance north and east of it: for plans that are computed.
 #pragma once
 
 #include <stdint.h>
@@ -13,9 +13,10 @@ struct LatLon {
   Degrees longitude;  // east is positive
 };
 
-// The place that is so far north and east of another one [cm]; south and west are negative. On the ellipsoid of GPS
-// (WGS 84), by integers: within 10 km, and between 80 degrees south and north, it is off by less than 1 cm and 0.01 %
-// of the way. East is measured at the latitude of `from`, so that the columns of a grid are meridians.
+// The place that is `northCm` north and `eastCm` east of `from`; south and west are negative. It is computed on the
+// ellipsoid of GPS (WGS 84), with integers: within 10 km, and between 80 degrees south and north, the error is less
+// than 1 cm plus 0.01 % of the distance. East is measured at the latitude of `from`, so that the columns of a grid are
+// meridians.
 LatLon moved(const LatLon& from, int32_t northCm, int32_t eastCm);
 
 }  // namespace mavmission

@@ -5,7 +5,7 @@
 
 namespace mavmission {
 
-// Counters that make a fault of the line visible. Each begins at the start of the program, and wraps.
+// Counters that show faults of the link. Each counts from the start of the program, and wraps.
 struct LinkCounters {
   uint32_t bytes;            // received
   uint32_t bytesSkipped;     // received, but part of no frame: another baud rate, text, a full buffer

@@ -1,4 +1,4 @@
-// Finds out why nothing works: wiring, baud rate, who is speaking, whether we are heard.
+// Finds out why nothing works: the wiring, the baud rate, who sends, and whether the autopilot hears us.
 #pragma once
 
 #include "FlashText.h"
@@ -19,10 +19,10 @@ namespace mavmission {
   X(NoFramesAtAnyBaud, \
     "bytes, but no frames at any baud rate: the port does not speak MAVLink, or the levels are wrong") \
   X(WrongBaud, "frames, but at another baud rate") /* baud() */ \
-  X(OnlyEcho, "nobody but ourselves: our TX is joined to our RX") \
-  X(LoopLate, "bytes are lost: loop() takes too long between two update()") \
+  X(OnlyEcho, "only our own frames: our TX is joined to our RX") \
+  X(LoopLate, "bytes are lost: loop() calls update() too rarely") \
   X(Damaged, "frames arrive damaged: look at GND, levels, cable, and at code that keeps interrupts off") \
-  X(NoAutopilot, "frames, but none of an autopilot: another component is speaking") /* speaker() */ \
+  X(NoAutopilot, "frames, but none from an autopilot: another component sends") /* speaker() */ \
   X(SeveralAutopilots, "several autopilots: name one with setTargetIds()") \
   X(OtherAutopilot, "an autopilot, but not the one named with setTargetIds()") /* speaker() */ \
   X(SameIds, "our system and component id are the autopilot's own: it ignores us") \
@@ -62,19 +62,19 @@ struct Speaker {
 //   MissionClient autopilot(Serial1);
 //   LinkDoctor doctor(autopilot);
 //
-// It may run beside any operation. What it sends is harmless. As long as no autopilot is heard: a heartbeat every
-// second, by which our own echo is recognised. Then: a request for AUTOPILOT_VERSION (MAV_CMD_REQUEST_MESSAGE), which
-// changes nothing and which every autopilot answers with COMMAND_ACK, even one that does not know it; every second
-// until it is answered, then every 5 s. It requests nothing while a transfer is running.
+// It may run during any operation. What it sends is harmless. As long as no autopilot is heard, it sends a heartbeat
+// every second, by which it recognises our own echo. Then it sends a request for AUTOPILOT_VERSION
+// (MAV_CMD_REQUEST_MESSAGE), every second until it is answered, then every 5 s. The request changes nothing, and every
+// autopilot answers it with COMMAND_ACK, even one that does not know it. While a transfer runs it requests nothing.
 class LinkDoctor : public detail::Listener {
  public:
-  // The doctor must live as long as the client: declare it beside it, not in a function.
+  // The doctor must live as long as the client: declare it next to the client, not in a function.
   explicit LinkDoctor(MissionClient& client);
 
   // Lets it try other baud rates when bytes come, but no frames: 9600 to 921600, as far as the board can do them.
-  // `baud` is the rate at which the sketch has opened the port [bit/s]. A verdict of WrongBaud leaves the port at the
-  // rate that gave frames; when the frames end, the port goes back to `baud`. Trying all rates takes about half a
-  // minute.
+  // `baud` is the rate at which the sketch has opened the port [bit/s]. With the verdict WrongBaud the port stays at
+  // the rate at which frames came; when no more frames come, it goes back to `baud`. Trying all rates takes about half
+  // a minute.
   void tryBauds(BaudFunction setBaud, uint32_t baud, void* context = nullptr);
 
   // To be called from loop(), before the client's update(), so that it can see a full receive buffer. Returns
@@ -83,7 +83,7 @@ class LinkDoctor : public detail::Listener {
 
   // The last verdict.
   Verdict verdict() const { return verdict_; }
-  // The port's present rate [bit/s]; 0 without tryBauds().
+  // The current rate of the port [bit/s]; 0 without tryBauds().
   uint32_t baud() const;
   // The last sender other than the client's autopilot; all zeros: nobody.
   const Speaker& speaker() const { return speaker_; }

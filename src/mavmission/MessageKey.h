@@ -1,11 +1,11 @@
-// What identifies a message and its layout.
+// The numbers that identify a message and its layout.
 #pragma once
 
 #include <stdint.h>
 
 namespace mavmission {
 
-// What is needed in order to send or to decode a message.
+// The numbers that are needed to send or to decode a message.
 struct MessageKey {
   static constexpr uint8_t kNoTarget = 255;  // `target` of a message without one
 

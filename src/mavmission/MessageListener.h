@@ -1,4 +1,4 @@
-// Messages for the sketch itself: GPS, attitude, RC channels... to be decoded with any MAVLink library, or by hand.
+// Messages that the sketch itself wants, such as RC channels: to be decoded with any MAVLink library, or by hand.
 #pragma once
 
 #include "service/Listener.h"
@@ -18,19 +18,21 @@ struct ReceivedMessage {
   void copyTo(void* message, uint8_t size) const;
 };
 
-// Called from update() with each message that has one of the keys. May begin an operation, if none runs, and cancel().
+// Called from update() with each message that has one of the keys. The function may begin an operation if none runs,
+// and may call cancel().
 typedef void (*MessageFunction)(void* context, const ReceivedMessage& message);
 
-// Receives the messages of an array of keys in flash, from any sender, and hands each to a function. They may be of any
-// dialect: the id, below 65,536, the CRC_EXTRA and the MAVLink 1 length are in the message's definition.
+// Receives messages from any sender, and passes each to a function. An array of keys in flash says which messages. They
+// may be of any dialect: the id (below 65,536), the CRC_EXTRA and the MAVLink 1 length are in the message's definition.
 //
 //   const MessageKey keys[] PROGMEM = {messageKey(24, 24, 30)};  // GPS_RAW_INT
 //   MessageListener gps(autopilot, keys, onGps);
 //
-// Messages with a payload of more than MAVMISSION_MAX_PAYLOAD bytes are stepped over.
+// Messages with a payload of more than MAVMISSION_MAX_PAYLOAD bytes are ignored.
 class MessageListener : public detail::Listener {
  public:
-  // The keys must lie in flash. The listener must live as long as the client: declare it beside it, not in a function.
+  // The keys must be in flash. The listener must live as long as the client: declare it next to the client, not in a
+  // function.
   template <uint8_t N>
   MessageListener(MissionClient& client, const MessageKey (&keys)[N], MessageFunction function, void* context = nullptr)
       : Listener(client, keys, N, take), function_(function), context_(context) {}

@@ -23,9 +23,9 @@ namespace detail {
 class Listener;
 }  // namespace detail
 
-// Speaks the mission protocol with one autopilot, without ever blocking: call update() from loop(), as often as can be.
-// At 57600 baud a Mega's receive buffer is full after 11 ms: a loop that takes longer loses bytes, which costs time and
-// nothing else. Uses no heap. The Stream must be open, and must live as long as the client.
+// Speaks the mission protocol with one autopilot, and never blocks: call update() from loop(), as often as possible. At
+// 57600 baud a Mega's receive buffer is full after 11 ms. A loop that takes longer loses bytes: the transfer then takes
+// longer, and still succeeds. The client uses no heap. The Stream must be open, and must live as long as the client.
 class MissionClient : private detail::Client {
  public:
   // The value of failedItem() when no item failed.
@@ -38,12 +38,13 @@ class MissionClient : private detail::Client {
 
   // --- Operations: one at a time. A second one is refused with Status::Busy, and the running one continues.
 
-  // Uploads a plan, which replaces the autopilot's own. Waits for the autopilot, checks the plan, then transfers it.
-  // Returns the first status of the operation, or Status::Busy; update() returns the status with which it ends.
-  // That is Status::Accepted exactly when the plan is aboard. Where the final acknowledgement is in doubt, the plan
-  // aboard is read back and compared: Status::Differs means that it is another plan, Status::Unconfirmed that it could
-  // not be read back either. With Readback::Always it is read back in any case. The source must live until the
-  // operation has ended. (MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".)
+  // Uploads a plan, which replaces the plan that the autopilot holds. It waits for the autopilot, checks the plan, then
+  // transfers it. upload() returns the first status of the operation, or Status::Busy; update() returns the status with
+  // which it ends. That status is Status::Accepted if, and only if, the plan is aboard. If the final acknowledgement is
+  // lost or unclear, the plan aboard is read back and compared: Status::Differs means that another plan is there,
+  // Status::Unconfirmed that it could not be read back either. With Readback::Always it is read back in any case. The
+  // source must live until the operation has ended. (MAVLink guide, Mission Protocol, "Upload a Mission to the
+  // Vehicle".)
   Status upload(const ItemSource& plan, Readback proof = Readback::InDoubt) {
     return uploadProven(plan, PlanType::Mission, proof);
   }
@@ -57,11 +58,12 @@ class MissionClient : private detail::Client {
     return Status::Idle;
   }
 
-  // Uploads the plan only if it is not aboard already, and is meant to be called at each start. Looks first: on PX4 at
-  // the checksum of the plan aboard, in one exchange whatever the plan's length; on ArduPilot it reads the plan and
-  // compares it, which writes nothing to the autopilot's storage. Ends with Status::AlreadyAboard if the plan was
-  // there, with Status::Accepted if it is there now, or as upload() ends. While the autopilot is armed it only looks,
-  // whatever allowWhileArmed() says: if another plan is aboard it ends with Status::Armed, and nothing has changed.
+  // Uploads the plan only if it is not aboard already; meant to be called each time the sketch starts. First it finds
+  // out which plan is aboard: on PX4 it compares the checksum, in one exchange whatever the plan's length; on ArduPilot
+  // it reads the plan and compares the items, which writes nothing to the autopilot's storage. It ends with
+  // Status::AlreadyAboard if the plan was there, with Status::Accepted if it is there now, or as upload() ends. While
+  // the autopilot is armed it uploads nothing, even after allowWhileArmed(true): if another plan is aboard it ends with
+  // Status::Armed, and nothing has changed.
   Status ensure(const ItemSource& plan, Readback proof = Readback::InDoubt) {
     return ensurePlan(plan, PlanType::Mission, proof);
   }
@@ -101,46 +103,48 @@ class MissionClient : private detail::Client {
   // Missions".)
   Status clear(PlanType type = PlanType::Mission);
 
-  // --- Flying. Each ends with Status::Done, or with the autopilot's refusal (MAVLink guide, Command Protocol). Nothing
-  // arms but arm(), start(), Steering::takeOff(), and a command that arms in the sketch's own send(). Arming is never
-  // forced. docs/who_has_the_aircraft.md is to be read before the first flight.
+  // --- Flying. Each ends with Status::Done, or with the autopilot's refusal (MAVLink guide, Command Protocol). Only
+  // arm(), start(), verifyAndStart(), Steering::takeOff(), and send() with a command that arms, can arm the aircraft.
+  // Arming is never forced. Read docs/who_has_the_aircraft.md before the first flight.
 
-  // Arms, and flies the plan that is aboard from this item on, in the sketch's numbers: the steps that this autopilot
-  // needs, in its order, each of them confirmed; startStep() says which one was refused. Done when the autopilot is
-  // armed, in its mission mode, and at the first item from there on that can be flown (after DO_ commands and jumps).
-  // Status::OtherItem when it flies to another one, Status::Unconfirmed when it does not report its item. If it flies
-  // its mission already, nothing is sent that would change that. Refused with Status::Unproven unless aboard() is our
-  // plan, and with Status::Armed while the autopilot is armed, unless that is allowed. It ends with Unproven, too, as
-  // soon as it shows that somebody has put another plan there meanwhile; on ArduPilot a plan of the same length that
-  // another line brings does not show (docs/starting.md: verify() compares each item). The plan's source must still
-  // exist.
+  // Arms the aircraft, and flies the plan that is aboard, beginning with `item`, in the sketch's numbers. start() takes
+  // the steps that this autopilot needs, and each step is confirmed; startStep() says which one was refused.
+  // Status::Done: the autopilot is armed, in its mission mode, and flies to the first item from there on that can be
+  // flown to (DO_ commands and jumps are skipped). Status::OtherItem: it flies to another item. Status::Unconfirmed: it
+  // does not report its item. If it flies its mission already, nothing is sent that would change that. start() is
+  // refused with Status::Unproven unless aboard() is our plan, and with Status::Armed while the autopilot is armed,
+  // unless allowWhileArmed() allows it. It also ends with Unproven as soon as it detects that somebody has replaced the
+  // plan meanwhile. On ArduPilot it cannot detect a plan of the same length that arrived over another link:
+  // verifyAndStart() can. The plan's source must still exist.
   //
-  // If a step after arming is refused, it disarms again, on the ground, never by force: the status stays the refusal,
-  // and startArming() tells about the disarming. It does not disarm when somebody else has set another mode meanwhile
-  // (Status::TakenOver), nor after cancel(). That mode stays: each order is sent right after a heartbeat that shows no
-  // other one, and where an order was under way and undoes it, it is set again at once (Status::Overruled if the
-  // autopilot does not take it). Status::NotArmed when somebody has disarmed it meanwhile. A rover can be armed seconds
-  // before it accepts AUTO: on a rover AUTO is tried for 15 s.
+  // If a step after arming is refused, the aircraft is disarmed again, on the ground and never by force: the status is
+  // that of the refused step, and startArming() says whether the aircraft was disarmed. It is not disarmed if somebody
+  // else has set another mode meanwhile (Status::TakenOver), nor after cancel(). A mode that somebody else sets stays:
+  // each command is sent right after a heartbeat that shows no other mode, and if a command that was already on its way
+  // replaces that mode, the mode is set again at once (Status::Overruled if the autopilot refuses it).
+  // Status::NotArmed: somebody has disarmed the aircraft meanwhile. A rover may be armed seconds before it accepts
+  // AUTO: on a rover AUTO is tried for 15 s.
   Status start(uint16_t item = 0);
 
-  // verify(plan), then start(item); and where the autopilot gives its plan no checksum (ArduPilot), verify(plan) once
-  // more when the aircraft flies. So another station's plan is noticed, too, if it has as many items as ours, and Done
-  // means that each item aboard was compared while the aircraft flew. It ends as verify() if that does not end with
-  // Verified (then nothing was sent that arms), and otherwise as start(): with Unproven where the second look finds
-  // another plan (aboard(): OtherPlan; disarmed again as far as the autopilot allows that), or could not be finished
-  // (aboard() is as before or NotKnown; it goes on flying). A mode that somebody sets during a look stays: TakenOver.
-  // Until it has ended no other operation can begin; each look takes about as long as the upload did. onEnd() is to be
-  // called before it begins.
+  // Does verify(plan), then start(item). If the autopilot has no checksum for its plan (ArduPilot), it does
+  // verify(plan) a second time when the aircraft flies. So it also detects another station's plan that has as many
+  // items as ours, and Done means that each item aboard was compared while the aircraft flew. If the first verify()
+  // does not end with Verified, that is the status, and nothing was sent that arms. Otherwise it ends as start() does.
+  // It ends with Unproven if the second verify() finds another plan (aboard() is OtherPlan, and the aircraft is
+  // disarmed if the autopilot allows it), or could not be finished (aboard() is as before or NotKnown, and the aircraft
+  // flies on). If somebody sets another mode during a verify(), that mode stays: TakenOver. No other operation can
+  // begin before it has ended; each verify() takes about as long as the upload did. Call onEnd() before you call this.
   Status verifyAndStart(const ItemSource& plan, uint16_t item = 0);
 
   // Arms or disarms, as the autopilot's own checks allow. Done when a heartbeat shows it, so isArmed() says the same.
   Status arm();
   Status disarm();
-  // Sets the mode, by its name or by the autopilot's own number (HEARTBEAT.custom_mode). Done when a heartbeat shows
-  // the mode, and nothing is sent if it is there already; Status::Unconfirmed when it was accepted and no heartbeat
-  // shows it. If somebody else has changed the mode since the last heartbeat, or does so meanwhile, that mode stays:
-  // Status::TakenOver, or Overruled as with start(). A sketch that insists calls it again. By its name: NoSuchMode
-  // where the vehicle has no such mode, or is none that is known (docs/modes.md); nothing is sent then.
+  // Sets the mode, by its name or by the autopilot's own number (HEARTBEAT.custom_mode). Done: a heartbeat shows the
+  // mode; if it shows the mode already, nothing is sent. Status::Unconfirmed: the command was accepted, and no
+  // heartbeat shows the mode. If somebody else has changed the mode since the last heartbeat, or does so meanwhile,
+  // that mode stays: Status::TakenOver, or Overruled as with start(). The sketch may then call setMode() again.
+  // Status::NoSuchMode: the vehicle has no mode of this name, or its type is not known (docs/modes.md); nothing was
+  // sent.
   Status setMode(FlightMode mode);
   Status setCustomMode(uint32_t customMode);
   // Makes an armed aircraft fly its mission from its current item on. Status::NotArmed if it is not armed; otherwise as
@@ -152,27 +156,27 @@ class MissionClient : private detail::Client {
   Status setCurrentItem(uint16_t item);
   // Sets the interval at which the autopilot sends a message [us]; 0 is its default, -1 never.
   Status setMessageInterval(uint16_t messageId, int32_t intervalUs);
-  // Sends any command, which must live until the operation has ended. It does not force arming either, and does not
-  // send PX4's MISSION_START, which arms, to a disarmed aircraft (Status::NotArmed): that is what start() is for. Where
-  // the autopilot takes the command in its other form only (COMMAND_LONG or COMMAND_INT), it is sent again in that
-  // form, if each value fits in there.
+  // Sends any command; the FlightCommand must live until the operation has ended. send() does not force arming either,
+  // and does not send MISSION_START, which arms a PX4, to a disarmed aircraft (Status::NotArmed): use start(). If the
+  // autopilot takes the command in the other form only (COMMAND_LONG or COMMAND_INT), it is sent again in that form, if
+  // each value fits into it.
   Status send(const FlightCommand& command, CommandRepeat repeat = CommandRepeat::IfHarmless);
   Status send(const FlightCommand&&,
               CommandRepeat = CommandRepeat::IfHarmless) = delete;  // a temporary would be gone before it is sent
 
   // Ends the running operation with Status::Cancelled, and tells the autopilot (MISSION_ACK with
-  // MAV_MISSION_OPERATION_CANCELLED). Without one it does nothing. In a callback of update() it acts when that update()
-  // ends, unless the operation has ended by itself by then.
+  // MAV_MISSION_OPERATION_CANCELLED). If no operation runs, it does nothing. Called in a callback of update(), it takes
+  // effect when that update() ends, unless the operation has ended by itself before.
   void cancel();
 
   // To be called from loop(). Reads the received bytes, sends what is due and fits, and returns without waiting.
   // Returns the status with which an operation has ended, once; otherwise the status of the running one, or
-  // Status::Idle. In a callback of its own it does nothing, and returns Status::Busy.
+  // Status::Idle. Called from one of its own callbacks, it does nothing and returns Status::Busy.
   Status update();
 
   // Sends a message of the sketch's own, with the right sequence number. False if another frame is still being sent, or
-  // nothing may be sent yet (no autopilot heard, or several): call it again later. False also for a message that a
-  // MAVLink 1 link does not carry: an id above 255, or a lengthV1 of 0. The payload must live until isSent().
+  // nothing may be sent yet (no autopilot heard, or several): call it again later. It is also false for a message that
+  // cannot be sent on a MAVLink 1 link: an id above 255, or a lengthV1 of 0. The payload must live until isSent().
   bool sendMessage(const OutgoingMessage& message) { return link_.sendForeign(message); }
   // True when every frame has been handed to the stream.
   bool isSent() const { return link_.isSent(); }
@@ -182,7 +186,7 @@ class MissionClient : private detail::Client {
   Status status() const { return Client::status(); }  // of the running operation, or of the last one
   // True while an operation runs.
   bool isBusy() const { return Client::isBusy(); }
-  // The item that the status is about, in the sketch's numbers, or kNoItem. ArduPilot's home is no item.
+  // The item that the status is about, in the sketch's numbers, or kNoItem. ArduPilot's home does not count as an item.
   uint16_t failedItem() const { return state_.failedItem; }
   // Items transferred, and items in all, of the running or last transfer.
   uint16_t itemsDone() const { return state_.itemsDone; }
@@ -190,9 +194,9 @@ class MissionClient : private detail::Client {
   // After Status::Differs the field that differs; after Status::NotKept the field that would be stored as another
   // value.
   ItemField differingField() const { return rest_.field; }
-  // After the Status::NotKept of a plan: the value that the autopilot would store in that field, for which it reads the
-  // item from the plan's source again. NaN where it is not known: where the autopilot would not take the value, or
-  // where the result depends on its board. NaN, too, after any other end.
+  // After an operation with a plan has ended with Status::NotKept: the value that the autopilot would store in that
+  // field. keptValue() reads the item from the plan's source again. It returns NaN if the value is not known (the
+  // autopilot would refuse it, or the result depends on its board), and after any other status.
   float keptValue();
   // The plan of a type that the autopilot holds after the last upload, verification or clear of that type.
   Aboard aboard(PlanType type = PlanType::Mission) const { return Client::aboard(type); }
@@ -209,7 +213,7 @@ class MissionClient : private detail::Client {
   Firmware firmware() const { return Client::firmware(); }
   uint8_t autopilotSystemId() const { return link_.finder().heartbeat().systemId; }
   uint8_t autopilotComponentId() const { return link_.finder().heartbeat().componentId; }
-  // As its last heartbeat has shown it, also while it is not heard any more: an aircraft in the air stays armed.
+  // As the autopilot's last heartbeat has shown it, even if it is no longer heard: an aircraft in the air stays armed.
   bool isArmed() const { return Client::isArmed(); }
   // The autopilot's own number of its mode (HEARTBEAT.custom_mode).
   uint32_t customMode() const { return Client::customMode(); }
@@ -227,24 +231,26 @@ class MissionClient : private detail::Client {
 
   // --- Settings, to be made while no operation runs
 
-  // Sets our system id (1 to 255) and component id. The default is a companion computer of the autopilot: its system id
-  // and component 191. When they are set, heartbeats go out at once; by default not before an autopilot has been heard.
-  // They must not be the autopilot's own pair: it would ignore us.
+  // Sets our system id (1 to 255) and component id. By default we are a companion computer of the autopilot: its system
+  // id, and component 191. With ids that the sketch has set, heartbeats are sent at once; with the default ids they are
+  // sent only after an autopilot has been heard. Do not set the autopilot's own two ids: it would ignore us.
   void setSourceIds(uint8_t systemId, uint8_t componentId = detail::Link::kComponentId);
-  // Names the autopilot to talk to, where there may be several on the line. System id 0, the default: the only one.
+  // Names the autopilot to talk to, if there may be several on the line. With system id 0, the default, it is the only
+  // one.
   void setTargetIds(uint8_t systemId, uint8_t componentId = 1);
 #if MAVMISSION_SIGNING
   // From now on signs every frame that is sent, and ignores every received frame that is not signed with the key
   // (MAVLink guide, Message Signing). Only RADIO_STATUS, which a radio without a key sends, still reaches a
-  // MessageListener. All frames are then MAVLink 2. `linkId`: a number for this link, of the sketch's choice; the same
-  // after each reset. `store`: keeps the time of signatures across a reset (EepromTimestamps, or the sketch's own).
+  // MessageListener. All frames are then MAVLink 2. `linkId`: a number that the sketch chooses for this link, the same
+  // after each reset. `store`: keeps the time of signatures across a reset (EepromTimestamps, or one that the sketch
+  // provides).
   void signWith(const SigningKey& key, uint8_t linkId, const TimestampStore& store) {
     link_.signWith(key, linkId, store);
   }
   // Sets the time of signatures, where the sketch has a clock or a GPS [s, Unix]. Without it the autopilot's time is
   // used.
   void setSigningTime(uint32_t unixTimeS) { link_.setSigningTime(detail::SigningTime::atUnixTime(unixTimeS)); }
-  // Received frames since signWith(), counted by whether they were accepted, and why not.
+  // Received frames since signWith(): how many were accepted, and how many were refused for which reason.
   const SigningCounters& signingCounters() const { return link_.signing().counters(); }
 #else
   template <typename... Arguments>
@@ -255,19 +261,21 @@ class MissionClient : private detail::Client {
 #endif
   // MAVLink 1 or 2; by default the autopilot's own version.
   void setMavlinkVersion(MavlinkVersion speak) { link_.setMavlinkVersion(speak); }
-  // Allows operations that change the plan while the autopilot is armed. ArduPilot replaces its plan in place: an
-  // upload that breaks off leaves a flying aircraft with a mixture of two plans.
+  // Allows operations that change the plan, start() and Steering while the autopilot is armed. ArduPilot replaces its
+  // plan item by item: an upload that breaks off leaves a flying aircraft with a mixture of two plans.
   void allowWhileArmed(bool allow) { rest_.armedAllowed = allow; }
-  // Item numbers and jump targets are then the autopilot's: on ArduPilot item 0 is home, and the plan has to contain
-  // it.
+  // With true, item numbers and jump targets are those of the autopilot: on ArduPilot item 0 is home, and the plan has
+  // to contain it.
   void useRawNumbering(bool raw) { rest_.raw = raw; }
-  // When another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), an upload is tried again
-  // after 1, 2, 4, then every 8 s, for at most `seconds` after the first refusal; then it ends with the refusal. During
-  // the back-off the status is BackingOff. 0: no retry. Costs flash in a sketch that calls it (docs/measurements.md).
+  // If another ground station is transferring (MISSION_ACK denied, or PX4's error for busy), an upload is tried again
+  // after 1, 2, 4, then every 8 s, for at most `seconds` after the first refusal; then it ends with the status of the
+  // refusal. While it waits, the status is BackingOff. 0: no retry. A sketch that calls it takes more flash
+  // (docs/measurements.md).
   void retryWhenBusy(uint16_t seconds);
-  // Serves autopilots that do not know MISSION_ITEM_INT: an autopilot that is neither ArduPilot nor PX4, and refuses
-  // the first item as unsupported, gets the plan again as MISSION_ITEM, whose float coordinates are rounded by up to
-  // metres. `always`: MISSION_ITEM_INT is not even tried. Costs flash in a sketch that calls it (docs/measurements.md).
+  // For autopilots that do not know MISSION_ITEM_INT: an autopilot that is neither ArduPilot nor PX4, and refuses the
+  // first item as unsupported, gets the plan again as MISSION_ITEM, whose float coordinates are rounded by up to some
+  // metres. `always`: MISSION_ITEM_INT is not tried at all. A sketch that calls it takes more flash
+  // (docs/measurements.md).
   void useMissionItemFallback(bool always = false);
   // The longest wait for an autopilot [s]; an operation then ends with Status::NoAutopilot. 0, the default: no limit.
   void setAutopilotTimeout(uint16_t seconds) { rest_.waitingLimitS = seconds; }

@@ -1,4 +1,4 @@
-// The progress of the mission in flight: the current item, items reached, the mission's state, and the autopilot's
+// The progress of the mission in flight: the current item, the items reached, the mission's state, and the autopilot's
 // texts.
 #pragma once
 
@@ -10,10 +10,12 @@ namespace mavmission {
 // MISSION_STATE (MAVLink common messages, MISSION_CURRENT.mission_state).
 enum class MissionState : uint8_t { NotKnown = 0, NoMission = 1, NotStarted = 2, Active = 3, Paused = 4, Complete = 5 };
 
-// `item` in the sketch's numbering. Called from update(). May begin an operation, if none runs, and cancel().
+// `item` is in the sketch's numbers. The function is called from update(). It may begin an operation if none runs, and
+// may call cancel().
 typedef void (*ItemNumberFunction)(void* context, uint16_t item);
 // `text` ends with a zero, has at most 50 characters, and is valid during the call. `severity`: MAV_SEVERITY, 0
-// (emergency) to 7 (debug). Called from update(), and may do the same.
+// (emergency) to 7 (debug). The function is called from update(), and may call the same functions as an
+// ItemNumberFunction.
 typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 
 // Follows the mission of the client's autopilot. Declare one beside the client:
@@ -21,16 +23,16 @@ typedef void (*TextFunction)(void* context, uint8_t severity, const char* text);
 //   MissionClient autopilot(Serial1);
 //   MissionFollower mission(autopilot);
 //
-// PX4 sends MISSION_CURRENT every second without being asked, ArduPilot only on a port whose streams include it. An
-// autopilot that has not sent one for two seconds is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL),
-// beside the client's transfers and between its commands: again after 2, 4, 8 s and so on, up to once a minute, until
-// one comes.
+// PX4 sends MISSION_CURRENT every second without a request, ArduPilot only on a port whose streams include it. If none
+// has come for two seconds, the autopilot is asked to send it every second (MAV_CMD_SET_MESSAGE_INTERVAL), during the
+// client's transfers and between its commands. The request is repeated after 2, 4, 8 s and so on, at last once a
+// minute, until a MISSION_CURRENT comes.
 class MissionFollower : public detail::MessageIntervals {
  public:
-  // This object must live as long as the client: declare it beside it, not in a function.
+  // This object must live as long as the client: declare it next to the client, not in a function.
   explicit MissionFollower(MissionClient& client);
 
-  // The item being flown, or MissionClient::kNoItem before the autopilot has reported one, and while that is home.
+  // The item being flown, or MissionClient::kNoItem if the autopilot has not reported one yet, or if the item is home.
   uint16_t currentItem() const { return current_; }
   // The item reached last, or MissionClient::kNoItem.
   uint16_t reachedItem() const { return reached_; }
@@ -40,9 +42,10 @@ class MissionFollower : public detail::MessageIntervals {
   MissionState state() const { return state_; }
   // True while the client's aboard() is our plan. The follower sets aboard() to Aboard::OtherPlan, and start() is then
   // refused, when somebody else puts a plan there. PX4 names its plan by a checksum, in MISSION_CURRENT, MISSION_COUNT
-  // and an upload's MISSION_ACK; if our plan comes back, so does Aboard::OurPlan. ArduPilot tells by the number of
-  // items in MISSION_CURRENT, and its texts tell of an upload by a station on our own line. A plan of the same length
-  // that another line or a file brings to ArduPilot shows nowhere: verify() or ensure() looks at the plan itself.
+  // and an upload's MISSION_ACK; if our plan comes back, so does Aboard::OurPlan. On ArduPilot another plan is detected
+  // by the number of items in MISSION_CURRENT, and by ArduPilot's text about an upload over our own link. A plan of the
+  // same length that reaches ArduPilot over another link or as a file is not detected: use verify() or ensure(), which
+  // read the plan itself.
   bool isOurPlan() const;
 
   // Called when the current item changes.

@@ -38,7 +38,8 @@ enum : uint16_t {
   kRallyPoint = 5100,
 };
 
-// A step of a plan: MISSION_ITEM_INT without its addresses. A plain struct that may lie in flash; use the makers below.
+// A step of a plan: MISSION_ITEM_INT without its addresses. A plain struct that may be in flash; make one with the
+// functions below.
 struct MissionItem {
   float param1, param2, param3, param4;  // meaning by command; a NaN is allowed only where param4 is a yaw
   int32_t x;                             // latitude [1e-7 deg], or parameter 5 with Frame::Mission
@@ -50,10 +51,10 @@ struct MissionItem {
   uint8_t autocontinue;                  // 1: go on to the next item
 };
 
-// The size of param1 to z, which lie one behind the other as in MISSION_ITEM_INT [bytes].
+// The size of param1 to z, which are in the same order as in MISSION_ITEM_INT [bytes].
 constexpr uint8_t kPlaceBytes = 28;
 static_assert(offsetof(MissionItem, command) == kPlaceBytes,
-              "param1 to z must lie first: they are copied in one piece");
+              "param1 to z must come first: they are copied in one piece");
 
 // Any command without coordinates, by hand: the parameters are those of MAV_CMD's table.
 constexpr MissionItem anyCommand(uint16_t id, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
@@ -68,8 +69,7 @@ constexpr MissionItem anyCommandAt(uint16_t id, Degrees latitude, Degrees longit
                      id,     altitude.frame(), 0,      1};
 }
 
-// Climb to the altitude where the aircraft stands. (PX4 needs coordinates; it gets those of the nearest item that has
-// some.)
+// Climb vertically to the altitude. (PX4 needs coordinates; it gets those of the nearest item that has some.)
 constexpr MissionItem takeoff(Altitude altitude, Yaw yaw = Yaw()) {
   return anyCommandAt(kNavTakeoff, Degrees(), Degrees(), altitude, 0, 0, 0, yaw.inDegrees());
 }
@@ -78,8 +78,8 @@ constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude alti
   return anyCommandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
 }
 
-// Fly to a place. A copter waits there for `hold` (on ArduPilot in whole seconds only). Within `acceptanceRadius` it
-// counts as reached (0: the autopilot's own setting; ArduPilot's copter always uses its own).
+// Fly to a place. A copter waits there for `hold` (on ArduPilot in whole seconds only). The place counts as reached
+// within `acceptanceRadius` (0: the autopilot's own setting; an ArduCopter always uses its own setting).
 constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold = Seconds(0),
                                Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
   return anyCommandAt(kNavWaypoint, latitude, longitude, altitude, hold.value, acceptanceRadius.value, 0,
@@ -97,7 +97,7 @@ constexpr MissionItem loiterTurns(Degrees latitude, Degrees longitude, Altitude 
                                   Metres radius = Metres(0)) {
   return anyCommandAt(kNavLoiterTurns, latitude, longitude, altitude, turns, 0, radius.value, 0);
 }
-// Stay at a place until told otherwise.
+// Stay at a place until another command comes.
 constexpr MissionItem loiterUnlimited(Degrees latitude, Degrees longitude, Altitude altitude, Metres radius = Metres(0),
                                       Yaw yaw = Yaw()) {
   return anyCommandAt(kNavLoiterUnlimited, latitude, longitude, altitude, 0, 0, radius.value, yaw.inDegrees());
@@ -123,7 +123,7 @@ constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDo
 
 namespace literal {
 // A constant plan that calls this does not compile: a jump is repeated at most 32,767 times, or for ever (-1). A
-// computed one is refused when the plan is checked.
+// computed plan is refused when it is checked.
 inline auto jumpRepeatsMustBeFromMinus1To32767(uint16_t target, int32_t repeats) -> MissionItem {
   return anyCommand(kDoJump, target, repeats);
 }
@@ -154,7 +154,7 @@ constexpr MissionItem cameraTriggerDistance(Metres distance) {
 constexpr MissionItem regionOfInterest(Degrees latitude, Degrees longitude, Altitude altitude) {
   return anyCommandAt(kDoSetRoiLocation, latitude, longitude, altitude);
 }
-// Look ahead again.
+// Point the camera (or the nose) ahead again.
 constexpr MissionItem regionOfInterestOff() { return anyCommand(kDoSetRoiNone); }
 
 // Turn to a heading and fly on. PX4 does not take it in a plan (Status::NotFlown): give the waypoint a yaw instead.
@@ -165,20 +165,20 @@ constexpr MissionItem turnTo(WideHeading heading) {
 
 // --- Items of a fence: upload(fence, PlanType::Fence).
 
-// One corner of a polygon that must not be left. All corners of a polygon follow one another, each with their number,
-// `corners`.
+// One corner of a polygon that the aircraft must not leave. All corners of a polygon follow one another, each with the
+// same `corners`: how many corners the polygon has.
 constexpr MissionItem fenceInside(Degrees latitude, Degrees longitude, uint8_t corners) {
   return anyCommandAt(kFencePolygonInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
 }
-// One corner of a polygon that must not be entered.
+// One corner of a polygon that the aircraft must not enter.
 constexpr MissionItem fenceOutside(Degrees latitude, Degrees longitude, uint8_t corners) {
   return anyCommandAt(kFencePolygonExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), corners);
 }
-// A circle that must not be left.
+// A circle that the aircraft must not leave.
 constexpr MissionItem fenceInsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
   return anyCommandAt(kFenceCircleInclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
 }
-// A circle that must not be entered.
+// A circle that the aircraft must not enter.
 constexpr MissionItem fenceOutsideCircle(Degrees latitude, Degrees longitude, Metres radius) {
   return anyCommandAt(kFenceCircleExclusion, latitude, longitude, Altitude(Metres(0), Frame::Global), radius.value);
 }

@@ -1,12 +1,12 @@
-// A target that moves: the aircraft flies to the place that the sketch names again and again.
+// A moving target: the aircraft follows a place that the sketch updates again and again.
 #pragma once
 
 #include "Steering.h"
 
 namespace mavmission {
 
-// Lets an aircraft follow a target, by SET_POSITION_TARGET_GLOBAL_INT, 5 times a second. Copters and rovers of
-// ArduPilot, and PX4. Declare one beside the client and its Steering:
+// Lets an aircraft follow a target: SET_POSITION_TARGET_GLOBAL_INT is sent 5 times a second. For copters, rovers and
+// submarines of ArduPilot, and for PX4. Declare one next to the client and its Steering:
 //
 //   MissionClient autopilot(Serial1);
 //   Steering steering(autopilot);
@@ -18,48 +18,49 @@ namespace mavmission {
 //     if (beacon.hasMoved()) target.renew(beacon.place(), 20_m);
 //   }
 //
-// A target leaves only from update(), and only while the sketch has renewed it within the last second: when it stops
-// doing so, or calls stop(), the aircraft is made to hold where it is, as Steering::pause() does. So a loop() that goes
-// on while its sensor is silent ends with a hold. A loop() that stands still sends nothing: ArduPilot then flies to the
-// last target and stays there, PX4 does what its failsafe for OFFBOARD says (by default it returns home 1 s later).
-// When loop() goes on later, an old target is not sent.
+// A target is sent only from update(), and only if the sketch has called renew() within the last second. If it has not,
+// or if it calls stop(), the aircraft is made to hold its position, as by Steering::pause(). So if loop() runs while
+// the sensor is silent, the aircraft holds. If loop() is blocked, nothing is sent: ArduPilot then flies to the last
+// target and stays there, and PX4 does what its failsafe for OFFBOARD says (by default it returns home 1 s later). When
+// loop() runs again, an old target is not sent.
 //
-// Nor does a target leave while the autopilot is not heard: none 0.6 s after its last message. For PX4 would take the
-// first target that gets through for an order to come back from its failsafe. After such a gap, and after a loop()
-// that stood still for so long, a heartbeat has to show first that the aircraft is still the sketch's.
+// No target is sent either when 0.6 s have passed since the last message of the autopilot: PX4 would leave its failsafe
+// at the first target that it receives. After such a gap, and after a loop() that was blocked for as long, a heartbeat
+// has to show first that the sketch is still in control.
 //
-// The aircraft is never taken out of other hands: what Steering says about that holds here too. A heartbeat that shows
-// another mode, or a failsafe, ends it for good: nothing more is sent until the sketch calls start(), which is refused
-// while the aircraft is in other hands. An order of Steering, but for setSpeed(), ends it as well.
+// As Steering, it never takes control from a pilot, a failsafe or another station. When a heartbeat shows another mode,
+// or a failsafe, the following ends: nothing more is sent until the sketch calls start(), which is refused while
+// somebody else is in control. Any operation of Steering except setSpeed() ends the following, too.
 class MovingTarget : private detail::Listener, private detail::TargetRules {
  public:
-  // This object and the Steering must live as long as the client: declare them beside it, not in a function.
+  // This object and the Steering must live as long as the client: declare them next to the client, not in a function.
   explicit MovingTarget(Steering& steering);
 
-  // Begins: an operation of the client, as Steering::goTo(), and with its refusals. Done when the heartbeat shows the
-  // mode: GUIDED, or PX4's OFFBOARD, before which targets go out for a second. The target must be renewed meanwhile.
-  // Status::Busy if it runs already, or another operation does; Status::CommandUnsupported for ArduPilot's planes,
-  // which would take the altitude alone. After MissionClient::cancel() no hold is ordered: PX4, if it is in OFFBOARD by
-  // then, does what its failsafe for that mode says.
+  // Begins to follow. This is an operation of the client, and it is refused for the same reasons as Steering::goTo().
+  // Done when the heartbeat shows the mode: ArduPilot's GUIDED, or PX4's OFFBOARD. PX4 wants targets before it changes
+  // to OFFBOARD: they are sent for a second. Call renew() meanwhile, too. Status::Busy if it follows already, or
+  // another operation runs; Status::CommandUnsupported for ArduPilot's planes, which would take only the altitude.
+  // After MissionClient::cancel() the aircraft is not made to hold: PX4, if it is in OFFBOARD by then, does what its
+  // failsafe for that mode says.
   Status start(const LatLon& place, Altitude altitude);
 
-  // Names the target's place again, or its new one. Returns Status::Transferring when that is what goes out from now
-  // on. Otherwise nothing has changed, and the old target has still to be renewed: a number that cannot be meant, which
-  // MissionClient::differingField() names; Status::BadFrame for an altitude that is not measured as in start(); or, if
-  // no target goes out any more, why.
+  // Gives the target's place again, or its new place. Returns Status::Transferring if this target is sent from now on.
+  // Any other status means that this call did not count as a renewal: the number that MissionClient::differingField()
+  // names is not possible; or the altitude has another reference than in start() (Status::BadFrame); or no targets are
+  // sent any more, and the status says why.
   Status renew(const LatLon& place, Altitude altitude);
 
-  // Ends with a hold. Before start() is done, it is given up.
+  // Stops following: the aircraft holds its position. If start() is not done yet, it is given up.
   void stop();
 
-  // To be called from loop(), before the client's update(): so what has been going out when loop() stood still is not
-  // completed. Returns the status with which all has ended, once; otherwise Status::Transferring, or Status::Idle. That
-  // status is Done after stop(), NotRenewed, PilotHasIt, FailsafeHasIt, Cancelled (the sketch has ordered something
-  // else), NotArmed, NoAutopilot, or how start() or the hold was refused. When it is Done or NotRenewed, the aircraft
-  // holds: the heartbeat has shown the mode in which it does.
+  // To be called from loop(), before the client's update(): so a message that was half sent when loop() was blocked is
+  // not completed. Returns the status with which the following has ended, once; otherwise Status::Transferring, or
+  // Status::Idle. That status is Done (after stop()), NotRenewed, PilotHasIt, FailsafeHasIt, Cancelled (the sketch has
+  // given another command), NotArmed, NoAutopilot, or the reason why start() or the hold was refused. Done and
+  // NotRenewed mean that the aircraft holds its position: a heartbeat has shown that mode.
   Status update();
 
-  // How it ended last; Status::Transferring while it runs, also while it holds.
+  // The status with which it ended last; Status::Transferring while it runs, also until the hold is confirmed.
   Status status() const { return status_; }
   // True while the aircraft follows: from the end of start() to the beginning of the hold.
   bool isFollowed() const { return stage_ == Stage::Following; }
@@ -98,7 +99,7 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   uint32_t updatedMs_;  // when update() was called last
   uint16_t timeoutMs_;
   uint16_t sentMs_;   // when the last target left
-  uint16_t beganMs_;  // when the first one did
+  uint16_t beganMs_;  // when the first target left
   uint16_t blindMs_;  // since when it is blind
   uint16_t askedMs_;  // when a heartbeat was asked for last
   uint16_t mode_;     // in which the aircraft follows

@@ -7,13 +7,13 @@
 
 namespace mavmission {
 
-// Called from update() when another item has been transferred: `done` of `total` of the sketch's items. `done` never
-// goes back within a transfer, and reaches `total` only when the autopilot has accepted the plan. May call cancel(),
-// which acts at the end of that update(); the next operation is Status::Busy until then.
+// Called from update() when another item has been transferred: `done` of `total` items of the sketch. `done` never
+// decreases within a transfer, and reaches `total` only when the autopilot has accepted the plan. The function may call
+// cancel(), which takes effect at the end of that update(); until then the next operation is refused (Status::Busy).
 typedef void (*ProgressFunction)(void* context, uint16_t done, uint16_t total);
 
-// Called with the status of an operation that has ended: from update(), or from cancel() or the function that began it.
-// May begin the next operation. What each callback may call is in docs/callbacks.md.
+// Called with the status of an operation that has ended: from update(), from cancel(), or from the function that began
+// the operation. It may begin the next operation. docs/callbacks.md lists what each callback may call.
 typedef void (*EndFunction)(void* context, Status status);
 
 // The steps of start(), in order. A vehicle needs only some of them.
@@ -23,7 +23,7 @@ enum class StartStep : uint8_t { None, ReadyMode, FirstItem, Arm, AutoMode, Begi
 // the aircraft, could not make it fly, and the aircraft is disarmed again.
 enum class StartArming : uint8_t { Untouched, Armed, Disarmed };
 
-// When an upload reads the plan back: only if the autopilot's answer leaves a doubt, or always.
+// When an upload reads the plan back: only if the autopilot's answer does not prove that the plan is aboard, or always.
 enum class Readback : uint8_t { InDoubt = 1, Always };
 
 }  // namespace mavmission

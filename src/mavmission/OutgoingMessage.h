@@ -1,4 +1,4 @@
-// A message of the sketch's own, of any dialect.
+// A message that the sketch sends, of any dialect.
 #pragma once
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-// The autopilot's parameters, one at a time: reads one, or sets one and sees that it is kept.
+// The autopilot's parameters, one at a time: reads one, or sets one and checks that it is stored.
 #pragma once
 
 #include <stdint.h>
@@ -20,26 +20,27 @@ class Client;
 //
 //   parameters.read(F("SERIAL1_BAUD"));  // update() returns Status::Done when value() and whole() are known
 //
-// read() and set() are operations of the client, one at a time as all of them: they return its first status, or
-// Status::Busy, and the client's update(), status(), onEnd() and cancel() are about them. An autopilot does not answer
-// a name that it does not know: such an operation ends with Status::NoParameter after 7.5 s.
+// read() and set() are operations of the client, of which only one runs at a time: they return the first status of the
+// operation, or Status::Busy, and the client's update(), status(), onEnd() and cancel() work for them. An autopilot
+// does not answer a name that it does not know: then the operation ends with Status::NoParameter after 7.5 s.
 class Parameters : public detail::Listener {
  public:
   // The longest name of a parameter.
   static constexpr uint8_t kMostCharacters = 16;
 
-  // This object must live as long as the client: declare it beside it, not in a function.
+  // This object must live as long as the client: declare it next to the client, not in a function.
   explicit Parameters(MissionClient& client);
 
   // Reads a parameter. The name is copied; one with more than kMostCharacters ends with Status::NoParameter.
   Status read(FlashText name);
 
-  // Reads a parameter, which tells its type, and sets it if it has another value: Status::Done says that the autopilot
-  // has confirmed this value. Status::OtherValue: it keeps another one, value(), because it limits the value or because
-  // the parameter is read-only. Refused with Status::NotANumber and Status::NotFinite; with Status::NotKept if the
-  // parameter takes whole numbers only, if its type does not reach as far (an INT8 has -128 to 127), or if the number
-  // has more digits than a float; and with Status::Armed while the autopilot is armed, unless
-  // MissionClient::allowWhileArmed() allows it. Many parameters take effect when the autopilot restarts.
+  // Reads a parameter, to learn its type, and sets it if it has another value. Status::Done: the autopilot has
+  // confirmed this value. Status::OtherValue: the autopilot stores another value, value(), because it limits the value
+  // or because the parameter is read-only. set() is refused with Status::NotANumber or Status::NotFinite for such a
+  // number; with Status::NotKept if the parameter takes whole numbers only, if the value is outside the range of its
+  // type (an INT8 has -128 to 127), or if the number has more digits than a float; and with Status::Armed while the
+  // autopilot is armed, unless MissionClient::allowWhileArmed() allows it. Many parameters take effect only when the
+  // autopilot restarts.
   Status set(FlashText name, float value);
   // The same for a whole number, without a float in the sketch.
   Status setWhole(FlashText name, int32_t value);
@@ -51,7 +52,7 @@ class Parameters : public detail::Listener {
   Status setWhole(const char* name, int32_t value);
 #endif
 
-  // The parameter of the last operation, as the autopilot has told it last: valid after Status::Done and
+  // The value of the last operation's parameter, as the autopilot last reported it: valid after Status::Done and
   // Status::OtherValue. whole() is the nearest whole number, or 0 for one beyond 31 bits.
   float value() const;
   int32_t whole() const;

@@ -9,7 +9,7 @@
 
 namespace mavmission {
 
-// A command that has come (COMMAND_LONG, MAVLink guide, Command Protocol).
+// A command that was received (COMMAND_LONG, MAVLink guide, Command Protocol).
 struct PayloadCommand {
   float param[7];       // param[0] is parameter 1
   uint16_t id;          // MAV_CMD
@@ -25,12 +25,12 @@ enum class PayloadAnswer : uint8_t {
   Denied = 2,       // a parameter is not valid
   Unsupported = 3,  // this payload has no such command
   Failed = 4,
-  InProgress = 5,  // it has begun: Payload::finish() says how it has ended
+  InProgress = 5,  // it has begun: call Payload::finish() when it has ended
 };
 
-// Called from Payload::update() with each command, once, also when the sender has repeated it. While a command is in
-// progress, another one may come: it can be carried out beside that, or refused; InProgress is then told as Rejected.
-// May begin an operation of the client, if none runs, and cancel().
+// Called from Payload::update() once for each command, even if the sender repeats it. While a command is in progress,
+// another one may come: the function can carry it out at the same time, or refuse it; if it returns InProgress, the
+// sender gets Rejected. The function may begin an operation of the client if none runs, and may call cancel().
 typedef PayloadAnswer (*PayloadFunction)(void* context, const PayloadCommand& command);
 
 // Declare one beside the client:
@@ -42,19 +42,19 @@ typedef PayloadAnswer (*PayloadFunction)(void* context, const PayloadCommand& co
 //   }
 //   Payload payload(autopilot, carryOut);
 //
-// Which commands of a plan arrive: docs/payload.md. A command with coordinates (COMMAND_INT) is not heard. A command to
-// all components that is Unsupported is not answered, since it is meant for somebody else.
+// docs/payload.md says which commands of a plan arrive. A command with coordinates (COMMAND_INT) is ignored. If the
+// function returns Unsupported for a command to all components, no answer is sent: it is meant for another component.
 class Payload : public detail::Listener {
  public:
-  // This object must live as long as the client: declare it beside it, not in a function.
+  // This object must live as long as the client: declare it next to the client, not in a function.
   Payload(MissionClient& client, PayloadFunction function, void* context = nullptr);
 
-  // To be called from loop(). Neither waits nor delays.
+  // To be called from loop(). It returns without waiting.
   void update();
 
-  // How far the command is that is in progress, 0 to 100 [%]; it is sent with the answer, once a second.
+  // Sets how much of the command in progress is done, 0 to 100 [%]; this is sent with the answer, once a second.
   void progress(uint8_t percent) { percent_ = percent; }
-  // Ends the command that is in progress. Without one it does nothing.
+  // Ends the command that is in progress. If there is none, it does nothing.
   void finish(PayloadAnswer answer);
   // True while a command is in progress.
   bool isBusy() const;

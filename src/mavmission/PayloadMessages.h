@@ -1,4 +1,4 @@
-// Messages that a payload has to tell: a distance, a landing target, a value with a name, a text.
+// Messages that a payload sends: a distance, a landing target, a value with a name, a text.
 #pragma once
 
 #include <stdint.h>
@@ -14,13 +14,13 @@ namespace mavmission {
 //   weight.set(3.25);
 //   autopilot.sendMessage(weight);  // false: another frame is still being sent; call it again later
 //
-// It must live, and stay as it is, until MissionClient::isSent().
+// The object must live, and must not be changed, until MissionClient::isSent().
 
-// How far something is away (DISTANCE_SENSOR). `orientation`: MAV_SENSOR_ORIENTATION, 25 is downwards. `id`: of the
+// The distance to something (DISTANCE_SENSOR). `orientation`: MAV_SENSOR_ORIENTATION, 25 is downwards. `id`: of the
 // sensor, from 0 on. `type`: MAV_DISTANCE_SENSOR, 0 is a laser, 1 ultrasound.
 class DistanceSensor {
  public:
-  // What the sensor can measure at least and at most [cm].
+  // The shortest and the longest distance that the sensor can measure [cm].
   DistanceSensor(uint16_t leastCm, uint16_t mostCm, uint8_t orientation = 25, uint8_t id = 0, uint8_t type = 0);
   // The distance [cm].
   void set(uint16_t distanceCm);
@@ -32,8 +32,8 @@ class DistanceSensor {
 };
 
 // Where a landing target is, as a camera sees it that looks down, with the top of its picture forwards
-// (LANDING_TARGET). ArduPilot takes it so, with `PLND_TYPE` 1. PX4 gives it to its landing target estimator, a module
-// that PX4 does not start by itself: its start-up script has to.
+// (LANDING_TARGET). ArduPilot takes this form, with `PLND_TYPE` 1. PX4 passes it to its landing target estimator, a
+// module that PX4 does not start by itself: add it to PX4's start-up script.
 class LandingTarget {
  public:
   // `number`: of the target, if there are several.
@@ -49,8 +49,8 @@ class LandingTarget {
   uint8_t payload_[30];
 };
 
-// Where a landing target is, as a position (LANDING_TARGET). Each autopilot takes one of the two forms, and only that.
-// MAVLink 1 does not carry the position: sendMessage() returns false on such a link.
+// Where a landing target is, as a position (LANDING_TARGET). Each autopilot takes only one of the two functions below.
+// MAVLink 1 has no field for the position: sendMessage() returns false on such a link.
 class LandingTargetPosition {
  public:
   // `number`: of the target, if there are several.

@@ -1,5 +1,5 @@
-// A text console: from a terminal on a laptop the plan in EEPROM is loaded, listed, put aboard, verified and flown. It
-// does not block: its output goes out in pieces that fit into the port's transmit buffer.
+// A text console: from a terminal on a laptop you load the plan in EEPROM, list it, upload it, verify it and fly it. It
+// does not block: it prints in pieces that fit into the port's transmit buffer.
 //
 //   MissionClient autopilot(Serial1);
 //   EepromPlan plan;
@@ -48,9 +48,9 @@ class PlanConsole : private detail::PlanConsoleState {
     static_assert(N <= 255, "give PlanConsole a room of at most 255 items: no EEPROM holds more");
   }
 
-  // Sets the size of the port's receive buffer [bytes]. When it is full, further bytes are lost: a text during which it
-  // was full is refused, since characters may be missing. The default is known for the board's own ports; for any other
-  // it is 0: no byte is ever lost.
+  // Sets the size of the port's receive buffer [bytes]. When the buffer is full, further bytes are lost: so a text
+  // during which it was full is refused, since characters may be missing. For the board's own ports the size is known;
+  // for any other port the default is 0, which means that no byte is ever lost.
   void setRing(uint8_t bytes) { ring_ = bytes; }
 
   // Commands that a sketch may offer beside help, status, load, end, upload, erase and cancel; to be called in setup().
@@ -59,10 +59,10 @@ class PlanConsole : private detail::PlanConsoleState {
   void offerVerify();    // compares it with the plan aboard
   void offerDownload();  // stores the plan that is aboard
   void offerClear();     // deletes the plan that is aboard
-  void offerStart();     // ARMS, and flies the plan aboard, if it is ours: MissionClient::start()
+  void offerStart();     // ARMS the aircraft, and flies the plan aboard, if it is ours: MissionClient::start()
   void offerAll();
 
-  // To be called from loop(), beside the client's and the plan's.
+  // To be called from loop(), in addition to update() of the client and of the plan.
   void update();
 
  private:

@@ -1,4 +1,4 @@
-// Plans as files: ArduPilot gives and takes a whole plan as a file, by MAVLink FTP.
+// Plans as files: ArduPilot sends and receives a whole plan as a file, by MAVLink FTP.
 #pragma once
 
 #include "ItemSink.h"
@@ -11,32 +11,32 @@
 
 namespace mavmission {
 
-// Transfers plans as files where that is the quicker way, and by the mission protocol everywhere else. Declare one
-// beside the client; it holds what these transfers need in RAM:
+// Transfers plans as files where that is quicker, and by the mission protocol everywhere else. Declare one next to the
+// client; it contains the RAM that these transfers need:
 //
 //   MissionClient autopilot(Serial1);
 //   PlanFiles files(autopilot);
 //
-// A plan that is uploaded by file takes the place of the old one at once, when all of it has arrived: an upload that
-// breaks off leaves the old plan aboard, not a mixture.
+// A plan that is uploaded by file replaces the old plan in one step, when all of it has arrived: an upload that breaks
+// off leaves the old plan aboard, not a mixture.
 //
-// Its operations are operations of the client: one at a time, update() returns their status, and status(), aboard(),
-// failedItem() and the callbacks say what they say of the client's own. The mission protocol is used by itself where
-// there are no such files (PX4, a MAVLink 1 link, FTP that is switched off, a file that another ground station holds),
-// and for reading on a lossy link.
+// Its operations are operations of the client: only one runs at a time, update() returns its status, and status(),
+// aboard(), failedItem() and the callbacks work as for the client's own operations. The object changes to the mission
+// protocol by itself where files cannot be used (PX4, a MAVLink 1 link, FTP switched off, a file that another ground
+// station has open), and for reading on a lossy link.
 class PlanFiles : public detail::Listener {
  public:
-  // This object must live as long as the client: declare it beside it, not in a function.
+  // This object must live as long as the client: declare it next to the client, not in a function.
   explicit PlanFiles(MissionClient& client);
 
-  // As MissionClient::upload(), and always read back: the autopilot does not say what has become of a file.
-  // Status::Accepted means that the plan is aboard, Status::Differs that another one was read, Status::Unconfirmed that
-  // none could be read. aboard() says after each end what is aboard: the old plan where the upload has broken off, not
-  // known after Differs and Unconfirmed. The mission protocol is used also for a plan with a command that this library
-  // does not know, for one of more than 650 items, for a fence of up to three items, for a plan that is shorter than
-  // the one aboard an armed aircraft, and where frames are signed; and when the file is lost, because the autopilot has
-  // restarted or somebody else has taken it, or when another plan is read back on a lossy link. isByFile()
-  // is false then, and aboard() may be a mixture.
+  // As MissionClient::upload(), but the plan is always read back, since the autopilot does not acknowledge the content
+  // of a file. Status::Accepted means that the plan is aboard, Status::Differs that another plan was read back,
+  // Status::Unconfirmed that none could be read. aboard() says afterwards what is aboard: the old plan if the upload
+  // has broken off, not known after Differs and Unconfirmed. The mission protocol is used also for a plan with a
+  // command that this library does not know, for a plan of more than 650 items, for a fence of up to three items, for a
+  // plan that is shorter than the plan aboard an armed aircraft, and on a signed link; and when the open file is lost,
+  // because the autopilot has restarted or another station has opened it, or when another plan is read back on a lossy
+  // link. Then isByFile() is false, and aboard() may be a mixture.
   Status upload(const ItemSource& plan, PlanType type = PlanType::Mission);
   // A bare array is refused: it does not say whether it is in flash or in RAM.
   template <size_t N, typename... More>
@@ -45,10 +45,10 @@ class PlanFiles : public detail::Listener {
     return Status::Idle;
   }
 
-  // As MissionClient::ensure(): looks which plan is aboard, and uploads only where it is another one. ArduPilot's
-  // plan is read as a file, and replaced by upload(). MissionClient::ensure() does it on PX4, where files cannot be
-  // used, on a lossy link and while the autopilot is armed: opening a file would store a plan that another
-  // client has left open. An armed autopilot keeps the plan that it has: Status::Armed.
+  // As MissionClient::ensure(): finds out which plan is aboard, and uploads only if it is another one. ArduPilot's plan
+  // is read as a file, and replaced as by upload(). MissionClient::ensure() is used instead on PX4, where files cannot
+  // be used, on a lossy link, and while the autopilot is armed, since opening a file would store a plan that another
+  // client has left open. An armed autopilot keeps its plan: Status::Armed.
   Status ensure(const ItemSource& plan, PlanType type = PlanType::Mission);
   template <size_t N, typename... More>
   Status ensure(const MissionItem (&)[N], More...) {
@@ -56,11 +56,11 @@ class PlanFiles : public detail::Listener {
     return Status::Idle;
   }
 
-  // As MissionClient::verify() and download(). A sink that may be not ready is filled by the mission protocol.
+  // As MissionClient::verify() and download(). For a sink with an isReady function the mission protocol is used.
   Status verify(const ItemSource& plan, PlanType type = PlanType::Mission);
   Status download(const ItemSink& sink, PlanType type = PlanType::Mission);
 
-  // True if the running or last operation of this object transfers by file; false once it has gone over to the mission
+  // True if the running or last operation of this object transfers by file; false once it has changed to the mission
   // protocol.
   bool isByFile() const { return isByFile_; }
 

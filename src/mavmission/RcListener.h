@@ -1,4 +1,4 @@
-// The pilot's remote control, as the receiver hears it (RC_CHANNELS).
+// The pilot's remote control, as the receiver gets it (RC_CHANNELS).
 #pragma once
 
 #include "TelemetryListener.h"
@@ -8,14 +8,14 @@ namespace mavmission {
 // Used like a PositionListener.
 class RcListener : public TelemetryListener {
  public:
-  // Must live as long as the client. `intervalMs`: from one message to the next; 0: it is not asked for.
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
   explicit RcListener(MissionClient& client, uint16_t intervalMs = 1000);
 
-  // How many channels the receiver has; 0 without one.
+  // The number of channels of the receiver; 0 if there is no receiver.
   uint8_t count() const { return count_; }
-  // A channel, 1 to 18 [us], usually from 1000 to 2000; 0: not known, or there is no such channel.
+  // The pulse length of channel 1 to 18 [us], usually from 1000 to 2000; 0: not known, or there is no such channel.
   uint16_t channelUs(uint8_t number) const;
-  // The strength of the signal, 0 to 254, in the receiver's own measure.
+  // The strength of the signal, 0 to 254, in the receiver's own scale.
   bool hasRssi() const { return rssi_ != 255; }
   uint8_t rssi() const { return rssi_; }  // 255: not known
 

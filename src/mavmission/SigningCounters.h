@@ -1,4 +1,4 @@
-// Received frames, counted by what their signatures showed.
+// Received frames, counted by the result of checking their signatures.
 #pragma once
 
 #include <stdint.h>

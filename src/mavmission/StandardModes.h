@@ -1,4 +1,5 @@
-// The autopilot's modes: by their standard names, which mean the same on every autopilot, and as it lists them.
+// The autopilot's modes: MAVLink's standard modes, which mean the same on every autopilot, and the autopilot's own
+// list.
 #pragma once
 
 #include <stdint.h>
@@ -28,42 +29,42 @@ enum class StandardMode : uint8_t {
 //
 //   modes.set(StandardMode::Land);
 //
-// Both are operations of the client, one at a time as all of them: they return its first status, or Status::Busy. For
-// autopilots that have standard modes: PX4 1.16 sets them, and tells and lists them on boards that have the room;
-// ArduPilot 4.6 does neither, and later ones list their own modes. MissionClient::setMode() serves ArduPilot and PX4
-// without them.
+// Both are operations of the client, of which only one runs at a time: they return the first status of the operation,
+// or Status::Busy. Which autopilots have standard modes: PX4 1.16 sets them, and reports and lists them on boards with
+// enough flash; ArduPilot 4.6 has none, and later versions list their own modes. MissionClient::setMode() works on
+// ArduPilot and PX4 without standard modes.
 class StandardModes : public detail::Listener, private detail::StandardModeRules {
  public:
-  // The characters of the longest name.
+  // The greatest number of characters of a name.
   static constexpr uint8_t kMostCharacters = 35;
 
-  // This object must live as long as the client: declare it beside it, not in a function.
+  // This object must live as long as the client: declare it next to the client, not in a function.
   template <uint8_t kMaxPayload = MAVMISSION_MAX_PAYLOAD>
   explicit StandardModes(MissionClient& client) : StandardModes(client, Kept()) {
     static_assert(kMaxPayload >= 46, "compile the library with -DMAVMISSION_MAX_PAYLOAD=46 to use StandardModes");
   }
 
-  // Sets a mode (MAV_CMD_DO_SET_STANDARD_MODE). As with MissionClient::setMode() each order leaves right behind a
-  // heartbeat, which is asked for, and none behind one that shows another mode than at the beginning:
-  // Status::TakenOver. A mode that an order on its way undoes is not set again, since a heartbeat does not tell which
-  // of the two flies. Done when the autopilot says that it is in this mode (CURRENT_MODE); Status::Unconfirmed when it
-  // was accepted, and the autopilot does not say so within 5 s. Status::CommandUnsupported from an autopilot without
-  // standard modes, Status::CommandFailed for a mode that this aircraft does not have, Status::CommandRejected while it
-  // cannot be set; Status::NoSuchMode for NonStandard, and Status::NeedsMavlink2 on a MAVLink 1 link: nothing is sent
-  // then.
+  // Sets a mode (MAV_CMD_DO_SET_STANDARD_MODE). As in MissionClient::setMode(), each command is sent right after a
+  // heartbeat, which is requested for this purpose. If that heartbeat shows another mode than at the beginning, nothing
+  // is sent: Status::TakenOver. If a command that is on its way replaces a mode that somebody else has just set, that
+  // mode is not set again, since a heartbeat does not show which of the two is active. Done: the autopilot reports that
+  // it is in this mode (CURRENT_MODE). Status::Unconfirmed: the command was accepted, and the autopilot did not report
+  // the mode within 5 s. Status::CommandUnsupported: the autopilot has no standard modes. Status::CommandFailed: this
+  // aircraft does not have the mode. Status::CommandRejected: it cannot be set now. Status::NoSuchMode for NonStandard,
+  // and Status::NeedsMavlink2 on a MAVLink 1 link: nothing was sent.
   //
-  // Steering takes such a mode for somebody else's, except for Mission.
+  // Steering treats a mode that was set here as one that somebody else has set, except for Mission.
   Status set(StandardMode mode);
 
-  // Reads an entry of the autopilot's list (AVAILABLE_MODES). `number`: 1 to count(), which the first entry tells. Done
-  // when it has come: the functions below then are about it. Status::CommandDenied after the end of the list, and from
-  // an autopilot that has none; ArduPilot 4.6 says Status::CommandFailed, and later ones nothing after the end of their
-  // list: Status::Unconfirmed. Status::NeedsMavlink2 as above.
+  // Reads an entry of the autopilot's list (AVAILABLE_MODES). `number`: 1 to count(), which is known when the first
+  // entry was read. Done: the entry was read, and the functions below describe it. Status::CommandDenied: the number is
+  // beyond the end of the list, or the autopilot has no list. For the same, ArduPilot 4.6 gives Status::CommandFailed,
+  // and later versions, which do not answer, Status::Unconfirmed. Status::NeedsMavlink2 as above.
   Status read(uint8_t number);
 
   // How many entries the list has; 0 before one has been read.
   uint8_t count() const { return count_; }
-  // What the mode is called if it is NonStandard: a text of up to kMostCharacters.
+  // The name of a NonStandard mode, up to kMostCharacters.
   const char* name() const { return name_; }
   StandardMode mode() const { return mode_; }
   // For MissionClient::setCustomMode().
@@ -71,7 +72,7 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
   // True if it can be set now.
   bool isSelectable() const { return isSelectable_; }
 
-  // The mode in which the autopilot is, as CURRENT_MODE has told it last; NonStandard before that.
+  // The autopilot's mode in the last CURRENT_MODE; NonStandard before the first one.
   StandardMode current() const { return current_; }
 
  private:

@@ -39,12 +39,12 @@ namespace mavmission {
   X(TooManyItems, "refused: more than 65535 items on the wire") \
   X(BadLatitude, "refused: a latitude beyond 90 degrees") \
   X(BadLongitude, "refused: a longitude beyond 180 degrees") \
-  X(NotANumber, "refused: a NaN that means nothing here") \
+  X(NotANumber, "refused: a NaN where none is allowed") \
   X(NotFinite, "refused: an infinite number") \
   X(BadCurrent, "refused: current is 2 or more, which means fly there now") \
   X(BadJump, "refused: a jump to an item that is not in the plan") \
   X(BadRange, "refused: the part is not within the plan") \
-  X(BadPlanType, "refused: PlanType::All is for clear() alone") \
+  X(BadPlanType, "refused: only clear() takes PlanType::All") \
   X(WholePlansOnly, "refused: this autopilot takes only whole plans") \
   X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
   X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
@@ -57,7 +57,7 @@ namespace mavmission {
   X(SourceRefused, "the plan's source gave no item") \
   X(NoAnswer, "the autopilot did not answer") \
   X(TimedOut, "the autopilot fell silent, or asked for the same item for ever") \
-  X(TookTooLong, "the limit on the whole transfer was reached") \
+  X(TookTooLong, "the whole transfer took too long") \
   X(AcceptedEarly, "the autopilot said accepted before it had asked for every item") \
   X(OtherPlanAboard, "the autopilot accepted, but its checksum is not that of our plan") \
   /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in order, then any other result */ \
@@ -95,22 +95,22 @@ namespace mavmission {
   X(NothingToFly, "refused: nothing to fly to from this item on") \
   X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
-  X(Overruled, "an order has undone another mode, which could not be set again") \
-  /* Steering: nothing was sent, unless it was lost in the middle */ \
-  X(PilotHasIt, "a pilot or another station has the aircraft") \
+  X(Overruled, "a command undid another mode, which could not be set again") \
+  /* Steering: nothing was sent, unless control was lost during the operation */ \
+  X(PilotHasIt, "a pilot or another station is in control") \
   X(FailsafeHasIt, "a failsafe or another station lands the aircraft, or flies it home") \
   X(NotFlying, "refused: the aircraft is not in the air") \
   X(NoHome, "refused: the autopilot does not say where home is") \
-  X(BadSpeed, "refused: a speed that is not above 0, or above 100 m/s") \
+  X(BadSpeed, "refused: a speed must be above 0, up to 100 m/s") \
   X(NotRenewed, "held: the sketch has not renewed its target in time") /* MovingTarget */ \
   /* parameters */ \
   X(NoParameter, "no answer: it has no parameter of this name, or does not hear us") \
   X(OtherValue, "the autopilot stores another value")  /* Parameters::value() */
 // clang-format on
 
-// How an operation stands, or has ended. The namespace's name is for whoever writes Serial.println(status): Arduino's
-// println() takes no such type, and the first line of the compiler's error then says what to write:
-// Serial.println(toString(status)). No sketch writes the namespace.
+// The state of an operation, or how it has ended. The namespace has this name for one reason: if a sketch has
+// Serial.println(status), which Arduino's println() does not take, the first line of the compiler's error then says
+// what to write: Serial.println(toString(status)). No sketch writes the namespace.
 inline namespace print_it_with_toString {
 enum class Status : uint8_t {
 #define MAVMISSION_NAME(name, text) name,
@@ -124,12 +124,12 @@ enum class Status : uint8_t {
 bool isWorthRetry(Status status);
 
 // The plan that the autopilot holds when an operation has ended.
-#define MAVMISSION_ABOARD(X)                                                     \
-  X(NotKnown, "not known")                                                       \
-  X(AsBefore, "what was aboard before")                                          \
-  X(OurPlan, "our plan, whole")                                                  \
-  X(Mixture, "a mixture: our items as far as they came, older ones behind them") \
-  X(Nothing, "no plan")                                                          \
+#define MAVMISSION_ABOARD(X)                                              \
+  X(NotKnown, "not known")                                                \
+  X(AsBefore, "what was aboard before")                                   \
+  X(OurPlan, "our plan, whole")                                           \
+  X(Mixture, "a mixture: our items as far as they came, then older ones") \
+  X(Nothing, "no plan")                                                   \
   X(OtherPlan, "not our plan any more: somebody else has replaced or cleared it")
 
 // Which plan is aboard.

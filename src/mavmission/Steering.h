@@ -12,11 +12,12 @@ namespace mavmission {
 class MovingTarget;
 
 // The steps of a Steering operation, in order; each operation needs only some of them. AskLanded: PX4 is asked whether
-// it is in the air (EXTENDED_SYS_STATE), and a plane of ArduPilot whether it can hover. AskHome: and PX4 whether home
-// is known (HOME_POSITION). AskPosition: the position is requested twice a second (GLOBAL_POSITION_INT). Command:
-// NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED. Confirm: what shows that it is carried out. Disarm: takeOff() was
-// refused after it had armed. GiveBack: an order has undone a mode that somebody else had set at the same moment, and
-// that mode is set again.
+// it is in the air (EXTENDED_SYS_STATE), and a plane of ArduPilot whether it can hover. AskHome: PX4 is asked whether
+// it knows where home is (HOME_POSITION). AskPosition: the position is requested twice a second (GLOBAL_POSITION_INT).
+// Mode, Arm: the mode is set, the aircraft is armed. Command: NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED is sent.
+// Confirm: waits for the message which shows that the command is carried out. Disarm: takeOff() was refused after it
+// had armed. GiveBack: a command has replaced a mode that somebody else had set at the same moment, and that mode is
+// set again.
 enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Arm, Command, Confirm, Disarm, GiveBack };
 
 // Steers the client's aircraft. Declare one beside the client:
@@ -25,54 +26,59 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 //   Steering steering(autopilot);
 //
 // Each function begins an operation of the client, which ends as the client's other operations do: update() returns
-// Status::Done, or why not. One at a time; Status::Busy while another one runs.
+// Status::Done, or another status that says why it failed. Only one operation runs at a time: Status::Busy while
+// another one runs.
 //
-// The aircraft is never taken out of other hands. Every function acts only while the heartbeat shows the mission mode,
-// or the mode that this sketch has set itself (by this object, or by setMode()). Otherwise it ends with
-// Status::PilotHasIt, or with Status::FailsafeHasIt when the aircraft returns or lands and the sketch has not ordered
-// it, or PX4 reports a failsafe; nothing was sent then. (Whoever wants to act all the same has
-// MissionClient::setMode().) On PX4 the mode HOLD is both where goTo() flies and what a pilot may choose: there a pilot
-// shows only by another mode.
+// Steering never takes control from a pilot, a failsafe or another station. Every function acts only while the
+// heartbeat shows the mission mode, or the mode that this sketch has set itself (by this object, or by setMode()).
+// Otherwise it sends nothing, and ends with Status::FailsafeHasIt if PX4 reports a failsafe or the aircraft returns or
+// lands without a command of this sketch, else with Status::PilotHasIt. (MissionClient::setMode() sets a mode in any
+// case.) On PX4, goTo() flies in the mode HOLD, which a pilot may choose too: a pilot who chooses HOLD is not detected
+// there, one who chooses any other mode is.
 //
-// What changes the mode is sent right after a heartbeat, which is requested for it; where the aircraft is in the
-// order's mode already, the order is sent in a form that changes none. If somebody else's mode was set in the moment
-// between, and the order undoes it, and a heartbeat has shown it, that mode is set again: PilotHasIt or FailsafeHasIt
-// when it flies again, Overruled when it could not be set. docs/who_has_the_aircraft.md has the times.
+// A command that changes the mode is sent right after a heartbeat, which is requested for this purpose. If the aircraft
+// is in the wanted mode already, the command is sent in a form that does not change the mode. If somebody else sets a
+// mode between that heartbeat and the arrival of the command, and a heartbeat has shown that mode, it is set again: the
+// status is PilotHasIt or FailsafeHasIt if the aircraft flies in it again, Overruled if it could not be set.
+// docs/who_has_the_aircraft.md gives the times.
 //
-// An Arduino that was reset in flight does nothing by itself: until this object has seen the aircraft disarmed, its
-// functions end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. The mode in which the
-// aircraft then flies is not known to be the sketch's own: only the mission mode is.
+// After a reset in flight nothing happens by itself: until this object has seen the aircraft disarmed, its functions
+// end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. Then they act only in the mission
+// mode, since it is not known who set any other mode.
 //
 // Numbers are checked before anything is sent; MissionClient::differingField() names the field that was refused.
 class Steering : public detail::Listener, private detail::SteerRules {
  public:
-  // This object must live as long as the client: declare it beside it, not in a function.
+  // This object must live as long as the client: declare it next to the client, not in a function.
   explicit Steering(MissionClient& client);
 
-  // Arms the aircraft where it stands, and makes it climb to this height above home: copters, QuadPlanes, and PX4. Done
-  // when it has left the ground; hasArrived() is then true at that height. Refused in the air (Status::Armed). If the
-  // takeoff is refused after arming, the aircraft is disarmed again. A plane is asked first whether it can hover
-  // (EXTENDED_SYS_STATE), and a QuadPlane climbs by this height from where it stands.
+  // Arms the aircraft, and makes it climb vertically to this height above home: for ArduPilot's copters and QuadPlanes,
+  // and for PX4. Done when it has left the ground; hasArrived() becomes true at that height. In the air it is refused
+  // (Status::Armed). If the takeoff is refused after arming, the aircraft is disarmed again. A plane is asked first
+  // whether it can hover (EXTENDED_SYS_STATE). A QuadPlane climbs to this height above the place where it stands, not
+  // above home.
   Status takeOff(Metres aboveHome);
 
   // Flies to a place now, and stays there (MAV_CMD_DO_REPOSITION). Done when the autopilot has accepted the place and
-  // its heartbeat shows the mode; where it sends its target (POSITION_TARGET_GLOBAL_INT), when that is the place.
-  // hasArrived() tells the rest. PX4 takes each altitude as above the sea, whatever it was told: home's altitude is
-  // asked for and added, and without it goTo() ends with Status::NoHome. An altitude above the ground is for ArduPilot
-  // alone (Status::BadFrame). Status::NotFlying on the ground; a rover has only to be armed.
+  // its heartbeat shows the mode; if the autopilot reports its target (POSITION_TARGET_GLOBAL_INT), Done also waits
+  // until that is the place. hasArrived() then says whether the aircraft is there. PX4 takes each altitude as above sea
+  // level, whatever the frame says: so the altitude of home is requested and added, and goTo() ends with Status::NoHome
+  // if it is not known. Only ArduPilot takes an altitude above the ground (else Status::BadFrame). Status::NotFlying:
+  // the aircraft is on the ground; a rover has only to be armed.
   Status goTo(const LatLon& place, Altitude altitude);
 
   // Stops, and stays there, until goTo() or resume(). The mode is then ArduPilot's GUIDED, in which the sticks do
   // nothing, or PX4's HOLD.
   Status pause();
-  // Goes on with the mission, at its current item. Status::NotFlying on the ground: that is what start() is for.
+  // Goes on with the mission, at its current item. Status::NotFlying: the aircraft is on the ground; use
+  // MissionClient::start() there.
   Status resume();
   // Flies home and lands, or lands here.
   Status returnHome();
   Status landNow();
 
-  // The ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED). ArduCopter goes back to its own with the
-  // first place after a takeoff: there, set it after goTo().
+  // Sets the ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED). ArduCopter goes back to its default
+  // speed at the first place after a takeoff: with ArduCopter set it after that goTo().
   Status setSpeed(MetresPerSecond speed);
 
   // True when the aircraft is at the place of the last goTo(), or at the height of takeOff(), within this distance
@@ -82,7 +88,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   // True while the heartbeat shows the mission mode, or the mode that this sketch has set.
   bool maySteer() const;
 
-  // The step of the running operation, or that at which the last one has ended.
+  // The step of the running operation, or the step at which the last one ended.
   SteerStep step() const { return step_; }
 
  private:
@@ -155,7 +161,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Place wanted_;              // of the running goTo() or takeOff()
   LatLon here_;               // its position
   int32_t seaCm_;             // its altitude above the sea
-  int32_t homeCm_;            // and above home
+  int32_t homeCm_;            // its altitude above home
   float value_;               // the altitude [m] or the speed [m/s] of the order
   uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
   uint16_t oldMode_;          // the mode at the beginning of the operation

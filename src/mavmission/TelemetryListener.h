@@ -1,4 +1,4 @@
-// What the listeners of telemetry have in common: each asks the autopilot for one message, and says how old it is.
+// The common part of the telemetry listeners: each requests one message from the autopilot, and says how old it is.
 #pragma once
 
 #include "base/RetryRules.h"
@@ -6,12 +6,12 @@
 
 namespace mavmission {
 // Not used by itself: a sketch declares a PositionListener, AttitudeListener, BatteryListener, GpsListener, RcListener
-// or HomeListener, and pays for those that it declares.
+// or HomeListener, and only those take flash and RAM.
 //
-// It asks for its message at an interval (MAV_CMD_SET_MESSAGE_INTERVAL) until COMMAND_ACK has confirmed that, beside
-// the client's transfers and between its commands. It asks again when the message has not come for a while, and when
-// the autopilot may have restarted: when its heartbeats had a gap. From one request to the next 2, 4, 8 s and so on
-// pass, up to a minute.
+// It requests its message at an interval (MAV_CMD_SET_MESSAGE_INTERVAL), during the client's transfers and between its
+// commands, and repeats the request until COMMAND_ACK has confirmed it. It requests the message again when it has not
+// come for a while, and when there was a gap in the heartbeats, since the autopilot may have restarted. From one
+// request to the next 2, 4, 8 s and so on pass, at most a minute.
 class TelemetryListener : public detail::MessageIntervals {
  public:
   // The value of ageMs() before the first message.
@@ -19,12 +19,12 @@ class TelemetryListener : public detail::MessageIntervals {
 
   // True when the message has come at least once.
   bool isHeard() const { return isHeard_; }
-  // True once after each message: it may have brought other values.
+  // True once after each message, whose values may differ from the last ones.
   bool isNew();
-  // How long ago the last message came [ms], or kNeverHeard.
+  // The time since the last message [ms], or kNeverHeard.
   uint32_t ageMs() const;
-  // True while the autopilot has confirmed the interval. It may still send more rarely, where its line is full; where
-  // it has nothing to tell, such as a home that is not set yet, it sends nothing.
+  // True while the autopilot has confirmed the interval. It may still send the message more rarely, if its link is
+  // full, or not at all, if it has no value yet, such as a home that is not set.
   bool isConfirmed() const { return isConfirmed_; }
 
  protected:
@@ -32,7 +32,7 @@ class TelemetryListener : public detail::MessageIntervals {
   typedef bool (*Decode)(TelemetryListener& listener, const detail::FrameParser& frame);
 
   // `keys`: of HEARTBEAT and COMMAND_ACK, then of the message, in flash. `intervalMs`: from one message to the next
-  // [ms]; 0: the message is not asked for.
+  // [ms]; 0: the message is not requested.
   TelemetryListener(MissionClient& client, const MessageKey (&keys)[3], uint16_t intervalMs, Decode decode);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace mavmission {
 
-// A message to be switched off during transfers. Lies in flash.
+// A message to be switched off during transfers. The list is in flash.
 struct PausableMessage {
   uint16_t id;          // of the message
   uint16_t intervalMs;  // afterwards [ms]; 0: the autopilot's default
@@ -20,33 +20,34 @@ struct PausableMessage {
 //   TelemetryPause quiet(autopilot);
 //
 // It switches off the messages that make up nine tenths of the telemetry of ArduPilot with all its streams, or of PX4,
-// or else those of the sketch's own list. Each message needs a command, and the commands go out one at a time, beside
-// the transfer: this pays for long plans and for full or slow lines (docs/design/parts.md).
+// or the messages of a list that the sketch gives. Each message needs a command, and the commands are sent one at a
+// time, during the transfer: this is worth it for long plans and for full or slow links (docs/design/parts.md).
 //
-// Nothing stays switched off: each interval is restored until COMMAND_ACK has confirmed it, and once when the sketch
-// starts and the autopilot has been heard, in case a reset came in the middle of a transfer. So an interval that the
-// sketch has set by setMessageInterval() for a message of the list is lost: name it in a list of your own instead.
+// Nothing stays switched off: the command that restores an interval is repeated until COMMAND_ACK has confirmed it.
+// Every interval is also restored once when the sketch starts and the autopilot has been heard, in case a reset came in
+// the middle of a transfer. So an interval that the sketch has set by setMessageInterval() for a message of the list is
+// lost: give that interval in a list of your own instead.
 //
-// COMMAND_ACK does not say which message it is about: setMessageInterval() waits for the answer to the last command of
-// this object.
+// COMMAND_ACK does not say to which message it belongs: so setMessageInterval() waits for the answer to the last
+// command of this object.
 class TelemetryPause : public detail::MessageIntervals {
  public:
   // The greatest length of a list.
   static constexpr uint8_t kMostMessages = 32;
 
   // For the telemetry of ArduPilot or PX4, whichever is heard; for another autopilot PX4's list is used. This object
-  // must live as long as the client: declare it beside it, not in a function.
+  // must live as long as the client: declare it next to the client, not in a function.
   explicit TelemetryPause(MissionClient& client);
 
-  // For messages of the sketch's own choice, those with the most bytes a second first; the list must lie in flash.
-  // Messages that a transfer needs are never switched off: HEARTBEAT, STATUSTEXT, and those of missions and commands.
+  // For messages that the sketch chooses, those with the most bytes a second first; the list must be in flash. Messages
+  // that a transfer needs are never switched off: HEARTBEAT, STATUSTEXT, and those of missions and commands.
   template <uint8_t N>
   TelemetryPause(MissionClient& client, const PausableMessage (&messages)[N])
       : TelemetryPause(client, List{messages, N}, List{messages, N}) {
     static_assert(N <= kMostMessages, "TelemetryPause takes at most 32 messages");
   }
 
-  // To be called from loop(), before the client's update(). Neither waits nor delays.
+  // To be called from loop(), before the client's update(). It returns without waiting.
   void update();
 
   // True while each message of the list is switched off, or the autopilot has refused to switch it off.

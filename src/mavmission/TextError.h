@@ -25,7 +25,7 @@ namespace mavmission {
   X(BeyondLongitude, "a longitude beyond 180 degrees")                                             \
   X(BadTarget, "a jump to home, or to a line that is not there")                                   \
   X(MixedKinds, "items of a mission, a fence or rally points together")                           \
-  X(NoItems, "no item behind home")                                                                \
+  X(NoItems, "no item after home")                                                                \
   X(Unreadable, "it cannot be read to its end")                                                    \
   X(NoRoom, "more items than there is room for")                                                   \
   X(NotKept, "the EEPROM could not store the plan")                                                \

@@ -38,25 +38,25 @@ class WaypointsSource {
   // Any other stream. It ends where read() returns -1.
   WaypointsSource(Stream& stream, SeekFunction seek, void* context);
 
-  // Begins to read from the beginning: to be called when the file has been opened, or has changed. Not during an
-  // upload.
+  // Begins to read from the beginning: to be called when the file has been opened, or has changed. Do not call it
+  // during an upload.
   void begin();
 
-  // Reads another field, until the whole text has been read once: the items are counted and checked before any of them
-  // is used. Then Good or Bad, until begin().
+  // Reads one more field, until the whole text has been read once: the items are counted and checked before any of them
+  // is used. Then the state is Good or Bad, until begin().
   State update();
   State state() const { return state_; }
 
-  // The plan, when the state is Good; otherwise an upload of the source is refused (Status::SourceRefused). Reading
-  // items in order, as transfers do, costs one line each. To find an item out of order, the text is halved again and
-  // again, with one seek each time.
+  // The plan, when the state is Good; otherwise an upload of the source is refused (Status::SourceRefused). If items
+  // are read in order, as transfers do, one line is read for each item. To find an item out of order, a binary search
+  // is made, with one seek in each step.
   ItemSource source();
   // The number of items, without home.
   uint16_t count() const { return state_ == State::Good ? count_ : 0; }
   // The kind of plan, for upload(): a mission, a fence or rally points. Known when the state is Good.
   PlanType type() const { return text_.type(); }
 
-  // Why the state is Bad, or why an item could not be read again when it was requested: toString(error()) has it in
+  // Why the state is Bad, or why an item could not be read again when it was requested; toString(error()) says it in
   // words. Lines count from 1 (0: not known), fields from 1 to 12 (0: the line as a whole).
   TextError error() const { return text_.error(); }
   uint16_t errorLine() const { return text_.errorLine(); }

@@ -161,7 +161,7 @@ def test_ensure_mission_says_early_what_is_missing():
     example.until("no bytes come: look at the wire from its TX to our RX, and at GND", 6.0)
     example.is_plugged = True
     example.is_heard = False
-    example.until("no end yet: if this stays, look at the wire from our TX to its RX", 7.0)
+    example.until("waiting: if this stays, look at the wire from our TX to its RX", 7.0)
 
 
 def test_ensure_mission_changes_nothing_in_flight(run):
@@ -213,7 +213,7 @@ def test_next_waypoint_ends_on_a_rover_which_stays_armed(make_run_on_rover):
 def test_start_mission_that_is_refused_auto_says_that_it_is_disarmed():
     example = Run("StartMission", "ArduPilot")
     example.autopilot._begins_with_takeoff = lambda: False
-    lines = example.until("it could not be flown, and is disarmed again", 30.0)
+    lines = example.until("the mission could not begin: disarmed again", 30.0)
     assert "autopilot: Auto: Missing Takeoff Cmd" in lines
     assert not example.autopilot.armed
 
@@ -377,8 +377,8 @@ def test_link_doctor_reads_the_settings_of_a_good_line(run):
     if is_ardupilot(example):
         parameters["SERIAL2_PROTOCOL"].value = 1
         said = ["SERIAL1_PROTOCOL 2", "SERIAL1_BAUD 57", "SERIAL2_PROTOCOL 1: TELEM2 has MAVLink 1: no fences, no "
-                "rally points", "SERIAL2_BAUD 57", "MIS_RESTART 0: AUTO goes on at the item where it was left",
-                "FENCE_ENABLE 0: it does not keep to a fence that is uploaded"]  # fmt: skip
+                "rally points", "SERIAL2_BAUD 57", "MIS_RESTART 0: AUTO continues at the item where it stopped",
+                "FENCE_ENABLE 0: an uploaded fence is not enforced"]  # fmt: skip
     else:
         parameters["MAV_0_FORWARD"].value = 0
         said = ["SER_TEL1_BAUD 57600", "GF_ACTION 2", "MAV_0_FORWARD 0: TELEM1 gets no commands from a ground station"]
@@ -412,7 +412,7 @@ def test_link_doctor_says_of_a_setting_that_it_does_not_know_it(personality):
 
 def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):
     example = Run("LinkDoctor", personality, baud=115200)
-    lines = example.until("  it speaks at 115200", 15.0)
+    lines = example.until("  it sends at 115200", 15.0)
     assert lines[-2] == "frames, but at another baud rate"
 
 
@@ -439,7 +439,7 @@ def test_go_to_places_leaves_the_aircraft_to_a_pilot_who_takes_it(run, personali
         example.autopilot._set_mode(5, example.now)
     else:
         example.autopilot._set_mode(*mode, example.now)
-    example.until("a pilot, a failsafe or another station has the aircraft", 60.0)
+    example.until("a pilot, a failsafe or another station is in control", 60.0)
     example.run(20.0)
     autopilot = example.autopilot
     assert (autopilot.mode if is_ardupilot(example) else (autopilot.main_mode, autopilot.sub_mode)) == mode
@@ -472,7 +472,7 @@ def test_follow_beacon_leaves_the_aircraft_to_a_pilot_who_takes_it(run):
     example.run(5.0)
     mode = (5,) if is_ardupilot(example) else (3, 0)
     example.autopilot._set_mode(*mode, example.now)
-    example.until("a pilot or another station has the aircraft", 5.0)
+    example.until("a pilot or another station is in control", 5.0)
     sent = len(example.autopilot.messages(">", TARGET))
     example.run(10.0)
     assert sent > 0 and len(example.autopilot.messages(">", TARGET)) == sent
@@ -508,7 +508,7 @@ def test_work_at_waypoints_leaves_the_aircraft_to_a_pilot(run):
         autopilot._set_mode(5, example.now)
     else:
         autopilot._set_mode(3, 0, example.now)
-    example.until("a pilot or another station has the aircraft", 20.0)
+    example.until("a pilot or another station is in control", 20.0)
     example.run(10.0)
     assert (autopilot.mode == "LOITER") if is_ardupilot(example) else (autopilot.main_mode == 3)
     assert "reached 2" not in example.lines

@@ -45,7 +45,7 @@ def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(referenc
     functions = set(re.findall(r"^  (?:\w+ )*[\w:]+[&*]? (\w+)\(", public, re.M))
     assert {"upload", "update"} <= functions
     assert [name for name in functions if f" {name} (" not in client and f" {name}(" not in client] == []
-    assert "without ever blocking" in client
+    assert "never blocks" in client
     for name in (
         "structMissionItem",
         "classMissionFollower",

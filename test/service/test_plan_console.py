@@ -178,7 +178,7 @@ def test_bad_text_is_refused_with_its_line_and_the_old_plan_stays(console):
 
 @pytest.mark.parametrize("lines, said", [
     (["load", "end"], "line 1: the first line is not QGC WPL 110"),
-    (["load", *HEAD, "end"], "line 3: no item behind home"),
+    (["load", *HEAD, "end"], "line 3: no item after home"),
     (["load", *HEAD, SURVEY[0], SURVEY[2]], "line 4, field 1: the lines are not numbered 0, 1, 2, ..."),
     (["load", *HEAD, SURVEY[0], SURVEY[1], "upload"], "line 5: not a number"),
     (["load", *HEAD, SURVEY[0], SURVEY[1], SURVEY[2].replace("\t2\t2", "\t7\t2"), "end"],
@@ -299,7 +299,7 @@ def test_a_plan_that_is_aboard_is_cleared_and_differs(console):
 def test_an_item_is_named_as_the_file_names_it(console):
     console.load(SURVEY[0], SURVEY[1].replace("\t0\t0\t0\t0\t", "\tnan\t0\t0\t0\t", 1))
     lines = console.answer("upload", "aboard: not known")
-    assert lines == ["refused: a NaN that means nothing here", "item 2", "aboard: not known"]
+    assert lines == ["refused: a NaN where none is allowed", "item 2", "aboard: not known"]
 
 
 def test_an_upload_is_cancelled_and_the_plan_is_not_exchanged_meanwhile(console):

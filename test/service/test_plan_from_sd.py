@@ -83,7 +83,7 @@ def test_a_file_on_a_card(personality):
 @pytest.mark.parametrize("text, said", [
     (HEAD + "1\t0\t3\t16\t0\t0\t0\t0\t-95.0\t149.1\t20\t1", "line 3, field 9: a latitude beyond 90 degrees"),
     (HEAD + "1\t0\t3\t16\t0\t0\t0", "line 3: a line has fewer than 12 fields"),
-    (HEAD, "line 3: no item behind home"),
+    (HEAD, "line 3: no item after home"),
 ])  # fmt: skip
 def test_a_bad_file_is_not_uploaded(text, said):
     example = RunWithCard("PX4", text)

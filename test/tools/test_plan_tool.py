@@ -161,7 +161,7 @@ WRONG_IN_WAYPOINTS = [
     (4, 2, "4", "frame 4 is no altitude reference"),
     (4, 3, "31999", "the command is not known"),
     (4, 3, "16.0", "command must be a whole number"),
-    (4, 4, "nan", "a NaN that means nothing here (parameter 1)"),
+    (4, 4, "nan", "a NaN where none is allowed (parameter 1)"),
     (4, 4, "inf", "parameter 1 must be a number, and is 'inf'"),
     (4, 8, "91", "a latitude beyond 90 degrees (91.0)"),
     (4, 8, "-35,36", "latitude must be a number, and is '-35,36': write a point, not a comma"),
@@ -316,7 +316,7 @@ def test_number_whose_nan_means_nothing_is_refused_unless_it_is_said_to_be_0(tmp
     if as_zero:
         assert texts == []
     else:
-        assert len(texts) == 1 and "a NaN that means nothing here (parameter 1)" in texts[0]
+        assert len(texts) == 1 and "a NaN where none is allowed (parameter 1)" in texts[0]
         assert texts[0].endswith("or say --unset-as-zero for 0")
 
 

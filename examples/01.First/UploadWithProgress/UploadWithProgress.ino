@@ -1,6 +1,6 @@
-// Uploads a plan and prints on the serial monitor (115200 baud) its progress, its result, which plan is aboard, and the
-// counters that make a wiring fault visible. Retries after a failure that may pass. Nothing is sent while the aircraft
-// is armed.
+// Uploads a plan and prints on the serial monitor (115200 baud) the progress, the result, which plan is aboard, and the
+// counters that show a wiring fault. If the failure may be temporary, it retries. While the aircraft is armed, the
+// upload is refused.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

@@ -6,7 +6,7 @@ using namespace mavmission;
 
 MissionClient autopilot(TELEM);
 
-// Prints a coordinate with all its digits, which a float would not have.
+// Prints a coordinate with all its digits: a float would lose some.
 void printDegrees(int32_t e7) {
   if (e7 < 0) CONSOLE.print('-');
   const uint32_t magnitude = e7 < 0 ? 0 - static_cast<uint32_t>(e7) : static_cast<uint32_t>(e7);

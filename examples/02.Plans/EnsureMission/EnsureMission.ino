@@ -1,6 +1,6 @@
-// Safe to run at each power-on: puts the plan aboard only if it is not there already, and prints which of the two it
-// was. If the board is reset in flight, it only looks, and changes nothing. Where nothing goes on, it says every 5 s
-// what it can see; the example LinkDoctor finds out more.
+// Safe to run at each power-on: uploads the plan only if it is not aboard already, and prints which of the two
+// happened. If the board is reset in flight, it changes nothing. While it waits, it prints every 5 s what is missing;
+// the example LinkDoctor finds out more.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -12,7 +12,7 @@ constexpr MissionItem plan[] PROGMEM = {
     returnToLaunch(),
 };
 
-constexpr uint32_t kPauseMs = 5000;  // before a retry, and from one word about what is missing to the next
+constexpr uint32_t kPauseMs = 5000;  // before a retry, and between two messages about what is missing
 
 MissionClient autopilot(TELEM);
 uint32_t failedAtMs, saidAtMs;
@@ -32,7 +32,7 @@ void sayWhatIsMissing() {
   } else if (!autopilot.hasAutopilot()) {
     CONSOLE.println(F("bytes, but no autopilot: look at the baud rate, and at the port's protocol"));
   } else {
-    CONSOLE.println(F("no end yet: if this stays, look at the wire from our TX to its RX"));
+    CONSOLE.println(F("waiting: if this stays, look at the wire from our TX to its RX"));
   }
   bytesBefore = bytes;
 }

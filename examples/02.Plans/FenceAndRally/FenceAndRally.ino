@@ -1,16 +1,16 @@
-// Puts a fence and rally points aboard, one after the other. Both need MAVLink 2 on the port (ArduPilot's
-// SERIALn_PROTOCOL 2).
+// Uploads a fence and rally points, one after the other. Both need MAVLink 2 on the port (ArduPilot's SERIALn_PROTOCOL
+// 2).
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 constexpr MissionItem fence[] PROGMEM = {
-    // A field that must not be left: four corners, each of which says how many there are.
+    // A field that the aircraft must not leave: four corners, and each says how many corners there are.
     fenceInside(-35.3640_deg, 149.1640_deg, 4),
     fenceInside(-35.3640_deg, 149.1670_deg, 4),
     fenceInside(-35.3610_deg, 149.1670_deg, 4),
     fenceInside(-35.3610_deg, 149.1640_deg, 4),
-    // A mast in the field.
+    // A mast in the field, to which the aircraft must keep a distance.
     fenceOutsideCircle(-35.3625_deg, 149.1655_deg, 15_m),
 };
 

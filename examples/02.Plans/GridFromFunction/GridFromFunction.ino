@@ -11,7 +11,7 @@ constexpr int32_t kLaneSpacingCm = 200;
 constexpr uint16_t kLanes = 150;
 constexpr Metres kHeight = 15_m;
 
-constexpr uint16_t kItems = 1 + 2 * kLanes + 1;  // takeoff, two ends of each lane, the way home
+constexpr uint16_t kItems = 1 + 2 * kLanes + 1;  // takeoff, two ends of each lane, return
 
 // Item `index` of the plan. The same index must always give the same item, however often it is requested.
 bool gridItem(void*, uint16_t index, MissionItem& item) {

@@ -1,6 +1,6 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
-// EEPROM, which keeps it without power; upload, verify and fly it. Type "help". A Mega has room for all commands; an
-// Uno, a Nano or a Leonardo is too small. TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms.
+// EEPROM, which keeps it without power; upload, verify and fly it. Type "help". A Mega has enough flash for all
+// commands; an Uno, a Nano or a Leonardo does not. TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms the aircraft.
 #include <MavMissionConsole.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -17,7 +17,7 @@ MissionClient autopilot(TELEM);
 EepromPlan plan;  // in the board's own EEPROM
 #else
 #include <EEPROM.h>
-EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));  // in what the board has in its place
+EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));  // in what the board's EEPROM library uses
 #endif
 PlanConsole commands(CONSOLE, autopilot, plan, room);
 
@@ -29,7 +29,7 @@ void setup() {
 #endif
   plan.begin();
 #if !defined(__AVR__) || FLASHEND >= 0x10000
-  commands.offerAll();  // a smaller board has no room for them
+  commands.offerAll();  // a smaller board has not enough flash for them
 #endif
 }
 

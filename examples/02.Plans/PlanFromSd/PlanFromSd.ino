@@ -1,13 +1,13 @@
 // Uploads a plan from a file: PLAN.TXT on an SD card, as Mission Planner saves it (.waypoints, QGC WPL 110). The file
-// may be of any length, and hold a mission, a fence or rally points; it is read item by item, as the autopilot requests
-// them. An error in it is printed with its line.
+// may be of any length, and hold a mission, a fence or rally points; an item is read when the autopilot requests it. An
+// error in the file is printed with its line.
 //
-// Without a card the text below takes the place of the file. With a card (any shield; 10 is its chip select pin),
+// Without a card the text below is used instead of the file. With a card (any shield; 10 is its chip select pin),
 // remove the two slashes at the beginning of the next line:
 // #define CARD_SELECT 10
 
 #include <MavMission.h>
-// On an Uno or a Nano: pins that the card leaves free.
+// On an Uno or a Nano: pins that the card does not use.
 #define CONSOLE_RX 8
 #define CONSOLE_TX 9
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
@@ -31,7 +31,7 @@ const char text[] PROGMEM =
     "4\t0\t3\t177\t2\t2\t0\t0\t0\t0\t0\t1\n"
     "5\t0\t3\t20\t0\t0\t0\t0\t0\t0\t0\t1\n";
 
-// All that the library needs of a file: a Stream that ends, with seek().
+// The text as a file: the library needs a Stream with an end, and seek().
 class TextFile : public Stream {
  public:
   bool seek(uint32_t position) {

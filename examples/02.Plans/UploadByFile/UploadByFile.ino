@@ -1,6 +1,6 @@
-// Puts a plan aboard ArduPilot as a file: until the whole plan has arrived the old one stays aboard, so that an upload
-// that breaks off leaves no mixture of the two. On PX4, and where ArduPilot's FTP is switched off, it is uploaded item
-// by item. Prints which plan is aboard in the end. A Nano and a Leonardo are too small.
+// Uploads a plan to ArduPilot as a file: the old plan stays aboard until the whole new one has arrived, so an upload
+// that breaks off leaves no mixture of the two. On PX4, and if ArduPilot's FTP is switched off, the plan is uploaded
+// item by item. Then it prints which plan is aboard. A Nano and a Leonardo are too small.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

@@ -1,4 +1,4 @@
-// Uploads a plan, reads it back, and prints which plan is aboard, and where it differs, if it does.
+// Uploads a plan, reads it back, and prints which plan is aboard; if it differs, also where.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

@@ -1,4 +1,4 @@
-// Prints on the serial monitor (115200 baud) why nothing works, or that all is well. Correct the fault, and the verdict
+// Prints on the serial monitor (115200 baud) why nothing works, or that all is well. Correct the fault: the verdict
 // changes within some seconds. docs/troubleshooting.md says what to do about each verdict. When all is well, it reads
 // the settings of the autopilot that matter to a mission, and says what follows from them.
 #include <MavMission.h>
@@ -14,7 +14,7 @@ Verdict said = Verdict::Listening;
 
 struct Setting {
   char name[17];
-  int8_t value;  // for which the advice is
+  int8_t value;  // the advice is printed if the setting has this value
   char advice[56];
 };
 const Setting kArduPilot[] PROGMEM = {
@@ -22,15 +22,15 @@ const Setting kArduPilot[] PROGMEM = {
     {"SERIAL1_BAUD", -1, ""},  // in thousands
     {"SERIAL2_PROTOCOL", 1, "TELEM2 has MAVLink 1: no fences, no rally points"},
     {"SERIAL2_BAUD", -1, ""},
-    {"MIS_RESTART", 0, "AUTO goes on at the item where it was left"},
-    {"FENCE_ENABLE", 0, "it does not keep to a fence that is uploaded"},
+    {"MIS_RESTART", 0, "AUTO continues at the item where it stopped"},
+    {"FENCE_ENABLE", 0, "an uploaded fence is not enforced"},
 };
 const Setting kPx4[] PROGMEM = {
     {"SER_TEL1_BAUD", -1, ""},
-    {"GF_ACTION", 0, "it does not keep to a fence that is uploaded"},
+    {"GF_ACTION", 0, "an uploaded fence is not enforced"},
     {"MAV_0_FORWARD", 0, "TELEM1 gets no commands from a ground station"},
 };
-uint8_t next = 0;  // the setting that is read
+uint8_t next = 0;  // the setting that is being read
 
 FlashText flashText(const char* text) { return reinterpret_cast<FlashText>(text); }
 
@@ -76,7 +76,7 @@ void printSpeaker(const Speaker& speaker) {
 void report(Verdict verdict) {
   CONSOLE.println(toString(verdict));
   if (verdict == Verdict::WrongBaud) {
-    CONSOLE.print(F("  it speaks at "));
+    CONSOLE.print(F(" it sends at "));
     CONSOLE.println(doctor.baud());
   }
   if (verdict == Verdict::NoAutopilot || verdict == Verdict::OtherAutopilot || verdict == Verdict::SeveralAutopilots) {

@@ -1,5 +1,5 @@
-// A winch that a plan can command, where the autopilot hands its commands on: docs/payload.md. It lowers its rope for
-// five seconds, tells how far it is, and then that it is done; every second it tells a weight to the ground station.
+// A winch that a plan can command, if the autopilot forwards such commands: docs/payload.md. It lowers its rope for
+// five seconds, reports its progress, and then that it is done. Every second it sends a weight to the ground station.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

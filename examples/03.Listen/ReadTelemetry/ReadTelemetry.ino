@@ -1,11 +1,11 @@
-// Beside the mission: where the aircraft is, its battery and its GPS, every second. A sketch pays for the listeners
-// that it names, and for no others: there are AttitudeListener, RcListener and HomeListener too.
+// Prints the aircraft's position, battery and GPS every second. There are AttitudeListener, RcListener and
+// HomeListener, too; only the listeners that a sketch declares take flash and RAM.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
 MissionClient autopilot(TELEM);
-PositionListener position(autopilot, 1000);  // asked for every 1000 ms
+PositionListener position(autopilot, 1000);  // requested every 1000 ms
 BatteryListener battery(autopilot, 5000);
 GpsListener gps(autopilot, 5000);
 
@@ -29,7 +29,7 @@ void printBattery() {
     CONSOLE.print(battery.remainingPercent());
     CONSOLE.println(F(" % left"));
   } else {
-    CONSOLE.println(F("nobody measures how much is left"));
+    CONSOLE.println(F("how much is left is not measured"));
   }
 }
 

@@ -1,13 +1,14 @@
-// Takes off, follows a beacon for a minute, holds, and comes home. Here the beacon is computed: it walks around a
-// square of 30 m. A sketch with a real one calls renew() whenever the beacon has told where it is, and only then: when
-// it falls silent for a second, the aircraft holds where it is. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Takes off, follows a beacon for a minute, holds its position, and returns. Here the beacon is computed: it moves
+// around a square of 30 m. A sketch with a real beacon calls renew() each time the beacon has reported its place, and
+// only then: when no report has come for a second, the aircraft holds its position. TAKE OFF THE PROPELLERS WHILE YOU
+// TRY IT.
 //
-// The aircraft is never taken out of a pilot's hands, and an Arduino that resets in flight sends nothing.
+// The sketch does not take control from a pilot, and after a reset in flight it sends nothing.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
-constexpr LatLon kField = {-35.3632621_deg, 149.1652374_deg};  // near where it stands
+constexpr LatLon kField = {-35.3632621_deg, 149.1652374_deg};  // near the takeoff place
 constexpr Metres kHeight = 10_m;                               // above home
 constexpr uint32_t kFollowMs = 60000;
 
@@ -17,11 +18,11 @@ MovingTarget target(steering);
 
 enum class Stage : uint8_t { TakingOff, Climbing, Starting, Following, Returning, Landing, Done };
 Stage stage = Stage::TakingOff;
-uint8_t tries;  // of the order that is being carried out
+uint8_t tries;  // of the running operation
 bool tryAgain;
-uint32_t sinceMs;  // when the following began, or when an order failed
+uint32_t sinceMs;  // when the following began, or when an operation failed
 
-// Where the beacon is: it walks 2 m each second, north, east, south and west.
+// Where the beacon is: it moves 2 m each second, north, east, south and west.
 LatLon beacon() {
   const uint32_t walkedCm = millis() / 5 % 12000;
   const int32_t along = walkedCm % 3000;
@@ -58,7 +59,7 @@ void setup() {
 }
 
 void onEnded(Status status) {
-  if (stage == Stage::Following) return;  // the hold: onHeld() has how it ended
+  if (stage == Stage::Following) return;  // this was the hold: onHeld() handles its end
   CONSOLE.println(toString(status));
   if (status == Status::Done) {
     sinceMs = millis();
@@ -67,14 +68,15 @@ void onEnded(Status status) {
     if (stage == Stage::Returning) stage = Stage::Landing;
     return;
   }
-  // For half a minute after its start an autopilot refuses to be armed. Later, only what was lost is tried again: if a
-  // pilot or a failsafe has the aircraft, it is left there.
+  // For half a minute after power-on an autopilot refuses to arm, so takeOff() is tried again. Later operations are
+  // tried again only if the answer was lost. If a pilot or a failsafe is in control, the sketch leaves the aircraft to
+  // them.
   tryAgain = tries < 10 && (isWorthRetry(status) || status == Status::NoHome);
   sinceMs = millis();
   if (!tryAgain) stage = Stage::Done;
 }
 
-// The target goes out no more.
+// No more targets are sent.
 void onHeld(Status status) {
   CONSOLE.println(toString(status));
   stage = Stage::Done;

@@ -1,16 +1,16 @@
-// Flies without a plan: takes off, goes to three places, works at each, and comes home. Where the next place is, is
-// decided at the place before, by what the sensor there has said. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Flies without a plan: takes off, goes to three places, works at each, and returns. A sensor that is read at one place
+// decides where the next place is. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
-// The aircraft is never taken out of a pilot's hands, and an Arduino that resets in flight sends nothing.
+// The sketch does not take control from a pilot, and after a reset in flight it sends nothing.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
-constexpr LatLon kField = {-35.3632621_deg, 149.1652374_deg};  // near where it stands
+constexpr LatLon kField = {-35.3632621_deg, 149.1652374_deg};  // near the takeoff place
 constexpr Metres kHeight = 10_m;                               // above home
 constexpr uint8_t kPlaces = 3;
 constexpr uint32_t kWorkMs = 3000;  // the time that the work at a place needs
-constexpr uint8_t kLamp = 13;       // burns while it works
+constexpr uint8_t kLamp = 13;       // lit while it works
 constexpr uint8_t kSensor = A0;
 
 MissionClient autopilot(TELEM);
@@ -20,9 +20,9 @@ enum class Stage : uint8_t { TakingOff, Climbing, Flying, Working, Returning, La
 Stage stage = Stage::TakingOff;
 LatLon place = kField;
 uint8_t number;  // of the place, from 1
-uint8_t tries;   // of the order that is being carried out
+uint8_t tries;   // of the running operation
 bool tryAgain;
-uint32_t sinceMs;  // when the work began, or when an order failed
+uint32_t sinceMs;  // when the work began, or when an operation failed
 
 void order() {
   tryAgain = false;
@@ -42,7 +42,7 @@ void begin(Stage next) {
   order();
 }
 
-// 30 m to the north, or to the east where the sensor says much.
+// 30 m to the north, or to the east if the sensor's value is high.
 void goOn() {
   if (number == kPlaces) return begin(Stage::Returning);
   place = analogRead(kSensor) > 511 ? moved(place, 0, 3000) : moved(place, 3000, 0);
@@ -66,8 +66,9 @@ void onEnded(Status status) {
     if (stage == Stage::Returning) stage = Stage::Landing;
     return;
   }
-  // For half a minute after its start an autopilot refuses to be armed. Later, only what was lost is tried again: if a
-  // pilot or a failsafe has the aircraft, it is left there.
+  // For half a minute after power-on an autopilot refuses to arm, so takeOff() is tried again. Later operations are
+  // tried again only if the answer was lost. If a pilot or a failsafe is in control, the sketch leaves the aircraft to
+  // them.
   tryAgain = tries < 10 && (isWorthRetry(status) || status == Status::NoHome);
   sinceMs = millis();
   if (!tryAgain) stage = Stage::Done;
@@ -81,7 +82,7 @@ void loop() {
   if (tryAgain) return;
   const bool isWaiting = stage == Stage::Climbing || stage == Stage::Flying || stage == Stage::Working;
   if (isWaiting && autopilot.hasAutopilot() && !steering.maySteer()) {
-    CONSOLE.println(F("a pilot, a failsafe or another station has the aircraft"));
+    CONSOLE.println(F("a pilot, a failsafe or another station is in control"));
     stage = Stage::Done;
   }
   switch (stage) {

@@ -1,10 +1,10 @@
 // A soil probe: the aircraft lands in one field after another. After each landing the probe takes its sample, then the
 // Arduino sends the aircraft to the next field.
 //
-// Each leg is a plan of its own, which the autopilot flies to its end whatever becomes of the Arduino. At its end
-// Copter and PX4 land and disarm; a rover stays armed, and is disarmed. With BY_COMMANDS each leg is three commands
-// instead, for which nothing is uploaded: take off, go there, land. A copter then waits in the air for the next one.
-// TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Each leg is a separate plan, which the autopilot flies to its end even if the Arduino fails. At its end Copter and
+// PX4 land and disarm; a rover stays armed, and the sketch disarms it. With BY_COMMANDS each leg is three commands
+// instead, and nothing is uploaded: take off, go there, land. If the Arduino fails, a copter then waits in the air for
+// the next command. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 #ifndef BY_COMMANDS
 #define BY_COMMANDS 0
 #endif
@@ -91,7 +91,7 @@ void onEnded(Status status) {
   } else if (stage == Stage::Starting && status == Status::Done) {
     stage = BY_COMMANDS ? Stage::Climbing : Stage::Flying;
   } else if ((stage == Stage::Flying || stage == Stage::Crossing) && status == Status::Done) {
-    return;  // disarmed, which loop() notices; or on the way
+    return;  // disarmed, which loop() notices; or the leg is being flown
   } else {
     stage = Stage::Done;  // something was refused, as printed above: leave the aircraft to the pilot
   }

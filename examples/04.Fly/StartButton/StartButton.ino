@@ -1,9 +1,9 @@
-// A button that starts the mission. At power-on the plan is uploaded; whoever then holds the button for two seconds
-// arms the aircraft, and it flies the plan. Prints how each of the two has ended, and what the autopilot says.
+// A button that starts the mission. At power-on the plan is uploaded; if the button is then held for two seconds, the
+// aircraft arms and flies the plan. The sketch prints how the upload and the start ended, and the autopilot's messages.
 // TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
-// A button that is stuck, or pressed at power-on, starts nothing: it has to be released first. A board that is reset in
-// flight uploads and starts nothing: both are refused while the aircraft is armed.
+// A button that is stuck, or pressed at power-on, starts nothing: it has to be released first. After a reset in flight
+// nothing is uploaded or started: both are refused while the aircraft is armed.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

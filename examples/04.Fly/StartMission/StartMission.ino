@@ -1,7 +1,7 @@
-// Uploads a plan, reads it back as a proof, arms, flies it, and prints each item reached; at the end it downloads the
-// plan. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Uploads a plan, reads it back, arms, flies it, and prints each item reached; at the end it downloads the plan. TAKE
+// OFF THE PROPELLERS WHILE YOU TRY IT.
 //
-// Nothing happens while the aircraft is armed: an Arduino that resets in flight uploads and starts nothing.
+// While the aircraft is armed, nothing is uploaded or started: so nothing happens after a reset in flight.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -77,10 +77,10 @@ void onEnded(Status status) {
         return;
       }
       if (autopilot.startArming() == StartArming::Disarmed) {
-        CONSOLE.println(F("it could not be flown, and is disarmed again"));
+        CONSOLE.println(F("the mission could not begin: disarmed again"));
       }
-      // For half a minute after its start an autopilot refuses to be armed, and says why in words. If the aircraft
-      // stays armed it flies, or somebody else has it: leave it to the pilot.
+      // For half a minute after power-on an autopilot refuses to arm, and says why in words. If the aircraft stays
+      // armed, it flies, or somebody else is in control: leave it to the pilot.
       startAgain = startTries < 10 && autopilot.startArming() != StartArming::Armed;
       refusedAtMs = millis();
       if (startAgain) return;
@@ -101,7 +101,7 @@ void loop() {
   // Copter and PX4 disarm when they have landed at the end of the mission. A rover stays armed, and in AUTO.
   const bool isOver = saysComplete || mission.state() == MissionState::Complete;
   if (!isOver) notOverAtMs = millis();
-  if (!autopilot.hasAutopilot()) return;  // its heartbeats are missing for a while
+  if (!autopilot.hasAutopilot()) return;  // no heartbeat has come for a while
   if (!autopilot.isArmed()) {
     CONSOLE.println(F("landed"));
     readBack();

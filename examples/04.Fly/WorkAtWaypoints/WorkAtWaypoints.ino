@@ -1,8 +1,8 @@
-// Does something at each waypoint of a mission, and goes on: at the first a servo drops a sample, at the second a
-// sensor is read. The mission is held while the work lasts. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Does something at each waypoint of a mission: at the first a servo drops a sample, at the second a sensor is read.
+// The mission is paused during the work, then goes on. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
-// Nothing happens while the aircraft is armed at the beginning: an Arduino that resets in flight sends nothing, and the
-// autopilot flies its mission to the end without it. A pilot who takes the aircraft keeps it.
+// If the aircraft is armed when the sketch starts, nothing is sent: so after a reset in flight the autopilot flies its
+// mission to the end without the Arduino. A pilot who takes control keeps it.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
@@ -25,8 +25,8 @@ enum class Stage : uint8_t { Uploading, Starting, Flying, Holding, Working, Goin
 Stage stage = Stage::Uploading;
 constexpr uint16_t kNone = MissionClient::kNoItem;
 uint16_t workItem = kNone;  // the waypoint at which there is work to do
-uint32_t sinceMs;           // when the work began, or when an order was lost
-bool isDue;                 // the order of this stage has to be given
+uint32_t sinceMs;           // when the work began, or when the answer to a command was lost
+bool isDue;                 // the operation of this stage has to be begun
 uint8_t tries;
 
 void enter(Stage next) {
@@ -72,7 +72,7 @@ void setup() {
   enter(Stage::Uploading);
 }
 
-// What this stage asks the autopilot for.
+// Begins the operation of this stage.
 void giveOrder() {
   isDue = false;
   ++tries;
@@ -93,8 +93,8 @@ void onEnded(Status status) {
     return;
   }
   CONSOLE.println(toString(status));
-  // What was lost is tried again, and so is arming, which an autopilot refuses for half a minute after its start. What
-  // somebody else has taken stays there.
+  // An operation is tried again if the answer was lost; so is arming, which an autopilot refuses for half a minute
+  // after power-on. If somebody else is in control, nothing is tried again.
   isDue = tries < 10 && isWorthRetry(status);
   sinceMs = millis();
   if (!isDue) stage = Stage::Done;
