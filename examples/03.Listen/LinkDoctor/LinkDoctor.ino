@@ -76,7 +76,7 @@ void printSpeaker(const Speaker& speaker) {
 void report(Verdict verdict) {
   CONSOLE.println(toString(verdict));
   if (verdict == Verdict::WrongBaud) {
-    CONSOLE.print(F(" it sends at "));
+    CONSOLE.print(F("  it sends at "));
     CONSOLE.println(doctor.baud());
   }
   if (verdict == Verdict::NoAutopilot || verdict == Verdict::OtherAutopilot || verdict == Verdict::SeveralAutopilots) {
