@@ -24,7 +24,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from examples import example_folders
+from examples import every_folder
 from library_objects import LibraryObjects
 from near import nearest
 
@@ -112,7 +112,7 @@ def build_sketch(
     source = Path(path).resolve()
     if not source.exists():
         # The name of an example will do.
-        source = example_folders().get(str(path)) or source
+        source = every_folder().get(str(path)) or source
     if not source.exists():
         raise no_sketch_at(source)
     extra = [f"-D{d}" for d in defines] + [f"-I{Path(d).resolve()}" for d in include_dirs] + list(flags)
@@ -314,7 +314,7 @@ def sketch_folder(source: Path, folder: Path) -> Path:
 
 
 def no_sketch_at(source: Path) -> BuildFailed:
-    near = nearest(source.stem, example_folders())
+    near = nearest(source.stem, every_folder())
     meant = f"; did you mean the example {near}?" if near else ""
     return BuildFailed(f"no sketch at {source}: name a folder with a .ino of the same name, or a .cpp{meant}")
 

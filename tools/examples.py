@@ -5,14 +5,24 @@ from __future__ import annotations
 from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
+RADIO = "05.Radio"  # these need the library of a radio or of Ethernet, which no simulated board has
 
 
 def example_folders() -> dict[str, Path]:
+    """Those that run on the simulated boards as they are."""
+    return {name: folder for name, folder in every_folder().items() if folder.parent.name != RADIO}
+
+
+def radio_folders() -> dict[str, Path]:
+    return {name: folder for name, folder in every_folder().items() if folder.parent.name == RADIO}
+
+
+def every_folder() -> dict[str, Path]:
     return {sketch.stem: sketch.parent for sketch in sorted(EXAMPLES.glob("*/*/*.ino"))}
 
 
 def example_folder(name: str) -> Path:
-    return example_folders()[name]
+    return every_folder()[name]
 
 
 def sketch_of(name: str) -> Path:

@@ -1,7 +1,6 @@
 // A sketch with a whole MissionClient and a follower, for this computer: it does what lines on its input tell it, in a
-// time that they turn, and answers each with a line. test/support/host_client.py is the other end. Bytes are in
-// hexadecimal,
-// "-" for none. loop() runs each millisecond.
+// time that they turn, and answers each with a line. test/support/host_client.py is the other end, or udp_client.py,
+// for a client over UDP. loop() runs each millisecond.
 //
 // Every allocation that the library makes is counted. This file is compiled without access control: it shows the
 // client's bytes but for those that are times, counters or buffers, which are private.
@@ -14,12 +13,12 @@
 #include <algorithm>
 #include <new>
 #include <string>
-#include <vector>
+
+#include "Words.h"
+#include CLIENT_LINE  // SerialLine.h or UdpLine.h
 
 using namespace mavmission;
 using namespace mavmission::detail;
-
-typedef std::vector<uint8_t> Bytes;
 
 // ---- Allocations, counted while the library runs.
 
@@ -54,28 +53,10 @@ struct Counting {
 
 // ---- The sketch.
 
-constexpr size_t kPlanItems = 60, kLine = 4096;
+constexpr size_t kPlanItems = 60;
 
-// Takes and gives bytes without allocating.
-class FixedStream : public Stream {
- public:
-  uint8_t toRead[kLine], written[kLine];
-  size_t readAt = 0, readEnd = 0, writtenEnd = 0;
+Line line;
 
-  int available() override { return static_cast<int>(readEnd - readAt); }
-  int peek() override { return readAt == readEnd ? -1 : toRead[readAt]; }
-  int read() override { return readAt == readEnd ? -1 : toRead[readAt++]; }
-  int availableForWrite() override { return static_cast<int>(kLine - writtenEnd); }
-  size_t write(uint8_t byte) override { return write(&byte, 1); }
-  size_t write(const uint8_t* bytes, size_t size) override {
-    const size_t taken = std::min(size, kLine - writtenEnd);
-    memcpy(written + writtenEnd, bytes, taken);
-    writtenEnd += taken;
-    return taken;
-  }
-};
-
-FixedStream stream;
 alignas(16) uint8_t memory[sizeof(MissionClient)];
 alignas(16) uint8_t followerMemory[sizeof(MissionFollower)];
 uint64_t nowMs;        // since begin()
@@ -106,31 +87,6 @@ bool takeItem(void*, uint16_t index, const MissionItem& item) {
   return true;
 }
 
-// ---- Words of a line.
-
-struct Words {
-  explicit Words(char* line) : rest(line) {}
-  char* rest;
-  std::string word() {
-    char* found = strtok_r(rest, " \n", &rest);
-    return found == nullptr ? "" : found;
-  }
-  unsigned long long number() { return strtoull(word().c_str(), nullptr, 10); }
-  Bytes bytes() {
-    const std::string text = word();
-    Bytes found;
-    for (size_t i = 0; i + 1 < text.size(); i += 2) {
-      found.push_back(static_cast<uint8_t>(strtoul(text.substr(i, 2).c_str(), nullptr, 16)));
-    }
-    return found;
-  }
-};
-
-void say(const uint8_t* bytes, size_t count) {
-  if (count == 0) putchar('-');
-  for (size_t i = 0; i < count; ++i) printf("%02x", bytes[i]);
-}
-
 // ---- What a line can be.
 
 // The value of millis().
@@ -141,7 +97,7 @@ void begin(Words& words) {
   memset(memory, 0xA5, sizeof(memory));
   {
     const Counting counting;
-    new (memory) MissionClient(stream);
+    new (memory) MissionClient(line.stream);
     new (followerMemory) MissionFollower(client());
     client().onEnd(onEnd);
     follower().onReached(onReached);
@@ -153,14 +109,10 @@ void begin(Words& words) {
 // end.
 void run(Words& words) {
   const uint64_t until = words.number();
-  const Bytes bytes = words.bytes();
-  if (stream.readAt == stream.readEnd) stream.readAt = stream.readEnd = 0;
-  if (stream.readEnd + bytes.size() > kLine) {
+  if (!line.bring(words)) {
     puts("too many bytes at once");
     return;
   }
-  memcpy(stream.toRead + stream.readEnd, bytes.data(), bytes.size());
-  stream.readEnd += bytes.size();
   int end = -1;
   {
     const Counting counting;
@@ -170,12 +122,11 @@ void run(Words& words) {
       ++updates;
       const Status status = client().update();
       if (isEnd(status)) end = static_cast<int>(status);
-      if (stream.writtenEnd != 0 && client().isSent()) break;
+      if (line.hasLeft() && client().isSent()) break;
     }
   }
   printf("%llu ", static_cast<unsigned long long>(nowMs));
-  say(stream.written, stream.writtenEnd);
-  stream.writtenEnd = 0;
+  line.sayWhatLeft();
   printf(" %d\n", end);
 }
 
@@ -322,6 +273,14 @@ void tellIdle(Words&) {
   putchar('\n');
 }
 
+#ifdef CLIENT_OVER_UDP
+void namePeer(Words& words) {
+  line.setPeer(words);
+  puts("ok");
+}
+void tellPeer(Words&) { line.sayPeer(); }
+#endif
+
 struct Word {
   const char* name;
   void (*act)(Words& words);
@@ -331,14 +290,17 @@ const Word words[] = {
     {"begin", begin},           {"run", run},         {"plan", setPlan},
     {"order", order},           {"state", tellState}, {"sunk", tellSunk},
     {"counters", tellCounters}, {"tally", tellTally}, {"idle", tellIdle},
+#ifdef CLIENT_OVER_UDP
+    {"name", namePeer},         {"peer", tellPeer},
+#endif
 };
 
 }  // namespace
 
 int main() {
-  static char line[2 * kLine + 100];
-  while (fgets(line, sizeof(line), stdin) != nullptr) {
-    Words rest(line);
+  static char told[2 * kLine + 100];
+  while (fgets(told, sizeof(told), stdin) != nullptr) {
+    Words rest(told);
     const std::string name = rest.word();
     const Word* found =
         std::find_if(std::begin(words), std::end(words), [&](const Word& word) { return name == word.name; });

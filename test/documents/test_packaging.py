@@ -88,7 +88,13 @@ def test_main_header_is_named_after_the_library_and_is_the_one_included():
     fields = properties()
     assert fields["includes"] == f"{fields['name']}.h"
     assert (ROOT / "src" / fields["includes"]).is_file()
-    more = {"MavMissionConsole.h", "MavMissionLed.h", "MavMissionMonitor.h", "MavMissionTelem.h"}
+    more = {
+        "MavMissionConsole.h",
+        "MavMissionLed.h",
+        "MavMissionMonitor.h",
+        "MavMissionTelem.h",
+        "MavMissionUdp.h",
+    }
     assert {f.name for f in (ROOT / "src").glob("*.h")} == {fields["includes"], *more}
 
 

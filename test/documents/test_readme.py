@@ -62,7 +62,7 @@ ANSWERS = {
                                   r"## What it never does"),
     "can it upload a plan of QGroundControl?": (r"plan from QGroundControl.*\]\((docs/plans\.md)\)",
                                                 r"tools/plan to-header"),
-    "does it work over WiFi?": (r"\[Boards\]\((docs/boards\.md)\)[^#]*WiFi", r"## WiFi\n"),
+    "does it work over WiFi?": (r"over WiFi.*\]\((docs/radio\.md)\)", r"UdpLink line\("),
     "what does a reset in flight do?": (r"\*\*After a reset in flight\*\* an upload",),
     "what does it cost on an Uno?": (r"[\d,]+ of 32,256 and [\d,]+ of 2,048 on an Uno",),
     "does it speak MAVLink 1?": (r"MAVLink 1 can do \| \[Autopilots\]\((docs/autopilots\.md)\)", r"over MAVLink 1"),

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from building import BOARDS, ROOT
-from examples import example_folders
+from examples import example_folders, radio_folders, sketch_of
 from promised import NOT_PROMISED
 
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*"))
@@ -115,7 +115,11 @@ def test_every_other_board_of_the_table_is_compiled_for_by_its_makers_core():
         assert board["fqbn"].startswith(f"{board['core']}:")
         assert board["core"].startswith("arduino:") != ("index" in board)
         assert board.get("index", "https://").startswith("https://")
-    assert yaml.safe_load(compile_step("makers")["sketch-paths"]) == ["examples"]
+    paths = compile_step("makers")["sketch-paths"].replace("${{ matrix.board.radio }}", "")
+    assert yaml.safe_load(paths) == sorted({str(one.parent.relative_to(ROOT)) for one in example_folders().values()})
+    of_wifi = [one for name, one in radio_folders().items() if "WiFi.h" in sketch_of(name).read_text()]
+    wifi = [str(one.relative_to(ROOT)) for one in of_wifi]
+    assert {board["name"]: yaml.safe_load(board["radio"]) for board in boards if "radio" in board} == {"ESP32": wifi}
 
 
 def test_sizes_are_reported_where_they_are_kept():

@@ -56,7 +56,8 @@ def test_every_example_is_offered_and_those_that_arm_are_known(folder):
     names = [example["name"] for example in known["examples"]]
     assert sorted(names) == sorted(example_folders())
     # In README.md's tables, which are in the order in which one learns.
-    assert names == re.findall(r"^\| \[(\w+)\]\(examples/", (ROOT / "README.md").read_text(), re.M)
+    rows = re.findall(r"^\| \[(\w+)\]\(examples/", (ROOT / "README.md").read_text(), re.M)
+    assert names == [name for name in rows if name in example_folders()]
     assert names[0] == "UploadMission"
     arming = {example["name"] for example in known["examples"] if example["arms"]}
     sources = {name: sketch_of(name).read_text() for name in example_folders()}

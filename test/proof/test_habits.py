@@ -129,6 +129,7 @@ FOR_OTHERS = {
     "Sha256::kDigest": "says how long a digest is; the host's program has room for one by it",
     "Sha256::kLongest": "says what the length that is kept allows",
     "Signing::time": "the host's program tells it, for the tests to compare",
+    "readAutopilotHeartbeat": "MavMissionUdp.h has it, which no source of the library includes",
     "kWholeText": "the room that a caller must give; now they all have more",
     "kDegreesText": "the room that a caller must give; now they all have more",
 }

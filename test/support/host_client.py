@@ -30,7 +30,9 @@ PLAN_ITEMS = 60  # room in the program
 @functools.cache
 def program() -> Path:
     sources = [ROOT / "test" / "day" / "client.cpp"]
-    return build_host("client", sources, "g++", [*FAST, "-fno-access-control"], library=library_sources())
+    flags = [*FAST, "-fno-access-control"]
+    own = ['-DCLIENT_LINE="SerialLine.h"']
+    return build_host("client", sources, "g++", flags, own_flags=own, library=library_sources())
 
 
 class HostClient:
@@ -47,9 +49,12 @@ class HostClient:
         self.frames_sent = 0  # by the client
         self.bytes_heard = 0  # by the client
         self._ends_seen = 0
-        self._running = subprocess.Popen([program()], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
+        self._running = subprocess.Popen([self._program()], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
         self._answers = open(self._running.stdout.fileno(), "rb", closefd=False)
         self.ask("begin", first_millis % 2**32)
+
+    def _program(self) -> Path:
+        return program()
 
     def close(self) -> None:
         self._running.stdin.close()

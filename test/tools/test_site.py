@@ -7,7 +7,7 @@ import re
 import pytest
 
 from building import ROOT
-from examples import example_folders, sketch_of
+from examples import every_folder, sketch_of
 from playing.browser import Browser
 from playing.serving import Plain, Server
 from siting import dead_links, make_site
@@ -34,7 +34,7 @@ def named_in(tree) -> list[str]:
 def test_navigation_has_each_document_and_each_example_once():
     names = named_in(navigation())
     documents = [str(file.relative_to(ROOT)) for place in ("*.md", "docs/**/*.md") for file in ROOT.glob(place)]
-    sketches = [f"examples/{name}.md" for name in example_folders()]
+    sketches = [f"examples/{name}.md" for name in every_folder()]
     assert sorted(names) == sorted([*documents, *sketches, "playground/index.html", "reference/index.html"])
 
 
@@ -53,6 +53,7 @@ def test_page_of_an_example_has_the_sketch_and_leads_to_the_playground():
     page = example_page("UploadMission")
     assert sketch_of("UploadMission").read_text() in page
     assert "](../playground/index.html#example=UploadMission)" in page
+    assert "playground" not in example_page("UploadOverWifi")  # no simulated board has WiFi
 
 
 def test_link_to_a_sketch_leads_to_its_page():

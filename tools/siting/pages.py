@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from building import ROOT
-from examples import sketch_of
+from examples import example_folders, sketch_of
 
 TEXTS = ("README.md", "DESIGN.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
 SKETCH = re.compile(r"examples/[\w.]+/(\w+)/\1\.ino")
@@ -45,7 +45,8 @@ def examples() -> list[tuple[str, list[str]]]:
 
 def example_page(name: str) -> str:
     code = sketch_of(name).read_text()
-    return f"# {name}\n\n[Run it in the browser](../{PLAYGROUND}#example={name})\n\n```cpp\n{code}```\n"
+    runs = f"[Run it in the browser](../{PLAYGROUND}#example={name})\n\n" if name in example_folders() else ""
+    return f"# {name}\n\n{runs}```cpp\n{code}```\n"
 
 
 def write_examples(folder: Path) -> None:

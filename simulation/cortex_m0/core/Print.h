@@ -13,6 +13,16 @@
 namespace arduino {
 
 class __FlashStringHelper;
+class Print;
+
+// What knows how to print itself.
+class Printable {
+ public:
+  virtual size_t printTo(Print& to) const = 0;
+
+ protected:
+  ~Printable() = default;
+};
 
 class Print {
  public:
@@ -26,6 +36,7 @@ class Print {
 
   size_t print(const __FlashStringHelper* text) { return write(reinterpret_cast<const char*>(text)); }
   size_t print(const char* text) { return write(text); }
+  size_t print(const Printable& what) { return what.printTo(*this); }
   size_t print(char c) { return write(static_cast<uint8_t>(c)); }
   size_t print(unsigned char number, int base = DEC) { return print(static_cast<unsigned long>(number), base); }
   size_t print(int number, int base = DEC) { return print(static_cast<long>(number), base); }

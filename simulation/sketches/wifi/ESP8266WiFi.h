@@ -1,0 +1,4 @@
+// The name that it has on an ESP8266.
+#pragma once
+
+#include "WiFi.h"

@@ -1,0 +1,137 @@
+#include "mavmission/PacketLink.h"
+
+#include <doctest/doctest.h>
+
+#include "Frames.h"
+
+using namespace mavmission;
+
+namespace {
+
+// A radio that keeps its packets, and is busy or deaf as the test says.
+template <uint16_t kSize>
+class Radio : public PacketLink {
+ public:
+  Radio() : PacketLink(buffer_, kSize) {}
+  std::vector<Bytes> packets;
+  bool isBusy = false, refuses = false;
+
+  int available() override { return 0; }
+  int peek() override { return -1; }
+  int read() override { return -1; }
+
+ private:
+  bool sendPacket(const uint8_t* bytes, uint16_t size) override {
+    if (refuses) return false;
+    packets.push_back(Bytes(bytes, bytes + size));
+    return true;
+  }
+  bool isFree() override { return !isBusy; }
+
+  uint8_t buffer_[kSize];
+};
+
+size_t put(Print& radio, const Bytes& bytes) { return radio.write(bytes.data(), bytes.size()); }
+
+Bytes ofVersion1(uint16_t item) {
+  FrameParts parts = requestParts(item);
+  parts.version = 1;
+  return packed(parts);
+}
+
+Bytes signedFrame() {
+  FrameParts parts = requestParts(3);
+  parts.incompatibility = 1;
+  return packed(parts);
+}
+
+}  // namespace
+
+TEST_CASE("each frame leaves as a packet with its last byte, however it is written") {
+  for (const Bytes& frame : {heartbeat(), request(7), ofVersion1(7), signedFrame(), telemetry(255)}) {
+    Radio<280> radio;
+    for (size_t i = 0; i < frame.size(); ++i) {
+      CHECK(radio.packets.empty());
+      CHECK(radio.availableForWrite() == static_cast<int>(280 - i));
+      CHECK(radio.write(frame[i]) == 1);
+    }
+    REQUIRE(radio.packets.size() == 1);
+    CHECK(radio.packets[0] == frame);
+    CHECK(radio.availableForWrite() == 280);
+    CHECK(put(radio, frame + frame) == 2 * frame.size());
+    CHECK(radio.packets == std::vector<Bytes>(3, frame));
+    CHECK(radio.packetsSent() == 3);
+    CHECK(radio.unsent() == 0);
+  }
+}
+
+TEST_CASE("what stands between frames is left out, and a frame that holds such bytes is not") {
+  Radio<280> radio;
+  const Bytes zeros(12, 0), text = {'A', 'T', '\r', '\n'}, frame = telemetry(28, 0);
+  CHECK(put(radio, zeros + frame + text + zeros + request(1)) == 12 + frame.size() + 16 + request(1).size());
+  REQUIRE(radio.packets.size() == 2);
+  CHECK(radio.packets[0] == frame);
+  CHECK(radio.packets[1] == request(1));
+}
+
+TEST_CASE("frames gather while the radio is busy, as many as a packet takes, and none is split") {
+  Radio<50> radio;
+  radio.isBusy = true;
+  const Bytes frame = request(1);  // 17 bytes
+  CHECK(put(radio, frame + frame) == 2 * frame.size());
+  CHECK(radio.availableForWrite() == static_cast<int>(50 - 2 * frame.size()));
+  CHECK(put(radio, frame) == 50 - 2 * frame.size());  // there is no room for its end
+  CHECK(radio.availableForWrite() == 0);
+  CHECK(radio.packets.empty());
+  radio.isBusy = false;
+  CHECK(radio.availableForWrite() == static_cast<int>(2 * frame.size()));
+  REQUIRE(radio.packets.size() == 1);
+  CHECK(radio.packets[0] == frame + frame);
+  CHECK(put(radio, Bytes(frame.end() - 1, frame.end())) == 1);
+  REQUIRE(radio.packets.size() == 2);
+  CHECK(radio.packets[1] == frame);
+}
+
+TEST_CASE("a frame that waited leaves with flush(), and flush() does not wait for a busy radio") {
+  Radio<50> radio;
+  radio.isBusy = true;
+  put(radio, request(1));
+  radio.flush();
+  CHECK(radio.packets.empty());
+  radio.isBusy = false;
+  radio.flush();
+  radio.flush();
+  CHECK(radio.packets == std::vector<Bytes>(1, request(1)));
+}
+
+TEST_CASE("a frame that just fits a packet leaves, and one that is longer is left out, alone and whole") {
+  Radio<40> radio;
+  const Bytes fits = telemetry(28), longer = telemetry(29), next = request(2);
+  REQUIRE(fits.size() == 40);
+  CHECK(put(radio, fits) == 40);
+  CHECK(put(radio, longer + next) == longer.size() + next.size());
+  REQUIRE(radio.packets.size() == 2);
+  CHECK(radio.packets[0] == fits);
+  CHECK(radio.packets[1] == next);
+  CHECK(radio.unsent() == 1);
+}
+
+TEST_CASE("a frame that is longer than a packet is left out behind one that waits, too") {
+  Radio<40> radio;
+  radio.isBusy = true;
+  CHECK(put(radio, request(1) + telemetry(60) + request(2)) == 2 * request(1).size() + telemetry(60).size());
+  radio.isBusy = false;
+  radio.flush();
+  CHECK(radio.packets == std::vector<Bytes>(1, request(1) + request(2)));
+}
+
+TEST_CASE("a packet that the radio does not take is lost, and the next one is not") {
+  Radio<280> radio;
+  radio.refuses = true;
+  CHECK(put(radio, request(1)) == request(1).size());
+  radio.refuses = false;
+  CHECK(put(radio, request(2)) == request(2).size());
+  CHECK(radio.packets == std::vector<Bytes>(1, request(2)));
+  CHECK(radio.unsent() == 1);
+  CHECK(radio.packetsSent() == 1);
+}
