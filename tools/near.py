@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 
 NEAR = 0.6  # of difflib's ratios, which are 1 for the same word
 SHORTEST_BEGINNING = 3
+LAST_PORT = 65535
 
 
 def nearest(word: str, names: Iterable[str]) -> str:
@@ -47,18 +48,25 @@ def number(text: str) -> float:
     try:
         return float(text)
     except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number") from None
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
 
 
 def percent(text: str) -> float:
     value = number(text)
     if not 0 <= value <= 100:
-        raise argparse.ArgumentTypeError(f"{text} is not 0 to 100")
+        raise argparse.ArgumentTypeError(f"{text} is not a number from 0 to 100")
     return value
+
+
+def port_number(text: str) -> int:
+    """Of a server at the loopback address."""
+    if not text.isdecimal() or int(text) > LAST_PORT:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 0 to {LAST_PORT}")
+    return int(text)
 
 
 def positive(text: str) -> float:
     value = number(text)
     if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+        raise argparse.ArgumentTypeError(f"{text} is not a number above 0")
     return value

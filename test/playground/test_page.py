@@ -121,7 +121,7 @@ def test_a_dropped_waypoints_file_is_flown_where_it_was_drawn(page):
     [
         ("broken.plan", '{"fileType": "Plan", "mission": {', "broken.plan:1: "),
         ("empty.plan", "", "empty.plan:1: "),
-        ("photo.jpg", "no plan", "what kind of file is it?"),
+        ("photo.jpg", "no plan", "is not a known kind of file"),
         ("bad.waypoints", WAYPOINTS.replace("47.3980000", "47,3980000"), "bad.waypoints:4: "),
         ("two.waypoints", WAYPOINTS.replace("\n2 0", "\n1 0"), "two.waypoints:4: number 1 is there twice"),
     ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import signal
@@ -10,6 +11,7 @@ import sys
 
 import pytest
 
+from _command import explained
 from building import ROOT
 from interrupts import can_be_interrupted
 
@@ -17,7 +19,7 @@ PYTHON = "#!/usr/bin/env python3\n"
 TOOLS = [file for file in sorted((ROOT / "tools").iterdir())
          if file.is_file() and os.access(file, os.X_OK) and file.read_text().startswith(PYTHON)]  # fmt: skip
 # Over in a moment.
-SHORT = {"doxygen_comments", "wiring"}
+SHORT = {"doxygen_comments"}
 
 
 @pytest.mark.parametrize("tool", [tool for tool in TOOLS if tool.name not in SHORT], ids=lambda tool: tool.name)
@@ -37,3 +39,37 @@ def test_interrupted_command_leaves_with_a_line_and_the_status_of_a_shell(tmp_pa
         running.send_signal(signal.SIGINT)
         said = running.stderr.read()
     assert (running.returncode, said) == (130, "\ntools/one: interrupted\n")
+
+
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        (["wiring", "-o", "a folder"], "tools/wiring: a folder: it is a folder; name a file"),
+        (["wiring", "-o", "none/x.svg"], "tools/wiring: none/x.svg: No such file or directory"),
+        (["playground", "--port", "65536"], "argument --port: '65536' is not a number from 0 to 65535"),
+        (["site", "--port", "-1"], "argument --port: '-1' is not a number from 0 to 65535"),
+        (["demo", "--latency", "slow"], "argument --latency: 'slow' is not a number"),
+        (["demo", "--plan", str(ROOT / "docs" / "farm.plan"), "--save", "x.pdf"], "x.pdf: is not a kind of file"),
+        (["plan", "check", "x.pdf"], "x.pdf: is not a known kind of file: its name must end in .plan"),
+    ],
+    ids=lambda part: " ".join(part)[:30] if isinstance(part, list) else "",
+)
+def test_wrong_argument_is_answered_in_one_line_before_anything_is_done(command, said, tmp_path):
+    (tmp_path / "a folder").mkdir()
+    name, *words = command
+    ran = subprocess.run([ROOT / "tools" / name, *words], cwd=tmp_path, capture_output=True, text=True)
+    assert ran.returncode in (1, 2) and said in ran.stderr.splitlines()[-1] and "Traceback" not in ran.stderr
+    assert ran.stdout == ""
+
+
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (FileExistsError(errno.EEXIST, "File exists", "README.md"), "README.md: it is a file; name a folder"),
+        (OSError(errno.EADDRINUSE, "Address already in use"), "that port is in use: choose another one with --port"),
+        (PermissionError(errno.EACCES, "Permission denied", "/x"), "/x: Permission denied"),
+        (OSError("no more"), "no more"),
+    ],
+)
+def test_error_of_a_file_is_explained(error, said):
+    assert explained(error) == said

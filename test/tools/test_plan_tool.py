@@ -328,12 +328,12 @@ def test_altitudes_keep_what_they_are_measured_from():
 
 
 def test_file_of_another_kind_is_refused(tmp_path):
-    with pytest.raises(BadPlan, match="what kind of file"):
+    with pytest.raises(BadPlan, match="is not a known kind of file"):
         read_plan(tmp_path / "plan.gpx")
     with pytest.raises(BadPlan, match="cannot be read: No such file"):
         read_plan(tmp_path / "missing.plan")
     (tmp_path / "binary.plan").write_bytes(b"{\n\xff\xfe")
-    with pytest.raises(BadPlan, match="no UTF-8 text") as refused:
+    with pytest.raises(BadPlan, match="is not a text in UTF-8") as refused:
         read_plan(tmp_path / "binary.plan")
     assert refused.value.line == 2
 
@@ -463,7 +463,7 @@ def test_tool_converts_there_and_back_and_tells_what_is_not_carried(tmp_path):
         read_plan(FARM).items("fence")[:5] + [read_plan(FARM).items("fence")[5]]
     )
     ran = run("convert", FARM, tmp_path / "farm.gpx")
-    assert ran.returncode == 1 and "what kind of file is it to be" in ran.stderr
+    assert ran.returncode == 1 and "is not a kind of file that can be written" in ran.stderr
 
 
 def test_what_a_dot_plan_cannot_have_is_told(tmp_path):
@@ -560,4 +560,4 @@ def test_tool_explains_itself():
 def test_order_that_is_mistyped_is_named_with_the_one_that_was_meant():
     ran = subprocess.run([ROOT / "tools" / "plan", "chekc", FARM], capture_output=True, text=True, check=False)
     assert ran.returncode == 2
-    assert "there is no order chekc; did you mean check? There are check, show, draw, " in ran.stderr
+    assert "there is no command chekc; did you mean check? There are check, show, draw, " in ran.stderr

@@ -283,7 +283,7 @@ def test_packed_waypoints_are_read_as_they_were(tmp_path):
 @pytest.mark.parametrize(
     ("data", "says"),
     [
-        (b"no gzip", "is no gzip file, or is damaged"),
+        (b"no gzip", "is not a gzip file, or is damaged"),
         (gzip.compress(FARM.read_bytes())[:-9], "is a gzip file that was cut off"),
         (gzip.compress(b"0" * 65_000_000), "is larger than 64 MB"),
     ],

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from _command import explained
 from building import BuildFailed, build_sketch
 from examples import example_folders
 from near import did_you_mean
@@ -311,7 +312,9 @@ class Demonstration:
         title = f"{Path(self.settings.example).stem} to {NAMES[self.settings.autopilot]}{self._losses()}"
         try:
             draw(laid_out(marks), file, title, verdict.sentence)
-        except (OSError, ValueError) as error:
+        except OSError as error:
+            raise NoDemonstration(f"the picture: {explained(error)}") from error
+        except ValueError as error:
             raise NoDemonstration(f"cannot draw {file}: {error}") from error
         self._screen.say(f"drawn: {file}")
 

@@ -36,9 +36,8 @@ def read_plan(file: Path, unset_as_zero: bool = False, renumber: bool = False) -
     suffix = suffix_of(file)
     reader = READERS.get(suffix)
     if reader is None:
-        raise BadPlan(
-            file, None, f"what kind of file is it? The suffixes known are {', '.join(READERS)}, and .gz behind"
-        )
+        known = f"{', '.join(READERS)}, or in one of these and .gz"
+        raise BadPlan(file, None, f"is not a known kind of file: its name must end in {known}")
     more = {"renumber": renumber} if reader is waypoints.read else {}
     return reader(file, text_of(file), unset_as_zero, **more)
 
@@ -58,12 +57,12 @@ def text_of(file: Path) -> str:
     if file.suffix.lower() == PACKED:
         data = unpacked(file, data)
     if len(data) > LARGEST:
-        raise BadPlan(file, None, f"is larger than {LARGEST // 1_000_000} MB: this is no plan")
+        raise BadPlan(file, None, f"is larger than {LARGEST // 1_000_000} MB: this is not a plan")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        raise BadPlan(file, line, "is no UTF-8 text") from None
+        raise BadPlan(file, line, "is not a text in UTF-8: save the plan again in the ground station") from None
 
 
 def unpacked(file: Path, data: bytes) -> bytes:
@@ -71,7 +70,7 @@ def unpacked(file: Path, data: bytes) -> bytes:
     try:
         text = unpacking.decompress(data, LARGEST + 1)
     except zlib.error:
-        raise BadPlan(file, None, "is no gzip file, or is damaged") from None
+        raise BadPlan(file, None, "is not a gzip file, or is damaged") from None
     if not unpacking.eof and len(text) <= LARGEST:
         raise BadPlan(file, None, "is a gzip file that was cut off")
     return text
@@ -83,9 +82,7 @@ def reason(error: Exception) -> str:
 
 def write_plan(plan: Plan, file: Path, part: str = "mission") -> list[str]:
     """Writes a plan; what the file does not carry. `part`: the kind of items in a .waypoints file. Raises BadPlan."""
-    suffix = file.suffix.lower()
-    if suffix not in WRITTEN:
-        raise BadPlan(file, None, f"what kind of file is it to be? Those that are written are {', '.join(WRITTEN)}")
+    suffix = writable_suffix(file)
     if not plan.kinds:
         raise BadPlan(plan.file, None, "it has no items: there is nothing to write")
     try:
@@ -104,6 +101,14 @@ def write_plan(plan: Plan, file: Path, part: str = "mission") -> list[str]:
         raise BadPlan(plan.file, None, f"cannot be written as {file.name}: {error}") from None
     write_text(file, text)
     return notes
+
+
+def writable_suffix(file: Path) -> str:
+    suffix = file.suffix.lower()
+    if suffix not in WRITTEN:
+        known = ", ".join(WRITTEN)
+        raise BadPlan(file, None, f"is not a kind of file that can be written: its name must end in {known}")
+    return suffix
 
 
 def expect_another(file: Path, read: Path) -> None:
