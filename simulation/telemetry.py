@@ -13,8 +13,9 @@ from simulation.bench import Bench
 from simulation.fake_autopilot import mavlink
 
 # The listeners, in the order in which they are declared, and their messages.
-LISTENERS = {"position": 33, "attitude": 30, "battery": 147, "gps": 24, "rc": 65}
+LISTENERS = {"position": 33, "attitude": 30, "battery": 147, "gps": 24, "rc": 65, "hud": 74}
 HOME = {"home": 242}
+WAYPOINT = {"waypoint": 62}  # with BENCH_WAYPOINT
 NEVER = -1  # an age, as a signed number
 
 
@@ -34,7 +35,7 @@ class Telemetry(Bench):
         """(when [s], interval [us]) of each request for the listener's message."""
         return [(entry.time, entry.message.param2) for entry in self.wire.frames(">", "COMMAND_LONG")
                 if (entry.message.command, entry.message.param1)
-                == (mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, {**LISTENERS, **HOME}[listener])]  # fmt: skip
+                == (mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, {**LISTENERS, **HOME, **WAYPOINT}[listener])]  # fmt: skip
 
     def run_until_confirmed(self, *names: str, limit_s: float = 10.0) -> None:
         limit = self.now + limit_s

@@ -11,6 +11,7 @@
 #include "mavmission/EepromTimestamps.h"
 #include "mavmission/GpsListener.h"
 #include "mavmission/HomeListener.h"
+#include "mavmission/HudListener.h"
 #include "mavmission/LatLon.h"
 #include "mavmission/LinkDoctor.h"
 #include "mavmission/MessageListener.h"
@@ -27,4 +28,5 @@
 #include "mavmission/Steering.h"
 #include "mavmission/TelemetryListener.h"
 #include "mavmission/TelemetryPause.h"
+#include "mavmission/WaypointListener.h"
 #include "mavmission/WaypointsSource.h"

@@ -1,4 +1,5 @@
 """What an autopilot at rest says of itself: attitude, GPS, battery, remote control. Values as recorded."""
+import math
 from dataclasses import dataclass, field
 
 from .dialect import mavlink
@@ -23,6 +24,8 @@ class Instruments:
     remaining: int = 100  # [%]
     rc: list[int] = field(default_factory=list)
     rssi: int = 255
+    airspeed: float = 0.05  # [m/s]
+    tells_target: bool = True  # NAV_CONTROLLER_OUTPUT; in PX4's recordings of a copter there is none
 
     def message_of(self, identity: int, boot_ms: int, place: Place, altitude_mm: int):
         """The message of this id; None for one that is not about these, or has nothing to tell."""
@@ -37,6 +40,10 @@ class Instruments:
             return mavlink.MAVLink_battery_status_message(
                 0, 0, 0, NOT_MEASURED_C, cells, self.current_ca, self.consumed_mah, -1, self.remaining,
                 0, 0, [0] * 4, 0, 0)
+        if identity == mavlink.MAVLINK_MSG_ID_VFR_HUD:
+            return mavlink.MAVLink_vfr_hud_message(self.airspeed, 0.12, 359, 0, altitude_mm / 1000, -0.03)
+        if identity == mavlink.MAVLINK_MSG_ID_NAV_CONTROLLER_OUTPUT and self.tells_target:
+            return mavlink.MAVLink_nav_controller_output_message(0, 0, -90, -90, 120, 0, 0, -1.5)
         if identity == mavlink.MAVLINK_MSG_ID_RC_CHANNELS and self.rc:
             return mavlink.MAVLink_rc_channels_message(
                 boot_ms, len(self.rc), *self.rc, *[0] * (18 - len(self.rc)), self.rssi)
@@ -51,4 +58,4 @@ def of_ardupilot() -> Instruments:
 
 def of_px4() -> Instruments:
     """As PX4 in its simulator: no remote control, and a current that is not measured."""
-    return Instruments(volts=16.2, current_ca=-100, consumed_mah=-149)
+    return Instruments(volts=16.2, current_ca=-100, consumed_mah=-149, airspeed=math.nan, tells_target=False)

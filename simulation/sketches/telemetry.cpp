@@ -20,6 +20,10 @@ static AttitudeListener attitude(client, BENCH_INTERVAL_MS);
 static BatteryListener battery(client, BENCH_INTERVAL_MS);
 static GpsListener gps(client, BENCH_INTERVAL_MS);
 static RcListener rc(client, BENCH_INTERVAL_MS);
+static HudListener hud(client, BENCH_INTERVAL_MS);
+#ifdef BENCH_WAYPOINT
+static WaypointListener waypoint_(client, BENCH_INTERVAL_MS);
+#endif
 #if MAVMISSION_MAX_PAYLOAD >= 60
 static HomeListener home(client, BENCH_INTERVAL_MS);
 #endif
@@ -118,6 +122,27 @@ ACTION(rc_) {
   }
   Serial.println();
 }
+ACTION(hud_) {
+  tell(F("hud"), 0);
+  tellHeard(hud);
+  tellNumber(F("hasairspeed"), hud.hasAirspeed());
+  tellNumber(F("air"), hud.airspeedCmS());
+  tellNumber(F("ground"), hud.groundSpeedCmS());
+  tellNumber(F("climb"), hud.climbCmS());
+  tellNumber(F("throttle"), hud.throttlePercent());
+  tellNumber(F("heading"), hud.headingDeg());
+  Serial.println();
+}
+#ifdef BENCH_WAYPOINT
+ACTION(target_) {
+  tell(F("waypoint"), 0);
+  tellHeard(waypoint_);
+  tellNumber(F("distance"), waypoint_.distanceM());
+  tellNumber(F("bearing"), waypoint_.bearingDeg());
+  tellNumber(F("track"), waypoint_.crossTrackCm());
+  Serial.println();
+}
+#endif
 #if MAVMISSION_MAX_PAYLOAD >= 60
 ACTION(home_) {
   tell(F("home"), 0);
@@ -132,7 +157,10 @@ ACTION(interval) { client.setMessageInterval(numbers[0], numbers[1]); }
 
 static const Word words[] = {
     {"position", position_}, {"attitude", attitude_}, {"battery", battery_}, {"gps", gps_}, {"rc", rc_}, WORD(upload),
-    WORD(interval),
+    WORD(interval),          {"hud", hud_},
+#ifdef BENCH_WAYPOINT
+    {"waypoint", target_},
+#endif
 #if MAVMISSION_MAX_PAYLOAD >= 60
     {"home", home_},
 #endif

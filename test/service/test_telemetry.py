@@ -11,7 +11,7 @@ import pytest
 from disorders import latency_of
 from simulation import recordings
 from simulation.fake_autopilot import mavlink
-from simulation.telemetry import LISTENERS, NEVER, Telemetry
+from simulation.telemetry import LISTENERS, NEVER, WAYPOINT, Telemetry
 from simulation.wire import Wire
 
 NAMES = list(LISTENERS)
@@ -122,6 +122,64 @@ def test_recorded_channels_are_understood(alone):
             us = getattr(message, f"chan{number}_raw")
             assert told[f"ch{number}"] == (us if number <= message.chancount and us != UNKNOWN16 else 0)
         assert told["ch0"] == told["ch19"] == 0
+
+
+def in_hundredths(number: float) -> int:
+    """To the nearest, a half away from 0."""
+    return int(math.copysign(math.floor(abs(number) * 100 + 0.5), number))
+
+
+def test_recorded_displays_are_understood(alone):
+    for message in recorded("hud"):
+        say(alone, message)
+        told = alone.told("hud")
+        is_known = math.isfinite(message.airspeed)  # PX4 without a sensor sends a NaN
+        assert told["new"] and told["hasairspeed"] == is_known
+        assert told["air"] == (in_hundredths(message.airspeed) if is_known else 0)
+        assert told["ground"] == in_hundredths(message.groundspeed)
+        assert told["climb"] == in_hundredths(message.climb)
+        assert (told["throttle"], told["heading"]) == (message.throttle, message.heading)
+
+
+def test_display_in_a_climb_and_without_an_airspeed(alone):
+    say(alone, mavlink.MAVLink_vfr_hud_message(math.nan, 12.345, 271, 63, 500.0, -4.005))
+    told = alone.told("hud")
+    assert (told["hasairspeed"], told["air"], told["ground"], told["climb"]) == (0, 0, 1235, -401)
+    assert (told["throttle"], told["heading"]) == (63, 271)
+
+
+@pytest.fixture(scope="module")
+def with_waypoint():
+    return Telemetry(None, defines={"BENCH_WAYPOINT": True})
+
+
+def test_recorded_waypoints_are_understood(with_waypoint):
+    names = ["arducopter/clean_then_streams_10hz", "arducopter/ftp_flying", "ardurover/mission_end"]
+    messages = [message for name in names for message in samples(name, WAYPOINT["waypoint"])]
+    assert len({message.wp_dist for message in messages}) > 3
+    for message in messages:
+        say(with_waypoint, message)
+        told = with_waypoint.told("waypoint")
+        assert told["new"] and told["distance"] == message.wp_dist
+        assert told["bearing"] == message.target_bearing % 360
+        assert told["track"] == in_hundredths(message.xtrack_error)
+
+
+@pytest.mark.parametrize("bearing, told", [(-180, 180), (-1, 359), (0, 0), (179, 179), (360, 360)])
+def test_bearing_to_the_waypoint_is_from_0_on(with_waypoint, bearing, told):
+    say(with_waypoint, mavlink.MAVLink_nav_controller_output_message(0, 0, 0, bearing, 65535, 0, 0, 2.5))
+    heard = with_waypoint.told("waypoint")
+    assert (heard["bearing"], heard["distance"], heard["track"]) == (told, 65535, 250)
+
+
+def test_waypoint_is_asked_for_and_comes_from_ardupilot_alone(make, personality):
+    telemetry = make(defines={"BENCH_WAYPOINT": True})
+    telemetry.run(6.0)
+    told = telemetry.told("waypoint")
+    assert (told["heard"], told["distance"], told["bearing"], told["track"]) == (
+        (1, 120, 270, -150) if personality == "ArduPilot" else (0, 0, 0, 0)
+    )
+    assert telemetry.asked("waypoint")[0][1] == INTERVAL_US
 
 
 # What is not known
@@ -292,11 +350,12 @@ def test_all_come_on_a_line_that_loses_a_fifth_of_the_frames(make, seed):
     telemetry.wire.at_random("<", lose=20)
     telemetry.wire.set_latency(latency_of(seed))
     telemetry.run_until_confirmed(*NAMES, limit_s=40.0)
+    telemetry.run(1.0)  # the confirmation comes before the first message
     assert all(telemetry.told(name)["age"] < 3000 for name in NAMES)
     telemetry.autopilot.reboot(telemetry.now)
     telemetry.run(5.0)
     telemetry.run_until_confirmed(*NAMES, limit_s=40.0)
-    telemetry.run(1.0)  # the confirmation comes before the first message
+    telemetry.run(1.0)
     assert all(telemetry.told(name)["age"] < 3000 for name in NAMES)
 
 
