@@ -23,6 +23,7 @@
 #include "mavmission/PayloadMessages.h"
 #include "mavmission/PlanFiles.h"
 #include "mavmission/PositionListener.h"
+#include "mavmission/RadioListener.h"
 #include "mavmission/RcListener.h"
 #include "mavmission/StandardModes.h"
 #include "mavmission/Steering.h"

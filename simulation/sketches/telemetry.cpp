@@ -21,6 +21,7 @@ static BatteryListener battery(client, BENCH_INTERVAL_MS);
 static GpsListener gps(client, BENCH_INTERVAL_MS);
 static RcListener rc(client, BENCH_INTERVAL_MS);
 static HudListener hud(client, BENCH_INTERVAL_MS);
+static RadioListener radio(client);
 #ifdef BENCH_WAYPOINT
 static WaypointListener waypoint_(client, BENCH_INTERVAL_MS);
 #endif
@@ -133,6 +134,20 @@ ACTION(hud_) {
   tellNumber(F("heading"), hud.headingDeg());
   Serial.println();
 }
+ACTION(radio_) {
+  tell(F("radio"), 0);
+  tellNumber(F("heard"), radio.isHeard());
+  tellNumber(F("age"), radio.ageMs());
+  tellNumber(F("new"), radio.isNew());
+  tellNumber(F("rssi"), radio.rssi());
+  tellNumber(F("remote"), radio.remoteRssi());
+  tellNumber(F("noise"), radio.noise());
+  tellNumber(F("remotenoise"), radio.remoteNoise());
+  tellNumber(F("free"), radio.freeBufferPercent());
+  tellNumber(F("errors"), radio.receiveErrors());
+  tellNumber(F("corrected"), radio.corrected());
+  Serial.println();
+}
 #ifdef BENCH_WAYPOINT
 ACTION(target_) {
   tell(F("waypoint"), 0);
@@ -157,7 +172,7 @@ ACTION(interval) { client.setMessageInterval(numbers[0], numbers[1]); }
 
 static const Word words[] = {
     {"position", position_}, {"attitude", attitude_}, {"battery", battery_}, {"gps", gps_}, {"rc", rc_}, WORD(upload),
-    WORD(interval),          {"hud", hud_},
+    WORD(interval),          {"hud", hud_},           {"radio", radio_},
 #ifdef BENCH_WAYPOINT
     {"waypoint", target_},
 #endif

@@ -182,6 +182,26 @@ def test_waypoint_is_asked_for_and_comes_from_ardupilot_alone(make, personality)
     assert telemetry.asked("waypoint")[0][1] == INTERVAL_US
 
 
+RADIO = (51, 68)  # a SiK radio's ids
+
+
+@pytest.mark.parametrize("version", [1, 2])
+def test_radio_on_the_line_is_heard_beside_an_upload(telemetry, version):
+    before = telemetry.told("radio")
+    assert (before["heard"], before["age"], before["rssi"], before["noise"]) == (0, NEVER, 255, 255)
+    telemetry.run(2.0)
+    telemetry.tell("upload", 20)
+    telemetry.run(0.1)
+    telemetry.say(mavlink.MAVLink_radio_status_message(201, 187, 93, 44, 57, 1234, 65535), RADIO, version)
+    telemetry.run(0.1)
+    told = telemetry.told("radio")
+    assert (told["heard"], told["new"]) == (1, 1) and told["age"] < 200
+    assert (told["rssi"], told["remote"], told["noise"], told["remotenoise"]) == (201, 187, 44, 57)
+    assert (told["free"], told["errors"], told["corrected"]) == (93, 1234, 65535)
+    assert telemetry.run_until_ended(limit_s=20) == "Accepted"
+    assert not telemetry.told("radio")["new"]
+
+
 # What is not known
 
 
