@@ -23,28 +23,27 @@
 
 namespace mavmission {
 
-// A line to the autopilot over UDP, for MissionClient as any serial port. Over any class of Arduino's UDP: WiFiUDP of
-// an ESP32 or an ESP8266, EthernetUDP.
+// A line to the autopilot over UDP, which MissionClient uses like a serial port. It works with any class that
+// implements Arduino's UDP: WiFiUDP of an ESP32 or an ESP8266, EthernetUDP.
 //
 //   WiFiUDP udp;
 //   UdpLink line(udp);             // udp.begin(14550) in setup(), behind the network's own begin
 //   MissionClient autopilot(line);
 //
-// One peer. It is found: the sender whose datagram is the first that brings a heartbeat of an autopilot, with a right
-// checksum; or it is named, by setPeer(). From then on all other senders' datagrams are left out.
-// - A second sender that brings an autopilot's heartbeat within 1.2 s of the first is a second aircraft: no peer is
-//   taken, severalHeard() is true, and the sketch has to name one.
+// There is one peer. Either it is found: it is the sender of the first heartbeat of an autopilot with a right checksum.
+// Or the sketch names it by setPeer(). From then on datagrams of all other senders are ignored.
+// - A second sender of an autopilot's heartbeat within 1.2 s of the first counts as a second aircraft: then there is no
+//   peer, severalHeard() is true, and the sketch has to name one.
 // - A peer that was found, and has been silent for 5 s, may have restarted with another port: the next heartbeat of an
 //   autopilot from its address brings the new one. Another address is never taken in its place: the client might go on
 //   with another aircraft. A sketch that wants that calls forgetPeer(). A peer that was named stays as it was named.
 //
-// What is written leaves in whole frames, as PacketLink says: a frame for each datagram, at once. While there is no
-// peer it is lost, as on a line at whose other end nobody is. A datagram that is lost is a loss on the line, and
-// nothing else.
+// Each frame is sent at once, in its own datagram (see PacketLink). While there is no peer, frames are lost, as on a
+// wire with nothing at its end. A lost datagram is like a lost frame on a wire.
 //
-// Nothing waits here. UDP classes may: an Ethernet shield's endPacket() waits for an answer to its ARP where the peer
-// has gone, 1.6 s unless Ethernet.setRetransmissionTimeout() and setRetransmissionCount() say less. This class takes no
-// heap; WiFiUDP takes 1,460 bytes of it for sending, and as many for a datagram that has come, until that is read.
+// This class does not wait, but a UDP class may: if the peer has gone, an Ethernet shield's endPacket() waits for an
+// ARP answer, 1.6 s unless Ethernet.setRetransmissionTimeout() and setRetransmissionCount() say less. This class uses
+// no heap; WiFiUDP uses 1,460 bytes of heap for sending, and as many for a received datagram until it is read.
 //
 // RAM: MAVMISSION_UDP_BYTES, and some 50 bytes [bytes]. The UDP object belongs to the sketch, must outlive this, and
 // must not be used by anything else. Source: MAVLink guide, Packet Serialization; ports in docs/radio.md.
@@ -53,7 +52,7 @@ class UdpLink : public PacketLink {
   // `udp` need not have begun yet.
   explicit UdpLink(UDP& udp) : PacketLink(buffer_, sizeof(buffer_)), udp_(udp) {}
 
-  // Names the peer: what is sent goes there, what comes from there is heard, and nothing else.
+  // Names the peer: datagrams are sent only there, and accepted only from there.
   void setPeer(const IPAddress& address, uint16_t port) {
     forgetPeer();
     address_ = address;
@@ -61,7 +60,8 @@ class UdpLink : public PacketLink {
     isNamed_ = true;
   }
 
-  // Forgets the peer, named or found: the next one is looked for. The bytes of its last datagram are not read further.
+  // Forgets the peer, named or found: the next one that is found becomes the peer. The rest of its last datagram is
+  // dropped.
   void forgetPeer() {
     if (isPeers_) leaveOut();
     port_ = 0;
@@ -76,10 +76,10 @@ class UdpLink : public PacketLink {
   // True if two senders have brought heartbeats of autopilots: there is no peer until setPeer() or forgetPeer().
   bool severalHeard() const { return severalHeard_; }
 
-  // Datagrams of others that were left out. It wraps to 0 behind 65535.
+  // The number of ignored datagrams of others. After 65535 it is 0 again.
   uint16_t strangers() const { return strangers_; }
 
-  // The bytes of the peer's datagrams, one behind the other, as a serial port gives them.
+  // The bytes of the peer's datagrams, one after the other, as from a serial port.
   int available() override { return next() ? udp_.available() : 0; }
   int read() override { return next() ? udp_.read() : -1; }
   int peek() override { return next() ? udp_.peek() : -1; }

@@ -6,23 +6,24 @@
 
 namespace mavmission {
 
-// A line over packets, such as UDP, ESP-NOW or LoRa: what is written leaves in whole frames, each packet with one or
-// several, and a packet that is lost costs these frames and nothing else. The base of UdpLink (MavMissionUdp.h), and of
-// a class of the sketch's own that has sendPacket() and what reads: available(), read() and peek(), which give the
-// bytes of the packets that have come, one behind the other (docs/radio.md has one).
+// A line over packets, such as UDP, ESP-NOW or LoRa: each packet contains one or several whole frames, so a lost packet
+// loses only these frames. It is the base class of UdpLink (MavMissionUdp.h), and of a class that the sketch defines
+// with sendPacket() and with available(), read() and peek(), which give the bytes of the received packets, one after
+// the other (docs/radio.md has one).
 //
 // Frames are cut by their lengths, as the guide's "Packet Serialization" has them: MAVLink 1 and 2, with a signature or
-// without. What stands between frames is left out, as the zeros that the client writes before a repeat. Nothing waits,
-// and nothing is allocated: the buffer is the sketch's, or the derived class's.
+// without. Bytes between frames are left out, such as the zeros that the client writes before a repeat. No function
+// waits or allocates memory: the buffer belongs to the sketch or to the derived class.
 class PacketLink : public Stream {
  public:
   // The longest frame that MAVLink has: 10 bytes of header, 255 of payload, checksum, signature [bytes]. A client sends
   // no more than 50, or 63 where it signs; PlanFiles 263, and a message of the sketch's own 12 more than its payload.
   static constexpr uint16_t kLongestFrame = 280;
 
-  // What write() takes now without waiting [bytes]: room in the buffer.
+  // The number of bytes that write() takes now: the room in the buffer.
   int availableForWrite() override;
-  // Takes a byte; 0 if there is no room for it. With the last byte of a frame the packet leaves, if the radio is free.
+  // Takes a byte; returns 0 if there is no room for it. With the last byte of a frame the packet is sent, if the radio
+  // is free.
   size_t write(uint8_t byte) override;
   size_t write(const uint8_t* bytes, size_t size) override;
   using Print::write;
@@ -30,8 +31,8 @@ class PacketLink : public Stream {
   // sketch whose radio is not always free; the client's update() does it while it has more to send.
   void flush();
 
-  // Packets that were given to the radio, and what was not: packets that it did not take, and frames that are longer
-  // than a packet.
+  // Packets that were given to the radio; and what was not sent: packets that it did not take, and frames that are
+  // longer than a packet.
   uint16_t packetsSent() const { return packetsSent_; }
   uint16_t unsent() const { return unsent_; }
 
@@ -40,9 +41,9 @@ class PacketLink : public Stream {
   PacketLink(uint8_t* buffer, uint16_t size) : buffer_(buffer), size_(size) {}
   ~PacketLink() = default;
 
-  // Sends a packet of whole frames, without waiting; false if it could not be sent. Called while isFree() alone.
+  // Sends a packet of whole frames, without waiting; false if it could not be sent. Called only while isFree() is true.
   virtual bool sendPacket(const uint8_t* bytes, uint16_t size) = 0;
-  // False while the radio still sends the packet before. Frames gather meanwhile, as many as a packet takes.
+  // False while the radio still sends the last packet. Meanwhile frames are collected, as many as a packet takes.
   virtual bool isFree() { return true; }
 
  private:

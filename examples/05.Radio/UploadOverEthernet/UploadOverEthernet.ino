@@ -1,5 +1,5 @@
-// A Mega with an Ethernet shield (W5500, W5100): puts a plan aboard over UDP. The autopilot has Ethernet of its own, or
-// a bridge, or is a simulator; docs/radio.md says what to set there. The library "Ethernet" is the Arduino IDE's. Read
+// For a Mega with an Ethernet shield (W5500, W5100): uploads a plan over UDP. The autopilot has an Ethernet port or a
+// bridge, or is a simulator; docs/radio.md says what to set there. The library "Ethernet" is the Arduino IDE's. Read
 // the serial monitor at 115200 baud.
 
 #include <Ethernet.h>

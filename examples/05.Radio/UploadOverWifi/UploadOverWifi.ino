@@ -1,4 +1,4 @@
-// ESP32 and ESP8266: puts a plan aboard over WiFi, by UDP. The board joins a network: that of a telemetry bridge on the
+// For ESP32 and ESP8266: uploads a plan over WiFi, by UDP. The board joins a network: that of a telemetry bridge on the
 // autopilot's TELEM port, or the one in which a simulator runs. Nothing is wired to the autopilot. docs/radio.md says
 // what to set at the other end. Load it, and read the serial monitor at 115200 baud.
 

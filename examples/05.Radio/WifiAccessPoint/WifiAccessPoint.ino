@@ -1,8 +1,8 @@
-// ESP32 and ESP8266 as an access point: a telemetry bridge, or the computer with a simulator, joins the board's
-// network, and the plan goes aboard over UDP. The board is at 192.168.4.1 and listens on port 14550: that is what to
-// set at the other end (docs/radio.md). Read the serial monitor at 115200 baud.
+// For an ESP32 or ESP8266 as an access point: a telemetry bridge, or the computer with a simulator, joins the board's
+// network, and the plan is uploaded over UDP. The board has the address 192.168.4.1 and listens on port 14550: set
+// these at the other end (docs/radio.md). Read the serial monitor at 115200 baud.
 //
-// Whoever is in this network can fly the aircraft: choose a password of your own, of 8 letters or more.
+// Everybody in this network can fly the aircraft: choose your own password, of 8 letters or more.
 
 #ifdef ESP8266
 #include <ESP8266WiFi.h>
