@@ -2,6 +2,7 @@
 
 #include <Arduino.h>
 
+#include "../base/Flash.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
