@@ -26,17 +26,17 @@ namespace mavmission {
 // A line to the autopilot over UDP, which MissionClient uses like a serial port. It works with any class that
 // implements Arduino's UDP: WiFiUDP of an ESP32 or an ESP8266, EthernetUDP.
 //
-//   WiFiUDP udp;
-//   UdpLink line(udp);             // udp.begin(14550) in setup(), behind the network's own begin
+//   WiFiUDP udp; UdpLink line(udp);             // udp.begin(14550) in setup(), after the network has begun
 //   MissionClient autopilot(line);
 //
 // There is one peer. Either it is found: it is the sender of the first heartbeat of an autopilot with a right checksum.
 // Or the sketch names it by setPeer(). From then on datagrams of all other senders are ignored.
 // - A second sender of an autopilot's heartbeat within 1.2 s of the first counts as a second aircraft: then there is no
 //   peer, severalHeard() is true, and the sketch has to name one.
-// - A peer that was found, and has been silent for 5 s, may have restarted with another port: the next heartbeat of an
-//   autopilot from its address brings the new one. Another address is never taken in its place: the client might go on
-//   with another aircraft. A sketch that wants that calls forgetPeer(). A peer that was named stays as it was named.
+// - A peer that was found, and has been silent for 5 s, may have restarted with another port: with the next heartbeat
+//   of an autopilot from its address, the new port is used. Another address never replaces it, since the client might
+//   then continue with another aircraft; a sketch that wants this calls forgetPeer(). A peer that was named does not
+//   change.
 //
 // Each frame is sent at once, in its own datagram (see PacketLink). While there is no peer, frames are lost, as on a
 // wire with nothing at its end. A lost datagram is like a lost frame on a wire.

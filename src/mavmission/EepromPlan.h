@@ -137,7 +137,7 @@ class EepromPlan {
   uint16_t cachedIndex_;  // an item of the plan, and its address
   uint16_t cachedAddress_;
   uint16_t taken_;     // items of the plan being stored
-  uint16_t end_;       // the address behind the last one
+  uint16_t end_;       // the address after the last one
   uint16_t checksum_;  // of them
   uint16_t address_;   // of the bytes being written
   uint8_t length_;     // how many bytes; 0: none

@@ -32,7 +32,7 @@ class RadioListener : public detail::Listener {
   uint8_t remoteNoise() const { return values_.remoteNoise; }
   // The free part of the radio's transmit buffer [%]; near 0 more is sent than the radio carries.
   uint8_t freeBufferPercent() const { return values_.freeBuffer; }
-  // Packets with errors since the radio's start, and those that it could correct. They wrap to 0 behind 65535.
+  // Packets with errors since the radio's start, and those that it could correct. After 65535 they are 0 again.
   uint16_t receiveErrors() const { return values_.receiveErrors; }
   uint16_t corrected() const { return values_.corrected; }
 

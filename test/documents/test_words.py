@@ -17,6 +17,13 @@ INSTEAD = {
     r"takes? the plan (?:here|aboard) away": "delete the plan",
     r"fake autopilot": "simulated autopilot",
     r"does not say where it lies": "whether it is in flash or in RAM",
+    r"out of (?:other|a pilot's|the sketch's) hands|in other hands": "who is in control",
+    r"\b[Ww]hoever\b": "everybody who, or the name of who it is",
+    r"\b(?:go|goes|went|gone) out\b": "sent",
+    r"\border(?:ed)? of before\b|\bof before\b": "old, earlier",
+    r"what cannot be meant|number that cannot be meant": "an impossible number",
+    r"passed over": "ignored",
+    r"knows better says so": "how to choose another pin",
 }
 READ = [
     ROOT / "README.md", ROOT / "SECURITY.md", *sorted((ROOT / "docs").glob("*.md")),
