@@ -1,4 +1,4 @@
-// What the telemetry radio on the line says of itself (RADIO_STATUS): signal strength, noise, errors, free buffer.
+// The state of the telemetry radio on the line (RADIO_STATUS): signal strength, noise, errors, free buffer.
 #pragma once
 
 #include "service/Listener.h"
@@ -6,13 +6,14 @@
 namespace mavmission {
 
 // Receives RADIO_STATUS. The radio sends it by itself, a SiK radio once a second with its own system id, as do many
-// WiFi and ESP-NOW bridges: so nothing is requested, and any sender counts. An autopilot does not pass on what its own
-// radio says. On a signed link the message is heard all the same, and nobody has checked who sent it.
+// WiFi and ESP-NOW bridges: so nothing is requested, and any sender counts. An autopilot does not forward the message
+// of its own radio. On a signed link the message is received, too, although it has no signature.
 class RadioListener : public detail::Listener {
  public:
   // Must live as long as the client: declare it next to the client, not in a function.
   explicit RadioListener(MissionClient& client);
 
+  // The value of ageMs() before the first message.
   static constexpr uint32_t kNeverHeard = 0xFFFFFFFF;
   // 255 of a strength or a noise: not known.
   static constexpr uint8_t kUnknown = 255;
