@@ -28,7 +28,7 @@ class LoopUdp : public UDP {
     place.address = address;
     place.port = port;
     place.size = size;
-    memcpy(place.bytes, bytes, size);
+    if (size != 0) memcpy(place.bytes, bytes, size);
     return true;
   }
   size_t waiting() const { return count_; }

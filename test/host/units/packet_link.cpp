@@ -135,3 +135,23 @@ TEST_CASE("a packet that the radio does not take is lost, and the next one is no
   CHECK(radio.unsent() == 1);
   CHECK(radio.packetsSent() == 1);
 }
+
+TEST_CASE("a full buffer is sent by write() itself, once the radio is free, and what has begun moves to its front") {
+  Radio<50> radio;
+  radio.isBusy = true;
+  const Bytes last = heartbeat(), begun(last.begin(), last.begin() + 16);
+  CHECK(put(radio, request(1) + request(2) + begun) == 50);
+  CHECK(put(radio, Bytes(1, 0x77)) == 0);
+  radio.isBusy = false;
+  CHECK(put(radio, Bytes(last.begin() + 16, last.end())) == last.size() - 16);
+  REQUIRE(radio.packets.size() == 2);
+  CHECK(radio.packets[0] == request(1) + request(2));
+  CHECK(radio.packets[1] == last);
+}
+
+TEST_CASE("a frame that is longer than a packet is passed over by its length, whatever it holds") {
+  Radio<40> radio;
+  CHECK(put(radio, telemetry(60, 0xFD) + request(2)) == telemetry(60).size() + request(2).size());
+  CHECK(radio.packets == std::vector<Bytes>(1, request(2)));
+  CHECK(radio.unsent() == 1);
+}
