@@ -49,7 +49,7 @@ def page(opened):
 
 
 def test_map_and_console_stand_before_the_autopilot_and_the_start_is_within_its_bounds(page):
-    assert page.first_words.startswith("The autopilot is still coming: ")
+    assert page.first_words.startswith("The autopilot is loading: ")
     assert page.first_shown > 6
     assert page.shown_s <= BOUNDS["shown"] and page.shown_s < page.ready_s <= BOUNDS["ready"]
     assert len(page.asked_for) > 5 and all(address.startswith(page.address) for address in page.asked_for)
@@ -131,7 +131,7 @@ def test_a_file_that_is_no_plan_is_refused_in_words_and_nothing_changes(page, na
     page.wait_until_good()
     page.drop(name, text)
     page.wait_for_text("#notice", said)
-    assert page.notice.startswith("The plan was not taken: ")
+    assert page.notice.startswith("The plan was refused: ")
     assert page.value("document.getElementById('example').value") == "UploadMission"
 
 
@@ -139,7 +139,7 @@ def test_a_plan_that_the_autopilot_does_not_take_is_refused_by_the_sketch(page):
     page.begin("#example=PlanConsole&autopilot=px4")
     page.drop("strange.waypoints", WAYPOINTS.replace("2 0 3 16", "2 0 3 82"))
     page.wait_for_text("#console", "refused: ")
-    assert "PlanConsole did not take the plan" in page.outcome
+    assert "PlanConsole refused the plan" in page.outcome
 
 
 def test_a_pulled_cable_that_is_joined_again_lets_the_upload_go_on(page):
@@ -200,7 +200,7 @@ def test_fence_and_rally_points_are_drawn(page):
 
 def test_an_address_that_names_nonsense_is_told_and_the_rest_is_taken(page):
     page.begin("#example=Nonsense&loss=900&autopilot=px4&<img src=x>=1&seed=-1")
-    assert page.notice.startswith("The address names what is not there, and it is left out: example=Nonsense")
+    assert page.notice.startswith("Parts of the address are not known, and are ignored: example=Nonsense")
     assert all(word in page.notice for word in ("loss=900", "<img src=x>=1", "seed=-1"))
     assert page.wait_until_good().startswith("All 4 items are aboard PX4")
 

@@ -95,7 +95,7 @@ def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered
     assert page.outcome == "The autopilot has accepted all 4 items."
 
     page.begin("#example=StartMission")
-    assert "A sketch that arms is not offered" in page.notice
+    assert "A sketch that arms does not run with a real autopilot" in page.notice
     assert page.value("document.getElementById('example').value") == "UploadMission"
     page.drop("my.waypoints", "QGC WPL 110\n")
     page.wait_for_text("#notice", "PlanConsole arms")

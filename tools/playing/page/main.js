@@ -15,7 +15,7 @@ const MOST_LINES = 400; // of frames
 const MOST_TEXT = 60000; // of the console [characters]
 const SLOW = 0.95;
 const KEPT = "PlanConsole waits for a command: the plan that it had is still in the EEPROM.";
-const STOPPED = "PlanConsole did not take the plan, or could not go on: the serial monitor says why.";
+const STOPPED = "PlanConsole refused the plan, or failed: the serial monitor says why.";
 // What PlanConsole does with a dropped plan that is aboard, by its step.
 const NEXT = {
   2: " PlanConsole verifies it.", 3: " PlanConsole starts it.", 4: " PlanConsole has verified and started it.",
@@ -48,7 +48,7 @@ const pixhawk = new Pixhawk(
   (bytes) => far.postMessage({ does: "outside", bytes }),
   (why) => {
     if (!isOutside) return;
-    notice(`The real autopilot is gone: ${why}. This is the simulated one again.`);
+    notice(`The real autopilot is no longer connected: ${why}. The simulated one is used again.`);
     goOutside(false);
   },
 );
@@ -88,7 +88,7 @@ function begin() {
   timeline.forget();
   at("console").textContent = "";
   at("frames").replaceChildren();
-  at("vehicle").textContent = isOutside ? "" : "The aircraft is not there yet.";
+  at("vehicle").textContent = isOutside ? "" : "The aircraft is not known yet.";
   showItems();
   showSizes();
   if (!isReady) return;
@@ -164,8 +164,8 @@ far.onmessage = ({ data }) => {
 far.onerror = (error) => outcome(`The autopilot's worker has failed: ${error.message}`, "bad");
 
 function loading(what) {
-  const then = what === "Python" ? "Python, 13 MB, in which it runs" : "its messages and its parser";
-  outcome(`The autopilot is still coming: ${then}. Then the Mega is switched on.`, "loading");
+  const then = what === "Python" ? "Python, 13 MB" : "its messages and its parser";
+  outcome(`The autopilot is loading: ${then}. Then the Mega is switched on.`, "loading");
 }
 
 function ready(ms) {
@@ -313,7 +313,7 @@ function fillRow(row, [number, how, words]) {
 
 function showSizes() {
   const { ram, flash, says, prints, name } = example();
-  at("console").dataset.hint = prints ? "What the sketch prints stands here." : `${name} prints nothing.`;
+  at("console").dataset.hint = prints ? "What the sketch prints appears here." : `${name} prints nothing.`;
   at("says").textContent = says;
   at("ram").textContent = `${ram} of ${RAM} bytes`;
   at("flash").textContent = `${flash.toLocaleString("en")} of ${FLASH.toLocaleString("en")} bytes`;
@@ -372,8 +372,8 @@ function takeAddress(isFirst) {
   const names = known.examples.map((one) => one.name);
   const { state: wanted, complaints } = stateOf(location.hash, names);
   const refused = isOutside && known.examples.find((one) => one.name === wanted.example).arms;
-  notice(complaints.length ? `The address names what is not there, and it is left out: ${complaints.join(", ")}` : "");
-  if (refused) return notice("A sketch that arms is not offered to a real autopilot: the address is not followed.");
+  notice(complaints.length ? `Parts of the address are not known, and are ignored: ${complaints.join(", ")}` : "");
+  if (refused) return notice("A sketch that arms does not run with a real autopilot: the address is ignored.");
   const isSame = !isFirst && Object.keys(wanted).every((name) => wanted[name] === state[name]);
   state = wanted;
   showState();
@@ -388,7 +388,7 @@ function sendLoss() {
 }
 
 function take({ name, plan: read }) {
-  if (read.error) return notice(`The plan was not taken: ${read.error}`);
+  if (read.error) return notice(`The plan was refused: ${read.error}`);
   notice(read.notes.length ? `${name}: ${read.notes.join("; ")}` : "", false);
   plan = read;
   change({ example: "PlanConsole" }, true);
@@ -396,9 +396,9 @@ function take({ name, plan: read }) {
 
 async function readFile(file) {
   if (!file) return;
-  if (isOutside) return notice("PlanConsole arms, and so is not offered to a real autopilot.");
-  if (!isReady) return notice("The autopilot is still loading: drop the plan when it is there.");
-  if (file.size > LARGEST_FILE) return notice(`The plan was not taken: ${file.name} is larger than 64 MB.`);
+  if (isOutside) return notice("PlanConsole can arm, so it does not run with a real autopilot.");
+  if (!isReady) return notice("The autopilot is still loading: drop the plan when that is done.");
+  if (file.size > LARGEST_FILE) return notice(`The plan was refused: ${file.name} is larger than 64 MB.`);
   const bytes = await file.arrayBuffer();
   far.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
 }
@@ -502,4 +502,4 @@ async function open() {
   document.body.dataset.shownMs = Math.round(performance.now());
 }
 
-open().catch((error) => outcome(`The page cannot be put together: ${error.message}`, "bad"));
+open().catch((error) => outcome(`The page cannot start: ${error.message}`, "bad"));
