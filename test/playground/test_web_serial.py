@@ -98,9 +98,9 @@ def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered
     assert "A sketch that arms does not run with a real autopilot" in page.notice
     assert page.value("document.getElementById('example').value") == "UploadMission"
     page.drop("my.waypoints", "QGC WPL 110\n")
-    page.wait_for_text("#notice", "PlanConsole arms")
+    page.wait_for_text("#notice", "PlanConsole can arm")
 
     browser.click("#pixhawk")  # closes it
-    page.wait_for_text("#notice", "This is the simulated one again")
+    page.wait_for_text("#notice", "The simulated one is used again")
     assert page.wait_until_good().startswith("All ")
     assert browser.complaints() == []

@@ -283,7 +283,7 @@ function showItems() {
       const item = now?.sent[seq] || aboard[seq] || wanted[seq];
       const arrived = now && seq < now.arrived;
       const isAboard = isGood || (!now && aboard[seq]);
-      const kindOf = isAboard ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "meant";
+      const kindOf = isAboard ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "planned";
       const words = item?.words || "comes from a function";
       rows.push([seq, kindOf, kind === "plan" ? words : `${kind}: ${words}`]);
     }
