@@ -4,45 +4,45 @@
 #pragma once
 
 // The longest payload of a received message that is kept and decoded [bytes], 38 to 255. Longer frames are ignored, and
-// the frames after them are still received. 54 is enough for every message of the mission protocol and STATUSTEXT. Each
-// byte takes one byte of RAM.
+// the frames after them are still received. 54 is enough for every message of the mission protocol and STATUSTEXT.
+// Costs one byte of RAM for each byte.
 #ifndef MAVMISSION_MAX_PAYLOAD
 #define MAVMISSION_MAX_PAYLOAD 54
 #endif
 
 // How many received bytes one update() reads at most [bytes], 16 to 255. It limits the time that an update() takes. A
-// Mega's receive buffer holds 63: no more can be waiting there, however late the loop is. It takes no flash and no RAM.
+// Mega's receive buffer holds 63: no more can be waiting there, however late the loop is. Costs nothing.
 #ifndef MAVMISSION_BYTES_PER_UPDATE
 #define MAVMISSION_BYTES_PER_UPDATE 64
 #endif
 
-// How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Each takes the time to
-// read an item from its source.
+// How many items of a plan one update() checks before the transfer, at most [items], 1 to 255. Costs only the
+// time to read an item from its source.
 #ifndef MAVMISSION_ITEMS_PER_UPDATE
 #define MAVMISSION_ITEMS_PER_UPDATE 1
 #endif
 
 // 1: MissionClient::signWith() exists, which signs what is sent and refuses what is not signed (MAVLink guide, Message
-// Signing); 0 to 1 [switch]. 0 takes no flash and no RAM; docs/measurements.md says what 1 takes.
+// Signing); 0 to 1 [switch]. Costs nothing at 0; docs/measurements.md says what 1 costs.
 #ifndef MAVMISSION_SIGNING
 #define MAVMISSION_SIGNING 0
 #endif
 
 // Which autopilot it is, if its heartbeat says "generic" (HEARTBEAT.autopilot 0). Several autopilots say so, and
 // nothing that they send distinguishes them: 1 is Betaflight, 2 is iNav, 0 is none of these; 0 to 2 [number]. They take
-// different commands, and store them differently (docs/autopilots.md). 0 takes no flash and no RAM;
-// docs/measurements.md says what 1 and 2 take.
+// different commands, and store them differently (docs/autopilots.md). Costs nothing at 0;
+// docs/measurements.md says what 1 and 2 cost.
 #ifndef MAVMISSION_GENERIC_FIRMWARE
 #define MAVMISSION_GENERIC_FIRMWARE 0
 #endif
 
 // 1: the library is for ArduPilot only. The code for other autopilots is left out, and an operation with one of them
-// ends with Status::OtherAutopilot before anything is sent; 0 to 1 [switch]. 1 saves flash.
+// ends with Status::OtherAutopilot before anything is sent; 0 to 1 [switch]. Costs nothing: 1 saves flash.
 #ifndef MAVMISSION_ONLY_ARDUPILOT
 #define MAVMISSION_ONLY_ARDUPILOT 0
 #endif
 
-// 1: the same for PX4 only; 0 to 1 [switch].
+// 1: the same for PX4 only; 0 to 1 [switch]. Costs nothing: 1 saves flash.
 #ifndef MAVMISSION_ONLY_PX4
 #define MAVMISSION_ONLY_PX4 0
 #endif
