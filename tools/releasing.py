@@ -2,7 +2,7 @@
 
 In the zip is what library.json exports, and of the vendored headers those that the library includes. The
 tests and the tools are not: the IDE would copy them into each user's sketchbook, where nothing runs them,
-and they need Debian; a clone has them.
+and they need Debian; a clone has them, and the pages for those who change the library.
 """
 
 from __future__ import annotations
@@ -121,11 +121,13 @@ def problems_of_examples(root: Path) -> list[str]:
 def files_of(root: Path) -> list[Path]:
     """What goes into the zip, in order."""
     found: set[Path] = set()
-    for name in json.loads((root / "library.json").read_text())["export"]["include"]:
+    export = json.loads((root / "library.json").read_text())["export"]
+    for name in export["include"]:
         place = root / name
         found |= {file for file in ([place] if place.is_file() else place.rglob("*"))
                   if file.is_file() and not UNWANTED & set(file.parts) and not file.name.startswith(".")}  # fmt: skip
-    found -= {file for file in found if is_left_out(root, file)}
+    excluded = [root / name for name in export.get("exclude", ())]
+    found -= {file for file in found if is_left_out(root, file) or any(map(file.is_relative_to, excluded))}
     return sorted(found, key=lambda file: file.relative_to(root).as_posix())
 
 

@@ -241,7 +241,7 @@ def test_manifest_has_each_field_with_its_type_and_no_other():
         assert isinstance(fields[name], kind) and fields[name], name
     assert all(re.fullmatch(r"[a-z0-9-]+", word) for word in fields["keywords"])
     assert all(author.keys() == {"name"} for author in fields["authors"])
-    assert fields["export"].keys() == {"include"}
+    assert fields["export"].keys() == {"include", "exclude"}
 
 
 def test_manifest_says_what_library_properties_says():
@@ -255,7 +255,7 @@ def test_manifest_says_what_library_properties_says():
 
 def test_everything_the_manifest_exports_exists():
     exported = manifest()["export"]["include"]
-    assert [name for name in exported if not (ROOT / name).exists()] == []
+    assert [name for name in [*exported, *manifest()["export"]["exclude"]] if not (ROOT / name).exists()] == []
     assert {"src", "LICENSE", "library.json"} <= set(exported)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import posixpath
 import re
 import shutil
 import subprocess
@@ -188,6 +189,19 @@ def test_zip_has_the_whole_library_and_neither_tests_nor_tools(made):
     own = {f"MavMission/{file.relative_to(ROOT)}" for file in (ROOT / "src").rglob("*")
            if file.is_file() and not file.is_relative_to(vendored)}  # fmt: skip
     assert own <= set(names)
+
+
+@pytest.mark.slow
+def test_page_of_the_zip_links_to_nothing_that_is_left_out(made):
+    with zipfile.ZipFile(made) as archive:
+        names = set(archive.namelist())
+        pages = {name: archive.read(name).decode() for name in names if name.endswith(".md")}
+    links = {(page, posixpath.normpath(posixpath.join(posixpath.dirname(page), link)))
+             for page, text in pages.items() for link in re.findall(r"\]\((?!https?:)([^)#\s]+)", text)}  # fmt: skip
+    links = {(page, link) for page, link in links if link.startswith("MavMission/")}  # a badge's is GitHub's own
+    assert len(links) > 50
+    assert [(page, link) for page, link in sorted(links)
+            if link not in names and not any(name.startswith(f"{link}/") for name in names)] == []  # fmt: skip
 
 
 @pytest.mark.slow
