@@ -68,7 +68,7 @@ class ArduPilot(FakeAutopilot):
     vehicle_type: HEARTBEAT.type, as a plane has it in Q_MAV_TYPE; None for the vehicle's own.
     streams: the messages it sends unasked, and how often [s]; by default none, as a port whose
     SRn_ parameters are 0. ftp: False for BRD_OPTIONS' bit that disables MAVLink FTP.
-    lists_modes: it has AVAILABLE_MODES, as later than 4.6.
+    lists_modes: it has AVAILABLE_MODES, as later than 4.6. port_signs: False for bit 0 of its port's MAVn_OPTIONS.
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
@@ -84,7 +84,7 @@ class ArduPilot(FakeAutopilot):
                  ready_s: float | None = None, position_s: float | None = None, storage_s: float = 0.0,
                  vehicle_type: int | None = None,
                  streams: dict[int, float] | None = None, ftp: bool = True, lists_modes: bool = False,
-                 **options) -> None:
+                 port_signs: bool = True, **options) -> None:
         super().__init__(**options)
         self.kind = VEHICLES[self.vehicle]
         self.lists_modes = lists_modes
@@ -121,10 +121,11 @@ class ArduPilot(FakeAutopilot):
         lat, lon, altitude = home or (0, 0, 0.0)
         self.flight = Flight(self.kind.pace, Place(lat, lon, 0.0), altitude,
                              lambda: self.missions[MISSION].held,
-                             self._item_begun, self._item_reached, self._plan_over, self._landed)
+                             self._item_begun, self._item_reached, self._plan_over, self._landed, self._jumped)
         self.ftp = Ftp(self, ftp)
         self._hears = {
             "FILE_TRANSFER_PROTOCOL": self.ftp.hear,
+            **({"SETUP_SIGNING": self._on_setup_signing} if port_signs else {}),
             "MISSION_COUNT": self._to_missions(Missions.on_count),
             "MISSION_ITEM_INT": self._to_missions(Missions.on_item),
             "MISSION_ITEM": self._to_missions(Missions.on_item),
@@ -233,6 +234,8 @@ class ArduPilot(FakeAutopilot):
     def _set_current(self, seq: int, now: float) -> bool:
         if not 0 <= seq < len(self.missions[MISSION].held):
             return False
+        if seq == 0 or self.complete:
+            self.flight.forget_jumps()
         self.current = max(seq, 1) if len(self.missions[MISSION].held) > 1 else 0
         self.complete = False
         if self.running and self.mode == "AUTO":
@@ -462,6 +465,7 @@ class ArduPilot(FakeAutopilot):
         self._follow_flight()
         self.text(INFO, self.kind.disarmed, now)
         self.current = 0
+        self.flight.forget_jumps()
         if self.mode == "AUTO" and self.running:
             self._begin_plan(now)
 
@@ -540,6 +544,7 @@ class ArduPilot(FakeAutopilot):
         """Run the plan from its current item; disarmed it waits there."""
         if self.complete:
             self.current, self.complete = 0, False
+            self.flight.forget_jumps()
         self.running = True
         self._fly_from(max(self.current, 1), now)
 
@@ -593,6 +598,10 @@ class ArduPilot(FakeAutopilot):
             return
         name = _ITEM_NAMES.get(held[index].command, f"Cmd{held[index].command}")
         self.text(INFO, f"Mission: {index} {name}", self._cause(now), later_s=2 * TEXT_LAG_S)
+
+    def _jumped(self, index: int, item: Item, times: int, now: float) -> None:
+        of = f"{whole_number(item.param2)}" if item.param2 >= 0 else "unlimited"
+        self.text(INFO, f"Mission: {index} Jump {times}/{of}", self._cause(now), later_s=2 * TEXT_LAG_S)
 
     def _cause(self, now: float) -> float:
         """What it does of its own accord is told without the delay of an answer."""

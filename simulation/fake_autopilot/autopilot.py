@@ -82,10 +82,7 @@ class FakeAutopilot:
 
         self._packer = mavlink.MAVLink(None, system_id, component_id)
         self._decode: Callable[[bytes], Any] = frames.decode
-        if signing_key is not None:
-            self.signing.secret_key = signing_key
-            self.signing.sign_outgoing = True
-            self._decode = self._decode_signed
+        self.set_signing_key(signing_key)
         self._signing_time_s = signing_time_s
         self._hearing = Hearing(self.heard_by)
         self._hearing_elsewhere = Hearing(self.heard_by)
@@ -124,6 +121,20 @@ class FakeAutopilot:
     def signing(self):
         """pymavlink's state of signing: goodsig_count, badsig_count, timestamp..."""
         return self._packer.signing
+
+    def set_signing_key(self, key: bytes | None) -> None:
+        """From now on it signs with this key, and hears only what is signed with it; None for neither."""
+        self.signing.secret_key = key
+        self.signing.sign_outgoing = key is not None
+        self._decode = frames.decode if key is None else self._decode_signed
+
+    def _on_setup_signing(self, message, sender, now: float) -> None:
+        """Its key, and what time it is at the sender's; a key of zeros switches signing off."""
+        if message.target_system != self.address[0]:
+            return
+        key = bytes(message.secret_key)
+        self.set_signing_key(key if any(key) else None)
+        self._signing_time_s = message.initial_timestamp / 100_000 - now
 
     # -- driven from outside --------------------------------------------------------------
 

@@ -82,6 +82,7 @@ class Flight:
     """Flies a plan. Tells of each item that begins and ends through its callbacks.
 
     landed(now) is called on the ground, at the end of a landing; it answers whether the plan goes on.
+    jumped(index, item, times, now), if there is one, is called when a jump is taken for the times-th time.
     """
 
     def __init__(self, pace: Pace, home: Place, home_altitude: float,
@@ -89,7 +90,8 @@ class Flight:
                  begun: Callable[[int, Item, float], None],
                  reached: Callable[[int, Item, float], None],
                  over: Callable[[float], None],
-                 landed: Callable[[float], bool]) -> None:
+                 landed: Callable[[float], bool],
+                 jumped: Callable[[int, Item, int, float], None] | None = None) -> None:
         self.pace = pace
         self.home = home
         self.home_altitude = home_altitude  # [m above sea level]
@@ -103,9 +105,10 @@ class Flight:
         self._is_steady = False  # flies at its speed from the first moment on
         self._items = items
         self._begun, self._reached, self._over, self._landed = begun, reached, over, landed
+        self._jumped = jumped
         self._from, self._to = home, home
         self._began_at = 0.0
-        self._jumps_left: dict[int, int] = {}
+        self._jumps_done: dict[int, int] = {}
 
     def where(self, now: float) -> Place:
         """Where the vehicle is now."""
@@ -169,7 +172,7 @@ class Flight:
             item = items[index]
             self.index = index
             if item.command == JUMP:
-                index = self._after_jump(index, item)
+                index = self._after_jump(index, item, now)
                 continue
             self._begun(index, item, now)
             if self.index is None:
@@ -238,13 +241,15 @@ class Flight:
         self.target = None
 
     def forget_jumps(self) -> None:
-        self._jumps_left.clear()
+        self._jumps_done.clear()
 
-    def _after_jump(self, index: int, item: Item) -> int:
-        left = self._jumps_left.setdefault(index, int(item.param2))
-        if left == 0:
+    def _after_jump(self, index: int, item: Item, now: float) -> int:
+        done = self._jumps_done.get(index, 0)
+        if 0 <= int(item.param2) <= done:
             return index + 1
-        self._jumps_left[index] = left - 1 if left > 0 else left
+        self._jumps_done[index] = done + 1
+        if self._jumped is not None:
+            self._jumped(index, item, done + 1, now)
         return int(item.param1)
 
     def _height(self, item: Item) -> float:

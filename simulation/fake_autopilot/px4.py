@@ -1,4 +1,4 @@
-"""PX4 1.17.0: its modes, its commands, its flight, around its mission protocol."""
+"""PX4 1.17.0, or 1.18 on its way: its modes, its commands, its flight, around its mission protocol."""
 import math
 from collections.abc import Iterable
 
@@ -37,6 +37,7 @@ REACHED_AGAIN = 10  # times, at the most
 DISARM_AFTER_LANDING_S = 2.0  # in LAND; at the end of a plan at once
 MISSION_LANDED_S = 0.18  # from the landing to the text, and as long again to the disarming
 LOOKS_AFTER_S = 0.025  # after it has accepted a plan; 0.010 to 0.062 seen
+HOLDS_AFTER_S = 0.1  # from the end of its plan in the air to the change to HOLD; less than 0.24 seen
 COMMANDER_S = 0.005  # so much later answers the part that arms and changes modes; 0.004 to 0.014 seen
 STREAM_S = 1.0  # OFFBOARD wants a target in this time
 STREAM_GONE_S = 0.14  # and when it has still none so much later, it returns; 1.14 s from the last target seen
@@ -85,7 +86,9 @@ class Px4(FakeAutopilot):
     infeasible_text: whether it says in a STATUSTEXT why it will not fly an accepted plan (by
     source). The recorded one did not: it said so only by mission_state in MISSION_CURRENT.
     takeoff_required: its parameter MIS_TKO_LAND_REQ, off by default. streams: further messages that
-    it sends unasked, and how often [s].
+    it sends unasked, and how often [s]. is_1_18: as PX4 1.18 (a state of August 2026, before its release) it tells
+    again how many items a plan has, has DO_SET_MISSION_CURRENT, and takes SETUP_SIGNING.
+    sends_texts: by source, it sends a STATUSTEXT only on a link on which it has heard a ground station's heartbeat.
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_PX4
@@ -97,8 +100,11 @@ class Px4(FakeAutopilot):
                  home: tuple[int, int, float] = (473977428, 85455937, 489.5),
                  armed: bool = False, mode: tuple[int, int] | None = None,
                  infeasible_text: bool = True, takeoff_required: bool = False,
-                 tells_at_s: float = 0.5, streams: dict[int, float] | None = None, **options) -> None:
+                 tells_at_s: float = 0.5, streams: dict[int, float] | None = None,
+                 is_1_18: bool = False, sends_texts: bool = True, **options) -> None:
         super().__init__(**options)
+        self.is_1_18 = is_1_18
+        self.sends_texts = sends_texts
         if self.mavlink_version != 2:
             raise ValueError("PX4 speaks MAVLink 2: give mavlink_version=2")
         self.home = home
@@ -107,6 +113,7 @@ class Px4(FakeAutopilot):
         self.infeasible_text = infeasible_text
         self.takeoff_required = takeoff_required
         self.complete = False
+        self._is_set_since = False  # its current item, by DO_SET_MISSION_CURRENT, since the plan was complete
         self.instruments = instruments.of_px4()
         self.parameters = parameters.of_px4()
         self._parameters_set = 0
@@ -127,7 +134,7 @@ class Px4(FakeAutopilot):
                                         RALLY: rally_limit})
         self.flight = Flight(PACE, Place(home[0], home[1], 0.0), home[2],
                              lambda: self.missions.held[MISSION],
-                             self._item_begun, self._item_reached, self._plan_over, self._landed)
+                             self._item_begun, self._item_reached, self._plan_over, self._landed, self._jumped)
         missions = self.missions
         self._hears = {
             "MISSION_COUNT": missions.on_count,
@@ -145,6 +152,7 @@ class Px4(FakeAutopilot):
             "SET_POSITION_TARGET_GLOBAL_INT": self._on_set_target,
             "PARAM_REQUEST_READ": self._on_param_request_read,
             "PARAM_SET": self._on_param_set,
+            **({"SETUP_SIGNING": self._on_setup_signing} if is_1_18 else {}),
         }
         self.at("tell", tells_at_s, self._tell)
         self._streams = streams or {}
@@ -235,6 +243,14 @@ class Px4(FakeAutopilot):
         if self.flight.index is not None:
             self._fly_from(seq, now)
         return True
+
+    def _on_setup_signing(self, message, sender, now: float) -> None:
+        if self.armed:  # by source
+            self.text(CRITICAL, "MAVLink signing: rejected while armed", now)
+            return
+        super()._on_setup_signing(message, sender, now)
+        words = "key accepted" if any(message.secret_key) else "disabled"
+        self.text(INFO, f"MAVLink signing {words}", now)
 
     def _on_param_request_read(self, message, sender, now: float) -> None:
         if not self._is_for_its_parameters(message):
@@ -332,13 +348,14 @@ class Px4(FakeAutopilot):
             mavlink.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_message_interval,
             mavlink.MAV_CMD_GET_MESSAGE_INTERVAL: self._get_message_interval,
             mavlink.MAV_CMD_REQUEST_MESSAGE: self._request_message,
-            mavlink.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: self._request_capabilities,
+            mavlink.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: None if self.is_1_18 else self._request_capabilities,
+            mavlink.MAV_CMD_DO_SET_MISSION_CURRENT: self._do_set_mission_current if self.is_1_18 else None,
         }.get(message.command)
         if act is None:
             self._command_ack(message.command, RESULT_UNSUPPORTED, sender, now)
             return
         result = act(message, now)
-        if message.command == mavlink.MAV_CMD_DO_SET_MODE:
+        if message.command == mavlink.MAV_CMD_DO_SET_MODE and not self.is_1_18:
             # Two of its parts answer, and the first knows nothing yet.
             self._command_ack(message.command, RESULT_ACCEPTED, sender, now)
         by_commander = message.command in _TO_THE_COMMANDER
@@ -387,7 +404,7 @@ class Px4(FakeAutopilot):
     def _mode_ordered(self, main: int, sub: int, now: float) -> int:
         """Disarmed it takes any mode; what is missing then keeps it from being armed."""
         if main not in MAIN_MODES or not 0 <= sub <= 255:
-            return RESULT_UNSUPPORTED
+            return RESULT_REJECTED_FOR_NOW if self.is_1_18 else RESULT_UNSUPPORTED
         name = MODE_NAMES.get((main, sub))
         is_possible = self._has_stream(now) if name == "Offboard" else self._can_fly_plan()
         if self.armed and name and not is_possible:
@@ -422,6 +439,24 @@ class Px4(FakeAutopilot):
                 self.text(INFO, "Armed by mission start\t", now, later_s=COMMANDER_S + 0.001)
             self._set_mode(AUTO, SUB_MISSION, now)
         self._tell_if_changed(now)
+        return RESULT_ACCEPTED
+
+    def _do_set_mission_current(self, message, now: float) -> int:
+        """-1: the current item. With param2 = 1 the jumps count anew. MISSION_CURRENT tells of it when it flies."""
+        seq, items = message.param1, len(self.missions.held[MISSION])
+        if not math.isfinite(seq) or seq < -1 or message.param2 not in (0, 1):
+            return RESULT_DENIED
+        if not self._can_fly_plan() or int(seq) >= items:
+            return RESULT_FAILED
+        is_other = int(seq) not in (-1, self.missions.current)
+        if message.param2 == 1:
+            self.flight.forget_jumps()
+        if is_other or message.param2 == 1:
+            self._is_set_since = True
+        if is_other:
+            self.missions.current = int(seq)
+            if self.flight.index is not None:
+                self._fly_from(int(seq), now)
         return RESULT_ACCEPTED
 
     def _nav_takeoff(self, message, now: float) -> int:
@@ -522,6 +557,7 @@ class Px4(FakeAutopilot):
             self._mode_when_disarmed = (main, sub)
         self.flight.stop(now)
         if self.armed and (main, sub) == (AUTO, SUB_LAND):
+            self.complete = False
             self.flight.sink(now)
         elif (main, sub) == (AUTO, SUB_RTL) and self.flight.airborne(now):
             self.flight.fly_to(self.flight.home._replace(height=self.flight.where(now).height), now, lands=True)
@@ -531,8 +567,9 @@ class Px4(FakeAutopilot):
 
     def _fly_plan(self, now: float) -> None:
         """From its current item, wherever that stands."""
-        if self.complete:
-            self.missions.current, self.complete = 0, False
+        if self.complete and not self._is_set_since:
+            self.missions.current = 0
+        self.complete = self._is_set_since = False
         self.text(INFO, "Executing Mission\t", now, later_s=0.18)
         self._fly_from(self.missions.current, now)
 
@@ -577,7 +614,7 @@ class Px4(FakeAutopilot):
             return True
         if index is not None and index < len(held) and self._reached != index:
             self._item_reached(index, held[index], now)
-        self.complete = True
+        self._end_plan()
         now -= self.response_delay_s  # of its own accord
         self.text(INFO, "Landing detected\t", now, later_s=0.0)
         if index is None:
@@ -592,16 +629,31 @@ class Px4(FakeAutopilot):
             self._disarm(now)
             self.text(INFO, "Disarmed by landing\t", now, later_s=0.0)
 
-    def _plan_over(self, now: float) -> None:
-        self.complete = True
-        if self.flight.airborne(now):
+    def _hold_at_end(self, now: float) -> None:
+        if self.complete and (self.main_mode, self.sub_mode) == (AUTO, SUB_MISSION):
             self.sub_mode = SUB_LOITER
+            self._mode_when_disarmed = (AUTO, SUB_LOITER)
+
+    def _end_plan(self) -> None:
+        self.complete, self._is_set_since = True, False
+        self.flight.forget_jumps()
+
+    def _jumped(self, index: int, item: Item, times: int, now: float) -> None:
+        self.missions.tell_of_jump(index, now)
+
+    def _plan_over(self, now: float) -> None:
+        self._end_plan()
+        if self.flight.airborne(now):
+            self.text(INFO, "Mission finished, loitering\t", now - self.response_delay_s, later_s=0.008)
+            self.at("hold", now + HOLDS_AFTER_S, self._hold_at_end)
         else:
             self.at("disarm", now + DISARM_AFTER_LANDING_S, self._disarm_landed)
 
     # -- what it sends --------------------------------------------------------------------
 
     def text(self, severity: int, words: str, now: float, later_s: float = TEXT_LAG_S) -> None:
+        if not self.sends_texts:
+            return
         number = self._text_number
         self._text_number += 1
         for chunk, start in enumerate(range(0, len(words), TEXT_LENGTH)):

@@ -21,6 +21,7 @@ INFO = mavlink.MAV_SEVERITY_INFO
 
 ASKS_AGAIN_S = 0.265  # 0.250 and the wait for its next round; 0.251 to 0.287 seen
 GIVES_UP_S = 5.08  # 5.0 and the wait for its next round
+GIVES_UP_S_1_18 = 5.02  # the same, with shorter rounds: 4.79 to 5.03 seen
 CLEARS_ALL_IN_S = 0.5
 MISSION_PLANNER = mavlink.MAV_COMP_ID_MISSIONPLANNER
 TYPES = (MISSION, FENCE, RALLY)
@@ -44,6 +45,7 @@ class Missions:
         self._before: dict[int, tuple[list[Item], int]] = dict.fromkeys(TYPES, ([], 0))
         self._replaced_at: dict[int, float] = dict.fromkeys(TYPES, -math.inf)
         self._given: list[Item] = []  # by the download that runs
+        self._given_checksum = 0
         self.current = 0
         self.forget_transfer()
 
@@ -234,19 +236,40 @@ class Missions:
             self.autopilot.send_now(message, self._sent_at)
         self._set_timer()
 
+    @property
+    def _gives_up_s(self) -> float:
+        return GIVES_UP_S_1_18 if self.autopilot.is_1_18 else GIVES_UP_S
+
     def _set_timer(self) -> None:
-        due = self._heard_at + GIVES_UP_S
-        if self.state is State.RECEIVING:
+        due = self._heard_at + self._gives_up_s
+        tells_again = self.autopilot.is_1_18 and self.state is State.SENDING and self._seq == 0
+        if self.state is State.RECEIVING or tells_again:
             due = min(due, self._sent_at + ASKS_AGAIN_S)
         self.autopilot.at("transfer", due, self._on_timer)
 
     def _on_timer(self, now: float) -> None:
-        if now < self._heard_at + GIVES_UP_S:
-            self._request(now, at_once=True)
+        if now < self._heard_at + self._gives_up_s:
+            if self.state is State.RECEIVING:
+                self._request(now, at_once=True)
+            else:
+                self._tell_count(now)
+                self._set_timer()
             return
         self._go_idle()
         self._upload_open = False
-        self._complain("Operation timeout", now - self.autopilot.response_delay_s, later_s=0.0)
+        words = "Mission sync timeout" if self.autopilot.is_1_18 else "Operation timeout"
+        self._complain(words, now - self.autopilot.response_delay_s, later_s=0.0)
+
+    def _tell_count(self, at: float) -> None:
+        self._sent_at = at
+        self.autopilot.send_now(mavlink.MAVLink_mission_count_message(
+            *self._partner, self._count, self._type, self._given_checksum), at)
+
+    def tell_of_jump(self, seq: int, now: float) -> None:
+        """It sends the jump that it takes, unasked, to the partner of its last transfer."""
+        if self.state is not State.IDLE:
+            return
+        self.autopilot.send_now(item_int_message(self.as_read(MISSION)[seq], self._partner, seq, MISSION), now)
 
     def _go_idle(self) -> None:
         self.state = State.IDLE
@@ -292,9 +315,10 @@ class Missions:
     def on_request_list(self, message, sender, now: float) -> None:
         if not self._is_for_us(message):
             return
-        if self._seq == len(self.held.get(self._type, ())):
+        may_be_old = self.state is State.SENDING or not self.autopilot.is_1_18
+        if may_be_old and self._seq == len(self.held.get(self._type, ())):
             # All of the old download was sent, only its ACK is missing. It also is so when an
-            # upload happens to have come just as far as the old plan is long: that is dropped.
+            # upload happens to have come just as far as the old plan is long: that is dropped, before 1.18.
             self._go_idle()
         resumed = (self.state is State.SENDING and message.mission_type == self._type
                    and sender == self._partner)
@@ -310,12 +334,11 @@ class Missions:
         self.state = State.SENDING
         self._partner = sender
         self._seq = 0
-        self._given, checksum = self.held.get(self._type, []), self.checksums.get(self._type, 0)
+        self._given, self._given_checksum = self.held.get(self._type, []), self.checksums.get(self._type, 0)
         if now < self._replaced_at.get(self._type, -math.inf) + self.autopilot.faults.gives_plan_before_for_s:
-            self._given, checksum = self._before.get(self._type, ([], 0))
+            self._given, self._given_checksum = self._before.get(self._type, ([], 0))
         self._count = len(self._given)
-        self.autopilot.answer(mavlink.MAVLink_mission_count_message(
-            *sender, self._count, self._type, checksum), now)
+        self._tell_count(now + self.autopilot.response_delay_s)
         self._set_timer()
 
     def on_request(self, message, sender, now: float) -> None:

@@ -32,12 +32,14 @@ _LOSSY = "lossy_"
 _FTP = "ftp_"
 _GUIDED = "guided_"
 _PARAMETERS = "params"
+_MODES = "modes"
+_SIGNING = "signing"
 _OF_STARTS = ("start_", "mission_", "set_current_", "auto_and_arming", "request_messages")
 
 
 def names() -> list[str]:
     """All recordings of transfers, as "px4/item_lost"."""
-    of_others = (*_OF_STARTS, _LOSSY, _FTP, _GUIDED, _PARAMETERS)
+    of_others = (*_OF_STARTS, _LOSSY, _FTP, _GUIDED, _PARAMETERS, _MODES, _SIGNING)
     return [name for name in _all() if not name.split("/")[1].startswith(of_others)]
 
 
@@ -59,6 +61,16 @@ def ftp() -> list[str]:
 def parameters() -> list[str]:
     """All recordings of parameters read and set, as "px4/params"."""
     return [name for name in _all() if name.split("/")[1].startswith(_PARAMETERS)]
+
+
+def modes() -> list[str]:
+    """All recordings of a list of modes, as "arducopter_4_8/modes"."""
+    return [name for name in _all() if name.split("/")[1].startswith(_MODES)]
+
+
+def signing() -> list[str]:
+    """All recordings of signing that is switched on and off, as "arducopter_4_8/signing"."""
+    return [name for name in _all() if name.split("/")[1].startswith(_SIGNING)]
 
 
 def lossy() -> list[str]:

@@ -119,7 +119,7 @@ def test_its_heartbeats_show_the_same_modes_and_states(played):
 
 
 @pytest.mark.parametrize("name", [name for name in recordings.names()
-                                  if name.startswith("px4/")])
+                                  if name.startswith("px4")])
 def test_px4_tells_of_the_current_item_at_the_real_period(name):
     fake, _ = play(name)
     intervals = told_intervals(said_by(fake))

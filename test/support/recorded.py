@@ -6,13 +6,14 @@ import math
 from typing import Any
 
 from simulation import recordings
-from simulation.fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, Item, Px4
+from simulation.fake_autopilot import FENCE, MISSION, RALLY, ArduPilot, Item, Px4, mavlink
 from simulation.fake_autopilot.betaflight import Betaflight
 
 ANSWER_WITHIN_S = 0.050
 BAUD = 57600  # of the recorded line
 CLIENT = (255, 190)
-NOT_ABOUT_MISSIONS = ("EKF", "AHRS:", "PreArm:", "SIM ", "[logger]", "Arming disabled:")
+NOT_ABOUT_MISSIONS = ("EKF", "AHRS:", "PreArm:", "SIM ", "[logger]", "Arming disabled:",
+                      "Warning: Arming Checks Disabled")  # fmt: skip
 TELLS_AGAIN = ("MISSION_CURRENT", "MISSION_ITEM_REACHED")
 
 # The recording whose last accepted plan is aboard when this one begins, by mission type.
@@ -27,6 +28,9 @@ ABOARD_BEFORE = {
     "px4/float_items": {RALLY: "px4/rally"},
     "px4/flight": {MISSION: "px4/refused_items"},
 }
+# Of the fake, by folder of recordings.
+OPTIONS: dict[str, dict[str, Any]] = {"arducopter_4_8": {"home": (473977420, 85455940, 488.1), "lists_modes": True},
+                                      "px4_1_18": {"is_1_18": True}}
 UNRECORDED_FENCE_ID = 2043668742  # of a fence aboard in px4/flight that no recording shows
 
 
@@ -48,15 +52,23 @@ def plan_uploaded(name: str, mission_type: int) -> list[Item]:
     return plans_uploaded(name, mission_type)[-1]
 
 
+def is_of_ground_station(name: str) -> bool:
+    """Whether its client says that it is one. (Few recordings begin with another kind of client.)"""
+    return not any(one.direction == ">" and one.message.get_type() == "HEARTBEAT"
+                   and one.message.type != mavlink.MAV_TYPE_GCS for one in recordings.heard(name))  # fmt: skip
+
+
 def fake_for(name: str):
     """A fake in the state in which the recorded autopilot was."""
-    if name.startswith("arducopter/"):
-        fake = ArduPilot(uptime_s=100.0)
+    if name.startswith("arducopter"):
+        options = OPTIONS.get(name.split("/")[0], {})
+        fake = ArduPilot(uptime_s=100.0, port_signs=not name.endswith("port_off"), **options)
     else:
         first_told = next(one.time for one in recordings.heard(name) if one.message.get_type() == "MISSION_CURRENT")
         if name.startswith("betaflight/"):
             return Betaflight(uptime_s=100.0, has_home=False, tells_at_s=first_told)
-        fake = Px4(uptime_s=100.0, infeasible_text=False, tells_at_s=first_told)
+        fake = Px4(uptime_s=100.0, infeasible_text=False, tells_at_s=first_told, sends_texts=is_of_ground_station(name),
+                   **OPTIONS.get(name.split("/")[0], {}))  # fmt: skip
     for mission_type, earlier in ABOARD_BEFORE.get(name, {}).items():
         fake.load(plan_uploaded(earlier, mission_type), mission_type)
     if name == "px4/flight":
