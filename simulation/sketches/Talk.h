@@ -43,16 +43,6 @@ inline void tellHex(const uint8_t* bytes, uint8_t length) {
   }
 }
 
-// What update() has returned: each end, and each change.
-template <typename Status>
-void tellReturned(Status status) {
-  static Status last = Status::Idle;
-  if (status == last && !isEnd(status)) return;
-  last = status;
-  tell(F("returned"), static_cast<uint8_t>(status));
-  Serial.println();
-}
-
 inline void obey(const Word* words, uint8_t count, char* text) {
   Numbers numbers = {0, 0, 0, 0};
   char* rest = text;

@@ -1,27 +1,9 @@
 // The firmware of the scenario tests: a MissionClient on Serial1 that does what lines on Serial tell it, and says on
 // Serial what it sees. simulation/bench.py is the other end; it also writes the items of a RAM plan into benchPlan.
-//
-// A line is a word and up to three numbers. When it is done, the answer is "ok". What happens is told by lines that
-// begin with millis(): "1234 progress 1 10".
 #include <Arduino.h>
 #include <MavMission.h>
-#include <avr/sleep.h>
 
-#include "Line.h"
-
-using namespace mavmission;
-using namespace mavmission::detail;
-
-#ifndef BENCH_BAUD
-#define BENCH_BAUD 57600
-#endif
-
-static const uint8_t kPlanItems = 60;
-
-extern "C" {
-// Written by the test, from outside.
-MissionItem benchPlan[kPlanItems] __attribute__((used, externally_visible));
-}
+#include "BenchClient.h"
 
 constexpr MissionItem flashPlan[] PROGMEM = {
     takeoff(20_m),
@@ -30,12 +12,6 @@ constexpr MissionItem flashPlan[] PROGMEM = {
     returnToLaunch(),
 };
 
-#ifdef BENCH_DIRECT
-MissionClient client(Serial1);
-#else
-Line line(Serial1);
-MissionClient client(line);
-#endif
 #ifdef BENCH_FILES
 PlanFiles files(client);
 #endif
@@ -46,14 +22,11 @@ struct FunctionPlan {
 };
 
 static FunctionPlan functionPlan;
-static ItemSource plan = emptyPlan();
 static uint8_t uploadsInCallback;
 static uint16_t cancelAtItem = 0xFFFF;
 static uint16_t uploadAtItem = 0xFFFF;  // what onProgress() tries
 static uint16_t cancelInSource;         // at that call of the source's function, from 1
-static uint16_t stallEachMs, stallMs;
 static bool neverSleep;
-static Status lastReturned = Status::Idle;
 
 // The same as item_of_function_plan() in simulation/bench.py.
 static bool itemOfFunctionPlan(void* context, uint16_t index, MissionItem& item) {
@@ -77,18 +50,8 @@ static bool itemOfFunctionPlan(void* context, uint16_t index, MissionItem& item)
   return true;
 }
 
-static void tell(const __FlashStringHelper* word, uint16_t first) {
-  Serial.print(millis());
-  Serial.print(' ');
-  Serial.print(word);
-  Serial.print(' ');
-  Serial.print(first);
-}
-
 static void onProgress(void*, uint16_t done, uint16_t total) {
-  tell(F("progress"), done);
-  Serial.print(' ');
-  Serial.println(total);
+  tellProgress(done, total);
   if (done == cancelAtItem) client.cancel();
   if (done != uploadAtItem) return;
   tell(F("restarted"), static_cast<uint8_t>(client.uploadWithoutReadback(plan)));
@@ -106,13 +69,6 @@ static void onEnd(void*, Status status) {
   Serial.println();
 }
 
-static void tellNumber(const __FlashStringHelper* name, uint32_t value) {
-  Serial.print(' ');
-  Serial.print(name);
-  Serial.print('=');
-  Serial.print(value);
-}
-
 static void tellState() {
   tell(F("state"), static_cast<uint8_t>(client.status()));
   tellNumber(F("busy"), client.isBusy());
@@ -126,20 +82,6 @@ static void tellState() {
   tellNumber(F("system"), client.autopilotSystemId());
   tellNumber(F("component"), client.autopilotComponentId());
   tellNumber(F("armed"), client.isArmed());
-  Serial.println();
-}
-
-static void tellCounters() {
-  const LinkCounters counters = client.counters();
-  tell(F("counters"), 0);
-  tellNumber(F("bytes"), counters.bytes);
-  tellNumber(F("skipped"), counters.bytesSkipped);
-  tellNumber(F("frames"), counters.frames);
-  tellNumber(F("unknown"), counters.unknownMessages);
-  tellNumber(F("bad"), counters.badChecksums);
-  tellNumber(F("broken"), counters.brokenFrames);
-  tellNumber(F("lost"), counters.framesLost);
-  tellNumber(F("sent"), counters.framesSent);
   Serial.println();
 }
 
@@ -177,12 +119,7 @@ static void tellText(FlashText text) {
 
 // ---- What a line can be.
 
-typedef void (*Action)(const uint32_t (&numbers)[3]);
-#define ACTION(name) static void name(const uint32_t(&numbers)[3] __attribute__((unused)))
-
-ACTION(ram) { plan = inRam(benchPlan, numbers[0]); }
 ACTION(flash) { plan = inFlash(flashPlan); }
-ACTION(empty) { plan = emptyPlan(); }
 // Items, the item that is refused, and how often it is given before.
 ACTION(function) {
   functionPlan.refusedItem = numbers[1];
@@ -192,44 +129,18 @@ ACTION(function) {
 // A Readback: 0 none but the autopilot's answer, 1 read back when in doubt, 2 always.
 ACTION(upload) {
   const Readback proof = static_cast<Readback>(numbers[0]);
-  tell(F("began"),
-       static_cast<uint8_t>(proof == Readback() ? client.uploadWithoutReadback(plan) : client.upload(plan, proof)));
-  Serial.println();
+  tellBegun(proof == Readback() ? client.uploadWithoutReadback(plan) : client.upload(plan, proof));
 }
 #ifdef BENCH_FILES
-ACTION(fileupload) {
-  tell(F("began"), static_cast<uint8_t>(files.upload(plan)));
-  Serial.println();
-}
-ACTION(fileensure) {
-  tell(F("began"), static_cast<uint8_t>(files.ensure(plan)));
-  Serial.println();
-}
-ACTION(fileverify) {
-  tell(F("began"), static_cast<uint8_t>(files.verify(plan)));
-  Serial.println();
-}
-ACTION(verify) {
-  tell(F("began"), static_cast<uint8_t>(client.verify(plan)));
-  Serial.println();
-}
+ACTION(fileupload) { tellBegun(files.upload(plan)); }
+ACTION(fileensure) { tellBegun(files.ensure(plan)); }
+ACTION(fileverify) { tellBegun(files.verify(plan)); }
+ACTION(verify) { tellBegun(client.verify(plan)); }
 #endif
 #ifdef BENCH_ENSURE
-ACTION(ensure) {
-  tell(F("began"), static_cast<uint8_t>(client.ensure(plan)));
-  Serial.println();
-}
+ACTION(ensure) { tellBegun(client.ensure(plan)); }
 #endif
-ACTION(cancel) { client.cancel(); }
-ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
-ACTION(talk) { client.setTargetIds(numbers[0], numbers[1]); }
-ACTION(speak) { client.setMavlinkVersion(static_cast<MavlinkVersion>(numbers[0])); }
-ACTION(armed) { client.allowWhileArmed(numbers[0]); }
-ACTION(raw) { client.useRawNumbering(numbers[0]); }
 ACTION(floats) { client.useMissionItemFallback(numbers[0]); }
-ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
-ACTION(limit) { client.setOperationTimeout(numbers[0]); }
-ACTION(backoff) { client.retryWhenBusy(numbers[0]); }
 ACTION(callbacks) {
   client.onProgress(numbers[0] ? onProgress : nullptr);
   client.onEnd(numbers[0] ? onEnd : nullptr);
@@ -238,14 +149,8 @@ ACTION(again) { uploadsInCallback = numbers[0]; }
 ACTION(cancelat) { cancelAtItem = numbers[0]; }
 ACTION(uploadat) { uploadAtItem = numbers[0]; }
 ACTION(cancelin) { cancelInSource = numbers[0]; }
-// Each so many milliseconds, loop() takes so many milliseconds longer.
-ACTION(stall) {
-  stallEachMs = numbers[0];
-  stallMs = numbers[1];
-}
 ACTION(nosleep) { neverSleep = numbers[0]; }
 ACTION(state) { tellState(); }
-ACTION(counters) { tellCounters(); }
 ACTION(text) { tellText(toString(static_cast<Status>(numbers[0]))); }
 ACTION(aboard) { tellText(toString(static_cast<Aboard>(numbers[0]))); }
 #if MAVMISSION_SIGNING
@@ -261,24 +166,12 @@ ACTION(post) {
 }
 #endif
 #ifndef BENCH_DIRECT
-ACTION(room) { line.setRoom(numbers[0]); }
 ACTION(blind) { line.setBlind(numbers[0]); }
-ACTION(blocked) {
-  tell(F("blocked"), line.blocked());
-  Serial.println();
-}
 #endif
 
-struct Word {
-  const char* name;
-  Action action;
-};
-#define WORD(name) {#name, name}
 static const Word words[] = {
-    WORD(ram),        WORD(flash),      WORD(empty),      WORD(function), WORD(upload),   WORD(cancel),   WORD(ids),
-    WORD(talk),       WORD(speak),      WORD(armed),      WORD(raw),      WORD(floats),   WORD(waiting),  WORD(limit),
-    WORD(callbacks),  WORD(again),      WORD(cancelat),   WORD(stall),    WORD(uploadat), WORD(cancelin), WORD(nosleep),
-    WORD(state),      WORD(counters),   WORD(text),       WORD(aboard),   WORD(backoff),
+    WORDS_OF_CLIENT,  WORD(flash),      WORD(function),   WORD(upload),  WORD(floats), WORD(callbacks), WORD(again),
+    WORD(cancelat),   WORD(uploadat),   WORD(cancelin),   WORD(nosleep), WORD(state),  WORD(text),      WORD(aboard),
 #ifdef BENCH_FILES
     WORD(fileupload), WORD(fileverify), WORD(fileensure), WORD(verify),
 #endif
@@ -289,78 +182,23 @@ static const Word words[] = {
     WORD(sign),       WORD(time),       WORD(signing),    WORD(post),
 #endif
 #ifndef BENCH_DIRECT
-    WORD(room),       WORD(blind),      WORD(blocked),
+    WORD(blind),
 #endif
 };
-
-static void obey(char* text) {
-  uint32_t numbers[3] = {0, 0, 0};
-  char* rest = text;
-  while (*rest != 0 && *rest != ' ') ++rest;
-  if (*rest != 0) *rest++ = 0;
-  for (uint32_t& number : numbers) number = strtoul(rest, &rest, 10);
-  for (const Word& word : words) {
-    if (strcmp(word.name, text) != 0) continue;
-    word.action(numbers);
-    Serial.println(F("ok"));
-    return;
-  }
-  Serial.println(F("what?"));
-}
-
-static void listen() {
-  static char text[40];
-  static uint8_t length;
-  while (Serial.available()) {
-    const char c = Serial.read();
-    if (c != '\n') {
-      if (length + 1u < sizeof(text)) text[length++] = c;
-      continue;
-    }
-    text[length] = 0;
-    length = 0;
-    obey(text);
-  }
-}
-
-// Until the next interrupt, at the latest that of millis(). The simulator jumps over it.
-static void sleep() {
-  noInterrupts();
-  if (Serial.available() == 0 && Serial1.available() == 0) {
-    sleep_enable();
-    interrupts();  // takes effect after the next instruction: nothing is slept through
-    sleep_cpu();
-    sleep_disable();
-  }
-  interrupts();
-}
 
 // Apart, so that its calls can be watched.
 extern "C" __attribute__((noinline, noclone)) Status updateClient() { return client.update(); }
 
 void setup() {
-  Serial.begin(500000);
-  Serial1.begin(BENCH_BAUD);
-  set_sleep_mode(SLEEP_MODE_IDLE);
   asm volatile("" : : "r"(&benchPlan) : "memory");
   client.onProgress(onProgress);
   client.onEnd(onEnd);
-  Serial.println(F("ready"));
+  setUpTalk();
 }
 
 void loop() {
-  static uint16_t stalledMs;
-  listen();
-  const uint16_t nowMs = millis();
-  if (stallMs != 0 && static_cast<uint16_t>(nowMs - stalledMs) >= stallEachMs) {
-    stalledMs = nowMs;
-    delay(stallMs);
-  }
-  const Status status = updateClient();
-  if (status != lastReturned || isEnd(status)) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
-  if (!neverSleep) sleep();
+  listen(words);
+  stallWhereDue();
+  tellReturned(updateClient());
+  if (!neverSleep) sleepIfNothingCame(Serial1);
 }

@@ -3,7 +3,7 @@
 #include <Arduino.h>
 #include <MavMission.h>
 
-#include "Talk.h"
+#include "ClientTalk.h"
 
 using namespace mavmission;
 
@@ -17,7 +17,6 @@ constexpr MissionItem plan[] PROGMEM = {
 static MissionClient client(Serial1);
 static LinkDoctor doctor(client);
 static uint32_t baud = 57600;
-static uint16_t stallEachMs, stallMs;
 static Verdict lastVerdict = Verdict::Listening;
 
 static void setBaud(void*, uint32_t tried) {
@@ -35,10 +34,7 @@ ACTION(open) {
 ACTION(bauds) { doctor.tryBauds(setBaud, baud); }
 ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
 ACTION(talkto) { client.setTargetIds(numbers[0], numbers[1]); }
-ACTION(stall) {
-  stallEachMs = numbers[0];
-  stallMs = numbers[1];
-}
+ACTION(stall) { setStall(numbers); }
 ACTION(doctor_) {
   tell(F("doctor"), static_cast<uint8_t>(doctor.verdict()));
   tellNumber(F("baud"), doctor.baud());
@@ -61,24 +57,13 @@ static const Word words[] = {WORD(upload), WORD(open),  WORD(bauds), WORD(ids),
 // Apart, so that its calls can be watched.
 extern "C" __attribute__((noinline, noclone)) Verdict updateDoctor() { return doctor.update(); }
 
-void setup() {
-  Serial.begin(500000);
-  Serial1.begin(baud);
-  setUpSleep();
-  Serial.println(F("ready"));
-}
+void setup() { setUpTalk(baud); }
 
 void loop() {
-  static uint16_t stalledMs;
   listen(words);
-  const uint16_t nowMs = millis();
-  if (stallMs != 0 && static_cast<uint16_t>(nowMs - stalledMs) >= stallEachMs) {
-    stalledMs = nowMs;
-    delay(stallMs);
-  }
+  stallWhereDue();
   const Verdict verdict = updateDoctor();
-  const Status status = client.update();
-  tellReturned(status);
+  tellReturned(client.update());
   if (verdict != lastVerdict) {
     lastVerdict = verdict;
     tell(F("verdict"), static_cast<uint8_t>(verdict));

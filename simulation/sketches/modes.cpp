@@ -3,21 +3,12 @@
 #include <Arduino.h>
 #include <MavMission.h>
 
-#include "Talk.h"
+#include "ClientTalk.h"
 
 using namespace mavmission;
 
-#ifndef BENCH_BAUD
-#define BENCH_BAUD 57600
-#endif
-
 static MissionClient client(Serial1);
 static StandardModes modes(client);
-
-static void tellBegun(Status status) {
-  tell(F("began"), static_cast<uint8_t>(status));
-  Serial.println();
-}
 
 ACTION(set) { tellBegun(modes.set(static_cast<StandardMode>(numbers[0]))); }
 ACTION(read) { tellBegun(modes.read(numbers[0])); }
@@ -36,16 +27,10 @@ ACTION(entry) {
 
 static const Word words[] = {WORD(set), WORD(read), WORD(setmode), WORD(custom), WORD(cancel), WORD(entry)};
 
-void setup() {
-  Serial.begin(500000);
-  Serial1.begin(BENCH_BAUD);
-  setUpSleep();
-  Serial.println(F("ready"));
-}
+void setup() { setUpTalk(); }
 
 void loop() {
   listen(words);
-  const Status status = client.update();
-  tellReturned(status);
+  tellReturned(client.update());
   sleepIfNothingCame(Serial1);
 }

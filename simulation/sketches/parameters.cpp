@@ -3,16 +3,11 @@
 #include <Arduino.h>
 #include <MavMission.h>
 
-#include "Talk.h"
+#include "ClientTalk.h"
 
 using namespace mavmission;
 
-#ifndef BENCH_BAUD
-#define BENCH_BAUD 57600
-#endif
-
 extern "C" {
-#define FROM_OUTSIDE __attribute__((used, externally_visible))
 char benchName[20] FROM_OUTSIDE;
 float benchNumber FROM_OUTSIDE;
 }
@@ -23,16 +18,6 @@ static Parameters parameters(client);
 static PositionListener position(client, 500);
 #endif
 
-static void tellBegun(Status status) {
-  tell(F("began"), static_cast<uint8_t>(status));
-  Serial.println();
-}
-
-static bool place(void*, uint16_t index, MissionItem& item) {
-  item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
-  return true;
-}
-
 ACTION(read) { tellBegun(parameters.read(benchName)); }
 ACTION(readflash) { tellBegun(parameters.read(F("FENCE_ENABLE"))); }
 ACTION(set) { tellBegun(parameters.set(benchName, benchNumber)); }
@@ -42,7 +27,7 @@ ACTION(setwhole) {
 }
 ACTION(setwholeflash) { tellBegun(parameters.setWhole(F("MIS_RESTART"), 1)); }
 ACTION(armed) { client.allowWhileArmed(numbers[0]); }
-ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
+ACTION(upload) { client.upload(fromFunction(itemOnTheWayNorth, numbers[0])); }
 ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
 ACTION(cancel) { client.cancel(); }
 // keptValue(): its bits.
@@ -71,16 +56,12 @@ static const Word words[] = {
 };
 
 void setup() {
-  Serial.begin(500000);
-  Serial1.begin(BENCH_BAUD);
-  setUpSleep();
   asm volatile("" : : "r"(&benchName), "r"(&benchNumber) : "memory");
-  Serial.println(F("ready"));
+  setUpTalk();
 }
 
 void loop() {
   listen(words);
-  const Status status = client.update();
-  tellReturned(status);
+  tellReturned(client.update());
   sleepIfNothingCame(Serial1);
 }

@@ -3,13 +3,9 @@
 #include <Arduino.h>
 #include <MavMission.h>
 
-#include "Talk.h"
+#include "ClientTalk.h"
 
 using namespace mavmission;
-
-#ifndef BENCH_BAUD
-#define BENCH_BAUD 57600
-#endif
 
 static PayloadAnswer next = PayloadAnswer::Accepted;
 
@@ -29,11 +25,6 @@ static PayloadAnswer carryOut(void* context, const PayloadCommand& command) {
   }
   Serial.println();
   return next;
-}
-
-static bool place(void*, uint16_t index, MissionItem& item) {
-  item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
-  return true;
 }
 
 static uint8_t context = 77;
@@ -100,7 +91,7 @@ ACTION(longtext) {
   text.set(6, "a text of more than fifty characters, which are the most");
   tellSent(client.sendMessage(text));
 }
-ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
+ACTION(upload) { client.upload(fromFunction(itemOnTheWayNorth, numbers[0])); }
 ACTION(arm) { client.arm(); }
 
 static const Word words[] = {
@@ -109,17 +100,11 @@ static const Word words[] = {
     WORD(longtext),      WORD(upload),   WORD(arm),
 };
 
-void setup() {
-  Serial.begin(500000);
-  Serial1.begin(BENCH_BAUD);
-  setUpSleep();
-  Serial.println(F("ready"));
-}
+void setup() { setUpTalk(); }
 
 void loop() {
   listen(words);
-  const Status status = client.update();
-  tellReturned(status);
+  tellReturned(client.update());
   payload.update();
   sleepIfNothingCame(Serial1);
 }

@@ -3,13 +3,9 @@
 #include <Arduino.h>
 #include <MavMission.h>
 
-#include "Talk.h"
+#include "ClientTalk.h"
 
 using namespace mavmission;
-
-#ifndef BENCH_BAUD
-#define BENCH_BAUD 57600
-#endif
 
 static MissionClient client(Serial1);
 #ifdef BENCH_QUIET_LIST
@@ -20,15 +16,10 @@ static TelemetryPause quiet(client);
 #endif
 static bool isUsed = true;
 
-static bool place(void*, uint16_t index, MissionItem& item) {
-  item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
-  return true;
-}
-
 static bool takeItem(void*, uint16_t, const MissionItem&) { return true; }
 
-ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
-ACTION(verify) { client.verify(fromFunction(place, numbers[0])); }
+ACTION(upload) { client.upload(fromFunction(itemOnTheWayNorth, numbers[0])); }
+ACTION(verify) { client.verify(fromFunction(itemOnTheWayNorth, numbers[0])); }
 ACTION(download) { client.download(toFunction(takeItem)); }
 ACTION(clear) { client.clear(); }
 ACTION(arm) { client.arm(); }
@@ -47,17 +38,11 @@ static const Word words[] = {WORD(upload), WORD(verify),   WORD(download), WORD(
 // Apart, so that its calls can be watched.
 extern "C" __attribute__((noinline, noclone)) void updateQuiet() { quiet.update(); }
 
-void setup() {
-  Serial.begin(500000);
-  Serial1.begin(BENCH_BAUD);
-  setUpSleep();
-  Serial.println(F("ready"));
-}
+void setup() { setUpTalk(); }
 
 void loop() {
   listen(words);
   if (isUsed) updateQuiet();
-  const Status status = client.update();
-  tellReturned(status);
+  tellReturned(client.update());
   sleepIfNothingCame(Serial1);
 }

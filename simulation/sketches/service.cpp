@@ -4,22 +4,9 @@
 #include <Arduino.h>
 #include <MavMission.h>
 
-#include "Line.h"
-#include "Talk.h"
-
-using namespace mavmission;
-using namespace mavmission::detail;
-
-#ifndef BENCH_BAUD
-#define BENCH_BAUD 57600
-#endif
-
-static const uint8_t kPlanItems = 60;
+#include "BenchClient.h"
 
 extern "C" {
-// Written and read by the test, from outside.
-#define FROM_OUTSIDE __attribute__((used, externally_visible))
-MissionItem benchPlan[kPlanItems] FROM_OUTSIDE;
 MissionItem benchSink[kPlanItems] FROM_OUTSIDE;
 MissionItem benchHome FROM_OUTSIDE;
 FlightCommand benchCommand FROM_OUTSIDE;
@@ -32,12 +19,6 @@ const MessageKey positionKeys[] PROGMEM = {messageKey(24, 24, 30), messageKey(33
 const MessageKey attitudeKeys[] PROGMEM = {messageKey(30, 39, 28), messageKey(0, 50, 9), messageKey(24, 24, 30)};
 #endif
 
-#ifdef BENCH_DIRECT
-MissionClient client(Serial1);
-#else
-Line line(Serial1);
-MissionClient client(line);
-#endif
 MissionFollower follower(client);
 #ifdef BENCH_QUIET
 TelemetryPause quiet(client);
@@ -52,18 +33,10 @@ MovingTarget moving(steering);
 PlanFiles files(client);
 #endif
 
-static ItemSource plan = emptyPlan();
 static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
-static Status lastReturned = Status::Idle;
 static OutgoingMessage outgoing;
 static bool isPosting;
 static uint8_t chained;  // what onEnd() starts
-static uint16_t stallEachMs, stallMs;
-
-static void tellBegun(Status status) {
-  tell(F("began"), static_cast<uint8_t>(status));
-  Serial.println();
-}
 
 static void onMessage(void* context, const ReceivedMessage& message) {
   tell(F("message"), message.id);
@@ -89,11 +62,7 @@ static char secondListener = 'B';
 MessageListener attitudes(client, attitudeKeys, onMessage, &secondListener);
 #endif
 
-static void onProgress(void*, uint16_t done, uint16_t total) {
-  tell(F("progress"), done);
-  Serial.print(' ');
-  Serial.println(total);
-}
+static void onProgress(void*, uint16_t done, uint16_t total) { tellProgress(done, total); }
 
 static void onCurrent(void*, uint16_t item) {
   tell(F("current"), item);
@@ -174,26 +143,10 @@ static void tellFollowed() {
   Serial.println();
 }
 
-static void tellCounters() {
-  const LinkCounters counters = client.counters();
-  tell(F("counters"), 0);
-  tellNumber(F("bytes"), counters.bytes);
-  tellNumber(F("skipped"), counters.bytesSkipped);
-  tellNumber(F("frames"), counters.frames);
-  tellNumber(F("unknown"), counters.unknownMessages);
-  tellNumber(F("bad"), counters.badChecksums);
-  tellNumber(F("broken"), counters.brokenFrames);
-  tellNumber(F("lost"), counters.framesLost);
-  tellNumber(F("sent"), counters.framesSent);
-  Serial.println();
-}
-
 // ---- What a line can be.
 
 static PlanType typeOf(uint32_t number) { return static_cast<PlanType>(number); }
 
-ACTION(ram) { plan = inRam(benchPlan, numbers[0]); }
-ACTION(empty) { plan = emptyPlan(); }
 // Type, Proof.
 ACTION(upload) {
   if (numbers[1] == 0) return tellBegun(client.uploadWithoutReadback(plan, typeOf(numbers[0])));
@@ -244,7 +197,6 @@ ACTION(resume) { tellBegun(client.setMode(FlightMode::Auto)); }
 ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
 // benchCommand; 1: repeat it always.
 ACTION(order) { tellBegun(client.send(benchCommand, static_cast<CommandRepeat>(numbers[0]))); }
-ACTION(cancel) { client.cancel(); }
 // benchPayload: id, CRC_EXTRA, length, MAVLink 1 length.
 ACTION(post) {
   outgoing = OutgoingMessage{numbers[0], static_cast<uint8_t>(numbers[1]), static_cast<uint8_t>(numbers[2]),
@@ -252,14 +204,6 @@ ACTION(post) {
   isPosting = true;
 }
 ACTION(chain) { chained = numbers[0]; }
-ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
-ACTION(talk) { client.setTargetIds(numbers[0], numbers[1]); }
-ACTION(speak) { client.setMavlinkVersion(static_cast<MavlinkVersion>(numbers[0])); }
-ACTION(armed) { client.allowWhileArmed(numbers[0]); }
-ACTION(raw) { client.useRawNumbering(numbers[0]); }
-ACTION(waiting) { client.setAutopilotTimeout(numbers[0]); }
-ACTION(limit) { client.setOperationTimeout(numbers[0]); }
-ACTION(backoff) { client.retryWhenBusy(numbers[0]); }
 #ifdef BENCH_STEERING
 static float asFloat(uint32_t bits) {
   float value;
@@ -328,23 +272,8 @@ static void moveTarget() {
   moving.renew(targetPlace, targetAltitude);
 }
 #endif
-#ifndef BENCH_DIRECT
-ACTION(room) { line.setRoom(numbers[0]); }
-#endif
-// Each so many milliseconds, loop() takes so many milliseconds longer.
-ACTION(stall) {
-  stallEachMs = numbers[0];
-  stallMs = numbers[1];
-}
 ACTION(state) { tellState(); }
 ACTION(followed) { tellFollowed(); }
-ACTION(counters) { tellCounters(); }
-#ifndef BENCH_DIRECT
-ACTION(blocked) {
-  tell(F("blocked"), line.blocked());
-  Serial.println();
-}
-#endif
 // Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type, HEARTBEAT.type.
 ACTION(compare) {
   tell(F("field"),
@@ -359,60 +288,40 @@ ACTION(fieldtext) {
 }
 
 static const Word words[] = {
-    WORD(ram),          WORD(empty),         WORD(upload),
-    WORD(uploadagain),  WORD(uploadpart),    WORD(verify),
-    WORD(download),     WORD(downloadtoram), WORD(downloadtosmall),
-    WORD(clear),        WORD(start),         WORD(arm),
-    WORD(disarm),       WORD(mode),          WORD(custommode),
-    WORD(startmission), WORD(setcurrent),    WORD(pause),
-    WORD(resume),       WORD(interval),      WORD(order),
-    WORD(cancel),       WORD(post),          WORD(chain),
-    WORD(ids),          WORD(talk),          WORD(speak),
-    WORD(armed),        WORD(raw),           WORD(waiting),
-    WORD(limit),        WORD(backoff),       WORD(state),
-    WORD(followed),     WORD(counters),      WORD(compare),
-    WORD(fieldtext),    WORD(stall),         WORD(ensure),
-    WORD(startproven),
+    WORDS_OF_CLIENT,  WORD(upload),     WORD(uploadagain),   WORD(uploadpart),
+    WORD(verify),     WORD(download),   WORD(downloadtoram), WORD(downloadtosmall),
+    WORD(clear),      WORD(start),      WORD(arm),           WORD(disarm),
+    WORD(mode),       WORD(custommode), WORD(startmission),  WORD(setcurrent),
+    WORD(pause),      WORD(resume),     WORD(interval),      WORD(order),
+    WORD(post),       WORD(chain),      WORD(state),         WORD(followed),
+    WORD(compare),    WORD(fieldtext),  WORD(ensure),        WORD(startproven),
 #ifdef BENCH_STEERING
-    WORD(takeoff),      WORD(goTo),          WORD(hold),
-    WORD(goOn),         WORD(home),          WORD(landNow),
-    WORD(speed),        WORD(steered),
+    WORD(takeoff),    WORD(goTo),       WORD(hold),          WORD(goOn),
+    WORD(home),       WORD(landNow),    WORD(speed),         WORD(steered),
 #endif
 #ifdef BENCH_TARGET
-    WORD(follow),       WORD(renew),         WORD(renewing),
-    WORD(unfollow),     WORD(patience),      WORD(target),
-    WORD(hang),
-#endif
-#ifndef BENCH_DIRECT
-    WORD(room),         WORD(blocked),
+    WORD(follow),     WORD(renew),      WORD(renewing),      WORD(unfollow),
+    WORD(patience),   WORD(target),     WORD(hang),
 #endif
 #ifdef BENCH_FILES
-    WORD(fileupload),   WORD(fileverify),    WORD(filedownload),
-    WORD(byfile),       WORD(fileensure),
+    WORD(fileupload), WORD(fileverify), WORD(filedownload),  WORD(byfile),
+    WORD(fileensure),
 #endif
 };
 
 void setup() {
-  Serial.begin(500000);
-  Serial1.begin(BENCH_BAUD);
-  setUpSleep();
   asm volatile("" : : "r"(&benchPlan), "r"(&benchSink), "r"(&benchCommand), "r"(&benchPayload) : "memory");
   client.onProgress(onProgress);
   client.onEnd(onEnd);
   follower.onCurrent(onCurrent);
   follower.onReached(onReached);
   follower.onText(onText);
-  Serial.println(F("ready"));
+  setUpTalk();
 }
 
 void loop() {
-  static uint16_t stalledMs;
   listen(words);
-  const uint16_t nowMs = millis();
-  if (stallMs != 0 && static_cast<uint16_t>(nowMs - stalledMs) >= stallEachMs) {
-    stalledMs = nowMs;
-    delay(stallMs);
-  }
+  stallWhereDue();
 #ifdef BENCH_QUIET
   quiet.update();
 #endif
@@ -426,11 +335,7 @@ void loop() {
     hangMs = 0;
   }
 #endif
-  if (status != lastReturned || isEnd(status)) {
-    lastReturned = status;
-    tell(F("returned"), static_cast<uint8_t>(status));
-    Serial.println();
-  }
+  tellReturned(status);
   if (isPosting && client.sendMessage(outgoing)) {
     isPosting = false;
     tell(F("posted"), 0);

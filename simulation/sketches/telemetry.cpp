@@ -3,13 +3,10 @@
 #include <Arduino.h>
 #include <MavMission.h>
 
-#include "Talk.h"
+#include "ClientTalk.h"
 
 using namespace mavmission;
 
-#ifndef BENCH_BAUD
-#define BENCH_BAUD 57600
-#endif
 #ifndef BENCH_INTERVAL_MS
 #define BENCH_INTERVAL_MS 500
 #endif
@@ -31,11 +28,6 @@ static HomeListener home(client, BENCH_INTERVAL_MS);
 #ifdef BENCH_FOLLOWER
 static MissionFollower follower(client);
 #endif
-
-static bool place(void*, uint16_t index, MissionItem& item) {
-  item = waypoint(47.3977420_deg + Degrees::fromE7(100) * index, 8.5455970_deg, 20_m);
-  return true;
-}
 
 static void tellLatLon(const LatLon& where) {
   tellNumber(F("lat"), where.latitude.e7());
@@ -167,7 +159,7 @@ ACTION(home_) {
   Serial.println();
 }
 #endif
-ACTION(upload) { client.upload(fromFunction(place, numbers[0])); }
+ACTION(upload) { client.upload(fromFunction(itemOnTheWayNorth, numbers[0])); }
 ACTION(interval) { client.setMessageInterval(numbers[0], numbers[1]); }
 
 static const Word words[] = {
@@ -181,16 +173,10 @@ static const Word words[] = {
 #endif
 };
 
-void setup() {
-  Serial.begin(500000);
-  Serial1.begin(BENCH_BAUD);
-  setUpSleep();
-  Serial.println(F("ready"));
-}
+void setup() { setUpTalk(); }
 
 void loop() {
   listen(words);
-  const Status status = client.update();
-  tellReturned(status);
+  tellReturned(client.update());
   sleepIfNothingCame(Serial1);
 }
