@@ -84,7 +84,8 @@ float keptSpecial(float value, bool isRadius, Keeper keeper) {
   if ((bitsOf(value) & 0x80000000) != 0) return fromBits(kNotKnown);
   if (found != 0) return number(atMost(found, 255));
   multiply(&value, Times::T256);
-  return whole(value, found) ? quotient(found, 256) : fromBits(kNotKnown);
+  whole(value, found);  // below 256
+  return quotient(found, 256);
 }
 
 float keptHundredths(float value) {

@@ -97,6 +97,7 @@ TEST_CASE("what becomes of numbers at the limits of an integer, of a range and o
       {kCopter, 18, 0, 256, 255},
       {kCopter, 18, 0, 0.3f, 0.296875f},
       {kCopter, 18, 0, -1, kNaN},
+      {kCopter, 18, 0, 1e10f, kNaN},
       {kCopter, 18, 2, 254.5f, 254},
       {kCopter, 18, 2, 255.5f, 250},
       {kCopter, 18, 2, 259, 250},

@@ -287,6 +287,11 @@ TEST_CASE("on PX4 a takeoff or landing without a place gets that of the nearest 
   Plan landBetween({west, land(), east}, Firmware::Px4);
   REQUIRE((landBetween.read(1, item) == Status::Accepted));
   CHECK(item.x == west.x);
+  MissionItem vtolLand = land();
+  vtolLand.command = 85;
+  Plan vtolBetween({west, vtolLand, east}, Firmware::Px4);
+  REQUIRE((vtolBetween.read(1, item) == Status::Accepted));
+  CHECK(item.x == west.x);
   Plan takeoffBetween({west, takeoff(9_m), east}, Firmware::Px4);
   REQUIRE((takeoffBetween.read(1, item) == Status::Accepted));
   CHECK(item.x == east.x);
@@ -366,6 +371,12 @@ TEST_CASE("ArduPilot takes altitudes below 83 km, and PX4 any") {
     CHECK((check(item, Firmware::ArduPilot) == Status::BadAltitude));
     CHECK((check(item, Firmware::Px4) == Status::Accepted));
   }
+}
+
+TEST_CASE("the height of a fence is nothing that ArduPilot looks at") {
+  MissionItem circle = fenceInsideCircle(1_deg, 1_deg, 20_m);
+  circle.z = 83000.f;
+  CHECK((Plan({circle}, Firmware::ArduPilot, false, PlanType::Fence).last() == Status::Accepted));
 }
 
 TEST_CASE("a rally point at the origin is refused for ArduPilot, which would take it and never give it back") {

@@ -1,0 +1,99 @@
+#include "mavmission/link/AutopilotHeartbeat.h"
+
+#include <doctest/doctest.h>
+
+#include "Frames.h"
+#include "MemoryStream.h"
+
+using namespace mavmission::detail;
+
+namespace {
+
+struct Read {
+  bool isFound;
+  size_t rest;  // bytes of the datagram that have not been read
+};
+
+Read readFrom(const Bytes& bytes) {
+  MemoryStream datagram;
+  datagram.bring(bytes);
+  const bool isFound = readAutopilotHeartbeat(datagram);
+  return Read{isFound, datagram.toRead.size()};
+}
+
+Bytes ofVersion1(FrameParts parts) {
+  parts.version = 1;
+  return packed(parts);
+}
+
+Bytes signedFrame(FrameParts parts) {
+  parts.incompatibility = 1;
+  return packed(parts);
+}
+
+}  // namespace
+
+TEST_CASE("an autopilot's heartbeat is found behind whatever frames, and what is behind it is left") {
+  const Bytes before[] = {
+      Bytes(),
+      telemetry(),
+      telemetry(28, 0x11, 1),
+      telemetry(9),  // as long as a heartbeat
+      signedFrame(requestParts(3)),
+      request(1) + ofVersion1(requestParts(2)),
+  };
+  for (const Bytes& frames : before) {
+    for (const Bytes& found : {heartbeat(), ofVersion1(heartbeatParts())}) {
+      const Read read = readFrom(frames + found + request(4));
+      CHECK(read.isFound);
+      CHECK(read.rest == request(4).size());
+    }
+  }
+  CHECK(readFrom(signedFrame(heartbeatParts())).isFound);
+}
+
+TEST_CASE("what is no autopilot's heartbeat is read to the end of the datagram") {
+  Bytes damaged = heartbeat(), other = heartbeat();
+  damaged.back() ^= 1;
+  other[other.size() - 2] ^= 1;
+  // Like a heartbeat, but for one byte of the message's number.
+  for (const uint32_t id : {1u, 1u << 8, 1u << 16}) {
+    FrameParts parts = heartbeatParts();
+    parts.messageId = id;
+    CHECK(!readFrom(packed(parts)).isFound);
+    if (id == 1) CHECK(!readFrom(ofVersion1(parts)).isFound);
+  }
+  const Bytes notes[] = {
+      Bytes(),
+      damaged,
+      other,
+      signedFrame(heartbeatParts(8)),
+      packed(heartbeatParts(8)),  // a ground station's
+      ofVersion1(heartbeatParts(8)),
+      telemetry() + request(1),
+      Bytes{'n', 'o', ' ', 'f', 'r', 'a', 'm', 'e'} + heartbeat(),
+  };
+  for (const Bytes& bytes : notes) {
+    const Read read = readFrom(bytes);
+    CHECK(!read.isFound);
+    CHECK(read.rest == 0);
+  }
+}
+
+TEST_CASE("a heartbeat behind one that does not count is found") {
+  for (const Bytes& first : {packed(heartbeatParts(8)), signedFrame(heartbeatParts(8)), ofVersion1(heartbeatParts(8))})
+    CHECK(readFrom(first + heartbeat()).isFound);
+}
+
+TEST_CASE("a datagram that is cut short at any byte ends the search") {
+  for (const Bytes& whole : {heartbeat(), ofVersion1(heartbeatParts())}) {
+    for (const Bytes& before : {Bytes(), telemetry(), signedFrame(requestParts(3))}) {
+      const Bytes bytes = before + whole;
+      for (size_t length = 0; length < bytes.size(); ++length) {
+        const Read read = readFrom(Bytes(bytes.begin(), bytes.begin() + length));
+        CHECK(!read.isFound);
+        CHECK(read.rest == 0);
+      }
+    }
+  }
+}
