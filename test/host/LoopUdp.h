@@ -5,7 +5,7 @@
 
 #include <Udp.h>
 
-class LoopUdp : public UDP {
+class LoopUdp final : public UDP {
  public:
   static constexpr size_t kMost = 64, kLongest = 1460;
 
