@@ -140,6 +140,20 @@ def test_plan_comes_aboard_an_autopilot_that_hears_only_what_is_signed(signed, p
     assert_all_verify(signed)
 
 
+def test_px4_1_18_signs_once_a_ground_station_has_given_it_the_key(build_bench):
+    bench = build_bench("PX4", is_1_18=True, defines=DEFINES, signing_time_s=SINCE_2015_S)
+    bench.tell("sign", LINK)
+    bench.upload(SURVEY, proof="Always")
+    bench.run(3.0)
+    assert bench.heard("MISSION_COUNT") == []  # PX4 does not sign yet, and is not heard
+    by_usb = mavlink.MAVLink(None, 255, 190)
+    bench.autopilot.receive(packed(mavlink.MAVLink_setup_signing_message(1, 1, list(KEY), NOW), by_usb, 2), bench.now,
+                            elsewhere=True)  # fmt: skip
+    assert bench.run_until_ended(limit_s=10) == "Accepted"
+    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, "PX4"))
+    assert_all_verify(bench)
+
+
 def test_proof_by_reading_back_works_signed(signed, personality):
     signed.upload(SURVEY, proof="Always")
     assert signed.run_until_ended(limit_s=10) == "Accepted"

@@ -1,0 +1,107 @@
+"""What PX4 1.18 does in another way than 1.17: the client beside a fake that does as the recorded one did."""
+
+from __future__ import annotations
+
+import pytest
+
+from plans import SURVEY
+from simulation.wire import Wire
+from starts import HOPS, MISSION_START, is_flying, jump_on, told, uploaded
+
+AGAIN = pytest.mark.scenario(25, "MISSION_COUNT comes again while a plan is read")
+FLOWN_AGAIN = pytest.mark.scenario(49, "start() of a plan that was flown to its end", "PX4")
+TAKEOFF, WAYPOINT, LANDING = HOPS["PX4"]
+HOPS_TWICE = [TAKEOFF, WAYPOINT, jump_on(1), LANDING]
+ENDS_IN_THE_AIR = [TAKEOFF, WAYPOINT, WAYPOINT._replace(x=WAYPOINT.x + 1000)]
+
+
+@pytest.fixture(params=[False, True], ids=["1.17", "1.18"])
+def px4(build_service, request):
+    return build_service("PX4", is_1_18=request.param)
+
+
+@pytest.fixture
+def px4_1_18(build_service):
+    return build_service("PX4", is_1_18=True)
+
+
+def note_items(service) -> list[int]:
+    flight, begun = service.autopilot.flight, []
+    tell = flight._begun
+
+    def note(index: int, item, now: float) -> None:
+        begun.append(index)
+        tell(index, item, now)
+
+    flight._begun = note
+    return begun
+
+
+def fly_to_the_end(service, limit_s: float = 120.0) -> None:
+    limit = service.now + limit_s
+    while not service.autopilot.complete:
+        assert service.now < limit
+        service.run(0.5)
+    service.run(3.0)
+
+
+def start(service) -> None:
+    service.order_of("start")
+    assert service.done(limit_s=20) == "Done"
+    assert is_flying(service)
+
+
+@FLOWN_AGAIN
+def test_plan_that_was_flown_and_landed_is_flown_again_with_its_jumps(px4):
+    begun = note_items(uploaded(px4, HOPS_TWICE))
+    for _ in range(3):
+        begun.clear()
+        start(px4)
+        fly_to_the_end(px4)
+        assert not px4.autopilot.armed
+        assert begun == [0, 1, 1, 3]
+    assert told(px4) == 3 * [(MISSION_START, 0, 0)]
+
+
+@FLOWN_AGAIN
+def test_plan_that_ended_in_the_air_is_flown_again_where_that_is_allowed(px4):
+    begun = note_items(uploaded(px4, ENDS_IN_THE_AIR))
+    start(px4)
+    fly_to_the_end(px4)
+    assert px4.autopilot.armed and px4.state.modes == ["Hold"]
+    px4.order_of("start")
+    assert px4.done() == "Armed"
+    px4.tell("armed", 1)
+    begun.clear()
+    start(px4)
+    fly_to_the_end(px4)
+    assert begun[:3] == [0, 1, 2]
+
+
+@AGAIN
+@pytest.mark.parametrize("late_s", [0.3, 0.6, 0.9])
+@pytest.mark.parametrize("word", ["download", "verify"])
+def test_count_that_is_told_again_until_the_first_item_is_asked_for_changes_nothing(px4_1_18, word, late_s):
+    service = uploaded(px4_1_18, SURVEY)
+    lists = len(service.heard("MISSION_REQUEST_LIST"))
+    until = service.now + late_s
+    service.wire.lose(">", name="MISSION_REQUEST_INT", times=None, where=lambda _: service.now < until)
+    counts = len(service.wire.frames("<", "MISSION_COUNT"))
+    if word == "download":
+        service.download()
+    else:
+        service.verify(SURVEY)
+    assert service.done(limit_s=20) == ("Downloaded" if word == "download" else "Verified")
+    assert len(service.wire.frames("<", "MISSION_COUNT")) - counts >= 2
+    assert len(service.heard("MISSION_REQUEST_LIST")) == lists + 1
+
+
+@AGAIN
+@pytest.mark.parametrize("seed", range(4))
+def test_plan_is_aboard_and_read_back_where_its_counts_come_again_on_a_line_that_loses(build_service, seed):
+    service = build_service("PX4", is_1_18=True, wire=Wire(seed))
+    service.wire.damage_bytes(lose=1)
+    service.upload(SURVEY, proof="Always")
+    assert service.done(limit_s=60) == "Accepted"
+    service.verify(SURVEY)
+    assert service.done(limit_s=60) == "Verified"
