@@ -105,3 +105,17 @@ def test_plan_is_aboard_and_read_back_where_its_counts_come_again_on_a_line_that
     assert service.done(limit_s=60) == "Accepted"
     service.verify(SURVEY)
     assert service.done(limit_s=60) == "Verified"
+
+
+SETS = pytest.mark.scenario(49, "setCurrentItem() on the ground, and start() behind it", "PX4")
+
+
+@SETS
+def test_item_that_is_set_on_the_ground_is_the_current_one_until_the_start(px4):
+    begun = note_items(uploaded(px4, HOPS_TWICE))
+    px4.order_of("setcurrent", 1)
+    assert px4.done(limit_s=20) == "Done"
+    px4.run(2.0)
+    assert px4.autopilot.missions.current == 1
+    start(px4)
+    assert begun[0] == 0  # start() begins with the item that it is given
