@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+import modes_document
 from disorders import latency_of
 from plans import NAN, on_the_wire, waypoint
 from simulation.fake_autopilot import item, mavlink
@@ -553,6 +554,32 @@ def test_flight_on_a_line_that_loses_a_fifth_of_the_frames_comes_through(make_st
         steered.run(25.0)
     steered.run(60.0)
     assert not steered.autopilot.armed and steered.where.height == 0
+
+
+# -- no vehicle of ArduPilot's -----------------------------------------------------------------------
+
+NO_VEHICLE = pytest.mark.scenario(60, "Steering: a type that no vehicle of ArduPilot's sends gets no order")
+
+
+@NO_VEHICLE
+@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
+def test_type_that_is_no_vehicle_of_ardupilots_gets_no_order(build_steered, vehicle_type):
+    """Also where it has flown as a copter until then: another number would be another mode."""
+    steered = build_steered("ArduPilot", uptime_s=120.0)
+    steered.fly(10.0)
+    steered.run(3.0)
+    steered.autopilot.vehicle_type = vehicle_type
+    steered.run(2.5)
+    before, mode = len(steered.ordered()), steered.mode
+    for order in ("takeOff", "goTo", "hold", "goOn", "home", "landNow"):
+        if order == "takeOff":
+            steered.take_off(10.0)
+        elif order == "goTo":
+            steered.go_to(steered.place(30.0, 0.0), 20.0)
+        else:
+            steered.order_of(order)
+        assert (order, steered.done(limit_s=12)) == (order, "NoSuchMode")
+    assert steered.ordered()[before:] == [] and steered.mode == mode
 
 
 # -- a plane that hovers ---------------------------------------------------------------------------

@@ -11,7 +11,6 @@ from starts import ARM, ASK_VEHICLE, SET_MODE, told, uploaded
 
 VEHICLES = pytest.mark.scenario(54, "Modes: what is no known vehicle gets no other one's")
 TYPES = modes_document.types()
-UNKNOWN = (0, 8, 9, 16, 17, 28, 43, 45, 46, 47, 200)  # MAV_TYPE: of vehicles that are none of ArduPilot's, or to come
 CLAIMED = sorted(set(TYPES) - {1, *range(19, 26)})  # what a plane may say, though it is none
 
 
@@ -36,7 +35,7 @@ def test_type_is_its_vehicles(build_service, vehicle_type):
 
 
 @VEHICLES
-@pytest.mark.parametrize("vehicle_type", UNKNOWN)
+@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
 def test_type_that_is_none_of_ardupilots_gets_nothing(build_service, vehicle_type):
     service = uploaded(build_service("ArduPilot", vehicle="plane", vehicle_type=vehicle_type))
     for name in ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual"):

@@ -6,6 +6,8 @@ import re
 from pathlib import Path
 
 DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "modes.md"
+# MAV_TYPE: of vehicles that are none of ArduPilot's, or to come; not of what is no vehicle, such as a camera.
+UNKNOWN = (0, 8, 9, 16, 17, 28, 43, 45, 46, 47, 200)
 _FAKES: dict[str, dict] = {
     "copter": {"vehicle": "copter"}, "plane": {"vehicle": "plane"},
     "QuadPlane": {"vehicle": "quadplane", "vehicle_type": 20}, "rover": {"vehicle": "rover"},
