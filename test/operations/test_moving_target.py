@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+import modes_document
 from disorders import latency_of
 from plans import SURVEY
 from simulation.fake_autopilot import mavlink
@@ -560,6 +561,41 @@ def test_plane_which_would_take_the_altitude_alone_is_refused(build_following, v
     assert following.done() == "CommandUnsupported"
     assert len(following.ordered()) == before and following.targets() == []
     assert following.target_status == "CommandUnsupported"
+
+
+@FOLLOWED
+@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
+def test_type_that_is_no_vehicle_of_ardupilots_is_not_followed_with(build_following, vehicle_type):
+    """Also where it has flown as a copter until then: GUIDED's number would be another mode."""
+    following = build_following("ArduPilot", uptime_s=120.0)
+    following.fly()
+    following.set_mode("Brake")
+    assert following.done() == "Done"
+    following.autopilot.vehicle_type = vehicle_type
+    following.run(2.5)
+    before = len(following.ordered())
+    following.follow(following.place(40, 0), 12.0)
+    assert following.done(limit_s=12) == "NoSuchMode"
+    following.run(3.0)
+    assert following.target_status == "NoSuchMode"
+    assert following.ordered()[before:] == [] and following.targets() == []
+    assert following.mode == "BRAKE"
+
+
+@FOLLOWED
+@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
+def test_type_that_becomes_unknown_while_it_follows_gets_no_mode_of_another_vehicle(build_following, vehicle_type):
+    following = build_following("ArduPilot", uptime_s=120.0)
+    begin(following)
+    following.autopilot.vehicle_type = vehicle_type
+    following.run(2.5)
+    before = len(following.ordered())
+    following.tell("unfollow")
+    assert run_until_ended(following, 6.0) == "NoSuchMode"
+    ended = following.now
+    following.run(3.0)
+    assert following.ordered()[before:] == [] and following.targets(ended + 0.05) == []
+    assert following.mode == "GUIDED"
 
 
 @FOLLOWED
