@@ -88,7 +88,7 @@ class Px4(FakeAutopilot):
     takeoff_required: its parameter MIS_TKO_LAND_REQ, off by default. streams: further messages that
     it sends unasked, and how often [s]. is_1_18: as PX4 1.18 (a state of August 2026, before its release) it tells
     again how many items a plan has, has DO_SET_MISSION_CURRENT, and takes SETUP_SIGNING.
-    sends_texts: by source, it sends a STATUSTEXT only on a link on which it has heard a ground station's heartbeat.
+    hears_station: a ground station is on its link, too. By source it sends a STATUSTEXT nowhere else.
     """
 
     autopilot_type = mavlink.MAV_AUTOPILOT_PX4
@@ -101,10 +101,10 @@ class Px4(FakeAutopilot):
                  armed: bool = False, mode: tuple[int, int] | None = None,
                  infeasible_text: bool = True, takeoff_required: bool = False,
                  tells_at_s: float = 0.5, streams: dict[int, float] | None = None,
-                 is_1_18: bool = False, sends_texts: bool = True, **options) -> None:
+                 is_1_18: bool = False, hears_station: bool = False, **options) -> None:
         super().__init__(**options)
         self.is_1_18 = is_1_18
-        self.sends_texts = sends_texts
+        self.hears_station = hears_station
         if self.mavlink_version != 2:
             raise ValueError("PX4 speaks MAVLink 2: give mavlink_version=2")
         self.home = home
@@ -113,7 +113,7 @@ class Px4(FakeAutopilot):
         self.infeasible_text = infeasible_text
         self.takeoff_required = takeoff_required
         self.complete = False
-        self._is_set_since = False  # its current item, by DO_SET_MISSION_CURRENT, since the plan was complete
+        self._is_set_since = False  # its current item, since the plan was complete
         self.instruments = instruments.of_px4()
         self.parameters = parameters.of_px4()
         self._parameters_set = 0
@@ -128,6 +128,7 @@ class Px4(FakeAutopilot):
         self.home_is_known = True
         self.has_standard_messages = True  # AVAILABLE_MODES and CURRENT_MODE: boards with little flash do without
         self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
+        self.failsafes: list[float] = []  # when its targets have ended in OFFBOARD [s]
         self._has_lost_stream = False  # why it is in its failsafe: its targets have ended in OFFBOARD
         self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
@@ -238,6 +239,7 @@ class Px4(FakeAutopilot):
         if not 0 <= seq < len(self.missions.held[MISSION]):
             return False
         self.missions.current = seq
+        self._is_set_since = True
         if self._state_before is None:
             self._known_current = seq
         if self.flight.index is not None:
@@ -319,6 +321,7 @@ class Px4(FakeAutopilot):
 
     def _stream_is_late(self, now: float) -> None:
         if self.armed and self.main_mode == OFFBOARD:
+            self.failsafes.append(now)
             self.text(CRITICAL, "Failsafe activated\t", now)
             self.at("stream gone", now + STREAM_GONE_S, self._stream_is_gone)
 
@@ -566,8 +569,12 @@ class Px4(FakeAutopilot):
             self._fly_plan(now)
 
     def _fly_plan(self, now: float) -> None:
-        """From its current item, wherever that stands."""
+        """From its current item, wherever that stands. A finished plan begins anew only when it has been disarmed."""
         if self.complete and not self._is_set_since:
+            if self.flight.airborne(now):  # by source: it was seen to hold again
+                self.text(CRITICAL, "No valid mission available, loitering\t", now)
+                self.at("hold", now + HOLDS_AFTER_S, self._hold_at_end)
+                return
             self.missions.current = 0
         self.complete = self._is_set_since = False
         self.text(INFO, "Executing Mission\t", now, later_s=0.18)
@@ -652,7 +659,7 @@ class Px4(FakeAutopilot):
     # -- what it sends --------------------------------------------------------------------
 
     def text(self, severity: int, words: str, now: float, later_s: float = TEXT_LAG_S) -> None:
-        if not self.sends_texts:
+        if not self.hears_station:
             return
         number = self._text_number
         self._text_number += 1

@@ -53,8 +53,7 @@ def run_until_ended(following, limit_s: float) -> str:
 
 
 def failsafes(following) -> list:
-    texts = following.wire.frames("<", "STATUSTEXT")
-    return [entry for entry in texts if "Failsafe" in entry.message.text]
+    return following.autopilot.failsafes if is_px4(following) else []
 
 
 def height_of(following, message) -> float:

@@ -78,6 +78,31 @@ def test_plan_that_ended_in_the_air_is_flown_again_where_that_is_allowed(px4):
     assert begun[:3] == [0, 1, 2]
 
 
+@FLOWN_AGAIN
+@pytest.mark.parametrize("order", ["startMission()", "setMode(Auto)"])
+def test_finished_plan_is_flown_again_only_when_its_item_is_set(px4, order):
+    """As docs/starting.md says: without, it is in its mission's mode for a moment, and holds again."""
+    def fly() -> str:
+        if order == "startMission()":
+            px4.order_of("startmission")
+        else:
+            px4.set_mode("Auto")
+        ended = px4.done()
+        px4.run(2.5)
+        return ended
+
+    begun = note_items(uploaded(px4, ENDS_IN_THE_AIR))
+    start(px4)
+    fly_to_the_end(px4)
+    px4.tell("armed", 1)
+    begun.clear()
+    assert fly() == "Done" and begun == []
+    assert px4.autopilot.armed and px4.state.modes == ["Hold"]
+    px4.order_of("setcurrent", 0)
+    assert px4.done(limit_s=20) == "Done"
+    assert fly() == "Done" and begun[:1] == [0] and px4.state.modes == ["Auto"]
+
+
 @AGAIN
 @pytest.mark.parametrize("late_s", [0.3, 0.6, 0.9])
 @pytest.mark.parametrize("word", ["download", "verify"])

@@ -67,7 +67,8 @@ REFUSED = [(("ArduPilot", "copter"), 0, "ReadyMode"), (("ArduPilot", "copter"), 
 @pytest.mark.parametrize("kind, number, step", REFUSED, ids=lambda value: str(value))
 def test_refused_step_is_named_and_nothing_follows_it(build_service, kind, number, step):
     personality, vehicle = kind
-    service = uploaded(build_service(personality, vehicle=vehicle))
+    station = {"hears_station": True} if personality == "PX4" else {}
+    service = uploaded(build_service(personality, vehicle=vehicle, **station))
     refused = STEPS[kind][number]
     react = service.autopilot._hears["COMMAND_LONG"]
 
@@ -284,13 +285,15 @@ def test_uploading_while_armed_is_refused_unless_allowed(make_service):
 @INFEASIBLE
 @pytest.mark.parametrize("in_words", [True, False], ids=["in words", "by the mission state alone"])
 def test_infeasible_plan_has_its_own_status_after_accepted(build_service, in_words):
-    service = build_service("PX4", infeasible_text=in_words)
+    service = build_service("PX4", infeasible_text=in_words, hears_station=in_words)
     service.upload(LANDING_FIRST)
     assert service.done() == "Accepted"
     assert service.done(limit_s=3) == "Infeasible"
     assert service.state.status == "Infeasible"
     if in_words:
         assert any(words.strip() == "Mission rejected: starts with landing" for _, words in service.texts)
+    else:
+        assert service.texts == []  # there is no ground station on this port
     service.run(5.0)
     assert service.ends.count("Infeasible") == 1
     service.order_of("start")

@@ -41,7 +41,7 @@ def fake_for(name: str):
     system = real(name, "HEARTBEAT")[0].message.get_srcSystem()
     if name.startswith("px4/"):
         mode = (4, 4) if name == "px4/guided_flight" else (4, 3)
-        fake = Px4(uptime_s=100.0, system_id=system, home=HOME, mode=mode)
+        fake = Px4(uptime_s=100.0, system_id=system, home=HOME, mode=mode, hears_station=True)
         # The mission that it had flown was still its mode; what it goes back to on the ground is HOLD.
         fake._mode_when_disarmed = (4, 3)
         if mode == (4, 4):

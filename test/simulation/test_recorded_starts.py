@@ -94,7 +94,8 @@ def fake_for(name: str):
     folder = name.split("/")[0]
     uploads = plans_uploaded(f"{folder}/start_stale_current") if folder not in OPTIONS else []
     if name.startswith("px4"):
-        fake = Px4(**OPTIONS.get(folder, {}), uptime_s=100.0, system_id=beat.message.get_srcSystem(),
+        fake = Px4(**OPTIONS.get(folder, {}), uptime_s=100.0, hears_station=True,
+                   system_id=beat.message.get_srcSystem(),
                    mode=(beat.message.custom_mode >> 16 & 0xFF, beat.message.custom_mode >> 24),
                    tells_at_s=recorded(name, "<", "MISSION_CURRENT")[0].time)  # fmt: skip
         if folder not in OPTIONS:

@@ -64,4 +64,7 @@ def command_results(answers) -> list[tuple[int, int]]:
 
 
 def client_of(fake, **options) -> PlainClient:
+    """A ground station, to which PX4 sends its texts."""
+    if isinstance(fake, Px4):
+        fake.hears_station = True
     return PlainClient(fake, **options)

@@ -67,8 +67,8 @@ def fake_for(name: str):
         first_told = next(one.time for one in recordings.heard(name) if one.message.get_type() == "MISSION_CURRENT")
         if name.startswith("betaflight/"):
             return Betaflight(uptime_s=100.0, has_home=False, tells_at_s=first_told)
-        fake = Px4(uptime_s=100.0, infeasible_text=False, tells_at_s=first_told, sends_texts=is_of_ground_station(name),
-                   **OPTIONS.get(name.split("/")[0], {}))  # fmt: skip
+        fake = Px4(uptime_s=100.0, infeasible_text=False, tells_at_s=first_told,
+                   hears_station=is_of_ground_station(name), **OPTIONS.get(name.split("/")[0], {}))  # fmt: skip
     for mission_type, earlier in ABOARD_BEFORE.get(name, {}).items():
         fake.load(plan_uploaded(earlier, mission_type), mission_type)
     if name == "px4/flight":
