@@ -87,7 +87,7 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
   bool isSetting() const { return number_ == 0; }
   Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
   void beginAsking(uint16_t nowMs);
-  void askAgain(uint16_t nowMs);
+  void askAgain();
 
   uint32_t customMode_;
   uint16_t before_;  // the mode in which a setting has begun, in the numbers of modeNumber()

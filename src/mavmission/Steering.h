@@ -128,11 +128,11 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status onOwnMode(uint16_t nowMs);
   void noteSent();
   void lead(uint16_t from, uint16_t wanted);
-  Status leaveTo(Status other, uint16_t nowMs);
-  Status giveBack(uint16_t nowMs);
+  Status leaveTo(Status other);
+  Status giveBack();
   uint16_t secondsOfStep() const;
   Status onTime(uint16_t nowMs);
-  Status leave(Status refusal, uint16_t nowMs);
+  Status leave(Status refusal);
   Status done();
   void forgetTarget();
   void fillStep(FlightCommand& command) const;

@@ -74,8 +74,8 @@ class TelemetryPause : public detail::MessageIntervals {
   uint32_t muted_ = 0xFFFFFFFF;  // a bit for each message that may be switched off: after a reset, all
   uint8_t index_ = 0;            // of the message whose command is under way, or next
   uint8_t tries_ = 0;
-  uint8_t sequence_ = 0;  // of the frame with the last answer
-  bool isHushing_ : 1;    // true: switching off; false: restoring
+  bool isHushing_ : 1;  // true: switching off; false: restoring
+  bool isWaiting_ : 1;  // for an answer, or for late ones
   bool isAnswered_ : 1;
 };
 

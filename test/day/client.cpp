@@ -230,11 +230,7 @@ void tellSunk(Words&) {
 // counter and no buffer. What is left out has its own checks: times move nothing in Idle, counters are compared with
 // what went over the line, and buffers are empty.
 void tellIdle(Words&) {
-  // Whether a listener's question may still be answered is left out with the time of the question.
-  const bool isOpen = client().rest_.isIntervalOpen;
-  client().rest_.isIntervalOpen = false;
   Bytes bytes(memory, memory + sizeof(memory));
-  client().rest_.isIntervalOpen = isOpen;
   const MissionClient& c = client();
   const auto leftOut = [&](const void* what, size_t size) {
     const size_t at = static_cast<size_t>(static_cast<const uint8_t*>(what) - memory);
@@ -246,7 +242,7 @@ void tellIdle(Words&) {
   LEFT_OUT(state_.unsettledMs);
   LEFT_OUT(state_.tick);
   LEFT_OUT(state_.quiet);
-  LEFT_OUT(rest_.intervalMs);
+  LEFT_OUT(log_);      // whose command may still be answered, and until when
   LEFT_OUT(reading_);  // one operation's state: there is none
   LEFT_OUT(commanding_);
   LEFT_OUT(link_.state_.heardByteMs);

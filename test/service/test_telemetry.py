@@ -308,6 +308,15 @@ def test_each_is_asked_for_once_at_its_interval_and_comes_at_it(telemetry):
         assert len(times) >= 10
 
 
+def test_answer_that_the_line_repeats_is_not_the_next_listeners(telemetry):
+    """COMMAND_ACK does not say for which message it is."""
+    telemetry.wire.repeat("<", after_s=0.1, name="COMMAND_ACK")
+    telemetry.wire.lose(">", name="COMMAND_LONG", index=1)
+    telemetry.run(1.0)
+    assert len(telemetry.wire.frames(">", "COMMAND_LONG")) == 2
+    assert [telemetry.told(name)["confirmed"] for name in NAMES].count(1) == 1
+
+
 def test_all_of_them_are_known_within_a_second(telemetry):
     telemetry.autopilot.instruments.rc = [1500] * 8
     telemetry.run(1.0)

@@ -23,6 +23,7 @@ SUBJECTS = (
     Subject("DownloadTransfer", ("download_transfer",)),
     Subject("ClearTransfer", ("clear_transfer",)),
     Subject("CommandTransfer", ("command_transfer",)),
+    Subject("CommandLog", ("command_log",)),
     Subject("StartTransfer", ("start_transfer",)),
     Subject("ModeOrder", ("mode_order",)),
     Subject("FrameParser", ("frame_parser",)),

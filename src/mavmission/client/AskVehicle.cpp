@@ -23,14 +23,14 @@ void Client::fillVehicle(Client&, FlightCommand& command) {
   command.param1 = MAV_VTOL_STATE_UNDEFINED;
 }
 
-Status Client::onVehicle(CommandEvent event, Status status, FillCommand then, uint16_t nowMs) {
+Status Client::onVehicle(CommandEvent event, Status status, FillCommand then) {
   if (event == CommandEvent::Silent) return status;
   if (event != CommandEvent::Refused) return Status::Transferring;
   if (status != Status::CommandUnsupported && status != Status::CommandFailed) return status;
   link_.finder().setVehicle(status == Status::CommandFailed);
   rest_.lastResult = 255;
   commanding_.fill = then;
-  commanding_.transfer.next(true, nowMs);
+  commanding_.transfer.next(true);
   commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it
   state_.status = Status::Checking;        // CommandEvent::Ready comes again
   return Status::Transferring;

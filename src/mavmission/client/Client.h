@@ -15,6 +15,7 @@
 #include "../plan/Comparison.h"
 #include "../plan/WirePlan.h"
 #include "../transfer/ClearTransfer.h"
+#include "../transfer/CommandLog.h"
 #include "../transfer/CommandTransfer.h"
 #include "../transfer/DownloadTransfer.h"
 #include "../transfer/ModeOrder.h"
@@ -141,7 +142,7 @@ class Client : public ClientRules {
   static void fillCurrentMessage(Client& client, FlightCommand& command);
   static void fillInterval(Client& client, FlightCommand& command);
   static Status onOwn(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  Status sendInOtherForm(Status refusal, uint16_t nowMs);
+  Status sendInOtherForm(Status refusal);
   static Status onArm(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   Status whenSilent(Status silence) const;
   static Status onMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
@@ -152,7 +153,7 @@ class Client : public ClientRules {
   static Status onStart(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   struct Commanding;
   Status beginCommand(FillCommand fill, OnCommand on);
-  MAVMISSION_APART void nextCommand(FillCommand fill, uint16_t nowMs);
+  MAVMISSION_APART void nextCommand(FillCommand fill);
   void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
   void sendCommand(uint16_t nowMs);
   MAVMISSION_APART uint16_t askAgainMs();  // from a request for a heartbeat to the next
@@ -164,7 +165,7 @@ class Client : public ClientRules {
   // isAskingVehicle(), the events are for onVehicle(); then CommandEvent::Ready comes again, with fill function `then`.
   bool asksVehicle();
   bool isAskingVehicle() const { return commanding_.fill == fillVehicle; }
-  MAVMISSION_APART Status onVehicle(CommandEvent event, Status status, FillCommand then, uint16_t nowMs);
+  MAVMISSION_APART Status onVehicle(CommandEvent event, Status status, FillCommand then);
   static void fillVehicle(Client&, FlightCommand& command);
   MAVMISSION_APART uint16_t shownMode() const;  // of the last heartbeat, in the numbers of modeNumber()
   // The mode when the running command began. Another one that is shown since, also while the vehicle is asked, or while
@@ -267,6 +268,7 @@ class Client : public ClientRules {
     PlanType cancelled;    // the plan type whose cancelling is still to be sent; All: none
     PlanType type;         // of the running operation
     bool floatItems : 1;   // items go out as MISSION_ITEM
+    bool isCompared : 1;   // of a plan that is read; false: it is stored
     bool isLate : 1;       // the operation has reached its time limit
     uint8_t bytesAllowed;  // how many an update() may read
     uint8_t bytesLeft;     // how many this update() could still read; 0 before it has read
@@ -291,8 +293,6 @@ class Client : public ClientRules {
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
     uint16_t backOffLimitS;  // the limit of all back-offs [s]
-    uint16_t partFirst;      // the items of a partial upload, in the sketch's numbers
-    uint16_t intervalMs;     // when a listener has last sent SET_MESSAGE_INTERVAL
     uint8_t backOffPauseS;   // the pause before the next try; 0 before the first
     Status toReturn;
     Aboard aboard[4];  // by PlanType; the last is unused
@@ -302,7 +302,6 @@ class Client : public ClientRules {
     uint8_t startStep : 3;    // StartStep
     uint8_t startArming : 2;  // StartArming
     uint8_t proof : 2;        // Readback
-    bool isIntervalOpen : 1;  // a listener's SET_MESSAGE_INTERVAL has not been answered
     ItemField field;          // the one that differs, or is not kept
     bool armedAllowed : 1;    // bits, for RAM: they cost a little flash
     bool raw : 1;
@@ -315,6 +314,11 @@ class Client : public ClientRules {
     void (*toFloats)(void* itemMessage);  // makes a MISSION_ITEM of a MISSION_ITEM_INT; null: not wanted
   };
 
+// The struct within the union is an extension that both compilers have; clang warns of it in spite of __extension__.
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wnested-anon-types"
+#endif
   // Reading a plan: for download(), verify(), or the read-back after an upload.
   struct Reading {
     DownloadTransfer transfer;
@@ -326,11 +330,13 @@ class Client : public ClientRules {
       PlanFiles* files;  // while the plan is transferred as a file
     };
     union {
-      ItemSink sink;
+      ItemSink sink;    // of what is stored
       uint16_t summed;  // ensure(), before it looks: how many items are in the checksum
+      __extension__ struct {
+        uint32_t planId;    // MISSION_COUNT.opaque_id, where the plan is compared
+        PlanFiles* prover;  // while an upload by file is read back item by item
+      };
     };
-    bool isCompared;  // false: stored
-    uint32_t planId;  // MISSION_COUNT.opaque_id
   };
 
   // A mode to be set.
@@ -363,11 +369,6 @@ class Client : public ClientRules {
     };
   };
 
-// The struct within the union is an extension that both compilers have; clang warns of it in spite of __extension__.
-#ifdef __clang__
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wnested-anon-types"
-#endif
   State state_;
   WirePlan plan_;  // here avr-gcc reaches it cheaply
   union {          // one operation at a time
@@ -378,7 +379,10 @@ class Client : public ClientRules {
       };
       OpaqueId opaqueId_;
       union {
-        uint16_t partCount_;  // of a partial upload: how many items
+        __extension__ struct {
+          uint16_t partFirst_;  // the items of a partial upload, in the sketch's numbers
+          uint16_t partCount_;
+        };
         uint16_t startItem_;  // of verifyAndStart(), while it reads: the item to begin with
       };
     };
@@ -389,6 +393,7 @@ class Client : public ClientRules {
 #pragma clang diagnostic pop
 #endif
   Rest rest_;
+  CommandLog log_;
   Link link_;
 };
 

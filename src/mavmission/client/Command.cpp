@@ -31,13 +31,12 @@ Status fromCommandResult(uint8_t result) {
 Status Client::beginCommand(FillCommand fill, OnCommand on) {
   if (state_.operation != nullptr) return Status::Busy;
   // If the last operation was a command, late answers to that command may still come: state_.seconds counts from its
-  // end. Later than that, its 16-bit time stamp has wrapped and is of no use.
-  const bool isBehindOne = rest_.isCommanding && state_.seconds < CommandTransfer::kLateAnswersS;
+  // end. Later than that, the 16-bit times of the log have wrapped and are of no use.
+  const bool isLogRecent = rest_.isCommanding && state_.seconds < CommandLog::kLateAnswersS;
   startOperation(commandStep);
   rest_.isCommanding = true;
-  const CommandTransfer last = commanding_.transfer;
   memset(&commanding_, 0, sizeof(commanding_));
-  if (isBehindOne) commanding_.transfer.beginBehind(last);
+  log_.begin(isLogRecent);
   commanding_.fill = fill;
   commanding_.on = on;
   commanding_.transfer.setRepeats(true);
@@ -45,9 +44,9 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
   return state_.status;
 }
 
-void Client::nextCommand(FillCommand fill, uint16_t nowMs) {
+void Client::nextCommand(FillCommand fill) {
   commanding_.fill = fill;
-  commanding_.transfer.next(true, nowMs);
+  commanding_.transfer.next(true);
 }
 
 void Client::lookAtClock(uint16_t nowMs) {
@@ -76,7 +75,7 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
     return;  // start() may have looked at an item: that was work enough for one update()
   }
   if (state.status != Status::Transferring) return;
-  Status status = client.commanding_.transfer.onTime(nowMs);
+  Status status = client.commanding_.transfer.onTime(client.log_.asksOpen(), nowMs);
   if (status == Status::Transferring && state.isLate) status = Status::TookTooLong;
   const bool goesOn = status == Status::Transferring;
   client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
@@ -87,10 +86,15 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
 }
 
 void Client::takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
+  const CommandTransfer& sending = commanding_.transfer;
+  const uint8_t tries = sending.tries();
+  if (event == CommandEvent::Silent) log_.gaveUp();
   OnCommand const on = commanding_.on;
   if (on != nullptr) status = on(*this, event, status, frame, nowMs);
+  if (status != Status::Transferring || sending.tries() == 0) log_.ended(tries, nowMs);
+  // Behind a pause the same is asked again: a late answer to it is as good.
+  if (sending.state() == CommandTransfer::State::Pausing) log_.forget();
   if (status == Status::Transferring) return;
-  commanding_.transfer.rest(nowMs);
   beginSeconds(nowMs);  // the seconds tell the next command how long ago this one ended
   end(status);
 }
@@ -114,11 +118,7 @@ void Client::sendCommand(uint16_t nowMs) {
   bool isAsking = sending.state() != CommandTransfer::State::Due;
   if (!isAsking) {
     commanding_.fill(*this, piece.command);
-    const uint16_t id = piece.command.id;
-    if (!sending.isDue(id, nowMs)) return;
-    // The answer to a listener's command could not be told from the answer to this one.
-    const bool isInterval = id == MAV_CMD_SET_MESSAGE_INTERVAL && sending.tries() == 0;
-    if (isInterval && rest_.isIntervalOpen && since(rest_.intervalMs, nowMs) < IntervalRules::kAnswerMs) return;
+    if (!log_.maySend(piece.command.id, nowMs)) return;
     if (sending.lacksHeartbeat(nowMs)) {
       sending.ask();
       isAsking = true;
@@ -132,7 +132,7 @@ void Client::sendCommand(uint16_t nowMs) {
   }
   const uint16_t id = piece.command.id;
   KeyIndex key = KeyIndex::COMMAND_LONG;
-  if (id == CommandTransfer::kNoCommand) {
+  if (id == CommandLog::kNoCommand) {
     const int32_t item = piece.command.x;
     piece.asItem.seq = static_cast<uint16_t>(item);
     key = KeyIndex::MISSION_SET_CURRENT;
@@ -149,8 +149,12 @@ void Client::sendCommand(uint16_t nowMs) {
     piece.asLong.confirmation = isAsking ? 0 : sending.tries();
   }
   link_.sendMessage(reinterpret_cast<uint8_t*>(&piece), &kKeys[static_cast<uint8_t>(key)]);
-  if (isAsking) return sending.asked(nowMs);
-  sending.sent(id, nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
+  if (isAsking) {
+    log_.askedAside(nowMs);
+    return sending.asked(nowMs);
+  }
+  sending.sent(nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
+  log_.sent(id, sending.waitMs(), nowMs);
 }
 
 void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
@@ -159,10 +163,12 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_COMMAND_ACK: {
       const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
-      if (commanding_.transfer.isAnswerToAsking(ack.command, nowMs)) return;
-      if (!commanding_.transfer.isAnswer(ack.command)) return;
+      if (!log_.isAnswer(ack.command, frame.sequence(), nowMs)) return;
       rest_.lastResult = ack.result;
-      if (ack.result == MAV_RESULT_IN_PROGRESS) return commanding_.transfer.onProgress(nowMs);
+      if (ack.result == MAV_RESULT_IN_PROGRESS) {
+        log_.onProgress(nowMs);
+        return commanding_.transfer.onProgress(nowMs);
+      }
       status = fromCommandResult(ack.result);
       if (status == Status::Done) commanding_.transfer.onAccepted();
       event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
@@ -170,6 +176,7 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
     }
     case MAVLINK_MSG_ID_HEARTBEAT:
       commanding_.transfer.onHeartbeat(nowMs);
+      if (!commanding_.transfer.isOld()) log_.onHeartbeat();
       event = CommandEvent::Heartbeat;
       break;
     case MAVLINK_MSG_ID_MISSION_CURRENT: event = CommandEvent::Current; break;
@@ -186,8 +193,8 @@ Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
   return status;
 }
 
-Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
-  if (event == CommandEvent::Refused) return client.sendInOtherForm(status, nowMs);
+Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  if (event == CommandEvent::Refused) return client.sendInOtherForm(status);
   if (event != CommandEvent::Ready) return status;
   // MAV_CMD_MISSION_START would arm this autopilot.
   const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && has(client.firmware(), kArmsByMissionStart);
@@ -265,7 +272,7 @@ Status Client::onCustomMode(Client& client, CommandEvent event, Status status, c
 Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                            uint16_t nowMs) {
   Modes& mode = client.commanding_.mode;
-  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillMode, nowMs);
+  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillMode);
   if (event == CommandEvent::Ready) {
     if (client.numberOf(mode.named) != kNoMode && client.asksVehicle()) return status;
     mode.number = client.numberOf(mode.named);
@@ -296,7 +303,7 @@ Status Client::onMode(Client& client, CommandEvent event, Status status, const F
         case ModeOrder::Sight::Doubtful: sending.askLater(); break;
         case ModeOrder::Sight::Undone:
           mode.number = mode.order.wanted();
-          client.nextCommand(fillMode, nowMs);
+          client.nextCommand(fillMode);
           sending.guard();
           break;
       }
@@ -332,8 +339,7 @@ Status MissionClient::setCurrentItem(uint16_t item) {
   return status;
 }
 
-Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, const FrameParser* frame,
-                            uint16_t nowMs) {
+Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, const FrameParser* frame, uint16_t) {
   Commanding& commanding = client.commanding_;
   const bool hasHome = has(client.firmware(), kHomeIsItem0);
   switch (event) {
@@ -343,7 +349,7 @@ Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, c
       break;
     case CommandEvent::Refused:
       if (status != Status::CommandUnsupported) break;
-      client.nextCommand(fillCurrentMessage, nowMs);
+      client.nextCommand(fillCurrentMessage);
       return Status::Transferring;
     case CommandEvent::Current: {
       // The older message has no answer of its own: MISSION_CURRENT with our item is the answer. MISSION_CURRENT with

@@ -32,7 +32,7 @@ bool isFloat(int32_t whole) {
 // place does not fit into COMMAND_LONG: its coordinates would be rounded by metres, and the reference of its altitude
 // would be left to the autopilot. The refused command was not carried out, so this holds as well for one that must not
 // be carried out twice.
-Status Client::sendInOtherForm(Status refusal, uint16_t nowMs) {
+Status Client::sendInOtherForm(Status refusal) {
   if (commanding_.fill != fillOwn) return refusal;
   const FlightCommand& own = *commanding_.own;
   FillCommand other = nullptr;
@@ -44,7 +44,7 @@ Status Client::sendInOtherForm(Status refusal, uint16_t nowMs) {
   }
   if (other == nullptr) return refusal;
   commanding_.fill = other;
-  commanding_.transfer.next(commanding_.transfer.repeats(), nowMs);
+  commanding_.transfer.next(commanding_.transfer.repeats());
   return Status::Transferring;
 }
 

@@ -14,7 +14,7 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
   state_.type = type;
   startOperation(readStep);
   reading_.take = storeItem;
-  reading_.isCompared = false;
+  state_.isCompared = false;
   reading_.fromFloats = fromFloats;
   reading_.sink = sink;
   return state_.status;

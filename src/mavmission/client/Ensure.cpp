@@ -79,7 +79,7 @@ void Client::checkEnsured(uint16_t nowMs) {
     return;
   }
   reading_.take = ensureItem;
-  reading_.isCompared = true;
+  state_.isCompared = true;
   reading_.fromFloats = fromFloats;
   beginLook(nowMs);
   rest_.proving = true;  // no progress is reported for the look

@@ -13,7 +13,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   const Status status = upload(plan);
   if (isEnd(status)) return status;
   state_.announce = announcePart;
-  rest_.partFirst = first;
+  partFirst_ = first;
   partCount_ = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {
     rest_.planType = PlanType::All;  // there is no whole plan for uploadAgain()
@@ -23,7 +23,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
 }
 
 Status Client::announcePart(Client& client, bool isBeginning) {
-  const uint16_t first = client.rest_.partFirst + client.plan_.homeItems();
+  const uint16_t first = client.partFirst_ + client.plan_.homeItems();
   const uint16_t behind = first + client.partCount_;
   if (isBeginning) {
     client.transfer_.limitTo(first, behind);

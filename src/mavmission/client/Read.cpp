@@ -14,7 +14,7 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   setPlanToVerify(plan, type);
   startOperation(readStep);
   reading_.take = compareItem;
-  reading_.isCompared = true;
+  state_.isCompared = true;
   reading_.fromFloats = fromFloats;
   rest_.itemsTotal = plan_.count();
   if (rest_.tooLong) return refuse(Status::TooManyItems);
@@ -35,7 +35,7 @@ void Client::proveUpload(Client& client, uint16_t nowMs) {
   client.link_.pace().noteShorterFrames();
   client.setAboard(Aboard::NotKnown);
   client.reading_.take = compareItem;
-  client.reading_.isCompared = true;
+  client.state_.isCompared = true;
   client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove an upload
   client.reading_.transfer.begin(nowMs);
 }
@@ -137,14 +137,14 @@ void Client::takeReadCount(const FrameParser& frame, uint16_t nowMs) {
   if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
   if (!reading_.transfer.onCount(count, nowMs, link_.pace())) return;
-  reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
   const bool isHomeFirst = homeBefore() != 0;
-  if (!reading_.isCompared) {
+  if (!state_.isCompared) {
     const uint16_t items = isHomeFirst && count > 0 ? count - 1 : count;
     rest_.itemsTotal = items;
     if (items > reading_.sink.limit) endReading(Status::SinkFull);
     return;
   }
+  reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
   if (isOurCount(count)) return;
   rest_.field = ItemField::Count;
   endReading(Status::Differs);
@@ -224,7 +224,7 @@ Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item)
 void Client::endReading(Status status) {
   state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   if (status == Status::Downloaded) {
-    if (reading_.isCompared) {
+    if (state_.isCompared) {
       status = Status::Verified;
       setAboard(Aboard::OurPlan);
       if (state_.type == PlanType::Mission) rest_.planId = reading_.planId;

@@ -15,7 +15,6 @@ Status Client::startUpload(const ItemSource& plan, PlanType type) {
   if (aboard(type) == Aboard::OurPlan) setAboard(type, Aboard::AsBefore);
   setPlan(plan, type);
   rest_.prove = nullptr;
-  rest_.partFirst = 0;
   return uploadKeptPlan();
 }
 

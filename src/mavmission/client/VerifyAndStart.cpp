@@ -45,7 +45,7 @@ Status Client::onVerifiedStart(Client& client, CommandEvent event, Status status
   if (status != Status::Done || client.rest_.planId != 0) return status;
   client.startOperation(readStep);
   client.reading_.take = compareItem;
-  client.reading_.isCompared = true;
+  client.state_.isCompared = true;
   client.reading_.fromFloats = fromFloats;
   client.rest_.itemsTotal = client.plan_.count();
   client.rest_.tellEnd = endVerifiedStart;

@@ -45,7 +45,6 @@ class Link : public LinkRules {
 
   // Adds a listener, which is given the frames as well.
   void add(MoreKeys& listener);
-  const MoreKeys* listeners() { return parser_.moreKeys(); }
 
   // True when send() can take a frame. The frame is dropped while we must not send yet (maySpeak()).
   MAVMISSION_APART bool canSend() const;
@@ -147,8 +146,8 @@ class Link : public LinkRules {
     uint8_t ownSystemId;
     uint8_t ownComponentId;
     MavlinkVersion speak;
-    bool heartbeatSent;
-    bool sequenceKnown;
+    bool heartbeatSent : 1;
+    bool sequenceKnown : 1;
   };
 
   Stream* stream_;

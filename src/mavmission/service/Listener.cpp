@@ -36,12 +36,6 @@ void Listener::tellAll(const MoreKeys* list, const FrameParser& frame) {
   }
 }
 
-const Listener* Listener::nextAlike(const Listener* one) const {
-  const MoreKeys* next = one != nullptr ? one->next : client_.link_.listeners();
-  while (next != nullptr && static_cast<const Listener*>(next)->take_ != take_) next = next->next;
-  return static_cast<const Listener*>(next);
-}
-
 bool Listener::isFromAutopilot(const FrameParser& frame) const {
   return client_.link_.finder().isFrom(frame.systemId(), frame.componentId());
 }

@@ -32,10 +32,6 @@ class Listener : private MoreKeys {
   // True if the frame is from the client's autopilot.
   bool isFromAutopilot(const FrameParser& frame) const;
 
-  // The next listener after `one` (or the first, if that is null) with the same function for its frames: this finds all
-  // of the client's listeners of one kind, this one included. Null after the last.
-  const Listener* nextAlike(const Listener* one) const;
-
   Client& client_;
 
  private:

@@ -165,7 +165,9 @@ void MovingTarget::ask(uint16_t nowMs) {
   message.param1 = MAVLINK_MSG_ID_HEARTBEAT;
   client_.link_.send(message);
   askedMs_ = nowMs;
-  if (client_.rest_.isCommanding) client_.commanding_.transfer.asked(nowMs);
+  if (!client_.rest_.isCommanding) return;
+  client_.log_.askedAside(nowMs);
+  client_.commanding_.transfer.asked(nowMs);
 }
 
 // 32 bits: a loop() that has stood still for a minute must not find that its target is fresh.
@@ -213,7 +215,7 @@ void MovingTarget::fill(Client& client, FlightCommand& command) {
 Status MovingTarget::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
   MovingTarget& self = *static_cast<MovingTarget*>(client.commanding_.owner);
   if (!client.isAskingVehicle()) return self.onEvent(event, status, nowMs);
-  status = client.onVehicle(event, status, fill, nowMs);
+  status = client.onVehicle(event, status, fill);
   if (status != Status::Transferring) self.finish(status);
   return status;
 }
@@ -258,7 +260,7 @@ Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t
   if (needsStream() && !isLed) {
     if (!isListening) sending.listen(SteerRules::kConfirmMs, nowMs);
   } else if (isListening) {
-    sending.next(true, nowMs);
+    sending.next(true);
     sending.guard();
   }
   return status;

@@ -110,12 +110,11 @@ void Parameters::onTime(uint16_t nowMs) {
   if (client.state_.status != Status::Transferring) return;
   // Also when it is armed between the reading and the setting.
   if (what_ != Wanted::Nothing && client.isArmed() && !client.rest_.armedAllowed) return client.end(Status::Armed);
-  Status status = transfer.onTime(nowMs);
+  Status status = transfer.onTime(0, nowMs);
   if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
   if (status == Status::NoAnswer) status = isSetting_ ? Status::Unconfirmed : Status::NoParameter;
   if (status != Status::Transferring) return client.end(status);
-  const bool isDue = transfer.isDue(fromFlash(isSetting_ ? &kSet.id : &kRequest.id), nowMs);
-  if (isDue && client.link_.canSend() && client.claimHeavyWork()) send(nowMs);
+  if (transfer.isDue() && client.link_.canSend() && client.claimHeavyWork()) send(nowMs);
 }
 
 void Parameters::send(uint16_t nowMs) {
@@ -132,8 +131,7 @@ void Parameters::send(uint16_t nowMs) {
     message.param_index = -1;  // by its name
     link.send(&message, kRequest);
   }
-  client_.commanding_.transfer.sent(fromFlash(isSetting_ ? &kSet.id : &kRequest.id), nowMs,
-                                    link.pace().waitMs(CommandTransfer::kAnswerMs));
+  client_.commanding_.transfer.sent(nowMs, link.pace().waitMs(CommandTransfer::kAnswerMs));
 }
 
 // --- The answer
@@ -161,7 +159,6 @@ void Parameters::takeValue() {
 // What the value that has come means for the operation.
 Status Parameters::compare() {
   CommandTransfer& transfer = client_.commanding_.transfer;
-  const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (what_ == Wanted::Nothing) return Status::Done;
   if (isSetting_) {
     if (bits_ == wanted_) return Status::Done;
@@ -173,8 +170,8 @@ Status Parameters::compare() {
   if (!makeBits()) return Status::NotKept;
   if (bits_ == wanted_) return Status::Done;
   isSetting_ = true;
-  client_.beginSeconds(nowMs);
-  transfer.next(true, nowMs);
+  client_.beginSeconds(static_cast<uint16_t>(millis()));
+  transfer.next(true);
   return Status::Transferring;
 }
 

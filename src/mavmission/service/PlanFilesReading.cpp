@@ -31,7 +31,7 @@ Status PlanFiles::verify(const ItemSource& plan, PlanType type) {
   client.startOperation(readStep);
   beginOperation(readStep);
   client.reading_.take = Client::compareItem;
-  client.reading_.isCompared = true;
+  client.state_.isCompared = true;
   client.rest_.itemsTotal = client.plan_.count();
   if (client.rest_.tooLong) return client.refuse(Status::TooManyItems);
   return client.status();
@@ -45,7 +45,7 @@ Status PlanFiles::download(const ItemSink& sink, PlanType type) {
   client.startOperation(readStep);
   beginOperation(readStep);
   client.reading_.take = Client::storeItem;
-  client.reading_.isCompared = false;
+  client.state_.isCompared = false;
   client.reading_.sink = sink;
   return client.status();
 }
@@ -66,7 +66,7 @@ void PlanFiles::readStep(Client& client, const FrameParser* frame, uint16_t nowM
     state.status = Status::Transferring;
     // On a line that loses, each lost item costs a request and an answer, and both are longer than those of the mission
     // protocol. A sink that is not ready would let the rest of a burst go by.
-    const bool mayWait = !client.reading_.isCompared && client.reading_.sink.isReady != nullptr;
+    const bool mayWait = !client.state_.isCompared && client.reading_.sink.isReady != nullptr;
     if (mayWait || client.link_.pace().isLossy() || !self.isUsable()) return self.readByItems(0, nowMs);
     self.beginReading();
   }
@@ -75,8 +75,7 @@ void PlanFiles::readStep(Client& client, const FrameParser* frame, uint16_t nowM
 
 void PlanFiles::beginReading() {
   beginFile();
-  client_.reading_.planId = 0;  // the file does not name the plan
-  reading_.begin(client_.reading_.isCompared);
+  reading_.begin(client_.state_.isCompared);
 }
 
 void PlanFiles::readOn(uint16_t nowMs) {
@@ -119,7 +118,7 @@ void PlanFiles::takeReadReply(const FrameParser& frame, uint16_t nowMs) {
     const bool isLate = requested == MAV_FTP_OPCODE_OPENFILERO && reading_.state() != State::Opening;
     if (isLate || reading_.state() == State::Closing) return;
     // The file was closed by somebody, who may have changed the plan: a comparison begins anew.
-    return readByItems(client_.reading_.isCompared ? 0 : reading_.itemToAsk(), nowMs);
+    return readByItems(client_.state_.isCompared ? 0 : reading_.itemToAsk(), nowMs);
   }
   const uint32_t offset = frame.payloadLong(offsetof(FileFrame, offset));
   switch (requested) {
@@ -150,7 +149,7 @@ void PlanFiles::takeCount(const FrameParser& frame, uint16_t nowMs) {
   Client& client = client_;
   if (isLook_) return reading_.close(Status::Downloaded);
   const bool isHomeFirst = client.homeBefore() != 0;
-  if (!client.reading_.isCompared) {
+  if (!client.state_.isCompared) {
     const uint16_t items = isHomeFirst && count > 0 ? count - 1 : count;
     client.rest_.itemsTotal = items;
     if (items > client.reading_.sink.limit) reading_.close(Status::SinkFull);
@@ -211,7 +210,7 @@ void PlanFiles::endReading(Status status, uint16_t nowMs) {
   Client& client = client_;
   client.state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   if (onRead_ != nullptr) return onRead_(*this, status, nowMs);
-  if (status == Status::Downloaded && client.reading_.isCompared) {
+  if (status == Status::Downloaded && client.state_.isCompared) {
     status = Status::Verified;
     client.setAboard(Aboard::OurPlan);
     if (client.state_.type == PlanType::Mission) client.rest_.planId = 0;

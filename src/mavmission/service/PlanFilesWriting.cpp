@@ -126,7 +126,7 @@ void PlanFiles::beginComparing(void (*onRead)(PlanFiles& self, Status status, ui
   client.rest_.proving = true;  // no progress is reported for it
   client.rest_.mayBeRefused = false;
   client.reading_.take = Client::compareItem;
-  client.reading_.isCompared = true;
+  client.state_.isCompared = true;
   client.reading_.files = this;
 }
 
@@ -285,7 +285,7 @@ void PlanFiles::takeWriteReply(const FrameParser& frame, uint16_t nowMs) {
 void PlanFiles::proveByItems(uint16_t nowMs) {
   Client& client = client_;
   client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove an upload
-  client.reading_.sink.context = this;   // nothing is stored
+  client.reading_.prover = this;
   isDamaged_ = false;
   client.reading_.take = proveItem;
   client.state_.operation = proveByItemsStep;
@@ -300,7 +300,7 @@ void PlanFiles::proveByItemsStep(Client& client, const FrameParser* frame, uint1
   // An empty plan may have a count of 1: home.
   const bool isOther =
       isCount && client.plan_.count() != 0 && frame->payloadWord(offsetof(Count, count)) != client.plan_.wireCount();
-  PlanFiles& self = *static_cast<PlanFiles*>(client.reading_.sink.context);
+  PlanFiles& self = *client.reading_.prover;
   if (!isOther || !client.link_.pace().isLossy()) {
     Client::readStep(client, frame, nowMs);
     if (!self.isDamaged_) return;
@@ -311,7 +311,7 @@ void PlanFiles::proveByItemsStep(Client& client, const FrameParser* frame, uint1
 Status PlanFiles::proveItem(Client& client, uint16_t wireItem, MissionItem& item) {
   const Status status = Client::compareItem(client, wireItem, item);
   if (status != Status::Differs || !client.link_.pace().isLossy()) return status;
-  static_cast<PlanFiles*>(client.reading_.sink.context)->isDamaged_ = true;
+  client.reading_.prover->isDamaged_ = true;
   return Status::Checking;  // nothing more of this item
 }
 

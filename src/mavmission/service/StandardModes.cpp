@@ -124,7 +124,7 @@ Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_
   if (!isAnswered_ || !isHeard_) return status;
   if (!isSetting() || current_ == wanted_) return Status::Done;
   if (client_.state_.seconds >= kConfirmS) return Status::Unconfirmed;
-  askAgain(nowMs);
+  askAgain();
   client_.commanding_.transfer.pause(kAskAgainMs, nowMs);
   return status;
 }
@@ -133,12 +133,12 @@ Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_
 void StandardModes::beginAsking(uint16_t nowMs) {
   isAsking_ = true;
   client_.beginSeconds(nowMs);
-  askAgain(nowMs);
+  askAgain();
 }
 
-void StandardModes::askAgain(uint16_t nowMs) {
+void StandardModes::askAgain() {
   isHeard_ = isAnswered_ = false;
-  client_.commanding_.transfer.next(true, nowMs);
+  client_.commanding_.transfer.next(true);
 }
 
 }  // namespace mavmission

@@ -35,15 +35,15 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
   if (step_ == SteerStep::Disarm) return client_.isArmed() ? Status::Transferring : refusal_;
   const uint16_t shown = client_.shownMode();
   const bool isUnderWay = isOrdered_ && sending.mayBeUnderWay(nowMs);
-  if (isFailsafe() && (!isUnderWay || shown == change_.wanted())) return leaveTo(Status::FailsafeHasIt, nowMs);
+  if (isFailsafe() && (!isUnderWay || shown == change_.wanted())) return leaveTo(Status::FailsafeHasIt);
   const bool hasTakenOff = change_.wanted() == kPx4TakeOff && hasClimbed();
   if (oldMode_ == kPx4TakeOff && ownMode_ == shown && !isOrdered_) lead(shown, change_.wanted());
   switch (change_.onHeartbeat(hasTakenOff ? kPx4TakeOff : shown, isOrdered_, isUnderWay)) {
     case ModeOrder::Sight::Before: break;
     case ModeOrder::Sight::Wanted:
-      if (change_.isRestoring()) return leaveTo(whoFlies(), nowMs);
+      if (change_.isRestoring()) return leaveTo(whoFlies());
       // Not by this order: somebody else has set its mode.
-      if (!isOrdered_ && oldMode_ != change_.wanted()) return leaveTo(whoFlies(), nowMs);
+      if (!isOrdered_ && oldMode_ != change_.wanted()) return leaveTo(whoFlies());
       if (!sending.isOld()) return onOwnMode(nowMs);
       sending.ask();
       return Status::Transferring;
@@ -51,8 +51,8 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
       isModeSeen_ = false;
       sending.askLater();
       return Status::Transferring;
-    case ModeOrder::Sight::Foreign: return leaveTo(whoFlies(), nowMs);
-    case ModeOrder::Sight::Undone: return giveBack(nowMs);
+    case ModeOrder::Sight::Foreign: return leaveTo(whoFlies());
+    case ModeOrder::Sight::Undone: return giveBack();
   }
   const bool isArmed = step_ == SteerStep::Arm && sending.tries() != 0 && client_.isArmed();
   return isArmed ? nextStep(nowMs) : Status::Transferring;
@@ -70,20 +70,20 @@ Status Steering::onOwnMode(uint16_t nowMs) {
 
 // The aircraft is somebody else's. If this operation has armed it, and it stands on the ground, it is disarmed first:
 // in the air autopilots refuse that.
-Status Steering::leaveTo(Status other, uint16_t nowMs) {
+Status Steering::leaveTo(Status other) {
   if (!hasArmed_ || isInAir()) return other;
   refusal_ = other;
   step_ = SteerStep::Disarm;
-  client_.commanding_.transfer.next(true, nowMs);
+  client_.commanding_.transfer.next(true);
   return Status::Transferring;
 }
 
-Status Steering::giveBack(uint16_t nowMs) {
+Status Steering::giveBack() {
   CommandTransfer& sending = client_.commanding_.transfer;
   step_ = SteerStep::GiveBack;
   ownMode_ = kNoMode;
   forgetTarget();
-  sending.next(true, nowMs);
+  sending.next(true);
   sending.guard();  // a heartbeat has just come: it leaves at once
   return Status::Transferring;
 }

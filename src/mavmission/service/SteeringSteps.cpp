@@ -14,7 +14,7 @@ constexpr float kPositionUs = 500000;
 }  // namespace
 
 Status Steering::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
-  if (client.isAskingVehicle()) return client.onVehicle(event, status, fill, nowMs);
+  if (client.isAskingVehicle()) return client.onVehicle(event, status, fill);
   return static_cast<Steering*>(client.commanding_.owner)->onEvent(event, status, nowMs);
 }
 
@@ -126,7 +126,7 @@ bool Steering::beginStep(uint16_t nowMs) {
   isHeard_ = isAnswered_ = isTargetSame_ = false;
   isModeSeen_ = isDenied_ = false;
   // The first command of an operation may have to wait for late answers to the operation before.
-  if (sending.tries() != 0 || sending.state() != CommandTransfer::State::Due) sending.next(true, nowMs);
+  if (sending.tries() != 0 || sending.state() != CommandTransfer::State::Due) sending.next(true);
   if (step_ == SteerStep::AskPosition && isFresh) sending.listen(kConfirmMs, nowMs);  // the next one comes by itself
   if (step_ == SteerStep::Confirm && (isHeartbeatEnough || !isTakeOff)) {
     sending.listen(isTakeOff ? kTakeOffS * 1000u : kConfirmMs, nowMs);
@@ -239,12 +239,12 @@ Status Steering::done() {
 }
 
 // If a takeoff has armed and cannot go on, the aircraft is disarmed, while it is in our hands.
-Status Steering::leave(Status refusal, uint16_t nowMs) {
+Status Steering::leave(Status refusal) {
   const uint16_t shown = client_.shownMode();
   if (!hasArmed_ || (shown != change_.wanted() && shown != oldMode_)) return refusal;
   refusal_ = refusal;
   step_ = SteerStep::Disarm;
-  client_.commanding_.transfer.next(true, nowMs);
+  client_.commanding_.transfer.next(true);
   return Status::Transferring;
 }
 
@@ -256,7 +256,7 @@ Status Steering::onRefused(Status refusal, uint16_t nowMs) {
     case SteerStep::Command:
       // A repeated takeoff is refused by an aircraft that is taking off already.
       if (is(Order::TakeOff) && client_.commanding_.transfer.tries() > 1) return nextStep(nowMs);
-      if (!isPlaced() || client_.shownMode() != change_.wanted()) return leave(refusal, nowMs);
+      if (!isPlaced() || client_.shownMode() != change_.wanted()) return leave(refusal);
       if (refusal == Status::CommandUnsupported && has(client_.firmware(), kRefusesAndRepositions)) {
         return nextStep(nowMs);
       }
@@ -310,7 +310,7 @@ Status Steering::onTime(uint16_t nowMs) {
       if (is(Order::TakeOff)) {
         if (isHeard_ && !has(client_.firmware(), kIsActiveInAir)) {
           isHeard_ = false;
-          sending.next(true, nowMs);
+          sending.next(true);
           if (isInAir()) {  // and in whose hands?
             isModeSeen_ = false;
             sending.listen(kConfirmMs, nowMs);
@@ -320,7 +320,7 @@ Status Steering::onTime(uint16_t nowMs) {
           // On the ground still: ask again.
           if (secondsOfStep() >= kTakeOffS) {
             // In the mode of before it does not take off any more.
-            return client_.shownMode() == oldMode_ ? leave(Status::Unconfirmed, nowMs) : Status::Unconfirmed;
+            return client_.shownMode() == oldMode_ ? leave(Status::Unconfirmed) : Status::Unconfirmed;
           }
           sending.pause(kAskAgainMs, nowMs);
         }

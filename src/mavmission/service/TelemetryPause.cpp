@@ -84,6 +84,7 @@ TelemetryPause::TelemetryPause(MissionClient& client, const List& forArduPilot, 
       forArduPilot_(forArduPilot),
       forOthers_(forOthers),
       isHushing_(false),
+      isWaiting_(false),
       isAnswered_(false) {}
 
 const TelemetryPause::List& TelemetryPause::list() const {
@@ -115,8 +116,9 @@ bool TelemetryPause::findNext() {
 void TelemetryPause::update() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   if (isWaiting_) {
-    if (since(askedMs_, nowMs) < IntervalRules::kAnswerMs) return;
+    if (since(asked_.atMs, nowMs) < IntervalRules::kAnswerMs) return;
     isWaiting_ = false;
+    giveUpWaiting(nowMs);
     if (isAnswered_ || tries_ == IntervalRules::kTries) {
       tries_ = 0;
       ++index_;
@@ -136,15 +138,14 @@ void TelemetryPause::askNext(uint16_t nowMs) {
   ask(message.id, isHushing_ ? -1 : static_cast<float>(uint32_t{1000} * message.intervalMs), tries_, nowMs);
   muted_ |= bitOf(index_);
   ++tries_;
+  isWaiting_ = true;
   isAnswered_ = false;
 }
 
 void TelemetryPause::take(Listener& listener, const FrameParser& frame) {
   TelemetryPause& self = static_cast<TelemetryPause&>(listener);
   const uint16_t nowMs = static_cast<uint16_t>(millis());
-  // A repeated frame would be mistaken for the answer to the next message's command.
-  if (self.isAnswered_ || !self.isAnswer(frame) || !self.mayAsk(nowMs) || frame.sequence() == self.sequence_) return;
-  self.sequence_ = frame.sequence();
+  if (self.isAnswered_ || !self.mayAsk(nowMs) || !self.isAnswer(frame)) return;
   self.takeResult(frame.payloadByte(offsetof(mavlink_command_ack_t, result)), nowMs);
 }
 
@@ -158,6 +159,7 @@ void TelemetryPause::takeResult(uint8_t result, uint16_t nowMs) {
   if (!isHushing_) muted_ &= ~bitOf(index_);
   if (tries_ == 1) {
     settle();
+    isWaiting_ = false;
     tries_ = 0;
     ++index_;
     return;

@@ -3,18 +3,8 @@
 namespace mavmission {
 namespace detail {
 
-void CommandTransfer::rest(uint16_t nowMs) {
-  // Every repetition of the command may be answered as well. The last late answer comes as long after this answer as
-  // the last repetition was sent after the first attempt.
-  sentMs_ = nowMs;
-  // On a line that loses they were sent within less than that.
-  const uint8_t tries = tries_ < kTries ? tries_ : kTries;
-  waitMs_ = tries > 1 ? (tries - 1) * kNextAnswerMs : 0;
-  tries_ = 0;
-}
-
-void CommandTransfer::next(bool repeats, uint16_t nowMs) {
-  rest(nowMs);
+void CommandTransfer::next(bool repeats) {
+  rest();
   state_ = static_cast<uint8_t>(State::Due);
   repeats_ = repeats ? 1 : 0;
   isGuarded_ = 0;
@@ -24,17 +14,6 @@ void CommandTransfer::next(bool repeats, uint16_t nowMs) {
 void CommandTransfer::asked(uint16_t nowMs) {
   lookedMs_ = nowMs;
   isFresh_ = 0;
-  if (asksOpen_ != kMostAsks) ++asksOpen_;
-}
-
-bool CommandTransfer::isAnswerToAsking(uint16_t command, uint16_t nowMs) {
-  if (command != kRequestMessage || asksOpen_ == 0) return false;
-  if (since(lookedMs_, nowMs) >= kAnswerMs) {
-    asksOpen_ = 0;
-    return false;
-  }
-  --asksOpen_;
-  return true;
 }
 
 bool CommandTransfer::look(uint16_t nowMs) {
@@ -55,7 +34,6 @@ void CommandTransfer::onHeartbeat(uint16_t nowMs) {
   lookedMs_ = nowMs;
   isFresh_ = 1;
   isAsking_ = 0;
-  if (asksOpen_ > kLateAsks) asksOpen_ = kLateAsks;
 }
 
 void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
@@ -64,8 +42,7 @@ void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
   waitMs_ = waitMs;
 }
 
-void CommandTransfer::sent(uint16_t id, uint16_t nowMs, uint16_t answerMs) {
-  id_ = id;
+void CommandTransfer::sent(uint16_t nowMs, uint16_t answerMs) {
   ++tries_;
   if (isGuarded_ != 0) {
     // What a heartbeat shows sooner may be from before the order has arrived: it would be sent once too often.
@@ -77,8 +54,8 @@ void CommandTransfer::sent(uint16_t id, uint16_t nowMs, uint16_t answerMs) {
   wait(State::Sent, repeats_ != 0 ? answerMs : kProgressMs, nowMs);
 }
 
-Status CommandTransfer::onTime(uint16_t nowMs) {
-  if (isAsking_ != 0 && asksOpen_ == kMostAsks && since(lookedMs_, nowMs) >= kAskMs) {
+Status CommandTransfer::onTime(uint8_t asksOpen, uint16_t nowMs) {
+  if (isAsking_ != 0 && asksOpen >= kMostAsks && since(lookedMs_, nowMs) >= kAskMs) {
     isAsking_ = 0;
     tries_ = 0;
     return Status::NoAnswer;

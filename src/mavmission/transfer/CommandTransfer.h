@@ -30,33 +30,19 @@ namespace detail {
 
 class CommandTransfer : public CommandRules {
  public:
-  // In the place of a command's id (MAV_CMD): of a message that no COMMAND_ACK answers.
-  static constexpr uint16_t kNoCommand = 0;
-  static constexpr uint16_t kRequestMessage = 512;  // MAV_CMD_REQUEST_MESSAGE
-
   enum class State : uint8_t { Due, Sent, InProgress, Listening, Pausing };
 
   // Begins the next command of an operation, after the answer to the one before. `repeats`: the command may be sent
   // again when its answer does not come.
-  MAVMISSION_APART void next(bool repeats, uint16_t nowMs);
-  // Begins the first command of an operation. `last` is the transfer of the operation before, which was a command, too:
-  // late answers to that command may still come.
-  void beginBehind(const CommandTransfer& last) {
-    sentMs_ = last.sentMs_;
-    waitMs_ = last.waitMs_;
-    id_ = last.id_;
-    lookedMs_ = last.lookedMs_;
-    asksOpen_ = last.asksOpen_ < kLateAsks ? last.asksOpen_ : kLateAsks;
-  }
+  MAVMISSION_APART void next(bool repeats);
   void listen(uint16_t waitMs, uint16_t nowMs) { wait(State::Listening, waitMs, nowMs); }
   void pause(uint16_t waitMs, uint16_t nowMs) { wait(State::Pausing, waitMs, nowMs); }
   void setRepeats(bool repeats) { repeats_ = repeats ? 1 : 0; }
   bool repeats() const { return repeats_ != 0; }
 
-  // Status::Transferring while the command goes on, or else the status with which it has ended.
-  MAVMISSION_APART Status onTime(uint16_t nowMs);
-  // True for an answer to the command that is under way.
-  bool isAnswer(uint16_t command) const { return command == id_ && id_ != kNoCommand && tries_ != 0; }
+  // Status::Transferring while the command goes on, or else the status with which it has ended. `asksOpen`: requests
+  // for a heartbeat that have not been answered.
+  MAVMISSION_APART Status onTime(uint8_t asksOpen, uint16_t nowMs);
   void onProgress(uint16_t nowMs) { wait(State::InProgress, kProgressMs, nowMs); }
   // The command has been accepted. If it is to be confirmed by what the autopilot sends once a second, it is not sent
   // again before that time, on a lossy link too.
@@ -65,20 +51,15 @@ class CommandTransfer : public CommandRules {
     waitMs_ = kAnswerMs;
     if (tries_ > 2) tries_ = 2;
   }
-  // The command has been answered, and no other follows at once. From now on we allow for late answers to its other
-  // attempts.
-  void rest(uint16_t nowMs);
+  // The command is over, and no other follows at once.
+  void rest() { tries_ = 0; }
 
-  // True when the command with this id must be sent now. If the command before had the same id and was sent more than
-  // once, this one waits until the late answers should have come: COMMAND_ACK does not say which attempt it answers.
-  bool isDue(uint16_t id, uint16_t nowMs) const { return state() == State::Due && !awaitsLate(id, nowMs); }
+  // True when the command must be sent, if the CommandLog has nothing against that.
+  bool isDue() const { return state() == State::Due; }
   // `answerMs`: how long to wait for an answer before it is sent again; less on a lossy link, and then more often.
-  void sent(uint16_t id, uint16_t nowMs, uint16_t answerMs = kAnswerMs);
-
-  // True while a late answer to this command, which has ended, may come.
-  MAVMISSION_APART bool awaitsLate(uint16_t id, uint16_t nowMs) const {
-    return tries_ == 0 && id == id_ && since(sentMs_, nowMs) < waitMs_;
-  }
+  void sent(uint16_t nowMs, uint16_t answerMs = kAnswerMs);
+  // How long its answer is waited for [ms].
+  uint16_t waitMs() const { return waitMs_; }
 
   // --- Heartbeats
 
@@ -110,8 +91,6 @@ class CommandTransfer : public CommandRules {
     return isAsking_ != 0 && isOld_ == 0 && (isFresh_ != 0 || since(lookedMs_, nowMs) >= againMs);
   }
   void asked(uint16_t nowMs);
-  // True for a COMMAND_ACK that answers such a request, and not the command that is under way.
-  bool isAnswerToAsking(uint16_t command, uint16_t nowMs);
   // The autopilot's heartbeat has come. To be called before the operation takes it.
   MAVMISSION_APART void onHeartbeat(uint16_t nowMs);
   // True if the command that is due lacks the heartbeat behind which it may leave.
@@ -135,11 +114,9 @@ class CommandTransfer : public CommandRules {
   uint16_t calledMs_;  // when update() came by last
   uint16_t sentMs_;
   uint16_t waitMs_;
-  uint16_t id_;
   uint16_t lookedMs_;  // when the last heartbeat came, or when one was asked for since; isOld_: since when
   uint8_t ordered_;    // when a guarded command has left last [kOrderTickMs]
-  uint8_t tries_;
-  uint8_t asksOpen_ : 7;  // requests for a heartbeat without a COMMAND_ACK
+  uint8_t tries_ : 7;
   uint8_t isOld_ : 1;
   uint8_t state_ : 3;  // State
   uint8_t repeats_ : 1;

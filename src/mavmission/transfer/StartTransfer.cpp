@@ -112,7 +112,7 @@ Status StartTransfer::onItem(Status read, const MissionItem* item, const Aircraf
 Status StartTransfer::nextStep(const Aircraft& aircraft, CommandTransfer& sending) {
   setState(State::Steps);
   do {
-    step_ = static_cast<StartStep>(static_cast<uint8_t>(step_) + 1);
+    ++step_;
   } while (!beginStep(aircraft, sending));
   return Status::Transferring;
 }
@@ -159,7 +159,7 @@ bool StartTransfer::beginStep(const Aircraft& aircraft, CommandTransfer& sending
     case StartStep::Confirm: seen_ = kNoItem; break;
   }
   const uint16_t nowMs = aircraft.nowMs;
-  sending.next(true, nowMs);
+  sending.next(true);
   if (step() == StartStep::Confirm) {
     if (has(firmware, kSaysCurrentUnasked)) sending.listen(kConfirmMs, nowMs);
   } else if (step() != StartStep::FirstItem) {
@@ -201,7 +201,7 @@ Status StartTransfer::onRefused(Status refusal, const Aircraft& aircraft, Comman
   const bool isTriedAgain = step() == StartStep::AutoMode && isVehicle(aircraft, Vehicle::Rover) &&
                             static_cast<uint16_t>(aircraft.seconds - beganS_) < kAutoTriesS;
   if (isTriedAgain) {
-    sending.next(true, aircraft.nowMs);
+    sending.next(true);
     sending.guard();
     sending.pause(kAutoAgainMs, aircraft.nowMs);
     return Status::Transferring;
@@ -235,17 +235,17 @@ Status StartTransfer::leave(Status refusal, const Aircraft& aircraft, CommandTra
   if (arming() != StartArming::Armed && !mayHaveChanged) return refusal;
   refusal_ = refusal;
   setState(State::Leaving);
-  sending.rest(aircraft.nowMs);
+  sending.rest();
   sending.listen(FinderRules::kLostMs, aircraft.nowMs);
   sending.ask();
   return Status::Transferring;
 }
 
 // Sets the mode order_.wanted(), which a step has undone, at once; start() ends with `refusal` then.
-Status StartTransfer::restore(Status refusal, const Aircraft& aircraft, CommandTransfer& sending) {
+Status StartTransfer::restore(Status refusal, CommandTransfer& sending) {
   refusal_ = refusal;
   setState(State::Restoring);
-  sending.next(true, aircraft.nowMs);
+  sending.next(true);
   sending.guard();
   return Status::Transferring;
 }
@@ -264,12 +264,12 @@ Status StartTransfer::onHeartbeatLeaving(const Aircraft& aircraft, CommandTransf
   }
   if (armsByMissionStart && !aircraft.isArmed && isWanted && !order_.isFrom(order_.wanted())) {
     order_.turn();
-    return restore(refusal_, aircraft, sending);
+    return restore(refusal_, sending);
   }
   if (!aircraft.isArmed || !isOurArming || isTaken || hasBegun) return refusal_;
   if (state() == State::Leaving) {
     setState(State::Disarming);
-    sending.next(true, aircraft.nowMs);
+    sending.next(true);
     sending.guard();
   }
   return Status::Transferring;
@@ -295,7 +295,7 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
       if (isArmingStep(aircraft.firmware) && !isSent && isArmedSeen_ == 0) setArming(StartArming::Untouched);
       return Status::TakenOver;
     case ModeOrder::Sight::Doubtful: sending.askLater(); return Status::Transferring;
-    case ModeOrder::Sight::Undone: return restore(Status::TakenOver, aircraft, sending);
+    case ModeOrder::Sight::Undone: return restore(Status::TakenOver, sending);
     case ModeOrder::Sight::Wanted:
       if (isRestoring) return refusal_;
       return onOwnMode(true, aircraft, sending);
@@ -351,7 +351,7 @@ Status StartTransfer::onOtherNamed(const Aircraft& aircraft, CommandTransfer& se
   if (isDoubted_ != 0) return onOther(aircraft, sending);
   // The message may be older than our plan: a second one decides.
   isDoubted_ = 1;
-  if (asks && sending.state() == CommandTransfer::State::Sent) sending.next(true, aircraft.nowMs);
+  if (asks && sending.state() == CommandTransfer::State::Sent) sending.next(true);
   return Status::Transferring;
 }
 
@@ -382,7 +382,7 @@ Status StartTransfer::onCurrent(uint16_t item, bool isUnderWay, const Aircraft& 
       if (item != first_ && item != next_) return Status::Transferring;
       seen_ = kNoItem;
       setState(State::Asking);
-      sending.next(true, aircraft.nowMs);
+      sending.next(true);
       return Status::Transferring;
     }
     if (next_ == kNoItem && item != 0) next_ = item;

@@ -93,8 +93,8 @@ class StartTransfer : public StartRules {
   uint16_t modeToSet() const { return order_.wanted(); }
 
   State state() const { return state_; }
-  StartStep step() const { return step_; }
-  StartArming arming() const { return arming_; }
+  StartStep step() const { return static_cast<StartStep>(step_); }
+  StartArming arming() const { return static_cast<StartArming>(arming_); }
   // The current item that the autopilot named last; kNoItem: none yet. With Status::OtherItem it is that item.
   uint16_t seen() const { return seen_; }
 
@@ -108,15 +108,15 @@ class StartTransfer : public StartRules {
   bool beginStep(const Aircraft& aircraft, CommandTransfer& sending);
   bool isArmingStep(Firmware firmware) const;
   MAVMISSION_APART Status leave(Status refusal, const Aircraft& aircraft, CommandTransfer& sending);
-  MAVMISSION_APART Status restore(Status refusal, const Aircraft& aircraft, CommandTransfer& sending);
+  MAVMISSION_APART Status restore(Status refusal, CommandTransfer& sending);
   MAVMISSION_APART Status notRestored() const;
   Status onHeartbeatLeaving(const Aircraft& aircraft, CommandTransfer& sending);
   MAVMISSION_APART Status onOwnMode(bool isWanted, const Aircraft& aircraft, CommandTransfer& sending);
   uint16_t readyMode(const Aircraft& aircraft) const;
   Status confirm(Firmware firmware);
   void setState(State state) { state_ = state; }
-  void setStep(StartStep step) { step_ = step; }
-  void setArming(StartArming arming) { arming_ = arming; }
+  void setStep(StartStep step) { step_ = static_cast<uint8_t>(step); }
+  void setArming(StartArming arming) { arming_ = static_cast<uint8_t>(arming); }
 
   uint16_t first_;   // the item to begin with
   uint16_t next_;    // the item to look at, and then the one that will be flown first; kNoItem: not known
@@ -130,10 +130,10 @@ class StartTransfer : public StartRules {
   uint8_t looked_ : 7;     // how many items were looked at on the way to the one that will be flown
   uint8_t wasFlying_ : 1;  // its mission, before start()
   State state_;
-  StartStep step_;
-  StartArming arming_;
+  uint8_t step_ : 3;         // StartStep
   uint8_t isSent_ : 1;       // the order of order_ has left
   uint8_t isArmedSeen_ : 1;  // a heartbeat has shown it armed
+  uint8_t arming_ : 2;       // StartArming
   uint8_t isDoubted_ : 1;    // the last MISSION_CURRENT was about another plan
 };
 

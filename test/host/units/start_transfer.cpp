@@ -65,7 +65,7 @@ struct Flight {
   }
   void sent() {
     CHECK((sending.state() == CommandTransfer::State::Due));
-    sending.sent(static_cast<uint16_t>(start.message()) + 100, aircraft.nowMs);
+    sending.sent(aircraft.nowMs);
   }
   void sent(Message message) {
     CHECK((start.message() == message));
@@ -84,7 +84,7 @@ struct Flight {
   // True if the message that was sent is sent again when nothing answers it.
   bool isRepeated() {
     aircraft.nowMs = static_cast<uint16_t>(aircraft.nowMs + CommandTransfer::kAnswerMs);
-    return sending.onTime(aircraft.nowMs) == Status::Transferring && sending.state() == CommandTransfer::State::Due;
+    return sending.onTime(0, aircraft.nowMs) == Status::Transferring && sending.state() == CommandTransfer::State::Due;
   }
   Status accepted() { return start.onAccepted(aircraft, sending); }
   Status refused(Status status = Status::CommandFailed) { return start.onRefused(status, aircraft, sending); }
@@ -633,7 +633,7 @@ TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, 
   Flight repeated = copter();
   repeated.goTo(StartStep::Arm);
   repeated.sent();
-  repeated.sending.onTime(static_cast<uint16_t>(repeated.aircraft.nowMs + CommandTransfer::kAnswerMs));
+  repeated.sending.onTime(0, static_cast<uint16_t>(repeated.aircraft.nowMs + CommandTransfer::kAnswerMs));
   repeated.sent();
   CHECK((repeated.refused() == Status::Transferring));
   CHECK((repeated.start.state() == State::Leaving));
@@ -676,9 +676,9 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
     CHECK((flight.refused() == Status::Transferring));
     CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
     flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs + StartTransfer::kAutoAgainMs - 1);
-    flight.sending.onTime(flight.aircraft.nowMs);
+    flight.sending.onTime(0, flight.aircraft.nowMs);
     CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
-    flight.sending.onTime(++flight.aircraft.nowMs);
+    flight.sending.onTime(0, ++flight.aircraft.nowMs);
     Flight silent = flight;
     silent.sent();
     CHECK(silent.isRepeated());
