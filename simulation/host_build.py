@@ -37,7 +37,8 @@ OF_32_BITS = ["-O1", "-m32", "-msse2", "-mfpmath=sse", "-fsanitize=alignment,und
 # (two tables have the same in one run of 20). The unit tests have that check.
 FUZZED = ["-O1", f"-fsanitize=fuzzer-no-link,{SANITIZERS}", "-fno-sanitize-coverage=stack-depth", "-fno-sanitize=vptr",
           "-fno-sanitize-recover=all"]  # fmt: skip
-FAST = ["-O2"]
+# Without debugging information two objects are the same when their code is: tools/mutate goes by that.
+FAST = ["-O2", "-g0"]
 # The tests' own code with doctest's macros would be most of the time of a build, and is not what is looked at.
 # What tries a million values is sooner done when it is optimised all the same.
 UNITS = HOST / "units"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from building import BOARDS, BUILD, HARDWARE, ROOT, BuildFailed, build_sketch
+from building import BOARDS, BUILD, HARDWARE, ROOT, BuildFailed, Built, build_sketch
 from examples import example_folders, sketch_of
 from promised import TOO_LARGE
 
@@ -289,12 +289,25 @@ SLOW = pytest.mark.slow
 def test_every_example_compiles_for_every_board(example, board):
     if (example.stem, board) in TOO_LARGE:
         with pytest.raises(BuildFailed, match="Sketch too big|will not fit"):
-            build_sketch(example, board)
+            fitting(example, board)
         return
-    built = build_sketch(example, board)
-    assert built.flash <= BOARDS[board].flash
+    built = fitting(example, board)
     # A sketch that leaves the stack no room is of no use on a small board.
     assert built.ram <= BOARDS[board].ram - 512
+
+
+def fitting(example: Path, board: str) -> Built:
+    """The sketch for this board. What an Uno has compiled is a Nano's, whose boot loader takes more room."""
+    built = build_sketch(example, "uno" if board == "nano" else board)
+    if built.flash > BOARDS[board].flash:
+        raise BuildFailed("Sketch too big")
+    return built
+
+
+@SLOW
+def test_a_nano_gets_what_an_uno_gets():
+    one, other = (build_sketch(sketch_of("UploadMission"), board) for board in ("uno", "nano"))
+    assert one.hex.read_bytes() == other.hex.read_bytes()
 
 
 def pins_of(variant: str, table: str) -> list[str]:

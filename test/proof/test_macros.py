@@ -23,8 +23,16 @@ LIMITS = {
     "MAVMISSION_ONLY_PX4": (0, 1),
 }
 ONLY = ("MAVMISSION_ONLY_ARDUPILOT", "MAVMISSION_ONLY_PX4")  # what they leave out, other macros and the units ask for
+NUMBERS = tuple(macro for macro, (least, _) in LIMITS.items() if least > 0)
+# Each a firmware: the numbers together, and each switch alone, which is how other tests compile the library, too.
+AT_LIMITS = {end: {macro: LIMITS[macro][n] for macro in NUMBERS} for n, end in enumerate(("least", "greatest"))}
+AT_LIMITS |= {f"{macro}={on}": {macro: on} for macro, (least, most) in LIMITS.items() if least == 0
+              for on in range(1, most + 1)}  # fmt: skip
 SKETCH = ROOT / "test" / "demonstrated" / "in_ram.cpp"
 UNITS = ("frame_parser", "wire_plan", "outbox")
+# These are of the first folders of the library, which use none of the others.
+PARTS = [source for folder in ("base", "signing", "link", "autopilot", "plan")
+         for source in sorted((LIBRARY / "mavmission" / folder).glob("*.cpp"))]  # fmt: skip
 
 
 def test_these_are_all_the_macros_there_are():
@@ -33,10 +41,9 @@ def test_these_are_all_the_macros_there_are():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("macro", LIMITS)
-@pytest.mark.parametrize("end", [0, 1], ids=["least", "greatest"])
-def test_firmware_is_built_at_the_limits(macro, end):
-    assert build_firmware("macros", [SKETCH], {macro: LIMITS[macro][end]}).exists()
+@pytest.mark.parametrize("limits", AT_LIMITS)
+def test_firmware_is_built_at_the_limits(limits):
+    assert build_firmware("macros", [SKETCH], AT_LIMITS[limits]).exists()
 
 
 @pytest.mark.parametrize("macro", LIMITS)
@@ -58,7 +65,7 @@ def test_one_autopilot_alone_excludes_others_in_words(two):
 def test_parts_work_at_the_limits(end, tmp_path):
     defines = {macro: limits[end] for macro, limits in LIMITS.items() if macro not in ONLY}
     sources = [HOST / "units" / f"{unit}.cpp" for unit in ("main", *UNITS)]
-    program = build_host("limits", [*sources, *sorted(HOST.glob("*.cpp"))], "clang++", defines=defines)
+    program = build_host("limits", [*sources, *sorted(HOST.glob("*.cpp"))], "clang++", defines=defines, library=PARTS)
     for unit in UNITS:
         assert cases_of(unit) > 0
         assert run_unit(program, unit, tmp_path) == (0, cases_of(unit))

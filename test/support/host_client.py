@@ -18,7 +18,7 @@ from pathlib import Path
 
 from simulation.bench import _ITEM, PERSONALITIES, aboard_names, packed, status_names
 from simulation.fake_autopilot import Item
-from simulation.firmware import ROOT, library_sources
+from simulation.firmware import ROOT
 from simulation.host_build import FAST, build_host
 from simulation.service import ALL, MISSION, PROOFS, unpacked
 from simulation.wire import Wire
@@ -30,9 +30,8 @@ PLAN_ITEMS = 60  # room in the program
 @functools.cache
 def program() -> Path:
     sources = [ROOT / "test" / "day" / "client.cpp"]
-    flags = [*FAST, "-fno-access-control"]
-    own = ['-DCLIENT_LINE="SerialLine.h"']
-    return build_host("client", sources, "g++", flags, own_flags=own, library=library_sources())
+    own = ['-DCLIENT_LINE="SerialLine.h"', "-fno-access-control"]
+    return build_host("client", sources, "g++", FAST, own_flags=own)
 
 
 class HostClient:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from simulation.bench import aboard_names, status_names
 from simulation.fake_autopilot import Item
-from simulation.firmware import ROOT, library_sources
+from simulation.firmware import ROOT
 from simulation.host_build import FAST, HOST, build_host
 
 _WIRE = struct.Struct("<4f2if2H5B")  # MISSION_ITEM_INT without its mission_type
@@ -48,7 +48,7 @@ class End:
 @functools.cache
 def program() -> Path:
     sources = [ROOT / "test" / "readbacks" / "replay.cpp", HOST / "Frames.cpp"]
-    return build_host("replay", sources, "g++", [*FAST], library=library_sources())
+    return build_host("replay", sources, "g++", FAST)
 
 
 def replay(

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Sequence
 from pathlib import Path
 
 from datagrams import Network, Place, frames_in
@@ -20,7 +19,7 @@ from host_client import HostClient
 from simulation.bench import PERSONALITIES, status_names
 from simulation.fake_autopilot import FakeAutopilot, mavlink
 from simulation.fake_autopilot.frames import decode
-from simulation.firmware import ROOT, library_sources
+from simulation.firmware import ROOT
 from simulation.host_build import FAST, build_host
 
 US, BRIDGE = Place(1, 14550), Place(2, 14555)
@@ -29,13 +28,11 @@ US, BRIDGE = Place(1, 14550), Place(2, 14555)
 @functools.cache
 def udp_program(sources: tuple[Path, ...] = (), instead: Path | None = None) -> Path:
     """`sources`: the library's, where one has a defect. `instead`: a folder whose headers are found first."""
-    own = ['-DCLIENT_LINE="UdpLine.h"', "-DCLIENT_OVER_UDP"]
+    own = ['-DCLIENT_LINE="UdpLine.h"', "-DCLIENT_OVER_UDP", "-fno-access-control"]
     if instead is not None:
         own += ["-iquote", str(instead)]
     client = [ROOT / "test" / "day" / "client.cpp"]
-    flags = [*FAST, "-fno-access-control"]
-    library: Sequence[Path] = sources or library_sources()
-    return build_host("udp_client", client, "g++", flags, own_flags=own, library=library)
+    return build_host("udp_client", client, "g++", FAST, own_flags=own, library=sources or None)
 
 
 class UdpClient(HostClient):

@@ -18,7 +18,7 @@ from simulation.host_build import STANDARD
 
 from .mutants import Mutant
 from .overlay import Overlay
-from .programs import COMPILER, NICE, OUTPUT, Program, explorer, unit_program
+from .programs import NICE, OUTPUT, Program, explorer, unit_program
 from .subjects import EXPLORED, Subject, units_of
 
 RESULTS = OUTPUT / "results"
@@ -95,7 +95,7 @@ class Desk:
     def is_left_out(self, mutant: Mutant) -> bool:
         """Whether the preprocessor leaves out what is changed, as it does what is for signing, or for the AVR."""
         places = [f"-I{self.overlay.place}", *host_build.PLACES]
-        words = [COMPILER, "-E", "-P", "-x", "c++", *STANDARD, *places]
+        words = ["g++", "-E", "-P", "-x", "c++", *STANDARD, *places]
         texts = [
             subprocess.run([*words, file], capture_output=True, check=True).stdout
             for file in (self.overlay.path(mutant.path), mutant.path)
@@ -143,8 +143,8 @@ class Desk:
         return made is None or killer.is_sanitized or made.read_bytes() != killer.objects[source].read_bytes()
 
     def compiled(self, killer: Program, source: Path) -> Path | None:
-        """None if it does not compile. Programs with the same flags share the library's objects."""
-        command = killer.plainly(source)
+        """None if it does not compile; a mutant may have warnings. Programs with the same flags share the objects."""
+        command = [*killer.command(source), "-g0", "-w"]
         quick = host_build.quickened(source, command)
         words = [*NICE, quick[0], f"-I{self.overlay.place}", *quick[1:], str(self.overlay.path(source))]
         key = tuple(words)

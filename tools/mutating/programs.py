@@ -19,9 +19,6 @@ from simulation.recorded_for_units import environment
 
 OUTPUT = ROOT / "build" / "mutation"
 EXPLORER = ROOT / "test" / "explorer"
-COMPILER = "g++"
-# Without debugging information two objects are the same when their code is. A mutant may have warnings.
-PLAIN = ["-g0", "-w"]
 NICE = ["nice", "-n", "10"]
 MOST_STATES = 4_000_000  # of an exploration; the library as it is has a seventh of that
 
@@ -37,8 +34,9 @@ class Run(NamedTuple):
 class Program:
     """`killer` is what the report calls it; `runs` the arguments of each run.
 
-    `flags` are for the library too, `own_flags` for its own sources alone. Under the sanitizers, which put places into
-    the code, an object says nothing by being another one; those of the library as it is are shared with test_host.py.
+    `flags` are for the library too, `own_flags` for its own sources alone; by these and by their compilers they are the
+    programs of the tests, and the objects of the library as it is are the same. Under the sanitizers, which put places
+    into the code, an object says nothing by being another one.
     """
 
     killer: str
@@ -52,25 +50,22 @@ class Program:
     def is_sanitized(self) -> bool:
         return self.flags == tuple(SANITIZED)
 
+    @property
+    def compiler(self) -> str:
+        return "clang++" if self.is_sanitized else "g++"
+
     def command(self, source: Path) -> list[str]:
-        """How a source is compiled, where its includes are aside."""
+        """How a source is compiled, where its includes are aside: as host_build does."""
         own = self.own_flags if source in self.sources else ()
         units = [*FAST_ASSERTS, *AS_IT_IS] if source.parent == UNITS else []
-        return [COMPILER, "-c", *STANDARD, *self.flags, *own, *WARNINGS, *PLACES, *units]
-
-    def plainly(self, source: Path) -> list[str]:
-        return [*self.command(source), *PLAIN]
-
-    def base_command(self, source: Path) -> list[str]:
-        """As the library is. The sanitizers' is that of the tests themselves."""
-        return self.command(source) if self.is_sanitized else self.plainly(source)
+        return [self.compiler, "-c", *STANDARD, *self.flags, *WARNINGS, *PLACES, *units, *own]
 
     @functools.cached_property
     def objects(self) -> dict[Path, Path]:
         """By source. Of the library all; the linker takes what is needed."""
         sources = [*self.sources, SHIM / "Arduino.cpp", *library_sources()]
         with ThreadPoolExecutor(os.cpu_count()) as workers:
-            made = workers.map(lambda source: host_build.make_object(source, self.base_command(source)), sources)
+            made = workers.map(lambda source: host_build.make_object(source, self.command(source)), sources)
             return dict(zip(sources, made, strict=False))
 
     @functools.cached_property
@@ -98,7 +93,7 @@ class Program:
         """
         own = [mutated.get(source, made) for source, made in self.objects.items() if LIBRARY not in source.parents]
         changed = [made for source, made in mutated.items() if LIBRARY in source.parents]
-        words: list[str | Path] = [COMPILER, *self.flags, *options, "-o", output, *own, *changed, self.archive]
+        words: list[str | Path] = [self.compiler, *self.flags, *options, "-o", output, *own, *changed, self.archive]
         linked = subprocess.run([*NICE, *words], capture_output=True, text=True, check=False)
         if linked.returncode != 0:
             raise host_build.HostProgramNotBuilt(f"{self.name}: {linked.stderr}")
@@ -132,7 +127,7 @@ class Program:
 
     def includes(self, source: Path, file: Path) -> bool:
         if source not in self._files:
-            included = host_build.compilation(source, self.base_command(source))[1]
+            included = host_build.compilation(source, self.command(source))[1]
             self._files[source] = {file.resolve() for file in host_build.files_in(included)}
         return file.resolve() in self._files[source]
 
