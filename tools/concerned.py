@@ -40,9 +40,13 @@ def listed(name: str) -> list[str]:
 
 
 def units(name: str) -> list[str]:
-    """The host's unit tests in which the file is named, by its name without the ending."""
-    word = re.compile(rf"\b{Path(name).stem}\b")
-    found = [unit.stem for unit in sorted(UNITS.glob("*.cpp")) if word.search(unit.read_text())]
+    """The host's unit tests in which the file is named, by its name without the ending; of SteeringHands steering.cpp,
+    too."""
+    stem = Path(name).stem
+    snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", stem).lower()
+    word = re.compile(rf"\b{stem}\b")
+    found = [unit.stem for unit in sorted(UNITS.glob("*.cpp"))
+             if snake.startswith(f"{unit.stem}_") or word.search(unit.read_text())]  # fmt: skip
     test = "test/proof/test_host.py::test_every_case_of_a_unit_passes"
     return [f"{test}[plain-{unit}]" for unit in found if unit != "main"]
 
