@@ -15,9 +15,9 @@ class MovingTarget;
 // it is in the air (EXTENDED_SYS_STATE), and a plane of ArduPilot whether it can hover. AskHome: PX4 is asked whether
 // it knows where home is (HOME_POSITION). AskPosition: the position is requested twice a second (GLOBAL_POSITION_INT).
 // Mode, Arm: the mode is set, the aircraft is armed. Command: NAV_TAKEOFF, DO_REPOSITION or DO_CHANGE_SPEED is sent.
-// Confirm: waits for the message which shows that the command is carried out. Disarm: takeOff() was refused after it
-// had armed. GiveBack: a command has replaced a mode that somebody else had set at the same moment, and that mode is
-// set again.
+// Confirm: waits for the message which shows that the command is carried out. Disarm: takeOff() has failed after it had
+// armed. GiveBack: a command has replaced a mode that somebody else had set at the same moment, and that mode is set
+// again.
 enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Arm, Command, Confirm, Disarm, GiveBack };
 
 // Steers the client's aircraft. Declare one beside the client:
@@ -54,9 +54,9 @@ class Steering : public detail::Listener, private detail::SteerRules {
 
   // Arms the aircraft, and makes it climb vertically to this height above home: for ArduPilot's copters and QuadPlanes,
   // and for PX4. Done when it has left the ground; hasArrived() becomes true at that height. In the air it is refused
-  // (Status::Armed). If the takeoff is refused after arming, the aircraft is disarmed again. A plane is asked first
-  // whether it can hover (EXTENDED_SYS_STATE). A QuadPlane climbs to this height above the place where it stands, not
-  // above home.
+  // (Status::Armed). If it is armed and the takeoff is refused or not answered, or does not leave the ground within
+  // 15 s, it is disarmed again. A plane is asked first whether it can hover (EXTENDED_SYS_STATE). A QuadPlane climbs to
+  // this height above the place where it stands, not above home.
   Status takeOff(Metres aboveHome);
 
   // Flies to a place now, and stays there (MAV_CMD_DO_REPOSITION). Done when the autopilot has accepted the place and

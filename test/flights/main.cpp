@@ -15,6 +15,9 @@ namespace {
           "%s\n"
           "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
           "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
+          "       flights AUTOPILOT TASK pilots COUNT [OPTION VALUE]...  one pilot or failsafe takes it, at a random "
+          "moment\n"
+          "                                                              of so many flights of each task\n"
           "       flights AUTOPILOT TASK one ACT@MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
           "  AUTOPILOT  Copter, Rover or PX4\n"
           "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
@@ -47,7 +50,7 @@ struct Findings {
   FlightPlan broken;
   std::string rule;
 
-  void note(const FlightPlan& plan) {
+  Flown note(const FlightPlan& plan) {
     const Flown flown = fly(plan, nullptr);
     ++flights;
     taken += flown.hasTaken;
@@ -56,11 +59,13 @@ struct Findings {
     undoneMs = std::max(undoneMs, flown.longestUndoneMs);
     longestMs = std::max(longestMs, flown.tookMs);
     ++ends[mavmission::toString(flown.status)];
-    if (flown.broken.empty()) return;
+    if (flown.broken.empty()) return flown;
     ++rules[flown.broken];
-    if (violations++ != 0) return;
-    broken = plan;
-    rule = flown.broken;
+    if (violations++ == 0) {
+      broken = plan;
+      rule = flown.broken;
+    }
+    return flown;
   }
 };
 
@@ -129,6 +134,29 @@ void flyRandom(FlightPlan plan, unsigned count, Findings& findings) {
   }
 }
 
+// Somebody sets a mode while the task runs, once in each flight, until that has happened in so many flights.
+void flyPilots(FlightPlan plan, unsigned count, Findings& findings) {
+  constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe};
+  constexpr unsigned kMostFlights = 20;  // for each that counts
+  FlightPlan clean = plan;
+  clean.loss = 0;
+  const uint32_t span = static_cast<uint32_t>(fly(clean, nullptr).tookMs) * (plan.loss > 0 ? 3 : 1);
+  const uint32_t first = plan.seed;
+  const unsigned long unseenBefore = findings.unseen;
+  unsigned taken = 0;
+  for (unsigned i = 0; taken < count && i < kMostFlights * count; ++i) {
+    plan.seed = first + i;
+    std::mt19937 random(plan.seed);
+    const What who = kWho[random() % 4];
+    if (!isOfUse(plan, who)) continue;
+    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && random() % 2 != 0;
+    plan.acts.assign(1, Act{who, static_cast<int32_t>(random() % (span + 1)), 0});
+    const Flown flown = findings.note(plan);
+    if (flown.hasTaken && plan.acts.front().atMs <= flown.tookMs) ++taken;
+  }
+  printf("%s=%u %lu\n", kTaskNames[static_cast<int>(plan.task)], taken, findings.unseen - unseenBefore);
+}
+
 Act actOf(const std::string& word) {
   const size_t at = word.find('@'), amount = word.find('=');
   if (at == std::string::npos) usage("an ACT without a moment");
@@ -193,13 +221,17 @@ int main(int argc, char** argv) {
     plan.task = static_cast<Task>(nameAmong(kTaskNames, task, "there is no such TASK"));
     return tell(plan);
   }
-  if (number == 0 || (how != "each" && how != "random")) usage("each or random, and a number");
+  if (number == 0 || (how != "each" && how != "random" && how != "pilots")) {
+    usage("each, random or pilots, and a number");
+  }
   Findings findings;
   for (int i = 0; i < kTasks; ++i) {
     plan.task = static_cast<Task>(i);
     if ((task != "all" && task != kTaskNames[i]) || !canBe(plan.kind, plan.task)) continue;
     if (how == "each") {
       flyEach(plan, number, findings);
+    } else if (how == "pilots") {
+      flyPilots(plan, number, findings);
     } else {
       flyRandom(plan, number, findings);
     }

@@ -52,7 +52,9 @@ def test_disarmed_aircraft_gets_a_plan_at_once(service):
 
 
 @ARMING
-def test_arming_that_no_heartbeat_shows_is_unconfirmed(service):
+@pytest.mark.parametrize("loss", [0.0, 3.0])
+def test_arming_that_no_heartbeat_shows_is_unconfirmed(service, loss):
+    service.wire.damage_bytes(lose=loss)
     service.run(2.0)
     react = service.autopilot._hears["COMMAND_LONG"]
 
@@ -64,7 +66,7 @@ def test_arming_that_no_heartbeat_shows_is_unconfirmed(service):
 
     service.autopilot._hears["COMMAND_LONG"] = hear
     service.order_of("arm")
-    assert service.done(limit_s=15) == "Unconfirmed"
+    assert service.done(limit_s=35 if loss else 15) == "Unconfirmed"
     assert not service.state.armed
 
 

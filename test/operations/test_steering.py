@@ -496,7 +496,7 @@ def test_takeoff_that_is_refused_after_arming_is_disarmed_again(steered):
 
 
 @STEERING
-def test_takeoff_that_never_leaves_the_ground_is_unconfirmed(steered):
+def test_takeoff_that_never_leaves_the_ground_is_unconfirmed_and_disarmed(steered):
     steered.autopilot._nav_takeoff = lambda message, now: mavlink.MAV_RESULT_ACCEPTED
     if is_px4(steered):
         def only_the_mode(message, now: float) -> int:
@@ -505,7 +505,7 @@ def test_takeoff_that_never_leaves_the_ground_is_unconfirmed(steered):
         steered.autopilot._nav_takeoff = only_the_mode
     steered.take_off(10.0)
     assert steered.done(limit_s=30) == "Unconfirmed"
-    assert steered.step == "Confirm"
+    assert steered.step == "Disarm" and not steered.autopilot.armed
 
 
 @STEERING
@@ -633,6 +633,36 @@ def test_px4_that_never_says_whether_it_flies_is_asked_for_20_s_at_the_most(buil
     assert steered.done(limit_s=30) == "NoAnswer"
     assert steered.now - began < 22.0 and steered.step == "AskLanded"
     assert len(steered.ordered()) == before
+
+
+@STEERING
+@pytest.mark.parametrize("loss", [0.0, 1.0, 3.0])
+@pytest.mark.parametrize("is_told", [False, True], ids=["never", "until it is armed"])
+def test_takeoff_of_a_px4_that_does_not_say_whether_it_flies_ends_soon(build_steered, is_told, loss):
+    """Each question is accepted."""
+    steered = build_steered("PX4", wire=Wire(3))
+    steered.wire.damage_bytes(lose=loss)
+    steered.run(5.0)
+    px4 = steered.autopilot
+    px4.faults.keep_back("EXTENDED_SYS_STATE", where=lambda _: px4.armed or not is_told)
+    began = steered.now
+    steered.take_off(100.0)
+    assert steered.done(limit_s=60) == ("Unconfirmed" if is_told else "NoAnswer")
+    assert is_told or steered.now - began < 22.0
+    assert px4.armed == is_told
+
+
+@STEERING
+@pytest.mark.parametrize("case", ["NoAnswer", "TookTooLong"])
+def test_takeoff_that_is_never_heard_leaves_nothing_armed(steered, case):
+    steered.run(2.0)
+    steered.wire.lose(">", name="COMMAND_*", where=lambda message: message.command == TAKEOFF, times=99)
+    if case == "TookTooLong":
+        steered.tell("limit", 3)
+    steered.take_off(10.0)
+    assert steered.done(limit_s=60) == case
+    assert [one.command for one in steered.ordered()].count(ARM) == 2
+    assert not steered.autopilot.armed
 
 
 @STEERING

@@ -35,6 +35,7 @@ COLUMNS = ["autopilot", "bytes lost", "flights", "somebody took it", "undone, lo
            "from his mode to the order, longest", "violations"]  # fmt: skip
 WINDOW_MS = 30  # from the heartbeat that shows no foreign mode to the order's arrival: docs/who_has_the_aircraft.md
 GIVEN_BACK_MS = 300
+TWO_HEARTBEATS_MS = 2200
 
 
 @functools.cache
@@ -83,6 +84,30 @@ def test_whoever_acts_keeps_the_aircraft_on_a_line_that_loses(record_property, c
              for autopilot in AUTOPILOTS for loss in (0, 5, 30)]  # fmt: skip
     flights = expect_nothing_broken(record_property, flown)
     assert count < 300 or flights > 25_000
+
+
+# What a sketch does to an aircraft that it flies.
+TAKEN_FROM = ("start", "goTo", "pause", "resume", "returnHome", "follow")
+PILOTS = 200
+PILOT_COLUMNS = ["autopilot", "bytes lost", *TAKEN_FROM, "of these undone, and no heartbeat could show it",
+                 "undone and set again, longest", "violations"]  # fmt: skip
+
+
+def test_two_hundred_pilots_take_it_in_each_operation_and_keep_it(record_property):
+    """Each at a random moment of an operation. (Referee.h says what must hold, and Flight.cpp that it all ends.)"""
+    rows = []
+    for autopilot in AUTOPILOTS:
+        for loss in (0, 30):
+            found = fly(f"{autopilot} all pilots {PILOTS} --loss {loss}")
+            assert found["violations"] == "0", found["broken"]
+            taken = {task: int(found[task].split(" ")[0]) for task in TAKEN_FROM}
+            unseen = {task: int(found[task].split(" ")[1]) for task in TAKEN_FROM}
+            assert min(taken.values()) >= PILOTS, taken
+            assert int(found["window_ms"]) <= WINDOW_MS
+            assert int(found["undone_ms"]) < (TWO_HEARTBEATS_MS if loss else GIVEN_BACK_MS)
+            rows.append([autopilot, f"{loss / 10} %" if loss else "none", *map(str, taken.values()),
+                         str(sum(unseen.values())), found["undone_ms"] + " ms", found["violations"]])  # fmt: skip
+    record_property("table", ["pilots who take the aircraft at a random moment", [PILOT_COLUMNS, *rows]])
 
 
 # What is changed in which file, and the flights that show it, by the beginning of the rule that is then broken.

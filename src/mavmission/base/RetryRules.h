@@ -63,7 +63,8 @@ struct ClearRules {
 
 struct CommandRules {
   static constexpr uint8_t kTries = 5;
-  static constexpr uint8_t kLossyTries = 100;  // on a lossy link
+  static constexpr uint8_t kLossyTries = 100;   // on a lossy link
+  static constexpr uint8_t kAcceptedTries = 7;  // for as many counts one behind an acceptance there
   static constexpr uint16_t kAnswerMs = 1500;
   static constexpr uint16_t kProgressMs = 5000;  // after IN_PROGRESS, and for a command that is sent only once
   static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected

@@ -170,7 +170,7 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
         return commanding_.transfer.onProgress(nowMs);
       }
       status = fromCommandResult(ack.result);
-      if (status == Status::Done) commanding_.transfer.onAccepted();
+      if (status == Status::Done) commanding_.transfer.onAccepted(ack.command == CommandLog::kRequestMessage);
       event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
       break;
     }

@@ -238,10 +238,11 @@ Status Steering::done() {
   return Status::Done;
 }
 
-// If a takeoff has armed and cannot go on, the aircraft is disarmed, while it is in our hands.
+// If a takeoff has armed and cannot go on, the aircraft is disarmed, while it is in our hands. (If it flies all the
+// same, autopilots refuse that.)
 Status Steering::leave(Status refusal) {
   const uint16_t shown = client_.shownMode();
-  if (!hasArmed_ || (shown != change_.wanted() && shown != oldMode_)) return refusal;
+  if (!hasArmed_ || isInAir() || (shown != change_.wanted() && shown != oldMode_)) return refusal;
   refusal_ = refusal;
   step_ = SteerStep::Disarm;
   client_.commanding_.transfer.next(true);
@@ -275,15 +276,15 @@ Status Steering::onRefused(Status refusal, uint16_t nowMs) {
 
 Status Steering::onSilent(Status silence) {
   if (step_ == SteerStep::GiveBack) return Status::Overruled;
-  if (silence == Status::TookTooLong) return silence;
+  if (silence == Status::TookTooLong) return step_ == SteerStep::Disarm ? Status::Transferring : leave(silence);
   if (isDenied_) return refusal_;
   const bool isAnswered = client_.rest_.lastResult == MAV_RESULT_ACCEPTED;
   switch (step_) {
     case SteerStep::Disarm: return refusal_;
     case SteerStep::AskPosition: return needsHome() ? Status::NoHome : silence;
-    case SteerStep::Confirm: return Status::Unconfirmed;
+    case SteerStep::Confirm: return leave(Status::Unconfirmed);
     case SteerStep::Mode: return isAnswered ? Status::Unconfirmed : silence;
-    default: return silence;
+    default: return leave(silence);
   }
 }
 
@@ -308,21 +309,20 @@ Status Steering::onTime(uint16_t nowMs) {
         break;
       }
       if (is(Order::TakeOff)) {
-        if (isHeard_ && !has(client_.firmware(), kIsActiveInAir)) {
-          isHeard_ = false;
-          sending.next(true);
-          if (isInAir()) {  // and in whose hands?
-            isModeSeen_ = false;
-            sending.listen(kConfirmMs, nowMs);
-            sending.ask();
-            break;
+        if (!has(client_.firmware(), kIsActiveInAir)) {
+          // On the ground still, or it does not say.
+          if (!isInAir() && secondsOfStep() >= kTakeOffS) return leave(Status::Unconfirmed);
+          if (isHeard_) {
+            isHeard_ = false;
+            sending.next(true);
+            if (isInAir()) {  // and in whose hands?
+              isModeSeen_ = false;
+              sending.listen(kConfirmMs, nowMs);
+              sending.ask();
+              break;
+            }
+            sending.pause(kAskAgainMs, nowMs);  // then it is asked again
           }
-          // On the ground still: ask again.
-          if (secondsOfStep() >= kTakeOffS) {
-            // In the mode of before it does not take off any more.
-            return client_.shownMode() == oldMode_ ? leave(Status::Unconfirmed) : Status::Unconfirmed;
-          }
-          sending.pause(kAskAgainMs, nowMs);
         }
         if (isInAir() && isModeSeen_) return done();
         break;

@@ -43,7 +43,7 @@ void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
 }
 
 void CommandTransfer::sent(uint16_t nowMs, uint16_t answerMs) {
-  ++tries_;
+  tries_ += tries_ != 0 && waitMs_ == kAcceptedMs ? kAcceptedTries : 1;
   if (isGuarded_ != 0) {
     // What a heartbeat shows sooner may be from before the order has arrived: it would be sent once too often.
     if (answerMs < kUnderWayMs) answerMs = kUnderWayMs;

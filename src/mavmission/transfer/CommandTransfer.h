@@ -45,11 +45,12 @@ class CommandTransfer : public CommandRules {
   MAVMISSION_APART Status onTime(uint8_t asksOpen, uint16_t nowMs);
   void onProgress(uint16_t nowMs) { wait(State::InProgress, kProgressMs, nowMs); }
   // The command has been accepted. If it is to be confirmed by what the autopilot sends once a second, it is not sent
-  // again before that time, on a lossy link too.
-  void onAccepted() {
+  // again before that time, on a lossy link too. `isQuestion`: what confirms it is an answer, which may be lost as
+  // often as any; an order that is accepted again and again, and that nothing confirms, is given up.
+  void onAccepted(bool isQuestion) {
     if (waitMs_ >= kAnswerMs) return;
-    waitMs_ = kAnswerMs;
-    if (tries_ > 2) tries_ = 2;
+    waitMs_ = isQuestion ? kAnswerMs : kAcceptedMs;
+    if (isQuestion && tries_ > 2) tries_ = 2;
   }
   // The command is over, and no other follows at once.
   void rest() { tries_ = 0; }
@@ -107,6 +108,8 @@ class CommandTransfer : public CommandRules {
   uint8_t tries() const { return tries_; }
 
  private:
+  // The wait behind an acceptance on a lossy link, by which it is known.
+  static constexpr uint16_t kAcceptedMs = kAnswerMs - 1;
   static constexpr uint8_t kOrderTickMs = 16;  // a byte of them is 4 s; a heartbeat comes sooner
 
   MAVMISSION_APART void wait(State state, uint16_t waitMs, uint16_t nowMs);

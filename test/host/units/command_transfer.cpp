@@ -156,7 +156,7 @@ TEST_CASE("on a line that loses an accepted command is sent again after 1500 ms,
   uint16_t nowMs = kBeganMs;
   transfer.next(true);
   for (int sent = 0; sent < 30; ++sent) transfer.sent(nowMs, 80);
-  transfer.onAccepted();
+  transfer.onAccepted(true);
   for (int sent = 1; sent <= 4; ++sent) {
     nowMs = later(nowMs, CommandTransfer::kAnswerMs - 1);
     CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
@@ -171,15 +171,35 @@ TEST_CASE("on a line that loses the first attempt stays the first when it is acc
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true);
   transfer.sent(kBeganMs, 80);
-  transfer.onAccepted();
+  transfer.onAccepted(true);
   CHECK(transfer.tries() == 1);
+}
+
+TEST_CASE("on a line that loses an order that is accepted each time is given up behind the 15th, a question never") {
+  for (bool isQuestion : {false, true}) {
+    CommandTransfer transfer = CommandTransfer();
+    for (int command = 0; command < 2; ++command) {  // and the next one is counted anew
+      transfer.next(true);
+      uint16_t nowMs = kBeganMs;
+      for (int accepted = 1; accepted <= 15; ++accepted) {
+        transfer.sent(nowMs, 80);
+        transfer.onAccepted(isQuestion);
+        nowMs = later(nowMs, CommandTransfer::kAnswerMs - 2);
+        CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
+        CHECK_FALSE(transfer.isDue());
+        nowMs = later(nowMs, 2);
+        const bool isLast = accepted == 15 && !isQuestion;
+        CHECK((transfer.onTime(0, nowMs) == (isLast ? Status::NoAnswer : Status::Transferring)));
+      }
+    }
+  }
 }
 
 TEST_CASE("acceptance does not shorten the wait on a slow line") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true);
   transfer.sent(kBeganMs, 4000);
-  transfer.onAccepted();
+  transfer.onAccepted(true);
   CHECK((transfer.onTime(0, later(kBeganMs, 3999)) == Status::Transferring));
   CHECK_FALSE(transfer.isDue());
 }
