@@ -101,6 +101,7 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
   bool isAsking_ : 1;    // the mode was accepted: the autopilot is asked for its mode
   bool isHeard_ : 1;     // the message that was asked for has come
   bool isAnswered_ : 1;  // and its COMMAND_ACK
+  bool isSet_ : 1;       // the autopilot has reported the mode: a heartbeat is waited for
 };
 
 }  // namespace mavmission

@@ -2,6 +2,8 @@
 // time that they turn, and answers each with a line. test/support/host_client.py is the other end, or udp_client.py,
 // for a client over UDP. loop() runs each millisecond.
 //
+// With CLIENT_BESIDE there are listeners beside it that ask by commands of their own, and what else sends commands.
+//
 // Every allocation that the library makes is counted. This file is compiled without access control: it shows the
 // client's bytes but for those that are times, counters or buffers, which are private.
 #include <Arduino.h>
@@ -73,6 +75,57 @@ uint16_t reached;  // how many items the follower has told of
 MissionClient& client() { return *reinterpret_cast<MissionClient*>(memory); }
 MissionFollower& follower() { return *reinterpret_cast<MissionFollower*>(followerMemory); }
 
+#ifdef CLIENT_BESIDE
+struct Beside {
+  explicit Beside(MissionClient& client)
+      : position(client, 500),
+        battery(client, 1000),
+        waypoint(client, 1000),
+        parameters(client),
+        modes(client),
+        steering(client) {}
+  PositionListener position;
+  BatteryListener battery;
+  WaypointListener waypoint;
+  Parameters parameters;
+  StandardModes modes;
+  Steering steering;
+};
+alignas(16) uint8_t besideMemory[sizeof(Beside)];
+char name[17];
+
+// True if the word was one of these.
+bool orderBeside(const std::string& what, Words& words, Status& status) {
+  Beside& beside = *reinterpret_cast<Beside*>(besideMemory);
+  if (what == "intervalof") {  // message, us
+    const uint16_t message = static_cast<uint16_t>(words.number());
+    status = client().setMessageInterval(message, static_cast<int32_t>(words.number()));
+  } else if (what == "param") {  // name
+    strncpy(name, words.word().c_str(), sizeof(name) - 1);
+    status = beside.parameters.read(name);
+  } else if (what == "setparam") {  // name, number
+    strncpy(name, words.word().c_str(), sizeof(name) - 1);
+    status = beside.parameters.setWhole(name, static_cast<int32_t>(words.number()));
+  } else if (what == "standard") {
+    status = beside.modes.set(static_cast<StandardMode>(words.number()));
+  } else if (what == "entry") {
+    status = beside.modes.read(static_cast<uint8_t>(words.number()));
+  } else if (what == "speed") {
+    status = beside.steering.setSpeed(MetresPerSecond(static_cast<float>(words.number())));
+  } else if (what == "hold") {
+    status = beside.steering.pause();
+  } else if (what == "goTo") {  // 1e-7 degrees
+    const int32_t latitude = static_cast<int32_t>(words.number());
+    const int32_t longitude = static_cast<int32_t>(words.number());
+    const LatLon place = {Degrees::fromE7(latitude), Degrees::fromE7(longitude)};
+    status = beside.steering.goTo(place, aboveHome(0.0_m));
+  } else {
+    return false;
+  }
+  return true;
+}
+#endif
+
 void onEnd(void*, Status) { ++ended; }
 void onReached(void*, uint16_t) { ++reached; }
 
@@ -99,6 +152,9 @@ void begin(Words& words) {
     const Counting counting;
     new (memory) MissionClient(line.stream);
     new (followerMemory) MissionFollower(client());
+#ifdef CLIENT_BESIDE
+    new (besideMemory) Beside(client());
+#endif
     client().onEnd(onEnd);
     follower().onReached(onReached);
   }
@@ -178,6 +234,9 @@ void order(Words& words) {
       const PlanType type = typeOf(words);
       const Counting counting;
       status = client().download(toFunction(takeItem, nullptr, kPlanItems), type);
+#ifdef CLIENT_BESIDE
+    } else if (orderBeside(what, words, status)) {
+#endif
     } else {
       const unsigned long long number = words.number();
       const Counting counting;

@@ -30,17 +30,20 @@ Status fromCommandResult(uint8_t result) {
 
 Status Client::beginCommand(FillCommand fill, OnCommand on) {
   if (state_.operation != nullptr) return Status::Busy;
-  // If the last operation was a command, late answers to that command may still come: state_.seconds counts from its
-  // end. Later than that, the 16-bit times of the log have wrapped and are of no use.
-  const bool isLogRecent = rest_.isCommanding && state_.seconds < CommandLog::kLateAnswersS;
+  // Late answers to an earlier command may still come. state_.seconds counts from the end of the last operation, if
+  // that has sent commands, else from its beginning.
+  const CommandLog::Before before = state_.seconds >= CommandLog::kLateAnswersS ? CommandLog::Before::Nothing
+                                    : rest_.isCommanding                        ? CommandLog::Before::Command
+                                                                                : CommandLog::Before::Other;
+  const uint16_t nowMs = static_cast<uint16_t>(millis());
   startOperation(commandStep);
   rest_.isCommanding = true;
   memset(&commanding_, 0, sizeof(commanding_));
-  log_.begin(isLogRecent);
+  log_.begin(before, nowMs);
   commanding_.fill = fill;
   commanding_.on = on;
   commanding_.transfer.setRepeats(true);
-  commanding_.transfer.beginLooking(static_cast<uint16_t>(millis()));
+  commanding_.transfer.beginLooking(nowMs);
   return state_.status;
 }
 

@@ -80,7 +80,9 @@ void MissionFollower::takeHeartbeat() {
   giveUpWaiting(nowMs);
   if (textDue_ != 0) --textDue_;
   if (heartbeatsLeft_ != 0) --heartbeatsLeft_;
-  if (heartbeatsLeft_ != 0 || !mayAsk(nowMs) || !client_.link_.canSend()) return;
+  // Heartbeats that an order asks for come sooner than once a second. Of two requests the second answer would be taken
+  // for one to a command of the client's.
+  if (heartbeatsLeft_ != 0 || isWaiting() || !mayAsk(nowMs) || !client_.link_.canSend()) return;
   ask(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs, 0, nowMs);
   heartbeatsLeft_ = pause_;
   if (pause_ < FollowRules::kLongestPause) pause_ *= 2;

@@ -35,7 +35,8 @@ StandardModes::StandardModes(MissionClient& client, Kept)
       isSelectable_(false),
       isAsking_(false),
       isHeard_(false),
-      isAnswered_(false) {
+      isAnswered_(false),
+      isSet_(false) {
   memset(name_, 0, sizeof(name_));
 }
 
@@ -50,7 +51,7 @@ Status StandardModes::begin(StandardMode wanted, uint8_t number) {
   client_.commanding_.owner = this;
   wanted_ = wanted;
   number_ = number;
-  isAsking_ = isHeard_ = isAnswered_ = false;
+  isAsking_ = isHeard_ = isAnswered_ = isSet_ = false;
   return status;
 }
 
@@ -113,6 +114,7 @@ Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_
     case Client::CommandEvent::Silent: return isAsking_ || isAnswered_ ? Status::Unconfirmed : status;
     case Client::CommandEvent::Time: break;
     case Client::CommandEvent::Heartbeat:
+      if (isSet_) return client_.commanding_.transfer.isOld() ? status : Status::Done;
       // Another mode by now: somebody else's, or this order's. It does not leave again in any case.
       if (!isSetting() || isAsking_ || client_.shownMode() == before_) return status;
       if (client_.commanding_.transfer.tries() == 0) return Status::TakenOver;
@@ -121,8 +123,15 @@ Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_
     case Client::CommandEvent::Current: return status;
   }
   // Without the answer, it would be taken for that to the next question.
-  if (!isAnswered_ || !isHeard_) return status;
-  if (!isSetting() || current_ == wanted_) return Status::Done;
+  if (!isAnswered_ || !isHeard_ || isSet_) return status;
+  if (!isSetting()) return Status::Done;
+  if (current_ == wanted_) {
+    // PX4's heartbeat comes once a second: the next order would take the new mode for somebody else's.
+    isSet_ = true;
+    client_.commanding_.transfer.listen(kConfirmS * 1000, nowMs);
+    client_.commanding_.transfer.ask();
+    return status;
+  }
   if (client_.state_.seconds >= kConfirmS) return Status::Unconfirmed;
   askAgain();
   client_.commanding_.transfer.pause(kAskAgainMs, nowMs);

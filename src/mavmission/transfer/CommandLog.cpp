@@ -10,12 +10,13 @@ bool CommandLog::awaits(uint16_t id, uint16_t nowMs) {
   return id_ != kNoCommand;
 }
 
-void CommandLog::begin(bool isRecent) {
+void CommandLog::begin(Before before, uint16_t nowMs) {
   isUnderWay_ = 0;
   onHeartbeat();
-  if (isRecent) return;
-  forget();
+  if (before == Before::Command) return;
   asksOpen_ = 0;
+  if (before == Before::Nothing) id_ = kNoCommand;
+  untilMs_ = nowMs + kAnswerMs;
 }
 
 bool CommandLog::maySend(uint16_t id, uint16_t nowMs) {
@@ -35,6 +36,7 @@ void CommandLog::sent(uint16_t id, uint16_t answerMs, uint16_t nowMs) {
 
 void CommandLog::ended(uint8_t tries, uint16_t nowMs) {
   if (isUnderWay_ == 0) return;
+  if (tries < 2) return forget();
   isUnderWay_ = 0;
   // Every repetition of the command may be answered as well. The last late answer comes as long after this answer as
   // the last repetition was sent after the first attempt; on a line that loses they were sent within less than that.

@@ -39,9 +39,12 @@ class CommandLog : public CommandRules {
 
   // --- The client's operation
 
-  // An operation begins. The one before may have been cancelled in the middle of a command. `isRecent`: what that has
-  // sent may still be answered; later, the times of this log, which have 16 bits, have wrapped.
-  void begin(bool isRecent);
+  // What was there before an operation. Command: the operation before has sent commands, and what it has sent may still
+  // be answered. Other: an operation without commands has been between. Nothing: for so long that no answer comes. The
+  // times of this log have 16 bits, so those of a command before an Other may have wrapped: it is waited for anew.
+  enum class Before : uint8_t { Command, Other, Nothing };
+  // An operation begins. The one before may have been cancelled in the middle of a command.
+  void begin(Before before, uint16_t nowMs);
   // No late answer to its command is waited for.
   void forget() {
     isUnderWay_ = 0;

@@ -11,6 +11,7 @@ using namespace mavmission::detail;
 
 namespace {
 
+typedef CommandLog::Before Before;
 constexpr uint16_t kArm = 400, kMode = 176;
 constexpr uint16_t kInterval = CommandLog::kSetMessageInterval, kRequest = CommandLog::kRequestMessage;
 constexpr uint16_t kBeganMs = 65000;  // it wraps soon
@@ -92,14 +93,31 @@ TEST_CASE("late answers are waited for from the first answer on, not from the la
 
 TEST_CASE("the next operation waits for late answers, and only for those") {
   CommandLog log = answered(kMode, 2);
-  log.begin(true);
+  log.begin(Before::Command, kBeganMs);
   CHECK_FALSE(log.isAnswer(kMode, kSequence, kBeganMs));
   CHECK_FALSE(log.maySend(kMode, later(kBeganMs, CommandLog::kNextAnswerMs - 1)));
-  log.begin(false);
+  log.begin(Before::Nothing, kBeganMs);
   CHECK(log.maySend(kMode, kBeganMs));
   log = answered(kMode, 2);
   log.forget();
   CHECK(log.maySend(kMode, kBeganMs));
+}
+
+TEST_CASE("behind an operation without commands it is waited for 1.5 s, whatever the clock says by now") {
+  for (const int much : {0, 3000, 40000, 62000}) {
+    CommandLog log = answered(kMode, 2);
+    const uint16_t nowMs = later(kBeganMs, much);
+    log.begin(Before::Other, nowMs);
+    CHECK_FALSE(log.maySend(kMode, later(nowMs, CommandLog::kAnswerMs - 1)));
+    CHECK(log.maySend(kRequest, nowMs));
+    CHECK(log.maySend(kMode, later(nowMs, CommandLog::kAnswerMs)));
+    log = answered(kMode, 1);  // of which no other answer comes
+    log.begin(Before::Other, nowMs);
+    CHECK(log.maySend(kMode, nowMs));
+    log.askedAside(nowMs);
+    log.begin(Before::Other, nowMs);
+    CHECK(log.asksOpen() == 0);
+  }
 }
 
 TEST_CASE("what was waited for in vain is not found again when the clock wraps") {
@@ -114,7 +132,7 @@ TEST_CASE("a cancelled command may be answered until 1.5 s after its last attemp
     const uint16_t answerMs = static_cast<uint16_t>(answer);
     log.sent(kMode, answerMs, kBeganMs);
     log.sent(kMode, answerMs, later(kBeganMs, 300));
-    log.begin(true);
+    log.begin(Before::Command, kBeganMs);
     CHECK_FALSE(log.isAnswer(kMode, kSequence, later(kBeganMs, 300)));
     const uint16_t untilMs = later(kBeganMs, 300u + (answerMs < 1500 ? 1500 : answerMs));
     CHECK_FALSE(log.maySend(kMode, later(untilMs, 65535)));
@@ -126,7 +144,7 @@ TEST_CASE("a cancelled command that was in progress may be answered for five sec
   CommandLog log = CommandLog();
   log.sent(kMode, CommandLog::kAnswerMs, kBeganMs);
   log.onProgress(later(kBeganMs, 1000));
-  log.begin(true);
+  log.begin(Before::Command, kBeganMs);
   CHECK_FALSE(log.maySend(kMode, later(kBeganMs, 5999)));
   CHECK(log.maySend(kMode, later(kBeganMs, 6000)));
 }
@@ -181,11 +199,11 @@ TEST_CASE(
     "the last three requests for a heartbeat may be answered in the next operation, unless that begins much later") {
   CommandLog log = CommandLog();
   for (int n = 0; n < 5; ++n) log.askedAside(kBeganMs);
-  log.begin(true);
+  log.begin(Before::Command, kBeganMs);
   CHECK(log.asksOpen() == 3);
   log.sent(kRequest, CommandLog::kAnswerMs, kBeganMs);
   CHECK_FALSE(log.isAnswer(kRequest, kSequence, kBeganMs));
-  log.begin(false);
+  log.begin(Before::Nothing, kBeganMs);
   CHECK(log.asksOpen() == 0);
 }
 

@@ -175,20 +175,20 @@ TEST_CASE("on a line that loses the first attempt stays the first when it is acc
   CHECK(transfer.tries() == 1);
 }
 
-TEST_CASE("on a line that loses an order that is accepted each time is given up behind the 15th, a question never") {
+TEST_CASE("on a line that loses an order that is accepted each time is given up behind the 16th, a question never") {
   for (bool isQuestion : {false, true}) {
     CommandTransfer transfer = CommandTransfer();
     for (int command = 0; command < 2; ++command) {  // and the next one is counted anew
       transfer.next(true);
       uint16_t nowMs = kBeganMs;
-      for (int accepted = 1; accepted <= 15; ++accepted) {
+      for (int accepted = 1; accepted <= 16; ++accepted) {
         transfer.sent(nowMs, 80);
         transfer.onAccepted(isQuestion);
         nowMs = later(nowMs, CommandTransfer::kAnswerMs - 2);
         CHECK((transfer.onTime(0, nowMs) == Status::Transferring));
         CHECK_FALSE(transfer.isDue());
         nowMs = later(nowMs, 2);
-        const bool isLast = accepted == 15 && !isQuestion;
+        const bool isLast = accepted == 16 && !isQuestion;
         CHECK((transfer.onTime(0, nowMs) == (isLast ? Status::NoAnswer : Status::Transferring)));
       }
     }

@@ -1,0 +1,255 @@
+"""One operation behind another, beside listeners that ask as well: no end is taken from an answer that is another's.
+
+The library on this computer, with a follower, three listeners that set intervals, Parameters, StandardModes and
+Steering, on lines that answer late and lose. Each operation begins as soon as the one before has ended, or in the midst
+of it, when that is cancelled. What must hold is in Referee.
+"""
+
+from __future__ import annotations
+
+import functools
+import random
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from host_client import HostClient
+from plans import SURVEY, on_the_wire, waypoint
+from simulation.bench import same_bits, status_names
+from simulation.firmware import ROOT, library_sources
+from simulation.host_build import FAST, build_host
+from simulation.service import MISSION
+from simulation.wire import Wire
+from starts import ARM, SET_MODE
+
+LATE = pytest.mark.scenario(54, "A late answer to a command is not taken for one to the next")
+INTERVAL, REQUEST, SERVO, STANDARD, SPEED, SET_CURRENT = 511, 512, 183, 262, 178, 224
+REFUSALS = {"CommandRejected": 1, "CommandDenied": 2, "CommandUnsupported": 3, "CommandFailed": 4}
+# Ends that say that answers were lost, or came too late: on a line that loses nothing there are none of them.
+FOR_WANT_OF_ANSWERS = {"NoAnswer", "Unconfirmed", "TookTooLong", "TimedOut", "Error", "AcceptedEarly", "NoParameter",
+                       "CancelledByAutopilot", "NoAutopilot", "OtherValue", "TakenOver"}  # fmt: skip
+LATENCIES_S = (0.0, 0.15, 0.5)
+LOSSES = (0.0, 1.0, 3.0)
+HOLD, MANUAL = 3, 6
+OTHER = [waypoint(473977420 + 1000 * number, 85455970, 40.0) for number in range(4)]
+
+
+@functools.cache
+def program() -> Path:
+    flags = [*FAST, "-fno-access-control"]
+    own = ['-DCLIENT_LINE="SerialLine.h"', "-DCLIENT_BESIDE"]
+    client = ROOT / "test" / "day" / "client.cpp"
+    return build_host("client-beside", [client], "g++", flags, own_flags=own, library=library_sources())
+
+
+class Beside(HostClient):
+    def _program(self) -> Path:
+        return program()
+
+
+class Referee:
+    """Knows what the autopilot has answered to what, and when that had left."""
+
+    def __init__(self, personality: str, latency_s: float, loss: float, seed: int) -> None:
+        wire = Wire(seed=seed)
+        wire.set_latency(latency_s)
+        wire.damage_bytes(lose=loss)
+        options = {"vehicle": "rover"} if personality == "ArduPilot" else {}
+        self.client = Beside(personality, wire=wire, **options)
+        self.random = random.Random(seed)
+        self.personality, self.latency_s, self.loss = personality, latency_s, loss
+        # When a command was heard, which it was, its param1, and its MAV_RESULT.
+        self.answered: list[tuple[float, int, float, int]] = []
+        self.told: list[str] = []
+        autopilot = self.autopilot = self.client.autopilot
+        answer = autopilot.answer
+        self._heard = None
+        for name in ("COMMAND_LONG", "COMMAND_INT"):
+            react = autopilot._hears[name]
+            autopilot._hears[name] = lambda message, sender, now, react=react: self._hear(react, message, sender, now)
+
+        def note(message, now: float, later_s: float = 0.0) -> None:
+            if message.get_type() == "COMMAND_ACK" and self._heard is not None:
+                self.answered.append((now, message.command, self._heard.param1, message.result))
+            answer(message, now, later_s)
+
+        autopilot.answer = note
+        autopilot.load(SURVEY)
+
+    def _hear(self, react, message, sender, now: float) -> None:
+        self._heard = message
+        react(message, sender, now)
+        self._heard = None
+
+    def begin(self, *words: object) -> str:
+        self.began = self.client.now
+        self.told.append(f"{self.client.now:9.3f} {' '.join(map(str, words))}")
+        kind, *numbers = words
+        if kind == "upload":
+            return self.client.upload(numbers[0])
+        if kind == "verify":
+            return self.client.verify(numbers[0])
+        return self.client.order(*words)
+
+    def end(self) -> str:
+        end = self.client.run_until_ended(limit_s=300.0)
+        self.told.append(f"{self.client.now:9.3f}   {end}")
+        return end
+
+    def results(self, command: int, param1: float | None = None) -> set[int]:
+        """Of the answers to what has left since the operation began."""
+        since = self.began + self.latency_s
+        return {result for heard, number, first, result in self.answered
+                if heard >= since and number == command and (param1 is None or first == param1)}  # fmt: skip
+
+    def judge(self, words: tuple, end: str, is_strict: bool) -> None:
+        self.check(words, end)
+        if is_strict:
+            assert end not in FOR_WANT_OF_ANSWERS, self.why(words, end)
+
+    def check(self, words: tuple, end: str) -> None:
+        kind, *numbers = words
+        autopilot, why = self.autopilot, self.why
+        commands = {"arm": (ARM,), "disarm": (ARM,), "mode": (SET_MODE, REQUEST), "intervalof": (INTERVAL,),
+                    "order": (SERVO,), "standard": (STANDARD,), "entry": (REQUEST,), "speed": (SPEED, REQUEST),
+                    "setcurrent": (SET_CURRENT,), "goTo": (192, SET_MODE, REQUEST, INTERVAL),
+                    "hold": (192, SET_MODE, REQUEST, INTERVAL), "start": (SET_MODE, ARM, 300, REQUEST)}  # fmt: skip
+        param1 = float(numbers[0]) if kind == "intervalof" else None
+        if end in REFUSALS:
+            given = set().union(*(self.results(command, param1) for command in commands[kind]))
+            # A plane or a rover is not asked whether it is one; takeOff() and the like may refuse by themselves.
+            assert REFUSALS[end] in given, why(words, end)
+        if end in ("Done", "Accepted", "Cleared", "Verified", "Downloaded"):
+            if kind in ("intervalof", "order", "standard", "speed"):
+                assert 0 in self.results(commands[kind][0], param1), why(words, end)
+            if kind == "arm":
+                assert autopilot.armed, why(words, end)
+            if kind == "disarm":
+                assert not autopilot.armed, why(words, end)
+            if kind == "upload":
+                assert same_bits(autopilot.received(), on_the_wire(numbers[0], self.personality)), why(words, end)
+            if kind == "clear":
+                assert len(autopilot.plan()) <= 1, why(words, end)
+            if kind == "verify":
+                assert same_bits(autopilot.received(), on_the_wire(numbers[0], self.personality)), why(words, end)
+            if kind == "setparam":
+                assert autopilot.parameters.value(numbers[0]) == numbers[1], why(words, end)
+        armed = self.client.state["armed"]
+        if kind in ("arm", "disarm") and end == "Done":
+            assert armed == (kind == "arm"), why(words, end)
+
+    def why(self, words: tuple, end: str) -> str:
+        return f"{' '.join(map(str, words))}: {end}\n" + "\n".join(self.told + [
+            f"{heard:9.3f}     command {command}({first:g}) is answered {result}"
+            for heard, command, first, result in self.answered[-40:]])  # fmt: skip
+
+    # What can be begun now, so that it can end well.
+    def choices(self) -> list[tuple]:
+        px4 = self.personality == "PX4"
+        plan = self.random.choice((SURVEY, OTHER))
+        always = [("arm",), ("disarm",), ("intervalof", 33, 200000), ("intervalof", 9999, 500000), ("order", SERVO),
+                  ("mode", HOLD), ("entry", 1), ("verify", SURVEY),
+                  ("param", "GF_ACTION" if px4 else "MIS_RESTART"),
+                  ("setparam", "GF_ACTION" if px4 else "MIS_RESTART", self.random.randrange(3)),
+                  ("standard", 1), ("speed", 5), ("hold",), ("setcurrent", 1), ("start",),
+                  ("goTo", *((473977500, 85456000) if px4 else (1000, 1000)))]  # fmt: skip
+        return [*always, ("upload", plan), ("clear", MISSION), ("verify", OTHER), ("mode", MANUAL)]
+
+
+def run_pairs(personality: str, latency_s: float, loss: float, seed: int, operations: int) -> dict[str, int]:
+    referee = Referee(personality, latency_s, loss, seed)
+    ends: dict[str, int] = {}
+    is_behind_cancel = False
+    with referee.client as client:
+        client.run(3.0 + 2 * latency_s + referee.random.random())
+        for _ in range(operations):
+            words = referee.random.choice(referee.choices())
+            begun = referee.begin(*words)
+            if begun in ("WaitingForAutopilot", "Checking", "Transferring") and referee.random.random() < 0.15:
+                client.run(referee.random.choice((0.02, 0.3, 1.5)) * referee.random.random())
+                if client.state["busy"]:
+                    client.order("cancel")
+                    assert referee.end() == "Cancelled"
+                    is_behind_cancel = True
+                    continue
+            end = referee.end()
+            ends[end] = ends.get(end, 0) + 1
+            # A mode that a cancelled order sets meanwhile is one that this operation has not ordered.
+            referee.judge(words, end, is_strict=loss == 0 and not is_behind_cancel)
+            is_behind_cancel = False
+            if referee.random.random() < 0.3:
+                client.run(2 * referee.random.random())
+    return ends
+
+
+# Which it is by a seed; tools/test --all takes more.
+SEEDS = [0, 1, pytest.param(range(2, 40), marks=[pytest.mark.slow, pytest.mark.thorough])]
+
+
+@LATE
+@pytest.mark.parametrize("seeds", SEEDS)
+@pytest.mark.parametrize("personality", ["ArduPilot", "PX4"])
+def test_no_end_is_taken_from_an_answer_that_is_another_s(personality, seeds):
+    assert {*REFUSALS, *FOR_WANT_OF_ANSWERS} <= set(status_names())
+    ends: Counter[str] = Counter()
+    for seed in seeds if isinstance(seeds, range) else [seeds]:
+        for latency_s in LATENCIES_S:
+            for loss in LOSSES:
+                ends.update(run_pairs(personality, latency_s, loss, seed, operations=25))
+    assert ends["Done"] > 50 and ends["CommandFailed" if personality == "ArduPilot" else "CommandDenied"] > 5
+
+
+def begun(personality: str, latency_s: float) -> Referee:
+    referee = Referee(personality, latency_s, loss=0.0, seed=1)
+    referee.client.run(4.0 + 2 * latency_s)
+    return referee
+
+
+@LATE
+def test_follower_asks_once_however_soon_heartbeats_come():
+    """An order asks for heartbeats. The second answer to a follower that asked twice was taken for an operation's."""
+    referee = begun("ArduPilot", 0.5)
+    with referee.client as client:
+        referee.begin("mode", MANUAL)
+        assert referee.end() == "Done"
+        client.run(0.9)
+        referee.begin("intervalof", 9999, 500000)
+        assert referee.end() == "CommandFailed", referee.told
+        commands = [(time, message) for time, message in client.sent if message.get_type() == "COMMAND_LONG"]
+        asked = [time for time, message in commands if (message.command, message.param1) == (INTERVAL, 42)]
+        assert asked and all(later - sooner > 1.0 for sooner, later in zip(asked, asked[1:], strict=False))
+
+
+@LATE
+@pytest.mark.parametrize("between", [("setparam", "MIS_RESTART", 2), ("verify", SURVEY)])
+def test_answer_to_a_cancelled_command_is_nobody_s_behind_an_operation_without_commands(between):
+    referee = begun("ArduPilot", 0.5)
+    with referee.client as client:
+        referee.begin("arm")
+        assert referee.end() == "Done"
+        referee.begin("intervalof", 9999, 500000)
+        client.run(0.05)
+        client.order("cancel")
+        assert referee.end() == "Cancelled"
+        referee.begin(*between)
+        client.run(0.1)
+        if client.state["busy"]:
+            client.order("cancel")
+        assert referee.end() in ("Armed", "Cancelled")
+        words = ("intervalof", 33, 200000)
+        referee.begin(*words)
+        end = referee.end()
+        assert end == "Done", referee.why(words, end)
+        referee.check(words, end)
+
+
+@LATE
+def test_standard_mode_that_was_set_is_not_taken_for_a_pilot_s_by_the_next_order():
+    """PX4's heartbeat tells of it up to a second later."""
+    for order in (("standard", 1), ("mode", HOLD)):
+        referee = begun("PX4", 0.0)
+        with referee.client:
+            for words in (("standard", 1), order):
+                referee.begin(*words)
+                assert referee.end() == "Done", referee.told
