@@ -18,6 +18,13 @@ inline bool isGeneric(Firmwares firmware) { return firmware >= Firmwares::Mavsdk
 // see FileWords.h.
 enum class Kind : uint8_t { Heartbeat, Count, Request, OlderRequest, Item, Ack, List, ClearAll, File, FileReply };
 
+// The client was told that the generic one is Betaflight.
+#if defined(MAVMISSION_GENERIC_FIRMWARE) && MAVMISSION_GENERIC_FIRMWARE == 1
+constexpr bool kIsBetaflightNamed = true;
+#else
+constexpr bool kIsBetaflightNamed = false;
+#endif
+
 // Of a plan on the wire, home included. (A program that follows longer plans is compiled with its own number.)
 #ifdef MOST_HELD
 constexpr uint16_t kMostHeld = MOST_HELD;

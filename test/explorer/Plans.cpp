@@ -29,7 +29,8 @@ mavlink_mission_item_int_t placeOf(uint8_t item, uint8_t type, Firmwares firmwar
   message.y = kLongitudeE7;
   message.z = kAltitudeM;
   message.mission_type = type;
-  if (type == kMission && !isArduPilot(firmware)) message.param4 = NAN;
+  const bool hasYaw = isArduPilot(firmware) || (kIsBetaflightNamed && isGeneric(firmware));
+  if (type == kMission && !hasYaw) message.param4 = NAN;
   if (type == kRally) message.command = kRallyPoint;
   if (type != kFence) return message;
   message.command = kFenceCircleInclusion;

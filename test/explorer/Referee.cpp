@@ -342,7 +342,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     case Status::Accepted:
       if (!isUpload()) return "an end that this operation does not have";
       if ((heardAcks & 1) == 0 && !isClosed) return "Accepted, and nothing was acknowledged";
-      if (task.operation == Operation::UploadVerified && !isClosed) return "Accepted, and not read back";
+      if ((task.operation == Operation::UploadVerified || (kIsBetaflightNamed && items != 0)) && !isClosed)
+        return "Accepted, and not read back";
       if (isLooking) return "Accepted, and nothing was uploaded";
       if (isHurried == kHurriedBefore && task.operation != Operation::Upload && !isClosed && !isPx4(autopilot.firmware))
         return "Accepted on a line that loses, and not read back";
@@ -380,7 +381,8 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       const bool isExhausted = sinceNewMs >= kConfirmingMs;
       const bool isIdle = (heardAcks & (1u << kError)) != 0 ||
                           (isGeneric(autopilot.firmware) && (heardAcks & (1u << kInvalidSequence)) != 0);
-      return isExhausted || isIdle ? nullptr : "Unconfirmed before the tries were exhausted";
+      const bool isNoProof = kIsBetaflightNamed && (heardAcks & (1u << kAccepted)) != 0;
+      return isExhausted || isIdle || isNoProof ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 
     case Status::NoAnswer:

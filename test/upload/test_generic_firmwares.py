@@ -44,12 +44,11 @@ def build(build_service):
 @pytest.mark.parametrize("firmware", KINDS)
 def test_unset_yaws_go_out_as_0_and_nothing_stands_in_homes_place(build, firmware):
     service = build(firmware)
-    service.upload(PLAN)
+    service.upload(PLAN, proof="InDoubt")
     assert service.done(limit_s=10) == "Accepted"
     assert service.state.aboard == "OurPlan" and service.state.firmware == firmware
-    sent = [entry.message for entry in service.autopilot.log if entry.message.get_type() == "MISSION_ITEM_INT"]
-    assert [(one.seq, one.command, one.param4) for one in sent if one.get_srcSystem() == 1] == \
-        [(n, 16, 0.0) for n in range(4)]  # fmt: skip
+    sent = service.heard("MISSION_ITEM_INT")
+    assert [(one.seq, one.command, one.param4) for one in sent] == [(n, 16, 0.0) for n in range(4)]
     assert len(service.autopilot.held) == 4
 
 
@@ -120,7 +119,7 @@ def test_more_items_than_it_has_room_for_change_nothing(build, firmware):
 def test_follower_notices_that_betaflight_has_dropped_the_plan_that_it_accepted(build):
     """It does when a line brings our MISSION_COUNT again, or when another station begins an upload."""
     service = build("Betaflight")
-    service.upload(ABOVE_SEA)
+    service.upload(ABOVE_SEA, proof="InDoubt")
     assert service.done(limit_s=10) == "Accepted"
     service.run(3.0)
     assert service.state.aboard == "OurPlan"
@@ -129,6 +128,35 @@ def test_follower_notices_that_betaflight_has_dropped_the_plan_that_it_accepted(
     service.run(3.0)
     assert service.autopilot.held == []
     assert service.state.aboard == "OtherPlan"
+
+
+@GENERIC
+@pytest.mark.parametrize("proof, ended", [("ByAnswer", "Unconfirmed"), ("InDoubt", "Differs"), ("Always", "Differs")])
+def test_plan_that_betaflight_drops_as_the_network_brings_count_again_is_not_accepted(build, proof, ended):
+    """Its acceptance is under way then. A plan that is not dropped is read back, too, before it is accepted."""
+    service = build("Betaflight")
+    hear = service.autopilot._hears["MISSION_ITEM_INT"]
+
+    def hear_count_again(message, sender, now: float) -> None:
+        hear(message, sender, now)
+        if message.seq == len(PLAN) - 1:
+            service.autopilot._on_count(count.message, sender, now)
+
+    service.autopilot._hears["MISSION_ITEM_INT"] = hear_count_again
+    service.upload(PLAN, proof=proof)
+    service.run_until_sent("MISSION_COUNT")
+    (count,) = service.wire.frames(">", "MISSION_COUNT")
+    assert service.done(limit_s=20) == ended
+    assert service.autopilot.held == [] and service.state.aboard != "OurPlan"
+
+
+@GENERIC
+def test_acceptance_of_betaflight_alone_is_no_proof(build):
+    service = build("Betaflight")
+    service.upload(PLAN)
+    assert service.done(limit_s=10) == "Unconfirmed" and service.state.aboard == "NotKnown"
+    service.upload([])
+    assert service.done(limit_s=10) == "Accepted"  # there is nothing to be dropped
 
 
 REFUSED = {
