@@ -68,6 +68,7 @@ class ArduPilot(FakeAutopilot):
     vehicle_type: HEARTBEAT.type, as a plane has it in Q_MAV_TYPE; None for the vehicle's own.
     streams: the messages it sends unasked, and how often [s]; by default none, as a port whose
     SRn_ parameters are 0. ftp: False for BRD_OPTIONS' bit that disables MAVLink FTP.
+    is_int_only: without MISSION_ITEM and MISSION_REQUEST, of which 4.6 warns; no such version is known yet.
     lists_modes: it has AVAILABLE_MODES, as later than 4.6. port_signs: False for bit 0 of its port's MAVn_OPTIONS.
     """
 
@@ -84,8 +85,9 @@ class ArduPilot(FakeAutopilot):
                  ready_s: float | None = None, position_s: float | None = None, storage_s: float = 0.0,
                  vehicle_type: int | None = None,
                  streams: dict[int, float] | None = None, ftp: bool = True, lists_modes: bool = False,
-                 port_signs: bool = True, **options) -> None:
+                 port_signs: bool = True, is_int_only: bool = False, **options) -> None:
         super().__init__(**options)
+        self.is_int_only = is_int_only
         self.kind = VEHICLES[self.vehicle]
         self.lists_modes = lists_modes
         if ready_s is not None:
@@ -143,6 +145,8 @@ class ArduPilot(FakeAutopilot):
             "PARAM_REQUEST_READ": self._on_param_request_read,
             "PARAM_SET": self._on_param_set,
         }
+        for name in ("MISSION_ITEM", "MISSION_REQUEST") if is_int_only else ():
+            del self._hears[name]
         self._streams = streams or {}
         self._start_timers(0.0)
 

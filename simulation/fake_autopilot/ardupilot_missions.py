@@ -213,8 +213,9 @@ class Missions:
 
     def _request(self, now: float, at_once: bool = False) -> None:
         seq = self.autopilot.faults.requested(self._expected)
-        message = mavlink.MAVLink_mission_request_message(
-            *self._partner, seq, self.mission_type)
+        kind = mavlink.MAVLink_mission_request_int_message if self.autopilot.is_int_only \
+            else mavlink.MAVLink_mission_request_message
+        message = kind(*self._partner, seq, self.mission_type)
         if at_once:
             self._last_request_at = now
         else:

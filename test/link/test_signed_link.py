@@ -154,6 +154,22 @@ def test_px4_1_18_signs_once_a_ground_station_has_given_it_the_key(build_bench):
     assert_all_verify(bench)
 
 
+@pytest.mark.parametrize("is_signed", [False, True], ids=["a sketch that does not sign", "a sketch that signs"])
+def test_ardupilot_4_7_does_not_sign_on_a_port_that_is_set_so(build_bench, is_signed):
+    """Bit 0 of MAVn_OPTIONS: whoever signs there waits for ever, and who does not sign is heard."""
+    bench = build_bench("ArduPilot", port_signs=False, defines=DEFINES, signing_time_s=SINCE_2015_S)
+    by_usb = mavlink.MAVLink(None, 255, 190)
+    bench.autopilot.receive(packed(mavlink.MAVLink_setup_signing_message(1, 1, list(KEY), NOW), by_usb, 2), bench.now,
+                            elsewhere=True)  # fmt: skip
+    if is_signed:
+        bench.tell("sign", LINK)
+        bench.tell("waiting", 3)
+    bench.upload(SURVEY)
+    assert bench.run_until_ended(limit_s=10) == ("NoAutopilot" if is_signed else "Accepted")
+    assert (bench.heard("MISSION_COUNT") == []) == is_signed
+    assert (counters(bench)["unsigned"] > 0) == is_signed
+
+
 def test_proof_by_reading_back_works_signed(signed, personality):
     signed.upload(SURVEY, proof="Always")
     assert signed.run_until_ended(limit_s=10) == "Accepted"
