@@ -613,6 +613,16 @@ def test_plane_that_cannot_hover_is_not_armed(build_steered, vehicle_type):
 
 
 @HOVERS
+@pytest.mark.parametrize("vehicle, status", [("rover", "CommandUnsupported"), ("submarine", "CommandUnsupported"),
+                                             ("blimp", "NoSuchMode")])  # fmt: skip
+def test_vehicle_that_has_no_such_takeoff_is_not_armed(build_steered, vehicle, status):
+    steered = build_steered("ArduPilot", uptime_s=120.0, **modes_document.fake_of(vehicle))
+    steered.take_off(10.0)
+    assert steered.done() == status
+    assert steered.ordered() == [] and not steered.autopilot.armed
+
+
+@HOVERS
 def test_plane_that_does_not_say_whether_it_hovers_is_not_armed(build_steered):
     steered = build_steered("ArduPilot", vehicle="quadplane", uptime_s=120.0)
     steered.autopilot.faults.keep_back("EXTENDED_SYS_STATE")

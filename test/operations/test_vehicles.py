@@ -7,7 +7,7 @@ import pytest
 import modes_document
 from plans import SURVEY, on_the_wire
 from simulation.fake_autopilot import mavlink
-from starts import ARM, ASK_VEHICLE, SET_MODE, told, uploaded
+from starts import ARM, ASK_VEHICLE, MISSION_START, SET_MODE, hops, told, uploaded
 
 VEHICLES = pytest.mark.scenario(54, "Modes: what is no known vehicle gets no other one's")
 TYPES = modes_document.types()
@@ -80,6 +80,24 @@ def test_plane_is_started_as_a_plane_whatever_it_says(build_service, vehicle_typ
     assert service.done() == "Done"
     assert told(service) == [(ARM, 1, 0), (SET_MODE, 1, 10)]
     assert [mode for _, mode in service.autopilot.modes_flown] == ["AUTO"]
+
+
+STARTS = {"copter": [(SET_MODE, 1, 4), (ARM, 1, 0), (MISSION_START, 0, 0)], "plane": [(ARM, 1, 0), (SET_MODE, 1, 10)],
+          "QuadPlane": [(ARM, 1, 0), (SET_MODE, 1, 10)], "rover": [(ARM, 1, 0), (SET_MODE, 1, 10)],
+          "submarine": [(ARM, 1, 0), (SET_MODE, 1, 3)], "blimp": []}  # fmt: skip
+
+
+@VEHICLES
+@pytest.mark.parametrize("vehicle_type", TYPES)
+def test_each_type_is_started_as_its_vehicle_is(build_service, vehicle_type):
+    """As the last table of docs/modes.md says; a blimp has no AUTO."""
+    vehicle = TYPES[vehicle_type]
+    fake = {**modes_document.fake_of(vehicle), "vehicle_type": vehicle_type, "uptime_s": 120.0}
+    service = build_service("ArduPilot", **fake)
+    plan = hops("rover", 3) if vehicle == "rover" else None
+    uploaded(service, plan).order_of("start")
+    assert service.done(limit_s=20) == ("Done" if STARTS[vehicle] else "NoSuchMode")
+    assert told(service) == STARTS[vehicle] and service.autopilot.armed == (vehicle != "blimp")
 
 
 @VEHICLES
