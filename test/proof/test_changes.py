@@ -32,7 +32,7 @@ def test_new_result_code_is_a_line_and_a_number_in_one_file(tmp_path):
     replaced(status, "result <= 15 ?", "result <= 16 ?")
     replaced(status, "fromMissionResult(15) == Status::CancelledByAutopilot",
              "fromMissionResult(16) == Status::NotInFlight")  # fmt: skip
-    sources = [PROGRAMS / "result_code.cpp", library / "mavmission" / "client" / "Status.cpp",
+    sources = [PROGRAMS / "result_code.cpp", library / "mavmission" / "base" / "Status.cpp",
                library / "mavmission" / "base" / "FlashTable.cpp"]  # fmt: skip
     program = tmp_path / "program"
     subprocess.run(["g++", *WORDS, f"-I{library}", f"-I{SHIM}", *map(str, sources), "-o", str(program)], check=True)

@@ -1,5 +1,5 @@
 #include "../ItemField.h"
-#include "../base/FlashTable.h"
+#include "FlashTable.h"
 
 namespace mavmission {
 using namespace detail;

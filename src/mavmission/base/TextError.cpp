@@ -1,6 +1,5 @@
 #include "../TextError.h"
-
-#include "../base/FlashTable.h"
+#include "FlashTable.h"
 
 namespace mavmission {
 using namespace detail;
