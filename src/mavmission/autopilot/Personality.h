@@ -63,6 +63,12 @@ enum Trait : uint64_t {
   kAltitudesAreAboveSea = 1ull << 27,  // takes each altitude of a command as above sea level, whatever its frame
   kPlanesKeepMore = 1ull << 24,        // its planes keep more fields: kByPlane
   kNeedsStream = 1ull << 29,           // its guided mode (OFFBOARD) wants targets first, and a failsafe ends it without
+  kFliesToPlacesInHold = 1ull << 35,   // flies to a place of MAV_CMD_DO_REPOSITION in mode HOLD, and not in GUIDED
+  kTakesOffInOwnMode = 1ull << 36,     // MAV_CMD_NAV_TAKEOFF sets a mode of its own, and is not flown in GUIDED
+  kUnsetPlaceIsHere = 1ull << 37,      // a command whose place is NaN means: where the vehicle is
+  kCriticalInFailsafe = 1ull << 38,    // HEARTBEAT.system_status is CRITICAL only while a failsafe flies
+  kSameHeightsWithoutHome = 1ull << 39,  // GLOBAL_POSITION_INT: without home, relative_alt is alt
+  kSaysUploadsInWords = 1ull << 40,      // says by a STATUSTEXT that an upload has ended
 
   // MAV_CMD_DO_REPOSITION without its flag CHANGE_MODE is answered UNSUPPORTED, and flown to all the same in HOLD alone
   kRefusesAndRepositions = 1ull << 31,
@@ -78,12 +84,13 @@ enum Trait : uint64_t {
     kHomeIsItem0 | kReplacesItemByItem | kTakesTerrainFrames | kWipesShortFences | kDropsNanYaw |          \
     kErrorRefusesCount | kRefusesTakenItems | kHasPlanFiles | kFliesByMode | kNamesFlownItems |            \
     kModeIsOneByte | kModesByVehicle | kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir |            \
-    kTellsTotal)                                                                                           \
+    kTellsTotal | kSaysUploadsInWords)                                                                     \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
     kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea |                   \
-    kNeedsStream | kRefusesAndRepositions | kIntegersAsBits)
+    kNeedsStream | kRefusesAndRepositions | kIntegersAsBits | kFliesToPlacesInHold | kTakesOffInOwnMode |  \
+    kUnsetPlaceIsHere | kCriticalInFailsafe | kSameHeightsWithoutHome)
 // clang-format on
 
 // X(Firmware, KeeperFlag, traits). These say MAV_AUTOPILOT_GENERIC, as others do, and nothing that they send tells them

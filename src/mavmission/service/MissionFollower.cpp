@@ -99,7 +99,7 @@ void MissionFollower::takeName(uint32_t planId) {
 // The acceptance of a mission of ours, about which ArduPilot's text is still to come. One for another ground station
 // tells nothing: ArduPilot also accepts the item with which a station orders it to fly somewhere now.
 void MissionFollower::takeAcceptance(const FrameParser& frame) {
-  if (!has(client_.firmware(), kHomeIsItem0)) return;
+  if (!has(client_.firmware(), kSaysUploadsInWords)) return;
   if (!frame.isFor(client_.link_.systemId(), client_.link_.componentId())) return;
   patience_ = FollowRules::kPatience;
   textDue_ = FollowRules::kText;
@@ -185,7 +185,7 @@ void MissionFollower::takeText(const FrameParser& frame) {
 
 // ArduPilot says in words that an upload has ended. One such text belongs to each upload of ours.
 void MissionFollower::takePlanText(const char* text) {
-  if (!has(client_.firmware(), kHomeIsItem0)) return;
+  if (!has(client_.firmware(), kSaysUploadsInWords)) return;
   if (strncmp_P(text, kReceived, sizeof(kReceived) - 1) != 0 &&
       strncmp_P(text, kBrokenOff, sizeof(kBrokenOff) - 1) != 0)
     return;

@@ -22,7 +22,7 @@ bool PositionListener::decode(TelemetryListener& listener, const FrameParser& fr
   self.place_ = LatLon{Degrees::fromE7(message.lat), Degrees::fromE7(message.lon)};
   self.aboveSeaLevelMm_ = message.alt;
   // No home: PX4 then gives both heights alike, and ArduPilot, which does not know where it is, gives zeros.
-  const bool mayBeNone = has(self.client_.firmware(), kAltitudesAreAboveSea) || !self.hasPlace();
+  const bool mayBeNone = has(self.client_.firmware(), kSameHeightsWithoutHome) || !self.hasPlace();
   self.aboveHomeMm_ = mayBeNone && message.relative_alt == message.alt ? kNoHeight : message.relative_alt;
   self.northCmS_ = message.vx;
   self.eastCmS_ = message.vy;

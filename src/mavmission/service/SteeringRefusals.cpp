@@ -29,8 +29,7 @@ bool Steering::isMissionMode() const {
 // PX4 says CRITICAL while a failsafe flies, in whatever mode: HOLD, which is ours as well, is one of them. ArduPilot
 // says so for each failsafe, also for one that it is set to ignore; there the mode tells who flies.
 bool Steering::isFailsafe() const {
-  return has(client_.firmware(), kAltitudesAreAboveSea) &&
-         client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL;
+  return has(client_.firmware(), kCriticalInFailsafe) && client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL;
 }
 
 bool Steering::maySteer() const {
@@ -67,7 +66,7 @@ Status Steering::refuseNumbers() {
   // ArduPilot refuses 0 N 0 E, and PX4 flies there.
   if (latitude == 0 && longitude == 0) return refuseField(Status::NeedsCoordinates, ItemField::Latitude);
   const bool isTerrain = frame_ == Frame::GlobalTerrain;
-  const bool isTaken = isTerrain ? !has(client_.firmware(), kAltitudesAreAboveSea)
+  const bool isTaken = isTerrain ? has(client_.firmware(), kTakesTerrainFrames)
                                  : frame_ == Frame::Global || frame_ == Frame::GlobalRelative;
   return isTaken ? Status::Transferring : refuseField(Status::BadFrame, ItemField::Reference);
 }
@@ -126,11 +125,12 @@ Status Steering::refuse() {
 
 // The mode that the order leads to; kNoMode, which is refused, for an order that has no line here.
 uint16_t Steering::modeFor(Order order) const {
-  const bool hasGuided = !has(client_.firmware(), kAltitudesAreAboveSea);
   switch (order) {
-    case Order::TakeOff: return hasGuided ? client_.numberOf(FlightMode::Guided) : kPx4TakeOff;
+    case Order::TakeOff:
+      return has(client_.firmware(), kTakesOffInOwnMode) ? kPx4TakeOff : client_.numberOf(FlightMode::Guided);
     case Order::GoTo:
-    case Order::Pause: return client_.numberOf(hasGuided ? FlightMode::Guided : FlightMode::Hold);
+    case Order::Pause:
+      return client_.numberOf(has(client_.firmware(), kFliesToPlacesInHold) ? FlightMode::Hold : FlightMode::Guided);
     case Order::Resume: return client_.numberOf(FlightMode::Auto);
     case Order::ReturnHome: return client_.numberOf(FlightMode::ReturnToLaunch);
     case Order::Land: return client_.numberOf(FlightMode::Land);

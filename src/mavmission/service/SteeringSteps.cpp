@@ -69,7 +69,7 @@ bool Steering::needsHome() const {
 
 // An aircraft that pauses stops by another mode, or, where it flies in that mode already, by a place.
 bool Steering::stopsByPlace() const {
-  return is(Order::Pause) && (oldMode_ == change_.wanted() || has(client_.firmware(), kAltitudesAreAboveSea));
+  return is(Order::Pause) && (oldMode_ == change_.wanted() || has(client_.firmware(), kUnsetPlaceIsHere));
 }
 
 bool Steering::hasCommand() const {
@@ -78,7 +78,7 @@ bool Steering::hasCommand() const {
 
 // True if the command is made of the present position. (PX4 knows by itself where it is.)
 bool Steering::wantsPosition() const {
-  return needsHome() || (stopsByPlace() && !has(client_.firmware(), kAltitudesAreAboveSea));
+  return needsHome() || (stopsByPlace() && !has(client_.firmware(), kUnsetPlaceIsHere));
 }
 
 // False if the order does not need this step on this autopilot.
@@ -174,7 +174,7 @@ void Steering::fillStep(FlightCommand& command) const {
 }
 
 void Steering::fillCommand(FlightCommand& command) const {
-  const bool isAboveSea = has(client_.firmware(), kAltitudesAreAboveSea);
+  const bool isUnsetHere = has(client_.firmware(), kUnsetPlaceIsHere);
   const float unset = Yaw().inDegrees();  // NaN: as it flies
   float height = value_;
   if (needsHome() || is(Order::Pause)) {
@@ -194,10 +194,10 @@ void Steering::fillCommand(FlightCommand& command) const {
     case Order::TakeOff:
       command.id = MAV_CMD_NAV_TAKEOFF;
       command.param7 = height;
-      if (!isAboveSea) {
-        command.param1 = command.param4 = 0;
-      } else {
+      if (isUnsetHere) {
         command.param5 = command.param6 = unset;  // where it stands
+      } else {
+        command.param1 = command.param4 = 0;
       }
       return;
     case Order::GoTo:
@@ -209,7 +209,7 @@ void Steering::fillCommand(FlightCommand& command) const {
   // Without the flag, ArduPilot refuses it in another mode than GUIDED, and PX4 does nothing in another mode than HOLD:
   // so it cannot take the aircraft out of anybody's hands.
   if (client_.shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
-  if (isAboveSea && is(Order::Pause)) {  // PX4: stop here
+  if (isUnsetHere && is(Order::Pause)) {  // stop here
     command.param5 = command.param6 = command.param7 = unset;
     return;
   }
