@@ -5,6 +5,7 @@
 #include "MissionClient.h"
 #include "autopilot/Vehicle.h"
 #include "service/Listener.h"
+#include "service/SteeringOrders.h"
 #include "transfer/ModeOrder.h"
 
 namespace mavmission {
@@ -94,7 +95,6 @@ class Steering : public detail::Listener, private detail::SteerRules {
  private:
   friend class MovingTarget;
 
-  enum class Order : uint8_t { TakeOff, GoTo, Pause, Resume, ReturnHome, Land, Speed };
   // What an altitude is measured from.
   enum class Above : uint8_t { Nothing, Home, Sea };
 
@@ -109,7 +109,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   static void fill(detail::Client& client, FlightCommand& command);
   static Status on(detail::Client& client, detail::Client::CommandEvent event, Status status,
                    const detail::FrameParser* frame, uint16_t nowMs);
-  Status begin(Order order);
+  Status begin(detail::OrderRow row);
   Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
   void takeHeartbeat();
   void takePosition(const detail::FrameParser& frame);
@@ -139,7 +139,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   void fillCommand(FlightCommand& command) const;
   void findWanted();
   bool isRunning() const;
-  bool is(Order order) const { return order_ == order; }
+  bool is(detail::OrderTrait trait) const { return (row_.traits & trait) != 0; }
   detail::Vehicle vehicle() const { return detail::vehicleOf(client_.vehicleType()); }
   bool isPlane() const;
   bool isGround() const;
@@ -149,13 +149,12 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool needsHome() const;
   bool stopsByPlace() const;
   bool hasCommand() const;
-  bool isPlaced() const { return is(Order::GoTo) || is(Order::Pause); }
   bool wantsPosition() const;
   bool changesMode() const;
   bool isGuarded() const;
   bool hasClimbed() const;
   bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }
-  uint16_t modeFor(Order order) const;
+  uint16_t wantedMode() const;
 
   Place target_;              // to which it flies
   Place wanted_;              // of the running goTo() or takeOff()
@@ -167,7 +166,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   uint16_t oldMode_;          // the mode at the beginning of the operation
   detail::ModeOrder change_;  // from that mode to the one of the order
   uint16_t beganS_;           // when the step began [s]
-  Order order_;
+  detail::OrderRow row_;      // of the running order, or of the last one
   Frame frame_;
   SteerStep step_;
   Status refusal_;         // with which a takeoff will end

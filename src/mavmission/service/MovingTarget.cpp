@@ -1,3 +1,12 @@
+// MovingTarget: follows a place that the sketch gives again and again.
+//
+//        start()              the mode is shown            stop(), or no renew() for a second
+//   Off --------> Starting --------------------> Following -------------------------------> Holding
+//    ^               | refused, or cancel()          | another mode, a failsafe,               | the hold is shown,
+//    |               |                               | disarmed, or no autopilot               | or refused
+//    +---------------+-------------------------------+-----------------------------------------+
+//
+// Starting and Holding are operations of the client, as Steering's; Following is none, so the client is free meanwhile.
 #include "../MovingTarget.h"
 
 #include <Arduino.h>
@@ -81,17 +90,17 @@ Status MovingTarget::renew(const LatLon& place, Altitude altitude) {
   Steering& checks = steering_;
   if (modern(altitude.frame()) != frame_) return checks.refuseField(Status::BadFrame, ItemField::Reference);
   const Steering::Place wanted = checks.wanted_;
-  const Steering::Order order = checks.order_;
+  const OrderRow row = checks.row_;
   const Frame frame = checks.frame_;
   const float value = checks.value_;
-  checks.order_ = Steering::Order::GoTo;
+  checks.row_ = rowOf(Order::GoTo);
   checks.frame_ = frame_;
   checks.value_ = altitude.metres();
   checks.wanted_.at = place;
   const Status status = checks.refuseNumbers();
   const int32_t heightCm = checks.wanted_.heightCm;
   checks.wanted_ = wanted;
-  checks.order_ = order;
+  checks.row_ = row;
   checks.frame_ = frame;
   checks.value_ = value;
   if (status != Status::Transferring) return status;
@@ -179,7 +188,7 @@ bool MovingTarget::isOperating() const {
 }
 
 // True while the sketch has ordered something else of the Steering.
-bool MovingTarget::isSteered() const { return steering_.isRunning() && !steering_.is(Steering::Order::Speed); }
+bool MovingTarget::isSteered() const { return steering_.isRunning() && !steering_.is(kAdjusts); }
 
 bool MovingTarget::needsStream() const { return has(client_.firmware(), kNeedsStream); }
 

@@ -1,3 +1,13 @@
+// Payload: what becomes of a command, in one of four records.
+//
+//         COMMAND_LONG to us         update() calls the function         repeats may come no more
+//   None -------------------> Come ------------------------------> Answered ----------------------> None
+//                               |                                     ^
+//                               |  it returns InProgress              |  finish()
+//                               +-----------------> InProgress -------+
+//                                                   tells its progress once a second
+//
+// A repeat (COMMAND_LONG.confirmation is not 0) of a command that has a record gets the answer of the record.
 #include "../Payload.h"
 
 #include <Arduino.h>

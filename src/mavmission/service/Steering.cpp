@@ -32,7 +32,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   ownMode_ = oldMode_ = kNoMode;
   change_.begin(kNoMode, kNoMode);
   beganS_ = 0;
-  order_ = Order::TakeOff;
+  row_ = OrderRow{OrderMode::None, 0};
   frame_ = Frame::Global;
   step_ = SteerStep::None;
   refusal_ = Status::Idle;
@@ -44,18 +44,18 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
 
 // --- What the sketch calls
 
-Status Steering::begin(Order order) {
+Status Steering::begin(OrderRow row) {
   const Status status = client_.beginCommand(fill, on);
   if (status == Status::Busy) return status;
   client_.commanding_.owner = this;
-  order_ = order;
+  row_ = row;
   step_ = SteerStep::None;
   hasArmed_ = isModeSeen_ = isOrdered_ = isDenied_ = false;
   return status;
 }
 
 Status Steering::takeOff(Metres aboveHome) {
-  const Status status = begin(Order::TakeOff);
+  const Status status = begin(rowOf(Order::TakeOff));
   if (status == Status::Busy) return status;
   value_ = aboveHome.value;
   frame_ = Frame::GlobalRelative;
@@ -64,7 +64,7 @@ Status Steering::takeOff(Metres aboveHome) {
 }
 
 Status Steering::goTo(const LatLon& place, Altitude altitude) {
-  const Status status = begin(Order::GoTo);
+  const Status status = begin(rowOf(Order::GoTo));
   if (status == Status::Busy) return status;
   value_ = altitude.metres();
   frame_ = modern(altitude.frame());
@@ -73,13 +73,13 @@ Status Steering::goTo(const LatLon& place, Altitude altitude) {
   return status;
 }
 
-Status Steering::pause() { return begin(Order::Pause); }
-Status Steering::resume() { return begin(Order::Resume); }
-Status Steering::returnHome() { return begin(Order::ReturnHome); }
-Status Steering::landNow() { return begin(Order::Land); }
+Status Steering::pause() { return begin(rowOf(Order::Pause)); }
+Status Steering::resume() { return begin(rowOf(Order::Resume)); }
+Status Steering::returnHome() { return begin(rowOf(Order::ReturnHome)); }
+Status Steering::landNow() { return begin(rowOf(Order::Land)); }
 
 Status Steering::setSpeed(MetresPerSecond speed) {
-  const Status status = begin(Order::Speed);
+  const Status status = begin(rowOf(Order::Speed));
   if (status != Status::Busy) value_ = speed.value;
   return status;
 }
@@ -134,7 +134,7 @@ void Steering::takeHeartbeat() {
 
 // At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.
 bool Steering::hasClimbed() const {
-  const Place& top = is(Order::TakeOff) ? wanted_ : target_;
+  const Place& top = is(kFromGround) ? wanted_ : target_;
   return client_.shownMode() == client_.numberOf(FlightMode::Hold) && !isFailsafe() && isInAir() &&
          positionAge_ <= kFreshBeats && isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
 }
@@ -155,7 +155,7 @@ void Steering::takePosition(const FrameParser& frame) {
 void Steering::takeTarget(const FrameParser& frame) {
   typedef mavlink_position_target_global_int_t Target;
   targetAge_ = 0;
-  if (!is(Order::GoTo)) return;
+  if (!is(kTakesPlace)) return;
   const int32_t latitude = static_cast<int32_t>(frame.payloadLong(offsetof(Target, lat_int)));
   const int32_t longitude = static_cast<int32_t>(frame.payloadLong(offsetof(Target, lon_int)));
   float altitude;

@@ -17,7 +17,7 @@ bool Steering::changesMode() const {
 // What arms does not change the mode, but PX4 flies its mission when it is armed in that mode. A speed changes what a
 // failsafe of PX4 flies, of which its heartbeat tells up to a second later.
 bool Steering::isGuarded() const {
-  const bool isLateTold = is(Order::Speed) && !has(client_.firmware(), kIsActiveInAir);
+  const bool isLateTold = is(kAdjusts) && !has(client_.firmware(), kIsActiveInAir);
   return changesMode() || step_ == SteerStep::Arm || (step_ == SteerStep::Command && isLateTold);
 }
 
@@ -27,7 +27,7 @@ void Steering::noteSent() {
   if (step_ == SteerStep::Arm) hasArmed_ = true;
   if (changesMode()) isOrdered_ = true;
   // From now on it may fly elsewhere.
-  if (step_ == SteerStep::Mode || (step_ == SteerStep::Command && !is(Order::Speed))) forgetTarget();
+  if (step_ == SteerStep::Mode || (step_ == SteerStep::Command && !is(kAdjusts))) forgetTarget();
 }
 
 Status Steering::onHeartbeat(uint16_t nowMs) {

@@ -43,21 +43,21 @@ Status Steering::refuseField(Status status, ItemField field) {
 }
 
 Status Steering::refuseNumbers() {
-  const bool hasHeight = is(Order::TakeOff) || is(Order::GoTo);
-  if (!hasHeight && !is(Order::Speed)) return Status::Transferring;
+  const bool hasHeight = is(kTakesHeight);
+  if (!hasHeight && !is(kTakesSpeed)) return Status::Transferring;
   const ItemField field = hasHeight ? ItemField::Height : ItemField::Param2;
   const FloatKind kind = kindOf(&value_);
   if (kind == FloatKind::NotANumber) return refuseField(Status::NotANumber, field);
   if (kind == FloatKind::Infinite) return refuseField(Status::NotFinite, field);
   const int32_t cm = centimetres(value_);
-  if (is(Order::Speed)) {
+  if (is(kTakesSpeed)) {
     const bool isSpeed = !isHuge(value_) && cm > 0 && cm <= kMostSpeedCm;
     return isSpeed ? Status::Transferring : refuseField(Status::BadSpeed, field);
   }
-  const bool isOut = isHuge(value_) || !isNear(cm, 0, kMostHeightCm) || (is(Order::TakeOff) && cm <= 0);
+  const bool isOut = isHuge(value_) || !isNear(cm, 0, kMostHeightCm) || (is(kFromGround) && cm <= 0);
   if (isOut) return refuseField(Status::BadAltitude, field);
   wanted_.heightCm = cm;
-  if (is(Order::TakeOff)) return Status::Transferring;
+  if (!is(kTakesPlace)) return Status::Transferring;
   const int32_t latitude = wanted_.at.latitude.e7(), longitude = wanted_.at.longitude.e7();
   if (!isNear(latitude, 0, 900000000)) return refuseField(Status::BadLatitude, ItemField::Latitude);
   if (longitude < -1800000000 || longitude > 1800000000) {
@@ -100,15 +100,15 @@ bool Steering::isInAir() const {
 
 // Whether the order fits an aircraft that flies, or one that stands.
 Status Steering::judgeFlight() {
-  if (is(Order::TakeOff)) return isInAir() ? Status::Armed : Status::Transferring;
+  if (is(kFromGround)) return isInAir() ? Status::Armed : Status::Transferring;
   return isGround() || isInAir() ? Status::Transferring : Status::NotFlying;
 }
 
 Status Steering::refuse() {
   const Status numbers = refuseNumbers();
   if (numbers != Status::Transferring) return numbers;
-  const bool isTakeOff = is(Order::TakeOff);
-  if (modeFor(order_) == kNoMode) return Status::NoSuchMode;
+  const bool isTakeOff = is(kFromGround);
+  if (wantedMode() == kNoMode) return Status::NoSuchMode;
   if (client_.isArmed()) {
     if (!seenDisarmed_ && !client_.rest_.armedAllowed) return Status::Armed;
     const Status others = otherHands();
@@ -123,18 +123,19 @@ Status Steering::refuse() {
   return has(client_.firmware(), kIsActiveInAir) ? judgeFlight() : Status::Transferring;
 }
 
-// The mode that the order leads to; kNoMode, which is refused, for an order that has no line here.
-uint16_t Steering::modeFor(Order order) const {
-  switch (order) {
-    case Order::TakeOff:
-      return has(client_.firmware(), kTakesOffInOwnMode) ? kPx4TakeOff : client_.numberOf(FlightMode::Guided);
-    case Order::GoTo:
-    case Order::Pause:
-      return client_.numberOf(has(client_.firmware(), kFliesToPlacesInHold) ? FlightMode::Hold : FlightMode::Guided);
-    case Order::Resume: return client_.numberOf(FlightMode::Auto);
-    case Order::ReturnHome: return client_.numberOf(FlightMode::ReturnToLaunch);
-    case Order::Land: return client_.numberOf(FlightMode::Land);
-    case Order::Speed: return client_.shownMode();
+// The mode that the order leads to.
+uint16_t Steering::wantedMode() const {
+  const bool isInHold = has(client_.firmware(), kFliesToPlacesInHold);
+  switch (row_.mode) {
+    case OrderMode::None: break;
+    case OrderMode::AsShown: return client_.shownMode();
+    case OrderMode::TakingOff:
+      if (has(client_.firmware(), kTakesOffInOwnMode)) return kPx4TakeOff;
+      return client_.numberOf(FlightMode::Guided);
+    case OrderMode::FlyingTo: return client_.numberOf(isInHold ? FlightMode::Hold : FlightMode::Guided);
+    case OrderMode::Mission: return client_.numberOf(FlightMode::Auto);
+    case OrderMode::Returning: return client_.numberOf(FlightMode::ReturnToLaunch);
+    case OrderMode::LandingHere: return client_.numberOf(FlightMode::Land);
   }
   return kNoMode;
 }

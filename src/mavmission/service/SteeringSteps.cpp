@@ -24,7 +24,7 @@ Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t now
     case Client::CommandEvent::Ready: {
       const Status refusal = refuse();
       if (refusal != Status::Transferring || client_.asksVehicle()) return refusal;
-      lead(client_.firstMode(), modeFor(order_));
+      lead(client_.firstMode(), wantedMode());
       const Status begun = nextStep(nowMs);
       beganS_ = 0;  // behind this event the seconds begin anew
       return begun;
@@ -35,7 +35,7 @@ Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t now
         case SteerStep::AskHome: return nextStep(nowMs);
         case SteerStep::Mode:
         case SteerStep::GiveBack: client_.commanding_.transfer.ask(); break;
-        case SteerStep::Command: return is(Order::Speed) ? done() : nextStep(nowMs);
+        case SteerStep::Command: return is(kAdjusts) ? done() : nextStep(nowMs);
         case SteerStep::Disarm: return refusal_;
         case SteerStep::AskPosition:
           if (!wantsPosition()) return nextStep(nowMs);
@@ -63,18 +63,15 @@ Status Steering::nextStep(uint16_t nowMs) {
 
 // PX4 takes each altitude as above the sea.
 bool Steering::needsHome() const {
-  const bool hasHeight = is(Order::TakeOff) || is(Order::GoTo);
-  return hasHeight && isRelative() && has(client_.firmware(), kAltitudesAreAboveSea);
+  return is(kTakesHeight) && isRelative() && has(client_.firmware(), kAltitudesAreAboveSea);
 }
 
 // An aircraft that pauses stops by another mode, or, where it flies in that mode already, by a place.
 bool Steering::stopsByPlace() const {
-  return is(Order::Pause) && (oldMode_ == change_.wanted() || has(client_.firmware(), kUnsetPlaceIsHere));
+  return is(kStopsHere) && (oldMode_ == change_.wanted() || has(client_.firmware(), kUnsetPlaceIsHere));
 }
 
-bool Steering::hasCommand() const {
-  return is(Order::TakeOff) || is(Order::GoTo) || is(Order::Speed) || stopsByPlace();
-}
+bool Steering::hasCommand() const { return is(kHasCommand) || stopsByPlace(); }
 
 // True if the command is made of the present position. (PX4 knows by itself where it is.)
 bool Steering::wantsPosition() const {
@@ -85,17 +82,17 @@ bool Steering::wantsPosition() const {
 bool Steering::beginStep(uint16_t nowMs) {
   CommandTransfer& sending = client_.commanding_.transfer;
   const bool isHeartbeatEnough = has(client_.firmware(), kIsActiveInAir);
-  const bool isTakeOff = is(Order::TakeOff);
+  const bool isTakeOff = is(kFromGround);
   const bool isFresh = positionAge_ <= kFreshBeats;
   switch (step_) {
     case SteerStep::AskLanded:
-      if ((isHeartbeatEnough && !(isTakeOff && isPlane())) || is(Order::Speed)) return false;
+      if ((isHeartbeatEnough && !(isTakeOff && isPlane())) || is(kAdjusts)) return false;
       break;
     case SteerStep::AskHome:
       if (!needsHome()) return false;
       break;
     case SteerStep::AskPosition:
-      if (!wantsPosition() && (isFresh || !(isTakeOff || is(Order::GoTo)))) return false;
+      if (!wantsPosition() && (isFresh || !is(kTakesHeight))) return false;
       break;
     case SteerStep::Mode: {
       const uint16_t shown = client_.shownMode();
@@ -113,8 +110,8 @@ bool Steering::beginStep(uint16_t nowMs) {
     case SteerStep::Command:
       if (!hasCommand()) return false;
       findWanted();
-      if (isTakeOff && change_.wanted() != modeFor(order_)) {  // it has been made to hold first
-        lead(change_.wanted(), modeFor(order_));
+      if (isTakeOff && change_.wanted() != wantedMode()) {  // it has been made to hold first
+        lead(change_.wanted(), wantedMode());
         isOrdered_ = false;
       }
       break;
@@ -139,8 +136,8 @@ bool Steering::beginStep(uint16_t nowMs) {
 
 // What wanted_ is in the numbers of this autopilot.
 void Steering::findWanted() {
-  if (is(Order::TakeOff)) wanted_.at = LatLon();
-  if (is(Order::Pause)) {
+  if (is(kFromGround)) wanted_.at = LatLon();
+  if (is(kStopsHere)) {
     wanted_.at = here_;
     wanted_.heightCm = homeCm_;
     wanted_.hasPlace = true;
@@ -177,39 +174,36 @@ void Steering::fillCommand(FlightCommand& command) const {
   const bool isUnsetHere = has(client_.firmware(), kUnsetPlaceIsHere);
   const float unset = Yaw().inDegrees();  // NaN: as it flies
   float height = value_;
-  if (needsHome() || is(Order::Pause)) {
+  if (needsHome() || is(kStopsHere)) {
     height = quotient(wanted_.heightCm, 1);
     multiply(&height, Times::Hundredth);
   }
   command.param1 = -1;
   command.param4 = unset;
-  switch (order_) {
-    case Order::Speed:
-      command.id = MAV_CMD_DO_CHANGE_SPEED;
-      command.param1 = SPEED_TYPE_GROUNDSPEED;
-      command.param2 = value_;
-      command.param3 = -1;
-      command.param4 = 0;
-      return;
-    case Order::TakeOff:
-      command.id = MAV_CMD_NAV_TAKEOFF;
-      command.param7 = height;
-      if (isUnsetHere) {
-        command.param5 = command.param6 = unset;  // where it stands
-      } else {
-        command.param1 = command.param4 = 0;
-      }
-      return;
-    case Order::GoTo:
-    case Order::Pause: break;
-    // An order that has no line here is refused before this; it must not leave as another one.
-    default: return;
+  if (is(kTakesSpeed)) {
+    command.id = MAV_CMD_DO_CHANGE_SPEED;
+    command.param1 = SPEED_TYPE_GROUNDSPEED;
+    command.param2 = value_;
+    command.param3 = -1;
+    command.param4 = 0;
+    return;
   }
+  if (is(kFromGround)) {
+    command.id = MAV_CMD_NAV_TAKEOFF;
+    command.param7 = height;
+    if (isUnsetHere) {
+      command.param5 = command.param6 = unset;  // where it stands
+    } else {
+      command.param1 = command.param4 = 0;
+    }
+    return;
+  }
+  if (!is(kRepositions)) return;  // no order has such a row; none may leave as another one
   command.id = MAV_CMD_DO_REPOSITION;
   // Without the flag, ArduPilot refuses it in another mode than GUIDED, and PX4 does nothing in another mode than HOLD:
   // so it cannot take the aircraft out of anybody's hands.
   if (client_.shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
-  if (isUnsetHere && is(Order::Pause)) {  // stop here
+  if (isUnsetHere && is(kStopsHere)) {  // stop here
     command.param5 = command.param6 = command.param7 = unset;
     return;
   }
@@ -234,7 +228,7 @@ void Steering::forgetTarget() {
 }
 
 Status Steering::done() {
-  if (is(Order::TakeOff) || is(Order::GoTo)) target_ = wanted_;
+  if (is(kTakesHeight)) target_ = wanted_;
   return Status::Done;
 }
 
@@ -256,8 +250,8 @@ Status Steering::onRefused(Status refusal, uint16_t nowMs) {
     case SteerStep::Arm: hasArmed_ = false; return refusal;
     case SteerStep::Command:
       // A repeated takeoff is refused by an aircraft that is taking off already.
-      if (is(Order::TakeOff) && client_.commanding_.transfer.tries() > 1) return nextStep(nowMs);
-      if (!isPlaced() || client_.shownMode() != change_.wanted()) return leave(refusal);
+      if (is(kFromGround) && client_.commanding_.transfer.tries() > 1) return nextStep(nowMs);
+      if (!is(kRepositions) || client_.shownMode() != change_.wanted()) return leave(refusal);
       if (refusal == Status::CommandUnsupported && has(client_.firmware(), kRefusesAndRepositions)) {
         return nextStep(nowMs);
       }
@@ -308,7 +302,7 @@ Status Steering::onTime(uint16_t nowMs) {
         sending.ask();
         break;
       }
-      if (is(Order::TakeOff)) {
+      if (is(kFromGround)) {
         if (!has(client_.firmware(), kIsActiveInAir)) {
           // On the ground still, or it does not say.
           if (!isInAir() && secondsOfStep() >= kTakeOffS) return leave(Status::Unconfirmed);
@@ -327,7 +321,7 @@ Status Steering::onTime(uint16_t nowMs) {
         if (isInAir() && isModeSeen_) return done();
         break;
       }
-      const bool isTargetKnown = is(Order::GoTo) && targetAge_ <= kTargetBeats;
+      const bool isTargetKnown = is(kTakesPlace) && targetAge_ <= kTargetBeats;
       if (isModeSeen_ && (isTargetSame_ || !isTargetKnown)) return done();
       break;
     }

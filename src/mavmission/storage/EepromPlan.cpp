@@ -1,3 +1,18 @@
+// EepromPlan: a plan in one of two banks.
+//
+//            store()             commit()              all bytes are as they were written
+//   Resting --------> Storing ------------> Committing -----------------------------------> Resting
+//    |   ^               |                      |   items' end, Header, Valid (the new plan counts), DropOld
+//    |   |               | no room              |
+//    |   |               v                      v
+//    |   |             Failed <-----------------+ a byte is not as it was written: the old plan is whole
+//    |   |                ^
+//    |   |                | the same
+//    |   +------------ Erasing: EraseOther, EraseActive
+//    |    erase()         ^
+//    +--------------------+
+//
+// update() writes one byte of the running step; stepDone() begins the next one.
 #include "../EepromPlan.h"
 
 #include <string.h>
