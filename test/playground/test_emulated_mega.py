@@ -42,6 +42,12 @@ def test_upload_mission_puts_the_same_bytes_on_a_line_that_loses_20_percent(fold
     assert len(ours.bytes(1)) > 300
 
 
+def test_an_analog_pin_is_read_in_the_same_time_as_on_simavr(folder):
+    """The sketch reads one each time that it tells the load of its winch; what nothing is connected to reads 0."""
+    told, ours = agree(folder, example="PayloadWinch", autopilot="ardupilot", seconds=4)
+    assert ours.bytes(1).count(b"weight") == 3
+
+
 @pytest.mark.slow
 def test_the_serial_monitor_says_the_same_as_on_simavr(folder):
     told, ours = agree(folder, example="UploadWithProgress", autopilot="ardupilot", seconds=4)

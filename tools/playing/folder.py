@@ -22,7 +22,8 @@ NPM = BUILD / "npm" / "node_modules"
 SITE = BUILD / "playground" / "site"
 
 # avr8js imports "./interrupt", which a browser does not find; it is "./interrupt.js".
-AVR8JS = ("cpu/cpu", "cpu/instruction", "cpu/interrupt", "peripherals/eeprom", "peripherals/gpio", "peripherals/timer")
+AVR8JS = ("cpu/cpu", "cpu/instruction", "cpu/interrupt", "peripherals/adc", "peripherals/eeprom", "peripherals/gpio",
+          "peripherals/timer")  # fmt: skip
 IMPORT = re.compile(r"(from ')(\.[^']*)(')")
 PYODIDE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 

@@ -2,6 +2,7 @@
 
 import { CPU } from "../vendor/avr8js/cpu/cpu.js";
 import { avrInstruction } from "../vendor/avr8js/cpu/instruction.js";
+import { ADCMuxInputType, ADCReference, AVRADC, adcConfig } from "../vendor/avr8js/peripherals/adc.js";
 import { AVREEPROM, EEPROMMemoryBackend, eepromConfig } from "../vendor/avr8js/peripherals/eeprom.js";
 import { AVRTimer, timer0Config } from "../vendor/avr8js/peripherals/timer.js";
 import { piecesOf } from "./hex.js";
@@ -18,7 +19,8 @@ const ERASED = 0xffff;
 const SPL = 93, SPH = 94;
 
 // The 2560's interrupt vectors, by their numbers; an address is two words for each.
-const TIMER0_COMPA = 21, TIMER0_COMPB = 22, TIMER0_OVF = 23, USART0_RX = 25, EE_READY = 30, USART1_RX = 36;
+const TIMER0_COMPA = 21, TIMER0_COMPB = 22, TIMER0_OVF = 23, USART0_RX = 25, ADC_READY = 29, EE_READY = 30;
+const USART1_RX = 36;
 // avr8js takes 2 cycles for what takes the chip 5: two, and a push of three bytes.
 const RESPONSE_CYCLES = 3;
 
@@ -30,6 +32,20 @@ const TIMER0 = {
 };
 // Erasing and writing a byte together take 3.4 ms; avr8js adds up the times of the two halves.
 const EEPROM = { ...eepromConfig, eepromReadyInterrupt: 2 * EE_READY, eraseCycles: 27_200, writeCycles: 27_200 };
+// A0 to A7, and with MUX5 A8 to A15; a pin to which nothing is connected reads 0.
+const MUX5 = 0x20;
+const PINS = Array.from({ length: 16 }, (_, pin) => [
+  (pin & 7) | (pin < 8 ? 0 : MUX5),
+  { type: ADCMuxInputType.SingleEnded, channel: pin },
+]);
+const ADC = {
+  ...adcConfig,
+  adcInterrupt: 2 * ADC_READY,
+  numChannels: PINS.length,
+  muxInputMask: 0x3f,
+  muxChannels: Object.fromEntries(PINS),
+  adcReferences: [ADCReference.AREF, ADCReference.AVCC, ADCReference.Internal1V1, ADCReference.Internal2V56],
+};
 const UCSR0A = 0xc0, UCSR1A = 0xc8;
 
 export class Crashed extends Error {}
@@ -83,6 +99,7 @@ export class Mega {
     const cpu = new CPU(this.flash, RAM_BEGIN - AVR8JS_REGISTERS + RAM_BYTES);
     this.cpu = cpu;
     this.timer0 = new AVRTimer(cpu, TIMER0);
+    this.analog = new AVRADC(cpu, ADC);
     this.memory = new AVREEPROM(cpu, this.eeprom, EEPROM);
     this.ports = [new Usart(cpu, UCSR0A, USART0_RX), new Usart(cpu, UCSR1A, USART1_RX)];
   }
