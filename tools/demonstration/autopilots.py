@@ -8,6 +8,8 @@ from simulation.recordings import repeated
 NAMES = {"ardupilot": "ArduPilot", "px4": "PX4"}
 KINDS = {MISSION: "plan", FENCE: "fence", RALLY: "rally points"}
 
+EXAMPLES_FLY_AT = (-353632621, 1491652374, 584.0)  # latitude, longitude [1e-7 degrees], altitude [m]
+
 # What an autopilot holds before an example that only reads.
 HELD = [
     item(mavlink.MAV_CMD_NAV_TAKEOFF, x=-353632621, y=1491652374, z=20.0),
@@ -25,9 +27,10 @@ def an_autopilot(name: str, vehicle: str = "copter", **options) -> FakeAutopilot
     return ArduPilot(vehicle=vehicle, response_delay_s=ArduPilot.response_delay_on_line_s, **options)
 
 
-def one_to_fly(name: str, vehicle: str = "copter") -> FakeAutopilot:
-    """At the place of the examples, ready to be armed. It tells where it is, and no more than that."""
-    home, uptime_s = (-353632621, 1491652374, 584.0), 60.0
+def one_to_fly(
+    name: str, vehicle: str = "copter", *, home: tuple[int, int, float] = EXAMPLES_FLY_AT, uptime_s: float = 60.0
+) -> FakeAutopilot:
+    """Ready to be armed. It tells where it is, and no more than that."""
     if name == "px4":
         return Px4(response_delay_s=Px4.response_delay_on_line_s, home=home, uptime_s=uptime_s)
     delay_s = ArduPilot.response_delay_on_line_s

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from demonstration.autopilots import KINDS, NAMES, an_autopilot
+from demonstration.autopilots import KINDS, NAMES, an_autopilot, one_to_fly
 from demonstration.conversation import Conversation
 from demonstration.line import Line
 from demonstration.timeline import label
@@ -72,8 +72,9 @@ class FarEnd:
     """One run: from the Mega's power-on."""
 
     def __init__(self, settings: str) -> None:
-        """settings: JSON with autopilot ("ardupilot", "px4" or "outside"), loss and bytes [percent], seed, and,
-        if there is a plan to hold or a place to stand at, held (a list of items) and home [1e-7 degrees, m]."""
+        """settings: JSON with autopilot ("ardupilot", "px4" or "outside"), loss and bytes [percent], seed, arms (the
+        sketch does) and, if there is a plan to hold or a place to stand at, held (a list of items) and home [1e-7
+        degrees, m]."""
         wanted = json.loads(settings)
         self.name: str = wanted["autopilot"]
         self.autopilot: Any = self._made(wanted)
@@ -97,7 +98,8 @@ class FarEnd:
         if wanted.get("home"):
             lat, lon, altitude = wanted["home"]
             options["home"] = (int(lat), int(lon), float(altitude))
-        return an_autopilot(self.name, **options)
+        # What was recorded on the ground would say so of one that flies.
+        return one_to_fly(self.name, **options) if wanted.get("arms") else an_autopilot(self.name, **options)
 
     # Driven by the page
 

@@ -96,7 +96,7 @@ function begin() {
   const { port1, port2 } = new MessageChannel();
   const settings = {
     autopilot: autopilot(), loss: isOutside ? 0 : state.loss, bytes: isOutside ? 0 : state.bytes, seed: state.seed,
-    hz: HZ, home, held: example().reads && !isOutside ? known.held[state.autopilot] : null,
+    hz: HZ, home, arms: example().arms, held: example().reads && !isOutside ? known.held[state.autopilot] : null,
   };
   far.postMessage({ does: "start", settings, port: port1, number: run }, [port1]);
   if (!isOutside && state.cable === "pulled") far.postMessage({ does: "cable", joined: false });
