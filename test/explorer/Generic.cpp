@@ -5,6 +5,8 @@
 // after five such requests, and says "unsupported" to MISSION_REQUEST.
 // Betaflight: COUNT deletes the plan aboard; an item that it does not wait for ends the upload; it asks again after
 // 1500 ms, five times; idle, it says nothing to an item. It does not know MISSION_REQUEST.
+// Inav: each item replaces one of the plan aboard, and what is behind it; it asks again after 1000 ms, and when the
+// item before comes again; any other ends the upload.
 #include <string.h>
 
 #include "Autopilot.h"
@@ -17,7 +19,10 @@ constexpr uint16_t kReadingEndsMs = 5000;  // of a download, without a request
 typedef Autopilot::State State;
 
 bool isBetaflight(const Autopilot& autopilot) { return autopilot.firmware == Firmwares::Betaflight; }
-uint16_t asksAgainMs(const Autopilot& autopilot) { return isBetaflight(autopilot) ? 1500 : 500; }
+bool isInav(const Autopilot& autopilot) { return autopilot.firmware == Firmwares::Inav; }
+uint16_t asksAgainMs(const Autopilot& autopilot) {
+  return isBetaflight(autopilot) ? 1500 : isInav(autopilot) ? 1000 : 500;
+}
 
 void acknowledge(Answers& answers, Result result) { answers.add(message(Kind::Ack, result)); }
 
@@ -62,8 +67,13 @@ void hearItem(Autopilot& autopilot, const Message& item, Answers& answers) {
   if (item.number != autopilot.expected && isBetaflight(autopilot)) return end(autopilot, answers, kInvalidSequence);
   autopilot.requests = 0;
   autopilot.asksInMs = asksAgainMs(autopilot);
-  if (item.number != autopilot.expected) return;
+  if (item.number != autopilot.expected) {
+    if (!isInav(autopilot)) return;
+    if (item.number + 1 == autopilot.expected) return ask(autopilot, answers);
+    return end(autopilot, answers, kInvalidSequence);
+  }
   autopilot.staged[autopilot.expected++] = item.item;
+  if (isInav(autopilot)) hold(autopilot, autopilot.expected);
   if (autopilot.expected < autopilot.count) return ask(autopilot, answers);
   hold(autopilot, autopilot.count);
   end(autopilot, answers, kAccepted);

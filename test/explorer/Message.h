@@ -8,8 +8,8 @@
 
 #include "Frames.h"
 
-// Mavsdk and Betaflight say that they are generic: see Generic.cpp.
-enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4, Mavsdk, Betaflight };
+// Mavsdk, Betaflight and Inav say that they are generic: see Generic.cpp.
+enum class Firmwares : uint8_t { ArduPilot, LateArduPilot, Px4, Mavsdk, Betaflight, Inav };
 
 inline bool isArduPilot(Firmwares firmware) { return firmware <= Firmwares::LateArduPilot; }
 inline bool isGeneric(Firmwares firmware) { return firmware >= Firmwares::Mavsdk; }

@@ -10,14 +10,15 @@ namespace {
 
 const char* const kOperations[] = {"upload", "upload-in-doubt", "upload-verified", "ensure",     "download",
                                    "verify", "clear",           "file-upload",     "file-verify"};
-const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK", "Betaflight"};
+const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK", "Betaflight", "iNav"};
 
 [[noreturn]] void usage(const char* problem) {
   fprintf(
       stderr,
       "%s\n"
       "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
-      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late), PX4, MAVSDK, Betaflight\n"
+      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late), PX4, MAVSDK, Betaflight,\n"
+      "             iNav\n"
       "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear, and as files\n"
       "             file-upload, file-verify; a second one begins when the first has ended or was broken off\n"
       "             upload, upload-in-doubt, ... with \"fence-\" or \"rally-\" in front: of those; one of both\n"
@@ -62,7 +63,7 @@ uint64_t number(const char* text, uint64_t most) {
 int main(int argc, char** argv) {
   if (argc < 4) usage("arguments are missing");
   Scenario scenario;
-  scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 5, argv[1], "no such autopilot"));
+  scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 6, argv[1], "no such autopilot"));
   int at = 2;
   for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {
     Task task;

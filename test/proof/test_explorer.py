@@ -32,7 +32,7 @@ EXPLORER = ROOT / "test" / "explorer"
 # The rest form and the next timer of a client are about its private members.
 OWN_FLAGS = ["-std=c++17", "-fno-access-control"]
 AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
-SERVERS = ("MAVSDK", "Betaflight")  # of a firmware that the library does not know: explorer/Generic.cpp
+SERVERS = ("MAVSDK", "Betaflight", "iNav")  # of a firmware that the library does not know: explorer/Generic.cpp
 MOST_BYTES = 2_000_000_000  # that one exploration may hold, of which two run side by side
 BETAFLIGHT = 1  # MAVMISSION_GENERIC_FIRMWARE
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
