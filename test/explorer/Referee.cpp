@@ -126,7 +126,7 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
   // What has given the upload up on a line that loses gets it anew.
   if (isGeneric(firmware) && isUpload() && !isReading && message.kind == Kind::Count && asked != 0 && isHurried &&
       isGivenUp()) {
-    counts = asked = current = heardLast = open = sentItem = isLastSent = copies = 0;
+    counts = asked = current = heardLast = open = sentItem = isLastSent = copies = isUnasked = 0;
     heardAcks = 0;
   }
   const char* const broken = isReading ? sentInReading(message) : sentInUpload(message);
@@ -158,7 +158,7 @@ const char* Referee::sentInUpload(const Message& message) {
         open = static_cast<uint8_t>(open | bit);
         asked = std::max(asked, ++current);
         sinceNewMs = 0;
-        copies = isPresumed = 0;
+        copies = isPresumed = isUnasked = 0;
       }
       const bool isConfirming = isLastSent;
       if ((open & bit) == 0) {
@@ -166,6 +166,8 @@ const char* Referee::sentInUpload(const Message& message) {
         if (!isConfirming && !isHurried) return "an item is sent that was not asked for";
         if (sinceSentMs < againMs(kAnswerMs)) return "the last item is repeated too early";
         if (isConfirming && sinceNewMs >= kConfirmingMs) return "the last item is repeated too late";
+        if (isOver) return "an item is sent to a PX4 that has given the upload up";
+        isUnasked = true;
       }
       open = static_cast<uint8_t>(open & ~bit);
       sentItem = static_cast<uint8_t>(message.number + 1);
@@ -181,7 +183,7 @@ const char* Referee::sentInUpload(const Message& message) {
       if (hasFreed && sinceSentMs < kAnswerMs) return "an older transfer is cancelled again too early";
       if (!hasFreed) counts = 0;  // as many tries again: PX4 gives it up by itself 5 s after it has heard something
       hasFreed = kJustNow;
-      asked = current = heardLast = open = sentItem = isLastSent = copies = 0;
+      asked = current = heardLast = open = sentItem = isLastSent = copies = isUnasked = 0;
       return nullptr;
 
     case Kind::Heartbeat:
@@ -248,7 +250,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
         current = static_cast<uint8_t>(message.number + 1);
         asked = std::max(asked, current);
         sinceNewMs = 0;
-        copies = isPresumed = 0;
+        copies = isPresumed = isUnasked = 0;
       } else if (message.number + 1 == sentItem && sinceSentMs < kSameRequestMs) {
         return;  // answered already
       }
@@ -263,6 +265,10 @@ void Referee::heard(const Message& message, Firmwares firmware) {
         isPresumed = true;
       }
       if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;
+      if (isUpload() && !isReading && isPx4(firmware) && message.number == kError && isUnasked && !isLastSent &&
+          sinceNewMs >= kLateErrorMs) {
+        isOver = true;
+      }
       if (isLooking && !isCounted && message.number == kCancelled) lists = 0;  // an older upload is over
       return;
 

@@ -42,6 +42,8 @@ struct Referee {
   static constexpr uint16_t kSameRequestMs = 200;
   // An autopilot that asks for an older item so long behind a newer one has begun again.
   static constexpr uint16_t kLateRequestMs = 500;
+  // PX4's error so long behind the newest request answers an item of this transfer, which is over.
+  static constexpr uint16_t kLateErrorMs = 2600;
   // From the first sending of an item to the last answer to what was sent before.
   static constexpr uint16_t kLastAnswerMs = 250;
 
@@ -76,10 +78,11 @@ struct Referee {
   uint8_t isHurried;       // the client takes the line for one that loses: 1, or kHurriedBefore this step
   uint8_t copies;          // of the current item, since it is current; 2 at most
   uint8_t mayGoOn;         // what was written as a file is read back, and may be uploaded item by item
-  uint8_t unused;
-  uint16_t heardAcks;     // bit r: ACK r was heard
-  uint16_t sinceFirstMs;  // since the first of `copies`, kLastAnswerMs at most
-  uint16_t sinceSentMs;   // since the last frame of ours, 1500 at most
+  uint8_t isUnasked : 4;   // the current item was sent again without being asked for
+  uint8_t isOver : 4;      // PX4's error to that was heard
+  uint16_t heardAcks;      // bit r: ACK r was heard
+  uint16_t sinceFirstMs;   // since the first of `copies`, kLastAnswerMs at most
+  uint16_t sinceSentMs;    // since the last frame of ours, 1500 at most
   uint16_t sinceNewMs;  // since the first COUNT, or since an item was asked for that had not been before, 9000 at most
 
   void begin(const Task& task, Firmwares firmware);

@@ -313,6 +313,13 @@ DEFECTS = {
         "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
         "busy with what was ours, and the tries were not exhausted",
     ),
+    "PX4's error is taken for one to an earlier transfer, however late it comes": (
+        "UploadTransfer.cpp",
+        "since(progressMs_, nowMs) >= kLateErrorMs) return Status::TimedOut;",
+        "false) return Status::TimedOut;",
+        "PX4 upload 2 --lossy 1 --reboots 1",
+        "an item is sent to a PX4 that has given the upload up",
+    ),
     "the tries of a list are not counted": (
         "DownloadTransfer.cpp",
         "if (tries_ >= (isLossy ? Pace::kLossyTries : isListing ? kListTries : kItemTries))\n"

@@ -28,6 +28,7 @@ struct UploadRules {
   static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
   static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request
   static constexpr uint16_t kLateRequestMs = 500;  // for an older item: within this time of a newer one it is late
+  static constexpr uint16_t kLateErrorMs = 2500;   // an ERROR so long behind a new request answers nothing from before
   static constexpr uint16_t kRoomMs = 700;         // after eight repeats in a row, for an unknown server's own timeout
   static constexpr uint16_t kConfirmingMs = 9000;  // from the last item's request to the end, repeats included
 };

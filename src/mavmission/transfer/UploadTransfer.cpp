@@ -124,6 +124,8 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
         send_ = Send::Cancel;
         return Status::Transferring;
       }
+      // So late it answers nothing earlier, but an item of this transfer, which the autopilot has given up.
+      if (state_ == State::Sending && isUnasked_ && since(progressMs_, nowMs) >= kLateErrorMs) return Status::TimedOut;
       // On a line that loses, many repeats in an earlier transfer may be answered with an error each.
       // (The last item is read back in any case.)
       if (mayBeAnswered() && pace.isLossy() && (state_ != State::Confirming || !isUnasked_)) {

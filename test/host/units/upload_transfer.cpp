@@ -110,6 +110,23 @@ TEST_CASE("asking for the same item again does not put off the end") {
   CHECK((upload.wait(500) == Status::TimedOut));
 }
 
+TEST_CASE("on a line that loses, an error long behind the last new request says that PX4 has given the upload up") {
+  for (const uint16_t ms : {2400, 2500, 5100}) {
+    Upload upload(3, Firmware::Px4, UploadTransfer::kAnswers);
+    upload.pace.noteLoss();
+    upload.served(2);
+    CHECK(goesOn(upload.wait(ms)));
+    CHECK((upload.send() == Send::Item));
+    CHECK((upload.ack(kError) == (ms < 2500 ? Status::Transferring : Status::TimedOut)));
+  }
+  // Nothing was repeated unasked that it could answer.
+  Upload upload(3, Firmware::Px4, UploadTransfer::kAnswers);
+  upload.pace.noteLoss();
+  upload.served(2);
+  upload.now = static_cast<uint16_t>(upload.now + 5100);
+  CHECK(goesOn(upload.ack(kError)));
+}
+
 TEST_CASE("the last item is repeated when the final answer is overdue, 5 times, 1500 ms apart") {
   Upload upload(2);
   upload.served(2);
