@@ -263,7 +263,7 @@ class MissionClient : private detail::Client {
   void setMavlinkVersion(MavlinkVersion speak) { link_.setMavlinkVersion(speak); }
   // Allows operations that change the plan, start() and Steering while the autopilot is armed. ArduPilot replaces its
   // plan item by item: an upload that breaks off leaves a flying aircraft with a mixture of two plans.
-  void allowWhileArmed(bool allow) { rest_.armedAllowed = allow; }
+  void allowWhileArmed(bool allow) { state_.armedAllowed = allow; }
   // With true, item numbers and jump targets are those of the autopilot: on ArduPilot item 0 is home, and the plan has
   // to contain it.
   void useRawNumbering(bool raw) { rest_.raw = raw; }

@@ -335,7 +335,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   link.sequence = link.heardSequence = 0;
   link.sequenceKnown = false;
   link.heartbeatMs = kNow;
-  c.link_.damage_ = 0;
+  link.hasLost = false;
   // One pace for all lines, and slower than on a quick one: what there is between two repeats is the same.
   c.link_.pace_.roundTripMs_ = kRoundTripMs;
   c.link_.pace_.busyMs_ = kFrameMs;
@@ -353,12 +353,13 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     memset(parser.bytes_ + used, 0, sizeof(parser.bytes_) - used);
     parser.badChecksums_ = parser.brokenFrames_ = 0;
     parser.bytesSkipped_ = 0;
+    parser.hasSkipped_ = false;
   }
   if (!c.link_.outbox_.isHeld()) {
     blank(c.link_.outbox_);
     c.state_.prepared = 0;
   }
-  c.state_.bytesLeft = 0;
+  c.state_.isTimeLeft = false;
   c.state_.tick = static_cast<uint8_t>(kNow / MissionClient::kTickMs);
 
   c.state_.secondMs = kNow;

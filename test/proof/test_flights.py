@@ -219,8 +219,8 @@ DEFECTS = {
     ),
     "a MovingTarget ends when the vehicle is asked": (
         "MovingTarget.cpp",
-        "client_.rest_.isCommanding && client_.commanding_.on == on;",
-        "client_.rest_.isCommanding && client_.commanding_.fill == fill;",
+        "client_.state_.isCommanding && client_.commanding_.on == on;",
+        "client_.state_.isCommanding && client_.commanding_.fill == fill;",
         "Copter follow each 1000",
         "nothing happens, and it does not end well",
     ),

@@ -24,8 +24,8 @@ DEFECTS = {
     ),
     "an end is told in the middle of telling another one": (
         "Client.cpp",
-        "if (client.rest_.isTelling) {",
-        "if (client.rest_.isTelling && status == Status::Idle) {",
+        "if (client.state_.isTelling) {",
+        "if (client.state_.isTelling && status == Status::Idle) {",
     ),
     "an operation that a callback has begun ends in the same update()": (
         "Client.cpp",

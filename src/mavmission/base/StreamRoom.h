@@ -30,8 +30,8 @@ class StreamRoom : public StreamRules {
 
  private:
   uint16_t roomMs_;  // when there was room, at the last call; or when availableForWrite() began to return 0
-  bool stuck_;
-  bool blind_;  // availableForWrite() is taken as not implemented
+  bool stuck_ : 1;
+  bool blind_ : 1;  // availableForWrite() is taken as not implemented
 #ifndef __AVR__
   bool hasSaid_;  // availableForWrite() has returned more than 0 once: a 0 is then true, as with flow control
 #endif

@@ -38,7 +38,7 @@ void Client::clearStep(Client& client, const FrameParser* frame, uint16_t nowMs)
     client.waitForAutopilot();
     if (state.status != Status::Checking) return;
     if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-    if (client.isArmed() && !client.rest_.armedAllowed) return client.end(Status::Armed);
+    if (client.isArmed() && !client.state_.armedAllowed) return client.end(Status::Armed);
     clearing.begin(state.type);
     state.status = Status::Transferring;
   }

@@ -17,9 +17,7 @@ Client::Client(Stream& stream) {
   state_.failedItem = kNoItem;
   rest_.lastResult = 255;
   state_.unsettled = UploadTransfer::kAnswers;
-  state_.cancelled = PlanType::All;
   state_.quiet = 255;
-  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
   rest_.planType = PlanType::All;
 }
 
@@ -54,9 +52,9 @@ Status Client::startOperation(Operation operation) {
   rest_.itemsTotal = 0;
   rest_.lastResult = 255;
   rest_.field = ItemField::None;
-  rest_.proving = false;
+  state_.proving = false;
   rest_.backOffPauseS = 0;
-  rest_.isCommanding = false;
+  state_.isCommanding = false;
   state_.backOffEndS = 0;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
@@ -72,13 +70,13 @@ void Client::end(Status status) {
 // The function may begin an operation that ends at once: the next update() then tells about that end. Otherwise a
 // sketch that tries again with each end would call itself until the stack is used up.
 void Client::tellEnd(Client& client, Status status) {
-  if (client.rest_.isTelling) {
+  if (client.state_.isTelling) {
     client.state_.operation = tellLaterStep;
     return;
   }
-  client.rest_.isTelling = true;
+  client.state_.isTelling = true;
   client.rest_.ended(client.rest_.endedContext, status);
-  client.rest_.isTelling = false;
+  client.state_.isTelling = false;
   if (client.state_.operation == tellLaterStep) client.rest_.toReturn = status;  // this end comes first
 }
 
@@ -92,7 +90,7 @@ void Client::unsettle(uint16_t nowMs) {
   expectLateAnswers();
 }
 
-void Client::tellCancelled() { state_.cancelled = state_.type; }
+void Client::tellCancelled() { state_.cancelled = (static_cast<uint8_t>(state_.type) + 1) & 3; }
 
 // A callback is called in the middle of an operation, which goes on to the end of this update().
 void MissionClient::cancel() {
@@ -109,19 +107,19 @@ void Client::cancelAtEnd(Client& client) {
 void Client::cancelSecond(Client& client) {
   if (client.state_.operation == nullptr) return;
   const Status first = client.rest_.toReturn;
-  const bool wasTelling = client.rest_.isTelling;
-  client.rest_.isTelling = true;
+  const bool wasTelling = client.state_.isTelling;
+  client.state_.isTelling = true;
   client.cancelNow();
-  client.rest_.isTelling = wasTelling;
+  client.state_.isTelling = wasTelling;
   client.state_.operation = tellLaterStep;
   client.rest_.toReturn = first;
 }
 
 void Client::cancelNow() {
   if (state_.operation == nullptr) return;
-  if (state_.status == Status::Transferring && !rest_.isCommanding) expectLateAnswers();
+  if (state_.status == Status::Transferring && !state_.isCommanding) expectLateAnswers();
   const bool isUpload = state_.operation == uploadStep;
-  if (state_.status == Status::Transferring && (isUpload || rest_.proving || state_.operation == readStep)) {
+  if (state_.status == Status::Transferring && (isUpload || state_.proving || state_.operation == readStep)) {
     tellCancelled();
     if (isUpload) setAboard(aboardAfterUpload(Status::Cancelled));
     unsettle(static_cast<uint16_t>(millis()));
@@ -139,7 +137,7 @@ void Client::waitForAutopilot() {
     // command is answered by a message of the mission protocol.
     const uint8_t roundTrips = static_cast<uint8_t>(link_.pace().roundTripMs() >> 8);  // 2 of them [512 ms]
     const uint8_t lateTurns = static_cast<uint8_t>(kLateTurns + roundTrips);
-    if (state_.quiet < lateTurns && !rest_.isCommanding) return;
+    if (state_.quiet < lateTurns && !state_.isCommanding) return;
     state_.status = Status::Checking;
     return;
   }
@@ -165,7 +163,8 @@ void Client::sendShort(KeyIndex message, uint16_t number, PlanType type) {
                     offsetof(mavlink_mission_clear_all_t, mission_type) == 2 &&
                     offsetof(mavlink_mission_ack_t, type) == 2 && offsetof(mavlink_mission_ack_t, mission_type) == 3,
                 "the short messages must lie as they are made here");
-  uint8_t payload[sizeof(mavlink_mission_count_t)] = {};  // the longest of them
+  uint8_t* const payload = static_cast<uint8_t*>(link_.draft());
+  memset(payload, 0, sizeof(mavlink_mission_count_t));
   payload[0] = static_cast<uint8_t>(number);
   payload[1] = static_cast<uint8_t>(number >> 8);
   const MessageKey* const key = &kKeys[static_cast<uint8_t>(message)];
@@ -198,9 +197,8 @@ void Client::onTick(uint16_t nowMs) {
 // Claims the time for heavy work. False when reading bytes has used up the time of this update(): heavy work then waits
 // for the next one, which reads at most half as many.
 bool Client::claimHeavyWork() {
-  constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
-  const bool isAllowed = state_.bytesLeft >= kHalf;
-  state_.bytesAllowed = isAllowed ? kAll : kHalf;
+  const bool isAllowed = state_.isTimeLeft;
+  state_.readsHalf = !isAllowed;
   return isAllowed;
 }
 
@@ -214,18 +212,19 @@ Status Client::updateAt(uint16_t nowMs) {
 #endif
   state_.atEnd = doNothing;
   FrameParser::Budget budget;
-  const uint8_t allowed = state_.bytesAllowed;
+  constexpr uint8_t kAll = MAVMISSION_BYTES_PER_UPDATE, kHalf = kAll / 2;
+  const uint8_t allowed = state_.readsHalf ? kHalf : kAll;
   budget.left = allowed;
-  state_.bytesLeft = 0;
+  state_.isTimeLeft = false;
   while (link_.receive(budget, nowMs)) {
     if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
     budget.left = budget.left > kFrameBytes ? budget.left - kFrameBytes : 0;
   }
-  state_.bytesLeft = static_cast<uint8_t>(budget.left + MAVMISSION_BYTES_PER_UPDATE - allowed);
+  state_.isTimeLeft = static_cast<uint8_t>(allowed - budget.left) <= kAll - kHalf;
   // Not to an autopilot that is not heard: it would not hear us either.
-  if (state_.cancelled != PlanType::All && hasAutopilot() && link_.canSend()) {
-    sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.cancelled);
-    state_.cancelled = PlanType::All;
+  if (state_.cancelled != 0 && hasAutopilot() && link_.canSend()) {
+    sendAck(MAV_MISSION_OPERATION_CANCELLED, static_cast<PlanType>(state_.cancelled - 1));
+    state_.cancelled = 0;
   }
   const uint8_t tick = static_cast<uint8_t>(nowMs / kTickMs);
   if (tick != state_.tick) {

@@ -72,7 +72,7 @@ class Client : public ClientRules {
   static bool beginBackOff(Client& client, Status refusal);
   static void backOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   MAVMISSION_ONE_EXIT static void uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void readStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  MAVMISSION_ONE_EXIT static void readStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void clearStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static Status compareItem(Client& client, uint16_t wireItem, MissionItem& item);
   static void fromFloats(void* itemMessage);
@@ -208,16 +208,17 @@ class Client : public ClientRules {
   void beginChecking();
   void checkPlan(uint16_t nowMs);
   void beginTransfer();
-  MAVMISSION_ONE_EXIT void beginUpload(uint16_t nowMs);
+  void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
-  void sendUpload(uint16_t nowMs);
+  MAVMISSION_ONE_EXIT void sendUpload(uint16_t nowMs);
   MAVMISSION_APART void sendAnnouncement();
-  MAVMISSION_APART Status checkItem(uint16_t wireItem);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && state_.prepared == wireItem; }
   MAVMISSION_APART MAVMISSION_ONE_EXIT void prepareItem(uint16_t wireItem, uint16_t nowMs);
   Status proven(uint32_t opaqueId);
   MAVMISSION_ONE_EXIT void continueUpload(Status status, uint16_t nowMs);
-  MAVMISSION_APART uint16_t ownItem(uint16_t wireItem) const;
+  uint16_t ownItem(uint16_t wireItem) const;
+  MAVMISSION_APART void noteFailed(uint16_t wireItem) { state_.failedItem = ownItem(wireItem); }
   void report(uint16_t done);
   void end(Status status);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
@@ -263,16 +264,24 @@ class Client : public ClientRules {
     // Begins a partial upload, and announces it; null: the whole plan, announced by MISSION_COUNT.
     Status (*announce)(Client& client, bool isBeginning);
     Status status;
-    uint8_t unsettled;     // UploadTransfer::kAnswers (also after a reset) and kBusy
-    uint8_t quiet;         // since a message was sent again, or a transfer was left open [256 ticks]
-    PlanType cancelled;    // the plan type whose cancelling is still to be sent; All: none
-    PlanType type;         // of the running operation
-    bool floatItems : 1;   // items go out as MISSION_ITEM
-    bool isCompared : 1;   // of a plan that is read; false: it is stored
-    bool isLate : 1;       // the operation has reached its time limit
-    uint8_t bytesAllowed;  // how many an update() may read
-    uint8_t bytesLeft;     // how many this update() could still read; 0 before it has read
-    uint8_t tick;          // when onTick() was called last [kTickMs], its low 8 bits
+    uint8_t quiet;  // since a message was sent again, or a transfer was left open [256 ticks]
+    PlanType type;  // of the running operation
+    // Bits, for RAM, which cost a little flash.
+    bool floatItems : 1;    // items go out as MISSION_ITEM
+    bool isCompared : 1;    // of a plan that is read; false: it is stored
+    bool proving : 1;       // an upload is being read back
+    bool infeasible : 1;    // the autopilot has reported that it cannot fly the accepted plan
+    bool mayBeRefused : 1;  // the read-back follows an error that may have been a refusal
+    bool armedAllowed : 1;
+    bool tooLong : 1;       // the source has more items than the protocol can count
+    bool isCommanding : 1;  // the running or last operation is a command: commanding_ is in use
+    bool isTelling : 1;     // onEnd()'s function runs
+    uint8_t unsettled : 2;  // UploadTransfer::kAnswers (also after a reset) and kBusy
+    uint8_t cancelled : 2;  // the plan type whose cancelling is still to be sent, plus 1; 0: none
+    bool isLate : 1;        // the operation has reached its time limit
+    bool readsHalf : 1;     // an update() reads half as many bytes as it may
+    bool isTimeLeft : 1;    // this update() has read, and few bytes: there is time for heavy work
+    uint8_t tick;           // when onTick() was called last [kTickMs], its low 8 bits
     // What a running update() does at its end: nothing, or the cancel() of a callback. Null while none runs.
     void (*atEnd)(Client& client);
   };
@@ -302,15 +311,8 @@ class Client : public ClientRules {
     uint8_t startStep : 3;    // StartStep
     uint8_t startArming : 2;  // StartArming
     uint8_t proof : 2;        // Readback
-    ItemField field;          // the one that differs, or is not kept
-    bool armedAllowed : 1;    // bits, for RAM: they cost a little flash
     bool raw : 1;
-    bool tooLong : 1;                     // the source has more items than the protocol can count
-    bool infeasible : 1;                  // the autopilot has reported that it cannot fly the accepted plan
-    bool proving : 1;                     // an upload is being read back
-    bool isCommanding : 1;                // the running or last operation is a command: commanding_ is in use
-    bool mayBeRefused : 1;                // the read-back follows an error that may have been a refusal
-    bool isTelling : 1;                   // onEnd()'s function runs
+    ItemField field;                      // the one that differs, or is not kept
     void (*toFloats)(void* itemMessage);  // makes a MISSION_ITEM of a MISSION_ITEM_INT; null: not wanted
   };
 

@@ -33,11 +33,11 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
   // Late answers to an earlier command may still come. state_.seconds counts from the end of the last operation, if
   // that has sent commands, else from its beginning.
   const CommandLog::Before before = state_.seconds >= CommandLog::kLateAnswersS ? CommandLog::Before::Nothing
-                                    : rest_.isCommanding                        ? CommandLog::Before::Command
+                                    : state_.isCommanding                       ? CommandLog::Before::Command
                                                                                 : CommandLog::Before::Other;
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   startOperation(commandStep);
-  rest_.isCommanding = true;
+  state_.isCommanding = true;
   memset(&commanding_, 0, sizeof(commanding_));
   log_.begin(before, nowMs);
   commanding_.fill = fill;
@@ -401,7 +401,7 @@ uint16_t Client::itemFromWire(uint16_t wireItem) const {
 void Client::noteInfeasible() {
   if (state_.status == Status::Infeasible || aboard() != Aboard::OurPlan) return;
   if (state_.operation != nullptr && state_.operation != commandStep) return;
-  rest_.infeasible = true;
+  state_.infeasible = true;
   end(Status::Infeasible);
 }
 

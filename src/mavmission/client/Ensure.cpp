@@ -82,7 +82,7 @@ void Client::checkEnsured(uint16_t nowMs) {
   state_.isCompared = true;
   reading_.fromFloats = fromFloats;
   beginLook(nowMs);
-  rest_.proving = true;  // no progress is reported for the look
+  state_.proving = true;  // no progress is reported for the look
   rest_.field = ItemField::None;
   if (rest_.backOffPauseS == 0) beginSeconds(nowMs);
   state_.status = Status::Transferring;
@@ -101,7 +101,7 @@ Status Client::sumItem(uint16_t wireItem) {
 }
 
 void Client::look(uint16_t nowMs) {
-  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;  // as in readStep()
+  state_.readsHalf = true;  // as in readStep()
   DownloadTransfer& transfer = reading_.transfer;
   Status status = transfer.onTime(nowMs, link_.pace());
   // A refusal of the request is believed only after the last attempt: the autopilot may hold an upload of ours open,
@@ -185,7 +185,7 @@ void Client::replaceOther() {
   // An autopilot that is armed may be flying its plan. allowWhileArmed() does not matter here: a sketch calls ensure()
   // at each start, which may be a reset in the air.
   if (isArmed()) return endLook(Status::Armed);
-  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
+  state_.readsHalf = false;
   state_.operation = ensureFreeStep;
 }
 
@@ -199,7 +199,7 @@ void Client::ensureFreeStep(Client& client, const FrameParser* frame, uint16_t n
   state.failedItem = kNoItem;
   client.rest_.field = ItemField::None;
   client.rest_.lastResult = 255;
-  client.rest_.proving = false;
+  client.state_.proving = false;
   if (client.rest_.prove == proveUpload) client.rest_.prove = proveEnsured;
   state.operation = uploadStep;
   client.beginUpload(nowMs);
@@ -225,12 +225,12 @@ void Client::ensureProofStep(Client& client, const FrameParser* frame, uint16_t 
 }
 
 void Client::endLook(Status status) {
-  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
+  state_.readsHalf = false;
   if (status == Status::AlreadyAboard) {
     setAboard(Aboard::OurPlan);
     if (state_.type == PlanType::Mission) {
       // What PX4 has said about a plan holds until it takes another one.
-      if (reading_.planId != rest_.planId) rest_.infeasible = false;
+      if (reading_.planId != rest_.planId) state_.infeasible = false;
       rest_.planId = reading_.planId;
     }
     report(rest_.itemsTotal);

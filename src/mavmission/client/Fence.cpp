@@ -45,7 +45,7 @@ void Client::fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs)
                       frame->payloadByte(offsetof(Count, mission_type)) == static_cast<uint8_t>(PlanType::Fence) &&
                       frame->payloadWord(offsetof(Count, count)) == 0;
   if (!isNone || !client.plan_.has(kWipesShortFences)) return readStep(client, frame, nowMs);
-  client.rest_.proving = false;
+  client.state_.proving = false;
   client.rest_.prove = proveFenceAgain;
   client.state_.operation = uploadStep;
   client.beginUpload(nowMs);

@@ -17,7 +17,7 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   state_.isCompared = true;
   reading_.fromFloats = fromFloats;
   rest_.itemsTotal = plan_.count();
-  if (rest_.tooLong) return refuse(Status::TooManyItems);
+  if (state_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
 }
 
@@ -31,7 +31,7 @@ void Client::setPlanToVerify(const ItemSource& plan, PlanType type) {
 // Reads back the plan that is aboard; the comparison decides how the upload ends.
 void Client::proveUpload(Client& client, uint16_t nowMs) {
   client.state_.operation = readStep;
-  client.rest_.proving = true;
+  client.state_.proving = true;
   client.link_.pace().noteShorterFrames();
   client.setAboard(Aboard::NotKnown);
   client.reading_.take = compareItem;
@@ -71,7 +71,7 @@ void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) 
   }
   // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
   // update() the time for the comparison.
-  state.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
+  state.readsHalf = true;
   const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
   if (status != Status::Transferring) return client.endReading(status);
   if (state.isLate) return client.endReading(Status::TookTooLong);
@@ -120,8 +120,8 @@ void Client::takeReadFrame(const FrameParser& frame, uint16_t nowMs) {
       // Behind a transfer that was left open it may be the answer to that, or ArduPilot's giving it up.
       const bool mayBeOlder = (state_.unsettled & UploadTransfer::kAnswers) != 0 &&
                               (status == Status::Error || status == Status::CancelledByAutopilot);
-      if (rest_.proving && !isListing && status == Status::Error) return reading_.transfer.begin(nowMs);
-      if (mayBeOlder || (rest_.proving && isListing)) return;
+      if (state_.proving && !isListing && status == Status::Error) return reading_.transfer.begin(nowMs);
+      if (mayBeOlder || (state_.proving && isListing)) return;
       // The refusal of the older request, perhaps.
       const bool isOlderAsked = reading_.transfer.tries() > DownloadRules::kNewRequestTries;
       if (plan_.has(kMayBeOld) && isOlderAsked && status == Status::Unsupported) return;
@@ -184,12 +184,12 @@ void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
   const Status taken = reading_.take(*this, seq, piece.item);
   if (taken == Status::Checking) return;  // the item is requested again, by askAgain() or after the timeout
   if (taken != Status::Transferring) {
-    state_.failedItem = ownItem(seq);
+    noteFailed(seq);
     return endReading(taken);
   }
   transfer.onItem(nowMs, link_.pace());
   // The progress of an upload stands still during its read-back: the upload is complete only when it is proven.
-  if (!rest_.proving) report(seq + 1 - homeBefore());
+  if (!state_.proving) report(seq + 1 - homeBefore());
 }
 
 Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item) {
@@ -207,7 +207,7 @@ Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item)
     field = difference(meant, item, plan.keeper());
     // Betaflight gives a height above sea level, by a home that is not known here. That an upload is whole is known
     // from the count, which is 0 from our MISSION_COUNT to the last item; a plan of before is not to be told by that.
-    if (field == ItemField::Reference && plan.has(kGivesHeightsAboveSea) && client.rest_.proving &&
+    if (field == ItemField::Reference && plan.has(kGivesHeightsAboveSea) && client.state_.proving &&
         client.state_.operation == readStep) {
       item.frame = meant.frame;
       item.z = meant.z;
@@ -222,7 +222,7 @@ Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item)
 }
 
 void Client::endReading(Status status) {
-  state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
+  state_.readsHalf = false;
   if (status == Status::Downloaded) {
     if (state_.isCompared) {
       status = Status::Verified;
@@ -234,7 +234,7 @@ void Client::endReading(Status status) {
     // When the autopilot refuses to be read, another ground station may be uploading a plan.
     if (status == Status::Differs || status >= Status::Error) setAboard(Aboard::NotKnown);
   }
-  if (rest_.proving) {
+  if (state_.proving) {
     switch (status) {
       case Status::Verified:
         status = Status::Accepted;
@@ -247,7 +247,7 @@ void Client::endReading(Status status) {
             rest_.lastResult != MAV_MISSION_ACCEPTED) {
           setAboard(Aboard::Mixture);
         }
-        if (rest_.mayBeRefused) {  // the doubtful error was a refusal of the last item
+        if (state_.mayBeRefused) {  // the doubtful error was a refusal of the last item
           status = Status::Error;
           state_.failedItem = plan_.count() - 1;
         }

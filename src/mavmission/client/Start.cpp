@@ -57,9 +57,9 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
 
 // Whether the plan may be flown: Transferring, or why not.
 Status Client::mayStart() {
-  if (isArmed() && !rest_.armedAllowed) return Status::Armed;
+  if (isArmed() && !state_.armedAllowed) return Status::Armed;
   if (aboard() != Aboard::OurPlan) return Status::Unproven;
-  if (rest_.infeasible) return Status::Infeasible;
+  if (state_.infeasible) return Status::Infeasible;
   const uint16_t item = commanding_.start.first();
   if (!hasItem(item)) return Status::NoSuchItem;
   const bool hasMode = !has(firmware(), kModesByVehicle) || numberOf(FlightMode::Auto) != kNoMode;

@@ -34,7 +34,7 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
   const bool isProofDue = isInDoubt || (status == Status::Accepted && isAlways);
   if (!isProofDue || rest.prove == nullptr) return false;
   if (isInDoubt) client.unsettle(nowMs);
-  rest.mayBeRefused = isDoubtfulError;
+  client.state_.mayBeRefused = isDoubtfulError;
   rest.prove(client, nowMs);
   return true;
 }

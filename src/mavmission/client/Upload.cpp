@@ -26,7 +26,7 @@ Status Client::refuseType() {
 void Client::setPlan(const ItemSource& plan, PlanType type) {
   plan_.setSource(plan);
   rest_.planType = type;
-  rest_.tooLong = plan.count > kMaxItems;
+  state_.tooLong = plan.count > kMaxItems;
   state_.announce = nullptr;
 }
 
@@ -36,7 +36,7 @@ Status Client::uploadKeptPlan() {
   state_.type = rest_.planType;
   rest_.itemsTotal = plan_.count();
   if (state_.type == PlanType::All) return refuse(Status::SourceRefused);  // there is no plan yet
-  if (rest_.tooLong) return refuse(Status::TooManyItems);
+  if (state_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
 }
 
@@ -86,14 +86,14 @@ void Client::checkPlan(uint16_t nowMs) {
   if (plan_.isTooLong()) return end(Status::TooManyItems);
   if (state_.announce != nullptr && plan_.has(kTakesWholePlansOnly)) return end(Status::WholePlansOnly);
   if (!isTypeCarried()) return end(Status::NeedsMavlink2);
-  if (link_.finder().isArmed() && !rest_.armedAllowed) return end(Status::Armed);
+  if (link_.finder().isArmed() && !state_.armedAllowed) return end(Status::Armed);
   if (!link_.canSend() || !claimHeavyWork()) return;
   const uint16_t count = plan_.wireCount();
   for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
     const Status checked = checkItem(state_.next);
     if (checked == Status::Checking) return;
     if (checked != Status::Accepted) {
-      state_.failedItem = ownItem(state_.next);
+      noteFailed(state_.next);
       return end(checked);
     }
     ++state_.next;
@@ -179,21 +179,21 @@ void Client::continueUpload(Status status, uint16_t nowMs) {
     case Status::TimedOut:
     case Status::TookTooLong:
     case Status::SourceRefused:
+      if (status == Status::TimedOut) noteFailed(transfer_.itemsAskedFor() - 1);
       tellCancelled();
       unsettle(nowMs);
-      if (status == Status::TimedOut) state_.failedItem = ownItem(transfer_.itemsAskedFor() - 1);
       break;
     case Status::Unconfirmed: unsettle(nowMs); break;
     default:
       state_.unsettled = 0;
-      if (transfer_.hasBegun()) state_.failedItem = ownItem(transfer_.lastItem());
+      if (transfer_.hasBegun()) noteFailed(transfer_.lastItem());
       break;
   }
   end(status);
 }
 
 void Client::noteAccepted() {
-  if (state_.type == PlanType::Mission) rest_.infeasible = false;
+  if (state_.type == PlanType::Mission) state_.infeasible = false;
   state_.unsettled = 0;
 }
 
@@ -222,7 +222,8 @@ uint16_t Client::ownItem(uint16_t wireItem) const {
 // the request then begins earlier by the time of packing, and no update() both packs an item and writes it.
 void Client::sendUpload(uint16_t nowMs) {
   if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
-    if (!transfer_.expectsRequest() || isPrepared(transfer_.nextItem()) || !link_.canSend()) return;
+    // (What is prepared now is the next item: whatever was sent since has taken its place.)
+    if (link_.isPrepared() || !transfer_.expectsRequest() || !link_.canSend()) return;
     return prepareItem(transfer_.nextItem(), nowMs);
   }
   if (!link_.canSend()) return;
@@ -266,7 +267,7 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   const Status read = plan_.read(wireItem, piece.item);
   if (read == Status::Checking) return;
   if (read != Status::Accepted) {
-    state_.failedItem = ownItem(wireItem);
+    noteFailed(wireItem);
     return continueUpload(read, nowMs);
   }
   const MissionItem& item = piece.item;

@@ -23,7 +23,7 @@ uint8_t Link::version() const {
 #if MAVMISSION_SIGNING
   if (signing_.isOn()) return 2;
 #endif
-  if (state_.speak != MavlinkVersion::AsAutopilot) return static_cast<uint8_t>(state_.speak);
+  if (state_.speak != static_cast<uint8_t>(MavlinkVersion::AsAutopilot)) return state_.speak;
   return finder_.heartbeat().version == 1 ? 1 : 2;
 }
 
@@ -125,7 +125,10 @@ void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   const uint8_t left = static_cast<uint8_t>(sequence - state_.heardSequence - 1);
   // A frame that comes twice, or up to 7 frames late, is none that was lost.
-  if (state_.sequenceKnown && left < 248) state_.framesLost += left;
+  if (state_.sequenceKnown && left != 0 && left < 248) {
+    state_.framesLost += left;
+    state_.hasLost = true;
+  }
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
 }
@@ -165,9 +168,10 @@ bool Link::sendForeign(const OutgoingMessage& message) {
 
 void Link::onTime(uint16_t nowMs) {
   // What was skipped before the first heartbeat was the rest of a frame in whose middle our listening began.
-  const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
-  if (damage != damage_ && finder_.isHeard()) pace_.noteLoss();
-  damage_ = damage;
+  const bool isDamaged = parser_.hasSkipped() || state_.hasLost;
+  if (isDamaged && finder_.isHeard()) pace_.noteLoss();
+  parser_.forgetSkipped();
+  state_.hasLost = false;
   pace_.noteBusy(outbox_.busyMs(*stream_, nowMs));
   finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);
@@ -181,7 +185,8 @@ void Link::onTime(uint16_t nowMs) {
 }
 
 void Link::sendHeartbeat() {
-  mavlink_heartbeat_t heartbeat = ownHeartbeat();
+  mavlink_heartbeat_t& heartbeat = *static_cast<mavlink_heartbeat_t*>(draft());
+  makeOwnHeartbeat(heartbeat);
   send(heartbeat);
 }
 

@@ -27,7 +27,7 @@ class Link : public LinkRules {
 
   // Sets our own ids. 0, 0 is the default: the autopilot's system id, and kComponentId.
   void setSourceIds(uint8_t systemId, uint8_t componentId);
-  void setMavlinkVersion(MavlinkVersion speak) { state_.speak = speak; }
+  void setMavlinkVersion(MavlinkVersion speak) { state_.speak = static_cast<uint8_t>(speak); }
 
   // Reads on to the autopilot's next frame that is addressed to us; false when no more bytes have come or the budget is
   // used up.
@@ -57,7 +57,7 @@ class Link : public LinkRules {
   template <typename T>
   void sendAs(void* payload);
   // Sends a payload of key->length bytes, which may lie in draft(). The key lies in flash.
-  void sendMessage(uint8_t* payload, const MessageKey* key);
+  MAVMISSION_APART void sendMessage(uint8_t* payload, const MessageKey* key);
   // Sends a message whose payload is made while it goes out. To be called only when canSend(), in MAVLink 2, and where
   // nothing is signed.
   void sendStreamed(const MessageKey* key, uint8_t length, Outbox::NextPiece next, void* context);
@@ -85,10 +85,10 @@ class Link : public LinkRules {
   // Spoils that message, if it is still going out: what it says is no longer true.
   void spoilForeign(const void* payload) { outbox_.spoilForeign(payload); }
   void spoil() { outbox_.spoil(); }
-  bool isSent() const { return outbox_.isEmpty(); }
+  bool isSent() const { return canSend(); }
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.
-  void flush(uint16_t nowMs, uint8_t most) {
+  MAVMISSION_APART void flush(uint16_t nowMs, uint8_t most) {
     for (; most > 1 && !outbox_.isEmpty() && StreamRoom::saysOne(*stream_); --most) outbox_.flush(*stream_, nowMs, 1);
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
@@ -145,9 +145,10 @@ class Link : public LinkRules {
     uint8_t heardSequence;
     uint8_t ownSystemId;
     uint8_t ownComponentId;
-    MavlinkVersion speak;
+    uint8_t speak : 2;  // MavlinkVersion
     bool heartbeatSent : 1;
     bool sequenceKnown : 1;
+    bool hasLost : 1;  // frames of the autopilot, since the last onTime()
   };
 
   Stream* stream_;
@@ -156,7 +157,6 @@ class Link : public LinkRules {
   Outbox outbox_;
   FrameParser parser_;
   Pace pace_;
-  uint8_t damage_;  // low byte of what has been counted as skipped or lost
 
 #if MAVMISSION_SIGNING
   // Rounds of SHA-256 in an update() that is spent on hashing (docs/design/signing.md).

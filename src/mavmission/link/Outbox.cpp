@@ -60,7 +60,8 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
 #endif
   int room = room_.of(stream, nowMs, kBlindBytes);
   if (room == 0) return;
-  if (room > idle_) idle_ = static_cast<int16_t>(room);
+  constexpr Room kMostRoom = static_cast<Room>(-1);
+  if (room > idle_) idle_ = room < kMostRoom ? static_cast<Room>(room) : kMostRoom;
   if (room < most) most = static_cast<uint8_t>(room);
   for (; fill_ != 0 && most != 0; --most, --fill_) stream.write(static_cast<uint8_t>(0));
   if (writeForeign_ != nullptr) return writeForeign_(*this, stream, most);

@@ -93,7 +93,7 @@ class Outbox {
 #endif
 
   // Writes what the stream takes now, up to `most` bytes. To be called only when a frame is being sent.
-  MAVMISSION_APART void flush(Stream& stream, uint16_t nowMs, uint8_t most);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT void flush(Stream& stream, uint16_t nowMs, uint8_t most);
 
  private:
 #if MAVMISSION_SIGNING
@@ -132,7 +132,14 @@ class Outbox {
   StreamRoom room_;
   bool held_;
   uint8_t fill_;  // zeros that are still to be written before the frame
-  int16_t idle_;  // what the stream takes when that is empty, as far as that was seen
+  // What the stream takes when that is empty, as far as that was seen. (An AVR's ring has 63 bytes; where a sketch has
+  // made it larger than 255, so many count as empty.)
+#ifdef __AVR__
+  typedef uint8_t Room;
+#else
+  typedef uint16_t Room;
+#endif
+  Room idle_;
 #if MAVMISSION_SIGNING
   bool signs_;
   bool isUnsigned_;

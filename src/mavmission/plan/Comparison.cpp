@@ -56,7 +56,7 @@ struct Four {
   bool isBelow0() const { return (bytes[3] & 0x80) != 0; }
 };
 
-MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return memcmp(a.bytes, b.bytes, sizeof(a.bytes)) == 0; }
+MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return a.bits == b.bits; }
 
 // True for equal floats and for neighbours: iNav divides its centimetres by 100, where others multiply them by 0.01.
 bool isNext(const Four& a, const Four& b) { return a.bits - b.bits + 1 <= 2; }

@@ -195,7 +195,8 @@ void LinkDoctor::takeHeartbeat(const FrameParser& frame) {
 void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
   Link& link = client_.link_;
   mark_ = nowMs;
-  mavlink_heartbeat_t heartbeat = ownHeartbeat(uint32_t{kMarkAbove} << 16 | mark_);
+  mavlink_heartbeat_t heartbeat;
+  makeOwnHeartbeat(heartbeat, uint32_t{kMarkAbove} << 16 | mark_);
   // The link sends nothing before it knows an autopilot, unless it has ids of its own: it gets some for this frame.
   const uint8_t own = link.ownSystemId();
   const uint8_t componentId = link.componentId();

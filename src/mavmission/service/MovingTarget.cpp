@@ -174,7 +174,7 @@ void MovingTarget::ask(uint16_t nowMs) {
   message.param1 = MAVLINK_MSG_ID_HEARTBEAT;
   client_.link_.send(message);
   askedMs_ = nowMs;
-  if (!client_.rest_.isCommanding) return;
+  if (!client_.state_.isCommanding) return;
   client_.log_.askedAside(nowMs);
   client_.commanding_.transfer.asked(nowMs);
 }
@@ -184,7 +184,7 @@ bool MovingTarget::isLate() const { return isStopped_ || millis() - renewedMs_ >
 
 // True while the client's operation is the beginning, or the hold.
 bool MovingTarget::isOperating() const {
-  return client_.isBusy() && client_.rest_.isCommanding && client_.commanding_.on == on;
+  return client_.isBusy() && client_.state_.isCommanding && client_.commanding_.on == on;
 }
 
 // True while the sketch has ordered something else of the Steering.

@@ -109,7 +109,7 @@ void Parameters::onTime(uint16_t nowMs) {
   }
   if (client.state_.status != Status::Transferring) return;
   // Also when it is armed between the reading and the setting.
-  if (what_ != Wanted::Nothing && client.isArmed() && !client.rest_.armedAllowed) return client.end(Status::Armed);
+  if (what_ != Wanted::Nothing && client.isArmed() && !client.state_.armedAllowed) return client.end(Status::Armed);
   Status status = transfer.onTime(0, nowMs);
   if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
   if (status == Status::NoAnswer) status = isSetting_ ? Status::Unconfirmed : Status::NoParameter;

@@ -49,7 +49,7 @@ void PlanFiles::ensureStep(Client& client, const FrameParser* frame, uint16_t no
 void PlanFiles::takeEnsured(PlanFiles& self, Status status, uint16_t) {
   Client& client = self.client_;
   self.isWholeLook_ = false;
-  client.rest_.proving = false;
+  client.state_.proving = false;
   switch (status) {
     case Status::Downloaded:
       client.setAboard(Aboard::OurPlan);

@@ -33,7 +33,7 @@ Status PlanFiles::verify(const ItemSource& plan, PlanType type) {
   client.reading_.take = Client::compareItem;
   client.state_.isCompared = true;
   client.rest_.itemsTotal = client.plan_.count();
-  if (client.rest_.tooLong) return client.refuse(Status::TooManyItems);
+  if (client.state_.tooLong) return client.refuse(Status::TooManyItems);
   return client.status();
 }
 
@@ -81,7 +81,7 @@ void PlanFiles::beginReading() {
 void PlanFiles::readOn(uint16_t nowMs) {
   Client& client = client_;
   // As in Client::readStep(): the update() that reads the last bytes of an item compares it too.
-  client.state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE / 2;
+  client.state_.readsHalf = true;
   const Status status = reading_.onTime(nowMs, client.link_.pace());
   if (status == Status::NoAnswer || reading_.isTooSlow()) return readByItems(reading_.itemToAsk(), nowMs);
   if (status != Status::Transferring) return endReading(status, nowMs);
@@ -188,7 +188,7 @@ void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t now
     return reading_.close(taken);
   }
   reading_.onItem(number, nowMs, client.link_.pace());
-  if (!client.rest_.proving) {
+  if (!client.state_.proving) {
     const uint16_t done = reading_.itemsTaken();
     client.report(done < client.homeBefore() ? 0 : done - client.homeBefore());
   }
@@ -198,7 +198,7 @@ void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t now
 void PlanFiles::readByItems(uint16_t first, uint16_t nowMs) {
   Client& client = client_;
   if (isLook_ || isWholeLook_) return onRead_(*this, Status::NoAnswer, nowMs);
-  if (client.rest_.proving) return proveByItems(nowMs);
+  if (client.state_.proving) return proveByItems(nowMs);
   isByFile_ = false;
   client.reading_.fromFloats = Client::fromFloats;
   client.state_.operation = Client::readStep;
@@ -208,7 +208,7 @@ void PlanFiles::readByItems(uint16_t first, uint16_t nowMs) {
 
 void PlanFiles::endReading(Status status, uint16_t nowMs) {
   Client& client = client_;
-  client.state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
+  client.state_.readsHalf = false;
   if (onRead_ != nullptr) return onRead_(*this, status, nowMs);
   if (status == Status::Downloaded && client.state_.isCompared) {
     status = Status::Verified;

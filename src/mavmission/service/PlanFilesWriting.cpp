@@ -50,7 +50,7 @@ void PlanFiles::writeStep(Client& client, const FrameParser* frame, uint16_t now
 
 void PlanFiles::check(uint16_t nowMs) {
   Client& client = client_;
-  if (client.isArmed() && !client.rest_.armedAllowed) return client.end(Status::Armed);
+  if (client.isArmed() && !client.state_.armedAllowed) return client.end(Status::Armed);
   if (!isChecked()) return;
   if (!isUsable() || !isForFile()) return uploadByItems(nowMs);
   client.beginSeconds(nowMs);
@@ -123,8 +123,8 @@ void PlanFiles::beginComparing(void (*onRead)(PlanFiles& self, Status status, ui
   client.state_.operation = readStep;
   operation_ = readStep;
   onRead_ = onRead;
-  client.rest_.proving = true;  // no progress is reported for it
-  client.rest_.mayBeRefused = false;
+  client.state_.proving = true;  // no progress is reported for it
+  client.state_.mayBeRefused = false;
   client.reading_.take = Client::compareItem;
   client.state_.isCompared = true;
   client.reading_.files = this;
@@ -132,7 +132,7 @@ void PlanFiles::beginComparing(void (*onRead)(PlanFiles& self, Status status, ui
 
 void PlanFiles::takeLook(PlanFiles& self, Status status, uint16_t nowMs) {
   self.isLook_ = false;
-  self.client_.rest_.proving = false;
+  self.client_.state_.proving = false;
   const bool isShorter = status != Status::Downloaded || self.reading_.count() > self.client_.plan_.wireCount();
   if (isShorter) return self.uploadByItems(nowMs);
   self.isLengthKnown_ = true;
@@ -166,7 +166,7 @@ void PlanFiles::writeOn(uint16_t nowMs) {
     case FileWriteTransfer::State::Heading: {
       // It was armed meanwhile, and may fly the old plan by now. What has been written is not stored without a header.
       if (client.isArmed() && !isLengthKnown_)
-        return client.rest_.armedAllowed && !isEnsuring_ ? uploadByItems(nowMs) : client.end(Status::Armed);
+        return client.state_.armedAllowed && !isEnsuring_ ? uploadByItems(nowMs) : client.end(Status::Armed);
       client.setAboard(Aboard::NotKnown);  // from now on whoever closes the file may store it
       isStorable_ = true;
       const FileHeader header = {FileHeader::kMagic, static_cast<uint8_t>(client.state_.type), 0, 0,
@@ -321,11 +321,11 @@ Status PlanFiles::proveItem(Client& client, uint16_t wireItem, MissionItem& item
 void PlanFiles::uploadDamaged(uint16_t nowMs) {
   Client& client = client_;
   isDamaged_ = false;
-  client.rest_.proving = false;
+  client.state_.proving = false;
   client.rest_.proof = static_cast<uint8_t>(Readback::Always);
   client.rest_.field = ItemField::None;
   client.state_.failedItem = Client::kNoItem;
-  client.state_.bytesAllowed = MAVMISSION_BYTES_PER_UPDATE;
+  client.state_.readsHalf = false;
   uploadByItems(nowMs);
 }
 

@@ -85,7 +85,7 @@ Status Steering::setSpeed(MetresPerSecond speed) {
 }
 
 bool Steering::isRunning() const {
-  return client_.isBusy() && client_.rest_.isCommanding && client_.commanding_.on == on;
+  return client_.isBusy() && client_.state_.isCommanding && client_.commanding_.on == on;
 }
 
 bool Steering::hasArrived(uint16_t withinCm) const {
@@ -126,7 +126,7 @@ void Steering::takeHeartbeat() {
   // The sketch's own setMode() is about to end.
   const Client::Commanding& running = client_.commanding_;
   const bool isSetting =
-      client_.status() == Status::Transferring && client_.rest_.isCommanding && running.fill == Client::fillMode;
+      client_.status() == Status::Transferring && client_.state_.isCommanding && running.fill == Client::fillMode;
   if (isSetting && !running.mode.order.isRestoring() && running.mode.number == shown) ownMode_ = shown;
   if (shown == ownMode_ && !isFailsafe()) return;
   ownMode_ = ownMode_ == kPx4TakeOff && hasClimbed() ? shown : kNoMode;
@@ -146,7 +146,7 @@ void Steering::takePosition(const FrameParser& frame) {
   seaCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, alt))) / 10;
   homeCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, relative_alt))) / 10;
   positionAge_ = 0;
-  if (step_ != SteerStep::AskPosition || !client_.rest_.isCommanding) return;
+  if (step_ != SteerStep::AskPosition || !client_.state_.isCommanding) return;
   CommandTransfer& sending = client_.commanding_.transfer;
   client_.lookAtClock(static_cast<uint16_t>(millis()));  // a listener hears before the operation does
   if (!sending.isOld()) isHeard_ = true;

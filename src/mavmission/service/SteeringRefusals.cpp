@@ -110,7 +110,7 @@ Status Steering::refuse() {
   const bool isTakeOff = is(kFromGround);
   if (wantedMode() == kNoMode) return Status::NoSuchMode;
   if (client_.isArmed()) {
-    if (!seenDisarmed_ && !client_.rest_.armedAllowed) return Status::Armed;
+    if (!seenDisarmed_ && !client_.state_.armedAllowed) return Status::Armed;
     const Status others = otherHands();
     if (others != Status::Transferring) return others;
   } else if (!isTakeOff) {

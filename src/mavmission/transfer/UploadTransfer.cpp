@@ -117,8 +117,9 @@ Status UploadTransfer::onAck(uint8_t result, uint16_t nowMs, Pace& pace) {
         // PX4 is busy. If that may be with what was ours, end it, and ask again: the cancelling may be lost as well,
         // and PX4 gives up by itself, 5 s after it has heard something, before all tries are used up. On a line that
         // loses that is so behind a reset, too, and each repeat of COUNT from before the cancelling has its error.
-        const uint8_t mayBeOurs = pace.isLossy() ? kBusy | kAnswers : kBusy;
-        if (freed_) return (leftovers_ & mayBeOurs) == 0 || tries_ >= kBusyTries ? status : Status::Transferring;
+        const uint8_t ours = pace.isLossy() ? kBusy | kAnswers : kBusy;
+        const uint8_t mayBeOurs = leftovers_ & ours;
+        if (freed_) return mayBeOurs == 0 || tries_ >= kBusyTries ? status : Status::Transferring;
         freed_ = true;
         tries_ = 0;
         send_ = Send::Cancel;
