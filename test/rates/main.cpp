@@ -30,8 +30,8 @@ constexpr unsigned kPx4Telemetry = 1100;  // [bytes/s], unasked
       stderr,
       "%s\n"
       "usage: rates AUTOPILOT CLIENT LOST PERCENT SEEDS [BAUD [LOOP [TELEMETRY [LATENCY [ITEMS]]]]]\n"
-      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) PX4, MAVSDK or\n"
-      "             Betaflight (servers of a firmware that the library does not know)\n"
+      "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late) PX4, MAVSDK,\n"
+      "             Betaflight or iNav (servers of a firmware that the library does not know)\n"
       "  CLIENT     upload, upload-by-answer or upload-verified\n"
       "  LOST       frames or bytes\n"
       "  PERCENT    of them that are lost, in both directions: 0 to 100\n"
@@ -329,6 +329,7 @@ Firmwares firmwareNamed(const char* name) {
   if (strcmp(name, "PX4") == 0) return Firmwares::Px4;
   if (strcmp(name, "MAVSDK") == 0) return Firmwares::Mavsdk;
   if (strcmp(name, "Betaflight") == 0) return Firmwares::Betaflight;
+  if (strcmp(name, "iNav") == 0) return Firmwares::Inav;
   usage("no such autopilot");
 }
 

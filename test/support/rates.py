@@ -32,7 +32,7 @@ MODELS = ("ArduPilot.cpp", "Autopilot.cpp", "FileWords.cpp", "Generic.cpp", "Mes
 # Name on the command line -> in words.
 AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", "PX4": "PX4"}
 # Servers of a firmware that the library does not know (test/explorer/Generic.cpp), and what is lost of bytes there [%].
-SERVERS = {"MAVSDK": "MAVSDK's server", "Betaflight": "Betaflight's server"}
+SERVERS = {"MAVSDK": "MAVSDK's", "Betaflight": "Betaflight's", "iNav": "iNav's"}
 SERVER_LINES = (0, 1, 3)
 CLIENTS = {"upload-by-answer": "`uploadWithoutReadback()`", "upload": "`upload()`"}
 OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it
@@ -48,7 +48,8 @@ BUSY = 2000  # telemetry on a busy line [bytes/s]
 # upload() of five items where 1 % of the bytes are lost: what the median may be [s]. The goal is 1.5 for both; on
 # ArduPilot the read-back of what it has accepted on such a line costs more than is left of that. (docs/measurements.md)
 MEDIAN_S = {"ArduPilot": 1.6, "PX4": 1.5}
-TELEMETRY = {"ArduPilot": 0, "LateArduPilot": 0, "PX4": 1100, "MAVSDK": 0, "Betaflight": 0}  # [bytes/s], unasked
+# What is sent unasked [bytes/s].
+TELEMETRY = {"ArduPilot": 0, "LateArduPilot": 0, "PX4": 1100, "MAVSDK": 0, "Betaflight": 0, "iNav": 0}
 
 
 @dataclass(frozen=True)
@@ -197,7 +198,7 @@ def for_documents() -> str:
     )
     servers = (
         f"The same, {SEEDS} of each, to servers of a firmware that the library does not know, by their sources: that\n"
-        "of MAVSDK, and that of Betaflight, which ends an upload at an item that comes twice."
+        "of MAVSDK, that of Betaflight, which ends an upload at an item that comes twice, and that of iNav."
     )
     return (
         f"{note}\n\n{aligned(rows(), left=2)}\n\n{late}\n\n{aligned(late_rows(), left=3)}\n\n"
