@@ -313,6 +313,7 @@ void tellIdle(Words&) {
   LEFT_OUT(link_.state_.framesSent);
   LEFT_OUT(link_.state_.sequence);
   LEFT_OUT(link_.state_.heardSequence);
+  LEFT_OUT(link_.damage_);  // made of counters
   LEFT_OUT(link_.pace_.roundTripMs_);
   LEFT_OUT(link_.pace_.busyMs_);
   LEFT_OUT(link_.finder_.heardMs_);

@@ -335,7 +335,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   link.sequence = link.heardSequence = 0;
   link.sequenceKnown = false;
   link.heartbeatMs = kNow;
-  link.hasLost = false;
+  c.link_.damage_ = 0;
   // One pace for all lines, and slower than on a quick one: what there is between two repeats is the same.
   c.link_.pace_.roundTripMs_ = kRoundTripMs;
   c.link_.pace_.busyMs_ = kFrameMs;
@@ -353,7 +353,6 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     memset(parser.bytes_ + used, 0, sizeof(parser.bytes_) - used);
     parser.badChecksums_ = parser.brokenFrames_ = 0;
     parser.bytesSkipped_ = 0;
-    parser.hasSkipped_ = false;
   }
   if (!c.link_.outbox_.isHeld()) {
     blank(c.link_.outbox_);

@@ -210,7 +210,7 @@ class Client : public ClientRules {
   void beginTransfer();
   void beginUpload(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
-  MAVMISSION_ONE_EXIT void sendUpload(uint16_t nowMs);
+  void sendUpload(uint16_t nowMs);
   MAVMISSION_APART void sendAnnouncement();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && state_.prepared == wireItem; }

@@ -164,7 +164,7 @@ FrameParser::Result FrameParser::take(uint8_t byte) {
   if (skip_ == 0 || --skip_ != 0) return grow(byte);
   // This is the first byte behind a stepped-over frame: if another frame begins here, the length was right.
   boundary_ = have_;
-  if (isStepping(Stepping::Reported)) return grow(byte);
+  if (stepping_ == Stepping::Reported) return grow(byte);
   inStep_ = isMagic(byte);
   if (!inStep_) {
     ++brokenFrames_;
@@ -234,7 +234,7 @@ FrameParser::Result FrameParser::classify() {
   // Data that looks like a carrier's header is common after damage: it must begin where a frame is due, and have a
   // sender (0 is none).
   const bool carries = inStep_ && sender_.systemId != 0 && !(v2 && bytes_[9] != 0) && isCarrier(id);
-  stepOver(carries ? Stepping::MessageWithBytes : Stepping::Message);
+  stepping_ = carries ? Stepping::MessageWithBytes : Stepping::Message;
   for (uint8_t i = have_ - 1; i != 0; --i) {
     if (!isMagic(bytes_[i])) continue;
     giveUp();  // a frame may have begun within this supposed header
@@ -252,7 +252,7 @@ FrameParser::Result FrameParser::complete() {
     giveUp();
     return Result::Nothing;
   }
-  if (skip_ != 0 && isStepping(Stepping::MessageWithBytes)) {
+  if (skip_ != 0 && stepping_ == Stepping::MessageWithBytes) {
     have_ = 0;
     return Result::Nothing;
   }
@@ -262,7 +262,7 @@ FrameParser::Result FrameParser::complete() {
   inStep_ = true;
   if (isSigned()) {
     skip_ = kSignature + 1;
-    stepOver(MAVMISSION_SIGNING ? Stepping::Signature : Stepping::Reported);
+    stepping_ = MAVMISSION_SIGNING ? Stepping::Signature : Stepping::Reported;
   }
   have_ = 0;  // the bytes stay where they are until the next one is taken
   return Result::Wanted;
@@ -274,7 +274,7 @@ FrameParser::Result FrameParser::complete() {
 FrameParser::Result FrameParser::keepSignature(uint8_t byte) {
   signature_[kSignature + 1 - skip_] = byte;
   if (--skip_ != 1) return grow(byte);
-  stepOver(Stepping::Reported);
+  stepping_ = Stepping::Reported;
   const Result grown = grow(byte);
   return grown == Result::Nothing ? Result::Signature : grown;
 }
@@ -283,7 +283,6 @@ FrameParser::Result FrameParser::keepSignature(uint8_t byte) {
 void FrameParser::skipByte() {
   inStep_ = false;
   ++bytesSkipped_;
-  hasSkipped_ = true;
 }
 
 void FrameParser::giveUp() {
@@ -292,7 +291,7 @@ void FrameParser::giveUp() {
     skip_ += have_ - 1;  // these bytes will be counted again
   } else if (boundary_ != 0) {
     skip_ = boundary_;  // it began inside a frame that has ended, as did the bytes behind it up to that end
-    stepOver(Stepping::Reported);
+    stepping_ = Stepping::Reported;
   } else {
     skipByte();
   }
@@ -311,7 +310,7 @@ FrameParser::Result FrameParser::silence() {
     if (skip_ > 1) {
       ++brokenFrames_;
     } else {
-      if (!isStepping(Stepping::Reported)) result = Result::Unwanted;
+      if (stepping_ != Stepping::Reported) result = Result::Unwanted;
       boundary_ = have_;  // the frame is complete: what seemed to begin inside is part of it
     }
     skip_ = 0;

@@ -82,7 +82,7 @@ class FrameParser : public ParserRules {
   // True if it carries a signature, which the parser does not check.
   bool isSigned() const;
 #if MAVMISSION_SIGNING
-  bool keepsSignature() const { return isStepping(Stepping::Signature) && skip_ > 1; }
+  bool keepsSignature() const { return stepping_ == Stepping::Signature && skip_ > 1; }
   Result keepSignature(uint8_t byte);
 #else
   static constexpr bool keepsSignature() { return false; }
@@ -113,10 +113,6 @@ class FrameParser : public ParserRules {
 
   // ---
 
-  // True if bytes were skipped since the last call of forgetSkipped().
-  bool hasSkipped() const { return hasSkipped_; }
-  void forgetSkipped() { hasSkipped_ = false; }
-
   // True between frames, where silence() would change nothing.
   bool isIdle() const { return have_ == 0 && skip_ == 0 && !hasWaiting(); }
 
@@ -145,11 +141,9 @@ class FrameParser : public ParserRules {
   // Reported: a signature, or the rest of a message that was given as Unwanted already. Signature: one that is kept.
   enum class Stepping : uint8_t { Message, MessageWithBytes, Reported, Signature };
 
-  bool isStepping(Stepping over) const { return stepping_ == static_cast<uint8_t>(over); }
-  void stepOver(Stepping what) { stepping_ = static_cast<uint8_t>(what); }
   bool takePlainly(uint8_t byte);
   void keep(uint8_t byte);
-  MAVMISSION_ONE_EXIT Result grow(uint8_t byte);
+  Result grow(uint8_t byte);
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result classify();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result complete();
   MAVMISSION_APART void noteSender();
@@ -175,9 +169,8 @@ class FrameParser : public ParserRules {
   Index boundary_;  // where in bytes_ the first byte behind a stepped-over frame is; 0: nowhere
   uint16_t crc_;
   uint8_t crcExtra_;
-  uint8_t stepping_ : 2;  // Stepping; bits, for RAM
-  bool hasSkipped_ : 1;
-  bool inStep_ : 1;  // nothing but whole frames has come since the end of a frame
+  Stepping stepping_;
+  bool inStep_;  // nothing but whole frames has come since the end of a frame
   uint16_t badChecksums_;
   uint16_t brokenFrames_;
   uint32_t bytesSkipped_;

@@ -125,10 +125,7 @@ void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   const uint8_t left = static_cast<uint8_t>(sequence - state_.heardSequence - 1);
   // A frame that comes twice, or up to 7 frames late, is none that was lost.
-  if (state_.sequenceKnown && left != 0 && left < 248) {
-    state_.framesLost += left;
-    state_.hasLost = true;
-  }
+  if (state_.sequenceKnown && left < 248) state_.framesLost += left;
   state_.heardSequence = sequence;
   state_.sequenceKnown = true;
 }
@@ -168,10 +165,9 @@ bool Link::sendForeign(const OutgoingMessage& message) {
 
 void Link::onTime(uint16_t nowMs) {
   // What was skipped before the first heartbeat was the rest of a frame in whose middle our listening began.
-  const bool isDamaged = parser_.hasSkipped() || state_.hasLost;
-  if (isDamaged && finder_.isHeard()) pace_.noteLoss();
-  parser_.forgetSkipped();
-  state_.hasLost = false;
+  const uint8_t damage = static_cast<uint8_t>(parser_.bytesSkipped() + state_.framesLost);
+  if (damage != damage_ && finder_.isHeard()) pace_.noteLoss();
+  damage_ = damage;
   pace_.noteBusy(outbox_.busyMs(*stream_, nowMs));
   finder_.onTime(nowMs);
   const uint16_t elapsedMs = since(state_.heartbeatMs, nowMs);

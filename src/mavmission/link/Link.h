@@ -88,7 +88,7 @@ class Link : public LinkRules {
   bool isSent() const { return canSend(); }
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.
-  MAVMISSION_APART void flush(uint16_t nowMs, uint8_t most) {
+  void flush(uint16_t nowMs, uint8_t most) {
     for (; most > 1 && !outbox_.isEmpty() && StreamRoom::saysOne(*stream_); --most) outbox_.flush(*stream_, nowMs, 1);
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
@@ -148,7 +148,6 @@ class Link : public LinkRules {
     uint8_t speak : 2;  // MavlinkVersion
     bool heartbeatSent : 1;
     bool sequenceKnown : 1;
-    bool hasLost : 1;  // frames of the autopilot, since the last onTime()
   };
 
   Stream* stream_;
@@ -157,6 +156,7 @@ class Link : public LinkRules {
   Outbox outbox_;
   FrameParser parser_;
   Pace pace_;
+  uint8_t damage_;  // low byte of what has been counted as skipped or lost
 
 #if MAVMISSION_SIGNING
   // Rounds of SHA-256 in an update() that is spent on hashing (docs/design/signing.md).
