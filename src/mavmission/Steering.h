@@ -116,6 +116,9 @@ class Steering : public detail::Listener, private detail::SteerRules {
   void takeTarget(const detail::FrameParser& frame);
   Status refuse();
   Status refuseNumbers();
+  Status refuseNumber(float value, ItemField field);
+  Status refuseHeight(float metres, int32_t* cm);
+  Status refusePlace(const LatLon& at, Frame frame);
   Status refuseField(Status status, ItemField field);
   Status otherHands() const;
   Status whoFlies() const;

@@ -17,6 +17,7 @@ TOO_LARGE = {
     ("NextWaypoint", "uno"),
     ("PlanFromSd", "leonardo"),
     ("FollowBeacon", "leonardo"),
+    ("FollowBeacon", "nano"),
     ("UploadByFile", "leonardo"),
     ("UploadByFile", "nano"),
     ("WorkAtWaypoints", "leonardo"),

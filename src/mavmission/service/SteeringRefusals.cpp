@@ -42,33 +42,48 @@ Status Steering::refuseField(Status status, ItemField field) {
   return status;
 }
 
-Status Steering::refuseNumbers() {
-  const bool hasHeight = is(kTakesHeight);
-  if (!hasHeight && !is(kTakesSpeed)) return Status::Transferring;
-  const ItemField field = hasHeight ? ItemField::Height : ItemField::Param2;
-  const FloatKind kind = kindOf(&value_);
+Status Steering::refuseNumber(float value, ItemField field) {
+  const FloatKind kind = kindOf(&value);
   if (kind == FloatKind::NotANumber) return refuseField(Status::NotANumber, field);
   if (kind == FloatKind::Infinite) return refuseField(Status::NotFinite, field);
-  const int32_t cm = centimetres(value_);
-  if (is(kTakesSpeed)) {
-    const bool isSpeed = !isHuge(value_) && cm > 0 && cm <= kMostSpeedCm;
-    return isSpeed ? Status::Transferring : refuseField(Status::BadSpeed, field);
-  }
-  const bool isOut = isHuge(value_) || !isNear(cm, 0, kMostHeightCm) || (is(kFromGround) && cm <= 0);
-  if (isOut) return refuseField(Status::BadAltitude, field);
-  wanted_.heightCm = cm;
-  if (!is(kTakesPlace)) return Status::Transferring;
-  const int32_t latitude = wanted_.at.latitude.e7(), longitude = wanted_.at.longitude.e7();
+  return Status::Transferring;
+}
+
+Status Steering::refuseHeight(float metres, int32_t* cm) {
+  const Status refusal = refuseNumber(metres, ItemField::Height);
+  if (refusal != Status::Transferring) return refusal;
+  *cm = centimetres(metres);
+  const bool isOut = isHuge(metres) || !isNear(*cm, 0, kMostHeightCm);
+  return isOut ? refuseField(Status::BadAltitude, ItemField::Height) : Status::Transferring;
+}
+
+Status Steering::refusePlace(const LatLon& at, Frame frame) {
+  const int32_t latitude = at.latitude.e7(), longitude = at.longitude.e7();
   if (!isNear(latitude, 0, 900000000)) return refuseField(Status::BadLatitude, ItemField::Latitude);
   if (longitude < -1800000000 || longitude > 1800000000) {
     return refuseField(Status::BadLongitude, ItemField::Longitude);
   }
   // ArduPilot refuses 0 N 0 E, and PX4 flies there.
   if (latitude == 0 && longitude == 0) return refuseField(Status::NeedsCoordinates, ItemField::Latitude);
-  const bool isTerrain = frame_ == Frame::GlobalTerrain;
+  const bool isTerrain = frame == Frame::GlobalTerrain;
   const bool isTaken = isTerrain ? has(client_.firmware(), kTakesTerrainFrames)
-                                 : frame_ == Frame::Global || frame_ == Frame::GlobalRelative;
+                                 : frame == Frame::Global || frame == Frame::GlobalRelative;
   return isTaken ? Status::Transferring : refuseField(Status::BadFrame, ItemField::Reference);
+}
+
+Status Steering::refuseNumbers() {
+  if (is(kTakesSpeed)) {
+    const Status refusal = refuseNumber(value_, ItemField::Param2);
+    if (refusal != Status::Transferring) return refusal;
+    const int32_t cm = centimetres(value_);
+    const bool isSpeed = !isHuge(value_) && cm > 0 && cm <= kMostSpeedCm;
+    return isSpeed ? Status::Transferring : refuseField(Status::BadSpeed, ItemField::Param2);
+  }
+  if (!is(kTakesHeight)) return Status::Transferring;
+  const Status refusal = refuseHeight(value_, &wanted_.heightCm);
+  if (refusal != Status::Transferring) return refusal;
+  if (is(kTakesPlace)) return refusePlace(wanted_.at, frame_);
+  return wanted_.heightCm > 0 ? Status::Transferring : refuseField(Status::BadAltitude, ItemField::Height);
 }
 
 // Who has the aircraft, as a status; Transferring: this sketch, or the mission.
