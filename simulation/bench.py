@@ -210,8 +210,11 @@ class Bench:
     def _step(self, until: float) -> None:
         """Run to the next thing that happens, at most to `until` [s]."""
         mega = self.mega
-        due = (until, self.autopilot.next_event(self.now), self.wire.next_event())
-        target = max(self._cycle(min(time for time in due if time is not None)), mega.cycle + 1)
+        cycle = mega.cycle
+        for time in (self.autopilot.next_event(cycle / mega.hz), self.wire.next_event()):
+            if time is not None and time < until:
+                until = time
+        target = max(self._cycle(until), cycle + 1)
         if mega.run_until(target, stop_on=AUTOPILOT_PORT):
             # No answer can come within the autopilot's delay: gather what leaves meanwhile.
             mega.run_until(min(target, mega.cycle + self._cycle(self._slice_s)))
@@ -225,9 +228,13 @@ class Bench:
         for sent in mega.serial(AUTOPILOT_PORT).sent():
             time = sent.left / mega.hz
             wire.send(">", bytes((sent.byte,)), time)
-            self._hand_over(wire.deliver(">", time), time)
-        now = self.now
-        self._hand_over(wire.deliver(">", now), now)
+            arriving = wire.deliver(">", time)
+            if arriving:
+                autopilot.receive(arriving, time)
+        now = mega.cycle / mega.hz
+        arriving = wire.deliver(">", now)
+        if arriving:
+            autopilot.receive(arriving, now)
         autopilot.run(now)
         for time, frame in autopilot.outbox:
             wire.send("<", frame, time)
@@ -236,12 +243,11 @@ class Bench:
             mega.serial(AUTOPILOT_PORT).send(arriving)
         self._read_lines()
 
-    def _hand_over(self, data: bytes, time: float) -> None:
-        if data:
-            self.autopilot.receive(data, time)
-
     def _read_lines(self) -> None:
-        self._text += self.mega.serial(SERIAL).sent_bytes()
+        said = self.mega.serial(SERIAL).sent_bytes()
+        if not said:
+            return
+        self._text += said
         *lines, self._text = self._text.split(b"\r\n")
         for line in lines:
             words = line.decode().split(" ")

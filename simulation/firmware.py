@@ -3,9 +3,11 @@
     elf = build_firmware("upload", [HERE / "firmware/upload.cpp"], {"ITEMS": 50})
 
 Flags and linking are those of the Arduino IDE: the library's objects are all
-given to the linker, and what the sketch does not use is left out. Objects are
-kept under build/firmware by what went into them, so that a test that asks for
-the same firmware again, in this worker or another, has it at once.
+given to the linker, and what the sketch does not use is left out. Only debugging
+information is left out, which changes no code, and which avr-gcc cannot have
+beside precompiled headers. Objects are kept under build/firmware by what went
+into them, so that a test that asks for the same firmware again, in this worker
+or another, has it at once.
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ import functools
 import hashlib
 import os
 import subprocess
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -38,9 +40,9 @@ BOARDS = {
 
 CPP = ["-std=gnu++11", "-fpermissive", "-fno-exceptions", "-fno-threadsafe-statics", "-Wno-error=narrowing"]
 C = ["-std=gnu11", "-fno-fat-lto-objects"]
-BOTH = ["-c", "-g", "-Os", "-flto", "-ffunction-sections", "-fdata-sections"]
+BOTH = ["-c", "-Os", "-flto", "-ffunction-sections", "-fdata-sections"]
 STRICT = ["-Wall", "-Wextra", "-Werror"]
-LINK = ["-Os", "-g", "-flto", "-fuse-linker-plugin", "-Wl,--gc-sections", *STRICT]
+LINK = ["-Os", "-flto", "-fuse-linker-plugin", "-Wl,--gc-sections", *STRICT]
 
 
 class FirmwareNotBuilt(Exception):
@@ -68,11 +70,13 @@ def build_firmware(
     own = [*defined(defines or {}), *flags]
     root = library if isinstance(library, Path) else LIBRARY
     places = [root, *{file.parent for file in files}, *(Path(d).resolve() for d in include_dirs)]
-    units = [compiled(file, mcu, own, places) for file in files]
+    headers = headers_digests(places)  # once for all: there are hundreds of them
+    units = [compiled(file, mcu, own, places, headers) for file in files]
     if library:
         # As few different ones as can be: firmware that differs elsewhere shares the library's objects.
         its_own = [*defined({name: value for name, value in (defines or {}).items() if library_names(name)}), *flags]
-        units += [compiled(source, mcu, its_own, [root]) for source in library_sources(root)]
+        headers = headers_digests([root])
+        units += [compiled(source, mcu, its_own, [root], headers) for source in library_sources(root)]
     core = core_archive(mcu)
     key = digest("elf", mcu, *LINK, *map(str, units), str(core))
     elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
@@ -105,12 +109,34 @@ def library_names(word: str) -> bool:
     return any(word in file.read_text() for kind in ("*.h", "*.cpp") for file in LIBRARY.rglob(kind))
 
 
-def compiled(source: Path, mcu: str, flags: Sequence[str], places: Sequence[Path]) -> Path:
-    """An object of ours. Its name is made of all that could change it."""
+def compiled(
+    source: Path, mcu: str, flags: Sequence[str], places: Sequence[Path], headers: str | None = None
+) -> Path:
+    """An object of ours. Its name is made of all that could change it; `headers`: the headers_digests() of places."""
     includes = [f"-I{place}" for place in dict.fromkeys(places)]
-    command = [*compiler(source, mcu), *STRICT, *flags, *includes]
-    headers = [headers_digest(place) for place in dict.fromkeys(places)]
-    return make_object(source, command, digest(*headers))
+    basic = [*compiler(source, mcu), *STRICT, *includes]
+    headers = headers or headers_digests(places)
+    return make_object(source, [*basic, *flags], headers, functools.partial(quickened, source, basic))
+
+
+def quickened(source: Path, basic: Sequence[str]) -> list[str]:
+    """The further words for a source of the library, with MAVLink's headers precompiled for all its macros."""
+    from simulation.precompiled import with_mavlink  # which uses this module
+
+    return with_mavlink(basic, compiler_version()) if source.suffix == ".cpp" and LIBRARY in source.parents else []
+
+
+@functools.cache
+def in_one_place() -> list[str]:
+    """The words before avr-gcc that have the system put it at the same address each time, if it does that for us.
+
+    This old compiler takes precompiled headers only then; elsewhere it reads the headers themselves.
+    """
+    words = ["setarch", "-R"]
+    try:
+        return words if subprocess.run([*words, "true"], capture_output=True, check=False).returncode == 0 else []
+    except OSError:
+        return []
 
 
 def core_archive(mcu: str) -> Path:
@@ -140,14 +166,17 @@ def compiler(source: Path, mcu: str) -> list[str]:
         f"-I{CORE}", f"-I{ARDUINO / 'variants' / variant}",
     ]  # fmt: skip
     if source.suffix == ".S":
-        return ["avr-gcc", "-c", "-g", "-x", "assembler-with-cpp", "-flto", *common]
+        return ["avr-gcc", "-c", "-x", "assembler-with-cpp", "-flto", *common]
     if source.suffix == ".c":
         return ["avr-gcc", *BOTH, *C, *common]
     # The core uses DECIMAL_DIG, which avr-gcc 5.4 leaves out in C++11.
     return ["avr-g++", *BOTH, *CPP, *common, "-DDECIMAL_DIG=__DECIMAL_DIG__"]
 
 
-def make_object(source: Path, command: Sequence[str], headers: str) -> Path:
+def make_object(
+    source: Path, command: Sequence[str], headers: str, quicker: Callable[[], list[str]] = lambda: []
+) -> Path:
+    """`quicker`: further words for the compiler that do not change what it makes."""
     key = digest(compiler_version(), headers, source.read_bytes(), str(source), *command)
     target = OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
     if target.exists():
@@ -155,7 +184,7 @@ def make_object(source: Path, command: Sequence[str], headers: str) -> Path:
     with exclusive(target):
         if not target.exists():
             fresh = target.with_suffix(".new")
-            run([*command, source, "-o", fresh])
+            run([*in_one_place(), *command, *quicker(), source, "-o", fresh])
             fresh.replace(target)
     return target
 
@@ -195,12 +224,24 @@ def compiler_version() -> str:
         raise FirmwareNotBuilt("avr-gcc does not start: run tools/setup") from error
 
 
+def headers_digests(places: Iterable[Path]) -> str:
+    return digest(*(headers_digest(place) for place in dict.fromkeys(places)))
+
+
 def headers_digest(place: Path) -> str:
     """Changes with any header that a source could include from there."""
     files = sorted(file for kind in ("*.h", "*.hpp", "*.inc") for file in place.rglob(kind))
-    return digest(*(part for file in files for part in (str(file), contents_digest(file, file.stat().st_mtime_ns))))
+    return digest(*(part for file in files for part in (str(file), contents_digest(file))))
+
+
+def contents_digest(file: Path | str) -> str:
+    """Of a file that may not be there."""
+    try:
+        return _contents_digest(str(file), os.stat(file).st_mtime_ns)
+    except FileNotFoundError:
+        return ""
 
 
 @functools.cache
-def contents_digest(file: Path, changed_ns: int) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
+def _contents_digest(file: str, changed_ns: int) -> str:
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()

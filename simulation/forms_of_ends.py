@@ -2,9 +2,9 @@
 
 FORMS = """\
   pty                     a new pseudo-terminal; its path is printed
-  tcp:HOST:PORT           connects, again and again if need be
-  tcp-listen:PORT         waits for one client at a time
-  udp:HOST:PORT           sends there, and hears whoever answers
-  udp-listen:PORT         answers whoever sent last
-  /dev/NAME[@BAUD]        a serial device, at 57600 unless told
-  none                    a cable with nothing at its end"""
+  tcp:HOST:PORT           connects to a server, and tries again until it can
+  tcp-listen:PORT         is a server for one client at a time
+  udp:HOST:PORT           sends to this address, and receives from everybody who answers
+  udp-listen:PORT         receives, and sends to the one who has sent last
+  /dev/NAME[@BAUD]        a serial device (default: 57600 baud)
+  none                    not connected"""

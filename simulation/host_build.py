@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from simulation.firmware import LIBRARY, ROOT, defined, digest, exclusive, library_sources
+from simulation.firmware import LIBRARY, ROOT, contents_digest, defined, digest, exclusive, library_sources
 from simulation.precompiled import with_mavlink
 
 OUTPUT = ROOT / "build" / "host"
@@ -119,13 +119,16 @@ def compilation(source: Path, command: Sequence[str]) -> tuple[str, Path]:
 
 def files_in(included: Path) -> list[Path]:
     """The source and all that it includes."""
-    return [Path(file) for file in included.read_text().replace("\\\n", " ").split(": ", 1)[1].split()]
+    return [Path(file) for file in included_in(included)]
+
+
+def included_in(included: Path) -> list[str]:
+    return included.read_text().replace("\\\n", " ").split(": ", 1)[1].split()
 
 
 def object_name(source: Path, compiling: str, included: Path) -> Path:
     """By the compiler's command and the contents of all files that went in."""
-    contents = (file.read_bytes() if file.exists() else b"" for file in files_in(included))
-    key = digest(compiling, *contents)
+    key = digest(compiling, *(contents_digest(file) for file in included_in(included)))
     return OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
 
 

@@ -24,7 +24,7 @@ from simulation.firmware import (
     defined,
     digest,
     exclusive,
-    headers_digest,
+    headers_digests,
     library_names,
     library_sources,
 )
@@ -61,7 +61,8 @@ def build_cortex_m0(
     more = [STANDARD, *defined(defines or {})]
     # The library's objects are the same for all that it does not name.
     its_own = [STANDARD, *defined({name: value for name, value in (defines or {}).items() if library_names(name)})]
-    objects = [cortex_m0_object(unit, its_own, places) for unit in library_sources()]
+    headers = headers_digests(places)
+    objects = [cortex_m0_object(unit, its_own, places, headers) for unit in library_sources()]
     objects += [cortex_m0_object(Path(unit), more, places) for unit in (*sources, *sorted(CORE.glob("*.cpp")))]
     key = digest("elf", *LINK, (CORE / "microbit.ld").read_bytes(), *map(str, objects))
     elf = OUTPUT / f"{name}-{key[:12]}" / f"{name}.elf"
@@ -73,10 +74,11 @@ def build_cortex_m0(
     return elf
 
 
-def cortex_m0_object(source: Path, flags: Sequence[str], places: Sequence[Path]) -> Path:
+def cortex_m0_object(source: Path, flags: Sequence[str], places: Sequence[Path], headers: str | None = None) -> Path:
+    """`headers`: the headers_digests() of places, of which the source's own folder is in one."""
     command = [COMPILER, *FLAGS, *STRICT, *flags, *(f"-I{place}" for place in places)]
-    headers = [headers_digest(place) for place in (*places, source.parent)]
-    key = digest(compiler_version(), *headers, source.read_bytes(), str(source), *command)
+    headers = headers or headers_digests([*places, source.parent])
+    key = digest(compiler_version(), headers, source.read_bytes(), str(source), *command)
     target = OUTPUT / "objects" / key[:2] / f"{source.stem}-{key[2:16]}.o"
     with exclusive(target):
         if not target.exists():

@@ -13,15 +13,21 @@ import os
 import subprocess
 from collections.abc import Sequence
 
-from simulation.firmware import LIBRARY, ROOT, digest, exclusive, headers_digest
+from simulation.firmware import LIBRARY, ROOT, digest, exclusive, headers_digest, in_one_place
 
 OUTPUT = ROOT / "build" / "precompiled"
 HEADERS = LIBRARY / "mavmission" / "base" / "MavlinkHeaders.h"
 
 
 def with_mavlink(command: Sequence[str], version: str) -> list[str]:
-    """The further words for a compiler of this version (g++ or clang++) that is told these."""
-    return list(made(tuple(command), version, headers_digest(LIBRARY / "mavmission" / "mavlink"), HEADERS.read_bytes()))
+    """The further words for a compiler of this version (a g++ or clang++) that is told these."""
+    return list(made(tuple(command), version, vendored(), HEADERS.read_bytes()))
+
+
+@functools.cache
+def vendored() -> str:
+    """The digest of hundreds of files, which nothing writes while a program runs."""
+    return headers_digest(LIBRARY / "mavmission" / "mavlink")
 
 
 @functools.cache
@@ -35,7 +41,8 @@ def made(command: tuple[str, ...], version: str, *contents: str | bytes) -> tupl
             fresh = target.with_suffix(".new")
             # (clang would not take it any more when git has written the same headers again.)
             steady = ["-Xclang", "-fno-pch-timestamp"] if is_clang else []
+            before = in_one_place() if command[0].startswith("avr") else []
             words = [*(word for word in command if word != "-c"), *steady, "-x", "c++-header", str(header)]
-            subprocess.run([*words, "-o", fresh], check=True, env={**os.environ, "LC_ALL": "C"})
+            subprocess.run([*before, *words, "-o", fresh], check=True, env={**os.environ, "LC_ALL": "C"})
             fresh.replace(target)
     return ("-include-pch", str(target)) if is_clang else ("-include", str(header))

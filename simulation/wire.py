@@ -154,6 +154,8 @@ class Wire:
     def deliver(self, direction: str, now: float) -> bytes:
         """The bytes that have come out by now [s]."""
         way = self._way(direction)
+        if not way.on_the_way or way.on_the_way[0][0] > now:
+            return b""
         out = bytearray()
         while way.on_the_way and way.on_the_way[0][0] <= now:
             out += heapq.heappop(way.on_the_way)[2]
@@ -161,8 +163,11 @@ class Wire:
 
     def next_event(self) -> float | None:
         """When the next bytes come out of either end [s]; None if none are on the way."""
-        times = [way.on_the_way[0][0] for way in self._ways.values() if way.on_the_way]
-        return min(times, default=None)
+        soonest = None
+        for way in self._ways.values():
+            if way.on_the_way and (soonest is None or way.on_the_way[0][0] < soonest):
+                soonest = way.on_the_way[0][0]
+        return soonest
 
     def transcript(self, *names: str, faults_only: bool = False) -> str:
         """One line per frame, or for bytes between frames; of these names only, if any (* and ? allowed)."""

@@ -31,3 +31,8 @@
 #include "mavmission/TelemetryPause.h"
 #include "mavmission/WaypointListener.h"
 #include "mavmission/WaypointsSource.h"
+
+// Included by Arduino.h since version 2, as Stream::availableForWrite() is there.
+#if defined(ARDUINO_ARCH_ESP32) && !defined(ESP_ARDUINO_VERSION_MAJOR)
+#error "MavMission needs version 2 or newer of the core for ESP32: Tools, Board, Boards Manager, esp32"
+#endif

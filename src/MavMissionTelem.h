@@ -4,14 +4,28 @@
 // To choose another port or other pins, write this before the #include:
 //
 //   #define TELEM Serial2     // another port
-//   #define TELEM_RX 18       // an ESP32's pins, any that are free
+//   #define TELEM_RX 18       // on an ESP32 or an STM32: pins, which go to a serial port there
 //   #define TELEM_TX 17
+//
+// docs/boards.md lists each board's port and pins.
 #pragma once
 
 #include <Arduino.h>
 
 #ifndef TELEM
-#if defined(ARDUINO_ARCH_ESP8266) || (defined(__AVR__) && !defined(HAVE_HWSERIAL1) && !defined(ARDUINO_ARCH_MEGAAVR))
+#if defined(ARDUINO_ARCH_STM32)
+// Serial is another name for one of the numbered ports here, or the USB; and Serial1 exists only if the board's menu or
+// the sketch has enabled it.
+#if defined(TELEM_RX)
+static decltype(Serial1) mavMissionTelem(TELEM_RX, TELEM_TX);
+#define TELEM mavMissionTelem
+#else
+#if !defined(HAVE_HWSERIAL1) || (!defined(HAVE_SERIALUSB) && SERIAL_UART_INSTANCE == 1)
+#error "No Serial1 beside Serial: above the #include, #define TELEM_RX PA3 and TELEM_TX PA2 (docs/boards.md)"
+#endif
+#define TELEM Serial1
+#endif
+#elif defined(ARDUINO_ARCH_ESP8266) || (defined(__AVR__) && !defined(HAVE_HWSERIAL1) && !defined(ARDUINO_ARCH_MEGAAVR))
 #define TELEM Serial  // an Uno, a Nano, an ESP8266: the only port
 #define MAVMISSION_ONE_PORT
 #else
@@ -19,12 +33,24 @@
 #endif
 #endif
 
+// The pins of an ESP32's Serial1 can be chosen. Those that it has by itself differ between the chips and between the
+// versions of the core, and are the flash's or the USB's on some.
 #if defined(ARDUINO_ARCH_ESP32) && !defined(TELEM_RX)
-#ifdef CONFIG_IDF_TARGET_ESP32
-#define TELEM_RX 16  // GPIO16 and GPIO17; those that Serial1 has by itself are the flash's on many boards
+#if defined(CONFIG_IDF_TARGET_ESP32)
+#define TELEM_RX 16
 #define TELEM_TX 17
+#elif defined(CONFIG_IDF_TARGET_ESP32S3)
+#define TELEM_RX 15
+#define TELEM_TX 16
+#elif defined(CONFIG_IDF_TARGET_ESP32S2) || defined(CONFIG_IDF_TARGET_ESP32C3) || defined(CONFIG_IDF_TARGET_ESP32C6)
+#define TELEM_RX 4
+#define TELEM_TX 5
+#elif defined(CONFIG_IDF_TARGET_ESP32H2)
+#define TELEM_RX 0
+#define TELEM_TX 1
 #else
-#define TELEM_RX -1  // the core's own for Serial1
+#error "No pins known for this ESP32: above the #include, #define TELEM_RX 4 and TELEM_TX 5, or other free pins"
+#define TELEM_RX -1
 #define TELEM_TX -1
 #endif
 #endif

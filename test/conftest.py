@@ -1,5 +1,6 @@
 """What all tests share; where they find the simulated world, the tools and their helpers is in pytest.ini."""
 
+import gc
 import os
 import sys
 from pathlib import Path
@@ -33,6 +34,11 @@ from bench_fixtures import (  # noqa: E402, F401
     steered,
 )
 from scenario_table import pytest_collection_modifyitems, pytest_terminal_summary  # noqa: E402, F401
+
+
+def pytest_collection_finish():
+    """What has been collected stays to the end: the garbage collector need not look through it again and again."""
+    gc.freeze()
 
 
 def pytest_configure(config):

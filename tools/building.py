@@ -200,14 +200,12 @@ def sources_of(source: Path) -> set[Path]:
 
 def dependencies(out: Path) -> set[Path]:
     """The files outside the tool chain that the compiler says it read."""
-    found: set[Path] = set()
+    names: set[str] = set()  # most are in every listing
     for listing in out.rglob("*.d"):
         text = listing.read_text(errors="replace").replace("\\\n", " ")
-        for name in re.findall(r"(?:\\ |\S)+", text.partition(":")[2]):
-            file = Path(os.path.realpath(name.replace("\\ ", " ")))
-            if file.is_file() and not file.is_relative_to("/usr") and not file.is_relative_to(out):
-                found.add(file)
-    return found
+        names.update(re.findall(r"(?:\\ |\S)+", text.partition(":")[2]))
+    files = {Path(os.path.realpath(name.replace("\\ ", " "))) for name in names}
+    return {file for file in files if file.is_file() and not {Path("/usr"), out} & {*file.parents}}
 
 
 def load_kept(folder: Path, board: Board, source: Path) -> Built | None:

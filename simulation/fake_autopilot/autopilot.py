@@ -164,6 +164,9 @@ class FakeAutopilot:
         `outbox` then holds the same as (time [s], frame) pairs, with exact times.
         """
         self._advance(now)
+        if not self._released:
+            self.outbox = []
+            return b""
         left = [entry for entry in self._released if entry[0] <= now]
         self.outbox, self._released = left, self._released[len(left) :]
         return b"".join(frame for _, frame in self.outbox)
@@ -334,7 +337,10 @@ class FakeAutopilot:
         self._now = max(self._now, now)
 
     def _next_due(self) -> float:
-        due = min((time for time, _ in self._timers.values()), default=math.inf)
+        due = math.inf
+        for time, _ in self._timers.values():
+            if time < due:
+                due = time
         if self._pending:
             due = min(due, max(self._pending[0][0], self._line_free_at - self._buffer_s))
         if self._next_telemetry is not None:

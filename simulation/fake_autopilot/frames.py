@@ -148,11 +148,14 @@ class FrameSplitter:
 
     def __init__(self) -> None:
         self._buffer = bytearray()
+        self._needed = 1  # bytes in it, before there can be a piece more
 
     def feed(self, data: bytes) -> list[tuple[bytes, bool]]:
         """The pieces completed by `data`, in order: (bytes, is an intact frame)."""
         buffer = self._buffer
         buffer += data
+        if len(buffer) < self._needed:
+            return []
         pieces: list[tuple[bytes, bool]] = []
         start = 0
         while start < len(buffer):
@@ -169,10 +172,13 @@ class FrameSplitter:
                 start += 1
                 continue
             if length is None or start + length > len(buffer):
+                self._needed = length or len(buffer) - start + 1
                 break
             frame = bytes(buffer[start:start + length])
             pieces.append((frame, is_intact(frame)))
             start += length
+        else:
+            self._needed = 1
         del buffer[:start]
         return pieces
 

@@ -42,6 +42,8 @@ class Mega:
                 raise ValueError(f"{self.image.path} does not fit the flash of an {self.mcu}")
         for address, data in self.image.eeprom:
             self.write_eeprom(address, data)
+        self._clock = ctypes.c_uint64.from_address(library().mega_clock(self._handle))
+        self._run = library().mega_run
         self._ports: dict[int, SerialPort] = {}
         self._profile_began = 0
 
@@ -55,7 +57,7 @@ class Mega:
     @property
     def cycle(self) -> int:
         """CPU cycles since power-on."""
-        return library().mega_cycle(self._handle)
+        return self._clock.value
 
     @property
     def now_us(self) -> float:
@@ -74,7 +76,7 @@ class Mega:
         a byte has left that port, and False if none did.
         """
         mask = 0 if stop_on is None else 1 << self.serial(stop_on).number
-        why = library().mega_run(self._handle, max(0, int(cycle)), mask)
+        why = self._run(self._handle, max(0, int(cycle)), mask)
         if why == simulator.CRASHED:
             address = library().mega_pc(self._handle)
             said = plain(library().mega_error(self._handle))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ctypes
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from .library import SentByte, library
@@ -26,6 +28,7 @@ class SerialPort:
         self._mega = mega
         self._handle = mega._handle
         self._peer_baud: int | None = None
+        self._waiting = ctypes.c_uint32.from_address(library().mega_sent_count(self._handle, number))
         self.number = number
         self.hz: int = mega.hz
 
@@ -40,16 +43,19 @@ class SerialPort:
 
     def sent(self) -> list[Sent]:
         """What the firmware has sent since the last call; each byte once its stop bit is over."""
-        count = library().mega_sent_count(self._handle, self.number)
-        if count == 0:
-            return []
-        log = (SentByte * count)()
-        library().mega_take_sent(self._handle, self.number, log)
-        return [Sent(entry.left, entry.byte, entry.written) for entry in log]
+        return [Sent(entry.left, entry.byte, entry.written) for entry in self._taken()]
 
     def sent_bytes(self) -> bytes:
         """Like sent(), without the times."""
-        return bytes(entry.byte for entry in self.sent())
+        return bytes([entry.byte for entry in self._taken()])
+
+    def _taken(self) -> Iterable[SentByte]:
+        count = self._waiting.value
+        if count == 0:
+            return ()
+        log = (SentByte * count)()
+        library().mega_take_sent(self._handle, self.number, log)
+        return log
 
     def hush(self) -> None:
         """Take back what is queued and has not begun to arrive."""

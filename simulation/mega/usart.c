@@ -390,7 +390,8 @@ void mega_hush(mega_t* mega, int n) {
 }
 
 uint32_t mega_unsent(const mega_t* mega, int n) { return mega->ports[n].inbound_count; }
-uint32_t mega_sent_count(const mega_t* mega, int n) { return mega->ports[n].sent_count; }
+/* Where it is counted how many bytes wait to be taken. */
+const uint32_t* mega_sent_count(const mega_t* mega, int n) { return &mega->ports[n].sent_count; }
 uint64_t mega_lost(const mega_t* mega, int n) { return mega->ports[n].lost; }
 uint64_t mega_unheard(const mega_t* mega, int n) { return mega->ports[n].unheard; }
 bool mega_listens(const mega_t* mega, int n) { return (ucsrb(&mega->ports[n]) & RXEN) != 0; }

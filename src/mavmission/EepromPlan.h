@@ -14,15 +14,15 @@
 // item by item, and made valid by a single byte; only then is the old plan made invalid, by a single byte.
 //
 //   byte 0     0x4D: the bank is valid. Written last.
-//   byte 1     sequence: of two valid banks (the power went between those two bytes) the later one holds the plan
+//   byte 1     sequence: if the power failed between those two bytes, both banks are valid, and the later one counts
 //   byte 2     items, the lower byte first
 //   byte 4     checksum (Checksum.h) of the items' bytes, then of bytes 1 to 3
 //   byte 6     the items: 4 bytes, and 4 more for each of param1 to z that is not 0
 //
 // A byte is written only if its value changes.
 //
-// Where the bytes are kept in flash and stay only after commit() (an ESP32, a Pico), that is called once, when a change
-// is whole: then it is the flash that must bear the power going, and the call takes as long as it takes.
+// On a board whose EEPROM library keeps the bytes in flash (an ESP32, a Pico), the change is written by one call of the
+// library's commit(), which may block. A power failure during that call may lose both plans.
 #pragma once
 
 #include <stdint.h>
@@ -78,10 +78,11 @@ class EepromPlan {
   bool store();
   // True when put() takes an item.
   bool isReady() const { return state_ == State::Storing && length_ == 0; }
-  // Stores the next item. False, with State::Failed, if there is no room; false too while isReady() is false.
+  // Stores the next item. False, with State::Failed, if there is no room; also false while isReady() is false.
   bool put(const MissionItem& item);
   uint16_t stored() const { return taken_; }  // items since store()
-  // Makes the stored items the plan. False without an item: to delete the plan call erase(). State::Resting when done.
+  // Makes the stored items the plan; the state is State::Resting when that is done. False if no item was stored: to
+  // delete the plan call erase().
   bool commit();
   // A sink for a download, which takes each item when it can; calls store().
   ItemSink sink();

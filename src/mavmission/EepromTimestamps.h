@@ -4,9 +4,9 @@
 //   EepromTimestamps timestamps(MAVMISSION_EEPROM(EEPROM, 512), 0);  // on another board
 //   autopilot.signWith(key, 1, timestamps);
 //
-// Wear: a save writes one of the slots, in turn, and there is one save in about 39 s of the autopilot's time (see
-// Signing::kReserve), and one when it begins. A cell bears 100,000 writes: with 8 slots that is a year of running
-// day and night. Flash that is written by commit() bears less: a board that runs for long needs a store of its own.
+// Wear: the first time is saved when the client begins to sign, and another one in about 39 s of the autopilot's time.
+// Each save writes the next slot. A cell of EEPROM can be written 100,000 times, so 8 slots last for a year of running
+// day and night. Flash that is written by commit() lasts for less: a board that runs for long needs another store.
 #pragma once
 
 #include <stdint.h>

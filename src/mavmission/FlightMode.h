@@ -7,7 +7,7 @@
 
 namespace mavmission {
 
-// Named after what the aircraft then does.
+// Each mode is named after what the aircraft does in it.
 enum class FlightMode : uint8_t {
   Auto,            // fly the mission: AUTO on ArduPilot, MISSION on PX4
   Guided,          // fly where a companion says: GUIDED, or OFFBOARD on PX4 (which wants setpoints first)

@@ -11,8 +11,8 @@ class HudListener : public TelemetryListener {
   // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
   explicit HudListener(MissionClient& client, uint16_t intervalMs = 1000);
 
-  // The airspeed [cm/s]. Without a sensor ArduPilot estimates it; PX4 does not know it, hasAirspeed() is then false,
-  // and the value 0.
+  // The airspeed [cm/s]. Without a sensor ArduPilot sends an estimate; PX4 sends none, and then hasAirspeed() is false
+  // and the airspeed 0.
   bool hasAirspeed() const;
   int32_t airspeedCmS() const { return hundredths(values_.airspeed); }
   // The speed over the ground [cm/s].

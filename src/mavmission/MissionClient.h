@@ -42,9 +42,9 @@ class MissionClient : private detail::Client {
   // transfers it. upload() returns the first status of the operation, or Status::Busy; update() returns the status with
   // which it ends. That status is Status::Accepted if, and only if, the plan is aboard. If the final acknowledgement is
   // lost or unclear, the plan aboard is read back and compared: Status::Differs means that another plan is there,
-  // Status::Unconfirmed that it could not be read back either. With Readback::Always it is read back in any case. The
-  // source must live until the operation has ended. (MAVLink guide, Mission Protocol, "Upload a Mission to the
-  // Vehicle".)
+  // Status::Unconfirmed that it could not be read back either. With Readback::Always it is read back in any case, and
+  // so it is from an autopilot that is neither ArduPilot nor PX4. The source must live until the operation has ended.
+  // (MAVLink guide, Mission Protocol, "Upload a Mission to the Vehicle".)
   Status upload(const ItemSource& plan, Readback proof = Readback::InDoubt) {
     return uploadProven(plan, PlanType::Mission, proof);
   }
@@ -76,7 +76,8 @@ class MissionClient : private detail::Client {
 
   // Upload without the read-back, for a sketch that has to be small (docs/measurements.md). Ends with Status::Accepted
   // when the autopilot has acknowledged the whole plan, on PX4 with our checksum. If ArduPilot's only acknowledgement
-  // is lost, it ends with Status::Unconfirmed.
+  // is lost, it ends with Status::Unconfirmed; and so it does, whatever is acknowledged, with an autopilot that is
+  // neither ArduPilot nor PX4.
   Status uploadWithoutReadback(const ItemSource& plan, PlanType type = PlanType::Mission) {
     return startUpload(plan, type);
   }

@@ -84,6 +84,7 @@ class PlanFiles : public detail::Listener {
   void beginOperation(Operation operation);
   bool isRunning() const;
   bool isUsable() const;
+  void takeNumbers();
   void beginFile();
   bool isReply(const detail::FrameParser& frame) const;
   void send(uint16_t sequence, uint8_t opcode, uint8_t size = 0, uint32_t offset = 0);

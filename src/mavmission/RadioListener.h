@@ -15,7 +15,7 @@ class RadioListener : public detail::Listener {
 
   // The value of ageMs() before the first message.
   static constexpr uint32_t kNeverHeard = 0xFFFFFFFF;
-  // 255 of a strength or a noise: not known.
+  // This value of a strength or a noise means that it is not known.
   static constexpr uint8_t kUnknown = 255;
 
   // True when the message has come at least once.

@@ -12,7 +12,8 @@ class WaypointListener : public TelemetryListener {
   // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
   explicit WaypointListener(MissionClient& client, uint16_t intervalMs = 1000);
 
-  // The distance over the ground to the waypoint [m]; 65535: that, or more. 0 too if there is none.
+  // The distance over the ground to the waypoint [m]: 65535 means 65535 m or more, and 0 may mean that there is no
+  // waypoint.
   uint16_t distanceM() const { return values_.distance; }
   // The direction to it from north, clockwise [whole degrees], 0 to 360.
   int16_t bearingDeg() const { return values_.bearing; }

@@ -32,9 +32,10 @@ def waits_in_the_code() -> dict[str, str]:
 
 
 def rules() -> list[list[str]]:
-    """The cells of each row of the table of waits and retries."""
-    return [[cell.strip() for cell in line.strip("|").split("|")]
-            for line in RETRIES.splitlines() if line.startswith("| ")][1:]  # fmt: skip
+    """The cells of each row of the tables of timeouts and retries, without their heads."""
+    rows = [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in RETRIES.splitlines() if line.startswith("| ")]  # fmt: skip
+    return [row for row in rows if row[0] != "when"]
 
 
 def named(cell: str) -> list[tuple[str, str]]:
@@ -76,6 +77,11 @@ def test_numbers_in_words_are_those_of_the_code():
                 assert any(way in f"{rule} {value}" for way in ways), f"{rule}: {name} is {number}"
             elif name.endswith("Tries"):
                 assert number in re.findall(r"\d+", value), f"{rule}: {name} is {number}"
+
+
+def test_each_rule_is_told_in_whole_sentences():
+    told = [cell for rule, value, _, why in rules() for cell in (rule, value, why)]
+    assert [cell for cell in told if not re.match(r"[A-Z0-9`*]", cell) or not re.search(r"\.\)?$", cell)] == []
 
 
 def test_every_rule_says_where_it_is_from():

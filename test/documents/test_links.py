@@ -15,8 +15,9 @@ SOURCES = (".h", ".cpp", ".ino", ".py", ".toml", ".js", ".svg", ".html", "")
 
 
 def files(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
-    return [file for file in sorted(folder.rglob("*")) if file.suffix in suffixes and file.is_file()
-            and not UNTRACKED & set(file.relative_to(ROOT).parts)]  # fmt: skip
+    places = [place for place in sorted(folder.iterdir()) if place.name not in UNTRACKED]  # build/ alone would take 5 s
+    here = [place for place in places if place.suffix in suffixes and place.is_file()]
+    return [*here, *(file for place in places if place.is_dir() for file in files(place, suffixes))]
 
 
 DOCUMENTS = files(ROOT, (".md",))

@@ -10,7 +10,7 @@ from building import ROOT
 
 # The phrase, and what is written instead.
 INSTEAD = {
-    r"line that loses\b(?! (?:\d|nothing|just|frames))": "lossy link",
+    r"line that loses\b(?! (?:\d|nothing|none|just|frames))": "lossy link",
     r"line that is seen to lose": "lossy link",
     r"port's ways": "what the port does",
     r"finds? no place": "say what is missing",
@@ -23,13 +23,17 @@ INSTEAD = {
     r"\border(?:ed)? of before\b|\bof before\b": "old, earlier",
     r"what cannot be meant|number that cannot be meant": "an impossible number",
     r"passed over": "ignored",
+    r"is as good as none": "ignored",
+    r"unless told\b|\bis told and never": "say what is the default, or what is printed",
     r"knows better says so": "how to choose another pin",
 }
 READ = [
-    ROOT / "README.md", ROOT / "SECURITY.md", *sorted((ROOT / "docs").glob("*.md")),
-    *sorted((ROOT / "src" / "mavmission").glob("*.h")),
+    *sorted(ROOT.glob("[!C]*.md")), ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md")),
+    *sorted((ROOT / "src").glob("*.h")), *sorted((ROOT / "src" / "mavmission").glob("*.h")),
     *sorted((ROOT / "src" / "mavmission" / "console").glob("*.cpp")),
     *sorted((ROOT / "examples").rglob("*.ino")),
+    *sorted((ROOT / "tools" / "planning").glob("*.py")), ROOT / "simulation" / "forms_of_ends.py",
+    *(ROOT / "tools" / name for name in ("build", "demo", "measure", "plan", "release", "simulate", "test")),
 ]  # fmt: skip
 
 

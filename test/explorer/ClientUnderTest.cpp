@@ -129,10 +129,10 @@ class ClientUnderTest::Awake {
 };
 
 void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy, bool hasFiles) {
-  const bool isAnother = hasFiles_ != 0;
   memset(bytes_, 0, sizeof(bytes_));
   memset(fileBytes_, 0, sizeof(fileBytes_));
   hasFiles_ = hasFiles;
+  uint8_t closings = 0;
   setMillis(kNowMs);
   {
     const Awake awake(*this);
@@ -142,11 +142,18 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy, 
     client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
     client().state_.unsettledMs = kNow;
     if (isLossy) client().link_.pace_.noteLoss();
-    // Drawn by lot, it would be another one after a reset.
-    if (isAnother && hasFiles) files().session_ = 77;
+    if (hasFiles) std::swap(closings, files().closings_);
   }
   const Bytes& heartbeat = frameOf(message(Kind::Heartbeat), firmware);
   run(0, heartbeat.data(), heartbeat.size(), false);
+  // A board that was reset looks for a file that it has left open. Before the first operation it has found none.
+  if (!hasFiles) return;
+  const Awake awake(*this);
+  if (isFresh) {
+    files().closings_ = closings;
+  } else {
+    files().isStorable_ = false;
+  }
 }
 
 void ClientUnderTest::begin(const Task& task) {
@@ -405,7 +412,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   } else if (isReading(c)) {
     keep(c.reading_.transfer.sentMs_, ms, DownloadTransfer::kListMs);
     c.reading_.transfer.startedMs_ = kNow;
-    foldTries(c.reading_.transfer.tries_, isHasty ? Pace::kLossyTries : 0);
+    foldTries(c.reading_.transfer.tries_, isHasty ? Pace::kLossyTries : DownloadTransfer::kItemTries);
   } else {
     keep(c.clearing_.sentMs_, ms, ClearTransfer::kAnswerMs);
     foldTries(c.clearing_.tries_, isHasty ? Pace::kLossyTries : 0);

@@ -40,7 +40,6 @@ class ClientUnderTest {
   // Of PlanFiles. A file that was left open is closed with the next heartbeat, which is seen only then.
   bool isByFile() const { return hasFiles_ != 0 && files().isByFile_; }
   bool waitsForHeartbeat() const;
-  uint8_t session() const { return hasFiles_ != 0 ? files().session_ : 0; }
   uint16_t lastNumber() const { return hasFiles_ != 0 ? files().sequence_ : 0; }
   // Numbers of requests count from another one.
   void renumber(uint16_t by);

@@ -28,6 +28,13 @@ void FileReferee::begin() {
   isRunning = true;
 }
 
+void FileReferee::beginBehindReset() {
+  const uint8_t storable = isStorable;
+  *this = FileReferee();
+  isStorable = storable;
+  mayBeOpen = true;
+}
+
 void FileReferee::pass(uint16_t ms) {
   for (Asked& asked : open) {
     if (asked.what != 0) asked.sinceMs = static_cast<uint16_t>(std::min<int>(asked.sinceMs + ms, kWriteMs));
@@ -50,6 +57,7 @@ const char* FileReferee::sent(const Message& message, const Referee& referee) {
   if (session != 0 && words.session != session) return "a request is of another session";
   const bool isFirst = session == 0;
   session = words.session;
+  if (isFirst) opening = static_cast<uint16_t>(message.number - 1);
   for (Asked& asked : open) {
     if (asked.what == 0 || asked.number != message.number) continue;
     if (asked.what != message.opaqueId) return "a number is used for two requests";
@@ -93,7 +101,10 @@ const char* FileReferee::sentAnew(const Message& message, const FileWords& words
       return nullptr;
 
     case kFileWrite:
-      if (isSpoilt) return isRunning ? "a header is spoilt" : nullptr;
+      if (isSpoilt) {
+        if (closings < kUnsureClosings) ++closings;
+        return isRunning ? "a header is spoilt" : nullptr;
+      }
       if (!isOpen || !isWriting) return "it is written to a file that is not open";
       if (words.isHeader()) {
         if (words.count != referee.items) return "the header has a wrong number of items";
@@ -143,7 +154,10 @@ void FileReferee::heard(const Message& message) {
   switch (words.opcode) {
     case kFileCreate:
     case kFileOpen:
-      if (isAck && isAnswer) isOpen = true;
+      if (isAck && isAnswer) {
+        isOpen = true;
+        isStorable = false;  // one of before is closed by now
+      }
       if (isAck) mayBeOpen = kKnown;
       return;
     case kFileWrite:

@@ -36,9 +36,11 @@ struct FileReferee {
   uint8_t mayCancel;   // the sketch has broken the read-back off
   uint8_t isStorable;  // the file that may be open has its header
   uint8_t even[3];     // always 0: without a hole, states can be compared by their bytes
-  uint8_t closings;    // TERMINATEs since it was opened, kUnsureClosings at most
+  uint8_t closings;    // TERMINATEs, and headers spoilt after the end, since it was opened, kUnsureClosings at most
 
   void begin();
+  // What was open before is to be closed, if it has its header, not as it is.
+  void beginBehindReset();
   void pass(uint16_t ms);
   void renumber(uint16_t by);
   // Each: null, or what was broken.

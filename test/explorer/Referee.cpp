@@ -215,9 +215,9 @@ const char* Referee::sentInReading(const Message& message) {
     case Kind::Request:
     case Kind::OlderRequest:
       if (!isCounted || message.number != received || received == announced) return "a wrong item is asked for";
-      if (requests == kTries && !isHurried) return "an item is asked for too often";
+      if (requests == kItemTries && !isHurried) return "an item is asked for too often";
       if (requests != 0 && sinceSentMs < againMs(kItemMs)) return "an item is asked for again too early";
-      if (requests < kTries) ++requests;
+      if (requests < kItemTries) ++requests;
       return nullptr;
 
     case Kind::Ack:
@@ -343,12 +343,12 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   if (untrue != nullptr) return untrue;
 
   const bool isListedOut = lists == kTries && !isCounted && sinceSentMs >= againMs(kAnswerMs);
-  const bool isReadOut = isListedOut || (isCounted && requests == kTries && sinceSentMs >= againMs(kItemMs));
+  const bool isReadOut = isListedOut || (isCounted && requests == kItemTries && sinceSentMs >= againMs(kItemMs));
   switch (status) {
     case Status::Accepted:
       if (!isUpload()) return "an end that this operation does not have";
       if ((heardAcks & 1) == 0 && !isClosed) return "Accepted, and nothing was acknowledged";
-      if ((task.operation == Operation::UploadVerified || (kIsBetaflightNamed && items != 0)) && !isClosed)
+      if ((task.operation == Operation::UploadVerified || (isGeneric(autopilot.firmware) && items != 0)) && !isClosed)
         return "Accepted, and not read back";
       if (isLooking) return "Accepted, and nothing was uploaded";
       if (isHurried == kHurriedBefore && task.operation != Operation::Upload && !isClosed && !isPx4(autopilot.firmware))
@@ -387,7 +387,7 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       const bool isExhausted = sinceNewMs >= kConfirmingMs;
       const bool isIdle = (heardAcks & (1u << kError)) != 0 ||
                           (isGeneric(autopilot.firmware) && (heardAcks & (1u << kInvalidSequence)) != 0);
-      const bool isNoProof = kIsBetaflightNamed && (heardAcks & (1u << kAccepted)) != 0;
+      const bool isNoProof = isGeneric(autopilot.firmware) && (heardAcks & (1u << kAccepted)) != 0;
       return isExhausted || isIdle || isNoProof ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 

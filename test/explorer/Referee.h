@@ -33,7 +33,7 @@ struct Task {
 
 struct Referee {
   static constexpr uint8_t kHurriedBefore = 2;
-  static constexpr uint8_t kTries = 5, kJustNow = 1, kBefore = 2;
+  static constexpr uint8_t kTries = 5, kItemTries = 8, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kCountingMs = 7500,
                             kConfirmingMs = 9000;
   // From a message to its repeat on a line that has been seen to lose.

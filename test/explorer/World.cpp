@@ -34,6 +34,8 @@ void say(std::string* log, const Parts&... parts) {
   ((*log += inWords(parts)), ...);
 }
 
+constexpr uint8_t kOtherSession = 7;  // of the other client of the files
+
 bool isDelivered(Fate fate) { return fate == Fate::Delivered || fate == Fate::Repeated || fate == Fate::RepeatedLate; }
 
 }  // namespace
@@ -284,7 +286,6 @@ void World::renumber() {
 // A client with a session of its own. It has our ids, so that we hear its answers; and it numbers its requests as we
 // do.
 Outcome World::hearOther(Choice choice, std::string* log) {
-  constexpr uint8_t kOtherSession = 7;
   FileWords words = FileWords();
   words.session = kOtherSession;
   words.opcode = choice == Choice::OtherOpens     ? kFileOpen
@@ -302,6 +303,22 @@ Outcome World::hearOther(Choice choice, std::string* log) {
   files_.hear(request, autopilot_, answers);
   outcome.broken = answer(answers, log);
   return outcome;
+}
+
+// A board that was reset sends its first request of a file after more than a second. What was under way to the
+// autopilot has arrived by then, and the answers are not heard.
+void World::loseFilesOfBefore() {
+  Answers unheard;
+  for (int i = 0; i < static_cast<int>(toAutopilot_.count);) {
+    if (!isOfFiles(toAutopilot_.frames[i].message)) {
+      ++i;
+    } else {
+      files_.hear(toAutopilot_.take(i, Fate::Delivered), autopilot_, unheard);
+    }
+  }
+  for (int i = static_cast<int>(toClient_.count) - 1; i >= 0; --i) {
+    if (isOfFiles(toClient_.frames[i].message)) toClient_.take(i, Fate::Lost);
+  }
 }
 
 Outcome World::step(const Scenario& scenario, const Move& move, std::string* log) {
@@ -327,7 +344,8 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       --resets_;
       if (!isLastTask(scenario)) ++task_;
       referee_.owesCancel = referee_.hasEndedOne = false;
-      fileReferee_ = FileReferee();
+      loseFilesOfBefore();
+      fileReferee_.beginBehindReset();
       client_.construct(scenario.firmware, true, scenario.isLossy, scenario.hasFiles());
       beginTask(scenario, log);
       outcome = runClient(scenario, 0, Bytes(), log);
@@ -388,7 +406,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
 
 const char* World::leftUndone() const {
   if (referee_.isRunning) return "nothing happens any more, and it has not ended";
-  if (files_.isOpen && files_.session == client_.session() && !fileReferee_.mayLeaveOpen())
+  if (files_.isOpen && files_.session != kOtherSession && !fileReferee_.mayLeaveOpen())
     return "a file of ours is left open";
   if (referee_.owesCancel) return "the autopilot is not told that it is over";
   return nullptr;

@@ -80,6 +80,7 @@ class World {
   const char* end(const Doing& doing, bool lineRepeats);
   bool isAlive(mavmission::Status status) const;
   Outcome hearOther(Choice choice, std::string* log);
+  void loseFilesOfBefore();
   bool isSure(const Message& message) const;
   void renumber();
   void beginTask(const Scenario& scenario, std::string* log);

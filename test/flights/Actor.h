@@ -25,11 +25,13 @@ constexpr const char* kWhatNames[kWhats] = {"pilot",     "lands",  "holds", "dis
 
 struct Act {
   What what;
-  int32_t atMs;     // since the task began
+  int32_t atMs;     // since the task began, or since that order
   uint32_t amount;  // ms, or frames
+  unsigned order;   // 0: since the task began; else since the task's first, second... order has left
 };
 
 inline std::string inWords(const Act& act) {
-  return std::string(kWhatNames[static_cast<int>(act.what)]) + "@" + std::to_string(act.atMs) +
+  return std::string(kWhatNames[static_cast<int>(act.what)]) + "@" +
+         (act.order != 0 ? std::to_string(act.order) + "+" : "") + std::to_string(act.atMs) +
          (act.amount != 0 ? "=" + std::to_string(act.amount) : "");
 }

@@ -49,8 +49,9 @@ class Flying {
       if (!runUntilEnd(3000) || sketch_.status() != Status::Done) return broken("it cannot be prepared");
     }
     beganMs_ = nowMs_ + kLeadMs;
-    acts_ = plan_.acts;
-    std::stable_sort(acts_.begin(), acts_.end(), [](const Act& a, const Act& b) { return a.atMs < b.atMs; });
+    for (const Act& act : plan_.acts) {
+      if (act.order == 0) add(act);
+    }
     isNoting_ = true;
     run(kLeadMs);
     up_.setLoss(plan_.loss);
@@ -82,6 +83,7 @@ class Flying {
     flown_.isUnseen = referee_.isUnseen();
     flown_.longestWindowMs = referee_.longestWindowMs();
     flown_.longestUndoneMs = referee_.longestUndoneMs();
+    flown_.undoneMs = referee_.undoneMs();
     return flown_;
   }
 
@@ -96,6 +98,21 @@ class Flying {
       if (step(until)) return true;
     }
     return false;
+  }
+
+  void add(const Act& act) {
+    acts_.push_back(act);
+    std::stable_sort(acts_.begin(), acts_.end(), [](const Act& a, const Act& b) { return a.atMs < b.atMs; });
+  }
+
+  // Those who act behind an order that leaves now.
+  void ordered() {
+    if (!isNoting_) return;
+    ++orders_;
+    const int32_t nowMs = static_cast<int32_t>(nowMs_ - beganMs_);
+    for (const Act& act : plan_.acts) {
+      if (act.order == orders_) add(Act{act.what, nowMs + act.atMs, act.amount, 0});
+    }
   }
 
   void note() {
@@ -178,7 +195,7 @@ class Flying {
       up_.send(found.message, Bytes(std::max(news, found.length)), found.isRight, nowMs_,
                found.length > news ? found.length - news : 0);
       begin = found.end;
-      if (found.isRight) referee_.leaves(found.message);
+      if (found.isRight && referee_.leaves(found.message)) ordered();
     }
     if (begin < written.size()) up_.occupy(written.size() - begin, nowMs_);
   }
@@ -192,6 +209,7 @@ class Flying {
   uint32_t nowMs_;
   uint32_t beganMs_ = 0;
   uint32_t stallUntilMs_ = 0;
+  unsigned orders_ = 0;  // that have left
   bool isNoting_ = false, isDisturbed_ = false;
   uint8_t sequence_ = 0;
   std::vector<Act> acts_;

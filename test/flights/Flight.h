@@ -25,7 +25,8 @@ struct Flown {
   int32_t tookMs = 0;
   bool hasTaken = false, isUnseen = false;
   uint32_t longestWindowMs = 0, longestUndoneMs = 0;
-  std::vector<int32_t> moments;  // when a frame left or arrived, since the task began
+  std::vector<uint32_t> undoneMs;  // of each mode that was undone and set again
+  std::vector<int32_t> moments;    // when a frame left or arrived, since the task began
 };
 
 // `log`: what happened, in words; may be null.

@@ -25,6 +25,8 @@ void Line::send(const Message& message, const Bytes& bytes, bool isRight, uint32
       due.bytes.push_back(byte);
     }
   }
+  // (Without its last byte alone, a frame may take the first byte of the next one for it.)
+  if (!due.isWhole && !due.bytes.empty() && due.bytes.size() + 1 == bytes.size()) due.bytes.pop_back();
   due_.push_back(due);
 }
 

@@ -60,7 +60,10 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
 
 void Referee::take(uint16_t mode) {
   const bool isOnGround = isStart(task_) || task_ == Task::TakeOff;
-  if (!isArmed_ && !(isRunning_ && isOnGround)) return;
+  if (!isArmed_ && !(isRunning_ && isOnGround)) {
+    foreign_.is = false;  // whoever had set one has set another one, or it again
+    return;
+  }
   // The mode from which the order leads away, again, and no heartbeat has shown another one: nobody can tell.
   hasTaken_ = true;
   if (isRunning_ && mode == firstMode_ && !isFirstOver_) {
@@ -89,7 +92,8 @@ void Referee::modeSet(uint16_t mode, By by) {
     if (!foreign_.isUndone) return;
     foreign_.isUndone = false;
     const uint32_t undoneMs = nowMs_ - foreign_.undoneMs;
-    if (undoneMs > longestUndoneMs_) longestUndoneMs_ = undoneMs;
+    if (foreign_.isShown) undoneMs_.push_back(undoneMs);
+    if (foreign_.isShown && undoneMs > longestUndoneMs_) longestUndoneMs_ = undoneMs;
     if (foreign_.isShown && !isBad_ && undoneMs > kGivenBackLossyMs) breaks("it is set again too late: " + name(mode));
     return;
   }
@@ -150,7 +154,7 @@ void Referee::comes(const Message& message, uint32_t sentMs) {
   foreign_.shownMs = nowMs_;
 }
 
-void Referee::leaves(const Message& message) {
+bool Referee::leaves(const Message& message) {
   const mavlink_command_long_t command = read<mavlink_command_long_t>(message);
   const bool isCommand = message.id == MAVLINK_MSG_ID_COMMAND_LONG || message.id == MAVLINK_MSG_ID_COMMAND_INT;
   const bool isTarget = message.id == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
@@ -165,14 +169,15 @@ void Referee::leaves(const Message& message) {
   }
   if (!isHarmless) hasOrdered_ = true;
   if (message.id == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) listedMs_ = nowMs_;
-  if (task_ == Task::Arm) return;  // it arms, whatever the mode
-  if ((isHarmless && !isTarget) || !foreign_.is || !foreign_.isShown) return;
-  if (nowMs_ - foreign_.shownMs < (isTarget ? kDoubtfulMs : kBufferedMs)) return;
+  if (task_ == Task::Arm) return !isHarmless;  // it arms, whatever the mode
+  if ((isHarmless && !isTarget) || !foreign_.is || !foreign_.isShown) return !isHarmless;
+  if (nowMs_ - foreign_.shownMs < (isTarget ? kDoubtfulMs : kBufferedMs)) return !isHarmless;
   const uint32_t ordered = static_cast<uint32_t>(command.param2) | static_cast<uint32_t>(command.param3) << 8;
-  if (command.command == MAV_CMD_DO_SET_MODE && ordered == foreign_.mode) return;
+  if (command.command == MAV_CMD_DO_SET_MODE && ordered == foreign_.mode) return !isHarmless;
   breaks(isTarget ? "a target leaves behind a heartbeat that shows " + name(foreign_.mode)
                   : "command " + std::to_string(command.command) + " leaves behind a heartbeat that shows " +
                         name(foreign_.mode));
+  return !isHarmless;
 }
 
 void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopilot) {

@@ -18,7 +18,7 @@
 
 class Referee : public Witness {
  public:
-  static constexpr uint32_t kWindowMs = 45, kGivenBackMs = 300, kGivenBackLossyMs = 2200;
+  static constexpr uint32_t kWindowMs = 45, kGivenBackMs = 300, kGivenBackLossyMs = 2000;
 
   Referee(Kind kind, std::string* log) : kind_(kind), log_(log) {}
   virtual ~Referee() = default;
@@ -32,8 +32,8 @@ class Referee : public Witness {
   void modeSet(uint16_t mode, By by) override;
   void armed(bool isArmed, By by) override;
   void planSet(bool isOurs) override;
-  // A frame of the sketch leaves.
-  void leaves(const Message& message);
+  // A frame of the sketch leaves. True for what moves the aircraft, arms it or changes its mode.
+  bool leaves(const Message& message);
   // A frame of the autopilot has come through, that was sent then.
   void comes(const Message& message, uint32_t sentMs);
 
@@ -46,6 +46,8 @@ class Referee : public Witness {
   bool isUnseen() const { return isUnseen_; }
   uint32_t longestWindowMs() const { return longestWindowMs_; }
   uint32_t longestUndoneMs() const { return longestUndoneMs_; }
+  // How long each mode was undone that was set again, where a heartbeat had shown it.
+  const std::vector<uint32_t>& undoneMs() const { return undoneMs_; }
   bool hasTaken() const { return hasTaken_; }
 
  private:
@@ -76,6 +78,7 @@ class Referee : public Witness {
   bool isUnseen_ = false;
   Foreign foreign_ = Foreign();
   uint32_t longestWindowMs_ = 0, longestUndoneMs_ = 0;
+  std::vector<uint32_t> undoneMs_;
   bool isArmed_ = false;       // the aircraft
   uint32_t armedMs_ = 0;       // when that changed
   uint32_t wasArmedMs_ = 0;    // when it was armed last

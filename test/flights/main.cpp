@@ -18,12 +18,16 @@ namespace {
           "       flights AUTOPILOT TASK pilots COUNT [OPTION VALUE]...  one pilot or failsafe takes it, at a random "
           "moment\n"
           "                                                              of so many flights of each task\n"
-          "       flights AUTOPILOT TASK one ACT@MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
+          "       flights AUTOPILOT TASK overtakes COUNT [OPTION VALUE]...  the same while an order is under way, and "
+          "up to\n"
+          "                                                              two others a little later, in COUNT flights\n"
+          "       flights AUTOPILOT TASK one ACT@[ORDER+]MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
           "  AUTOPILOT  Copter, Rover or PX4\n"
           "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
           "             setMode, verifyAndStart, all\n"
           "  ACT        pilot, lands, holds, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, "
           "lose-down, stall\n"
+          "  MS         since the task began, or since its order number ORDER has left\n"
           "  --seed S   of the losses, and of when heartbeats come (1)\n"
           "  --loss P   per mille of the bytes that are lost (0)\n"
           "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
@@ -45,9 +49,10 @@ struct Findings {
   unsigned long flights = 0, taken = 0, unseen = 0, violations = 0;
   uint32_t windowMs = 0, undoneMs = 0;
   int32_t longestMs = 0;
+  std::vector<uint32_t> undone;  // how long each mode was that was undone and set again [ms]
   std::map<std::string, unsigned long> ends;
   std::map<std::string, unsigned long> rules;
-  FlightPlan broken;
+  FlightPlan broken, slowest;
   std::string rule;
 
   Flown note(const FlightPlan& plan) {
@@ -56,7 +61,9 @@ struct Findings {
     taken += flown.hasTaken;
     unseen += flown.isUnseen;
     windowMs = std::max(windowMs, flown.longestWindowMs);
+    if (flown.longestUndoneMs > undoneMs) slowest = plan;
     undoneMs = std::max(undoneMs, flown.longestUndoneMs);
+    undone.insert(undone.end(), flown.undoneMs.begin(), flown.undoneMs.end());
     longestMs = std::max(longestMs, flown.tookMs);
     ++ends[mavmission::toString(flown.status)];
     if (flown.broken.empty()) return flown;
@@ -79,6 +86,16 @@ constexpr Kinds kSingle[] = {
     {What::Cut, 700},    {What::Cut, 3000},    {What::LoseUp, 1},   {What::LoseUp, 3},
     {What::LoseDown, 1}, {What::LoseDown, 4},  {What::Stall, 300},  {What::Stall, 2500},
 };
+
+// The mode that this actor sets.
+uint16_t modeSetBy(Kind kind, What what) {
+  switch (what) {
+    case What::Pilot: return modeOf(kind, Means::Pilot);
+    case What::Lands: return modeOf(kind, kind == Kind::Rover ? Means::Hold : Means::Land);
+    case What::Failsafe: return modeOf(kind, Means::Return);
+    default: return modeOf(kind, Means::Hold);
+  }
+}
 
 // Whether this actor can be told from the task's own order, and has something to do.
 bool isOfUse(const FlightPlan& plan, What what) {
@@ -107,7 +124,7 @@ void flyEach(FlightPlan plan, unsigned every, Findings& findings) {
       for (int32_t later : {0, 1}) {
         if (number++ % every != 0) continue;
         plan.acts = always;
-        plan.acts.push_back(Act{kind.what, moment + later, kind.amount});
+        plan.acts.push_back(Act{kind.what, moment + later, kind.amount, 0});
         findings.note(plan);
       }
     }
@@ -127,7 +144,7 @@ void flyRandom(FlightPlan plan, unsigned count, Findings& findings) {
       // Most of them about when the orders leave.
       const uint32_t spans[] = {250, 250, 250, 1500, 9000};
       const uint32_t span = spans[below(5)];
-      const Act act = {kind.what, static_cast<int32_t>(below(span)) - (span < 1000 ? 20 : 600), kind.amount};
+      const Act act = {kind.what, static_cast<int32_t>(below(span)) - (span < 1000 ? 20 : 600), kind.amount, 0};
       if (isOfUse(plan, kind.what)) plan.acts.push_back(act);
     }
     findings.note(plan);
@@ -150,19 +167,47 @@ void flyPilots(FlightPlan plan, unsigned count, Findings& findings) {
     const What who = kWho[random() % 4];
     if (!isOfUse(plan, who)) continue;
     plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && random() % 2 != 0;
-    plan.acts.assign(1, Act{who, static_cast<int32_t>(random() % (span + 1)), 0});
+    plan.acts.assign(1, Act{who, static_cast<int32_t>(random() % (span + 1)), 0, 0});
     const Flown flown = findings.note(plan);
     if (flown.hasTaken && plan.acts.front().atMs <= flown.tookMs) ++taken;
   }
   printf("%s=%u %lu\n", kTaskNames[static_cast<int>(plan.task)], taken, findings.unseen - unseenBefore);
 }
 
+// Somebody sets a mode while an order is under way; in two flights of three one or two others follow within a second.
+void flyOvertakes(FlightPlan plan, unsigned count, Findings& findings) {
+  constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe};
+  constexpr int32_t kUnderWayMs = 14, kAgainMs = 1000;
+  const uint32_t first = plan.seed;
+  for (unsigned i = 0; i < count; ++i) {
+    plan.seed = first + i;
+    std::mt19937 random(plan.seed);
+    const auto below = [&](int32_t n) { return static_cast<int32_t>(random() % static_cast<uint32_t>(n)); };
+    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && below(2) != 0;
+    plan.acts.clear();
+    const unsigned order = 1 + static_cast<unsigned>(below(4));
+    int32_t atMs = below(kUnderWayMs);
+    for (int32_t acts = 1 + below(3); acts != 0; --acts) {
+      const What who = kWho[below(4)];
+      // (A mode that is changed back to an earlier one cannot be told from ours that has set that one again.)
+      const bool isNew = std::none_of(plan.acts.begin(), plan.acts.end(), [&](const Act& act) {
+        return modeSetBy(plan.kind, act.what) == modeSetBy(plan.kind, who);
+      });
+      if (isOfUse(plan, who) && isNew) plan.acts.push_back(Act{who, atMs, 0, order});
+      atMs += below(kAgainMs);
+    }
+    findings.note(plan);
+  }
+}
+
 Act actOf(const std::string& word) {
   const size_t at = word.find('@'), amount = word.find('=');
   if (at == std::string::npos) usage("an ACT without a moment");
   const int what = nameAmong(kWhatNames, word.substr(0, at), "there is no such ACT");
-  return Act{static_cast<What>(what), atoi(word.c_str() + at + 1),
-             amount == std::string::npos ? 0 : static_cast<uint32_t>(atoi(word.c_str() + amount + 1))};
+  const size_t plus = word.find('+');
+  return Act{static_cast<What>(what), atoi(word.c_str() + (plus == std::string::npos ? at : plus) + 1),
+             amount == std::string::npos ? 0 : static_cast<uint32_t>(atoi(word.c_str() + amount + 1)),
+             plus == std::string::npos ? 0 : static_cast<unsigned>(atoi(word.c_str() + at + 1))};
 }
 
 int tell(const FlightPlan& plan) {
@@ -172,19 +217,31 @@ int tell(const FlightPlan& plan) {
   return flown.broken.empty() ? 0 : 1;
 }
 
+// How to fly it again by hand.
+std::string wordsFor(const FlightPlan& plan) {
+  std::string words = std::string(kKinds[static_cast<int>(plan.kind)]) + " " + kTaskNames[static_cast<int>(plan.task)];
+  words += " one";
+  for (const Act& act : plan.acts) words += " " + inWords(act);
+  char options[60];
+  snprintf(options, sizeof(options), " --seed %u --loss %g --own %d", plan.seed, plan.loss * 1000, plan.isInOwnMode);
+  return words + options;
+}
+
 int report(const Findings& findings) {
   printf("flights=%lu\ntaken=%lu\nunseen=%lu\nviolations=%lu\nwindow_ms=%u\nundone_ms=%u\nlongest_ms=%d\n",
          findings.flights, findings.taken, findings.unseen, findings.violations, findings.windowMs, findings.undoneMs,
          findings.longestMs);
+  const auto longerThan = [&](uint32_t ms) {
+    return std::count_if(findings.undone.begin(), findings.undone.end(), [ms](uint32_t was) { return was > ms; });
+  };
+  if (findings.undoneMs != 0) printf("longest_undone=%s\n", wordsFor(findings.slowest).c_str());
+  printf("set_again=%zu\n", findings.undone.size());
+  for (uint32_t ms : {100u, 300u, 500u, 1000u, 1500u, 2000u}) printf("longer_%u=%ld\n", ms, longerThan(ms));
   for (const auto& end : findings.ends) printf("end=%lu %s\n", end.second, end.first.c_str());
   for (const auto& rule : findings.rules) printf("rule=%lu %s\n", rule.second, rule.first.c_str());
   if (findings.violations == 0) return 0;
-  const FlightPlan& plan = findings.broken;
-  printf("broken=%s\n%s %s one", findings.rule.c_str(), kKinds[static_cast<int>(plan.kind)],
-         kTaskNames[static_cast<int>(plan.task)]);
-  for (const Act& act : plan.acts) printf(" %s", inWords(act).c_str());
-  printf(" --seed %u --loss %g --own %d\n", plan.seed, plan.loss * 1000, plan.isInOwnMode);
-  tell(plan);
+  printf("broken=%s\n%s\n", findings.rule.c_str(), wordsFor(findings.broken).c_str());
+  tell(findings.broken);
   return 1;
 }
 
@@ -221,8 +278,8 @@ int main(int argc, char** argv) {
     plan.task = static_cast<Task>(nameAmong(kTaskNames, task, "there is no such TASK"));
     return tell(plan);
   }
-  if (number == 0 || (how != "each" && how != "random" && how != "pilots")) {
-    usage("each, random or pilots, and a number");
+  if (number == 0 || (how != "each" && how != "random" && how != "pilots" && how != "overtakes")) {
+    usage("each, random, pilots or overtakes, and a number");
   }
   Findings findings;
   for (int i = 0; i < kTasks; ++i) {
@@ -232,6 +289,8 @@ int main(int argc, char** argv) {
       flyEach(plan, number, findings);
     } else if (how == "pilots") {
       flyPilots(plan, number, findings);
+    } else if (how == "overtakes") {
+      flyOvertakes(plan, number, findings);
     } else {
       flyRandom(plan, number, findings);
     }

@@ -138,15 +138,15 @@ def test_each_item_or_its_request_may_be_lost_once(service, direction, name):
 
 
 @LOST
-def test_lost_item_is_asked_for_again_after_250_ms_and_5_times_in_all(service):
+def test_lost_item_is_asked_for_again_after_250_ms_and_8_times_in_all(service):
     loaded(service, SURVEY)
     service.autopilot.faults.keep_back("MISSION_ITEM_INT", where=lambda message: message.seq == 2)
     service.download()
     assert service.done() == "TimedOut"
     service.run(0.1)
     times = [entry.time for entry in service.wire.frames(">", "MISSION_REQUEST_INT") if entry.message.seq == 2]
-    assert len(times) == 5
-    assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(0.25, abs=0.01)] * 4
+    assert len(times) == 8
+    assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(0.25, abs=0.01)] * 7
     assert steps(service)[-1] == ("ACK", 15), "the autopilot is told, or it would wait for us"
 
 

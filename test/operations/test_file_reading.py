@@ -10,7 +10,7 @@ from downloads import WRITTEN, loaded, same
 from files import by_items, is_by_file, open_file, other_opens, requests, spoken, with_files
 from plans import NAN, SURVEY, jump, waypoint
 from simulation.fake_autopilot import item
-from simulation.fake_autopilot.ftp import BURST, END_OF_FILE, NAK, OPEN_RO, READ, TERMINATE, Request
+from simulation.fake_autopilot.ftp import BURST, END_OF_FILE, NAK, OPEN_RO, READ, TERMINATE, WRITE, Request
 from simulation.service import FENCE, HOME_INDEX, MISSION, RALLY
 from simulation.wire import Wire
 
@@ -175,7 +175,7 @@ def test_without_a_file_the_mission_protocol_is_used(build_service, case, word, 
     assert service.done(LIMIT_S) == end
     assert not is_by_file(service)
     assert "MISSION_REQUEST_LIST" in by_items(service)
-    tried = {"switched off": [OPEN_RO] * 12, "held by another": [OPEN_RO]}.get(case, [])
+    tried = {"switched off": [OPEN_RO] * 12, "held by another": [WRITE, OPEN_RO]}.get(case, [])
     assert requests(service)[: len(tried)] == tried
     if case == "held by another":
         service.run(3.0)
@@ -201,7 +201,7 @@ def test_line_that_loses_is_read_item_by_item(build_service):
     service.say_bytes(b"\x55" * 5)
     verifying(service, SURVEY)
     assert service.done(LIMIT_S) == "Verified"
-    assert requests(service) == [] and not is_by_file(service)
+    assert requests(service) == [WRITE] and not is_by_file(service)  # the look for a file of before
 
 
 # -- what the line loses

@@ -81,8 +81,8 @@ def test_ardupilot_that_is_still_starting_has_no_room_and_takes_the_plan_later(b
 
 @NO_MIXTURE
 @pytest.mark.parametrize("then", ["fileverify", "fileensure", "fileupload"])
-def test_reset_between_a_files_header_and_its_closing_leaves_a_whole_plan_that_is_found(build_service, then):
-    """ArduPilot stores it when a file is opened next. Only who has written it could take its header away."""
+def test_reset_between_a_files_header_and_its_closing_leaves_the_old_plan(build_service, then):
+    """ArduPilot would store the file when one is opened next. Its header is taken away with the first heartbeat."""
     service = with_files(build_service)
     service.autopilot.load(OLD_PLAN)
     service.wire.lose(">", name=FTP, index=6)  # the closing
@@ -90,12 +90,61 @@ def test_reset_between_a_files_header_and_its_closing_leaves_a_whole_plan_that_i
     go_to(service, 7)
     service.reset()
     service.run(4.0)
-    assert same_bits(service.autopilot.received(), OLD_PLAN) and open_file(service) == file_of(meant(LONG))
+    assert same_bits(service.autopilot.received(), OLD_PLAN) and open_file(service) is None
     service.use(LONG)
     service.order_of(then, MISSION)
-    assert service.done(LIMIT_S) == {"fileverify": "Verified", "fileensure": "AlreadyAboard"}.get(then, "Accepted")
-    assert holds(service, LONG) and open_file(service) is None
-    assert service.state.aboard == "OurPlan"
+    assert service.done(LIMIT_S) == ("Differs" if then == "fileverify" else "Accepted")
+    assert is_by_file(service) and open_file(service) is None
+    if then != "fileverify":
+        assert holds(service, LONG) and service.state.aboard == "OurPlan"
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("then", ["fileverify", "fileensure", "fileupload"])
+def test_file_that_was_left_open_before_a_reset_is_in_nobody_s_way(build_service, then):
+    """The operation begins at once, and finds it open: it goes item by item."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    uploading(service, LONG)
+    go_to(service, 6)
+    service.reset()
+    service.use(SURVEY)
+    service.order_of(then, MISSION)
+    assert service.done(LIMIT_S) == ("Differs" if then == "fileverify" else "Accepted")
+    service.run(4.0)
+    assert open_file(service) is None
+    assert same_bits(service.autopilot.received(), OLD_PLAN) if then == "fileverify" else holds(service, SURVEY)
+
+
+@NO_MIXTURE
+def test_file_of_before_a_reset_is_left_alone_in_flight(build_service):
+    """To look for it closes what somebody else has left open, which may store a plan."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    service.autopilot.armed = True
+    service.run(8.0)
+    assert requests(service) == []
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("lost", [None, ">", "<"])
+@pytest.mark.parametrize("begins_s", [0.0, 6.0])
+def test_file_that_was_left_open_before_a_reset_is_never_stored_over_the_next_plan(build_service, begins_s, lost):
+    """It is complete but for its closing. Then a plan is uploaded item by item, and somebody opens a file."""
+    service = with_files(build_service)
+    service.autopilot.load(OLD_PLAN)
+    service.wire.lose(">", name=FTP, index=6)  # the closing
+    uploading(service, LONG)
+    go_to(service, 7)
+    service.reset()
+    if lost is not None:
+        service.wire.lose(lost, name=FTP)
+    service.run(begins_s)
+    service.upload(SURVEY, proof="InDoubt")
+    assert service.done(LIMIT_S) == "Accepted"
+    service.run(4.0)
+    assert open_file(service) is None, "the file was left open"
+    assert holds(service, SURVEY) and service.state.aboard == "OurPlan"
 
 
 @BY_FILE
@@ -223,7 +272,7 @@ def test_short_fence_is_read_back_after_it_has_settled(build_service):
     service = with_files(build_service)
     uploading(service, SMALL_FENCE, FENCE)
     assert service.done(LIMIT_S) == "Accepted"
-    assert requests(service) == [] and not is_by_file(service)
+    assert requests(service) == [WRITE] and not is_by_file(service)  # the look for a file of before
     assert service.state.aboard_fence == "OurPlan"
 
 
@@ -476,7 +525,8 @@ def test_item_that_the_line_has_altered_unnoticed_is_put_right_where_the_line_lo
     if is_lossy:
         service.say_bytes(b"\x55" * 5)
     uploading(service, LONG)
-    while HEADER.size not in (request.size for request in spoken(service) if request.opcode == WRITE):
+    begun = len(requests(service))  # it has looked for a file of before
+    while HEADER.size not in (request.size for request in spoken(service)[begun:] if request.opcode == WRITE):
         service.run(0.001)
     service.autopilot.ftp._data[HEADER.size + 8 * 38 + at] ^= put
     ended = service.done(LIMIT_S)

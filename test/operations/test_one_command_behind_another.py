@@ -20,7 +20,7 @@ import pytest
 from host_client import HostClient
 from plans import SURVEY, on_the_wire, waypoint
 from simulation.bench import same_bits, status_names
-from simulation.firmware import ROOT, library_sources
+from simulation.firmware import ROOT
 from simulation.host_build import FAST, build_host
 from simulation.service import MISSION
 from simulation.wire import Wire
@@ -45,10 +45,9 @@ OTHER = [waypoint(473977420 + 1000 * number, 85455970, 40.0) for number in range
 
 @functools.cache
 def program() -> Path:
-    flags = [*FAST, "-fno-access-control"]
-    own = ['-DCLIENT_LINE="SerialLine.h"', "-DCLIENT_BESIDE"]
+    own = ['-DCLIENT_LINE="SerialLine.h"', "-DCLIENT_BESIDE", "-fno-access-control"]
     client = ROOT / "test" / "day" / "client.cpp"
-    return build_host("client-beside", [client], "g++", flags, own_flags=own, library=library_sources())
+    return build_host("client-beside", [client], "g++", FAST, own_flags=own)
 
 
 class Beside(HostClient):

@@ -65,7 +65,7 @@ def test_pulled_cable_ends_it_truthfully(service, personality, name, messages, p
     status = service.done(limit_s=60)
     expect_truth(service, personality, name, status)
     assert took_s(service) <= OPERATIONS[name].longest_s + LOOP_S
-    # A list and a command are asked for five times, 1.5 s apart; an item for 1.25 s.
+    # A list and a command are asked for five times, 1.5 s apart; an item for 2 s.
     if pulled_s < 1.0 or (pulled_s < 5.0 and (messages == 0 or name not in READING)):
         assert status == OPERATIONS[name].end
     expect_next_upload(service)

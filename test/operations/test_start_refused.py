@@ -128,10 +128,14 @@ def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, veh
     assert taken and autopilot.kind.modes[autopilot.mode] == other
     number = len(told(service))
     service.run(5.0)
-    assert len(told(service)) == number and (ARM, 0, 0) not in told(service)
+    assert len(told(service)) == number
     assert autopilot.kind.modes[autopilot.mode] == other
-    assert service.state.arming == ("Armed" if (ARM, 1, 0) in told(service) else "Untouched")
-    assert autopilot.armed == ((ARM, 1, 0) in told(service))
+    # The mode was there before the arming, and a heartbeat has shown that: nobody but start() has armed it.
+    is_too_late = step == "Arm"
+    was_armed = (ARM, 1, 0) in told(service)
+    assert ((ARM, 0, 0) in told(service)) == is_too_late
+    assert service.state.arming == ("Disarmed" if is_too_late else "Armed" if was_armed else "Untouched")
+    assert autopilot.armed == (was_armed and not is_too_late)
 
 
 @REFUSED

@@ -11,8 +11,8 @@ from simulation.wire import Wire
 
 MOMENT = pytest.mark.scenario(60, "Steering: whoever takes the aircraft in the moment of an order keeps it")
 GIVEN_BACK_S = 0.3  # a mode is undone for so long at most, on a line that loses nothing
-# And where so many of 100 bytes are lost: two heartbeats, and twice as long where 7 of 10 commands do not arrive.
-GIVEN_BACK_AT_S = {0.0: GIVEN_BACK_S, 1.0: 2.0, 3.0: 4.0}
+# And where so many of 100 bytes are lost: two heartbeats.
+GIVEN_BACK_AT_S = {0.0: GIVEN_BACK_S, 1.0: 2.0, 3.0: 2.0}
 WINDOW_S = 0.03  # from the heartbeat that shows no foreign mode to the order's arrival
 OURS = {"ArduPilot": "Guided", "PX4": "Hold"}
 PILOT = {"ArduPilot": "LOITER", "PX4": (3, 0)}

@@ -35,7 +35,7 @@ COLUMNS = ["autopilot", "bytes lost", "flights", "somebody took it", "undone, lo
            "from his mode to the order, longest", "violations"]  # fmt: skip
 WINDOW_MS = 30  # from the heartbeat that shows no foreign mode to the order's arrival: docs/who_has_the_aircraft.md
 GIVEN_BACK_MS = 300
-TWO_HEARTBEATS_MS = 2200
+TWO_HEARTBEATS_MS = 2000
 
 
 @functools.cache
@@ -108,6 +108,36 @@ def test_two_hundred_pilots_take_it_in_each_operation_and_keep_it(record_propert
             rows.append([autopilot, f"{loss / 10} %" if loss else "none", *map(str, taken.values()),
                          str(sum(unseen.values())), found["undone_ms"] + " ms", found["violations"]])  # fmt: skip
     record_property("table", ["pilots who take the aircraft at a random moment", [PILOT_COLUMNS, *rows]])
+
+
+# Modes that are set again later than behind two heartbeats, on a line that loses 3 of 100 bytes: at most 1 of so
+# many. There 74 of 100 orders are lost, and 86 of 100 requests for a heartbeat bring none, so that no limit holds for
+# each of them. Before a mode was set again behind each heartbeat it was every second.
+LATE_ONE_IN = 200
+OVERTAKES_COLUMNS = ["autopilot", "bytes lost", "flights", "modes undone, shown and set again",
+                     *(f"later than {ms} ms" for ms in (100, 300, 1000, 2000)), "longest", "violations"]  # fmt: skip
+
+
+OVERTAKES = 100
+
+
+def test_a_mode_that_an_order_undoes_is_set_again_at_once(record_property):
+    """Somebody sets a mode while an order is under way; others set other ones in the second behind it."""
+    rows = []
+    for autopilot in AUTOPILOTS:
+        for loss in (0, 5, 30):
+            found = fly(f"{autopilot} all overtakes {OVERTAKES} --loss {loss}")
+            assert found["violations"] == "0", found["broken"]
+            if loss < 30:
+                assert int(found["undone_ms"]) < GIVEN_BACK_MS
+            else:
+                again, late = int(found["set_again"]), int(found["longer_2000"])
+                assert again >= OVERTAKES // 20 or autopilot == "PX4"  # which does not tell of a mode when it is set
+                assert late * LATE_ONE_IN <= again
+            rows.append([autopilot, f"{loss / 10} %" if loss else "none", found["flights"], found["set_again"],
+                         *(found[f"longer_{ms}"] for ms in (100, 300, 1000, 2000)), found["undone_ms"] + " ms",
+                         "0"])  # fmt: skip
+    record_property("table", ["a mode is set while an order is under way", [OVERTAKES_COLUMNS, *rows]])
 
 
 # What is changed in which file, and the flights that show it, by the beginning of the rule that is then broken.
@@ -212,8 +242,8 @@ DEFECTS = {
     ),
     "a takeoff is done behind a heartbeat that leaves a doubt": (
         "SteeringHands.cpp",
-        "      isModeSeen_ = false;\n      sending.askLater();",
-        "      sending.askLater();",
+        "      isModeSeen_ = false;\n      sending.doubt();",
+        "      sending.doubt();",
         "Copter takeOff random 400",
         'takeOff ends with "done: the autopilot confirmed it", and the last heartbeat has shown',
     ),
@@ -223,6 +253,34 @@ DEFECTS = {
         "client_.state_.isCommanding && client_.commanding_.fill == fill;",
         "Copter follow each 1000",
         "nothing happens, and it does not end well",
+    ),
+    "what sets a mode again waits for late answers to the order": (
+        "Command.cpp",
+        "if (!sending.isRestoring() && !log_.maySend(piece.command.id, nowMs)) return;",
+        "if (!log_.maySend(piece.command.id, nowMs)) return;",
+        "Rover returnHome overtakes 200 --loss 5",
+        "it is set again too late",
+    ),
+    "what sets a mode again leaves once in 400 ms": (
+        "SteeringHands.cpp",
+        "  sending.restore();",
+        "  sending.next(true);\n  sending.guard();",
+        "Rover returnHome overtakes 200 --loss 5",
+        "it is set again too late",
+    ),
+    "targets go on while it is in doubt whose the aircraft is": (
+        "MovingTarget.cpp",
+        " && !client_.commanding_.transfer.isUrgent()) {",
+        ") {",
+        "PX4 follow overtakes 50 --loss 30 --seed 1000",
+        "a target leaves behind a heartbeat that shows",
+    ),
+    "targets that have ended leave the doubt alone": (
+        "MovingTarget.cpp",
+        "if (steering_.step_ != SteerStep::Mode || sending.isUrgent()) return status;",
+        "if (steering_.step_ != SteerStep::Mode) return status;",
+        "PX4 follow overtakes 50 --loss 30 --seed 50",
+        "a target leaves behind a heartbeat that shows",
     ),
     "the rest of an order leaves when loop() goes on": (
         "Command.cpp",

@@ -6,8 +6,8 @@ import subprocess
 
 import pytest
 
-from simulation import precompiled
-from simulation.firmware import library_file
+from simulation import firmware, precompiled
+from simulation.firmware import LIBRARY, STRICT, compiler, in_one_place, library_file
 from simulation.host_build import COMPILERS, PLACES, compiler_version
 
 
@@ -18,6 +18,20 @@ def test_object_is_the_same_with_the_headers_precompiled(compiler, tmp_path):
     for name, more in (("plain", []), ("quick", precompiled.with_mavlink(command, compiler_version(compiler)))):
         made.append(tmp_path / f"{name}.o")
         subprocess.run([*command, *more, library_file("Upload.cpp"), "-o", made[-1]], check=True)
+    assert made[0].read_bytes() == made[1].read_bytes()
+
+
+def test_object_for_the_mega_is_the_same_and_the_old_compiler_takes_what_is_precompiled(tmp_path):
+    """Where the system lets it: what is -Winvalid-pch is an error here."""
+    source = library_file("Upload.cpp")
+    # (Each object with -flto has random names inside.)
+    command = [*(word for word in compiler(source, "atmega2560") if word != "-flto"), *STRICT, f"-I{LIBRARY}"]
+    takes = ["-Winvalid-pch"] if in_one_place() else []
+    quick = [*precompiled.with_mavlink(command, firmware.compiler_version()), *takes]
+    made = []
+    for name, more in (("plain", []), ("quick", quick)):
+        made.append(tmp_path / f"{name}.o")
+        subprocess.run([*in_one_place(), *command, *more, source, "-o", made[-1]], check=True)
     assert made[0].read_bytes() == made[1].read_bytes()
 
 

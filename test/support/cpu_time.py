@@ -3,6 +3,7 @@
 It is the processor's time that counts, not the clock's, which says nothing on a machine that others use too: that of
 the worker, and of every program that it started and waited for (mostly compilers). Each folder's budget [CPU s] in
 each of the three runs of tools/test is in test/figures/cpu_budget.toml; a folder that took more is warned of. The
+file also has the memory that a worker may hold: a run in which one held more has failed. The
 seconds of each file are kept in build/cpu_seconds.json. test/conftest.py registers a CpuTime with pytest.
 """
 
@@ -37,6 +38,10 @@ def used_s() -> tuple[float, float]:
 def memory_mb() -> float:
     """The most that this process has held."""
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def most_allowed_mb() -> int:
+    return tomllib.loads(BUDGET.read_text())["memory_mb"]["worker"]
 
 
 def by_folder(files: dict[str, list[float]]) -> dict[str, list[float]]:
@@ -89,6 +94,8 @@ class CpuTime:
         output = getattr(session.config, "workeroutput", None)
         if output is not None:
             output["cpu"] = [*self._before_tests, memory_mb()]
+        elif self.most_mb > most_allowed_mb():
+            session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
     # In the process that prints
 
@@ -114,7 +121,9 @@ class CpuTime:
         for line in aligned(rows(self.files, budget)):
             terminalreporter.write_line(line.rstrip("| "), yellow="ABOVE" in line)
         if self.most_mb:
-            terminalreporter.write_line(f"the largest worker held {self.most_mb:.0f} MB")
+            most = most_allowed_mb()
+            above = f", MORE THAN THE {most} MB THAT IT MAY: the run has failed" if self.most_mb > most else ""
+            terminalreporter.write_line(f"the largest worker held {self.most_mb:.0f} MB{above}", red=bool(above))
         kept = json.loads(KEPT.read_text()) if KEPT.exists() else {}
         kept.setdefault(self.run, {}).update({name: [round(s, 2) for s in both] for name, both in self.files.items()})
         KEPT.parent.mkdir(exist_ok=True)

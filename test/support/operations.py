@@ -29,10 +29,10 @@ class Operation(NamedTuple):
     longest_s: float  # by its waits
 
 
-# A list and each item 5 times; a clear and a command 5 times; start() has up to four commands, MISSION_SET_CURRENT and
-# two questions, and where all that fails, a heartbeat to wait for and the disarming.
+# A list 5 times, each item 8 times; a clear and a command 5 times; start() has up to four commands,
+# MISSION_SET_CURRENT and two questions, and where all that fails, a heartbeat to wait for and the disarming.
 COMMAND_S = 5 * 1.5
-READING_S = 5 * 1.5 + 5 * 0.25 * (ITEMS + 1)
+READING_S = 5 * 1.5 + 8 * 0.25 * (ITEMS + 1)
 OPERATIONS = {
     "download": Operation(("download", 0, 60, HOME_INDEX - 1), "Downloaded", "MISSION_REQUEST_INT", "MISSION_ITEM_INT",
                           READING_S),

@@ -136,7 +136,7 @@ def test_place_of_a_camera_mount_counts_only_where_it_points_at_a_place():
     assert (plan.items()[-1].x, plan.items()[-1].y, plan.items()[-1].z) == (475000000, 85000000, 4.0)
     plan = qgc_plan.read(FARM, dot_plan(MOUNT, -90, 0, 0, 0, 47.5, 8.5, 2))
     assert (plan.items()[-1].x, plan.items()[-1].y, plan.items()[-1].z) == (0, 0, 2.0)
-    assert any("a camera mount that is not pointed at a place" in note for note in plan.notes)
+    assert any("this camera mount is not pointed at a place" in note for note in plan.notes)
 
 
 def test_plans_of_items_are_judged_with_the_frame_that_they_have():

@@ -16,6 +16,7 @@ import pytest
 import building
 from building import ROOT, build_sketch
 from examples import example_folder
+from linting import lint
 from publishing import left_to_do, notes_of, prepare_version
 from releasing import NotReady, files_of, problems, release, versions, write_zip
 
@@ -148,6 +149,39 @@ def test_what_the_registries_need_is_said_until_it_is_there(library):
     assert any('no "repository"' in line for line in left_to_do(library, "1.2.3"))
     change(library, "library.json", '{"version"', '{"repository": {"type": "git", "url": "x"}, "version"')
     assert not any('no "repository"' in line for line in left_to_do(library, "1.2.3"))
+
+
+# Lints as arduino-lint does: prints its findings, and ends with 1 where there are some.
+LINTER = """#!/bin/sh
+for folder; do :; done
+test -f "$folder/src/MavMission.h" || exit 3
+echo "$@" > {said}
+grep -q "version=1.2.3" "$folder/library.properties" && exit 0
+echo "ERROR: another version"
+exit 1
+"""
+
+
+def test_zip_is_linted_where_the_linter_is_installed(library, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", "/usr/bin:/bin")
+    include = '"include": ["src", "examples", "README.md"'
+    change(library, "library.json", include, f'{include}, "library.properties"')
+    commit(library)
+    made = release(library, tmp_path / "out")
+    assert lint(made, library, "1.2.3") is None
+    said = tmp_path / "said"
+    (tmp_path / "arduino-lint").write_text(LINTER.format(said=said))
+    (tmp_path / "arduino-lint").chmod(0o700)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    assert lint(made, library, "1.2.3") == ""
+    assert "--compliance strict --library-manager submit " in said.read_text()
+    tag(library, "v1.2.3")
+    assert lint(made, library, "1.2.3") == "" and " submit " in said.read_text()
+    tag(library, "v1.2.2")
+    assert lint(made, library, "1.2.3") == "" and " update " in said.read_text()
+    change(library, "library.properties", "1.2.3", "1.2.4")
+    write_zip(library, made, files_of(library))
+    assert lint(made, library, "1.2.4") == "ERROR: another version"
 
 
 def test_zip_depends_on_nothing_but_the_files(library, tmp_path):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import pytest
 
@@ -76,6 +77,15 @@ def test_folder_above_its_budget_is_warned_of():
     assert link == ["link", "3", "0", "3", "4", ""]
     assert upload == ["upload", "11", "2", "13", "12", "ABOVE ITS BUDGET"]
     assert both[:5] == ["all", "14", "2", "16", "16"]
+
+
+@pytest.mark.parametrize(("held_mb", "ended"), [(1, 0), (100_000, 1)])
+def test_run_whose_worker_held_more_memory_than_it_may_has_failed(held_mb, ended):
+    count = cpu_time.CpuTime(SimpleNamespace(option=SimpleNamespace(markexpr="")))
+    count.most_mb = held_mb
+    session = SimpleNamespace(config=SimpleNamespace(), exitstatus=0)
+    count.pytest_sessionfinish(session)
+    assert session.exitstatus == ended
 
 
 def test_processor_time_of_a_test_is_counted_with_what_it_started(tmp_path):

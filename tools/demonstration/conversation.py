@@ -46,6 +46,9 @@ class Conversation:
         name = message.get_type() if message is not None else "unknown frames"
         if name == FILES:
             return self._file(entry)
+        if name == "MISSION_CURRENT" and entry.direction == "<" and not entry.fate:
+            # The answer to MISSION_SET_CURRENT: another one is a new order.
+            self._said -= {said for said in self._said if said[1:3] == ("MISSION_SET_CURRENT", message.seq)}
         if not name.startswith(("MISSION_", "COMMAND_")) or name in NOT_SHOWN:
             self._count_other(entry, name)
             return False
@@ -59,6 +62,9 @@ class Conversation:
         said = (entry.direction, name, *(getattr(message, what, None) for what in ("seq", "command", "mission_type")))
         again = said in self._said and name != "MISSION_ACK"
         self._said.add(said)
+        if name == "MISSION_ACK" and not entry.fate and message.type == mavlink.MAV_MISSION_ACCEPTED:
+            # The transfer is over: what is said of this plan from now on belongs to another one.
+            self._said -= {said for said in self._said if said[-1] == getattr(message, "mission_type", MISSION)}
         return again
 
     def _command(self, entry: Entry) -> bool:

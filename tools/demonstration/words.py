@@ -12,6 +12,9 @@ ALTITUDES = {0: "above sea level", 3: "above home", 5: "above sea level", 6: "ab
              10: "above the ground", 11: "above the ground"}  # fmt: skip
 ITEMS = ("MISSION_ITEM_INT", "MISSION_ITEM")
 FILES = "FILE_TRANSFER_PROTOCOL"
+# Their first parameter is the number of a message.
+ABOUT_A_MESSAGE = (mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
+NAMING_AN_ITEM = ("MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_SET_CURRENT", "MISSION_ITEM_REACHED")
 # What goes to ArduPilot as item 0, where it keeps a home of its own: a command that does nothing.
 HOME = Item(mavlink.MAV_FRAME_GLOBAL, mavlink.MAV_CMD_CONDITION_DELAY, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0)
 
@@ -55,7 +58,7 @@ def message_in_words(message, data: bytes) -> str:
         if name == "MISSION_ITEM" and item.frame != mavlink.MAV_FRAME_MISSION:
             item = item._replace(x=round(item.x * 1e7), y=round(item.y * 1e7))
         return f"{name} {message.seq}: {item_in_words(item)}"
-    if name.startswith("MISSION_REQUEST_INT") or name == "MISSION_REQUEST":
+    if name in NAMING_AN_ITEM:
         return f"{name} {message.seq}"
     if name == "MISSION_COUNT":
         return f"{name} {message.count} items"
@@ -76,12 +79,20 @@ def command_details(message) -> str:
         result = mavlink.enums["MAV_RESULT"].get(message.result)
         return f" {result.name.removeprefix('MAV_RESULT_') if result else message.result}"
     values = [(number, getattr(message, f"param{number}", 0.0)) for number in range(1, 8)]
+    about = ""
+    if message.command in ABOUT_A_MESSAGE:
+        about, values[0] = f" {message_name(message.param1)}", (1, 0.0)
     if hasattr(message, "x"):  # COMMAND_INT: a place in whole numbers
         values += [(5, message.x), (6, message.y), (7, message.z)]
     said = [
         f"{number}: {value if isinstance(value, int) else value_text(value)}" for number, value in values if value != 0
     ]
-    return f" ({', '.join(said)})" if said else ""
+    return about + (f" ({', '.join(said)})" if said else "")
+
+
+def message_name(number: float) -> str:
+    kind = mavlink.mavlink_map.get(int(number))
+    return kind.msgname if kind else f"message {number:g}"
 
 
 def value_text(value: float) -> str:

@@ -102,7 +102,7 @@ def float32_of(number: Decimal) -> float:
 
 
 def decimal_text(value: float) -> str:
-    """The shortest plain decimal that is read as this 32-bit float, by whoever rounds it, even if rounded twice."""
+    """The shortest plain decimal that is read as this 32-bit float by each reader, even by one that rounds twice."""
     if math.isnan(value):
         return "NaN"
     if math.isinf(value):

@@ -1,6 +1,6 @@
 """A plan from a file and into one, by the file's suffix.
 
-A file is written aside and renamed when all of it is on the disk: whoever looks sees what was there before, or all of
+A file is written aside and renamed when all of it is on the disk: a reader sees what was there before, or all of
 what is there now.
 """
 

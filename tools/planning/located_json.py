@@ -136,7 +136,7 @@ class _Reader:
         if first in "{[" and first:
             self._depth += 1
             if self._depth > DEEPEST:
-                raise self._bad(f"lists and objects are in one another more than {DEEPEST} deep: this is no plan")
+                raise self._bad(f"lists and objects are nested more than {DEEPEST} deep: this is no plan")
             raw: Any = self._object() if first == "{" else self._array(name)
             self._depth -= 1
         elif first == '"':

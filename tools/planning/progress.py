@@ -1,4 +1,4 @@
-"""How far something that takes long has come, for whoever waits at a terminal: nothing before the first second."""
+"""How far something that takes long has come, for a person at a terminal: nothing before the first second."""
 
 from __future__ import annotations
 

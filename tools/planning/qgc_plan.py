@@ -269,7 +269,7 @@ class Reader:
         for number, step in enumerate(self._plan.mission):
             if step.item.command != JUMP:
                 if step.item.command == 224 or (step.item.command == 201 and step.item.param1 == 2):
-                    self._notes.add("names another item by number, which goes out as it is", number)
+                    self._notes.add("names another item by its number, which is not changed", number)
                 continue
             wanted = step.item.param1
             found = numbers_of.get(wanted, [])
@@ -364,7 +364,7 @@ def write(plan: Plan) -> tuple[str, list[str]]:
         if step.item.current:
             notes.add('"current" is not in a .plan', number)
         if step.group:
-            notes.add("patterns are written as the items that they carry")
+            notes.add("surveys and other patterns are written as their items")
     home = plan.home
     if home is None:
         notes.add("there is no home in the plan; plannedHomePosition is written as 0, 0, 0")
@@ -373,7 +373,7 @@ def write(plan: Plan) -> tuple[str, list[str]]:
         if value is None:
             notes.add(f"a {name} speed is not in the plan; QGroundControl's default is written")
     if plan.firmware is None:
-        notes.add("for which autopilot the plan is was not said; firmwareType is written as 0, any")
+        notes.add("the plan does not say for which autopilot it is: firmwareType is written as 0, any")
     mission = {
         "cruiseSpeed": _number(CRUISE_SPEED if plan.cruise_speed is None else plan.cruise_speed),
         "firmwareType": GENERIC if plan.firmware is None else plan.firmware,

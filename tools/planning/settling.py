@@ -72,7 +72,7 @@ def settled_current(current: int, number: int, notes: Notes) -> int:
     """An item's `current`, which is 0 or 1 in a plan. Others are what some programs write without a meaning."""
     if current in (0, 1):
         return current
-    notes.add('"current" is neither 0 nor 1, which means nothing in a plan, and goes out as 0', number)
+    notes.add('"current" is neither 0 nor 1, which means nothing in a plan: 0 is written', number)
     return 0
 
 
@@ -93,7 +93,7 @@ def _has_place(command: int, frame: int, numbers: Sequence[Number], number: int,
         )
     if frame == NO_PLACE:
         if not commands.is_known(command):
-            notes.add("the command is not known; its numbers go out as they are", number)
+            notes.add("the command is not known; its numbers are not changed", number)
         return False
     if commands.is_placeless(command):
         return False
@@ -118,7 +118,7 @@ def _without_degrees(command: int, values: list[Number], number: int, notes: Not
     if all(not _is_set(value) or is_whole(value) for value in values[4:6]):
         return values
     if command == MOUNT_CONTROL and values[6] != MOUNT_AT_A_PLACE:
-        notes.add("a camera mount that is not pointed at a place has none: parameters 5 and 6 go out as 0", number)
+        notes.add("this camera mount is not pointed at a place: parameters 5 and 6 are written as 0", number)
         return [*values[:4], Decimal(0), Decimal(0), values[6]]
     degrees = []
     for i in (5, 6):
@@ -128,13 +128,16 @@ def _without_degrees(command: int, values: list[Number], number: int, notes: Not
             degrees.append(Decimal(e7_of(value)))
         except DoesNotFit as error:
             raise DoesNotFit(f"{PLACE_NAMES[i]} {error}", i) from None
-    notes.add("parameters 5 and 6 are degrees, though frame 2 says that they are no place: sent as a place is", number)
+    notes.add(
+        "parameters 5 and 6 are degrees, though frame 2 says that they are no place: they are written as a place",
+        number,
+    )
     return [*values[:4], *degrees, values[6]]
 
 
 def _unset(command: int, i: int, value: Number, placed: bool, number: int, notes: Notes, as_zero: bool) -> Number:
     if not commands.uses(command, i):
-        notes.add("parameters that the command does not use are unset, and go out as 0", number)
+        notes.add("parameters that the command does not use are unset: 0 is written", number)
         return Decimal(0)
     if placed and i in PLACE_NAMES:
         raise DoesNotFit(f"it has no {PLACE_NAMES[i]}: give it a place where the plan was drawn", i)

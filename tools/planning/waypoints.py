@@ -230,7 +230,7 @@ class _Reader:
         except DoesNotFit as error:
             raise self._bad(f"{name}: {error}") from None
         if command == 224 or (command == 201 and item.param1 == 2):
-            self._notes.add("names another item by number, which goes out as it is", index)
+            self._notes.add("names another item by its number, which is not changed", index)
         return Step(item, self._line, name)
 
     def _resolve_jumps(self, steps: list[Step]) -> None:
@@ -285,11 +285,9 @@ def write(plan: Plan, kind: str = "mission") -> tuple[str, list[str]]:
         notes.add("there is no home in the plan; line 0 is written as 0, 0, 0")
     for number, step in enumerate(Progress("lines written").of(plan.steps(kind))):
         if any(math.isnan(value) for value in (*step.item[4:8], step.item.z)):
-            notes.add(
-                "unset numbers are written as NaN, which not every program reads", number
-            )
+            notes.add("unset numbers are written as NaN, which not every program reads", number)
         if step.group:
-            notes.add("patterns are written as the items that they carry")
+            notes.add("surveys and other patterns are written as their items")
         lines.append(item_line(number + 1, step.item))
     for other in plan.kinds:
         if other != kind:

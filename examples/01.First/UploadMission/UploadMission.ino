@@ -4,6 +4,7 @@
 #include <MavMissionTelem.h>  // TELEM: this board's port to the autopilot
 using namespace mavmission;
 
+// In Australia: write your own places.
 constexpr MissionItem survey[] PROGMEM = {
     takeoff(20_m),  // above home
     waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),

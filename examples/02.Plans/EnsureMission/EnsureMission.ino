@@ -1,6 +1,6 @@
 // Safe to run at each power-on: uploads the plan only if it is not aboard already, and prints which of the two
-// happened. If the board is reset in flight, it changes nothing. While it waits, it prints every 5 s what is missing;
-// the example LinkDoctor finds out more.
+// happened. If the board is reset in flight, the sketch changes nothing. While it waits, it prints every 5 s what is
+// missing; the example LinkDoctor finds out more.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

@@ -15,6 +15,11 @@ MissionItem room[112];
 MissionClient autopilot(TELEM);
 #ifdef __AVR__
 EepromPlan plan;  // in the board's own EEPROM
+#elif defined(ARDUINO_ARCH_SAMD) || defined(ARDUINO_ARCH_MBED)
+// These cores have no EEPROM library: the plan is kept until the power goes off. For an FRAM change the two functions.
+uint8_t bytes[1024];
+EepromPlan plan(Eeprom{[](uint16_t address) { return bytes[address]; },
+                       [](uint16_t address, uint8_t value) { bytes[address] = value; }, nullptr, sizeof(bytes)});
 #else
 #include <EEPROM.h>
 EepromPlan plan(MAVMISSION_EEPROM(EEPROM, 1024));  // in what the board's EEPROM library uses

@@ -1,5 +1,5 @@
-// Reads parameters of the autopilot, one after the other, and sets one: ArduPilot's MIS_RESTART, so that AUTO always
-// begins with the first item. The names are ArduPilot's: PX4 has others, such as SER_TEL1_BAUD.
+// Changes a setting of the autopilot: it reads parameters, one after the other, and sets one, ArduPilot's MIS_RESTART,
+// so that AUTO always begins with the first item. The names are ArduPilot's: PX4 has others, such as SER_TEL1_BAUD.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

@@ -1,5 +1,5 @@
-// A winch that a plan can command, if the autopilot forwards such commands: docs/payload.md. It lowers its rope for
-// five seconds, reports its progress, and then that it is done. Every second it sends a weight to the ground station.
+// A winch that a plan can command on PX4 (ArduPilot does not forward it: docs/payload.md). It lowers its rope for five
+// seconds, reports its progress, and then that it is done. Every second it sends a weight to the ground station.
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;

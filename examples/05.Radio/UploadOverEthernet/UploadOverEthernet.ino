@@ -10,7 +10,7 @@
 using namespace mavmission;
 
 byte mac[] = {0x02, 0x4D, 0x61, 0x76, 0x00, 0x01};
-const IPAddress address(192, 168, 144, 20);  // of this board; the autopilot's has the same three first numbers
+const IPAddress address(192, 168, 144, 20);  // of this board; the autopilot's has the same first three numbers
 constexpr uint16_t port = 14550;             // to which the other end sends
 
 constexpr MissionItem survey[] PROGMEM = {

@@ -40,8 +40,12 @@ void loop() {
   static bool wasFound;
   if (line.hasPeer() != wasFound) {
     wasFound = line.hasPeer();
-    Serial.print(F("the autopilot is at "));
-    Serial.println(line.peerAddress());
+    if (wasFound) {
+      Serial.print(F("the autopilot is at "));
+      Serial.println(line.peerAddress());
+    } else {
+      Serial.println(F("two aircraft are in this network: name one by line.setPeer()"));
+    }
   }
   const Status ended = autopilot.update();
   if (isEnd(ended)) Serial.println(toString(ended));

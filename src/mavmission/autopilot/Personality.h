@@ -45,6 +45,7 @@ enum Trait : uint64_t {
   kErrorRefusesCount = 1ull << 11,  // MAV_MISSION_ERROR to a COUNT is a refusal
   kRepeatsAcceptance = 1ull << 12,  // answers a repeated last item with ACCEPTED again
   kGoesOnWithOlder = 1ull << 13,    // may ignore a COUNT, and continue an older transfer that has received no item yet
+  kIsReadBack = 1ull << 41,         // its acceptance alone is no proof
   kMayBeOld = 1ull << 14,           // may know only MISSION_REQUEST and MISSION_ITEM, not the _INT messages
   kRefusesTakenItems = 1ull << 25,  // answers an item that it has received already with INVALID_SEQUENCE
   kHasPlanFiles = 1ull << 28,       // gives and takes its plans as files too, by MAVLink FTP
@@ -96,13 +97,13 @@ enum Trait : uint64_t {
 // X(Firmware, KeeperFlag, traits). These say MAV_AUTOPILOT_GENERIC, as others do, and nothing that they send tells them
 // apart: MAVMISSION_GENERIC_FIRMWARE says which one it is. The others of these rows cost nothing.
 // clang-format off
-#define MAVMISSION_GENERIC_PERSONALITIES(X)                                                                \
-  X(Betaflight, kByBetaflight, kDropsPlanFirst | kGivesHeightsAboveSea | kMayBeOld | kTellsTotal)          \
+#define MAVMISSION_GENERIC_PERSONALITIES(X)                                                                     \
+  X(Betaflight, kByBetaflight, kDropsPlanFirst | kIsReadBack | kGivesHeightsAboveSea | kMayBeOld | kTellsTotal) \
   X(Inav, kByInav, kMayBeOld | kTellsTotal)
 // clang-format on
 
 // The traits of any other autopilot.
-constexpr uint64_t kOtherTraits = kMayTakeAnyFrame | kMayBeOld;
+constexpr uint64_t kOtherTraits = kMayTakeAnyFrame | kMayBeOld | kIsReadBack;
 
 // What a generic autopilot is.
 constexpr Firmware kGenericFirmware = MAVMISSION_GENERIC_FIRMWARE == 0   ? Firmware::Other

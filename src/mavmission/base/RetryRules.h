@@ -37,7 +37,7 @@ struct DownloadRules {
   static constexpr uint8_t kListTries = 5;        // MISSION_REQUEST_LIST
   static constexpr uint16_t kListMs = 1500;       // to MISSION_COUNT
   static constexpr uint8_t kOtherTries = 2;       // of it, before another number of items is believed in a read-back
-  static constexpr uint8_t kItemTries = 5;        // MISSION_REQUEST_INT, for each item
+  static constexpr uint8_t kItemTries = 8;        // MISSION_REQUEST_INT, for each item
   static constexpr uint16_t kItemMs = 250;        // to the item
   static constexpr uint8_t kNewRequestTries = 2;  // then MISSION_REQUEST, to an autopilot that may be old
 };
@@ -71,11 +71,13 @@ struct CommandRules {
   static constexpr uint8_t kLateAnswersS = 20;   // after a command ended, answers to its repeats are expected
   static constexpr uint16_t kNextAnswerMs = kAnswerMs + 100;  // from one of these answers to the next
   // An order that changes the mode, or arms.
-  static constexpr uint8_t kFreshMs = 20;       // from a heartbeat to the order that leaves right behind it
-  static constexpr uint8_t kAskMs = 100;        // from a request for a heartbeat to the next
-  static constexpr uint8_t kMostAsks = 75;      // requests without a heartbeat, before it is given up
-  static constexpr uint8_t kLateAsks = 3;       // requests that may still be answered when a heartbeat has come
-  static constexpr uint16_t kUnderWayMs = 400;  // an order that has left may not have arrived yet
+  static constexpr uint8_t kFreshMs = 20;          // from a heartbeat to the order that leaves right behind it
+  static constexpr uint8_t kAskMs = 100;           // from a request for a heartbeat to the next
+  static constexpr uint8_t kMostAsks = 75;         // requests without a heartbeat, before it is given up
+  static constexpr uint8_t kMostUrgentAsks = 125;  // the same while somebody's mode may be undone
+  static constexpr uint8_t kLateAsks = 3;          // requests that may still be answered when a heartbeat has come
+  static constexpr uint8_t kRestoreTries = 40;     // of setting a mode again that an order has undone
+  static constexpr uint16_t kUnderWayMs = 400;     // an order that has left may not have arrived yet
   // Behind a loop() that stood still for so long, what is read in the next so many milliseconds is old.
   static constexpr uint8_t kStoodStillMs = 200, kDrainMs = 20;
 };

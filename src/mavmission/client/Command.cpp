@@ -84,7 +84,7 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
   client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
   if (state.status != Status::Transferring) return;
   const CommandTransfer& sending = client.commanding_.transfer;
-  const bool isDue = sending.state() == CommandTransfer::State::Due || sending.isAskDue(nowMs, client.askAgainMs());
+  const bool isDue = sending.isDue() || sending.isAskDue(nowMs, client.askAgainMs());
   if (isDue && client.link_.canSend() && client.claimHeavyWork()) client.sendCommand(nowMs);
 }
 
@@ -102,7 +102,11 @@ void Client::takeCommandEvent(CommandEvent event, Status status, const FramePars
   end(status);
 }
 
-uint16_t Client::askAgainMs() { return link_.pace().waitMs(CommandTransfer::kAskMs); }
+// Twice as often while somebody's mode may be undone.
+uint16_t Client::askAgainMs() {
+  const uint16_t againMs = link_.pace().waitMs(CommandTransfer::kAskMs);
+  return commanding_.transfer.isUrgent() ? againMs / 2 : againMs;
+}
 
 void Client::sendCommand(uint16_t nowMs) {
   // The command is turned into its message in place: param1 to param4, and z, stay where they are.
@@ -118,10 +122,12 @@ void Client::sendCommand(uint16_t nowMs) {
                 "param1 to param7 must lie in FlightCommand as they lie in COMMAND_LONG and COMMAND_INT");
   memset(&piece, 0, sizeof(piece));
   CommandTransfer& sending = commanding_.transfer;
-  bool isAsking = sending.state() != CommandTransfer::State::Due;
+  bool isAsking = !sending.isDue();
   if (!isAsking) {
     commanding_.fill(*this, piece.command);
-    if (!log_.maySend(piece.command.id, nowMs)) return;
+    // (What sets a mode again does not wait for late answers to the order that has undone it: a refusal of that has
+    // come before the heartbeat that shows its mode, and an acceptance ends nothing.)
+    if (!sending.isRestoring() && !log_.maySend(piece.command.id, nowMs)) return;
     if (sending.lacksHeartbeat(nowMs)) {
       sending.ask();
       isAsking = true;
@@ -303,11 +309,11 @@ Status Client::onMode(Client& client, CommandEvent event, Status status, const F
           sending.ask();
           break;
         case ModeOrder::Sight::Foreign: return Status::TakenOver;
-        case ModeOrder::Sight::Doubtful: sending.askLater(); break;
+        case ModeOrder::Sight::Doubtful: sending.doubt(); break;
         case ModeOrder::Sight::Undone:
           mode.number = mode.order.wanted();
-          client.nextCommand(fillMode);
-          sending.guard();
+          client.commanding_.fill = fillMode;
+          sending.restore();
           break;
       }
       return status;

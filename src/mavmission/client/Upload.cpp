@@ -152,10 +152,13 @@ Status Client::proven(uint32_t opaqueId) {
   // ArduPilot asks by MISSION_REQUEST. Another one may only say that it is an ArduPilot, and hold as the first item
   // what was sent in home's place.
   if (plan_.homeItems() != 0 && transfer_.isAskedByInt()) return Status::Unconfirmed;
-  // Our COUNT, which a network may bring once more, deletes the plan that has just been accepted: reading shows that.
-  if (plan_.has(kDropsPlanFirst) && plan_.count() != 0) return Status::Unconfirmed;
-  const bool says = plan_.has(kSaysChecksum) && opaqueId != 0 && !state_.floatItems;
-  if (says && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
+  if (!state_.floatItems) {
+    // What a server does whose ways are not known is not known: Betaflight deletes the plan that it has just accepted,
+    // when a network brings our COUNT once more. Reading shows that. (Behind an empty plan there is nothing to be
+    // deleted, and what was sent as floats cannot be compared.)
+    if (plan_.has(kIsReadBack) && transfer_.hasBegun()) return Status::Unconfirmed;
+    if (plan_.has(kSaysChecksum) && opaqueId != 0 && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
+  }
   if (state_.type == PlanType::Mission) rest_.planId = opaqueId;
   return Status::Accepted;
 }

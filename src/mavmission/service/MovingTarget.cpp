@@ -112,7 +112,7 @@ Status MovingTarget::update() {
       if (!isOperating()) {
         const Status ended = client_.status();
         finish(isEnd(ended) ? ended : Status::Cancelled);
-      } else if (needsStream() && steering_.step_ == SteerStep::Mode) {
+      } else if (needsStream() && steering_.step_ == SteerStep::Mode && !client_.commanding_.transfer.isUrgent()) {
         if (isLate()) aimHere();
         send(nowMs);
       }
@@ -251,7 +251,7 @@ Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t
     steering_.step_ = SteerStep::Mode;
     sending.guard();
   }
-  if (steering_.step_ != SteerStep::Mode) return status;
+  if (steering_.step_ != SteerStep::Mode || sending.isUrgent()) return status;
   const bool isListening = sending.state() == CommandTransfer::State::Listening;
   // PX4 takes the mode behind a second of targets.
   const bool isLed = hasSent_ && since(sentMs_, nowMs) < kBlindMs && since(beganMs_, nowMs) >= kLeadMs;

@@ -30,14 +30,14 @@ PlanFiles::PlanFiles(MissionClient& client)
       sequence_(0),
       firstSequence_(0),
       session_(0),
-      closings_(0),
+      closings_(FileRules::kUnsureClosings),
       isByFile_(false),
       isForeseen_(false),
       isLook_(false),
       isEnsuring_(false),
       isWholeLook_(false),
       isLengthKnown_(false),
-      isStorable_(false),
+      isStorable_(true),
       isDamaged_(false),
       isSpoiling_(false) {}
 
@@ -63,15 +63,19 @@ bool PlanFiles::isUsable() const {
          client_.link_.version() == 2;
 }
 
-// There is one file for the whole autopilot, and whoever has its session number writes into it. So the number is drawn
-// by lot, from the time and from what has been heard until now; low numbers are those of ground stations.
+// There is one file for the whole autopilot, and whoever has its session number writes into it. So the number is made
+// of our ids, which nobody else has; low numbers are those of ground stations. Behind a reset it is the same again: a
+// file that was left open can be closed then. ArduPilot answers a request from memory if it has the number of the last
+// one: so the numbers begin elsewhere each time.
+void PlanFiles::takeNumbers() {
+  if (session_ != 0) return;
+  session_ = static_cast<uint8_t>(client_.link_.systemId() * 31) ^ client_.link_.componentId() ^ 0x5A;
+  if (session_ < 16) session_ += 16;
+  firstSequence_ = sequence_ = static_cast<uint16_t>(millis()) * 40503u;
+}
+
 void PlanFiles::beginFile() {
-  if (session_ == 0) {
-    const LinkCounters heard = client_.link_.counters();
-    sequence_ = static_cast<uint16_t>(millis());
-    session_ = static_cast<uint8_t>(heard.bytes) ^ static_cast<uint8_t>(sequence_ >> 2) ^ 0x5A;
-    if (session_ < 16) session_ += 16;
-  }
+  takeNumbers();
   firstSequence_ = ++sequence_;  // unused: the answer to the last request of the operation before would have it
   isByFile_ = true;
   isSpoiling_ = false;
@@ -118,7 +122,10 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
   Client& client = self.client_;
   if (!self.isFromAutopilot(frame)) return;
   if (frame.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
-    if (self.closings_ != 0 && !self.isRunning() && client.link_.canSend()) self.closeLeftOpen();
+    if (self.closings_ == 0 || self.isRunning() || !client.link_.canSend()) return;
+    // One that was left open before a reset: to look for it may store a plan that somebody else has left open.
+    const bool isOfBefore = self.isStorable_ && self.closings_ != kUntilClosed;
+    if (!isOfBefore || (self.isUsable() && !client.isArmed())) self.closeLeftOpen();
     return;
   }
   if (!frame.isFor(client.link_.systemId(), client.link_.componentId()) || !self.isReply(frame)) return;
@@ -126,7 +133,9 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
   switch (frame.payloadByte(offsetof(FileFrame, requested))) {
     case MAV_FTP_OPCODE_OPENFILERO:
     case MAV_FTP_OPCODE_CREATEFILE:
-      if (isAck) self.closings_ = kUntilClosed;
+      if (!isAck) break;
+      self.closings_ = kUntilClosed;
+      self.isStorable_ = false;
       break;
     case MAV_FTP_OPCODE_TERMINATESESSION:
       self.closings_ = 0;
@@ -135,7 +144,9 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
     case MAV_FTP_OPCODE_WRITEFILE: {
       const uint16_t sequence = frame.payloadWord(offsetof(FileFrame, sequence));
       const bool isLast = static_cast<uint16_t>(self.sequence_ + 1) == sequence;
-      if (self.isSpoiling_ && isLast) self.isStorable_ = false;  // a refusal too: it is open for reading by now
+      if (!self.isSpoiling_ || !isLast) break;
+      self.isStorable_ = false;  // a refusal too: it is open for reading by now
+      self.closings_ = kUntilClosed;
       break;
     }
     default: break;
@@ -152,10 +163,12 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
 // A plan that is complete in its file would be stored now, behind the end of its upload, and perhaps over another plan
 // that has been uploaded meanwhile. So its header is spoilt first; when that is answered, the next heartbeat closes it.
 void PlanFiles::closeLeftOpen() {
-  if (!isStorable_) {
-    send(++sequence_, MAV_FTP_OPCODE_TERMINATESESSION);
-    if (closings_ != kUntilClosed) --closings_;
-    return;
+  takeNumbers();
+  if (closings_ != kUntilClosed) --closings_;
+  if (!isStorable_) return send(++sequence_, MAV_FTP_OPCODE_TERMINATESESSION);
+  if (closings_ == 0) {  // nobody answers: what is closed next is what an operation may have opened since
+    isStorable_ = false;
+    if (operation_ != nullptr) closings_ = FileRules::kUnsureClosings;
   }
   memset(static_cast<FileFrame*>(client_.link_.draft())->data, 0, kFileHeader);
   isSpoiling_ = true;

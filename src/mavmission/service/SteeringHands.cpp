@@ -49,7 +49,7 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
       return Status::Transferring;
     case ModeOrder::Sight::Doubtful:
       isModeSeen_ = false;
-      sending.askLater();
+      sending.doubt();
       return Status::Transferring;
     case ModeOrder::Sight::Foreign: return leaveTo(whoFlies());
     case ModeOrder::Sight::Undone: return giveBack();
@@ -83,8 +83,7 @@ Status Steering::giveBack() {
   step_ = SteerStep::GiveBack;
   ownMode_ = kNoMode;
   forgetTarget();
-  sending.next(true);
-  sending.guard();  // a heartbeat has just come: it leaves at once
+  sending.restore();  // a heartbeat has just come: it leaves at once
   return Status::Transferring;
 }
 

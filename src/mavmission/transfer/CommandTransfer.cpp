@@ -43,7 +43,9 @@ void CommandTransfer::wait(State state, uint16_t waitMs, uint16_t nowMs) {
 }
 
 void CommandTransfer::sent(uint16_t nowMs, uint16_t answerMs) {
-  tries_ += tries_ != 0 && waitMs_ == kAcceptedMs ? kAcceptedTries : 1;
+  const uint8_t isLossy = answerMs < kAnswerMs ? 1 : 0;
+  const bool isAcceptedAgain = tries_ != 0 && waitMs_ == kAcceptedMs && !isRestoring();
+  tries_ += isAcceptedAgain ? kAcceptedTries : 1;
   if (isGuarded_ != 0) {
     // What a heartbeat shows sooner may be from before the order has arrived: it would be sent once too often.
     if (answerMs < kUnderWayMs) answerMs = kUnderWayMs;
@@ -51,16 +53,24 @@ void CommandTransfer::sent(uint16_t nowMs, uint16_t answerMs) {
     hasOrdered_ = 1;
     isFresh_ = 0;
   }
+  if (isRestoring()) {
+    isFresh_ = isLossy;
+    return;
+  }
   wait(State::Sent, repeats_ != 0 ? answerMs : kProgressMs, nowMs);
 }
 
 Status CommandTransfer::onTime(uint8_t asksOpen, uint16_t nowMs) {
-  if (isAsking_ != 0 && asksOpen >= kMostAsks && since(lookedMs_, nowMs) >= kAskMs) {
+  if (isAsking_ != 0 && asksOpen >= (isUrgent() ? kMostUrgentAsks : kMostAsks) && since(lookedMs_, nowMs) >= kAskMs) {
     isAsking_ = 0;
     tries_ = 0;
     return Status::NoAnswer;
   }
-  if (state() == State::Due || since(sentMs_, nowMs) < waitMs_) return Status::Transferring;
+  if (isRestoring() && tries_ >= kRestoreTries) {
+    tries_ = 0;
+    return Status::NoAnswer;
+  }
+  if (isDue() || isUrgent() || since(sentMs_, nowMs) < waitMs_) return Status::Transferring;
   // The autopilot may have carried out the command, and only its answer may be lost: a command that must not happen
   // twice is not sent again.
   const bool isSilent = state() == State::Listening || (state() != State::Pausing && repeats_ == 0);

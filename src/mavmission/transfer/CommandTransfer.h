@@ -30,7 +30,7 @@ namespace detail {
 
 class CommandTransfer : public CommandRules {
  public:
-  enum class State : uint8_t { Due, Sent, InProgress, Listening, Pausing };
+  enum class State : uint8_t { Due, Sent, InProgress, Listening, Pausing, Doubting, Restoring };
 
   // Begins the next command of an operation, after the answer to the one before. `repeats`: the command may be sent
   // again when its answer does not come.
@@ -39,11 +39,30 @@ class CommandTransfer : public CommandRules {
   void pause(uint16_t waitMs, uint16_t nowMs) { wait(State::Pausing, waitMs, nowMs); }
   void setRepeats(bool repeats) { repeats_ = repeats ? 1 : 0; }
   bool repeats() const { return repeats_ != 0; }
+  // An order may undo, or have undone, somebody's mode: it does not leave again, and heartbeats are asked for until one
+  // shows what has come of it.
+  void doubt() {
+    askLater();
+    state_ = static_cast<uint8_t>(State::Doubting);
+  }
+  // Begins the command that sets a mode again which an order has undone. It leaves behind each heartbeat that does not
+  // show that mode yet, and on a lossy link as often as it can while that heartbeat is fresh: most frames of this
+  // length are lost there.
+  MAVMISSION_APART void restore() {
+    next(true);
+    guard();
+    state_ = static_cast<uint8_t>(State::Restoring);
+  }
+  // True while somebody's mode may be undone: heartbeats are asked for twice as often.
+  bool isUrgent() const { return state() >= State::Doubting; }
+  bool isRestoring() const { return state() == State::Restoring; }
 
   // Status::Transferring while the command goes on, or else the status with which it has ended. `asksOpen`: requests
   // for a heartbeat that have not been answered.
   MAVMISSION_APART Status onTime(uint8_t asksOpen, uint16_t nowMs);
-  void onProgress(uint16_t nowMs) { wait(State::InProgress, kProgressMs, nowMs); }
+  void onProgress(uint16_t nowMs) {
+    if (!isRestoring()) wait(State::InProgress, kProgressMs, nowMs);
+  }
   // The command has been accepted. If it is to be confirmed by what the autopilot sends once a second, it is not sent
   // again before that time, on a lossy link too. `isQuestion`: what confirms it is an answer, which may be lost as
   // often as any; an order that is accepted again and again, and that nothing confirms, is given up.
@@ -56,7 +75,7 @@ class CommandTransfer : public CommandRules {
   void rest() { tries_ = 0; }
 
   // True when the command must be sent, if the CommandLog has nothing against that.
-  bool isDue() const { return state() == State::Due; }
+  bool isDue() const { return state() == State::Due || isRestoring(); }
   // `answerMs`: how long to wait for an answer before it is sent again; less on a lossy link, and then more often.
   void sent(uint16_t nowMs, uint16_t answerMs = kAnswerMs);
   // How long its answer is waited for [ms].

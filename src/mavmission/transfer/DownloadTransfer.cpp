@@ -58,12 +58,19 @@ Status DownloadTransfer::onAck(uint8_t result) const {
 
 Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
-  const bool isListing = state_ == State::Listing;
-  const bool isLossy = pace.isLossy();
-  if (since(sentMs_, nowMs) < pace.waitMs(isListing ? kListMs : kItemMs)) return Status::Transferring;
-  if (tries_ >= (isLossy ? Pace::kLossyTries : isListing ? kListTries : kItemTries))
-    return isListing ? Status::NoAnswer : Status::TimedOut;
-  send_ = isListing ? Send::List : Send::Request;
+  uint8_t most = kItemTries;
+  uint16_t waitMs = kItemMs;
+  Send again = Send::Request;
+  Status end = Status::TimedOut;
+  if (state_ == State::Listing) {
+    most = kListTries;
+    waitMs = kListMs;
+    again = Send::List;
+    end = Status::NoAnswer;
+  }
+  if (since(sentMs_, nowMs) < pace.waitMs(waitMs)) return Status::Transferring;
+  if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : most)) return end;
+  send_ = again;
   return Status::Transferring;
 }
 

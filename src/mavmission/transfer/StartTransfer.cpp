@@ -170,7 +170,7 @@ bool StartTransfer::beginStep(const Aircraft& aircraft, CommandTransfer& sending
 }
 
 StartTransfer::Message StartTransfer::message() const {
-  if (state() == State::Disarming) return Message::Disarm;
+  if (state() == State::Disarming || state() == State::Yielding) return Message::Disarm;
   if (state() == State::Restoring) return Message::Mode;
   if (state() == State::Asking || step() == StartStep::Confirm) return Message::AskCurrent;
   // No switch: avr-gcc makes a table of it, in RAM.
@@ -196,6 +196,10 @@ Status StartTransfer::onAccepted(const Aircraft& aircraft, CommandTransfer& send
 // What start() does when the autopilot refuses: it tries again, ends, or leaves.
 Status StartTransfer::onRefused(Status refusal, const Aircraft& aircraft, CommandTransfer& sending) {
   if (state() == State::Disarming) return refusal_;
+  if (state() == State::Yielding) {
+    if (isArmedSeen_ == 0) setArming(StartArming::Untouched);  // the arming was refused
+    return refusal_;
+  }
   if (state() == State::Restoring) return notRestored();
   if (message() == Message::AskCurrent) return Status::Transferring;  // MISSION_CURRENT may come unasked
   const bool isTriedAgain = step() == StartStep::AutoMode && isVehicle(aircraft, Vehicle::Rover) &&
@@ -245,8 +249,7 @@ Status StartTransfer::leave(Status refusal, const Aircraft& aircraft, CommandTra
 Status StartTransfer::restore(Status refusal, CommandTransfer& sending) {
   refusal_ = refusal;
   setState(State::Restoring);
-  sending.next(true);
-  sending.guard();
+  sending.restore();
   return Status::Transferring;
 }
 
@@ -275,7 +278,35 @@ Status StartTransfer::onHeartbeatLeaving(const Aircraft& aircraft, CommandTransf
   return Status::Transferring;
 }
 
+// Somebody has set another mode before the arming, which is on its way. If it comes about all the same, nobody but
+// start() has armed the aircraft: it is disarmed.
+Status StartTransfer::giveWay(const Aircraft& aircraft, CommandTransfer& sending) {
+  refusal_ = Status::TakenOver;
+  setState(State::Yielding);
+  sending.rest();
+  sending.listen(FinderRules::kLostMs, aircraft.nowMs);
+  sending.askLater();
+  return Status::Transferring;
+}
+
+Status StartTransfer::onHeartbeatYielding(const Aircraft& aircraft, CommandTransfer& sending) {
+  if (!aircraft.isArmed) {
+    const bool mayCome = isArmedSeen_ == 0 && sending.mayBeUnderWay(aircraft.nowMs);
+    if (!mayCome) {
+      setArming(isArmedSeen_ != 0 ? StartArming::Disarmed : StartArming::Untouched);
+      return refusal_;
+    }
+    sending.askLater();
+  } else if (isArmedSeen_ == 0) {
+    isArmedSeen_ = 1;
+    sending.next(true);
+    sending.guard();
+  }
+  return Status::Transferring;
+}
+
 Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sending) {
+  if (state() == State::Yielding) return onHeartbeatYielding(aircraft, sending);
   if (state() == State::Leaving || state() == State::Disarming) return onHeartbeatLeaving(aircraft, sending);
   const bool isRestoring = state() == State::Restoring;
   const bool isSent = sending.tries() != 0;
@@ -288,13 +319,19 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
   } else if (isArmedSeen_ != 0 && arming() == StartArming::Armed) {
     setArming(StartArming::Disarmed);
   }
+  const bool mayBeArmed =
+      step() == StartStep::Arm && !isRestoring && isSent && isArmedSeen_ == 0 && sending.mayBeUnderWay(aircraft.nowMs);
   switch (
       order_.onHeartbeat(aircraft.mode, isRestoring ? isSent : isSent_ != 0, sending.mayBeUnderWay(aircraft.nowMs))) {
     case ModeOrder::Sight::Foreign:
       if (isRestoring) return refusal_;
+      if (mayBeArmed) return giveWay(aircraft, sending);
       if (isArmingStep(aircraft.firmware) && !isSent && isArmedSeen_ == 0) setArming(StartArming::Untouched);
       return Status::TakenOver;
-    case ModeOrder::Sight::Doubtful: sending.askLater(); return Status::Transferring;
+    case ModeOrder::Sight::Doubtful:
+      if (mayBeArmed) return giveWay(aircraft, sending);
+      sending.doubt();
+      return Status::Transferring;
     case ModeOrder::Sight::Undone: return restore(Status::TakenOver, sending);
     case ModeOrder::Sight::Wanted:
       if (isRestoring) return refusal_;

@@ -48,7 +48,8 @@ class StartTransfer : public StartRules {
     JudgingNext,
     Leaving,
     Disarming,
-    Restoring
+    Restoring,
+    Yielding
   };
 
   // DO_SET_MODE, MISSION_SET_CURRENT, COMPONENT_ARM_DISARM, MISSION_START, REQUEST_MESSAGE for MISSION_CURRENT.
@@ -111,6 +112,8 @@ class StartTransfer : public StartRules {
   MAVMISSION_APART Status restore(Status refusal, CommandTransfer& sending);
   MAVMISSION_APART Status notRestored() const;
   Status onHeartbeatLeaving(const Aircraft& aircraft, CommandTransfer& sending);
+  Status giveWay(const Aircraft& aircraft, CommandTransfer& sending);
+  Status onHeartbeatYielding(const Aircraft& aircraft, CommandTransfer& sending);
   MAVMISSION_APART Status onOwnMode(bool isWanted, const Aircraft& aircraft, CommandTransfer& sending);
   uint16_t readyMode(const Aircraft& aircraft) const;
   Status confirm(Firmware firmware);
@@ -125,7 +128,7 @@ class StartTransfer : public StartRules {
   union {
     uint16_t jump_;    // Looking, Judging, JudgingNext: the last jump followed
     uint16_t beganS_;  // AutoMode: when AUTO was first requested [s]
-    Status refusal_;   // Leaving, Disarming, Restoring: the status with which it will end
+    Status refusal_;   // Leaving, Disarming, Restoring, Yielding: the status with which it will end
   };
   uint8_t looked_ : 7;     // how many items were looked at on the way to the one that will be flown
   uint8_t wasFlying_ : 1;  // its mission, before start()

@@ -45,6 +45,7 @@ TEST_CASE("a generic autopilot is the one that the macro names, and no other aut
 
 TEST_CASE("what is known of it, and what is not") {
   CHECK(has(kThis, kDropsPlanFirst) == kIsBetaflight);
+  CHECK(has(kThis, kIsReadBack) == kIsBetaflight);
   CHECK(has(kThis, kGivesHeightsAboveSea) == kIsBetaflight);
   CHECK(has(kThis, kMayBeOld));
   CHECK(has(kThis, kTellsTotal));
@@ -57,7 +58,7 @@ TEST_CASE("what is known of it, and what is not") {
 }
 
 TEST_CASE("the other of the two has no traits and no table here, and those that say who they are keep theirs") {
-  for (unsigned bit = 0; bit < 40; ++bit) CHECK_FALSE(has(kTheOther, static_cast<Trait>(1ull << bit)));
+  for (unsigned bit = 0; bit < 42; ++bit) CHECK_FALSE(has(kTheOther, static_cast<Trait>(1ull << bit)));
   CHECK(flagOf(kTheOther) == 0);
   CHECK(has(Firmware::ArduPilot, kHomeIsItem0));
   CHECK(has(Firmware::Px4, kSaysChecksum));

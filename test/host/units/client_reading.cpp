@@ -36,11 +36,12 @@ std::vector<uint16_t> requestsOfAnItem(uint8_t autopilot) {
 
 TEST_CASE("an autopilot that is neither is asked for an item twice by the new request, then by both in turns") {
   const uint16_t newer = ClientOnLine::kRequestInt, older = ClientOnLine::kRequest;
-  CHECK(requestsOfAnItem(ClientOnLine::kOther) == std::vector<uint16_t>{newer, newer, older, newer, older});
+  CHECK(requestsOfAnItem(ClientOnLine::kOther) ==
+        std::vector<uint16_t>{newer, newer, older, newer, older, newer, older, newer});
 }
 
 TEST_CASE("ArduPilot and PX4 are asked for an item by the new request alone") {
   for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    CHECK(requestsOfAnItem(autopilot) == std::vector<uint16_t>(5, ClientOnLine::kRequestInt));
+    CHECK(requestsOfAnItem(autopilot) == std::vector<uint16_t>(8, ClientOnLine::kRequestInt));
   }
 }

@@ -297,3 +297,64 @@ TEST_CASE("an autopilot whose heartbeat does not come is given up after 75 reque
   heard.ask();
   CHECK((heard.onTime(74, later(nowMs, 100)) == Status::Transferring));
 }
+
+TEST_CASE(
+    "a mode is set again behind each heartbeat, and as often as it can while that is fresh where bytes are lost") {
+  for (uint16_t answerMs : {uint16_t{CommandTransfer::kAnswerMs}, uint16_t{50}}) {
+    const bool isLossy = answerMs < CommandTransfer::kAnswerMs;
+    CommandTransfer transfer = CommandTransfer();
+    transfer.onHeartbeat(kBeganMs);
+    transfer.restore();
+    CHECK(transfer.isRestoring());
+    CHECK(transfer.isUrgent());
+    CHECK(transfer.isDue());
+    CHECK_FALSE(transfer.lacksHeartbeat(kBeganMs));
+    transfer.sent(kBeganMs, answerMs);
+    CHECK(transfer.isDue());
+    CHECK(transfer.mayBeUnderWay(kBeganMs));
+    CHECK(transfer.lacksHeartbeat(later(kBeganMs, 19)) == !isLossy);
+    CHECK(transfer.lacksHeartbeat(later(kBeganMs, 20)));
+    transfer.onProgress(kBeganMs);
+    CHECK(transfer.isDue());
+    transfer.onHeartbeat(later(kBeganMs, 100));
+    CHECK_FALSE(transfer.lacksHeartbeat(later(kBeganMs, 100)));
+    transfer.next(true);
+    CHECK_FALSE(transfer.isRestoring());
+    CHECK_FALSE(transfer.isUrgent());
+  }
+}
+
+TEST_CASE("a mode that is set again in vain is given up after 40 times, also behind an order that was accepted") {
+  for (bool isAccepted : {false, true}) {
+    CAPTURE(isAccepted);
+    CommandTransfer transfer = CommandTransfer();
+    transfer.next(true);
+    transfer.sent(kBeganMs, 50);
+    if (isAccepted) transfer.onAccepted(false);
+    transfer.restore();
+    for (uint8_t n = 0; n < 40; ++n) {
+      CHECK((transfer.onTime(0, later(kBeganMs, 5000)) == Status::Transferring));
+      transfer.sent(kBeganMs, 50);
+      CHECK(transfer.tries() == n + 1);
+      if (isAccepted) transfer.onAccepted(false);
+    }
+    CHECK((transfer.onTime(0, kBeganMs) == Status::NoAnswer));
+    CHECK(transfer.tries() == 0);
+  }
+}
+
+TEST_CASE("an order that is in doubt does not leave again, and a heartbeat is asked for up to 125 times") {
+  uint16_t nowMs;
+  CommandTransfer transfer = sentTimes(1, true, nowMs);
+  transfer.onHeartbeat(nowMs);
+  transfer.doubt();
+  CHECK(transfer.isUrgent());
+  CHECK_FALSE(transfer.isRestoring());
+  CHECK_FALSE(transfer.isDue());
+  CHECK_FALSE(transfer.isAskDue(later(nowMs, 49), 50));
+  CHECK(transfer.isAskDue(later(nowMs, 50), 50));
+  nowMs = later(nowMs, 2000);
+  CHECK((transfer.onTime(124, nowMs) == Status::Transferring));
+  CHECK_FALSE(transfer.isDue());
+  CHECK((transfer.onTime(125, nowMs) == Status::NoAnswer));
+}

@@ -78,11 +78,11 @@ TEST_CASE("the list is asked for 5 times, 1500 ms apart, and then there is no an
   }
 }
 
-TEST_CASE("an item is asked for 5 times, 250 ms apart, and then the time is out") {
+TEST_CASE("an item is asked for 8 times, 250 ms apart, and then the time is out") {
   DownloadTransfer transfer = fetching(2);
   came(transfer, 0);
   uint16_t now = 0;
-  for (int tries = 0; tries < 5; ++tries) {
+  for (int tries = 0; tries < 8; ++tries) {
     CHECK(transfer.toSend() == Send::Request);
     CHECK(transfer.itemToAsk() == 1);
     transfer.sent(now);
@@ -91,7 +91,7 @@ TEST_CASE("an item is asked for 5 times, 250 ms apart, and then the time is out"
     CHECK(goesOn(transfer.onTime(now, pace)));
     CHECK(transfer.toSend() == Send::Nothing);
     const Status status = transfer.onTime(++now, pace);
-    CHECK((status == (tries < 4 ? Status::Transferring : Status::TimedOut)));
+    CHECK((status == (tries < 7 ? Status::Transferring : Status::TimedOut)));
   }
 }
 

@@ -64,7 +64,7 @@ struct Flight {
     return look();
   }
   void sent() {
-    CHECK((sending.state() == CommandTransfer::State::Due));
+    CHECK(sending.isDue());
     sending.sent(aircraft.nowMs);
   }
   void sent(Message message) {
@@ -802,6 +802,48 @@ TEST_CASE("an arming that was not sent before somebody else took over has not ha
   sent.sent();
   CHECK((sent.heartbeat(false, sent.other) == Status::TakenOver));
   CHECK((sent.start.arming() == StartArming::Armed));
+}
+
+TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Arm);
+  flight.sent(Message::Arm);
+  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
+  CHECK((flight.heartbeat(false, flight.other) == Status::Transferring));  // it may still arrive
+  CHECK((flight.start.state() == State::Yielding));
+  CHECK(flight.asks());
+  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 900);
+  CHECK((flight.heartbeat() == Status::Transferring));
+  CHECK_FALSE(flight.sending.isDue());
+  Flight never = flight, refused = flight, silent = flight;
+  CHECK((never.heartbeat() == Status::TakenOver));
+  CHECK((never.start.arming() == StartArming::Untouched));
+  CHECK((refused.refused() == Status::TakenOver));
+  CHECK((refused.start.arming() == StartArming::Untouched));
+  CHECK((silent.silent() == Status::TakenOver));
+  CHECK((silent.start.arming() == StartArming::Armed));  // it is not known
+
+  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
+  CHECK_FALSE(flight.sending.lacksHeartbeat(flight.aircraft.nowMs));  // at once
+  flight.sent(Message::Disarm);
+  CHECK((flight.accepted() == Status::Transferring));
+  CHECK((flight.heartbeat() == Status::Transferring));
+  Flight inTheAir = flight;
+  CHECK((inTheAir.refused() == Status::TakenOver));
+  CHECK((inTheAir.start.arming() == StartArming::Armed));
+  CHECK((flight.heartbeat(false, flight.other) == Status::TakenOver));
+  CHECK((flight.start.arming() == StartArming::Disarmed));
+}
+
+TEST_CASE("an aircraft that is armed when somebody sets another mode is his") {
+  Flight flight = copter();
+  flight.goTo(StartStep::Arm);
+  flight.sent(Message::Arm);
+  flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
+  CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
+  CHECK((flight.start.state() == State::Steps));
+  CHECK((flight.heartbeat(true, flight.other) == Status::TakenOver));
+  CHECK((flight.start.arming() == StartArming::Armed));
 }
 
 TEST_CASE("a mode that an order undoes is set again, and start() ends when a heartbeat shows it, or another one") {
