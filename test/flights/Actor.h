@@ -6,18 +6,18 @@
 #include <string>
 
 enum class What : uint8_t {
-  Pilot,      // sets a mode that flies by the sticks
-  Lands,      // sets LAND
-  Holds,      // sets HOLD, which on PX4 is the mode of before
-  Disarms,    // disarms it, wherever it is
-  Failsafe,   // makes it return
-  OtherPlan,  // another station's plan, one item longer
-  SamePlan,   // and one of the same length
+  Pilot,      // a pilot sets a mode in which the sticks fly
+  Lands,      // somebody sets LAND
+  Holds,      // somebody sets HOLD; on PX4 this is the earlier mode
+  Disarms,    // somebody disarms the aircraft, also in the air
+  Failsafe,   // a failsafe sets the mode that returns home
+  OtherPlan,  // another station uploads a plan with one item more
+  SamePlan,   // another station uploads a plan of the same length
   Clears,     // another station clears the plan
-  Cut,        // the line is cut for so many ms
-  LoseUp,     // so many frames to the autopilot are lost
-  LoseDown,   // and to the sketch
-  Stall       // the sketch's loop() stands still for so many ms
+  Cut,        // the line is cut for `amount` ms
+  LoseUp,     // the next `amount` frames to the autopilot are lost
+  LoseDown,   // the next `amount` frames to the sketch are lost
+  Stall       // the sketch's loop() stands still for `amount` ms
 };
 constexpr int kWhats = 12;
 constexpr const char* kWhatNames[kWhats] = {"pilot",     "lands",  "holds", "disarms", "failsafe",  "other-plan",
@@ -25,9 +25,9 @@ constexpr const char* kWhatNames[kWhats] = {"pilot",     "lands",  "holds", "dis
 
 struct Act {
   What what;
-  int32_t atMs;     // since the task began, or since that order
-  uint32_t amount;  // ms, or frames
-  unsigned order;   // 0: since the task began; else since the task's first, second... order has left
+  int32_t atMs;     // the time since the task began, or since `order` left
+  uint32_t amount;  // ms or frames, as `what` says
+  unsigned order;   // 0: the time counts from the task's beginning; n: from when its n-th order left
 };
 
 inline std::string inWords(const Act& act) {

@@ -11,7 +11,7 @@ uint8_t ArduPilot::arm(bool arms) {
     return MAV_RESULT_ACCEPTED;
   }
   if (isArmed) return MAV_RESULT_ACCEPTED;
-  if (is(Means::Mission) || is(Means::Return) || is(Means::Land)) return MAV_RESULT_FAILED;  // "mode not armable"
+  if (is(Means::Mission) || is(Means::Return) || is(Means::Land)) return MAV_RESULT_FAILED;  // "Mode not armable"
   setArmed(true);
   return MAV_RESULT_ACCEPTED;
 }
@@ -45,7 +45,7 @@ uint8_t ArduPilot::command(const mavlink_command_long_t& given, bool isInt, uint
   }
 }
 
-// The answer names the number that was asked for; 0 means 1 all the same.
+// The answer names the number that was asked for, though 0 means the same as 1.
 void ArduPilot::hearSetCurrent(uint16_t item, uint32_t nowMs) {
   if (item > plan.size()) return;
   current_ = item == 0 && !plan.empty() ? 1 : item;

@@ -1,4 +1,5 @@
-// ArduCopter and ArduRover: a heartbeat at each change of the mode, none at arming; a plan without a name.
+// ArduCopter and ArduRover: they send a heartbeat at each change of the mode and none at arming, and their plan has no
+// checksum.
 #pragma once
 
 #include "Autopilot.h"

@@ -6,8 +6,8 @@ namespace {
 
 constexpr int32_t kLatitudeE7 = -353632621, kLongitudeE7 = 1491652374, kHomeMm = 584000;
 constexpr uint32_t kBeatMs = 1000, kMoveMs = 100;
-constexpr int32_t kClimbCm = 20, kSinkCm = 20;  // in kMoveMs
-constexpr uint32_t kDisarmMs = 2000;            // on the ground, after a landing
+constexpr int32_t kClimbCm = 20, kSinkCm = 20;  // in each kMoveMs
+constexpr uint32_t kDisarmMs = 2000;            // it disarms so long after it has landed
 
 }  // namespace
 
@@ -97,7 +97,7 @@ void Autopilot::hearCommand(const mavlink_command_long_t& given, bool isInt, uin
     case MAV_CMD_REQUEST_MESSAGE:
       result = canTell(id) ? static_cast<uint8_t>(MAV_RESULT_ACCEPTED) : static_cast<uint8_t>(MAV_RESULT_DENIED);
       if (isPx4() && id == MAVLINK_MSG_ID_MISSION_CURRENT) result = MAV_RESULT_DENIED;
-      // PX4's message comes before its answer, ArduPilot's behind it.
+      // PX4 sends the message before its answer, ArduPilot after it.
       if (result == MAV_RESULT_ACCEPTED) sendFresh(id, isPx4() ? answerMs - 1 : answerMs + 1);
       break;
     case MAV_CMD_SET_MESSAGE_INTERVAL:
@@ -115,7 +115,7 @@ void Autopilot::hearCommand(const mavlink_command_long_t& given, bool isInt, uin
   ack.command = given.command;
   ack.target_system = 1;
   ack.target_component = 191;
-  if (isPx4() && given.command == MAV_CMD_DO_SET_MODE) {  // two of its parts answer, and the first knows nothing yet
+  if (isPx4() && given.command == MAV_CMD_DO_SET_MODE) {  // two of its parts answer, the first one too soon
     ack.result = MAV_RESULT_ACCEPTED;
     send(messageOf(MAVLINK_MSG_ID_COMMAND_ACK, ack), answerMs - 4);
   }

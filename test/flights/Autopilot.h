@@ -1,5 +1,5 @@
-// A small model of an autopilot: its modes, its arming, its answers to commands, a climb and a descent, its plan. What
-// it does is by the recordings of the real ones and by their sources; what is not needed here is left out.
+// A small model of an autopilot: its modes, its arming, its answers to commands, a climb and a descent, its plan. It
+// does what recordings and sources of the real ones show; what the flights do not need is left out.
 #pragma once
 
 #include <map>
@@ -8,10 +8,10 @@
 #include "Message.h"
 #include "Modes.h"
 
-// Who has brought a change about.
+// This says who has brought a change about.
 enum class By : uint8_t { Order, Actor, Itself };
 
-// Is told what changes.
+// It is told of each change.
 class Witness {
  public:
   virtual void modeSet(uint16_t mode, By by) = 0;
@@ -34,22 +34,22 @@ class Autopilot {
   std::vector<Bytes> plan;  // MISSION_ITEM_INTs, without home
 
   void hear(const Message& message, uint32_t nowMs);
-  // Time goes on to this moment.
+  // Lets time go on to this moment.
   void pass(uint32_t nowMs);
   uint32_t nextMs() const;
   std::vector<Message> takeSent();
 
-  // In the air, in its mission.
+  // Puts it in the air, in its mission.
   void putInAir(uint32_t nowMs);
-  // The actors.
+  // These are what actors do to it.
   void actorSetsMode(uint16_t mode, bool isFailsafe, uint32_t nowMs);
   void actorDisarms(uint32_t nowMs);
-  void actorSetsPlan(int moreItems, uint32_t nowMs);  // another plan, so much longer than this one
+  void actorSetsPlan(int moreItems, uint32_t nowMs);  // so many items longer than the plan aboard
   void actorClearsPlan(uint32_t nowMs);
   bool isAirborne() const { return heightCm > 10; }
 
  protected:
-  // MAV_RESULT.
+  // It returns a MAV_RESULT.
   virtual uint8_t command(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs) = 0;
   virtual uint8_t orderMode(uint16_t wanted, uint32_t nowMs) = 0;
   virtual void hearTarget(uint32_t) {}
@@ -60,16 +60,16 @@ class Autopilot {
   virtual uint32_t customMode() const = 0;
   virtual Message itemToRead(uint16_t item) const = 0;
   virtual uint32_t planId() const { return 0; }
-  virtual int32_t heightGoal() const = 0;  // cm; where it is, to stay there
-  virtual void atHeight(uint32_t) {}       // it is where it was to climb to, or to sink to
-  virtual void beat(uint32_t) {}           // ten times a second
+  virtual int32_t heightGoal() const = 0;  // [cm]; its own height if it is to stay there
+  virtual void atHeight(uint32_t) {}       // called when it has climbed or sunk to its goal
+  virtual void beat(uint32_t) {}           // called ten times a second
 
   bool is(Means means) const { return mode == modeOf(kind, means); }
   bool isPx4() const { return kind == Kind::Px4; }
   void setMode(uint16_t wanted, uint32_t nowMs);
   void setArmed(bool isArmed);
   void send(const Message& message, uint32_t atMs);
-  // A message whose contents are those of the moment at which it is sent.
+  // Sends a message that is filled in at the moment at which it leaves.
   void sendFresh(uint32_t id, uint32_t atMs) { send(Message{id, Bytes()}, atMs); }
   void requestMessage(uint32_t id, uint32_t atMs) { sendFresh(id, atMs); }
   bool canTell(uint32_t id) const;
@@ -78,8 +78,8 @@ class Autopilot {
 
   uint16_t current_ = 0;
   bool isInFailsafe_ = false;
-  bool mayClimb_ = false;  // AUTO was begun
-  int32_t goalCm_ = -1;    // of a takeoff; -1: none
+  bool mayClimb_ = false;  // the mission mode has been begun
+  int32_t goalCm_ = -1;    // the height of a takeoff; -1: there is none
   By by_ = By::Itself;
 
  private:
@@ -97,7 +97,7 @@ class Autopilot {
   Witness& witness_;
   std::vector<Sending> sending_;
   std::vector<Message> sent_;
-  std::map<uint32_t, std::pair<uint32_t, uint32_t>> streams_;  // by id: every so many ms, next at
+  std::map<uint32_t, std::pair<uint32_t, uint32_t>> streams_;  // by id: the interval and the next time [ms]
   uint32_t movedMs_ = 0;
   uint32_t landedMs_ = 0;
   bool isReceiving_ = false;

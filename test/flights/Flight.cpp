@@ -6,12 +6,12 @@ using mavmission::Status;
 
 namespace {
 
-constexpr uint32_t kBeginMs = 70000;  // of millis()
-constexpr uint32_t kStepMs = 4;       // from one loop() to the next, at the most
+constexpr uint32_t kBeginMs = 70000;  // what millis() says at the beginning
+constexpr uint32_t kStepMs = 4;       // the longest time from one loop() to the next
 constexpr uint32_t kLongestMs = 150000, kRestMs = 6000;
 constexpr int kTransmitBuffer = 63;
 constexpr size_t kReceiveBuffer = 63;
-constexpr uint32_t kLeadMs = 1400;  // before the task: actors may act from here on
+constexpr uint32_t kLeadMs = 1400;  // actors may act so long before the task begins
 
 class Flying {
  public:
@@ -59,7 +59,7 @@ class Flying {
     while (nowMs_ < stallUntilMs_) step(stallUntilMs_);
     referee_.begins(plan_.task, plan_.loss, isDisturbed_, *autopilot_);
     sketch_.begin(plan_.task);
-    sketch_.loop(nowMs_);  // update() comes behind it, in the same loop()
+    sketch_.loop(nowMs_);  // update() follows it in the same loop()
     send();
     if (!runUntilEnd(kLongestMs)) return broken("it does not end");
     const bool isQuiet = plan_.acts.empty() && plan_.loss <= 0;
@@ -93,7 +93,7 @@ class Flying {
 
   bool runUntilEnd(uint32_t limitMs) {
     const uint32_t until = nowMs_ + limitMs;
-    if (mavmission::isEnd(sketch_.status())) return true;  // refused at once
+    if (mavmission::isEnd(sketch_.status())) return true;  // it was refused at once
     while (nowMs_ < until) {
       if (step(until)) return true;
     }
@@ -105,7 +105,7 @@ class Flying {
     std::stable_sort(acts_.begin(), acts_.end(), [](const Act& a, const Act& b) { return a.atMs < b.atMs; });
   }
 
-  // Those who act behind an order that leaves now.
+  // Sets the time for the actors who act after the order that leaves now.
   void ordered() {
     if (!isNoting_) return;
     ++orders_;
@@ -145,7 +145,7 @@ class Flying {
     referee_.disturbs();
   }
 
-  // True when the task has ended.
+  // Returns true when the task has ended.
   bool step(uint32_t untilMs) {
     uint32_t next = std::min(nowMs_ + kStepMs, untilMs);
     next = std::min({next, up_.nextMs(), down_.nextMs(), autopilot_->nextMs()});
@@ -209,7 +209,7 @@ class Flying {
   uint32_t nowMs_;
   uint32_t beganMs_ = 0;
   uint32_t stallUntilMs_ = 0;
-  unsigned orders_ = 0;  // that have left
+  unsigned orders_ = 0;  // how many orders have left
   bool isNoting_ = false, isDisturbed_ = false;
   uint8_t sequence_ = 0;
   std::vector<Act> acts_;

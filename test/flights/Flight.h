@@ -13,21 +13,21 @@
 struct FlightPlan {
   Kind kind = Kind::Copter;
   Task task = Task::Start;
-  bool isInOwnMode = false;  // in the air: in the sketch's own mode at the beginning, and not in its mission
-  double loss = 0;           // of the bytes
-  uint32_t seed = 1;         // of what is lost, and of when the autopilot's heartbeats come
+  bool isInOwnMode = false;  // it begins in the air in the sketch's own mode, not in the mission
+  double loss = 0;           // this share of the bytes is lost
+  uint32_t seed = 1;         // decides what is lost, and when the autopilot's heartbeats come
   std::vector<Act> acts;
 };
 
 struct Flown {
-  std::string broken;  // the rule; empty: none
+  std::string broken;  // the rule that was broken; empty if none was
   mavmission::Status status = mavmission::Status::Idle;
   int32_t tookMs = 0;
   bool hasTaken = false, isUnseen = false;
   uint32_t longestWindowMs = 0, longestUndoneMs = 0;
-  std::vector<uint32_t> undoneMs;  // of each mode that was undone and set again
-  std::vector<int32_t> moments;    // when a frame left or arrived, since the task began
+  std::vector<uint32_t> undoneMs;  // how long each mode was undone that was set again
+  std::vector<int32_t> moments;    // the times since the task began at which a frame left or arrived
 };
 
-// `log`: what happened, in words; may be null.
+// `log` takes what happened, in words; it may be null.
 Flown fly(const FlightPlan& plan, std::string* log);

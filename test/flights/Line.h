@@ -7,7 +7,7 @@
 #include "Message.h"
 
 struct Due {
-  uint32_t leftMs;  // when the sender has sent it
+  uint32_t leftMs;  // when its last byte has left the sender
   uint32_t dueMs;   // when its last byte arrives
   Bytes bytes;      // what arrives of the frame
   Message message;
@@ -18,13 +18,13 @@ class Line {
  public:
   Line(uint32_t seed, double lossPerByte) : random_(seed), loss_(lossPerByte) {}
 
-  // `sent`: so many of its bytes have gone out already.
+  // Sends a frame, of which `sent` bytes have gone out already.
   void send(const Message& message, const Bytes& bytes, bool isRight, uint32_t nowMs, size_t sent = 0);
-  // The beginning of a frame goes out, the rest of which comes with send().
+  // Sends the beginning of a frame; the rest of it comes with send().
   void occupy(size_t bytes, uint32_t nowMs);
-  // How many bytes wait to go out.
+  // Returns how many bytes wait to go out.
   int waiting(uint32_t nowMs) const;
-  // Nothing that arrives before this time gets through.
+  // Loses everything that would arrive before this time.
   void cutUntil(uint32_t untilMs) { cutUntilMs_ = untilMs; }
   void loseNext(unsigned frames) { loseNext_ = frames; }
   void setLoss(double perByte) { loss_ = perByte; }
@@ -38,7 +38,7 @@ class Line {
 
   std::mt19937 random_;
   double loss_;
-  uint64_t freeUs_ = 0;  // when the line has sent all
+  uint64_t freeUs_ = 0;  // when the line has sent everything
   uint32_t cutUntilMs_ = 0;
   unsigned loseNext_ = 0;
   std::deque<Due> due_;

@@ -15,7 +15,7 @@ std::vector<Unpacker::Found> Unpacker::take(const Bytes& bytes) {
   unread_ = unread_ + bytes;
   size_t used = 0;
   while (unread_.size() > 2) {
-    if (unread_[0] == 0) {  // what fills before a repeat
+    if (unread_[0] == 0) {  // a zero byte fills the space before a repeat
       unread_.erase(unread_.begin());
       ++used;
       continue;

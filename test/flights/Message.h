@@ -1,4 +1,4 @@
-// A message on the line between an autopilot and the sketch, and the frame that it goes in.
+// A message on the line between an autopilot and the sketch, and the frame that carries it.
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +11,7 @@
 
 struct Message {
   uint32_t id;
-  Bytes payload;  // in full length
+  Bytes payload;  // with its trailing zeros
 };
 
 template <typename T>
@@ -27,7 +27,7 @@ T read(const Message& message) {
   return payload;
 }
 
-// The frame of a message of the autopilot.
+// Returns the frame in which the autopilot sends this message.
 Bytes frameOf(const Message& message, uint8_t sequence);
 
 // Finds the frames in what the client writes. It begins each at the start of a frame: nothing is lost before the line.
@@ -35,9 +35,9 @@ class Unpacker {
  public:
   struct Found {
     Message message;
-    bool isRight;  // its checksum
+    bool isRight;  // whether its checksum is right
     size_t length;
-    size_t end;  // bytes of the call up to its last one
+    size_t end;  // how many bytes of this call there are up to its last one
   };
   std::vector<Found> take(const Bytes& bytes);
 

@@ -1,4 +1,4 @@
-// The mission protocol of the models, as it is on a line that loses nothing; test/explorer has the rest of it.
+// The models' mission protocol on a line that loses nothing. test/explorer has the rest of the protocol.
 #include "Autopilot.h"
 
 namespace {

@@ -6,8 +6,8 @@
 enum class Kind : uint8_t { Copter, Rover, Px4 };
 constexpr const char* kKinds[] = {"Copter", "Rover", "PX4"};
 
-// What a mode means; Pilot: one that flies by the sticks and that the sketch never orders.
-// First: in which an ArduPilot is at the beginning.
+// What a mode means. In Pilot the sticks fly; the sketch never orders it.
+// In First an ArduPilot is at the beginning.
 enum class Means : uint8_t { Mission, Guided, Hold, Return, Land, TakeOff, Offboard, Pilot, First };
 constexpr const char* kMeanings[] = {"MISSION", "GUIDED",   "HOLD",  "RETURN", "LAND",
                                      "TAKEOFF", "OFFBOARD", "PILOT", "ANOTHER"};

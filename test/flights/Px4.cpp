@@ -7,7 +7,7 @@
 namespace {
 
 constexpr int32_t kTakeOffCm = 1000, kHomeCm = 58400;
-constexpr uint32_t kStreamMs = 1000, kGoneMs = 1140;  // OFFBOARD wants a target in this time; then it returns
+constexpr uint32_t kStreamMs = 1000, kGoneMs = 1140;  // without a target OFFBOARD ends after kGoneMs
 
 }  // namespace
 
@@ -29,7 +29,7 @@ uint8_t Px4::arm(bool arms) {
 uint8_t Px4::orderMode(uint16_t wanted, uint32_t nowMs) {
   if (isArmed && wanted == modeOf(kind, Means::Mission) && plan.empty()) return MAV_RESULT_TEMPORARILY_REJECTED;
   if (isArmed && wanted == modeOf(kind, Means::Offboard) && !hasStream(nowMs)) return MAV_RESULT_TEMPORARILY_REJECTED;
-  hasLostStream_ = false;  // also where it flies that mode already
+  hasLostStream_ = false;  // this holds even if it flies that mode already
   setMode(wanted, nowMs);
   return MAV_RESULT_ACCEPTED;
 }
@@ -39,7 +39,7 @@ uint8_t Px4::command(const mavlink_command_long_t& given, bool, uint32_t nowMs) 
     case MAV_CMD_COMPONENT_ARM_DISARM: return arm(given.param1 == 1);
     case MAV_CMD_MISSION_START: {
       if (plan.empty() || given.param1 >= static_cast<float>(plan.size())) return MAV_RESULT_DENIED;
-      // It sets the mode, and then looks whether it may be armed: not out of a mode that lands.
+      // It sets the mode, and then checks whether it may be armed: it may not in a mode that lands.
       const bool canArm = isArmed || !(is(Means::Return) || is(Means::Land));
       current_ = static_cast<uint16_t>(given.param1);
       setMode(modeOf(kind, Means::Mission), nowMs);
@@ -60,7 +60,7 @@ uint8_t Px4::command(const mavlink_command_long_t& given, bool, uint32_t nowMs) 
   }
 }
 
-// What was ordered is still OFFBOARD: with targets it can be flown again.
+// OFFBOARD is still what was ordered: it is flown again when targets come.
 void Px4::hearTarget(uint32_t nowMs) {
   streamedMs_ = nowMs;
   if (!hasLostStream_) return;

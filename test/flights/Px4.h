@@ -1,4 +1,4 @@
-// PX4: it tells its mode once a second and when it is asked, arms by MISSION_START, and names its plan by a checksum.
+// PX4 tells its mode once a second and on request, arms by MISSION_START, and names its plan by a checksum.
 #pragma once
 
 #include "Autopilot.h"

@@ -7,18 +7,18 @@ using mavmission::Status;
 namespace {
 
 constexpr uint32_t kBufferedMs = 20;     // a frame that has begun to leave goes on
-constexpr uint32_t kDoubtfulMs = 600;    // targets go on while the mode that is seen may be from before the order
-constexpr uint32_t kStepsMs = 9;         // two update()s: a task ends in the one behind a heartbeat
-constexpr uint32_t kBeatMs = 1100;       // from a heartbeat to the next, and the way
+constexpr uint32_t kDoubtfulMs = 600;    // targets go on while the mode that was seen may be older than the order
+constexpr uint32_t kStepsMs = 9;         // two update()s: a task ends in the one after a heartbeat
+constexpr uint32_t kBeatMs = 1100;       // the time between two heartbeats, and that on the line
 constexpr uint32_t kStreamMs = 1200;     // a target may call PX4 back from its failsafe
-constexpr uint32_t kLookMs = 400;        // a look at each item, and from there to the arming
-constexpr uint32_t kPlanShownMs = 4000;  // a plan that can be told from ours is told by then
+constexpr uint32_t kLookMs = 400;        // the time to read each item, and from then to the arming
+constexpr uint32_t kPlanShownMs = 4000;  // by then a plan that can be told from ours is detected
 
 bool isDisarming(const mavlink_command_long_t& command) {
   return command.command == MAV_CMD_COMPONENT_ARM_DISARM && command.param1 == 0;
 }
 
-// Status::TakenOver and the like: somebody else flies it.
+// Returns whether this status says that somebody else flies it, as Status::TakenOver does.
 bool saysTaken(Status status) {
   return status == Status::TakenOver || status == Status::PilotHasIt || status == Status::FailsafeHasIt;
 }
@@ -61,10 +61,10 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
 void Referee::take(uint16_t mode) {
   const bool isOnGround = isStart(task_) || task_ == Task::TakeOff;
   if (!isArmed_ && !(isRunning_ && isOnGround)) {
-    foreign_.is = false;  // whoever had set one has set another one, or it again
+    foreign_.is = false;  // whoever had set a mode has set another one, or the same again
     return;
   }
-  // The mode from which the order leads away, again, and no heartbeat has shown another one: nobody can tell.
+  // It is the mode in which the order began, and no heartbeat has shown another one: nobody can tell who set it.
   hasTaken_ = true;
   if (isRunning_ && mode == firstMode_ && !isFirstOver_) {
     foreign_.is = false;
@@ -80,7 +80,7 @@ void Referee::modeSet(uint16_t mode, By by) {
   const char* const who = by == By::Order ? "an order" : by == By::Actor ? "somebody" : "the autopilot";
   say(std::string(who) + " sets " + name(mode));
   mode_ = mode;
-  // PX4's failsafe is somebody else; the end of its takeoff is not.
+  // PX4's failsafe counts as somebody else; the end of its takeoff does not.
   if (by == By::Actor) return take(mode);
   if (by == By::Itself && mode == modeOf(kind_, Means::Return)) {
     take(mode);
@@ -99,7 +99,7 @@ void Referee::modeSet(uint16_t mode, By by) {
   }
   if (foreign_.isUndone) return;
   const uint32_t windowMs = nowMs_ - foreign_.sinceMs;
-  // A target that gets through before a heartbeat has told of the failsafe: docs/who_has_the_aircraft.md.
+  // A target arrived before a heartbeat had told of the failsafe: see docs/who_has_the_aircraft.md.
   const bool mayBeUnseen = windowMs < kStreamMs || isBad_;
   if (foreign_.isOfStream && mode == modeOf(kind_, Means::Offboard) && !foreign_.isShown && mayBeUnseen) {
     foreign_.is = false;
@@ -133,7 +133,7 @@ void Referee::planSet(bool isOurs) {
 }
 
 void Referee::comes(const Message& message, uint32_t sentMs) {
-  // What ArduPilot tells of its plan is how long it is.
+  // ArduPilot tells only how long its plan is.
   if (message.id == MAVLINK_MSG_ID_MISSION_CURRENT && !isOurPlan_ && sentMs > otherPlanMs_ && otherNamed_ != 255) {
     if (kind_ == Kind::Px4 || read<mavlink_mission_current_t>(message).total != kItems) ++otherNamed_;
   }
@@ -169,7 +169,7 @@ bool Referee::leaves(const Message& message) {
   }
   if (!isHarmless) hasOrdered_ = true;
   if (message.id == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) listedMs_ = nowMs_;
-  if (task_ == Task::Arm) return !isHarmless;  // it arms, whatever the mode
+  if (task_ == Task::Arm) return !isHarmless;  // this task arms in any mode
   if ((isHarmless && !isTarget) || !foreign_.is || !foreign_.isShown) return !isHarmless;
   if (nowMs_ - foreign_.shownMs < (isTarget ? kDoubtfulMs : kBufferedMs)) return !isHarmless;
   const uint32_t ordered = static_cast<uint32_t>(command.param2) | static_cast<uint32_t>(command.param3) << 8;
@@ -242,7 +242,7 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
   if (isOurPlan_ && sketch.client.aboard() != Aboard::OurPlan)
     breaks(words + "our plan is aboard, and aboard() denies it");
   const bool isFailed = (isStart(task_) || task_ == Task::TakeOff) && sketch.status() != Status::Done;
-  // In the mode of before, which somebody has set again, it is his.
+  // If somebody has set the earlier mode again, the aircraft is his in that mode.
   const bool isHis = foreign_.is || (hasTaken_ && saysTaken(sketch.status()));
   if (isFailed && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !isHis &&
       autopilot.mode != modeOf(kind_, Means::Mission)) {

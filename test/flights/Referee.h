@@ -1,4 +1,4 @@
-// Knows who has the aircraft, since it sees both ends of the line, and says what must not be.
+// It sees both ends of the line, so it knows who has the aircraft, and it says which rule was broken.
 //
 // A mode that an actor sets, or a failsafe, is foreign from then on, as long as the aircraft is armed or a task runs.
 // What must hold:
@@ -7,8 +7,9 @@
 // - If a heartbeat has shown that mode all the same, it is set again: within kGivenBackMs on a line that loses nothing,
 //   within kGivenBackLossyMs, two heartbeats, on one that loses 1 of 200 bytes; if it is not, the status says so.
 // - Behind a heartbeat that shows a foreign mode nothing leaves that moves, arms, or sets another mode than that.
-// - A task ends, and its status is so: see end().
-// - Later on maySteer(), isArmed() and aboard() are so, and nothing stands armed that a failed task has armed: rest().
+// - A task ends, and its status is true: see end().
+// - Later on maySteer(), isArmed() and aboard() are true, and no aircraft stays armed that a failed task has armed: see
+//   rest().
 #pragma once
 
 #include <string>
@@ -23,30 +24,30 @@ class Referee : public Witness {
   Referee(Kind kind, std::string* log) : kind_(kind), log_(log) {}
   virtual ~Referee() = default;
 
-  // It is later.
+  // Time has gone on.
   void at(uint32_t nowMs);
   void begins(Task task, double loss, bool isDisturbed, const Autopilot& autopilot);
-  // What an actor does to the line, or to loop(): from now on nothing must hold that needs a whole line.
+  // An actor disturbs the line or loop(): from now on no rule holds that needs a line without losses.
   void disturbs() { isClean_ = false; }
 
   void modeSet(uint16_t mode, By by) override;
   void armed(bool isArmed, By by) override;
   void planSet(bool isOurs) override;
-  // A frame of the sketch leaves. True for what moves the aircraft, arms it or changes its mode.
+  // A frame of the sketch leaves. Returns true if it moves the aircraft, arms it or changes its mode.
   bool leaves(const Message& message);
-  // A frame of the autopilot has come through, that was sent then.
+  // A frame of the autopilot has arrived, which was sent at that time.
   void comes(const Message& message, uint32_t sentMs);
 
   void ends(mavmission::Status status, const Sketch& sketch, const Autopilot& autopilot);
-  // The line has lost nothing for some seconds, and nothing has happened.
+  // This is called when the line has lost nothing for some seconds, and nothing has happened.
   void rests(const Sketch& sketch, const Autopilot& autopilot);
 
   const std::string& broken() const { return broken_; }
-  // A foreign mode has been undone for good, in the moment that nothing shows.
+  // Returns whether a foreign mode was undone for good, at a moment that no frame shows.
   bool isUnseen() const { return isUnseen_; }
   uint32_t longestWindowMs() const { return longestWindowMs_; }
   uint32_t longestUndoneMs() const { return longestUndoneMs_; }
-  // How long each mode was undone that was set again, where a heartbeat had shown it.
+  // Returns how long each mode was undone that was set again after a heartbeat had shown it.
   const std::vector<uint32_t>& undoneMs() const { return undoneMs_; }
   bool hasTaken() const { return hasTaken_; }
 
@@ -57,9 +58,9 @@ class Referee : public Witness {
     uint32_t sinceMs;
     bool isShown;  // a heartbeat has shown it to the sketch
     uint32_t shownMs;
-    bool isUndone;  // by an order
+    bool isUndone;  // an order has undone it
     uint32_t undoneMs;
-    bool isOfStream;  // PX4's failsafe, whose cause an order of ours ends: a target
+    bool isOfStream;  // it is PX4's failsafe for missing targets, which a target of ours ends
   };
   void say(const std::string& words);
   void breaks(const std::string& rule);
@@ -79,21 +80,21 @@ class Referee : public Witness {
   Foreign foreign_ = Foreign();
   uint32_t longestWindowMs_ = 0, longestUndoneMs_ = 0;
   std::vector<uint32_t> undoneMs_;
-  bool isArmed_ = false;       // the aircraft
+  bool isArmed_ = false;       // whether the aircraft is armed
   uint32_t armedMs_ = 0;       // when that changed
   uint32_t wasArmedMs_ = 0;    // when it was armed last
-  bool wasArmedByUs_ = false;  // and by an order
+  bool wasArmedByUs_ = false;  // whether an order armed it
   bool isOurPlan_ = true;
   uint32_t otherPlanMs_ = 0;
-  uint32_t listedMs_ = 0;   // when a look at the items has begun
-  uint8_t otherNamed_ = 0;  // MISSION_CURRENTs about it that have come through
+  uint32_t listedMs_ = 0;   // when the sketch began to read the items
+  uint8_t otherNamed_ = 0;  // how many MISSION_CURRENTs about the other plan have arrived
   uint16_t mode_ = kNoSuchMode;
-  uint16_t firstMode_ = kNoSuchMode;  // when the task began
-  bool isFirstOver_ = false;          // a heartbeat has shown another one since, behind an order
-  bool hasOrdered_ = false;           // something that is no question has left
+  uint16_t firstMode_ = kNoSuchMode;  // the mode when the task began
+  bool isFirstOver_ = false;          // a heartbeat has shown another mode since, after an order
+  bool hasOrdered_ = false;           // a command that is not only a request has left
   uint16_t shownMode_ = kNoSuchMode;
-  uint16_t shownBefore_ = kNoSuchMode;  // by a heartbeat that came some milliseconds sooner
+  uint16_t shownBefore_ = kNoSuchMode;  // the mode in a heartbeat some milliseconds earlier
   uint32_t cameMs_ = 0;
   bool isShownArmed_ = false;
-  uint32_t shownMs_ = 0;  // when the heartbeat was sent that came through last
+  uint32_t shownMs_ = 0;  // when the last heartbeat that arrived was sent
 };

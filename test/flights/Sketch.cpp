@@ -4,9 +4,9 @@ using namespace mavmission;
 
 namespace {
 
-constexpr uint32_t kFollowMs = 4000;  // then the sketch calls stop()
+constexpr uint32_t kFollowMs = 4000;  // after this the sketch calls stop()
 
-// So many 1e-7 degrees north of home.
+// Returns a place so many 1e-7 degrees north of home.
 LatLon placeNorth(int32_t e7) { return LatLon{Degrees::fromE7(-353632621 + e7), Degrees::fromE7(1491652374)}; }
 
 MissionItem waypointNorth(int32_t e7) {

@@ -21,7 +21,7 @@ enum class Task : uint8_t {
   SetMode,
   VerifyAndStart
 };
-constexpr uint16_t kItems = 3;  // of its plan
+constexpr uint16_t kItems = 3;  // in its plan
 constexpr int kTasks = 13;
 constexpr const char* kTaskNames[kTasks] = {"start",        "takeOff", "goTo",          "pause", "resume",
                                             "returnHome",   "landNow", "follow",        "arm",   "disarm",
@@ -43,7 +43,7 @@ class Sketch {
 
   mavmission::Status upload();
   mavmission::Status begin(Task task);
-  // What loop() does. True when the task, or the upload, has ended: status().
+  // Does what loop() does. Returns true when the task, or the upload, has ended: see status().
   bool loop(uint32_t nowMs);
   mavmission::Status status() const { return status_; }
   bool isFollowed() const { return target.isFollowed(); }
@@ -55,8 +55,8 @@ class Sketch {
   Task task_ = Task::Start;
   bool isRunning_ = false;
   mavmission::Status status_ = mavmission::Status::Idle;
-  uint32_t followedMs_ = 0;  // since when it is followed
+  uint32_t followedMs_ = 0;  // when it began to be followed
 };
 
-// The mode in which the aircraft flies, when the task is done; kNoSuchMode: whatever it was.
+// Returns the mode in which the aircraft flies when the task is done; kNoSuchMode if the task leaves it as it was.
 uint16_t modeWanted(Kind kind, Task task);

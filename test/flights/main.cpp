@@ -49,7 +49,7 @@ struct Findings {
   unsigned long flights = 0, taken = 0, unseen = 0, violations = 0;
   uint32_t windowMs = 0, undoneMs = 0;
   int32_t longestMs = 0;
-  std::vector<uint32_t> undone;  // how long each mode was that was undone and set again [ms]
+  std::vector<uint32_t> undone;  // how long each mode was undone that was set again [ms]
   std::map<std::string, unsigned long> ends;
   std::map<std::string, unsigned long> rules;
   FlightPlan broken, slowest;
@@ -87,7 +87,7 @@ constexpr Kinds kSingle[] = {
     {What::LoseDown, 1}, {What::LoseDown, 4},  {What::Stall, 300},  {What::Stall, 2500},
 };
 
-// The mode that this actor sets.
+// Returns the mode that this actor sets.
 uint16_t modeSetBy(Kind kind, What what) {
   switch (what) {
     case What::Pilot: return modeOf(kind, Means::Pilot);
@@ -97,7 +97,7 @@ uint16_t modeSetBy(Kind kind, What what) {
   }
 }
 
-// Whether this actor can be told from the task's own order, and has something to do.
+// Returns whether this actor can be told from the task's own order, and has something to do.
 bool isOfUse(const FlightPlan& plan, What what) {
   const uint16_t wanted = modeWanted(plan.kind, plan.task);
   switch (what) {
@@ -141,7 +141,7 @@ void flyRandom(FlightPlan plan, unsigned count, Findings& findings) {
     plan.acts.clear();
     for (uint32_t acts = 1 + below(3); acts != 0; --acts) {
       const Kinds& kind = kSingle[below(sizeof(kSingle) / sizeof(kSingle[0]))];
-      // Most of them about when the orders leave.
+      // Most of them act about when the orders leave.
       const uint32_t spans[] = {250, 250, 250, 1500, 9000};
       const uint32_t span = spans[below(5)];
       const Act act = {kind.what, static_cast<int32_t>(below(span)) - (span < 1000 ? 20 : 600), kind.amount, 0};
@@ -154,7 +154,7 @@ void flyRandom(FlightPlan plan, unsigned count, Findings& findings) {
 // Somebody sets a mode while the task runs, once in each flight, until that has happened in so many flights.
 void flyPilots(FlightPlan plan, unsigned count, Findings& findings) {
   constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe};
-  constexpr unsigned kMostFlights = 20;  // for each that counts
+  constexpr unsigned kMostFlights = 20;  // flown for each that counts
   FlightPlan clean = plan;
   clean.loss = 0;
   const uint32_t span = static_cast<uint32_t>(fly(clean, nullptr).tookMs) * (plan.loss > 0 ? 3 : 1);
@@ -217,7 +217,7 @@ int tell(const FlightPlan& plan) {
   return flown.broken.empty() ? 0 : 1;
 }
 
-// How to fly it again by hand.
+// Returns the command that flies it again.
 std::string wordsFor(const FlightPlan& plan) {
   std::string words = std::string(kKinds[static_cast<int>(plan.kind)]) + " " + kTaskNames[static_cast<int>(plan.task)];
   words += " one";
