@@ -200,13 +200,6 @@ class Bench:
             self._step(limit)
         return self._sent(name)[count - 1].time
 
-    def run_until_event(self, word: str, *numbers: int, limit_s: float = 10.0) -> None:
-        """Go on until the firmware says this."""
-        limit = self.now + limit_s
-        while not any(event.word == word and event.numbers[: len(numbers)] == numbers for event in self.events):
-            assert self.now < limit, f"no '{word}' within {limit_s} s"
-            self._step(min(limit, self.now + LISTENING_S))
-
     def _step(self, until: float) -> None:
         """Run to the next thing that happens, at most to `until` [s]."""
         mega = self.mega
@@ -351,11 +344,6 @@ class Bench:
     def restarts(self) -> list[str]:
         """What upload() returned within the callback."""
         return [status_names()[number] for (number,) in self._numbers("restarted")]
-
-    @property
-    def nested_updates(self) -> list[str]:
-        """What update() returned in onProgress()."""
-        return [status_names()[number] for (number,) in self._numbers("nested")]
 
     @property
     def progress(self) -> list[tuple[int, int]]:

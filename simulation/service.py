@@ -24,7 +24,6 @@ SOURCE = Path(__file__).resolve().parent / "sketches" / "service.cpp"
 
 MISSION, FENCE, RALLY, ALL = 0, 1, 2, 255
 HOME_INDEX = 0xFFFF
-SINK_ITEMS = 60  # room in benchSink
 MODES = ("Auto", "Guided", "ReturnToLaunch", "Hold", "Land", "Brake", "Manual")
 PROOFS = ("ByAnswer", "InDoubt", "Always")
 STEPS = ("None", "ReadyMode", "FirstItem", "Arm", "AutoMode", "Begin", "Confirm")

@@ -44,9 +44,8 @@ def pytest_collection_finish():
 def pytest_configure(config):
     import cpu_time
     import kept_results
-    import loss_table
     import sample
     import tables
 
-    for plugin in (sample, tables, loss_table, cpu_time.CpuTime(config), kept_results.KeptResults(config)):
+    for plugin in (sample, tables, cpu_time.CpuTime(config), kept_results.KeptResults(config)):
         config.pluginmanager.register(plugin)

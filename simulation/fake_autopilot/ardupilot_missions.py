@@ -148,10 +148,6 @@ class Missions:
         if sender != self._partner:
             self._ack(sender, DENIED, now)
             return
-        if self.autopilot.faults.asks_for_ever == message.seq:
-            self._last_good_at = now
-            self._request(now)
-            return
         self._take(item, converted, message.seq, sender, now)
 
     def _take(self, item: Item, converted: Item, seq: int, sender, now: float) -> None:

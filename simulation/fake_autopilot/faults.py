@@ -22,10 +22,8 @@ class Faults:
         self._final_ack_delay_s = 0.0
         self._requests_instead: dict[int, list[int]] = {}
         self._kept_back: list[list] = []  # [name, where, times]
-        self.asks_for_ever: int | None = None
         self.acks_every_item = False
         self.takes_only_float_items = False
-        self.gives_plan_before_for_s = 0.0
 
     # -- orders -------------------------------------------------------------------------
 
@@ -67,10 +65,6 @@ class Faults:
         """When item `expected` is due, ask for `asked` instead: one after the other, once."""
         self._requests_instead[expected] = list(asked)
 
-    def ask_for_ever(self, seq: int) -> None:
-        """Never take item `seq`: ask for it again each time it comes."""
-        self.asks_for_ever = seq
-
     def ack_every_item(self) -> None:
         """Send ACK ACCEPTED after each item, as some old ground software does."""
         self.acks_every_item = True
@@ -78,10 +72,6 @@ class Faults:
     def take_only_float_items(self) -> None:
         """Answer every MISSION_ITEM_INT with ACK UNSUPPORTED."""
         self.takes_only_float_items = True
-
-    def give_plan_before(self, seconds: float) -> None:
-        """Give the plan before to a download that begins so soon [s] after ACCEPTED (PX4, a few milliseconds)."""
-        self.gives_plan_before_for_s = seconds
 
     # -- asked by the autopilot ---------------------------------------------------------
 

@@ -23,10 +23,6 @@ def message_id(frame: bytes) -> int:
     return frame[5]
 
 
-def sequence_number(frame: bytes) -> int:
-    """The link's running number in the header [0..255], not a mission item's."""
-    return frame[4] if frame[0] == MAGIC_V2 else frame[2]
-
 
 def _checksum_at(frame: bytes) -> int:
     """Index of the first checksum byte."""

@@ -42,8 +42,6 @@ class Missions:
         self.held: dict[int, list[Item]] = {kind: [] for kind in TYPES}
         self.received: dict[int, list[Item]] = {kind: [] for kind in TYPES}
         self.checksums: dict[int, int] = dict.fromkeys(TYPES, 0)
-        self._before: dict[int, tuple[list[Item], int]] = dict.fromkeys(TYPES, ([], 0))
-        self._replaced_at: dict[int, float] = dict.fromkeys(TYPES, -math.inf)
         self._given: list[Item] = []  # by the download that runs
         self._given_checksum = 0
         self.current = 0
@@ -174,9 +172,6 @@ class Missions:
         if message.seq != self._seq:
             self._set_timer()
             return
-        if self.autopilot.faults.asks_for_ever == message.seq:
-            self._request(now)
-            return
         self._take(Item.of(message), now)
 
     def _take(self, item: Item, now: float) -> None:
@@ -220,8 +215,6 @@ class Missions:
 
     def _put_aboard(self, mission_type: int, sent: list[Item], held: list[Item],
                     checksum: int, now: float = -math.inf) -> None:
-        self._before[mission_type] = self.held.get(mission_type, []), self.checksums.get(mission_type, 0)
-        self._replaced_at[mission_type] = now + self.autopilot.response_delay_s
         self.received[mission_type], self.held[mission_type] = sent, held
         self.checksums[mission_type] = checksum
         if mission_type == MISSION and not held:
@@ -335,8 +328,6 @@ class Missions:
         self._partner = sender
         self._seq = 0
         self._given, self._given_checksum = self.held.get(self._type, []), self.checksums.get(self._type, 0)
-        if now < self._replaced_at.get(self._type, -math.inf) + self.autopilot.faults.gives_plan_before_for_s:
-            self._given, self._given_checksum = self._before.get(self._type, ([], 0))
         self._count = len(self._given)
         self._tell_count(now + self.autopilot.response_delay_s)
         self._set_timer()

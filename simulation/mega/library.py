@@ -54,7 +54,6 @@ def library() -> ctypes.CDLL:
         "mega_eeprom_write": (ctypes.c_int, [mega, u32, u32, ctypes.c_char_p]),
         "mega_has_port": (ctypes.c_bool, [mega, port]),
         "mega_send": (None, [mega, port, ctypes.c_char_p, u32, u64]),
-        "mega_hush": (None, [mega, port]),
         "mega_unsent": (u32, [mega, port]),
         "mega_sent_count": (ctypes.c_void_p, [mega, port]),
         "mega_take_sent": (None, [mega, port, ctypes.POINTER(SentByte)]),

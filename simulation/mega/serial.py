@@ -57,10 +57,6 @@ class SerialPort:
         library().mega_take_sent(self._handle, self.number, log)
         return log
 
-    def hush(self) -> None:
-        """Take back what is queued and has not begun to arrive."""
-        library().mega_hush(self._handle, self.number)
-
     @property
     def unsent(self) -> int:
         """Bytes queued by send() that have not arrived whole."""

@@ -381,14 +381,6 @@ void mega_send(mega_t* mega, int n, const uint8_t* bytes, uint32_t count, uint64
   schedule(mega);
 }
 
-/* Drop what has not begun to arrive. */
-void mega_hush(mega_t* mega, int n) {
-  usart_t* port = &mega->ports[n];
-  port->inbound_count = port->arriving ? 1 : 0;
-  if (!port->arriving) port->receive_at = NEVER;
-  schedule(mega);
-}
-
 uint32_t mega_unsent(const mega_t* mega, int n) { return mega->ports[n].inbound_count; }
 /* Where it is counted how many bytes wait to be taken. */
 const uint32_t* mega_sent_count(const mega_t* mega, int n) { return &mega->ports[n].sent_count; }

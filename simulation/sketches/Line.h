@@ -1,5 +1,5 @@
-// Serial1 as a Stream that can be made to have less room for what is written, or not to say how much, and that notices
-// when a writer would have been made to wait.
+// Serial1 as a Stream that can be made to have less room for what is written, and that notices when a writer
+// would have been made to wait.
 #pragma once
 
 #include <Arduino.h>
@@ -12,8 +12,6 @@ class Line : public Stream {
 
   // The ring of a smaller port [bytes]; 0: it takes nothing for the moment.
   void setRoom(uint8_t room) { ring_ = room; }
-  // As a Stream that does not implement availableForWrite().
-  void setBlind(bool blind) { blind_ = blind; }
   // Bytes that were written when there was no room: a port would have waited.
   uint16_t blocked() const { return blocked_; }
 
@@ -21,7 +19,7 @@ class Line : public Stream {
   int read() override { return serial_.read(); }
   int peek() override { return serial_.peek(); }
   void flush() override { serial_.flush(); }
-  int availableForWrite() override { return blind_ ? 0 : room(); }
+  int availableForWrite() override { return room(); }
   size_t write(uint8_t byte) override {
     if (room() == 0) ++blocked_;
     return serial_.write(byte);
@@ -37,5 +35,4 @@ class Line : public Stream {
   HardwareSerial& serial_;
   uint16_t blocked_ = 0;
   uint8_t ring_ = kRing;
-  bool blind_ = false;
 };

@@ -23,15 +23,11 @@ struct FunctionPlan {
 
 static FunctionPlan functionPlan;
 static uint8_t uploadsInCallback;
-static uint16_t cancelAtItem = 0xFFFF;
-static uint16_t uploadAtItem = 0xFFFF;  // what onProgress() tries
-static uint16_t cancelInSource;         // at that call of the source's function, from 1
 static bool neverSleep;
 
 // The same as item_of_function_plan() in simulation/bench.py.
 static bool itemOfFunctionPlan(void* context, uint16_t index, MissionItem& item) {
   FunctionPlan& function = *static_cast<FunctionPlan*>(context);
-  if (cancelInSource != 0 && --cancelInSource == 0) client.cancel();
   if (index == function.refusedItem && function.agreements-- == 0) {
     function.agreements = 0;
     return false;
@@ -50,15 +46,7 @@ static bool itemOfFunctionPlan(void* context, uint16_t index, MissionItem& item)
   return true;
 }
 
-static void onProgress(void*, uint16_t done, uint16_t total) {
-  tellProgress(done, total);
-  if (done == cancelAtItem) client.cancel();
-  if (done != uploadAtItem) return;
-  tell(F("restarted"), static_cast<uint8_t>(client.uploadWithoutReadback(plan)));
-  Serial.println();
-  tell(F("nested"), static_cast<uint8_t>(client.update()));
-  Serial.println();
-}
+static void onProgress(void*, uint16_t done, uint16_t total) { tellProgress(done, total); }
 
 static void onEnd(void*, Status status) {
   tell(F("end"), static_cast<uint8_t>(status));
@@ -146,9 +134,6 @@ ACTION(callbacks) {
   client.onEnd(numbers[0] ? onEnd : nullptr);
 }
 ACTION(again) { uploadsInCallback = numbers[0]; }
-ACTION(cancelat) { cancelAtItem = numbers[0]; }
-ACTION(uploadat) { uploadAtItem = numbers[0]; }
-ACTION(cancelin) { cancelInSource = numbers[0]; }
 ACTION(nosleep) { neverSleep = numbers[0]; }
 ACTION(state) { tellState(); }
 ACTION(text) { tellText(toString(static_cast<Status>(numbers[0]))); }
@@ -165,13 +150,10 @@ ACTION(post) {
   Serial.println();
 }
 #endif
-#ifndef BENCH_DIRECT
-ACTION(blind) { line.setBlind(numbers[0]); }
-#endif
 
 static const Word words[] = {
-    WORDS_OF_CLIENT,  WORD(flash),      WORD(function),   WORD(upload),  WORD(floats), WORD(callbacks), WORD(again),
-    WORD(cancelat),   WORD(uploadat),   WORD(cancelin),   WORD(nosleep), WORD(state),  WORD(text),      WORD(aboard),
+    WORDS_OF_CLIENT,  WORD(flash),      WORD(function),   WORD(upload), WORD(floats), WORD(callbacks),
+    WORD(again),      WORD(nosleep),    WORD(state),      WORD(text),   WORD(aboard),
 #ifdef BENCH_FILES
     WORD(fileupload), WORD(fileverify), WORD(fileensure), WORD(verify),
 #endif
@@ -180,9 +162,6 @@ static const Word words[] = {
 #endif
 #if MAVMISSION_SIGNING
     WORD(sign),       WORD(time),       WORD(signing),    WORD(post),
-#endif
-#ifndef BENCH_DIRECT
-    WORD(blind),
 #endif
 };
 

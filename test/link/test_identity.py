@@ -48,14 +48,6 @@ def test_heartbeat_says_that_we_are_an_onboard_computer_and_no_autopilot(bench):
 
 
 @HEARTBEATS
-def test_nothing_is_sent_before_an_autopilot_is_heard(line):
-    line.upload(SURVEY)
-    line.run(30)
-    assert line.mega.serial(1).unheard == 0
-    assert [entry for entry in line.wire.entries if entry.direction == ">"] == []
-
-
-@HEARTBEATS
 def test_heartbeats_go_out_before_an_autopilot_is_heard_when_the_ids_are_set(line):
     line.tell("ids", 7, 100)
     line.upload(SURVEY)
@@ -78,15 +70,6 @@ def test_own_ids_are_those_of_a_companion_of_the_autopilot(make_bench, personali
     assert senders(bench) == {(address[0], ONBOARD_COMPUTER)}
     assert {(m.target_system, m.target_component) for m in bench.mission_messages()} == {address}
     assert bench.state.address == address
-
-
-@HEARTBEATS
-def test_own_ids_that_the_sketch_sets_are_used_everywhere(bench, personality):
-    bench.tell("ids", 255, 190)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    assert senders(bench) == {(255, 190)}
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
 
 
 @HEARTBEATS
@@ -114,19 +97,6 @@ NO_AUTOPILOTS = {
 
 @HEARTBEATS
 @pytest.mark.parametrize("who", NO_AUTOPILOTS)
-def test_heartbeat_of_no_autopilot_is_not_taken_for_one(line, who):
-    address, autopilot, kind = NO_AUTOPILOTS[who]
-    line.upload(SURVEY)
-    for _ in range(5):
-        line.say(heartbeat(autopilot, kind), address)
-        line.run(1.0)
-    state = line.state
-    assert (state.found, state.status) == (False, "WaitingForAutopilot")
-    assert line.heard() == []
-
-
-@HEARTBEATS
-@pytest.mark.parametrize("who", NO_AUTOPILOTS)
 def test_autopilot_is_found_among_others(bench, personality, who):
     address, autopilot, kind = NO_AUTOPILOTS[who]
     bench.upload(SURVEY)
@@ -136,31 +106,6 @@ def test_autopilot_is_found_among_others(bench, personality, who):
     assert bench.ends == ["Accepted"]
     assert bench.state.address == AUTOPILOT
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
-@HEARTBEATS
-@pytest.mark.parametrize(
-    ("autopilot", "name"), [(ARDUPILOT, "ArduPilot"), (PX4, "Px4"), (mavlink.MAV_AUTOPILOT_GENERIC, "Other")]
-)
-def test_firmware_is_known_by_its_heartbeat(line, autopilot, name):
-    assert line.state.firmware == "Unknown"
-    line.say(heartbeat(autopilot, base_mode=mavlink.MAV_MODE_FLAG_SAFETY_ARMED))
-    line.run(0.01)
-    state = line.state
-    assert (state.firmware, state.found, state.armed) == (name, True, True)
-
-
-@HEARTBEATS
-def test_autopilot_is_lost_after_5_seconds_of_silence(line):
-    find(line)
-    line.run(4.1)  # the second heartbeat was 0.7 s ago
-    assert line.state.found
-    line.run(0.3)
-    state = line.state
-    assert (state.found, state.armed, state.firmware) == (False, False, "Unknown")
-    count = len(line.heard())
-    line.run(5)
-    assert len(line.heard()) == count
 
 
 def second_autopilot(bench, seconds: float, address: tuple[int, int] = (2, 1)) -> None:
@@ -186,55 +131,12 @@ def test_nothing_is_sent_while_two_autopilots_are_heard_and_none_is_named(bench,
 
 
 @HEARTBEATS
-def test_named_one_of_two_autopilots_gets_the_plan(bench, personality):
-    bench.upload(SURVEY)
-    bench.run(0.3)
-    second_autopilot(bench, 4)
-    bench.tell("talk", 1, 1)
-    second_autopilot(bench, 4)
-    assert bench.ends == ["Accepted"]
-    assert {(m.target_system, m.target_component) for m in bench.mission_messages()} == {AUTOPILOT}
-    assert senders(bench) == {US}
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
-@HEARTBEATS
-def test_autopilot_that_is_named_beforehand_gets_the_plan_whoever_speaks_first(make_bench, personality):
-    bench = make_bench(heartbeat_at_s=2.5)
-    bench.tell("talk", 1, 1)
-    bench.upload(SURVEY)
-    second_autopilot(bench, 6)
-    assert bench.ends == ["Accepted"]
-    assert {(m.target_system, m.target_component) for m in bench.mission_messages()} == {AUTOPILOT}
-
-
-@HEARTBEATS
-def test_waiting_with_two_autopilots_ends_as_several_autopilots(bench):
-    bench.tell("waiting", 5)
-    bench.upload(SURVEY)
-    bench.run(0.3)
-    second_autopilot(bench, 7)
-    assert bench.ends == ["SeveralAutopilots"]
-    assert bench.mission_messages() == []
-
-
-@HEARTBEATS
 def test_plan_goes_out_by_itself_when_the_second_autopilot_has_gone(bench, personality):
     bench.upload(SURVEY)
     bench.run(0.3)
     second_autopilot(bench, 4)
     assert bench.mission_messages() == []
     assert bench.run_until_ended(limit_s=8) == "Accepted"
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
-@pytest.mark.scenario(39, "The autopilot appears 30 s after the Arduino")
-def test_plan_waits_for_an_autopilot_that_appears_late(make_bench, personality):
-    tells = {"tells_at_s": 30.5} if personality == "PX4" else {}
-    bench = make_bench(heartbeat_at_s=30.0, **tells)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=40) == "Accepted"
-    assert min(bench.sent_at("HEARTBEAT")) > 30.0
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
 
 
@@ -285,19 +187,6 @@ def test_frames_for_another_target_move_nothing(bench, personality, target):
     assert bench.run_until_ended(limit_s=5) == "Accepted"
     wire_count = len(on_the_wire(SURVEY, personality))
     assert steps(bench) == [("COUNT", wire_count), *smooth_steps(wire_count)]
-
-
-@STRANGERS
-@pytest.mark.parametrize("to", [(0, 0), (1, 0), (0, 191), US], ids=str)
-def test_frames_for_everyone_are_ours(line, to):
-    line.upload(SURVEY)
-    find(line)
-    for seq in range(5):
-        line.say(request_int(seq, to))
-        line.run(0.03)
-    line.say(ack(to=to))
-    assert line.run_until_ended(limit_s=0.1) == "Accepted"
-    assert steps(line) == smooth_steps(5)
 
 
 @STRANGERS

@@ -44,11 +44,6 @@ def test_every_length_up_to_300_is_hashed_right(signing):
         assert signing.ask("hash", data.hex() or "-", 300) == hashlib.sha256(data).hexdigest(), length
 
 
-def test_longest_message_is_hashed_right(signing):
-    data = random.Random(1).randbytes(8191)
-    assert signing.ask("hash", data.hex(), 8191) == hashlib.sha256(data).hexdigest()
-
-
 @settings(
     max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
@@ -79,12 +74,6 @@ def test_pymavlink_refuses_what_is_signed_with_another_key(signing):
     receiver = signer(key=OTHER_KEY)
     with pytest.raises(mavlink.MAVError, match="Invalid signature"):
         receiver.decode(bytearray(signing.sign(unsigned_frame(ACK))))
-
-
-def test_each_timestamp_is_greater_than_the_one_before(signing):
-    frame = unsigned_frame(ACK)
-    times = [int.from_bytes(signing.sign(frame)[-12:-6], "little") for _ in range(50)]
-    assert times == list(range(1, 51))
 
 
 @pytest.mark.parametrize("rounds", [8, 16, 24, 64])
@@ -128,21 +117,11 @@ def test_length_and_flags_are_signed_too(signing):
     assert signing.accepts(frame)
 
 
-def test_another_key_is_refused(signing):
-    assert not signing.accepts(ACK.pack(signer(key=OTHER_KEY, time=YEARS)))
-    assert signing.counters["wrong"] == 1
-
-
 def test_same_frame_again_is_refused(signing):
     frame = ACK.pack(signer(time=YEARS))
     assert signing.accepts(frame)
     assert not signing.accepts(frame)
     assert signing.counters["replayed"] == 1
-
-
-def test_older_frame_of_the_same_stream_is_refused(signing):
-    frames = [ACK.pack(signer(time=YEARS + age)) for age in (0, -1, -MINUTE, 1)]
-    assert [signing.accepts(frame) for frame in frames] == [True, False, False, True]
 
 
 def test_first_frame_of_a_stream_may_be_a_minute_behind_and_no_more(signing):
@@ -182,15 +161,6 @@ def test_streams_are_told_apart(signing):
     assert signing.counters["too many streams"] == 1
 
 
-def test_stream_that_was_silent_for_a_minute_gives_way_and_cannot_be_replayed(signing):
-    recorded = [ACK.pack(signer((1, n), time=YEARS)) for n in range(1, 5)]
-    assert all(signing.accepts(frame) for frame in recorded)
-    assert signing.accepts(ACK.pack(signer((1, 1), time=YEARS + MINUTE + 1)))
-    assert signing.accepts(ACK.pack(signer((9, 9), time=YEARS + MINUTE + 1)))
-    assert not any(signing.accepts(frame) for frame in recorded)
-    assert signing.accepts(ACK.pack(signer((1, 1), time=YEARS + MINUTE + 2)))
-
-
 def test_wrong_signature_moves_no_time(signing):
     assert signing.accepts(ACK.pack(signer(time=YEARS)))
     assert not signing.accepts(ACK.pack(signer(key=OTHER_KEY, time=YEARS * 2)))
@@ -227,11 +197,6 @@ def test_it_judges_as_the_rules_of_the_guide_do(signing, frames):
 
 
 # Time
-
-
-def test_newer_time_is_taken_over_from_an_accepted_frame(signing):
-    assert signing.accepts(ACK.pack(signer(time=YEARS)))
-    assert int.from_bytes(signing.sign(unsigned_frame(ACK))[-12:-6], "little") == YEARS + 1
 
 
 def test_clock_moves_time_forward_only(signing):
@@ -293,16 +258,6 @@ def test_autopilot_is_heard_after_a_reset_at_the_worst_moment(signing):
         assert signing.accepts(ACK.pack(signer(time=heard)))
         autopilot.signing.timestamp = max(autopilot.signing.timestamp, signing.time)
         assert signing.saves == before
-
-
-def test_resets_without_anything_sent_do_not_run_ahead(signing):
-    assert signing.accepts(ACK.pack(signer(time=YEARS)))
-    signing.sign(unsigned_frame(ACK))
-    kept = signing.kept
-    for _ in range(100):
-        signing.begin()
-        assert signing.accepts(ACK.pack(signer(time=YEARS + 1)))
-    assert signing.kept == kept
 
 
 def test_store_is_written_once_in_39_s_while_the_autopilots_clock_runs(signing):

@@ -8,11 +8,11 @@ import pytest
 from pymavlink.dialects.v10 import common as mavlink1
 
 from plans import HOME, NO_PLACE, OLD_PLAN, SURVEY, on_the_wire, sent, smooth_steps, steps, waypoint
-from simulation.bench import FunctionPlan, same_bits
+from simulation.bench import same_bits
 from simulation.fake_autopilot import Item, item, mavlink
 from simulation.fake_autopilot.items import f32, item_float_message, item_int_message
 from simulation.fake_autopilot.px4_rewriting import checksum
-from simulation.peer import AUTOPILOT, US, ack, find, heartbeat, request, request_int
+from simulation.peer import AUTOPILOT, US, ack, find, request, request_int
 
 # Fields that are zero at the end, in the middle and at the beginning; extensions are always zero.
 PLAN = [
@@ -133,21 +133,6 @@ def test_every_bit_of_a_nan_yaw_is_kept_where_nan_is_meant(line):
     assert payload[12:16] == struct.pack("<I", 0xFFC12345)
 
 
-@EXACT
-def test_sequence_numbers_of_frames_wrap_after_255(line):
-    line.upload(FunctionPlan(300))
-    find(line)
-    line.run(0.5)  # an update() checks one item
-    for seq in range(300):
-        if seq % 50 == 0:
-            line.say(heartbeat(), AUTOPILOT)
-        line.say(request_int(seq), AUTOPILOT)
-        line.run(0.02)
-    numbers = [entry.data[4] for entry in line.wire.frames(">")]
-    assert len(numbers) > 300
-    assert numbers == [number % 256 for number in range(len(numbers))]
-
-
 SHORT = pytest.mark.scenario(3, "Truncated MAVLink 2 frames")
 
 
@@ -163,32 +148,6 @@ def test_request_for_item_0_of_1_to_4_bytes_is_answered(line, kind, to, length):
     assert line.wire.entries[-1].data[1] == length
     line.run(0.03)
     assert steps(line) == smooth_steps(1)
-
-
-@SHORT
-def test_request_for_item_256_to_everyone_has_2_bytes_and_is_answered(line):
-    line.upload(FunctionPlan(300))
-    find(line)
-    line.run(0.5)  # an update() checks one item
-    for seq in range(257):
-        if seq % 50 == 0:
-            line.say(heartbeat(), AUTOPILOT)
-        line.say(request_int(seq, to=(0, 0)), AUTOPILOT)
-        line.run(0.02)
-    assert line.wire.frames("<", "MISSION_REQUEST_INT")[-1].data[1] == 2
-    assert steps(line) == [("COUNT", 300), *(("ITEM_INT", seq) for seq in range(257))]
-
-
-@SHORT
-@pytest.mark.parametrize(("to", "length"), [(US, 2), ((1, 0), 1), ((0, 0), 1)])
-def test_accepting_ack_of_1_or_2_bytes_is_an_acceptance(line, to, length):
-    line.upload([waypoint()])
-    find(line)
-    line.say(request_int(0), AUTOPILOT)
-    line.run(0.03)
-    line.say(ack(to=to), AUTOPILOT)
-    assert line.wire.entries[-1].data[1] == length
-    assert line.run_until_ended(limit_s=0.1) == "Accepted"
 
 
 @SHORT
@@ -220,21 +179,6 @@ def whole(message) -> bytes:
 
 
 BOTH_KINDS = pytest.mark.scenario(4, "MISSION_REQUEST and MISSION_REQUEST_INT; float items")
-
-
-@BOTH_KINDS
-@pytest.mark.parametrize("kind", [request, request_int], ids=["REQUEST", "REQUEST_INT"])
-@pytest.mark.parametrize("version", [1, 2])
-def test_either_request_is_answered_with_item_int(line, kind, version):
-    line.upload(SURVEY)
-    find(line, version=version)
-    for seq in range(5):
-        line.say(kind(seq), AUTOPILOT, version)
-        line.run(0.03)
-    line.say(ack(), AUTOPILOT, version)
-    assert line.run_until_ended(limit_s=0.1) == "Accepted"
-    assert steps(line) == smooth_steps(5)
-    assert same_bits(sent(line), SURVEY)
 
 
 @BOTH_KINDS
@@ -320,13 +264,6 @@ def test_frames_of_another_mission_type_move_nothing(bench, personality, mission
     assert bench.run_until_ended(limit_s=5) == "Accepted"
     assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
-@TYPES
-def test_every_message_that_is_sent_says_mission(bench):
-    bench.upload(SURVEY)
-    bench.run_until_ended(limit_s=5)
-    assert {message.mission_type for message in bench.mission_messages()} == {mavlink.MAV_MISSION_TYPE_MISSION}
 
 
 @pytest.mark.scenario(2, "The exact bytes of every message")

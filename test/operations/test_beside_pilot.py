@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import pytest
 
-from disorders import latency_of
 from simulation.service import asks_for_heartbeat
-from simulation.wire import Wire
 from starts import ARM, MISSION_START, SET_MODE, hops, made, told, upload
 
 PILOT = pytest.mark.scenario(49, "start() beside a pilot: the mode that he sets stays, and the status says so")
@@ -90,48 +88,6 @@ def test_mode_of_a_pilot_beside_the_order_that_begins_stays(build_service, vehic
         # A pilot who was sooner than that order has kept it from leaving; PX4 is armed by it.
         assert service.autopilot.armed or vehicle == "px4"
         assert service.state.arming == ("Armed" if service.autopilot.armed else "Untouched")
-
-
-@PILOT
-@pytest.mark.parametrize("vehicle", ["copter", "rover"])
-@pytest.mark.parametrize("behind_ms", [0.5, 5, 12, 22, 37])
-def test_mode_of_a_pilot_right_behind_arming_stays_and_nothing_is_disarmed(build_service, vehicle, behind_ms):
-    at = heard_at(build_service, vehicle, (ARM, 0))
-    service = ready(build_service, vehicle)
-    service.autopilot.at("pilot", at + behind_ms / 1000, lambda now: set_by_pilot(service, OTHERS[vehicle], now))
-    service.order_of("start")
-    assert service.done() == "TakenOver"
-    service.run(3.0)
-    assert mode_of(service) == OTHERS[vehicle] and service.autopilot.armed
-    assert service.state.arming == "Armed" and (ARM, 0, 0) not in told(service)
-
-
-@PILOT
-@pytest.mark.parametrize("vehicle", BEGINS)
-def test_on_a_line_that_loses_nothing_contradicts_the_autopilot(build_service, vehicle):
-    """A pilot at any moment, with 3 of 100 bytes lost."""
-    other = OTHERS[vehicle]
-    for seed in range(6):
-        service = made(build_service, vehicle, wire=Wire(seed))
-        if vehicle == "px4":
-            service.autopilot._set_mode(3, 0, 0.0)
-        upload(service, hops(vehicle, 4))
-        service.wire.damage_bytes(lose=3)
-        service.wire.set_latency(latency_of(seed))
-        moment = service.now + 0.2 + 0.45 * seed
-        service.autopilot.at("pilot", moment, lambda now, s=service: set_by_pilot(s, other, now))
-        service.order_of("start")
-        modes = watch(service)
-        status = service.done(limit_s=100)
-        shown, armed = mode_of(service), service.autopilot.armed
-        if status == "Done":
-            assert armed and shown in (3, 10, (4, 4))
-            continue
-        assert status in ("TakenOver", "Overruled", "NoAnswer", "Unconfirmed", "NotArmed"), seed
-        if status == "TakenOver":
-            assert shown == other, f"{seed}: {modes}"
-        if service.state.arming != "Armed":
-            assert not armed
 
 
 @PILOT

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from areas import FIELD, POINTS
-from plans import OLD_PLAN, SURVEY, on_the_wire, steps, waypoint
+from plans import OLD_PLAN, SURVEY, on_the_wire
 from service_table import LEFTOVERS_S
 from simulation.bench import status_names
 from simulation.fake_autopilot import mavlink
@@ -55,12 +55,6 @@ def test_all_three_are_cleared_one_by_one(service):
 
 
 @CLEAR
-def test_clearing_nothing_is_fine(service):
-    clear(service, ALL)
-    assert service.done() == "Cleared"
-
-
-@CLEAR
 def test_each_refusal_has_its_own_status_and_leaves_the_plan(service):
     load_all(service)
     service.run(LEFTOVERS_S)  # before that it may be an upload from before a reset that is given up
@@ -74,19 +68,6 @@ def test_each_refusal_has_its_own_status_and_leaves_the_plan(service):
 
 
 @CLEAR
-def test_all_says_how_far_it_came_when_one_is_refused(service):
-    load_all(service)
-    clear(service, ALL)
-    service.run_until_sent("MISSION_CLEAR_ALL")
-    service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, "clear")
-    assert service.done() == "Denied"
-    state = service.state
-    assert "Nothing" in (state.aboard, state.aboard_fence, state.aboard_rally) or left(service) == list(TYPES)
-    for name, aboard in zip(TYPES, (state.aboard, state.aboard_fence, state.aboard_rally), strict=True):
-        assert (aboard == "Nothing") == (name not in left(service))
-
-
-@CLEAR
 @pytest.mark.parametrize("mission_type", [MISSION, FENCE, ALL])
 def test_ack_that_does_not_come_is_made_up_for_by_asking_again(service, mission_type):
     load_all(service)
@@ -95,27 +76,6 @@ def test_ack_that_does_not_come_is_made_up_for_by_asking_again(service, mission_
     assert service.done() == "Cleared"
     first, second = service.sent_at("MISSION_CLEAR_ALL")[:2]
     assert second - first == pytest.approx(1.5, abs=0.01)
-
-
-@CLEAR
-@pytest.mark.parametrize("mission_type", [MISSION, FENCE, ALL])
-def test_ack_that_is_lost_is_made_up_for_as_soon_as_the_loss_is_seen(service, mission_type):
-    load_all(service)
-    service.wire.lose("<", name="MISSION_ACK")
-    clear(service, mission_type)
-    assert service.done() == "Cleared"
-    first, second = service.sent_at("MISSION_CLEAR_ALL")[:2]
-    seen = next(entry for entry in service.wire.frames("<") if entry.time > first and not entry.fate)
-    assert 0.015 < second - first < max(seen.time - first, 0.08) + 0.02
-
-
-@CLEAR
-def test_lost_clear_is_sent_again(service):
-    load_all(service)
-    service.wire.lose(">", name="MISSION_CLEAR_ALL", times=4)
-    clear(service, MISSION)
-    assert service.done() == "Cleared"
-    assert left(service) == ["fence", "rally"]
 
 
 @CLEAR
@@ -131,26 +91,6 @@ def test_silence_ends_after_5_tries_and_nothing_is_known(service):
 
 
 @CLEAR
-def test_answers_that_all_are_lost_end_in_bounded_time_and_nothing_is_known(service):
-    service.upload(SURVEY)
-    assert service.done() == "Accepted"
-    service.wire.lose("<", name="MISSION_ACK", times=None)
-    clear(service, MISSION)
-    assert service.done(limit_s=20) == "NoAnswer"
-    times = service.sent_at("MISSION_CLEAR_ALL")
-    assert len(times) <= 250 and 5.5 <= service.now - times[0] < 20  # PX4 may be busy for 5 s
-    assert service.state.aboard == "NotKnown"
-
-
-@CLEAR
-def test_autopilot_that_dies_ends_it_in_bounded_time(service):
-    service.run(2.0)
-    service.autopilot.faults.fall_silent(step="clear")
-    clear(service, MISSION)
-    assert service.done(limit_s=12) == "NoAnswer"
-
-
-@CLEAR
 def test_px4_that_is_busy_is_asked_until_it_is_free(build_service):
     service = build_service("PX4")
     service.autopilot.load(OLD_PLAN)
@@ -160,41 +100,6 @@ def test_px4_that_is_busy_is_asked_until_it_is_free(build_service):
     clear(service, MISSION)
     assert service.done(limit_s=12) == "Cleared"
     assert len(service.heard("MISSION_CLEAR_ALL")) > 1
-
-
-@CLEAR
-def test_ack_of_another_type_or_addressee_is_no_answer(service):
-    load_all(service)
-    service.wire.lose(">", name="MISSION_CLEAR_ALL")
-    clear(service, MISSION)
-    service.run_until_sent("MISSION_CLEAR_ALL")
-    service.run(0.1)
-    service.say(mavlink.MAVLink_mission_ack_message(1, 191, 0, FENCE))
-    service.say(mavlink.MAVLink_mission_ack_message(1, 190, 0, MISSION))
-    service.say(mavlink.MAVLink_mission_ack_message(1, 191, 0, MISSION), sender=(255, 190))
-    service.run(0.1)
-    assert service.state.busy
-    assert service.done() == "Cleared"
-    assert left(service) == ["fence", "rally"]
-
-
-@CLEAR
-def test_cancelled_clear_says_nothing_more(service):
-    service.wire.lose(">", name="MISSION_CLEAR_ALL", times=None)
-    clear(service, MISSION)
-    service.run_until_sent("MISSION_CLEAR_ALL")
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    service.run(5.0)
-    assert steps(service) == [("CLEAR_ALL", None)]
-
-
-@CLEAR
-def test_everything_still_works_after_a_clear(service):
-    clear(service, ALL)
-    assert service.done() == "Cleared"
-    service.upload([waypoint()], proof="Always")
-    assert service.done() == "Accepted"
 
 
 ARMED = pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")

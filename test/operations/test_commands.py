@@ -117,20 +117,6 @@ def test_number_that_is_not_whole_is_not_squeezed_into_a_command_int(service, nu
 
 
 @COMMANDS
-@pytest.mark.parametrize("second", [INT_ONLY, LONG_ONLY])
-def test_form_is_changed_once_and_no_more(service, second):
-    deafen(service)
-    service.send_command(CHANGE_SPEED, 1.0, 5.0)
-    service.run_until_sent("COMMAND_LONG")
-    acknowledge(service, CHANGE_SPEED, INT_ONLY)
-    service.run_until_sent("COMMAND_INT")
-    acknowledge(service, CHANGE_SPEED, second)
-    assert service.done(limit_s=1) == ("CommandIntOnly" if second == INT_ONLY else "CommandLongOnly")
-    service.run(2.0)
-    assert len(service.heard("COMMAND_LONG", "COMMAND_INT")) == 2
-
-
-@COMMANDS
 def test_changed_form_is_made_up_for_when_it_is_lost_and_still_goes_out_once_where_once_is_meant(service):
     deafen(service)
     service.send_command(CHANGE_SPEED, 1.0, 5.0)
@@ -187,30 +173,12 @@ def test_lost_command_or_answer_is_made_up_for(service, direction, name):
 
 
 @COMMANDS
-def test_command_whose_answer_does_not_come_is_sent_every_1500_ms(service):
-    service.autopilot.faults.keep_back("COMMAND_ACK", times=4)
-    service.order_of("interval", 33, 500000)
-    assert service.done() == "Done"
-    assert [message.confirmation for message in service.heard("COMMAND_LONG")] == [0, 1, 2, 3, 4]
-    times = service.sent_at("COMMAND_LONG")
-    assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(1.5, abs=0.01)] * 4
-
-
-@COMMANDS
 def test_command_that_is_never_answered_ends_after_5_tries(service):
     deafen(service)
     service.send_command(CHANGE_SPEED, 1.0, 5.0)
     assert service.done(limit_s=12) == "NoAnswer"
     times = service.sent_at("COMMAND_LONG")
     assert len(times) == 5 and service.now - times[0] == pytest.approx(7.5, abs=0.05)
-
-
-@COMMANDS
-def test_autopilot_that_dies_ends_the_command_in_bounded_time(service):
-    service.run(2.0)
-    service.autopilot.faults.fall_silent(from_time=service.now)
-    service.send_command(CHANGE_SPEED, 1.0, 5.0)
-    assert service.done(limit_s=12) == "NoAnswer"
 
 
 @COMMANDS
@@ -224,16 +192,6 @@ def test_in_progress_extends_the_wait(service):
     assert len(service.heard("COMMAND_LONG")) == 1
     acknowledge(service, CHANGE_SPEED, 0)
     assert service.done(limit_s=1) == "Done"
-
-
-@COMMANDS
-def test_silence_after_in_progress_ends_too(service):
-    deafen(service)
-    service.send_command(CHANGE_SPEED, 1.0, 5.0)
-    service.run_until_sent("COMMAND_LONG")
-    acknowledge(service, CHANGE_SPEED, 5)
-    assert service.done(limit_s=20) == "NoAnswer"
-    assert len(service.heard("COMMAND_LONG")) == 5
 
 
 @COMMANDS
@@ -266,32 +224,6 @@ def test_answer_to_another_command_or_for_another_one_is_no_answer(service):
     assert service.done(limit_s=1) == "Done"
 
 
-@COMMANDS
-def test_cancelled_command_says_nothing_more(service):
-    deafen(service)
-    service.send_command(CHANGE_SPEED, 1.0, 5.0)
-    service.run_until_sent("COMMAND_LONG")
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    service.run(4.0)
-    assert [message.get_type() for message in service.mission_messages()] == ["COMMAND_LONG"]
-
-
-@COMMANDS
-@pytest.mark.parametrize(
-    "order", [("arm",), ("mode", 3), ("clear", 0), ("download", 0, 9, 9), ("start",), ("verify", 0)]
-)
-def test_second_operation_is_refused_and_the_first_goes_on(service, order):
-    deafen(service)
-    service.send_command(CHANGE_SPEED, 1.0, 5.0)
-    service.run_until_sent("COMMAND_LONG")
-    assert service.order_of(*order) == "Busy"
-    acknowledge(service, CHANGE_SPEED, 0)
-    assert service.done(limit_s=1) == "Done"
-    service.run(2.0)
-    assert len(service.mission_messages()) == 1
-
-
 ONCE = pytest.mark.scenario(51, "An item is reached once; a command that must not happen twice is not repeated")
 
 
@@ -304,24 +236,6 @@ def test_commands_that_must_not_happen_twice_are_sent_once(service):
         assert service.done(limit_s=10) == "Unconfirmed"
         assert len(service.heard("COMMAND_LONG")) == number
         assert service.now - service.sent_at("COMMAND_LONG")[-1] == pytest.approx(5.0, abs=0.05)
-
-
-@ONCE
-def test_command_that_must_not_happen_twice_is_repeated_when_asked(service):
-    deafen(service)
-    service.send_command(SERVO, 9.0, 1500.0, always=True)
-    assert service.done(limit_s=10) == "NoAnswer"
-    assert [message.confirmation for message in service.heard("COMMAND_LONG")] == [0, 1, 2, 3, 4]
-
-
-@ONCE
-def test_its_answer_is_taken(service):
-    deafen(service)
-    service.send_command(SERVO, 9.0, 1500.0)
-    service.run_until_sent("COMMAND_LONG")
-    service.run(3.0)
-    acknowledge(service, SERVO, 0)
-    assert service.done(limit_s=1) == "Done"
 
 
 ARMING = pytest.mark.scenario(54, "Arming: by arm() and start() alone, and never forced")
@@ -371,16 +285,6 @@ def test_mission_start_is_not_sent_to_a_disarmed_px4_by_any_command(build_servic
     assert service.heard("COMMAND_LONG") == [] and not service.autopilot.armed
 
 
-@ARMING
-def test_resume_and_mode_changes_arm_nothing(service):
-    service.upload(SURVEY)
-    assert service.done() == "Accepted"
-    for order in (("resume",), ("pause",), ("mode", 0), ("setcurrent", 1)):
-        service.order_of(*order)
-        service.done()
-    assert not service.autopilot.armed
-
-
 MODE = pytest.mark.scenario(54, "Modes by one name on every vehicle")
 
 
@@ -426,25 +330,6 @@ def test_number_that_is_none_of_ardupilots_modes_is_refused_and_not_cut(build_se
     assert service.heard("COMMAND_LONG") == []
 
 
-@MODE
-def test_mode_that_the_vehicle_refuses(service, personality):
-    """AUTO without a plan, which PX4 takes all the same while it is disarmed."""
-    service.set_mode("Auto")
-    assert service.done() == ("CommandFailed" if personality == "ArduPilot" else "Done")
-    service.run(1.1)
-    assert ("Auto" in service.state.modes) == (personality == "PX4")
-
-
-@MODE
-def test_mode_waits_until_it_is_known_who_flies(build_service):
-    service = build_service("ArduPilot", vehicle="rover", heartbeat_at_s=3.0)
-    service.set_mode("ReturnToLaunch")
-    service.run(2.5)
-    assert service.heard("COMMAND_LONG") == []
-    assert service.done() == "Done"
-    assert [one.param2 for one in service.heard("COMMAND_LONG") if one.command == SET_MODE] == [11]
-
-
 SHOWN = pytest.mark.scenario(54, "A mode is set when a heartbeat shows it")
 
 
@@ -459,17 +344,6 @@ def test_px4_that_accepts_a_mode_and_then_refuses_it_has_refused_it(build_servic
         assert service.done(limit_s=3) == "CommandRejected"
         answers = [entry.message for entry in service.wire.frames("<", "COMMAND_ACK")]
         assert [one.result for one in answers if one.command == SET_MODE][-2:] == [0, 1]
-
-
-@SHOWN
-def test_refusal_that_is_lost_is_drawn_again(build_service):
-    service = build_service("PX4")
-    service.order_of("arm")
-    assert service.done() == "Done"
-    service.wire.lose("<", name="COMMAND_ACK", where=lambda message: message.result == 1)
-    service.set_mode("Guided")
-    assert service.done(limit_s=5) == "CommandRejected"
-    assert len([one for one in service.heard("COMMAND_LONG") if one.command == SET_MODE]) == 2
 
 
 @SHOWN
@@ -498,18 +372,6 @@ def test_mode_whose_answers_are_lost_is_seen_in_the_heartbeat(service):
     assert service.state.modes == ["ReturnToLaunch"]
 
 
-@SHOWN
-def test_pause_of_a_flight_is_done_when_it_is_shown(service, personality):
-    from starts import uploaded
-
-    uploaded(service)
-    service.order_of("start")
-    assert service.done() == "Done"
-    service.order_of("pause")
-    assert service.done() == "Done"
-    assert service.state.modes == ["Hold"]
-
-
 CURRENT = pytest.mark.scenario(46, "Set current: by command, by the older message, out of range, lost")
 
 
@@ -527,21 +389,6 @@ def test_current_item_is_set_in_the_sketchs_numbering(service, personality):
 
 
 @CURRENT
-def test_item_out_of_range_is_refused(service, personality):
-    """ArduPilot refuses the command. PX4 answers nothing to the message, but says how many items it has."""
-    loaded(service, SURVEY)
-    for item in (5, 9, 65534):
-        before = service.now
-        service.order_of("setcurrent", item)
-        assert service.done(limit_s=15) == ("CommandDenied" if personality == "ArduPilot" else "NoSuchItem")
-        assert service.now - before < 2.6  # with the autopilot to be found
-        if personality == "PX4":
-            assert service.state.failed_item == item
-    service.order_of("setcurrent", 65535)
-    assert service.done() == "NoSuchItem"
-
-
-@CURRENT
 def test_item_beyond_the_plan_that_was_uploaded_is_refused_at_once(service):
     service.upload(SURVEY)
     assert service.done() == "Accepted"
@@ -553,39 +400,6 @@ def test_item_beyond_the_plan_that_was_uploaded_is_refused_at_once(service):
     assert service.heard("COMMAND_LONG", "MISSION_SET_CURRENT") == []
     service.order_of("setcurrent", 4)
     assert service.done() == "Done"
-
-
-@CURRENT
-def test_item_beyond_is_not_guessed_behind_a_fence_or_a_plan_of_somebody_elses(service, personality):
-    from areas import FIELD
-    from simulation.service import FENCE
-
-    service.upload(SURVEY)
-    assert service.done() == "Accepted"
-    service.upload(FIELD, FENCE)
-    assert service.done() == "Accepted"
-    service.order_of("setcurrent", len(FIELD) if len(FIELD) < len(SURVEY) else 4)
-    assert service.done() == "Done"
-    service.order_of("setcurrent", 9)
-    assert service.done(limit_s=3) == ("CommandDenied" if personality == "ArduPilot" else "NoSuchItem")
-
-
-@CURRENT
-def test_no_plan_has_no_item(build_service):
-    service = build_service("PX4")
-    service.order_of("setcurrent", 0)
-    service.done(limit_s=3)
-    service.order_of("setcurrent", 1)
-    assert service.done(limit_s=3) == "NoSuchItem"
-
-
-@CURRENT
-def test_lost_answer_is_made_up_for(service):
-    loaded(service, SURVEY)
-    service.wire.lose("<", name="COMMAND_ACK", times=2)
-    service.order_of("setcurrent", 3)
-    assert service.done() == "Done"
-    assert len(service.heard("COMMAND_LONG")) == 3
 
 
 def older(service) -> None:
@@ -609,58 +423,6 @@ def test_older_autopilot_gets_the_older_message(service, personality):
     home = personality == "ArduPilot"
     assert [message.seq for message in service.heard("MISSION_SET_CURRENT")] == [2 + home]
     assert current_on_the_wire(service) == 2 + home
-
-
-@CURRENT
-def test_older_message_that_is_lost_is_sent_again(service):
-    loaded(service, SURVEY)
-    older(service)
-    service.wire.lose(">", name="MISSION_SET_CURRENT", times=3)
-    service.order_of("setcurrent", 2)
-    assert service.done() == "Done"
-    assert len(service.heard("MISSION_SET_CURRENT")) == 4
-
-
-@CURRENT
-def test_older_message_is_sent_again_as_soon_as_any_command_on_a_line_that_loses(service):
-    loaded(service, SURVEY)
-    older(service)
-    service.run(1.2)
-    service.wire.lose("<", name="HEARTBEAT")
-    service.run(2.0)
-    lost = service.wire.lose(">", name="MISSION_SET_CURRENT", times=8)
-    service.order_of("setcurrent", 2)
-    service.run_until_sent("MISSION_SET_CURRENT")
-    began = service.now
-    assert service.done() == "Done"
-    assert lost.struck == 8
-    assert service.now - began < 2.0  # PX4 tells of its current item once a second
-
-
-@CURRENT
-def test_older_message_for_an_item_out_of_range_is_not_confirmed(service, personality):
-    loaded(service, SURVEY)
-    older(service)
-    service.order_of("setcurrent", 7)
-    if personality == "PX4":
-        assert service.done(limit_s=4) == "NoSuchItem"
-        return
-    assert service.done(limit_s=12) == "NoAnswer"  # it says nothing to the message, and how many it has only when asked
-    assert len(service.heard("MISSION_SET_CURRENT")) == 5
-
-
-@CURRENT
-def test_older_message_is_not_confirmed_by_another_current_item(service, personality):
-    loaded(service, SURVEY)
-    older(service)
-    service.wire.lose(">", name="MISSION_SET_CURRENT", times=None)
-    service.order_of("setcurrent", 2)
-    service.run_until_sent("MISSION_SET_CURRENT")
-    service.say(mavlink.MAVLink_mission_current_message(4))
-    service.run(0.2)
-    assert service.state.busy
-    service.say(mavlink.MAVLink_mission_current_message(2 + (personality == "ArduPilot")))
-    assert service.done(limit_s=1) == "Done"
 
 
 STREAMS = pytest.mark.scenario(54, "Message intervals")
@@ -688,66 +450,6 @@ def test_message_that_the_autopilot_does_not_have(service):
     assert service.done() in ("CommandFailed", "CommandDenied")
 
 
-@COMMANDS
-@pytest.mark.parametrize("operation", ["upload", "verify", "clear"])
-def test_next_operation_may_begin_in_the_callback_of_each(service, operation):
-    service.upload(SURVEY)
-    assert service.done() == "Accepted"
-    service.tell("chain", 4)
-    service.order_of(*{"upload": ("upload", 0, 0), "verify": ("verify", 0), "clear": ("clear", 0)}[operation])
-    assert service.done() in ("Accepted", "Verified", "Cleared")
-    assert service.done() == "Downloaded"
-
-
-LATE_ANSWERS = pytest.mark.scenario(54, "A late answer to a command is not taken for one to the next")
-
-
-@LATE_ANSWERS
-@pytest.mark.parametrize("late_s", [1.6, 2.2, 2.9])
-def test_second_late_answer_is_not_taken_for_one_to_the_next_command(service, personality, late_s):
-    """The mode is set twice, as the first answer is late; both come, the second one while another mode is asked for."""
-    service.wire.delay("<", late_s, name="COMMAND_ACK", times=2)
-    service.set_mode("Guided" if personality == "ArduPilot" else "Hold")
-    assert service.done() == "Done"
-    service.wire.lose(">", name="COMMAND_LONG", times=2)
-    service.set_mode("ReturnToLaunch")
-    assert service.done() == "Done"
-    service.run(1.2)
-    assert "ReturnToLaunch" in service.state.modes
-
-
-@LATE_ANSWERS
-def test_late_answer_to_the_first_mode_of_a_start_is_not_taken_for_one_to_the_second(build_service):
-    from starts import hops, is_flying, made, upload
-
-    service = made(build_service, "rover")
-    service.autopilot.mode = "HOLD"
-    upload(service, hops("rover", 4))
-    service.wire.delay("<", 1.6, name="COMMAND_ACK", times=2, where=lambda message: message.command == 176)
-    service.wire.lose(">", name="COMMAND_LONG", where=lambda message: message.command == 176 and message.param2 == 10)
-    service.order_of("start")
-    assert service.done(limit_s=20) == "Done"
-    assert is_flying(service)
-    assert len([one for one in service.heard("COMMAND_LONG") if one.param2 == 10]) == 2
-
-
-@LATE_ANSWERS
-def test_next_command_does_not_wait_where_no_second_answer_can_come(service):
-    service.run(3.0)
-    for _ in range(3):
-        before = service.now
-        service.order_of("interval", 33, 500000)
-        assert service.done() == "Done"
-        assert service.now - before < 0.2
-    service.wire.lose("<", name="COMMAND_ACK")
-    service.order_of("interval", 33, 500000)
-    assert service.done() == "Done"
-    before = service.now
-    service.order_of("disarm")
-    assert service.done() == "Done"
-    assert service.now - before < 0.2
-
-
 FIRST_WAIT = pytest.mark.scenario(54, "A command waits for nothing that another operation has left")
 
 
@@ -772,17 +474,3 @@ def test_command_behind_another_operation_is_sent_at_once(service, operation, or
         return  # to nothing
     service.run_until_sent("COMMAND_LONG", sent + 1)
     assert service.now - before < 0.05
-
-
-@FIRST_WAIT
-@pytest.mark.parametrize("pause_s", [65.54, 66.0, 66.8])
-def test_command_waits_for_no_late_answer_after_a_minute(service, pause_s):
-    """Times of 16 bits come round by then."""
-    service.wire.delay("<", 1.6, name="COMMAND_ACK")
-    service.order_of("interval", 33, -1)
-    assert service.done() == "Done"
-    service.run(pause_s)
-    before = service.now
-    service.order_of("interval", 33, 500000)
-    assert service.done() == "Done"
-    assert service.now - before < 0.1

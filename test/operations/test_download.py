@@ -2,24 +2,13 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import pytest
 
-from disorders import latency_of
-from downloads import WRITTEN, is_ardupilot, loaded, same
-from plans import HOME, NAN, OLD_PLAN, SURVEY, steps, waypoint
+from downloads import WRITTEN, loaded, same
+from plans import NAN, OLD_PLAN, SURVEY, steps
 from simulation.bench import status_names
 from simulation.fake_autopilot import RALLY, mavlink
-from simulation.service import HOME_INDEX, SINK_ITEMS
-
-
-def test_what_was_uploaded_is_downloaded_again(service):
-    service.upload(WRITTEN)
-    assert service.done() == "Accepted"
-    assert service.download() == "WaitingForAutopilot"
-    assert service.done() == "Downloaded"
-    assert same(service.sink(len(WRITTEN)), WRITTEN)
+from simulation.service import HOME_INDEX
 
 
 def test_download_into_an_array_holds_the_plan(service):
@@ -72,15 +61,6 @@ def test_autopilot_without_a_plan_gives_none(service):
 
 
 @pytest.mark.scenario(42, "REQUEST_LIST lost, unanswered, answered with 0 or for another type")
-def test_autopilot_with_only_home_gives_none(build_service):
-    service = build_service("ArduPilot")
-    service.autopilot.load([HOME])
-    service.download()
-    assert service.done() == "Downloaded"
-    assert service.sunk == [HOME_INDEX] and service.state.total == 0
-
-
-@pytest.mark.scenario(42, "REQUEST_LIST lost, unanswered, answered with 0 or for another type")
 def test_lost_request_list_is_sent_again_after_1500_ms(service):
     loaded(service, SURVEY)
     service.wire.lose(">", name="MISSION_REQUEST_LIST", times=2)
@@ -98,14 +78,6 @@ def test_unanswered_request_list_ends_after_5_tries(service):
     times = service.sent_at("MISSION_REQUEST_LIST")
     assert len(times) == 5
     assert service.now - times[0] == pytest.approx(7.5, abs=0.05)
-
-
-@pytest.mark.scenario(42, "REQUEST_LIST lost, unanswered, answered with 0 or for another type")
-def test_autopilot_that_dies_before_it_answers_ends_the_download_in_bounded_time(service):
-    service.run(2.0)
-    service.autopilot.faults.fall_silent(step="list")
-    service.download()
-    assert service.done(limit_s=12) == "NoAnswer"
 
 
 @pytest.mark.scenario(42, "REQUEST_LIST lost, unanswered, answered with 0 or for another type")
@@ -138,50 +110,6 @@ def test_each_item_or_its_request_may_be_lost_once(service, direction, name):
 
 
 @LOST
-def test_lost_item_is_asked_for_again_after_250_ms_and_8_times_in_all(service):
-    loaded(service, SURVEY)
-    service.autopilot.faults.keep_back("MISSION_ITEM_INT", where=lambda message: message.seq == 2)
-    service.download()
-    assert service.done() == "TimedOut"
-    service.run(0.1)
-    times = [entry.time for entry in service.wire.frames(">", "MISSION_REQUEST_INT") if entry.message.seq == 2]
-    assert len(times) == 8
-    assert [later - sooner for sooner, later in pairwise(times)] == [pytest.approx(0.25, abs=0.01)] * 7
-    assert steps(service)[-1] == ("ACK", 15), "the autopilot is told, or it would wait for us"
-
-
-@LOST
-def test_item_that_is_always_lost_ends_the_download_within_250_requests(service):
-    loaded(service, SURVEY)
-    service.wire.lose("<", name="MISSION_ITEM_INT", seq=2, times=None)
-    service.download()
-    assert service.done(limit_s=20) == "TimedOut"
-    service.run(0.1)
-    times = [entry.time for entry in service.wire.frames(">", "MISSION_REQUEST_INT") if entry.message.seq == 2]
-    assert 5 <= len(times) <= 250
-    assert steps(service)[-1] == ("ACK", 15), "the autopilot is told, or it would wait for us"
-
-
-@LOST
-def test_tries_are_renewed_by_each_item(service):
-    loaded(service, SURVEY)
-    for seq in range(6):
-        service.wire.lose("<", name="MISSION_ITEM_INT", seq=seq, times=4)
-    service.download()
-    assert service.done(limit_s=20) == "Downloaded"
-    assert same([one._replace(param4=0) for one in service.sink(5)], [one._replace(param4=0) for one in SURVEY])
-
-
-@LOST
-def test_items_that_come_twice_are_taken_once(service, personality):
-    loaded(service, WRITTEN)
-    service.wire.repeat("<", name="MISSION_ITEM_INT", after_s=0.02, times=None)
-    service.download()
-    assert service.done() == "Downloaded"
-    assert service.sunk == [*([HOME_INDEX] if personality == "ArduPilot" else []), *range(8)]
-
-
-@LOST
 def test_item_of_another_number_or_type_is_not_taken(service):
     loaded(service, SURVEY)
     service.wire.lose("<", name="MISSION_ITEM_INT", seq=1, times=2)
@@ -211,16 +139,6 @@ def test_each_refusal_ends_the_download_with_its_own_status(service, step):
 
 
 @LOST
-def test_invalid_sequence_is_noise(service):
-    loaded(service, SURVEY)
-    service.autopilot.faults.refuse(mavlink.MAV_MISSION_INVALID_SEQUENCE, "list")
-    if is_ardupilot(service):  # PX4 ends its side with any refusal of an item
-        service.autopilot.faults.refuse(mavlink.MAV_MISSION_INVALID_SEQUENCE, ("read", 2))
-    service.download()
-    assert service.done() == "Downloaded"
-
-
-@LOST
 def test_plan_that_is_longer_than_the_array_is_not_begun_with(service):
     loaded(service, SURVEY)
     service.order_of("downloadtosmall", 0)
@@ -241,15 +159,6 @@ def test_function_that_refuses_an_item_ends_the_download_there(service):
     assert service.state.failed_item == 2
     assert service.sunk[-1] == 2 and 3 not in service.sunk
     assert steps(service)[-1] == ("ACK", 15)
-
-
-@LOST
-def test_plan_of_exactly_the_arrays_length_fits(service):
-    plan = [waypoint(473977420 + n, z=float(n + 1)) for n in range(SINK_ITEMS)]
-    loaded(service, plan)
-    service.order_of("downloadtoram", 0)
-    assert service.done(limit_s=20) == "Downloaded"
-    assert [one.x for one in service.sink(SINK_ITEMS)] == [one.x for one in plan]
 
 
 @pytest.mark.scenario(44, "Our final ACK is lost, and the next operation still works")
@@ -310,35 +219,3 @@ def test_download_while_another_ground_station_uploads_is_said_as_such(build_ser
 
 def gcs_frame(message) -> bytes:
     return message.pack(mavlink.MAVLink(None, 255, 190))
-
-
-def test_download_works_while_the_aircraft_is_armed(make_service):
-    service = make_service(armed=True)
-    loaded(service, SURVEY)
-    service.download()
-    assert service.done() == "Downloaded"
-
-
-def test_download_survives_random_loss_or_says_that_it_did_not(make_service):
-    from simulation.wire import Wire
-
-    for seed in range(4):
-        wire = Wire(seed=seed)
-        for way in "<>":
-            wire.at_random(way, lose=20, repeat=5, delay=10, where=lambda message: message.get_type() != "HEARTBEAT")
-        wire.set_latency(latency_of(seed))
-        service = make_service(wire=wire)
-        loaded(service, WRITTEN)
-        service.download()
-        if service.done(limit_s=40) == "Downloaded":
-            assert same(service.sink(8), WRITTEN)
-
-
-def test_download_after_an_upload_that_waited_for_its_turn_has_its_whole_time(make_service):
-    service = make_service()
-    service.tell("backoff", 60)
-    service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, times=2)
-    service.upload(SURVEY)
-    assert service.done(limit_s=20) == "Accepted"
-    service.download()
-    assert service.done() == "Downloaded"

@@ -8,10 +8,8 @@ from disorders import latency_of
 from downloads import WRITTEN, loaded
 from plans import SURVEY, on_the_wire, waypoint
 from simulation.bench import FunctionPlan, item_of_function_plan
-from simulation.fake_autopilot import item, mavlink
-from simulation.service import FENCE, MISSION
+from simulation.fake_autopilot import mavlink
 from simulation.wire import Wire
-from starts import HOPS
 
 ENSURE = pytest.mark.scenario(56, "A plan is put aboard only if it is not there already")
 IN_FLIGHT = pytest.mark.scenario(57, "ensure() in flight looks, and changes nothing")
@@ -20,8 +18,6 @@ LIMIT_S = 20
 CHANGES_A_PLAN = ("MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_ITEM", "MISSION_CLEAR_ALL",
                   "MISSION_WRITE_PARTIAL_LIST")  # fmt: skip
 OTHER = [waypoint(z=n + 1.0) for n in range(3)]
-CORNERS = [item(5001, x=473977420 + 1000 * dx, y=85455970 + 1000 * dy, param1=4.0, frame=0)
-           for dx, dy in ((0, 0), (0, 1), (1, 1), (1, 0))]  # fmt: skip
 
 
 def changing(service) -> list[str]:
@@ -52,20 +48,6 @@ def test_plan_that_is_there_is_not_uploaded_again(service):
 
 
 @ENSURE
-@pytest.mark.parametrize("plan", [WRITTEN, SURVEY], ids=["jumps and yaws", "survey"])
-def test_plan_that_another_station_put_there_in_the_same_words_is_not_uploaded(service, plan):
-    service.upload(plan)
-    assert service.done() == "Accepted"
-    held = service.autopilot.received()
-    service.reset()
-    service.autopilot.load(held)
-    before = len(changing(service))
-    service.ensure(plan)
-    assert service.done(LIMIT_S) == "AlreadyAboard"
-    assert len(changing(service)) == before
-
-
-@ENSURE
 @pytest.mark.parametrize("held", [
     OTHER,
     [*SURVEY[:4], SURVEY[4]._replace(y=85455971)],
@@ -82,15 +64,6 @@ def test_another_plan_is_replaced(service, personality, held):
     assert service.autopilot.received() == on_the_wire(SURVEY, personality)
     state = service.state
     assert (state.aboard, state.failed_item, state.field) == ("OurPlan", None, "None")
-
-
-@ENSURE
-def test_upload_behind_the_look_loses_no_time_to_an_autopilot_that_still_gives_its_plan(service):
-    loaded(service, [*SURVEY[:4], SURVEY[4]._replace(y=85455971)])
-    service.ensure(SURVEY)
-    assert service.done(LIMIT_S) == "Accepted"
-    assert len(service.heard("MISSION_COUNT")) == 1
-    assert service.heard("MISSION_REQUEST_LIST") != []
 
 
 @ENSURE
@@ -125,20 +98,6 @@ def test_ardupilot_is_read_and_not_written_to(build_service):
 
 
 @ENSURE
-def test_px4_that_names_no_checksum_is_read(build_service):
-    service = build_service("PX4")
-    service.upload(WRITTEN)
-    assert service.done() == "Accepted"
-    service.reset()
-    service.autopilot.missions.checksums[MISSION] = 0
-    before = len(changing(service))
-    service.ensure(WRITTEN)
-    assert service.done(LIMIT_S) == "AlreadyAboard"
-    assert len(changing(service)) == before
-    assert len(service.heard("MISSION_REQUEST_INT")) == len(WRITTEN)
-
-
-@ENSURE
 def test_empty_plan_is_there_where_there_is_none_and_clears_where_there_is_one(service):
     service.ensure("empty")
     assert service.done(LIMIT_S) == "AlreadyAboard"
@@ -147,39 +106,6 @@ def test_empty_plan_is_there_where_there_is_none_and_clears_where_there_is_one(s
     service.ensure("empty")
     assert service.done(LIMIT_S) == "Accepted"
     assert service.autopilot.plan() == []
-
-
-@ENSURE
-def test_plan_that_cannot_be_flown_is_refused_before_anything_is_sent(service):
-    service.ensure([SURVEY[0], waypoint(x=950000000)])
-    assert service.done(LIMIT_S) == "BadLatitude"
-    assert service.state.failed_item == 1
-    assert service.mission_messages() == []
-
-
-@ENSURE
-def test_fence_is_put_aboard_only_if_it_is_not_there(service):
-    service.ensure(CORNERS, FENCE)
-    assert service.done(LIMIT_S) == "Accepted"
-    assert service.state.aboard_fence == "OurPlan"
-    service.reset()
-    before = len(changing(service))
-    service.ensure(CORNERS, FENCE)
-    assert service.done(LIMIT_S) == "AlreadyAboard"
-    assert len(changing(service)) == before
-    assert service.state.aboard_fence == "OurPlan"
-
-
-@ENSURE
-def test_plan_that_was_found_there_may_be_started(service, personality):
-    service.upload(HOPS[personality])
-    assert service.done() == "Accepted"
-    service.reset()
-    service.run_until(service.now + 40)
-    service.ensure(HOPS[personality])
-    assert service.done(LIMIT_S) == "AlreadyAboard"
-    service.order_of("start")
-    assert service.done(60) == "Done"
 
 
 @IN_FLIGHT
@@ -199,15 +125,6 @@ def test_another_plan_in_flight_stays_and_the_status_says_why(make_service, is_a
 
 
 @IN_FLIGHT
-def test_ardupilot_in_flight_is_said_where_it_differs(build_service):
-    service = build_service("ArduPilot", armed=True)
-    loaded(service, OTHER)
-    service.ensure([*OTHER[:2], OTHER[2]._replace(z=7.0)])
-    assert service.done(LIMIT_S) == "Armed"
-    assert (service.state.failed_item, service.state.field) == (2, "Height")
-
-
-@IN_FLIGHT
 def test_our_plan_is_recognised_in_flight(make_service):
     service = make_service(armed=True)
     loaded(service, OTHER)
@@ -215,33 +132,6 @@ def test_our_plan_is_recognised_in_flight(make_service):
     assert service.done(LIMIT_S) == "AlreadyAboard"
     assert service.state.aboard == "OurPlan"
     assert changing(service) == []
-
-
-@ENSURE
-@pytest.mark.parametrize("name", ["MISSION_REQUEST_LIST", "MISSION_COUNT", "MISSION_ACK", "MISSION_ITEM_INT"])
-@pytest.mark.parametrize("is_there", [True, False], ids=["there", "another is there"])
-def test_one_lost_message_costs_time_alone(service, personality, name, is_there):
-    loaded(service, OTHER if is_there else [*OTHER[:2], OTHER[2]._replace(z=7.0)])
-    for direction in "<>":
-        service.wire.lose(direction, name=name)
-    service.ensure(OTHER)
-    assert service.done(LIMIT_S) == ("AlreadyAboard" if is_there else "Accepted")
-    assert service.state.aboard == "OurPlan"
-    assert service.autopilot.received() == on_the_wire(OTHER, personality)
-    assert is_there == (changing(service) == [])
-
-
-@ENSURE
-@pytest.mark.parametrize("plan", ["empty", OTHER[:2]], ids=["none", "shorter"])
-def test_count_of_the_look_that_comes_again_is_not_taken_for_that_of_the_read_back(build_service, plan):
-    """It comes so many milliseconds later, of which some lie between the second REQUEST_LIST and its answer."""
-    for after_ms in range(10, 40 if plan == "empty" else 90, 2):
-        service = build_service("ArduPilot")
-        loaded(service, OTHER)
-        service.wire.repeat("<", name="MISSION_COUNT", after_s=after_ms / 1000)
-        service.ensure(plan, proof="Always")
-        assert service.done(LIMIT_S) == "Accepted", f"repeated after {after_ms} ms"
-        assert service.state.aboard == "OurPlan"
 
 
 @ENSURE
@@ -268,31 +158,6 @@ def test_what_it_says_is_true_on_a_bad_line(make_service, personality, seed, los
 
 
 @ENSURE
-def test_autopilot_that_never_answers_is_said_and_nothing_is_changed(service):
-    loaded(service, OTHER)
-    held = service.autopilot.received()
-    service.autopilot.faults.keep_back("MISSION_COUNT")
-    service.ensure(SURVEY)
-    assert service.done(LIMIT_S) == "NoAnswer"
-    assert len(service.heard("MISSION_REQUEST_LIST")) == 5
-    assert service.autopilot.received() == held and changing(service) == []
-
-
-@ENSURE
-def test_cancel_while_it_looks_changes_nothing(service):
-    loaded(service, OTHER)
-    held = service.autopilot.received()
-    service.wire.lose("<", name="MISSION_COUNT", times=None)
-    service.ensure(SURVEY)
-    service.run_until_sent("MISSION_REQUEST_LIST")
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    service.run(1.0)
-    assert [ack.type for ack in service.heard("MISSION_ACK")] == [mavlink.MAV_MISSION_OPERATION_CANCELLED]
-    assert service.autopilot.received() == held and changing(service) == []
-
-
-@ENSURE
 @pytest.mark.parametrize("is_named", [False, True], ids=["found", "named"])
 def test_reset_in_the_middle_of_an_upload_is_made_good_by_the_next_start(service, personality, is_named):
     """After the reset the autopilot still waits for items, and refuses to be read for some seconds."""
@@ -316,24 +181,3 @@ def test_ardupilot_that_another_station_uploads_to_is_left_alone(build_service):
     service.ensure(SURVEY)
     assert service.done(LIMIT_S) == "Denied"
     assert service.state.aboard == "NotKnown" and changing(service) == []
-
-
-@ENSURE
-def test_ardupilot_is_looked_at_again_when_another_station_is_done(build_service):
-    service = build_service("ArduPilot")
-    loaded(service, SURVEY)
-    service.tell("backoff", 60)
-    service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, "list", times=11)
-    service.ensure(SURVEY)
-    assert service.done(60) == "AlreadyAboard"
-    assert "BackingOff" in service.returned
-    assert changing(service) == []
-
-
-@ENSURE
-def test_value_that_the_autopilot_would_not_keep_is_refused_as_by_an_upload(build_service):
-    service = build_service("ArduPilot")
-    loaded(service, OTHER)
-    service.ensure([OTHER[0]._replace(param1=1.5), *OTHER[1:]])
-    assert service.done(LIMIT_S) == "NotKept"
-    assert service.mission_messages() == []

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from areas import FIELD, INSIDE, POINTS, RETURN_POINT, corner
-from plans import OLD_PLAN, SURVEY, waypoint
-from simulation.bench import same_bits, status_names
+from plans import OLD_PLAN, SURVEY
+from simulation.bench import same_bits
 from simulation.fake_autopilot import item, mavlink
 from simulation.service import FENCE, MISSION, RALLY
 
@@ -69,18 +69,6 @@ def test_difference_is_named(service, mission_type, field, change):
 
 
 @SERVICE
-def test_radius_and_height_that_differ_are_named(service):
-    service.autopilot.load([*FIELD[:-1], FIELD[-1]._replace(param1=16.0)], FENCE)
-    service.verify(FIELD, FENCE)
-    assert service.done() == "Differs"
-    assert (service.state.failed_item, service.state.field) == (8, "Param1")
-    service.autopilot.load([POINTS[0], POINTS[1]._replace(z=531.0)], RALLY)
-    service.verify(POINTS, RALLY)
-    assert service.done() == "Differs"
-    assert (service.state.failed_item, service.state.field) == (1, "Height")
-
-
-@SERVICE
 def test_altitude_of_a_rally_point_that_ardupilot_would_cut_to_whole_metres_is_refused(build_service):
     service = build_service("ArduPilot")
     service.upload([POINTS[0]._replace(z=20.75)], RALLY, proof="Always")
@@ -89,30 +77,6 @@ def test_altitude_of_a_rally_point_that_ardupilot_would_cut_to_whole_metres_is_r
     assert service.heard("MISSION_COUNT") == []
     service.upload([POINTS[0]._replace(z=20.0)], RALLY, proof="Always")
     assert service.done() == "Accepted"
-
-
-def test_rally_point_at_the_origin_is_refused_where_it_could_never_be_read(service, personality):
-    service.upload([POINTS[0]._replace(x=0, y=0)], RALLY, proof="Always")
-    assert service.done() == ("NeedsCoordinates" if personality == "ArduPilot" else "Accepted")
-
-
-@SERVICE
-@BOTH
-def test_lost_final_ack_is_made_up_for(service, mission_type):
-    service.autopilot.faults.swallow_final_ack()
-    service.upload(PLANS[mission_type], mission_type, proof="InDoubt")
-    assert service.done(limit_s=30) == "Accepted"
-    assert same_bits(service.autopilot.received(mission_type), PLANS[mission_type])
-
-
-@SERVICE
-@BOTH
-def test_each_item_may_be_lost_once(service, mission_type):
-    for seq in range(len(PLANS[mission_type])):
-        service.wire.lose(">", name="MISSION_ITEM_INT", seq=seq)
-    service.upload(PLANS[mission_type], mission_type)
-    assert service.done(limit_s=30) == "Accepted"
-    assert same_bits(service.autopilot.received(mission_type), PLANS[mission_type])
 
 
 @SERVICE
@@ -141,26 +105,6 @@ def test_fence_that_the_autopilot_does_not_take_is_never_accepted(service, perso
     assert same_bits(service.autopilot.received(FENCE), FIELD)
 
 
-@SERVICE
-def test_each_refusal_at_an_item_names_it_without_a_home(service):
-    for result in range(1, 16):
-        if result == mavlink.MAV_MISSION_INVALID_SEQUENCE:
-            continue  # noise in a transfer
-        service.autopilot.faults.refuse(result, 3)
-        service.upload(FIELD, FENCE)
-        assert service.done(limit_s=15) == status_names()[status_names().index("Error") + result - 1]
-        assert service.state.failed_item == 3
-
-
-@SERVICE
-@BOTH
-def test_empty_plan_leaves_none(service, mission_type):
-    service.autopilot.load(PLANS[mission_type], mission_type)
-    service.upload("empty", mission_type)
-    assert service.done() == "Accepted"
-    assert service.autopilot.plan(mission_type) == []
-
-
 MAVLINK_1 = pytest.mark.scenario(7, "Fence and rally are refused on a MAVLink 1 link")
 
 
@@ -176,18 +120,6 @@ def test_everything_is_refused_on_mavlink_1_before_a_byte_leaves(build_service, 
         service.order_of(*order)
         assert service.done() == "NeedsMavlink2", order
     assert service.mission_messages() == []
-
-
-@MAVLINK_1
-def test_mission_is_served_on_mavlink_1(build_service):
-    service = build_service("ArduPilot", mavlink_version=1)
-    service.upload(SURVEY, proof="Always")
-    assert service.done() == "Accepted"
-    service.download()
-    assert service.done() == "Downloaded"
-    assert service.state.total == 5
-    service.order_of("clear", MISSION)
-    assert service.done() == "Cleared"
 
 
 @SERVICE
@@ -229,73 +161,12 @@ def test_short_fence_that_ardupilot_accepts_and_wipes_is_sent_again(build_servic
 
 
 @SERVICE
-def test_short_fence_that_is_not_there_when_it_was_sent_again_is_said_to_differ(build_service):
-    service = build_service("ArduPilot")
-    service.autopilot.load(FIELD, FENCE)
-    service.upload(SHORT, FENCE, proof="InDoubt")
-    service.run_until_sent("MISSION_COUNT", 2)
-    service.autopilot.load(FIELD, FENCE)  # so that it is one in the place of a longer one again
-    assert service.done() == "Differs"
-    assert (service.state.field, service.state.aboard_fence) == ("Count", "NotKnown")
-    # And once more, from the beginning.
-    service.autopilot.load(FIELD, FENCE)
-    service.order_of("uploadagain")
-    assert service.done() == "Accepted"
-    assert same_bits(service.autopilot.received(FENCE), SHORT)
-
-
-@SERVICE
-@pytest.mark.parametrize("until", ["accepted", "MISSION_REQUEST_LIST"])
-def test_short_fence_is_cancelled_while_it_is_looked_at(service, until):
-    service.upload(SHORT, FENCE, proof="InDoubt")
-    if until == "accepted":
-        service.run_until_sent("MISSION_ITEM_INT")
-        service.run(0.5)
-    else:
-        service.run_until_sent(until)
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    assert service.state.aboard_fence == "NotKnown"
-    service.run(0.2)
-    service.upload(SHORT, FENCE, proof="InDoubt")
-    assert service.done() == "Accepted"
-
-
-@SERVICE
 @pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (RALLY, POINTS[:1]),
                                                 (MISSION, SURVEY[:1])])  # fmt: skip
 def test_other_plans_are_read_back_only_where_it_is_asked_for(service, mission_type, plan):
     service.upload(plan, mission_type, proof="InDoubt")
     assert service.done() == "Accepted"
     assert service.heard("MISSION_REQUEST_LIST") == []
-
-
-@SERVICE
-def test_wrong_fence_item_is_refused_before_a_byte_leaves(service):
-    service.upload([FIELD[0], FIELD[1]._replace(x=900000001)], FENCE)
-    assert service.done() == "BadLatitude"
-    assert service.state.failed_item == 1
-    service.upload([POINTS[0]._replace(z=float("nan"))], RALLY)
-    assert service.done() == "NotANumber"
-    assert service.mission_messages() == []
-
-
-@SERVICE
-def test_mission_and_fence_and_rally_are_uploaded_one_after_the_other(service):
-    for mission_type, plan in ((MISSION, SURVEY), (FENCE, FIELD), (RALLY, POINTS)):
-        service.upload(plan, mission_type, proof="Always")
-        assert service.done() == "Accepted"
-    state = service.state
-    assert (state.aboard, state.aboard_fence, state.aboard_rally) == ("OurPlan",) * 3
-
-
-@SERVICE
-def test_fence_is_refused_while_the_mission_goes_up(service):
-    service.upload([waypoint(z=float(n)) for n in range(1, 30)])
-    service.run_until_sent("MISSION_ITEM_INT", 5)
-    service.order_of("upload", FENCE, 0)
-    assert service.done(limit_s=20) == "Accepted"
-    assert service.autopilot.plan(FENCE) == []
 
 
 @pytest.mark.parametrize("frame, z", [(3, 0.0), (3, 45.5), (0, 530.0), (10, 12.0)])
@@ -310,13 +181,3 @@ def test_fence_with_altitudes_is_verified_by_what_ardupilot_keeps_of_it(build_se
     service.verify(moved, FENCE)
     assert service.done() == "Differs"
     assert (service.state.failed_item, service.state.field) == (len(fence) - 1, "Latitude")
-
-
-def test_altitude_of_a_fence_item_still_counts_where_it_is_kept(build_service):
-    service = build_service("PX4")
-    fence = [one._replace(frame=3, z=45.5) for one in FIELD]
-    service.upload(fence, FENCE, proof="Always")
-    assert service.done() == "Accepted"
-    service.verify([*fence[:-1], fence[-1]._replace(z=46.5)], FENCE)
-    assert service.done() == "Differs"
-    assert service.state.field == "Height"

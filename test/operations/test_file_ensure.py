@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import pytest
 
-from areas import FIELD, POINTS
 from disorders import latency_of
 from downloads import loaded
-from files import by_items, is_by_file, open_file, other_asks, other_opens, requests, with_files
-from plans import HOME, OLD_PLAN, on_the_wire, waypoint
+from files import by_items, is_by_file, open_file, other_opens, requests, with_files
+from plans import OLD_PLAN, on_the_wire, waypoint
 from simulation.bench import same_bits
-from simulation.fake_autopilot import item, mavlink
-from simulation.fake_autopilot.ftp import BURST, CREATE, OPEN_RO, READ, TERMINATE, WRITE, file_of
-from simulation.service import FENCE, MISSION, RALLY
+from simulation.fake_autopilot import mavlink
+from simulation.fake_autopilot.ftp import BURST, CREATE, OPEN_RO, READ, TERMINATE, WRITE
+from simulation.service import MISSION
 from simulation.wire import Wire
 
 ENSURED = pytest.mark.scenario(65, "A plan is looked for as a file, and uploaded only where it is not aboard")
 LIMIT_S = 30
 LONG = [waypoint(x=470000000 + 7 * n, z=n + 1.0) for n in range(20)]
 LOOK = [OPEN_RO, READ, BURST, TERMINATE]
-SMALL_FENCE = [item(5003, x=473977420, y=85455970, param1=50.0, frame=0)]
 
 
 def ensuring(service, plan=None, mission_type=MISSION) -> str:
@@ -72,20 +70,6 @@ def test_armed_autopilot_keeps_the_plan_that_it_has(build_service, is_allowed):
 
 
 @ENSURED
-def test_file_that_another_client_has_left_open_is_not_stored_by_a_look_at_an_armed_autopilot(build_service):
-    service = with_files(build_service, armed=True)
-    service.autopilot.load(OLD_PLAN)
-    service.run(1.0)
-    other_opens(service, opcode=CREATE)
-    other_asks(service, WRITE, 7, 2, file_of([HOME, *LONG[:4]]))
-    service.run(4.0)
-    ensuring(service, LONG)
-    assert service.done(LIMIT_S) == "Armed"
-    assert requests(service) == []
-    assert same_bits(service.autopilot.received(), OLD_PLAN)
-
-
-@ENSURED
 @pytest.mark.parametrize("is_allowed", [False, True])
 def test_autopilot_that_is_armed_while_the_file_is_written_keeps_its_plan(build_service, is_allowed):
     service = with_files(build_service)
@@ -127,18 +111,6 @@ def test_without_a_file_the_look_is_that_of_the_client(build_service, case, is_t
 
 
 @ENSURED
-@pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (RALLY, POINTS), (FENCE, SMALL_FENCE)],
-                         ids=["fence", "rally", "short fence"])  # fmt: skip
-def test_fence_and_rally_points_are_ensured_as_well(build_service, mission_type, plan):
-    service = with_files(build_service)
-    for ends in ("Accepted", "AlreadyAboard"):
-        ensuring(service, plan, mission_type)
-        assert service.done(LIMIT_S) == ends
-    assert is_by_file(service) == (plan is not SMALL_FENCE)
-    assert same_bits(service.autopilot.missions[mission_type].received, plan)
-
-
-@ENSURED
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("is_there", [True, False], ids=["there", "other"])
 def test_what_it_says_is_true_on_a_bad_line(build_service, seed, is_there):
@@ -155,18 +127,3 @@ def test_what_it_says_is_true_on_a_bad_line(build_service, seed, is_there):
     assert ended != "Accepted" or (is_aboard and not is_there)
     assert ended != "AlreadyAboard" or is_there
     assert not is_there or ended in ("AlreadyAboard", "TimedOut", "NoAnswer")
-
-
-@ENSURED
-@pytest.mark.parametrize("sent", range(1, 5))
-def test_look_that_is_cancelled_closes_its_file(build_service, sent):
-    service = with_files(build_service)
-    loaded(service, LONG)
-    ensuring(service, LONG)
-    while len(requests(service)) < sent:
-        service.run(0.001)
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    assert service.state.aboard == "NotKnown"
-    service.run(2.5)
-    assert open_file(service) is None

@@ -7,24 +7,15 @@ import pytest
 from areas import FIELD, POINTS
 from disorders import latency_of
 from downloads import WRITTEN, loaded, same
-from files import by_items, is_by_file, open_file, other_opens, requests, spoken, with_files
-from plans import NAN, SURVEY, jump, waypoint
-from simulation.fake_autopilot import item
-from simulation.fake_autopilot.ftp import BURST, END_OF_FILE, NAK, OPEN_RO, READ, TERMINATE, WRITE, Request
+from files import by_items, is_by_file, open_file, other_opens, requests, with_files
+from plans import NAN, SURVEY, waypoint
+from simulation.fake_autopilot.ftp import BURST, OPEN_RO, READ, TERMINATE, WRITE
 from simulation.service import FENCE, HOME_INDEX, MISSION, RALLY
 from simulation.wire import Wire
 
 BY_FILE = pytest.mark.scenario(60, "Plans are read as files", "ArduPilot")
 LIMIT_S = 20
 LONG = [waypoint(x=470000000 + 7 * n, z=n + 1.0, param4=NAN) for n in range(60)]
-# Commands without a place: their x, y and z in the file are those of an item before.
-WITHOUT_PLACES = [
-    waypoint(z=33.0, param4=NAN),
-    item(178, frame=2, param1=1.0, param2=4.5, param3=-1.0),
-    jump(0, 2),
-    item(93, frame=2, param1=5.0, param2=-1.0, param3=-1.0, param4=-1.0),
-    item(20, frame=2),
-]
 
 
 def verifying(service, plan=None, mission_type=MISSION) -> str:
@@ -69,18 +60,6 @@ def test_download_gives_what_the_mission_protocol_gives(build_service):
     assert len(by_items(service)) == before
 
 
-@BY_FILE
-def test_left_overs_of_other_items_are_no_difference(build_service):
-    service = with_files(build_service)
-    loaded(service, WITHOUT_PLACES)
-    verifying(service, WITHOUT_PLACES)
-    assert service.done(LIMIT_S) == "Verified"
-    assert is_by_file(service)
-    downloading(service)
-    assert service.done(LIMIT_S) == "Downloaded"
-    assert same(service.sink(len(WITHOUT_PLACES)), WITHOUT_PLACES)
-
-
 CHANGES = [
     ("Command", {"command": 17}),
     ("Reference", {"frame": 0}),
@@ -106,25 +85,6 @@ def test_item_that_differs_is_named_with_its_field(build_service, field, change)
 
 
 @BY_FILE
-@pytest.mark.parametrize("count", [0, 1, 7, 9])
-def test_count_that_differs_is_named_and_no_item_is_read(build_service, count):
-    service = with_files(build_service)
-    loaded(service, LONG[:count])
-    verifying(service, WRITTEN)
-    assert service.done(LIMIT_S) == "Differs"
-    assert (service.state.failed_item, service.state.field) == (None, "Count")
-    assert BURST not in requests(service)
-
-
-@BY_FILE
-def test_no_plan_is_the_empty_plan(build_service):
-    service = with_files(build_service)
-    verifying(service, "empty")
-    assert service.done(LIMIT_S) == "Verified"
-    assert is_by_file(service)
-
-
-@BY_FILE
 @pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (RALLY, POINTS)], ids=["fence", "rally"])
 def test_fence_and_rally_points_are_read_from_files_of_their_own(build_service, mission_type, plan):
     service = with_files(build_service)
@@ -135,25 +95,6 @@ def test_fence_and_rally_points_are_read_from_files_of_their_own(build_service, 
     assert service.done(LIMIT_S) == "Verified"
     assert is_by_file(service)
     assert (service.state.aboard_fence if mission_type == FENCE else service.state.aboard_rally) == "OurPlan"
-
-
-@BY_FILE
-def test_sink_that_is_too_small_is_full_before_an_item_is_read(build_service):
-    service = with_files(build_service)
-    loaded(service, WRITTEN)
-    downloading(service, limit=7)
-    assert service.done(LIMIT_S) == "SinkFull"
-    assert service.sunk == []
-
-
-@BY_FILE
-def test_sink_that_refuses_an_item_ends_the_download(build_service):
-    service = with_files(build_service)
-    loaded(service, WRITTEN)
-    downloading(service, refused=3)
-    assert service.done(LIMIT_S) == "SinkFull"
-    assert service.state.failed_item == 3
-    assert service.sunk == [HOME_INDEX, 0, 1, 2, 3]
 
 
 # -- where there are no files
@@ -193,17 +134,6 @@ def test_ftp_that_is_silent_costs_seven_seconds(build_service):
     assert listed_s - service.sent_at("FILE_TRANSFER_PROTOCOL")[0] < 7.3
 
 
-@BY_FILE
-def test_line_that_loses_is_read_item_by_item(build_service):
-    service = with_files(build_service)
-    loaded(service, SURVEY)
-    service.run(0.5)
-    service.say_bytes(b"\x55" * 5)
-    verifying(service, SURVEY)
-    assert service.done(LIMIT_S) == "Verified"
-    assert requests(service) == [WRITE] and not is_by_file(service)  # the look for a file of before
-
-
 # -- what the line loses
 
 
@@ -229,44 +159,6 @@ def test_each_lost_frame_costs_time_alone(build_service, word, end, direction, i
 
 
 @BY_FILE
-def test_items_that_a_burst_has_lost_are_read_alone_and_only_once(build_service):
-    service = with_files(build_service)
-    loaded(service, LONG)
-    for index in (10, 11, 30):  # of the answers; the opening and the header are two
-        service.wire.lose("<", name="FILE_TRANSFER_PROTOCOL", index=index)
-    verifying(service, LONG)
-    assert service.done(LIMIT_S) == "Verified"
-    assert requests(service) == [OPEN_RO, READ, BURST, READ, READ, READ, TERMINATE]
-    assert [request.offset for request in spoken(service)[3:6]] == [10 + 38 * index for index in (8, 9, 28)]
-
-
-@BY_FILE
-def test_download_takes_another_burst_behind_a_lost_item(build_service):
-    service = with_files(build_service)
-    loaded(service, LONG)
-    service.wire.lose("<", name="FILE_TRANSFER_PROTOCOL", index=30)
-    downloading(service)
-    assert service.done(LIMIT_S) == "Downloaded"
-    assert requests(service) == [OPEN_RO, READ, BURST, BURST, TERMINATE]
-    assert service.sunk == [HOME_INDEX, *range(60)]
-
-
-@BY_FILE
-def test_request_behind_a_burst_of_one_item_has_a_number_of_its_own(build_service):
-    """ArduPilot answers the number of its last answer but one from memory."""
-    service = with_files(build_service)
-    loaded(service, LONG)
-    service.wire.lose("<", name="FILE_TRANSFER_PROTOCOL", index=5)
-    verifying(service, LONG)
-    assert service.done(LIMIT_S) == "Verified"
-    said, answered = spoken(service), spoken(service, "<")
-    ends = [answer.seq for answer in answered if answer.opcode == NAK and answer.data[0] == END_OF_FILE]
-    (burst,) = [request for request in said if request.opcode == BURST]
-    behind = said[said.index(burst) + 1 :]
-    assert ends and all(request.seq + 1 not in ends for request in behind)
-
-
-@BY_FILE
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("word", ["fileverify", "filedownload"])
 @pytest.mark.parametrize("loss", [5, 25])
@@ -289,19 +181,6 @@ def test_what_it_says_is_true_on_a_bad_line(build_service, seed, word, loss):
         assert ended in ("NoAnswer", "TimedOut"), ended
 
 
-@BY_FILE
-@pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("percent", [0.3, 2])
-def test_bytes_that_are_lost_cost_time_alone(build_service, seed, percent):
-    service = with_files(build_service, wire=Wire(seed=seed))
-    loaded(service, LONG)
-    service.run(1.2)
-    service.wire.damage_bytes(lose=percent)
-    service.wire.set_latency(latency_of(seed))
-    verifying(service, LONG)
-    assert service.done(120) == "Verified"
-
-
 # -- what happens meanwhile
 
 
@@ -310,35 +189,6 @@ def go_to_the_burst(service, answers: int = 20) -> None:
     while len(service.wire.frames("<", "FILE_TRANSFER_PROTOCOL")) < answers:
         assert service.now < limit
         service.run(0.002)
-
-
-@BY_FILE
-def test_reading_that_is_cancelled_leaves_no_file_open(build_service):
-    service = with_files(build_service)
-    loaded(service, LONG)
-    verifying(service, LONG)
-    go_to_the_burst(service)
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    assert open_file(service) is not None
-    service.run(2.5)
-    assert open_file(service) is None
-    assert requests(service).count(TERMINATE) == 1
-    verifying(service, LONG)
-    assert service.done(LIMIT_S) == "Verified"
-    assert is_by_file(service)
-
-
-@BY_FILE
-def test_autopilot_that_restarts_is_read_again_item_by_item(build_service):
-    service = with_files(build_service)
-    loaded(service, LONG)
-    verifying(service, LONG)
-    service.wire.lose("<", name="FILE_TRANSFER_PROTOCOL", index=30)
-    go_to_the_burst(service, 45)
-    service.autopilot.ftp.forget()
-    assert service.done(LIMIT_S) == "Verified"
-    assert not is_by_file(service)
 
 
 @BY_FILE
@@ -358,19 +208,6 @@ def test_download_goes_on_item_by_item_where_the_file_has_left_off(build_service
 
 
 @BY_FILE
-def test_burst_of_which_hardly_anything_arrives_is_left_for_the_mission_protocol(build_service):
-    service = with_files(build_service)
-    loaded(service, LONG)
-    for index in range(6, 64):
-        service.wire.lose("<", name="FILE_TRANSFER_PROTOCOL", index=index)
-    verifying(service, LONG)
-    assert service.done(LIMIT_S) == "Verified"
-    assert requests(service)[:3] == [OPEN_RO, READ, BURST] and not is_by_file(service)
-    service.run(1.5)
-    assert open_file(service) is None
-
-
-@BY_FILE
 def test_autopilot_that_falls_silent_is_said(build_service):
     service = with_files(build_service)
     loaded(service, LONG)
@@ -381,23 +218,6 @@ def test_autopilot_that_falls_silent_is_said(build_service):
     assert service.done(LIMIT_S) == "TimedOut"
     assert service.now - began < 3.0
     assert service.state.aboard == "NotKnown"
-
-
-@BY_FILE
-def test_answers_to_the_operation_before_are_not_taken_for_those_of_this_one(build_service):
-    service = with_files(build_service)
-    service.upload(FIELD, FENCE)
-    assert service.done(LIMIT_S) == "Accepted"
-    loaded(service, WRITTEN)
-    verifying(service, WRITTEN)
-    assert service.done(LIMIT_S) == "Verified"
-    late = [entry for entry in service.wire.frames("<", "FILE_TRANSFER_PROTOCOL")
-            if Request.of(entry.message).req_opcode == BURST]  # fmt: skip
-    verifying(service, FIELD, FENCE)
-    service.run_until_sent("FILE_TRANSFER_PROTOCOL", 4 + 3)
-    for entry in late[:-1]:
-        service.say(entry.message)
-    assert service.done(LIMIT_S) == "Verified"
 
 
 @BY_FILE

@@ -10,7 +10,7 @@ from downloads import WRITTEN, as_ardupilot_has_it, loaded
 from files import by_items, is_by_file, open_file, other_asks, other_opens, requests, spoken, with_files
 from plans import HOME, OLD_PLAN, SURVEY, on_the_wire, waypoint
 from simulation.bench import FunctionPlan, same_bits
-from simulation.fake_autopilot import item, mavlink
+from simulation.fake_autopilot import item
 from simulation.fake_autopilot.ftp import BURST, CREATE, HEADER, OPEN_RO, READ, TERMINATE, WRITE, file_of
 from simulation.service import FENCE, MISSION, RALLY
 from simulation.wire import Wire
@@ -100,33 +100,6 @@ def test_reset_between_a_files_header_and_its_closing_leaves_the_old_plan(build_
 
 
 @NO_MIXTURE
-@pytest.mark.parametrize("then", ["fileverify", "fileensure", "fileupload"])
-def test_file_that_was_left_open_before_a_reset_is_in_nobody_s_way(build_service, then):
-    """The operation begins at once, and finds it open: it goes item by item."""
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    uploading(service, LONG)
-    go_to(service, 6)
-    service.reset()
-    service.use(SURVEY)
-    service.order_of(then, MISSION)
-    assert service.done(LIMIT_S) == ("Differs" if then == "fileverify" else "Accepted")
-    service.run(4.0)
-    assert open_file(service) is None
-    assert same_bits(service.autopilot.received(), OLD_PLAN) if then == "fileverify" else holds(service, SURVEY)
-
-
-@NO_MIXTURE
-def test_file_of_before_a_reset_is_left_alone_in_flight(build_service):
-    """To look for it closes what somebody else has left open, which may store a plan."""
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    service.autopilot.armed = True
-    service.run(8.0)
-    assert requests(service) == []
-
-
-@NO_MIXTURE
 @pytest.mark.parametrize("lost", [None, ">", "<"])
 @pytest.mark.parametrize("begins_s", [0.0, 6.0])
 def test_file_that_was_left_open_before_a_reset_is_never_stored_over_the_next_plan(build_service, begins_s, lost):
@@ -158,15 +131,6 @@ def test_file_is_as_other_clients_write_it(build_service):
 
 
 @BY_FILE
-def test_header_is_written_last(build_service):
-    service = with_files(build_service)
-    uploading(service, LONG)
-    assert service.done(LIMIT_S) == "Accepted"
-    writes = [(request.offset, request.size) for request in spoken(service) if request.opcode == WRITE]
-    assert writes == [(10, 228), (238, 228), (466, 228), (694, 114), (0, HEADER.size)]
-
-
-@BY_FILE
 def test_progress_stands_still_before_the_last_item_until_the_plan_is_proven(build_service):
     service = with_files(build_service)
     uploading(service, LONG)
@@ -187,39 +151,6 @@ def test_fence_and_rally_points_are_written_to_files_of_their_own(build_service,
     assert same_bits(service.autopilot.missions[mission_type].received, plan)
     assert (service.state.aboard_fence if mission_type == FENCE else service.state.aboard_rally) == "OurPlan"
     assert service.state.aboard == "NotKnown"
-
-
-@BY_FILE
-def test_empty_plan_clears(build_service):
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    uploading(service, "empty")
-    assert service.done(LIMIT_S) == "Accepted"
-    assert len(service.autopilot.plan()) <= 1
-    assert is_by_file(service)
-
-
-@BY_FILE
-def test_line_that_loses_is_given_an_item_at_a_time(build_service):
-    service = with_files(build_service)
-    service.run(0.5)
-    service.say_bytes(b"\x55" * 5)
-    uploading(service, LONG)
-    assert service.done(LIMIT_S) == "Accepted"
-    sizes = {request.size for request in spoken(service) if request.opcode == WRITE}
-    assert sizes == {38, HEADER.size}
-    assert "MISSION_REQUEST_LIST" in by_items(service), "reading item by item is quicker there"
-    assert is_by_file(service)
-
-
-@BY_FILE
-def test_line_that_answers_late_has_one_write_at_a_time(build_service):
-    service = with_files(build_service, response_delay_s=0.15)
-    uploading(service, LONG)
-    assert service.done(LIMIT_S) == "Accepted"
-    said = [entry for direction in "<>" for entry in service.wire.frames(direction, FTP)]
-    order = [entry.direction for entry in sorted(said, key=lambda entry: entry.time)][:12]
-    assert order == [">", "<"] * 6
 
 
 # -- where there are no files, or none for this plan
@@ -244,18 +175,6 @@ def test_without_a_file_the_mission_protocol_is_used(build_service, case):
         assert open_file(service) is not None, "the other's file was closed"
 
 
-@BY_FILE
-def test_opening_that_a_full_line_answers_late_is_waited_for(build_service):
-    """An ArduCopter on a line full of telemetry answered after 2.85 s, and later requests at once."""
-    service = with_files(build_service)
-    service.autopilot.ftp.opening_waits_s = 2.85
-    uploading(service, SURVEY)
-    assert service.done(LIMIT_S) == "Accepted"
-    assert is_by_file(service)
-    assert service.autopilot.received() == on_the_wire(SURVEY, "ArduPilot")
-    assert requests(service).count(CREATE) > 4
-
-
 @BY_ITEMS
 def test_command_that_is_not_known_is_refused_by_the_autopilot_in_words(build_service):
     """In a file it would have left the items before it aboard, without a word."""
@@ -276,25 +195,7 @@ def test_short_fence_is_read_back_after_it_has_settled(build_service):
     assert service.state.aboard_fence == "OurPlan"
 
 
-@BY_FILE
-@pytest.mark.parametrize("bad, status", [({"x": 950000000}, "BadLatitude"), ({"param1": 0.5}, "NotKept")])
-def test_plan_that_cannot_be_flown_is_refused_before_anything_is_sent(build_service, bad, status):
-    service = with_files(build_service)
-    uploading(service, [SURVEY[0], SURVEY[1]._replace(**bad)])
-    assert service.done(LIMIT_S) == status
-    assert service.state.failed_item == 1
-    assert requests(service) == [] and by_items(service) == []
-
-
 # -- in flight
-
-
-@BY_FILE
-def test_nothing_is_sent_to_an_armed_aircraft(build_service):
-    service = with_files(build_service, armed=True)
-    uploading(service, SURVEY)
-    assert service.done(LIMIT_S) == "Armed"
-    assert requests(service) == [] and by_items(service) == []
 
 
 @BY_FILE
@@ -308,23 +209,6 @@ def test_plan_in_flight_goes_by_file_unless_it_is_shorter_than_the_one_aboard(bu
     assert is_by_file(service) == is_file
     assert (CREATE in requests(service)) == is_file
     assert holds(service, SURVEY)
-
-
-@BY_FILE
-@pytest.mark.parametrize("is_allowed, status", [(False, "Armed"), (True, "Accepted")])
-def test_aircraft_that_is_armed_meanwhile_keeps_its_plan_or_gets_the_new_one_item_by_item(
-    build_service, is_allowed, status
-):
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    service.tell("armed", is_allowed)
-    service.run(0.8)
-    uploading(service, LONG)
-    go_to(service, 2)
-    service.autopilot.armed = True
-    service.say(mavlink.MAVLink_heartbeat_message(2, 3, 128 | 81, 0, 4, 3))
-    assert service.done(LIMIT_S) == status
-    assert not (status == "Armed" and not same_bits(service.autopilot.received(), OLD_PLAN))
 
 
 # -- what the line loses
@@ -374,92 +258,7 @@ def expect_truth(service, ended: str) -> None:
     assert aboard != "Mixture" or not is_by_file(service)
 
 
-@NO_MIXTURE
-@pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("percent", [0.3, 1, 3])
-def test_bytes_that_are_lost_cost_time_alone(build_service, seed, percent):
-    service = with_files(build_service, wire=Wire(seed=seed))
-    service.autopilot.load(OLD_PLAN)
-    service.run(1.2)
-    service.wire.damage_bytes(lose=percent)
-    service.wire.set_latency(latency_of(seed))
-    uploading(service, LONG)
-    ended = service.done(150)
-    assert ended == "Accepted"
-    expect_truth(service, ended)
-
-
 # -- what happens meanwhile
-
-
-@NO_MIXTURE
-@pytest.mark.parametrize("sent", range(8))
-def test_upload_that_is_cancelled_leaves_what_it_says(build_service, sent):
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    uploading(service, LONG)
-    if sent:
-        go_to(service, sent)
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    aboard = service.state.aboard
-    assert aboard == ("NotKnown" if sent >= 6 or sent == 0 else "AsBefore")
-    service.run(2.5)
-    assert open_file(service) is None, "the file was left open"
-    assert same_bits(service.autopilot.received(), OLD_PLAN) or (sent >= 6 and holds(service, LONG))
-    uploading(service, SURVEY)
-    assert service.done(LIMIT_S) == "Accepted"
-    assert holds(service, SURVEY) and is_by_file(service)
-
-
-@NO_MIXTURE
-@pytest.mark.parametrize("by_file", [False, True], ids=["item by item", "by file"])
-@pytest.mark.parametrize("lost", [">", "<"])
-def test_file_that_was_complete_and_left_open_is_never_stored_over_the_next_plan(build_service, by_file, lost):
-    """The header has left, and the upload is cancelled; the file is closed while the next upload runs, or behind it."""
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    uploading(service, LONG)
-    go_to(service, 6)
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    service.wire.lose(lost, name=FTP)
-    if by_file:
-        uploading(service, SURVEY)
-    else:
-        service.upload(SURVEY, proof="InDoubt")
-    assert service.done(LIMIT_S) == "Accepted"
-    service.run(5.0)
-    assert open_file(service) is None, "the file was left open"
-    assert same_bits(service.autopilot.received(), meant(SURVEY))
-    assert service.state.aboard == "OurPlan"
-
-
-@NO_MIXTURE
-@pytest.mark.parametrize("sent", range(1, 8))
-def test_autopilot_that_restarts_meanwhile_has_what_is_said(build_service, sent):
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    uploading(service, LONG)
-    go_to(service, sent)
-    service.autopilot.ftp.forget()
-    expect_truth(service, service.done(LIMIT_S))
-
-
-@NO_MIXTURE
-@pytest.mark.parametrize("sent", range(1, 8))
-def test_cable_that_is_pulled_leaves_what_is_said(build_service, sent):
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    uploading(service, LONG)
-    go_to(service, sent)
-    service.wire.pull()
-    ended = service.done(60)
-    assert ended in ("TimedOut", "Unconfirmed", "NoAnswer"), ended
-    expect_truth(service, ended)
-    service.wire.plug()
-    service.run(3.0)
-    assert open_file(service) is None, "the file was left open"
 
 
 @NO_MIXTURE
@@ -475,43 +274,6 @@ def test_another_client_that_takes_the_file_over_does_not_spoil_the_plan(build_s
     ended = service.done(LIMIT_S)
     assert ended == "Accepted" and holds(service, LONG)
     expect_truth(service, ended)
-
-
-@NO_MIXTURE
-@pytest.mark.parametrize("sent", range(2, 7))
-def test_another_client_with_our_session_number_is_noticed(build_service, sent):
-    """It writes an item of its own into our file, or closes it."""
-    for opcode in (WRITE, TERMINATE):
-        service = with_files(build_service)
-        service.autopilot.load(OLD_PLAN)
-        uploading(service, LONG)
-        go_to(service, sent)
-        session = spoken(service)[0].session
-        piece = file_of([waypoint(z=999.0)])[HEADER.size :]
-        other_asks(service, opcode, session, 4711, piece if opcode == WRITE else b"", 10 + 2 * 38)
-        expect_truth(service, service.done(LIMIT_S))
-
-
-@NO_MIXTURE
-def test_plan_that_another_client_has_spoilt_is_said_to_differ(build_service):
-    service = with_files(build_service)
-    uploading(service, LONG)
-    go_to(service, 6)
-    session = spoken(service)[0].session
-    other_asks(service, WRITE, session, 4711, file_of([waypoint(z=999.0)])[HEADER.size :], 10 + 4 * 38)
-    assert service.done(LIMIT_S) == "Differs"
-    state = service.state
-    assert (state.aboard, state.failed_item) == ("NotKnown", 3)
-
-
-@NO_MIXTURE
-def test_plan_that_the_autopilot_does_not_store_whole_is_said_to_differ(build_service):
-    """It has room for a few items only, and answers the closing as always."""
-    service = with_files(build_service, item_limit=10)
-    service.autopilot.load(OLD_PLAN)
-    uploading(service, LONG)
-    assert service.done(LIMIT_S) == "Differs"
-    assert (service.state.aboard, service.state.field) == ("NotKnown", "Count")
 
 
 @NO_MIXTURE
@@ -535,19 +297,6 @@ def test_item_that_the_line_has_altered_unnoticed_is_put_right_where_the_line_lo
     assert is_by_file(service) == (not is_lossy)
     if is_lossy:
         assert by_items(service)[-1] == "MISSION_REQUEST_INT", "it was not read back"
-
-
-@NO_MIXTURE
-def test_source_that_gives_no_item_any_more_leaves_the_old_plan(build_bench):
-    bench = build_bench("ArduPilot", defines={"BENCH_FILES": 1})
-    bench.autopilot.load(OLD_PLAN)
-    bench.use(FunctionPlan(20, 12, 1))
-    bench.tell("fileupload")
-    assert bench.run_until_ended(LIMIT_S) == "SourceRefused"
-    assert (bench.state.aboard, bench.state.failed_item) == ("AsBefore", 12)
-    bench.run(2.5)
-    assert same_bits(bench.autopilot.received(), OLD_PLAN)
-    assert open_file(bench) is None
 
 
 @BY_FILE

@@ -7,11 +7,10 @@ from itertools import pairwise
 
 import pytest
 
-import modes_document
 from disorders import latency_of
 from plans import SURVEY
 from simulation.fake_autopilot import mavlink
-from simulation.steered import ABOVE_GROUND, ABOVE_HOME, ABOVE_SEA, REPOSITION
+from simulation.steered import ABOVE_GROUND, ABOVE_HOME, ABOVE_SEA
 from simulation.wire import Wire
 
 FOLLOWED = pytest.mark.scenario(66, "MovingTarget: a target that moves is followed, and held when it is not renewed")
@@ -158,18 +157,6 @@ def test_px4_that_does_not_know_home_is_told_no_target_above_it(build_following)
     assert following.targets() == [] and following.target_status == "NoHome"
 
 
-@FOLLOWED
-def test_target_that_jumps_is_flown_to_from_the_next_message_on(following):
-    begin(following)
-    far, near = following.place(-900.0, 900.0), following.place(40.0, 0.0)
-    for place in (far, near, far):
-        following.renew(place, 12.0)
-        since = following.now
-        following.run(1.0)
-        assert {(target.lat_int, target.lon_int) for _, target in following.targets(since + 0.21)} == {place}
-    assert following.mode == followed_in(following)
-
-
 # -- what is not renewed ---------------------------------------------------------------------------
 
 
@@ -197,43 +184,6 @@ def test_target_that_is_not_renewed_in_time_goes_out_no_more_and_the_aircraft_ho
     assert len(following.targets()) == before
     following.follow(place, 12.0)
     assert following.done(limit_s=15) == "Done"
-
-
-@FOLLOWED
-@pytest.mark.parametrize("stands_still_ms", [1400, 5000, 66000])
-def test_loop_that_stands_still_in_the_middle_of_a_target_completes_none_of_before(following, stands_still_ms):
-    """Nor does it find its target fresh where 16 bits of milliseconds have come round."""
-    place = begin(following, north=300.0)
-    following.run(2.0)
-    following.tell("hang", stands_still_ms)
-    stood_at = following.now
-    commanded = len(following.ordered())
-    following.run(stands_still_ms / 1000 + 0.3)
-    where = following.where
-    following.run(8.0)
-    stale = [time for time, target in following.targets(stood_at) if (target.lat_int, target.lon_int) == place]
-    assert stale == [] or stale[-1] < stood_at + 0.3
-    if is_px4(following):  # its failsafe flies by then
-        has_landed = stands_still_ms > 60000
-        assert following.target_status == ("NotArmed" if has_landed else "FailsafeHasIt")
-        assert has_landed or following.mode == (4, 5)
-        assert len(following.ordered()) == commanded and following.targets(stood_at + 0.3) == []
-    else:  # held where it is now, not where it was when loop() stood still
-        assert following.target_status == "NotRenewed" and following.mode == "GUIDED"
-        assert following.where.distance(where) < 12.0
-
-
-@FOLLOWED
-def test_aircraft_holds_when_its_start_is_done_and_nothing_was_renewed(following):
-    following.fly()
-    following.follow(following.place(300, 0), 12.0, renew_ms=0)
-    ended = following.done(limit_s=15)
-    if ended == "Done":
-        assert run_until_ended(following, 8.0) == "NotRenewed"
-    else:
-        assert ended == "NotRenewed" and not following.is_followed()
-    following.run(3.0)
-    assert following.mode == held_in(following) and not failsafes(following)
 
 
 # -- not heard -------------------------------------------------------------------------------------
@@ -293,22 +243,6 @@ def test_px4_is_not_taken_out_of_its_failsafe_by_what_comes_behind_a_gap(build_f
 
 
 @FOLLOWED
-@pytest.mark.parametrize("tenths", range(3, 19, 2))
-def test_px4_is_not_taken_out_of_its_failsafe_by_what_comes_behind_a_standstill(build_following, tenths):
-    following = build_following("PX4")
-    following.tell("patience", 2000)
-    begin(following, north=300.0)
-    following.run(2.0 + 0.03 * tenths)
-    began = following.now
-    following.tell("hang", tenths * 100)
-    following.run(6.0)
-    if [time for time, _ in following.autopilot.modes_flown if time >= began]:
-        expect_its_failsafe_to_last(following, began)
-    else:
-        assert following.is_followed() and tenths < 10
-
-
-@FOLLOWED
 def test_ardupilot_that_was_not_heard_gets_no_target_meanwhile(build_following):
     following = build_following("ArduPilot")
     begin(following, north=300.0)
@@ -318,18 +252,6 @@ def test_ardupilot_that_was_not_heard_gets_no_target_meanwhile(build_following):
     following.run(1.5)
     assert following.is_followed() and following.mode == "GUIDED"
     assert len(sent_targets(following, following.now - 1.0)) >= 4
-
-
-@FOLLOWED
-def test_px4_holds_before_its_failsafe_where_its_position_is_not_known(build_following):
-    following = build_following("PX4")
-    begin(following, north=300.0)
-    following.run(2.0)
-    following.wire.lose("<", name="GLOBAL_POSITION_INT", times=99)
-    following.run(5.0)
-    following.tell("renewing", 0)
-    assert run_until_ended(following, 4.0) == "NotRenewed"
-    assert following.mode == HOLD and not failsafes(following)
 
 
 # -- in other hands --------------------------------------------------------------------------------
@@ -361,38 +283,6 @@ def test_pilot_or_a_failsafe_ends_it_at_once_and_for_good(following, personality
 
 
 @FOLLOWED
-def test_pilot_who_takes_over_while_it_begins_keeps_the_aircraft(following, personality):
-    following.fly()
-    following.wire.lose("<", name="COMMAND_ACK", times=9)
-    following.follow(following.place(40, 0), 12.0)
-    following.run(0.4)
-    mode = {"ArduPilot": "LOITER", "PX4": (3, 0)}[personality]
-    following.pilot_sets(mode)
-    assert run_until_ended(following, 3.0) == "PilotHasIt"
-    ended = following.now
-    following.run(4.0)
-    assert following.mode == mode and following.targets(ended) == []
-
-
-def expect_silence_behind(following, status: str) -> None:
-    """It ends so with the next heartbeat, and from then on no target leaves."""
-    following.run(1.2)
-    assert following.target_status == status
-    ended = following.now
-    following.run(3.0)
-    assert following.targets(ended) == []
-
-
-@FOLLOWED
-def test_px4_in_a_failsafe_is_left_there(build_following):
-    """It shows in system_status alone."""
-    following = build_following("PX4")
-    begin(following)
-    following.autopilot.in_failsafe = True
-    expect_silence_behind(following, "FailsafeHasIt")
-
-
-@FOLLOWED
 def test_arduino_that_is_reset_in_flight_sends_no_target(following):
     place = begin(following)
     following.reset()
@@ -406,13 +296,6 @@ def test_arduino_that_is_reset_in_flight_sends_no_target(following):
     # The mode may be anybody's now: PX4 has called its failsafe meanwhile.
     assert following.done(limit_s=5) == ("FailsafeHasIt" if is_px4(following) else "PilotHasIt")
     assert following.targets(reset_at + 0.05) == [] and following.mode == ((4, 5) if is_px4(following) else "GUIDED")
-
-
-@FOLLOWED
-def test_aircraft_that_is_disarmed_gets_no_more_targets(following):
-    begin(following)
-    following.autopilot.armed = False
-    expect_silence_behind(following, "NotArmed")
 
 
 # -- the sketch orders something else --------------------------------------------------------------
@@ -429,32 +312,6 @@ def test_other_order_of_the_sketch_ends_it(following):
     ended = following.now
     following.run(25.0)
     assert following.targets(ended) == [] and following.has_arrived() and not failsafes(following)
-
-
-@FOLLOWED
-def test_other_order_that_is_refused_ends_in_a_hold(following):
-    begin(following, north=300.0)
-    following.go_to((0, 0), 15.0)
-    assert following.done() == "NeedsCoordinates"
-    assert run_until_ended(following, 6.0) == "Cancelled"
-    assert following.mode == held_in(following) and not failsafes(following)
-    following.run(8.0)
-    held = following.where
-    following.run(3.0)
-    assert following.where.distance(held) < 0.1
-
-
-@FOLLOWED
-def test_mode_that_the_sketch_sets_ends_it(following):
-    begin(following)
-    following.order_of("home")
-    assert following.done(limit_s=12) == "Done"
-    following.run(0.2)
-    assert following.target_status == "Cancelled" and not failsafes(following)
-    assert following.mode == ((4, 5) if is_px4(following) else "RTL")
-    ended = following.now
-    following.run(2.0)
-    assert following.targets(ended) == []
 
 
 @FOLLOWED
@@ -496,15 +353,6 @@ BAD = [
 
 
 @FOLLOWED
-@pytest.mark.parametrize("place, altitude, status, field", BAD)
-def test_target_that_cannot_be_meant_is_refused_at_the_start(following, place, altitude, status, field):
-    following.follow(place, altitude)
-    assert following.done() == status
-    assert following.state.field == field and following.target_status == status
-    assert following.targets() == [] and following.heard("COMMAND_LONG", "COMMAND_INT") == []
-
-
-@FOLLOWED
 def test_target_that_cannot_be_meant_is_not_taken_and_does_not_renew(following):
     place = begin(following)
     following.tell("renewing", 0)
@@ -523,33 +371,6 @@ def test_target_that_cannot_be_meant_is_not_taken_and_does_not_renew(following):
 
 
 @FOLLOWED
-def test_aircraft_on_the_ground_gets_no_targets(following):
-    following.follow(following.place(10, 0), 10.0)
-    assert following.done() == "NotArmed" and following.target_status == "NotArmed"
-    assert following.targets() == []
-    assert following.renew(following.place(10, 0), 10.0) == "NotArmed"
-
-
-@FOLLOWED
-def test_rover_follows_a_target_and_stops(build_following):
-    following = build_following("ArduPilot", vehicle="rover", uptime_s=120.0)
-    following.arm_in_guided()
-    place = following.place(20, 10)
-    following.follow(place, 0.0)
-    assert following.done(limit_s=12) == "Done"
-    following.run(20.0)
-    assert abs(following.where.lat_e7 - place[0]) < 3 and abs(following.where.lon_e7 - place[1]) < 3
-    following.renew(following.place(300, 10), 0.0)
-    following.run(3.0)
-    following.tell("unfollow")
-    assert run_until_ended(following, 6.0) == "Done"
-    following.run(5.0)
-    held = following.where
-    following.run(3.0)
-    assert following.where.distance(held) < 0.1 and held.distance(following.autopilot.flight.home) < 100.0
-
-
-@FOLLOWED
 @pytest.mark.parametrize("vehicle_type", [1, 20, 2])
 def test_plane_which_would_take_the_altitude_alone_is_refused(build_following, vehicle_type):
     """Also one that calls itself a quadrotor (Q_MAV_TYPE)."""
@@ -560,62 +381,6 @@ def test_plane_which_would_take_the_altitude_alone_is_refused(build_following, v
     assert following.done() == "CommandUnsupported"
     assert len(following.ordered()) == before and following.targets() == []
     assert following.target_status == "CommandUnsupported"
-
-
-@FOLLOWED
-@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
-def test_type_that_is_no_vehicle_of_ardupilots_is_not_followed_with(build_following, vehicle_type):
-    """Also where it has flown as a copter until then: GUIDED's number would be another mode."""
-    following = build_following("ArduPilot", uptime_s=120.0)
-    following.fly()
-    following.set_mode("Brake")
-    assert following.done() == "Done"
-    following.autopilot.vehicle_type = vehicle_type
-    following.run(2.5)
-    before = len(following.ordered())
-    following.follow(following.place(40, 0), 12.0)
-    assert following.done(limit_s=12) == "NoSuchMode"
-    following.run(3.0)
-    assert following.target_status == "NoSuchMode"
-    assert following.ordered()[before:] == [] and following.targets() == []
-    assert following.mode == "BRAKE"
-
-
-@FOLLOWED
-@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
-def test_type_that_becomes_unknown_while_it_follows_gets_no_mode_of_another_vehicle(build_following, vehicle_type):
-    following = build_following("ArduPilot", uptime_s=120.0)
-    begin(following)
-    following.autopilot.vehicle_type = vehicle_type
-    following.run(2.5)
-    before = len(following.ordered())
-    following.tell("unfollow")
-    assert run_until_ended(following, 6.0) == "NoSuchMode"
-    ended = following.now
-    following.run(3.0)
-    assert following.ordered()[before:] == [] and following.targets(ended + 0.05) == []
-    assert following.mode == "GUIDED"
-
-
-@FOLLOWED
-def test_vehicle_that_is_not_answered_is_not_followed_and_may_be_later(build_following):
-    following = build_following("ArduPilot", uptime_s=120.0)
-    following.wire.lose("<", name="COMMAND_ACK", times=None)
-    following.follow(following.place(10, 0), 10.0)
-    assert following.done(limit_s=15) in ("NoAnswer", "NotArmed")
-    assert following.target_status != "Transferring"
-    assert following.ordered() == []
-
-
-@FOLLOWED
-def test_second_start_is_busy_and_changes_nothing(following):
-    following.tell("patience", 5000)
-    place = begin(following, renew_ms=0)
-    assert following.renew(place, 12.0) == "Transferring"
-    assert following.follow(following.place(-50, 0), 30.0, renew_ms=0) == "Busy"
-    following.run(1.0)
-    _, target = following.targets()[-1]
-    assert following.is_followed() and (target.lat_int, target.lon_int) == place
 
 
 @FOLLOWED
@@ -631,35 +396,6 @@ def test_line_that_loses_a_fifth_of_its_frames_is_followed_on_and_held_over(make
     following.tell("unfollow")
     assert run_until_ended(following, 20.0) == "Done"
     assert following.mode == held_in(following)
-
-
-@FOLLOWED
-def test_stop_before_the_mode_is_ordered_gives_it_up(build_following):
-    """PX4 gets targets for a second first; ArduPilot in its mode has begun at once."""
-    following = build_following("PX4")
-    following.fly()
-    following.run(5.0)
-    ordered = len(following.ordered())
-    following.follow(following.place(10, 0), 12.0)
-    following.run(0.5)
-    following.tell("unfollow")
-    assert run_until_ended(following, 1.0) == "Cancelled" and following.done() == "Cancelled"
-    ended = following.now
-    following.run(3.0)
-    assert following.mode == HOLD and not failsafes(following)
-    assert len(following.ordered()) == ordered and following.targets(ended) == []
-
-
-@FOLLOWED
-def test_hold_is_ordered_once_and_shown(following):
-    begin(following)
-    before = len(following.ordered())
-    following.tell("unfollow")
-    assert run_until_ended(following, 6.0) == "Done"
-    (held,) = following.ordered()[before:]
-    assert held.command == REPOSITION
-    following.run(2.0)
-    assert len(following.ordered()) == before + 1
 
 
 @FOLLOWED

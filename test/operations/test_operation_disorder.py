@@ -38,22 +38,6 @@ def test_disorder_ends_truthfully(make_service, personality, name, disorder, see
         assert status == OPERATIONS[name].end
 
 
-@SHUFFLED
-@OPERATION
-def test_every_frame_repeated_changes_nothing(make_service, personality, name):
-    service = prepared(make_service(), personality)
-    before = len(service.mission_messages())
-    for way in "<>":
-        service.wire.repeat(way, times=None)
-    begin(service, name)
-    assert service.done() == OPERATIONS[name].end
-    expect_truth(service, personality, name, OPERATIONS[name].end)
-    asked_twice = 512  # REQUEST_MESSAGE: start() asks for MISSION_CURRENT at its beginning and at its end
-    said = [str(message) for message in service.mission_messages()[before:]
-            if getattr(message, "command", 0) != asked_twice]  # fmt: skip
-    assert len(said) == len(set(said)), "something was said twice"
-
-
 SPURIOUS = pytest.mark.scenario(26, "Spurious messages in a download, a verification, a clear, a command, a start()")
 
 
@@ -137,14 +121,3 @@ def test_stalling_loop_ends_truthfully(make_service, personality, name, stall_ms
     assert took_s(service) <= OPERATIONS[name].longest_s + LOOP_S + stall_ms / 1000
     if line == "quiet":
         assert status == OPERATIONS[name].end
-
-
-@FULL
-@OPERATION
-def test_full_line_is_no_hindrance(make_service, personality, name):
-    service = make_service(telemetry=recordings.saturated(recordings.WITH_STREAMS[personality], 57600))
-    prepared(service, personality)
-    begin(service, name)
-    assert service.done() == OPERATIONS[name].end
-    expect_truth(service, personality, name, OPERATIONS[name].end)
-    assert service.counters["lost"] == 0

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from plans import SURVEY
-from simulation.wire import Wire
 from starts import HOPS, MISSION_START, is_flying, jump_on, told, uploaded
 
 AGAIN = pytest.mark.scenario(25, "MISSION_COUNT comes again while a plan is read")
@@ -119,28 +118,3 @@ def test_count_that_is_told_again_until_the_first_item_is_asked_for_changes_noth
     assert service.done(limit_s=20) == ("Downloaded" if word == "download" else "Verified")
     assert len(service.wire.frames("<", "MISSION_COUNT")) - counts >= 2
     assert len(service.heard("MISSION_REQUEST_LIST")) == lists + 1
-
-
-@AGAIN
-@pytest.mark.parametrize("seed", range(4))
-def test_plan_is_aboard_and_read_back_where_its_counts_come_again_on_a_line_that_loses(build_service, seed):
-    service = build_service("PX4", is_1_18=True, wire=Wire(seed))
-    service.wire.damage_bytes(lose=1)
-    service.upload(SURVEY, proof="Always")
-    assert service.done(limit_s=60) == "Accepted"
-    service.verify(SURVEY)
-    assert service.done(limit_s=60) == "Verified"
-
-
-SETS = pytest.mark.scenario(49, "setCurrentItem() on the ground, and start() behind it", "PX4")
-
-
-@SETS
-def test_item_that_is_set_on_the_ground_is_the_current_one_until_the_start(px4):
-    begun = note_items(uploaded(px4, HOPS_TWICE))
-    px4.order_of("setcurrent", 1)
-    assert px4.done(limit_s=20) == "Done"
-    px4.run(2.0)
-    assert px4.autopilot.missions.current == 1
-    start(px4)
-    assert begun[0] == 0  # start() begins with the item that it is given

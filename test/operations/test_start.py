@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from itertools import groupby
-
 import pytest
 
-from areas import FIELD
-from plans import OLD_PLAN, SURVEY, on_the_wire
+from plans import OLD_PLAN, SURVEY
 from simulation.fake_autopilot import mavlink
-from simulation.service import FENCE
 from starts import ARM, HOPS, LANDING_FIRST, MISSION_START, SET_MODE, is_flying, told, uploaded
 
 START = pytest.mark.scenario(49, "start(): each step confirmed; refused while what is aboard is unproven")
@@ -116,52 +112,6 @@ def test_step_that_is_never_answered_ends_there(service, personality):
 
 
 @START
-def test_step_whose_answers_are_lost_is_seen_in_the_heartbeat(service, personality):
-    uploaded(service)
-    commands = (SET_MODE, ARM) if personality == "ArduPilot" else (MISSION_START,)
-    service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command in commands)
-    service.order_of("start")
-    assert service.done(limit_s=15) == "Done"
-    steps = [step for step, _ in groupby(told(service))]  # sent again, as the line is seen to lose
-    assert steps == STEPS["ArduPilot" if personality == "ArduPilot" else "PX4", "copter"]
-    assert is_flying(service)
-
-
-@START
-@pytest.mark.parametrize("late_ms", [1495, 1500, 1505, 1510, 1520])
-def test_last_step_that_is_answered_when_it_is_due_again_is_the_last(make_service, personality, late_ms):
-    """A long message of the sketch's own is on the line meanwhile."""
-    service = uploaded(make_service(response_delay_s=0.0))
-    service.run_until(2.15)  # no heartbeat of ours comes between
-    service.wire.delay("<", late_ms / 1000, name="COMMAND_ACK", where=lambda message: message.command == MISSION_START)
-    service.order_of("start")
-    steps_before = {"ArduPilot": 4, "PX4": 1}[personality]
-    sent = service.run_until_sent("COMMAND_LONG", steps_before)
-    service.run_until(sent + 1.470)
-    service.post(267, 35, bytes(range(1, 255)), 255)
-    assert service.done() == "Done"
-    assert is_flying(service)
-
-
-@START
-def test_it_is_refused_before_anything_was_uploaded(service, personality):
-    service.autopilot.load(on_the_wire(HOPS[personality], personality))
-    service.order_of("start")
-    assert service.done() == "Unproven"
-    assert service.heard("COMMAND_LONG") == [] and not service.autopilot.armed
-
-
-@START
-def test_plan_that_only_was_verified_may_be_started(service, personality):
-    service.autopilot.load(on_the_wire(HOPS[personality], personality))
-    service.verify(HOPS[personality])
-    assert service.done() == "Verified"
-    service.order_of("start")
-    assert service.done() == "Done"
-    assert is_flying(service)
-
-
-@START
 @pytest.mark.parametrize("after", ["refused", "silent", "cancelled", "cleared"])
 def test_it_is_refused_after_what_leaves_another_plan_aboard(service, after):
     uploaded(service)
@@ -182,45 +132,6 @@ def test_it_is_refused_after_what_leaves_another_plan_aboard(service, after):
     service.order_of("start")
     assert service.done() == "Unproven"
     assert service.heard("COMMAND_LONG") == [] and not service.autopilot.armed
-
-
-@START
-def test_fence_aboard_is_no_plan_to_fly(service):
-    service.upload(FIELD, FENCE)
-    assert service.done() == "Accepted"
-    service.order_of("start")
-    assert service.done() == "Unproven"
-
-
-@START
-def test_it_may_begin_in_the_callback_of_the_upload(service):
-    service.tell("chain", 2)
-    uploaded(service)
-    assert service.done() == "Done"
-    assert is_flying(service)
-
-
-@START
-def test_cancelled_start_goes_no_further(build_service):
-    service = uploaded(build_service("ArduPilot"))
-    service.order_of("start")
-    service.run_until_sent("COMMAND_LONG")
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    service.run(5.0)
-    assert len(service.heard("COMMAND_LONG")) == 1 and not service.autopilot.armed
-
-
-@START
-def test_mission_start_goes_on_by_the_mode_on_an_armed_px4(build_service):
-    service = uploaded(build_service("PX4"))
-    service.order_of("arm")
-    assert service.done() == "Done"
-    service.run(1.1)
-    service.order_of("startmission")
-    assert service.done() == "Done"
-    assert told(service) == [(ARM, 1, 0), (SET_MODE, 1, 4)]
-    assert is_flying(service)
 
 
 @START
@@ -299,60 +210,3 @@ def test_infeasible_plan_has_its_own_status_after_accepted(build_service, in_wor
     service.order_of("start")
     assert service.done() == "Infeasible"
     assert service.heard("COMMAND_LONG") == []
-
-
-@INFEASIBLE
-def test_feasible_plan_after_it_may_be_started(build_service):
-    service = build_service("PX4")
-    service.upload(LANDING_FIRST)
-    assert service.done() == "Accepted"
-    assert service.done(limit_s=3) == "Infeasible"
-    service.upload(HOPS["PX4"])
-    assert service.done() == "Accepted"
-    service.order_of("start")
-    assert service.done() == "Done"
-
-
-@INFEASIBLE
-def test_fence_upload_does_not_make_it_feasible(build_service):
-    service = build_service("PX4")
-    service.upload(LANDING_FIRST)
-    assert service.done() == "Accepted"
-    assert service.done(limit_s=3) == "Infeasible"
-    service.upload(FIELD, FENCE)
-    assert service.done() == "Accepted"
-    service.order_of("start")
-    assert service.done() == "Infeasible"
-
-
-@INFEASIBLE
-def test_infeasible_plan_of_another_ground_station_is_not_ours(build_service):
-    service = build_service("PX4")
-    service.autopilot.load(LANDING_FIRST)
-    service.run(3.0)
-    assert service.ends == []
-
-
-@INFEASIBLE
-def test_it_may_be_found_while_start_runs(build_service):
-    """The words were lost, and PX4 refuses."""
-    service = build_service("PX4", tells_at_s=5.0)
-    service.wire.lose("<", name="STATUSTEXT", times=None)
-    service.upload(LANDING_FIRST, proof="Always")
-    assert service.done() == "Accepted"
-    service.order_of("start")
-    assert service.done() == "CommandDenied"
-    assert service.done(limit_s=8) == "Infeasible"
-
-
-@INFEASIBLE
-def test_plan_that_px4_has_not_looked_at_yet_is_not_called_infeasible(build_service):
-    """Right after the answer MISSION_CURRENT may name the new plan and say that there is none."""
-    service = build_service("PX4", tells_at_s=60.0)
-    uploaded(service)
-    name = service.autopilot.missions.checksums[0]
-    for states, ended in (((1, 2, 1, 2), []), ((1, 1), ["Infeasible"])):
-        for state in states:
-            service.say(mavlink.MAVLink_mission_current_message(0, 3, state, 2, name))
-            service.run(0.2)
-        assert service.ends[1:] == ended

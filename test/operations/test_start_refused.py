@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from disorders import latency_of
-from simulation.fake_autopilot import mavlink
 from simulation.service import asks_for_heartbeat, is_followers
 from simulation.wire import Wire
 from starts import (
@@ -13,7 +12,6 @@ from starts import (
     MISSION_START,
     ON_VEHICLES,
     SET_MODE,
-    expect_flying_from,
     hops,
     made,
     start,
@@ -46,18 +44,6 @@ def test_copter_that_refuses_auto_is_disarmed_and_it_is_said(build_service):
 
 
 @REFUSED
-def test_rover_that_gets_auto_late_is_tried_until_then(build_service):
-    service = made(build_service, "rover", uptime_s=31.0)
-    upload(service, hops("rover", 4))
-    began = service.now
-    assert start(service) == "Done"
-    assert 5.0 < service.now - began < 12.0
-    assert told(service).count((SET_MODE, 1, 10)) > 4
-    assert (ARM, 0, 0) not in told(service)
-    expect_flying_from(service, "rover", 0)
-
-
-@REFUSED
 def test_rover_that_gets_no_auto_in_15_s_is_disarmed(build_service):
     service = made(build_service, "rover", uptime_s=31.0, position_s=60.0)
     upload(service, hops("rover", 4))
@@ -86,18 +72,6 @@ def before_next(service, command: int, param1: float, param2: float | None, do) 
         react(message, sender, now)
 
     service.autopilot._hears["COMMAND_LONG"] = hear
-
-
-@REFUSED
-def test_copter_whose_mode_somebody_else_has_set_is_not_disarmed(build_service):
-    service = made(build_service, "copter")
-    upload(service, without_takeoff("copter"))
-    before_next(service, MISSION_START, 0, 0, lambda now: service.autopilot._set_mode(5, now))  # LOITER, by the pilot
-    assert start(service) in ("CommandFailed", "TakenOver")
-    assert service.state.arming == "Armed"
-    service.run(5.0)
-    assert service.autopilot.armed and service.autopilot.mode == "LOITER"
-    assert (ARM, 0, 0) not in told(service)
 
 
 AT_STEPS = [("copter", 5, "ReadyMode"), ("copter", 5, "Arm"), ("copter", 5, "Begin"), ("copter", 5, "Confirm"),
@@ -139,31 +113,6 @@ def test_mode_that_somebody_else_sets_meanwhile_is_left_alone(build_service, veh
 
 
 @REFUSED
-def test_rover_that_waits_for_auto_gives_way_to_somebody_else(build_service):
-    service = made(build_service, "rover", uptime_s=31.0, position_s=60.0)
-    upload(service, hops("rover", 4))
-    service.order_of("start")
-    service.run(4.0)
-    service.autopilot._set_mode(4, service.now)  # HOLD
-    assert service.done(limit_s=3) == "TakenOver"
-    assert service.state.arming == "Armed" and service.autopilot.armed
-
-
-@REFUSED
-def test_aircraft_that_was_armed_before_stays_armed(build_service):
-    service = made(build_service, "copter")
-    upload(service, without_takeoff("copter"))
-    service.set_mode("Guided")
-    assert service.done() == "Done"
-    service.order_of("arm")
-    assert service.done() == "Done"
-    service.run(1.1)
-    service.tell("armed", 1)
-    assert start(service) == "CommandFailed"
-    assert service.state.arming == "Untouched" and service.autopilot.armed
-
-
-@REFUSED
 @pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK"), ("<", "HEARTBEAT")])
 def test_disarming_is_repeated_until_a_heartbeat_shows_it(build_service, direction, name):
     service = made(build_service, "copter")
@@ -179,73 +128,6 @@ def test_disarming_is_repeated_until_a_heartbeat_shows_it(build_service, directi
                           and (direction == ">" or disarmed[0]))  # fmt: skip
     assert start(service, limit_s=30) == "CommandFailed"
     assert service.state.arming == "Disarmed" and not service.autopilot.armed
-
-
-@REFUSED
-def test_aircraft_that_does_not_let_itself_be_disarmed_is_said_to_be_armed(build_service):
-    service = made(build_service, "copter")
-    service.autopilot.kind = service.autopilot.kind._replace(disarms_idle_s=None)
-    upload(service, without_takeoff("copter"))
-    react = service.autopilot._hears["COMMAND_LONG"]
-
-    def hear(message, sender, now) -> None:
-        if (message.command, message.param1) != (ARM, 0):
-            return react(message, sender, now)
-        service.autopilot.answer(mavlink.MAVLink_command_ack_message(ARM, 4, 0, 0, *sender), now)
-
-    service.autopilot._hears["COMMAND_LONG"] = hear
-    assert start(service) == "CommandFailed"
-    assert (service.state.step, service.state.arming) == ("Begin", "Armed")
-    assert service.autopilot.armed
-
-
-@REFUSED
-def test_px4_that_refuses_to_begin_was_not_armed(build_service):
-    service = made(build_service, "px4")
-    upload(service, hops("px4", 3))
-    service.autopilot._can_fly_plan = lambda: False
-    assert start(service) == "CommandDenied"
-    assert (service.state.step, service.state.arming) == ("Begin", "Untouched")
-    assert told(service) == [(MISSION_START, 0, 0)] and not service.autopilot.armed
-
-
-@REFUSED
-def test_px4_that_is_armed_and_back_in_its_mode_is_somebody_elses(build_service):
-    """It sets the mode before it arms."""
-    service = made(build_service, "px4")
-    upload(service, hops("px4", 3))
-    react = service.autopilot._mission_start
-
-    def begin(message, now) -> int:
-        result = react(message, now)
-        service.autopilot._set_mode(4, 3, now)  # HOLD, by the pilot
-        return result
-
-    service.autopilot._mission_start = begin
-    service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command == MISSION_START)
-    assert start(service, limit_s=20) == "TakenOver"
-    assert (service.state.step, service.state.arming) == ("Begin", "Armed")
-    assert service.autopilot.armed and (service.autopilot.main_mode, service.autopilot.sub_mode) == (4, 3)
-    assert told(service) == [(MISSION_START, 0, 0)]
-
-
-@REFUSED
-@pytest.mark.parametrize("sub_mode", [5, 6], ids=["RTL", "LAND"])
-def test_px4_that_rejects_the_start_gets_its_mode_back(build_service, sub_mode):
-    """By source it changes the mode first, and refuses to be armed from RTL and LAND then."""
-    service = made(build_service, "px4")
-    upload(service, hops("px4", 3))
-    service.autopilot._set_mode(4, sub_mode, service.now)
-    service.run(1.1)
-
-    def refuse(message, now) -> int:
-        service.autopilot._set_mode(4, 4, now)
-        return mavlink.MAV_RESULT_TEMPORARILY_REJECTED
-
-    service.autopilot._mission_start = refuse
-    assert start(service) == "CommandRejected"
-    assert (service.autopilot.main_mode, service.autopilot.sub_mode) == (4, sub_mode)
-    assert not service.autopilot.armed and service.state.arming == "Untouched"
 
 
 @REFUSED
@@ -282,47 +164,6 @@ def reaches(service, commands: int) -> bool:
             return False
         service.run(0.002)
     return True
-
-
-@LOST
-@ON_VEHICLES
-def test_autopilot_that_falls_silent_anywhere_ends_it(build_service, vehicle):
-    for at in range(0, 6):
-        service = made(build_service, vehicle)
-        upload(service, hops(vehicle, 4))
-        sent = said(service, "COMMAND_LONG")
-        service.order_of("start")
-        if not reaches(service, sent + at):
-            break
-        service.wire.pull()
-        began = service.now
-        assert service.done(limit_s=30) in ("NoAnswer", "Unconfirmed", "CommandFailed")
-        assert service.now - began < 13.0
-    assert at > (1 if vehicle == "px4" else 4)
-
-
-def frames_of_a_start(build_service, vehicle: str, direction: str) -> int:
-    service = made(build_service, vehicle)
-    upload(service, hops(vehicle, 4))
-    service.run(0.1)
-    before = len(service.wire.frames(direction))
-    assert start(service) == "Done"
-    return len(service.wire.frames(direction)) - before
-
-
-@LOST
-@ON_VEHICLES
-@pytest.mark.parametrize("direction", [">", "<"])
-def test_each_frame_may_be_lost_once(build_service, vehicle, direction):
-    frames = frames_of_a_start(build_service, vehicle, direction)
-    assert frames >= 3
-    for number in range(frames):
-        service = made(build_service, vehicle)
-        upload(service, hops(vehicle, 4))
-        service.run(0.1)
-        service.wire.lose(direction, index=number, where=None)
-        assert start(service) == "Done", f"without frame {number}\n{service.transcript()}"
-        expect_flying_from(service, vehicle, 0)
 
 
 @LOST

@@ -6,12 +6,10 @@ import math
 
 import pytest
 
-import modes_document
 from disorders import latency_of
 from plans import NAN, on_the_wire, waypoint
 from simulation.fake_autopilot import item, mavlink
-from simulation.fake_autopilot.flight import Place
-from simulation.steered import ABOVE_GROUND, ABOVE_SEA, REPOSITION, SPEED, TAKEOFF
+from simulation.steered import ABOVE_SEA, REPOSITION, SPEED, TAKEOFF
 from simulation.wire import Wire
 from starts import hops
 
@@ -91,31 +89,6 @@ def test_px4_that_does_not_know_home_is_told_no_height(build_steered):
     assert steered.done(limit_s=12) == "Done"
 
 
-@STEERING
-@pytest.mark.parametrize("direction, name, number", [
-    (">", "COMMAND_INT", 1), (">", "COMMAND_LONG", 1), ("<", "COMMAND_ACK", 1), ("<", "COMMAND_ACK", 2),
-    ("<", "HEARTBEAT", 1), ("<", "GLOBAL_POSITION_INT", 2)])  # fmt: skip
-def test_what_is_lost_on_the_way_to_a_place_is_made_up_for(steered, direction, name, number):
-    steered.fly()
-    steered.wire.lose(direction, name=name, times=number)
-    steered.go_to(steered.place(20, 20), 12.0)
-    assert steered.done(limit_s=20) == "Done"
-    steered.run(30.0)
-    assert steered.has_arrived()
-
-
-@STEERING
-@pytest.mark.parametrize("number", range(6))
-def test_takeoff_of_which_an_answer_is_lost_ends_well(make_steered, number):
-    steered = make_steered()
-    steered.run(2.0)
-    steered.wire.lose("<", name="COMMAND_ACK", index=number)
-    steered.take_off(8.0)
-    assert steered.done(limit_s=40) == "Done"
-    steered.run(25.0)
-    assert steered.has_arrived()
-
-
 # -- nothing is sent -------------------------------------------------------------------------------
 
 
@@ -144,18 +117,6 @@ def test_place_that_cannot_be_meant_is_refused(steered, place, altitude, frame, 
 
 
 @REFUSED
-@pytest.mark.parametrize("height, status", [
-    (0.0, "BadAltitude"), (-5.0, "BadAltitude"), (math.nan, "NotANumber"), (math.inf, "NotFinite"),
-    (10000.5, "BadAltitude"), (1e30, "BadAltitude"),
-])  # fmt: skip
-def test_height_of_a_takeoff_that_cannot_be_meant_is_refused(steered, height, status):
-    steered.take_off(height)
-    assert steered.done() == status
-    assert steered.state.field == "Height"
-    assert steered.heard("COMMAND_LONG", "COMMAND_INT") == [] and not steered.autopilot.armed
-
-
-@REFUSED
 @pytest.mark.parametrize("speed, status", [
     (0.0, "BadSpeed"), (-1.0, "BadSpeed"), (100.5, "BadSpeed"), (1e30, "BadSpeed"), (math.nan, "NotANumber"),
     (math.inf, "NotFinite"),
@@ -169,13 +130,6 @@ def test_speed_that_cannot_be_meant_is_refused(steered, speed, status):
     assert len(steered.heard("COMMAND_LONG")) == before
 
 
-@REFUSED
-def test_height_above_the_ground_is_for_ardupilot_alone(steered):
-    steered.fly()
-    steered.go_to(steered.place(5, 5), 15.0, ABOVE_GROUND)
-    assert steered.done(limit_s=12) == ("BadFrame" if is_px4(steered) else "Done")
-
-
 ORDERS = {
     "goto": lambda steered: steered.go_to(steered.place(10, 10), 15.0),
     "hold": lambda steered: steered.order_of("hold"),
@@ -185,14 +139,6 @@ ORDERS = {
     "speed": lambda steered: steered.set_speed(5.0),
 }
 EACH_ORDER = pytest.mark.parametrize("order", ORDERS)
-
-
-@REFUSED
-@EACH_ORDER
-def test_disarmed_aircraft_is_not_steered(steered, order):
-    ORDERS[order](steered)
-    assert steered.done() == "NotArmed"
-    assert steered.ordered() == []
 
 
 @REFUSED
@@ -209,24 +155,6 @@ def test_aircraft_that_is_armed_and_stands_is_not_steered(steered, order):
     # A speed is as good on the ground as in the air on PX4, which is not asked.
     assert steered.done() == ("Done" if order == "speed" and is_px4(steered) else "NotFlying")
     assert len(steered.ordered()) == before + (order == "speed" and is_px4(steered))
-
-
-@REFUSED
-def test_takeoff_in_the_air_is_refused(steered):
-    steered.fly()
-    before = len(steered.ordered())
-    steered.take_off(20.0)
-    assert steered.done() == "Armed"
-    assert len(steered.ordered()) == before
-
-
-@REFUSED
-@pytest.mark.parametrize("vehicle", ["rover", "plane"])
-def test_vehicle_that_cannot_take_off_by_command_is_not_armed(build_steered, vehicle):
-    steered = build_steered("ArduPilot", vehicle=vehicle, uptime_s=120.0)
-    steered.take_off(20.0)
-    assert steered.done() == "CommandUnsupported"
-    assert steered.ordered() == []
 
 
 # -- in other hands --------------------------------------------------------------------------------
@@ -274,26 +202,6 @@ def test_px4_that_holds_for_a_failsafe_is_left_alone(build_steered, order):
 
 
 @HANDS
-def test_mode_that_somebody_else_sets_to_what_was_ours_is_not_ours(build_steered):
-    steered = build_steered("ArduPilot")
-    steered.fly()
-    steered.pilot_sets("LOITER")
-    steered.pilot_sets("GUIDED")
-    steered.go_to(steered.place(10, 10), 15.0)
-    assert steered.done() == "PilotHasIt"
-
-
-@HANDS
-def test_aircraft_in_its_mission_may_be_steered(steered, personality):
-    steered.autopilot.load(on_the_wire(hops("px4" if is_px4(steered) else "copter", 4), personality))
-    steered.fly()
-    steered.pilot_sets((4, 4) if is_px4(steered) else "AUTO")
-    assert steered.may_steer
-    steered.go_to(steered.place(10, 10), 15.0)
-    assert steered.done(limit_s=12) == "Done"
-
-
-@HANDS
 @pytest.mark.parametrize("after_s", [0.05, 0.3, 0.55, 0.8])
 @pytest.mark.parametrize("order", ["goto", "goOn", "home", "landNow"])
 def test_mode_that_a_pilot_has_just_set_is_not_overruled(steered, personality, order, after_s):
@@ -312,19 +220,6 @@ def test_mode_that_a_pilot_has_just_set_is_not_overruled(steered, personality, o
     ORDERS[order](steered)
     assert steered.done(limit_s=3) == "PilotHasIt"
     assert len(steered.ordered()) == before and steered.mode == mode
-
-
-@HANDS
-def test_pilot_who_takes_over_in_the_middle_ends_it(steered, personality):
-    steered.fly()
-    steered.wire.lose("<", name="COMMAND_ACK", times=9)
-    steered.go_to(steered.place(10, 10), 15.0)
-    steered.run(0.4)
-    before = len(steered.ordered())
-    steered.pilot_sets(PILOTS[personality][0])
-    assert steered.done(limit_s=2) == "PilotHasIt"
-    assert len(steered.ordered()) <= before + 1
-    assert steered.mode == PILOTS[personality][0]
 
 
 @HANDS
@@ -366,53 +261,6 @@ def test_it_stops_on_the_way_and_stays(steered):
     steered.run(5.0)
     assert steered.where.distance(stopped) < 0.1 and not steered.has_arrived()
     assert steered.where.height == pytest.approx(stopped.height, abs=0.1)
-
-
-@STEERING
-def test_place_at_which_it_stops_is_where_it_is_now_also_behind_a_loop_that_stood_still(build_steered):
-    """What waits in the receive buffer is older."""
-    steered = build_steered("ArduPilot")
-    steered.fly()
-    steered.go_to(steered.place(900, 0), 10.0)
-    assert steered.done(limit_s=12) == "Done"
-    steered.run(max(8.0, 31.0 - steered.now))
-    steered.tell("stall", 30000, 1800)
-    steered.order_of("hold")  # heard when loop() goes on
-    assert steered.done(limit_s=12) == "Done"
-    time, stop = steered.orders_since(steered.now - 5.0)[-1]
-    assert stop.command == REPOSITION
-    there = Place(stop.x, stop.y, stop.z)
-    assert there.distance(steered.autopilot.flight.where(time)) < 1.0, "it was somewhere else when it was told to stop"
-
-
-@STEERING
-@pytest.mark.parametrize("height", [0.12, 0.9, 4.0])
-def test_takeoff_that_a_pilot_ends_is_his(make_steered, personality, height):
-    """PX4 holds by itself, at the top: lower down that is a pilot."""
-    steered = make_steered()
-    steered.take_off(10.0)
-    while steered.where.height < height:
-        steered.run(0.02)
-    left_the_ground = steered.state.status == "Done"
-    steered.pilot_sets((4, 3) if is_px4(steered) else "LOITER")
-    assert steered.done() == ("Done" if left_the_ground else "PilotHasIt")
-    assert not steered.may_steer
-    steered.go_to(steered.place(10, 10), 15.0)
-    assert steered.done() == "PilotHasIt"
-
-
-@STEERING
-def test_pilot_who_takes_over_right_behind_arming_finds_it_disarmed(make_steered, personality):
-    """It was armed for a takeoff, and has not left the ground."""
-    steered = make_steered()
-    steered.run(2.0)
-    steered.wire.lose(">", name="COMMAND_LONG", where=lambda message: message.command == TAKEOFF, times=99)
-    steered.take_off(10.0)
-    while not steered.autopilot.armed:
-        steered.run(0.002)
-    steered.pilot_sets((3, 0) if is_px4(steered) else "LOITER")
-    assert steered.done(limit_s=5) == "PilotHasIt"
-    assert not steered.autopilot.armed and steered.mode == ((3, 0) if is_px4(steered) else "LOITER")
 
 
 @STEERING
@@ -477,38 +325,6 @@ def test_it_flies_at_the_speed_that_was_set(steered):
 
 
 @STEERING
-def test_rover_goes_to_a_place(build_steered):
-    steered = build_steered("ArduPilot", vehicle="rover", uptime_s=120.0)
-    steered.arm_in_guided()
-    steered.go_to(steered.place(10, 10), 0.0)
-    assert steered.done(limit_s=12) == "Done"
-    steered.run(30.0)
-    assert steered.has_arrived()
-
-
-@STEERING
-def test_takeoff_that_is_refused_after_arming_is_disarmed_again(steered):
-    steered.autopilot._nav_takeoff = lambda message, now: mavlink.MAV_RESULT_FAILED
-    steered.take_off(10.0)
-    assert steered.done(limit_s=15) == "CommandFailed"
-    assert not steered.autopilot.armed
-    assert [one.param1 for one in steered.ordered() if one.command == ARM] == [1.0, 0.0]
-
-
-@STEERING
-def test_takeoff_that_never_leaves_the_ground_is_unconfirmed_and_disarmed(steered):
-    steered.autopilot._nav_takeoff = lambda message, now: mavlink.MAV_RESULT_ACCEPTED
-    if is_px4(steered):
-        def only_the_mode(message, now: float) -> int:
-            steered.autopilot.sub_mode = 2
-            return mavlink.MAV_RESULT_ACCEPTED
-        steered.autopilot._nav_takeoff = only_the_mode
-    steered.take_off(10.0)
-    assert steered.done(limit_s=30) == "Unconfirmed"
-    assert steered.step == "Disarm" and not steered.autopilot.armed
-
-
-@STEERING
 def test_target_that_px4_names_is_waited_for(build_steered):
     """It sends its target every 2.2 s; one of before does not confirm."""
     steered = build_steered("PX4", streams={87: 2.2})
@@ -521,19 +337,6 @@ def test_target_that_px4_names_is_waited_for(build_steered):
     told = [one.lat_int for time, direction, one in steered.autopilot.log
             if direction == "<" and one.get_type() == "POSITION_TARGET_GLOBAL_INT" and time > began]  # fmt: skip
     assert abs(told[-1] - steered.place(-20, 20)[0]) <= 1
-
-
-@STEERING
-def test_target_of_somebody_else_is_no_confirmation(build_steered):
-    steered = build_steered("PX4", streams={87: 1.0})
-    steered.fly()
-    elsewhere = steered.place(50, 50)
-    steered.autopilot._do_reposition = lambda message, now: mavlink.MAV_RESULT_ACCEPTED
-    steered.autopilot.flight.fly_to(steered.where._replace(lat_e7=elsewhere[0], lon_e7=elsewhere[1]), steered.now)
-    steered.run(3.0)
-    steered.go_to(steered.place(20, 20), 12.0)
-    assert steered.done(limit_s=12) == "Unconfirmed"
-    assert not steered.has_arrived()
 
 
 @STEERING
@@ -557,29 +360,6 @@ def test_flight_on_a_line_that_loses_a_fifth_of_the_frames_comes_through(make_st
 
 
 # -- no vehicle of ArduPilot's -----------------------------------------------------------------------
-
-NO_VEHICLE = pytest.mark.scenario(60, "Steering: a type that no vehicle of ArduPilot's sends gets no order")
-
-
-@NO_VEHICLE
-@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
-def test_type_that_is_no_vehicle_of_ardupilots_gets_no_order(build_steered, vehicle_type):
-    """Also where it has flown as a copter until then: another number would be another mode."""
-    steered = build_steered("ArduPilot", uptime_s=120.0)
-    steered.fly(10.0)
-    steered.run(3.0)
-    steered.autopilot.vehicle_type = vehicle_type
-    steered.run(2.5)
-    before, mode = len(steered.ordered()), steered.mode
-    for order in ("takeOff", "goTo", "hold", "goOn", "home", "landNow"):
-        if order == "takeOff":
-            steered.take_off(10.0)
-        elif order == "goTo":
-            steered.go_to(steered.place(30.0, 0.0), 20.0)
-        else:
-            steered.order_of(order)
-        assert (order, steered.done(limit_s=12)) == (order, "NoSuchMode")
-    assert steered.ordered()[before:] == [] and steered.mode == mode
 
 
 # -- a plane that hovers ---------------------------------------------------------------------------
@@ -610,39 +390,6 @@ def test_plane_that_cannot_hover_is_not_armed(build_steered, vehicle_type):
     assert steered.done() == "CommandUnsupported"
     assert steered.step == "AskLanded"
     assert steered.ordered() == []
-
-
-@HOVERS
-@pytest.mark.parametrize("vehicle, status", [("rover", "CommandUnsupported"), ("submarine", "CommandUnsupported"),
-                                             ("blimp", "NoSuchMode")])  # fmt: skip
-def test_vehicle_that_has_no_such_takeoff_is_not_armed(build_steered, vehicle, status):
-    steered = build_steered("ArduPilot", uptime_s=120.0, **modes_document.fake_of(vehicle))
-    steered.take_off(10.0)
-    assert steered.done() == status
-    assert steered.ordered() == [] and not steered.autopilot.armed
-
-
-@HOVERS
-def test_plane_that_does_not_say_whether_it_hovers_is_not_armed(build_steered):
-    steered = build_steered("ArduPilot", vehicle="quadplane", uptime_s=120.0)
-    steered.autopilot.faults.keep_back("EXTENDED_SYS_STATE")
-    steered.take_off(10.0)
-    assert steered.done(limit_s=20) == "NoAnswer"
-    assert steered.ordered() == []
-
-
-@STEERING
-@pytest.mark.parametrize("loss", [0.0, 1.0, 3.0])
-def test_px4_that_never_says_whether_it_flies_is_asked_for_20_s_at_the_most(build_steered, loss):
-    steered = build_steered("PX4", wire=Wire(3))
-    steered.fly(10.0)
-    steered.autopilot.faults.keep_back("EXTENDED_SYS_STATE")
-    steered.wire.damage_bytes(lose=loss)
-    before, began = len(steered.ordered()), steered.now
-    steered.go_to(steered.place(30.0, 0.0), 20.0)
-    assert steered.done(limit_s=30) == "NoAnswer"
-    assert steered.now - began < 22.0 and steered.step == "AskLanded"
-    assert len(steered.ordered()) == before
 
 
 @STEERING

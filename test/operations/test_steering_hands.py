@@ -98,39 +98,6 @@ def test_mode_that_is_set_around_an_order_is_kept(steered, personality, order, b
 
 
 @MOMENT
-@pytest.mark.parametrize("order", ["goTo", "pause", "returnHome"])
-def test_heartbeat_that_would_have_told_is_lost(steered, personality, order):
-    """The order waits for another one."""
-    in_the_air(steered, personality)
-    for number in range(4):
-        take_back(steered, "Auto")
-        mode = (PILOT, LANDS)[number % 2][personality]
-        steered.run(0.23 * number)
-        steered.wire.lose("<", name="HEARTBEAT", times=1 + number)
-        pilot_at = steered.pilot_sets_in(0.0, mode)
-        steered.run(0.02)
-        ORDERS[order](steered)
-        assert steered.done(limit_s=12) == ("PilotHasIt" if number % 2 == 0 else "FailsafeHasIt")
-        assert steered.orders_since(pilot_at) == [] and steered.mode == mode
-
-
-@MOMENT
-def test_place_in_its_own_mode_cannot_undo_another_one(steered, personality):
-    """However late it comes: it is sent in a form that changes no mode."""
-    in_the_air(steered, personality)
-    take_back(steered, OURS[personality])
-    for late_s in (0.05, 0.5, 2.0):
-        steered.wire.delay(">", late_s, name="COMMAND_INT")
-        ORDERS["goTo"](steered)
-        steered.run(0.04)
-        pilot_at = steered.pilot_sets_in(0.0, PILOT[personality])
-        assert steered.done(limit_s=12) == "PilotHasIt"
-        steered.run(late_s + 0.5)
-        assert steered.mode == PILOT[personality] and steered.undone_s(PILOT[personality], pilot_at) == 0
-        take_back(steered, OURS[personality])
-
-
-@MOMENT
 def test_mode_that_an_order_has_undone_is_set_again_and_told(build_steered):
     """ArduPilot's heartbeat tells of both."""
     steered = build_steered("ArduPilot")
@@ -149,47 +116,6 @@ def test_mode_that_an_order_has_undone_is_set_again_and_told(build_steered):
         assert 0 < steered.undone_s(mode, pilot_at) < GIVEN_BACK_S
         steered.run(2.0)
         assert steered.mode == mode and not steered.may_steer
-
-
-@MOMENT
-def test_mode_that_cannot_be_set_again_is_told_too(build_steered):
-    steered = build_steered("ArduPilot")
-    in_the_air(steered, "ArduPilot")
-    take_back(steered, "Auto")
-    steered.wire.delay(">", 0.05, name="COMMAND_INT")
-    ORDERS["goTo"](steered)
-    while not steered.wire.frames(">", "COMMAND_INT"):
-        steered.run(0.002)
-    pilot_at = steered.pilot_sets_in(0.01, "LOITER")
-
-    def refuse(now: float) -> None:
-        steered.autopilot._why_not_mode = lambda name, now: [(4, "no")] if name == "LOITER" else []
-
-    steered.autopilot.at("refuse", pilot_at + 0.001, refuse)
-    assert steered.done(limit_s=15) == "Overruled"
-    assert steered.mode == "GUIDED" and not steered.may_steer
-
-
-@MOMENT
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("order", ORDERS)
-def test_mode_that_is_set_around_an_order_is_kept_on_a_line_that_loses(make_steered, personality, order, seed):
-    steered = make_steered(wire=Wire(seed))
-    in_the_air(steered, personality)
-    take_back(steered, "Auto")
-    for number, after_ms in enumerate(range(seed * 5, 400, 40)):
-        mode = others(order)[number % 2][personality]
-        for direction in "><":
-            steered.wire.damage_bytes(direction, lose=1.0)
-        pilot_at = steered.pilot_sets_in(after_ms / 1000, mode)
-        ORDERS[order](steered)
-        status = steered.done(limit_s=30)
-        for direction in "><":
-            steered.wire.damage_bytes(direction)
-        steered.run(max(0.0, pilot_at - steered.now))
-        judge(steered, mode, pilot_at, status)
-        take_back(steered, "Auto")
 
 
 @MOMENT

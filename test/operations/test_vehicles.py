@@ -6,7 +6,6 @@ import pytest
 
 import modes_document
 from plans import SURVEY, on_the_wire
-from simulation.fake_autopilot import mavlink
 from starts import ARM, ASK_VEHICLE, MISSION_START, SET_MODE, hops, told, uploaded
 
 VEHICLES = pytest.mark.scenario(54, "Modes: what is no known vehicle gets no other one's")
@@ -71,17 +70,6 @@ def test_plane_that_says_another_type_gets_a_planes_modes(build_service, vehicle
     assert asked(service) == 1
 
 
-@VEHICLES
-@pytest.mark.parametrize("vehicle_type", [1, 20, 21, 2, 13])
-def test_plane_is_started_as_a_plane_whatever_it_says(build_service, vehicle_type):
-    """Armed as it stands, and not in GUIDED."""
-    service = uploaded(build_service("ArduPilot", vehicle="quadplane", vehicle_type=vehicle_type))
-    service.order_of("start")
-    assert service.done() == "Done"
-    assert told(service) == [(ARM, 1, 0), (SET_MODE, 1, 10)]
-    assert [mode for _, mode in service.autopilot.modes_flown] == ["AUTO"]
-
-
 STARTS = {"copter": [(SET_MODE, 1, 4), (ARM, 1, 0), (MISSION_START, 0, 0)], "plane": [(ARM, 1, 0), (SET_MODE, 1, 10)],
           "QuadPlane": [(ARM, 1, 0), (SET_MODE, 1, 10)], "rover": [(ARM, 1, 0), (SET_MODE, 1, 10)],
           "submarine": [(ARM, 1, 0), (SET_MODE, 1, 3)], "blimp": []}  # fmt: skip
@@ -101,17 +89,6 @@ def test_each_type_is_started_as_its_vehicle_is(build_service, vehicle_type):
 
 
 @VEHICLES
-@pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK")])
-@pytest.mark.parametrize("vehicle", ["copter", "quadplane"])
-def test_question_or_its_answer_may_be_lost(build_service, vehicle, direction, name):
-    service = build_service("ArduPilot", vehicle=vehicle, vehicle_type=2)
-    service.wire.lose(direction, name=name, where=lambda message: message.command == ASK_VEHICLE)
-    service.set_mode("ReturnToLaunch")
-    assert service.done(limit_s=5) == "Done"
-    assert service.autopilot.mode == "RTL"
-
-
-@VEHICLES
 @pytest.mark.parametrize("operation", ["start", "setmode"])
 def test_without_an_answer_no_mode_is_ordered(build_service, operation):
     service = uploaded(build_service("ArduPilot", vehicle="quadplane", vehicle_type=2))
@@ -122,20 +99,6 @@ def test_without_an_answer_no_mode_is_ordered(build_service, operation):
         service.set_mode("ReturnToLaunch")
     assert service.done(limit_s=15) == "NoAnswer"
     assert told(service) == [] and asked(service) >= 5
-
-
-@VEHICLES
-def test_answer_that_says_neither_is_the_end(build_service):
-    service = build_service("ArduPilot")
-
-    def deny(message, sender, now) -> None:
-        denied = mavlink.MAVLink_command_ack_message(message.command, mavlink.MAV_RESULT_DENIED, 0, 0, *sender)
-        service.autopilot.answer(denied, now)
-
-    service.autopilot._hears["COMMAND_LONG"] = deny
-    service.set_mode("ReturnToLaunch")
-    assert service.done() == "CommandDenied"
-    assert told(service) == []
 
 
 @VEHICLES
@@ -150,12 +113,3 @@ def test_vehicle_is_asked_once_and_again_when_another_may_be_there(build_service
     service.set_mode("Hold")
     assert service.done() == "Done"
     assert asked(service) == 2
-
-
-@VEHICLES
-def test_what_cannot_be_a_plane_in_disguise_is_not_asked(build_service, personality):
-    fake = {"vehicle": "plane"} if personality == "ArduPilot" else {}
-    service = build_service(personality, **fake)
-    service.set_mode("ReturnToLaunch")
-    assert service.done() == "Done"
-    assert asked(service) == 0

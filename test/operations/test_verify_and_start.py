@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from plans import HOME
-from starts import ARM, ON_VEHICLES, expect_flying_from, hops, made, set_current, told, upload
+from starts import ARM, ON_VEHICLES, expect_flying_from, hops, made, told, upload
 
 LOOKS = pytest.mark.scenario(49, "verifyAndStart() compares each item before it arms, and when it flies")
 LISTS = "MISSION_REQUEST_LIST"
@@ -47,17 +47,6 @@ def test_it_flies_what_it_has_compared(build_service, vehicle):
 
 @LOOKS
 @ON_VEHICLES
-def test_it_begins_with_the_item_that_is_asked_for(build_service, vehicle):
-    service = made(build_service, vehicle)
-    upload(service, hops(vehicle, 4))
-    item = 2 if vehicle == "rover" else 0
-    set_current(service, 3)
-    assert verify_and_start(service, item) == "Done"
-    expect_flying_from(service, vehicle, item)
-
-
-@LOOKS
-@ON_VEHICLES
 def test_a_plan_as_long_as_ours_is_found_before_anything_is_ordered(build_service, vehicle):
     service = made(build_service, vehicle)
     upload(service, hops(vehicle, 4))
@@ -86,18 +75,6 @@ def test_a_plan_as_long_as_ours_that_comes_behind_the_look_is_found_when_it_flie
 
 @LOOKS
 @pytest.mark.parametrize("vehicle", ["copter", "rover"])
-def test_start_alone_does_not_find_it(build_service, vehicle):
-    """What docs/starting.md says that start() cannot see."""
-    service = made(build_service, vehicle)
-    upload(service, hops(vehicle, 4))
-    put_another(service, vehicle)
-    service.run(1.5)
-    service.order_of("start", 0)
-    assert service.done(30) == "Done"
-
-
-@LOOKS
-@pytest.mark.parametrize("vehicle", ["copter", "rover"])
 def test_a_mode_that_a_pilot_sets_during_a_look_stays(build_service, vehicle):
     for look in (1, 2):
         service = made(build_service, vehicle)
@@ -111,23 +88,3 @@ def test_a_mode_that_a_pilot_sets_during_a_look_stays(build_service, vehicle):
         service.run(1.5)
         autopilot = service.autopilot
         assert autopilot.kind.modes[autopilot.mode] == OTHERS[vehicle] and autopilot.armed == (look == 2)
-
-
-@LOOKS
-@pytest.mark.parametrize("look", [1, 2])
-def test_cancelled_in_a_look_it_goes_no_further(build_service, look):
-    service = made(build_service, "copter")
-    plan = hops("copter", 4)
-    upload(service, plan)
-    before = len(service.heard(LISTS))
-    service.order_of("startproven", 0)
-    run_until(service, lambda: len(service.heard(LISTS)) == before + look)
-    service.tell("cancel")
-    assert service.done() == "Cancelled"
-    service.run(3.0)
-    assert service.autopilot.armed == (look == 2)
-    service.verify(plan)
-    assert service.done() == "Verified"  # and nothing begins behind it
-    service.run(3.0)
-    assert service.autopilot.armed == (look == 2)
-    assert service.ends_called_back == ["Accepted", "Cancelled", "Verified"]

@@ -126,17 +126,6 @@ def test_items_can_be_asked_for_out_of_order(autopilot):
 
 
 @BOTH
-def test_the_same_item_can_be_asked_for_for_ever(autopilot):
-    fake = autopilot()
-    fake.faults.ask_for_ever(1)
-    client = client_of(fake)
-    client.say(client.count(3))
-    client.say(client.item(waypoints(1)[0], 0))
-    for _ in range(200):
-        assert [seq for _, seq in missions(client.say(client.item(waypoints(1)[0], 1)))] == [1]
-
-
-@BOTH
 def test_every_item_can_be_acknowledged(autopilot):
     fake = autopilot()
     fake.faults.ack_every_item()
@@ -184,14 +173,3 @@ def test_ardupilot_accepts_a_rally_point_at_0_0_and_cannot_give_it():
     assert missions(client.say(client.request_int(0, RALLY))) == [("ITEM", 0)]
     assert missions(client.say(client.request_int(1, RALLY))) == [("ACK", INVALID_SEQUENCE)]
     assert missions(client.say(client.request_int(2, RALLY))) == [("ITEM", 2)]
-
-
-def test_px4_may_give_the_plan_before_right_after_it_has_accepted_another():
-    fake = Px4()
-    client = client_of(fake)
-    assert client.upload(waypoints(2)) == ACCEPTED
-    fake.faults.give_plan_before(0.2)
-    assert client.upload(waypoints(3, first=10)) == ACCEPTED
-    assert [one.x for one in client.download()] == [one.x for one in waypoints(2)]
-    client.wait(0.2)
-    assert [one.x for one in client.download()] == [one.x for one in waypoints(3, first=10)]

@@ -56,9 +56,3 @@ def other_asks(service, opcode: int, session: int, seq: int, data: bytes = b"", 
 
 def other_opens(service, session: int = 7, opcode: int = OPEN_RO) -> None:
     other_asks(service, opcode, session, 1, b"@MISSION/mission.dat")
-
-
-def held_as_file(service, mission_type: int = 0) -> bytes:
-    return service.autopilot.ftp.file(mission_type)
-
-

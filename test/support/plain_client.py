@@ -69,9 +69,6 @@ class PlainClient:
     def request_int(self, seq: int, mission_type: int = MISSION):
         return mavlink.MAVLink_mission_request_int_message(*self.target, seq, mission_type)
 
-    def request_float(self, seq: int, mission_type: int = MISSION):
-        return mavlink.MAVLink_mission_request_message(*self.target, seq, mission_type)
-
     def clear_all(self, mission_type: int = MISSION):
         return mavlink.MAVLink_mission_clear_all_message(*self.target, mission_type)
 

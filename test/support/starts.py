@@ -12,7 +12,6 @@ ARM, SET_MODE, MISSION_START, REQUEST_MESSAGE, SET_CURRENT = 400, 176, 300, 512,
 VEHICLES = {"copter": ("ArduPilot", "copter"), "rover": ("ArduPilot", "rover"), "px4": ("PX4", "copter")}
 ON_VEHICLES = pytest.mark.parametrize("vehicle", VEHICLES)
 AUTO = {"copter": 3, "rover": 10, "px4": 4 << 16 | 4 << 24}
-ANOTHER_MODE = {"copter": "LOITER", "rover": "HOLD"}
 
 
 def hops(vehicle: str, items: int, east: int = 0) -> list:

@@ -96,9 +96,6 @@ class UdpClient(HostClient):
             if together:
                 self.network.send(place, US, together, self.now)
 
-    @property
-    def frames_of(self) -> list[str]:
-        return [message.get_type() for _, message in self.sent]
 
 
 def heartbeat_of(kind: int, autopilot: int, sender: tuple[int, int] = (1, 1)) -> bytes:

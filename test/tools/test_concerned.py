@@ -36,7 +36,7 @@ def test_each_source_of_the_library_concerns_some_tests_and_not_many():
         ("src/mavmission/service/SteeringHands.cpp", "test_every_case_of_a_unit_passes[plain-steering]"),
         ("src/mavmission/transfer/ClearTransfer.h", "test/operations/test_clear.py"),
         ("test/upload/test_flow.py", "test/upload/test_flow.py"),
-        ("test/support/loss_table.py", "test/upload/test_losses.py"),
+        ("test/support/wrong_plans.py", "test/upload/test_plan_checks.py"),
         ("simulation/wire.py", "test/simulation/test_wire.py"),
         ("simulation/payload.py", "test/service/test_payload.py"),
         ("tools/demonstration/timeline.py", "test/tools/test_timeline.py"),
@@ -45,10 +45,6 @@ def test_each_source_of_the_library_concerns_some_tests_and_not_many():
 )
 def test_change_of_a_file_concerns(name, expected):
     assert [test for test in concerned.tests_of(name) if test.endswith(expected)]
-
-
-def test_test_that_is_gone_is_not_run():
-    assert concerned.tests_of("test/upload/test_of_yesterday.py") == []
 
 
 def test_changed_files_are_those_that_differ_and_those_that_are_new(tmp_path, monkeypatch):

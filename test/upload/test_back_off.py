@@ -6,8 +6,7 @@ from itertools import pairwise
 
 import pytest
 
-from plans import OLD_PLAN, SURVEY, on_the_wire
-from simulation.bench import same_bits
+from plans import OLD_PLAN, SURVEY
 from simulation.fake_autopilot import mavlink
 
 BACK_OFF = pytest.mark.scenario(22, "Denied while another ground station transfers; a retry succeeds")
@@ -20,26 +19,6 @@ def other_begins(service, items: int) -> mavlink.MAVLink:
     message = mavlink.MAVLink_mission_count_message(1, 1, items, 0)
     service.autopilot.receive(message.pack(packer), service.now)
     return packer
-
-
-@pytest.mark.slow
-@BACK_OFF
-def test_upload_meanwhile_is_refused_and_said_as_such(service, personality):
-    service.run(2.0)
-    other_begins(service, 3)
-    service.upload(SURVEY)
-    assert service.done(limit_s=15) == ("Denied" if personality == "ArduPilot" else "Error")
-    assert service.state.aboard == "AsBefore"
-
-
-@BACK_OFF
-def test_upload_that_backs_off_comes_aboard_when_it_is_free(service, personality):
-    service.tell("backoff", 60)
-    service.run(2.0)
-    other_begins(service, 3)
-    service.upload(SURVEY)
-    assert service.done(limit_s=30) == "Accepted"
-    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, personality))
 
 
 @BACK_OFF
@@ -82,31 +61,6 @@ def test_download_that_our_own_sink_ends_leaves_it_as_it_was(service, order, end
 
 
 @BACK_OFF
-def test_px4s_error_is_taken_for_busy_and_waited_for_like_ardupilots_denied(build_service):
-    service = build_service("PX4")
-    service.autopilot.load(OLD_PLAN)
-    service.tell("backoff", 30)
-    service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=5)
-    service.upload(SURVEY)
-    assert service.done(limit_s=40) == "Accepted"
-    assert "BackingOff" in service.returned
-    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, "PX4"))
-
-
-@BACK_OFF
-def test_px4_that_stays_busy_is_waited_for_no_longer_than_allowed(build_service):
-    service = build_service("PX4")
-    service.autopilot.load(OLD_PLAN)
-    service.tell("backoff", 15)
-    service.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, times=None)
-    service.upload(SURVEY)
-    assert service.done(limit_s=40) == "Error"
-    counts = service.sent_at("MISSION_COUNT")
-    assert 7.0 < counts[-1] - counts[0] <= 15.1
-    assert service.state.aboard == "AsBefore"
-
-
-@BACK_OFF
 def test_upload_backs_off_no_longer_than_allowed(build_service):
     service = build_service("ArduPilot")
     service.autopilot.load(OLD_PLAN)
@@ -119,22 +73,3 @@ def test_upload_backs_off_no_longer_than_allowed(build_service):
     assert pauses == [1, 2]
     assert counts[-1] - counts[0] <= 5.1
     assert service.state.aboard == "AsBefore"
-
-
-def counts_since(service, start: float) -> list[float]:
-    """When COUNT left, from the first one on, to the nearest second."""
-    counts = [time for time in service.sent_at("MISSION_COUNT") if time >= start]
-    return [round(time - counts[0]) for time in counts]
-
-
-@BACK_OFF
-def test_next_operation_has_its_whole_time(build_service):
-    """It begins with the shortest pause, and the time allowed with its own first refusal."""
-    service = build_service("ArduPilot")
-    service.tell("backoff", 8)
-    for _ in range(2):
-        start = service.now
-        service.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, times=3)
-        service.upload(SURVEY)
-        assert service.done(limit_s=20) == "Accepted"
-        assert counts_since(service, start) == [0, 1, 3, 7]

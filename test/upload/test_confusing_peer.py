@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import pytest
 
 from plain_client import PlainClient
@@ -11,8 +9,7 @@ from plans import OLD_PLAN, SURVEY, on_the_wire, smooth_steps, steps, waypoint
 from simulation.bench import same_bits
 from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.items import item_int_message
-from simulation.fake_autopilot.px4_rewriting import checksum
-from simulation.peer import AUTOPILOT, US, ack, find, heartbeat, request, request_int
+from simulation.peer import US, ack, find, heartbeat, request, request_int
 from truth import LOOP_S, expect_truth
 
 INVALID_SEQUENCE = mavlink.MAV_MISSION_INVALID_SEQUENCE
@@ -56,20 +53,6 @@ def test_every_refusal_of_the_count_has_its_own_status(bench, personality, resul
 
 @RESULTS
 @pytest.mark.parametrize("result", STATUS_OF)
-def test_refused_count_right_after_a_reset_has_its_own_status_too(bench, personality, result):
-    """Answers to a transfer from before the reset are waited out where one is possible: five COUNTs, 7.5 s."""
-    state = uploaded_with_refusal(bench, result, "count")
-    assert state.status == STATUS_OF[result]
-    assert (state.last_result, state.failed_item) == (result, None)
-    # What may be of the earlier transfer does not say that ArduPilot has not begun this one, and cut its plan.
-    is_waited_out = result in (INVALID_SEQUENCE, CANCELLED)
-    assert state.aboard == ("NotKnown" if is_waited_out and personality == "ArduPilot" else "AsBefore")
-    assert bench.now - bench.sent_at("MISSION_COUNT")[0] <= 7.5 + LOOP_S
-    expect_truth(bench, SURVEY, personality)
-
-
-@RESULTS
-@pytest.mark.parametrize("result", STATUS_OF)
 @pytest.mark.parametrize("item", [0, 2, 3])
 def test_every_refusal_of_an_item_has_its_own_status_and_names_the_item(bench, personality, item, result):
     """INVALID_SEQUENCE in motion is noise: it ends by the silence that follows."""
@@ -106,35 +89,6 @@ def test_px4_that_could_not_store_the_plan_is_found_out_by_reading_back(build_be
     expect_truth(bench, SURVEY, "PX4")
 
 
-@RESULTS
-def test_error_at_the_end_is_no_acceptance_when_px4_had_been_announced_the_plan_twice(build_bench):
-    """It may mean the second COUNT: the last item goes out again, and what is said to that proves nothing."""
-    bench = build_bench("PX4")
-    bench.autopilot.load(OLD_PLAN)
-    bench.autopilot.faults.refuse(ERROR, step="end")
-    bench.wire.lose(">", name="MISSION_COUNT")
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=15) == "Unconfirmed"
-    expect_truth(bench, SURVEY, "PX4")
-
-
-@RESULTS
-def test_refusal_of_ardupilots_home_names_no_item(build_bench):
-    bench = build_bench("ArduPilot")
-    state = uploaded_with_refusal(bench, mavlink.MAV_MISSION_UNSUPPORTED_FRAME, 0)
-    assert (state.status, state.failed_item) == ("UnsupportedFrame", None)
-
-
-@RESULTS
-def test_upload_after_a_refusal_is_accepted(bench, personality):
-    bench.autopilot.faults.refuse(mavlink.MAV_MISSION_INVALID_PARAM1, step=2)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=10) == "InvalidParam1"
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    expect_truth(bench, SURVEY, personality)
-
-
 NOISE = pytest.mark.scenario(20, "INVALID_SEQUENCE in motion is noise")
 
 
@@ -149,18 +103,6 @@ def test_invalid_sequence_after_each_item_is_noise(bench, personality):
     assert bench.run_until_ended(limit_s=10) == "Accepted"
     assert steps(bench) == smooth_steps(wire_count)
     expect_truth(bench, SURVEY, personality)
-
-
-@NOISE
-def test_ardupilots_complaint_of_an_item_that_came_twice_is_noise(build_bench):
-    bench = build_bench("ArduPilot")
-    bench.wire.repeat(">", name="MISSION_ITEM_INT", times=None, after_s=0.005)
-    bench.autopilot.load(OLD_PLAN)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    refused = [message for message in bench.autopilot.messages("<", "MISSION_ACK") if message.type == INVALID_SEQUENCE]
-    assert len(refused) == 5
-    expect_truth(bench, SURVEY, "ArduPilot")
 
 
 GIVEN_UP = 21, "The autopilot cancels"
@@ -246,19 +188,6 @@ def test_upload_waits_its_turn_and_is_accepted_when_the_other_has_given_up(bench
 
 
 @TURNS
-def test_waiting_for_a_turn_ends_with_the_refusal_at_its_limit(bench, personality):
-    bench.tell("backoff", 10)
-    bench.autopilot.load(OLD_PLAN)
-    bench.autopilot.faults.refuse(DENIED, step="count", times=None)
-    bench.upload(SURVEY)
-    first = bench.run_until_sent("MISSION_COUNT")
-    assert bench.run_until_ended(limit_s=30) == "Denied"
-    assert 7.0 <= bench.now - first <= 10.0
-    assert len(bench.sent_at("MISSION_COUNT")) == 4
-    expect_truth(bench, SURVEY, personality)
-
-
-@TURNS
 def test_waiting_for_a_turn_can_be_cancelled(bench):
     bench.tell("backoff", 60)
     bench.autopilot.faults.refuse(DENIED, step="count", times=None)
@@ -291,57 +220,6 @@ def test_request_out_of_order_does_no_harm(bench, personality, expected, asked):
     assert bench.now - bench.sent_at("MISSION_COUNT")[0] < 8.0
 
 
-@WRONG_REQUESTS
-def test_requests_that_jump_ahead_or_beyond_draw_no_item(line):
-    line.upload(SURVEY)
-    find(line)
-    for seq in (1, 4, 5, 6, 65535):
-        line.say(request_int(seq))
-        line.run(0.1)
-    assert steps(line) == [("COUNT", 5)]
-    line.say(request_int(0))
-    line.run(0.1)
-    for seq in (2, 5, 256, 257, 65535):
-        line.say(request_int(seq))
-        line.run(0.1)
-    assert steps(line) == smooth_steps(5)[:2]
-
-
-@WRONG_REQUESTS
-def test_request_from_behind_that_is_not_late_is_answered_and_the_transfer_goes_on(line):
-    """Within 500 ms of a newer one it is late. Behind that the autopilot has begun again, and its request decides."""
-    line.upload(SURVEY)
-    find(line)
-    line.run_until_sent("MISSION_COUNT")
-    for seq, pause_s in ((0, 0.06), (1, 0.06), (2, 0.2), (0, 0.2), (1, 0.2), (0, 0.06), (1, 0.06), (2, 0.06), (3, 0.45),
-                         (1, 0.15), (1, 0.06), (2, 0.06), (3, 0.06), (4, 0.06)):  # fmt: skip
-        line.say(request_int(seq))
-        line.run(pause_s)
-    assert [said for said in steps(line) if said[0] == "ITEM_INT"] == [
-        ("ITEM_INT", seq) for seq in (0, 1, 2, 0, 1, 2, 3, 1, 2, 3, 4)
-    ]
-    # The items that were asked for again count once in the proof.
-    right = 0
-    for one in SURVEY:
-        right = checksum(one, right)
-    line.say(ack(opaque_id=right))
-    assert line.run_until_ended(limit_s=1) == "Accepted"
-
-
-@WRONG_REQUESTS
-def test_autopilot_that_asks_for_ever_for_one_item_is_given_up_after_8500_ms(bench, personality):
-    bench.autopilot.load(OLD_PLAN)
-    bench.autopilot.faults.ask_for_ever(2)
-    bench.upload(SURVEY)
-    asked = bench.run_until_sent("MISSION_ITEM_INT", 3)
-    assert bench.run_until_ended(limit_s=30) == "TimedOut"
-    assert bench.now - asked <= 8.5 + LOOP_S
-    assert bench.state.failed_item == (1 if personality == "ArduPilot" else 2)
-    expect_truth(bench, SURVEY, personality)
-    # One item per request heard, 50 ms apart at the least.
-    assert len(bench.sent_at("MISSION_ITEM_INT")) <= 3 + 8.5 / 0.05
-
-
 SPURIOUS = pytest.mark.scenario(26, "Spurious messages: no change, no storm of replies")
 
 UNASKED = {
@@ -371,17 +249,6 @@ def test_nothing_is_said_to_what_comes_unasked_when_idle(line, unasked):
         line.run(0.02)
     assert line.mission_messages() == []
     assert (line.status, line.ends, line.ends_called_back) == ("Idle", [], [])
-
-
-@SPURIOUS
-@pytest.mark.parametrize("unasked", UNASKED)
-def test_nothing_is_said_to_what_comes_unasked_while_an_autopilot_is_waited_for(line, unasked):
-    line.upload(SURVEY)
-    for _ in range(30):
-        line.say(UNASKED[unasked]())
-        line.run(0.02)
-    assert line.heard() == []
-    assert line.state.status == "WaitingForAutopilot"
 
 
 @SPURIOUS
@@ -432,23 +299,6 @@ def test_what_comes_unasked_in_a_transfer_is_answered_once_each_at_most(build_be
     expect_truth(bench, SURVEY, personality)
 
 
-@SPURIOUS
-@pytest.mark.parametrize("round_trip_s", [0.01, 0.2])
-def test_same_request_over_and_over_is_answered_each_50_ms_or_round_trip_at_most(line, round_trip_s):
-    line.upload(SURVEY)
-    line.say(heartbeat(), AUTOPILOT)
-    line.run_until_sent("MISSION_COUNT")
-    line.run(round_trip_s)
-    for _ in range(100):
-        line.say(request_int(0))
-        line.run(0.01)
-    line.run(0.1)
-    times = line.sent_at("MISSION_ITEM_INT")
-    pause_s = max(round_trip_s, 0.05)
-    assert 0.8 / pause_s <= len(times) <= 1 + 1.1 / pause_s
-    assert all(later - earlier > pause_s - 0.005 for earlier, later in pairwise(times))
-
-
 STALE = pytest.mark.scenario(27, "A stale ACK of the previous transfer after a new COUNT")
 
 
@@ -488,35 +338,6 @@ def test_stale_answer_before_the_first_request_is_not_taken_for_the_new_transfer
 
 
 @STALE
-@pytest.mark.parametrize("result", [ACCEPTED, INVALID_SEQUENCE])
-@pytest.mark.parametrize("asked", [1, 3, 4])
-def test_stale_answer_in_the_middle_is_not_taken_for_the_new_transfers(line, result, asked):
-    repeated_upload(line)
-    go_on(line, range(asked))
-    line.say(ack(result))
-    line.run(0.1)
-    assert line.ends == ["Cancelled"]
-    go_on(line, range(asked, 5))
-    line.say(ack())
-    line.run(0.02)
-    assert line.ends == ["Cancelled", "Accepted"]
-
-
-@STALE
-def test_stale_cancellation_does_not_say_that_the_plan_is_as_before(build_bench):
-    """ArduPilot has begun, and cut its plan, though none of its requests arrived."""
-    bench = build_bench("ArduPilot")
-    bench.autopilot.load(OLD_PLAN)
-    bench.wire.lose("<", name="MISSION_REQUEST", times=None)
-    bench.upload(SURVEY)
-    bench.run_until_sent("MISSION_COUNT")
-    bench.say(ack(CANCELLED))
-    assert bench.run_until_ended(limit_s=10) == "CancelledByAutopilot"
-    assert len(bench.autopilot.received()) == 6
-    expect_truth(bench, SURVEY, "ArduPilot")
-
-
-@STALE
 def test_late_ack_of_the_last_upload_is_no_end_of_the_next_one(bench, personality):
     """It was Unconfirmed, and is uploaded again when its answers, all of them late, come in."""
     other = [waypoint(z=70.0 + n) for n in range(5)]
@@ -545,16 +366,6 @@ def test_server_that_acknowledges_every_item_said_accepted_early(bench, personal
     expect_truth(bench, SURVEY, personality)
 
 
-@EVERY_ITEM
-def test_acceptance_of_each_item_right_after_a_reset_is_outwaited(bench, personality):
-    """It might be a late answer to a transfer from before the reset; the last one counts."""
-    bench.autopilot.load(OLD_PLAN)
-    bench.autopilot.faults.ack_every_item()
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    expect_truth(bench, SURVEY, personality)
-
-
 EARLY = pytest.mark.scenario(18, "ACCEPTED too early")
 
 
@@ -571,22 +382,3 @@ def test_acceptance_before_every_item_was_asked_for_is_an_error(line, asked):
     assert state.done <= max(0, asked - 1) < state.total
     # Some plan was accepted: whether it is the one from before is not known.
     assert state.aboard == "NotKnown"
-
-
-@EARLY
-def test_px4_that_took_fewer_items_than_ours_is_not_said_to_hold_the_old_plan(build_bench):
-    """Its transfer from before a reset had a smaller COUNT, and went on with the new items."""
-    bench = build_bench("PX4")
-    bench.autopilot.load(OLD_PLAN)
-    bench.upload(SURVEY[:3])
-    bench.run_until_sent("MISSION_COUNT")
-    bench.reset()
-    bench.upload(SURVEY)
-    status = bench.run_until_ended(limit_s=30)
-    held = bench.autopilot.received()
-    state = bench.state
-    assert status != "Accepted" or same_bits(held, SURVEY)
-    assert state.aboard != "AsBefore" or same_bits(held, OLD_PLAN)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=30) == "Accepted"
-    assert same_bits(bench.autopilot.received(), SURVEY)

@@ -9,7 +9,7 @@ import pytest
 from plans import HOME, OLD_PLAN, SURVEY, on_the_wire, smooth_steps, steps
 from simulation.bench import FunctionPlan, item_of_function_plan, same_bits
 from simulation.fake_autopilot import mavlink
-from simulation.peer import ack, find, request_int
+from simulation.peer import find, request_int
 
 CANCELLED = mavlink.MAV_MISSION_OPERATION_CANCELLED
 CANCEL = ("ACK", CANCELLED)
@@ -106,98 +106,6 @@ def test_cancel_after_the_last_item_leaves_it_unknown_what_is_aboard(bench, pers
     expect_cancelled(bench, [*smooth_steps(wire_count), CANCEL], "NotKnown")
 
 
-@CANCELLING
-def test_cancel_when_idle_does_nothing(bench):
-    bench.run(1.5)
-    bench.cancel()
-    bench.cancel()
-    bench.run(3)
-    assert bench.mission_messages() == []
-    assert bench.ends == bench.ends_called_back == []
-    assert bench.status == "Idle"
-
-
-@CANCELLING
-def test_cancel_after_the_end_does_nothing(bench, personality):
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    bench.cancel()
-    bench.run(3)
-    assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
-    state = bench.state
-    assert (state.status, state.aboard) == ("Accepted", "OurPlan")
-
-
-@CANCELLING
-def test_cancel_twice_is_one_cancellation(bench, personality):
-    bench.upload(SURVEY)
-    bench.run_until_sent("MISSION_ITEM_INT", 2)
-    bench.cancel()
-    bench.cancel()
-    wire_count = len(on_the_wire(SURVEY, personality))
-    aboard = {"ArduPilot": "Mixture", "PX4": "AsBefore"}[personality]
-    expect_cancelled(bench, [*smooth_steps(wire_count)[:3], CANCEL], aboard)
-
-
-@CANCELLING
-def test_cancel_from_the_progress_callback(bench, personality):
-    bench.tell("cancelat", 2)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Cancelled"
-    bench.run(10)
-    assert bench.progress == [(1, 5), (2, 5)]
-    assert steps(bench)[-1] == CANCEL
-    assert steps(bench).count(CANCEL) == 1
-    assert bench.ends_called_back == ["Cancelled"]
-
-
-@CANCELLING
-def test_cancel_in_the_last_progress_callback_comes_too_late(bench):
-    bench.tell("cancelat", len(SURVEY))
-    bench.tell("again", 1)
-    bench.upload(SURVEY)
-    assert [bench.run_until_ended(limit_s=5) for _ in range(2)] == ["Accepted", "Accepted"]
-    bench.run(5)
-    assert bench.ends == bench.ends_called_back == ["Accepted", "Accepted"]
-    assert bench.restarts == ["WaitingForAutopilot"]
-    state = bench.state
-    assert (state.status, state.busy, state.aboard) == ("Accepted", False, "OurPlan")
-
-
-@CANCELLING
-@pytest.mark.parametrize("call", [1, 3, 7, 10])
-def test_cancel_in_the_source_ends_the_upload_once_and_the_next_one_begins(bench, personality, call):
-    bench.tell("cancelin", call)
-    bench.tell("again", 1)
-    bench.upload(FunctionPlan(6))
-    assert [bench.run_until_ended(limit_s=20) for _ in range(2)] == ["Cancelled", "Accepted"]
-    bench.run(5)
-    assert bench.ends == bench.ends_called_back == ["Cancelled", "Accepted"]
-    assert same_bits(bench.autopilot.received(), on_the_wire(FunctionPlan(6), personality))
-    assert bench.state.aboard == "OurPlan"
-
-
-@BUSY
-def test_progress_callback_can_neither_begin_nor_update(bench, personality):
-    bench.tell("uploadat", 2)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    assert bench.restarts == ["Busy"]
-    assert bench.nested_updates == ["Busy"]
-    assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
-
-
-@CANCELLING
-def test_new_upload_right_after_a_cancellation_is_accepted(bench, personality):
-    bench.upload(SURVEY)
-    bench.run_until_sent("MISSION_ITEM_INT", 3)
-    bench.cancel()
-    bench.upload()
-    assert bench.run_until_ended(limit_s=1) == "Cancelled"
-    assert bench.run_until_ended(limit_s=20) == "Accepted"
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
 RESTART = pytest.mark.scenario(33, "Restarting from within the callback")
 
 
@@ -221,16 +129,6 @@ def test_upload_may_begin_again_after_a_refusal(bench, personality):
     bench.tell("again", 2)
     bench.upload(SURVEY)
     assert [bench.run_until_ended(limit_s=5) for _ in range(3)] == ["Denied", "Denied", "Accepted"]
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
-@RESTART
-def test_upload_may_begin_again_after_silence(bench, personality):
-    bench.wire.lose(">", name="MISSION_COUNT", times=5)
-    bench.tell("again", 1)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=15) == "NoAnswer"
-    assert bench.run_until_ended(limit_s=15) == "Accepted"
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
 
 
@@ -298,21 +196,6 @@ def test_small_transmit_ring_blocks_nothing_and_loses_nothing(bench, personality
 
 
 @FULL
-def test_frame_that_finds_the_ring_full_goes_out_later_whole(line):
-    line.upload(SURVEY)
-    find(line)
-    line.tell("room", 0)
-    line.say(request_int(0))
-    line.run(0.09)
-    assert steps(line) == [("COUNT", 5)]
-    line.tell("room", 63)
-    line.run(0.03)
-    assert steps(line) == smooth_steps(5)[:2]
-    assert line.blocked() == 0
-    assert all(entry.number is not None for entry in line.wire.entries)
-
-
-@FULL
 def test_ring_that_fills_up_in_the_middle_of_a_frame_breaks_none(line):
     line.upload(SURVEY)
     find(line)
@@ -328,36 +211,6 @@ def test_ring_that_fills_up_in_the_middle_of_a_frame_breaks_none(line):
     assert steps(line) == smooth_steps(5)
     assert line.blocked() == 0
     assert all(entry.number is not None for entry in line.wire.entries)
-
-
-@FULL
-def test_stream_that_does_not_say_its_room_is_served_all_the_same(bench, personality):
-    bench.tell("blind", 1)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    assert steps(bench) == smooth_steps(len(on_the_wire(SURVEY, personality)))
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-    assert bench.blocked() == 0  # 8 bytes a call find room in a ring of 63 that drains meanwhile
-
-
-@pytest.mark.scenario(18, "ACCEPTED too early")
-def test_acceptance_before_the_last_item_has_left_is_not_taken_for_one(line):
-    line.upload(SURVEY)
-    find(line)
-    for seq in range(3):
-        line.say(request_int(seq))
-        line.run(0.03)
-    line.tell("room", 0)
-    for message in (request_int(3), request_int(4), ack()):
-        line.say(message)
-        line.run(0.01)
-    line.tell("room", 63)
-    line.run(0.05)
-    # A stale answer to an earlier transfer, which may have run before a reset: it goes on.
-    assert line.ends == []
-    assert steps(line) == smooth_steps(5)
-    line.say(ack())
-    assert line.run_until_ended(limit_s=0.1) == "Accepted"
 
 
 BOUNDED = pytest.mark.scenario(37, "Work per update() is bounded")

@@ -83,39 +83,6 @@ def test_betaflights_heights_above_home_prove_an_upload_and_no_plan_of_before(bu
 
 
 @GENERIC
-def test_betaflight_without_a_home_refuses_heights_above_it_and_then_holds_no_plan(build):
-    service = build("Betaflight", has_home=False)
-    service.upload(PLAN)
-    assert service.done(limit_s=10) == "Invalid"
-    assert service.state.failed_item == 0
-    assert service.autopilot.held == []
-    assert service.state.aboard == "Nothing"
-
-
-@GENERIC
-def test_betaflight_holds_no_plan_once_an_upload_has_broken_off(build):
-    service = build("Betaflight")
-    service.upload(PLAN)
-    service.run_until_sent("MISSION_ITEM_INT", 2)
-    service.wire.pull()
-    assert service.done(limit_s=30) == "TimedOut"
-    assert service.autopilot.held == []
-    assert service.state.aboard == "Nothing"
-
-
-@GENERIC
-@pytest.mark.parametrize("firmware", KINDS)
-def test_more_items_than_it_has_room_for_change_nothing(build, firmware):
-    """30 on Betaflight. iNav has 120; the test's plans are shorter than that."""
-    service = build(firmware)
-    service.autopilot.most_items = 30
-    service.upload([waypoint(X + 900 * n, Y, 20.0) for n in range(31)])
-    assert service.done(limit_s=10) == "NoSpace"
-    assert service.autopilot.held == OLD
-    assert service.state.aboard == "AsBefore"
-
-
-@GENERIC
 def test_follower_notices_that_betaflight_has_dropped_the_plan_that_it_accepted(build):
     """It does when a line brings our MISSION_COUNT again, or when another station begins an upload."""
     service = build("Betaflight")
@@ -128,35 +95,6 @@ def test_follower_notices_that_betaflight_has_dropped_the_plan_that_it_accepted(
     service.run(3.0)
     assert service.autopilot.held == []
     assert service.state.aboard == "OtherPlan"
-
-
-@GENERIC
-@pytest.mark.parametrize("proof, ended", [("ByAnswer", "Unconfirmed"), ("InDoubt", "Differs"), ("Always", "Differs")])
-def test_plan_that_betaflight_drops_as_the_network_brings_count_again_is_not_accepted(build, proof, ended):
-    """Its acceptance is under way then. A plan that is not dropped is read back, too, before it is accepted."""
-    service = build("Betaflight")
-    hear = service.autopilot._hears["MISSION_ITEM_INT"]
-
-    def hear_count_again(message, sender, now: float) -> None:
-        hear(message, sender, now)
-        if message.seq == len(PLAN) - 1:
-            service.autopilot._on_count(count.message, sender, now)
-
-    service.autopilot._hears["MISSION_ITEM_INT"] = hear_count_again
-    service.upload(PLAN, proof=proof)
-    service.run_until_sent("MISSION_COUNT")
-    (count,) = service.wire.frames(">", "MISSION_COUNT")
-    assert service.done(limit_s=20) == ended
-    assert service.autopilot.held == [] and service.state.aboard != "OurPlan"
-
-
-@GENERIC
-def test_acceptance_of_betaflight_alone_is_no_proof(build):
-    service = build("Betaflight")
-    service.upload(PLAN)
-    assert service.done(limit_s=10) == "Unconfirmed" and service.state.aboard == "NotKnown"
-    service.upload([])
-    assert service.done(limit_s=10) == "Accepted"  # there is nothing to be dropped
 
 
 REFUSED = {
@@ -177,26 +115,6 @@ def test_command_that_it_does_not_take_or_fly_is_refused_before_anything_is_sent
     assert service.state.failed_item == 2
     assert service.autopilot.held == OLD
     assert service.wire.frames(">", "MISSION_COUNT") == []
-
-
-NOT_KEPT = {
-    "a hold at a waypoint": (waypoint(X, Y, 20.0, param1=3.0), "Param1"),
-    "a radius": (item(LOITER_TIME, x=X, y=Y, z=20.0, param1=10.0, param3=30.0), "Param3"),
-    "half a second": (item(LOITER_TIME, x=X, y=Y, z=20.0, param1=10.5), "Param1"),
-    "a stop at the item": (waypoint(X, Y, 20.0, autocontinue=0), "Autocontinue"),
-}
-
-
-@GENERIC
-@pytest.mark.parametrize("name", NOT_KEPT)
-@pytest.mark.parametrize("firmware", KINDS)
-def test_field_that_it_would_drop_is_named(build, firmware, name):
-    service = build(firmware)
-    one, field = NOT_KEPT[name]
-    service.upload([PLAN[0], one])
-    assert service.done(limit_s=10) == "NotKept"
-    assert (service.state.failed_item, service.state.field) == (1, field)
-    assert service.autopilot.held == OLD
 
 
 @GENERIC
@@ -229,16 +147,6 @@ def test_fence_that_inav_does_not_take_is_refused(build):
     service = build("Inav")
     service.upload([item(5001, frame=0, x=X + n, y=Y, param1=4.0) for n in range(4)], mission_type=1)
     assert service.done(limit_s=10) == "NotFlown"
-
-
-@GENERIC
-@pytest.mark.parametrize("firmware", KINDS)
-def test_lost_acceptance_is_read_back(build, firmware):
-    service = build(firmware)
-    service.wire.lose("<", name="MISSION_ACK")
-    service.upload(PLAN, proof="InDoubt")
-    assert service.done(limit_s=20) == "Accepted"
-    assert service.state.aboard == "OurPlan"
 
 
 @GENERIC

@@ -6,7 +6,6 @@ import pytest
 
 from disorders import latency_of
 from plans import HOME, OLD_PLAN, waypoint
-from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.inav import Inav
 
 IMPOSTOR = pytest.mark.scenario(28, "An autopilot that only says that it is an ArduPilot: no false Accepted")
@@ -66,15 +65,6 @@ def test_plan_behind_something_that_is_no_home_is_not_verified(build_service, fi
     service.ensure(PLAN)
     assert service.done(limit_s=20) == ("Unsupported" if first is not HOME else "Differs")
     assert service.state.aboard != "OurPlan"
-
-
-@IMPOSTOR
-def test_the_same_server_that_says_what_it_is_gets_the_plan(build):
-    """Without a read-back, which an autopilot that is not known always needs, that is not proven."""
-    bench = build(autopilot=mavlink.MAV_AUTOPILOT_GENERIC)
-    bench.upload(PLAN)
-    assert bench.run_until_ended(limit_s=10) == "Unconfirmed"
-    assert bench.autopilot.held == PLAN
 
 
 @IMPOSTOR

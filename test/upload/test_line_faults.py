@@ -20,7 +20,6 @@ from simulation.fake_autopilot.frames import packed as frame_of
 from simulation.peer import AUTOPILOT, ack, find, heartbeat, request, request_int
 from truth import expect_truth, longest_s
 
-RING = 63  # bytes that HardwareSerial's receive ring holds
 SILENCE_S = 0.020  # after which an undamaged frame is decoded at the latest
 # From there: what may just be on its way (an item that is sent again behind 12 zeros, and a heartbeat behind as many),
 # one turn of loop(), packing, 12 zeros, and 50 bytes of an item, at 57600 baud.
@@ -73,46 +72,12 @@ def asking(line) -> Asking:
     return Asking(line)
 
 
-def framed(identity: int, payload: bytes, version: int = 2, flags: int = 0, crc_extra: int | None = None,
-           sender: tuple[int, int] = AUTOPILOT) -> bytes:  # fmt: skip
-    """A frame made by hand; without a crc_extra, of a message that nobody knows."""
-    known = mavlink.mavlink_map.get(identity)
-    extra = crc_extra if crc_extra is not None else known.crc_extra if known else 77
-    if version == 1:
-        body = bytes((len(payload), 9, *sender, identity & 0xFF)) + payload
-        magic = b"\xfe"
-    else:
-        body = bytes((len(payload), flags, 0, 9, *sender)) + identity.to_bytes(3, "little") + payload
-        magic = b"\xfd"
-    signature = bytes(range(13)) if flags & 1 and version == 2 else b""
-    return magic + body + mavlink.x25crc(body + bytes((extra,))).crc.to_bytes(2, "little") + signature
-
-
-def telemetry(count: int, first: int = 0) -> list[bytes]:
-    frames = [frame for _, frame in recordings.telemetry("px4/clean_with_streams")]
-    return [frames[(first + n) % len(frames)] for n in range(count)]
-
-
 @DAMAGE
 @pytest.mark.parametrize("seed", range(2))
 def test_request_after_random_bytes_is_answered(asking, seed):
     drawn = random.Random(seed)
     for length in range(1, 60):
         asking.ask_after(drawn.randbytes(length), length)
-    asking.expect_alive()
-
-
-@DAMAGE
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(2, 8))
-def test_request_after_many_random_bytes_is_answered(asking, seed):
-    """Half of them begin like frames."""
-    drawn = random.Random(seed)
-    for length in range(20, 320, 4):
-        data = bytearray(drawn.randbytes(length))
-        for place in drawn.sample(range(length), length // 12):
-            data[place] = drawn.choice((0xFD, 0xFE))
-        asking.ask_after(bytes(data), length)
     asking.expect_alive()
 
 
@@ -129,83 +94,6 @@ def cut_frames() -> Iterator[tuple[str, bytes]]:
 def test_request_after_a_frame_cut_at_any_byte_is_answered(asking):
     for what, data in cut_frames():
         asking.ask_after(data, what)
-    asking.expect_alive()
-
-
-@DAMAGE
-def test_request_after_a_frame_damaged_at_any_byte_is_answered(asking):
-    for frame in (asking.packed(ack(1)), asking.packed(request_int(900), 1), telemetry(1)[0]):
-        for place in range(len(frame)):
-            for flip in (0x01, 0x80, 0xFF):
-                damaged = bytearray(frame)
-                damaged[place] ^= flip
-                asking.ask_after(bytes(damaged), (place, flip))
-    asking.expect_alive()
-    assert asking.line.counters["bad"] > 20
-
-
-@DAMAGE
-def test_frame_with_a_wrong_crc_extra_is_not_taken(asking):
-    for extra in range(0, 256, 5):
-        if extra != 153:
-            asking.ask_after(framed(47, bytes((1, 191, 1)), crc_extra=extra), extra)
-    asking.expect_alive()
-
-
-@DAMAGE
-def test_frame_with_unknown_incompatibility_flags_is_not_taken(asking):
-    for flags in (0x02, 0x03, 0x04, 0x40, 0x80, 0xFE, 0xFF):
-        asking.ask_after(framed(47, bytes((1, 191, 1)), flags=flags), flags)
-    asking.expect_alive()
-
-
-@DAMAGE
-def test_signed_frames_are_stepped_over_or_taken_whole(asking):
-    for length in (0, 1, 9, 100, 255):
-        asking.ask_after(framed(12920, bytes(length), flags=1), length)
-    asking.ask_after(framed(0, heartbeat().pack(asking.packer)[10:19], flags=1), "a heartbeat")
-    asking.expect_alive()
-
-
-@DAMAGE
-@pytest.mark.parametrize("version", [1, 2])
-def test_request_after_an_unknown_message_of_any_length_is_answered(asking, version):
-    """At once: it is stepped over, without a silence."""
-    identity = 229 if version == 1 else 0x1F35A
-    for length in range(256):
-        frame = framed(identity, bytes(n * 7 % 251 for n in range(length)), version)
-        asking.ask_after(frame, length, version, silence_s=0)
-    asking.expect_alive()
-    assert asking.line.counters["bad"] <= 2  # lengths 253 and 254 look like the beginning of a frame
-    assert asking.line.counters["unknown"] == 256
-
-
-@DAMAGE
-@pytest.mark.parametrize("version", [1, 2])
-def test_request_after_a_known_message_of_any_wrong_length_is_answered(asking, version):
-    for length in range(0, 256, 3):
-        asking.ask_after(framed(47, bytes(length), version, sender=(1, 7)), length)
-        asking.ask_after(framed(47, bytes(length), version, crc_extra=1), length)
-    asking.expect_alive()
-
-
-@DAMAGE
-@pytest.mark.parametrize("lost", [2, RING, RING + 1])
-@pytest.mark.parametrize("part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 4))])
-def test_request_after_a_burst_lost_anywhere_is_answered(asking, lost, part):
-    """Two bytes in mid-frame, as a USART loses them; or the receive ring, as a loop that stalls does."""
-    stream = b"".join(telemetry(6, first=11))
-    for place in range(part, len(stream) - lost, 4):
-        asking.ask_after(stream[:place] + stream[place + lost :], (lost, place))
-    asking.expect_alive()
-
-
-@DAMAGE
-def test_request_behind_a_burst_that_took_its_own_beginning_is_lost_and_the_next_one_answered(asking):
-    """The burst ends within a request, at each of its bytes."""
-    for keep in range(1, 13):
-        cut = asking.packed(request_int(asking.item))[-keep:]
-        asking.ask_after(telemetry(1)[0][:20] + cut, keep)
     asking.expect_alive()
 
 

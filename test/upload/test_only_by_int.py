@@ -8,7 +8,6 @@ from __future__ import annotations
 import pytest
 
 from plans import HOME, SURVEY, on_the_wire
-from simulation.wire import Wire
 from truth import same_bits
 
 BY_INT = pytest.mark.scenario(4, "An ArduPilot without MISSION_ITEM and MISSION_REQUEST")
@@ -56,14 +55,4 @@ def test_plan_is_found_downloaded_and_cleared(service):
     assert service.done(limit_s=10) == "Cleared"
     service.ensure(SURVEY, proof="InDoubt")
     assert service.done(limit_s=10) == "Accepted"
-    expect_aboard(service)
-
-
-@BY_INT
-@pytest.mark.parametrize("seed", range(4))
-def test_plan_comes_aboard_on_a_line_that_loses(build_service, seed):
-    service = build_service("ArduPilot", is_int_only=True, wire=Wire(seed))
-    service.wire.damage_bytes(lose=3)
-    service.upload(SURVEY, proof="InDoubt")
-    assert service.done(limit_s=60) == "Accepted"
     expect_aboard(service)

@@ -42,33 +42,6 @@ def test_part_is_replaced_and_the_rest_is_unchanged(copter, first, count):
 
 
 @PART
-def test_lost_announcement_is_sent_again(copter):
-    copter.wire.lose(">", name="MISSION_WRITE_PARTIAL_LIST", times=2)
-    copter.upload_part(mixed(2, 3), 2, 3)
-    assert copter.done() == "Accepted"
-    assert len(copter.heard("MISSION_WRITE_PARTIAL_LIST")) == 3
-
-
-@PART
-@pytest.mark.parametrize("requests", [1, 2, 3, 4])
-def test_lost_requests_for_its_first_item_are_waited_for(copter, requests):
-    """ArduPilot denies the announcement that is repeated meanwhile: it is receiving the part already."""
-    copter.wire.lose("<", name="MISSION_REQUEST", seq=3, times=requests)
-    copter.upload_part(mixed(2, 3), 2, 3)
-    assert copter.done(limit_s=20) == "Accepted"
-    assert same_bits(copter.autopilot.received(), on_the_wire(mixed(2, 3), "ArduPilot"))
-
-
-@PART
-def test_part_that_is_denied_because_of_another_ground_station_is_said_as_such(copter):
-    copter.autopilot.receive(
-        mavlink.MAVLink_mission_count_message(1, 1, 20, 0).pack(mavlink.MAVLink(None, 255, 190)), copter.now)
-    copter.upload_part(mixed(2, 3), 2, 3)
-    assert copter.done(limit_s=20) == "Denied"
-    assert copter.state.aboard == "AsBefore"
-
-
-@PART
 def test_each_item_of_the_part_may_be_lost_once(copter):
     for seq in (3, 4, 5):
         copter.wire.lose(">", name="MISSION_ITEM_INT", seq=seq)
@@ -86,18 +59,6 @@ def test_part_that_is_not_within_the_plan_is_refused(copter, first, count):
     copter.run(2.0)
     assert len(copter.mission_messages()) == said
     assert copter.state.aboard == "AsBefore"  # our plan is the one that was refused, from now on
-
-
-@PART
-def test_part_that_was_refused_cannot_be_uploaded_again(copter):
-    said = len(copter.mission_messages())
-    copter.upload_part(OLD, 7, 2)
-    assert copter.done() == "BadRange"
-    copter.order_of("uploadagain")
-    assert copter.done() == "SourceRefused"
-    copter.run(2.0)
-    assert len(copter.mission_messages()) == said
-    assert same_bits(copter.autopilot.received(), on_the_wire(OLD, "ArduPilot"))
 
 
 @PART
@@ -125,15 +86,6 @@ def test_part_that_breaks_off_leaves_a_mixture_that_the_same_call_mends(copter):
 
 
 @PART
-def test_part_beyond_what_is_aboard_is_refused_by_the_autopilot(build_service):
-    service = build_service("ArduPilot")
-    service.autopilot.load(on_the_wire(OLD[:3], "ArduPilot"))
-    service.upload_part(OLD, 5, 2)
-    assert service.done() == "Error"
-    assert same_bits(service.autopilot.received(), on_the_wire(OLD[:3], "ArduPilot"))
-
-
-@PART
 @pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
 def test_part_is_refused_while_armed_unless_allowed(build_service):
     service = build_service("ArduPilot", armed=True)
@@ -144,16 +96,6 @@ def test_part_is_refused_while_armed_unless_allowed(build_service):
     service.tell("armed", 1)
     service.upload_part(mixed(2, 3), 2, 3)
     assert service.done() == "Accepted"
-
-
-@PART
-def test_whole_upload_after_a_part_is_whole(copter):
-    copter.upload_part(mixed(2, 3), 2, 3)
-    assert copter.done() == "Accepted"
-    copter.upload(NEW)
-    assert copter.done() == "Accepted"
-    assert same_bits(copter.autopilot.received(), on_the_wire(NEW, "ArduPilot"))
-    assert copter.heard("MISSION_COUNT")[-1].count == 9
 
 
 @PART

@@ -10,14 +10,12 @@ from plans import (
     DELAY,
     HOME,
     JUMP,
-    LAND,
     NAN,
     NO_PLACE,
     OLD_PLAN,
     RETURN,
     SPEED,
     SURVEY,
-    TAKEOFF,
     jump,
     on_the_wire,
     smooth_steps,
@@ -28,7 +26,7 @@ from simulation import recordings
 from simulation.bench import FunctionPlan, aboard_names, is_end, same_bits, status_names
 from simulation.enumerators import texts_of
 from simulation.fake_autopilot import Item, item, mavlink
-from wrong_plans import LOITER_UNLIMITED, ROI_LOCATION, WRONG_EVERYWHERE, WRONG_ON_ONE, with_item
+from wrong_plans import WRONG_EVERYWHERE, WRONG_ON_ONE, with_item
 
 ARGUMENTS = pytest.mark.scenario(35, "Arguments are checked before the first byte")
 
@@ -61,38 +59,11 @@ def test_wrong_item_is_found_at_either_end_of_the_plan(bench, index):
 
 
 @ARGUMENTS
-def test_wrong_item_far_behind_is_found_before_the_first_byte(bench):
-    expect_refused(bench, [*(waypoint() for _ in range(59)), waypoint(y=-1800000001)], "BadLongitude", 59)
-
-
-@ARGUMENTS
-@pytest.mark.parametrize("x", [900000000, -900000000])
-@pytest.mark.parametrize("y", [1800000000, -1800000000])
-def test_poles_and_date_line_are_right(bench, personality, x, y):
-    plan = [waypoint(x, y), waypoint(x, y, current=1)]
-    bench.upload(plan)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    assert same_bits(bench.autopilot.received(), on_the_wire(plan, personality))
-
-
-@ARGUMENTS
 @pytest.mark.parametrize(
     ("personality", "status", "wrong"), WRONG_ON_ONE, ids=lambda value: value if isinstance(value, str) else ""
 )
 def test_item_that_one_autopilot_does_not_take_is_refused_for_it(build_bench, personality, status, wrong):
     expect_refused(build_bench(personality), with_item(3, wrong), status, 3)
-
-
-@ARGUMENTS
-@pytest.mark.parametrize("frame", [0, 3, 5, 6, 10, 11])
-def test_frames_that_the_autopilot_takes_are_sent_as_they_are(bench, personality, frame):
-    plan = [waypoint(frame=frame, z=100.0)]
-    bench.upload(plan)
-    if personality == "PX4" and frame in (10, 11):
-        assert bench.run_until_ended(limit_s=5) == "BadFrame"
-    else:
-        assert bench.run_until_ended(limit_s=5) == "Accepted"
-        assert same_bits(bench.autopilot.received(), on_the_wire(plan, personality))
 
 
 @ARGUMENTS
@@ -102,23 +73,6 @@ def test_more_items_than_the_protocol_can_count_are_too_many(bench, count):
     assert bench.run_until_ended(limit_s=1) == "TooManyItems"
     bench.run(3)
     assert bench.mission_messages() == []
-
-
-@ARGUMENTS
-def test_home_counts_among_the_65535_on_ardupilot(build_bench):
-    bench = build_bench("ArduPilot")
-    bench.upload(FunctionPlan(65535))
-    assert bench.run_until_ended(limit_s=5) == "TooManyItems"
-    assert bench.mission_messages() == []
-
-
-@ARGUMENTS
-@pytest.mark.slow
-def test_65535_items_on_the_wire_are_counted(bench, personality):
-    bench.tell("nosleep", 1)
-    bench.upload(FunctionPlan(65534 if personality == "ArduPilot" else 65535))
-    assert bench.run_until_ended(limit_s=60) == "NoSpace"
-    assert steps(bench) == [("COUNT", 65535)]
 
 
 @ARGUMENTS
@@ -132,38 +86,6 @@ def test_refused_plan_does_not_bar_the_next_one(bench, personality):
 
 
 YAW = pytest.mark.scenario(52, "NaN only as a yaw; what is not flown is refused by name")
-
-
-@YAW
-@pytest.mark.parametrize("command", [16, LOITER_UNLIMITED, LAND, TAKEOFF])
-def test_nan_is_as_you_fly_where_param4_is_a_yaw(bench, personality, command):
-    plan = [item(command, x=473977420, y=85455970, z=20.0, param4=NAN), waypoint()]
-    bench.upload(plan)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    arrived = bench.autopilot.received()[-2]
-    # ArduPilot takes an unset yaw for some commands only, and treats it as 0.
-    assert same_bits([arrived], [plan[0] if personality == "PX4" else plan[0]._replace(param4=0.0)])
-
-
-@YAW
-@pytest.mark.parametrize(
-    ("one", "on_ardupilot"),
-    [
-        (item(187, param1=0.5, param2=NAN, param3=NAN, param4=NAN), "NotANumber"),  # DO_SET_ACTUATOR: one of them
-        (item(1000, param1=NAN, param2=NAN, param3=10.0, param4=-5.0), "NotANumber"),  # DO_GIMBAL_MANAGER_PITCHYAW
-        (item(2001, param2=NAN, param3=NAN, param4=NAN, z=NAN), "NotANumber"),  # IMAGE_STOP_CAPTURE of QGroundControl
-        (waypoint(param2=NAN), "NotANumber"),  # MAVSDK's acceptance radius
-    ],
-)
-def test_nan_that_means_unset_comes_aboard_on_px4_alone(bench, personality, one, on_ardupilot):
-    bench.upload([waypoint(), one._replace(frame=one.frame if one.command == 16 else NO_PLACE)], proof="Always")
-    if personality == "ArduPilot":
-        assert bench.run_until_ended(limit_s=5) == on_ardupilot
-        assert bench.heard("MISSION_COUNT") == []
-        return
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    (arrived,) = bench.autopilot.received()[-1:]
-    assert [math.isnan(value) for value in arrived[4:8]] == [math.isnan(value) for value in one[4:8]]
 
 
 @YAW
@@ -235,59 +157,6 @@ def test_item_without_a_place_is_sent_in_the_mission_frame(bench, frame):
     assert same_bits(bench.autopilot.received()[-3:], [one._replace(frame=NO_PLACE) for one in plan[1:]])
 
 
-def nowhere(command: int, z: float = 20.0) -> Item:
-    return item(command, z=z)
-
-
-HERE, THERE = waypoint(100, 200), waypoint(300, 400)
-PAUSE = item(DELAY, frame=NO_PLACE, param1=1.0, x=7, y=7)
-LOOK = item(ROI_LOCATION, x=500, y=600, z=0.0)
-
-
-@NO_PLACES
-@pytest.mark.parametrize(
-    ("plan", "places"),
-    [
-        ([nowhere(TAKEOFF), HERE, THERE], {0: HERE}),
-        ([HERE, THERE, nowhere(LAND)], {2: THERE}),
-        ([HERE, nowhere(LAND), THERE], {1: HERE}),
-        ([HERE, nowhere(TAKEOFF), THERE], {1: THERE}),
-        ([HERE, nowhere(LAND), nowhere(TAKEOFF), THERE], {1: HERE, 2: THERE}),
-        ([nowhere(TAKEOFF), PAUSE, PAUSE, HERE, nowhere(LAND)], {0: HERE, 4: HERE}),
-        ([nowhere(TAKEOFF), *[PAUSE] * 30, HERE, *[PAUSE] * 20, nowhere(LAND)], {0: HERE, 52: HERE}),
-        ([HERE, PAUSE, PAUSE, nowhere(LAND), PAUSE, THERE], {3: THERE}),
-        ([nowhere(TAKEOFF), LOOK, HERE], {0: HERE}),
-        ([nowhere(84), HERE, nowhere(85)], {0: HERE, 2: HERE}),
-    ],
-    ids=["takeoff", "land", "land between", "takeoff between", "land, takeoff", "past delays", "far", "nearer behind",
-         "past a region of interest", "vtol"],
-)  # fmt: skip
-def test_takeoff_or_landing_without_a_place_gets_the_nearest_items_on_px4(build_bench, plan, places):
-    bench = build_bench("PX4")
-    bench.upload(plan)
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    expected = [one._replace(x=places[seq].x, y=places[seq].y) if seq in places else one
-                for seq, one in enumerate(plan)]  # fmt: skip
-    assert same_bits(bench.autopilot.received(), expected)
-    assert steps(bench) == smooth_steps(len(plan))
-
-
-@NO_PLACES
-def test_takeoff_and_landing_without_a_place_are_left_to_ardupilot(build_bench):
-    bench = build_bench("ArduPilot")
-    plan = [nowhere(TAKEOFF), HERE, nowhere(LAND)]
-    bench.upload(plan)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    assert same_bits(bench.autopilot.received(), [HOME, *plan])
-
-
-@NO_PLACES
-@pytest.mark.parametrize("plan", [[nowhere(TAKEOFF)], [PAUSE, nowhere(LAND)], [nowhere(TAKEOFF), *[PAUSE] * 40]])
-def test_takeoff_with_no_place_in_the_whole_plan_needs_one_on_px4(build_bench, plan):
-    failed = next(seq for seq, one in enumerate(plan) if one.command != DELAY)
-    expect_refused(build_bench("PX4"), plan, "NeedsCoordinates", failed)
-
-
 HOME_SLOT = pytest.mark.scenario(40, "ArduPilot's home slot and the sketch's own numbering")
 
 
@@ -304,30 +173,6 @@ def test_same_plan_means_the_same_flight_on_both(bench, personality, before):
         flown = flown[1:]
     assert same_bits(flown, SURVEY)
     assert bench.state.total == len(SURVEY)
-
-
-@HOME_SLOT
-@pytest.mark.parametrize("home", [None, (-353632620, 1491652370, 584.09)], ids=["no home", "home"])
-def test_home_of_ardupilot_stays_what_it_is(build_bench, home):
-    bench = build_bench("ArduPilot", home=home)
-    before = bench.autopilot.home_item()
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    assert bench.autopilot.plan()[0] == before
-
-
-@HOME_SLOT
-@pytest.mark.parametrize("target", [0, 1, 3, 4])
-def test_jump_target_is_the_sketchs_number(bench, personality, target):
-    plan = [waypoint(z=10.0 + n) for n in range(4)] + [jump(target, -1)]
-    bench.upload(plan)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    arrived = bench.autopilot.received()
-    first = 1 if personality == "ArduPilot" else 0
-    # For ever is the most that PX4 counts.
-    repeats = -1.0 if personality == "ArduPilot" else 65535.0
-    assert same_bits([arrived[-1]], [plan[-1]._replace(param1=float(target + first), param2=repeats)])
-    assert same_bits([arrived[int(arrived[-1].param1)]], [arrived[-1] if target == 4 else plan[target]])
 
 
 @HOME_SLOT
@@ -355,21 +200,6 @@ def test_raw_numbers_go_out_as_they_are(bench):
     assert bench.state.total == 4
 
 
-@RAW
-def test_raw_numbers_are_failed_items_too(bench):
-    bench.tell("raw", 1)
-    bench.autopilot.faults.refuse(mavlink.MAV_MISSION_INVALID, step=2)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Invalid"
-    assert bench.state.failed_item == 2
-
-
-@RAW
-def test_raw_plan_is_checked_for_what_is_wrong_everywhere(bench):
-    bench.tell("raw", 1)
-    expect_refused(bench, with_item(3, waypoint(current=2)), "BadCurrent", 3)
-
-
 ARMED = pytest.mark.scenario(48, "Upload while armed")
 
 
@@ -382,18 +212,6 @@ def test_upload_while_armed_is_refused_unless_the_sketch_allows_it(make_bench, p
     bench.upload()
     assert bench.run_until_ended(limit_s=5) == "Accepted"
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
-@ARMED
-def test_upload_is_allowed_once_it_is_disarmed(make_bench):
-    bench = make_bench(armed=True)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Armed"
-    bench.autopilot.armed = False
-    bench.run(1.1)
-    assert not bench.state.armed
-    bench.upload()
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
 
 
 def test_every_status_and_aboard_has_its_text(line):

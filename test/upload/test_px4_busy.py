@@ -47,38 +47,6 @@ def test_upload_after_a_reading_whose_closing_ack_was_lost_goes_on_trying(px4, m
 
 
 @BUSY
-@pytest.mark.parametrize("read, written", [(FENCE, MISSION), (MISSION, FENCE), (RALLY, MISSION)])
-def test_upload_of_another_type_goes_on_trying_too(px4, read, written):
-    """PX4's error then names the type that it is busy with."""
-    began = read_back(px4, read, 1)
-    px4.upload(PLANS[written], written)
-    assert px4.done() == "Accepted"
-    assert px4.now - began < GIVES_UP_S + 1.5
-
-
-@BUSY
-@pytest.mark.parametrize("read", PLANS)
-@pytest.mark.parametrize("word, end", [("clear", "Cleared"), ("verify", "Verified")])
-def test_clear_and_another_reading_go_on_trying_too(px4, read, word, end):
-    px4.autopilot.load(PLANS[FENCE], FENCE)
-    began = read_back(px4, read, 1)
-    if word == "verify":
-        px4.use(PLANS[FENCE])
-    px4.order_of(word, FENCE)
-    assert px4.done() == end
-    assert px4.now - began < GIVES_UP_S + 1.5
-
-
-@BUSY
-def test_no_plan_at_all_goes_aboard_as_well(px4):
-    began = read_back(px4, MISSION, None)
-    px4.upload("empty")
-    assert px4.done() == "Accepted"
-    assert px4.now - began < TRIED_S + 0.4
-    assert px4.autopilot.received() == []
-
-
-@BUSY
 @pytest.mark.parametrize("how", ["cancelled", "proven"])
 def test_reading_that_ended_otherwise_is_outlived_too(px4, how):
     if how == "cancelled":
@@ -114,19 +82,6 @@ def test_reading_from_before_a_reset_is_outlived_on_a_line_that_loses(px4, lost)
     assert px4.done() == "Accepted"
     assert px4.now - px4.sent_at("MISSION_COUNT")[0] < TRIED_S + 2.0  # and five items
     assert same_bits(px4.autopilot.received(), SURVEY)
-
-
-@BUSY
-def test_upload_that_was_cancelled_is_outlived_though_px4_has_not_heard_so(px4):
-    """It waits for item 3, and would go on as long as it hears COUNTs."""
-    px4.upload(SURVEY)
-    px4.run_until_sent("MISSION_ITEM_INT", 3)
-    px4.wire.lose(">", name="MISSION_ACK", times=2)
-    px4.tell("cancel")
-    assert px4.done() == "Cancelled"
-    px4.upload(SURVEY[1:])
-    assert px4.done() == "Accepted"
-    assert same_bits(px4.autopilot.received(), SURVEY[1:])
 
 
 @BUSY

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from plans import OLD_PLAN, SURVEY, on_the_wire, smooth_steps, steps, waypoint
+from plans import OLD_PLAN, SURVEY, on_the_wire, waypoint
 from simulation.bench import FunctionPlan, same_bits
-from simulation.fake_autopilot import mavlink
 from truth import LOOP_S, expect_truth, longest_s
 
-CANCEL = ("ACK", mavlink.MAV_MISSION_OPERATION_CANCELLED)
 OTHER = [waypoint(470000000 + 7 * n, 80000000, 40.0 + n) for n in range(4)]
 ALL_SENT = "all"  # items sent; the final ACK not heard
 
@@ -52,31 +50,6 @@ def test_upload_after_a_reset_in_mid_upload_waits_for_no_time_out(bench, persona
     """The same plan again, as from setup()."""
     go_to(bench, personality, items)
     assert uploaded_after_reset(bench, SURVEY, personality) < RESTARTED_S
-
-
-@RESET
-@pytest.mark.parametrize("items", [1, 2, 3, 4, ALL_SENT])
-def test_another_upload_after_a_reset_in_mid_upload_waits_for_no_time_out(bench, personality, items):
-    go_to(bench, personality, items)
-    assert uploaded_after_reset(bench, OTHER, personality) < RESTARTED_S
-
-
-@RESET
-def test_px4_that_is_busy_with_our_old_transfer_is_told_to_cancel_it(build_bench):
-    bench = build_bench("PX4")
-    go_to(bench, "PX4", 3)
-    before = len(steps(bench))
-    uploaded_after_reset(bench, OTHER, "PX4")
-    assert steps(bench)[before:] == [("COUNT", 4), CANCEL, *smooth_steps(4)]
-
-
-@RESET
-@pytest.mark.parametrize("items", [-1, 0])
-def test_longer_transfer_that_px4_has_just_begun_is_ended_too(build_bench, items):
-    """At its item 0 PX4 takes a second COUNT for a repetition, and keeps the first one's number."""
-    bench = build_bench("PX4")
-    go_to(bench, "PX4", items)
-    assert uploaded_after_reset(bench, OTHER, "PX4") < RESTARTED_S
 
 
 @RESET
@@ -177,19 +150,6 @@ def test_pulled_cable_ends_truthfully_and_the_next_upload_is_accepted(bench, per
 
 
 @CABLE
-def test_cable_pulled_before_the_upload_is_waited_for(bench, personality):
-    bench.run(1.5)
-    bench.wire.pull()
-    bench.run(7)
-    bench.upload(SURVEY)
-    bench.run(10)
-    assert bench.mission_messages() == []
-    bench.wire.plug()
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    expect_truth(bench, SURVEY, personality)
-
-
-@CABLE
 def test_loose_contact_in_a_long_upload_is_survived(bench, personality):
     """Both ways, for half a second of each two."""
     plan = FunctionPlan(60)
@@ -204,30 +164,3 @@ def test_loose_contact_in_a_long_upload_is_survived(bench, personality):
         assert bench.now < 60
     assert bench.run_until_ended(limit_s=LOOP_S) == "Accepted"
     expect_truth(bench, plan, personality)
-
-
-ALL_AGAIN = pytest.mark.scenario(33, "Restarting from within the callback")
-
-
-@ALL_AGAIN
-def test_upload_that_begins_again_in_its_callback_outlives_a_reboot(bench, personality):
-    bench.tell("again", 1)
-    go_to(bench, personality, 2)
-    bench.autopilot.reboot(bench.now, silent_for_s=3.0)
-    assert bench.run_until_ended(limit_s=30) == "TimedOut"
-    assert bench.restarts == ["WaitingForAutopilot"]
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    expect_truth(bench, SURVEY, personality)
-
-
-@ALL_AGAIN
-def test_upload_that_begins_again_in_its_callback_outlives_a_pulled_cable(bench, personality):
-    bench.tell("again", 3)
-    go_to(bench, personality, 2)
-    bench.wire.pull()
-    assert bench.run_until_ended(limit_s=30) == "TimedOut"
-    bench.run(20)
-    assert bench.returned[-1] == "WaitingForAutopilot"
-    bench.wire.plug()
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))

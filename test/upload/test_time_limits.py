@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import groupby, pairwise
+from itertools import pairwise
 
 import pytest
 
@@ -17,7 +17,6 @@ LOOP_S = 0.0022
 # On a line that has been seen to lose, what has no answer is repeated every two round trips, of 10 ms here, and not
 # before the line was free for four times as long as it was busy.
 LEAST_REPEAT_S = 0.015
-MOST_REPEATS_A_SECOND = 30
 CANCELLED = mavlink.MAV_MISSION_OPERATION_CANCELLED
 
 FIRST_COUNT = pytest.mark.scenario(9, "The first COUNT is lost")
@@ -54,19 +53,6 @@ def test_five_lost_counts_are_no_answer_after_7500_ms(bench, personality):
     assert same_bits(bench.autopilot.received(), OLD_PLAN)
     # ArduPilot would have cut its plan at a COUNT that arrived, and only the answer been lost.
     assert bench.state.aboard == {"ArduPilot": "NotKnown", "PX4": "AsBefore"}[personality]
-
-
-@FIRST_COUNT
-def test_lost_first_request_is_asked_for_again(bench, personality):
-    bench.wire.lose("<", name="MISSION_REQUEST*")
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=15) == "Accepted"
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-    # The loss is seen by the autopilot's next frame, at the latest when it asks again (ArduPilot after 1.0 s, PX4 after
-    # 0.27 s).
-    counts, *items = (list(group) for _, group in groupby(steps(bench)))
-    assert 1 <= len(counts) <= 1 + MOST_REPEATS_A_SECOND
-    assert [counts[0], *(item for (item, *_) in items)] == smooth_steps(len(on_the_wire(SURVEY, personality)))
 
 
 @pytest.mark.scenario(11, "Silence in mid-transfer; the same item for ever")
@@ -137,19 +123,6 @@ def test_lost_final_ack_of_ardupilot_is_never_taken_for_either_end(build_bench, 
     assert (state.aboard, state.last_result) == ("NotKnown", mavlink.MAV_MISSION_ERROR if losses else None)
     assert bench.progress[-1] == (4, 5)
     assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, "ArduPilot"))
-
-
-@FINAL_ACK
-def test_final_acks_that_all_are_lost_end_in_bounded_time(bench, personality):
-    bench.wire.lose("<", name="MISSION_ACK", times=None)
-    wire_count = len(on_the_wire(SURVEY, personality))
-    bench.upload(SURVEY)
-    last = bench.run_until_sent("MISSION_ITEM_INT", wire_count)
-    assert bench.run_until_ended(limit_s=20) == "Unconfirmed"
-    assert bench.now - last < 9.05
-    bench.run(10)
-    expect_repeats_then(bench, wire_count, [])
-    assert (bench.state.aboard, bench.ends) == ("NotKnown", ["Unconfirmed"])
 
 
 @FINAL_ACK
@@ -321,38 +294,7 @@ def test_plan_changed_on_board_shows_in_the_checksum(build_bench):
     assert bench.autopilot.received()[2].z == 99.0
 
 
-@PROOF
-def test_checksum_is_right_when_items_were_asked_for_again(build_bench):
-    bench = build_bench("PX4")
-    for seq in (0, 3, 4):
-        bench.wire.lose(">", name="MISSION_ITEM_INT", seq=seq)
-    bench.wire.lose("<", name="MISSION_ACK")
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    (ack,) = [e.message for e in bench.wire.frames("<", "MISSION_ACK") if not e.fate]
-    assert ack.opaque_id != 0
-
-
 ABOARD = pytest.mark.scenario(49, "What is aboard after each kind of failure is told")
-
-
-@ABOARD
-@pytest.mark.parametrize("step", ["count", 0, 2, "end"])
-def test_aboard_is_told_after_a_refusal(bench, personality, step):
-    bench.autopilot.load(OLD_PLAN)
-    bench.autopilot.faults.refuse(mavlink.MAV_MISSION_DENIED, step=step)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Denied"
-    held = bench.autopilot.received()
-    aboard = bench.state.aboard
-    if personality == "PX4" or step == "count":
-        assert same_bits(held, OLD_PLAN)
-        assert aboard == "AsBefore"
-    else:
-        wire = on_the_wire(SURVEY, "ArduPilot")
-        taken = len(wire) if step == "end" else step
-        assert same_bits(held, [*wire[:taken], *OLD_PLAN[taken : len(wire)]])
-        assert aboard == "Mixture"
 
 
 @ABOARD

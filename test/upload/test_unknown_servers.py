@@ -61,19 +61,6 @@ def test_upload_begins_anew_on_a_line_that_loses_alone(build_bench, is_lossy):
     assert (ended, len(counts)) == (("Accepted", 2) if is_lossy else ("TimedOut", 1))
 
 
-@pytest.mark.scenario(29, "An idle server of an unknown firmware answers with INVALID_SEQUENCE behind the last item")
-def test_invalid_sequence_behind_the_last_item_is_no_refusal(build_bench):
-    """iNav's answer to the last item when that comes again and its acceptance was lost: the plan is read back."""
-    server = Inav(**GENERIC, baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05,
-                  uptime_s=60.0)  # fmt: skip
-    bench = build_bench(server)
-    bench.wire.lose("<", name="MISSION_ACK")
-    bench.upload(PLAN, proof="InDoubt")
-    assert bench.run_until_ended(limit_s=20) == "Accepted"
-    assert bench.now < 4.0  # at the first repeat, and not when all are used up
-    assert server.held == PLAN
-
-
 @pytest.mark.scenario(29, "A server of an unknown firmware accepts: that alone is no proof")
 @pytest.mark.parametrize("kind", SERVERS)
 @pytest.mark.parametrize("proof, ended", [("ByAnswer", "Unconfirmed"), ("InDoubt", "Accepted")])
@@ -88,23 +75,3 @@ def test_acceptance_of_an_unknown_server_alone_is_no_proof(build_bench, kind, pr
     assert bool(bench.wire.frames(">", "MISSION_REQUEST_LIST")) == (ended == "Accepted")
     bench.upload([], proof=proof)
     assert bench.run_until_ended(limit_s=20) == "Accepted"
-
-
-@pytest.mark.scenario(29, "Betaflight, not named by its macro, deletes the plan that it has accepted")
-@pytest.mark.parametrize("proof, ended", [("ByAnswer", "Unconfirmed"), ("InDoubt", "Differs")])
-def test_plan_that_an_unknown_server_deletes_as_the_network_brings_count_again_is_not_accepted(
-    build_bench, proof, ended
-):
-    server = Betaflight(baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05, uptime_s=60.0)
-    hear = server._hears["MISSION_ITEM_INT"]
-    bench = build_bench(server)
-
-    def hear_count_again(message, sender, now: float) -> None:
-        hear(message, sender, now)
-        if message.seq == len(PLAN) - 1:
-            server._on_count(bench.wire.frames(">", "MISSION_COUNT")[0].message, sender, now)
-
-    server._hears["MISSION_ITEM_INT"] = hear_count_again
-    bench.upload(PLAN, proof=proof)
-    assert bench.run_until_ended(limit_s=20) == ended
-    assert server.held == []

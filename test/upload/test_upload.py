@@ -87,23 +87,6 @@ def test_longer_plan_takes_no_more_stack(make_bench):
 
 
 @LENGTHS
-def test_new_plan_replaces_a_longer_old_one_whole(bench, personality):
-    bench.autopilot.load(OLD_PLAN)
-    bench.upload(SURVEY)
-    assert bench.run_until_ended(limit_s=5) == "Accepted"
-    assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-
-
-@LENGTHS
-def test_same_plan_again_is_accepted_again(bench, personality):
-    for _ in range(3):
-        bench.upload(SURVEY)
-        assert bench.run_until_ended(limit_s=5) == "Accepted"
-        assert same_bits(bench.autopilot.received(), on_the_wire(SURVEY, personality))
-    assert steps(bench) == 3 * smooth_steps(len(on_the_wire(SURVEY, personality)))
-
-
-@LENGTHS
 def test_plan_in_flash_arrives_as_it_is_written(bench, personality):
     bench.upload("flash")
     assert bench.run_until_ended(limit_s=5) == "Accepted"
@@ -153,16 +136,6 @@ def test_progress_is_not_complete_while_the_final_ack_is_missing(bench):
     assert bench.state.done == 19
     assert bench.run_until_ended(limit_s=5) == "Accepted"
     assert bench.progress[-1] == (20, 20)
-
-
-@PROGRESS
-def test_progress_never_goes_back_when_items_are_asked_for_again(bench):
-    for seq in (2, 5, 9):
-        bench.wire.lose(">", name="MISSION_ITEM_INT", seq=seq)
-        bench.wire.repeat("<", name="MISSION_REQUEST*", seq=seq + 1, after_s=0.1)
-    bench.upload(FunctionPlan(12))
-    assert bench.run_until_ended(limit_s=20) == "Accepted"
-    assert bench.progress == [(done, 12) for done in range(1, 13)]
 
 
 @PROGRESS
