@@ -39,16 +39,6 @@ def test_px4_says_reached_more_often_than_it_is_reported(build_service):
 
 
 @FOLLOW
-def test_repeats_of_the_last_item_reached_are_dropped_while_the_next_is_flown(build_service):
-    service = uploaded(build_service("PX4", tells_at_s=60.0))
-    for current, reached in ((0, 0), (1, 0), (1, 0), (1, 1), (2, 1), (2, 1), (2, 2)):
-        service.say(mavlink.MAVLink_mission_current_message(current, 3, ACTIVE))
-        service.say(mavlink.MAVLink_mission_item_reached_message(reached))
-        service.run(0.2)
-    assert service.reached == [0, 1, 2]
-
-
-@FOLLOW
 @pytest.mark.parametrize("flight, personality, items", [("arducopter/flight", "ArduPilot", [0, 1, 2]),
                                                          ("px4/flight", "PX4", [0, 1, 2])])  # fmt: skip
 def test_recorded_flight_is_followed_item_by_item(build_service, flight, personality, items):
@@ -104,17 +94,6 @@ def test_home_is_no_current_item(build_service):
     service.say(mavlink.MAVLink_mission_current_message(1, 3, ACTIVE))
     service.run(0.1)
     assert service.followed.current == 0 and service.currents == [0]
-
-
-@FOLLOW
-def test_raw_numbering_is_followed_too(build_service):
-    service = build_service("ArduPilot")
-    service.tell("raw", 1)
-    service.run(2.0)
-    service.say(mavlink.MAVLink_mission_current_message(3, 5, ACTIVE))
-    service.say(mavlink.MAVLink_mission_item_reached_message(2))
-    service.run(0.1)
-    assert (service.followed.current, service.followed.reached) == (3, 2)
 
 
 @FOLLOW
@@ -212,50 +191,12 @@ def test_older_name_that_comes_behind_the_acceptance_raises_no_alarm_but_one_tha
 
 
 @OURS
-def test_state_that_comes_with_an_older_name_is_no_word_about_the_new_plan(build_service):
-    """Twice "no mission" of our plan means that PX4 will not fly it."""
-    service, ours = known_plan(build_service)
-    service.upload(HOPS["PX4"][:2])
-    assert service.done() == "Accepted"
-    for name in (77, 77, 0, 0):
-        service.say(mavlink.MAVLink_mission_current_message(0, 3, NO_MISSION, 2, name))
-        service.run(0.05)
-    assert service.status == "Accepted"
-
-
-@OURS
 @pytest.mark.parametrize("mission_type, result, ours", [(0, 0, False), (1, 0, True), (2, 0, True), (0, 1, True)])
 def test_acceptance_of_another_ground_stations_plan_tells_of_it_at_once(build_service, mission_type, result, ours):
     service, _ = known_plan(build_service)
     service.say(mavlink.MAVLink_mission_ack_message(255, 190, result, mission_type, 77))
     service.run(0.05)
     assert service.followed.ours == ours
-
-
-@OURS
-def test_reading_names_the_plan_too(build_service):
-    service, _ = known_plan(build_service)
-    service.autopilot.load(OTHER)
-    service.verify(HOPS["PX4"])
-    assert service.done() == "Differs"
-    assert not service.followed.ours
-    service.autopilot.load(HOPS["PX4"])
-    service.verify(HOPS["PX4"])
-    assert service.done() == "Verified"
-    assert service.followed.ours
-
-
-@OURS
-def test_plan_that_was_verified_is_ours(build_service):
-    service = build_service("PX4")
-    service.autopilot.load(HOPS["PX4"])
-    service.verify(HOPS["PX4"])
-    assert service.done() == "Verified"
-    service.run(2.0)
-    assert service.followed.ours
-    service.autopilot.load([waypoint(), waypoint(1, 2)])
-    service.run(2.0)
-    assert not service.followed.ours
 
 
 @OURS
@@ -270,29 +211,3 @@ def test_words_of_the_autopilot_come_whole(service):
         (7, "z" * 50),
         (3, ""),
     ]
-
-
-@OURS
-def test_words_come_in_mavlink_1_too(build_service):
-    service = build_service("ArduPilot", mavlink_version=1)
-    service.run(2.0)
-    service.say(mavlink.MAVLink_statustext_message(4, b"PreArm: Compass not healthy"), version=1)
-    service.run(0.1)
-    assert (4, "PreArm: Compass not healthy") in service.texts
-
-
-@OURS
-@pytest.mark.slow
-def test_what_was_flown_is_downloaded_again(service, personality):
-    """The whole service in one: upload and verify, start, follow to the last item, download."""
-    service.upload(HOPS[personality], proof="Always")
-    assert service.done() == "Accepted"
-    service.order_of("start")
-    assert service.done() == "Done"
-    fly(service)
-    assert service.reached == reached_in(service, 0, 1, 2)
-    service.download()
-    assert service.done() == "Downloaded"
-    assert [one.command for one in service.sink(3)] == [22, 16, 21]
-    service.verify(HOPS[personality])
-    assert service.done() == "Verified"

@@ -7,7 +7,7 @@ import struct
 
 import pytest
 
-from plans import SURVEY, on_the_wire, waypoint
+from plans import on_the_wire, waypoint
 from simulation.bench import same_bits
 from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.frames import packed
@@ -41,17 +41,6 @@ def test_message_arrives_to_the_byte(service):
     (heard,) = service.listened
     assert (heard.id, heard.sender, heard.version) == (GPS_RAW_INT, (1, 1), 2)
     assert heard.payload == payload_of(message).ljust(52, b"\0")
-
-
-@LISTEN
-def test_trailing_zeros_that_were_left_out_are_filled_in(service):
-    service.run(2.0)
-    message = gps(lat=0, lon=0, alt=0, eph=0, epv=0, vel=0, cog=0, fix_type=0, satellites_visible=0, alt_ellipsoid=0,
-                  h_acc=0, v_acc=0, vel_acc=0, hdg_acc=0, yaw=0)  # fmt: skip
-    assert len(payload_of(message)) == 8
-    service.say(message)
-    service.run(0.1)
-    assert service.listened[-1].payload == struct.pack("<Q", 1234567890123456789).ljust(52, b"\0")
 
 
 @LISTEN
@@ -101,35 +90,6 @@ def test_unknown_messages_are_counted_as_unknown_and_not_as_damage(service):
     assert after["unknown"] - before["unknown"] >= 5
     assert [after[key] for key in ("bad", "broken", "skipped")] == [before[key] for key in ("bad", "broken", "skipped")]
     assert service.listened == []
-
-
-@LISTEN
-def test_damaged_message_is_not_handed_on(service):
-    service.run(2.0)
-    service.wire.corrupt("<", name="GPS_RAW_INT", byte=20)
-    service.say(gps())
-    service.run(0.1)
-    service.say(gps(eph=9))
-    service.run(0.1)
-    (heard,) = service.listened
-    assert heard.payload == payload_of(gps(eph=9)).ljust(52, b"\0")
-    assert service.counters["bad"] == 1
-
-
-@LISTEN
-@pytest.mark.slow
-def test_message_longer_than_what_is_kept_is_stepped_over(make_service):
-    service = make_service(defines={"MAVMISSION_MAX_PAYLOAD": 40})
-    service.run(2.0)
-    before = service.counters
-    service.say(gps())  # 52 bytes
-    service.say(mavlink.MAVLink_global_position_int_message(5, 1, 2, 3, 4, 5, 6, 7, 8))
-    service.run(0.2)
-    assert [heard.id for heard in service.listened] == [POSITION]
-    after = service.counters
-    assert (after["bad"], after["broken"], after["skipped"]) == (before["bad"], before["broken"], before["skipped"])
-    service.upload(SURVEY)
-    assert service.done() == "Accepted"
 
 
 @LISTEN
@@ -196,46 +156,6 @@ def test_message_of_any_length_leaves_to_the_byte(build_service, version, room, 
 
 
 @SEND
-@pytest.mark.slow
-def test_every_length_leaves_to_the_byte(build_service):
-    for version in (1, 2):
-        service = build_service("ArduPilot", mavlink_version=version, baud=115200)
-        service.run(2.0)
-        service.tell("room", 20)
-        for length in range(1, 256):
-            payload = bytes((length + place) % 256 for place in range(length - 1)) + b"\x5a"
-            service.post(OWN, OWN_CRC_EXTRA, payload)
-            service.run(0.045)
-            frame = frames_with(service, OWN, version)[-1]
-            assert frame == frame_of(version, frame[2 if version == 1 else 4], OWN, OWN_CRC_EXTRA, payload)
-        assert len(frames_with(service, OWN, version)) == 255
-
-
-@SEND
-def test_trailing_zeros_are_left_out_in_mavlink_2_but_not_in_mavlink_1(build_service):
-    payload = b"\x01\x02" + bytes(30)
-    for version in (1, 2):
-        service = build_service("ArduPilot", mavlink_version=version)
-        service.run(2.0)
-        for meant in (payload, bytes(9)):
-            service.post(OWN, OWN_CRC_EXTRA, meant)
-            service.run(0.1)
-        for frame, meant in zip(frames_with(service, OWN, version), (payload, bytes(9)), strict=True):
-            assert frame == frame_of(version, frame[2 if version == 1 else 4], OWN, OWN_CRC_EXTRA, meant)
-            assert len(frame) == {1: 8 + len(meant), 2: 12 + max(1, len(meant.rstrip(b"\0")))}[version]
-
-
-@SEND
-def test_extensions_stay_away_in_mavlink_1(build_service):
-    service = build_service("ArduPilot", mavlink_version=1)
-    service.run(2.0)
-    service.post(OWN, OWN_CRC_EXTRA, bytes(range(1, 41)), length_v1=30)
-    service.run(0.1)
-    (frame,) = frames_with(service, OWN, 1)
-    assert frame == frame_of(1, frame[2], OWN, OWN_CRC_EXTRA, bytes(range(1, 31)))
-
-
-@SEND
 def test_message_id_beyond_a_byte_is_not_sent_in_mavlink_1(build_service):
     service = build_service("ArduPilot", mavlink_version=1)
     service.run(2.0)
@@ -243,15 +163,6 @@ def test_message_id_beyond_a_byte_is_not_sent_in_mavlink_1(build_service):
     service.run(2.0)
     assert service.count_told("posted") == 0
     assert {message.get_type() for message in service.heard()} == {"HEARTBEAT"}
-
-
-@SEND
-def test_message_id_of_three_bytes_leaves_in_mavlink_2(service):
-    service.run(2.0)
-    service.post(0x123456, 9, b"\x07")
-    service.run(0.1)
-    (frame,) = frames_with(service, 0x123456, 2)
-    assert frame == frame_of(2, frame[4], 0x123456, 9, b"\x07")
 
 
 @SEND

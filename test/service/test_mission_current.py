@@ -12,7 +12,6 @@ from simulation.service import is_followers
 
 ASKED = pytest.mark.scenario(51, "MISSION_CURRENT is asked for where it does not come by itself")
 SET_INTERVAL, MISSION_CURRENT, ATTITUDE = 511, 42, 30
-EVERY_SECOND_US = 1e6
 ITEMS = len(OLD_PLAN) - 1  # of the sketch's: without home
 
 
@@ -25,13 +24,6 @@ def intervals(service) -> list[tuple[float, int]]:
 def asked(service) -> list[float]:
     """When MISSION_CURRENT was asked for [s]."""
     return [time for time, message in intervals(service) if message == MISSION_CURRENT]
-
-
-def run_until_asked(service, limit_s: float = 5.0) -> None:
-    limit = service.now + limit_s
-    while not asked(service):
-        assert service.now < limit, f"not asked within {limit_s} s"
-        service.run(0.01)
 
 
 def times(service, name: str) -> list[float]:
@@ -55,16 +47,6 @@ def test_current_item_and_total_are_known_soon_on_a_default_port(build_service):
     service.run(1.5)
     assert service.followed.current == 4
     assert service.currents == [2, 4]
-
-
-@ASKED
-def test_one_asking_is_enough(build_service):
-    service = on_a_default_port(build_service)
-    service.run(20.0)
-    assert len(asked(service)) == 1
-    (entry,) = service.wire.frames(">", "COMMAND_LONG")
-    assert (entry.message.param1, entry.message.param2) == (MISSION_CURRENT, EVERY_SECOND_US)
-    assert len(times(service, "MISSION_CURRENT")) == pytest.approx(17, abs=1)
 
 
 @ASKED
@@ -155,29 +137,6 @@ def test_it_is_asked_for_between_commands_and_never_beside_one(build_service):
     assert asked(service) == []
     service.run(1.2)
     assert len(asked(service)) == 1 and asked(service)[0] >= ended
-
-
-@ASKED
-@pytest.mark.parametrize("delay_s", [0.0, 0.5, 1.2])
-def test_answer_to_the_asking_is_not_taken_for_one_to_the_next_command(build_service, delay_s):
-    service = on_a_default_port(build_service)
-    service.wire.delay("<", delay_s, name="COMMAND_ACK")
-    service.wire.lose(">", name="COMMAND_LONG", where=lambda message: int(message.param1) == ATTITUDE)
-    run_until_asked(service)
-    service.order_of("interval", ATTITUDE, 200000)
-    assert service.done() == "Done"
-    heard = [int(message.param1) for message in service.autopilot.messages(">", "COMMAND_LONG")]
-    assert heard == [MISSION_CURRENT, ATTITUDE]
-
-
-@ASKED
-def test_it_is_asked_for_beside_a_transfer_which_is_none_the_worse(build_service):
-    service = on_a_default_port(build_service)
-    service.autopilot.faults.request_instead(3, *([2] * 3))  # some seconds longer, each of them
-    service.upload(SURVEY)
-    assert service.done(limit_s=20) == "Accepted"
-    counted, ended = service.wire.frames(">", "MISSION_COUNT")[0].time, service.now
-    assert len(asked(service)) == 1 and counted < asked(service)[0] < ended
 
 
 @ASKED

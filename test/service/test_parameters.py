@@ -7,13 +7,11 @@ import struct
 
 import pytest
 
-from disorders import latency_of
 from simulation import recordings
 from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.items import f32
 from simulation.fake_autopilot.parameters import INT32, REAL32
 from simulation.parameters import ParameterBench
-from simulation.wire import Wire
 
 # A parameter of floats and one of whole numbers.
 REAL = {"ArduPilot": "WPNAV_SPEED", "PX4": "MIS_TAKEOFF_ALT"}
@@ -127,17 +125,6 @@ def test_whole_number_is_set_as_each_autopilot_takes_it(params, personality):
     assert of(params, REAL[personality]).value == 12.0
 
 
-def test_names_in_flash_do_as_well():
-    params = ParameterBench("ArduPilot")
-    params.begin("readflash")
-    assert params.done() == "Done"
-    params.begin("setwholeflash")
-    assert params.done() == "Done"
-    params.begin("setflash")
-    assert params.done() == "Done"
-    assert (of(params, "MIS_RESTART").value, of(params, "WPNAV_SPEED").value) == (1, 750.5)
-
-
 def test_value_that_is_there_already_is_not_set_again(params, personality):
     name = REAL[personality]
     assert params.set(name, of(params, name).value) == "Done"
@@ -191,13 +178,6 @@ def test_number_that_the_type_does_not_reach_is_refused_before_anything_is_set(n
     assert params.set_whole(name, number) == "NotKept"
     assert params.set(name, number) == "NotKept"
     assert sets(params) == [] and of(params, name).value == before
-
-
-@pytest.mark.parametrize(("name", "number"), [("MIS_RESTART", 127), ("MIS_RESTART", -128), ("MIS_OPTIONS", -32768)])
-def test_number_at_the_end_of_its_type_is_set(name, number):
-    params = ParameterBench("ArduPilot")
-    assert params.set_whole(name, number) == "Done"
-    assert of(params, name).value == number
 
 
 def test_parameter_that_is_read_only_keeps_its_value_and_it_is_said():
@@ -255,75 +235,6 @@ def test_confirmation_that_never_comes_is_unconfirmed(params, personality):
     params.wire.lose("<", name="PARAM_VALUE", times=None, where=lambda message: message.param_value == 6.5)
     assert params.set(REAL[personality], 6.5) == "Unconfirmed"
     assert of(params, REAL[personality]).value == 6.5
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(4))
-def test_parameters_are_set_on_a_line_that_loses_a_fifth_of_the_frames(make, personality, seed):
-    params = make(wire=Wire(seed))
-    params.wire.at_random(">", lose=20)
-    params.wire.at_random("<", lose=20)
-    params.wire.set_latency(latency_of(seed))
-    for number in (2.0, 3.0, 4.0, 5.0):
-        assert params.set(REAL[personality], number, limit_s=60) == "Done"
-        assert of(params, REAL[personality]).value == number
-        assert params.set_whole(WHOLE[personality], int(number), limit_s=60) == "Done"
-        assert of(params, WHOLE[personality]).value == number
-
-
-def test_autopilot_that_restarts_meanwhile_is_asked_until_it_answers(params, personality):
-    params.run(2.0)
-    params.wire.lose("<", name="PARAM_VALUE")
-    params.name(REAL[personality])
-    params.begin("read")
-    params.run(0.5)
-    params.autopilot.reboot(params.now)
-    assert params.done() == "Done"
-
-
-def test_operations_are_one_at_a_time(params, personality):
-    params.run(2.0)
-    params.name(REAL[personality])
-    assert params.begin("read") == "WaitingForAutopilot"
-    assert params.begin("read") == "Busy"
-    assert params.begin("interval", 30, 500_000) == "Busy"
-    assert params.done() == "Done"
-    params.begin("interval", 30, 500_000)
-    assert params.done() == "Done"
-    params.tell("upload", 5)
-    assert params.begin("read") == "Busy"
-    assert params.done() == "Accepted"
-    assert params.read(REAL[personality]) == "Done"
-
-
-def test_cancelled_reading_ends_and_its_answer_is_no_answer_to_the_next(params, personality):
-    params.run(2.0)
-    params.wire.delay("<", 0.5, name="PARAM_VALUE")
-    params.name(REAL[personality])
-    params.begin("read")
-    params.run(0.1)
-    params.tell("cancel")
-    assert params.done() == "Cancelled"
-    assert params.read(WHOLE[personality]) == "Done"
-    assert params.value[2]
-
-
-def test_nothing_is_sent_without_an_autopilot():
-    params = ParameterBench(None)
-    params.name("SERIAL1_BAUD")
-    assert params.begin("read") == "WaitingForAutopilot"
-    params.run(5.0)
-    assert params.ends == [] and params.heard() == []
-
-
-def test_listener_of_telemetry_goes_on_beside_it(make, personality):
-    params = make(defines={"BENCH_TELEMETRY": True})
-    params.run(3.0)
-    for _ in range(3):
-        assert params.read(REAL[personality]) == "Done"
-    params.autopilot.reboot(params.now)
-    params.run(6.0)
-    assert params.wire.frames("<", "GLOBAL_POSITION_INT")[-1].time > params.now - 0.6
 
 
 @pytest.mark.parametrize("name", recordings.parameters())

@@ -75,14 +75,6 @@ def test_command_for_all_is_answered_unless_it_is_not_ours(payload):
     assert len(payload.answers_sent) == 1
 
 
-def test_ids_that_the_sketch_has_set_are_those_that_are_heard(payload):
-    payload.tell("ids", 1, 192)
-    payload.command(WINCH, target=(1, 191))
-    assert payload.carried_out == []
-    payload.command(WINCH, target=(1, 192))
-    assert len(payload.carried_out) == 1
-
-
 def test_repeated_command_is_carried_out_once_and_answered_each_time(payload):
     for confirmation in range(4):
         payload.command(WINCH, 1.0, confirmation=confirmation, wait_s=0.5)
@@ -139,32 +131,6 @@ def test_second_command_in_progress_is_rejected_for_now(payload):
     assert payload.answers_sent[-2:] == [(WINCH, ACCEPTED, AUTOPILOT, 0), (GRIPPER, ACCEPTED, STATION, 0)]
 
 
-def test_another_command_is_carried_out_while_one_is_in_progress(payload):
-    payload.tell("answer", IN_PROGRESS)
-    payload.command(WINCH, 1.0)
-    payload.tell("answer", FAILED)
-    for confirmation in range(2):
-        payload.command(GRIPPER, 1.0, confirmation=confirmation, target=(1, 0))
-    payload.tell("answer", UNSUPPORTED)
-    payload.command(USER, 1.0, target=(1, 0))
-    assert payload.is_busy
-    assert payload.answers_sent == [(WINCH, IN_PROGRESS, AUTOPILOT, 0), *[(GRIPPER, FAILED, AUTOPILOT, 0)] * 2]
-    assert [done.id for done in payload.carried_out] == [WINCH, GRIPPER, USER]
-    payload.tell("finish", ACCEPTED)
-    payload.run(0.1)
-    assert payload.answers_sent[-1] == (WINCH, ACCEPTED, AUTOPILOT, 0)
-
-
-def test_commands_that_come_one_behind_the_other_are_each_carried_out_once(payload):
-    for identity in (WINCH, GRIPPER, USER):
-        payload.command(identity, 1.0, target=(1, 0), wait_s=0.0)
-    payload.run(0.5)
-    for identity in (WINCH, GRIPPER, USER):
-        payload.command(identity, 1.0, target=(1, 0), confirmation=1, wait_s=0.0)
-    payload.run(0.5)
-    assert sorted(done.id for done in payload.carried_out) == sorted((WINCH, GRIPPER, USER))
-
-
 def test_end_of_nothing_is_not_told(payload):
     payload.tell("finish", FAILED)
     payload.run(0.5)
@@ -185,23 +151,6 @@ def test_sender_that_repeats_hears_its_answer_on_a_bad_line_and_the_winch_runs_o
             break
     assert arrived and arrived[0].result == ACCEPTED
     assert len(payload.carried_out) == 1
-
-
-def test_operations_go_on_beside_it(payload):
-    payload.tell("upload", 20)
-    payload.run(0.3)
-    payload.command(WINCH, 1.0, wait_s=0.0)
-    assert payload.run_until_ended(limit_s=20) == "Accepted"
-    payload.run(0.5)
-    assert payload.answers_sent == [(WINCH, ACCEPTED, AUTOPILOT, 0)]
-
-
-def test_autopilot_that_has_restarted_is_answered_too(payload):
-    payload.command(WINCH, 1.0)
-    payload.autopilot.reboot(payload.now)
-    payload.run(5.0)
-    payload.command(WINCH, 1.0)
-    assert len(payload.carried_out) == 2 and len(payload.answers_sent) == 2
 
 
 def sent(payload, word: str, name: str):
@@ -258,27 +207,6 @@ def test_value_with_a_name_is_told(payload):
     assert message.time_boot_ms == pytest.approx(payload.now * 1000, abs=200)
 
 
-def test_name_that_is_too_long_is_cut_off(payload):
-    assert sent(payload, "cut", "NAMED_VALUE_FLOAT").name == "more than "
-
-
 def test_text_is_told(payload):
     message = sent(payload, "text", "STATUSTEXT")
     assert (message.severity, message.text) == (4, "rope torn")
-
-
-def test_text_that_is_too_long_is_cut_off(payload):
-    message = sent(payload, "longtext", "STATUSTEXT")
-    assert message.text == "a text of more than fifty characters, which are the most"[:50]
-
-
-def test_messages_go_out_over_mavlink_1_too():
-    payload = PayloadBench("ArduPilot", mavlink_version=1)
-    payload.run(2.0)
-    assert sent(payload, "text", "STATUSTEXT").text == "rope torn"
-    assert sent(payload, "value", "NAMED_VALUE_FLOAT").value == -1.5
-    assert sent(payload, "target", "LANDING_TARGET").angle_y == -0.5
-    payload.command(GRIPPER, 1.0)
-    assert [(ack.command, ack.result) for ack in payload.autopilot.messages(">", "COMMAND_ACK")] == [
-        (GRIPPER, ACCEPTED)
-    ]

@@ -90,21 +90,6 @@ def test_a_plan_is_loaded_put_aboard_verified_and_listed(console):
     assert console.nothing_was_lost()
 
 
-def test_what_is_listed_may_be_loaded_again(console):
-    rows = [
-        "1\t1\t0\t16\t0.1\t-0\t1e-45\tnan\t-0.0000001\t-179.9999999\t-1.5\t0",
-        "2\t0\t10\t16\t16777216\t3.4028235e38\t0.001\t-12.25\t90\t180\t584.1\t1",
-        "3\t0\t2\t203\t0\t0\t0\t0\t1\t-7\t0\t1",
-    ]
-    console.load(*rows)
-    first = console.listed()
-    console.load(*first[2:])
-    assert console.listed() == first
-    assert [row.split("\t")[3:8] for row in first[2:4]] == [
-        ["16", "0.1", "-0", "1e-45", "nan"], ["16", "16777216", "34028235e31", "0.001", "-12.25"]]  # fmt: skip
-    assert first[4].split("\t")[8:10] == ["1", "-7"]
-
-
 def test_a_plan_stays_when_the_power_goes(console):
     console.load(*SURVEY)
     before = console.listed()
@@ -142,16 +127,6 @@ def test_a_reset_at_any_time_of_storing_leaves_the_old_plan_or_the_new_one():
         assert now in (before, after)
         seen.add(now == before)
     assert seen == {True, False}
-
-
-def test_a_whole_plan_may_be_pasted(console):
-    plan = long_plan(90)
-    lines = console.load(*plan)
-    assert [line for line in lines if line.isdigit()] == [str(n) for n in range(1, 91)]
-    assert console.nothing_was_lost()
-    console.answer("upload", "aboard: our plan, whole", limit_s=20)
-    items = console.autopilot.received()[-90:]
-    assert [one.z for one in items] == [20 + n / 4 for n in range(1, 91)]
 
 
 @pytest.mark.parametrize("end", ["\n", "\r"])
@@ -294,12 +269,6 @@ def test_a_plan_that_is_aboard_is_cleared_and_differs(console):
     assert commands(console) == []
     lines = console.answer("verify", "aboard: not known")
     assert "what is aboard is not the plan" in lines and "what differs: number of items" in lines
-
-
-def test_an_item_is_named_as_the_file_names_it(console):
-    console.load(SURVEY[0], SURVEY[1].replace("\t0\t0\t0\t0\t", "\tnan\t0\t0\t0\t", 1))
-    lines = console.answer("upload", "aboard: not known")
-    assert lines == ["refused: a NaN where none is allowed", "item 2", "aboard: not known"]
 
 
 def test_an_upload_is_cancelled_and_the_plan_is_not_exchanged_meanwhile(console):

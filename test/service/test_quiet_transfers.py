@@ -130,43 +130,6 @@ def test_line_is_loud_again_after_a_cancel(loud):
     assert is_back(loud, before)
 
 
-def test_line_is_loud_again_after_a_cancel_in_the_middle_of_switching_off(loud, personality):
-    before = loud.rates()
-    began = loud.now
-    loud.tell("upload", LONG_PLAN)
-    while len(loud.asked_since(began, -1)) < 5:
-        loud.run(0.005)
-    loud.cancel()
-    loud.run_until_idle()
-    silenced = loud.asked_since(began, -1)
-    assert len(silenced) < len(default_list(personality))
-    assert loud.asked_since(began, 0) == silenced
-    assert is_back(loud, before)
-
-
-def test_line_is_loud_again_after_a_failure(loud):
-    before = loud.rates()
-    loud.autopilot.faults.refuse(mavlink.MAV_MISSION_NO_SPACE, step=100)
-    loud.tell("upload", LONG_PLAN)
-    assert loud.run_until_ended(limit_s=20) == "NoSpace"
-    loud.run_until_idle()
-    assert is_back(loud, before)
-
-
-@pytest.mark.slow
-def test_transfer_that_begins_while_intervals_are_given_back_is_quiet_too(loud, personality):
-    before = loud.rates()
-    loud.upload_quietly(LONG_PLAN)
-    loud.cancel()
-    loud.run(0.1)
-    assert not loud.is_idle
-    loud.upload_quietly(LONG_PLAN)
-    assert loud.run_until_ended(limit_s=1) == "Cancelled"
-    assert loud.run_until_ended(limit_s=30) == "Accepted"
-    loud.run_until_idle()
-    assert is_back(loud, before)
-
-
 # Nothing but transfers --------------------------------------------------------------
 
 
@@ -186,12 +149,6 @@ def test_commands_and_clearing_silence_nothing(loud, order, end):
     loud.run(1.0)
     assert loud.asked_since(began, -1) == []
     assert loud.is_idle
-
-
-def test_nothing_is_asked_of_an_idle_line(loud):
-    began = loud.now
-    loud.run(5.0)
-    assert not [when for when, _, _ in loud.asked if when > began]
 
 
 # Faults --------------------------------------------------------------------------------
@@ -214,43 +171,6 @@ def test_every_interval_is_given_back_though_commands_and_answers_are_lost(make_
 
 
 @pytest.mark.slow
-def test_lost_commands_and_answers_keep_no_message_loud_for_the_rest_of_a_transfer(make_quiet, personality):
-    bench = make_quiet()
-    bench.run(2.0)
-    bench.run_until_idle()
-    bench.wire.lose(">", name="COMMAND_LONG", index=3)
-    bench.wire.lose("<", name="COMMAND_ACK", index=5)
-    bench.upload_quietly(600, limit_s=9)
-    began = bench.now
-    bench.run(0.3)
-    assert not set(bench.telemetry(began + 0.05, bench.now)) & set(default_list(personality))
-
-
-def test_late_answer_to_one_message_is_not_taken_for_the_answer_to_the_next(loud, personality):
-    before = loud.rates()
-    loud.upload_quietly(LONG_PLAN)
-    loud.cancel()
-    loud.wire.delay("<", 1.6, name="COMMAND_ACK", index=0)  # the first is asked for, and answered, twice
-    second = loud.wire.lose(">", name="COMMAND_LONG", index=2)
-    loud.run_until_idle(limit_s=20)
-    assert second.struck
-    assert is_back(loud, before)
-
-
-@pytest.mark.slow
-def test_answer_that_arrives_twice_is_not_taken_for_the_answer_to_the_next(loud):
-    before = loud.rates()
-    loud.upload_quietly(LONG_PLAN)
-    loud.cancel()
-    # Each copy comes when the next message has been asked for, in vain.
-    repeated = loud.wire.repeat("<", name="COMMAND_ACK", after_s=0.012, times=None)
-    lost = [loud.wire.lose(">", name="COMMAND_LONG", index=index) for index in (1, 4, 7)]
-    loud.run_until_idle(limit_s=20)
-    assert repeated.struck > 10 and all(fault.struck for fault in lost)
-    assert is_back(loud, before)
-
-
-@pytest.mark.slow
 def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
     before = loud.rates()
     loud.upload_quietly(LONG_PLAN)
@@ -258,18 +178,6 @@ def test_telemetry_comes_back_when_the_wire_was_pulled_in_mid_transfer(loud):
     loud.run(60.0)
     loud.wire.plug()
     loud.run_until_idle(limit_s=15)
-    assert is_back(loud, before)
-
-
-@pytest.mark.slow
-def test_telemetry_comes_back_when_only_our_side_was_not_heard_for_long(loud):
-    before = loud.rates()
-    loud.upload_quietly(LONG_PLAN)
-    loud.wire.pull(">")
-    loud.run(40.0)
-    assert not loud.is_idle
-    loud.wire.plug(">")
-    loud.run_until_idle(limit_s=8)
     assert is_back(loud, before)
 
 

@@ -42,11 +42,6 @@ def test_mode_that_cannot_be_set_now_is_rejected(px4):
     assert px4.order("set", mavlink.MAV_STANDARD_MODE_MISSION) == "CommandRejected"
 
 
-def test_no_standard_mode_is_no_mode_to_be_set(px4):
-    assert px4.order("set", 0) == "NoSuchMode"
-    assert px4.heard("COMMAND_LONG") == []
-
-
 def test_mode_is_not_done_before_the_autopilot_shows_it(px4):
     px4.run(2.0)
     px4.wire.delay("<", 1.0, name="CURRENT_MODE")
@@ -81,13 +76,6 @@ def test_lost_frame_is_made_up_for(px4, name, which):
     px4.run(2.0)
     px4.wire.lose(">" if name == "COMMAND_LONG" else "<", name=name, index=which)
     assert px4.order("set", LAND) == "Done"
-    assert px4.autopilot.sub_mode == SUB_LAND
-
-
-def test_mode_is_set_on_a_line_that_loses(px4):
-    px4.wire.at_random("<", lose=30)
-    px4.wire.at_random(">", lose=30)
-    assert px4.order("set", LAND, limit_s=60) == "Done"
     assert px4.autopilot.sub_mode == SUB_LAND
 
 
@@ -142,12 +130,6 @@ def test_lost_entry_is_asked_for_again(px4):
     assert len(commands(px4, ASK)) == 2
 
 
-def test_entry_that_never_comes_is_unconfirmed(px4):
-    px4.run(2.0)
-    px4.autopilot.faults.keep_back("AVAILABLE_MODES")
-    assert px4.order("read", 1) == "Unconfirmed"
-
-
 def test_ardupilot_has_no_standard_modes():
     bench = ModeBench("ArduPilot")
     mode = bench.autopilot.mode
@@ -175,16 +157,6 @@ def test_nothing_is_sent_over_mavlink_1():
     assert bench.order("set", LAND) == "NeedsMavlink2"
     assert bench.order("read", 1) == "NeedsMavlink2"
     assert bench.heard("COMMAND_LONG") == []
-
-
-def test_second_operation_is_busy_and_changes_nothing(px4):
-    px4.autopilot.faults.keep_back("COMMAND_ACK")
-    px4.run(2.0)
-    assert px4.begin("set", LAND) != "Busy"
-    assert px4.begin("set", SAFE_RECOVERY) == "Busy"
-    assert px4.begin("read", 1) == "Busy"
-    px4.run(3.0)
-    assert {message.param1 for message in commands(px4, SET)} == {LAND}
 
 
 def test_standard_mode_is_ordered_right_behind_a_heartbeat_each_time(px4):

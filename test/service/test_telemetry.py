@@ -18,7 +18,6 @@ NAMES = list(LISTENERS)
 INTERVAL_US = 500_000
 RECORDED = ["arducopter/clean_then_streams_10hz", "ardurover/mission_end", "px4/flight", "px4/mission_end"]
 UNKNOWN16 = 65535
-NO_HEIGHT = -(2**31)
 
 
 @pytest.fixture
@@ -141,13 +140,6 @@ def test_recorded_displays_are_understood(alone):
         assert (told["throttle"], told["heading"]) == (message.throttle, message.heading)
 
 
-def test_display_in_a_climb_and_without_an_airspeed(alone):
-    say(alone, mavlink.MAVLink_vfr_hud_message(math.nan, 12.345, 271, 63, 500.0, -4.005))
-    told = alone.told("hud")
-    assert (told["hasairspeed"], told["air"], told["ground"], told["climb"]) == (0, 0, 1235, -401)
-    assert (told["throttle"], told["heading"]) == (63, 271)
-
-
 @pytest.fixture(scope="module")
 def with_waypoint():
     return Telemetry(None, defines={"BENCH_WAYPOINT": True})
@@ -210,27 +202,6 @@ def position(**more):
     return mavlink.MAVLink_global_position_int_message(**{**values, **more})
 
 
-def test_position_before_the_first_fix_is_no_place(alone):
-    say(alone, position(lat=0, lon=0, hdg=UNKNOWN16))
-    told = alone.told("position")
-    assert (told["place"], told["hasheading"], told["cdeg"]) == (0, 0, UNKNOWN16)
-    say(alone, position())
-    told = alone.told("position")
-    assert (told["place"], told["hasheading"], told["heading"], told["speed"]) == (1, 1, -900_000_000, 5)
-
-
-def test_height_above_home_is_not_known_where_px4_has_no_home(alone):
-    say(alone, position(alt=489_500, relative_alt=489_500), mavlink.MAV_AUTOPILOT_PX4)
-    told = alone.told("position")
-    assert (told["hasheights"], told["above"], told["homesea"]) == (0, NO_HEIGHT, NO_HEIGHT)
-    assert told["sea"] == 489_500
-
-
-def test_fastest_speed_is_computed_without_an_overflow(alone):
-    say(alone, position(vx=-32_768, vy=32_767))
-    assert alone.told("position")["speed"] == math.isqrt(32_768**2 + 32_767**2)
-
-
 def test_attitude_with_a_number_that_is_none_changes_nothing(alone):
     say(alone, mavlink.MAVLink_attitude_message(1, 0.5, -0.25, 3.0, 0, 0, 0))
     before = alone.told("attitude")
@@ -273,16 +244,6 @@ def test_gps_without_a_fix_says_so(alone):
     assert (told["hdop"], told["speed"], told["course"], told["accuracy"]) == (UNKNOWN16, UNKNOWN16, UNKNOWN16, 0)
 
 
-def test_what_another_system_says_of_itself_is_not_taken(alone):
-    say(alone, position(lat=111))
-    alone.told("position")
-    alone.say(position(lat=222), (2, 1))
-    alone.say(position(lat=333), (1, 220))
-    alone.run(0.1)
-    told = alone.told("position")
-    assert (told["lat"], told["new"]) == (111, 0)
-
-
 # How it comes
 
 
@@ -306,21 +267,6 @@ def test_each_is_asked_for_once_at_its_interval_and_comes_at_it(telemetry):
                  if entry.message is not None and entry.message.get_msgId() == LISTENERS[name]]  # fmt: skip
         assert all(later - sooner == pytest.approx(0.5, abs=0.02) for sooner, later in pairwise(times))
         assert len(times) >= 10
-
-
-def test_answer_that_the_line_repeats_is_not_the_next_listeners(telemetry):
-    """COMMAND_ACK does not say for which message it is."""
-    telemetry.wire.repeat("<", after_s=0.1, name="COMMAND_ACK")
-    telemetry.wire.lose(">", name="COMMAND_LONG", index=1)
-    telemetry.run(1.0)
-    assert len(telemetry.wire.frames(">", "COMMAND_LONG")) == 2
-    assert [telemetry.told(name)["confirmed"] for name in NAMES].count(1) == 1
-
-
-def test_all_of_them_are_known_within_a_second(telemetry):
-    telemetry.autopilot.instruments.rc = [1500] * 8
-    telemetry.run(1.0)
-    assert telemetry.heard_all(*NAMES)
 
 
 def test_new_is_said_once_for_each_message(telemetry):
@@ -353,21 +299,6 @@ def test_autopilot_that_has_restarted_is_asked_again(telemetry, silent_s):
         assert any(time >= again for time, _ in telemetry.asked(name))
         told = telemetry.told(name)
         assert told["confirmed"] and told["age"] < 600
-
-
-def test_restarted_autopilot_that_sends_it_at_another_interval_is_asked_again(telemetry):
-    telemetry.run(4.0)
-    telemetry.autopilot.reboot(telemetry.now)
-    telemetry.autopilot.default_stream(LISTENERS["position"], 2.0, telemetry.now + 3.0)
-    telemetry.run(3.0 + 4.0)
-    assert telemetry.autopilot.interval_us(LISTENERS["position"]) == INTERVAL_US
-
-
-def test_stream_that_somebody_else_has_switched_off_comes_again(telemetry):
-    telemetry.run(4.0)
-    telemetry.autopilot.set_interval(LISTENERS["gps"], -1, telemetry.now)
-    telemetry.run(5.0)
-    assert telemetry.told("gps")["age"] < 600
 
 
 @pytest.mark.slow
@@ -405,38 +336,6 @@ def test_what_the_autopilot_has_not_is_asked_for_less_and_less():
     assert pauses == sorted(pauses)
     assert pauses[-1] >= 16
     assert len(telemetry.asked("position")) == 1
-
-
-def test_refused_interval_is_not_confirmed_and_the_others_are(telemetry):
-    refused = LISTENERS["gps"]
-    take = telemetry.autopilot._set_message_interval
-
-    def refuse(message, now):
-        return mavlink.MAV_RESULT_DENIED if message.param1 == refused else take(message, now)
-
-    telemetry.autopilot._set_message_interval = refuse
-    telemetry.run(6.0)
-    assert not telemetry.told("gps")["confirmed"]
-    assert all(telemetry.told(name)["confirmed"] for name in ("position", "attitude", "battery"))
-
-
-def test_operations_go_on_beside_them(telemetry):
-    telemetry.tell("upload", 20)
-    assert telemetry.run_until_ended(limit_s=20) == "Accepted"
-    telemetry.tell("interval", 42, 1_000_000)
-    assert telemetry.run_until_ended(limit_s=20) == ("Done" if telemetry.autopilot.autopilot_type == 3 else
-                                                     "CommandFailed")  # fmt: skip
-    telemetry.run(3.0)
-    for name in ("position", "attitude", "battery", "gps"):
-        told = telemetry.told(name)
-        assert told["confirmed"] and told["age"] < 600
-
-
-def test_follower_beside_them_has_its_message_too(make):
-    telemetry = make(defines={"BENCH_FOLLOWER": True})
-    telemetry.run(6.0)
-    assert telemetry.wire.frames("<", "MISSION_CURRENT")
-    assert all(telemetry.told(name)["confirmed"] for name in NAMES)
 
 
 def test_interval_of_zero_asks_for_nothing_and_hears_what_comes(make):
