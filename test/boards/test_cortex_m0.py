@@ -10,17 +10,16 @@ from pathlib import Path
 
 import pytest
 
-from areas import FIELD
 from bench_fixtures import BENCHES
 from disorders import latency_of
 from downloads import WRITTEN, loaded, same
 from examples import example_folders, sketch_of
-from plans import SURVEY, on_the_wire, waypoint
+from plans import SURVEY, on_the_wire
 from simulation.bench import same_bits
 from simulation.cortex_m0_service import CortexM0Service
 from simulation.firmware import LIBRARY, FirmwareNotBuilt, library_sources
 from simulation.microbit import CORE, HZ, BoardFailed, Microbit, build_cortex_m0, cortex_m0_object
-from simulation.service import FENCE, SOURCE
+from simulation.service import SOURCE
 from simulation.wire import DIRECTIONS, Wire
 from starts import HOPS
 
@@ -65,16 +64,6 @@ def test_word_that_is_not_aligned_ends_the_program():
         read_at(1)
 
 
-def test_run_is_the_same_each_time(build_m0):
-    lines = []
-    for _ in range(2):
-        service = build_m0("ArduPilot")
-        service.upload(SURVEY, proof="Always")
-        service.done()
-        lines.append(service.wire.transcript())
-    assert lines[0] == lines[1]
-
-
 def test_program_has_no_heap():
     elf = build_cortex_m0("service", [SOURCE], {"BENCH_BAUD": 57600, "BENCH_DIRECT": True})
     names = subprocess.run(["arm-none-eabi-nm", elf], capture_output=True, text=True, check=True).stdout.split()
@@ -92,14 +81,6 @@ def test_plan_is_uploaded_and_read_back_to_the_bit(m0):
     assert (m0.blocked(), m0.lost()) == (0, 0)
 
 
-def test_long_plan_is_verified(m0):
-    plan = [waypoint(473977420 + n, 85455970 - 3 * n, n + 0.125) for n in range(60)]
-    m0.upload(plan)
-    assert m0.done(limit_s=20) == "Accepted"
-    m0.verify()
-    assert m0.done(limit_s=20) == "Verified"
-
-
 def test_difference_is_found_by_its_item_and_field(m0):
     m0.upload(SURVEY)
     assert m0.done() == "Accepted"
@@ -115,11 +96,6 @@ def test_plan_that_is_aboard_is_downloaded(m0):
     assert m0.done() == "Downloaded"
     assert m0.state.total == 8
     assert same(m0.sink(8), WRITTEN)
-
-
-def test_fence_is_uploaded(m0):
-    m0.upload(FIELD, FENCE)
-    assert m0.done() == "Accepted"
 
 
 def test_mission_is_started_and_followed(m0):

@@ -32,11 +32,3 @@ def test_proof_of_a_row_is_none_on_a_line_that_is_dead(build_service, row):
 
     with pytest.raises(AssertionError, match="nothing ended within"):
         proven(row, "ArduPilot", build)
-
-
-def test_table_is_found_among_other_text_and_a_row_of_another_width_is_an_error():
-    table = f"words\n| | {' | '.join(COLUMNS)} |\n|---|---|---|---|\n| this | yes | - | no |\n\n| other | table |\n"
-    assert read_table(table) == {"this": {"ArduPilot": "yes", "PX4": "-", "ArduPilot over MAVLink 1": "no"}}
-    with pytest.raises(ValueError, match="zip"):
-        read_table(table.replace("| - ", ""))
-    assert read_table("no table") == {}

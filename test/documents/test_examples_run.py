@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from example_runs import SLICE_S, Run, commands, image_of, is_ardupilot
+from example_runs import SLICE_S, Run, commands, is_ardupilot
 from plans import HOME, NAN, jump, waypoint
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, mavlink
 
@@ -59,23 +59,6 @@ def test_upload_with_progress(run):
     example.run(0.2)
     assert example.lines[-1].startswith("bytes ") and ", bad checksums 0, frames lost 0," in example.lines[-1]
     assert commands(example) == [22, 16, 93, 16, 177, 20]
-
-
-@pytest.mark.slow
-def test_upload_with_progress_tries_again_after_a_failure(run):
-    example = run("UploadWithProgress")
-    example.autopilot.faults.refuse(mavlink.MAV_MISSION_ERROR, 2)
-    example.until("aboard: our plan, whole", 40.0)
-    assert "upload, try 2" in example.lines
-
-
-@pytest.mark.slow
-def test_upload_with_progress_says_that_the_aircraft_is_armed(run):
-    example = run("UploadWithProgress", armed=True)
-    example.until("refused: the autopilot is armed", 5.0)
-    example.run(8.0)
-    assert "upload, try 2" not in example.lines
-    assert commands(example) == []
 
 
 @pytest.mark.slow
@@ -146,14 +129,6 @@ def test_ensure_mission_uploads_once_and_looks_at_the_next_power_on(run, persona
     assert again.autopilot.messages(">", "MISSION_COUNT") == []
 
 
-def test_ensure_mission_tries_again_where_ardupilot_is_still_starting():
-    """It says that it has no room for a plan, however short."""
-    example = Run("EnsureMission", "ArduPilot", storage_s=4.0, uptime_s=0.0)
-    lines = example.until("aboard: our plan, whole", 15.0)
-    assert lines[0] == "the autopilot said: no room for the items"
-    assert lines[-2:] == ["accepted: the plan is aboard", "aboard: our plan, whole"]
-
-
 def test_ensure_mission_says_early_what_is_missing():
     """A cable that is cut at power-on, then one of which only our TX is cut."""
     example = Run("EnsureMission", "ArduPilot")
@@ -198,14 +173,6 @@ def test_start_mission_ends_on_a_rover_which_stays_armed(make_run_on_rover):
     assert own[-7:] == [
         "arrived: disarm", "done: the autopilot confirmed it", "0: command 22", "1: command 16", "2: command 16",
         "3: command 21", "downloaded: the plan has been read"]  # fmt: skip
-    assert not example.autopilot.armed
-
-
-@pytest.mark.slow
-def test_next_waypoint_ends_on_a_rover_which_stays_armed(make_run_on_rover):
-    example = make_run_on_rover("NextWaypoint")
-    lines = example.until("all fields sampled", 400.0)
-    assert lines.count("landed: sampling") == 2
     assert not example.autopilot.armed
 
 
@@ -315,14 +282,6 @@ def test_fence_and_rally(run):
     assert commands(example) == []
 
 
-@pytest.mark.slow
-def test_fence_and_rally_on_mavlink_1():
-    example = Run("FenceAndRally", "ArduPilot", mavlink_version=1)
-    refused = "refused: this needs MAVLink 2, and the link speaks MAVLink 1"
-    assert f"fence: {refused}" in example.until(f"fence: {refused}", 5.0)
-    assert commands(example, FENCE) == [] and commands(example, RALLY) == []
-
-
 def test_read_telemetry(run):
     example = run("ReadTelemetry")
     example.run(11.0)
@@ -341,13 +300,6 @@ def test_check_parameters():
                      "FENCE_ENABLE: 0.00 done: the autopilot confirmed it",
                      "MIS_RESTART: 1.00 done: the autopilot confirmed it"]  # fmt: skip
     assert example.autopilot.parameters.value("MIS_RESTART") == 1
-
-
-def test_check_parameters_says_that_px4_has_none_of_these_names():
-    example = Run("CheckParameters", "PX4")
-    said = "no answer: it has no parameter of this name, or does not hear us"
-    lines = example.until(f"MIS_RESTART: {said}", 40.0)
-    assert lines == [f"{name}: {said}" for name in ("SERIAL1_BAUD", "FENCE_ENABLE", "MIS_RESTART")]
 
 
 def test_payload_winch(run):
@@ -369,51 +321,6 @@ def test_payload_winch(run):
 def test_link_doctor(run):
     assert run("LinkDoctor").until(QUIET, 8.0)[0] == QUIET
     assert run("LinkDoctor", telemetry=1000.0).until("all is well", 8.0)[0] == "all is well"
-
-
-def test_link_doctor_reads_the_settings_of_a_good_line(run):
-    example = run("LinkDoctor")
-    parameters = example.autopilot.parameters.all
-    if is_ardupilot(example):
-        parameters["SERIAL2_PROTOCOL"].value = 1
-        said = ["SERIAL1_PROTOCOL 2", "SERIAL1_BAUD 57", "SERIAL2_PROTOCOL 1: TELEM2 has MAVLink 1: no fences, no "
-                "rally points", "SERIAL2_BAUD 57", "MIS_RESTART 0: AUTO continues at the item where it stopped",
-                "FENCE_ENABLE 0: an uploaded fence is not enforced"]  # fmt: skip
-    else:
-        parameters["MAV_0_FORWARD"].value = 0
-        said = ["SER_TEL1_BAUD 57600", "GF_ACTION 2", "MAV_0_FORWARD 0: TELEM1 gets no commands from a ground station"]
-    assert example.until(f"  {said[-1]}", 12.0) == [QUIET, *(f"  {line}" for line in said)]
-    example.run(5.0)
-    assert len(example.lines) == 1 + len(said)
-    assert example.autopilot.messages(">", "PARAM_SET") == []
-
-
-def test_link_doctor_reads_the_settings_again_when_a_cable_was_off(run):
-    example = run("LinkDoctor")
-    example.until(QUIET, 8.0)
-    example.is_plugged = False
-    example.until("no bytes: look at the wire from its TX to our RX, at GND, and whether that port is on", 12.0)
-    said = len(example.lines)
-    example.run(20.0)
-    assert len(example.lines) == said
-    example.is_plugged = True
-    example.run(12.0)
-    name = "FENCE_ENABLE" if is_ardupilot(example) else "GF_ACTION"
-    assert len([line for line in example.lines[said:] if line.startswith(f"  {name} ")]) == 1
-
-
-def test_link_doctor_says_of_a_setting_that_it_does_not_know_it(personality):
-    example = Run("LinkDoctor", personality)
-    name = "FENCE_ENABLE" if is_ardupilot(example) else "GF_ACTION"
-    del example.autopilot.parameters.all[name]
-    said = f"  {name} no answer: it has no parameter of this name, or does not hear us"
-    assert said in example.until(said, 30.0)
-
-
-def test_link_doctor_says_at_which_rate_the_autopilot_speaks(personality):
-    example = Run("LinkDoctor", personality, baud=115200)
-    lines = example.until("  it sends at 115200", 15.0)
-    assert lines[-2] == "frames, but at another baud rate"
 
 
 def test_go_to_places_flies_to_three_places_and_comes_home(run):
@@ -512,19 +419,3 @@ def test_work_at_waypoints_leaves_the_aircraft_to_a_pilot(run):
     example.run(10.0)
     assert (autopilot.mode == "LOITER") if is_ardupilot(example) else (autopilot.main_mode == 3)
     assert "reached 2" not in example.lines
-
-
-def test_next_waypoint_flies_each_leg_by_commands_too(personality):
-    example = Run("NextWaypoint", personality, image=image_of("NextWaypoint", BY_COMMANDS=1))
-    flight, landed = example.autopilot.flight, []
-    while "all fields sampled" not in example.lines:
-        assert example.now < 200, example.lines
-        before = example.lines.count("landed: sampling")
-        example.run(0.25)
-        if example.lines.count("landed: sampling") > before:
-            landed.append(flight.where(example.now))
-    fields = [(-353631000, 1491652374), (-353631000, 1491654000)]
-    assert len(landed) == 2
-    for place, (lat, lon) in zip(landed, fields, strict=True):
-        assert max(abs(place.lat_e7 - lat), abs(place.lon_e7 - lon)) < 190 and place.height == 0  # 2 m
-    assert example.autopilot.messages(">", "MISSION_COUNT") == []

@@ -49,12 +49,3 @@ def missing(command: str) -> list[str]:
 def test_command_of_a_page_is_there_with_its_options(page):
     found = {command: missing(command) for command in commands_of(page.read_text())}
     assert {command: options for command, options in found.items() if options} == {}
-
-
-def test_command_is_found_in_a_block_in_a_substitution_and_across_lines_of_a_sentence():
-    text = (
-        "```\ntools/demo --loss 20   # why\nelf=$(tools/build X --board mega | sed p)\n```\nsay `tools/plan check\nx`\n"
-    )
-    assert commands_of(text) == ["tools/demo --loss 20", "tools/build X --board mega", "tools/plan check x"]
-    assert missing("tools/demo --louder 3") == ["--louder"]
-    assert missing("tools/nothing") == ["tools/nothing"]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.machinery
-import importlib.util
 import re
 import subprocess
 from html import unescape
@@ -14,7 +12,6 @@ import pytest
 from building import ROOT
 
 DOXYFILE = ROOT / "docs" / "Doxyfile"
-FILTER = ROOT / "tools" / "doxygen_comments"
 
 
 def doxygen(output: Path, **settings: str) -> subprocess.CompletedProcess:
@@ -77,52 +74,3 @@ def test_member_without_a_comment_is_an_error(tmp_path):
 
 
 # The filter -------------------------------------------------------------------
-
-
-def filtered(*lines: str) -> list[str]:
-    loader = importlib.machinery.SourceFileLoader("doxygen_comments", str(FILTER))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
-    loader.exec_module(module)
-    return module.for_doxygen("\n".join(lines)).split("\n")
-
-
-def test_comment_is_shared_by_declarations_that_follow_without_a_blank_line():
-    assert filtered("// Both.", "int a();", "int b();", "", "int c();") == [
-        "/// Both.", "int a();", "/** Both. */ int b();", "", "int c();",
-    ]  # fmt: skip
-
-
-def test_declaration_over_several_lines_is_one():
-    lines = ["// One.", "template <int N>", "int a(int b,", "      int c) {", "  return b;", "}", "int d();"]
-    assert filtered(*lines) == ["/// One.", *lines[1:6], "/** One. */ int d();"]
-
-
-def test_comment_behind_a_declaration_is_about_that_alone():
-    assert filtered("// All.", "int a();  // First.", "int b();") == [
-        "/// All.", "int a();  ///< First.", "/** All. */ int b();",
-    ]  # fmt: skip
-
-
-def test_variables_of_one_declaration_get_a_line_each():
-    assert filtered("  float a, b;  // [m]") == ["  float a;  ///< [m]", "  float b;  ///< [m]"]
-
-
-def test_comment_that_begins_a_file_is_about_the_file():
-    assert filtered("// Words.", "// More.", "#pragma once") == ["/// Words.", "/// More.", "/// @file"]
-
-
-def test_inline_namespace_is_left_out_and_the_comment_above_it_is_about_what_is_in_it():
-    end = "}  // namespace print_it_with_toString"
-    assert filtered("// A.", "inline namespace print_it_with_toString {", "enum class A {};", end) == [
-        "/// A.", "", "enum class A {};", "",
-    ]  # fmt: skip
-
-
-def test_heading_of_a_section_is_about_nothing():
-    lines = ["  // --- Flying. Nothing", "  // arms.", "", "  int a();"]
-    assert filtered(*lines) == lines
-
-
-def test_comments_within_a_function_are_left_alone():
-    lines = ["int a() {", "    // Inside.", "  return 1;", "}"]
-    assert filtered(*lines) == lines

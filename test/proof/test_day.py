@@ -36,7 +36,6 @@ SAME_S = 0.02  # seconds, heartbeats and the autopilot's turn fall a little diff
 RADIO_TURN_S = 0.06  # of a SiK radio, each way in turn
 SLOT_S = 40.0  # for each operation of those that are watched
 STEP_S = 0.001  # from one update() to the next
-AS_MEANT = ("OurPlan", "Nothing")
 LONG = [waypoint(473977420 + 100 * n, 85455970, 20.0 + n) for n in range(12)]
 PART_FIRST, PART_COUNT = 3, 5
 MOVED = [*LONG[:PART_FIRST],

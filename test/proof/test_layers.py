@@ -46,12 +46,6 @@ def test_no_folder_uses_one_below_it():
     assert misplaced(uses(), folders()) == []
 
 
-def test_arrow_that_points_down_is_found():
-    link, client = Path("link/Link.h"), Path("client/Client.h")
-    assert misplaced([(link, client)], folders()) == ["link/Link.h uses client/Client.h"]
-    assert misplaced([(client, link)], folders()) == []
-
-
 def test_vendored_headers_are_included_in_one_place():
     """Whatever else names MAVLink's types includes that, and no public header does."""
     vendored = {str(path) for path, target in uses() if target.parts[0] == "mavlink"}

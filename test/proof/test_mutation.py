@@ -8,11 +8,10 @@ from __future__ import annotations
 import pytest
 
 from mutating import report, run, syntax
-from mutating.explained import BadEntry, explained, without_a_mutant
+from mutating.explained import explained, without_a_mutant
 from mutating.judging import SAME, SURVIVED, judge
 from mutating.kinds import KINDS
-from mutating.mutants import mutants_of, sample
-from mutating.subjects import SUBJECTS, Subject, files_of, subjects, units_of
+from mutating.subjects import SUBJECTS, files_of, units_of
 
 SAMPLE = 60
 
@@ -94,53 +93,3 @@ def test_each_kind_changes_what_its_name_says_and_nothing_else():
     }  # fmt: skip
     assert changes("assignment left out") == {("state_ = State::Here;", ";")}
     assert changes("call left out") == {("call(0x10);", ";")}
-
-
-def test_source_that_is_not_understood_is_said_as_such():
-    with pytest.raises(syntax.NotUnderstood, match="line 1"):
-        syntax.parsed(b"int f( { return 1; }")
-
-
-def test_mutant_is_known_by_its_text_and_not_by_its_place(tmp_path):
-    (tmp_path / "elsewhere").mkdir()
-    here, there = tmp_path / "Thing.cpp", tmp_path / "elsewhere" / "Thing.cpp"
-    here.write_bytes(CODE)
-    with_comment = CODE.replace(b"state_ = State::Here;", b"state_ = State::Here;  // why")
-    there.write_bytes(b"// Another line before.\n" + with_comment)
-    ids = [[mutant.id for mutant in mutants_of(file)] for file in (here, there)]
-    assert ids[0] == ids[1]
-    assert len(set(ids[0])) == len(ids[0])
-
-
-def test_sample_stays_the_same_when_a_mutant_is_added(tmp_path):
-    file = tmp_path / "Thing.cpp"
-    file.write_bytes(CODE)
-    before = mutants_of(file)
-    file.write_bytes(CODE + b"void more() { call(); }\n")
-    after = mutants_of(file)
-    assert len(after) == len(before) + 1
-    drawn = {mutant.id for mutant in sample(before, 8, 1)}
-    assert len(drawn) == 8
-    assert len(drawn - {mutant.id for mutant in sample(after, 8, 1)}) <= 1
-    assert drawn != {mutant.id for mutant in sample(before, 8, 2)}
-
-
-def test_entry_that_is_not_whole_is_refused(tmp_path):
-    file = tmp_path / "list.toml"
-    file.write_text('[[survivor]]\nfile = "A.cpp"\nfunction = ""\nwas = "a"\nbecomes = "b"\nwhy = " "\n')
-    with pytest.raises(BadEntry):
-        explained(file)
-
-
-def test_explanation_without_its_mutant_is_told(tmp_path):
-    file = tmp_path / "list.toml"
-    entry = 'file = "OpaqueId.cpp"\nfunction = "f"\nwas = "a"\nbecomes = ["b", "c"]\nwhy = "none"\n'
-    file.write_text("[[survivor]]\n" + entry)
-    mutants = [mutant for _, mutant in run.of_all(["OpaqueId"])]
-    assert len(without_a_mutant(explained(file), mutants)) == 2
-
-
-def test_file_of_the_library_without_tests_of_its_own_can_be_mutated_too():
-    assert subjects(["PartialUpload.cpp"]) == [Subject("PartialUpload")]
-    with pytest.raises(ValueError, match="NoSuchFile"):
-        subjects(["NoSuchFile"])

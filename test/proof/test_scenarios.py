@@ -46,23 +46,3 @@ def test_every_scenario_has_a_test_under_each_personality_that_matters(request):
          str(request.config.rootpath / "test")], plugins=[collected])  # fmt: skip
     assert said == pytest.ExitCode.OK
     assert gaps(collected.played) == {}
-
-
-@pytest.mark.parametrize("number", SCENARIOS)
-def test_missing_scenario_is_found(number):
-    played = {other: {"ArduPilot", "PX4", "either"} for other in SCENARIOS}
-    assert gaps(played) == {}
-    del played[number]
-    assert set(gaps(played)) == {number}
-
-
-def test_scenario_played_under_one_personality_alone_is_found():
-    played = {number: {"ArduPilot", "PX4", "either"} for number in SCENARIOS}
-    played[10] = {"ArduPilot", "either"}
-    assert gaps(played) == {10: {"PX4"}}
-
-
-def test_personality_that_a_test_names_itself_is_its_column():
-    assert scenario_table.column({"personality": "PX4"}, None) == "PX4"
-    assert scenario_table.column({}, "ArduPilot") == "ArduPilot"
-    assert scenario_table.column({}, None) == "either"

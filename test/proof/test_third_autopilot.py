@@ -16,7 +16,6 @@ from simulation.precompiled import with_mavlink
 
 AUTOPILOT = 9  # MAV_AUTOPILOT_PPZ
 NAME = "a third autopilot"
-STATUSES = list(texts_of("Status.h", "MAVMISSION_STATUSES"))
 ABOARD = list(texts_of("Status.h", "MAVMISSION_ABOARD"))
 
 

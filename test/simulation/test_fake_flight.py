@@ -9,7 +9,6 @@ import pytest
 from fake_talk import (
     ACCEPTED,
     ARM,
-    BOTH,
     ERROR,
     RTL,
     SET_MODE,
@@ -45,63 +44,6 @@ def flying(autopilot, **options) -> PlainClient:
         client.say(client.command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, 42, 500_000))
     assert command_results(client.say(client.command(START))) == [(START, 0)]
     return client
-
-
-@BOTH
-def test_a_plan_is_flown_item_by_item_to_its_end(autopilot):
-    client = flying(autopilot)
-    fake = client.fake
-    client.wait(120.0)
-    reached = [message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED")]
-    once = [seq for seq, _ in itertools.groupby(reached)]
-    assert once == ([1, 2, 3, 4] if autopilot is ArduPilot else [0, 1, 2, 3])
-    if autopilot is ArduPilot:
-        assert reached == once
-    else:
-        assert len(reached) > len(once)
-    assert not fake.armed
-    assert fake.messages("<", "MISSION_CURRENT")[-1].mission_state \
-        == mavlink.MISSION_STATE_COMPLETE
-    assert fake.flight.where(client.now).height == 0
-
-
-def test_px4_repeats_the_last_item_reached_each_second_at_most_ten_times():
-    fake = Px4()
-    plan = [square_for(Px4)[0], item(17, x=473977428, y=85455937, z=8.0)]
-    client = client_of(fake)
-    client.upload(plan)
-    client.say(client.command(START))
-    client.wait(60.0)
-    times = [time for time, _, message in fake.log
-             if message.get_type() == "MISSION_ITEM_REACHED"]
-    assert len(times) == 1 + 10
-    intervals = [b - a for a, b in itertools.pairwise(times[1:])]
-    assert intervals == pytest.approx([1.02] * 9)
-
-
-def test_ardupilot_waits_on_the_ground_for_mission_start():
-    fake = ArduPilot(uptime_s=60)
-    client = client_of(fake)
-    client.upload(square_for(ArduPilot))
-    client.say(client.command(ARM, 1))
-    client.say(client.command(SET_MODE, 1, 3))
-    client.wait(8.0)
-    assert not fake.flight.airborne(client.now)
-    assert fake.messages("<", "MISSION_ITEM_REACHED") == []
-    client.say(client.command(START))
-    client.wait(10.0)
-    assert [message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED")] == [1]
-
-
-def test_a_rover_flies_on_wheels():
-    fake = ArduPilot(vehicle="rover", uptime_s=60)
-    client = client_of(fake)
-    client.upload([item(16, frame=0),
-                   *(one._replace(z=0.0) for one in square_for(ArduPilot)[2:4])])
-    client.say(client.command(ARM, 1))
-    client.say(mavlink.MAVLink_set_mode_message(1, 1, 10))
-    client.wait(60.0)
-    assert [message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED")] == [1, 2]
 
 
 def test_jumps_are_flown_as_often_as_they_say():

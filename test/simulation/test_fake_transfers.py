@@ -6,7 +6,6 @@ import pytest
 
 from fake_talk import (
     ACCEPTED,
-    BOTH,
     CANCELLED,
     DENIED,
     ERROR,
@@ -19,29 +18,6 @@ from fake_talk import (
 )
 from simulation.fake_autopilot import ALL, FENCE, MISSION, RALLY, ArduPilot, Px4, item, mavlink
 from simulation.fake_autopilot.px4_rewriting import checksum
-
-
-def test_count_again_in_mid_transfer_starts_again_on_ardupilot():
-    fake = ArduPilot()
-    client = client_of(fake)
-    plan = waypoints(3)
-    client.say(client.count(3))
-    client.say(client.item(plan[0], 0))
-    assert missions(client.say(client.count(3))) == [("REQUEST", 0)]
-    assert client.upload(plan) == ACCEPTED
-
-
-def test_count_again_in_mid_transfer_is_an_error_on_px4_and_the_transfer_goes_on():
-    fake = Px4()
-    client = client_of(fake)
-    plan = waypoints(3)
-    client.say(client.count(3))
-    client.say(client.item(plan[0], 0))
-    answers = client.say(client.count(3))
-    assert missions(answers) == [("ACK", ERROR)] and words(answers) == ["WPM: REJ. CMD: Busy"]
-    assert missions(client.say(client.item(plan[1], 1))) == [("REQUEST_INT", 2)]
-    assert missions(client.say(client.item(plan[2], 2))) == [("ACK", ACCEPTED)]
-    assert fake.received() == plan
 
 
 def test_cancelling_frees_px4_and_not_ardupilot():
@@ -77,30 +53,6 @@ def test_px4_refuses_a_fence_during_a_mission_with_the_missions_type(taken):
     answer = client.ask(client.count(1, FENCE))
     assert (answer.get_type(), answer.type, answer.mission_type) == ("MISSION_ACK", ERROR,
                                                                      MISSION)
-
-
-def test_another_clients_count_is_denied_or_an_error():
-    for autopilot, result in ((ArduPilot, DENIED), (Px4, ERROR)):
-        fake = autopilot()
-        client = client_of(fake)
-        plan = waypoints(2)
-        client.say(client.count(2))
-        other = client_of(fake, address=(254, 190), now=client.now)
-        answer = other.ask(other.count(2))
-        assert (answer.type, answer.target_system) == (result, 254)
-        client.now = other.now
-        client.say(client.item(plan[0], 0))
-        assert missions(client.say(client.item(plan[1], 1))) == [("ACK", ACCEPTED)]
-
-
-def test_an_item_from_another_client_does_not_come_aboard():
-    for autopilot, said in ((ArduPilot, [("ACK", DENIED)]), (Px4, [])):
-        fake = autopilot()
-        client = client_of(fake)
-        client.say(client.count(1))
-        other = client_of(fake, address=(254, 190), now=client.now)
-        assert missions(other.say(other.item(waypoints(1)[0], 0))) == said
-        assert fake.received() == []
 
 
 def test_request_list_during_our_own_upload():
@@ -176,19 +128,6 @@ def test_clear_all_types():
         assert (fake.plan() == []) == (autopilot is Px4)
 
 
-@BOTH
-@pytest.mark.parametrize("mission_type", [MISSION, FENCE, RALLY])
-def test_clear_empties_only_the_type_it_names(autopilot, mission_type):
-    fake = autopilot()
-    plans = {MISSION: waypoints(2), FENCE: [item(5003, frame=0, param1=9.0, x=1, y=1)],
-             RALLY: [item(5100, x=1, y=1, z=30.0)]}
-    for kind, plan in plans.items():
-        fake.load(plan, kind)
-    client = client_of(fake)
-    assert client.ask(client.clear_all(mission_type)).type == ACCEPTED
-    assert [kind for kind in plans if not fake.plan(kind)] == [mission_type]
-
-
 def test_fence_and_rally_need_a_mavlink_2_link_on_ardupilot():
     for mission_type in (FENCE, RALLY):
         client = client_of(ArduPilot(mavlink_version=1))
@@ -218,13 +157,6 @@ def test_a_partial_write_out_of_the_plan_is_an_error(first, last):
     answers = client.say(mavlink.MAVLink_mission_write_partial_list_message(1, 1, first, last))
     assert missions(answers) == [("ACK", ERROR)]
     assert words(answers) == ["Flight plan update rejected"]
-
-
-def test_px4_knows_no_partial_write():
-    fake = Px4()
-    fake.load(waypoints(5))
-    client = client_of(fake)
-    assert client.say(mavlink.MAVLink_mission_write_partial_list_message(1, 1, 2, 3)) == []
 
 
 def test_ardupilot_takes_current_2_and_3_for_orders():

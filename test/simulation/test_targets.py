@@ -105,12 +105,6 @@ def test_px4_without_home_takes_no_height_above_it():
     assert fake._has_stream(60.0)
 
 
-def test_px4_flies_to_no_target_in_another_mode():
-    fake = in_the_air(Px4)
-    aim(fake, 60.0)
-    assert fake.flight.where(70.0) == fake.flight.where(60.0) and fake.flight.target.lat_e7 == HOME[0]
-
-
 @pytest.mark.parametrize("every_s", [0.2, 60.0])
 def test_ardupilot_flies_on_to_the_last_target_however_often_it_is_named(every_s):
     fake = in_the_air(ArduPilot)
@@ -130,9 +124,3 @@ def test_target_that_moves_is_followed_at_full_speed():
         aim(fake, 60.0 + 0.2 * step, frame=6, lat=ahead, alt=10.0)
     flown = fake.flight.where(80.0).distance(Place(HOME[0], HOME[1], 10.0))
     assert flown == pytest.approx(20.0 * speed, rel=0.02)
-
-
-def test_target_that_is_no_place_moves_nothing():
-    fake = in_the_air(ArduPilot)
-    aim(fake, 60.0, frame=6, mask=0x0DC7)
-    assert fake.flight.where(70.0) == fake.flight.where(60.0)

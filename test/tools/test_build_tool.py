@@ -2,8 +2,6 @@
 
 import os
 import re
-import select
-import signal
 import subprocess
 import termios
 from pathlib import Path
@@ -13,7 +11,6 @@ import pytest
 import building
 import flashing
 from building import BOARDS, ROOT, BuildFailed, build_sketch
-from interrupts import can_be_interrupted
 
 ECHO = """\
 void setup() { Serial1.begin(57600); }
@@ -202,31 +199,6 @@ def test_bad_input_gets_an_error_that_names_it(arguments, says):
     assert ran.returncode != 0
     assert says in ran.stderr
     assert "Traceback" not in ran.stderr
-
-
-def test_name_of_an_example_will_do():
-    ran = tools_build("UploadMission")
-    assert re.search(r"ELF: .*/UploadMission-mega-\w+/out/UploadMission", ran.stdout), ran.stderr
-
-
-def test_the_board_is_a_mega_unless_told(tmp_path):
-    ran = tools_build(sketch(tmp_path, ECHO))
-    assert "bytes of 253952" in ran.stdout, ran.stderr
-
-
-def test_interrupted_tool_leaves_without_a_traceback(tmp_path):
-    os.mkfifo(tmp_path / "began")
-    began = os.open(tmp_path / "began", os.O_RDONLY | os.O_NONBLOCK)
-    fake = program(tmp_path / "bin", "arduino-builder", f"echo began > {tmp_path}/began; exec sleep 60")
-    with subprocess.Popen(
-        [ROOT / "tools" / "build", sketch(tmp_path, ECHO)], stderr=subprocess.PIPE, text=True,
-        env={**os.environ, "PATH": f"{fake}:{os.environ['PATH']}"}, preexec_fn=can_be_interrupted,
-    ) as running:  # fmt: skip
-        assert select.select([began], [], [], 120)[0]
-        running.send_signal(signal.SIGINT)
-        _, said = running.communicate(timeout=20)
-    os.close(began)
-    assert (running.returncode, said.strip()) == (130, "tools/build: interrupted")
 
 
 def test_a_sketch_in_a_folder_of_another_name_is_refused(tmp_path):

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
-import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -19,17 +17,15 @@ from demonstration import demonstration as inside
 from demonstration.conversation import Conversation
 from demonstration.plan_in_firmware import NotOnePlan, plan_in
 from demonstration.screen import PlainScreen, TerminalScreen
-from demonstration.wire_form import HOME, on_the_wire
+from demonstration.wire_form import on_the_wire
 from demonstration.words import message_in_words
 from examples import example_folders
-from interrupts import can_be_interrupted
 from simulation.fake_autopilot import MISSION, ArduPilot, Px4, item, mavlink
 from simulation.wire import Entry
 
 SKETCHES = Path(__file__).resolve().parents[1] / "demonstrated"
 AUTOPILOTS = ["ardupilot", "px4"]
 WITH_TESTS_OF_THEIR_OWN = {"UploadMission", "GoToPlaces", "FollowBeacon"}
-NAN = float("nan")
 
 
 def shown(example: str = "UploadMission", **settings) -> tuple[bool, str]:
@@ -92,13 +88,6 @@ def test_plan_that_each_autopilot_gets_differently_is_judged_right(autopilot):
 def test_each_example_runs_to_a_good_end(example, autopilot):
     good, text = shown(example, autopilot=autopilot)
     assert good, text
-
-
-def test_download_that_misses_an_item_is_a_failure(monkeypatch):
-    monkeypatch.setattr(inside, "LIMIT_S", 20.0)
-    good, text = shown("DownloadMission", loss_percent=100)
-    assert not good
-    assert "has read 0 of the" in text
 
 
 SET_MODE, REQUEST = mavlink.MAV_CMD_DO_SET_MODE, mavlink.MAV_CMD_REQUEST_MESSAGE
@@ -249,17 +238,6 @@ def test_log_is_read_by_the_ground_stations_library(tmp_path):
     assert 3 < times[-1] - times[0] < 30
 
 
-def test_log_holds_only_what_arrived(tmp_path):
-    file = tmp_path / "lossy.tlog"
-    _, text = shown(log=file, autopilot="px4", loss_percent=25, seed=1)
-    log = mavutil.mavlink_connection(str(file), dialect="common")
-    items = 0
-    while (message := log.recv_match(type="MISSION_ITEM_INT")) is not None:
-        items += message is not None
-    lines = [line for line in text.splitlines() if " MISSION_ITEM_INT " in line]
-    assert items == sum("[lost]" not in line for line in lines) < len(lines)
-
-
 def test_terminal_gets_the_bar_and_the_table():
     out = io.StringIO()
     screen = TerminalScreen(Console(file=out, force_terminal=True, width=160, color_system=None))
@@ -303,41 +281,6 @@ TAKEOFF, LAND, WAYPOINT, JUMP, DELAY = (
 A, B = item(WAYPOINT, x=1, y=2), item(WAYPOINT, x=3, y=4)
 
 
-def test_ardupilot_gets_home_first_and_jumps_one_further():
-    assert on_the_wire([A, item(JUMP, frame=2, param1=0)], "ardupilot") == [HOME, A, item(JUMP, frame=2, param1=1)]
-
-
-def test_empty_plan_has_no_home():
-    assert on_the_wire([], "ardupilot") == []
-
-
-def test_unset_yaw_is_zero_on_ardupilot_and_unset_on_px4():
-    plan = [A._replace(param4=NAN)]
-    assert on_the_wire(plan, "ardupilot")[1] == A
-    assert on_the_wire(plan, "px4")[0].same_as(plan[0])
-
-
-def test_item_without_a_place_goes_in_the_frame_that_says_so():
-    for autopilot in AUTOPILOTS:
-        assert on_the_wire([item(DELAY, frame=3)], autopilot)[-1].frame == 2
-
-
-@pytest.mark.parametrize(
-    ("plan", "index", "place"),
-    [
-        ([item(TAKEOFF), A, B], 0, A),
-        ([A, item(TAKEOFF), B], 1, B),  # equally near: where it is going
-        ([A, item(LAND), B], 1, A),  # equally near: where it comes from
-        ([A, item(DELAY), item(LAND)], 2, A),
-        ([A, B._replace(frame=2), item(LAND)], 2, A),
-    ],
-)
-def test_px4_gets_the_place_of_the_nearest_item(plan, index, place):
-    sent = on_the_wire(plan, "px4")[index]
-    assert (sent.x, sent.y) == (place.x, place.y)
-    assert on_the_wire(plan, "ardupilot")[index + 1] == plan[index]
-
-
 def test_fakes_take_the_form_on_the_wire():
     plan = [item(TAKEOFF, z=10), A, B, item(JUMP, frame=2, param1=1, param2=2), item(LAND)]
     for name, autopilot in (("ardupilot", ArduPilot()), ("px4", Px4())):
@@ -373,17 +316,3 @@ def test_tool_refuses_nonsense_and_says_what_to_do():
     ran = run_tool("Nothing")
     assert ran.returncode == 1
     assert ran.stderr.startswith("tools/demo: there is no example Nothing")
-
-
-def test_interrupted_tool_leaves_without_a_traceback():
-    with subprocess.Popen(
-        [sys.executable, ROOT / "tools" / "demo", "--loss", "100"],  # which does not end by itself for two minutes
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
-        preexec_fn=can_be_interrupted,
-    ) as running:  # fmt: skip
-        assert running.stdout.readline()  # it is under way
-        assert "its plan" in running.stdout.readline()
-        running.send_signal(signal.SIGINT)
-        _, said = running.communicate(timeout=20)
-    assert running.returncode == 130
-    assert said.strip() == "tools/demo: interrupted"

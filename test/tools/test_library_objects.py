@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 import building
-import library_objects
 from building import build_sketch
 from library_objects import LENT, LibraryObjects
 
@@ -63,33 +62,6 @@ def made(folder: Path, name: str) -> Path:
     return out
 
 
-def test_lists_of_what_an_object_depends_on_name_the_new_place_and_keep_their_times(tmp_path):
-    objects = LibraryObjects(tmp_path / "kept", ["a board"], [])
-    objects.keep(made(tmp_path, "One"), Path("One"))
-    out = tmp_path / "Two"
-    objects.lend(out, Path("Two"), {"sketchLocation": "here"})
-    for name in ("core/main.cpp.d", "includes.cache"):
-        assert (out / name).read_text() == f"{out}/core/main.cpp.o {out}/sketch/Two.ino.cpp"
-    assert (out / "core/main.cpp.d").stat().st_mtime_ns == 1_000_000_007
-    options = (out / "build.options.json").read_text()
-    assert '"here"' in options and '"a:b:c"' in options
-
-
-def test_list_of_what_is_included_is_that_of_a_sketch_with_the_same_includes(tmp_path):
-    objects = LibraryObjects(tmp_path / "kept", ["a board"], [])
-    for name, included in (("One", "MavMission"), ("Two", "SD"), ("Three", "SD"), ("Four", "EEPROM")):
-        (tmp_path / "sketches" / name).mkdir(parents=True)
-        (tmp_path / "sketches" / name / f"{name}.ino").write_text(f"#include <{included}.h>\n")
-    for name in ("One", "Two"):
-        out = made(tmp_path, name)
-        (out / "includes.cache").write_text(f"{out}/sketch/{name}.ino.cpp finds what {name} includes")
-        objects.keep(out, tmp_path / "sketches" / name)
-    for name, like in (("Three", "Two"), ("Four", "One")):  # the first, where there is none
-        out = tmp_path / name
-        objects.lend(out, tmp_path / "sketches" / name, {})
-        assert (out / "includes.cache").read_text() == f"{out}/sketch/{name}.ino.cpp finds what {like} includes"
-
-
 def test_objects_of_another_library_compiler_or_board_are_not_lent(tmp_path):
     source = tmp_path / "Link.cpp"
     source.write_text("int one;")
@@ -112,20 +84,3 @@ def test_objects_that_warned_are_not_lent(own_build, monkeypatch):
     monkeypatch.setattr(building, "own_warnings", lambda said, source: ["Link.cpp:1: warning: made up"])
     build_sketch(sketch(own_build, "Plain", "autopilot.update();"), strict=False)
     assert not list((own_build / "build").glob("objects/*"))
-
-
-def test_sketch_without_the_library_leaves_none(own_build):
-    (own_build / "Blink").mkdir()
-    (own_build / "Blink" / "Blink.ino").write_text("void setup() {}\nvoid loop() {}\n")
-    build_sketch(own_build / "Blink")
-    assert not list((own_build / "build").glob("objects/*"))
-
-
-def test_only_so_many_sets_are_kept_and_the_one_in_use_is_among_them(tmp_path, monkeypatch):
-    monkeypatch.setattr(library_objects, "MOST_KEPT", 2)
-    out = made(tmp_path, "One")
-    for number in range(4):
-        LibraryObjects(tmp_path / "kept", [str(number)], []).keep(out, Path("One"))
-    assert len(list((tmp_path / "kept").iterdir())) == 2
-    LibraryObjects(tmp_path / "kept", ["3"], []).lend(tmp_path / "out", Path("Two"), {})
-    assert (tmp_path / "out" / "core").is_dir()

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from building import ROOT
 from planned import FARM, FILES, at, bits, plan_of
 from planning import BadPlan, Home, Item, judge, qgc_plan, read_plan, waypoints
-from planning.flight import Speeds, distance, fly
+from planning.flight import Speeds, fly
 from planning.header import header_of
 from planning.orders import autopilots_that_refuse
 from planning.table import first_flown, summary
@@ -103,13 +103,6 @@ def test_missing_key_is_named_with_the_items_line(key):
     assert error.line == line_of(text, '"items": [') + 20  # the second item
 
 
-@pytest.mark.parametrize("key", ["mission", "version", "fileType"])
-def test_missing_part_of_the_file_is_named(key):
-    document = json.loads(PLAN_TEXT)
-    del document[key]
-    assert f'the file has no "{key}"' in str(refusal(json.dumps(document)))
-
-
 @pytest.mark.parametrize(
     ("part", "key"), [("mission", "mission"), ("geoFence", "geoFence"), ("rallyPoints", "rallyPoints")]
 )
@@ -117,14 +110,6 @@ def test_version_that_is_not_read_is_told(part, key):
     document = json.loads(PLAN_TEXT)
     document[part]["version"] = 7
     assert f'"{key}" is of version 7, and only version 2 is read' in str(refusal(json.dumps(document)))
-
-
-def test_plan_that_was_cut_off_is_refused_wherever_that_was():
-    lines = PLAN_TEXT.count("\n")
-    for end in range(211, len(PLAN_TEXT.rstrip()) - 1, 211):
-        error = refusal(PLAN_TEXT[:end])
-        assert 1 <= error.line <= lines + 1
-        assert "cut off" in str(error) or "no JSON" in str(error)
 
 
 @settings(deadline=None, max_examples=150, derandomize=True)
@@ -192,12 +177,6 @@ def test_wrong_waypoints_are_refused_by_their_line(line, column, new, says):
     assert says in str(error)
     if "of one kind" not in says:
         assert error.line == line
-
-
-@pytest.mark.parametrize("suffix", [".plan", ".waypoints"])
-@pytest.mark.parametrize("text", ["", " \n\r\n"])
-def test_empty_file_is_called_empty(suffix, text):
-    assert "the file is empty" in str(refusal(text, suffix))
 
 
 def test_waypoints_without_home_are_refused():
@@ -291,18 +270,6 @@ def one_item(tmp_path: Path, command: int, params: list) -> Path:
     return file
 
 
-@pytest.mark.parametrize(("command", "params"), [(187, [0.5, None, None, None, 0, 0, 0]),
-                                                 (1000, [None, None, 10, -5, 0, 0, 0])])  # fmt: skip
-@pytest.mark.parametrize("as_zero", [False, True])
-def test_unset_actuator_or_angle_stays_unset(tmp_path, command, params, as_zero):
-    plan = read_plan(one_item(tmp_path, command, params), unset_as_zero=as_zero)
-    (item,) = [item for item in plan.items() if item.command == command]
-    assert [None if math.isnan(value) else value for value in item[4:8]] == params[:4]
-    assert judge.refusals(plan)["px4"] == []
-    (refused,) = [one for one in judge.refusals(plan)["ardupilot"] if one.step.item.command == command]
-    assert "--unset-as-zero" not in refused.text
-
-
 @pytest.mark.parametrize("as_zero", [False, True])
 def test_actuator_that_no_item_can_leave_unset_is_refused(tmp_path, as_zero):
     with pytest.raises(BadPlan, match="parameter 5 is unset, .* would move that actuator"):
@@ -373,11 +340,6 @@ def test_judge_refuses_for_one_autopilot_what_the_firmware_refuses_for_it(person
     assert autopilots_that_refuse(plan)[0].startswith(f"{personality} would not get it: item 3")
 
 
-def test_judge_names_every_wrong_item_and_not_only_the_first():
-    found = judge.refusals(as_plan([*with_item(0, WRONG_EVERYWHERE[0][1]), WRONG_EVERYWHERE[4][1]]))
-    assert [(refused.index, refused.status) for refused in found["any"]] == [(0, "BadLatitude"), (5, "BadLongitude")]
-
-
 # Flying it -------------------------------------------------------------------------
 
 
@@ -410,19 +372,6 @@ def test_flight_carries_out_its_jumps():
     assert not endless.ends and "without an end" in summary(endless, Speeds(5.0))[0]
     whirl = Item(2, 177, 0, 1, 0.0, 30000.0, 0.0, 0.0, 0, 0, 0.0)
     assert not flown(at(0), whirl, whirl, whirl, whirl, whirl).ends
-
-
-def test_flight_says_what_it_cannot_know():
-    over_ground = at(100)._replace(frame=10)
-    assert flown(over_ground).doubts == ["altitudes above the ground: their climbs are left out"]
-    assert "without a home" in flown(at(0)._replace(frame=0), home=None).doubts[0]
-    above_sea = flown(at(0), at(100)._replace(frame=0, z=130.0))
-    assert above_sea.climb == pytest.approx(30.0)  # of which 20 before: home lies at 100 m
-
-
-def test_distances_are_those_of_the_sphere():
-    assert distance((0, 0), (0, 10_000_000)) == pytest.approx(111_195, abs=1)
-    assert distance((0, 1_799_999_999), (0, -1_799_999_999)) == pytest.approx(0.022, abs=0.001)
 
 
 # The tool --------------------------------------------------------------------------

@@ -11,7 +11,7 @@ import pytest
 from building import ROOT
 from demonstration import Settings
 from demonstration.screen import PlainScreen
-from planned import FARM, NAN, at, plan_of
+from planned import FARM, at, plan_of
 from planning import Item, judge, waypoints
 from planning.round_trip import RoundTrip
 
@@ -28,10 +28,6 @@ def corners(count: int, says: float, command: int = 5001) -> list[Item]:
 
 def circle(radius: float) -> Item:
     return Item(0, 5003, 0, 1, radius, 0.0, 0.0, 0.0, 474000000, 85000000, 0.0)
-
-
-def rally(x: int, y: int) -> Item:
-    return Item(3, 5100, 0, 1, 0.0, 0.0, 0.0, 0.0, x, y, 20.0)
 
 
 def found(plan) -> list[tuple[int, str]]:
@@ -61,15 +57,6 @@ def found(plan) -> list[tuple[int, str]]:
 )
 def test_fence_that_is_not_whole_is_found(fence, wrong):
     assert found(plan_of(fence=fence)) == wrong
-
-
-def test_rally_point_that_cannot_be_given_back_is_found():
-    plan = plan_of(rally=[rally(1, 1), rally(0, 0)])
-    assert [index for index, _ in found(plan)] == [1]
-
-
-def test_item_that_the_library_refuses_is_named_once():
-    assert len(found(plan_of(fence=[circle(NAN)]))) == 1
 
 
 @pytest.mark.parametrize(

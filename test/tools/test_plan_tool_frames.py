@@ -8,10 +8,9 @@ from pathlib import Path
 import pytest
 
 import command_table
-from planned import FARM, plan_of
+from planned import FARM
 from planning import BadPlan, commands, judge, qgc_plan, waypoints
 from planning.commands import table
-from planning.header import header_of
 from waypoints_reader import WaypointsReader
 
 HOME = "0\t1\t0\t16\t0\t0\t0\t0\t-35.3632621\t149.1652374\t584\t1"
@@ -66,10 +65,6 @@ def test_altitude_keeps_what_it_is_measured_from(frame, command):
     assert qgc_plan.read(Path("a"), qgc_plan.write(plan)[0]).items() == [item]
 
 
-def test_altitude_above_home_of_a_change_of_altitude_is_above_home_in_a_header():
-    assert "anyCommandAt(30, 0.0000000_deg, 0.0000000_deg, 150_m)" in header_of(read((3, 30, *[0] * 6, 150)))
-
-
 @pytest.mark.parametrize("frame", [0, 3, 10])
 @pytest.mark.parametrize("command", [20, 93, 115, 177, 178, 183, 203])
 def test_item_with_neither_a_place_nor_an_altitude_goes_out_in_the_frame_that_is_taken(frame, command):
@@ -97,11 +92,6 @@ def test_plain_numbers_in_the_frame_of_a_place_are_refused_with_the_cure():
     with pytest.raises(BadPlan, match="is a plain number, and frame 3 says that it is a place: give the item frame 2"):
         read((3, command, 0, 0, 0, 0, 7, 0, 0))
     assert read((2, command, 0, 0, 0, 0, 7, 0, 0)).items()[0].x == 7
-
-
-def test_place_in_the_frame_that_has_none_is_refused_with_the_cure():
-    with pytest.raises(BadPlan, match="give it the frame of its altitude, 3 for above home, 0 for above sea level"):
-        read((2, 16, 0, 0, 0, 0, 47.5, 8.5, 20))
 
 
 def dot_plan(command: int, *numbers) -> str:
@@ -137,11 +127,6 @@ def test_place_of_a_camera_mount_counts_only_where_it_points_at_a_place():
     plan = qgc_plan.read(FARM, dot_plan(MOUNT, -90, 0, 0, 0, 47.5, 8.5, 2))
     assert (plan.items()[-1].x, plan.items()[-1].y, plan.items()[-1].z) == (0, 0, 2.0)
     assert any("this camera mount is not pointed at a place" in note for note in plan.notes)
-
-
-def test_plans_of_items_are_judged_with_the_frame_that_they_have():
-    found = judge.refusals(plan_of(read((10, 16, 0, 0, 0, 0, 1, 1, 30)).items()))
-    assert [refusal.status for refusal in found["px4"]] == ["BadFrame"] and found["ardupilot"] == []
 
 
 def test_table_of_commands_is_that_of_pymavlink():

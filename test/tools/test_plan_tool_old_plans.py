@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from planned import FARM, FILES, bits
+from planned import FARM, bits
 from planning import BadPlan, Item, qgc_mission, qgc_plan, read_plan, waypoints
 
 FARM_TEXT = FARM.read_text()
@@ -66,12 +66,6 @@ def test_older_numbering_of_altitude_mode_is_read_where_all_of_a_file_agree():
         plan = qgc_plan.read(Path("old.plan"), altitudes(*said))
         assert [item.frame for item in plan.items()] == [frame for _, frame in said]
         assert "AltitudeMode is of an older numbering" in note_of(plan, "AltitudeMode")
-
-
-def test_present_numbering_of_altitude_mode_needs_no_note():
-    for said in ([(1, 3)], [(2, 0)], [(4, 10)], [(1, 3), (2, 0), (4, 10)], [(None, 3)]):
-        plan = qgc_plan.read(Path("new.plan"), altitudes(*said))
-        assert plan.notes == [] and [item.frame for item in plan.items()] == [frame for _, frame in said]
 
 
 @pytest.mark.parametrize(
@@ -273,13 +267,6 @@ def test_packed_plan_is_read_as_it_was(tmp_path, name):
     assert bits(read_plan(file).items()) == bits(read_plan(FARM).items())
 
 
-def test_packed_waypoints_are_read_as_they_were(tmp_path):
-    file = tmp_path / "a.waypoints.gz"
-    drawn = FILES / "mission_planner.waypoints"
-    file.write_bytes(gzip.compress(drawn.read_bytes()))
-    assert bits(read_plan(file).items()) == bits(read_plan(drawn).items())
-
-
 @pytest.mark.parametrize(
     ("data", "says"),
     [
@@ -354,8 +341,3 @@ def test_landing_pattern_that_is_not_whole_is_refused_by_its_line():
         landing(landCoordinate=[1, 2])
     lines = with_landing(landCoordinate=[1, 2]).splitlines()
     assert '"landCoordinate"' in lines[caught.value.line - 1]
-
-
-def test_note_names_the_items_of_a_landing_pattern():
-    plan = qgc_plan.read(Path("landing.plan"), with_landing())
-    assert "items 43 to 48 are those that QGroundControl makes of its fwLandingPattern" in plan.notes

@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from planned import FARM, FILES, NAN, at, plan_of
+from planned import FARM, FILES, at, plan_of
 from planning import Home, Item, kml, qgc_plan, read_plan
 from planning.drawing import draw, height_lines, title_of
-from planning.flight import Speeds, distance, distance_from_home, fly, speed_of
-from planning.table import show, summary
+from planning.flight import Speeds, distance, distance_from_home, fly
+from planning.table import show
 
 HOME = Home(1, 0, 100.0)
 RETURN = Item(2, 20, 0, 1, *[0.0] * 4, 0, 0, 0.0)
@@ -60,12 +60,6 @@ def picture(tmp_path):
 # The estimate -----------------------------------------------------------------------
 
 
-def test_plan_that_begins_with_a_goto_is_flown_from_there():
-    flight = fly(plan_of([jump(3), at(900), at(950), at(100), at(200), RETURN], home=HOME), Speeds(5.0))
-    assert flight.distance == pytest.approx(400, abs=1) and flight.ends
-    assert flight.climb == pytest.approx(20)
-
-
 @pytest.mark.parametrize(
     ("mission", "metres", "ends"),
     [
@@ -81,46 +75,6 @@ def test_endless_jump_is_followed_until_it_comes_round(mission, metres, ends):
     flight = fly(plan_of(mission, home=HOME), Speeds(5.0))
     assert flight.ends == ends
     assert flight.distance == pytest.approx(metres, abs=1)
-
-
-def plan_for(vehicle, mission=(), **more):
-    plan = plan_of(mission)
-    plan.vehicle, plan.cruise_speed, plan.hover_speed = vehicle, more.get("cruise"), more.get("hover")
-    return plan
-
-
-@pytest.mark.parametrize(
-    ("plan", "speed", "why"),
-    [
-        (plan_for(1, cruise=18.0, hover=4.0), 18.0, "the file's cruise speed"),
-        (plan_for(20, cruise=18.0, hover=4.0), 18.0, "the file's cruise speed"),
-        (plan_for(10, cruise=3.0, hover=4.0), 3.0, "the file's cruise speed"),
-        (plan_for(2, cruise=18.0, hover=4.0), 4.0, "the file's hover speed"),
-        (plan_for(0, cruise=18.0, hover=4.0), 4.0, "the file's hover speed"),
-        (plan_for(1), 15.0, "a usual cruise speed"),
-        (plan_for(None), 5.0, "a usual hover speed"),
-        (plan_for(None, [at(0, command=84)]), 15.0, "a usual cruise speed"),
-    ],
-)
-def test_wings_fly_at_cruise_speed_and_rotors_at_a_hovers(plan, speed, why):
-    assert speed_of(plan) == (speed, why)
-    assert f"(at {speed:g} m/s, {why}, climbing" in summary(fly(plan, Speeds(speed)), Speeds(speed), why)[1]
-
-
-def test_speed_of_climbing_is_no_speed_over_the_ground():
-    climbing = Item(2, 178, 0, 1, 2.0, 1.0, -1.0, 0.0, 0, 0, 0.0)
-    assert fly(plan_of([at(0), climbing, at(500)], home=HOME), Speeds(5.0)).seconds == pytest.approx(8 + 100, abs=0.5)
-    over_ground = climbing._replace(param1=1.0)
-    assert fly(plan_of([at(0), over_ground, at(500)], home=HOME), Speeds(5.0)).seconds == pytest.approx(
-        8 + 500, abs=0.5
-    )
-
-
-def test_change_of_altitude_goes_to_no_place():
-    change = Item(3, 30, 0, 1, *[0.0] * 4, 70, 80, 50.0)
-    flight = fly(plan_of([at(100), change, at(200, z=50.0)], home=HOME), Speeds(5.0))
-    assert flight.distance == pytest.approx(200, abs=1) and flight.climb == pytest.approx(50)
-    assert "item 1 flies on while it climbs or sinks: how far is left out" in flight.doubts
 
 
 def test_heights_over_ground_stand_where_they_are_flown():
@@ -205,12 +159,6 @@ def test_labels_do_not_lie_on_one_another(tmp_path, monkeypatch):
     assert crossing == []
 
 
-def test_long_ways_are_in_kilometres(picture):
-    assert picture([at(0), at(4000)]).has("north of home [m]")
-    drawn = picture([at(0), at(9000)])
-    assert drawn.has("north of home [km]") and drawn.has("along the way, jumps carried out [km]")
-
-
 def test_plan_across_the_180th_meridian_is_in_one_piece(picture):
     metre = 1e7 / 111_195.08
     east = [round(1_800_000_000 + n * 300 * metre) for n in range(-3, 4)]
@@ -262,22 +210,6 @@ def test_map_is_scaled_to_the_mission_where_a_fence_is_much_larger(size, is_larg
     drawing.pyplot.close(figure)
 
 
-def test_home_that_is_far_is_told_and_not_drawn(picture):
-    drawn = picture([at(0), at(100)], home=Home(400_000_000, 0, 0.0))
-    assert drawn.has("km away, to the north: not drawn") and drawn.has("north of the first item [m]")
-    assert not drawn.has("home, as it was planned") and "home" not in drawn.texts
-    assert "home" in picture([at(0), at(100)]).texts
-
-
-def test_way_that_is_not_flown_is_set_apart(picture):
-    assert picture([jump(3), at(900), at(950), at(100), at(200)]).has("next in the file, not flown")
-    assert not picture([at(100), at(200)]).has("next in the file, not flown")
-
-
-def test_picture_of_a_goto_has_its_heights(picture):
-    assert picture([jump(3), at(900), at(950), at(100), at(200)]).has("height above home [m]")
-
-
 @pytest.mark.parametrize(
     ("name", "lines"),
     [("farm.plan", 1), ("a field " * 12 + ".plan", 2), ("x" * 240 + ".plan", 3), ("$\\frac{1}{0}$ $.plan", 1)],
@@ -303,27 +235,6 @@ def test_table_cuts_no_coordinate_however_narrow_the_terminal(width):
         assert number in text
     assert "…" not in text
     assert max(map(len, text.splitlines())) <= max(width, 80)
-
-
-@pytest.mark.parametrize("width", [60, 80, 100])
-def test_name_of_a_command_is_broken_at_an_underscore_alone(width):
-    out = io.StringIO()
-    show(read_plan(FARM), Speeds(5.0), Console(file=out, width=width, color_system=None))
-    words = out.getvalue().split()
-    assert "DO_CHANGE_" in words and "SPEED" in words
-    assert "DO_SET_CAM_" in words and "TRIGG_DIST" in words
-    assert "NAV_WAYPOINT" in words
-
-
-def test_long_flight_is_in_hours():
-    flight = fly(plan_of([at(0), at(100_000)], home=HOME), Speeds(5.0))
-    assert "about 5 h 33 min" in summary(flight, Speeds(5.0))[0]
-
-
-def test_table_names_a_home_that_is_far():
-    out = io.StringIO()
-    show(plan_of([at(0), at(100)], home=Home(400_000_000, 0, 0.0)), Speeds(5.0), Console(file=out, width=100))
-    assert "its home is 4,447.7 km away from the nearest place of the plan" in out.getvalue()
 
 
 # KML ---------------------------------------------------------------------------------
@@ -372,13 +283,3 @@ def test_kml_has_the_fence_and_the_rally_points():
     for east, north, _ in round_one:
         assert distance((circle.x, circle.y), (round(north * 1e7), round(east * 1e7))) == pytest.approx(60, rel=0.01)
     assert coordinates(root, "Point")[-1][0][2] == 125.0
-
-
-def test_kml_of_a_name_with_brackets_is_kml():
-    plan = plan_of([at(0)])
-    plan.file = Path("<a>&\n.plan")
-    assert ElementTree.fromstring(kml.write(plan)[0].encode()).find(".//k:Document/k:name", NAMES).text == "<a>&?.plan"
-
-
-def test_yaws_that_are_unset_do_not_disturb_a_picture(picture):
-    assert picture([at(0, param4=NAN), at(100, param1=3.0)]).has("mission")

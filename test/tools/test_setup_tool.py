@@ -1,7 +1,6 @@
 """tools/setup installs what a command needs and no more, only what is missing, and says what it may not do."""
 
 import math
-import os
 import re
 import subprocess
 import time
@@ -151,16 +150,6 @@ def test_setup_that_may_not_install_names_what_is_missing_and_the_command(machin
     assert machine.said() == []
 
 
-def test_setup_beyond_debian_names_the_page_that_says_what_works_there(machine):
-    (machine.programs / "dpkg-query").unlink()
-    ran = machine.setup("build")
-    assert ran.returncode == 1
-    page = re.search(r"this is not Debian: a container is one, see ([\w/.]+);", ran.stderr)[1]
-    text = (ROOT / page).read_text()
-    assert "docker run " in text and "arduino-cli compile " in text
-    assert "install what these Debian packages hold: gcc-avr " in ran.stderr
-
-
 def test_setup_installs_only_what_is_missing_and_asks_nothing(machine):
     (machine.folder / "may").touch()
     assert machine.setup("demo").returncode == 0
@@ -254,26 +243,10 @@ def test_setup_shows_what_pip_said_when_it_fails_and_begins_again(machine):
     assert "pip install" in machine.said()[-1]
 
 
-def test_setup_without_a_group_is_for_the_demo(machine):
-    machine.lacks("libsimavr-dev", "doxygen")
-    assert "packages are missing: libsimavr-dev\n" in machine.setup().stderr
-
-
 def test_setup_refuses_a_group_that_is_not_there(machine):
     ran = machine.setup("nonsense")
     assert ran.returncode == 1
     assert ran.stderr == f"tools/setup: there is no group nonsense; there are {' '.join(GROUPS)}, and --all\n"
-
-
-def test_tool_looks_once_for_what_is_missing(tmp_path):
-    (tmp_path / "dpkg-query").write_text(f'#!/bin/sh\necho looked >>{tmp_path}/said\nexec /usr/bin/dpkg-query "$@"\n')
-    (tmp_path / "dpkg-query").chmod(0o755)
-    # By the system's Python, from which it goes on under build/venv.
-    command = ["/usr/bin/python3", ROOT / "tools" / "plan", "check", ROOT / "docs" / "farm.plan"]
-    env = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    ran = subprocess.run(command, capture_output=True, text=True, env=env, check=False)
-    assert ran.returncode == 0, ran.stderr
-    assert (tmp_path / "said").read_text() == "looked\n"
 
 
 # The environment ---------------------------------------------------------------------

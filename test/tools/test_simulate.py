@@ -98,15 +98,6 @@ def test_simulated_time_keeps_abreast_of_the_clock(world, clock):
     assert world.mega.now_ms == pytest.approx(500, abs=0.1)
 
 
-def test_a_short_delay_is_caught_up(world, clock):
-    world.run(seconds=0.1)
-    clock.now += 0.2
-    slept = clock.slept
-    world.run(seconds=0.2)
-    assert clock.slept - slept == pytest.approx(0, abs=0.002)
-    assert world.skipped_s == 0
-
-
 def test_a_long_delay_is_given_up_and_said(world, clock):
     world.run(seconds=0.1)
     clock.now += 60
@@ -173,27 +164,6 @@ def test_a_tcp_server_takes_the_next_client_when_one_has_gone(world, clock):
         assert answer_of(world, functools.partial(client.recv, 100), len(text)) == bytes(byte + 1 for byte in text)
         client.close()
         slices_until(world, lambda: not end.connected)
-
-
-def test_a_tcp_client_tries_every_address_of_its_peer(world, clock, monkeypatch):
-    listener = socket.create_server(("127.0.0.1", 0))
-    port = listener.getsockname()[1]
-    real = socket.getaddrinfo
-
-    def with_another_first(*arguments, **options):
-        here = real(*arguments, **options)
-        return [(*here[0][:4], ("127.0.0.2", port)), *here]  # nobody listens there
-
-    monkeypatch.setattr(socket, "getaddrinfo", with_another_first)
-    end = open_end(f"tcp:127.0.0.1:{port}", clock, quiet)
-    world.connect(1, end)
-    slices_until(world, lambda: end.connected)
-    peer, _ = listener.accept()
-    listener.close()
-    peer.sendall(b"hello")
-    peer.setblocking(False)
-    assert answer_of(world, functools.partial(peer.recv, 100), 5) == b"ifmmp"
-    peer.close()
 
 
 def test_udp_answers_whoever_sent_and_survives_a_peer_that_is_away(world):
@@ -391,22 +361,6 @@ def test_answer_goes_on_the_line_in_the_midst_of_a_flood(feeder, name):
     assert [number for number in numbers_in(feeder.run_dry()) if number > 1] == sent
 
 
-def test_answers_that_are_too_many_are_dropped_too(feeder):
-    frames_sent = [numbered_frame(number, mavlink.MAVLINK_MSG_ID_MISSION_ITEM_INT) for number in range(100)]
-    feeder.run_ms(b"".join(frames_sent))
-    numbers = numbers_in(feeder.run_dry())
-    assert numbers == list(range(100 - len(numbers), 100))
-    assert len(numbers) == 14
-
-
-def test_old_mavlink_and_what_is_no_frame_pass_as_they_are(feeder):
-    data = b"\r\nInit\xfe" + numbered_frame(3)[:8] + b"ArduCopter \xfd" + bytes(200)
-    for byte in data:
-        feeder.run_ms(bytes((byte,)))
-    assert feeder.run_dry() == data
-    assert feeder.line.dropped == 0
-
-
 class UdpPeer:
     """What sends datagrams to udp-listen:PORT, and gets the answers."""
 
@@ -576,18 +530,6 @@ def test_what_is_dropped_is_told_after_a_second_every_ten_seconds_and_in_the_end
     assert heard == pytest.approx(23.9 * FLOOD_BYTES_PER_S, rel=0.05)
 
 
-def test_nothing_is_said_of_a_peer_that_the_line_can_take(world, clock):
-    said = []
-    world._say = said.append
-    peer = UdpPeer()
-    world.connect(1, open_end(peer.form, say=quiet))
-    for _ in range(3000):  # 10 kB/s
-        peer.send(bytes(10))
-        world.slice()
-    assert said == [] and world.dropped() == []
-    peer.close()
-
-
 def test_text_that_is_pasted_into_serial_over_tcp_arrives_whole(clock):
     mega = Mega(build_firmware("echo", [SOURCES / "echo.cpp"], library=False))
     world = RealTime(mega, clock, clock.sleep)
@@ -652,13 +594,6 @@ def test_words_wait_until_the_sketchs_line_has_ended(words, screen, clock):
     assert screen.text == b"item 3 of 10\r\ntcp: connection lost\nitem 4"
 
 
-def test_words_are_said_at_once_between_two_lines(words, screen):
-    words.say("tcp: connected")
-    words.print(b"ready\r\n")
-    words.say("tcp: connection lost")
-    assert screen.text == b"tcp: connected\nready\r\ntcp: connection lost\n"
-
-
 def test_prompt_is_printed_again_below_the_words(words, screen, clock):
     words.print(b"Hello\r\n> ")
     words.say("tcp: connection lost")
@@ -668,24 +603,6 @@ def test_prompt_is_printed_again_below_the_words(words, screen, clock):
     words.tick()
     words.print(b"status\r\n")
     assert screen.text == b"Hello\r\n> \ntcp: connection lost\ntcp: connected\n> status\r\n"
-
-
-def test_words_do_not_wait_where_the_sketch_prints_to_another_place(clock, screen):
-    console = Screen()
-    words = Words(clock, console, screen, same_place=False)
-    words.print(b"half a ")
-    words.say("tcp: connected")
-    words.print(b"line\r\n")
-    words.print(b"> ")
-    words.end()
-    assert (console.text, screen.text) == (b"half a line\r\n> ", b"tcp: connected\n")
-
-
-def test_nothing_that_was_to_be_said_is_lost_in_the_end(words, screen):
-    words.print(b"> ")
-    words.say("tcp: connected")
-    words.end()
-    assert screen.text == b"> \ntcp: connected\n"
 
 
 # The command ----------------------------------------------------------------------
@@ -704,12 +621,6 @@ def test_simulate_shows_serial_and_sends_it_what_is_typed():
     assert first.startswith(b"Serial1 is /dev/pts/")
     assert rest == b"ready\r\nhello\n"
     assert ran.stderr.startswith(b"0.200 s simulated, deepest stack ")
-
-
-def test_simulate_sends_nothing_without_input():
-    elf = build_firmware("echo", [SOURCES / "echo.cpp"], library=False)
-    ran = simulate(elf, "--for", 0.1, "--no-input", "--serial1", "none", text=b"hello\n")
-    assert ran.stdout == b"Serial1 is not connected\nready\r\n"
 
 
 @pytest.mark.parametrize("together", [True, False])

@@ -17,9 +17,9 @@ import pytest
 from building import ROOT
 from demonstration import BadName, Demonstration, NamedFrame, NoDemonstration, Settings
 from demonstration import demonstration as inside
-from demonstration.picture import draw, ticks, with_room
+from demonstration.picture import with_room
 from demonstration.screen import PlainScreen
-from demonstration.timeline import MOST_BURSTS, Burst, Mark, busy, laid_out
+from demonstration.timeline import Mark
 
 PAGE = ROOT / "docs" / "simulation.md"
 COMMANDS = re.findall(r"^(tools/demo .*--timeline (docs/\w+\.svg))$", PAGE.read_text(), re.M)
@@ -98,14 +98,6 @@ def test_picture_is_the_same_on_a_computer_that_is_too_slow(tmp_path, monkeypatc
     assert (tmp_path / "slow.svg").read_text() == (tmp_path / "fast.svg").read_text()
 
 
-def test_use_of_the_line_is_that_of_its_bytes():
-    demonstration, _ = run()
-    marks = [Mark(c.entry.direction, c.began, c.ended, "") for c in demonstration._line.crossed]
-    end = demonstration.now
-    size = sum(len(c.entry.data) for c in demonstration._line.crossed if c.entry.direction == ">")
-    assert busy(marks, ">", 0.0, end) == pytest.approx(size * demonstration._line.byte_s / end, abs=0.002)
-
-
 # Losing a frame by its name -------------------------------------------------
 
 
@@ -157,52 +149,8 @@ def test_run_without_a_mission_has_no_timeline(tmp_path, monkeypatch):
 # Laying it out --------------------------------------------------------------
 
 
-def test_silence_ends_a_burst():
-    bursts = laid_out([at(1.0), at(1.2), at(3.0)]).bursts
-    assert [len(burst.marks) for burst in bursts] == [2, 1]
-    assert bursts[0].began == pytest.approx(0.995) and bursts[0].ended == pytest.approx(1.215)
-
-
-def test_many_silences_leave_the_longest():
-    starts = [0.0, 1.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 13.0]
-    bursts = laid_out([at(start) for start in starts]).bursts
-    assert len(bursts) == MOST_BURSTS
-    assert sum(len(burst.marks) for burst in bursts) == len(starts)
-
-
-def test_equally_long_silences_make_no_more_bursts_than_fit():
-    assert len(laid_out([at(5.0 * number) for number in range(40)]).bursts) <= MOST_BURSTS
-
-
-def test_what_has_no_label_begins_no_burst_and_is_drawn_within_one():
-    (burst,) = laid_out([at(0.0, ""), at(1.0), at(1.002, "", "<"), at(9.0, "")]).bursts
-    assert [mark.began for mark in burst.marks] == [1.0, 1.002]
-
-
-def test_frames_that_share_their_time_do_not_use_the_line_twice():
-    marks = [at(0.0, lost=True), at(0.005), at(0.05, direction="<")]
-    assert busy(marks, ">", 0.0, 0.1) == pytest.approx(0.15)
-    assert busy(marks, ">", 0.0, 0.01) == 1.0
-    assert busy(marks, ">", 0.02, 0.1) == 0.0
-
-
 def test_lost_and_repeated_frames_keep_their_labels_where_room_is_short():
     marks = [at(0.001 * number) for number in range(20)] + [at(0.0105, "LOST", lost=True)]
     chosen = with_room(marks, ">", 0.005)
     assert "LOST" in [mark.label for mark in chosen]
     assert all(after.began - before.began >= 0.005 for before, after in itertools.pairwise(chosen))
-
-
-@pytest.mark.parametrize(("began", "ended", "most", "expected"), [
-    (1.2, 1.32, 3, ["1.20", "1.25", "1.30"]), (0.0, 40.0, 5, ["0", "10", "20", "30", "40"]), (1.2301, 1.2309, 1, []),
-])  # fmt: skip
-def test_ticks_are_round_and_have_room(began, ended, most, expected):
-    times, words = ticks(Burst(began, ended), most)
-    assert len(times) == len(words) <= most
-    assert words == expected or not expected
-    assert all(began <= time <= ended for time in times)
-
-
-def test_long_label_is_shortened(tmp_path):
-    draw(laid_out([at(0.0, "A_VERY_LONG_COMMAND_INDEED", again=True)]), tmp_path / "long.svg", "title", "verdict")
-    assert "A_VERY_LONG_…, again" in words_in(tmp_path / "long.svg")
