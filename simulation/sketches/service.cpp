@@ -36,7 +36,6 @@ PlanFiles files(client);
 static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
 static OutgoingMessage outgoing;
 static bool isPosting;
-static uint8_t chained;  // what onEnd() starts
 
 static void onMessage(void* context, const ReceivedMessage& message) {
   tell(F("message"), message.id);
@@ -95,15 +94,6 @@ static bool takeItem(void*, uint16_t index, const MissionItem& item) {
 static void onEnd(void*, Status status) {
   tell(F("end"), static_cast<uint8_t>(status));
   Serial.println();
-  const uint8_t next = chained;
-  chained = 0;
-  switch (next) {
-    case 1: return tellBegun(client.verify(plan));
-    case 2: return tellBegun(client.start());
-    case 3: return tellBegun(client.uploadWithoutReadback(plan));
-    case 4: return tellBegun(client.download(toFunction(takeItem)));
-    default: return;
-  }
 }
 
 static void tellState() {
@@ -203,7 +193,6 @@ ACTION(post) {
                              static_cast<uint8_t>(numbers[3]), benchPayload};
   isPosting = true;
 }
-ACTION(chain) { chained = numbers[0]; }
 #ifdef BENCH_STEERING
 static float asFloat(uint32_t bits) {
   float value;
@@ -293,8 +282,8 @@ static const Word words[] = {
     WORD(clear),      WORD(start),      WORD(arm),           WORD(disarm),
     WORD(mode),       WORD(custommode), WORD(startmission),  WORD(setcurrent),
     WORD(pause),      WORD(resume),     WORD(interval),      WORD(order),
-    WORD(post),       WORD(chain),      WORD(state),         WORD(followed),
-    WORD(compare),    WORD(fieldtext),  WORD(ensure),        WORD(startproven),
+    WORD(post),       WORD(state),      WORD(followed),      WORD(compare),
+    WORD(fieldtext),  WORD(ensure),     WORD(startproven),
 #ifdef BENCH_STEERING
     WORD(takeoff),    WORD(goTo),       WORD(hold),          WORD(goOn),
     WORD(home),       WORD(landNow),    WORD(speed),         WORD(steered),

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+import modes_document
 from disorders import latency_of
 from plans import SURVEY
 from simulation.fake_autopilot import mavlink
@@ -189,6 +190,30 @@ def test_target_that_is_not_renewed_in_time_goes_out_no_more_and_the_aircraft_ho
 # -- not heard -------------------------------------------------------------------------------------
 
 
+@FOLLOWED
+@pytest.mark.parametrize("stands_still_ms", [1400, 5000, 66000])
+def test_loop_that_stands_still_in_the_middle_of_a_target_completes_none_of_before(following, stands_still_ms):
+    """Nor does it find its target fresh where 16 bits of milliseconds have come round."""
+    place = begin(following, north=300.0)
+    following.run(2.0)
+    following.tell("hang", stands_still_ms)
+    stood_at = following.now
+    commanded = len(following.ordered())
+    following.run(stands_still_ms / 1000 + 0.3)
+    where = following.where
+    following.run(8.0)
+    stale = [time for time, target in following.targets(stood_at) if (target.lat_int, target.lon_int) == place]
+    assert stale == [] or stale[-1] < stood_at + 0.3
+    if is_px4(following):  # its failsafe flies by then
+        has_landed = stands_still_ms > 60000
+        assert following.target_status == ("NotArmed" if has_landed else "FailsafeHasIt")
+        assert has_landed or following.mode == (4, 5)
+        assert len(following.ordered()) == commanded and following.targets(stood_at + 0.3) == []
+    else:  # held where it is now, not where it was when loop() stood still
+        assert following.target_status == "NotRenewed" and following.mode == "GUIDED"
+        assert following.where.distance(where) < 12.0
+
+
 def sent_targets(following, since: float) -> list[float]:
     """When those left that the Arduino has sent, whether they arrived or not [s]."""
     return [entry.time for entry in following.wire.frames(">", "SET_POSITION_TARGET_GLOBAL_INT") if entry.time >= since]
@@ -255,6 +280,18 @@ def test_ardupilot_that_was_not_heard_gets_no_target_meanwhile(build_following):
 
 
 # -- in other hands --------------------------------------------------------------------------------
+
+
+@FOLLOWED
+def test_px4_holds_before_its_failsafe_where_its_position_is_not_known(build_following):
+    following = build_following("PX4")
+    begin(following, north=300.0)
+    following.run(2.0)
+    following.wire.lose("<", name="GLOBAL_POSITION_INT", times=99)
+    following.run(5.0)
+    following.tell("renewing", 0)
+    assert run_until_ended(following, 4.0) == "NotRenewed"
+    assert following.mode == HOLD and not failsafes(following)
 
 
 @FOLLOWED
@@ -381,6 +418,22 @@ def test_plane_which_would_take_the_altitude_alone_is_refused(build_following, v
     assert following.done() == "CommandUnsupported"
     assert len(following.ordered()) == before and following.targets() == []
     assert following.target_status == "CommandUnsupported"
+
+
+@FOLLOWED
+@pytest.mark.parametrize("vehicle_type", modes_document.UNKNOWN)
+def test_type_that_becomes_unknown_while_it_follows_gets_no_mode_of_another_vehicle(build_following, vehicle_type):
+    following = build_following("ArduPilot", uptime_s=120.0)
+    begin(following)
+    following.autopilot.vehicle_type = vehicle_type
+    following.run(2.5)
+    before = len(following.ordered())
+    following.tell("unfollow")
+    assert run_until_ended(following, 6.0) == "NoSuchMode"
+    ended = following.now
+    following.run(3.0)
+    assert following.ordered()[before:] == [] and following.targets(ended + 0.05) == []
+    assert following.mode == "GUIDED"
 
 
 @FOLLOWED

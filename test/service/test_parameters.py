@@ -125,6 +125,17 @@ def test_whole_number_is_set_as_each_autopilot_takes_it(params, personality):
     assert of(params, REAL[personality]).value == 12.0
 
 
+def test_names_in_flash_do_as_well():
+    params = ParameterBench("ArduPilot")
+    params.begin("readflash")
+    assert params.done() == "Done"
+    params.begin("setwholeflash")
+    assert params.done() == "Done"
+    params.begin("setflash")
+    assert params.done() == "Done"
+    assert (of(params, "MIS_RESTART").value, of(params, "WPNAV_SPEED").value) == (1, 750.5)
+
+
 def test_value_that_is_there_already_is_not_set_again(params, personality):
     name = REAL[personality]
     assert params.set(name, of(params, name).value) == "Done"

@@ -207,6 +207,15 @@ def test_value_with_a_name_is_told(payload):
     assert message.time_boot_ms == pytest.approx(payload.now * 1000, abs=200)
 
 
+def test_name_that_is_too_long_is_cut_off(payload):
+    assert sent(payload, "cut", "NAMED_VALUE_FLOAT").name == "more than "
+
+
 def test_text_is_told(payload):
     message = sent(payload, "text", "STATUSTEXT")
     assert (message.severity, message.text) == (4, "rope torn")
+
+
+def test_text_that_is_too_long_is_cut_off(payload):
+    message = sent(payload, "longtext", "STATUSTEXT")
+    assert message.text == "a text of more than fifty characters, which are the most"[:50]
