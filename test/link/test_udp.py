@@ -133,7 +133,7 @@ def test_heartbeat_behind_other_frames_of_its_datagram_names_the_peer(make, vers
     assert (client.peer["host"], client.peer["port"]) == BRIDGE
 
 
-def uploads_beside_another(client: UdpClient) -> None:
+def assert_uploads_beside_another(client: UdpClient) -> None:
     """An upload while another aircraft with the same ids speaks in the same network, and says that it refuses."""
     client.run(5.0)
     other = client.add(client.personality, OTHER, heartbeat_at_s=5.2, telemetry=600.0)
@@ -264,15 +264,15 @@ def test_defect_in_the_packets_is_found(personality, scenario, right, wrong):
 @pytest.mark.parametrize(
     "scenario, right, wrong",
     [
-        pytest.param(uploads_beside_another, "if (isItsAddress && port == port_) return true;",
+        pytest.param(assert_uploads_beside_another, "if (isItsAddress && port == port_) return true;",
                      "if (port != 0) return true;", id="a second sender is taken in"),
-        pytest.param(uploads_beside_another, "const bool isItsAddress = udp_.remoteIP() == address_;",
+        pytest.param(assert_uploads_beside_another, "const bool isItsAddress = udp_.remoteIP() == address_;",
                      "const bool isItsAddress = udp_.remoteIP() == address_;\n    address_ = udp_.remoteIP();",
                      id="the last sender is answered"),
         pytest.param(meets_two_aircraft, "severalHeard_ = true;", "", id="two aircraft are not noticed"),
         pytest.param(loses_its_peer_beside_another, "if (!isItsAddress || !isSilent_", "if (!isSilent_",
                      id="another host takes the place"),
-        pytest.param(uploads_beside_another, "      leaveOut();\n", "",
+        pytest.param(assert_uploads_beside_another, "      leaveOut();\n", "",
                      id="a stranger's datagram is not read to its end"),
     ],
 )  # fmt: skip

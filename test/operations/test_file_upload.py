@@ -79,16 +79,22 @@ def test_ardupilot_that_is_still_starting_has_no_room_and_takes_the_plan_later(b
     assert is_by_file(service) and holds(service, SURVEY)
 
 
-@NO_MIXTURE
-@pytest.mark.parametrize("then", ["fileverify", "fileensure", "fileupload"])
-def test_reset_between_a_files_header_and_its_closing_leaves_the_old_plan(build_service, then):
-    """ArduPilot would store the file when one is opened next. Its header is taken away with the first heartbeat."""
+def reset_before_the_closing(build_service):
+    """A board that a reset has restarted behind a whole file, which is still open: the closing was lost."""
     service = with_files(build_service)
     service.autopilot.load(OLD_PLAN)
     service.wire.lose(">", name=FTP, index=6)  # the closing
     uploading(service, LONG)
     go_to(service, 7)
     service.reset()
+    return service
+
+
+@NO_MIXTURE
+@pytest.mark.parametrize("then", ["fileverify", "fileensure", "fileupload"])
+def test_reset_between_a_files_header_and_its_closing_leaves_the_old_plan(build_service, then):
+    """ArduPilot would store the file when one is opened next. Its header is taken away with the first heartbeat."""
+    service = reset_before_the_closing(build_service)
     service.run(4.0)
     assert same_bits(service.autopilot.received(), OLD_PLAN) and open_file(service) is None
     service.use(LONG)
@@ -100,16 +106,25 @@ def test_reset_between_a_files_header_and_its_closing_leaves_the_old_plan(build_
 
 
 @NO_MIXTURE
+def test_file_of_before_a_reset_is_left_alone_in_flight_and_closed_on_the_ground(build_service):
+    """To look for it closes what somebody else has left open, which may store a plan."""
+    service = reset_before_the_closing(build_service)
+    service.autopilot.armed = True
+    sent = len(requests(service))
+    service.run(8.0)
+    assert len(requests(service)) == sent and open_file(service) is not None
+    service.autopilot.armed = False
+    service.run(4.0)
+    assert open_file(service) is None
+    assert same_bits(service.autopilot.received(), OLD_PLAN)
+
+
+@NO_MIXTURE
 @pytest.mark.parametrize("lost", [None, ">", "<"])
 @pytest.mark.parametrize("begins_s", [0.0, 6.0])
 def test_file_that_was_left_open_before_a_reset_is_never_stored_over_the_next_plan(build_service, begins_s, lost):
     """It is complete but for its closing. Then a plan is uploaded item by item, and somebody opens a file."""
-    service = with_files(build_service)
-    service.autopilot.load(OLD_PLAN)
-    service.wire.lose(">", name=FTP, index=6)  # the closing
-    uploading(service, LONG)
-    go_to(service, 7)
-    service.reset()
+    service = reset_before_the_closing(build_service)
     if lost is not None:
         service.wire.lose(lost, name=FTP)
     service.run(begins_s)

@@ -60,7 +60,7 @@ def windows(steered, since: float) -> list[tuple[float, float]]:
             if order.command != 192 or order.param2]  # fmt: skip
 
 
-def judge(steered, mode, pilot_at: float, status: str, loss: float = 0.0) -> None:
+def assert_kept(steered, mode, pilot_at: float, status: str, loss: float = 0.0) -> None:
     """The pilot's mode flies, and the status does not say anything else."""
     steered.run(1.5)
     ages = windows(steered, pilot_at)
@@ -92,7 +92,7 @@ def test_mode_that_is_set_around_an_order_is_kept(steered, personality, order, b
         ORDERS[order](steered)
         status = steered.done(limit_s=12)
         steered.run(max(0.0, pilot_at - steered.now))
-        judge(steered, mode, pilot_at, status)
+        assert_kept(steered, mode, pilot_at, status)
         assert all(window < WINDOW_S for _, window in windows(steered, since))
         take_back(steered, own)
 
@@ -141,4 +141,4 @@ def test_mode_that_is_set_at_random_is_kept(make_steered, personality, seed):
         for direction in "><":
             steered.wire.damage_bytes(direction)
         steered.run(max(0.0, pilot_at - steered.now))
-        judge(steered, mode, pilot_at, status, loss)
+        assert_kept(steered, mode, pilot_at, status, loss)
