@@ -6,13 +6,14 @@ using mavmission::Status;
 
 namespace {
 
-constexpr uint32_t kBufferedMs = 20;     // a frame that has begun to leave goes on
-constexpr uint32_t kDoubtfulMs = 600;    // targets go on while the mode that was seen may be older than the order
-constexpr uint32_t kStepsMs = 9;         // two update()s: a task ends in the one after a heartbeat
-constexpr uint32_t kBeatMs = 1100;       // the time between two heartbeats, and that on the line
-constexpr uint32_t kStreamMs = 1200;     // a target may call PX4 back from its failsafe
-constexpr uint32_t kLookMs = 400;        // the time to read each item, and from then to the arming
-constexpr uint32_t kPlanShownMs = 4000;  // by then a plan that can be told from ours is detected
+constexpr uint32_t kBufferedMs = 20;      // a frame that has begun to leave goes on
+constexpr uint32_t kDoubtfulMs = 600;     // targets go on while the mode that was seen may be older than the order
+constexpr uint32_t kStepsMs = 9;          // two update()s: a task ends in the one after a heartbeat
+constexpr uint32_t kBeatMs = 1100;        // the time between two heartbeats, and that on the line
+constexpr uint32_t kTurnedBackMs = 1000;  // nobody turns a switch away and back in this time
+constexpr uint32_t kStreamMs = 1200;      // a target may call PX4 back from its failsafe
+constexpr uint32_t kLookMs = 400;         // the time to read each item, and from then to the arming
+constexpr uint32_t kPlanShownMs = 4000;   // by then a plan that can be told from ours is detected
 
 bool isDisarming(const mavlink_command_long_t& command) {
   return command.command == MAV_CMD_COMPONENT_ARM_DISARM && command.param1 == 0;
@@ -64,9 +65,11 @@ void Referee::take(uint16_t mode) {
     foreign_.is = false;  // whoever had set a mode has set another one, or the same again
     return;
   }
-  // It is the mode in which the order began, and no heartbeat has shown another one: nobody can tell who set it.
+  // It is the mode in which the order began, and no heartbeat has shown another one; or it is the mode that an order
+  // has just set, with somebody's other mode between: nobody can tell who set it (docs/who_has_the_aircraft.md).
   hasTaken_ = true;
-  if (isRunning_ && mode == firstMode_ && !isFirstOver_) {
+  const bool isTurnedBack = foreign_.is && mode == orderedMode_ && nowMs_ - orderedMs_ < kTurnedBackMs;
+  if ((isRunning_ && mode == firstMode_ && !isFirstOver_) || isTurnedBack) {
     foreign_.is = false;
     return;
   }
@@ -80,6 +83,10 @@ void Referee::modeSet(uint16_t mode, By by) {
   const char* const who = by == By::Order ? "an order" : by == By::Actor ? "somebody" : "the autopilot";
   say(std::string(who) + " sets " + name(mode));
   mode_ = mode;
+  if (by == By::Order) {
+    orderedMode_ = mode;
+    orderedMs_ = nowMs_;
+  }
   // PX4's failsafe counts as somebody else; the end of its takeoff does not.
   if (by == By::Actor) return take(mode);
   if (by == By::Itself && mode == modeOf(kind_, Means::Return)) {
@@ -99,9 +106,10 @@ void Referee::modeSet(uint16_t mode, By by) {
   }
   if (foreign_.isUndone) return;
   const uint32_t windowMs = nowMs_ - foreign_.sinceMs;
-  // A target arrived before a heartbeat had told of the failsafe: see docs/who_has_the_aircraft.md.
+  // A target was sent before a heartbeat had told of the failsafe: see docs/who_has_the_aircraft.md.
   const bool mayBeUnseen = windowMs < kStreamMs || isBad_;
-  if (foreign_.isOfStream && mode == modeOf(kind_, Means::Offboard) && !foreign_.isShown && mayBeUnseen) {
+  const bool wasShown = foreign_.isShown && nowMs_ - foreign_.shownMs > kBufferedMs;
+  if (foreign_.isOfStream && mode == modeOf(kind_, Means::Offboard) && !wasShown && mayBeUnseen) {
     foreign_.is = false;
     return;
   }

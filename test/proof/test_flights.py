@@ -268,6 +268,20 @@ DEFECTS = {
         "Rover returnHome overtakes 200 --loss 5",
         "it is set again too late",
     ),
+    "an operation ends while a repeat of what sets a mode again is on its way": (
+        "ModeOrder.cpp",
+        "const bool isSure = !isRestoring_ || isSeen_ || !isUnderWay;",
+        "const bool isSure = isUnderWay || !isUnderWay;",
+        "Rover start overtakes 3 --loss 5 --seed 404",
+        "behind start (somebody else has set another mode) an order has undone PILOT for good",
+    ),
+    "PX4's takeoff is sent again though its mode is shown": (
+        "SteeringHands.cpp",
+        "if (step_ == SteerStep::Mode || (step_ == SteerStep::Command && change_.wanted() == kPx4TakeOff)) {",
+        "if (step_ == SteerStep::Mode) {",
+        "PX4 takeOff overtakes 3 --loss 5 --seed 631",
+        "behind takeOff (done: the autopilot confirmed it) an order has undone HOLD for good",
+    ),
     "targets go on while it is in doubt whose the aircraft is": (
         "MovingTarget.cpp",
         " && !client_.commanding_.transfer.isUrgent()) {",

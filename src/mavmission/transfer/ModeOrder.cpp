@@ -15,8 +15,10 @@ ModeOrder::Sight ModeOrder::onHeartbeat(uint16_t mode, bool isSent, bool isUnder
   if (wanted_ == kNoMode) return Sight::Wanted;  // its modes are not known
   if (mode == wanted_) {
     if (!isForeign_) {
+      // A repeat that is still to arrive would undo whatever mode is set meanwhile: a second heartbeat decides.
+      const bool isSure = !isRestoring_ || isSeen_ || !isUnderWay;
       if (isSent) isSeen_ = true;
-      return Sight::Wanted;
+      return isSure ? Sight::Wanted : Sight::Doubtful;
     }
     turn();
     isRestoring_ = true;

@@ -17,7 +17,8 @@ class ModeOrder {
   // What a heartbeat shows.
   //   Before: the mode from which the order leads away; the order may be sent, or sent again.
   //   Wanted: its mode.
-  //   Doubtful: a foreign mode, while the order may still be under way: ask for another heartbeat.
+  //   Doubtful: a foreign mode, while the order may still be under way, or for the first time the mode that is set
+  //   again, while a repeat of its command may be: ask for another heartbeat.
   //   Foreign: a foreign mode, which stays.
   //   Undone: the order has undone a foreign mode. From now on this is the order to set the foreign mode, wanted(),
   //   again, and isRestoring(): send it at once.

@@ -60,8 +60,22 @@ TEST_CASE("an order that undoes a foreign mode is turned, and sets that mode aga
     CHECK(made.wanted() == foreign);
     CHECK(made.isFrom(kWanted));
     CHECK((made.onHeartbeat(kWanted, true, true) == Sight::Before));
+    ModeOrder late = made;
+    CHECK((made.onHeartbeat(foreign, true, true) == Sight::Doubtful));
     CHECK((made.onHeartbeat(foreign, true, true) == Sight::Wanted));
+    CHECK((late.onHeartbeat(foreign, true, false) == Sight::Wanted));
   }
+}
+
+TEST_CASE("a repeat of what sets a mode again undoes another mode, which is set again, too") {
+  ModeOrder made = order();
+  CHECK((made.onHeartbeat(kForeign, true, true) == Sight::Doubtful));
+  CHECK((made.onHeartbeat(kWanted, true, true) == Sight::Undone));
+  CHECK((made.onHeartbeat(kForeign, true, true) == Sight::Doubtful));
+  CHECK((made.onHeartbeat(kOther, true, true) == Sight::Doubtful));
+  CHECK((made.onHeartbeat(kForeign, true, true) == Sight::Undone));
+  CHECK(made.wanted() == kOther);
+  CHECK((made.onHeartbeat(kOther, true, false) == Sight::Wanted));
 }
 
 TEST_CASE("a foreign mode that stays while the order may be under way stays in the end") {

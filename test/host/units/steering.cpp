@@ -158,6 +158,8 @@ TEST_CASE("a mode that an order has undone is set again at once, and flies when 
   CHECK(flight.sent.back().payload[4 * 1 + 2] == 0xC0);  // 6.0f: RTL
   CHECK((flight.steering.step() == SteerStep::GiveBack));
   flight.show(kRtl);
+  CHECK(flight.client.isBusy());  // a repeat of the command may still arrive
+  flight.show(kRtl);
   flight.run(10);
   CHECK((flight.ended == Status::FailsafeHasIt));
   CHECK_FALSE(flight.steering.maySteer());
