@@ -83,10 +83,6 @@ void Referee::modeSet(uint16_t mode, By by) {
   const char* const who = by == By::Order ? "an order" : by == By::Actor ? "somebody" : "the autopilot";
   say(std::string(who) + " sets " + name(mode));
   mode_ = mode;
-  if (by == By::Order) {
-    orderedMode_ = mode;
-    orderedMs_ = nowMs_;
-  }
   // PX4's failsafe counts as somebody else; the end of its takeoff does not.
   if (by == By::Actor) return take(mode);
   if (by == By::Itself && mode == modeOf(kind_, Means::Return)) {
@@ -176,11 +172,15 @@ bool Referee::leaves(const Message& message) {
                   : "the sketch sends message " + std::to_string(message.id));
   }
   if (!isHarmless) hasOrdered_ = true;
+  const uint32_t ordered = static_cast<uint32_t>(command.param2) | static_cast<uint32_t>(command.param3) << 8;
+  if (isCommand && command.command == MAV_CMD_DO_SET_MODE) {
+    orderedMode_ = static_cast<uint16_t>(ordered);
+    orderedMs_ = nowMs_;
+  }
   if (message.id == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) listedMs_ = nowMs_;
   if (task_ == Task::Arm) return !isHarmless;  // this task arms in any mode
   if ((isHarmless && !isTarget) || !foreign_.is || !foreign_.isShown) return !isHarmless;
   if (nowMs_ - foreign_.shownMs < (isTarget ? kDoubtfulMs : kBufferedMs)) return !isHarmless;
-  const uint32_t ordered = static_cast<uint32_t>(command.param2) | static_cast<uint32_t>(command.param3) << 8;
   if (command.command == MAV_CMD_DO_SET_MODE && ordered == foreign_.mode) return !isHarmless;
   breaks(isTarget ? "a target leaves behind a heartbeat that shows " + name(foreign_.mode)
                   : "command " + std::to_string(command.command) + " leaves behind a heartbeat that shows " +

@@ -89,7 +89,7 @@ class Referee : public Witness {
   uint32_t listedMs_ = 0;   // when the sketch began to read the items
   uint8_t otherNamed_ = 0;  // how many MISSION_CURRENTs about the other plan have arrived
   uint16_t mode_ = kNoSuchMode;
-  uint16_t orderedMode_ = kNoSuchMode;  // the last one that an order has set
+  uint16_t orderedMode_ = kNoSuchMode;  // the last one that a command has named
   uint32_t orderedMs_ = 0;
   uint16_t firstMode_ = kNoSuchMode;  // the mode when the task began
   bool isFirstOver_ = false;          // a heartbeat has shown another mode since, after an order
