@@ -62,6 +62,18 @@ def test_part_that_is_not_within_the_plan_is_refused(copter, first, count):
 
 
 @PART
+def test_part_that_was_refused_cannot_be_uploaded_again(copter):
+    said = len(copter.mission_messages())
+    copter.upload_part(OLD, 7, 2)
+    assert copter.done() == "BadRange"
+    copter.order_of("uploadagain")
+    assert copter.done() == "SourceRefused"
+    copter.run(2.0)
+    assert len(copter.mission_messages()) == said
+    assert same_bits(copter.autopilot.received(), on_the_wire(OLD, "ArduPilot"))
+
+
+@PART
 def test_px4_takes_only_whole_plans(build_service):
     service = build_service("PX4")
     service.upload(OLD)
