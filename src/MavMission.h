@@ -9,7 +9,10 @@
 #include "mavmission/BatteryListener.h"
 #include "mavmission/EepromPlan.h"
 #include "mavmission/EepromTimestamps.h"
+#include "mavmission/EstimatorListener.h"
+#include "mavmission/Fitness.h"
 #include "mavmission/GpsListener.h"
+#include "mavmission/HealthListener.h"
 #include "mavmission/HomeListener.h"
 #include "mavmission/HudListener.h"
 #include "mavmission/LatLon.h"
@@ -29,8 +32,12 @@
 #include "mavmission/Steering.h"
 #include "mavmission/TelemetryListener.h"
 #include "mavmission/TelemetryPause.h"
+#include "mavmission/TextListener.h"
+#include "mavmission/Vehicle.h"
+#include "mavmission/VibrationListener.h"
 #include "mavmission/WaypointListener.h"
 #include "mavmission/WaypointsSource.h"
+#include "mavmission/WindListener.h"
 
 // Included by Arduino.h since version 2, as Stream::availableForWrite() is there.
 #if defined(ARDUINO_ARCH_ESP32) && !defined(ESP_ARDUINO_VERSION_MAJOR)

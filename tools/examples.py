@@ -5,16 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
-RADIO = "05.Radio"  # these need the library of a radio or of Ethernet, which no simulated board has
+RADIO = "05.Radio"  # these need the library of a radio or of Ethernet, which no simulated board has;
+WITH_DISPLAY = ("OledStatus",)  # these that of a display
 
 
 def example_folders() -> dict[str, Path]:
     """Those that run on the simulated boards as they are."""
-    return {name: folder for name, folder in every_folder().items() if folder.parent.name != RADIO}
+    return {name: folder for name, folder in every_folder().items() if name not in library_folders()}
 
 
 def radio_folders() -> dict[str, Path]:
     return {name: folder for name, folder in every_folder().items() if folder.parent.name == RADIO}
+
+
+def library_folders() -> dict[str, Path]:
+    """Those that need another library, too."""
+    display = {name: example_folder(name) for name in WITH_DISPLAY}
+    return dict(sorted({**radio_folders(), **display}.items()))
 
 
 def every_folder() -> dict[str, Path]:

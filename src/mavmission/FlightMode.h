@@ -34,4 +34,8 @@ inline uint16_t modeNumberOf(uint32_t customMode) {
 // True if HEARTBEAT.custom_mode is this mode.
 bool isInMode(FlightMode mode, Firmware firmware, uint8_t vehicleType, uint32_t customMode);
 
+// The autopilot's own name of a HEARTBEAT.custom_mode, such as "GUIDED" or "POSCTL", for Serial.print(). Flash text;
+// "unknown" for a mode that has none, or of a vehicle or an autopilot that is not known.
+FlashText modeName(Firmware firmware, uint8_t vehicleType, uint32_t customMode);
+
 }  // namespace mavmission

@@ -220,6 +220,9 @@ class MissionClient : private detail::Client {
   uint32_t customMode() const { return Client::customMode(); }
   // True if the autopilot's last heartbeat shows this mode.
   bool isInMode(FlightMode mode) const;
+  // The autopilot's own name of its mode, such as "GUIDED" on ArduPilot or "POSCTL" on PX4, for Serial.print(). Flash
+  // text; "unknown" if it is not known (docs/modes.md).
+  FlashText modeName() const;
   // Counters of frames and of faults on the line.
   LinkCounters counters() const { return link_.counters(); }
 

@@ -34,14 +34,22 @@ class TelemetryListener : public detail::MessageIntervals {
   // `keys`: of HEARTBEAT and COMMAND_ACK, then of the message, in flash. `intervalMs`: from one message to the next
   // [ms]; 0: the message is not requested.
   TelemetryListener(MissionClient& client, const MessageKey (&keys)[3], uint16_t intervalMs, Decode decode);
+  // The same for a message that has another id on some autopilots: the keys of both lie behind the first two, and
+  // `takeEither` chooses one of them by request() before it calls take().
+  TelemetryListener(MissionClient& client, const MessageKey (&keys)[4], uint16_t intervalMs, Decode decode,
+                    Take takeEither);
+
+  // Takes a frame of any of its messages.
+  static void take(detail::Listener& listener, const detail::FrameParser& frame);
+  // From now on this message is requested.
+  void request(const MessageKey* key) { key_ = key; }
 
  private:
-  static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeHeartbeat(uint16_t nowMs);
   uint8_t patience() const;
   void askIfDue(uint16_t nowMs);
 
-  const MessageKey* const key_;
+  const MessageKey* key_;
   Decode const decode_;
   uint32_t heardMs_ = 0;
   uint16_t const intervalMs_;

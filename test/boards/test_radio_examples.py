@@ -1,6 +1,7 @@
-"""The examples for WiFi and Ethernet, compiled against stand-ins for the makers' libraries.
+"""The examples for WiFi, Ethernet and a display, compiled against stand-ins for the makers' libraries.
 
-simulation/sketches/ethernet has Serial1 in place of the shield, so that example runs on a Mega beside fake autopilots.
+simulation/sketches/ethernet has Serial1 in place of the shield, and oled has Serial in place of the display, so those
+examples run on a Mega beside fake autopilots.
 """
 
 from __future__ import annotations
@@ -10,17 +11,19 @@ from functools import cache
 import pytest
 
 from example_runs import Run, commands
-from examples import radio_folders, sketch_of
+from examples import library_folders, sketch_of
+from simulation.fake_autopilot import mavlink
 from simulation.firmware import LIBRARY, ROOT, build_firmware
 from simulation.mega import Image
 from simulation.microbit import CORE, cortex_m0_object
 
-STAND_INS = {"UploadOverEthernet": "ethernet", "UploadOverWifi": "wifi", "WifiAccessPoint": "wifi"}
+STAND_INS = {"UploadOverEthernet": "ethernet", "UploadOverWifi": "wifi", "WifiAccessPoint": "wifi",
+             "OledStatus": "oled"}  # fmt: skip
 SKETCHES = ROOT / "simulation" / "sketches"
 
 
 def test_each_example_has_its_stand_in():
-    assert STAND_INS.keys() == radio_folders().keys()
+    assert STAND_INS.keys() == library_folders().keys()
 
 
 @pytest.mark.parametrize("board", ["ESP32", "ESP8266"])
@@ -41,6 +44,37 @@ def image_with_ethernet(more: str = "") -> Image:
     sketch = sketch_of("UploadOverEthernet")
     source.write_text(f'{more}#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}')
     return Image.load(build_firmware(source.stem, [source], include_dirs=[SKETCHES / "ethernet"]))
+
+
+def test_display_shows_the_aircraft(personality):
+    source = ROOT / "build" / "examples" / "OledStatus.cpp"
+    source.parent.mkdir(parents=True, exist_ok=True)
+    sketch = sketch_of("OledStatus")
+    source.write_text(f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}')
+    image = Image.load(build_firmware(source.stem, [source], include_dirs=[SKETCHES / "oled"]))
+    example = Run("OledStatus", personality, image=image)
+    example.is_plugged = False
+    example.run(1.2)
+    assert shown(example)[0] == "no autopilot"
+    example.is_plugged = True
+    example.run(8.0)
+    is_px4 = personality == "PX4"
+    assert shown(example) == {0: "LOITER" if is_px4 else "STABILIZE", 1: "disarmed", 2: "fit",
+                              3: "16.2 V 100 %" if is_px4 else "12.6 V 100 %", 4: "fix, 10 sat",
+                              5: "0.0 m"}  # fmt: skip
+    assert example.mega.serial(1).lost == 0  # the lines take their time
+    example.autopilot.instruments.healthy &= ~mavlink.MAV_SYS_STATUS_PREARM_CHECK
+    example.autopilot.instruments.fix_type = 1
+    example.run(3.0)
+    assert (shown(example)[2], shown(example)[4]) == ("not yet fit", "no fix, 10 sat")
+    example.autopilot.armed = True
+    example.run(3.0)
+    assert shown(example)[1] == "ARMED"
+
+
+def shown(example: Run) -> dict[int, str]:
+    """The lines of the display."""
+    return {int(line[1]): line[2:].strip() for line in example.lines if line.startswith("@")}
 
 
 @pytest.mark.parametrize("longest", [63, 280])

@@ -52,6 +52,45 @@ def test_upload_mission_blinks_fast_when_it_fails(run):
     assert 30 <= blinks(example, 8.192) <= 33
 
 
+PIN_4 = 0x34, 1 << 5  # of a Mega: PORTG, bit 5
+
+
+def lit(example: Run, seconds: float) -> list[bool]:
+    """Whether the LED on pin 4 is lit, every 2 ms."""
+    until, found = example.now + seconds, []
+    while example.now < until:
+        example.run(SLICE_S)
+        found.append(bool(example.mega.peek_int(PIN_4[0]) & PIN_4[1]))
+    return found
+
+
+def rises(levels: list[bool]) -> int:
+    return sum(now and not before for before, now in zip(levels, levels[1:], strict=False))
+
+
+def test_fit_light_tells_whether_the_aircraft_is_fit(run):
+    example = run("FitLight")
+    example.is_plugged = False
+    assert not any(lit(example, 2.0))
+    example.is_plugged = True
+    example.run(6.0)
+    assert all(lit(example, 2.0))
+    instruments = example.autopilot.instruments
+    instruments.flags = 0x00A7
+    example.run(2.0)
+    assert 3 <= rises(lit(example, 4.0)) <= 4
+    instruments.vibration = [50.0, 50.0, 50.0]
+    example.run(2.0)
+    assert 15 <= rises(lit(example, 4.0)) <= 17
+    example.autopilot.send_raw(
+        mavlink.MAVLink_statustext_message(4, b"PreArm: Compass not healthy").pack(example.autopilot._packer),
+        example.now)  # fmt: skip
+    example.run(0.2)
+    told = [line for line in example.lines if not line.startswith("autopilot: ")]
+    assert told[-3:] == ["fit: all is well", "not yet fit: no position yet", "unfit: strong vibration"]
+    assert "autopilot: PreArm: Compass not healthy" in example.lines
+
+
 def test_upload_with_progress(run):
     example = run("UploadWithProgress")
     lines = example.until("aboard: our plan, whole", 5.0)

@@ -70,6 +70,7 @@ enum Trait : uint64_t {
   kCriticalInFailsafe = 1ull << 38,    // HEARTBEAT.system_status is CRITICAL only while a failsafe flies
   kSameHeightsWithoutHome = 1ull << 39,  // GLOBAL_POSITION_INT: without home, relative_alt is alt
   kSaysUploadsInWords = 1ull << 40,      // says by a STATUSTEXT that an upload has ended
+  kTellsArmingChecks = 1ull << 42,       // SYS_STATUS has the result of its checks before arming
 
   // MAV_CMD_DO_REPOSITION without its flag CHANGE_MODE is answered UNSUPPORTED, and flown to all the same in HOLD alone
   kRefusesAndRepositions = 1ull << 31,
@@ -85,13 +86,14 @@ enum Trait : uint64_t {
     kHomeIsItem0 | kReplacesItemByItem | kTakesTerrainFrames | kWipesShortFences | kDropsNanYaw |          \
     kErrorRefusesCount | kRefusesTakenItems | kHasPlanFiles | kFliesByMode | kNamesFlownItems |            \
     kModeIsOneByte | kModesByVehicle | kStreamsAsArduPilot | kPlanesKeepMore | kIsActiveInAir |            \
-    kTellsTotal | kSaysUploadsInWords)                                                                     \
+    kTellsTotal | kSaysUploadsInWords | kTellsArmingChecks)                                                \
   X(Px4, 12, kByPx4,                                                                                       \
     kKeepsPlanUntilWhole | kTakesWholePlansOnly | kWantsRepeatsWithin16 | kSaysChecksum |                  \
     kSaysErrorWhenBusy | kRepeatsAcceptance | kGoesOnWithOlder | kArmsByMissionStart |                     \
     kSaysCurrentUnasked | kModesHaveSubModes | kRejectsInWords | kAltitudesAreAboveSea |                   \
     kNeedsStream | kRefusesAndRepositions | kIntegersAsBits | kFliesToPlacesInHold | kTakesOffInOwnMode |  \
-    kUnsetPlaceIsHere | kCriticalInFailsafe | kSameHeightsWithoutHome)
+    kUnsetPlaceIsHere | kCriticalInFailsafe | kSameHeightsWithoutHome |                                    \
+    kTellsArmingChecks)
 // clang-format on
 
 // X(Firmware, KeeperFlag, traits). These say MAV_AUTOPILOT_GENERIC, as others do, and nothing that they send tells them

@@ -254,6 +254,8 @@ bool MissionClient::isInMode(FlightMode mode) const {
   return mavmission::isInMode(mode, firmware(), vehicleType(), customMode());
 }
 
+FlashText MissionClient::modeName() const { return mavmission::modeName(firmware(), vehicleType(), customMode()); }
+
 uint16_t Client::shownMode() const { return modeNumberOf(customMode()); }
 
 Status MissionClient::setMode(FlightMode mode) {

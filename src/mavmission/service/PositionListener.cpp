@@ -2,6 +2,7 @@
 
 #include "../MissionClient.h"
 #include "../base/FloatBits.h"
+#include "../base/Root.h"
 #include "TelemetryKeys.h"
 
 namespace mavmission {
@@ -38,15 +39,8 @@ int32_t PositionListener::homeAboveSeaLevelMm() const {
 Altitude PositionListener::altitude() const { return aboveHome(Metres(quotient(aboveHomeMm_, 1000))); }
 
 uint16_t PositionListener::speedCmS() const {
-  // The root of the sum of squares, bit by bit.
-  const uint32_t square =
-      static_cast<uint32_t>(int32_t{northCmS_} * northCmS_) + static_cast<uint32_t>(int32_t{eastCmS_} * eastCmS_);
-  uint16_t root = 0;
-  for (uint16_t bit = 0x8000; bit != 0; bit >>= 1) {
-    const uint16_t more = root | bit;
-    if (static_cast<uint32_t>(more) * more <= square) root = more;
-  }
-  return root;
+  return rootOf(static_cast<uint32_t>(int32_t{northCmS_} * northCmS_) +
+                static_cast<uint32_t>(int32_t{eastCmS_} * eastCmS_));
 }
 
 Degrees PositionListener::heading() const {

@@ -20,6 +20,16 @@ TelemetryListener::TelemetryListener(MissionClient& client, const MessageKey (&k
       isNew_(false),
       isConfirmed_(false) {}
 
+TelemetryListener::TelemetryListener(MissionClient& client, const MessageKey (&keys)[4], uint16_t intervalMs,
+                                     Decode decode, Take takeEither)
+    : MessageIntervals(client, keys, 4, takeEither),
+      key_(&keys[2]),
+      decode_(decode),
+      intervalMs_(intervalMs),
+      isHeard_(false),
+      isNew_(false),
+      isConfirmed_(false) {}
+
 bool TelemetryListener::isNew() {
   const bool wasNew = isNew_;
   isNew_ = false;

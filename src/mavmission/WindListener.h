@@ -1,0 +1,35 @@
+// The wind, as the autopilot estimates it: WIND of ArduPilot, WIND_COV of PX4.
+#pragma once
+
+#include "service/EitherListener.h"
+
+namespace mavmission {
+
+// Used like a PositionListener. A plane estimates the wind, a copter only if it is set up for it; without an estimate
+// ArduPilot sends a wind of 0, and PX4 does not send the message.
+class WindListener : public detail::EitherListener {
+ public:
+  // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
+  explicit WindListener(MissionClient& client, uint16_t intervalMs = 1000);
+
+  // The horizontal speed [cm/s].
+  uint16_t speedCmS() const;
+  // Where the wind comes from, from north, clockwise [whole degrees], 0 to 359. PX4 gives it as components: from these
+  // it is computed to within a degree.
+  uint16_t fromDeg() const;
+  // The speed downwards [cm/s]; negative: upwards.
+  int32_t downCmS() const;
+
+ private:
+  static bool decode(TelemetryListener& listener, const detail::FrameParser& frame);
+
+  // Of WIND: direction and speed; of WIND_COV: the speeds to the north and to the east; then the speed downwards. As in
+  // the messages: floats as bits.
+  struct Values {
+    int32_t first, second, down;
+  };
+  Values values_ = {0, 0, 0};
+  bool hasDirection_ = false;
+};
+
+}  // namespace mavmission
