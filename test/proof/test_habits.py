@@ -80,7 +80,7 @@ def test_types_of_the_tools_and_of_the_simulated_world_are_right():
 
 def test_no_module_of_ours_is_left_out_by_mypy():
     settings = (ROOT / "mypy.ini").read_text()
-    assert "\nfiles = simulation, tools, tools/build, " in settings
+    assert "\nfiles = simulation, tools, tools/bench, tools/build, " in settings
     left_out = re.findall(r"^\[mypy-(.*)\]$", settings, re.M)
     assert left_out == ["elftools.*,mavmission_dialect,pymavlink.*,serial.*"]
     assert "ignore_errors" not in settings and "follow_imports" not in settings and "exclude" not in settings
