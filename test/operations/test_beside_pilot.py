@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import pytest
 
+from simulation.fake_autopilot import mavlink
 from simulation.service import asks_for_heartbeat
 from starts import ARM, MISSION_START, SET_MODE, hops, made, told, upload
 
@@ -133,6 +134,32 @@ def test_each_order_leaves_right_behind_a_heartbeat(build_service, vehicle):
     for time in sent:
         age = min(time - heartbeat for heartbeat in heartbeats if heartbeat < time)
         assert age < 0.035, "from the first byte of the heartbeat to the last of the order"
+
+
+@PILOT
+@pytest.mark.parametrize("silent_s", [0.2, 4.2, 4.35])
+def test_start_is_not_done_by_a_current_item_behind_a_heartbeat_with_a_pilots_mode(build_service, silent_s):
+    """PX4's MISSION_CURRENT need not say whether the mission flies. The time of an order is kept in a byte, for 4 s."""
+    at = heard_at(build_service, "px4", BEGINS["px4"])
+    service = ready(build_service, "px4")
+    autopilot = service.autopilot
+    autopilot._mission_state = lambda: mavlink.MISSION_STATE_UNKNOWN
+    shown_s, told_s = at + 0.06, at + silent_s
+    service.wire.lose("<", name="HEARTBEAT", times=1000, where=lambda _: shown_s < service.now < told_s)
+    service.wire.lose("<", name="MISSION_CURRENT", times=1000, where=lambda _: at < service.now < told_s)
+
+    def tell(now):
+        autopilot.answer(autopilot.heartbeat(), now, later_s=0.001)
+        autopilot.answer(autopilot._mission_current(), now, later_s=0.002)
+
+    autopilot.at("pilot", at + 0.1, lambda now: set_by_pilot(service, OTHERS["px4"], now))
+    autopilot.at("told", told_s, tell)
+    service.order_of("start")
+    assert service.done() == "TakenOver"
+    assert mode_of(service) == OTHERS["px4"]
+    shown = [entry.message.custom_mode for entry in service.wire.frames("<", "HEARTBEAT")
+             if at < entry.time < told_s and entry.fate == ""]  # fmt: skip
+    assert shown and 4 << 16 | 4 << 24 in shown, "a heartbeat has shown that it flies"
 
 
 STALL_S = 0.7

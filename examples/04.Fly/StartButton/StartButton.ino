@@ -51,6 +51,6 @@ void loop() {
   const Status status = autopilot.update();
   if (isEnd(status)) CONSOLE.println(toString(status));
   if (!isHeld()) return;
-  CONSOLE.println(F("the button: start"));
+  CONSOLE.println(F("start"));
   if (autopilot.start() == Status::Busy) CONSOLE.println(toString(Status::Busy));
 }

@@ -188,7 +188,10 @@ void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
       if (!commanding_.transfer.isOld()) log_.onHeartbeat();
       event = CommandEvent::Heartbeat;
       break;
-    case MAVLINK_MSG_ID_MISSION_CURRENT: event = CommandEvent::Current; break;
+    case MAVLINK_MSG_ID_MISSION_CURRENT:
+      if (commanding_.transfer.isUrgent()) return;  // it does not tell whose the aircraft is
+      event = CommandEvent::Current;
+      break;
     default: return;
   }
   takeCommandEvent(event, status, &frame, nowMs);

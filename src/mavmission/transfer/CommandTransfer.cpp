@@ -17,6 +17,7 @@ void CommandTransfer::asked(uint16_t nowMs) {
 }
 
 bool CommandTransfer::look(uint16_t nowMs) {
+  if (!mayBeUnderWay(nowMs)) hasOrdered_ = 0;
   const bool hasStoodStill = since(calledMs_, nowMs) >= kStoodStillMs;
   if (hasStoodStill) {
     isOld_ = 1;
@@ -29,7 +30,6 @@ bool CommandTransfer::look(uint16_t nowMs) {
 }
 
 void CommandTransfer::onHeartbeat(uint16_t nowMs) {
-  if (!mayBeUnderWay(nowMs)) hasOrdered_ = 0;
   if (isOld_ != 0) return;  // a newer one is asked for
   lookedMs_ = nowMs;
   isFresh_ = 1;

@@ -129,7 +129,7 @@ class CommandTransfer : public CommandRules {
  private:
   // The wait behind an acceptance on a lossy link, by which it is known.
   static constexpr uint16_t kAcceptedMs = kAnswerMs - 1;
-  static constexpr uint8_t kOrderTickMs = 16;  // a byte of them is 4 s; a heartbeat comes sooner
+  static constexpr uint8_t kOrderTickMs = 16;  // a byte of them is 4 s; look() comes sooner
 
   MAVMISSION_APART void wait(State state, uint16_t waitMs, uint16_t nowMs);
 
