@@ -277,8 +277,8 @@ DEFECTS = {
     ),
     "PX4's takeoff is sent again though its mode is shown": (
         "SteeringHands.cpp",
-        "if (step_ == SteerStep::Mode || (step_ == SteerStep::Command && change_.wanted() == kPx4TakeOff)) {",
-        "if (step_ == SteerStep::Mode) {",
+        "if (step_ == SteerStep::Mode || isTakingOff) return nextStep(nowMs);",
+        "if (step_ == SteerStep::Mode || (false && isTakingOff)) return nextStep(nowMs);",
         "PX4 takeOff overtakes 3 --loss 5 --seed 631",
         "behind takeOff (done: the autopilot confirmed it) an order has undone HOLD for good",
     ),

@@ -21,8 +21,9 @@ from demonstration.picture import with_room
 from demonstration.screen import PlainScreen
 from demonstration.timeline import Mark
 
-PAGE = ROOT / "docs" / "simulation.md"
-COMMANDS = re.findall(r"^(tools/demo .*--timeline (docs/\w+\.svg))$", PAGE.read_text(), re.M)
+PAGES = [ROOT / "docs" / "simulation.md", ROOT / "docs" / "design" / "proof.md"]
+COMMANDS = [found for page in PAGES
+            for found in re.findall(r"^(tools/demo .*--timeline (docs/[\w/]+\.svg))$", page.read_text(), re.M)]  # fmt: skip
 
 
 def run(**settings) -> tuple[Demonstration, str]:
@@ -45,10 +46,11 @@ def at(began: float, label: str = "ITEM", direction: str = ">", for_s: float = 0
 # The pictures in the documents ----------------------------------------------
 
 
-def test_page_shows_each_picture_that_its_commands_draw():
-    drawn = [picture for _, picture in COMMANDS]
-    shown = re.findall(r"\]\(((?:upload|recovered|lossy)\.svg)\)", PAGE.read_text())
-    assert drawn == [f"docs/{picture}" for picture in shown]
+def test_pages_show_each_picture_that_their_commands_draw():
+    drawn = [ROOT / picture for _, picture in COMMANDS]
+    shown = [page.parent / picture for page in PAGES
+             for picture in re.findall(r"\]\(((?:upload|recovered|lossy)\.svg)\)", page.read_text())]  # fmt: skip
+    assert drawn == shown
     assert len(drawn) == 3
 
 

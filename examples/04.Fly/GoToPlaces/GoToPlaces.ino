@@ -47,7 +47,7 @@ void goOn() {
   if (number == kPlaces) return begin(Stage::Returning);
   place = analogRead(kSensor) > 511 ? moved(place, 0, 3000) : moved(place, 3000, 0);
   ++number;
-  CONSOLE.print(F("to place "));
+  CONSOLE.print(F("to "));
   CONSOLE.println(number);
   begin(Stage::Flying);
 }
@@ -82,7 +82,7 @@ void loop() {
   if (tryAgain) return;
   const bool isWaiting = stage == Stage::Climbing || stage == Stage::Flying || stage == Stage::Working;
   if (isWaiting && autopilot.hasAutopilot() && !steering.maySteer()) {
-    CONSOLE.println(F("a pilot, a failsafe or another station is in control"));
+    CONSOLE.println(F("taken over"));
     stage = Stage::Done;
   }
   switch (stage) {
@@ -91,7 +91,7 @@ void loop() {
       break;
     case Stage::Flying:
       if (!steering.hasArrived()) break;
-      CONSOLE.println(F("there: working"));
+      CONSOLE.println(F("working"));
       digitalWrite(kLamp, HIGH);
       sinceMs = millis();
       stage = Stage::Working;
