@@ -22,8 +22,8 @@ from demonstration.screen import PlainScreen
 from demonstration.timeline import Mark
 
 PAGES = [ROOT / "docs" / "simulation.md", ROOT / "docs" / "design" / "proof.md"]
-COMMANDS = [found for page in PAGES
-            for found in re.findall(r"^(tools/demo .*--timeline (docs/[\w/]+\.svg))$", page.read_text(), re.M)]  # fmt: skip
+COMMAND = re.compile(r"^(tools/demo .*--timeline (docs/[\w/]+\.svg))$", re.M)
+COMMANDS = [found for page in PAGES for found in COMMAND.findall(page.read_text())]
 
 
 def run(**settings) -> tuple[Demonstration, str]:

@@ -63,7 +63,8 @@ Status Steering::onOwnMode(uint16_t nowMs) {
   if (isDenied_) return refusal_;
   isModeSeen_ = true;
   ownMode_ = client_.shownMode();
-  // PX4 takes off in a mode that its takeoff command alone sets: no acceptance has to be waited for, and no repeat sent.
+  // PX4 takes off in a mode that its takeoff command alone sets: that mode stands for the acceptance, and no repeat is
+  // sent.
   const bool isTakingOff = isOrdered_ && step_ == SteerStep::Command && ownMode_ == kPx4TakeOff;
   if (step_ == SteerStep::Mode || isTakingOff) return nextStep(nowMs);
   const bool isArmed = step_ == SteerStep::Arm && client_.commanding_.transfer.tries() != 0 && client_.isArmed();
