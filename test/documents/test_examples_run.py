@@ -176,6 +176,7 @@ def test_ensure_mission_says_early_what_is_missing():
     example.is_plugged = True
     example.is_heard = False
     example.until("waiting: if this stays, look at the wire from our TX to its RX", 7.0)
+    assert not any(line.startswith("aboard: our plan") for line in example.lines)
 
 
 def test_ensure_mission_changes_nothing_in_flight(run):

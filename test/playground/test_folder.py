@@ -76,7 +76,7 @@ def test_the_firmware_is_the_compiled_one_unmodified(folder):
 
 def test_every_module_that_a_dropped_plan_needs_is_in_the_archive(folder):
     reads = f"import sys; sys.path.insert(0, {str(folder / 'world.zip')!r}); from planning import read_plan, write_plan"
-    subprocess.run([sys.executable, "-I", "-c", reads], cwd="/", check=True)
+    assert subprocess.run([sys.executable, "-I", "-c", reads], cwd="/", check=False).returncode == 0
 
 
 def test_what_is_packed_comes_with_its_licence(folder):

@@ -132,7 +132,7 @@ def test_a_mode_that_an_order_undoes_is_set_again_at_once(record_property):
                 assert int(found["undone_ms"]) < GIVEN_BACK_MS
             else:
                 again, late = int(found["set_again"]), int(found["longer_2000"])
-                assert again >= OVERTAKES // 20 or autopilot == "PX4"  # which does not tell of a mode when it is set
+                assert again >= OVERTAKES // 20 or autopilot == "PX4"  # PX4 does not tell of a mode when it is set
                 assert late * LATE_ONE_IN <= again
             rows.append([autopilot, f"{loss / 10} %" if loss else "none", found["flights"], found["set_again"],
                          *(found[f"longer_{ms}"] for ms in (100, 300, 1000, 2000)), found["undone_ms"] + " ms",
