@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from played import Page
 from playing import make_folder
+from playing.browser import Browser
 from playing.serving import Server
 
 
@@ -21,3 +23,20 @@ def server(folder):
     serving = Server(folder)
     yield serving
     serving.close()
+
+
+@pytest.fixture(scope="session")
+def opened(server):
+    """A page that has loaded; tests begin run after run on it."""
+    with Browser() as browser:
+        page = Page(browser, server)
+        page.open()
+        yield page
+
+
+@pytest.fixture
+def page(opened):
+    """It, and after each test: no error and no warning in the browser's console."""
+    opened.browser.complaints()
+    yield opened
+    assert opened.browser.complaints() == []

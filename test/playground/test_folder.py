@@ -67,6 +67,11 @@ def test_every_example_is_offered_and_those_that_arm_are_known(folder):
             "FollowBeacon"} == arming  # fmt: skip
 
 
+def test_the_page_knows_which_sketches_read_what_is_typed(folder):
+    known = json.loads((folder / "examples" / "examples.json").read_text())["examples"]
+    assert {example["name"] for example in known if example["listens"]} == {"PlanConsole"}
+
+
 def test_the_firmware_is_the_compiled_one_unmodified(folder):
     from building import build_sketch
 

@@ -27,6 +27,8 @@ ARMING = re.compile(
     r"mavmission::(detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)"
     r"|Steering::(fill|leave|onEvent|beginStep))\("
 )
+# Such a sketch reads what is typed: itself, or by what it gives its console to.
+LISTENS = re.compile(r"\(CONSOLE,|CONSOLE\.(read|available|parse|find)")
 
 
 def make_sketches(folder: Path) -> None:
@@ -45,6 +47,7 @@ def made(name: str, folder: Path) -> dict[str, Any]:
     built = build_sketch(example_folder(name))
     shutil.copyfile(built.hex, folder / f"{name}.hex")
     image = Image.load(built.elf)
+    source = sketch_of(name).read_text()
     described = description(name)
     reads = described.get("reads", False)
     plans = plans_of(built.elf, described) if "runs_s" not in described and not reads else {}
@@ -64,7 +67,8 @@ def made(name: str, folder: Path) -> dict[str, Any]:
         "reads": reads,
         "arms": any(ARMING.match(symbol.name) for symbol in image.symbols),
         "console": name == "PlanConsole",
-        "prints": "CONSOLE" in (sketch_of(name)).read_text(),
+        "prints": "CONSOLE" in source,
+        "listens": LISTENS.search(source) is not None,
         "meant": {autopilot: {kind: values(items) for kind, items in kinds.items()}
                   for autopilot, kinds in meant.items()},
         "words": {autopilot: {kind: [item_in_words(item) for item in items] for kind, items in kinds.items()}

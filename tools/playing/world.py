@@ -22,6 +22,7 @@ PLANNING = (
     "__init__", "bad_plan", "commands", "exact", "files", "flight", "json_text", "landing_pattern", "located_json",
     "plan", "progress", "qgc_mission", "qgc_plan", "settling", "unset", "waypoints",
 )  # fmt: skip
+OWN = ("explained", "far_end", "interference")
 RECORDINGS = ("px4/clean_with_streams.txt",)
 
 
@@ -46,7 +47,8 @@ def contents() -> dict[str, bytes]:
     found["planning/commands.txt"] = (ROOT / "tools" / "planning" / "commands.txt").read_bytes()
     found["known.json"] = json.dumps(judge.known()).encode()
     found["mavmission_dialect.py"] = (ROOT / "build" / "dialect" / "mavmission_dialect.py").read_bytes()
-    found["far_end.py"] = (INSIDE / "far_end.py").read_bytes()
+    for name in OWN:
+        found[f"inside/{name}.py"] = (INSIDE / f"{name}.py").read_bytes()
     return found
 
 

@@ -9,22 +9,29 @@ from __future__ import annotations
 import functools
 import json
 import math
+import re
 import traceback
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from demonstration.autopilots import KINDS, NAMES, an_autopilot, one_to_fly
-from demonstration.conversation import Conversation
+from demonstration.conversation import NOT_SHOWN, SHOWN, Conversation
 from demonstration.line import Line
 from demonstration.timeline import label
 from demonstration.words import item_in_words, message_in_words
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
 from simulation.wire import Entry
 
+from .interference import battery_is_low, other_station_uploads, pilot_takes_over
+
 UPTIME_S = 60.0  # the autopilot has been on for so long: it can be armed
 VEHICLE_EVERY_S = 0.1
 SILENCE_S = 3.0  # of an autopilot that is restarted
+NEXT = {">": "the Mega", "<": "the autopilot"}
+DEEDS = {"pilot": pilot_takes_over, "battery": battery_is_low, "station": other_station_uploads}
+# What a message of tools/plan says of its own options, which the page has not.
+OPTION = re.compile(r"[,;] (or say )?--[a-z].*$")
 
 # custom_mode's main and sub mode of PX4, by the names in its own list.
 PX4_MODES = {1: "MANUAL", 2: "ALTCTL", 3: "POSCTL", (4, 2): "TAKEOFF", (4, 3): "HOLD", (4, 4): "MISSION", (4, 5): "RTL",
@@ -80,7 +87,12 @@ class FarEnd:
         self.autopilot: Any = self._made(wanted)
         if wanted.get("held"):
             self.autopilot.load([item_of(values) for values in wanted["held"]])
-        self._line = Line(self.autopilot, Port(wanted["hz"], 57600.0), seed=wanted["seed"])  # type: ignore[arg-type]
+        port = Port(wanted["hz"], 57600.0)
+        late_ms = wanted.get("latency", 0)
+        self._line = Line(self.autopilot, port, seed=wanted["seed"], latency_ms=late_ms)  # type: ignore[arg-type]
+        self._now = 0.0
+        self._events: list[dict] = []  # what was done to the line or to an end of it
+        self.shown_crossed = 0  # frames that are shown, and have crossed the line
         self.lose(wanted["loss"], wanted["bytes"])
         self._conversation = Conversation()
         self._frames: list[tuple[Entry, dict]] = []  # frames of which some bytes are still on the line
@@ -90,6 +102,7 @@ class FarEnd:
         self._told_items: dict[int, int] = {}  # by kind: how many of the items that were sent are known to the page
         self._vehicle_at = -math.inf
         self._vehicle: dict | None = None
+        self._told_read = False
 
     def _made(self, wanted: dict) -> Any:
         if self.name == "outside":
@@ -107,6 +120,7 @@ class FarEnd:
         """The Mega has run until now [s] and has sent these bytes; what arrives there next."""
         if baud != self._line._port.baud:
             self._line._port = self._line._port._replace(baud=baud)  # type: ignore[attr-defined]
+        self._now = now
         sent = [Sent(int(cycle), byte) for cycle, byte in zip(left, bytes(data), strict=True)]
         self._line.hear(sent)  # type: ignore[arg-type]
         self._line.step(now)
@@ -130,21 +144,50 @@ class FarEnd:
             self._line.wire.plug()
         else:
             self._line.wire.pull()
+        self._note_event("the cable is joined" if joined else "the cable is pulled", cut=not joined)
+
+    def _note_event(self, words: str, **more: bool) -> None:
+        self._events.append({"at": self._now, "words": words, **more})
 
     def lose_next(self, name: str) -> None:
-        """The next frame of this name from the autopilot does not arrive."""
-        self._line.wire.lose("<", name=name)
+        """The next frame of this name from the autopilot does not arrive; of ">" or "<", the next that is shown."""
+        if name in NEXT:
+            self._line.wire.lose(name, where=self._is_next_shown)
+            self._note_event(f"the next frame of {NEXT[name]} will be lost")
+        else:
+            self._line.wire.lose("<", name=name)
+            self._note_event(f"the next {name.rstrip('*')} of the autopilot will be lost")
+
+    @staticmethod
+    def _is_next_shown(message: Any) -> bool:
+        return message is not None and message.get_type().startswith(SHOWN) and message.get_type() not in NOT_SHOWN
+
+    def latency(self, milliseconds: float) -> None:
+        """From now on all takes so much longer, each way."""
+        self._line.wire.set_latency(milliseconds / 1000)
+        self._note_event(f"from now on all takes {milliseconds:g} ms longer")
+
+    def interfere(self, who: str) -> None:
+        """Somebody else has a hand in it, by its name in DEEDS."""
+        if self.name != "outside":
+            self._note_event(DEEDS[who](self.autopilot, self._now))
+
+    def mega_restarts(self) -> None:
+        self.forget_talk()
+        self._note_event("the Mega is restarted")
 
     def restart(self, now: float) -> None:
         """Switch the autopilot off and on: what was being transferred is forgotten, the stored plan is kept."""
         if self.name != "outside":
             self.autopilot.reboot(now, SILENCE_S)
+            self._note_event("the autopilot is restarted")
 
     def forget_talk(self) -> None:
         """The Mega was restarted: what it transfers from now on is another transfer."""
         self._conversation = Conversation()
         self._progress.clear()
         self._told_items.clear()
+        self._told_read = False
 
     def hear_outside(self, data: bytes) -> None:
         self.autopilot.hear(bytes(data))
@@ -163,7 +206,7 @@ class FarEnd:
             self._frames.append((entry, {
                 "at": entry.time, "way": entry.direction, "lost": entry.fate, "again": again,
                 "text": message_in_words(entry.message, entry.data) if shown else "",
-                "label": label(entry.message, entry.data) if shown else "",
+                "label": label(entry.message, entry.data) if shown else "", "hex": entry.data.hex(),
             }))  # fmt: skip
         times = {id(crossed.entry): crossed for crossed in self._line.crossed}
         waiting = []
@@ -173,6 +216,7 @@ class FarEnd:
                 waiting.append((entry, frame))
             else:
                 self._crossed.append({**frame, "began": crossed.began, "ended": crossed.ended})
+                self.shown_crossed += bool(frame["text"])
         self._frames = waiting
         self._line.forget()
         self.autopilot.log.clear()
@@ -224,6 +268,11 @@ class FarEnd:
             new["vehicle"], self._vehicle = self._vehicle, None
         if self._progress:
             new["progress"], self._progress = self._progress, {}
+        if self._events:
+            new["events"], self._events = self._events, []
+        talk = self._conversation  # of a plan that the Mega reads
+        if talk.thanked and not talk.counts and not self._told_read:
+            new["read"] = self._told_read = True
         return json.dumps(plain(new)) if new else ""
 
     def verdict(self, meant: str) -> str:
@@ -279,7 +328,8 @@ def plain(value: Any) -> Any:
 
 
 def plan_of(name: str, data: bytes) -> str:
-    """A .plan or .waypoints file that was dropped onto the page: JSON of {waypoints, items, home, notes} or {error}."""
+    """A .plan or .waypoints file that was dropped onto the page: JSON of {waypoints, items, places, home, notes} or
+    {error}. places: where each item stands in the file, in words."""
     from planning import BadPlan, read_plan, write_plan
 
     file = Path("/tmp") / (Path(name).name or "dropped")
@@ -287,12 +337,19 @@ def plan_of(name: str, data: bytes) -> str:
     try:
         file.write_bytes(bytes(data))
         plan = read_plan(file)
-        notes = [*plan.notes, *write_plan(plan, out)]
+        write_plan(plan, out)
+        left_out = [kind for kind in plan.kinds if kind != "mission"]
+        # That a number which nothing uses is not set is no matter here.
+        notes = [
+            *(note for note in plan.notes if "unset" not in note),
+            *(f"the {kind} is left out" for kind in left_out),
+        ]
         items = [shown_item(seq, Item._make(step.item)) for seq, step in enumerate(plan.mission)]
         home = list(plan.home) if plan.home is not None else None
-        found = {"waypoints": out.read_text(), "items": items, "home": home, "notes": notes}
+        places = [f"{file.name}:{step.line}: {step.name}" for step in plan.mission]
+        found = {"waypoints": out.read_text(), "items": items, "places": places, "home": home, "notes": notes}
     except BadPlan as error:
-        found = {"error": str(error).replace(str(file), file.name)}
+        found = {"error": OPTION.sub("", str(error).replace(str(file), file.name))}
     except Exception:
         # The page must go on, and whoever drops a strange file must be told something.
         traceback.print_exc()
@@ -301,4 +358,3 @@ def plan_of(name: str, data: bytes) -> str:
         for used in (file, out):
             used.unlink(missing_ok=True)
     return json.dumps(plain(found))
-

@@ -1,14 +1,18 @@
 // The state that an address names: #example=UploadMission&autopilot=px4&loss=20&seed=3
 
+import { CARRIED } from "./carried.js";
+
 export const AUTOPILOTS = ["ardupilot", "px4"];
 export const MOST_LOSS = 50; // percent of the frames, each way
 export const MOST_BYTES = 10; // percent of the bytes, each way
-const MOST_SEED = 999999;
+export const MOST_SEED = 999999;
 
 export const PLAIN = {
-  example: "UploadMission", autopilot: "ardupilot", loss: 0, bytes: 0, seed: 0, cable: "joined", lose: "",
+  example: "UploadMission", autopilot: "ardupilot", loss: 0, bytes: 0, latency: 0, seed: 0, cable: "joined", lose: "",
+  plan: "",
 };
 const CABLES = ["joined", "pulled"];
+export const MOST_LATENCY = 1000; // ms, each way
 const LOST = ["", "ack"];
 
 // {state, complaints}: what is not understood is as in PLAIN, and is complained of in words.
@@ -41,9 +45,11 @@ const TAKERS = {
   autopilot: oneOf(AUTOPILOTS),
   loss: numberTo(MOST_LOSS, 1),
   bytes: numberTo(MOST_BYTES, 0.5),
+  latency: numberTo(MOST_LATENCY, 50),
   seed: numberTo(MOST_SEED, 1),
   cable: oneOf(CABLES),
   lose: oneOf(LOST),
+  plan: (value) => (CARRIED.test(value) ? value : undefined),
 };
 
 const shortened = (text) => (text.length > 24 ? `${text.slice(0, 24)}...` : text);

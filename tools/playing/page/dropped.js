@@ -7,6 +7,9 @@ const STEPS = [
   { types: () => "verify\n", done: "verified: what is aboard is the plan" },
   { types: () => "start\n", done: "done: the autopilot confirmed it" },
 ];
+const WHERE_IN_TEXT = /^line (\d+)(?:, field \d+)?: (.*)$/;
+const FIRST_ROW = 3; // of an item in the text: behind the line that names its kind, and home
+const WHERE_IN_PLAN = /^item (\d+)$/; // counted from 1
 const REFUSED = [
   "nothing was loaded; further lines are ignored, up to end",
   "the EEPROM could not store it",
@@ -21,11 +24,19 @@ export class Dropped {
     this.step = -1;
     this.failed = false;
     this.text = "";
+    this.words = ""; // what the sketch found wrong
+    this.item = -1; // and with which item
     this.next();
   }
 
   get isOver() {
     return this.failed || this.step >= STEPS.length;
+  }
+
+  // What is wrong, with the place in the file that was dropped; "" if the sketch has not said it of an item.
+  get why() {
+    const place = this.plan.places[this.item];
+    return this.failed && place ? `${place}: ${this.words.replace(/^refused: /, "")}` : "";
   }
 
   next() {
@@ -39,9 +50,19 @@ export class Dropped {
     const lines = this.text.split(/\r?\n/);
     this.text = lines.pop();
     for (const line of lines) {
-      if (this.isOver) return;
-      if (line === STEPS[this.step].done) this.next();
-      else if (REFUSED.includes(line) || this.ends.includes(line)) this.failed = true;
+      const [, row, words] = line.match(WHERE_IN_TEXT) || [];
+      if (row) [this.item, this.words] = [row - FIRST_ROW, words];
+      const [, item] = line.match(WHERE_IN_PLAN) || [];
+      if (item && this.failed) this.item = item - 1;
+      if (this.isOver) continue;
+      if (line === STEPS[this.step].done) {
+        this.next();
+      } else if (REFUSED.includes(line)) {
+        this.failed = true;
+      } else if (this.ends.includes(line)) {
+        this.failed = true;
+        this.words = line;
+      }
     }
   }
 }

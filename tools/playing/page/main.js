@@ -1,25 +1,35 @@
 // The page: what is chosen on it goes to the two workers, and what they say is shown.
 
-import { AUTOPILOTS, hashOf, PLAIN, stateOf } from "./address.js";
+import { AUTOPILOTS, hashOf, MOST_SEED, PLAIN, stateOf } from "./address.js";
+import { packed, unpacked } from "./carried.js";
+import { Deeds } from "./deeds.js";
 import { Dropped } from "./dropped.js";
+import { showFields } from "./fields.js";
+import { Frames } from "./frames.js";
+import { flightInWords, headline } from "./headline.js";
 import { PlanMap } from "./map.js";
+import { numbered, numberOf } from "./numbers.js";
 import { isOffered, Pixhawk } from "./pixhawk.js";
 import { hasPlace } from "./places.js";
 import { Timeline } from "./timeline.js";
+import { vcdOf } from "./vcd.js";
 
 const HZ = 16_000_000;
 const RAM = 8192;
 const FLASH = 253952;
 const EXAMPLES_FLY_AT = [-353632621, 1491652374, 584]; // latitude, longitude [1e-7 degrees], altitude [m]
-const MOST_LINES = 400; // of frames
 const MOST_TEXT = 60000; // of the console [characters]
 const SLOW = 0.95;
 const KEPT = "PlanConsole waits for a command: the plan that it had is still in the EEPROM.";
 const STOPPED = "PlanConsole refused the plan, or failed: the serial monitor says why.";
+const TOO_LONG = "The address does not carry the plan: it is too long for one.";
+const IN_PLACE_OF_HOME = "nothing, in the place of the autopilot's home";
 // What PlanConsole does with a dropped plan that is aboard, by its step.
 const NEXT = {
   2: " PlanConsole verifies it.", 3: " PlanConsole starts it.", 4: " PlanConsole has verified and started it.",
 };
+// What is done to the simulated line and autopilot, and not to a real one.
+const SIMULATED = ["cable", "lose", "latency", "reset-autopilot", "pilot", "battery", "station"];
 const SHOWN_EVERY_MS = 150;
 const LARGEST_FILE = 64_000_000; // bytes, as tools/planning takes it
 const KINDS = { 0: "plan", 1: "fence", 2: "rally points" };
@@ -27,7 +37,9 @@ const NAMES = { ardupilot: "ArduPilot", px4: "PX4", outside: "the Pixhawk" };
 
 const at = (id) => document.getElementById(id);
 const map = new PlanMap(at("map"));
-const timeline = new Timeline(at("timeline"));
+const timeline = new Timeline(at("timeline"), (frame) => frames.selectFrame(frame));
+const frames = new Frames(at("frames"), ({ hex }) => far.postMessage({ does: "explain", hex }));
+const deeds = new Deeds(at("deeds"));
 const mega = new Worker("mega/worker.js", { type: "module" });
 const far = new Worker("far/worker.js", { type: "module" });
 
@@ -40,6 +52,9 @@ let plan = null; // the plan that was dropped onto the page
 let dropped = null; // and is being put aboard
 let progress = {};
 let held = {};
+let isPaused = false;
+let seen = {}; // {heard, vehicle, flown, read, said}: what there was to see of the run
+let line = ""; // of the sketch's, as far as it has printed it
 let isGood = false;
 let ramFree = null;
 let shownLater = null;
@@ -79,24 +94,31 @@ function begin() {
   shownLater = null;
   progress = {};
   held = {};
+  seen = {};
+  line = "";
   isGood = false;
   dropped = null;
   if (!isConsole()) plan = null;
+  if (isReady && !plan && state.plan) change({ plan: "" }, false);
   const home = placeOf(plan) || EXAMPLES_FLY_AT;
   map.forget(isOutside ? null : { x: home[0], y: home[1] });
   map.show({ meant: meantItems() });
   timeline.forget();
   at("console").textContent = "";
-  at("frames").replaceChildren();
+  frames.forget();
+  deeds.forget();
+  showFields(at("fields"), null);
+  setPace(1);
   at("vehicle").textContent = isOutside ? "" : "The aircraft is not known yet.";
   showItems();
   showSizes();
   if (!isReady) return;
   outcome(firstWords());
   const { port1, port2 } = new MessageChannel();
+  const { loss, bytes, latency } = isOutside ? PLAIN : state;
   const settings = {
-    autopilot: autopilot(), loss: isOutside ? 0 : state.loss, bytes: isOutside ? 0 : state.bytes, seed: state.seed,
-    hz: HZ, home, arms: example().arms, held: example().reads && !isOutside ? known.held[state.autopilot] : null,
+    autopilot: autopilot(), loss, bytes, latency, seed: state.seed, hz: HZ, home, arms: example().arms,
+    held: example().reads && !isOutside ? known.held[state.autopilot] : null,
   };
   far.postMessage({ does: "start", settings, port: port1, number: run }, [port1]);
   if (!isOutside && state.cable === "pulled") far.postMessage({ does: "cable", joined: false });
@@ -118,21 +140,33 @@ function firstWords() {
   return `The Mega is looking for ${NAMES[autopilot()]}.`;
 }
 
+// What the sketch does while no plan is on its way.
+function tellOfSketch() {
+  const { name, reads, prints } = example();
+  if (plan || isConsole() || Object.keys(progress).length) return;
+  outcome(headline({ ...seen, name, reads, prints, autopilot: NAMES[autopilot()] }), seen.read ? "good" : "going");
+}
+
+// Whether item 0 of the plan on the wire is home.
+function hasHome() {
+  return isOutside ? progress.plan?.sent[0]?.words === IN_PLACE_OF_HOME : state.autopilot === "ardupilot";
+}
+
 function placeOf(read) {
   if (!read) return null;
-  if (read.home) return read.home;
+  if (read.home?.some((value) => value !== 0)) return read.home;
   const first = read.items.find(hasPlace);
   return first ? [first.x, first.y, 0] : null;
 }
 
 function meantItems() {
-  if (plan) return plan.items;
+  if (plan) return numbered("plan", plan.items, false);
   const { meant, words } = example();
   const kinds = meant[state.autopilot];
   return Object.entries(kinds).flatMap(([kind, items]) =>
-    items.map(([frame, command, , , param1, , , , x, y, z], seq) => ({
+    numbered(KINDS[kind], items.map(([frame, command, , , param1, , , , x, y, z], seq) => ({
       seq, frame, command, param1, x, y, z, kind: KINDS[kind], words: words[state.autopilot][kind][seq],
-    })));
+    })), hasHome()));
 }
 
 function type(text) {
@@ -155,6 +189,7 @@ far.onmessage = ({ data }) => {
   if (says === "loading") loading(data.what);
   if (says === "ready") ready(data.ms);
   if (says === "read") take(data);
+  if (says === "explained") showFields(at("fields"), data.frame);
   if (says === "failed") outcome(`It cannot go on: ${data.why}`, "bad");
   if (data.run !== run) return;
   if (says === "news") showNews(data);
@@ -171,7 +206,20 @@ function loading(what) {
 function ready(ms) {
   isReady = true;
   document.body.dataset.readyMs = Math.round(ms);
-  if (known) begin();
+  if (known) beginOrCarry();
+}
+
+// The plan in the address is read first, if there is one.
+async function beginOrCarry() {
+  const word = state.plan;
+  if (!word) return begin();
+  try {
+    const { name, bytes } = await unpacked(word);
+    far.postMessage({ does: "read", name, bytes, word }, [bytes]);
+  } catch {
+    notice("The plan in the address is damaged, and is ignored.");
+    change({ plan: "" }, true);
+  }
 }
 
 function print(text) {
@@ -180,17 +228,29 @@ function print(text) {
   const shown = place.textContent + text.replaceAll("\r\n", "\n");
   place.textContent = shown.length > MOST_TEXT ? shown.slice(-MOST_TEXT) : shown;
   if (isAtEnd) place.scrollTop = place.scrollHeight;
+  const lines = `${line}${text}`.split(/\r?\n/);
+  line = lines.pop();
+  seen.said = lines.findLast((one) => one.trim()) || seen.said;
+  tellOfSketch();
+  if (lines.length) deeds.say(seen.said, timeline.now);
   if (!dropped) return;
   const step = dropped.step;
   dropped.hear(text);
   if (dropped.step !== step && isGood) judged(isGood);
-  if (dropped.failed) outcome(STOPPED, "bad");
+  if (dropped.failed) outcome(dropped.why ? `The plan was refused: ${dropped.why}` : STOPPED, "bad");
 }
 
 function showNews({ now, news }) {
+  for (const event of news.events || []) {
+    timeline.addEvent(event);
+    deeds.add(event);
+  }
+  seen.read ||= news.read;
+  seen.heard ||= news.frames?.some(({ way, lost, text }) => way === "<" && !lost && text.startsWith("HEARTBEAT"));
   if (news.frames) {
     timeline.add(news.frames, now);
-    listFrames(news.frames);
+    frames.add(news.frames);
+    deeds.hear(news.frames);
   } else {
     timeline.add([], now);
   }
@@ -200,9 +260,15 @@ function showNews({ now, news }) {
   if (news.vehicle) {
     map.move(news.vehicle);
     const { armed, mode, height, item } = news.vehicle;
-    const flies = item === null || item === undefined ? "" : `, item ${item}`;
+    const before = flightInWords(seen);
+    seen.vehicle = news.vehicle;
+    seen.flown ||= armed;
+    if (isGood && flightInWords(seen) !== before) judged(isGood);
+    const flies = item === null || item === undefined ? "" : `, item ${numberOf("plan", item, hasHome())}`;
     at("vehicle").textContent = `${mode}, ${armed ? "armed" : "disarmed"}, ${height.toFixed(1)} m${flies}`;
   }
+  deeds.wait(now);
+  tellOfSketch();
 }
 
 // How far the transfer of a kind has come; whether that is further than what was known.
@@ -223,7 +289,8 @@ function showLater() {
   shownLater = setTimeout(() => {
     shownLater = null;
     if (number !== run) return;
-    map.show({ held, arrived: arrivedItems() });
+    const shown = Object.entries(held).map(([kind, items]) => [kind, numbered(kind, items, hasHome())]);
+    map.show({ held: Object.fromEntries(shown), arrived: arrivedItems() });
     showItems();
     far.postMessage({ does: "judge", meant: plan || isOutside ? {} : example().meant[state.autopilot] });
   }, SHOWN_EVERY_MS);
@@ -231,14 +298,15 @@ function showLater() {
 
 function arrivedItems() {
   return Object.entries(progress).flatMap(([kind, { sent, arrived }]) =>
-    sent.filter((item) => item.seq < arrived && !held[kind]?.[item.seq]));
+    numbered(kind, sent, hasHome()).filter((item) => item.seq < arrived && !held[kind]?.[item.seq]));
 }
 
 function judged(verdict) {
   isGood = verdict.good ? verdict : false;
   if (dropped?.failed) return;
   if (verdict.good) {
-    outcome(verdict.sentence + (NEXT[dropped?.step] || ""), "good");
+    const flight = flightInWords(seen);
+    outcome(verdict.sentence + (NEXT[dropped?.step] || "") + (flight && ` ${flight}`), "good");
     showItems();
     return;
   }
@@ -248,26 +316,6 @@ function judged(verdict) {
   const refused = verdict.sentence.includes("last word") ? ` ${verdict.sentence}` : "";
   outcome(`${name === "plan" ? "" : `${name}: `}${now.arrived} of ${now.announced} items have arrived.${refused}`,
     refused ? "bad" : "going");
-}
-
-function listFrames(frames) {
-  const told = frames.filter((frame) => frame.text);
-  if (!told.length) return;
-  const rows = told.map((frame) => {
-    const row = document.createElement("li");
-    row.className = `${frame.way === ">" ? "from-mega" : "from-autopilot"}${frame.lost ? " lost" : ""}`;
-    const time = document.createElement("time");
-    time.textContent = `${frame.at.toFixed(3)} s`;
-    const way = document.createElement("span");
-    way.textContent = frame.way === ">" ? "Mega →" : "autopilot →";
-    const words = document.createElement("span");
-    words.textContent = `${frame.text}${frame.lost ? ` [${frame.lost}]` : frame.again ? " [again]" : ""}`;
-    row.append(time, way, words);
-    return row;
-  });
-  const list = at("frames");
-  list.prepend(...rows.reverse());
-  while (list.children.length > MOST_LINES) list.lastChild.remove();
 }
 
 function showItems() {
@@ -285,7 +333,8 @@ function showItems() {
       const isAboard = isGood || (!now && aboard[seq]);
       const kindOf = isAboard ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "planned";
       const words = item?.words || "comes from a function";
-      rows.push([seq, kindOf, kind === "plan" ? words : `${kind}: ${words}`]);
+      const isFile = plan && kind === "plan" && !now;
+      rows.push([numberOf(kind, seq, !isFile && hasHome()), kindOf, kind === "plan" ? words : `${kind}: ${words}`]);
     }
   }
   if (!rows.length) rows.push(["", "", "No plan yet."]);
@@ -312,7 +361,8 @@ function fillRow(row, [number, how, words]) {
 }
 
 function showSizes() {
-  const { ram, flash, says, prints, name } = example();
+  const { ram, flash, says, prints, listens, name } = example();
+  at("typing").hidden = !listens;
   at("console").dataset.hint = prints ? "What the sketch prints appears here." : `${name} prints nothing.`;
   at("says").textContent = says;
   at("ram").textContent = `${ram} of ${RAM} bytes`;
@@ -321,7 +371,7 @@ function showSizes() {
   ramFree = RAM - ram;
 }
 
-function showMeasured({ now, factor, stack, passes, cycles, lost }) {
+function showMeasured({ now, factor, pace, stack, passes, cycles, lost }) {
   timeline.factor = factor;
   at("stack").textContent = `${stack} bytes`;
   at("free").textContent = `${(ramFree - stack).toLocaleString("en")} bytes`;
@@ -331,8 +381,8 @@ function showMeasured({ now, factor, stack, passes, cycles, lost }) {
     at("longest").textContent = `${((passes.longest / HZ) * 1e6).toFixed(0)} µs`;
   }
   at("clock").textContent = `${now.toFixed(1)} s${lost ? `, ${lost} bytes overrun` : ""}`;
-  const isSlow = factor < SLOW;
-  at("factor").textContent = isSlow ? `${factor.toFixed(2)} of real time` : "real time";
+  const isSlow = factor < SLOW * pace;
+  at("factor").textContent = isSlow || pace < 1 ? `${factor.toFixed(2)} of real time` : "real time";
   at("factor").classList.toggle("slow", isSlow);
 }
 
@@ -356,10 +406,14 @@ function showState() {
     at(`${id}-value`).textContent = `${state[id]} %`;
     at(id).disabled = isOutside;
   }
+  at("seed").value = state.seed;
+  at("seed").disabled = isOutside;
   const isPulled = state.cable === "pulled";
-  at("cable").setAttribute("aria-pressed", isPulled);
+  at("cable").classList.toggle("on", isPulled);
   at("cable").textContent = isPulled ? "Join the cable" : "Pull the cable";
-  for (const id of ["cable", "lose-ack", "reset-autopilot"]) at(id).disabled = isOutside;
+  at("latency").value = state.latency;
+  at("latency-value").textContent = `${state.latency} ms`;
+  for (const id of SIMULATED) at(id).disabled = isOutside;
   for (const option of at("example").options) {
     const { arms } = known.examples.find((one) => one.name === option.value);
     option.disabled = isOutside && arms;
@@ -377,21 +431,33 @@ function takeAddress(isFirst) {
   const isSame = !isFirst && Object.keys(wanted).every((name) => wanted[name] === state[name]);
   state = wanted;
   showState();
-  if (!isSame) {
-    plan = null;
-    begin();
-  }
+  if (isSame) return;
+  plan = null;
+  if (isReady) beginOrCarry();
+  else begin();
+}
+
+// Of simulated time beside the clock; 0: paused.
+function setPace(factor) {
+  isPaused = factor === 0;
+  if (!isPaused) at("pace").value = factor;
+  at("pause").textContent = isPaused ? "Go on" : "Pause";
+  timeline.factor = factor;
+  mega.postMessage({ does: "setPace", factor });
 }
 
 function sendLoss() {
   far.postMessage({ does: "lose", frames: state.loss, bytes: state.bytes });
 }
 
-function take({ name, plan: read }) {
+// A plan was read. word: that of the address, if it was carried there.
+async function take({ name, plan: read, word }) {
   if (read.error) return notice(`The plan was refused: ${read.error}`);
-  notice(read.notes.length ? `${name}: ${read.notes.join("; ")}` : "", false);
+  const carried = word || (await packed({ name: name.replace(/\.[^.]*$/, ".waypoints"), waypoints: read.waypoints }));
+  const notes = [...read.notes, ...(carried ? [] : [TOO_LONG])];
+  notice(notes.length ? `${name}: ${notes.join("; ")}` : "", false);
   plan = read;
-  change({ example: "PlanConsole" }, true);
+  change({ example: "PlanConsole", plan: carried }, true);
 }
 
 async function readFile(file) {
@@ -427,18 +493,38 @@ for (const id of ["loss", "bytes"]) {
     sendLoss();
   };
 }
+at("seed").onchange = (event) => {
+  const seed = Math.round(Number(event.target.value));
+  change({ seed: seed >= 0 && seed <= MOST_SEED ? seed : state.seed }, true);
+};
 at("cable").onclick = () => {
   const cable = state.cable === "pulled" ? "joined" : "pulled";
   change({ cable }, false);
   far.postMessage({ does: "cable", joined: cable === "joined" });
 };
-at("lose-ack").onclick = () => {
-  far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
-  notice("The next MISSION_ACK of the autopilot will be lost.", false);
+at("lose").onclick = () => far.postMessage({ does: "loseNext", name: at("lose-what").value });
+at("latency").oninput = (event) => change({ latency: Number(event.target.value) }, false);
+at("latency").onchange = () => far.postMessage({ does: "latency", milliseconds: state.latency });
+for (const who of ["pilot", "battery", "station"]) {
+  at(who).onclick = () => far.postMessage({ does: "interfere", who });
+}
+at("pause").onclick = () => setPace(isPaused ? Number(at("pace").value) : 0);
+at("pace").onchange = () => setPace(Number(at("pace").value));
+at("next-frame").onclick = () => {
+  setPace(0);
+  mega.postMessage({ does: "toNextFrame" });
+};
+at("vcd").onclick = () => {
+  const file = new Blob([vcdOf(timeline.frames)], { type: "text/plain" });
+  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(file), download: "line.vcd" });
+  link.click();
+  URL.revokeObjectURL(link.href);
 };
 at("reset-mega").onclick = () => {
   isGood = false;
   progress = {};
+  seen = {};
+  line = "";
   dropped = null;
   mega.postMessage({ does: "reset" });
   far.postMessage({ does: "forget" });

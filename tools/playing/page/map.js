@@ -1,5 +1,6 @@
 // The map: a grid, north, a scale, the plan that is meant, the plan aboard, and the aircraft. Drawn as SVG; no tiles.
 
+import { HOME } from "./numbers.js";
 import {
   flatAround, hasPlace, isCircle, isCorner, isFlownTo, isRally, isReturn, lengthInWords, roundBelow,
 } from "./places.js";
@@ -158,7 +159,8 @@ export class PlanMap {
   }
 
   points(items, kind) {
-    const shown = items.filter((item) => hasPlace(item) && !isCorner(item) && !isCircle(item) && !isRally(item));
+    const isPoint = (item) => !isCorner(item) && !isCircle(item) && !isRally(item) && item.number !== HOME;
+    const shown = items.filter((item) => hasPlace(item) && isPoint(item));
     const isDense = shown.length > MANY;
     const small = isDense ? 2.5 : 6;
     return shown.map((item) => {
@@ -168,22 +170,22 @@ export class PlanMap {
         isFlownTo(item) ? made("circle", { cx: x, cy: y, r: kind === "meant" ? small + (isDense ? 1 : 3) : small })
           : made("rect", { x: x - 5, y: y - 5, width: 10, height: 10, transform: `rotate(45 ${x} ${y})` }),
       );
-      if (kind === "held") point.append(...this.number(item.seq, x + 13, y - 9));
+      if (kind === "held") point.append(...this.number(item.number, x + 13, y - 9));
       const title = made("title");
-      title.textContent = `${item.seq}: ${item.words || item.command}`;
+      title.textContent = `${item.number}: ${item.words || item.command}`;
       point.append(title);
       return point;
     });
   }
 
   // A point's number, unless it would stand on another one.
-  number(seq, left, bottom) {
-    const right = left + LETTER_PX * String(seq).length;
+  number(number, left, bottom) {
+    const right = left + LETTER_PX * String(number).length;
     const stands = (one) => left < one.right && right > one.left && Math.abs(one.bottom - bottom) < LINE_PX;
     if (this.numbered.some(stands)) return [];
     this.numbered.push({ left, right, bottom });
     const text = made("text", { x: left, y: bottom });
-    text.textContent = seq;
+    text.textContent = number;
     return [text];
   }
 

@@ -10,13 +10,22 @@ const PASSING_S = 12; // in the strip below
 const STRIP_PX = 52;
 const LABEL_PX = 13; // a line of labels
 const BAR_PX = 12;
+const HATCH_PX = 9;
+const REACH_PX = 3; // beside a frame, where a click still means it
 const KEPT = 3000;
 const UNASKED = ["HEARTBEAT", "STATUSTEXT", "MISSION_ITEM_REACHED"]; // begin no talk
 const FONT = '"DejaVu Sans", system-ui, sans-serif';
 
 export class Timeline {
-  constructor(canvas) {
+  // choose: is called with a frame that was clicked.
+  constructor(canvas, choose) {
     this.canvas = canvas;
+    this.drawn = []; // {frame, left, right, top, bottom}: where frames that are listed stand in the picture
+    canvas.addEventListener("click", ({ offsetX, offsetY }) => {
+      const hit = this.drawn.find((one) => offsetX >= one.left - REACH_PX && offsetX <= one.right + REACH_PX &&
+        offsetY >= one.top && offsetY <= one.bottom);
+      if (hit) choose(hit.frame);
+    });
     this.factor = 1;
     this.isCalm = matchMedia("(prefers-reduced-motion: reduce)");
     this.forget();
@@ -29,6 +38,7 @@ export class Timeline {
 
   forget() {
     this.frames = [];
+    this.events = []; // {at, words, cut}: what was done to the line or to an end of it
     this.talk = null; // {began, ended}
     this.now = 0;
     this.at = performance.now(); // when `now` was true [ms]
@@ -44,6 +54,26 @@ export class Timeline {
     }
     this.now = now;
     this.at = performance.now();
+  }
+
+  addEvent(event) {
+    this.events.push(event);
+  }
+
+  // {from, to} of each time in which the cable was pulled, until `end`.
+  cuts(end) {
+    const cuts = [];
+    let from = null;
+    for (const { at, cut } of this.events) {
+      if (cut === undefined) continue;
+      if (cut) {
+        from ??= at;
+      } else if (from !== null) {
+        cuts.push({ from, to: at });
+        from = null;
+      }
+    }
+    return from === null ? cuts : [...cuts, { from, to: end }];
   }
 
   // Simulated time now; between two messages it goes on at the pace that was measured.
@@ -65,6 +95,7 @@ export class Timeline {
     pen.setTransform(dots, 0, 0, dots, 0, 0);
     pen.clearRect(0, 0, width, height);
     const colour = coloursOf(canvas);
+    this.drawn = [];
     this.drawStrip(pen, colour, width, height);
     this.drawTalk(pen, colour, width, height - STRIP_PX);
   }
@@ -81,6 +112,7 @@ export class Timeline {
       const from = x(Math.max(this.talk.began, this.talk.ended - LONGEST_S));
       pen.fillRect(from - 2, top + 1, Math.max(4, x(this.talk.ended) - from + 4), STRIP_PX - 18);
     }
+    for (const cut of this.cuts(end)) hatch(pen, colour, x(cut.from), x(cut.to), top + 1, STRIP_PX - 18);
     for (const frame of this.frames) {
       if (frame.ended < end - PASSING_S) continue;
       pen.fillStyle = colour[kindOf(frame)];
@@ -88,6 +120,12 @@ export class Timeline {
       pen.fillRect(x(frame.began), top + (isMega ? 6 : 20), Math.max(1, x(frame.ended) - x(frame.began)), 10);
     }
     pen.font = `11px ${FONT}`;
+    pen.textAlign = "left";
+    pen.fillStyle = colour.lost;
+    for (const { at, words } of this.events.filter((one) => one.at > end - PASSING_S)) {
+      pen.fillRect(x(at), top, 2, STRIP_PX - 17);
+      pen.fillText(words, Math.min(x(at) + 5, width - pen.measureText(words).width - 4), top + 29);
+    }
     pen.textAlign = "center";
     pen.fillStyle = colour.dim;
     for (let second = Math.max(0, Math.ceil((end - PASSING_S) / 2) * 2); second <= end; second += 2) {
@@ -105,7 +143,11 @@ export class Timeline {
       const left = 12;
       const right = width - 110; // for the last label
       const x = (time) => left + ((time - began) / (ended - began)) * (right - left);
+      for (const cut of this.cuts(ended)) {
+        if (cut.to > began && cut.from < ended) hatch(pen, colour, x(Math.max(cut.from, began)), x(cut.to), 0, height);
+      }
       this.drawTimes(pen, colour, x, began, ended, height);
+      this.drawEvents(pen, colour, x, began, ended, height);
       for (const [way, , top] of names) this.drawLane(pen, colour, x, { way, top, lane, width, began, ended });
     }
     pen.font = `600 12px ${FONT}`;
@@ -132,6 +174,15 @@ export class Timeline {
     }
   }
 
+  drawEvents(pen, colour, x, began, ended, height) {
+    pen.textAlign = "left";
+    pen.fillStyle = colour.lost;
+    for (const { at, words } of this.events.filter((one) => one.at >= began && one.at <= ended)) {
+      pen.fillRect(x(at), 0, 2, height);
+      pen.fillText(words, x(at) + 5, height / 2 - 4);
+    }
+  }
+
   drawLane(pen, colour, x, { way, top, lane, width, began, ended }) {
     const bottom = top + lane - 18;
     pen.fillStyle = colour.line;
@@ -144,7 +195,9 @@ export class Timeline {
       const from = x(frame.began);
       const kind = kindOf(frame);
       pen.fillStyle = colour[kind];
-      pen.fillRect(from, bottom - BAR_PX, Math.max(2, x(frame.ended) - from), BAR_PX);
+      const wide = Math.max(2, x(frame.ended) - from);
+      pen.fillRect(from, bottom - BAR_PX, wide, BAR_PX);
+      if (frame.text) this.drawn.push({ frame, left: from, right: from + wide, top, bottom });
       if (kind === "other" || !frame.label) continue;
       const line = taken.findIndex((end) => end < from);
       if (line < 0) continue;
@@ -155,6 +208,23 @@ export class Timeline {
       taken[line] = from + pen.measureText(words).width + 8;
     }
   }
+}
+
+// The cable is not there.
+function hatch(pen, colour, from, to, top, height) {
+  pen.save();
+  pen.beginPath();
+  pen.rect(from, top, Math.max(2, to - from), height);
+  pen.clip();
+  pen.strokeStyle = colour.lost;
+  pen.globalAlpha = 0.5;
+  pen.beginPath();
+  for (let left = Math.max(0, from) - height; left < Math.min(to, pen.canvas.width); left += HATCH_PX) {
+    pen.moveTo(left, top + height);
+    pen.lineTo(left + height, top);
+  }
+  pen.stroke();
+  pen.restore();
 }
 
 function kindOf(frame) {

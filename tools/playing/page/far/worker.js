@@ -11,10 +11,14 @@ let mega = null; // the port to the Mega's worker
 let run = 0;
 let now = 0;
 let newsAt = 0;
+let later = null; // the timer of news that are to be told
+let shown = 0; // frames that are shown, and have crossed
 let isOutside = false;
 
 onmessage = ({ data }) => {
-  const does = { start, stop, lose, cable, loseNext, restart, forget, judge, read, outside };
+  const does = {
+    start, stop, lose, cable, loseNext, latency, interfere, restart, forget, judge, read, outside, explain,
+  };
   try {
     does[data.does](data);
   } catch (error) {
@@ -31,7 +35,7 @@ async function load() {
   postMessage({ says: "loading", what: "the autopilot" });
   python.registerJsModule("hearing", { exports: await parser });
   python.unpackArchive(await world, "zip", { extractDir: "/world" });
-  python.runPython("import sys; sys.path.insert(0, '/world'); import far_end");
+  python.runPython("import sys; sys.path.insert(0, '/world'); import inside.far_end");
   postMessage({ says: "ready", ms: performance.now() - begun });
 }
 
@@ -42,7 +46,8 @@ function start({ settings, port, number }) {
   run = number;
   now = 0;
   isOutside = settings.autopilot === "outside";
-  const module = python.pyimport("far_end");
+  const module = python.pyimport("inside.far_end");
+  shown = 0;
   farEnd = module.FarEnd(JSON.stringify(settings));
   module.destroy();
   mega = port;
@@ -65,7 +70,9 @@ function step({ slice, now: until, bytes, left, baud }) {
     const answer = farEnd.step(until, data, times, baud);
     const arriving = answer.toJs();
     for (const used of [data, times, answer]) used.destroy();
-    mega.postMessage({ slice, bytes: arriving }, [arriving.buffer]);
+    const shownBefore = shown;
+    shown = farEnd.shown_crossed;
+    mega.postMessage({ slice, bytes: arriving, isFrame: shown > shownBefore }, [arriving.buffer]);
     if (isOutside) giveOutside();
     tell();
   } catch (error) {
@@ -81,10 +88,18 @@ function giveOutside() {
   if (bytes.length) postMessage({ says: "outside", run, bytes }, [bytes.buffer]);
 }
 
+// What is new, at most so often; and the last of it too, when nothing follows.
 function tell() {
-  const clock = performance.now();
-  if (clock - newsAt < NEWS_EVERY_MS) return;
-  newsAt = clock;
+  const waits = newsAt + NEWS_EVERY_MS - performance.now();
+  if (waits > 0) {
+    later ??= setTimeout(() => {
+      later = null;
+      tell();
+    }, waits);
+    return;
+  }
+  newsAt = performance.now();
+  if (!farEnd) return;
   const news = farEnd.news();
   if (news) postMessage({ says: "news", run, now, news: JSON.parse(news) });
 }
@@ -95,18 +110,38 @@ function lose({ frames, bytes }) {
 
 function cable({ joined }) {
   farEnd?.cable(joined);
+  tellAtOnce();
 }
 
 function loseNext({ name }) {
   farEnd?.lose_next(name);
+  tellAtOnce();
+}
+
+function latency({ milliseconds }) {
+  farEnd?.latency(milliseconds);
+  tellAtOnce();
+}
+
+function interfere({ who }) {
+  farEnd?.interfere(who);
+  tellAtOnce();
 }
 
 function restart() {
   farEnd?.restart(now);
+  tellAtOnce();
 }
 
 function forget() {
-  farEnd?.forget_talk();
+  farEnd?.mega_restarts();
+  tellAtOnce();
+}
+
+// A deed is told of though the Mega may be paused.
+function tellAtOnce() {
+  newsAt = 0;
+  tell();
 }
 
 function judge({ meant }) {
@@ -121,11 +156,23 @@ function outside({ bytes }) {
 }
 
 // A plan file that was dropped onto the page.
-function read({ name, bytes }) {
-  const module = python.pyimport("far_end");
+function read({ name, bytes, word }) {
+  const module = python.pyimport("inside.far_end");
   const data = python.toPy(new Uint8Array(bytes));
   try {
-    postMessage({ says: "read", name, plan: JSON.parse(module.plan_of(name, data)) });
+    postMessage({ says: "read", name, word, plan: JSON.parse(module.plan_of(name, data)) });
+  } finally {
+    data.destroy();
+    module.destroy();
+  }
+}
+
+// A frame, field by field.
+function explain({ hex, id }) {
+  const module = python.pyimport("inside.explained");
+  const data = python.toPy(Uint8Array.from(hex.match(/../g), (byte) => parseInt(byte, 16)));
+  try {
+    postMessage({ says: "explained", id, frame: JSON.parse(module.explained(data)) });
   } finally {
     data.destroy();
     module.destroy();

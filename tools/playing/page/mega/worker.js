@@ -17,21 +17,41 @@ let run = 0; // the number of this run: messages of an earlier run are ignored
 let far = null; // the port to the far end
 let slice = 0;
 let answers = new Map(); // by slice
-let began = 0; // the wall clock's time at which simulated time was 0 [ms]
-let skippedS = 0;
+let pace = 1; // of simulated time beside the clock; 0: paused
+let isStepping = false; // to the next frame, as fast as it goes
+let since = { clock: 0, s: 0 }; // a time of the clock [ms], and what simulated time was due then
 let timer = null;
 let told = { at: 0, cycle: 0 };
 let toType = [];
 let decoder = new TextDecoder();
 
 onmessage = ({ data }) => {
-  const does = { start, reset, type, stop };
+  const does = { start, reset, type, stop, setPace, toNextFrame };
   try {
     does[data.does](data);
   } catch (error) {
     fail(error);
   }
 };
+
+// What is due now is what has been run.
+function beAbreast() {
+  since = { clock: performance.now(), s: slice * SLICE_S };
+  told = { at: since.clock, cycle: mega ? mega.cycle : 0 };
+}
+
+function setPace({ factor }) {
+  pace = factor;
+  isStepping = false;
+  beAbreast();
+  go();
+}
+
+function toNextFrame() {
+  pace = 0;
+  isStepping = true;
+  go();
+}
 
 function start({ hex, pass, port, number }) {
   stop();
@@ -40,15 +60,15 @@ function start({ hex, pass, port, number }) {
   far = port;
   far.onmessage = ({ data: answer }) => {
     answers.set(answer.slice, answer.bytes);
+    if (answer.isFrame && isStepping) isStepping = false;
     go();
   };
   slice = 0;
   answers = new Map();
   toType = [];
   decoder = new TextDecoder();
-  skippedS = 0;
-  began = performance.now();
-  told = { at: began, cycle: 0 };
+  isStepping = false;
+  beAbreast();
   go();
 }
 
@@ -81,16 +101,14 @@ function go() {
   const turn = performance.now();
   try {
     for (;;) {
+      if (!pace && !isStepping) break; // setPace() or toNextFrame() call go()
       const now = performance.now();
-      const aheadS = slice * SLICE_S - (now - began) / 1000;
+      const aheadS = isStepping ? 0 : slice * SLICE_S - since.s - ((now - since.clock) / 1000) * pace;
       if (aheadS > 0) {
-        timer = setTimeout(go, aheadS * 1000);
+        timer = setTimeout(go, (aheadS / pace) * 1000);
         break;
       }
-      if (aheadS < -FALLEN_BEHIND_S) {
-        began -= aheadS * 1000;
-        skippedS -= aheadS;
-      }
+      if (aheadS < -FALLEN_BEHIND_S) since.s += aheadS;
       const due = slice - BEHIND;
       if (due >= 0 && !answers.has(due)) break; // its message calls go()
       if (now - turn > LONGEST_TURN_MS) {
@@ -139,6 +157,7 @@ function tell() {
     says: "measured",
     run,
     now: mega.cycle / HZ,
+    pace,
     factor: cycles / HZ / ((now - told.at) / 1000),
     stack: mega.deepestStack,
     passes,

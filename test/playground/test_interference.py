@@ -1,0 +1,110 @@
+"""Somebody else has a hand in a run of the page: what the autopilot does, and what the sketch makes of it."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from building import build_sketch
+from demonstration.autopilots import EXAMPLES_FLY_AT
+from playing.inside.far_end import FarEnd
+from simulation.mega import Mega
+
+SLICE_CYCLES = 80_000  # 5 ms
+BAUD = 57600.0
+PILOT, RETURN = {"ardupilot": "LOITER", "px4": "POSCTL"}, {"ardupilot": "RTL", "px4": "RTL"}
+
+
+class Run:
+    """An example beside the page's far end."""
+
+    def __init__(self, example: str, autopilot: str, arms: bool, latency: int = 0) -> None:
+        self.mega = Mega(build_sketch(example).elf)
+        self.far = FarEnd(json.dumps({
+            "autopilot": autopilot, "loss": 0, "bytes": 0, "latency": latency, "seed": 1, "hz": self.mega.hz,
+            "arms": arms, "home": EXAMPLES_FLY_AT,
+        }))  # fmt: skip
+        self.printed = b""
+        self.events: list[str] = []
+        self.frames: list[dict] = []
+
+    @property
+    def height_m(self) -> float:
+        return self.far.autopilot.flight.where(self.now).height
+
+    @property
+    def now(self) -> float:
+        return self.mega.cycle / self.mega.hz
+
+    def until(self, is_so, limit_s: float) -> None:
+        limit = self.now + limit_s
+        while not is_so():
+            assert self.now < limit, self.printed
+            self.mega.run_until(self.mega.cycle + SLICE_CYCLES)
+            self.printed += bytes(one.byte for one in self.mega.serial(0).sent())
+            sent = self.mega.serial(1).sent()
+            data, left = bytes(one.byte for one in sent), [one.left for one in sent]
+            arriving = self.far.step(self.now, data, left, BAUD)
+            if arriving:
+                self.mega.serial(1).send(arriving, self.mega.cycle)
+            news = json.loads(self.far.news() or "{}")
+            self.events += [event["words"] for event in news.get("events", [])]
+            self.frames += news.get("frames", [])
+
+    def for_s(self, seconds: float) -> None:
+        end = self.now + seconds
+        self.until(lambda: self.now >= end, seconds + 1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])
+@pytest.mark.parametrize("who, modes, words", [
+    ("pilot", PILOT, "a pilot sets "), ("battery", RETURN, "the battery is low: the autopilot returns"),
+])  # fmt: skip
+def test_a_mode_that_somebody_sets_in_flight_stays(autopilot, who, modes, words):
+    run = Run("GoToPlaces", autopilot, arms=True)
+    run.until(lambda: b"to 1\r\n" in run.printed, 60)
+    run.for_s(2.0)
+    run.far.interfere(who)
+    run.for_s(10.0)
+    assert run.far._mode() == modes[autopilot]
+    assert any(event.startswith(words) for event in run.events)
+
+
+def test_a_low_battery_on_the_ground_is_told_and_does_nothing():
+    run = Run("UploadMission", "ardupilot", arms=False)
+    run.for_s(0.5)
+    mode = run.far._mode()
+    run.far.interfere("battery")
+    run.for_s(0.5)
+    assert run.far._mode() == mode and run.events == ["the battery is low: on the ground nothing happens"]
+
+
+@pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])
+def test_the_plan_of_another_station_is_aboard_in_the_place_of_ours(autopilot):
+    run = Run("UploadMission", autopilot, arms=False)
+    run.until(lambda: json.loads(run.far.verdict("{}"))["good"], 10)
+    run.far.interfere("station")
+    run.for_s(0.5)
+    assert len(run.far.autopilot.received()) == (4 if autopilot == "ardupilot" else 3)
+    assert run.events == ["another ground station uploads its 3 items"]
+    assert not json.loads(run.far.verdict("{}"))["good"]
+
+
+@pytest.mark.parametrize(("name", "way"), [(">", ">"), ("<", "<"), ("MISSION_ACK", "<"), ("MISSION_REQUEST*", "<")])
+def test_the_next_frame_that_is_named_is_lost_and_the_upload_ends_accepted(name, way):
+    run = Run("UploadMission", "ardupilot", arms=False)
+    run.far.lose_next(name)
+    run.until(lambda: json.loads(run.far.verdict("{}")).get("knows"), 20)
+    (lost,) = [frame for frame in run.frames if frame["lost"]]
+    assert lost["way"] == way and lost["text"].startswith(name.strip("<>*"))
+    assert len(run.events) == 1 and run.events[0].endswith("will be lost")
+
+
+def test_what_is_late_takes_so_much_longer_each_way():
+    run = Run("UploadMission", "ardupilot", arms=False, latency=300)
+    run.until(lambda: json.loads(run.far.verdict("{}")).get("knows"), 20)
+    asked = next(frame["ended"] for frame in run.frames if frame["text"].startswith("MISSION_COUNT"))
+    answered = next(frame["began"] for frame in run.frames if frame["text"].startswith("MISSION_REQUEST"))
+    assert 0.6 <= answered - asked < 0.65

@@ -1,0 +1,61 @@
+"""What somebody else does in the middle of a run: a pilot, a low battery, another ground station."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from demonstration.words import HOME
+from simulation.fake_autopilot import MISSION, Item, item, mavlink
+
+STATION = (255, 190)  # its system and its component
+PX4_POSITION, PX4_RETURN = (3, 0), (4, 5)  # PX4's main and sub mode
+
+
+def pilot_takes_over(autopilot: Any, now: float) -> str:
+    """By the switch of the remote control; in words."""
+    kind = getattr(autopilot, "kind", None)
+    numbers = (kind.modes["LOITER"],) if kind else PX4_POSITION
+    autopilot.at("pilot", now, lambda time: autopilot._set_mode(*numbers, time))
+    return f"a pilot sets {'LOITER' if kind else 'POSCTL'}"
+
+
+def battery_is_low(autopilot: Any, now: float) -> str:
+    """An autopilot in flight returns; in words."""
+    if not (autopilot.armed and autopilot.flight.airborne(now)):
+        return "the battery is low: on the ground nothing happens"
+    kind = getattr(autopilot, "kind", None)
+    numbers = (kind.modes["RTL"],) if kind else PX4_RETURN
+
+    def fail(time: float) -> None:
+        autopilot._set_mode(*numbers, time)
+        if not kind:
+            autopilot.in_failsafe = True
+
+    autopilot.at("failsafe", now, fail)
+    return "the battery is low: the autopilot returns"
+
+
+def other_station_uploads(autopilot: Any, now: float) -> str:
+    """A short plan by a line of its own, in the steps of the protocol; in words."""
+    home = autopilot.flight.home
+    plan = [
+        item(mavlink.MAV_CMD_NAV_TAKEOFF, x=home.lat_e7, y=home.lon_e7, z=15.0),
+        item(mavlink.MAV_CMD_NAV_WAYPOINT, x=home.lat_e7 + 4000, y=home.lon_e7, z=15.0),
+        item(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH, frame=mavlink.MAV_FRAME_MISSION),
+    ]
+    count = len(plan)
+    sent = [HOME, *plan] if hasattr(autopilot, "kind") else plan
+    packer = mavlink.MAVLink(None, *STATION)
+    messages = [mavlink.MAVLink_mission_count_message(*autopilot.address, len(sent), MISSION)]
+    messages += [as_message(seq, one, autopilot.address) for seq, one in enumerate(sent)]
+    for message in messages:
+        autopilot.receive(message.pack(packer), now, elsewhere=True)
+    return f"another ground station uploads its {count} items"
+
+
+def as_message(seq: int, one: Item, to: tuple[int, int]) -> Any:
+    params = (0.0 if math.isnan(value) else value for value in one[4:8])
+    return mavlink.MAVLink_mission_item_int_message(
+        *to, seq, one.frame, one.command, one.current, one.autocontinue, *params, one.x, one.y, one.z, MISSION
+    )
