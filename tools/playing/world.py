@@ -19,10 +19,10 @@ NO_DATE = (1980, 1, 1, 0, 0, 0)  # the same files make the same archive
 SIMULATION = ("__init__", "wire")
 DEMONSTRATION = ("autopilots", "conversation", "line", "named_frames", "timeline", "words")
 PLANNING = (
-    "__init__", "bad_plan", "commands", "exact", "files", "flight", "json_text", "landing_pattern", "located_json",
-    "plan", "progress", "qgc_mission", "qgc_plan", "settling", "unset", "waypoints",
+    "__init__", "bad_plan", "commands", "exact", "files", "flight", "header", "json_text", "landing_pattern",
+    "located_json", "makers", "plan", "progress", "qgc_mission", "qgc_plan", "settling", "unset", "waypoints",
 )  # fmt: skip
-OWN = ("explained", "far_end", "interference")
+OWN = ("drawn", "explained", "far_end", "interference")
 RECORDINGS = ("px4/clean_with_streams.txt",)
 
 

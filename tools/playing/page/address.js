@@ -1,6 +1,7 @@
 // The state that an address names: #example=UploadMission&autopilot=px4&loss=20&seed=3
 
 import { CARRIED } from "./carried.js";
+import { isDrawing } from "./drawing.js";
 
 export const AUTOPILOTS = ["ardupilot", "px4"];
 export const MOST_LOSS = 50; // percent of the frames, each way
@@ -9,7 +10,7 @@ export const MOST_SEED = 999999;
 
 export const PLAIN = {
   example: "UploadMission", autopilot: "ardupilot", loss: 0, bytes: 0, latency: 0, seed: 0, cable: "joined", lose: "",
-  plan: "",
+  plan: "", draw: "",
 };
 const CABLES = ["joined", "pulled"];
 export const MOST_LATENCY = 1000; // ms, each way
@@ -49,6 +50,7 @@ const TAKERS = {
   seed: numberTo(MOST_SEED, 1),
   cable: oneOf(CABLES),
   lose: oneOf(LOST),
+  draw: (value) => (isDrawing(value) ? value : undefined),
   plan: (value) => (CARRIED.test(value) ? value : undefined),
 };
 

@@ -3,12 +3,16 @@
 import { AUTOPILOTS, hashOf, MOST_SEED, PLAIN, stateOf } from "./address.js";
 import { packed, unpacked } from "./carried.js";
 import { Deeds } from "./deeds.js";
+import { saved } from "./download.js";
+import { Drawing } from "./drawing.js";
 import { Dropped } from "./dropped.js";
 import { showFields } from "./fields.js";
 import { Frames } from "./frames.js";
 import { flightInWords, headline } from "./headline.js";
 import { PlanMap } from "./map.js";
 import { numbered, numberOf } from "./numbers.js";
+import { exampleOf, isSketch } from "./own.js";
+import { PinPanel } from "./pins.js";
 import { isOffered, Pixhawk } from "./pixhawk.js";
 import { hasPlace } from "./places.js";
 import { Timeline } from "./timeline.js";
@@ -40,6 +44,8 @@ const map = new PlanMap(at("map"));
 const timeline = new Timeline(at("timeline"), (frame) => frames.selectFrame(frame));
 const frames = new Frames(at("frames"), ({ hex }) => far.postMessage({ does: "explain", hex }));
 const deeds = new Deeds(at("deeds"));
+const pins = new PinPanel(at("pins"), (pin, isDown) => mega.postMessage({ does: "press", pin, isDown }));
+const drawing = new Drawing(map, at("points"), drawn);
 const mega = new Worker("mega/worker.js", { type: "module" });
 const far = new Worker("far/worker.js", { type: "module" });
 
@@ -53,6 +59,7 @@ let dropped = null; // and is being put aboard
 let progress = {};
 let held = {};
 let isPaused = false;
+let files = null; // what was drawn, as {cpp, plan, waypoints}
 let seen = {}; // {heard, vehicle, flown, read, said}: what there was to see of the run
 let line = ""; // of the sketch's, as far as it has printed it
 let isGood = false;
@@ -101,12 +108,13 @@ function begin() {
   if (!isConsole()) plan = null;
   if (isReady && !plan && state.plan) change({ plan: "" }, false);
   const home = placeOf(plan) || EXAMPLES_FLY_AT;
-  map.forget(isOutside ? null : { x: home[0], y: home[1] });
+  map.forget(isOutside ? null : { x: home[0], y: home[1], height: home[2] });
   map.show({ meant: meantItems() });
   timeline.forget();
   at("console").textContent = "";
   frames.forget();
   deeds.forget();
+  pins.forget();
   showFields(at("fields"), null);
   setPace(1);
   at("vehicle").textContent = isOutside ? "" : "The aircraft is not known yet.";
@@ -124,13 +132,16 @@ function begin() {
   if (!isOutside && state.cable === "pulled") far.postMessage({ does: "cable", joined: false });
   if (!isOutside && state.lose === "ack") far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
   const number = run;
-  fetch(`examples/${example().hex}`)
-    .then((answer) => answer.text())
+  firmwareOf(example())
     .then((hex) => {
       if (number !== run) return;
       mega.postMessage({ does: "start", hex, pass: example().pass, port: port2, number }, [port2]);
       if (plan) dropped = new Dropped(plan, type, known.ends);
     });
+}
+
+async function firmwareOf({ image, hex }) {
+  return image || (await fetch(`examples/${hex}`)).text();
 }
 
 function firstWords() {
@@ -179,6 +190,7 @@ mega.onmessage = ({ data }) => {
   if (data.run !== run) return;
   if (data.says === "printed") print(data.text);
   if (data.says === "measured") showMeasured(data);
+  if (data.says === "pins") pins.show(data.state);
   if (data.says === "reset") map.show({ arrived: [] });
   if (data.says === "crashed") outcome(`The Mega has crashed: ${data.why}`, "bad");
 };
@@ -189,6 +201,7 @@ far.onmessage = ({ data }) => {
   if (says === "loading") loading(data.what);
   if (says === "ready") ready(data.ms);
   if (says === "read") take(data);
+  if (says === "drawn") showDrawn(data.files);
   if (says === "explained") showFields(at("fields"), data.frame);
   if (says === "failed") outcome(`It cannot go on: ${data.why}`, "bad");
   if (data.run !== run) return;
@@ -206,6 +219,7 @@ function loading(what) {
 function ready(ms) {
   isReady = true;
   document.body.dataset.readyMs = Math.round(ms);
+  askForFiles();
   if (known) beginOrCarry();
 }
 
@@ -365,16 +379,16 @@ function showSizes() {
   at("typing").hidden = !listens;
   at("console").dataset.hint = prints ? "What the sketch prints appears here." : `${name} prints nothing.`;
   at("says").textContent = says;
-  at("ram").textContent = `${ram} of ${RAM} bytes`;
+  at("ram").textContent = ram === null ? "not known of a .hex" : `${ram} of ${RAM} bytes`;
   at("flash").textContent = `${flash.toLocaleString("en")} of ${FLASH.toLocaleString("en")} bytes`;
   for (const id of ["stack", "free", "left", "longest", "clock", "factor"]) at(id).textContent = "-";
-  ramFree = RAM - ram;
+  ramFree = ram === null ? NaN : RAM - ram;
 }
 
 function showMeasured({ now, factor, pace, stack, passes, cycles, lost }) {
   timeline.factor = factor;
   at("stack").textContent = `${stack} bytes`;
-  at("free").textContent = `${(ramFree - stack).toLocaleString("en")} bytes`;
+  at("free").textContent = ramFree ? `${(ramFree - stack).toLocaleString("en")} bytes` : "-";
   if (passes.count) {
     const idle = (passes.count * passes.shortest) / cycles;
     at("left").textContent = `${(100 * Math.min(1, idle)).toFixed(1)} %`;
@@ -430,11 +444,33 @@ function takeAddress(isFirst) {
   if (refused) return notice("A sketch that arms does not run with a real autopilot: the address is ignored.");
   const isSame = !isFirst && Object.keys(wanted).every((name) => wanted[name] === state[name]);
   state = wanted;
+  drawing.take(state.draw);
+  askForFiles();
   showState();
   if (isSame) return;
   plan = null;
   if (isReady) beginOrCarry();
   else begin();
+}
+
+// The plan that is drawn has changed.
+function drawn() {
+  change({ draw: drawing.word }, false);
+  askForFiles();
+}
+
+function askForFiles() {
+  at("drawn-part").hidden = !drawing.points.length;
+  at("returns").checked = drawing.returns;
+  if (isReady && drawing.points.length) far.postMessage({ does: "draw", plan: drawing.plan });
+  else at("fly").disabled = true;
+}
+
+function showDrawn(made) {
+  files = made;
+  at("fly").disabled = isOutside || !made.waypoints;
+  at("save-drawn").disabled = !made.waypoints;
+  at("drawn-text").textContent = made.error || made[at("form").value];
 }
 
 // Of simulated time beside the clock; 0: paused.
@@ -462,11 +498,27 @@ async function take({ name, plan: read, word }) {
 
 async function readFile(file) {
   if (!file) return;
+  if (isSketch(file.name)) return readSketch(file);
   if (isOutside) return notice("PlanConsole can arm, so it does not run with a real autopilot.");
   if (!isReady) return notice("The autopilot is still loading: drop the plan when that is done.");
   if (file.size > LARGEST_FILE) return notice(`The plan was refused: ${file.name} is larger than 64 MB.`);
   const bytes = await file.arrayBuffer();
   far.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
+}
+
+// A sketch of one's own takes its place among the examples.
+async function readSketch(file) {
+  if (isOutside) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
+  try {
+    const own = exampleOf(file.name, new Uint8Array(await file.arrayBuffer()));
+    known.examples = [own, ...known.examples.filter(({ name, image }) => !image && name !== own.name)];
+    showExamples();
+    plan = null;
+    change({ example: own.name, plan: "" }, true);
+    notice(`${own.name} runs as it was compiled. The address does not carry it.`, false);
+  } catch (error) {
+    notice(`${file.name} was refused: ${error.message}.`);
+  }
 }
 
 function goOutside(isWanted) {
@@ -514,11 +566,24 @@ at("next-frame").onclick = () => {
   setPace(0);
   mega.postMessage({ does: "toNextFrame" });
 };
-at("vcd").onclick = () => {
-  const file = new Blob([vcdOf(timeline.frames)], { type: "text/plain" });
-  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(file), download: "line.vcd" });
-  link.click();
-  URL.revokeObjectURL(link.href);
+at("vcd").onclick = () => saved("line.vcd", vcdOf(timeline.frames));
+at("draw").onclick = () => {
+  drawing.turn(!drawing.isOn);
+  at("draw").setAttribute("aria-pressed", drawing.isOn);
+  for (const id of ["wider", "closer"]) at(id).disabled = !drawing.isOn;
+};
+at("add-point").onclick = () => drawing.addNext();
+at("wider").onclick = () => map.zoom(0.7);
+at("closer").onclick = () => map.zoom(1.4);
+at("returns").onchange = (event) => {
+  drawing.returns = event.target.checked;
+  drawing.tell();
+};
+at("form").onchange = () => showDrawn(files);
+at("save-drawn").onclick = () => saved(`drawn.${at("form").value}`, files[at("form").value]);
+at("fly").onclick = () => {
+  const bytes = new TextEncoder().encode(files.waypoints).buffer;
+  far.postMessage({ does: "read", name: "drawn.waypoints", bytes }, [bytes]);
 };
 at("reset-mega").onclick = () => {
   isGood = false;
@@ -581,9 +646,13 @@ if (!isOffered()) {
   at("pixhawk-says").textContent = "This browser has no Web Serial: Chrome and Edge on a computer have it.";
 }
 
+function showExamples() {
+  at("example").replaceChildren(...known.examples.map(({ name }) => new Option(name, name)));
+}
+
 async function open() {
   known = await (await fetch("examples/examples.json")).json();
-  at("example").replaceChildren(...known.examples.map(({ name }) => new Option(name, name)));
+  showExamples();
   takeAddress(true);
   document.body.dataset.shownMs = Math.round(performance.now());
 }

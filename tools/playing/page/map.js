@@ -2,7 +2,7 @@
 
 import { HOME } from "./numbers.js";
 import {
-  flatAround, hasPlace, isCircle, isCorner, isFlownTo, isRally, isReturn, lengthInWords, roundBelow,
+  flatAround, hasPlace, isCircle, isCorner, isFlownTo, isRally, isReturn, lengthInWords, placeFrom, roundBelow,
 } from "./places.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -18,6 +18,8 @@ export class PlanMap {
   constructor(svg) {
     this.svg = svg;
     this.size = { width: 0, height: 0 };
+    this.drawn = []; // by hand; it outlives a run
+    this.isFrozen = false; // while one draws, the map stays where it is
     new ResizeObserver(() => this.measure()).observe(svg);
     this.forget();
   }
@@ -66,7 +68,7 @@ export class PlanMap {
 
   get everything() {
     const held = Object.values(this.held).flat();
-    return [...this.meant, ...this.arrived, ...held].filter(hasPlace);
+    return [...this.meant, ...this.arrived, ...held, ...this.drawn].filter(hasPlace);
   }
 
   draw() {
@@ -75,8 +77,11 @@ export class PlanMap {
     const places = [...this.everything, ...(this.home ? [this.home] : [])];
     if (this.vehicle) places.push({ x: this.vehicle.lat, y: this.vehicle.lon });
     const origin = this.home || places[0] || { x: 0, y: 0 };
-    this.flat = flatAround(origin);
-    this.fit(places.map(this.flat));
+    if (!this.isFrozen || !this.perMetre) {
+      this.flat = flatAround(origin);
+      this.back = placeFrom(origin);
+      this.fit(places.map(this.flat));
+    }
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.svg.replaceChildren(...this.grid());
     this.svg.classList.toggle("dense", this.everything.length > 2 * MANY);
@@ -84,7 +89,8 @@ export class PlanMap {
     const groups = [
       this.fences(), this.path(this.meant, "meant"), this.path(this.held.plan || [], "held"), this.returning(),
       this.points(this.meant, "meant"), this.points(this.arrived, "arrived"), this.points(this.held.plan || [], "held"),
-      this.rallies(), this.homeMark(), this.aircraft(), this.scale(), this.north(),
+      this.path(this.drawn, "drawn"), this.points(this.drawn, "drawn"), this.rallies(), this.homeMark(),
+      this.aircraft(), this.scale(), this.north(),
     ];
     this.svg.append(...groups.flat().filter(Boolean));
     this.drawAircraft();
@@ -110,6 +116,18 @@ export class PlanMap {
   onScreen([east, north]) {
     const { width, height } = this.size;
     return [width / 2 + (east - this.centre[0]) * this.perMetre, height / 2 - (north - this.centre[1]) * this.perMetre];
+  }
+
+  placeAt(left, top) {
+    const { width, height } = this.size;
+    const east = this.centre[0] + (left - width / 2) / this.perMetre;
+    return this.back([east, this.centre[1] - (top - height / 2) / this.perMetre]);
+  }
+
+  // Show more of the surroundings, or less.
+  zoom(factor) {
+    this.perMetre *= factor;
+    this.draw();
   }
 
   isInView(place) {
@@ -170,7 +188,8 @@ export class PlanMap {
         isFlownTo(item) ? made("circle", { cx: x, cy: y, r: kind === "meant" ? small + (isDense ? 1 : 3) : small })
           : made("rect", { x: x - 5, y: y - 5, width: 10, height: 10, transform: `rotate(45 ${x} ${y})` }),
       );
-      if (kind === "held") point.append(...this.number(item.number, x + 13, y - 9));
+      if (kind === "drawn") point.dataset.drawn = item.number - 1;
+      if (kind !== "meant" && kind !== "arrived") point.append(...this.number(item.number, x + 13, y - 9));
       const title = made("title");
       title.textContent = `${item.number}: ${item.words || item.command}`;
       point.append(title);

@@ -3,6 +3,8 @@
 const METRES_PER_E7 = 0.011131884502145034; // a 1e-7 degree of latitude
 const NO_PLACE = 2; // MAV_FRAME_MISSION
 const FLOWN_TO = new Set([16, 17, 18, 19, 21, 22, 31, 82, 84, 85, 94]);
+export const WAYPOINT = 16;
+export const NORTH_30_M = Math.round(30 / METRES_PER_E7); // in latitude
 const RETURN = 20;
 const CORNERS = new Set([5001, 5002]);
 const CIRCLES = new Set([5003, 5004]);
@@ -23,6 +25,14 @@ export function flatAround(origin) {
     const east = ((((y - origin.y) % turn) + 1.5 * turn) % turn) - turn / 2; // the short way round
     return [east * METRES_PER_E7 * shrink, (x - origin.x) * METRES_PER_E7];
   };
+}
+
+// And back.
+export function placeFrom(origin) {
+  const shrink = Math.cos((origin.x * 1e-7 * Math.PI) / 180);
+  return ([east, north]) => ({
+    x: Math.round(origin.x + north / METRES_PER_E7), y: Math.round(origin.y + east / METRES_PER_E7 / shrink),
+  });
 }
 
 // The round number that is nearest below a length.

@@ -17,7 +17,7 @@ let isOutside = false;
 
 onmessage = ({ data }) => {
   const does = {
-    start, stop, lose, cable, loseNext, latency, interfere, restart, forget, judge, read, outside, explain,
+    start, stop, lose, cable, loseNext, latency, interfere, restart, forget, judge, read, outside, explain, draw,
   };
   try {
     does[data.does](data);
@@ -163,6 +163,16 @@ function read({ name, bytes, word }) {
     postMessage({ says: "read", name, word, plan: JSON.parse(module.plan_of(name, data)) });
   } finally {
     data.destroy();
+    module.destroy();
+  }
+}
+
+// A plan that was drawn on the map.
+function draw({ plan }) {
+  const module = python.pyimport("inside.drawn");
+  try {
+    postMessage({ says: "drawn", files: JSON.parse(module.drawn_as(JSON.stringify(plan))) });
+  } finally {
     module.destroy();
   }
 }

@@ -6,6 +6,7 @@ import { ADCMuxInputType, ADCReference, AVRADC, adcConfig } from "../vendor/avr8
 import { AVREEPROM, EEPROMMemoryBackend, eepromConfig } from "../vendor/avr8js/peripherals/eeprom.js";
 import { AVRTimer, timer0Config } from "../vendor/avr8js/peripherals/timer.js";
 import { piecesOf } from "./hex.js";
+import { Pins } from "./pins.js";
 import { Usart } from "./usart.js";
 
 export const HZ = 16_000_000;
@@ -51,12 +52,12 @@ const UCSR0A = 0xc0, UCSR1A = 0xc8;
 export class Crashed extends Error {}
 
 export class Mega {
-  // hex: the text of the .hex file. pass: the address in flash of what the Arduino core calls once in each pass
-  // through loop(), by which the passes are counted; 0 counts none.
+  // hex: the text of the .hex file, or {address, bytes} of the pieces of its flash. pass: the address in flash of what
+  // the Arduino core calls once in each pass through loop(), by which the passes are counted; 0 counts none.
   constructor(hex, pass = 0) {
     this.flash = new Uint16Array(FLASH_BYTES / 2).fill(ERASED);
     const bytes = new Uint8Array(this.flash.buffer);
-    for (const piece of piecesOf(hex)) {
+    for (const piece of typeof hex === "string" ? piecesOf(hex) : hex) {
       const end = piece.address + piece.bytes.length;
       if (end > FLASH_BYTES) throw new Error("this firmware does not fit a Mega's flash");
       bytes.set(piece.bytes, piece.address);
@@ -87,11 +88,12 @@ export class Mega {
   // Press the button: RAM and EEPROM keep what they hold, and time goes on.
   reset() {
     this.resets++;
-    const { cpu, ports } = this;
+    const { cpu, ports, pins } = this;
     this.start();
     this.cpu.data.set(cpu.data.subarray(RAM_BEGIN), RAM_BEGIN);
     this.cpu.cycles = cpu.cycles;
     this.ports.forEach((port, number) => port.takeOver(ports[number]));
+    this.pins.pressed = pins.pressed;
     this.passBegan = -1;
   }
 
@@ -101,6 +103,7 @@ export class Mega {
     this.timer0 = new AVRTimer(cpu, TIMER0);
     this.analog = new AVRADC(cpu, ADC);
     this.memory = new AVREEPROM(cpu, this.eeprom, EEPROM);
+    this.pins = new Pins(cpu);
     this.ports = [new Usart(cpu, UCSR0A, USART0_RX), new Usart(cpu, UCSR1A, USART1_RX)];
   }
 

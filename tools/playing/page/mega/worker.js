@@ -10,6 +10,7 @@ const BEHIND = 2; // slices
 const FALLEN_BEHIND_S = 0.5;
 const TOLD_EVERY_MS = 250;
 const LONGEST_TURN_MS = 40; // before messages are looked at again
+const PINS_EVERY_SLICES = 6; // 30 ms
 const CONSOLE = 0, TELEM = 1;
 
 let mega = null;
@@ -22,11 +23,12 @@ let isStepping = false; // to the next frame, as fast as it goes
 let since = { clock: 0, s: 0 }; // a time of the clock [ms], and what simulated time was due then
 let timer = null;
 let told = { at: 0, cycle: 0 };
+let pinsTold = { slice: 0, key: "" };
 let toType = [];
 let decoder = new TextDecoder();
 
 onmessage = ({ data }) => {
-  const does = { start, reset, type, stop, setPace, toNextFrame };
+  const does = { start, reset, type, stop, setPace, toNextFrame, press };
   try {
     does[data.does](data);
   } catch (error) {
@@ -68,6 +70,7 @@ function start({ hex, pass, port, number }) {
   toType = [];
   decoder = new TextDecoder();
   isStepping = false;
+  pinsTold = { slice: 0, key: "" };
   beAbreast();
   go();
 }
@@ -87,6 +90,12 @@ function reset() {
 
 function type({ text }) {
   toType.push(...new TextEncoder().encode(text));
+}
+
+// A button between a pin and GND.
+function press({ pin, isDown }) {
+  if (isDown) mega?.pins.pressed.add(pin);
+  else mega?.pins.pressed.delete(pin);
 }
 
 function fail(error) {
@@ -146,6 +155,16 @@ function runSlice(due) {
     postMessage({ says: "printed", run, text });
   }
   slice++;
+  tellPins();
+}
+
+// What the sketch has made of the pins, when that changes.
+function tellPins() {
+  if (slice < pinsTold.slice + PINS_EVERY_SLICES) return;
+  const { state } = mega.pins;
+  const key = JSON.stringify(state);
+  if (key !== pinsTold.key) postMessage({ says: "pins", run, state });
+  pinsTold = { slice, key };
 }
 
 function tell() {

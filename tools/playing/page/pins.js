@@ -1,0 +1,47 @@
+// The pins that a sketch uses, as lamps and as buttons to GND.
+
+export class PinPanel {
+  // press: is called with the number of a pin and whether its button is down.
+  constructor(list, press) {
+    this.list = list;
+    this.press = press;
+    this.forget();
+  }
+
+  forget() {
+    this.rows = new Map();
+    this.list.replaceChildren();
+  }
+
+  show({ outputs, inputs }) {
+    for (const [number, level] of Object.entries(outputs)) {
+      const row = this.row(number, "lamp", "span");
+      row.textContent = `D${number}: ${level ? "on" : "off"}`;
+      row.classList.toggle("lit", level === 1);
+    }
+    for (const number of inputs) this.row(number, "button", "button");
+  }
+
+  row(number, kind, element) {
+    const key = `${number} ${kind}`;
+    if (this.rows.has(key)) return this.rows.get(key);
+    const row = Object.assign(document.createElement(element), { className: kind });
+    if (kind === "button") this.makeButton(row, Number(number));
+    const item = document.createElement("li");
+    item.append(row);
+    this.list.append(item);
+    this.rows.set(key, row);
+    return row;
+  }
+
+  makeButton(row, number) {
+    row.type = "button";
+    row.textContent = `D${number}: button to GND`;
+    row.setAttribute("aria-pressed", "false");
+    row.onclick = () => {
+      const isDown = row.getAttribute("aria-pressed") === "false";
+      row.setAttribute("aria-pressed", isDown);
+      this.press(number, isDown);
+    };
+  }
+}
