@@ -7,6 +7,7 @@ import pytest
 from played import Page
 from playing import make_folder
 from playing.browser import Browser
+from playing.compiling import LONGEST, compiled
 from playing.serving import Server
 
 
@@ -20,7 +21,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def server(folder):
-    serving = Server(folder)
+    serving = Server(folder, compile=compiled, longest=LONGEST)
     yield serving
     serving.close()
 

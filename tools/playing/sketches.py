@@ -46,6 +46,7 @@ def make_sketches(folder: Path) -> None:
 def made(name: str, folder: Path) -> dict[str, Any]:
     built = build_sketch(example_folder(name))
     shutil.copyfile(built.hex, folder / f"{name}.hex")
+    shutil.copyfile(sketch_of(name), folder / f"{name}.ino")
     image = Image.load(built.elf)
     source = sketch_of(name).read_text()
     described = description(name)

@@ -6,12 +6,13 @@ import { Deeds } from "./deeds.js";
 import { saved } from "./download.js";
 import { Drawing } from "./drawing.js";
 import { Dropped } from "./dropped.js";
+import { Editor } from "./editor.js";
 import { showFields } from "./fields.js";
 import { Frames } from "./frames.js";
 import { flightInWords, headline } from "./headline.js";
 import { PlanMap } from "./map.js";
 import { numbered, numberOf } from "./numbers.js";
-import { exampleOf, isSketch } from "./own.js";
+import { entryOf, exampleOf, isSketch } from "./own.js";
 import { PinPanel } from "./pins.js";
 import { isOffered, Pixhawk } from "./pixhawk.js";
 import { hasPlace } from "./places.js";
@@ -34,6 +35,7 @@ const NEXT = {
 };
 // What is done to the simulated line and autopilot, and not to a real one.
 const SIMULATED = ["cable", "lose", "latency", "reset-autopilot", "pilot", "battery", "station"];
+const WRITTEN = "your sketch";
 const SHOWN_EVERY_MS = 150;
 const LARGEST_FILE = 64_000_000; // bytes, as tools/planning takes it
 const KINDS = { 0: "plan", 1: "fence", 2: "rally points" };
@@ -45,6 +47,11 @@ const timeline = new Timeline(at("timeline"), (frame) => frames.selectFrame(fram
 const frames = new Frames(at("frames"), ({ hex }) => far.postMessage({ does: "explain", hex }));
 const deeds = new Deeds(at("deeds"));
 const pins = new PinPanel(at("pins"), (pin, isDown) => mega.postMessage({ does: "press", pin, isDown }));
+const editor = new Editor({
+  area: at("source"), compile: at("compile"), errors: at("errors"), says: at("compiler-says"),
+}, (made) => runOwn(entryOf({
+  ...made, name: WRITTEN, image: made.hex, says: "The sketch as it is written in the editor.",
+})));
 const drawing = new Drawing(map, at("points"), drawn);
 const mega = new Worker("mega/worker.js", { type: "module" });
 const far = new Worker("far/worker.js", { type: "module" });
@@ -375,8 +382,9 @@ function fillRow(row, [number, how, words]) {
 }
 
 function showSizes() {
-  const { ram, flash, says, prints, listens, name } = example();
+  const { ram, flash, says, prints, listens, name, image } = example();
   at("typing").hidden = !listens;
+  if (!image) editor.show(name);
   at("console").dataset.hint = prints ? "What the sketch prints appears here." : `${name} prints nothing.`;
   at("says").textContent = says;
   at("ram").textContent = ram === null ? "not known of a .hex" : `${ram} of ${RAM} bytes`;
@@ -507,15 +515,19 @@ async function readFile(file) {
 }
 
 // A sketch of one's own takes its place among the examples.
+function runOwn(own) {
+  if (isOutside) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
+  known.examples = [own, ...known.examples.filter(({ name, image }) => !image && name !== own.name)];
+  showExamples();
+  plan = null;
+  change({ example: own.name, plan: "" }, true);
+  notice(`${own.name} runs as it was compiled. The address does not carry it.`, false);
+}
+
 async function readSketch(file) {
   if (isOutside) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
   try {
-    const own = exampleOf(file.name, new Uint8Array(await file.arrayBuffer()));
-    known.examples = [own, ...known.examples.filter(({ name, image }) => !image && name !== own.name)];
-    showExamples();
-    plan = null;
-    change({ example: own.name, plan: "" }, true);
-    notice(`${own.name} runs as it was compiled. The address does not carry it.`, false);
+    runOwn(exampleOf(file.name, new Uint8Array(await file.arrayBuffer())));
   } catch (error) {
     notice(`${file.name} was refused: ${error.message}.`);
   }
@@ -651,7 +663,9 @@ function showExamples() {
 }
 
 async function open() {
-  known = await (await fetch("examples/examples.json")).json();
+  const answer = await fetch("examples/examples.json");
+  known = await answer.json();
+  editor.offer(answer.headers.has("Playground-Compiler"));
   showExamples();
   takeAddress(true);
   document.body.dataset.shownMs = Math.round(performance.now());

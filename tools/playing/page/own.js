@@ -15,9 +15,14 @@ export function exampleOf(name, bytes) {
     : { pieces: piecesOf(new TextDecoder().decode(bytes)), pass: 0, ram: null };
   if (!isOfMega(pieces)) throw new Error("it is not for an Arduino Mega 2560");
   const flash = pieces.filter(({ address }) => address < FLASH).reduce((sum, piece) => sum + piece.bytes.length, 0);
+  return entryOf({ name, image: pieces, pass, ram, flash, says: "Your own sketch, as it was compiled." });
+}
+
+// made: its name, image and sizes.
+export function entryOf(made) {
   return {
-    name, image: pieces, pass, ram, flash, reads: false, arms: true, console: false, prints: true, listens: true,
-    says: "Your own sketch, as it was compiled.", meant: MEANT, words: MEANT,
+    ...made, reads: false, arms: true, console: false, prints: true, listens: true,
+    meant: MEANT, words: MEANT,
   };
 }
 

@@ -1,0 +1,86 @@
+"""A sketch that is written in the page, compiled by the server beside it."""
+
+from __future__ import annotations
+
+import json
+import urllib.error
+import urllib.request
+
+import pytest
+
+from building import build_sketch
+from examples import sketch_of
+from playing.compiling import LONGEST, compiled
+from playing.serving import Server
+
+SKETCH = """#include <MavMissionMonitor.h>
+void setup() {
+  CONSOLE.begin(115200);
+  CONSOLE.println(F("written in the page"));
+}
+void loop() {}
+"""
+WRITE = """
+const area = document.getElementById("source");
+document.getElementById("editor").open = true;
+area.value = arguments[0];
+document.getElementById("compile").click();
+"""
+
+
+def asked(server: Server, source: bytes, origin: str | None = None) -> dict:
+    headers = {"Origin": origin or server.address.rstrip("/")}
+    request = urllib.request.Request(server.address + "compile", source, headers)
+    with urllib.request.urlopen(request, timeout=120) as answer:
+        return json.load(answer)
+
+
+def refused(server: Server, source: bytes, origin: str | None = None) -> int:
+    with pytest.raises(urllib.error.HTTPError) as error:
+        asked(server, source, origin)
+    error.value.close()
+    return error.value.code
+
+
+def test_a_page_of_another_host_gets_nothing_compiled(server):
+    assert refused(server, SKETCH.encode(), "http://example.com") == 403
+
+
+def test_a_server_without_a_compiler_and_a_text_that_is_too_long_are_refused(server, folder):
+    bare = Server(folder)
+    try:
+        assert refused(bare, SKETCH.encode()) == 403
+    finally:
+        bare.close()
+    assert refused(server, b" " * (LONGEST + 1)) == 413
+
+
+@pytest.mark.slow
+def test_what_is_compiled_is_what_the_builder_makes_of_the_same_text(server):
+    source = sketch_of("UploadMission").read_bytes()
+    made, built = asked(server, source), build_sketch("UploadMission")
+    assert (made["flash"], made["ram"]) == (built.flash, built.ram)
+    assert made["hex"] == built.hex.read_text()
+
+
+@pytest.mark.slow
+def test_a_mistake_is_told_with_its_line():
+    wrong = SKETCH.replace("println", "printline")
+    ((line, words),) = compiled(wrong)["errors"]
+    assert line == 4 and "printline" in words
+
+
+@pytest.mark.slow
+def test_a_sketch_is_written_compiled_and_run_in_the_page(page):
+    page.begin("#example=UploadMission")
+    page.browser.wait_for("return document.getElementById('source').value.includes('returnToLaunch()')")
+    page.browser.run(WRITE, SKETCH.replace("println", "printline"))
+    page.wait_for_text("#errors", "line 4: ")
+    assert page.value("document.getElementById('source').value.slice(document.getElementById('source').selectionStart)"
+                      ".startsWith('  CONSOLE.printline')")  # fmt: skip
+    page.browser.run(WRITE, SKETCH)
+    page.wait_for_text("#console", "written in the page")
+    assert page.browser.text("#compiler-says") == "It was compiled, and runs."
+    assert page.browser.text("#errors") == ""
+    page.begin("#example=UploadMission")
+    page.wait_until_good()

@@ -1,0 +1,61 @@
+// The sketch's source, which may be changed, compiled by the server beside the page, and run. Errors name their lines.
+
+export class Editor {
+  // parts: the elements {area, compile, errors, says}. ran: is called with what was compiled.
+  constructor(parts, ran) {
+    Object.assign(this, parts, { ran, shown: "", isBusy: false });
+    this.compile.onclick = () => this.run();
+  }
+
+  // An example's source, unless somebody has written in it.
+  async show(name) {
+    if (this.area.value !== this.shown) return;
+    this.shown = await (await fetch(`examples/${name}.ino`)).text();
+    this.area.value = this.shown;
+    this.tell([]);
+  }
+
+  offer(hasCompiler) {
+    this.compile.disabled = !hasCompiler;
+    this.says.textContent = hasCompiler ? "The compiler beside this page makes it anew, for a Mega."
+      : "To change and compile it, serve the page with tools/playground.";
+    this.area.readOnly = !hasCompiler;
+  }
+
+  async run() {
+    if (this.isBusy) return;
+    this.isBusy = true;
+    this.says.textContent = "The sketch is being compiled.";
+    try {
+      const made = await (await fetch("compile", { method: "POST", body: this.area.value })).json();
+      this.tell(made.errors || []);
+      if (made.hex) this.ran(made);
+    } catch (error) {
+      this.tell([[null, `the compiler does not answer: ${error.message}`]]);
+    }
+    this.isBusy = false;
+  }
+
+  tell(errors) {
+    if (this.isBusy) this.says.textContent = errors.length ? "It was not compiled." : "It was compiled, and runs.";
+    this.errors.replaceChildren(...errors.map(([line, words]) => {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = line ? `line ${line}: ${words}` : words;
+      button.onclick = () => this.select(line);
+      const row = document.createElement("li");
+      row.append(button);
+      return row;
+    }));
+    if (errors[0]?.[0]) this.select(errors[0][0]);
+  }
+
+  select(line) {
+    if (!line) return;
+    const lines = this.area.value.split("\n");
+    const from = lines.slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
+    this.area.focus();
+    this.area.setSelectionRange(from, from + (lines[line - 1] || "").length);
+    this.area.scrollTop = ((line - 4) / lines.length) * this.area.scrollHeight;
+  }
+}
