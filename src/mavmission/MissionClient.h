@@ -19,10 +19,6 @@
 
 namespace mavmission {
 
-namespace detail {
-class Listener;
-}  // namespace detail
-
 // Speaks the mission protocol with one autopilot, and never blocks: call update() from loop(), as often as possible. At
 // 57600 baud a Mega's receive buffer is full after 11 ms. A loop that takes longer loses bytes: the transfer then takes
 // longer, and still succeeds. The client uses no heap. The Stream must be open, and must live as long as the client.
@@ -288,7 +284,7 @@ class MissionClient : private detail::Client {
   void setOperationTimeout(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
-  friend class detail::Listener;
+  friend class detail::Port;
 };
 
 }  // namespace mavmission

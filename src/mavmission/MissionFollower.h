@@ -61,8 +61,6 @@ class MissionFollower : public detail::MessageIntervals {
   MAVMISSION_APART void takeName(uint32_t planId);
   void takeAcceptance(const detail::FrameParser& frame);
   void takePlanText(const char* text);
-  void noteOther();
-  void judgeName();
   void takeCurrent(const detail::FrameParser& frame);
   void takeReached(const detail::FrameParser& frame);
   void takeText(const detail::FrameParser& frame);

@@ -73,10 +73,10 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
 
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   static void fill(detail::Client& client, FlightCommand& command);
-  static Status on(detail::Client& client, detail::Client::CommandEvent event, Status status,
-                   const detail::FrameParser* frame, uint16_t nowMs);
-  Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
-  Status onStart(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
+  static Status on(detail::Client& client, detail::CommandEvent event, Status status, const detail::FrameParser* frame,
+                   uint16_t nowMs);
+  Status onEvent(detail::CommandEvent event, Status status, uint16_t nowMs);
+  Status onStart(detail::CommandEvent event, Status status, uint16_t nowMs);
   void takeOver();
   bool isOperating() const;
   bool isLate() const;

@@ -11,6 +11,10 @@
 
 namespace mavmission {
 
+namespace detail {
+class Client;
+}  // namespace detail
+
 // Transfers plans as files where that is quicker, and by the mission protocol everywhere else. Declare one next to the
 // client; it contains the RAM that these transfers need:
 //

@@ -4,7 +4,8 @@
 
 #include <stdint.h>
 
-#include "MissionClient.h"
+#include "Status.h"
+#include "client/CommandPort.h"
 #include "service/Listener.h"
 
 namespace mavmission {
@@ -80,12 +81,12 @@ class StandardModes : public detail::Listener, private detail::StandardModeRules
   StandardModes(MissionClient& client, Kept);
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   static void fill(detail::Client& client, FlightCommand& command);
-  static Status on(detail::Client& client, detail::Client::CommandEvent event, Status status,
-                   const detail::FrameParser* frame, uint16_t nowMs);
+  static Status on(detail::Client& client, detail::CommandEvent event, Status status, const detail::FrameParser* frame,
+                   uint16_t nowMs);
   Status begin(StandardMode wanted, uint8_t number);
   void takeEntry(const detail::FrameParser& frame);
   bool isSetting() const { return number_ == 0; }
-  Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
+  Status onEvent(detail::CommandEvent event, Status status, uint16_t nowMs);
   void beginAsking(uint16_t nowMs);
   void askAgain();
 

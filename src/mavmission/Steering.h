@@ -2,8 +2,8 @@
 #pragma once
 
 #include "LatLon.h"
-#include "MissionClient.h"
 #include "autopilot/Vehicle.h"
+#include "client/CommandPort.h"
 #include "service/Listener.h"
 #include "service/SteeringOrders.h"
 #include "transfer/ModeOrder.h"
@@ -107,10 +107,10 @@ class Steering : public detail::Listener, private detail::SteerRules {
 
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   static void fill(detail::Client& client, FlightCommand& command);
-  static Status on(detail::Client& client, detail::Client::CommandEvent event, Status status,
-                   const detail::FrameParser* frame, uint16_t nowMs);
+  static Status on(detail::Client& client, detail::CommandEvent event, Status status, const detail::FrameParser* frame,
+                   uint16_t nowMs);
   Status begin(detail::OrderRow row);
-  Status onEvent(detail::Client::CommandEvent event, Status status, uint16_t nowMs);
+  Status onEvent(detail::CommandEvent event, Status status, uint16_t nowMs);
   void takeHeartbeat();
   void takePosition(const detail::FrameParser& frame);
   void takeTarget(const detail::FrameParser& frame);
@@ -143,7 +143,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   void findWanted();
   bool isRunning() const;
   bool is(detail::OrderTrait trait) const { return (row_.traits & trait) != 0; }
-  detail::Vehicle vehicle() const { return detail::vehicleOf(client_.vehicleType()); }
+  detail::Vehicle vehicle() const { return detail::vehicleOf(client_.autopilot().vehicleType()); }
   bool isPlane() const;
   bool isGround() const;
   bool isInAir() const;

@@ -11,11 +11,17 @@
 namespace mavmission {
 namespace detail {
 
-bool Client::asksVehicle() {
-  const bool isKnown = !has(firmware(), kModesByVehicle) || isPlane(vehicleType()) || link_.finder().isVehicleKnown();
+bool CommandPort::asksVehicle() {
+  Client& client = static_cast<Client&>(*this);
+  const bool isKnown = !has(client.firmware(), kModesByVehicle) || isPlane(client.vehicleType()) ||
+                       client.link_.finder().isVehicleKnown();
   if (isKnown) return false;
-  commanding_.fill = fillVehicle;
+  client.commanding_.fill = Client::fillVehicle;
   return true;
+}
+
+bool CommandPort::isAskingVehicle() const {
+  return static_cast<const Client&>(*this).commanding_.fill == Client::fillVehicle;
 }
 
 void Client::fillVehicle(Client&, FlightCommand& command) {
@@ -23,16 +29,17 @@ void Client::fillVehicle(Client&, FlightCommand& command) {
   command.param1 = MAV_VTOL_STATE_UNDEFINED;
 }
 
-Status Client::onVehicle(CommandEvent event, Status status, FillCommand then) {
+Status CommandPort::onVehicle(CommandEvent event, Status status, FillCommand then) {
   if (event == CommandEvent::Silent) return status;
   if (event != CommandEvent::Refused) return Status::Transferring;
   if (status != Status::CommandUnsupported && status != Status::CommandFailed) return status;
-  link_.finder().setVehicle(status == Status::CommandFailed);
-  rest_.lastResult = 255;
-  commanding_.fill = then;
-  commanding_.transfer.next(true);
-  commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it
-  state_.status = Status::Checking;        // CommandEvent::Ready comes again
+  Client& client = static_cast<Client&>(*this);
+  client.link_.finder().setVehicle(status == Status::CommandFailed);
+  client.rest_.lastResult = 255;
+  client.commanding_.fill = then;
+  client.commanding_.transfer.next(true);
+  client.commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it
+  client.state_.status = Status::Checking;        // CommandEvent::Ready comes again
   return Status::Transferring;
 }
 

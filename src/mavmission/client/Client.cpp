@@ -38,10 +38,11 @@ void MissionClient::setTargetIds(uint8_t systemId, uint8_t componentId) {
   link_.finder().setTargetIds(systemId, componentId);
 }
 
-void Client::beginSeconds(uint16_t nowMs) {
-  state_.secondMs = nowMs;
-  state_.seconds = 0;
-  state_.isLate = false;
+void Port::beginSeconds(uint16_t nowMs) {
+  Client::State& state = static_cast<Client&>(*this).state_;
+  state.secondMs = nowMs;
+  state.seconds = 0;
+  state.isLate = false;
 }
 
 Status Client::startOperation(Operation operation) {
@@ -60,11 +61,12 @@ Status Client::startOperation(Operation operation) {
   return state_.status;
 }
 
-void Client::end(Status status) {
-  state_.operation = nullptr;
-  state_.status = status;
-  rest_.toReturn = status;
-  if (rest_.tellEnd != nullptr) rest_.tellEnd(*this, status);
+void Port::end(Status status) {
+  Client& client = static_cast<Client&>(*this);
+  client.state_.operation = nullptr;
+  client.state_.status = status;
+  client.rest_.toReturn = status;
+  if (client.rest_.tellEnd != nullptr) client.rest_.tellEnd(client, status);
 }
 
 // The function may begin an operation that ends at once: the next update() then tells about that end. Otherwise a
@@ -127,21 +129,24 @@ void Client::cancelNow() {
   end(Status::Cancelled);
 }
 
-void Client::waitForAutopilot() {
-  if (rest_.toReturn != Status::Idle) return;  // an update() returns one end: this operation goes on in the next one
-  const AutopilotFinder& finder = link_.finder();
+void Port::waitForAutopilot() {
+  Client& client = static_cast<Client&>(*this);
+  Client::State& state = client.state_;
+  // An update() returns one end: this operation goes on in the next one.
+  if (client.rest_.toReturn != Status::Idle) return;
+  const AutopilotFinder& finder = client.link_.finder();
   if (finder.isCertain()) {
-    if (finder.isFrom(link_.systemId(), link_.componentId())) return end(Status::SameIdsAsAutopilot);
+    if (finder.isFrom(client.link_.systemId(), client.link_.componentId())) return end(Status::SameIdsAsAutopilot);
     if (kOnly != Firmware::Unknown && finder.firmware() != kOnly) return end(Status::OtherAutopilot);
     // What comes before this operation has sent anything is no answer to it: so it waits for late answers first. No
     // command is answered by a message of the mission protocol.
-    const uint8_t roundTrips = static_cast<uint8_t>(link_.pace().roundTripMs() >> 8);  // 2 of them [512 ms]
-    const uint8_t lateTurns = static_cast<uint8_t>(kLateTurns + roundTrips);
-    if (state_.quiet < lateTurns && !state_.isCommanding) return;
-    state_.status = Status::Checking;
+    const uint8_t roundTrips = static_cast<uint8_t>(client.link_.pace().roundTripMs() >> 8);  // 2 of them [512 ms]
+    const uint8_t lateTurns = static_cast<uint8_t>(Client::kLateTurns + roundTrips);
+    if (state.quiet < lateTurns && !state.isCommanding) return;
+    state.status = Status::Checking;
     return;
   }
-  if (rest_.waitingLimitS == 0 || state_.seconds < rest_.waitingLimitS) return;
+  if (client.rest_.waitingLimitS == 0 || state.seconds < client.rest_.waitingLimitS) return;
   end(finder.severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
 }
 
@@ -196,9 +201,10 @@ void Client::onTick(uint16_t nowMs) {
 
 // Claims the time for heavy work. False when reading bytes has used up the time of this update(): heavy work then waits
 // for the next one, which reads at most half as many.
-bool Client::claimHeavyWork() {
-  const bool isAllowed = state_.isTimeLeft;
-  state_.readsHalf = !isAllowed;
+bool Port::claimHeavyWork() {
+  Client::State& state = static_cast<Client&>(*this).state_;
+  const bool isAllowed = state.isTimeLeft;
+  state.readsHalf = !isAllowed;
   return isAllowed;
 }
 

@@ -22,6 +22,8 @@
 #include "../transfer/OpaqueId.h"
 #include "../transfer/StartTransfer.h"
 #include "../transfer/UploadTransfer.h"
+#include "CommandPort.h"
+#include "Port.h"
 
 namespace mavmission {
 
@@ -29,14 +31,16 @@ class PlanFiles;
 
 namespace detail {
 
-class Listener;
 enum class KeyIndex : uint8_t;
 
-// All public, since only the library sees this class. MissionClient shows a sketch what it may call.
-class Client : public ClientRules {
- public:
-  // The value of failedItem() when no item failed.
-  static constexpr uint16_t kNoItem = 0xFFFF;
+// Services see its ports alone, and MissionClient shows a sketch what it may call.
+class Client : public Port, public CommandPort, public ClientRules {
+ private:
+  friend class Port;
+  friend class CommandPort;
+  friend class mavmission::MissionClient;
+  friend class mavmission::PlanFiles;
+
   // The greatest number of items in MISSION_COUNT.
   static constexpr uint16_t kMaxItems = 0xFFFF;
 
@@ -63,9 +67,6 @@ class Client : public ClientRules {
   // on the vehicle. A return point is neither a corner nor a circle, so such a short fence has at most three items
   // [items].
   static constexpr uint8_t kShortFence = 3;
-
-  // An operation's part of update(): takes a frame of the autopilot, or null for the passing of time.
-  typedef void (*Operation)(Client& client, const FrameParser* frame, uint16_t nowMs);
 
   static bool takeUpEnd(Client& client, Status status, uint16_t nowMs);
   static bool tryFloats(Client& client, Status refusal, uint16_t nowMs);
@@ -112,30 +113,12 @@ class Client : public ClientRules {
   static void fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   bool isTypeCarried() const;
   static void commandStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  MAVMISSION_APART void lookAtClock(uint16_t nowMs);  // before anything is made of what is read
-  // The events of an operation that consists of commands. Each comes with the status to which it leads unless the
-  // operation decides otherwise.
-  enum class CommandEvent : uint8_t {
-    Ready,      // the autopilot is found, nothing was sent: Transferring, or Checking to get this event again
-    Accepted,   // Done
-    Refused,    // why
-    Silent,     // NoAnswer, Unconfirmed, TookTooLong
-    Heartbeat,  // Transferring, as the rest
-    Current,    // a MISSION_CURRENT
-    Time,
-  };
-  // Takes an event. Returns Transferring to continue, or the status with which the operation ends. `frame`: the message
-  // of the event, else null.
-  typedef Status (*OnCommand)(Client& client, CommandEvent event, Status status, const FrameParser* frame,
-                              uint16_t nowMs);
-  typedef void (*FillCommand)(Client& client, FlightCommand& command);
   static void fillOwn(Client& client, FlightCommand& command);
   static void fillOwnAsInt(Client& client, FlightCommand& command);
   static void fillOwnAsLong(Client& client, FlightCommand& command);
   static void fillArm(Client& client, FlightCommand& command);
   static void fillDisarm(Client& client, FlightCommand& command);
   static void fillMode(Client& client, FlightCommand& command);
-  static void fillModeNumber(FlightCommand& command, uint16_t number);
   static void fillBegin(Client& client, FlightCommand& command);
   static void fillStart(Client& client, FlightCommand& command);
   static void fillCurrent(Client& client, FlightCommand& command);
@@ -159,18 +142,8 @@ class Client : public ClientRules {
   MAVMISSION_APART uint16_t askAgainMs();  // from a request for a heartbeat to the next
   void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
-  uint16_t numberOf(FlightMode mode) const;
   uint8_t vehicleType() const { return link_.finder().vehicleType(); }
-  // What orders a mode by its number calls this in CommandEvent::Ready. True: the vehicle is asked first. While it
-  // isAskingVehicle(), the events are for onVehicle(); then CommandEvent::Ready comes again, with fill function `then`.
-  bool asksVehicle();
-  bool isAskingVehicle() const { return commanding_.fill == fillVehicle; }
-  MAVMISSION_APART Status onVehicle(CommandEvent event, Status status, FillCommand then);
   static void fillVehicle(Client&, FlightCommand& command);
-  MAVMISSION_APART uint16_t shownMode() const;  // of the last heartbeat, in the numbers of modeNumber()
-  // The mode when the running command began. Another one that is shown since, also while the vehicle is asked, or while
-  // start() looks at the plan, was set meanwhile.
-  uint16_t firstMode() const { return state_.next; }
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
   static Status compareFirst(Client& client, uint16_t wireItem, MissionItem& item);
@@ -185,12 +158,8 @@ class Client : public ClientRules {
   MAVMISSION_APART void noteStart();
   Status lookAtItem(const Aircraft& aircraft);
   Status updateAt(uint16_t nowMs);
-  // Takes the time of this update() for heavy work. False when bytes have taken it: the work then waits for the next
-  // one, which looks at half as many.
-  MAVMISSION_APART bool claimHeavyWork();
   MAVMISSION_APART MAVMISSION_ONE_EXIT void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Operation operation);
-  MAVMISSION_APART void beginSeconds(uint16_t nowMs);
   void unsettle(uint16_t nowMs);
   // To be called when a message of the mission protocol has been sent, with how often it has been sent by now. Each may
   // be answered, and an operation waits for one answer: the others come late.
@@ -202,7 +171,6 @@ class Client : public ClientRules {
   void setAboard(Aboard what) { setAboard(state_.type, what); }
   void setAboard(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
   MAVMISSION_APART Aboard aboardAfterUpload(Status status) const;
-  void waitForAutopilot();
   MAVMISSION_APART void beginPlan();
   MAVMISSION_APART Status keeping(const MissionItem& item);
   void beginChecking();
@@ -220,7 +188,6 @@ class Client : public ClientRules {
   uint16_t ownItem(uint16_t wireItem) const;
   MAVMISSION_APART void noteFailed(uint16_t wireItem) { state_.failedItem = ownItem(wireItem); }
   void report(uint16_t done);
-  void end(Status status);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
   Status refuse(Status why) {
     end(why);
@@ -240,14 +207,10 @@ class Client : public ClientRules {
   static Status announcePart(Client& client, bool isBeginning);
   // Items on the wire before the sketch's first.
   uint8_t homeItems() const { return has(firmware(), kHomeIsItem0) && !rest_.raw ? 1 : 0; }
-  uint16_t itemFromWire(uint16_t wireItem) const;
-  void noteInfeasible();
   void noteAccepted();
   void setPlan(const ItemSource& plan, PlanType type);
   void setPlanToVerify(const ItemSource& plan, PlanType type);
   MAVMISSION_APART Status refuseType();
-  bool namesOther(const FrameParser& frame) const;
-  uint32_t acceptedPlanId() const { return rest_.planId; }
 
   // The members that every update() uses lie first, since avr-gcc reaches 64 bytes of an object cheaply. All zero at
   // the start except for those that the constructor sets.
@@ -362,12 +325,11 @@ class Client : public ClientRules {
     CommandTransfer transfer;
     union {
       const FlightCommand* own;
-      void* owner;  // the listener whose operation it is
+      void* owner;  // the object of a service whose operation it is
       Modes mode;
       uint16_t item;  // to be set as current; a wire number
       Interval interval;
       StartTransfer start;
-      Listener* listener;  // the listener that has begun this operation
     };
   };
 

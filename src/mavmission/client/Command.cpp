@@ -52,8 +52,9 @@ void Client::nextCommand(FillCommand fill) {
   commanding_.transfer.next(true);
 }
 
-void Client::lookAtClock(uint16_t nowMs) {
-  if (commanding_.transfer.look(nowMs)) link_.spoil();
+void CommandPort::lookAtClock(uint16_t nowMs) {
+  Client& client = static_cast<Client&>(*this);
+  if (client.commanding_.transfer.look(nowMs)) client.link_.spoil();
 }
 
 void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -244,14 +245,19 @@ Status Client::whenSilent(Status silence) const {
   return rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : silence;
 }
 
-void Client::fillArm(Client&, FlightCommand& command) {
+void CommandPort::fillArming(FlightCommand& command, bool arms) {
   command.id = MAV_CMD_COMPONENT_ARM_DISARM;
-  command.param1 = 1;  // param2 stays 0: never forced
+  if (arms) command.param1 = 1;  // param2 stays 0: never forced
 }
 
-void Client::fillDisarm(Client&, FlightCommand& command) { command.id = MAV_CMD_COMPONENT_ARM_DISARM; }
+void Client::fillArm(Client&, FlightCommand& command) { fillArming(command, true); }
 
-uint16_t Client::numberOf(FlightMode mode) const { return modeNumber(mode, firmware(), vehicleType()); }
+void Client::fillDisarm(Client&, FlightCommand& command) { fillArming(command, false); }
+
+uint16_t CommandPort::numberOf(FlightMode mode) const {
+  const Client& client = static_cast<const Client&>(*this);
+  return modeNumber(mode, client.firmware(), client.vehicleType());
+}
 
 bool MissionClient::isInMode(FlightMode mode) const {
   return mavmission::isInMode(mode, firmware(), vehicleType(), customMode());
@@ -259,7 +265,9 @@ bool MissionClient::isInMode(FlightMode mode) const {
 
 FlashText MissionClient::modeName() const { return mavmission::modeName(firmware(), vehicleType(), customMode()); }
 
-uint16_t Client::shownMode() const { return modeNumberOf(customMode()); }
+uint16_t CommandPort::shownMode() const { return modeNumberOf(static_cast<const Client&>(*this).customMode()); }
+
+uint16_t CommandPort::firstMode() const { return static_cast<const Client&>(*this).state_.next; }
 
 Status MissionClient::setMode(FlightMode mode) {
   const Status status = beginCommand(fillMode, onNamedMode);
@@ -332,7 +340,7 @@ void Client::fillMode(Client& client, FlightCommand& command) {
   fillModeNumber(command, client.commanding_.mode.number);
 }
 
-void Client::fillModeNumber(FlightCommand& command, uint16_t number) {
+void CommandPort::fillModeNumber(FlightCommand& command, uint16_t number) {
   command.id = MAV_CMD_DO_SET_MODE;
   command.param1 = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
   command.param2 = floatOf(static_cast<uint8_t>(number));
@@ -404,16 +412,9 @@ void Client::fillInterval(Client& client, FlightCommand& command) {
   command.param2 = static_cast<float>(client.commanding_.interval.us);
 }
 
-uint16_t Client::itemFromWire(uint16_t wireItem) const {
-  const uint8_t home = homeItems();
+uint16_t Port::itemFromWire(uint16_t wireItem) const {
+  const uint8_t home = static_cast<const Client&>(*this).homeItems();
   return wireItem < home ? kNoItem : wireItem - home;
-}
-
-void Client::noteInfeasible() {
-  if (state_.status == Status::Infeasible || aboard() != Aboard::OurPlan) return;
-  if (state_.operation != nullptr && state_.operation != commandStep) return;
-  state_.infeasible = true;
-  end(Status::Infeasible);
 }
 
 }  // namespace mavmission

@@ -7,19 +7,21 @@ using namespace detail;
 
 // True if this MISSION_CURRENT is about another plan than ours: by the name that PX4 gives it, elsewhere by the number
 // of its items. PX4 without a plan names none, and its number is 65535.
-bool Client::namesOther(const FrameParser& frame) const {
+bool Port::namesOther(const FrameParser& frame) const {
   typedef mavlink_mission_current_t Current;
+  const Client& client = static_cast<const Client&>(*this);
   const uint32_t name = frame.payloadLong(offsetof(Current, mission_id));
   const uint16_t total = frame.payloadWord(offsetof(Current, total));
-  if (rest_.planId != 0 && (name != 0 || total == 0xFFFF)) return name != rest_.planId;
+  const uint32_t ours = client.rest_.planId;
+  if (ours != 0 && (name != 0 || total == 0xFFFF)) return name != ours;
   // An autopilot that does not know the mission's state does not know its total either.
-  const bool isTotalKnown = has(firmware(), kTellsTotal) && rest_.planType == PlanType::Mission &&
+  const bool isTotalKnown = has(client.firmware(), kTellsTotal) && client.rest_.planType == PlanType::Mission &&
                             frame.payloadByte(offsetof(Current, mission_state)) != MISSION_STATE_UNKNOWN;
   if (!isTotalKnown) return false;
   // ArduPilot does not count home; a plan in raw numbering does.
-  const bool hasHome = !isGenericKnown() || has(firmware(), kHomeIsItem0);
-  const uint16_t home = hasHome && rest_.raw && plan_.count() != 0 ? 1 : 0;
-  return total + home != plan_.count();
+  const bool hasHome = !isGenericKnown() || has(client.firmware(), kHomeIsItem0);
+  const uint16_t home = hasHome && client.rest_.raw && client.plan_.count() != 0 ? 1 : 0;
+  return total + home != client.plan_.count();
 }
 
 }  // namespace mavmission

@@ -1,13 +1,13 @@
 #include "EitherListener.h"
 
-#include "../MissionClient.h"
+#include "../client/Port.h"
 
 namespace mavmission {
 namespace detail {
 
 void EitherListener::takeEither(Listener& listener, const FrameParser& frame) {
   EitherListener& self = static_cast<EitherListener&>(listener);
-  self.request(has(self.client_.firmware(), kStreamsAsArduPilot) ? &self.keys_[0] : &self.keys_[1]);
+  self.request(has(self.client_.autopilot().firmware(), kStreamsAsArduPilot) ? &self.keys_[0] : &self.keys_[1]);
   take(listener, frame);
 }
 

@@ -1,6 +1,6 @@
 #include "../HealthListener.h"
 
-#include "../MissionClient.h"
+#include "../client/Port.h"
 #include "FitReasons.h"
 #include "TelemetryKeys.h"
 
@@ -27,12 +27,12 @@ bool HealthListener::decode(TelemetryListener& listener, const FrameParser& fram
   self.failed_ = frame.payloadLong(offsetof(Message, onboard_control_sensors_enabled)) & ~healthy &
                  ~uint32_t{MAV_SYS_STATUS_PREARM_CHECK};
   self.loadPermille_ = frame.payloadWord(offsetof(Message, load));
-  if (self.client_.isArmed()) {
+  if (self.client_.autopilot().isArmed()) {
     self.reason_ = (self.failed_ & kNeeded) != 0 ? FitReason::SensorFailed : FitReason::AllWell;
   } else if ((healthy & MAV_SYS_STATUS_PREARM_CHECK) != 0) {
     self.reason_ = FitReason::AllWell;
   } else {
-    const bool hasChecks = has(self.client_.firmware(), kTellsArmingChecks);
+    const bool hasChecks = has(self.client_.autopilot().firmware(), kTellsArmingChecks);
     self.reason_ = hasChecks ? FitReason::NotReady : FitReason::NotTold;
   }
   return true;

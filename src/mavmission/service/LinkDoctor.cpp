@@ -3,9 +3,9 @@
 #include <Arduino.h>
 #include <string.h>
 
-#include "../MissionClient.h"
 #include "../base/Clock.h"
 #include "../base/FlashTable.h"
+#include "../client/Port.h"
 #include "../link/Messages.h"
 #include "../link/OwnHeartbeat.h"
 #include "../link/Sending.h"
@@ -121,7 +121,7 @@ void LinkDoctor::listenAnew() {
 }
 
 void LinkDoctor::beginWindow() {
-  const LinkCounters counters = client_.link_.counters();
+  const LinkCounters counters = client_.link().counters();
   framesAtWindow_ = counters.frames;
   unknownAtWindow_ = counters.unknownMessages;
   damageAtWindow_ = counters.badChecksums + counters.brokenFrames;
@@ -130,7 +130,7 @@ void LinkDoctor::beginWindow() {
 }
 
 void LinkDoctor::endWindow() {
-  const LinkCounters counters = client_.link_.counters();
+  const LinkCounters counters = client_.link().counters();
   const uint16_t frames = counters.frames + counters.unknownMessages - framesAtWindow_ - unknownAtWindow_;
   const uint16_t damage = counters.badChecksums + counters.brokenFrames - damageAtWindow_;
   quiet_ = frames < kFramesAreTelemetry;
@@ -146,12 +146,12 @@ void LinkDoctor::endWindow() {
 // --- Receiving
 
 uint8_t LinkDoctor::systemId() const {
-  const uint8_t id = client_.link_.systemId();
+  const uint8_t id = client_.link().systemId();
   return id != 0 ? id : kSystemId;
 }
 
 bool LinkDoctor::isOurs(const FrameParser& frame) const {
-  return frame.systemId() == systemId() && frame.componentId() == client_.link_.componentId();
+  return frame.systemId() == systemId() && frame.componentId() == client_.link().componentId();
 }
 
 void LinkDoctor::take(Listener& listener, const FrameParser& frame) {
@@ -161,7 +161,7 @@ void LinkDoctor::take(Listener& listener, const FrameParser& frame) {
   const uint16_t id = frame.messageId();
   if (id == MAVLINK_MSG_ID_HEARTBEAT) return self.takeHeartbeat(frame);
   if (!self.isFromAutopilot(frame) || id == MAVLINK_MSG_ID_MISSION_CURRENT) return;
-  const Link& link = self.client_.link_;
+  const Link& link = self.client_.link();
   if (!frame.isFor(link.systemId(), link.componentId())) return;
   // In MAVLink 1 an acknowledgement has no target.
   if (id == MAVLINK_MSG_ID_COMMAND_ACK &&
@@ -193,7 +193,7 @@ void LinkDoctor::takeHeartbeat(const FrameParser& frame) {
 // --- Sending
 
 void LinkDoctor::sendHeartbeat(uint16_t nowMs) {
-  Link& link = client_.link_;
+  Link& link = client_.link();
   mark_ = nowMs;
   mavlink_heartbeat_t heartbeat;
   makeOwnHeartbeat(heartbeat, uint32_t{kMarkAbove} << 16 | mark_);
@@ -209,21 +209,21 @@ void LinkDoctor::ask() {
   mavlink_command_long_t message = mavlink_command_long_t();
   message.command = MAV_CMD_REQUEST_MESSAGE;
   message.param1 = MAVLINK_MSG_ID_AUTOPILOT_VERSION;
-  client_.link_.send(message);
+  client_.link().send(message);
   askDue_ = false;
   agesS_[Question] = 0;
   ++unanswered_;
 }
 
 void LinkDoctor::speak(uint16_t nowMs) {
-  const AutopilotFinder& finder = client_.link_.finder();
+  const AutopilotFinder& finder = client_.autopilot();
   if (baudIndex_ != kOwnBaud || finder.severalHeard())
     return;  // it would be garbage to the other end, or addressed to nobody
   if (!finder.isFound()) {
-    if (client_.link_.canSend()) sendHeartbeat(nowMs);
+    if (client_.link().canSend()) sendHeartbeat(nowMs);
     return;
   }
-  if (client_.isBusy() && client_.status() == Status::Transferring) return;
+  if (client_.running() == Status::Transferring) return;
   askDue_ = unanswered_ != 0 || agesS_[Question] >= kAskEachS;
   if (unanswered_ > kUnanswered) unanswered_ = kUnanswered;
 }
@@ -232,13 +232,13 @@ void LinkDoctor::speak(uint16_t nowMs) {
 
 Verdict LinkDoctor::update() {
   const uint16_t nowMs = static_cast<uint16_t>(millis());
-  if (client_.link_.stream().available() >= kFullRing) agesS_[LateLoop] = 0;
+  if (client_.link().stream().available() >= kFullRing) agesS_[LateLoop] = 0;
   const uint16_t elapsedMs = since(secondMs_, nowMs);
   if (elapsedMs >= 1000) {
     secondMs_ = elapsedMs < 2000 ? secondMs_ + 1000 : nowMs;  // the time that a late loop has missed does not count
     second(nowMs);
   }
-  if (askDue_ && client_.link_.canSend() && client_.link_.finder().isFound()) ask();
+  if (askDue_ && client_.link().canSend() && client_.autopilot().isFound()) ask();
   return verdict_;
 }
 
@@ -254,7 +254,7 @@ void LinkDoctor::second(uint16_t nowMs) {
 
 // Evaluates the last second.
 void LinkDoctor::count() {
-  const LinkCounters counters = client_.link_.counters();
+  const LinkCounters counters = client_.link().counters();
   if (counters.bytes != bytes_) {
     bytes_ = counters.bytes;
     if (verdict_ == Verdict::NoBytes) listenAnew();
@@ -265,7 +265,7 @@ void LinkDoctor::count() {
   if (unknown >= kInStep && broken < unknown / 4) {
     agesS_[Frame] = 1;
     // A sender without heartbeats: the last frame stands for all.
-    const FrameParser& frame = client_.link_.frame();
+    const FrameParser& frame = client_.link().frame();
     if (agesS_[Autopilot] > kLostS && agesS_[Other] > kLostS && !isOurs(frame)) {
       speaker_ = Speaker{frame.systemId(), frame.componentId(), 0};
     }
@@ -296,7 +296,7 @@ Verdict LinkDoctor::judge() {
   }
   if (agesS_[Frame] > kRecentS) return judgeWithoutFrames();
   if (!weighed_) return Verdict::Listening;
-  const Link& link = client_.link_;
+  const Link& link = client_.link();
   const AutopilotFinder& finder = link.finder();
   if (finder.severalHeard()) return Verdict::SeveralAutopilots;
   if (damage_ != Verdict::Well) return damage_;

@@ -1,19 +1,19 @@
 #include "Listener.h"
 
-#include "../MissionClient.h"
 #include "../base/Flash.h"
+#include "../client/Port.h"
 
 namespace mavmission {
 namespace detail {
 
 Listener::Listener(MissionClient& client, const MessageKey* keys, uint8_t count, Take take)
-    : MoreKeys{keys, count, nullptr, keyAmong, tellAll}, client_(client), take_(take) {
-  client_.link_.add(*this);
+    : MoreKeys{keys, count, nullptr, keyAmong, tellAll}, client_(Port::of(client)), take_(take) {
+  client_.link().add(*this);
 }
 
 Listener::Listener(const Listener& beside, const MessageKey* keys, uint8_t count, Take take)
     : MoreKeys{keys, count, nullptr, keyAmong, tellAll}, client_(beside.client_), take_(take) {
-  client_.link_.add(*this);
+  client_.link().add(*this);
 }
 
 const MessageKey* Listener::keyAmong(const MoreKeys* list, uint16_t messageId) {
@@ -37,7 +37,7 @@ void Listener::tellAll(const MoreKeys* list, const FrameParser& frame) {
 }
 
 bool Listener::isFromAutopilot(const FrameParser& frame) const {
-  return client_.link_.finder().isFrom(frame.systemId(), frame.componentId());
+  return client_.autopilot().isFrom(frame.systemId(), frame.componentId());
 }
 
 }  // namespace detail

@@ -12,7 +12,7 @@ class MissionClient;
 
 namespace detail {
 
-class Client;
+class Port;
 
 class Listener : private MoreKeys {
  public:
@@ -32,7 +32,7 @@ class Listener : private MoreKeys {
   // True if the frame is from the client's autopilot.
   bool isFromAutopilot(const FrameParser& frame) const;
 
-  Client& client_;
+  Port& client_;
 
  private:
   static const MessageKey* keyAmong(const MoreKeys* list, uint16_t messageId);

@@ -1,6 +1,6 @@
 #include "MessageIntervals.h"
 
-#include "../MissionClient.h"
+#include "../client/Port.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 
@@ -9,8 +9,8 @@ namespace detail {
 
 bool MessageIntervals::mayAsk(uint16_t nowMs) const {
   // Commands and clear() have no items, nor has a download before its MISSION_COUNT.
-  const bool isCommanding = client_.isBusy() && client_.itemsTotal() == 0;
-  return !isCommanding && client_.hasAutopilot() && client_.log_.mayAsk(asked_, nowMs);
+  const bool isCommanding = client_.running() != Status::Idle && !client_.hasItems();
+  return !isCommanding && client_.autopilot().isFound() && client_.commandLog().mayAsk(asked_, nowMs);
 }
 
 void MessageIntervals::ask(float messageId, float intervalUs, uint8_t tries, uint16_t nowMs) {
@@ -19,25 +19,25 @@ void MessageIntervals::ask(float messageId, float intervalUs, uint8_t tries, uin
   command.param1 = messageId;
   command.param2 = intervalUs;
   command.confirmation = tries;
-  client_.link_.send(command);
+  client_.link().send(command);
   await(nowMs);
 }
 
-void MessageIntervals::await(uint16_t nowMs) { client_.log_.await(asked_, nowMs); }
+void MessageIntervals::await(uint16_t nowMs) { client_.commandLog().await(asked_, nowMs); }
 
 bool MessageIntervals::isAnswer(const FrameParser& frame) const {
   typedef mavlink_command_ack_t Ack;
-  const Link& link = client_.link_;
+  const Link& link = client_.link();
   return isFromAutopilot(frame) && frame.isFor(link.systemId(), link.componentId()) &&
          frame.payloadWord(offsetof(Ack, command)) == MAV_CMD_SET_MESSAGE_INTERVAL &&
-         client_.log_.isAnswerTo(asked_, frame.sequence());
+         client_.commandLog().isAnswerTo(asked_, frame.sequence());
 }
 
-bool MessageIntervals::isWaiting() const { return client_.log_.isOf(asked_); }
+bool MessageIntervals::isWaiting() const { return client_.commandLog().isOf(asked_); }
 
-void MessageIntervals::settle() { client_.log_.settle(); }
+void MessageIntervals::settle() { client_.commandLog().settle(); }
 
-void MessageIntervals::giveUpWaiting(uint16_t nowMs) { client_.log_.giveUpOld(asked_, nowMs); }
+void MessageIntervals::giveUpWaiting(uint16_t nowMs) { client_.commandLog().giveUpOld(asked_, nowMs); }
 
 }  // namespace detail
 }  // namespace mavmission

@@ -3,8 +3,9 @@
 #include <Arduino.h>
 #include <string.h>
 
-#include "../MissionClient.h"
 #include "../base/Clock.h"
+#include "../base/Flash.h"
+#include "../client/Port.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -82,7 +83,7 @@ void MissionFollower::takeHeartbeat() {
   if (heartbeatsLeft_ != 0) --heartbeatsLeft_;
   // Heartbeats that an order asks for come sooner than once a second. Of two requests the second answer would be taken
   // for one to a command of the client's.
-  if (heartbeatsLeft_ != 0 || isWaiting() || !mayAsk(nowMs) || !client_.link_.canSend()) return;
+  if (heartbeatsLeft_ != 0 || isWaiting() || !mayAsk(nowMs) || !client_.link().canSend()) return;
   ask(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs, 0, nowMs);
   heartbeatsLeft_ = pause_;
   if (pause_ < FollowRules::kLongestPause) pause_ *= 2;
@@ -93,30 +94,16 @@ void MissionFollower::takeName(uint32_t planId) {
   if (planId == 0) return;
   planId_ = planId;
   patience_ = FollowRules::kPatience;
-  judgeName();
+  client_.noteMissionName(planId_);
 }
 
 // The acceptance of a mission of ours, about which ArduPilot's text is still to come. One for another ground station
 // tells nothing: ArduPilot also accepts the item with which a station orders it to fly somewhere now.
 void MissionFollower::takeAcceptance(const FrameParser& frame) {
-  if (!has(client_.firmware(), kSaysUploadsInWords)) return;
-  if (!frame.isFor(client_.link_.systemId(), client_.link_.componentId())) return;
+  if (!has(client_.autopilot().firmware(), kSaysUploadsInWords)) return;
+  if (!frame.isFor(client_.link().systemId(), client_.link().componentId())) return;
   patience_ = FollowRules::kPatience;
   textDue_ = FollowRules::kText;
-}
-
-// Somebody else has put a plan aboard. What aboard() says of a transfer that has not ended well stays.
-void MissionFollower::noteOther() {
-  if (isOurPlan()) client_.setAboard(PlanType::Mission, Aboard::OtherPlan);
-}
-
-// Compares the name of the plan aboard with that of ours.
-void MissionFollower::judgeName() {
-  const uint32_t accepted = client_.acceptedPlanId();
-  if (planId_ == 0 || accepted == 0) return;
-  if (planId_ != accepted) return noteOther();
-  if (client_.aboard(PlanType::Mission) != Aboard::OtherPlan) return;
-  client_.setAboard(PlanType::Mission, Aboard::OurPlan);  // it is back
 }
 
 void MissionFollower::takeCurrent(const FrameParser& frame) {
@@ -136,9 +123,9 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
     --patience_;
   } else {
     planId_ = planId;
-    judgeName();
+    client_.noteMissionName(planId_);
     if (planId == 0 && client_.namesOther(frame)) {
-      if (patience_ == 0) noteOther();
+      if (patience_ == 0) client_.noteOtherMission();
       if (patience_ != 0) --patience_;  // the message may be older than the acceptance of our plan
     } else {
       patience_ = planId == 0 ? 1 : 0;  // a total is no name: two messages must have the same
@@ -152,7 +139,7 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   if (item == current_) return;
   current_ = item;
   if (item == reached_) isNewLeg_ = true;
-  if (item != MissionClient::kNoItem && currentFunction_ != nullptr) currentFunction_(currentContext_, item);
+  if (item != Port::kNoItem && currentFunction_ != nullptr) currentFunction_(currentContext_, item);
 }
 
 void MissionFollower::takeReached(const FrameParser& frame) {
@@ -160,7 +147,7 @@ void MissionFollower::takeReached(const FrameParser& frame) {
   frame.copyPayload(&message, sizeof(message));
   const uint16_t item = client_.itemFromWire(message.seq);
   // PX4 repeats the message every second while it stays at the item.
-  if (item == MissionClient::kNoItem || (item == reached_ && !isNewLeg_)) return;
+  if (item == Port::kNoItem || (item == reached_ && !isNewLeg_)) return;
   reached_ = item;
   isNewLeg_ = false;
   if (reachedFunction_ != nullptr) reachedFunction_(reachedContext_, item);
@@ -175,7 +162,7 @@ void MissionFollower::takeText(const FrameParser& frame) {
   message[kEnd] = 0;
   const char* const text = message + offsetof(Text, text);
   // PX4 accepts a plan first and checks it afterwards.
-  if (has(client_.firmware(), kRejectsInWords) && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
+  if (has(client_.autopilot().firmware(), kRejectsInWords) && strncmp_P(text, kRejected, sizeof(kRejected) - 1) == 0) {
     client_.noteInfeasible();
   }
   takePlanText(text);
@@ -185,17 +172,17 @@ void MissionFollower::takeText(const FrameParser& frame) {
 
 // ArduPilot says in words that an upload has ended. One such text belongs to each upload of ours.
 void MissionFollower::takePlanText(const char* text) {
-  if (!has(client_.firmware(), kSaysUploadsInWords)) return;
+  if (!has(client_.autopilot().firmware(), kSaysUploadsInWords)) return;
   if (strncmp_P(text, kReceived, sizeof(kReceived) - 1) != 0 &&
       strncmp_P(text, kBrokenOff, sizeof(kBrokenOff) - 1) != 0)
     return;
   const bool isDue = textDue_ != 0;
   textDue_ = 0;
   // A transfer of ours decides by itself what is aboard. (Commands have no items.)
-  const bool isTransferring = client_.isBusy() && client_.itemsTotal() != 0;
-  if (!isDue && !isTransferring) noteOther();
+  const bool isTransferring = client_.running() != Status::Idle && client_.hasItems();
+  if (!isDue && !isTransferring) client_.noteOtherMission();
 }
 
-bool MissionFollower::isOurPlan() const { return client_.aboard(PlanType::Mission) == Aboard::OurPlan; }
+bool MissionFollower::isOurPlan() const { return client_.isOurMission(); }
 
 }  // namespace mavmission

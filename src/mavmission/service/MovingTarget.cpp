@@ -13,7 +13,9 @@
 #include <string.h>
 
 #include "../base/Clock.h"
+#include "../base/Flash.h"
 #include "../base/FloatBits.h"
+#include "../client/CommandPort.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
 
@@ -110,9 +112,9 @@ Status MovingTarget::update() {
     case Stage::Starting:
       // cancel(), or no autopilot in the time allowed: what else ends it comes by on().
       if (!isOperating()) {
-        const Status ended = client_.status();
+        const Status ended = client_.outcome();
         finish(isEnd(ended) ? ended : Status::Cancelled);
-      } else if (needsStream() && steering_.step_ == SteerStep::Mode && !client_.commanding_.transfer.isUrgent()) {
+      } else if (needsStream() && steering_.step_ == SteerStep::Mode && !client_.commands().sending().isUrgent()) {
         if (isLate()) aimHere();
         send(nowMs);
       }
@@ -139,7 +141,7 @@ void MovingTarget::take(Listener& listener, const FrameParser& frame) {
 // Both are asked for in time: PX4's failsafe comes 1 s behind the last target.
 void MovingTarget::look(uint32_t nowMs) {
   const uint16_t shortMs = static_cast<uint16_t>(nowMs);
-  const uint16_t quietMs = client_.link_.finder().quietMs(shortMs);
+  const uint16_t quietMs = client_.autopilot().quietMs(shortMs);
   const bool hasStoodStill = nowMs - updatedMs_ >= kBlindMs;
   if (hasStoodStill || (quietMs >= kBlindMs && !isBlind_)) {
     isBlind_ = true;
@@ -157,68 +159,63 @@ void MovingTarget::look(uint32_t nowMs) {
 // The answer to it is not waited for. An operation of the client that is under way, or the next one, has to know that
 // it will come.
 void MovingTarget::ask(uint16_t nowMs) {
-  if (since(askedMs_, nowMs) < kAskMs || !client_.hasAutopilot() || !client_.link_.canSend()) return;
+  if (since(askedMs_, nowMs) < kAskMs || !client_.autopilot().isFound() || !client_.link().canSend()) return;
   mavlink_command_long_t message = mavlink_command_long_t();
   message.command = MAV_CMD_REQUEST_MESSAGE;
   message.param1 = MAVLINK_MSG_ID_HEARTBEAT;
-  client_.link_.send(message);
+  client_.link().send(message);
   askedMs_ = nowMs;
-  if (!client_.state_.isCommanding) return;
-  client_.log_.askedAside(nowMs);
-  client_.commanding_.transfer.asked(nowMs);
+  if (!client_.commands().isCommanding()) return;
+  client_.commandLog().askedAside(nowMs);
+  client_.commands().sending().asked(nowMs);
 }
 
 // 32 bits: a loop() that has stood still for a minute must not find that its target is fresh.
 bool MovingTarget::isLate() const { return isStopped_ || millis() - renewedMs_ > timeoutMs_; }
 
 // True while the client's operation is the beginning, or the hold.
-bool MovingTarget::isOperating() const {
-  return client_.isBusy() && client_.state_.isCommanding && client_.commanding_.on == on;
-}
+bool MovingTarget::isOperating() const { return client_.commands().runs(on); }
 
 // True while the sketch has ordered something else of the Steering.
 bool MovingTarget::isSteered() const { return steering_.isRunning() && !steering_.is(kAdjusts); }
 
-bool MovingTarget::needsStream() const { return has(client_.firmware(), kNeedsStream); }
+bool MovingTarget::needsStream() const { return has(client_.autopilot().firmware(), kNeedsStream); }
 
 // True while the aircraft is in our hands, and in the mode in which it follows.
 bool MovingTarget::mayFollow() const {
-  return client_.isArmed() && steering_.ownMode_ == mode_ && steering_.maySteer() && client_.shownMode() == mode_;
+  return client_.autopilot().isArmed() && steering_.ownMode_ == mode_ && steering_.maySteer() &&
+         client_.commands().shownMode() == mode_;
 }
 
 // If it is not: why, as the status with which we end.
 Status MovingTarget::whoHasIt() const {
-  if (!client_.hasAutopilot()) return Status::NoAutopilot;
+  if (!client_.autopilot().isFound()) return Status::NoAutopilot;
   const uint16_t own = steering_.ownMode_;
   if (own != kNoMode && own != mode_ && steering_.maySteer()) return Status::Cancelled;  // by the sketch
   const Status others = steering_.otherHands();
   if (others != Status::Transferring) return others;
-  return client_.isArmed() ? Status::PilotHasIt : Status::NotArmed;
+  return client_.autopilot().isArmed() ? Status::PilotHasIt : Status::NotArmed;
 }
 
 // --- The beginning
 
 // The operation of the Steering that has just begun becomes ours: its events come here first.
-void MovingTarget::takeOver() {
-  Client::Commanding& commanding = client_.commanding_;
-  commanding.owner = this;
-  commanding.fill = fill;
-  commanding.on = on;
-}
+void MovingTarget::takeOver() { client_.commands().takeOver(fill, on, this); }
 
 void MovingTarget::fill(Client& client, FlightCommand& command) {
-  static_cast<const MovingTarget*>(client.commanding_.owner)->steering_.fillStep(command);
+  static_cast<const MovingTarget*>(CommandPort::ownerOf(client))->steering_.fillStep(command);
 }
 
-Status MovingTarget::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
-  MovingTarget& self = *static_cast<MovingTarget*>(client.commanding_.owner);
-  if (!client.isAskingVehicle()) return self.onEvent(event, status, nowMs);
-  status = client.onVehicle(event, status, fill);
+Status MovingTarget::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  MovingTarget& self = *static_cast<MovingTarget*>(CommandPort::ownerOf(client));
+  CommandPort& commands = CommandPort::of(client);
+  if (!commands.isAskingVehicle()) return self.onEvent(event, status, nowMs);
+  status = commands.onVehicle(event, status, fill);
   if (status != Status::Transferring) self.finish(status);
   return status;
 }
 
-Status MovingTarget::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
+Status MovingTarget::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
   if (stage_ == Stage::Starting) {
     status = onStart(event, status, nowMs);
     if (status == Status::Done) stage_ = Stage::Following;
@@ -231,20 +228,20 @@ Status MovingTarget::onEvent(Client::CommandEvent event, Status status, uint16_t
 }
 
 // The steps of a goTo() as far as its command, in whose place a mode is set.
-Status MovingTarget::onStart(Client::CommandEvent event, Status status, uint16_t nowMs) {
-  CommandTransfer& sending = client_.commanding_.transfer;
-  if (event == Client::CommandEvent::Ready) {
+Status MovingTarget::onStart(CommandEvent event, Status status, uint16_t nowMs) {
+  CommandTransfer& sending = client_.commands().sending();
+  if (event == CommandEvent::Ready) {
     if (steering_.isPlane()) return Status::CommandUnsupported;
-    mode_ = client_.numberOf(FlightMode::Guided);
+    mode_ = client_.commands().numberOf(FlightMode::Guided);
   }
   // Before the mode has been ordered there is nothing to hold. (What is refused at once is refused for its own reason.)
-  if (isLate() && !steering_.isOrdered_ && event != Client::CommandEvent::Ready)
+  if (isLate() && !steering_.isOrdered_ && event != CommandEvent::Ready)
     return isStopped_ ? Status::Cancelled : Status::NotRenewed;
   status = steering_.onEvent(event, status, nowMs);
   if (status != Status::Transferring) return status;
-  if (event == Client::CommandEvent::Ready) steering_.lead(client_.firstMode(), mode_);
+  if (event == CommandEvent::Ready) steering_.lead(client_.commands().firstMode(), mode_);
   if (steering_.step_ == SteerStep::Command) {
-    if (steering_.ownMode_ == mode_ && client_.shownMode() == mode_) {
+    if (steering_.ownMode_ == mode_ && client_.commands().shownMode() == mode_) {
       steering_.forgetTarget();
       return Status::Done;
     }
@@ -307,7 +304,7 @@ void MovingTarget::aimHere() {
   if (isHere_ && isAimed_) return;
   if (!isHere_) spoil();
   isHere_ = true;
-  const bool isAboveSea = has(client_.firmware(), kAltitudesAreAboveSea);
+  const bool isAboveSea = has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
   isAimed_ = steering_.positionAge_ <= SteerRules::kFreshBeats;
   at_ = steering_.here_;
   heightCm_ = isAboveSea ? steering_.seaCm_ : steering_.homeCm_;
@@ -316,7 +313,7 @@ void MovingTarget::aimHere() {
 
 // What is still going out is no longer true. (Twice would make it right again.)
 void MovingTarget::spoil() {
-  if (!isSpoilt_) client_.link_.spoilForeign(payload_);
+  if (!isSpoilt_) client_.link().spoilForeign(payload_);
   isSpoilt_ = true;
 }
 
@@ -327,10 +324,10 @@ void MovingTarget::finish(Status status) {
 }
 
 void MovingTarget::send(uint16_t nowMs) {
-  if (isBlind_ || !isAimed_ || (hasSent_ && since(sentMs_, nowMs) < kEveryMs) || !client_.link_.canSend()) return;
+  if (isBlind_ || !isAimed_ || (hasSent_ && since(sentMs_, nowMs) < kEveryMs) || !client_.link().canSend()) return;
   // PX4 looks at the frame of this message, and wants its older number.
   const bool isAboveHome = frame_ == Frame::GlobalRelative;
-  const bool isFromHome = isAboveHome && has(client_.firmware(), kAltitudesAreAboveSea);
+  const bool isFromHome = isAboveHome && has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
   float altitude = quotient(isFromHome ? heightCm_ + steering_.seaCm_ - steering_.homeCm_ : heightCm_, 1);
   multiply(&altitude, Times::Hundredth);
   Message message = Message();
@@ -339,8 +336,8 @@ void MovingTarget::send(uint16_t nowMs) {
   message.lon_int = at_.longitude.e7();
   message.alt = altitude;
   message.type_mask = kPlaceAlone;
-  message.target_system = client_.link_.finder().heartbeat().systemId;
-  message.target_component = client_.link_.finder().heartbeat().componentId;
+  message.target_system = client_.autopilot().heartbeat().systemId;
+  message.target_component = client_.autopilot().heartbeat().componentId;
   message.coordinate_frame = static_cast<uint8_t>(frame_ == Frame::GlobalTerrain ? Frame::GlobalTerrainInt
                                                   : isAboveHome && !isFromHome   ? Frame::GlobalRelativeInt
                                                                                  : Frame::GlobalInt);
@@ -348,7 +345,7 @@ void MovingTarget::send(uint16_t nowMs) {
   const OutgoingMessage outgoing = {MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT,
                                     MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_CRC, sizeof(payload_),
                                     MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_MIN_LEN, payload_};
-  if (!client_.link_.sendForeign(outgoing)) return;
+  if (!client_.link().sendForeign(outgoing)) return;
   // A second of targets has no gap in it.
   if (!hasSent_ || since(sentMs_, nowMs) >= kBlindMs) beganMs_ = nowMs;
   hasSent_ = true;

@@ -3,9 +3,9 @@
 #include <Arduino.h>
 #include <string.h>
 
-#include "../MissionClient.h"
 #include "../base/Flash.h"
 #include "../base/FloatBits.h"
+#include "../client/CommandPort.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -52,7 +52,7 @@ Parameters::Parameters(MissionClient& client) : Listener(client, kValue, 1, take
 // --- Beginning
 
 Status Parameters::begin(FlashText name, const char* nameInRam, Wanted wanted, int32_t value) {
-  if (client_.isBusy()) return Status::Busy;
+  if (client_.running() != Status::Idle) return Status::Busy;
   memset(name_, 0, sizeof(name_));
   for (uint8_t i = 0;; ++i) {
     const char c =
@@ -65,11 +65,7 @@ Status Parameters::begin(FlashText name, const char* nameInRam, Wanted wanted, i
   what_ = wanted;
   wanted_ = value;
   isSetting_ = false;
-  client_.startOperation(step);
-  memset(&client_.commanding_, 0, sizeof(client_.commanding_));
-  client_.commanding_.listener = this;
-  client_.commanding_.transfer.setRepeats(true);
-  return client_.state_.status;
+  return client_.commands().beginOwn(step, this);
 }
 
 Status Parameters::read(FlashText name) { return begin(name, nullptr, Wanted::Nothing, 0); }
@@ -90,35 +86,36 @@ Status Parameters::setWhole(const char* name, int32_t value) { return begin(null
 
 void Parameters::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr) return;  // the answer comes to take()
-  if (client.state_.status == Status::WaitingForAutopilot) client.waitForAutopilot();
-  if (client.state_.operation == step) static_cast<Parameters*>(client.commanding_.listener)->onTime(nowMs);
+  Port& port = Port::of(client);
+  if (port.running() == Status::WaitingForAutopilot) port.waitForAutopilot();
+  if (port.runs(step)) static_cast<Parameters*>(CommandPort::ownerOf(client))->onTime(nowMs);
 }
 
 void Parameters::onTime(uint16_t nowMs) {
-  Client& client = client_;
-  CommandTransfer& transfer = client.commanding_.transfer;
-  if (client.state_.status == Status::Checking) {
+  Port& client = client_;
+  CommandTransfer& transfer = client.commands().sending();
+  if (client.running() == Status::Checking) {
     if (isTooLong_) return client.end(Status::NoParameter);
     if (what_ == Wanted::Float) {
       const FloatKind kind = kindOf(&wanted_);
       if (kind == FloatKind::NotANumber) return client.end(Status::NotANumber);  // PX4 would store it
       if (kind == FloatKind::Infinite) return client.end(Status::NotFinite);
     }
-    client.state_.status = Status::Transferring;
-    client.beginSeconds(nowMs);
+    client.beginTransferring(nowMs);
   }
-  if (client.state_.status != Status::Transferring) return;
+  if (client.running() != Status::Transferring) return;
   // Also when it is armed between the reading and the setting.
-  if (what_ != Wanted::Nothing && client.isArmed() && !client.state_.armedAllowed) return client.end(Status::Armed);
+  if (what_ != Wanted::Nothing && client.autopilot().isArmed() && !client.isAllowedWhileArmed())
+    return client.end(Status::Armed);
   Status status = transfer.onTime(0, nowMs);
-  if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
+  if (status == Status::Transferring && client.hasTakenTooLong()) status = Status::TookTooLong;
   if (status == Status::NoAnswer) status = isSetting_ ? Status::Unconfirmed : Status::NoParameter;
   if (status != Status::Transferring) return client.end(status);
-  if (transfer.isDue() && client.link_.canSend() && client.claimHeavyWork()) send(nowMs);
+  if (transfer.isDue() && client.link().canSend() && client.claimHeavyWork()) send(nowMs);
 }
 
 void Parameters::send(uint16_t nowMs) {
-  Link& link = client_.link_;
+  Link& link = client_.link();
   if (isSetting_) {
     mavlink_param_set_t message = mavlink_param_set_t();
     memcpy(&message.param_value, &wanted_, sizeof(wanted_));
@@ -131,16 +128,16 @@ void Parameters::send(uint16_t nowMs) {
     message.param_index = -1;  // by its name
     link.send(&message, kRequest);
   }
-  client_.commanding_.transfer.sent(nowMs, link.pace().waitMs(CommandTransfer::kAnswerMs));
+  client_.commands().sending().sent(nowMs, link.pace().waitMs(CommandTransfer::kAnswerMs));
 }
 
 // --- The answer
 
 void Parameters::take(Listener& listener, const FrameParser& frame) {
   Parameters& self = static_cast<Parameters&>(listener);
-  Client& client = self.client_;
-  if (client.state_.operation != step || client.commanding_.listener != &listener) return;
-  if (client.state_.status != Status::Transferring || client.commanding_.transfer.tries() == 0) return;
+  Port& client = self.client_;
+  if (!client.commands().runs(step, &self)) return;
+  if (client.running() != Status::Transferring || client.commands().sending().tries() == 0) return;
   if (!self.isFromAutopilot(frame)) return;
   mavlink_param_value_t message;
   frame.copyPayload(&message, sizeof(message));
@@ -158,14 +155,14 @@ void Parameters::takeValue() {
 
 // What the value that has come means for the operation.
 Status Parameters::compare() {
-  CommandTransfer& transfer = client_.commanding_.transfer;
+  CommandTransfer& transfer = client_.commands().sending();
   if (what_ == Wanted::Nothing) return Status::Done;
   if (isSetting_) {
     if (bits_ == wanted_) return Status::Done;
     // It may be a late answer to the reading, or PX4's second one to a setting before this. If the value still is
     // another one after a repeat, it is kept.
-    return client_.state_.seconds >= ParameterRules::kOtherS && transfer.tries() > 1 ? Status::OtherValue
-                                                                                     : Status::Transferring;
+    return client_.seconds() >= ParameterRules::kOtherS && transfer.tries() > 1 ? Status::OtherValue
+                                                                                : Status::Transferring;
   }
   if (!makeBits()) return Status::NotKept;
   if (bits_ == wanted_) return Status::Done;
@@ -195,7 +192,7 @@ bool Parameters::makeBits() {
   return true;
 }
 
-bool Parameters::isAsBits() const { return isWholeType(type_) && has(client_.firmware(), kIntegersAsBits); }
+bool Parameters::isAsBits() const { return isWholeType(type_) && has(client_.autopilot().firmware(), kIntegersAsBits); }
 
 bool Parameters::isWhole() const { return isWholeType(type_); }
 

@@ -13,10 +13,10 @@
 #include <Arduino.h>
 #include <string.h>
 
-#include "../MissionClient.h"
 #include "../base/Checksum.h"
 #include "../base/Clock.h"
 #include "../base/Flash.h"
+#include "../client/Port.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -38,7 +38,7 @@ Payload::Payload(MissionClient& client, PayloadFunction function, void* context)
 
 void Payload::take(Listener& listener, const FrameParser& frame) {
   Payload& self = static_cast<Payload&>(listener);
-  const Link& link = self.client_.link_;
+  const Link& link = self.client_.link();
   // What finds no place is not answered, and so repeated by its sender.
   if (!frame.isFor(link.systemId(), link.componentId()) || self.find(State::Come) != nullptr) return;
   const mavlink_command_long_t message = messageFrom<mavlink_command_long_t>(frame);
@@ -126,7 +126,7 @@ void Payload::work(Record& record, uint16_t nowMs) {
   }
   if (!record.isDue) return;
   const bool isSilent = record.isForAll && record.answer == PayloadAnswer::Unsupported;
-  if (!isSilent && !client_.link_.canSend()) return;
+  if (!isSilent && !client_.link().canSend()) return;
   record.isDue = false;
   if (!isSilent) answer(record);
 }
@@ -147,7 +147,7 @@ void Payload::answer(const Record& record) {
   if (record.answer == PayloadAnswer::InProgress) message.progress = percent_;
   message.target_system = record.systemId;
   message.target_component = record.componentId;
-  client_.link_.send(&message, kAnswer);
+  client_.link().send(&message, kAnswer);
 }
 
 }  // namespace mavmission

@@ -7,6 +7,7 @@
 //        +- or a lossy line --+----------+--> MissionClient::ensure()
 #include "../MissionClient.h"
 #include "../PlanFiles.h"
+#include "FileFrame.h"
 
 namespace mavmission {
 using namespace detail;
@@ -14,7 +15,7 @@ using namespace detail;
 Status PlanFiles::ensure(const ItemSource& plan, PlanType type) {
   const Status status = upload(plan, type);
   if (isEnd(status)) return status;
-  Client& client = client_;
+  Client& client = insideOf(client_);
   client.setAboard(Aboard::NotKnown);  // what was known was about the plan before
   if (client.state_.operation == writeStep) {
     beginOperation(ensureStep);
@@ -47,7 +48,7 @@ void PlanFiles::ensureStep(Client& client, const FrameParser* frame, uint16_t no
 }
 
 void PlanFiles::takeEnsured(PlanFiles& self, Status status, uint16_t) {
-  Client& client = self.client_;
+  Client& client = insideOf(self.client_);
   self.isWholeLook_ = false;
   client.state_.proving = false;
   switch (status) {

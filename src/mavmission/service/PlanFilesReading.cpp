@@ -24,7 +24,7 @@ void dropLeftOvers(MissionItem& item, Keeper keeper) {
 }  // namespace
 
 Status PlanFiles::verify(const ItemSource& plan, PlanType type) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   if (client.isBusy()) return Status::Busy;
   if (type == PlanType::All) return client.refuseType();
   client.setPlanToVerify(plan, type);
@@ -38,7 +38,7 @@ Status PlanFiles::verify(const ItemSource& plan, PlanType type) {
 }
 
 Status PlanFiles::download(const ItemSink& sink, PlanType type) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   if (client.isBusy()) return Status::Busy;
   if (type == PlanType::All) return client.refuseType();
   client.state_.type = type;
@@ -75,11 +75,11 @@ void PlanFiles::readStep(Client& client, const FrameParser* frame, uint16_t nowM
 
 void PlanFiles::beginReading() {
   beginFile();
-  reading_.begin(client_.state_.isCompared);
+  reading_.begin(insideOf(client_).state_.isCompared);
 }
 
 void PlanFiles::readOn(uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   // As in Client::readStep(): the update() that reads the last bytes of an item compares it too.
   client.state_.readsHalf = true;
   const Status status = reading_.onTime(nowMs, client.link_.pace());
@@ -118,11 +118,11 @@ void PlanFiles::takeReadReply(const FrameParser& frame, uint16_t nowMs) {
     const bool isLate = requested == MAV_FTP_OPCODE_OPENFILERO && reading_.state() != State::Opening;
     if (isLate || reading_.state() == State::Closing) return;
     // The file was closed by somebody, who may have changed the plan: a comparison begins anew.
-    return readByItems(client_.state_.isCompared ? 0 : reading_.itemToAsk(), nowMs);
+    return readByItems(insideOf(client_).state_.isCompared ? 0 : reading_.itemToAsk(), nowMs);
   }
   const uint32_t offset = frame.payloadLong(offsetof(FileFrame, offset));
   switch (requested) {
-    case MAV_FTP_OPCODE_OPENFILERO: return reading_.onOpened(nowMs, client_.link_.pace());
+    case MAV_FTP_OPCODE_OPENFILERO: return reading_.onOpened(nowMs, insideOf(client_).link_.pace());
     case MAV_FTP_OPCODE_TERMINATESESSION: {
       const Status ended = reading_.onClosed();
       return ended == Status::Transferring ? void() : endReading(ended, nowMs);
@@ -143,10 +143,11 @@ void PlanFiles::takeCount(const FrameParser& frame, uint16_t nowMs) {
   const uint16_t type = frame.payloadWord(header + offsetof(FileHeader, type));
   const uint16_t count = frame.payloadWord(header + offsetof(FileHeader, count));
   if (frame.payloadWord(header + offsetof(FileHeader, magic)) != FileHeader::kMagic ||
-      type != static_cast<uint8_t>(client_.state_.type) || !reading_.onCount(count, nowMs, client_.link_.pace())) {
+      type != static_cast<uint8_t>(insideOf(client_).state_.type) ||
+      !reading_.onCount(count, nowMs, insideOf(client_).link_.pace())) {
     return;
   }
-  Client& client = client_;
+  Client& client = insideOf(client_);
   if (isLook_) return reading_.close(Status::Downloaded);
   const bool isHomeFirst = client.homeBefore() != 0;
   if (!client.state_.isCompared) {
@@ -164,7 +165,7 @@ void PlanFiles::takeCount(const FrameParser& frame, uint16_t nowMs) {
 
 void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t nowMs) {
   if (!reading_.wants(number)) return reading_.onUnused(nowMs);
-  Client& client = client_;
+  Client& client = insideOf(client_);
   union {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -196,7 +197,7 @@ void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t now
 
 // Goes over to the mission protocol, from this item on.
 void PlanFiles::readByItems(uint16_t first, uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   if (isLook_ || isWholeLook_) return onRead_(*this, Status::NoAnswer, nowMs);
   if (client.state_.proving) return proveByItems(nowMs);
   isByFile_ = false;
@@ -207,7 +208,7 @@ void PlanFiles::readByItems(uint16_t first, uint16_t nowMs) {
 }
 
 void PlanFiles::endReading(Status status, uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   client.state_.readsHalf = false;
   if (onRead_ != nullptr) return onRead_(*this, status, nowMs);
   if (status == Status::Downloaded && client.state_.isCompared) {

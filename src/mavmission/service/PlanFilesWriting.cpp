@@ -18,7 +18,7 @@ namespace mavmission {
 using namespace detail;
 
 Status PlanFiles::upload(const ItemSource& plan, PlanType type) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   const bool isShortFence = type == PlanType::Fence && plan.count != 0 && plan.count <= Client::kShortFence;
   const Status status = client.uploadProven(plan, type, isShortFence ? Readback::Always : Readback::InDoubt);
   if (isEnd(status)) return status;
@@ -49,7 +49,7 @@ void PlanFiles::writeStep(Client& client, const FrameParser* frame, uint16_t now
 }
 
 void PlanFiles::check(uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   if (client.isArmed() && !client.state_.armedAllowed) return client.end(Status::Armed);
   if (!isChecked()) return;
   if (!isUsable() || !isForFile()) return uploadByItems(nowMs);
@@ -64,7 +64,7 @@ void PlanFiles::check(uint16_t nowMs) {
 // As Client::checkPlan(), and asks of each item whether it is known what ArduPilot makes of it. True when all is
 // checked.
 bool PlanFiles::isChecked() {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   Client::State& state = client.state_;
   const WirePlan& plan = client.plan_;
   if (!client.hasAutopilot() || client.firmware() != plan.firmware()) {
@@ -95,31 +95,32 @@ bool PlanFiles::isChecked() {
 // True if the plan that was checked may be written as a file.
 bool PlanFiles::isForFile() const {
 #if MAVMISSION_SIGNING
-  if (client_.link_.signing().isOn()) return false;  // a frame that is made while it goes out cannot be signed
+  if (insideOf(client_).link_.signing().isOn())
+    return false;  // a frame that is made while it goes out cannot be signed
 #endif
-  return isForeseen_ && client_.plan_.wireCount() <= kMostItems;
+  return isForeseen_ && insideOf(client_).plan_.wireCount() <= kMostItems;
 }
 
 // False for a command without a row of rules: if ArduPilot does not take it, a file that holds it would leave the items
 // before it aboard.
 bool PlanFiles::isForeseen(const MissionItem& item) const {
-  const Rules rules = rulesOf(item, client_.plan_.keeper());
+  const Rules rules = rulesOf(item, insideOf(client_).plan_.keeper());
   const uint8_t height = static_cast<uint8_t>(rules.bits >> 24) & 15;
   return height != keeping::Height || !(rules.has(kAsItsFrameSays) || rules.has(kHasNoPlace));
 }
 
 void PlanFiles::beginWriting() {
   beginFile();
-  client_.setAboard(Aboard::AsBefore);
-  client_.state_.operation = writeStep;
+  insideOf(client_).setAboard(Aboard::AsBefore);
+  insideOf(client_).state_.operation = writeStep;
   operation_ = writeStep;
-  writing_.transfer.begin(client_.plan_.wireCount());
+  writing_.transfer.begin(insideOf(client_).plan_.wireCount());
   writing_.isBroken = false;
 }
 
 // A reading of the plan aboard, within an upload.
 void PlanFiles::beginComparing(void (*onRead)(PlanFiles& self, Status status, uint16_t nowMs)) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   client.state_.operation = readStep;
   operation_ = readStep;
   onRead_ = onRead;
@@ -132,8 +133,9 @@ void PlanFiles::beginComparing(void (*onRead)(PlanFiles& self, Status status, ui
 
 void PlanFiles::takeLook(PlanFiles& self, Status status, uint16_t nowMs) {
   self.isLook_ = false;
-  self.client_.state_.proving = false;
-  const bool isShorter = status != Status::Downloaded || self.reading_.count() > self.client_.plan_.wireCount();
+  insideOf(self.client_).state_.proving = false;
+  const bool isShorter =
+      status != Status::Downloaded || self.reading_.count() > insideOf(self.client_).plan_.wireCount();
   if (isShorter) return self.uploadByItems(nowMs);
   self.isLengthKnown_ = true;
   self.beginWriting();
@@ -141,13 +143,13 @@ void PlanFiles::takeLook(PlanFiles& self, Status status, uint16_t nowMs) {
 
 void PlanFiles::uploadByItems(uint16_t nowMs) {
   isByFile_ = false;
-  if (isEnsuring_ && client_.isArmed()) return client_.end(Status::Armed);
-  client_.state_.operation = Client::uploadStep;
-  client_.beginUpload(nowMs);
+  if (isEnsuring_ && insideOf(client_).isArmed()) return insideOf(client_).end(Status::Armed);
+  insideOf(client_).state_.operation = Client::uploadStep;
+  insideOf(client_).beginUpload(nowMs);
 }
 
 void PlanFiles::writeOn(uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   FileWriteTransfer& transfer = writing_.transfer;
   if (transfer.isLeaving() && client.link_.isSent()) transfer.onLeft(nowMs);
   Status status = transfer.onTime(nowMs, client.link_.pace());
@@ -185,7 +187,7 @@ static_assert(FileFrame::kHead + FileWriteTransfer::kMostItems * kFileItem <= MA
 // A write of one item or of several. The frame's length must be known before it begins: MAVLink 2 leaves out the zeros
 // at the end of a payload, so the last item is looked at first.
 void PlanFiles::sendItems(uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   if (!client.claimHeavyWork()) return;
   writing_.going = writing_.transfer.begun(sequence_);
   writing_.pieces = 0;
@@ -208,14 +210,14 @@ uint8_t PlanFiles::nextPiece(void* context, uint8_t* piece) {
     ++writing.pieces;
     return self.makeHead(piece);
   }
-  if (!self.client_.claimHeavyWork()) return Outbox::kNotNow;
+  if (!insideOf(self.client_).claimHeavyWork()) return Outbox::kNotNow;
   const uint16_t wireItem = writing.going.first + writing.pieces - 1;
   const Status made = self.makeItem(wireItem, piece);
   if (made == Status::Accepted) {
     ++writing.pieces;
     return kFileItem;
   }
-  self.client_.state_.failedItem = self.client_.ownItem(wireItem);
+  insideOf(self.client_).state_.failedItem = insideOf(self.client_).ownItem(wireItem);
   writing.isBroken = true;
   return Outbox::kBroken;
 }
@@ -223,7 +225,7 @@ uint8_t PlanFiles::nextPiece(void* context, uint8_t* piece) {
 uint8_t PlanFiles::makeHead(uint8_t* piece) const {
   FileFrame& head = *reinterpret_cast<FileFrame*>(piece);
   const Request& write = writing_.going;
-  const Heartbeat& autopilot = client_.link_.finder().heartbeat();
+  const Heartbeat& autopilot = insideOf(client_).link_.finder().heartbeat();
   head.network = 0;
   head.system = autopilot.systemId;
   head.component = autopilot.componentId;
@@ -245,7 +247,7 @@ Status PlanFiles::makeItem(uint16_t wireItem, void* bytes) const {
     mavlink_mission_item_int_t message;
   };
   Piece& piece = *static_cast<Piece*>(bytes);
-  const Status read = client_.plan_.read(wireItem, piece.item);
+  const Status read = insideOf(client_).plan_.read(wireItem, piece.item);
   if (read != Status::Accepted) return read;
   const uint16_t command = piece.item.command;
   const Frame frame = piece.item.frame;
@@ -254,17 +256,17 @@ Status PlanFiles::makeItem(uint16_t wireItem, void* bytes) const {
   mavlink_mission_item_int_t& message = piece.message;
   message.seq = wireItem;
   message.command = command;
-  message.target_system = client_.link_.finder().heartbeat().systemId;
-  message.target_component = client_.link_.finder().heartbeat().componentId;
+  message.target_system = insideOf(client_).link_.finder().heartbeat().systemId;
+  message.target_component = insideOf(client_).link_.finder().heartbeat().componentId;
   message.frame = static_cast<uint8_t>(frame);
   message.current = current;
   message.autocontinue = autocontinue;
-  message.mission_type = static_cast<uint8_t>(client_.state_.type);
+  message.mission_type = static_cast<uint8_t>(insideOf(client_).state_.type);
   return Status::Accepted;
 }
 
 void PlanFiles::takeWriteReply(const FrameParser& frame, uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   FileWriteTransfer& transfer = writing_.transfer;
   const uint16_t sequence = frame.payloadWord(offsetof(FileFrame, sequence)) - 1;
   if (!transfer.isOpen(sequence)) return;
@@ -283,7 +285,7 @@ void PlanFiles::takeWriteReply(const FrameParser& frame, uint16_t nowMs) {
 
 // Reads back item by item. A comparison always begins with the first one.
 void PlanFiles::proveByItems(uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove an upload
   client.reading_.prover = this;
   isDamaged_ = false;
@@ -319,7 +321,7 @@ Status PlanFiles::proveItem(Client& client, uint16_t wireItem, MissionItem& item
 // item into the file that is none: ArduPilot then holds the plan up to there, or all of it with that item. The mission
 // protocol is several times quicker on such a line; and it says which item is refused, if that was the cause.
 void PlanFiles::uploadDamaged(uint16_t nowMs) {
-  Client& client = client_;
+  Client& client = insideOf(client_);
   isDamaged_ = false;
   client.state_.proving = false;
   client.rest_.proof = static_cast<uint8_t>(Readback::Always);
@@ -330,7 +332,7 @@ void PlanFiles::uploadDamaged(uint16_t nowMs) {
 }
 
 void PlanFiles::takeProof(PlanFiles& self, Status status, uint16_t nowMs) {
-  Client& client = self.client_;
+  Client& client = insideOf(self.client_);
   if (status == Status::Differs && client.link_.pace().isLossy()) return self.uploadDamaged(nowMs);
   if (status == Status::Downloaded) {
     client.setAboard(Aboard::OurPlan);

@@ -1,8 +1,8 @@
 #include "../PositionListener.h"
 
-#include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "../base/Root.h"
+#include "../client/Port.h"
 #include "TelemetryKeys.h"
 
 namespace mavmission {
@@ -23,7 +23,7 @@ bool PositionListener::decode(TelemetryListener& listener, const FrameParser& fr
   self.place_ = LatLon{Degrees::fromE7(message.lat), Degrees::fromE7(message.lon)};
   self.aboveSeaLevelMm_ = message.alt;
   // No home: PX4 then gives both heights alike, and ArduPilot, which does not know where it is, gives zeros.
-  const bool mayBeNone = has(self.client_.firmware(), kSameHeightsWithoutHome) || !self.hasPlace();
+  const bool mayBeNone = has(self.client_.autopilot().firmware(), kSameHeightsWithoutHome) || !self.hasPlace();
   self.aboveHomeMm_ = mayBeNone && message.relative_alt == message.alt ? kNoHeight : message.relative_alt;
   self.northCmS_ = message.vx;
   self.eastCmS_ = message.vy;

@@ -3,7 +3,8 @@
 #include <Arduino.h>
 #include <string.h>
 
-#include "../MissionClient.h"
+#include "../base/Flash.h"
+#include "../client/CommandPort.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -46,9 +47,8 @@ Status StandardModes::set(StandardMode mode) { return begin(mode, 0); }
 Status StandardModes::read(uint8_t number) { return begin(StandardMode::NonStandard, number == 0 ? 255 : number); }
 
 Status StandardModes::begin(StandardMode wanted, uint8_t number) {
-  const Status status = client_.beginCommand(fill, on);
+  const Status status = client_.commands().beginCommands(fill, on, this);
   if (status == Status::Busy) return status;
-  client_.commanding_.owner = this;
   wanted_ = wanted;
   number_ = number;
   isAsking_ = isHeard_ = isAnswered_ = isSet_ = false;
@@ -80,7 +80,7 @@ void StandardModes::takeEntry(const FrameParser& frame) {
 // --- The operations
 
 void StandardModes::fill(Client& client, FlightCommand& command) {
-  const StandardModes& self = *static_cast<const StandardModes*>(client.commanding_.owner);
+  const StandardModes& self = *static_cast<const StandardModes*>(CommandPort::ownerOf(client));
   if (self.isSetting() && !self.isAsking_) {
     command.id = MAV_CMD_DO_SET_STANDARD_MODE;
     command.param1 = static_cast<uint8_t>(self.wanted_);
@@ -91,36 +91,35 @@ void StandardModes::fill(Client& client, FlightCommand& command) {
   command.param2 = self.number_;
 }
 
-Status StandardModes::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*,
-                         uint16_t nowMs) {
-  return static_cast<StandardModes*>(client.commanding_.owner)->onEvent(event, status, nowMs);
+Status StandardModes::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  return static_cast<StandardModes*>(CommandPort::ownerOf(client))->onEvent(event, status, nowMs);
 }
 
-Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
+Status StandardModes::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
   switch (event) {
-    case Client::CommandEvent::Ready:
+    case CommandEvent::Ready:
       if (isSetting() && wanted_ == StandardMode::NonStandard) return Status::NoSuchMode;
-      before_ = client_.shownMode();
-      if (isSetting()) client_.commanding_.transfer.guard();
-      return client_.link_.version() == 1 ? Status::NeedsMavlink2 : status;
-    case Client::CommandEvent::Accepted:
+      before_ = client_.commands().shownMode();
+      if (isSetting()) client_.commands().sending().guard();
+      return client_.link().version() == 1 ? Status::NeedsMavlink2 : status;
+    case CommandEvent::Accepted:
       if (!isSetting() || isAsking_) {
         isAnswered_ = true;
         return Status::Transferring;
       }
       beginAsking(nowMs);
       return Status::Transferring;
-    case Client::CommandEvent::Refused: return isAsking_ ? Status::Unconfirmed : status;
-    case Client::CommandEvent::Silent: return isAsking_ || isAnswered_ ? Status::Unconfirmed : status;
-    case Client::CommandEvent::Time: break;
-    case Client::CommandEvent::Heartbeat:
-      if (isSet_) return client_.commanding_.transfer.isOld() ? status : Status::Done;
+    case CommandEvent::Refused: return isAsking_ ? Status::Unconfirmed : status;
+    case CommandEvent::Silent: return isAsking_ || isAnswered_ ? Status::Unconfirmed : status;
+    case CommandEvent::Time: break;
+    case CommandEvent::Heartbeat:
+      if (isSet_) return client_.commands().sending().isOld() ? status : Status::Done;
       // Another mode by now: somebody else's, or this order's. It does not leave again in any case.
-      if (!isSetting() || isAsking_ || client_.shownMode() == before_) return status;
-      if (client_.commanding_.transfer.tries() == 0) return Status::TakenOver;
+      if (!isSetting() || isAsking_ || client_.commands().shownMode() == before_) return status;
+      if (client_.commands().sending().tries() == 0) return Status::TakenOver;
       beginAsking(nowMs);
       return status;
-    case Client::CommandEvent::Current: return status;
+    case CommandEvent::Current: return status;
   }
   // Without the answer, it would be taken for that to the next question.
   if (!isAnswered_ || !isHeard_ || isSet_) return status;
@@ -128,13 +127,13 @@ Status StandardModes::onEvent(Client::CommandEvent event, Status status, uint16_
   if (current_ == wanted_) {
     // PX4's heartbeat comes once a second: the next order would take the new mode for somebody else's.
     isSet_ = true;
-    client_.commanding_.transfer.listen(kConfirmS * 1000, nowMs);
-    client_.commanding_.transfer.ask();
+    client_.commands().sending().listen(kConfirmS * 1000, nowMs);
+    client_.commands().sending().ask();
     return status;
   }
-  if (client_.state_.seconds >= kConfirmS) return Status::Unconfirmed;
+  if (client_.seconds() >= kConfirmS) return Status::Unconfirmed;
   askAgain();
-  client_.commanding_.transfer.pause(kAskAgainMs, nowMs);
+  client_.commands().sending().pause(kAskAgainMs, nowMs);
   return status;
 }
 
@@ -147,7 +146,7 @@ void StandardModes::beginAsking(uint16_t nowMs) {
 
 void StandardModes::askAgain() {
   isHeard_ = isAnswered_ = false;
-  client_.commanding_.transfer.next(true);
+  client_.commands().sending().next(true);
 }
 
 }  // namespace mavmission

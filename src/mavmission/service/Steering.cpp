@@ -4,7 +4,8 @@
 
 #include <Arduino.h>
 
-#include "../MissionClient.h"
+#include "../base/Flash.h"
+#include "../client/CommandPort.h"
 #include "../link/Messages.h"
 #include "SteeringNumbers.h"
 
@@ -45,9 +46,8 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
 // --- What the sketch calls
 
 Status Steering::begin(OrderRow row) {
-  const Status status = client_.beginCommand(fill, on);
+  const Status status = client_.commands().beginCommands(fill, on, this);
   if (status == Status::Busy) return status;
-  client_.commanding_.owner = this;
   row_ = row;
   step_ = SteerStep::None;
   hasArmed_ = isModeSeen_ = isOrdered_ = isDenied_ = false;
@@ -84,12 +84,10 @@ Status Steering::setSpeed(MetresPerSecond speed) {
   return status;
 }
 
-bool Steering::isRunning() const {
-  return client_.isBusy() && client_.state_.isCommanding && client_.commanding_.on == on;
-}
+bool Steering::isRunning() const { return client_.commands().runs(on); }
 
 bool Steering::hasArrived(uint16_t withinCm) const {
-  const bool isKnown = positionAge_ <= kFreshBeats && client_.hasAutopilot();
+  const bool isKnown = positionAge_ <= kFreshBeats && client_.autopilot().isFound();
   if (!isKnown || isRunning() || ownMode_ == kNoMode) return false;
   if (target_.above == Above::Home && !isNear(homeCm_, target_.heightCm, withinCm)) return false;
   if (target_.above == Above::Sea && !isNear(seaCm_, target_.heightCm, withinCm)) return false;
@@ -121,13 +119,10 @@ void Steering::take(Listener& listener, const FrameParser& frame) {
 void Steering::takeHeartbeat() {
   if (positionAge_ != 255) ++positionAge_;
   if (targetAge_ != 255) ++targetAge_;
-  const uint16_t shown = client_.shownMode();
-  if (!client_.isArmed()) seenDisarmed_ = true;
+  const uint16_t shown = client_.commands().shownMode();
+  if (!client_.autopilot().isArmed()) seenDisarmed_ = true;
   // The sketch's own setMode() is about to end.
-  const Client::Commanding& running = client_.commanding_;
-  const bool isSetting =
-      client_.status() == Status::Transferring && client_.state_.isCommanding && running.fill == Client::fillMode;
-  if (isSetting && !running.mode.order.isRestoring() && running.mode.number == shown) ownMode_ = shown;
+  if (client_.commands().isSetting(shown)) ownMode_ = shown;
   if (shown == ownMode_ && !isFailsafe()) return;
   ownMode_ = ownMode_ == kPx4TakeOff && hasClimbed() ? shown : kNoMode;
 }
@@ -135,8 +130,9 @@ void Steering::takeHeartbeat() {
 // At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.
 bool Steering::hasClimbed() const {
   const Place& top = is(kFromGround) ? wanted_ : target_;
-  return client_.shownMode() == client_.numberOf(FlightMode::Hold) && !isFailsafe() && isInAir() &&
-         positionAge_ <= kFreshBeats && isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
+  return client_.commands().shownMode() == client_.commands().numberOf(FlightMode::Hold) && !isFailsafe() &&
+         isInAir() && positionAge_ <= kFreshBeats &&
+         isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
 }
 
 void Steering::takePosition(const FrameParser& frame) {
@@ -146,9 +142,9 @@ void Steering::takePosition(const FrameParser& frame) {
   seaCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, alt))) / 10;
   homeCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, relative_alt))) / 10;
   positionAge_ = 0;
-  if (step_ != SteerStep::AskPosition || !client_.state_.isCommanding) return;
-  CommandTransfer& sending = client_.commanding_.transfer;
-  client_.lookAtClock(static_cast<uint16_t>(millis()));  // a listener hears before the operation does
+  if (step_ != SteerStep::AskPosition || !client_.commands().isCommanding()) return;
+  CommandTransfer& sending = client_.commands().sending();
+  client_.commands().lookAtClock(static_cast<uint16_t>(millis()));  // a listener hears before the operation does
   if (!sending.isOld()) isHeard_ = true;
 }
 
@@ -162,8 +158,8 @@ void Steering::takeTarget(const FrameParser& frame) {
   const uint32_t bits = frame.payloadLong(offsetof(Target, alt));
   memcpy(&altitude, &bits, sizeof(altitude));
   // ArduPilot gives its target's altitude as it was told, whatever that is measured from.
-  const bool isHeight =
-      !has(client_.firmware(), kAltitudesAreAboveSea) || isNear(centimetres(altitude), wanted_.heightCm, kSameCm);
+  const bool isHeight = !has(client_.autopilot().firmware(), kAltitudesAreAboveSea) ||
+                        isNear(centimetres(altitude), wanted_.heightCm, kSameCm);
   isTargetSame_ = isHeight && isNear(latitude, wanted_.at.latitude.e7(), kSameE7) &&
                   isNearInLongitude(longitude, wanted_.at.longitude.e7(), kSameE7);
 }

@@ -2,8 +2,8 @@
 //
 // MAVLink has no command that changes a mode only if it is still the one that was seen. So what changes the mode leaves
 // right behind a heartbeat (CommandTransfer::guard()), and what each heartbeat shows is judged here (ModeOrder).
-#include "../MissionClient.h"
 #include "../Steering.h"
+#include "../client/CommandPort.h"
 #include "SteeringNumbers.h"
 
 namespace mavmission {
@@ -17,13 +17,13 @@ bool Steering::changesMode() const {
 // What arms does not change the mode, but PX4 flies its mission when it is armed in that mode. A speed changes what a
 // failsafe of PX4 flies, of which its heartbeat tells up to a second later.
 bool Steering::isGuarded() const {
-  const bool isLateTold = is(kAdjusts) && !has(client_.firmware(), kIsActiveInAir);
+  const bool isLateTold = is(kAdjusts) && !has(client_.autopilot().firmware(), kIsActiveInAir);
   return changesMode() || step_ == SteerStep::Arm || (step_ == SteerStep::Command && isLateTold);
 }
 
 // To be called before each event is looked at: the client sends behind them.
 void Steering::noteSent() {
-  if (client_.commanding_.transfer.tries() == 0) return;
+  if (client_.commands().sending().tries() == 0) return;
   if (step_ == SteerStep::Arm) hasArmed_ = true;
   if (changesMode()) isOrdered_ = true;
   // From now on it may fly elsewhere.
@@ -31,9 +31,9 @@ void Steering::noteSent() {
 }
 
 Status Steering::onHeartbeat(uint16_t nowMs) {
-  CommandTransfer& sending = client_.commanding_.transfer;
-  if (step_ == SteerStep::Disarm) return client_.isArmed() ? Status::Transferring : refusal_;
-  const uint16_t shown = client_.shownMode();
+  CommandTransfer& sending = client_.commands().sending();
+  if (step_ == SteerStep::Disarm) return client_.autopilot().isArmed() ? Status::Transferring : refusal_;
+  const uint16_t shown = client_.commands().shownMode();
   const bool isUnderWay = isOrdered_ && sending.mayBeUnderWay(nowMs);
   if (isFailsafe() && (!isUnderWay || shown == change_.wanted())) return leaveTo(Status::FailsafeHasIt);
   const bool hasTakenOff = change_.wanted() == kPx4TakeOff && hasClimbed();
@@ -54,7 +54,7 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
     case ModeOrder::Sight::Foreign: return leaveTo(whoFlies());
     case ModeOrder::Sight::Undone: return giveBack();
   }
-  const bool isArmed = step_ == SteerStep::Arm && sending.tries() != 0 && client_.isArmed();
+  const bool isArmed = step_ == SteerStep::Arm && sending.tries() != 0 && client_.autopilot().isArmed();
   return isArmed ? nextStep(nowMs) : Status::Transferring;
 }
 
@@ -62,12 +62,13 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
 Status Steering::onOwnMode(uint16_t nowMs) {
   if (isDenied_) return refusal_;
   isModeSeen_ = true;
-  ownMode_ = client_.shownMode();
+  ownMode_ = client_.commands().shownMode();
   // PX4 takes off in a mode that its takeoff command alone sets: that mode stands for the acceptance, and no repeat is
   // sent.
   const bool isTakingOff = isOrdered_ && step_ == SteerStep::Command && ownMode_ == kPx4TakeOff;
   if (step_ == SteerStep::Mode || isTakingOff) return nextStep(nowMs);
-  const bool isArmed = step_ == SteerStep::Arm && client_.commanding_.transfer.tries() != 0 && client_.isArmed();
+  const bool isArmed =
+      step_ == SteerStep::Arm && client_.commands().sending().tries() != 0 && client_.autopilot().isArmed();
   return isArmed ? nextStep(nowMs) : Status::Transferring;
 }
 
@@ -77,12 +78,12 @@ Status Steering::leaveTo(Status other) {
   if (!hasArmed_ || isInAir()) return other;
   refusal_ = other;
   step_ = SteerStep::Disarm;
-  client_.commanding_.transfer.next(true);
+  client_.commands().sending().next(true);
   return Status::Transferring;
 }
 
 Status Steering::giveBack() {
-  CommandTransfer& sending = client_.commanding_.transfer;
+  CommandTransfer& sending = client_.commands().sending();
   step_ = SteerStep::GiveBack;
   ownMode_ = kNoMode;
   forgetTarget();

@@ -1,7 +1,7 @@
 // Steering: who has the aircraft, and what is refused before anything is sent.
 #include "../Steering.h"
 
-#include "../MissionClient.h"
+#include "../client/CommandPort.h"
 #include "../link/Messages.h"
 #include "SteeringNumbers.h"
 
@@ -22,23 +22,24 @@ bool isHuge(float value) {
 }  // namespace
 
 bool Steering::isMissionMode() const {
-  const uint16_t mission = client_.numberOf(FlightMode::Auto);
-  return mission != kNoMode && client_.shownMode() == mission;
+  const uint16_t mission = client_.commands().numberOf(FlightMode::Auto);
+  return mission != kNoMode && client_.commands().shownMode() == mission;
 }
 
 // PX4 says CRITICAL while a failsafe flies, in whatever mode: HOLD, which is ours as well, is one of them. ArduPilot
 // says so for each failsafe, also for one that it is set to ignore; there the mode tells who flies.
 bool Steering::isFailsafe() const {
-  return has(client_.firmware(), kCriticalInFailsafe) && client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL;
+  return has(client_.autopilot().firmware(), kCriticalInFailsafe) &&
+         client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL;
 }
 
 bool Steering::maySteer() const {
-  if (!client_.hasAutopilot() || isFailsafe()) return false;
-  return isMissionMode() || (ownMode_ != kNoMode && client_.shownMode() == ownMode_);
+  if (!client_.autopilot().isFound() || isFailsafe()) return false;
+  return isMissionMode() || (ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_);
 }
 
 Status Steering::refuseField(Status status, ItemField field) {
-  client_.rest_.field = field;
+  client_.blame(field);
   return status;
 }
 
@@ -66,7 +67,7 @@ Status Steering::refusePlace(const LatLon& at, Frame frame) {
   // ArduPilot refuses 0 N 0 E, and PX4 flies there.
   if (latitude == 0 && longitude == 0) return refuseField(Status::NeedsCoordinates, ItemField::Latitude);
   const bool isTerrain = frame == Frame::GlobalTerrain;
-  const bool isTaken = isTerrain ? has(client_.firmware(), kTakesTerrainFrames)
+  const bool isTaken = isTerrain ? has(client_.autopilot().firmware(), kTakesTerrainFrames)
                                  : frame == Frame::Global || frame == Frame::GlobalRelative;
   return isTaken ? Status::Transferring : refuseField(Status::BadFrame, ItemField::Reference);
 }
@@ -91,10 +92,10 @@ Status Steering::otherHands() const { return maySteer() ? Status::Transferring :
 
 // The same of a mode that somebody else has set, the mission's included.
 Status Steering::whoFlies() const {
-  const uint16_t shown = client_.shownMode();
-  const bool isFailsafe = client_.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL ||
-                          shown == client_.numberOf(FlightMode::ReturnToLaunch) ||
-                          shown == client_.numberOf(FlightMode::Land);
+  const uint16_t shown = client_.commands().shownMode();
+  const bool isFailsafe = client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL ||
+                          shown == client_.commands().numberOf(FlightMode::ReturnToLaunch) ||
+                          shown == client_.commands().numberOf(FlightMode::Land);
   return isFailsafe ? Status::FailsafeHasIt : Status::PilotHasIt;
 }
 
@@ -102,13 +103,13 @@ bool Steering::isGround() const { return vehicle() == Vehicle::Rover; }
 
 // True for ArduPilot's.
 bool Steering::isPlane() const {
-  return has(client_.firmware(), kModesByVehicle) && detail::isPlane(client_.vehicleType());
+  return has(client_.autopilot().firmware(), kModesByVehicle) && detail::isPlane(client_.autopilot().vehicleType());
 }
 
 // ArduPilot's heartbeat says ACTIVE in the air only; PX4's does as soon as it is armed.
 bool Steering::isInAir() const {
-  if (has(client_.firmware(), kIsActiveInAir)) {
-    return client_.isArmed() && client_.link_.finder().heartbeat().state >= MAV_STATE_ACTIVE;
+  if (has(client_.autopilot().firmware(), kIsActiveInAir)) {
+    return client_.autopilot().isArmed() && client_.autopilot().heartbeat().state >= MAV_STATE_ACTIVE;
   }
   return landedState_ >= MAV_LANDED_STATE_IN_AIR;
 }
@@ -124,33 +125,33 @@ Status Steering::refuse() {
   if (numbers != Status::Transferring) return numbers;
   const bool isTakeOff = is(kFromGround);
   if (wantedMode() == kNoMode) return Status::NoSuchMode;
-  if (client_.isArmed()) {
-    if (!seenDisarmed_ && !client_.state_.armedAllowed) return Status::Armed;
+  if (client_.autopilot().isArmed()) {
+    if (!seenDisarmed_ && !client_.isAllowedWhileArmed()) return Status::Armed;
     const Status others = otherHands();
     if (others != Status::Transferring) return others;
   } else if (!isTakeOff) {
     return Status::NotArmed;
   }
   // Of ArduPilot's, only a copter and a plane that can hover have such a command: a plane is asked.
-  if (isTakeOff && has(client_.firmware(), kModesByVehicle) && vehicle() != Vehicle::Copter && !isPlane()) {
+  if (isTakeOff && has(client_.autopilot().firmware(), kModesByVehicle) && vehicle() != Vehicle::Copter && !isPlane()) {
     return Status::CommandUnsupported;
   }
-  return has(client_.firmware(), kIsActiveInAir) ? judgeFlight() : Status::Transferring;
+  return has(client_.autopilot().firmware(), kIsActiveInAir) ? judgeFlight() : Status::Transferring;
 }
 
 // The mode that the order leads to.
 uint16_t Steering::wantedMode() const {
-  const bool isInHold = has(client_.firmware(), kFliesToPlacesInHold);
+  const bool isInHold = has(client_.autopilot().firmware(), kFliesToPlacesInHold);
   switch (row_.mode) {
     case OrderMode::None: break;
-    case OrderMode::AsShown: return client_.shownMode();
+    case OrderMode::AsShown: return client_.commands().shownMode();
     case OrderMode::TakingOff:
-      if (has(client_.firmware(), kTakesOffInOwnMode)) return kPx4TakeOff;
-      return client_.numberOf(FlightMode::Guided);
-    case OrderMode::FlyingTo: return client_.numberOf(isInHold ? FlightMode::Hold : FlightMode::Guided);
-    case OrderMode::Mission: return client_.numberOf(FlightMode::Auto);
-    case OrderMode::Returning: return client_.numberOf(FlightMode::ReturnToLaunch);
-    case OrderMode::LandingHere: return client_.numberOf(FlightMode::Land);
+      if (has(client_.autopilot().firmware(), kTakesOffInOwnMode)) return kPx4TakeOff;
+      return client_.commands().numberOf(FlightMode::Guided);
+    case OrderMode::FlyingTo: return client_.commands().numberOf(isInHold ? FlightMode::Hold : FlightMode::Guided);
+    case OrderMode::Mission: return client_.commands().numberOf(FlightMode::Auto);
+    case OrderMode::Returning: return client_.commands().numberOf(FlightMode::ReturnToLaunch);
+    case OrderMode::LandingHere: return client_.commands().numberOf(FlightMode::Land);
   }
   return kNoMode;
 }

@@ -1,7 +1,7 @@
 // Steering: the steps of an order, one after the other, and what each event leads to.
 #include "../Steering.h"
 
-#include "../MissionClient.h"
+#include "../client/CommandPort.h"
 #include "../link/Messages.h"
 #include "SteeringNumbers.h"
 
@@ -13,42 +13,43 @@ constexpr float kPositionUs = 500000;
 
 }  // namespace
 
-Status Steering::on(Client& client, Client::CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
-  if (client.isAskingVehicle()) return client.onVehicle(event, status, fill);
-  return static_cast<Steering*>(client.commanding_.owner)->onEvent(event, status, nowMs);
+Status Steering::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+  CommandPort& commands = CommandPort::of(client);
+  if (commands.isAskingVehicle()) return commands.onVehicle(event, status, fill);
+  return static_cast<Steering*>(CommandPort::ownerOf(client))->onEvent(event, status, nowMs);
 }
 
-Status Steering::onEvent(Client::CommandEvent event, Status status, uint16_t nowMs) {
+Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
   noteSent();
   switch (event) {
-    case Client::CommandEvent::Ready: {
+    case CommandEvent::Ready: {
       const Status refusal = refuse();
-      if (refusal != Status::Transferring || client_.asksVehicle()) return refusal;
-      lead(client_.firstMode(), wantedMode());
+      if (refusal != Status::Transferring || client_.commands().asksVehicle()) return refusal;
+      lead(client_.commands().firstMode(), wantedMode());
       const Status begun = nextStep(nowMs);
       beganS_ = 0;  // behind this event the seconds begin anew
       return begun;
     }
-    case Client::CommandEvent::Accepted:
+    case CommandEvent::Accepted:
       switch (step_) {
         case SteerStep::Arm:
         case SteerStep::AskHome: return nextStep(nowMs);
         case SteerStep::Mode:
-        case SteerStep::GiveBack: client_.commanding_.transfer.ask(); break;
+        case SteerStep::GiveBack: client_.commands().sending().ask(); break;
         case SteerStep::Command: return is(kAdjusts) ? done() : nextStep(nowMs);
         case SteerStep::Disarm: return refusal_;
         case SteerStep::AskPosition:
           if (!wantsPosition()) return nextStep(nowMs);
-          client_.commanding_.transfer.listen(kConfirmMs, nowMs);
+          client_.commands().sending().listen(kConfirmMs, nowMs);
           break;
         default: isAnswered_ = true;
       }
       return Status::Transferring;
-    case Client::CommandEvent::Refused: return onRefused(status, nowMs);
-    case Client::CommandEvent::Silent: return onSilent(status);
-    case Client::CommandEvent::Heartbeat: return onHeartbeat(nowMs);
-    case Client::CommandEvent::Time: return onTime(nowMs);
-    case Client::CommandEvent::Current: break;
+    case CommandEvent::Refused: return onRefused(status, nowMs);
+    case CommandEvent::Silent: return onSilent(status);
+    case CommandEvent::Heartbeat: return onHeartbeat(nowMs);
+    case CommandEvent::Time: return onTime(nowMs);
+    case CommandEvent::Current: break;
   }
   return status;
 }
@@ -63,25 +64,25 @@ Status Steering::nextStep(uint16_t nowMs) {
 
 // PX4 takes each altitude as above the sea.
 bool Steering::needsHome() const {
-  return is(kTakesHeight) && isRelative() && has(client_.firmware(), kAltitudesAreAboveSea);
+  return is(kTakesHeight) && isRelative() && has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
 }
 
 // An aircraft that pauses stops by another mode, or, where it flies in that mode already, by a place.
 bool Steering::stopsByPlace() const {
-  return is(kStopsHere) && (oldMode_ == change_.wanted() || has(client_.firmware(), kUnsetPlaceIsHere));
+  return is(kStopsHere) && (oldMode_ == change_.wanted() || has(client_.autopilot().firmware(), kUnsetPlaceIsHere));
 }
 
 bool Steering::hasCommand() const { return is(kHasCommand) || stopsByPlace(); }
 
 // True if the command is made of the present position. (PX4 knows by itself where it is.)
 bool Steering::wantsPosition() const {
-  return needsHome() || (stopsByPlace() && !has(client_.firmware(), kUnsetPlaceIsHere));
+  return needsHome() || (stopsByPlace() && !has(client_.autopilot().firmware(), kUnsetPlaceIsHere));
 }
 
 // False if the order does not need this step on this autopilot.
 bool Steering::beginStep(uint16_t nowMs) {
-  CommandTransfer& sending = client_.commanding_.transfer;
-  const bool isHeartbeatEnough = has(client_.firmware(), kIsActiveInAir);
+  CommandTransfer& sending = client_.commands().sending();
+  const bool isHeartbeatEnough = has(client_.autopilot().firmware(), kIsActiveInAir);
   const bool isTakeOff = is(kFromGround);
   const bool isFresh = positionAge_ <= kFreshBeats;
   switch (step_) {
@@ -95,17 +96,17 @@ bool Steering::beginStep(uint16_t nowMs) {
       if (!wantsPosition() && (isFresh || !is(kTakesHeight))) return false;
       break;
     case SteerStep::Mode: {
-      const uint16_t shown = client_.shownMode();
+      const uint16_t shown = client_.commands().shownMode();
       // PX4 that is armed in its mission's mode, or in that of a takeoff, takes off at once: so not in these.
-      const bool isFirstHeld = isTakeOff && !has(client_.firmware(), kFliesByMode) &&
-                               (shown == client_.numberOf(FlightMode::Auto) || shown == kPx4TakeOff);
-      if (isFirstHeld) lead(shown, client_.numberOf(FlightMode::Hold));
-      const bool isReady = !has(client_.firmware(), kFliesByMode) || shown == change_.wanted();
+      const bool isFirstHeld = isTakeOff && !has(client_.autopilot().firmware(), kFliesByMode) &&
+                               (shown == client_.commands().numberOf(FlightMode::Auto) || shown == kPx4TakeOff);
+      if (isFirstHeld) lead(shown, client_.commands().numberOf(FlightMode::Hold));
+      const bool isReady = !has(client_.autopilot().firmware(), kFliesByMode) || shown == change_.wanted();
       if (isTakeOff ? isReady && !isFirstHeld : hasCommand()) return false;
       break;
     }
     case SteerStep::Arm:
-      if (!isTakeOff || client_.isArmed()) return false;
+      if (!isTakeOff || client_.autopilot().isArmed()) return false;
       break;
     case SteerStep::Command:
       if (!hasCommand()) return false;
@@ -130,7 +131,7 @@ bool Steering::beginStep(uint16_t nowMs) {
   }
   if (step_ == SteerStep::Confirm) sending.ask();
   if (isGuarded()) sending.guard();
-  beganS_ = client_.state_.seconds;
+  beganS_ = client_.seconds();
   return true;
 }
 
@@ -149,7 +150,7 @@ void Steering::findWanted() {
 }
 
 void Steering::fill(Client& client, FlightCommand& command) {
-  static_cast<const Steering*>(client.commanding_.owner)->fillStep(command);
+  static_cast<const Steering*>(CommandPort::ownerOf(client))->fillStep(command);
 }
 
 void Steering::fillStep(FlightCommand& command) const {
@@ -162,16 +163,16 @@ void Steering::fillStep(FlightCommand& command) const {
       command.param2 = kPositionUs;
       return;
     case SteerStep::Mode:
-    case SteerStep::GiveBack: return Client::fillModeNumber(command, change_.wanted());
-    case SteerStep::Arm: return Client::fillArm(client_, command);
-    case SteerStep::Disarm: return Client::fillDisarm(client_, command);
+    case SteerStep::GiveBack: return CommandPort::fillModeNumber(command, change_.wanted());
+    case SteerStep::Arm:
+    case SteerStep::Disarm: return CommandPort::fillArming(command, step_ == SteerStep::Arm);
     case SteerStep::Command: return fillCommand(command);
     default: command.param1 = MAVLINK_MSG_ID_EXTENDED_SYS_STATE;
   }
 }
 
 void Steering::fillCommand(FlightCommand& command) const {
-  const bool isUnsetHere = has(client_.firmware(), kUnsetPlaceIsHere);
+  const bool isUnsetHere = has(client_.autopilot().firmware(), kUnsetPlaceIsHere);
   const float unset = Yaw().inDegrees();  // NaN: as it flies
   float height = value_;
   if (needsHome() || is(kStopsHere)) {
@@ -202,7 +203,7 @@ void Steering::fillCommand(FlightCommand& command) const {
   command.id = MAV_CMD_DO_REPOSITION;
   // Without the flag, ArduPilot refuses it in another mode than GUIDED, and PX4 does nothing in another mode than HOLD:
   // so it cannot take the aircraft out of anybody's hands.
-  if (client_.shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
+  if (client_.commands().shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
   if (isUnsetHere && is(kStopsHere)) {  // stop here
     command.param5 = command.param6 = command.param7 = unset;
     return;
@@ -235,11 +236,11 @@ Status Steering::done() {
 // If a takeoff has armed and cannot go on, the aircraft is disarmed, while it is in our hands. (If it flies all the
 // same, autopilots refuse that.)
 Status Steering::leave(Status refusal) {
-  const uint16_t shown = client_.shownMode();
+  const uint16_t shown = client_.commands().shownMode();
   if (!hasArmed_ || isInAir() || (shown != change_.wanted() && shown != oldMode_)) return refusal;
   refusal_ = refusal;
   step_ = SteerStep::Disarm;
-  client_.commanding_.transfer.next(true);
+  client_.commands().sending().next(true);
   return Status::Transferring;
 }
 
@@ -250,16 +251,16 @@ Status Steering::onRefused(Status refusal, uint16_t nowMs) {
     case SteerStep::Arm: hasArmed_ = false; return refusal;
     case SteerStep::Command:
       // A repeated takeoff is refused by an aircraft that is taking off already.
-      if (is(kFromGround) && client_.commanding_.transfer.tries() > 1) return nextStep(nowMs);
-      if (!is(kRepositions) || client_.shownMode() != change_.wanted()) return leave(refusal);
-      if (refusal == Status::CommandUnsupported && has(client_.firmware(), kRefusesAndRepositions)) {
+      if (is(kFromGround) && client_.commands().sending().tries() > 1) return nextStep(nowMs);
+      if (!is(kRepositions) || client_.commands().shownMode() != change_.wanted()) return leave(refusal);
+      if (refusal == Status::CommandUnsupported && has(client_.autopilot().firmware(), kRefusesAndRepositions)) {
         return nextStep(nowMs);
       }
       // Its place, or another mode by now: the next heartbeat tells.
       isDenied_ = true;
       refusal_ = refusal;
-      client_.commanding_.transfer.listen(kConfirmMs, nowMs);
-      client_.commanding_.transfer.ask();
+      client_.commands().sending().listen(kConfirmMs, nowMs);
+      client_.commands().sending().ask();
       return Status::Transferring;
     case SteerStep::Confirm: return Status::Transferring;
     case SteerStep::Disarm: return refusal_;
@@ -272,7 +273,7 @@ Status Steering::onSilent(Status silence) {
   if (step_ == SteerStep::GiveBack) return Status::Overruled;
   if (silence == Status::TookTooLong) return step_ == SteerStep::Disarm ? Status::Transferring : leave(silence);
   if (isDenied_) return refusal_;
-  const bool isAnswered = client_.rest_.lastResult == MAV_RESULT_ACCEPTED;
+  const bool isAnswered = client_.commands().wasAccepted();
   switch (step_) {
     case SteerStep::Disarm: return refusal_;
     case SteerStep::AskPosition: return needsHome() ? Status::NoHome : silence;
@@ -282,10 +283,10 @@ Status Steering::onSilent(Status silence) {
   }
 }
 
-uint16_t Steering::secondsOfStep() const { return static_cast<uint16_t>(client_.state_.seconds - beganS_); }
+uint16_t Steering::secondsOfStep() const { return static_cast<uint16_t>(client_.seconds() - beganS_); }
 
 Status Steering::onTime(uint16_t nowMs) {
-  CommandTransfer& sending = client_.commanding_.transfer;
+  CommandTransfer& sending = client_.commands().sending();
   switch (step_) {
     case SteerStep::AskLanded: {
       // Without the answer, it would be taken for that to the next question. An autopilot that accepts the question,
@@ -303,7 +304,7 @@ Status Steering::onTime(uint16_t nowMs) {
         break;
       }
       if (is(kFromGround)) {
-        if (!has(client_.firmware(), kIsActiveInAir)) {
+        if (!has(client_.autopilot().firmware(), kIsActiveInAir)) {
           // On the ground still, or it does not say.
           if (!isInAir() && secondsOfStep() >= kTakeOffS) return leave(Status::Unconfirmed);
           if (isHeard_) {

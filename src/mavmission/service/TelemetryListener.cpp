@@ -2,9 +2,9 @@
 
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../base/Clock.h"
 #include "../base/Flash.h"
+#include "../client/Port.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -81,7 +81,7 @@ void TelemetryListener::takeHeartbeat(uint16_t nowMs) {
 }
 
 void TelemetryListener::askIfDue(uint16_t nowMs) {
-  if (intervalMs_ == 0 || heartbeatsLeft_ != 0 || isWaiting() || !mayAsk(nowMs) || !client_.link_.canSend()) return;
+  if (intervalMs_ == 0 || heartbeatsLeft_ != 0 || isWaiting() || !mayAsk(nowMs) || !client_.link().canSend()) return;
   ask(fromFlash(&key_->id), static_cast<float>(uint32_t{1000} * intervalMs_), 0, nowMs);
   heartbeatsLeft_ = pause_;
   if (pause_ < FollowRules::kLongestPause) pause_ *= 2;

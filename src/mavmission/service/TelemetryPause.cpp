@@ -2,9 +2,9 @@
 
 #include <Arduino.h>
 
-#include "../MissionClient.h"
 #include "../base/Clock.h"
 #include "../base/Flash.h"
+#include "../client/Port.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -88,13 +88,11 @@ TelemetryPause::TelemetryPause(MissionClient& client, const List& forArduPilot, 
       isAnswered_(false) {}
 
 const TelemetryPause::List& TelemetryPause::list() const {
-  return has(client_.firmware(), kStreamsAsArduPilot) ? forArduPilot_ : forOthers_;
+  return has(client_.autopilot().firmware(), kStreamsAsArduPilot) ? forArduPilot_ : forOthers_;
 }
 
 // Commands and clear() have no items, nor has a download before its MISSION_COUNT.
-bool TelemetryPause::isTransferring() const {
-  return client_.isBusy() && client_.status() == Status::Transferring && client_.itemsTotal() != 0;
-}
+bool TelemetryPause::isTransferring() const { return client_.running() == Status::Transferring && client_.hasItems(); }
 
 // Goes on to the next message that needs a command, from index_ on; false if there is none.
 bool TelemetryPause::findNext() {
@@ -130,7 +128,7 @@ void TelemetryPause::update() {
     index_ = 0;
     tries_ = 0;
   }
-  if (findNext() && client_.link_.canSend()) askNext(nowMs);
+  if (findNext() && client_.link().canSend()) askNext(nowMs);
 }
 
 void TelemetryPause::askNext(uint16_t nowMs) {

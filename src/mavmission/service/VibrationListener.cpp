@@ -1,7 +1,7 @@
 #include "../VibrationListener.h"
 
-#include "../MissionClient.h"
 #include "../base/FloatBits.h"
+#include "../client/Port.h"
 #include "FitReasons.h"
 #include "TelemetryKeys.h"
 
@@ -23,7 +23,7 @@ bool VibrationListener::decode(TelemetryListener& listener, const FrameParser& f
   typedef mavlink_vibration_t Message;
   VibrationListener& self = static_cast<VibrationListener&>(listener);
   // PX4's x and y are of its gyroscope.
-  const bool hasAxes = has(self.client_.firmware(), kStreamsAsArduPilot);
+  const bool hasAxes = has(self.client_.autopilot().firmware(), kStreamsAsArduPilot);
   self.worst_ = hasAxes ? greatestBits(frame, offsetof(Message, vibration_x), 3)
                         : greatestBits(frame, offsetof(Message, vibration_z), 1);
   const uint32_t clipping = frame.payloadLong(offsetof(Message, clipping_0)) +
