@@ -13,6 +13,7 @@ namespace mavmission {
 
 namespace detail {
 class Client;
+class PlanPort;
 }  // namespace detail
 
 // Transfers plans as files where that is quicker, and by the mission protocol everywhere else. Declare one next to the
@@ -118,6 +119,7 @@ class PlanFiles : public detail::Listener {
   static uint8_t nextPiece(void* context, uint8_t* piece);
   void check(uint16_t nowMs);
   bool isChecked();
+  detail::PlanPort& plans() const;
   bool isForFile() const;
   bool isForeseen(const MissionItem& item) const;
   void beginWriting();

@@ -165,7 +165,7 @@ DEFECTS = {
     ),
     "a place in the order's own mode may change the mode": (
         "SteeringSteps.cpp",
-        "  if (client_.shownMode() != change_.wanted()) command.param2 =",
+        "  if (client_.commands().shownMode() != change_.wanted()) command.param2 =",
         "  command.param2 =",
         "Copter goTo each 3 --own 1",
         "an order ",
@@ -179,14 +179,14 @@ DEFECTS = {
     ),
     "nobody looks at how long the plan aboard is": (
         "OtherPlan.cpp",
-        "  return total + home != plan_.count();",
+        "  return total + home != client.plan_.count();",
         "  return total + home == 0;",
         "Copter start each 5",
         "start ends with \"done: the autopilot confirmed it\", and it has named another plan",
     ),
     "a follower does not see another station's plan": (
-        "MissionFollower.cpp",
-        "  if (isOurPlan()) client_.setAboard(PlanType::Mission, Aboard::OtherPlan);",
+        "client/Port.cpp",
+        "  if (isOurMission()) static_cast<Client&>(*this).setAboard(PlanType::Mission, Aboard::OtherPlan);",
         "",
         "Copter start each 5",
         "behind start ",
@@ -235,7 +235,7 @@ DEFECTS = {
     ),
     "an order leaves behind a heartbeat at which nobody has looked": (
         "AskVehicle.cpp",
-        "  commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it\n",
+        "  client.commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it\n",
         "",
         "Copter setMode each 1",
         "an order has undone ",
@@ -249,8 +249,8 @@ DEFECTS = {
     ),
     "a MovingTarget ends when the vehicle is asked": (
         "MovingTarget.cpp",
-        "client_.state_.isCommanding && client_.commanding_.on == on;",
-        "client_.state_.isCommanding && client_.commanding_.fill == fill;",
+        "return client_.commands().runs(on);",
+        "return client_.commands().runs(on) && !client_.commands().isAskingVehicle();",
         "Copter follow each 1000",
         "nothing happens, and it does not end well",
     ),
@@ -284,7 +284,7 @@ DEFECTS = {
     ),
     "targets go on while it is in doubt whose the aircraft is": (
         "MovingTarget.cpp",
-        " && !client_.commanding_.transfer.isUrgent()) {",
+        " && !client_.commands().sending().isUrgent()) {",
         ") {",
         "PX4 follow overtakes 50 --loss 30 --seed 1000",
         "a target leaves behind a heartbeat that shows",
@@ -298,8 +298,8 @@ DEFECTS = {
     ),
     "the rest of an order leaves when loop() goes on": (
         "Command.cpp",
-        "  if (commanding_.transfer.look(nowMs)) link_.spoil();",
-        "  commanding_.transfer.look(nowMs);",
+        "  if (client.commanding_.transfer.look(nowMs)) client.link_.spoil();",
+        "  client.commanding_.transfer.look(nowMs);",
         "PX4 follow each 1",
         "an order undoes RETURN",
     ),

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+import subprocess
 from pathlib import Path
 
 from simulation.firmware import LIBRARY, ROOT
+from simulation.host_build import PLACES
 
 INSIDE = LIBRARY / "mavmission"
 
@@ -52,3 +54,21 @@ def test_vendored_headers_are_included_in_one_place():
     assert vendored == {"base/MavlinkHeaders.h"}
     named = {str(path) for path, target in uses() if str(target) == "base/MavlinkHeaders.h"}
     assert not [path for path in named if "/" not in path]
+
+
+def seen_of_the_client(sources: list[Path]) -> dict[str, set[str]]:
+    """The headers of client/ that each source includes, or what it includes, as the compiler finds them."""
+    words = ["g++", "-MM", "-std=c++11", *PLACES, *map(str, sources)]
+    rules = subprocess.run(words, capture_output=True, text=True, check=True).stdout.replace("\\\n", " ")
+    return {
+        rule.partition(".o:")[0]: set(re.findall(r"/client/(\w+\.h)", rule))
+        for rule in rules.splitlines()
+    }  # fmt: skip
+
+
+def test_services_see_the_ports_of_the_client_alone():
+    sources = sorted((INSIDE / "service").glob("*.cpp"))
+    seen = seen_of_the_client(sources)
+    assert sorted(seen) == [source.stem for source in sources]
+    assert set().union(*seen.values()) == {"Port.h", "CommandPort.h", "PlanPort.h"}
+    assert "Client.h" in seen_of_the_client([INSIDE / "client" / "Clear.cpp"])["Clear"]

@@ -29,8 +29,8 @@ DEFECTS = {
     ),
     "an operation that a callback has begun ends in the same update()": (
         "Client.cpp",
-        "if (rest_.toReturn != Status::Idle) return;  // an update()",
-        "// an update()",
+        "if (client.rest_.toReturn != Status::Idle) return;\n  const AutopilotFinder",
+        "const AutopilotFinder",
     ),
 }
 

@@ -23,6 +23,7 @@
 #include "../transfer/StartTransfer.h"
 #include "../transfer/UploadTransfer.h"
 #include "CommandPort.h"
+#include "PlanPort.h"
 #include "Port.h"
 
 namespace mavmission {
@@ -34,12 +35,12 @@ namespace detail {
 enum class KeyIndex : uint8_t;
 
 // Services see its ports alone, and MissionClient shows a sketch what it may call.
-class Client : public Port, public CommandPort, public ClientRules {
+class Client : public Port, public CommandPort, public PlanPort, public ClientRules {
  private:
   friend class Port;
   friend class CommandPort;
   friend class mavmission::MissionClient;
-  friend class mavmission::PlanFiles;
+  friend class PlanPort;
 
   // The greatest number of items in MISSION_COUNT.
   static constexpr uint16_t kMaxItems = 0xFFFF;
@@ -59,13 +60,8 @@ class Client : public Port, public CommandPort, public ClientRules {
 
   // The time that a frame for us takes, as a number of bytes that could be read in that time [bytes].
   static constexpr uint8_t kFrameBytes = 16;
-  // The least number of bytes that an update() may write [bytes].
-  static constexpr uint8_t kStartBytes = 8;
 
-  // When a fence of fewer than three corners or circles replaces a longer fence, ArduPilot accepts the short fence,
-  // still has it in a read-back at once, and wipes it at its next check of the fence, 3 to 25 times a second depending
-  // on the vehicle. A return point is neither a corner nor a circle, so such a short fence has at most three items
-  // [items].
+  // As PlanPort::isShortFence() says [items].
   static constexpr uint8_t kShortFence = 3;
 
   static bool takeUpEnd(Client& client, Status status, uint16_t nowMs);
@@ -111,7 +107,6 @@ class Client : public Port, public CommandPort, public ClientRules {
   static void fenceSettleStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void fenceSettleAgainStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  bool isTypeCarried() const;
   static void commandStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void fillOwn(Client& client, FlightCommand& command);
   static void fillOwnAsInt(Client& client, FlightCommand& command);
@@ -173,7 +168,6 @@ class Client : public Port, public CommandPort, public ClientRules {
   MAVMISSION_APART Aboard aboardAfterUpload(Status status) const;
   MAVMISSION_APART void beginPlan();
   MAVMISSION_APART Status keeping(const MissionItem& item);
-  void beginChecking();
   void checkPlan(uint16_t nowMs);
   void beginTransfer();
   void beginUpload(uint16_t nowMs);
@@ -186,7 +180,6 @@ class Client : public Port, public CommandPort, public ClientRules {
   Status proven(uint32_t opaqueId);
   MAVMISSION_ONE_EXIT void continueUpload(Status status, uint16_t nowMs);
   uint16_t ownItem(uint16_t wireItem) const;
-  MAVMISSION_APART void noteFailed(uint16_t wireItem) { state_.failedItem = ownItem(wireItem); }
   void report(uint16_t done);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
   Status refuse(Status why) {
@@ -287,8 +280,7 @@ class Client : public Port, public CommandPort, public ClientRules {
   // Reading a plan: for download(), verify(), or the read-back after an upload.
   struct Reading {
     DownloadTransfer transfer;
-    // Takes an item. Returns Transferring, Checking (not ready: request it again), or why the operation ends.
-    Status (*take)(Client& client, uint16_t wireItem, MissionItem& item);
+    TakeItem take;
     union {
       // Makes a MISSION_ITEM_INT of a MISSION_ITEM.
       void (*fromFloats)(void* itemMessage);

@@ -7,11 +7,20 @@ using namespace detail;
 
 // A short fence is always read back, and uploaded again if it was wiped: the second upload does not replace a longer
 // fence, and so the short fence stays.
-Status MissionClient::upload(const ItemSource& plan, PlanType type, Readback proof) {
-  const bool isDoubtful = type == PlanType::Fence && plan.count != 0 && plan.count <= kShortFence;
-  const Status status = uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
-  if (isDoubtful && !isEnd(status)) rest_.prove = proveFence;
+Status PlanPort::startUploading(const ItemSource& plan, PlanType type, Readback proof) {
+  Client& client = static_cast<Client&>(*this);
+  const bool isDoubtful = isShortFence(plan, type);
+  const Status status = client.uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
+  if (isDoubtful && !isEnd(status)) client.rest_.prove = Client::proveFence;
   return status;
+}
+
+bool PlanPort::isShortFence(const ItemSource& plan, PlanType type) {
+  return type == PlanType::Fence && plan.count != 0 && plan.count <= Client::kShortFence;
+}
+
+Status MissionClient::upload(const ItemSource& plan, PlanType type, Readback proof) {
+  return startUploading(plan, type, proof);
 }
 
 void Client::proveFence(Client& client, uint16_t nowMs) {

@@ -23,11 +23,14 @@ namespace detail {
 
 class Client;
 class CommandPort;
+class PlanPort;
 
 class Port {
  public:
   // In the place of an item's number: none.
   static constexpr uint16_t kNoItem = 0xFFFF;
+  // The least number of bytes that an update() may write [bytes].
+  static constexpr uint8_t kStartBytes = 8;
 
   // An operation's part of update(): takes a frame of the autopilot, or null for the passing of time.
   typedef void (*Operation)(Client& client, const FrameParser* frame, uint16_t nowMs);
@@ -36,6 +39,7 @@ class Port {
   static Port& of(Client& client);
   // What operations with commands, and those that transfer plans, see beside this.
   CommandPort& commands();
+  PlanPort& plans();
 
   // --- The line, and who is there
 

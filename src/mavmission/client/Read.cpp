@@ -52,7 +52,23 @@ Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proo
 // 1 where the autopilot's item 0 is home and the sketch does not count home as an item, else 0.
 uint8_t Client::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
 
-bool Client::isTypeCarried() const { return state_.type == PlanType::Mission || link_.version() != 1; }
+bool PlanPort::isTypeCarried() const {
+  const Client& client = static_cast<const Client&>(*this);
+  return client.state_.type == PlanType::Mission || client.link_.version() != 1;
+}
+
+bool PlanPort::beginsReading(uint16_t nowMs) {
+  Client& client = static_cast<Client&>(*this);
+  client.waitForAutopilot();
+  if (client.state_.status != Status::Checking) return false;
+  if (!isTypeCarried()) {
+    client.end(Status::NeedsMavlink2);
+    return false;
+  }
+  client.beginPlan();
+  client.beginTransferring(nowMs);
+  return true;
+}
 
 void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
@@ -61,13 +77,8 @@ void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) 
     return;
   }
   if (state.status == Status::WaitingForAutopilot) {
-    client.waitForAutopilot();
-    if (state.status != Status::Checking) return;
-    if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-    client.beginPlan();
+    if (!client.beginsReading(nowMs)) return;
     client.reading_.transfer.begin(nowMs);
-    client.beginSeconds(nowMs);
-    state.status = Status::Transferring;
   }
   // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
   // update() the time for the comparison.
@@ -137,17 +148,21 @@ void Client::takeReadCount(const FrameParser& frame, uint16_t nowMs) {
   if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
   if (!reading_.transfer.onCount(count, nowMs, link_.pace())) return;
-  const bool isHomeFirst = homeBefore() != 0;
-  if (!state_.isCompared) {
-    const uint16_t items = isHomeFirst && count > 0 ? count - 1 : count;
-    rest_.itemsTotal = items;
-    if (items > reading_.sink.limit) endReading(Status::SinkFull);
-    return;
+  if (state_.isCompared) reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
+  const Status status = takeCount(count);
+  if (status != Status::Transferring) endReading(status);
+}
+
+Status PlanPort::takeCount(uint16_t count) {
+  Client& client = static_cast<Client&>(*this);
+  if (!client.state_.isCompared) {
+    const uint16_t items = client.homeBefore() != 0 && count > 0 ? count - 1 : count;
+    client.rest_.itemsTotal = items;
+    return items > client.reading_.sink.limit ? Status::SinkFull : Status::Transferring;
   }
-  reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
-  if (isOurCount(count)) return;
-  rest_.field = ItemField::Count;
-  endReading(Status::Differs);
+  if (client.isOurCount(count)) return Status::Transferring;
+  client.rest_.field = ItemField::Count;
+  return Status::Differs;
 }
 
 // ArduPilot without a plan reports a count of 0, or of 1 for its home.

@@ -66,9 +66,10 @@ Status Client::keeping(const MissionItem& item) {
   return rest_.field == ItemField::None ? Status::Accepted : Status::NotKept;
 }
 
-void Client::beginChecking() {
-  beginPlan();
-  state_.next = 0;
+void PlanPort::beginChecking() {
+  Client& client = static_cast<Client&>(*this);
+  client.beginPlan();
+  client.state_.next = 0;
 }
 
 // To be called only when the link can send: the item is read into the outgoing frame's buffer, to save stack.
@@ -214,6 +215,11 @@ Aboard Client::aboardAfterUpload(Status status) const {
   if (plan_.has(kDropsPlanFirst)) return Aboard::Nothing;
   // ArduPilot replaces a mission item by item, but a fence only as a whole.
   return plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
+}
+
+void PlanPort::noteFailed(uint16_t wireItem) {
+  Client& client = static_cast<Client&>(*this);
+  client.state_.failedItem = client.ownItem(wireItem);
 }
 
 uint16_t Client::ownItem(uint16_t wireItem) const {

@@ -4,7 +4,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Outbox.h"
 
@@ -30,8 +29,6 @@ static_assert(offsetof(FileFrame, data) == FileFrame::kHead && sizeof(FileFrame)
               "a request is made in the outbox");
 static_assert(offsetof(FileFrame, sequence) == offsetof(mavlink_file_transfer_protocol_t, payload),
               "the frame begins with the fields of FILE_TRANSFER_PROTOCOL");
-
-inline Client& insideOf(Port& port) { return static_cast<Client&>(port); }
 
 // FILE_TRANSFER_PROTOCOL and HEARTBEAT.
 extern const MessageKey kKeysOfFiles[2];

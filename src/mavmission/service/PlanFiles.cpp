@@ -4,7 +4,8 @@
 #include <Arduino.h>
 #include <string.h>
 
-#include "../MissionClient.h"
+#include "../base/Flash.h"
+#include "../client/PlanPort.h"
 #include "FileFrame.h"
 
 namespace mavmission {
@@ -41,9 +42,10 @@ PlanFiles::PlanFiles(MissionClient& client)
       isDamaged_(false),
       isSpoiling_(false) {}
 
-void PlanFiles::beginOperation(Client::Operation operation) {
-  insideOf(client_).reading_.files = this;
-  insideOf(client_).state_.operation = operation;
+PlanPort& PlanFiles::plans() const { return client_.plans(); }
+
+// Behind this the client goes on by this operation.
+void PlanFiles::beginOperation(Operation operation) {
   operation_ = operation;
   onRead_ = nullptr;
   isByFile_ = false;
@@ -53,14 +55,12 @@ void PlanFiles::beginOperation(Client::Operation operation) {
   isLengthKnown_ = false;
 }
 
-bool PlanFiles::isRunning() const {
-  return insideOf(client_).state_.operation != nullptr && insideOf(client_).state_.operation == operation_;
-}
+bool PlanFiles::isRunning() const { return operation_ != nullptr && client_.runs(operation_); }
 
 // True if the plan may be transferred by file. A piece of a file is as long as an item, and must fit into the parser.
 bool PlanFiles::isUsable() const {
-  return FileFrame::kItem <= MAVMISSION_MAX_PAYLOAD && has(insideOf(client_).firmware(), kHasPlanFiles) &&
-         insideOf(client_).link_.version() == 2;
+  return FileFrame::kItem <= MAVMISSION_MAX_PAYLOAD && has(client_.autopilot().firmware(), kHasPlanFiles) &&
+         client_.link().version() == 2;
 }
 
 // There is one file for the whole autopilot, and whoever has its session number writes into it. So the number is made
@@ -69,8 +69,7 @@ bool PlanFiles::isUsable() const {
 // one: so the numbers begin elsewhere each time.
 void PlanFiles::takeNumbers() {
   if (session_ != 0) return;
-  session_ =
-      static_cast<uint8_t>(insideOf(client_).link_.systemId() * 31) ^ insideOf(client_).link_.componentId() ^ 0x5A;
+  session_ = static_cast<uint8_t>(client_.link().systemId() * 31) ^ client_.link().componentId() ^ 0x5A;
   if (session_ < 16) session_ += 16;
   firstSequence_ = sequence_ = static_cast<uint16_t>(millis()) * 40503u;
 }
@@ -84,7 +83,7 @@ void PlanFiles::beginFile() {
 
 // Sends a request. ArduPilot answers one that has the number of the last one from memory.
 void PlanFiles::send(uint16_t sequence, uint8_t opcode, uint8_t size, uint32_t offset) {
-  FileFrame& request = *static_cast<FileFrame*>(insideOf(client_).link_.draft());
+  FileFrame& request = *static_cast<FileFrame*>(client_.link().draft());
   request.network = 0;
   request.sequence = sequence;
   request.session = session_;
@@ -99,13 +98,13 @@ void PlanFiles::send(uint16_t sequence, uint8_t opcode, uint8_t size, uint32_t o
       opcode == MAV_FTP_OPCODE_OPENFILERO || opcode == MAV_FTP_OPCODE_CREATEFILE || opcode == MAV_FTP_OPCODE_WRITEFILE;
   const uint8_t used = hasData ? size : 0;
   memset(request.data + used, 0, sizeof(request.data) - used);
-  insideOf(client_).link_.sendMessage(&request.network, kKeysOfFiles);
+  client_.link().sendMessage(&request.network, kKeysOfFiles);
 }
 
 void PlanFiles::sendOpening(uint16_t sequence, uint8_t opcode) {
-  FileFrame& request = *static_cast<FileFrame*>(insideOf(client_).link_.draft());
+  FileFrame& request = *static_cast<FileFrame*>(client_.link().draft());
   static_assert(sizeof(kNames[0]) <= sizeof(request.data), "the longest name must fit into a request");
-  memcpy_P(request.data, kNames[static_cast<uint8_t>(insideOf(client_).state_.type)], sizeof(kNames[0]));
+  memcpy_P(request.data, kNames[static_cast<uint8_t>(plans().planType())], sizeof(kNames[0]));
   send(sequence, opcode, static_cast<uint8_t>(strlen(reinterpret_cast<const char*>(request.data))));
   if (closings_ == 0) closings_ = FileRules::kUnsureClosings;
 }
@@ -120,16 +119,16 @@ bool PlanFiles::isReply(const FrameParser& frame) const {
 // the autopilot, until it answers.
 void PlanFiles::take(Listener& listener, const FrameParser& frame) {
   PlanFiles& self = static_cast<PlanFiles&>(listener);
-  Client& client = insideOf(self.client_);
+  Port& client = self.client_;
   if (!self.isFromAutopilot(frame)) return;
   if (frame.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
-    if (self.closings_ == 0 || self.isRunning() || !client.link_.canSend()) return;
+    if (self.closings_ == 0 || self.isRunning() || !client.link().canSend()) return;
     // One that was left open before a reset: to look for it may store a plan that somebody else has left open.
     const bool isOfBefore = self.isStorable_ && self.closings_ != kUntilClosed;
-    if (!isOfBefore || (self.isUsable() && !client.isArmed())) self.closeLeftOpen();
+    if (!isOfBefore || (self.isUsable() && !client.autopilot().isArmed())) self.closeLeftOpen();
     return;
   }
-  if (!frame.isFor(client.link_.systemId(), client.link_.componentId()) || !self.isReply(frame)) return;
+  if (!frame.isFor(client.link().systemId(), client.link().componentId()) || !self.isReply(frame)) return;
   const bool isAck = frame.payloadByte(offsetof(FileFrame, opcode)) == MAV_FTP_OPCODE_ACK;
   switch (frame.payloadByte(offsetof(FileFrame, requested))) {
     case MAV_FTP_OPCODE_OPENFILERO:
@@ -171,7 +170,7 @@ void PlanFiles::closeLeftOpen() {
     isStorable_ = false;
     if (operation_ != nullptr) closings_ = FileRules::kUnsureClosings;
   }
-  memset(static_cast<FileFrame*>(insideOf(client_).link_.draft())->data, 0, kFileHeader);
+  memset(static_cast<FileFrame*>(client_.link().draft())->data, 0, kFileHeader);
   isSpoiling_ = true;
   send(++sequence_, MAV_FTP_OPCODE_WRITEFILE, kFileHeader);
 }

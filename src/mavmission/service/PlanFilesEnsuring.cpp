@@ -5,9 +5,8 @@
 //        |                    |          |   +--> the upload (PlanFilesWriting.cpp); Armed, if it is armed by now
 //        |  no files, armed,  |          |  no answer, or a refusal
 //        +- or a lossy line --+----------+--> MissionClient::ensure()
-#include "../MissionClient.h"
 #include "../PlanFiles.h"
-#include "FileFrame.h"
+#include "../client/PlanPort.h"
 
 namespace mavmission {
 using namespace detail;
@@ -15,57 +14,52 @@ using namespace detail;
 Status PlanFiles::ensure(const ItemSource& plan, PlanType type) {
   const Status status = upload(plan, type);
   if (isEnd(status)) return status;
-  Client& client = insideOf(client_);
-  client.setAboard(Aboard::NotKnown);  // what was known was about the plan before
-  if (client.state_.operation == writeStep) {
+  plans().nowAboard(Aboard::NotKnown);  // what was known was about the plan before
+  if (client_.runs(writeStep)) {
     beginOperation(ensureStep);
+    plans().goOnBy(ensureStep, *this);
     isEnsuring_ = true;
   } else {
-    client.beginEnsuring();  // a short fence
+    plans().ensureByItems();  // a short fence
   }
   return status;
 }
 
 void PlanFiles::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr) return;
-  PlanFiles& self = *client.reading_.files;
-  Client::State& state = client.state_;
-  if (state.status == Status::WaitingForAutopilot) {
-    client.waitForAutopilot();
-    if (state.status != Status::Checking) return;
+  PlanFiles& self = PlanPort::filesOf(client);
+  Port& port = self.client_;
+  PlanPort& plans = self.plans();
+  if (port.running() == Status::WaitingForAutopilot) {
+    port.waitForAutopilot();
+    if (port.running() != Status::Checking) return;
     // Opening a file closes one that another client has left open, and so may store a plan: not in the air.
-    if (!self.isUsable() || client.link_.pace().isLossy() || client.isArmed()) return client.beginEnsuring();
-    client.beginChecking();
+    if (!self.isUsable() || port.link().pace().isLossy() || port.autopilot().isArmed()) return plans.ensureByItems();
+    plans.beginChecking();
     self.isForeseen_ = true;
   }
   if (!self.isChecked()) return;
-  if (!self.isForFile()) return client.beginEnsuring();
-  client.beginSeconds(nowMs);
-  state.status = Status::Transferring;
+  if (!self.isForFile()) return plans.ensureByItems();
+  port.beginTransferring(nowMs);
   self.isWholeLook_ = true;
   self.beginComparing(takeEnsured);
   self.beginReading();
 }
 
 void PlanFiles::takeEnsured(PlanFiles& self, Status status, uint16_t) {
-  Client& client = insideOf(self.client_);
+  PlanPort& plans = self.plans();
   self.isWholeLook_ = false;
-  client.state_.proving = false;
+  plans.endComparing();
   switch (status) {
-    case Status::Downloaded:
-      client.setAboard(Aboard::OurPlan);
-      if (client.state_.type == PlanType::Mission) client.rest_.planId = 0;
-      client.report(client.rest_.itemsTotal);
-      return client.end(Status::AlreadyAboard);
+    case Status::Downloaded: return plans.endAsOurs(Status::AlreadyAboard);
     case Status::Differs:
-      if (client.isArmed()) return client.end(Status::Armed);
-      client.rest_.field = ItemField::None;
-      client.state_.failedItem = Client::kNoItem;
+      if (self.client_.autopilot().isArmed()) return self.client_.end(Status::Armed);
+      plans.forgetFailed();
       return self.beginWriting();
     case Status::NoAnswer:  // there is no file, or the line loses too much of it
       self.isByFile_ = false;
-      return client.beginEnsuring();
-    default: return client.end(status);
+      return plans.ensureByItems();
+    default: return self.client_.end(status);
   }
 }
 

@@ -2,9 +2,9 @@
 #include <Arduino.h>
 #include <string.h>
 
-#include "../MissionClient.h"
 #include "../PlanFiles.h"
 #include "../autopilot/Rules.h"
+#include "../client/PlanPort.h"
 #include "FileFrame.h"
 
 namespace mavmission {
@@ -24,50 +24,30 @@ void dropLeftOvers(MissionItem& item, Keeper keeper) {
 }  // namespace
 
 Status PlanFiles::verify(const ItemSource& plan, PlanType type) {
-  Client& client = insideOf(client_);
-  if (client.isBusy()) return Status::Busy;
-  if (type == PlanType::All) return client.refuseType();
-  client.setPlanToVerify(plan, type);
-  client.startOperation(readStep);
+  if (client_.running() != Status::Idle) return Status::Busy;
   beginOperation(readStep);
-  client.reading_.take = Client::compareItem;
-  client.state_.isCompared = true;
-  client.rest_.itemsTotal = client.plan_.count();
-  if (client.state_.tooLong) return client.refuse(Status::TooManyItems);
-  return client.status();
+  return plans().startVerifying(plan, type, readStep, *this);
 }
 
 Status PlanFiles::download(const ItemSink& sink, PlanType type) {
-  Client& client = insideOf(client_);
-  if (client.isBusy()) return Status::Busy;
-  if (type == PlanType::All) return client.refuseType();
-  client.state_.type = type;
-  client.startOperation(readStep);
+  if (client_.running() != Status::Idle) return Status::Busy;
   beginOperation(readStep);
-  client.reading_.take = Client::storeItem;
-  client.state_.isCompared = false;
-  client.reading_.sink = sink;
-  return client.status();
+  return plans().startDownloading(sink, type, readStep, *this);
 }
 
 void PlanFiles::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  PlanFiles& self = *client.reading_.files;
-  Client::State& state = client.state_;
+  PlanFiles& self = PlanPort::filesOf(client);
+  Port& port = self.client_;
   if (frame != nullptr) {
-    if (state.status == Status::Transferring && self.isReply(*frame)) self.takeReadReply(*frame, nowMs);
+    if (port.running() == Status::Transferring && self.isReply(*frame)) self.takeReadReply(*frame, nowMs);
     return;
   }
-  if (state.status == Status::WaitingForAutopilot) {
-    client.waitForAutopilot();
-    if (state.status != Status::Checking) return;
-    if (!client.isTypeCarried()) return client.end(Status::NeedsMavlink2);
-    client.beginPlan();
-    client.beginSeconds(nowMs);
-    state.status = Status::Transferring;
+  if (port.running() == Status::WaitingForAutopilot) {
+    if (!self.plans().beginsReading(nowMs)) return;
     // On a line that loses, each lost item costs a request and an answer, and both are longer than those of the mission
     // protocol. A sink that is not ready would let the rest of a burst go by.
-    const bool mayWait = !client.state_.isCompared && client.reading_.sink.isReady != nullptr;
-    if (mayWait || client.link_.pace().isLossy() || !self.isUsable()) return self.readByItems(0, nowMs);
+    const bool isByItems = self.plans().mayWaitForSink() || port.link().pace().isLossy() || !self.isUsable();
+    if (isByItems) return self.readByItems(0, nowMs);
     self.beginReading();
   }
   self.readOn(nowMs);
@@ -75,20 +55,20 @@ void PlanFiles::readStep(Client& client, const FrameParser* frame, uint16_t nowM
 
 void PlanFiles::beginReading() {
   beginFile();
-  reading_.begin(insideOf(client_).state_.isCompared);
+  reading_.begin(plans().isCompared());
 }
 
 void PlanFiles::readOn(uint16_t nowMs) {
-  Client& client = insideOf(client_);
-  // As in Client::readStep(): the update() that reads the last bytes of an item compares it too.
-  client.state_.readsHalf = true;
-  const Status status = reading_.onTime(nowMs, client.link_.pace());
+  // The update() that reads the last bytes of an item compares it too.
+  plans().keepTimeFree(true);
+  const Status status = reading_.onTime(nowMs, client_.link().pace());
   if (status == Status::NoAnswer || reading_.isTooSlow()) return readByItems(reading_.itemToAsk(), nowMs);
   if (status != Status::Transferring) return endReading(status, nowMs);
-  if (client.state_.isLate && reading_.state() != FileReadTransfer::State::Closing) reading_.close(Status::TookTooLong);
+  if (client_.hasTakenTooLong() && reading_.state() != FileReadTransfer::State::Closing)
+    reading_.close(Status::TookTooLong);
   typedef FileReadTransfer::Send Send;
   const Send due = reading_.toSend();
-  if (due == Send::Nothing || !client.link_.canSend()) return;
+  if (due == Send::Nothing || !client_.link().canSend()) return;
   // A repeat has the number of the request that it repeats; a burst is given again, each time with a number of its own.
   if (reading_.tries() == 0 || due == Send::Burst) ++sequence_;
   const uint32_t offset = kFileHeader + static_cast<uint32_t>(reading_.itemToAsk()) * kFileItem;
@@ -118,11 +98,11 @@ void PlanFiles::takeReadReply(const FrameParser& frame, uint16_t nowMs) {
     const bool isLate = requested == MAV_FTP_OPCODE_OPENFILERO && reading_.state() != State::Opening;
     if (isLate || reading_.state() == State::Closing) return;
     // The file was closed by somebody, who may have changed the plan: a comparison begins anew.
-    return readByItems(insideOf(client_).state_.isCompared ? 0 : reading_.itemToAsk(), nowMs);
+    return readByItems(plans().isCompared() ? 0 : reading_.itemToAsk(), nowMs);
   }
   const uint32_t offset = frame.payloadLong(offsetof(FileFrame, offset));
   switch (requested) {
-    case MAV_FTP_OPCODE_OPENFILERO: return reading_.onOpened(nowMs, insideOf(client_).link_.pace());
+    case MAV_FTP_OPCODE_OPENFILERO: return reading_.onOpened(nowMs, client_.link().pace());
     case MAV_FTP_OPCODE_TERMINATESESSION: {
       const Status ended = reading_.onClosed();
       return ended == Status::Transferring ? void() : endReading(ended, nowMs);
@@ -143,29 +123,16 @@ void PlanFiles::takeCount(const FrameParser& frame, uint16_t nowMs) {
   const uint16_t type = frame.payloadWord(header + offsetof(FileHeader, type));
   const uint16_t count = frame.payloadWord(header + offsetof(FileHeader, count));
   if (frame.payloadWord(header + offsetof(FileHeader, magic)) != FileHeader::kMagic ||
-      type != static_cast<uint8_t>(insideOf(client_).state_.type) ||
-      !reading_.onCount(count, nowMs, insideOf(client_).link_.pace())) {
+      type != static_cast<uint8_t>(plans().planType()) || !reading_.onCount(count, nowMs, client_.link().pace())) {
     return;
   }
-  Client& client = insideOf(client_);
   if (isLook_) return reading_.close(Status::Downloaded);
-  const bool isHomeFirst = client.homeBefore() != 0;
-  if (!client.state_.isCompared) {
-    const uint16_t items = isHomeFirst && count > 0 ? count - 1 : count;
-    client.rest_.itemsTotal = items;
-    if (items > client.reading_.sink.limit) reading_.close(Status::SinkFull);
-    return;
-  }
-  // ArduPilot without a plan has a count of 0, or of 1 for its home.
-  const bool isBothEmpty = isHomeFirst && client.plan_.count() == 0 && count <= 1;
-  if (isBothEmpty || count == client.plan_.wireCount()) return;
-  client.rest_.field = ItemField::Count;
-  reading_.close(Status::Differs);
+  const Status taken = plans().takeCount(count);
+  if (taken != Status::Transferring) reading_.close(taken);
 }
 
 void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t nowMs) {
   if (!reading_.wants(number)) return reading_.onUnused(nowMs);
-  Client& client = insideOf(client_);
   union {
     MissionItem item;
     mavlink_mission_item_int_t message;
@@ -181,44 +148,28 @@ void PlanFiles::takeItem(const FrameParser& frame, uint16_t number, uint16_t now
   piece.item.frame = static_cast<Frame>(frameNumber);
   piece.item.current = 0;  // the file has it by another rule than the protocol
   piece.item.autocontinue = autocontinue;
-  dropLeftOvers(piece.item, client.plan_.keeper());
-  const Status taken = client.reading_.take(client, number, piece.item);
+  dropLeftOvers(piece.item, plans().plan().keeper());
+  const Status taken = plans().takeItem(number, piece.item);
   if (taken == Status::Checking) return;
-  if (taken != Status::Transferring) {
-    client.state_.failedItem = client.ownItem(number);
-    return reading_.close(taken);
-  }
-  reading_.onItem(number, nowMs, client.link_.pace());
-  if (!client.state_.proving) {
-    const uint16_t done = reading_.itemsTaken();
-    client.report(done < client.homeBefore() ? 0 : done - client.homeBefore());
-  }
+  if (taken != Status::Transferring) return reading_.close(taken);
+  reading_.onItem(number, nowMs, client_.link().pace());
+  plans().progress(reading_.itemsTaken());
 }
 
 // Goes over to the mission protocol, from this item on.
 void PlanFiles::readByItems(uint16_t first, uint16_t nowMs) {
-  Client& client = insideOf(client_);
   if (isLook_ || isWholeLook_) return onRead_(*this, Status::NoAnswer, nowMs);
-  if (client.state_.proving) return proveByItems(nowMs);
+  if (onRead_ != nullptr) return proveByItems(nowMs);
   isByFile_ = false;
-  client.reading_.fromFloats = Client::fromFloats;
-  client.state_.operation = Client::readStep;
-  client.reading_.transfer.begin(nowMs);
-  client.reading_.transfer.skipTo(first);
+  plans().readByItems(first, nowMs);
 }
 
 void PlanFiles::endReading(Status status, uint16_t nowMs) {
-  Client& client = insideOf(client_);
-  client.state_.readsHalf = false;
+  plans().keepTimeFree(false);
   if (onRead_ != nullptr) return onRead_(*this, status, nowMs);
-  if (status == Status::Downloaded && client.state_.isCompared) {
-    status = Status::Verified;
-    client.setAboard(Aboard::OurPlan);
-    if (client.state_.type == PlanType::Mission) client.rest_.planId = 0;
-  } else if (status == Status::Differs) {
-    client.setAboard(Aboard::NotKnown);
-  }
-  client.end(status);
+  if (status == Status::Downloaded && plans().isCompared()) return plans().endAsOurs(Status::Verified);
+  if (status == Status::Differs) plans().nowAboard(Aboard::NotKnown);
+  client_.end(status);
 }
 
 }  // namespace mavmission
