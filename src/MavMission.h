@@ -28,6 +28,7 @@
 #include "mavmission/PositionListener.h"
 #include "mavmission/RadioListener.h"
 #include "mavmission/RcListener.h"
+#include "mavmission/SensorMessages.h"
 #include "mavmission/StandardModes.h"
 #include "mavmission/Steering.h"
 #include "mavmission/TelemetryListener.h"

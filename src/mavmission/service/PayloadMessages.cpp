@@ -4,25 +4,10 @@
 #include <string.h>
 
 #include "../base/Flash.h"
-#include "../base/MavlinkHeaders.h"
+#include "OutgoingFields.h"
 
 namespace mavmission {
 using namespace detail;
-namespace {
-
-// The classes hold their payloads as bytes, since a public header names no MAVLink type.
-template <typename T>
-void put(uint8_t* payload, uint8_t offset, T value) {
-  memcpy(payload + offset, &value, sizeof(value));
-}
-
-#define MAVMISSION_OUTGOING(NAME, payload)                                                     \
-  OutgoingMessage {                                                                            \
-    MAVLINK_MSG_ID_##NAME, MAVLINK_MSG_ID_##NAME##_CRC, static_cast<uint8_t>(sizeof(payload)), \
-        MAVLINK_MSG_ID_##NAME##_MIN_LEN, payload                                               \
-  }
-
-}  // namespace
 
 // --- DISTANCE_SENSOR
 
