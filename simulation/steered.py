@@ -148,5 +148,38 @@ class Following(Steered):
                 if entry.time >= since]  # fmt: skip
 
 
+EARTH, FACING, TURNING, BODY = range(4)  # the kinds of velocities: BODY has a turn, too
+
+
+class Flown(Steered):
+    """With a VelocityTarget, whose velocity the sketch renews by itself once told to."""
+
+    def __init__(self, *arguments, defines: dict | None = None, **options) -> None:
+        super().__init__(*arguments, defines={"BENCH_VELOCITY": True, **(defines or {})}, **options)
+
+    def fly_at(self, x: float, y: float = 0.0, up: float = 0.0, last: float = 0.0, kind: int = EARTH,
+               renew_ms: int = 100) -> str:  # fmt: skip
+        """[m/s]; `last`: the heading [degrees], or the turn [degrees/s]."""
+        self.tell("kind", kind)
+        self.tell("flying", renew_ms)
+        return self.order_of("fly", *map(bits, (x, y, up, last)))
+
+    def renew(self, x: float, y: float = 0.0, up: float = 0.0, last: float = 0.0, kind: int = EARTH) -> str:
+        self.tell("kind", kind)
+        return self.order_of("flyOn", *map(bits, (x, y, up, last)))
+
+    def is_flown(self) -> bool:
+        return "flown=1" in self.tell("flown")[0]
+
+    @property
+    def flight_status(self) -> str:
+        return status_names()[int(self.tell("flown")[0].split(" ")[2])]
+
+    def velocities(self, since: float = 0.0) -> list[tuple[float, Any]]:
+        """Those that have reached the autopilot, with their times [s]."""
+        return [(entry.time, entry.message) for entry in self._sent("SET_POSITION_TARGET_LOCAL_NED")
+                if entry.time >= since]  # fmt: skip
+
+
 def _target(place: tuple[int, int], altitude_m: float, frame: int) -> tuple[int, ...]:
     return place[0] % 2**32, place[1] % 2**32, bits(altitude_m), frame

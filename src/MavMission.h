@@ -35,6 +35,7 @@
 #include "mavmission/TelemetryPause.h"
 #include "mavmission/TextListener.h"
 #include "mavmission/Vehicle.h"
+#include "mavmission/VelocityTarget.h"
 #include "mavmission/VibrationListener.h"
 #include "mavmission/WaypointListener.h"
 #include "mavmission/WaypointsSource.h"

@@ -19,9 +19,11 @@ os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypo
 from bench_fixtures import (  # noqa: E402, F401
     bench,
     build_bench,
+    build_flown,
     build_following,
     build_service,
     build_steered,
+    flown,
     following,
     line,
     make_bench,

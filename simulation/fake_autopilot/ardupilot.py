@@ -11,6 +11,7 @@ from .ftp import Ftp
 from .items import FENCE, MISSION, RALLY, Item, f32, whole_number
 from .parameters import NO_INDEX
 from .vehicles import VEHICLES
+from .velocities import OF_AIRCRAFT, Velocity, velocity_of
 
 BOOT_TEXT = b"\r\n\r\nInit ArduCopter V4.6.3\r\n\r\nFree RAM: 262144\r\n"
 
@@ -37,6 +38,7 @@ ON_THE_GROUND_S = 0.02  # a copter in LAND that stands on the ground disarms aft
 LANDED_AFTER_ARMING_S = 2.0  # a copter in LAND that never left the ground disarms no earlier
 WITHOUT_POSITION_S = 1.0  # after so long, armed, an EKF failsafe; and so long after the position it ends
 NOTHING_REACHED = 65535
+VELOCITY_S = 3.0  # a velocity is flown at for so long; a copter's GUID_TIMEOUT, fixed on a rover
 PARAM_READ_S = 0.02  # from a request to the answer, beside response_delay_s; 40 to 185 ms seen
 
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT
@@ -141,6 +143,7 @@ class ArduPilot(FakeAutopilot):
             "COMMAND_INT": self._on_command,
             "SET_MODE": self._on_set_mode,
             "SET_POSITION_TARGET_GLOBAL_INT": self._on_set_target,
+            "SET_POSITION_TARGET_LOCAL_NED": self._on_set_velocity,
             "REQUEST_DATA_STREAM": self._on_request_data_stream,
             "PARAM_REQUEST_READ": self._on_param_request_read,
             "PARAM_SET": self._on_param_set,
@@ -251,6 +254,37 @@ class ArduPilot(FakeAutopilot):
         nothing; a plane takes nothing but the altitude (by source)."""
         if self.mode == "GUIDED" and not message.type_mask & PLACE_IGNORED and not self.kind.is_plane:
             self._fly_guided(message.lat_int, message.lon_int, message.alt, message.coordinate_frame, now, moves=True)
+
+    def _on_set_velocity(self, message, sender, now: float) -> None:
+        """Flown at until 3 s have passed without another one; then it stands. In another mode than GUIDED it does
+        nothing, and a plane never does. A yaw as seen from the aircraft is a turn by so much, each time; a copter that
+        is told neither a yaw nor a rate looks where it flies (by source)."""
+        velocity = velocity_of(message)
+        if self.mode != "GUIDED" or velocity is None or self.kind.is_plane or not self.armed:
+            return
+        if self.kind.needs_takeoff and not self.flight.airborne(now):
+            return
+        flight, is_of_aircraft = self.flight, message.coordinate_frame in OF_AIRCRAFT
+        over_ground = velocity.turned(flight.heading(now)) if is_of_aircraft else velocity
+        if not self.kind.needs_takeoff:
+            over_ground = self._steer_rover(velocity, over_ground, now)
+        elif velocity.yaw is not None:
+            flight.face(velocity.yaw + (flight.heading(now) if is_of_aircraft else 0.0))
+        elif velocity.rate is not None:
+            flight.turn(velocity.rate, now, VELOCITY_S)
+        elif velocity.speed > 0:
+            flight.face(over_ground.direction)
+        flight.drive(over_ground.north_east_up, now, VELOCITY_S)
+        self._follow_flight()
+
+    def _steer_rover(self, velocity: Velocity, over_ground: Velocity, now: float) -> Velocity:
+        """It drives forward in the direction that is named, or, with a rate of turn, forward or backwards."""
+        if velocity.rate is None:
+            self.flight.face(over_ground.direction)
+            return over_ground
+        ahead = velocity.speed * (-1.0 if velocity.x < 0 else 1.0)
+        self.flight.turn(velocity.rate, now, VELOCITY_S)
+        return Velocity(ahead, 0.0, 0.0, None, None).turned(self.flight.heading(now))
 
     def _on_request_data_stream(self, message, sender, now: float) -> None:
         for identity in _STREAMS.get(message.req_stream_id, ()):

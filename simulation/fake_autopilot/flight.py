@@ -103,6 +103,7 @@ class Flight:
         self._moves_to_land = False
         self._lands_at_target = self._into_ground = False
         self._is_steady = False  # flies at its speed from the first moment on
+        self._heading, self._turn, self._turns_from, self._turns_until = 0.0, 0.0, 0.0, 0.0
         self._items = items
         self._begun, self._reached, self._over, self._landed = begun, reached, over, landed
         self._jumped = jumped
@@ -158,6 +159,28 @@ class Flight:
                       rise / self.pace.climb if rise > 0 else -rise / self.pace.descent)
         self.target, self._to, self._began_at, self._is_steady = target, target, now, True
         self.ends_at = now + max(takes_s, 0.02)
+
+    def drive(self, velocity: tuple[float, float, float], now: float, lasts_s: float) -> None:
+        """Fly to the north, to the east and up [m/s] for so long, and stay there; no lower than the ground."""
+        self.stop(now)
+        here, (north, east, up) = self._from, velocity
+        east_e7 = east / METRES_PER_E7 / math.cos(math.radians(here.lat_e7 * 1e-7))
+        height = here.height + (up * lasts_s if self.pace.flies else 0.0)
+        self._to = Place(here.lat_e7 + round(north * lasts_s / METRES_PER_E7), here.lon_e7 + round(east_e7 * lasts_s),
+                         max(height, 0.0))
+        self._began_at, self.ends_at, self._is_steady = now, now + lasts_s, True
+
+    def heading(self, now: float) -> float:
+        """[degrees from north]"""
+        return (self._heading + self._turn * (max(min(now, self._turns_until) - self._turns_from, 0.0))) % 360.0
+
+    def face(self, heading: float) -> None:
+        self._heading, self._turn = heading % 360.0, 0.0
+
+    def turn(self, degrees_per_s: float, now: float, lasts_s: float) -> None:
+        """Clockwise for so long."""
+        self.face(self.heading(now))
+        self._turn, self._turns_from, self._turns_until = degrees_per_s, now, now + lasts_s
 
     def begin(self, index: int, now: float) -> None:
         """Fly item `index`, and from there on."""

@@ -10,6 +10,7 @@ from .flight import LANDINGS, PLACE_IGNORED, Flight, Pace, Place
 from .items import FENCE, MISSION, RALLY, Item, whole_number
 from .px4_missions import Missions, State
 from .px4_rewriting import AT_A_PLACE
+from .velocities import velocity_of
 
 CRITICAL = mavlink.MAV_SEVERITY_CRITICAL
 INFO = mavlink.MAV_SEVERITY_INFO
@@ -151,6 +152,7 @@ class Px4(FakeAutopilot):
             "COMMAND_INT": self._on_command,
             "SET_MODE": self._on_set_mode,
             "SET_POSITION_TARGET_GLOBAL_INT": self._on_set_target,
+            "SET_POSITION_TARGET_LOCAL_NED": self._on_set_velocity,
             "PARAM_REQUEST_READ": self._on_param_request_read,
             "PARAM_SET": self._on_param_set,
             **({"SETUP_SIGNING": self._on_setup_signing} if is_1_18 else {}),
@@ -305,15 +307,40 @@ class Px4(FakeAutopilot):
             return
         elif not self.home_is_known:
             return
+        if self._is_flown_to(now) and not message.type_mask & PLACE_IGNORED:
+            self.flight.chase(Place(message.lat_int, message.lon_int, height), now)
+            self._follow_flight()
+
+    def _is_flown_to(self, now: float) -> bool:
+        """A target for OFFBOARD has come."""
         self._streamed_at = now
         if self._has_lost_stream:
             self._set_mode(OFFBOARD, 0, now)  # what was ordered is still OFFBOARD, and can be flown again
         if self.main_mode != OFFBOARD:
-            return
+            return False
         self._watch_stream()
-        if self.armed and self.flight.airborne(now) and not message.type_mask & PLACE_IGNORED:
-            self.flight.chase(Place(message.lat_int, message.lon_int, height), now)
-            self._follow_flight()
+        return self.armed and self.flight.airborne(now)
+
+    def _on_set_velocity(self, message, sender, now: float) -> None:
+        """By source: a yaw counts from north in both frames, and without one the heading stays."""
+        if message.target_system not in (0, self.address[0]) \
+                or message.target_component not in (0, self.address[1]):
+            return
+        if message.coordinate_frame not in (mavlink.MAV_FRAME_LOCAL_NED, mavlink.MAV_FRAME_BODY_NED):
+            self.text(CRITICAL, "SET_POSITION_TARGET_LOCAL_NED coordinate frame "
+                      f"{message.coordinate_frame} unsupported\t", now)
+            return
+        velocity = velocity_of(message)
+        if velocity is None or not self._is_flown_to(now):
+            return
+        if message.coordinate_frame == mavlink.MAV_FRAME_BODY_NED:
+            velocity = velocity.turned(self.flight.heading(now))
+        if velocity.yaw is not None:
+            self.flight.face(velocity.yaw)
+        else:
+            self.flight.turn(velocity.rate or 0.0, now, 2 * STREAM_S)
+        self.flight.drive(velocity.north_east_up, now, 2 * STREAM_S)
+        self._follow_flight()
 
     def _watch_stream(self) -> None:
         self.never("stream gone")

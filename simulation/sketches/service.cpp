@@ -29,6 +29,9 @@ Steering steering(client);
 #ifdef BENCH_TARGET
 MovingTarget moving(steering);
 #endif
+#ifdef BENCH_VELOCITY
+VelocityTarget velocity(steering);
+#endif
 #ifdef BENCH_FILES
 PlanFiles files(client);
 #endif
@@ -261,6 +264,55 @@ static void moveTarget() {
   moving.renew(targetPlace, targetAltitude);
 }
 #endif
+#ifdef BENCH_VELOCITY
+static uint8_t flightEnds;  // how often update() has returned how it has ended
+static uint16_t flyEachMs;  // 0: the test renews it
+static uint8_t flightKind;  // 0: over the ground, 1: the same with a heading, 2: with a turn; 3: as from the aircraft
+static float flightNumbers[4];
+// Of the three speeds, and the heading or the turn.
+static Velocity flightVelocity() {
+  const MetresPerSecond x(flightNumbers[0]), y(flightNumbers[1]), up(flightNumbers[2]);
+  const DegreesPerSecond turn(flightNumbers[3]);
+  if (flightKind == 3) return BodyVelocity(x, y, up).turning(turn);
+  const EarthVelocity over(x, y, up);
+  if (flightKind == 2) return over.turning(turn);
+  if (flightKind == 0) return over;
+  const int32_t e7 = static_cast<int32_t>(flightNumbers[3] * 10000000.0f);
+  return over.facing(Yaw(Degrees::fromE7(e7)));
+}
+static void readVelocity(const Numbers& numbers) {
+  for (uint8_t i = 0; i < 4; ++i) flightNumbers[i] = asFloat(numbers[i]);
+}
+ACTION(kind) { flightKind = numbers[0]; }
+ACTION(fly) {
+  readVelocity(numbers);
+  tellBegun(velocity.start(flightVelocity()));
+}
+ACTION(flyOn) {
+  readVelocity(numbers);
+  tellBegun(velocity.renew(flightVelocity()));
+}
+// The sketch itself renews the last velocity each so many milliseconds.
+ACTION(flying) { flyEachMs = numbers[0]; }
+ACTION(stop) { velocity.stop(); }
+ACTION(flown) {
+  tell(F("flown"), static_cast<uint8_t>(velocity.status()));
+  tellNumber(F("flown"), velocity.isFlown());
+  tellNumber(F("ends"), flightEnds);
+  Serial.println();
+}
+static uint32_t hangMs;
+ACTION(hang) { hangMs = numbers[0]; }
+ACTION(patience) { velocity.setTimeout(numbers[0]); }
+static void flyVelocity() {
+  static uint16_t renewedMs;
+  if (isEnd(velocity.update())) ++flightEnds;
+  const uint16_t nowMs = millis();
+  if (flyEachMs == 0 || static_cast<uint16_t>(nowMs - renewedMs) < flyEachMs) return;
+  renewedMs = nowMs;
+  velocity.renew(flightVelocity());
+}
+#endif
 ACTION(state) { tellState(); }
 ACTION(followed) { tellFollowed(); }
 // Is benchSink[0] what this autopilot makes of benchPlan[0]? Firmware, type, HEARTBEAT.type.
@@ -292,6 +344,10 @@ static const Word words[] = {
     WORD(follow),     WORD(renew),      WORD(renewing),      WORD(unfollow),
     WORD(patience),   WORD(target),     WORD(hang),
 #endif
+#ifdef BENCH_VELOCITY
+    WORD(kind),       WORD(fly),        WORD(flyOn),         WORD(flying),
+    WORD(stop),       WORD(flown),      WORD(patience),      WORD(hang),
+#endif
 #ifdef BENCH_FILES
     WORD(fileupload), WORD(fileverify), WORD(filedownload),  WORD(byfile),
     WORD(fileensure),
@@ -317,8 +373,11 @@ void loop() {
 #ifdef BENCH_TARGET
   moveTarget();
 #endif
+#ifdef BENCH_VELOCITY
+  flyVelocity();
+#endif
   const Status status = client.update();
-#ifdef BENCH_TARGET
+#if defined(BENCH_TARGET) || defined(BENCH_VELOCITY)
   if (hangMs != 0 && !client.isSent()) {
     delay(hangMs);
     hangMs = 0;

@@ -69,14 +69,25 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   void setTimeout(uint16_t ms) { timeoutMs_ = ms; }
 
  private:
+  friend class VelocityTarget;
+
+  // Another target than a place: writes what it is into the payload, or, without one, says whether this vehicle takes
+  // it.
+  typedef Status (*Other)(const MovingTarget& target, uint8_t* payload);
+
   enum class Stage : uint8_t { Off, Starting, Following, Holding };
 
+  MovingTarget(Steering& steering, Other other);
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   static void fill(detail::Client& client, FlightCommand& command);
   static Status on(detail::Client& client, detail::CommandEvent event, Status status, const detail::FrameParser* frame,
                    uint16_t nowMs);
   Status onEvent(detail::CommandEvent event, Status status, uint16_t nowMs);
   Status onStart(detail::CommandEvent event, Status status, uint16_t nowMs);
+  Status startOther();
+  void begin();
+  Status whyClosed() const;
+  Status blame(Status status, ItemField field) const { return steering_.refuseField(status, field); }
   void takeOver();
   bool isOperating() const;
   bool isLate() const;
@@ -95,6 +106,7 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   void finish(Status status);
 
   Steering& steering_;
+  Other other_;  // null: a place
   uint32_t renewedMs_;
   uint32_t updatedMs_;  // when update() was called last
   uint16_t timeoutMs_;

@@ -114,6 +114,24 @@ def following(make_following):
     return make_following()
 
 
+@pytest.fixture
+def build_flown(request):
+    """Makes a Flown for an autopilot, whose transcript is shown when the test fails."""
+    from simulation.steered import Flown
+
+    def build(*arguments, **options) -> Flown:
+        made = Flown(*arguments, **options)
+        request.node.stash.setdefault(BENCHES, []).append(made)
+        return made
+
+    return build
+
+
+@pytest.fixture
+def flown(build_flown, personality):
+    return build_flown(personality)
+
+
 BENCHES = pytest.StashKey[list]()
 
 

@@ -232,6 +232,26 @@ def target_that_moves(make: Make, personality: str) -> str:
     return "yes" if has_held and is_there and service.autopilot.flight.airborne(service.now) else "no"
 
 
+def velocity(make: Make, personality: str) -> str:
+    """It flies at a velocity, and stands when that is renewed no more."""
+    service = make(defines={"BENCH_STEERING": True, "BENCH_VELOCITY": True})
+    flight = service.autopilot.flight
+    service.order_of("takeoff", float_bits(8.0))
+    if (ended := service.done(limit_s=30)) != "Done":
+        return refused(ended)
+    service.run(15.0)
+    service.tell("flying", 100)
+    service.order_of("fly", float_bits(2.0), *[float_bits(0.0)] * 3)
+    if (ended := service.done(limit_s=30)) != "Done":
+        return refused(ended)
+    service.run(10.0)
+    flown_m = flight.where(service.now).distance(flight.home._replace(height=8.0))
+    service.tell("flying", 0)
+    service.run(12.0)
+    has_held = status_names()[int(service.tell("flown")[0].split(" ")[2])] == "NotRenewed"
+    return "yes" if has_held and 18 < flown_m < 24 and flight.airborne(service.now) else "no"
+
+
 def telemetry(make: Make, personality: str) -> str:
     """Each listener has its interval confirmed, and then hears its message."""
     bench = make(kind=Telemetry)
@@ -269,6 +289,7 @@ PROOFS: dict[str, Callable[[Make, str], str]] = {
     "current item and items reached": followed,
     "flight without a plan (`Steering`)": flown_without_a_plan,
     "a moving target is followed; at the end the aircraft holds (`MovingTarget`)": target_that_moves,
+    "velocities are flown; at the end the aircraft holds (`VelocityTarget`)": velocity,
     "telemetry, at an interval that is confirmed (`PositionListener` and others)": telemetry,
     "parameters read and set (`Parameters`)": parameters,
     "a plan found infeasible after it was accepted": infeasible,

@@ -146,8 +146,9 @@ struct TargetRules {
   static constexpr uint16_t kTimeoutMs = 1000;  // the sketch must have renewed its target within this time
   // A loop() that stood still for so long, or has not heard the autopilot for so long, waits for a heartbeat.
   static constexpr uint16_t kBlindMs = 600;
-  static constexpr uint16_t kQuietMs = 300;  // when nothing has been heard for so long, a heartbeat is asked for
-  static constexpr uint8_t kAskMs = 100;     // and so much later again
+  static constexpr uint16_t kQuietMs = 300;   // when nothing has been heard for so long, a heartbeat is asked for
+  static constexpr uint8_t kAskMs = 100;      // and so much later again
+  static constexpr uint16_t kBrakeMs = 2000;  // a VelocityTarget that ends is a velocity of 0 for so long
 };
 
 struct ClientRules {

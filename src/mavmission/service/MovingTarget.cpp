@@ -33,11 +33,17 @@ constexpr uint16_t kPlaceAlone = POSITION_TARGET_TYPEMASK_VX_IGNORE | POSITION_T
                                  POSITION_TARGET_TYPEMASK_AY_IGNORE | POSITION_TARGET_TYPEMASK_AZ_IGNORE |
                                  POSITION_TARGET_TYPEMASK_YAW_IGNORE | POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE;
 
+// The steps of a goTo() without a place: its command is never sent, since a mode is set in that place.
+constexpr OrderRow kStream = {OrderMode::FlyingTo, kRepositions | kHasCommand};
+
 }  // namespace
 
-MovingTarget::MovingTarget(Steering& steering)
+MovingTarget::MovingTarget(Steering& steering) : MovingTarget(steering, nullptr) {}
+
+MovingTarget::MovingTarget(Steering& steering, Other other)
     : Listener(steering, kBeats, 1, take),
       steering_(steering),
+      other_(other),
       renewedMs_(0),
       updatedMs_(0),
       timeoutMs_(kTimeoutMs),
@@ -72,6 +78,21 @@ Status MovingTarget::start(const LatLon& place, Altitude altitude) {
   if (stage_ != Stage::Off) return Status::Busy;
   const Status status = steering_.goTo(place, altitude);
   if (status == Status::Busy) return status;
+  begin();
+  renew(place, altitude);  // a number that cannot be meant is refused by the order, too
+  return status;
+}
+
+// The same, with a target that is no place.
+Status MovingTarget::startOther() {
+  if (stage_ != Stage::Off) return Status::Busy;
+  const Status status = steering_.begin(kStream);
+  if (status != Status::Busy) begin();
+  return status;
+}
+
+// The order of the Steering has begun.
+void MovingTarget::begin() {
   takeOver();
   stage_ = Stage::Starting;
   status_ = Status::Transferring;
@@ -80,15 +101,20 @@ Status MovingTarget::start(const LatLon& place, Altitude altitude) {
   isBlind_ = isStale_ = isStopped_ = hasSent_ = isOrdered_ = isHere_ = false;
   isAimed_ = true;
   renewedMs_ = updatedMs_ = millis();
-  renew(place, altitude);  // a number that cannot be meant is refused by the order, too
-  return status;
+}
+
+// Why no target is taken any more; Transferring: it is.
+Status MovingTarget::whyClosed() const {
+  if (stage_ == Stage::Off) return status_;
+  if (stage_ == Stage::Holding) return ending_;
+  if (isLate()) return isStopped_ ? Status::Cancelled : Status::NotRenewed;
+  return Status::Transferring;
 }
 
 // The numbers are checked as those of goTo(), beside an order that may be running.
 Status MovingTarget::renew(const LatLon& place, Altitude altitude) {
-  if (stage_ == Stage::Off) return status_;
-  if (stage_ == Stage::Holding) return ending_;
-  if (isLate()) return isStopped_ ? Status::Cancelled : Status::NotRenewed;
+  const Status closed = whyClosed();
+  if (closed != Status::Transferring) return closed;
   Steering& checks = steering_;
   if (modern(altitude.frame()) != frame_) return checks.refuseField(Status::BadFrame, ItemField::Reference);
   int32_t heightCm;
@@ -232,6 +258,8 @@ Status MovingTarget::onStart(CommandEvent event, Status status, uint16_t nowMs) 
   CommandTransfer& sending = client_.commands().sending();
   if (event == CommandEvent::Ready) {
     if (steering_.isPlane()) return Status::CommandUnsupported;
+    const Status refusal = other_ == nullptr ? Status::Transferring : other_(*this, nullptr);
+    if (refusal != Status::Transferring) return refusal;
     mode_ = client_.commands().numberOf(FlightMode::Guided);
   }
   // Before the mode has been ordered there is nothing to hold. (What is refused at once is refused for its own reason.)
@@ -275,6 +303,11 @@ void MovingTarget::hold(Status ending) {
   stage_ = Stage::Holding;
   ending_ = ending;
   aimHere();
+  // A velocity is flown on until it is replaced. (Another order of the sketch does that by itself.)
+  if (other_ == nullptr || ending == Status::Cancelled) return;
+  beganMs_ = static_cast<uint16_t>(millis());
+  sentMs_ = static_cast<uint16_t>(beganMs_ - kEveryMs);
+  send(beganMs_);
 }
 
 // PX4 would call a failsafe if the targets ended before its mode has changed: until then they name the place where the
@@ -294,6 +327,8 @@ void MovingTarget::keepHolding(uint16_t nowMs) {
   }
   // The sketch has sent it to a place, in the same mode.
   if (steering_.target_.hasPlace) return finish(ending_);
+  // A place that is held while it still moves is one to which it comes back: a rover in a loop.
+  if (other_ != nullptr && since(beganMs_, nowMs) < kBrakeMs) return send(nowMs);
   if (steering_.pause() == Status::Busy) return send(nowMs);
   takeOver();
   isOrdered_ = true;
@@ -304,6 +339,7 @@ void MovingTarget::aimHere() {
   if (isHere_ && isAimed_) return;
   if (!isHere_) spoil();
   isHere_ = true;
+  if (other_ != nullptr) return;  // it stands still without a place
   const bool isAboveSea = has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
   isAimed_ = steering_.positionAge_ <= SteerRules::kFreshBeats;
   at_ = steering_.here_;
@@ -325,26 +361,33 @@ void MovingTarget::finish(Status status) {
 
 void MovingTarget::send(uint16_t nowMs) {
   if (isBlind_ || !isAimed_ || (hasSent_ && since(sentMs_, nowMs) < kEveryMs) || !client_.link().canSend()) return;
-  // PX4 looks at the frame of this message, and wants its older number.
-  const bool isAboveHome = frame_ == Frame::GlobalRelative;
-  const bool isFromHome = isAboveHome && has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
-  float altitude = quotient(isFromHome ? heightCm_ + steering_.seaCm_ - steering_.homeCm_ : heightCm_, 1);
-  multiply(&altitude, Times::Hundredth);
   Message message = Message();
   message.time_boot_ms = millis();
-  message.lat_int = at_.latitude.e7();
-  message.lon_int = at_.longitude.e7();
-  message.alt = altitude;
-  message.type_mask = kPlaceAlone;
   message.target_system = client_.autopilot().heartbeat().systemId;
   message.target_component = client_.autopilot().heartbeat().componentId;
-  message.coordinate_frame = static_cast<uint8_t>(frame_ == Frame::GlobalTerrain ? Frame::GlobalTerrainInt
-                                                  : isAboveHome && !isFromHome   ? Frame::GlobalRelativeInt
-                                                                                 : Frame::GlobalInt);
+  OutgoingMessage outgoing = {MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT,
+                              MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_CRC, sizeof(payload_),
+                              MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_MIN_LEN, payload_};
+  if (other_ == nullptr) {
+    // PX4 looks at the frame of this message, and wants its older number.
+    const bool isAboveHome = frame_ == Frame::GlobalRelative;
+    const bool isFromHome = isAboveHome && has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
+    float altitude = quotient(isFromHome ? heightCm_ + steering_.seaCm_ - steering_.homeCm_ : heightCm_, 1);
+    multiply(&altitude, Times::Hundredth);
+    message.lat_int = at_.latitude.e7();
+    message.lon_int = at_.longitude.e7();
+    message.alt = altitude;
+    message.type_mask = kPlaceAlone;
+    message.coordinate_frame = static_cast<uint8_t>(frame_ == Frame::GlobalTerrain ? Frame::GlobalTerrainInt
+                                                    : isAboveHome && !isFromHome   ? Frame::GlobalRelativeInt
+                                                                                   : Frame::GlobalInt);
+  }
   memcpy(payload_, &message, sizeof(payload_));
-  const OutgoingMessage outgoing = {MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT,
-                                    MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_CRC, sizeof(payload_),
-                                    MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT_MIN_LEN, payload_};
+  if (other_ != nullptr) {
+    other_(*this, payload_);
+    outgoing.id = MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED;
+    outgoing.crcExtra = MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED_CRC;
+  }
   if (!client_.link().sendForeign(outgoing)) return;
   // A second of targets has no gap in it.
   if (!hasSent_ || since(sentMs_, nowMs) >= kBlindMs) beganMs_ = nowMs;
