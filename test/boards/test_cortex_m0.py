@@ -132,6 +132,7 @@ TEENSY = {"UART_RX": 63, "UART_TX": 63, "UART_ROOM": 2}
 BOARDS = {"Uno R4": UNO_R4, "Pico": PICO, "ESP32": ESP32, "Teensy": TEENSY}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("board", BOARDS)
 def test_upload_beside_a_line_full_of_telemetry_never_makes_a_boards_port_wait(build_m0, personality, board):
     m0 = build_m0(personality, defines=BOARDS[board], telemetry=57600 / 10)
@@ -142,6 +143,7 @@ def test_upload_beside_a_line_full_of_telemetry_never_makes_a_boards_port_wait(b
     assert m0.counters["bytes"] > 5000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("baud", [115200, 500000, 921600, 1000000])
 def test_upload_at_the_rates_of_fast_boards_loses_no_byte(build_m0, personality, baud):
     """Beside up to 20,000 bytes of telemetry a second."""
@@ -162,13 +164,14 @@ STANDARDS = ["gnu++11", "gnu++17", "gnu++20"]  # what the cores of today choose:
 @pytest.mark.parametrize(
     "standard", [STANDARDS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in STANDARDS[1:])]
 )
-def test_library_compiles_without_a_warning(standard):
-    for signing in (0, 1):
-        for unit in library_sources():
-            flags = [f"-std={standard}", f"-DMAVMISSION_SIGNING={signing}"]
-            assert cortex_m0_object(unit, flags, [CORE, LIBRARY]).is_file()
+@pytest.mark.parametrize("signing", [0, pytest.param(1, marks=pytest.mark.slow)])
+def test_library_compiles_without_a_warning(standard, signing):
+    for unit in library_sources():
+        flags = [f"-std={standard}", f"-DMAVMISSION_SIGNING={signing}"]
+        assert cortex_m0_object(unit, flags, [CORE, LIBRARY]).is_file()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("standard", [STANDARDS[0], STANDARDS[-1]])
 @pytest.mark.parametrize("example", EXAMPLES)
 def test_example_compiles_without_a_warning(example, standard, tmp_path):

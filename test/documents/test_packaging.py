@@ -281,7 +281,11 @@ def examples() -> list[Path]:
 SLOW = pytest.mark.slow
 
 
-@pytest.mark.parametrize("board", [pytest.param(board, marks=() if board == "mega" else SLOW) for board in BOARDS])
+# The first sketch of a board compiles the core and the library for it, which is most of the time.
+MARKS = {"mega": (), "uno": SLOW, "nano": SLOW, "leonardo": pytest.mark.thorough}
+
+
+@pytest.mark.parametrize("board", [pytest.param(board, marks=MARKS[board]) for board in BOARDS])
 @pytest.mark.parametrize(
     "example",
     [pytest.param(file, marks=() if file.stem == "UploadMission" else SLOW, id=file.stem) for file in examples()],

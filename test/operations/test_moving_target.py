@@ -252,6 +252,7 @@ def test_px4_that_was_not_heard_is_left_in_its_failsafe(build_following, seconds
 
 
 @FOLLOWED
+@pytest.mark.slow
 @pytest.mark.parametrize("tenths", range(1, 19))
 def test_px4_is_not_taken_out_of_its_failsafe_by_what_comes_behind_a_gap(build_following, tenths):
     following = build_following("PX4")
@@ -452,6 +453,7 @@ def test_line_that_loses_a_fifth_of_its_frames_is_followed_on_and_held_over(make
 
 
 @FOLLOWED
+@pytest.mark.slow
 @pytest.mark.parametrize("tenths", range(1, 15, 2))
 def test_offboard_is_ordered_behind_a_second_of_targets_without_a_gap(build_following, tenths):
     """A gap in the first second: PX4 would refuse the mode."""

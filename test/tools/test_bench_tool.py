@@ -71,6 +71,7 @@ def test_board_says_what_it_is(board):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ArduPilot", "PX4"])
 @pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name.replace(" ", "-"))
 def test_scenario_ends_as_it_must_on_a_mega(board, scenario, name):
@@ -147,6 +148,7 @@ def test_board_without_the_sketch_is_told():
         other.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["mega", "uno"])
 def test_sketch_compiles_as_the_arduino_ide_makes_it(tmp_path, name):
     sketch = write_sketch(tmp_path)

@@ -50,6 +50,7 @@ def test_first_example_ends_with_its_plan_aboard(autopilot):
     assert text.splitlines()[-1].startswith("The plan is aboard: all")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_example_that_flies_without_a_plan_is_at_each_place_and_lands_at_home(autopilot):
     good, text = shown("GoToPlaces", autopilot=autopilot)
@@ -59,6 +60,7 @@ def test_example_that_flies_without_a_plan_is_at_each_place_and_lands_at_home(au
     assert text.splitlines()[-1].endswith("has been at all 3 places, and has landed at home.")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_example_that_follows_a_target_is_behind_it_all_the_time_and_lands_at_home(autopilot):
     good, text = shown("FollowBeacon", autopilot=autopilot)
@@ -68,6 +70,7 @@ def test_example_that_follows_a_target_is_behind_it_all_the_time_and_lands_at_ho
     assert int(behind) >= 250 and end == "places, and has landed at home."
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_flight_that_misses_a_place_is_not_called_good(autopilot, monkeypatch):
     monkeypatch.setattr(inside, "description", lambda example: {"flies": 4, "limit_s": 240})

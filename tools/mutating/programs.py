@@ -183,6 +183,7 @@ def places() -> dict[str, str]:
         return environment(place)
 
 
+@functools.cache
 def unit_program(unit: Path, *, sanitized: bool) -> Program:
     common = (UNITS / "main.cpp", *sorted(HOST.glob("*.cpp")))
     killer = "client tests" if unit.stem.startswith("client_") else "unit tests"
@@ -191,6 +192,7 @@ def unit_program(unit: Path, *, sanitized: bool) -> Program:
     return Program(killer, unit.stem, (unit, *common), tuple(FAST))
 
 
+@functools.cache
 def explorer(explored: tuple[str, ...]) -> Program:
     own = ("-std=c++17", "-fno-access-control")
     runs = tuple(f"{words} --most-states {MOST_STATES}" for words in explored)
