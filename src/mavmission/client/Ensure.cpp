@@ -57,22 +57,14 @@ void Client::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs
 // Checks the plan as an upload does, and adds up its checksum, before the autopilot is asked: so the time of the look
 // does not grow with the plan.
 void Client::checkEnsured(uint16_t nowMs) {
-  if (!link_.finder().isFound() || firmware() != plan_.firmware()) {
-    state_.status = Status::WaitingForAutopilot;  // the autopilot was lost, or is another one now
-    return;
-  }
-  if (plan_.isTooLong()) return end(Status::TooManyItems);
-  if (!isTypeCarried()) return end(Status::NeedsMavlink2);
-  if (!link_.canSend() || !claimHeavyWork()) return;
-  const uint16_t count = plan_.wireCount();
-  const bool isChecked = state_.next == count;
-  uint16_t& wireItem = isChecked ? reading_.summed : state_.next;
-  if (!isChecked || (plan_.has(kSaysChecksum) && wireItem < count)) {
-    // An item is checked in one update(), and added to the checksum in another: both together would take too long.
-    const Status read = isChecked ? sumItem(wireItem) : checkItem(wireItem);
+  if (checkNext(false) != Status::Transferring) return;
+  // An item is checked in one update(), and added to the checksum in another: both together would take too long.
+  uint16_t& wireItem = reading_.summed;
+  if (plan_.has(kSaysChecksum) && wireItem < plan_.wireCount()) {
+    const Status read = sumItem(wireItem);
     if (read == Status::Checking) return;
     if (read != Status::Accepted) {
-      state_.failedItem = ownItem(wireItem);
+      noteFailed(wireItem);
       return end(read);
     }
     ++wireItem;

@@ -53,34 +53,6 @@ WirePlan& PlanPort::plan() { return static_cast<Client&>(*this).plan_; }
 
 void PlanPort::nowAboard(Aboard what) { static_cast<Client&>(*this).setAboard(what); }
 
-// As Client::checkPlan(), an item in each update().
-Status PlanPort::checkNext() {
-  Client& client = static_cast<Client&>(*this);
-  Client::State& state = client.state_;
-  if (!client.hasAutopilot() || client.firmware() != client.plan_.firmware()) {
-    state.status = Status::WaitingForAutopilot;  // the autopilot was lost, or is another one now
-    return Status::Checking;
-  }
-  Status checked = Status::TooManyItems;
-  if (!client.plan_.isTooLong()) {
-    if (!isTypeCarried()) {
-      checked = Status::NeedsMavlink2;
-    } else {
-      if (!client.link_.canSend() || !client.claimHeavyWork()) return Status::Checking;
-      if (state.next == client.plan_.wireCount()) return Status::Transferring;
-      checked = client.checkItem(state.next);
-      if (checked == Status::Checking) return checked;
-      if (checked == Status::Accepted) {
-        ++state.next;
-        return checked;
-      }
-      noteFailed(state.next);
-    }
-  }
-  client.end(checked);
-  return Status::Checking;
-}
-
 // --- Reading
 
 bool PlanPort::isCompared() const { return static_cast<const Client&>(*this).state_.isCompared; }

@@ -79,27 +79,47 @@ Status Client::checkItem(uint16_t wireItem) {
   return read == Status::Accepted ? keeping(item) : read;
 }
 
-void Client::checkPlan(uint16_t nowMs) {
-  if (!link_.finder().isFound() || link_.finder().firmware() != plan_.firmware()) {
-    state_.status = Status::WaitingForAutopilot;  // the autopilot was lost, or is another one now
-    return;
+// The one check of a plan, by whatever way it goes: the same autopilot, then what hinders all of the plan, then an
+// item.
+Status PlanPort::checkNext(bool isToChange) {
+  Client& client = static_cast<Client&>(*this);
+  Client::State& state = client.state_;
+  const WirePlan& plan = client.plan_;
+  const AutopilotFinder& finder = client.link_.finder();
+  if (!finder.isFound() || finder.firmware() != plan.firmware()) {
+    state.status = Status::WaitingForAutopilot;  // the autopilot was lost, or is another one now
+    return Status::Checking;
   }
-  if (plan_.isTooLong()) return end(Status::TooManyItems);
-  if (state_.announce != nullptr && plan_.has(kTakesWholePlansOnly)) return end(Status::WholePlansOnly);
-  if (!isTypeCarried()) return end(Status::NeedsMavlink2);
-  if (link_.finder().isArmed() && !state_.armedAllowed) return end(Status::Armed);
-  if (!link_.canSend() || !claimHeavyWork()) return;
-  const uint16_t count = plan_.wireCount();
-  for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE && state_.next < count; ++read) {
-    const Status checked = checkItem(state_.next);
-    if (checked == Status::Checking) return;
-    if (checked != Status::Accepted) {
-      noteFailed(state_.next);
-      return end(checked);
+  Status checked = Status::Accepted;
+  if (plan.isTooLong()) {
+    checked = Status::TooManyItems;
+  } else if (state.announce != nullptr && plan.has(kTakesWholePlansOnly)) {
+    checked = Status::WholePlansOnly;
+  } else if (!isTypeCarried()) {
+    checked = Status::NeedsMavlink2;
+  } else if (isToChange && finder.isArmed() && !state.armedAllowed) {
+    checked = Status::Armed;
+  } else {
+    if (!client.link_.canSend() || !client.claimHeavyWork()) return Status::Checking;
+    if (state.next == plan.wireCount()) return Status::Transferring;
+    checked = client.checkItem(state.next);
+    if (checked == Status::Checking) return checked;
+    if (checked == Status::Accepted) {
+      ++state.next;
+      return checked;
     }
-    ++state_.next;
+    noteFailed(state.next);
   }
-  if (state_.next == count) beginUpload(nowMs);
+  client.end(checked);
+  return Status::Checking;
+}
+
+void Client::checkPlan(uint16_t nowMs) {
+  for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE; ++read) {
+    const Status checked = checkNext(true);
+    if (checked == Status::Transferring) return beginUpload(nowMs);
+    if (checked != Status::Accepted) return;
+  }
 }
 
 void Client::beginTransfer() { transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled); }

@@ -38,7 +38,7 @@ void PlanFiles::ensureStep(Client& client, const FrameParser* frame, uint16_t no
     plans.beginChecking();
     self.isForeseen_ = true;
   }
-  if (!self.isChecked()) return;
+  if (!self.isChecked(false)) return;
   if (!self.isForFile()) return plans.ensureByItems();
   port.beginTransferring(nowMs);
   self.isWholeLook_ = true;

@@ -45,20 +45,18 @@ void PlanFiles::writeStep(Client& client, const FrameParser* frame, uint16_t now
 }
 
 void PlanFiles::check(uint16_t nowMs) {
-  const bool isArmed = client_.autopilot().isArmed();
-  if (isArmed && !client_.isAllowedWhileArmed()) return client_.end(Status::Armed);
-  if (!isChecked()) return;
+  if (!isChecked(true)) return;
   if (!isUsable() || !isForFile()) return uploadByItems(nowMs);
   client_.beginTransferring(nowMs);
-  if (!isArmed) return beginWriting();
+  if (!client_.autopilot().isArmed()) return beginWriting();
   isLook_ = true;
   beginComparing(takeLook);
   beginReading();
 }
 
 // Checks the plan, and asks of each item whether it is known what ArduPilot makes of it. True when all is checked.
-bool PlanFiles::isChecked() {
-  const Status checked = plans().checkNext();
+bool PlanFiles::isChecked(bool isToChange) {
+  const Status checked = plans().checkNext(isToChange);
   if (checked == Status::Accepted && !isForeseen(*static_cast<const MissionItem*>(client_.link().draft()))) {
     isForeseen_ = false;
   }
