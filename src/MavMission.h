@@ -5,6 +5,7 @@
 // By semantic versioning; the same as in library.properties.
 #define MAVMISSION_VERSION "0.1.0"
 
+#include "mavmission/Adjustments.h"
 #include "mavmission/AttitudeListener.h"
 #include "mavmission/BatteryListener.h"
 #include "mavmission/EepromPlan.h"

@@ -324,6 +324,7 @@ class ArduPilot(FakeAutopilot):
             mavlink.MAV_CMD_DO_VTOL_TRANSITION: self._do_vtol_transition,
             mavlink.MAV_CMD_DO_REPOSITION: self._do_reposition,
             mavlink.MAV_CMD_DO_CHANGE_SPEED: self._do_change_speed,
+            mavlink.MAV_CMD_CONDITION_YAW: self._condition_yaw,
             mavlink.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_message_interval,
             mavlink.MAV_CMD_GET_MESSAGE_INTERVAL: self._get_message_interval,
             mavlink.MAV_CMD_REQUEST_MESSAGE: self._request_message,
@@ -452,9 +453,25 @@ class ArduPilot(FakeAutopilot):
             self._follow_flight()
 
     def _do_change_speed(self, message, now: float) -> int:
+        """A copter has speeds of its own upwards and downwards; in GUIDED, one that is set sets the other one back."""
         if not message.param2 > 0:
             return RESULT_FAILED  # by source
-        self.flight.pace = self.flight.pace._replace(speed=message.param2)
+        set_now = {"speed": message.param2}
+        if self.kind.needs_takeoff and message.param1 >= 2:
+            usual = self.kind.pace
+            set_now = {"climb": usual.climb, "descent": usual.descent} if self.mode == "GUIDED" else {}
+            set_now["climb" if message.param1 < 3 else "descent"] = message.param2
+        self.flight.pace = self.flight.pace._replace(**set_now)
+        return RESULT_ACCEPTED
+
+    def _condition_yaw(self, message, now: float) -> int:
+        """A copter's alone. By source: a relative turn counts from where it looks."""
+        if not self.kind.needs_takeoff or self.kind.is_plane:
+            return RESULT_UNSUPPORTED
+        if not 0 <= message.param1 <= 360 or message.param4 not in (0.0, 1.0):
+            return RESULT_FAILED
+        from_deg = self.flight.heading(now) if message.param4 else 0.0
+        self.flight.face(from_deg + (-message.param1 if message.param4 and message.param3 < 0 else message.param1))
         return RESULT_ACCEPTED
 
     def _set_message_interval(self, message, now: float) -> int:

@@ -31,6 +31,7 @@ MovingTarget moving(steering);
 #endif
 #ifdef BENCH_VELOCITY
 VelocityTarget velocity(steering);
+Adjustments adjustments(steering);
 #endif
 #ifdef BENCH_FILES
 PlanFiles files(client);
@@ -295,6 +296,13 @@ ACTION(flyOn) {
 // The sketch itself renews the last velocity each so many milliseconds.
 ACTION(flying) { flyEachMs = numbers[0]; }
 ACTION(stop) { velocity.stop(); }
+ACTION(turnTo) {
+  const int32_t e7 = static_cast<int32_t>(asFloat(numbers[0]) * 10000000.0f);
+  const Yaw heading = numbers[2] ? Yaw() : Yaw(Degrees::fromE7(e7));
+  tellBegun(adjustments.turnTo(heading, DegreesPerSecond(asFloat(numbers[1]))));
+}
+ACTION(climbs) { tellBegun(adjustments.setClimbSpeed(MetresPerSecond(asFloat(numbers[0])))); }
+ACTION(sinks) { tellBegun(adjustments.setDescentSpeed(MetresPerSecond(asFloat(numbers[0])))); }
 ACTION(flown) {
   tell(F("flown"), static_cast<uint8_t>(velocity.status()));
   tellNumber(F("flown"), velocity.isFlown());
@@ -347,6 +355,7 @@ static const Word words[] = {
 #ifdef BENCH_VELOCITY
     WORD(kind),       WORD(fly),        WORD(flyOn),         WORD(flying),
     WORD(stop),       WORD(flown),      WORD(patience),      WORD(hang),
+    WORD(turnTo),     WORD(climbs),     WORD(sinks),
 #endif
 #ifdef BENCH_FILES
     WORD(fileupload), WORD(fileverify), WORD(filedownload),  WORD(byfile),

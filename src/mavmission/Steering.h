@@ -10,6 +10,7 @@
 
 namespace mavmission {
 
+class Adjustments;
 class MovingTarget;
 
 // The steps of a Steering operation, in order; each operation needs only some of them. AskLanded: PX4 is asked whether
@@ -93,6 +94,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   SteerStep step() const { return step_; }
 
  private:
+  friend class Adjustments;
   friend class MovingTarget;
 
   // What an altitude is measured from.
