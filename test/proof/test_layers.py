@@ -56,6 +56,12 @@ def test_vendored_headers_are_included_in_one_place():
     assert not [path for path in named if "/" not in path]
 
 
+def test_home_is_known_in_one_place():
+    """Whether wire item 0 is home, and what follows for the numbers of items. (Personality.h has the rows.)"""
+    naming = {str(path.relative_to(INSIDE)) for path in INSIDE.rglob("*.[ch]*") if "kHomeIsItem0" in path.read_text()}
+    assert naming == {"autopilot/Personality.h", "plan/ItemNumbers.h"}
+
+
 def seen_of_the_client(sources: list[Path]) -> dict[str, set[str]]:
     """The headers of client/ that each source includes, or what it includes, as the compiler finds them."""
     words = ["g++", "-MM", "-std=c++11", *PLACES, *map(str, sources)]

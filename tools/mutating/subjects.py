@@ -27,6 +27,7 @@ SUBJECTS = (
     Subject("StartTransfer", ("start_transfer",)),
     Subject("ModeOrder", ("mode_order",)),
     Subject("FrameParser", ("frame_parser",)),
+    Subject("ItemNumbers", ("item_numbers", "wire_plan")),
     Subject("WirePlan", ("wire_plan",)),
     Subject("Comparison", ("comparison",)),
     Subject("Commands", ("commands", "comparison", "wire_plan")),

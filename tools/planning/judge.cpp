@@ -66,7 +66,7 @@ class Wired {
   bool isTooLong() const { return wire_.isTooLong(); }
   Status read(size_t index, MissionItem& out) {
     Status status = Status::Checking;
-    while (status == Status::Checking) status = wire_.read(static_cast<uint16_t>(index + wire_.homeItems()), out);
+    while (status == Status::Checking) status = wire_.read(wire_.numbers().toWire(static_cast<uint16_t>(index)), out);
     return status;
   }
 

@@ -179,7 +179,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   MAVMISSION_APART MAVMISSION_ONE_EXIT void prepareItem(uint16_t wireItem, uint16_t nowMs);
   Status proven(uint32_t opaqueId);
   MAVMISSION_ONE_EXIT void continueUpload(Status status, uint16_t nowMs);
-  uint16_t ownItem(uint16_t wireItem) const;
+  uint16_t ownItem(uint16_t wireItem) const { return plan_.numbers().toOwn(wireItem); }
   void report(uint16_t done);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
   Status refuse(Status why) {
@@ -196,10 +196,13 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void sendAck(uint8_t result, PlanType type);
   MAVMISSION_APART void sendShort(KeyIndex message, uint16_t number, PlanType type);
   void endClearing(Status status);
-  uint8_t homeBefore() const;
   static Status announcePart(Client& client, bool isBeginning);
-  // Items on the wire before the sketch's first.
-  uint8_t homeItems() const { return has(firmware(), kHomeIsItem0) && !rest_.raw ? 1 : 0; }
+  // Of the mission aboard, whatever plan_ is.
+  ItemNumbers numbersAboard() const {
+    ItemNumbers numbers;
+    numbers.begin(firmware(), PlanType::Mission, rest_.raw);
+    return numbers;
+  }
   void noteAccepted();
   void setPlan(const ItemSource& plan, PlanType type);
   void setPlanToVerify(const ItemSource& plan, PlanType type);

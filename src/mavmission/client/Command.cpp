@@ -363,11 +363,11 @@ Status MissionClient::setCurrentItem(uint16_t item) {
 
 Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, const FrameParser* frame, uint16_t) {
   Commanding& commanding = client.commanding_;
-  const bool hasHome = has(client.firmware(), kHomeIsItem0);
+  const ItemNumbers numbers = client.numbersAboard();
   switch (event) {
     case CommandEvent::Ready:
       if (!client.hasItem(commanding.item)) return Status::NoSuchItem;
-      commanding.item += client.homeItems();
+      commanding.item = numbers.toWire(commanding.item);
       break;
     case CommandEvent::Refused:
       if (status != Status::CommandUnsupported) break;
@@ -382,8 +382,8 @@ Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, c
       if (current.seq == commanding.item) return Status::Done;
       const uint16_t total = current.total;
       if (total == 0) break;  // the autopilot does not report a total
-      if (total != 0xFFFF && commanding.item < total + (hasHome ? 1u : 0u)) break;
-      client.state_.failedItem = client.itemFromWire(commanding.item);
+      if (total != 0xFFFF && commanding.item < total + numbers.home()) break;
+      client.state_.failedItem = numbers.toOwn(commanding.item);
       return Status::NoSuchItem;
     }
     default: break;
@@ -413,8 +413,7 @@ void Client::fillInterval(Client& client, FlightCommand& command) {
 }
 
 uint16_t Port::itemFromWire(uint16_t wireItem) const {
-  const uint8_t home = static_cast<const Client&>(*this).homeItems();
-  return wireItem < home ? kNoItem : wireItem - home;
+  return static_cast<const Client&>(*this).numbersAboard().toOwn(wireItem);
 }
 
 }  // namespace mavmission

@@ -23,12 +23,9 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
 Status Client::storeItem(Client& client, uint16_t wireItem, MissionItem& item) {
   const ItemSink& sink = client.reading_.sink;
   if (sink.isReady != nullptr && !sink.isReady(sink.context)) return Status::Checking;
-  uint16_t index = wireItem;
-  if (!client.rest_.raw) {
-    if (client.homeBefore() != 0) index = wireItem == 0 ? kHomeIndex : wireItem - 1;
-    fromWire(item, client.plan_.firmware());
-  }
-  return sink.write(sink.context, index, item) ? Status::Transferring : Status::SinkFull;
+  if (!client.rest_.raw) fromWire(item, client.plan_.firmware());
+  static_assert(kHomeIndex == static_cast<uint16_t>(0 - 1), "the number that ItemNumbers::toOwn() gives home");
+  return sink.write(sink.context, client.ownItem(wireItem), item) ? Status::Transferring : Status::SinkFull;
 }
 
 }  // namespace mavmission

@@ -164,7 +164,7 @@ void Client::takeLookCount(const FrameParser& frame, uint16_t nowMs) {
 Status Client::ensureItem(Client& client, uint16_t wireItem, MissionItem& item) {
   const Status compared = compareItem(client, wireItem, item);
   if (compared == Status::Transferring || compared == Status::Checking) return compared;
-  client.state_.failedItem = client.ownItem(wireItem);
+  client.noteFailed(wireItem);
   if (compared != Status::Differs) {
     client.rest_.field = ItemField::None;
     client.endLook(compared);

@@ -12,7 +12,7 @@ float MissionClient::keptValue() {
   // Parameters::set() ends so too, without an item.
   const bool isItem = state_.status == Status::NotKept && state_.failedItem != kNoItem;
   Status read = isItem ? Status::Checking : Status::NotKept;
-  while (read == Status::Checking) read = plan_.read(state_.failedItem + homeBefore(), item);
+  while (read == Status::Checking) read = plan_.read(plan_.numbers().toWire(state_.failedItem), item);
   if (read != Status::Accepted) return Yaw().inDegrees();  // NaN
   return mavmission::keptValue(item, rest_.field, plan_.keeper());
 }

@@ -18,10 +18,7 @@ bool Port::namesOther(const FrameParser& frame) const {
   const bool isTotalKnown = has(client.firmware(), kTellsTotal) && client.rest_.planType == PlanType::Mission &&
                             frame.payloadByte(offsetof(Current, mission_state)) != MISSION_STATE_UNKNOWN;
   if (!isTotalKnown) return false;
-  // ArduPilot does not count home; a plan in raw numbering does.
-  const bool hasHome = !isGenericKnown() || has(client.firmware(), kHomeIsItem0);
-  const uint16_t home = hasHome && client.rest_.raw && client.plan_.count() != 0 ? 1 : 0;
-  return total + home != client.plan_.count();
+  return total != client.numbersAboard().toldTotal(client.plan_.count());
 }
 
 }  // namespace mavmission

@@ -23,7 +23,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
 }
 
 Status Client::announcePart(Client& client, bool isBeginning) {
-  const uint16_t first = client.partFirst_ + client.plan_.homeItems();
+  const uint16_t first = client.plan_.numbers().toWire(client.partFirst_);
   const uint16_t behind = first + client.partCount_;
   if (isBeginning) {
     client.transfer_.limitTo(first, behind);

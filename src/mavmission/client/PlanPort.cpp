@@ -87,8 +87,8 @@ Status PlanPort::compare(uint16_t wireItem, MissionItem& item) {
 
 void PlanPort::progress(uint16_t wireItems) {
   Client& client = static_cast<Client&>(*this);
-  const uint8_t home = client.homeBefore();
-  if (!client.state_.proving && wireItems > home) client.report(wireItems - home);
+  const uint16_t items = client.plan_.numbers().ownCount(wireItems);
+  if (!client.state_.proving && items != 0) client.report(items);
 }
 
 void PlanPort::forgetFailed() {

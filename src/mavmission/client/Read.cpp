@@ -49,9 +49,6 @@ Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proo
   return status;
 }
 
-// 1 where the autopilot's item 0 is home and the sketch does not count home as an item, else 0.
-uint8_t Client::homeBefore() const { return plan_.beginsWithHome() ? 1 : 0; }
-
 bool PlanPort::isTypeCarried() const {
   const Client& client = static_cast<const Client&>(*this);
   return client.state_.type == PlanType::Mission || client.link_.version() != 1;
@@ -156,7 +153,7 @@ void Client::takeReadCount(const FrameParser& frame, uint16_t nowMs) {
 Status PlanPort::takeCount(uint16_t count) {
   Client& client = static_cast<Client&>(*this);
   if (!client.state_.isCompared) {
-    const uint16_t items = client.homeBefore() != 0 && count > 0 ? count - 1 : count;
+    const uint16_t items = client.plan_.numbers().ownCount(count);
     client.rest_.itemsTotal = items;
     return items > client.reading_.sink.limit ? Status::SinkFull : Status::Transferring;
   }
@@ -165,11 +162,7 @@ Status PlanPort::takeCount(uint16_t count) {
   return Status::Differs;
 }
 
-// ArduPilot without a plan reports a count of 0, or of 1 for its home.
-bool Client::isOurCount(uint16_t count) const {
-  const bool isBothEmpty = homeBefore() != 0 && plan_.count() == 0 && count <= 1;
-  return isBothEmpty || count == plan_.wireCount();
-}
+bool Client::isOurCount(uint16_t count) const { return plan_.numbers().isCountOf(plan_.count(), count); }
 
 void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
   union {
@@ -204,14 +197,13 @@ void Client::takeReadItem(const FrameParser& frame, uint16_t nowMs) {
   }
   transfer.onItem(nowMs, link_.pace());
   // The progress of an upload stands still during its read-back: the upload is complete only when it is proven.
-  if (!state_.proving) report(seq + 1 - homeBefore());
+  if (!state_.proving) report(ownItem(seq) + 1);
 }
 
 Status Client::compareItem(Client& client, uint16_t wireItem, MissionItem& item) {
   WirePlan& plan = client.plan_;
-  const bool hasHome = plan.has(kHomeIsItem0) && client.state_.type == PlanType::Mission;
   ItemField field = ItemField::Command;
-  if (wireItem == 0 && hasHome) {
+  if (plan.numbers().isHome(wireItem)) {
     // Home is the autopilot's own, however the sketch counts, and nothing else: not what we have sent in its place.
     if (item.command == kNavWaypoint && item.frame == Frame::Global) return Status::Transferring;
   } else {

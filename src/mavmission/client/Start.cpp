@@ -51,7 +51,7 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
   }
   client.noteStart();
   if (status == Status::Unproven) client.setAboard(PlanType::Mission, Aboard::OtherPlan);
-  if (status == Status::OtherItem) client.state_.failedItem = client.ownItem(start.seen());
+  if (status == Status::OtherItem) client.noteFailed(start.seen());
   return start.isLooking() && status == Status::Transferring ? Status::Checking : status;
 }
 
@@ -72,7 +72,7 @@ void Client::beginStart() {
   beginPlan();
   // ArduPilot's item 0 is home. When home is set as the current item, ArduPilot resets its jump counters and begins
   // with item 1.
-  const uint16_t first = item != 0 ? item + homeBefore() : item;
+  const uint16_t first = item != 0 ? plan_.numbers().toWire(item) : item;
   // If the plan that was uploaded last is a fence, plan_ is no mission any more.
   commanding_.start.begin(first, rest_.planType == PlanType::Mission, plan_.firmware());
 }

@@ -172,7 +172,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
 Status Client::proven(uint32_t opaqueId) {
   // ArduPilot asks by MISSION_REQUEST. Another one may only say that it is an ArduPilot, and hold as the first item
   // what was sent in home's place.
-  if (plan_.homeItems() != 0 && transfer_.isAskedByInt()) return Status::Unconfirmed;
+  if (plan_.numbers().before() != 0 && transfer_.isAskedByInt()) return Status::Unconfirmed;
   if (!state_.floatItems) {
     // What a server does whose ways are not known is not known: Betaflight deletes the plan that it has just accepted,
     // when a network brings our COUNT once more. Reading shows that. (Behind an empty plan there is nothing to be
@@ -188,7 +188,7 @@ Status Client::proven(uint32_t opaqueId) {
 void Client::continueUpload(Status status, uint16_t nowMs) {
   if (state_.status != Status::Transferring) return;  // the source has refused the item that was to be sent
   // The autopilot holds every item that it has requested except the last one.
-  const uint16_t notHeld = plan_.homeItems() + 1;
+  const uint16_t notHeld = plan_.numbers().before() + 1;
   if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
   if (status == Status::Transferring) return;
 
@@ -240,11 +240,6 @@ Aboard Client::aboardAfterUpload(Status status) const {
 void PlanPort::noteFailed(uint16_t wireItem) {
   Client& client = static_cast<Client&>(*this);
   client.state_.failedItem = client.ownItem(wireItem);
-}
-
-uint16_t Client::ownItem(uint16_t wireItem) const {
-  static_assert(static_cast<uint16_t>(0 - 1) == kNoItem, "the sketch's number of home must be kNoItem");
-  return wireItem - homeBefore();
 }
 
 // Sends what is due. An item is packed before it is requested, while the line waits for the autopilot: the answer to

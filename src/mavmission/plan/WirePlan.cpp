@@ -74,12 +74,7 @@ void WirePlan::setSource(const ItemSource& plan) {
 void WirePlan::begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool raw) {
   firmware_ = firmware;
   keeper_ = keeperOf(firmware, vehicleType, type);
-  homeItems_ = 0;
-  if (raw || type != PlanType::Mission) {
-    keeper_ |= kIsRaw;
-  } else if (has(kHomeIsItem0) && count_ != 0) {
-    homeItems_ = 1;
-  }
+  numbers_.begin(firmware, type, raw);
   searched_ = 0;
 }
 
@@ -116,7 +111,7 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
   if (item.command == kDoJump) {
     const uint16_t target = static_cast<uint16_t>(wholeNumber(&item.param1));  // 65535, which is beyond: it is none
     // Home cannot be a jump's target. With raw item numbers, home is item 0.
-    if (target >= count_ || (target == 0 && has(kHomeIsItem0) && (keeper_ & kIsRaw) != 0)) return Status::BadJump;
+    if (target >= count_ || numbers_.isOwnHome(target)) return Status::BadJump;
   }
   return Status::Accepted;
 }
@@ -148,7 +143,7 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
 }
 
 Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
-  if (homeItems() != 0) {
+  if (numbers_.before() != 0) {
     if (wireIndex == 0) {
       // ArduPilot parses item 0, but then stores its own home instead, and gives back that. Who only says that it is an
       // ArduPilot stores the item, and may fly it: so it is one that moves nothing (CONDITION_DELAY for 0 s), and that
@@ -179,7 +174,7 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
     const Status checked = check(item, rules);
     if (checked != Status::Accepted) return checked;
-    if (homeItems() != 0) {
+    if (numbers_.before() != 0) {
       if (isJump) item.param1 = oneMore(item.param1);
     } else if ((isByPx4(keeper_) || isByOwn(keeper_)) && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
       // The search reads other items over this one, which is read again afterwards: this saves the stack of a second
@@ -201,7 +196,7 @@ void fromWire(MissionItem& item, Firmware firmware) {
   const bool isJump = item.command == kDoJump;
   if (has(firmware, kWantsRepeatsWithin16) && isJump && is(item.param2, k65535)) item.param2 = -1;
   if (has(firmware, kDropsNanYaw) && rules.hasYaw()) item.param4 = Yaw().inDegrees();
-  if (has(firmware, kHomeIsItem0) && isJump) item.param1 = oneLess(item.param1);
+  if (ItemNumbers::hasHome(firmware) && isJump) item.param1 = oneLess(item.param1);
 }
 
 }  // namespace detail

@@ -12,6 +12,7 @@
 #include "../Status.h"
 #include "../autopilot/Commands.h"
 #include "../autopilot/Personality.h"
+#include "ItemNumbers.h"
 
 namespace mavmission {
 namespace detail {
@@ -37,20 +38,17 @@ class WirePlan {
   // The autopilot that will keep the plan, and the plan's type.
   Keeper keeper() const { return keeper_; }
 
-  // True if this autopilot's wire item 0 is home and the sketch does not count home as an item.
-  bool beginsWithHome() const { return has(kHomeIsItem0) && (keeper_ & kIsRaw) == 0; }
-
   // The number of the sketch's items.
   uint16_t count() const { return count_; }
 
-  // 1 if home is added as wire item 0, else 0. Home is not added to an empty plan: COUNT 0 clears the plan aboard.
-  uint8_t homeItems() const { return kServesArduPilot ? homeItems_ : 0; }
+  // The numbers of its items, the sketch's and those on the wire.
+  const ItemNumbers& numbers() const { return numbers_; }
 
   // True if there are more items, home included, than the protocol can count.
-  bool isTooLong() const { return count_ == 0xFFFF && homeItems() != 0; }
+  bool isTooLong() const { return count_ == 0xFFFF && numbers_.before() != 0; }
 
   // The number of items on the wire, home included. Not valid when isTooLong().
-  uint16_t wireCount() const { return count_ + homeItems(); }
+  uint16_t wireCount() const { return numbers_.wireCount(count_); }
 
   // Makes wire item `wireIndex` (below wireCount()). Status::Accepted: `item` is the item to send. Status::Checking:
   // the search for a place goes on, a few items in every call; call again. Any other status: the plan cannot be sent to
@@ -58,7 +56,6 @@ class WirePlan {
   Status read(uint16_t wireIndex, MissionItem& item);
 
  private:
-  static constexpr uint8_t kIsRaw = 64;  // a further flag beside those of a Keeper
   MAVMISSION_APART Status check(const MissionItem& item, const Rules& rules) const;
   // Searches for the item with a place that is nearest to item `index`. `item` holds item `index` before the call, and
   // the item that was found after it.
@@ -69,8 +66,8 @@ class WirePlan {
   uint16_t count_;
   uint16_t searched_;  // how many positions around an item without a place have been searched
   Firmware firmware_;
-  uint8_t homeItems_;
-  Keeper keeper_;  // a Keeper's flags, and kIsRaw
+  ItemNumbers numbers_;
+  Keeper keeper_;
 };
 
 // The opposite conversion: turns a mission item, as the autopilot gave it, into the item that a sketch would have

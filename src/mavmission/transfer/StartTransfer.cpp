@@ -6,6 +6,7 @@
 #include "../autopilot/Vehicle.h"
 #include "../base/FloatBits.h"
 #include "../base/MavlinkHeaders.h"
+#include "../plan/ItemNumbers.h"
 
 namespace mavmission {
 namespace detail {
@@ -42,9 +43,7 @@ void StartTransfer::begin(uint16_t first, bool isMission, Firmware firmware) {
 }
 
 // The wire item with which the flight begins, which is never home.
-uint16_t StartTransfer::firstItem(Firmware firmware) const {
-  return first_ == 0 && has(firmware, kHomeIsItem0) ? 1 : first_;
-}
+uint16_t StartTransfer::firstItem(Firmware firmware) const { return ItemNumbers::firstFlown(first_, firmware); }
 
 void StartTransfer::lookFromFirst(Firmware firmware) {
   next_ = firstItem(firmware);

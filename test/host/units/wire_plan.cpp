@@ -65,7 +65,7 @@ TEST_CASE("ArduPilot gets home before the plan, the others do not") {
   for (Firmware firmware : kAll) {
     Plan plan({kHere, kHere}, firmware);
     const bool isArduPilot = firmware == Firmware::ArduPilot;
-    CHECK(plan.wire.homeItems() == (isArduPilot ? 1 : 0));
+    CHECK(plan.wire.numbers().before() == (isArduPilot ? 1 : 0));
     CHECK(plan.wire.wireCount() == (isArduPilot ? 3 : 2));
     CHECK((plan.read(0, item) == Status::Accepted));
     CHECK(item.command == (isArduPilot ? 112 : kNavWaypoint));  // CONDITION_DELAY: no home can be that
