@@ -255,9 +255,10 @@ def test_start_mission_that_resets_in_flight_changes_nothing(run):
 BUTTON = 0x2C, 1 << 4  # pin 2 of a Mega: PINE, bit 4
 
 
-def press(example: Run, *, is_down: bool = True) -> None:
-    pins = example.mega.peek_int(BUTTON[0])
-    example.mega.poke_int(BUTTON[0], pins & ~BUTTON[1] if is_down else pins | BUTTON[1])
+def press(example: Run, *, button: tuple[int, int] = BUTTON, is_down: bool = True) -> None:
+    place, bit = button
+    pins = example.mega.peek_int(place)
+    example.mega.poke_int(place, pins & ~bit if is_down else pins | bit)
 
 
 def test_start_button_that_is_held_for_two_seconds_starts_the_mission(run):
@@ -393,7 +394,7 @@ def test_go_to_places_leaves_the_aircraft_to_a_pilot_who_takes_it(run, personali
     assert autopilot.armed and "to 3" not in example.lines and "home" not in example.lines
 
 
-TARGET = "SET_POSITION_TARGET_GLOBAL_INT"
+TARGET, VELOCITY = "SET_POSITION_TARGET_GLOBAL_INT", "SET_POSITION_TARGET_LOCAL_NED"
 
 
 def test_follow_beacon_is_behind_its_target_holds_and_comes_home(run):
@@ -424,6 +425,59 @@ def test_follow_beacon_leaves_the_aircraft_to_a_pilot_who_takes_it(run):
     example.run(10.0)
     assert sent > 0 and len(example.autopilot.messages(">", TARGET)) == sent
     assert example.autopilot.armed and "home" not in example.lines
+
+
+FORWARD, LEFT, RIGHT = (0x2C, 1 << 5), (0x32, 1 << 5), (0x2C, 1 << 3)  # pins 3, 4 and 5 of a Mega: PE5, PG5, PE3
+
+
+def aloft(run) -> Run:
+    """FlyByButtons at its height, and no button is held."""
+    example = run("FlyByButtons")
+    example.run(3.0)
+    press(example)
+    example.run(0.2)
+    press(example, is_down=False)
+    while example.lines.count("done: the autopilot confirmed it") < 2:
+        assert example.now < 100, example.lines
+        example.run(0.5)
+    return example
+
+
+def test_fly_by_buttons_flies_as_long_as_a_button_is_held_and_lands(run):
+    example = aloft(run)
+    flight = example.autopilot.flight
+    ground = flight.home._replace(height=flight.where(example.now).height)
+    example.run(2.0)
+    assert flight.where(example.now).distance(ground) < 0.5
+    press(example, button=FORWARD)
+    example.run(5.0)
+    press(example, button=FORWARD, is_down=False)
+    example.run(4.0)
+    there = flight.where(example.now)
+    assert 7.0 < there.distance(ground) < 14.0
+    heading = flight.heading(example.now)
+    press(example, button=LEFT)
+    example.run(3.0)
+    press(example, button=LEFT, is_down=False)
+    example.run(2.0)
+    turned = (flight.heading(example.now) - heading + 180) % 360 - 180
+    assert -80 < turned < -40 and flight.where(example.now).distance(there) < 0.5
+    press(example)
+    example.until("landed", 60.0)
+    assert not example.autopilot.armed and example.lines[-2:] == ["done: the autopilot confirmed it", "landed"]
+
+
+def test_fly_by_buttons_leaves_the_aircraft_to_a_pilot_who_takes_it(run):
+    example = aloft(run)
+    press(example, button=FORWARD)
+    example.run(1.0)
+    example.autopilot._set_mode(*((5,) if is_ardupilot(example) else (3, 0)), example.now)
+    example.until("a pilot or another station is in control", 5.0)
+    sent = len(example.autopilot.messages(">", VELOCITY))
+    press(example)
+    example.run(10.0)
+    assert sent > 0 and len(example.autopilot.messages(">", VELOCITY)) == sent
+    assert example.autopilot.armed and "landed" not in example.lines
 
 
 def test_work_at_waypoints_holds_the_mission_at_each_and_goes_on(run):

@@ -64,7 +64,7 @@ def test_every_example_is_offered_and_those_that_arm_are_known(folder):
     arms = re.compile(r"autopilot\.(start|arm|startFrom)\(|offerStart\(|offerAll\(|takeOff\(")
     assert arming == {name for name, text in sources.items() if arms.search(text)}
     assert {"StartMission", "StartButton", "NextWaypoint", "PlanConsole", "GoToPlaces", "WorkAtWaypoints",
-            "FollowBeacon"} == arming  # fmt: skip
+            "FollowBeacon", "FlyByButtons"} == arming  # fmt: skip
 
 
 def test_the_page_knows_which_sketches_read_what_is_typed(folder):
