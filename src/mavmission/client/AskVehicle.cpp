@@ -20,9 +20,7 @@ bool CommandPort::asksVehicle() {
   return true;
 }
 
-bool CommandPort::isAskingVehicle() const {
-  return static_cast<const Client&>(*this).commanding_.fill == Client::fillVehicle;
-}
+bool CommandPort::isAskingVehicle() const { return static_cast<const Client&>(*this).isVehicleAsked(); }
 
 void Client::fillVehicle(Client&, FlightCommand& command) {
   command.id = MAV_CMD_DO_VTOL_TRANSITION;

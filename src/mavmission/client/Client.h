@@ -139,6 +139,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   bool hasItem(uint16_t item);
   uint8_t vehicleType() const { return link_.finder().vehicleType(); }
   static void fillVehicle(Client&, FlightCommand& command);
+  bool isVehicleAsked() const { return commanding_.fill == fillVehicle; }
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
   static Status compareFirst(Client& client, uint16_t wireItem, MissionItem& item);

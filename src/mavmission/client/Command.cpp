@@ -294,7 +294,7 @@ Status Client::onCustomMode(Client& client, CommandEvent event, Status status, c
 Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                            uint16_t nowMs) {
   Modes& mode = client.commanding_.mode;
-  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillMode);
+  if (client.isVehicleAsked()) return client.onVehicle(event, status, fillMode);
   if (event == CommandEvent::Ready) {
     if (client.numberOf(mode.named) != kNoMode && client.asksVehicle()) return status;
     mode.number = client.numberOf(mode.named);
@@ -383,7 +383,7 @@ Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, c
       const uint16_t total = current.total;
       if (total == 0) break;  // the autopilot does not report a total
       if (total != 0xFFFF && commanding.item < total + numbers.home()) break;
-      client.state_.failedItem = numbers.toOwn(commanding.item);
+      client.state_.failedItem = client.itemFromWire(commanding.item);
       return Status::NoSuchItem;
     }
     default: break;
@@ -413,7 +413,7 @@ void Client::fillInterval(Client& client, FlightCommand& command) {
 }
 
 uint16_t Port::itemFromWire(uint16_t wireItem) const {
-  return static_cast<const Client&>(*this).numbersAboard().toOwn(wireItem);
+  return wireItem - static_cast<const Client&>(*this).numbersAboard().before();
 }
 
 }  // namespace mavmission

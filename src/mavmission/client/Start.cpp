@@ -19,7 +19,7 @@ Status MissionClient::start(uint16_t item) {
 Status Client::onStart(Client& client, CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
   StartTransfer& start = client.commanding_.start;
   CommandTransfer& sending = client.commanding_.transfer;
-  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillStart);
+  if (client.isVehicleAsked()) return client.onVehicle(event, status, fillStart);
   if (start.state() == StartTransfer::State::New) {
     status = client.mayStart();
     if (status != Status::Transferring || client.asksVehicle()) return status;
@@ -51,7 +51,7 @@ Status Client::onStart(Client& client, CommandEvent event, Status status, const 
   }
   client.noteStart();
   if (status == Status::Unproven) client.setAboard(PlanType::Mission, Aboard::OtherPlan);
-  if (status == Status::OtherItem) client.noteFailed(start.seen());
+  if (status == Status::OtherItem) client.state_.failedItem = client.ownItem(start.seen());
   return start.isLooking() && status == Status::Transferring ? Status::Checking : status;
 }
 
@@ -129,7 +129,7 @@ Status MissionClient::startMission() { return beginCommand(fillBegin, onStartMis
 Status Client::onStartMission(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                               uint16_t nowMs) {
   Commanding& commanding = client.commanding_;
-  if (client.isAskingVehicle()) return client.onVehicle(event, status, fillBegin);
+  if (client.isVehicleAsked()) return client.onVehicle(event, status, fillBegin);
   const bool isRestoring = commanding.mode.order.isRestoring();
   if (event == CommandEvent::Ready) {
     commanding.mode.number = client.numberOf(FlightMode::Auto);

@@ -172,7 +172,7 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
 Status Client::proven(uint32_t opaqueId) {
   // ArduPilot asks by MISSION_REQUEST. Another one may only say that it is an ArduPilot, and hold as the first item
   // what was sent in home's place.
-  if (plan_.numbers().before() != 0 && transfer_.isAskedByInt()) return Status::Unconfirmed;
+  if (plan_.numbers().isHomeAdded() && transfer_.isAskedByInt()) return Status::Unconfirmed;
   if (!state_.floatItems) {
     // What a server does whose ways are not known is not known: Betaflight deletes the plan that it has just accepted,
     // when a network brings our COUNT once more. Reading shows that. (Behind an empty plan there is nothing to be

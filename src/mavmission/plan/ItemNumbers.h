@@ -20,6 +20,7 @@ class ItemNumbers {
 
   // 1 if home is on the wire before the sketch's first item, else 0.
   uint8_t before() const { return kServesArduPilot ? home_ & kBefore : 0; }
+  bool isHomeAdded() const { return kServesArduPilot && home_ == kBefore; }
   // 1 if wire item 0 is home, whoever counts it, else 0.
   uint8_t home() const { return kServesArduPilot && home_ != 0 ? 1 : 0; }
   bool isHome(uint16_t wireItem) const { return wireItem < home(); }

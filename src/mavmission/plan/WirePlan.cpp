@@ -143,7 +143,7 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
 }
 
 Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
-  if (numbers_.before() != 0) {
+  if (numbers_.isHomeAdded()) {
     if (wireIndex == 0) {
       // ArduPilot parses item 0, but then stores its own home instead, and gives back that. Who only says that it is an
       // ArduPilot stores the item, and may fly it: so it is one that moves nothing (CONDITION_DELAY for 0 s), and that
@@ -174,7 +174,7 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
     const Status checked = check(item, rules);
     if (checked != Status::Accepted) return checked;
-    if (numbers_.before() != 0) {
+    if (numbers_.isHomeAdded()) {
       if (isJump) item.param1 = oneMore(item.param1);
     } else if ((isByPx4(keeper_) || isByOwn(keeper_)) && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
       // The search reads other items over this one, which is read again afterwards: this saves the stack of a second

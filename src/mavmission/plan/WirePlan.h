@@ -45,10 +45,10 @@ class WirePlan {
   const ItemNumbers& numbers() const { return numbers_; }
 
   // True if there are more items, home included, than the protocol can count.
-  bool isTooLong() const { return count_ == 0xFFFF && numbers_.before() != 0; }
+  bool isTooLong() const { return count_ == 0xFFFF && numbers_.isHomeAdded(); }
 
   // The number of items on the wire, home included. Not valid when isTooLong().
-  uint16_t wireCount() const { return numbers_.wireCount(count_); }
+  MAVMISSION_APART uint16_t wireCount() const { return numbers_.wireCount(count_); }
 
   // Makes wire item `wireIndex` (below wireCount()). Status::Accepted: `item` is the item to send. Status::Checking:
   // the search for a place goes on, a few items in every call; call again. Any other status: the plan cannot be sent to
