@@ -52,9 +52,13 @@ inline void writeLed(bool isOn) {
 #else
   const uint8_t pin = LED_BUILTIN;
 #endif
-  static bool isOutput = false;  // some cores make a pin anew, dark for a moment, with each pinMode()
-  if (!isOutput) pinMode(pin, OUTPUT);
-  isOutput = true;
+  // Only what changes: on an ESP32 whose LED is a colour one, digitalWrite() waits until the colour has been sent, on a
+  // Pico W until the radio has taken it. And some cores make a pin anew, dark for a moment, with each pinMode().
+  static uint8_t shown = 0;  // nothing yet
+  const uint8_t wanted = isOn ? 2 : 1;
+  if (shown == wanted) return;
+  if (shown == 0) pinMode(pin, OUTPUT);
+  shown = wanted;
   digitalWrite(pin, isOn ? HIGH : LOW);
 }
 #else
