@@ -33,6 +33,7 @@ def test_sizes_are_within_their_bounds(folder):
         "avr8js": size(folder, "vendor/avr8js/*/*"),
         "hex": max(file.stat().st_size for file in folder.glob("examples/*.hex")),
         "hearing": size(folder, "hearing.wasm"),
+        "recorded": size(folder, "examples/recorded.json"),
         "world": size(folder, "world.zip"),
         "folder": sum(file.stat().st_size for file in files),
         "gzipped": sum(len(gzip.compress(file.read_bytes(), 6)) for file in files),
@@ -65,6 +66,25 @@ def test_every_example_is_offered_and_those_that_arm_are_known(folder):
     assert arming == {name for name, text in sources.items() if arms.search(text)}
     assert {"StartMission", "StartButton", "NextWaypoint", "PlanConsole", "GoToPlaces", "WorkAtWaypoints",
             "FollowBeacon", "FlyByButtons"} == arming  # fmt: skip
+
+
+def test_the_run_that_the_page_opens_with_is_recorded_and_flies(folder):
+    recorded = json.loads((folder / "examples" / "recorded.json").read_text())
+    address = (folder / "address.js").read_text()
+    assert f'example: "{recorded["example"]}", autopilot: "{recorded["autopilot"]}"' in address
+    heights = [(time, news["vehicle"]["height"]) for time, news, _ in recorded["told"] if "vehicle" in news]
+    assert max(height for _, height in heights) == 10
+    first = next(time for time, height in heights if height > 0)
+    assert 0 <= first - recorded["from"] <= 1.1  # from the first picture to the takeoff
+    printed = "".join(words for _, _, words in recorded["told"])
+    assert "accepted: the plan is aboard" in printed and "landed" in printed
+
+
+def test_the_page_knows_how_much_it_fetches_before_its_first_run(folder):
+    known = json.loads((folder / "examples" / "examples.json").read_text())
+    fetched = size(folder, "hearing.wasm", "world.zip", "vendor/pyodide/*.wasm", "vendor/pyodide/*.zip",
+                   "vendor/pyodide/*.json")  # fmt: skip
+    assert known["loads"] == fetched > 10_000_000
 
 
 def test_the_page_knows_which_sketches_read_what_is_typed(folder):
@@ -118,6 +138,7 @@ def test_the_command_puts_a_copy_where_it_is_told(tmp_path):
                           capture_output=True, text=True, check=False)  # fmt: skip
     assert said.returncode == 0, said.stderr
     assert (tmp_path / "copy" / "index.html").is_file() and "MB" in said.stdout
+    assert "making 1 of " in said.stdout
 
 
 def test_a_release_has_the_folder_as_an_archive_and_the_same_folder_makes_the_same_one(folder, tmp_path):

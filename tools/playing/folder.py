@@ -6,6 +6,7 @@ import fcntl
 import json
 import re
 import shutil
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from building import BUILD, BuildFailed
 
 from .hearing import NotCompiled, compile_hearing
 from .licences import copy_licences
+from .recorded import make_recorded
 from .sketches import make_sketches
 from .world import make_world
 
@@ -26,6 +28,10 @@ AVR8JS = ("cpu/cpu", "cpu/instruction", "cpu/interrupt", "peripherals/adc", "per
           "peripherals/timer")  # fmt: skip
 IMPORT = re.compile(r"(from ')(\.[^']*)(')")
 PYODIDE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
+
+# What the page's Python fetches before it is ready.
+FETCHED = ("hearing.wasm", "world.zip", "vendor/pyodide/pyodide.asm.wasm", "vendor/pyodide/python_stdlib.zip",
+           "vendor/pyodide/pyodide-lock.json")  # fmt: skip
 
 
 class NotMade(Exception):
@@ -44,8 +50,12 @@ class Made:
         return sum(self.sizes.values())
 
 
-def make_folder(folder: Path = SITE) -> Made:
-    """Make it anew. Raises NotMade."""
+def silent(what: str) -> None:
+    """Tell nobody."""
+
+
+def make_folder(folder: Path = SITE, tell: Callable[[str], None] = silent) -> Made:
+    """Make it anew; what was compiled before is kept. tell: is called with what is made next. Raises NotMade."""
     if not (NPM / "pyodide").is_dir() or not (NPM / "avr8js").is_dir():
         raise NotMade("avr8js and pyodide are missing: run tools/setup playground")
     folder.parent.mkdir(parents=True, exist_ok=True)
@@ -55,7 +65,7 @@ def make_folder(folder: Path = SITE) -> Made:
         shutil.rmtree(fresh, ignore_errors=True)
         shutil.copytree(PAGE, fresh)
         try:
-            fill(fresh)
+            fill(fresh, tell)
         except (BuildFailed, NotCompiled, OSError) as error:
             raise NotMade(str(error)) from error
         shutil.rmtree(folder, ignore_errors=True)
@@ -63,7 +73,7 @@ def make_folder(folder: Path = SITE) -> Made:
     return Made(folder, sizes_of(folder))
 
 
-def fill(folder: Path) -> None:
+def fill(folder: Path, tell: Callable[[str], None]) -> None:
     vendor = folder / "vendor"
     for name in AVR8JS:
         target = vendor / "avr8js" / f"{name}.js"
@@ -72,9 +82,13 @@ def fill(folder: Path) -> None:
     (vendor / "pyodide").mkdir()
     for name in PYODIDE:
         shutil.copyfile(NPM / "pyodide" / name, vendor / "pyodide" / name)
+    tell("the autopilots' parser, and their Python")
     compile_hearing(folder / "hearing.wasm")
     make_world(folder / "world.zip")
-    make_sketches(folder / "examples")
+    loads = sum((folder / name).stat().st_size for name in FETCHED)
+    make_sketches(folder / "examples", loads, tell)
+    tell("the run that the page opens with")
+    make_recorded(folder / "examples" / "recorded.json", folder / "world.zip")
     copy_licences(folder / "licences", NPM, {name: version(name) for name in ("avr8js", "pyodide")})
 
 

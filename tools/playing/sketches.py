@@ -6,7 +6,7 @@ import json
 import math
 import re
 import shutil
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -31,13 +31,18 @@ ARMING = re.compile(
 LISTENS = re.compile(r"\(CONSOLE,|CONSOLE\.(read|available|parse|find)")
 
 
-def make_sketches(folder: Path) -> None:
-    """folder/NAME.hex for each example, and folder/examples.json."""
+def make_sketches(folder: Path, loads: int, tell: Callable[[str], None]) -> None:
+    """folder/NAME.hex and NAME.ino for each example, and folder/examples.json. loads: what the page fetches before its
+    first run [bytes]; tell: is called with what is made next."""
     folder.mkdir(parents=True, exist_ok=True)
     # In the order in which one learns, which is README.md's.
     readme = (ROOT / "README.md").read_text()
     names = sorted(example_folders(), key=lambda name: readme.index(f"\n| [{name}]("))
-    known = {"examples": [made(name, folder) for name in names],
+    examples = []
+    for number, name in enumerate(names, start=1):
+        tell(f"{number} of {len(names)}: {name}")
+        examples.append(made(name, folder))
+    known = {"examples": examples, "loads": loads,
              "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
              "ends": ends()}  # fmt: skip
     (folder / "examples.json").write_text(json.dumps(known, separators=(",", ":"), allow_nan=False) + "\n")

@@ -9,7 +9,7 @@ export const MOST_BYTES = 10; // percent of the bytes, each way
 export const MOST_SEED = 999999;
 
 export const PLAIN = {
-  example: "UploadMission", autopilot: "ardupilot", loss: 0, bytes: 0, latency: 0, seed: 0, cable: "joined", lose: "",
+  example: "StartMission", autopilot: "ardupilot", loss: 0, bytes: 0, latency: 0, seed: 0, cable: "joined", lose: "",
   plan: "", draw: "",
 };
 const CABLES = ["joined", "pulled"];

@@ -14,6 +14,7 @@ import { PlanMap } from "./map.js";
 import { numbered, numberOf } from "./numbers.js";
 import { entryOf, exampleOf, isSketch } from "./own.js";
 import { PinPanel } from "./pins.js";
+import { Playback } from "./playback.js";
 import { isOffered, Pixhawk } from "./pixhawk.js";
 import { hasPlace } from "./places.js";
 import { Timeline } from "./timeline.js";
@@ -35,6 +36,7 @@ const NEXT = {
 };
 // What is done to the simulated line and autopilot, and not to a real one.
 const SIMULATED = ["cable", "lose", "latency", "reset-autopilot", "pilot", "battery", "station"];
+const NOT_ARMING = "UploadMission"; // which a real autopilot gets instead of one that arms
 const WRITTEN = "your sketch";
 const SHOWN_EVERY_MS = 150;
 const LARGEST_FILE = 64_000_000; // bytes, as tools/planning takes it
@@ -52,6 +54,10 @@ const editor = new Editor({
 }, (made) => runOwn(entryOf({
   ...made, name: WRITTEN, image: made.hex, says: "The sketch as it is written in the editor.",
 })));
+const playback = new Playback(({ now, news, printed }) => {
+  showNews({ now, news });
+  if (printed) print(printed);
+});
 const drawing = new Drawing(map, at("points"), drawn);
 const mega = new Worker("mega/worker.js", { type: "module" });
 const far = new Worker("far/worker.js", { type: "module" });
@@ -104,6 +110,7 @@ const isConsole = () => example().console;
 
 function begin() {
   run++;
+  playback.stop();
   clearTimeout(shownLater);
   shownLater = null;
   progress = {};
@@ -160,6 +167,7 @@ function firstWords() {
 
 // What the sketch does while no plan is on its way.
 function tellOfSketch() {
+  if (!isReady) return;
   const { name, reads, prints } = example();
   if (plan || isConsole() || Object.keys(progress).length) return;
   outcome(headline({ ...seen, name, reads, prints, autopilot: NAMES[autopilot()] }), seen.read ? "good" : "going");
@@ -206,6 +214,7 @@ mega.onerror = (error) => outcome(`The Mega's worker has failed: ${error.message
 far.onmessage = ({ data }) => {
   const { says } = data;
   if (says === "loading") loading(data.what);
+  if (says === "fetched") showFetched(data.bytes);
   if (says === "ready") ready(data.ms);
   if (says === "read") take(data);
   if (says === "drawn") showDrawn(data.files);
@@ -219,13 +228,33 @@ far.onmessage = ({ data }) => {
 far.onerror = (error) => outcome(`The autopilot's worker has failed: ${error.message}`, "bad");
 
 function loading(what) {
+  if (playback.isOn) return;
   const then = what === "Python" ? "Python, 13 MB" : "its messages and its parser";
   outcome(`The autopilot is loading: ${then}. Then the Mega is switched on.`, "loading");
+}
+
+function showFetched(bytes) {
+  const all = known?.loads || 0;
+  const seconds = Math.round(performance.now() / 1000);
+  at("fetched").value = all && Math.min(1, bytes / all);
+  const of = `${(bytes / 1e6).toFixed(1)} of ${(all / 1e6).toFixed(1)} MB, ${seconds} s`;
+  at("fetched-words").textContent = bytes < all ? of : `${of}: all is here, and is being started`;
+}
+
+// Until the autopilot is there, the run that the page opens with is shown as it was recorded.
+async function playRecorded() {
+  const isRecorded = Object.keys(PLAIN).every((name) => name === "draw" || state[name] === PLAIN[name]);
+  if (isReady || !isRecorded) return;
+  await playback.begin("examples/recorded.json");
+  if (isReady) playback.stop();
+  else outcome(`A recorded run of ${state.example} is shown while the autopilot is loading.`, "loading");
 }
 
 function ready(ms) {
   isReady = true;
   document.body.dataset.readyMs = Math.round(ms);
+  at("loading").hidden = true;
+  playback.stop();
   askForFiles();
   if (known) beginOrCarry();
 }
@@ -284,7 +313,7 @@ function showNews({ now, news }) {
     const before = flightInWords(seen);
     seen.vehicle = news.vehicle;
     seen.flown ||= armed;
-    if (isGood && flightInWords(seen) !== before) judged(isGood);
+    if (isReady && isGood && flightInWords(seen) !== before) judged(isGood);
     const flies = item === null || item === undefined ? "" : `, item ${numberOf("plan", item, hasHome())}`;
     at("vehicle").textContent = `${mode}, ${armed ? "armed" : "disarmed"}, ${height.toFixed(1)} m${flies}`;
   }
@@ -537,7 +566,7 @@ function goOutside(isWanted) {
   isOutside = isWanted;
   at("pixhawk-says").textContent = isWanted ? "The emulated Mega's Serial1 is that port. Propellers off." : "";
   plan = null;
-  if (isWanted && example().arms) state = { ...state, example: PLAIN.example };
+  if (isWanted && example().arms) state = { ...state, example: NOT_ARMING };
   showState();
   begin();
 }
@@ -668,6 +697,7 @@ async function open() {
   editor.offer(answer.headers.has("Playground-Compiler"));
   showExamples();
   takeAddress(true);
+  playRecorded();
   document.body.dataset.shownMs = Math.round(performance.now());
 }
 

@@ -19,7 +19,7 @@ export function vcdOf(frames) {
 }
 
 function changesOf({ way, hex, began, ended }) {
-  const bytes = hex.match(/../g).map((byte) => parseInt(byte, 16));
+  const bytes = (hex.match(/../g) || []).map((byte) => parseInt(byte, 16));
   const bitS = (ended - began) / bytes.length / 10;
   const [sign] = WIRES[way];
   const changes = [];

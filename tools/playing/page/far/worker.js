@@ -1,6 +1,7 @@
 // The far end's worker: Python, in it the project's own autopilot and wire, stepped by the Mega's worker.
 
 import { loadPyodide } from "../vendor/pyodide/pyodide.mjs";
+import { countFetched } from "./counted.js";
 import { hearing } from "./hearing.js";
 
 const NEWS_EVERY_MS = 60;
@@ -28,6 +29,11 @@ onmessage = ({ data }) => {
 
 async function load() {
   const begun = performance.now();
+  let fetched = 0;
+  countFetched((bytes) => {
+    fetched += bytes;
+    postMessage({ says: "fetched", bytes: fetched });
+  });
   const world = fetch(new URL("../world.zip", import.meta.url)).then((answer) => answer.arrayBuffer());
   const parser = hearing(new URL("../hearing.wasm", import.meta.url));
   postMessage({ says: "loading", what: "Python" });
