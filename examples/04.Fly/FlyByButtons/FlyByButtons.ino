@@ -1,7 +1,6 @@
 // Flies by hand, with four buttons. One takes off to 5 m, and later lands. While another is held, the aircraft flies
-// forward, or turns; without a button it stands still. It is a small copter's remote control, and an example of a
-// VelocityTarget: the velocity is renewed all the time, and if the sketch stopped, the aircraft would hold its position.
-// TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// forward, or turns; without a button it holds its position. The velocity is renewed ten times a second: if the sketch
+// no longer did that, the aircraft would be stopped. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
 // The sketch does not take control from a pilot, and after a reset in flight it sends nothing. A button that is stuck,
 // or pressed at power-on, does nothing until it has been released.
@@ -63,7 +62,7 @@ void onEnded(Status status) {
   if (stage == Stage::Flying) return;  // this was the hold: onStopped() handles its end
   CONSOLE.println(toString(status));
   if (status != Status::Done) {
-    stage = Stage::OnGround;  // or in other hands: then the next takeOff() is refused, too
+    stage = Stage::OnGround;  // or a pilot has it: then the next takeOff() is refused, too
   } else if (stage == Stage::TakingOff) {
     stage = Stage::Climbing;
   } else if (stage == Stage::Starting) {
