@@ -179,8 +179,8 @@ DEFECTS = {
     ),
     "nobody looks at how long the plan aboard is": (
         "OtherPlan.cpp",
-        "  return total + home != client.plan_.count();",
-        "  return total + home == 0;",
+        "  return total != client.numbersAboard().toldTotal(client.plan_.count());",
+        "  return total == 0;",
         "Copter start each 5",
         "start ends with \"done: the autopilot confirmed it\", and it has named another plan",
     ),
@@ -272,8 +272,8 @@ DEFECTS = {
         "ModeOrder.cpp",
         "const bool isSure = !isRestoring_ || isSeen_ || !isUnderWay;",
         "const bool isSure = isUnderWay || !isUnderWay;",
-        "Rover start overtakes 3 --loss 5 --seed 404",
-        "behind start (somebody else has set another mode) an order has undone PILOT for good",
+        "Rover start overtakes 100 --loss 5 --seed 5800",
+        "behind start (somebody else has set another mode) an order has undone HOLD for good",
     ),
     "PX4's takeoff is sent again though its mode is shown": (
         "SteeringHands.cpp",
@@ -286,14 +286,14 @@ DEFECTS = {
         "MovingTarget.cpp",
         " && !client_.commands().sending().isUrgent()) {",
         ") {",
-        "PX4 follow overtakes 50 --loss 30 --seed 1000",
+        "PX4 follow overtakes 400 --loss 30 --seed 500",
         "a target leaves behind a heartbeat that shows",
     ),
     "targets that have ended leave the doubt alone": (
         "MovingTarget.cpp",
         "if (steering_.step_ != SteerStep::Mode || sending.isUrgent()) return status;",
         "if (steering_.step_ != SteerStep::Mode) return status;",
-        "PX4 follow overtakes 50 --loss 30 --seed 50",
+        "PX4 follow overtakes 400 --loss 30 --seed 500",
         "a target leaves behind a heartbeat that shows",
     ),
     "the rest of an order leaves when loop() goes on": (
