@@ -27,6 +27,8 @@ MESSAGE_INCLUDE = re.compile(rb'^#include "\./mavlink_msg_(\w+)\.h"\n', re.M)
 # Names and fields of all messages, also of those that are left out; the library leaves texts to others.
 TABLES = re.compile(rb"^# *define MAVLINK_MESSAGE_(?:INFO|NAMES) .*\n", re.MULTILINE)
 FUNCTIONS = re.compile(rb"/\*\*\r?\n \* @brief Pack a .*", re.DOTALL)  # of a message, to the end of its header
+# Screenshots are of the playground, which is not in the zip.
+SCREENSHOT = re.compile(rb"^!\[[^\]]*\]\([^)]*\.png\)\n", re.MULTILINE)
 UNWANTED = {"__pycache__", ".DS_Store", "Thumbs.db"}
 
 
@@ -154,10 +156,12 @@ def is_left_out(root: Path, file: Path) -> bool:
 
 
 def content_of(root: Path, file: Path) -> bytes:
-    """As it goes into the zip: a vendored header does not include those that are left out and has no table of all
-    messages' names, and a message's has no functions, which are most of it; the library uses its numbers and its
-    struct."""
+    """As it goes into the zip: a page has no screenshots; a vendored header does not include those that are left out
+    and has no table of all messages' names, and a message's has no functions, which are most of it; the library uses
+    its numbers and its struct."""
     data = file.read_bytes()
+    if file.suffix == ".md":
+        return SCREENSHOT.sub(b"", data)
     if VENDORED not in file.relative_to(root).parts or file.suffix != ".h":
         return data
     if MESSAGE_HEADER.fullmatch(file.name):
