@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from playing.browser import Browser
 from playing.serving import Server
@@ -28,12 +28,25 @@ for (const kind of ["dragenter", "dragover", "drop"]) {
 """
 
 
+# Where the map and what can be pressed stand, from the top left of the page, but for what a run brings.
+_PLACES = """
+const own = "#pins, #points, #errors, #drawn-part, #typing, details, #told";
+const found = [...document.querySelectorAll("main button, main select, main input, main label, #map")]
+  .filter((one) => one.checkVisibility() && !one.closest(own));
+return Object.fromEntries(found.map((one) => {
+  const { left, top, width, height } = one.getBoundingClientRect();
+  return [one.id || one.textContent.trim(), [left + scrollX, top + scrollY, width, height].map(Math.round)];
+}));
+"""
+
+
 class Page:
     """One page that has been opened; a run of it after another."""
 
     first_words = first_loaded = ""
     first_flight: Any = None  # whether something flew before Python had come
     first_shown = 0
+    first_places: ClassVar[dict[str, list[int]]] = {}
     shown_s = ready_s = 0.0  # from the address to the map, and to the Mega's power-on
     asked_for: tuple[str, ...] | list[str] = ()
 
@@ -51,6 +64,7 @@ class Page:
         self.first_shown = self.on_map(".grid") + self.on_map(".point.meant")
         flies = "/, armed, [1-9]/.test(document.getElementById('vehicle').textContent)"
         self.first_flight = self.browser.wait_for(f"return document.body.dataset.readyMs ? 'none' : {flies}", STARTS_S)
+        self.first_places = self.places
         self.first_loaded = self.browser.text("#fetched-words")
         self.browser.wait_for("return document.body.dataset.readyMs", STARTS_S)
         self.shown_s = int(self.value("document.body.dataset.shownMs")) / 1000
@@ -92,6 +106,11 @@ class Page:
 
     def value(self, script: str) -> Any:
         return self.browser.run(f"return {script}")
+
+    @property
+    def places(self) -> dict[str, list[int]]:
+        """left, top, width and height of the map and of what can be pressed, by id."""
+        return self.browser.run(_PLACES)
 
     def shot(self, file: Path) -> None:
         self.browser.screenshot(file)

@@ -42,7 +42,7 @@ def check(folder: Path, starts_s: float = STARTS_S) -> list[str]:
 FARM = ROOT / "docs" / "farm.plan"
 FLOWN_S = 95.0  # of the plan, in the picture
 COLOURS = 128
-WIDTH, HEIGHT = 1400, 1290
+WIDTH, HEIGHT = 1600, 1060
 
 
 def picture(folder: Path, file: Path) -> None:
@@ -54,7 +54,7 @@ def picture(folder: Path, file: Path) -> None:
             browser.wait_for(READY, STARTS_S)
             browser.type("#file", str(FARM))
             browser.wait_for("return document.getElementById('outcome').innerText.includes('started it')", ENDS_S)
-            browser.run("document.getElementById('notice').hidden = true")
+            browser.run("document.getElementById('told').hidden = true")
             flown = f"return parseFloat(document.getElementById('clock').textContent) > {FLOWN_S}"
             browser.wait_for(flown, 2 * FLOWN_S)
             browser.screenshot(file)

@@ -42,7 +42,13 @@ def make_sketches(folder: Path, loads: int, tell: Callable[[str], None]) -> None
     for number, name in enumerate(names, start=1):
         tell(f"{number} of {len(names)}: {name}")
         examples.append(made(name, folder))
-    known = {"examples": examples, "loads": loads,
+    # Most items are in several examples: each is in the list once.
+    items: dict[str, int] = {}
+    for example in examples:
+        for kinds in example["meant"].values():
+            for kind, pairs in kinds.items():
+                kinds[kind] = [items.setdefault(json.dumps(pair), len(items)) for pair in pairs]
+    known = {"examples": examples, "items": [json.loads(pair) for pair in items], "loads": loads,
              "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
              "ends": ends()}  # fmt: skip
     (folder / "examples.json").write_text(json.dumps(known, separators=(",", ":"), allow_nan=False) + "\n")
@@ -75,9 +81,8 @@ def made(name: str, folder: Path) -> dict[str, Any]:
         "console": name == "PlanConsole",
         "prints": "CONSOLE" in source,
         "listens": LISTENS.search(source) is not None,
-        "meant": {autopilot: {kind: values(items) for kind, items in kinds.items()}
-                  for autopilot, kinds in meant.items()},
-        "words": {autopilot: {kind: [item_in_words(item) for item in items] for kind, items in kinds.items()}
+        "meant": {autopilot: {kind: list(zip(values(items), map(item_in_words, items), strict=True))
+                              for kind, items in kinds.items()}
                   for autopilot, kinds in meant.items()},
     }  # fmt: skip
 

@@ -277,7 +277,7 @@ class FarEnd:
 
     def verdict(self, meant: str) -> str:
         """Whether what is aboard is what was meant: JSON of {good, sentence}. meant: JSON, kind -> its items on the
-        wire; of a kind that is not in it, what was sent is what was meant."""
+        wire and their words; of a kind that is not in it, what was sent is what was meant."""
         name = NAMES.get(self.name, "the autopilot")
         talk = self._conversation
         if not talk.counts:
@@ -286,7 +286,7 @@ class FarEnd:
             good = talk.told >= set(talk.counts)
             accepted = f"The autopilot has accepted all {sum(talk.counts.values())} items."
             return json.dumps({"good": good, "knows": good, "sentence": accepted if good else talk.last_word()})
-        wanted = {int(kind): [item_of(values) for values in items] for kind, items in json.loads(meant).items()}
+        wanted = {int(kind): [item_of(values) for values, _ in items] for kind, items in json.loads(meant).items()}
         total = 0
         for kind in wanted.keys() | talk.counts.keys():
             if kind not in talk.counts:

@@ -92,7 +92,7 @@ const pixhawk = new Pixhawk(
 
 function notice(text, isTrouble = true) {
   at("notice").textContent = text;
-  at("notice").hidden = !text;
+  at("told").hidden = at("notice").hidden = !text;
   at("notice").classList.toggle("trouble", isTrouble);
 }
 
@@ -187,12 +187,16 @@ function placeOf(read) {
 
 function meantItems() {
   if (plan) return numbered("plan", plan.items, false);
-  const { meant, words } = example();
-  const kinds = meant[state.autopilot];
-  return Object.entries(kinds).flatMap(([kind, items]) =>
-    numbered(KINDS[kind], items.map(([frame, command, , , param1, , , , x, y, z], seq) => ({
-      seq, frame, command, param1, x, y, z, kind: KINDS[kind], words: words[state.autopilot][kind][seq],
+  return Object.entries(meant()).flatMap(([kind, items]) =>
+    numbered(KINDS[kind], items.map(([[frame, command, , , param1, , , , x, y, z], words], seq) => ({
+      seq, frame, command, param1, x, y, z, kind: KINDS[kind], words,
     })), hasHome()));
+}
+
+// What the sketch is meant to put aboard: [values, words] of each item, by kind.
+function meant() {
+  const listed = Object.entries(example().meant[state.autopilot]);
+  return Object.fromEntries(listed.map(([kind, items]) => [kind, items.map((turn) => known.items[turn])]));
 }
 
 function type(text) {
@@ -342,7 +346,7 @@ function showLater() {
     const shown = Object.entries(held).map(([kind, items]) => [kind, numbered(kind, items, hasHome())]);
     map.show({ held: Object.fromEntries(shown), arrived: arrivedItems() });
     showItems();
-    far.postMessage({ does: "judge", meant: plan || isOutside ? {} : example().meant[state.autopilot] });
+    far.postMessage({ does: "judge", meant: plan || isOutside ? {} : meant() });
   }, SHOWN_EVERY_MS);
 }
 
@@ -639,6 +643,7 @@ at("reset-mega").onclick = () => {
 at("reset-autopilot").onclick = () => {
   far.postMessage({ does: "restart" });
 };
+at("heard").onclick = () => notice("");
 at("again").onclick = () => begin();
 at("share").onclick = async () => {
   try {

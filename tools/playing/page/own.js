@@ -22,7 +22,7 @@ export function exampleOf(name, bytes) {
 export function entryOf(made) {
   return {
     ...made, reads: false, arms: true, console: false, prints: true, listens: true,
-    meant: MEANT, words: MEANT,
+    meant: MEANT,
   };
 }
 
