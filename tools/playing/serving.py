@@ -11,10 +11,13 @@ from pathlib import Path
 from typing import Any
 
 # What the page asks of a server where it has a say: that nothing from another host is loaded, by its workers neither.
-# Any other server will do as well.
+# Any other server will do as well, but for a build of ArduPilot that the visitor brings (blob:): its threads share
+# memory, which browsers allow to a page with the two Cross-Origin headers alone.
 HEADERS = {
-    "Content-Security-Policy": "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; "
-    "img-src 'self' data:; connect-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'",
+    "Content-Security-Policy": "default-src 'none'; script-src 'self' blob: 'wasm-unsafe-eval'; style-src 'self'; "
+    "img-src 'self' data:; connect-src 'self'; worker-src 'self' blob:; base-uri 'none'; form-action 'none'",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Embedder-Policy": "require-corp",
     "Cache-Control": "no-cache",
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",

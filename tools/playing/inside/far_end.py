@@ -21,6 +21,7 @@ from demonstration.line import Line
 from demonstration.timeline import label
 from demonstration.words import item_in_words, message_in_words
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
+from simulation.fake_autopilot.vehicles import VEHICLES
 from simulation.wire import Entry
 
 from .interference import battery_is_low, other_station_uploads, pilot_takes_over
@@ -36,6 +37,10 @@ OPTION = re.compile(r"[,;] (or say )?--[a-z].*$")
 # custom_mode's main and sub mode of PX4, by the names in its own list.
 PX4_MODES = {1: "MANUAL", 2: "ALTCTL", 3: "POSCTL", (4, 2): "TAKEOFF", (4, 3): "HOLD", (4, 4): "MISSION", (4, 5): "RTL",
              (4, 6): "LAND", 5: "ACRO", 6: "OFFBOARD", 7: "STABILIZED"}  # fmt: skip
+
+PX4 = 12  # HEARTBEAT.autopilot
+# HEARTBEAT.type, by the names of the imitated vehicles.
+KIND_OF = {1: "plane", 10: "rover", 11: "rover"}
 
 
 class Sent(NamedTuple):
@@ -53,9 +58,10 @@ class Port(NamedTuple):
 
 
 class Outside:
-    """In the place of the autopilot: a serial port of the computer, to which a real one is wired."""
+    """In the place of the autopilot: one that is not the tests' own, behind a serial port or in the browser."""
 
     def __init__(self) -> None:
+        self.said: dict[str, Any] = {}  # the latest message of each type
         self.outbox: list[tuple[float, bytes]] = []
         self.log: list = []
         self.to_port = bytearray()
@@ -67,6 +73,24 @@ class Outside:
 
     def receive(self, data: bytes, now: float) -> None:
         self.to_port += data
+
+    def vehicle(self) -> dict | None:
+        """The aircraft as it was told; None if that is not known yet."""
+        beat, place = self.said.get("HEARTBEAT"), self.said.get("GLOBAL_POSITION_INT")
+        if beat is None or place is None:
+            return None
+        current = self.said.get("MISSION_CURRENT")
+        return {"lat": place.lat, "lon": place.lon, "height": round(place.relative_alt / 1000, 2),
+                "armed": bool(beat.base_mode & 128), "mode": self._mode(beat),
+                "item": current and current.seq}  # fmt: skip
+
+    @staticmethod
+    def _mode(beat: Any) -> str:
+        if beat.autopilot == PX4:
+            main, sub = beat.custom_mode >> 16 & 255, beat.custom_mode >> 24
+            return PX4_MODES.get((main, sub)) or PX4_MODES.get(main, "other")
+        modes = VEHICLES[KIND_OF.get(beat.type, "copter")].modes
+        return next((name for name, mode in modes.items() if mode == beat.custom_mode), f"mode {beat.custom_mode}")
 
     def run(self, now: float) -> bytes:
         data = bytes(self._from_port)
@@ -201,6 +225,8 @@ class FarEnd:
 
     def _note(self) -> None:
         for entry in self._line.seen():
+            if self.name == "outside" and entry.direction == "<" and entry.message is not None:
+                self.autopilot.said[entry.message.get_type()] = entry.message
             again = self._conversation.add(entry)
             shown = self._conversation.is_shown(entry)
             self._frames.append((entry, {
@@ -227,6 +253,7 @@ class FarEnd:
             if kind in KINDS:
                 self._progress[KINDS[kind]] = self._progress_of(kind, count)
         if self.name == "outside":
+            self._vehicle = self.autopilot.vehicle()
             return
         place = self.autopilot.flight.where(now)
         self._vehicle = {
@@ -258,7 +285,7 @@ class FarEnd:
         new: dict[str, Any] = {}
         if self._crossed:
             new["frames"], self._crossed = self._crossed, []
-        if self._vehicle is not None:  # as often as the vehicle is looked at
+        if self._vehicle is not None and self.name != "outside":  # as often as the vehicle is looked at
             for kind in (MISSION, FENCE, RALLY):
                 held = [shown_item(seq, item) for seq, item in enumerate(self.autopilot.plan(kind))]
                 if held != self._plans.get(kind, []):

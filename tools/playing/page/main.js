@@ -1,5 +1,6 @@
 // The page: what is chosen on it goes to the two workers, and what they say is shown.
 
+import { ArduPilotBuild } from "./ardupilot/build.js";
 import { AUTOPILOTS, hashOf, MOST_SEED, PLAIN, stateOf } from "./address.js";
 import { packed, unpacked } from "./carried.js";
 import { Deeds } from "./deeds.js";
@@ -34,14 +35,15 @@ const IN_PLACE_OF_HOME = "nothing, in the place of the autopilot's home";
 const NEXT = {
   2: " PlanConsole verifies it.", 3: " PlanConsole starts it.", 4: " PlanConsole has verified and started it.",
 };
-// What is done to the simulated line and autopilot, and not to a real one.
-const SIMULATED = ["cable", "lose", "latency", "reset-autopilot", "pilot", "battery", "station"];
+// What is done to the simulated line, and not to a real one; and to the simulated autopilot.
+const LINE = ["loss", "bytes", "seed", "cable", "lose", "latency"];
+const AUTOPILOT = ["reset-autopilot", "pilot", "battery", "station"];
 const NOT_ARMING = "UploadMission"; // which a real autopilot gets instead of one that arms
 const WRITTEN = "your sketch";
 const SHOWN_EVERY_MS = 150;
 const LARGEST_FILE = 64_000_000; // bytes, as tools/planning takes it
 const KINDS = { 0: "plan", 1: "fence", 2: "rally points" };
-const NAMES = { ardupilot: "ArduPilot", px4: "PX4", outside: "the Pixhawk" };
+const NAMES = { ardupilot: "ArduPilot", px4: "PX4", port: "the Pixhawk", build: "ArduPilot" };
 
 const at = (id) => document.getElementById(id);
 const map = new PlanMap(at("map"));
@@ -66,7 +68,8 @@ let known = null; // examples.json
 let state = { ...PLAIN };
 let run = 0;
 let isReady = false; // the far end has loaded
-let isOutside = false;
+let isOutside = false; // something else is in the place of the simulated autopilot
+let isPort = false; // a serial port, at which there may be a real aircraft
 let plan = null; // the plan that was dropped onto the page
 let dropped = null; // and is being put aboard
 let progress = {};
@@ -79,14 +82,17 @@ let isGood = false;
 let ramFree = null;
 let shownLater = null;
 
-const pixhawk = new Pixhawk(
-  (bytes) => far.postMessage({ does: "outside", bytes }),
-  (why) => {
-    if (!isOutside) return;
-    notice(`The real autopilot is no longer connected: ${why}. The simulated one is used again.`);
-    goOutside(false);
-  },
-);
+const hearOutside = (bytes) => far.postMessage({ does: "outside", bytes });
+const pixhawk = new Pixhawk(hearOutside, (why) => {
+  if (!isOutside) return;
+  notice(`The real autopilot is no longer connected: ${why}. The simulated one is used again.`);
+  goOutside("");
+});
+const build = new ArduPilotBuild(hearOutside, (why) => {
+  if (!isOutside) return;
+  notice(`ArduPilot has ended: ${why}. The simulated autopilot is used again.`);
+  goOutside("");
+});
 
 // Telling
 
@@ -103,7 +109,7 @@ function outcome(text, kind = "going") {
 }
 
 const example = () => known.examples.find((one) => one.name === state.example);
-const autopilot = () => (isOutside ? "outside" : state.autopilot);
+const autopilot = () => (isOutside ? (isPort ? "port" : "build") : state.autopilot);
 const isConsole = () => example().console;
 
 // One run, from power-on
@@ -122,7 +128,7 @@ function begin() {
   if (!isConsole()) plan = null;
   if (isReady && !plan && state.plan) change({ plan: "" }, false);
   const home = placeOf(plan) || EXAMPLES_FLY_AT;
-  map.forget(isOutside ? null : { x: home[0], y: home[1], height: home[2] });
+  map.forget(isPort ? null : { x: home[0], y: home[1], height: home[2] });
   map.show({ meant: meantItems() });
   timeline.forget();
   at("console").textContent = "";
@@ -131,20 +137,20 @@ function begin() {
   pins.forget();
   showFields(at("fields"), null);
   setPace(1);
-  at("vehicle").textContent = isOutside ? "" : "The aircraft is not known yet.";
+  at("vehicle").textContent = isPort ? "" : "The aircraft is not known yet.";
   showItems();
   showSizes();
   if (!isReady) return;
   outcome(firstWords());
   const { port1, port2 } = new MessageChannel();
-  const { loss, bytes, latency } = isOutside ? PLAIN : state;
+  const { loss, bytes, latency } = isPort ? PLAIN : state;
   const settings = {
-    autopilot: autopilot(), loss, bytes, latency, seed: state.seed, hz: HZ, home, arms: example().arms,
+    autopilot: isOutside ? "outside" : state.autopilot, loss, bytes, latency, seed: state.seed, hz: HZ, home, arms: example().arms,
     held: example().reads && !isOutside ? known.held[state.autopilot] : null,
   };
   far.postMessage({ does: "start", settings, port: port1, number: run }, [port1]);
-  if (!isOutside && state.cable === "pulled") far.postMessage({ does: "cable", joined: false });
-  if (!isOutside && state.lose === "ack") far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
+  if (!isPort && state.cable === "pulled") far.postMessage({ does: "cable", joined: false });
+  if (!isPort && state.lose === "ack") far.postMessage({ does: "loseNext", name: "MISSION_ACK" });
   const number = run;
   firmwareOf(example())
     .then((hex) => {
@@ -175,7 +181,7 @@ function tellOfSketch() {
 
 // Whether item 0 of the plan on the wire is home.
 function hasHome() {
-  return isOutside ? progress.plan?.sent[0]?.words === IN_PLACE_OF_HOME : state.autopilot === "ardupilot";
+  return isOutside ? !isPort || progress.plan?.sent[0]?.words === IN_PLACE_OF_HOME : state.autopilot === "ardupilot";
 }
 
 function placeOf(read) {
@@ -227,7 +233,7 @@ far.onmessage = ({ data }) => {
   if (data.run !== run) return;
   if (says === "news") showNews(data);
   if (says === "judged") judged(data.verdict);
-  if (says === "outside") pixhawk.send(data.bytes);
+  if (says === "outside") (isPort ? pixhawk : build).send(data.bytes);
 };
 far.onerror = (error) => outcome(`The autopilot's worker has failed: ${error.message}`, "bad");
 
@@ -459,28 +465,30 @@ function showState() {
   for (const id of ["loss", "bytes"]) {
     at(id).value = state[id];
     at(`${id}-value`).textContent = `${state[id]} %`;
-    at(id).disabled = isOutside;
   }
   at("seed").value = state.seed;
-  at("seed").disabled = isOutside;
   const isPulled = state.cable === "pulled";
   at("cable").classList.toggle("on", isPulled);
   at("cable").textContent = isPulled ? "Join the cable" : "Pull the cable";
   at("latency").value = state.latency;
   at("latency-value").textContent = `${state.latency} ms`;
-  for (const id of SIMULATED) at(id).disabled = isOutside;
+  for (const id of LINE) at(id).disabled = isPort;
+  for (const id of AUTOPILOT) at(id).disabled = isOutside;
   for (const option of at("example").options) {
     const { arms } = known.examples.find((one) => one.name === option.value);
-    option.disabled = isOutside && arms;
+    option.disabled = isPort && arms;
   }
-  at("file").disabled = isOutside;
-  at("pixhawk").textContent = isOutside ? "Close the port" : "Choose a port";
+  at("file").disabled = isPort;
+  at("pixhawk").textContent = isPort ? "Close the port" : "Choose a port";
+  at("pixhawk").disabled = !isOffered() || (isOutside && !isPort);
+  at("build").disabled = isOutside;
+  at("end-build").disabled = !isOutside || isPort;
 }
 
 function takeAddress(isFirst) {
   const names = known.examples.map((one) => one.name);
   const { state: wanted, complaints } = stateOf(location.hash, names);
-  const refused = isOutside && known.examples.find((one) => one.name === wanted.example).arms;
+  const refused = isPort && known.examples.find((one) => one.name === wanted.example).arms;
   notice(complaints.length ? `Parts of the address are not known, and are ignored: ${complaints.join(", ")}` : "");
   if (refused) return notice("A sketch that arms does not run with a real autopilot: the address is ignored.");
   const isSame = !isFirst && Object.keys(wanted).every((name) => wanted[name] === state[name]);
@@ -509,7 +517,7 @@ function askForFiles() {
 
 function showDrawn(made) {
   files = made;
-  at("fly").disabled = isOutside || !made.waypoints;
+  at("fly").disabled = isPort || !made.waypoints;
   at("save-drawn").disabled = !made.waypoints;
   at("drawn-text").textContent = made.error || made[at("form").value];
 }
@@ -540,7 +548,7 @@ async function take({ name, plan: read, word }) {
 async function readFile(file) {
   if (!file) return;
   if (isSketch(file.name)) return readSketch(file);
-  if (isOutside) return notice("PlanConsole can arm, so it does not run with a real autopilot.");
+  if (isPort) return notice("PlanConsole can arm, so it does not run with a real autopilot.");
   if (!isReady) return notice("The autopilot is still loading: drop the plan when that is done.");
   if (file.size > LARGEST_FILE) return notice(`The plan was refused: ${file.name} is larger than 64 MB.`);
   const bytes = await file.arrayBuffer();
@@ -549,7 +557,7 @@ async function readFile(file) {
 
 // A sketch of one's own takes its place among the examples.
 function runOwn(own) {
-  if (isOutside) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
+  if (isPort) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
   known.examples = [own, ...known.examples.filter(({ name, image }) => !image && name !== own.name)];
   showExamples();
   plan = null;
@@ -558,7 +566,7 @@ function runOwn(own) {
 }
 
 async function readSketch(file) {
-  if (isOutside) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
+  if (isPort) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
   try {
     runOwn(exampleOf(file.name, new Uint8Array(await file.arrayBuffer())));
   } catch (error) {
@@ -566,11 +574,14 @@ async function readSketch(file) {
   }
 }
 
-function goOutside(isWanted) {
-  isOutside = isWanted;
-  at("pixhawk-says").textContent = isWanted ? "The emulated Mega's Serial1 is that port. Propellers off." : "";
+// where: "port", "build", or "" for the simulated autopilot.
+function goOutside(where) {
+  isOutside = where !== "";
+  isPort = where === "port";
+  at("pixhawk-says").textContent = isPort ? "The emulated Mega's Serial1 is that port. Propellers off." : "";
+  at("build-says").textContent = where === "build" ? "It runs, and the emulated Mega's Serial1 is its SERIAL0." : "";
   plan = null;
-  if (isWanted && example().arms) state = { ...state, example: NOT_ARMING };
+  if (isPort && example().arms) state = { ...state, example: NOT_ARMING };
   showState();
   begin();
 }
@@ -666,11 +677,23 @@ at("file").onchange = (event) => {
 at("pixhawk").onclick = async () => {
   if (isOutside) return pixhawk.close();
   try {
-    if (await pixhawk.open()) goOutside(true);
+    if (await pixhawk.open()) goOutside("port");
   } catch (error) {
     at("pixhawk-says").textContent = `The port was not opened: ${error.message}`;
   }
 };
+at("build").onchange = async ({ target }) => {
+  const files = [...target.files];
+  target.value = "";
+  at("build-says").textContent = "ArduPilot is starting.";
+  try {
+    await build.open(files, EXAMPLES_FLY_AT);
+    goOutside("build");
+  } catch (error) {
+    at("build-says").textContent = `ArduPilot was not started: ${error.message}.`;
+  }
+};
+at("end-build").onclick = () => build.close();
 for (const kind of ["dragenter", "dragover"]) {
   addEventListener(kind, (event) => {
     event.preventDefault();
