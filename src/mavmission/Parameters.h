@@ -63,6 +63,7 @@ class Parameters : public detail::Listener {
   enum class Wanted : uint8_t { Nothing, Float, Whole };
 
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
+  struct Exchange;
   static void step(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
   Status begin(FlashText name, const char* nameInRam, Wanted wanted, int32_t value);
   void takeValue();

@@ -70,12 +70,17 @@ class PlanFiles : public detail::Listener {
   bool isByFile() const { return isByFile_; }
 
  private:
-  typedef void (*Operation)(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
+  typedef void (*Step)(detail::Client& client, const detail::FrameParser* frame, uint16_t nowMs);
   typedef detail::FileWriteTransfer::Request Request;
 
   // The most items, home included, that a file may have: of more ArduPilot stores the first ones, and says nothing.
   static constexpr uint16_t kMostItems = 650;
   static constexpr uint8_t kUntilClosed = 255;
+
+  // The operations.
+  struct ReadingFile;
+  struct EnsuringFile;
+  struct WritingFile;
 
   struct Writing {
     detail::FileWriteTransfer transfer;
@@ -86,7 +91,7 @@ class PlanFiles : public detail::Listener {
 
   // In PlanFiles.cpp
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
-  void beginOperation(Operation operation);
+  void beginOperation(Step operation);
   bool isRunning() const;
   bool isUsable() const;
   void takeNumbers();
@@ -133,7 +138,7 @@ class PlanFiles : public detail::Listener {
   void proveByItems(uint16_t nowMs);
   void uploadDamaged(uint16_t nowMs);
 
-  Operation operation_;  // the client's while one of this object runs
+  Step operation_;  // the client's while one of this object runs
   // What follows a reading; null: the operation ends.
   void (*onRead_)(PlanFiles& self, Status status, uint16_t nowMs);
   union {

@@ -124,6 +124,8 @@ FOR_OTHERS = {
     "Sha256::kLongest": "says what the length that is kept allows",
     "Signing::time": "the host's program tells it, for the tests to compare",
     "readAutopilotHeartbeat": "MavMissionUdp.h has it, which no source of the library includes",
+    "OperationParts::begin": "what an operation has that names no begin() of its own",
+    "OperationParts::frame": "and no frame()",
     "kWholeText": "the room that a caller must give; now they all have more",
     "kDegreesText": "the room that a caller must give; now they all have more",
 }

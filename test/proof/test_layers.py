@@ -76,5 +76,5 @@ def test_services_see_the_ports_of_the_client_alone():
     sources = sorted((INSIDE / "service").glob("*.cpp"))
     seen = seen_of_the_client(sources)
     assert sorted(seen) == [source.stem for source in sources]
-    assert set().union(*seen.values()) == {"Port.h", "CommandPort.h", "PlanPort.h"}
+    assert set().union(*seen.values()) == {"Port.h", "CommandPort.h", "PlanPort.h", "Operation.h"}
     assert "Client.h" in seen_of_the_client([INSIDE / "client" / "Clear.cpp"])["Clear"]

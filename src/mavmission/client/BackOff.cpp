@@ -8,8 +8,8 @@ using namespace detail;
 
 void MissionClient::retryWhenBusy(uint16_t seconds) {
   rest_.backOffLimitS = seconds;
-  rest_.denied = seconds != 0 ? beginBackOff : nullptr;
-  rest_.takeUp = takeUpEnd;
+  rest_.options.backOff = seconds != 0 ? beginBackOff : nullptr;
+  rest_.options.takeUp = takeUpEnd;
 }
 
 // Begins the back-off after a refusal of COUNT; false if the time allowed is over.

@@ -45,7 +45,7 @@ void Port::beginSeconds(uint16_t nowMs) {
   state.isLate = false;
 }
 
-Status Client::startOperation(Operation operation) {
+Status Client::startOperation(Step operation) {
   beginSeconds(static_cast<uint16_t>(millis()));
   state_.operation = operation;
   state_.failedItem = kNoItem;

@@ -23,6 +23,7 @@
 #include "../transfer/StartTransfer.h"
 #include "../transfer/UploadTransfer.h"
 #include "CommandPort.h"
+#include "Operation.h"
 #include "PlanPort.h"
 #include "Port.h"
 
@@ -33,6 +34,21 @@ class PlanFiles;
 namespace detail {
 
 enum class KeyIndex : uint8_t;
+
+// What the sketch has chosen for its uploads. Each is null until the sketch calls the function for it, and only that
+// function refers to the code: what a sketch does not call is not linked.
+struct Options {
+  // Begins the read-back.
+  void (*readBack)(Client& client, uint16_t nowMs);
+  // Takes up the end of an upload, with the options here: true if the operation goes on. Null while none is chosen.
+  bool (*takeUp)(Client& client, Status status, uint16_t nowMs);
+  // Begins the back-off after a refusal: true if there is time for it.
+  bool (*backOff)(Client& client, Status refusal);
+  // Begins the upload anew as MISSION_ITEM, after the refusal of an item: true if that is worth a try.
+  bool (*fallBack)(Client& client, Status refusal, uint16_t nowMs);
+  // Makes a MISSION_ITEM of a MISSION_ITEM_INT.
+  void (*toFloats)(void* itemMessage);
+};
 
 // Services see its ports alone, and MissionClient shows a sketch what it may call.
 class Client : public Port, public CommandPort, public PlanPort, public ClientRules {
@@ -155,7 +171,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   Status lookAtItem(const Aircraft& aircraft);
   Status updateAt(uint16_t nowMs);
   MAVMISSION_APART MAVMISSION_ONE_EXIT void onTick(uint16_t nowMs);
-  MAVMISSION_APART Status startOperation(Operation operation);
+  MAVMISSION_APART Status startOperation(Step operation);
   void unsettle(uint16_t nowMs);
   // To be called when a message of the mission protocol has been sent, with how often it has been sent by now. Each may
   // be answered, and an operation waits for one answer: the others come late.
@@ -172,6 +188,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void checkPlan(uint16_t nowMs);
   void beginTransfer();
   void beginUpload(uint16_t nowMs);
+  void onUploadTime(uint16_t nowMs);
   void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
   void sendUpload(uint16_t nowMs);
   MAVMISSION_APART void sendAnnouncement();
@@ -197,7 +214,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void sendAck(uint8_t result, PlanType type);
   MAVMISSION_APART void sendShort(KeyIndex message, uint16_t number, PlanType type);
   void endClearing(Status status);
-  static Status announcePart(Client& client, bool isBeginning);
+  static void announceRange(Client& client, bool isBeginning);
   // Of the mission aboard, whatever plan_ is.
   ItemNumbers numbersAboard() const {
     ItemNumbers numbers;
@@ -209,10 +226,15 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void setPlanToVerify(const ItemSource& plan, PlanType type);
   MAVMISSION_APART Status refuseType();
 
+  // The operations, each in its own file.
+  struct ReadingPlan;
+  struct Clearing;
+  struct Ensuring;
+
   // The members that every update() uses lie first, since avr-gcc reaches 64 bytes of an object cheaply. All zero at
   // the start except for those that the constructor sets.
   struct State {
-    Operation operation;   // null: idle
+    Step operation;        // null: idle
     uint16_t secondMs;     // when `seconds` was last counted up
     uint16_t seconds;      // the time of the operation, or of its transfer [s]
     uint16_t unsettledMs;  // when a transfer was last left open, or a download ended
@@ -221,8 +243,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     uint16_t itemsDone;
     uint16_t failedItem;
     uint16_t backOffEndS;  // when the back-off ends, and when the transfer's own time began [s]
-    // Begins a partial upload, and announces it; null: the whole plan, announced by MISSION_COUNT.
-    Status (*announce)(Client& client, bool isBeginning);
+    // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
+    void (*announcePart)(Client& client, bool isBeginning);
     Status status;
     uint8_t quiet;  // since a message was sent again, or a transfer was left open [256 ticks]
     PlanType type;  // of the running operation
@@ -248,11 +270,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
 
   // Settings and results.
   struct Rest {
-    void (*prove)(Client& client, uint16_t nowMs);                  // begins the read-back; null: not wanted
-    bool (*takeUp)(Client& client, Status status, uint16_t nowMs);  // null until one of these is set
-    bool (*denied)(Client& client, Status refusal);                 // begins the back-off; null: not wanted
-    // Begins the MISSION_ITEM fallback after the refusal of an item; null: not wanted.
-    bool (*unsupported)(Client& client, Status refusal, uint16_t nowMs);
+    Options options;
     ProgressFunction progress;
     void* progressContext;
     void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none
@@ -272,8 +290,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     uint8_t startArming : 2;  // StartArming
     uint8_t proof : 2;        // Readback
     bool raw : 1;
-    ItemField field;                      // the one that differs, or is not kept
-    void (*toFloats)(void* itemMessage);  // makes a MISSION_ITEM of a MISSION_ITEM_INT; null: not wanted
+    ItemField field;  // the one that differs, or is not kept
   };
 
 // The struct within the union is an extension that both compilers have; clang warns of it in spite of __extension__.

@@ -42,7 +42,7 @@ class CommandPort {
   Status beginCommands(FillCommand fill, OnCommand on, void* owner);
   // Begins an operation that sends messages of its own, each answered by another message. It takes the frames and the
   // time itself; sending() counts its attempts. To be called only while none runs.
-  Status beginOwn(Port::Operation operation, void* owner);
+  Status beginOwn(Port::Step operation, void* owner);
   // Takes over an operation of commands that has just been begun.
   void takeOver(FillCommand fill, OnCommand on, void* owner);
 
@@ -50,7 +50,7 @@ class CommandPort {
 
   // True while it is this operation that runs.
   bool runs(OnCommand on) const;
-  bool runs(Port::Operation operation, const void* owner) const;
+  bool runs(Port::Step operation, const void* owner) const;
   // True if the running or last operation consists of commands.
   bool isCommanding() const;
   // When the command leaves, and what is waited for.

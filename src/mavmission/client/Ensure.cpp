@@ -33,25 +33,28 @@ Status MissionClient::ensure(const ItemSource& plan, PlanType type, Readback pro
 void Client::beginEnsuring() {
   state_.operation = ensureStep;
   state_.status = Status::WaitingForAutopilot;
-  rest_.takeUp = ensureTakeUp;
+  rest_.options.takeUp = ensureTakeUp;
   setAboard(Aboard::NotKnown);  // what was known was about the plan before
 }
 
-void Client::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  State& state = client.state_;
-  if (state.status == Status::Transferring) {
-    if (frame != nullptr) return client.takeLookFrame(*frame, nowMs);
-    return client.look(nowMs);
-  }
-  if (frame != nullptr) return;
-  if (state.status == Status::WaitingForAutopilot) {
-    client.waitForAutopilot();
-    if (state.status != Status::Checking) return;
+struct Client::Ensuring : OperationParts {
+  static bool begin(Client& client, uint16_t) {
     client.beginChecking();
     client.reading_.summed = 0;
     client.opaqueId_.begin();
+    return true;
   }
-  client.checkEnsured(nowMs);
+
+  static void frame(Client& client, const FrameParser& frame, uint16_t nowMs) { client.takeLookFrame(frame, nowMs); }
+
+  static void time(Client& client, uint16_t nowMs) {
+    if (client.state_.status == Status::Transferring) return client.look(nowMs);
+    client.checkEnsured(nowMs);
+  }
+};
+
+void Client::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  operate<Ensuring>(client, frame, nowMs);
 }
 
 // Checks the plan as an upload does, and adds up its checksum, before the autopilot is asked: so the time of the look
@@ -192,7 +195,7 @@ void Client::ensureFreeStep(Client& client, const FrameParser* frame, uint16_t n
   client.rest_.field = ItemField::None;
   client.rest_.lastResult = 255;
   client.state_.proving = false;
-  if (client.rest_.prove == proveUpload) client.rest_.prove = proveEnsured;
+  if (client.rest_.options.readBack == proveUpload) client.rest_.options.readBack = proveEnsured;
   state.operation = uploadStep;
   client.beginUpload(nowMs);
 }
@@ -231,7 +234,7 @@ void Client::endLook(Status status) {
   }
   state_.unsettled |= UploadTransfer::kBusy;  // our last message may be lost
   state_.unsettledMs = state_.secondMs;       // about now: less than a second ago
-  if (rest_.denied != nullptr && rest_.denied(*this, status)) {
+  if (rest_.options.backOff != nullptr && rest_.options.backOff(*this, status)) {
     state_.operation = ensureBackOffStep;
     return;
   }
@@ -241,7 +244,7 @@ void Client::endLook(Status status) {
 // ArduPilot denies reading while it receives our plan. So the first denial of MISSION_COUNT may be the answer to a
 // MISSION_REQUEST_LIST of the look that the line has repeated: COUNT is sent again before a denial is believed.
 bool Client::ensureTakeUp(Client& client, Status status, uint16_t nowMs) {
-  client.rest_.takeUp = ensureTakeUpAgain;
+  client.rest_.options.takeUp = ensureTakeUpAgain;
   if (status == Status::Denied && !client.transfer_.hasBegun()) return true;
   return ensureTakeUpAgain(client, status, nowMs);
 }
@@ -249,7 +252,7 @@ bool Client::ensureTakeUp(Client& client, Status status, uint16_t nowMs) {
 // After a back-off it is looked again: the transfer that was waited for may have brought our plan, or another one.
 bool Client::ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs) {
   const bool hasBegun = client.transfer_.hasBegun();
-  client.rest_.takeUp = takeUpEnd;
+  client.rest_.options.takeUp = takeUpEnd;
   if (takeUpEnd(client, status, nowMs)) {
     if (client.state_.status == Status::BackingOff) client.state_.operation = ensureBackOffStep;
     return true;

@@ -11,7 +11,7 @@ Status PlanPort::startUploading(const ItemSource& plan, PlanType type, Readback 
   Client& client = static_cast<Client&>(*this);
   const bool isDoubtful = isShortFence(plan, type);
   const Status status = client.uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
-  if (isDoubtful && !isEnd(status)) client.rest_.prove = Client::proveFence;
+  if (isDoubtful && !isEnd(status)) client.rest_.options.readBack = Client::proveFence;
   return status;
 }
 
@@ -44,7 +44,7 @@ void Client::fenceSettleStep(Client& client, const FrameParser* frame, uint16_t 
 void Client::fenceSettleAgainStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr || client.state_.seconds < FenceRules::kSettleS) return;
   proveUpload(client, nowMs);
-  client.rest_.prove = proveFence;  // for the next uploadAgain()
+  client.rest_.options.readBack = proveFence;  // for the next uploadAgain()
 }
 
 void Client::fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -55,7 +55,7 @@ void Client::fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs)
                       frame->payloadWord(offsetof(Count, count)) == 0;
   if (!isNone || !client.plan_.has(kWipesShortFences)) return readStep(client, frame, nowMs);
   client.state_.proving = false;
-  client.rest_.prove = proveFenceAgain;
+  client.rest_.options.readBack = proveFenceAgain;
   client.state_.operation = uploadStep;
   client.beginUpload(nowMs);
 }

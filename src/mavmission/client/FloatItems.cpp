@@ -34,9 +34,9 @@ bool Client::tryFloats(Client& client, Status refusal, uint16_t nowMs) {
 }
 
 void MissionClient::useMissionItemFallback(bool always) {
-  rest_.toFloats = toFloats;
-  rest_.unsupported = tryFloats;
-  rest_.takeUp = takeUpEnd;
+  rest_.options.toFloats = toFloats;
+  rest_.options.fallBack = tryFloats;
+  rest_.options.takeUp = takeUpEnd;
   state_.floatItems = always;
 }
 

@@ -12,7 +12,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   if (state_.operation != nullptr) return Status::Busy;
   const Status status = upload(plan);
   if (isEnd(status)) return status;
-  state_.announce = announcePart;
+  state_.announcePart = announceRange;
   partFirst_ = first;
   partCount_ = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {
@@ -22,18 +22,17 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   return state_.status;
 }
 
-Status Client::announcePart(Client& client, bool isBeginning) {
+void Client::announceRange(Client& client, bool isBeginning) {
   const uint16_t first = client.plan_.numbers().toWire(client.partFirst_);
   const uint16_t behind = first + client.partCount_;
   if (isBeginning) {
     client.transfer_.limitTo(first, behind);
-    return Status::Transferring;
+    return;
   }
   mavlink_mission_write_partial_list_t list = mavlink_mission_write_partial_list_t();
   list.start_index = static_cast<int16_t>(first);
   list.end_index = static_cast<int16_t>(behind - 1);
   client.link_.send(list);
-  return Status::Transferring;
 }
 
 }  // namespace mavmission

@@ -14,7 +14,7 @@ PlanFiles& PlanPort::proverOf(const Client& client) { return *client.reading_.pr
 
 // --- Beginning
 
-Status PlanPort::startVerifying(const ItemSource& plan, PlanType type, Port::Operation operation, PlanFiles& files) {
+Status PlanPort::startVerifying(const ItemSource& plan, PlanType type, Port::Step operation, PlanFiles& files) {
   Client& client = static_cast<Client&>(*this);
   if (type == PlanType::All) return client.refuseType();
   client.setPlanToVerify(plan, type);
@@ -27,7 +27,7 @@ Status PlanPort::startVerifying(const ItemSource& plan, PlanType type, Port::Ope
   return client.status();
 }
 
-Status PlanPort::startDownloading(const ItemSink& sink, PlanType type, Port::Operation operation, PlanFiles& files) {
+Status PlanPort::startDownloading(const ItemSink& sink, PlanType type, Port::Step operation, PlanFiles& files) {
   Client& client = static_cast<Client&>(*this);
   if (type == PlanType::All) return client.refuseType();
   client.state_.type = type;
@@ -39,7 +39,7 @@ Status PlanPort::startDownloading(const ItemSink& sink, PlanType type, Port::Ope
   return status;
 }
 
-void PlanPort::goOnBy(Port::Operation operation, PlanFiles& files) {
+void PlanPort::goOnBy(Port::Step operation, PlanFiles& files) {
   Client& client = static_cast<Client&>(*this);
   client.reading_.files = &files;
   client.state_.operation = operation;
@@ -108,7 +108,7 @@ void PlanPort::endAsOurs(Status status) {
 
 // --- Within an upload
 
-void PlanPort::beginComparing(Port::Operation operation, PlanFiles& files) {
+void PlanPort::beginComparing(Port::Step operation, PlanFiles& files) {
   Client& client = static_cast<Client&>(*this);
   goOnBy(operation, files);
   client.state_.proving = true;  // no progress is reported for it
@@ -147,7 +147,7 @@ void PlanPort::readByItems(uint16_t first, uint16_t nowMs) {
   client.reading_.transfer.skipTo(first);
 }
 
-void PlanPort::proveByItems(Port::Operation operation, TakeItem take, PlanFiles& prover, uint16_t nowMs) {
+void PlanPort::proveByItems(Port::Step operation, TakeItem take, PlanFiles& prover, uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
   client.reading_.fromFloats = nullptr;  // an autopilot that gives only floats cannot prove an upload
   client.reading_.prover = &prover;

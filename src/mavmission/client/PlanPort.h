@@ -35,10 +35,10 @@ class PlanPort {
   // Begins an upload item by item, which is read back.
   Status startUploading(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
   // Begin a reading of this object's own. To be called only while no operation runs.
-  Status startVerifying(const ItemSource& plan, PlanType type, Port::Operation operation, PlanFiles& files);
-  Status startDownloading(const ItemSink& sink, PlanType type, Port::Operation operation, PlanFiles& files);
+  Status startVerifying(const ItemSource& plan, PlanType type, Port::Step operation, PlanFiles& files);
+  Status startDownloading(const ItemSink& sink, PlanType type, Port::Step operation, PlanFiles& files);
   // The operation that runs goes on as this one.
-  void goOnBy(Port::Operation operation, PlanFiles& files);
+  void goOnBy(Port::Step operation, PlanFiles& files);
 
   // --- The plan, and what is aboard of its type
 
@@ -47,7 +47,7 @@ class PlanPort {
   WirePlan& plan();
   void nowAboard(Aboard what);
   // True if the link's version of MAVLink carries plans of this type.
-  bool isTypeCarried() const;
+  MAVMISSION_APART bool isTypeCarried() const;
 
   // --- Checking it
 
@@ -59,7 +59,7 @@ class PlanPort {
 
   // --- Reading what is aboard
 
-  // Waits for the autopilot. True when the operation is Transferring.
+  // The autopilot is found. True if it can be read: the operation is then Transferring.
   bool beginsReading(uint16_t nowMs);
   // True if the plan aboard is compared with the sketch's; false: it is downloaded.
   bool isCompared() const;
@@ -85,7 +85,7 @@ class PlanPort {
   // --- Within an upload
 
   // The plan aboard is compared, without any progress; and that is over.
-  void beginComparing(Port::Operation operation, PlanFiles& files);
+  void beginComparing(Port::Step operation, PlanFiles& files);
   void endComparing();
   // All of the plan has been given to the autopilot, and it has not refused it.
   void noteWhole();
@@ -99,7 +99,7 @@ class PlanPort {
   // From this item on.
   void readByItems(uint16_t first, uint16_t nowMs);
   // Reads an upload back, which this object watches.
-  void proveByItems(Port::Operation operation, TakeItem take, PlanFiles& prover, uint16_t nowMs);
+  void proveByItems(Port::Step operation, TakeItem take, PlanFiles& prover, uint16_t nowMs);
   void readOnByItems(const FrameParser* frame, uint16_t nowMs);
 };
 

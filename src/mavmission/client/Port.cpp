@@ -30,7 +30,7 @@ Status Port::outcome() const { return static_cast<const Client&>(*this).status()
 
 bool Port::hasItems() const { return static_cast<const Client&>(*this).itemsTotal() != 0; }
 
-bool Port::runs(Operation operation) const { return static_cast<const Client&>(*this).state_.operation == operation; }
+bool Port::runs(Step operation) const { return static_cast<const Client&>(*this).state_.operation == operation; }
 
 void Port::beginTransferring(uint16_t nowMs) {
   beginSeconds(nowMs);
@@ -85,7 +85,7 @@ Status CommandPort::beginCommands(FillCommand fill, OnCommand on, void* owner) {
   return status;
 }
 
-Status CommandPort::beginOwn(Port::Operation operation, void* owner) {
+Status CommandPort::beginOwn(Port::Step operation, void* owner) {
   Client& client = static_cast<Client&>(*this);
   const Status status = client.startOperation(operation);
   memset(&client.commanding_, 0, sizeof(client.commanding_));
@@ -106,7 +106,7 @@ bool CommandPort::runs(OnCommand on) const {
   return client.isBusy() && client.state_.isCommanding && client.commanding_.on == on;
 }
 
-bool CommandPort::runs(Port::Operation operation, const void* owner) const {
+bool CommandPort::runs(Port::Step operation, const void* owner) const {
   const Client& client = static_cast<const Client&>(*this);
   return client.state_.operation == operation && client.commanding_.owner == owner;
 }

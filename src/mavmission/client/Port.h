@@ -32,8 +32,8 @@ class Port {
   // The least number of bytes that an update() may write [bytes].
   static constexpr uint8_t kStartBytes = 8;
 
-  // An operation's part of update(): takes a frame of the autopilot, or null for the passing of time.
-  typedef void (*Operation)(Client& client, const FrameParser* frame, uint16_t nowMs);
+  // An operation's part of update(): takes a frame of the autopilot, or null for the passing of time. (Operation.h)
+  typedef void (*Step)(Client& client, const FrameParser* frame, uint16_t nowMs);
 
   static Port& of(MissionClient& client);
   static Port& of(Client& client);
@@ -60,7 +60,7 @@ class Port {
   // MISSION_COUNT.
   bool hasItems() const;
   // True while this operation runs.
-  bool runs(Operation operation) const;
+  bool runs(Step operation) const;
   // Takes the running operation from WaitingForAutopilot to Checking, or ends it, when the time for that has come.
   void waitForAutopilot();
   // Takes it to Transferring: from now on its time counts.

@@ -44,8 +44,8 @@ Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proo
   const Status status = startUpload(plan, type);
   if (isEnd(status)) return status;
   rest_.proof = static_cast<uint8_t>(proof);
-  rest_.prove = proveUpload;
-  rest_.takeUp = takeUpEnd;
+  rest_.options.readBack = proveUpload;
+  rest_.options.takeUp = takeUpEnd;
   return status;
 }
 
@@ -56,8 +56,6 @@ bool PlanPort::isTypeCarried() const {
 
 bool PlanPort::beginsReading(uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
-  client.waitForAutopilot();
-  if (client.state_.status != Status::Checking) return false;
   if (!isTypeCarried()) {
     client.end(Status::NeedsMavlink2);
     return false;
@@ -67,23 +65,29 @@ bool PlanPort::beginsReading(uint16_t nowMs) {
   return true;
 }
 
-void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  State& state = client.state_;
-  if (frame != nullptr) {
-    if (state.status == Status::Transferring) client.takeReadFrame(*frame, nowMs);
-    return;
-  }
-  if (state.status == Status::WaitingForAutopilot) {
-    if (!client.beginsReading(nowMs)) return;
+struct Client::ReadingPlan : OperationParts {
+  static bool begin(Client& client, uint16_t nowMs) {
+    if (!client.beginsReading(nowMs)) return false;
     client.reading_.transfer.begin(nowMs);
+    return true;
   }
-  // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
-  // update() the time for the comparison.
-  state.readsHalf = true;
-  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
-  if (status != Status::Transferring) return client.endReading(status);
-  if (state.isLate) return client.endReading(Status::TookTooLong);
-  client.sendRead(nowMs);
+
+  static void frame(Client& client, const FrameParser& frame, uint16_t nowMs) { client.takeReadFrame(frame, nowMs); }
+
+  static void time(Client& client, uint16_t nowMs) {
+    State& state = client.state_;
+    // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
+    // update() the time for the comparison.
+    state.readsHalf = true;
+    const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
+    if (status != Status::Transferring) return client.endReading(status);
+    if (state.isLate) return client.endReading(Status::TookTooLong);
+    client.sendRead(nowMs);
+  }
+};
+
+void Client::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  operate<ReadingPlan>(client, frame, nowMs);
 }
 
 void Client::sendRead(uint16_t nowMs) {

@@ -7,9 +7,10 @@ using namespace detail;
 
 // True if the operation continues.
 bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
-  Rest& rest = client.rest_;
-  if (rest.unsupported != nullptr && rest.unsupported(client, status, nowMs)) return true;
-  if (rest.denied != nullptr && !client.transfer_.hasBegun() && rest.denied(client, status)) return true;
+  const Rest& rest = client.rest_;
+  if (rest.options.fallBack != nullptr && rest.options.fallBack(client, status, nowMs)) return true;
+  if (rest.options.backOff != nullptr && !client.transfer_.hasBegun() && rest.options.backOff(client, status))
+    return true;
   const UploadTransfer& transfer = client.transfer_;
   // A server whose ways are not known has given the upload up. On a line that loses that may be the cause, and what it
   // held is gone: so the upload begins anew, within the time for the whole operation.
@@ -32,10 +33,10 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
       status == Status::Unconfirmed || isDoubtfulError || (status == Status::Accepted && isAcceptanceInDoubt);
   const bool isAlways = rest.proof == static_cast<uint8_t>(Readback::Always);
   const bool isProofDue = isInDoubt || (status == Status::Accepted && isAlways);
-  if (!isProofDue || rest.prove == nullptr) return false;
+  if (!isProofDue || rest.options.readBack == nullptr) return false;
   if (isInDoubt) client.unsettle(nowMs);
   client.state_.mayBeRefused = isDoubtfulError;
-  rest.prove(client, nowMs);
+  rest.options.readBack(client, nowMs);
   return true;
 }
 

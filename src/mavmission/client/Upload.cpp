@@ -14,7 +14,7 @@ Status Client::startUpload(const ItemSource& plan, PlanType type) {
   // "Our plan" is this one from now on, and what was ours is what was aboard before.
   if (aboard(type) == Aboard::OurPlan) setAboard(type, Aboard::AsBefore);
   setPlan(plan, type);
-  rest_.prove = nullptr;
+  rest_.options.readBack = nullptr;
   return uploadKeptPlan();
 }
 
@@ -27,7 +27,7 @@ void Client::setPlan(const ItemSource& plan, PlanType type) {
   plan_.setSource(plan);
   rest_.planType = type;
   state_.tooLong = plan.count > kMaxItems;
-  state_.announce = nullptr;
+  state_.announcePart = nullptr;
 }
 
 Status Client::uploadKeptPlan() {
@@ -40,14 +40,10 @@ Status Client::uploadKeptPlan() {
   return state_.status;
 }
 
-// Takes the upload through its states: WaitingForAutopilot, Checking, Transferring.
+// As operate() would call them, but in the order in which a request is answered soonest.
 void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (client.state_.status == Status::Transferring) {
-    if (frame != nullptr) return client.takeUploadFrame(*frame, nowMs);
-    const Status status = client.transfer_.onTime(nowMs, client.link_.pace());
-    if (status != Status::Transferring) return client.continueUpload(status, nowMs);
-    if (client.state_.isLate) return client.continueUpload(Status::TookTooLong, nowMs);
-    return client.sendUpload(nowMs);
+    return frame != nullptr ? client.takeUploadFrame(*frame, nowMs) : client.onUploadTime(nowMs);
   }
   if (frame != nullptr) return;
   if (client.state_.status == Status::WaitingForAutopilot) {
@@ -56,6 +52,13 @@ void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs
     client.beginChecking();
   }
   client.checkPlan(nowMs);
+}
+
+void Client::onUploadTime(uint16_t nowMs) {
+  const Status status = transfer_.onTime(nowMs, link_.pace());
+  if (status != Status::Transferring) return continueUpload(status, nowMs);
+  if (state_.isLate) return continueUpload(Status::TookTooLong, nowMs);
+  sendUpload(nowMs);
 }
 
 void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw); }
@@ -93,7 +96,7 @@ Status PlanPort::checkNext(bool isToChange) {
   Status checked = Status::Accepted;
   if (plan.isTooLong()) {
     checked = Status::TooManyItems;
-  } else if (state.announce != nullptr && plan.has(kTakesWholePlansOnly)) {
+  } else if (state.announcePart != nullptr && plan.has(kTakesWholePlansOnly)) {
     checked = Status::WholePlansOnly;
   } else if (!isTypeCarried()) {
     checked = Status::NeedsMavlink2;
@@ -126,7 +129,7 @@ void Client::beginTransfer() { transfer_.begin(plan_.wireCount(), plan_.firmware
 
 void Client::beginUpload(uint16_t nowMs) {
   beginTransfer();
-  if (state_.announce != nullptr) state_.announce(*this, true);
+  if (state_.announcePart != nullptr) state_.announcePart(*this, true);
   opaqueId_.begin();
   state_.next = 0;
   state_.isLate = false;
@@ -192,7 +195,7 @@ void Client::continueUpload(Status status, uint16_t nowMs) {
   if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
   if (status == Status::Transferring) return;
 
-  if (rest_.takeUp != nullptr && rest_.takeUp(*this, status, nowMs)) return;
+  if (rest_.options.takeUp != nullptr && rest_.options.takeUp(*this, status, nowMs)) return;
   setAboard(aboardAfterUpload(status));
   switch (status) {
     case Status::Accepted:
@@ -266,8 +269,8 @@ void Client::sendUpload(uint16_t nowMs) {
 void Client::sendAnnouncement() {
   if (transfer_.toSend() == UploadTransfer::Send::Cancel) {
     sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.type);
-  } else if (state_.announce != nullptr) {
-    state_.announce(*this, false);
+  } else if (state_.announcePart != nullptr) {
+    state_.announcePart(*this, false);
   } else {
     sendShort(KeyIndex::MISSION_COUNT, plan_.wireCount(), state_.type);
   }
@@ -312,7 +315,7 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
     return opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
   }
   if (state_.floatItems) {
-    rest_.toFloats(&message);
+    rest_.options.toFloats(&message);
     link_.prepareAs<mavlink_mission_item_t>(&message);
   } else {
     link_.prepareAs<mavlink_mission_item_int_t>(&message);

@@ -6,6 +6,7 @@
 #include "../base/Flash.h"
 #include "../base/FloatBits.h"
 #include "../client/CommandPort.h"
+#include "../client/Operation.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -84,11 +85,15 @@ Status Parameters::setWhole(const char* name, int32_t value) { return begin(null
 
 // --- The operation
 
+// (The answer comes to take().)
+struct Parameters::Exchange : OperationParts {
+  static void time(Client& client, uint16_t nowMs) {
+    static_cast<Parameters*>(CommandPort::ownerOf(client))->onTime(nowMs);
+  }
+};
+
 void Parameters::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  if (frame != nullptr) return;  // the answer comes to take()
-  Port& port = Port::of(client);
-  if (port.running() == Status::WaitingForAutopilot) port.waitForAutopilot();
-  if (port.runs(step)) static_cast<Parameters*>(CommandPort::ownerOf(client))->onTime(nowMs);
+  operate<Exchange>(client, frame, nowMs);
 }
 
 void Parameters::onTime(uint16_t nowMs) {

@@ -45,7 +45,7 @@ PlanFiles::PlanFiles(MissionClient& client)
 PlanPort& PlanFiles::plans() const { return client_.plans(); }
 
 // Behind this the client goes on by this operation.
-void PlanFiles::beginOperation(Operation operation) {
+void PlanFiles::beginOperation(Step operation) {
   operation_ = operation;
   onRead_ = nullptr;
   isByFile_ = false;

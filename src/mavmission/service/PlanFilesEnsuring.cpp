@@ -6,6 +6,7 @@
 //        |  no files, armed,  |          |  no answer, or a refusal
 //        +- or a lossy line --+----------+--> MissionClient::ensure()
 #include "../PlanFiles.h"
+#include "../client/Operation.h"
 #include "../client/PlanPort.h"
 
 namespace mavmission {
@@ -25,25 +26,33 @@ Status PlanFiles::ensure(const ItemSource& plan, PlanType type) {
   return status;
 }
 
-void PlanFiles::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  if (frame != nullptr) return;
-  PlanFiles& self = PlanPort::filesOf(client);
-  Port& port = self.client_;
-  PlanPort& plans = self.plans();
-  if (port.running() == Status::WaitingForAutopilot) {
-    port.waitForAutopilot();
-    if (port.running() != Status::Checking) return;
+struct PlanFiles::EnsuringFile : OperationParts {
+  static bool begin(Client& client, uint16_t) {
+    PlanFiles& self = PlanPort::filesOf(client);
+    Port& port = self.client_;
     // Opening a file closes one that another client has left open, and so may store a plan: not in the air.
-    if (!self.isUsable() || port.link().pace().isLossy() || port.autopilot().isArmed()) return plans.ensureByItems();
-    plans.beginChecking();
+    if (!self.isUsable() || port.link().pace().isLossy() || port.autopilot().isArmed()) {
+      self.plans().ensureByItems();
+      return false;
+    }
+    self.plans().beginChecking();
     self.isForeseen_ = true;
+    return true;
   }
-  if (!self.isChecked(false)) return;
-  if (!self.isForFile()) return plans.ensureByItems();
-  port.beginTransferring(nowMs);
-  self.isWholeLook_ = true;
-  self.beginComparing(takeEnsured);
-  self.beginReading();
+
+  static void time(Client& client, uint16_t nowMs) {
+    PlanFiles& self = PlanPort::filesOf(client);
+    if (!self.isChecked(false)) return;
+    if (!self.isForFile()) return self.plans().ensureByItems();
+    self.client_.beginTransferring(nowMs);
+    self.isWholeLook_ = true;
+    self.beginComparing(takeEnsured);
+    self.beginReading();
+  }
+};
+
+void PlanFiles::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  operate<EnsuringFile>(client, frame, nowMs);
 }
 
 void PlanFiles::takeEnsured(PlanFiles& self, Status status, uint16_t) {

@@ -4,6 +4,7 @@
 
 #include "../PlanFiles.h"
 #include "../autopilot/Rules.h"
+#include "../client/Operation.h"
 #include "../client/PlanPort.h"
 #include "FileFrame.h"
 
@@ -35,22 +36,30 @@ Status PlanFiles::download(const ItemSink& sink, PlanType type) {
   return plans().startDownloading(sink, type, readStep, *this);
 }
 
-void PlanFiles::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  PlanFiles& self = PlanPort::filesOf(client);
-  Port& port = self.client_;
-  if (frame != nullptr) {
-    if (port.running() == Status::Transferring && self.isReply(*frame)) self.takeReadReply(*frame, nowMs);
-    return;
-  }
-  if (port.running() == Status::WaitingForAutopilot) {
-    if (!self.plans().beginsReading(nowMs)) return;
+struct PlanFiles::ReadingFile : OperationParts {
+  static bool begin(Client& client, uint16_t nowMs) {
+    PlanFiles& self = PlanPort::filesOf(client);
+    if (!self.plans().beginsReading(nowMs)) return false;
     // On a line that loses, each lost item costs a request and an answer, and both are longer than those of the mission
     // protocol. A sink that is not ready would let the rest of a burst go by.
-    const bool isByItems = self.plans().mayWaitForSink() || port.link().pace().isLossy() || !self.isUsable();
-    if (isByItems) return self.readByItems(0, nowMs);
+    if (self.plans().mayWaitForSink() || self.client_.link().pace().isLossy() || !self.isUsable()) {
+      self.readByItems(0, nowMs);
+      return false;
+    }
     self.beginReading();
+    return true;
   }
-  self.readOn(nowMs);
+
+  static void frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
+    PlanFiles& self = PlanPort::filesOf(client);
+    if (self.isReply(frame)) self.takeReadReply(frame, nowMs);
+  }
+
+  static void time(Client& client, uint16_t nowMs) { PlanPort::filesOf(client).readOn(nowMs); }
+};
+
+void PlanFiles::readStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  operate<ReadingFile>(client, frame, nowMs);
 }
 
 void PlanFiles::beginReading() {

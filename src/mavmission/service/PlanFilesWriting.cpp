@@ -11,6 +11,7 @@
 
 #include "../PlanFiles.h"
 #include "../autopilot/Rules.h"
+#include "../client/Operation.h"
 #include "../client/PlanPort.h"
 #include "FileFrame.h"
 
@@ -27,21 +28,28 @@ Status PlanFiles::upload(const ItemSource& plan, PlanType type) {
   return status;
 }
 
-void PlanFiles::writeStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  PlanFiles& self = PlanPort::filesOf(client);
-  Port& port = self.client_;
-  if (port.running() == Status::Transferring) {
-    if (frame == nullptr) return self.writeOn(nowMs);
-    return self.isReply(*frame) ? self.takeWriteReply(*frame, nowMs) : void();
-  }
-  if (frame != nullptr) return;
-  if (port.running() == Status::WaitingForAutopilot) {
-    port.waitForAutopilot();
-    if (port.running() != Status::Checking) return;
+struct PlanFiles::WritingFile : OperationParts {
+  static bool begin(Client& client, uint16_t) {
+    PlanFiles& self = PlanPort::filesOf(client);
     self.plans().beginChecking();
     self.isForeseen_ = true;
+    return true;
   }
-  self.check(nowMs);
+
+  static void frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
+    PlanFiles& self = PlanPort::filesOf(client);
+    if (self.isReply(frame)) self.takeWriteReply(frame, nowMs);
+  }
+
+  static void time(Client& client, uint16_t nowMs) {
+    PlanFiles& self = PlanPort::filesOf(client);
+    if (self.client_.running() == Status::Transferring) return self.writeOn(nowMs);
+    self.check(nowMs);
+  }
+};
+
+void PlanFiles::writeStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  operate<WritingFile>(client, frame, nowMs);
 }
 
 void PlanFiles::check(uint16_t nowMs) {
