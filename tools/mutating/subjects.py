@@ -35,6 +35,7 @@ SUBJECTS = (
     Subject("KeptValue", ("kept_value",)),
     Subject("OpaqueId", ("opaque_id",)),
     Subject("BackOff", ("client_upload",)),
+    Subject("PartialUpload", ("client_parts",)),
 )
 
 # Tests of a whole MissionClient on a stream in memory: they see what a part's own tests do not.
