@@ -12,6 +12,29 @@ from playing.serving import Server
 STARTS_S = 90.0
 ENDS_S = 60.0
 
+# What an example that does not arm shows in the page when it has done its work: where, and which words.
+DONE = {
+    "UploadMission": ("#outcome", "are aboard ArduPilot as they were meant, and the Mega knows it."),
+    "UploadWithProgress": ("#console", "aboard: our plan, whole"),
+    "EnsureMission": ("#console", "aboard: our plan, whole"),
+    "VerifyUpload": ("#console", "aboard: our plan, whole"),
+    "DownloadMission": ("#console", "downloaded: the plan has been read"),
+    "GridFromFunction": ("#outcome", "are aboard ArduPilot as they were meant, and the Mega knows it."),
+    "FenceAndRally": ("#outcome", "are aboard ArduPilot as they were meant, and the Mega knows it."),
+    "UploadByFile": ("#console", "aboard: our plan, whole"),
+    "PlanFromSd": ("#console", "accepted: the plan is aboard"),
+    "LinkDoctor": ("#console", "all is well"),
+    "ReadTelemetry": ("#console", "-353632621 1491652374"),
+    "FitLight": ("#console", "fit: all is well"),
+    "CheckParameters": ("#console", "MIS_RESTART: 1.00 done: the autopilot confirmed it"),
+}
+# What one that flies prints when its flight is over, and how high it flies [m]; StartButton prints nothing then.
+FLOWN = {
+    "StartMission": (b"landed\r\n", 10), "NextWaypoint": (b"all fields sampled\r\n", 10),
+    "WorkAtWaypoints": (b"landed\r\n", 10), "GoToPlaces": (b"home\r\n", 10), "FollowBeacon": (b"home\r\n", 10),
+    "StartButton": (b"", 10), "FlyByButtons": (b"landed\r\n", 5),
+}  # fmt: skip
+
 _GO = """
 history.replaceState(null, "", arguments[0]);
 dispatchEvent(new HashChangeEvent("hashchange"));
