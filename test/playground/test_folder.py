@@ -60,7 +60,7 @@ def test_every_example_is_offered_and_those_that_arm_are_known(folder):
     rows = re.findall(r"^\| \[(\w+)\]\(examples/", (ROOT / "README.md").read_text(), re.M)
     assert names == [name for name in rows if name in example_folders()]
     assert names[0] == "UploadMission"
-    arming = {example["name"] for example in known["examples"] if example["arms"]}
+    arming = {example["name"] for example in known["examples"] if example.get("arms")}
     sources = {name: sketch_of(name).read_text() for name in example_folders()}
     arms = re.compile(r"autopilot\.(start|arm|startFrom)\(|offerStart\(|offerAll\(|takeOff\(")
     assert arming == {name for name, text in sources.items() if arms.search(text)}
@@ -89,7 +89,7 @@ def test_the_page_knows_how_much_it_fetches_before_its_first_run(folder):
 
 def test_the_page_knows_which_sketches_read_what_is_typed(folder):
     known = json.loads((folder / "examples" / "examples.json").read_text())["examples"]
-    assert {example["name"] for example in known if example["listens"]} == {"PlanConsole"}
+    assert {example["name"] for example in known if example.get("listens")} == {"PlanConsole"}
 
 
 def test_the_firmware_is_the_compiled_one_unmodified(folder):

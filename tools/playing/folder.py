@@ -25,8 +25,9 @@ SITE = BUILD / "playground" / "site"
 
 # avr8js imports "./interrupt", which a browser does not find; it is "./interrupt.js".
 AVR8JS = ("cpu/cpu", "cpu/instruction", "cpu/interrupt", "peripherals/adc", "peripherals/eeprom", "peripherals/gpio",
-          "peripherals/timer")  # fmt: skip
+          "peripherals/spi", "peripherals/timer")  # fmt: skip
 IMPORT = re.compile(r"(from ')(\.[^']*)(')")
+COMMENT = re.compile(r"^ *//.*\n", re.M)  # which a browser need not load
 PYODIDE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 
 # What the page's Python fetches before it is ready.
@@ -64,6 +65,8 @@ def make_folder(folder: Path = SITE, tell: Callable[[str], None] = silent) -> Ma
         fresh = folder.with_name(f"{folder.name}.new")
         shutil.rmtree(fresh, ignore_errors=True)
         shutil.copytree(PAGE, fresh)
+        for script in fresh.rglob("*.js"):
+            script.write_text(COMMENT.sub("", script.read_text()))
         try:
             fill(fresh, tell)
         except (BuildFailed, NotCompiled, OSError) as error:

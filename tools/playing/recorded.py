@@ -62,7 +62,11 @@ def recorded(elf: Path) -> dict[str, Any]:
         news = json.loads(far.news() or "{}")
         for frame in news.get("frames", []):
             frame["hex"] = ""  # its fields are Python's to explain
-        news["frames"] = [frame for frame in news.get("frames", []) if frame["text"]]
+            frame.update({key: round(frame[key], 6) for key in ("at", "began", "ended")})
+        news["frames"] = [
+            {key: value for key, value in frame.items() if value or key not in ("again", "lost")}
+            for frame in news.get("frames", []) if frame["text"]
+        ]  # fmt: skip
         if not takes_off_s and news.get("vehicle", {}).get("height", 0) > 0:
             takes_off_s = now
         told.append([round(now, 3), news, printed.decode(errors="replace")])

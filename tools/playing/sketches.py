@@ -16,7 +16,6 @@ from demonstration.demonstration import description, plans_of
 from demonstration.wire_form import on_the_wire
 from demonstration.words import item_in_words
 from examples import example_folder, example_folders, sketch_of
-from simulation.enumerators import texts_of
 from simulation.fake_autopilot import MISSION, Item
 from simulation.mega import Image
 
@@ -29,6 +28,7 @@ ARMING = re.compile(
 )
 # Such a sketch reads what is typed: itself, or by what it gives its console to.
 LISTENS = re.compile(r"\(CONSOLE,|CONSOLE\.(read|available|parse|find)")
+CARD = "PlanFromSd"  # the text that it has without a card is the file on the card
 
 
 def make_sketches(folder: Path, loads: int, tell: Callable[[str], None]) -> None:
@@ -45,12 +45,11 @@ def make_sketches(folder: Path, loads: int, tell: Callable[[str], None]) -> None
     # Most items are in several examples: each is in the list once.
     items: dict[str, int] = {}
     for example in examples:
-        for kinds in example["meant"].values():
+        for kinds in example.get("meant", {}).values():
             for kind, pairs in kinds.items():
                 kinds[kind] = [items.setdefault(json.dumps(pair), len(items)) for pair in pairs]
-    known = {"examples": examples, "items": [json.loads(pair) for pair in items], "loads": loads,
-             "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES},
-             "ends": ends()}  # fmt: skip
+    known = {"examples": examples, "card": text_of(CARD), "items": [json.loads(pair) for pair in items], "loads": loads,
+             "held": {autopilot: values(on_the_wire(HELD, autopilot)) for autopilot in NAMES}}  # fmt: skip
     (folder / "examples.json").write_text(json.dumps(known, separators=(",", ":"), allow_nan=False) + "\n")
 
 
@@ -69,22 +68,26 @@ def made(name: str, folder: Path) -> dict[str, Any]:
         autopilot: {kind: on_the_wire(items, autopilot) if kind == MISSION else items for kind, items in fixed.items()}
         for autopilot in NAMES
     }
-    return {
+    known = {
         "name": name,
         "says": said(sketch_of(name)),
-        "hex": f"{name}.hex",
         "flash": built.flash,
         "ram": built.ram,
         "pass": image.symbol(PASS).address,
         "reads": reads,
         "arms": any(ARMING.match(symbol.name) for symbol in image.symbols),
-        "console": name == "PlanConsole",
         "prints": "CONSOLE" in source,
         "listens": LISTENS.search(source) is not None,
         "meant": {autopilot: {kind: list(zip(values(items), map(item_in_words, items), strict=True))
                               for kind, items in kinds.items()}
-                  for autopilot, kinds in meant.items()},
+                  for autopilot, kinds in meant.items() if kinds},
     }  # fmt: skip
+    return {key: value for key, value in known.items() if value}  # what is not there is false, or nothing
+
+
+def text_of(name: str) -> str:
+    """The plan that an example has in its text."""
+    return "".join(json.loads(line) for line in re.findall(r'^ +("[^"]*\\n")', sketch_of(name).read_text(), re.M))
 
 
 def no_ram(address: int, size: int) -> bytes:
@@ -92,14 +95,11 @@ def no_ram(address: int, size: int) -> bytes:
 
 
 def values(items: Iterable[Item]) -> list[list]:
-    """As JSON has them: a number that is unset is null."""
-    return [[None if isinstance(value, float) and math.isnan(value) else value for value in item] for item in items]
-
-
-def ends() -> list[str]:
-    """How an operation can end, as a sketch prints it: the texts of mavmission::Status behind those of its way."""
-    texts = texts_of("Status.h", "MAVMISSION_STATUSES")
-    return list(texts.values())[list(texts).index("Transferring") + 1 :]
+    """As JSON has them: a number that is unset is null, and one that is whole has no point."""
+    return [
+        [None if math.isnan(value) else int(value) if value == int(value) else value for value in item]
+        for item in items
+    ]
 
 
 def said(sketch: Path) -> str:

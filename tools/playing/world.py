@@ -12,6 +12,7 @@ from pathlib import Path
 
 from building import ROOT
 from planning import judge
+from simulation.enumerators import texts_of
 
 INSIDE = Path(__file__).resolve().parent / "inside"
 NO_DATE = (1980, 1, 1, 0, 0, 0)  # the same files make the same archive
@@ -46,10 +47,17 @@ def contents() -> dict[str, bytes]:
     found["planning/judge.py"] = (INSIDE / "judge.py").read_bytes()
     found["planning/commands.txt"] = (ROOT / "tools" / "planning" / "commands.txt").read_bytes()
     found["known.json"] = json.dumps(judge.known()).encode()
+    found["ends.json"] = json.dumps(ends()).encode()
     found["mavmission_dialect.py"] = (ROOT / "build" / "dialect" / "mavmission_dialect.py").read_bytes()
     for name in OWN:
         found[f"inside/{name}.py"] = (INSIDE / f"{name}.py").read_bytes()
     return found
+
+
+def ends() -> list[str]:
+    """How an operation can end, as a sketch prints it: the texts of mavmission::Status behind those of its way."""
+    texts = texts_of("Status.h", "MAVMISSION_STATUSES")
+    return list(texts.values())[list(texts).index("Transferring") + 1 :]
 
 
 def make_world(archive: Path) -> None:

@@ -1,4 +1,4 @@
-// The page: what is chosen on it goes to the two workers, and what they say is shown.
+// The page: what is chosen on it goes to two workers, and what they say is shown.
 
 import { ArduPilotBuild } from "./ardupilot/build.js";
 import { AUTOPILOTS, hashOf, MOST_SEED, PLAIN, stateOf } from "./address.js";
@@ -48,7 +48,7 @@ const NAMES = { ardupilot: "ArduPilot", px4: "PX4", port: "the Pixhawk", build: 
 const at = (id) => document.getElementById(id);
 const map = new PlanMap(at("map"));
 const timeline = new Timeline(at("timeline"), (frame) => frames.selectFrame(frame));
-const frames = new Frames(at("frames"), ({ hex }) => far.postMessage({ does: "explain", hex }));
+const frames = new Frames(at("frames"), ({ hex }) => hex && far.postMessage({ does: "explain", hex }));
 const deeds = new Deeds(at("deeds"));
 const pins = new PinPanel(at("pins"), (pin, isDown) => mega.postMessage({ does: "press", pin, isDown }));
 const editor = new Editor({
@@ -65,6 +65,7 @@ const mega = new Worker("mega/worker.js", { type: "module" });
 const far = new Worker("far/worker.js", { type: "module" });
 
 let known = null; // examples.json
+let ends = []; // how an operation can end, in the sketch's words
 let state = { ...PLAIN };
 let run = 0;
 let isReady = false; // the far end has loaded
@@ -75,6 +76,7 @@ let dropped = null; // and is being put aboard
 let progress = {};
 let held = {};
 let isPaused = false;
+let onCard = ""; // the plan that was dropped last, as the Mega's SD card has it
 let files = null; // what was drawn, as {cpp, plan, waypoints}
 let seen = {}; // {heard, vehicle, flown, read, said}: what there was to see of the run
 let line = ""; // of the sketch's, as far as it has printed it
@@ -110,7 +112,7 @@ function outcome(text, kind = "going") {
 
 const example = () => known.examples.find((one) => one.name === state.example);
 const autopilot = () => (isOutside ? (isPort ? "port" : "build") : state.autopilot);
-const isConsole = () => example().console;
+const isConsole = () => state.example === "PlanConsole";
 
 // One run, from power-on
 
@@ -145,7 +147,8 @@ function begin() {
   const { port1, port2 } = new MessageChannel();
   const { loss, bytes, latency } = isPort ? PLAIN : state;
   const settings = {
-    autopilot: isOutside ? "outside" : state.autopilot, loss, bytes, latency, seed: state.seed, hz: HZ, home, arms: example().arms,
+    autopilot: isOutside ? "outside" : state.autopilot, loss, bytes, latency, seed: state.seed, hz: HZ, home,
+    arms: Boolean(example().arms),
     held: example().reads && !isOutside ? known.held[state.autopilot] : null,
   };
   far.postMessage({ does: "start", settings, port: port1, number: run }, [port1]);
@@ -155,13 +158,14 @@ function begin() {
   firmwareOf(example())
     .then((hex) => {
       if (number !== run) return;
-      mega.postMessage({ does: "start", hex, pass: example().pass, port: port2, number }, [port2]);
-      if (plan) dropped = new Dropped(plan, type, known.ends);
+      const { pass } = example();
+      mega.postMessage({ does: "start", hex, pass, card: onCard || known.card, port: port2, number }, [port2]);
+      if (plan) dropped = new Dropped(plan, type, ends);
     });
 }
 
-async function firmwareOf({ image, hex }) {
-  return image || (await fetch(`examples/${hex}`)).text();
+async function firmwareOf({ image, name }) {
+  return image || (await fetch(`examples/${name}.hex`)).text();
 }
 
 function firstWords() {
@@ -201,7 +205,7 @@ function meantItems() {
 
 // What the sketch is meant to put aboard: [values, words] of each item, by kind.
 function meant() {
-  const listed = Object.entries(example().meant[state.autopilot]);
+  const listed = Object.entries(example().meant?.[state.autopilot] || {});
   return Object.fromEntries(listed.map(([kind, items]) => [kind, items.map((turn) => known.items[turn])]));
 }
 
@@ -225,7 +229,7 @@ far.onmessage = ({ data }) => {
   const { says } = data;
   if (says === "loading") loading(data.what);
   if (says === "fetched") showFetched(data.bytes);
-  if (says === "ready") ready(data.ms);
+  if (says === "ready") ready(data);
   if (says === "read") take(data);
   if (says === "drawn") showDrawn(data.files);
   if (says === "explained") showFields(at("fields"), data.frame);
@@ -260,8 +264,9 @@ async function playRecorded() {
   else outcome(`A recorded run of ${state.example} is shown while the autopilot is loading.`, "loading");
 }
 
-function ready(ms) {
+function ready({ ms, ends: told }) {
   isReady = true;
+  ends = told;
   document.body.dataset.readyMs = Math.round(ms);
   at("loading").hidden = true;
   playback.stop();
@@ -542,6 +547,7 @@ async function take({ name, plan: read, word }) {
   const notes = [...read.notes, ...(carried ? [] : [TOO_LONG])];
   notice(notes.length ? `${name}: ${notes.join("; ")}` : "", false);
   plan = read;
+  onCard = read.waypoints;
   change({ example: "PlanConsole", plan: carried }, true);
 }
 

@@ -5,7 +5,6 @@ import { piecesOf } from "./mega/hex.js";
 
 const VECTORS = 57; // of an ATmega2560, each a jump
 const FLASH = 253952;
-const MEANT = { ardupilot: {}, px4: {} };
 
 export const isSketch = (name) => /\.(hex|elf)$/i.test(name);
 
@@ -21,8 +20,7 @@ export function exampleOf(name, bytes) {
 // made: its name, image and sizes.
 export function entryOf(made) {
   return {
-    ...made, reads: false, arms: true, console: false, prints: true, listens: true,
-    meant: MEANT,
+    ...made, arms: true, prints: true, listens: true,
   };
 }
 

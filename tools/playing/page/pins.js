@@ -1,4 +1,7 @@
-// The pins that a sketch uses, as lamps and as buttons to GND.
+// The pins that a sketch uses, as lamps, as servos and as buttons to GND.
+
+// Of the pulse for 0 degrees, and for half a turn, as the Arduino library "Servo" has them [us].
+const LEAST = 544, MOST = 2400;
 
 export class PinPanel {
   // press: is called with the number of a pin and whether its button is down.
@@ -13,7 +16,15 @@ export class PinPanel {
     this.list.replaceChildren();
   }
 
-  show({ outputs, inputs }) {
+  show({ outputs, inputs, servos }) {
+    for (const [number, width] of Object.entries(servos)) {
+      const angle = Math.round(Math.min(1, Math.max(0, (width - LEAST) / (MOST - LEAST))) * 180);
+      const row = this.row(number, "servo", "span");
+      row.textContent = `D${number}: servo at ${angle}°, ${width} µs`;
+      row.style.setProperty("--angle", `${angle - 90}deg`);
+      this.rows.get(`${number} lamp`)?.parentNode.remove();
+      this.rows.delete(`${number} lamp`);
+    }
     for (const [number, level] of Object.entries(outputs)) {
       const row = this.row(number, "lamp", "span");
       row.textContent = `D${number}: ${level ? "on" : "off"}`;

@@ -42,7 +42,8 @@ async function load() {
   python.registerJsModule("hearing", { exports: await parser });
   python.unpackArchive(await world, "zip", { extractDir: "/world" });
   python.runPython("import sys; sys.path.insert(0, '/world'); import inside.far_end");
-  postMessage({ says: "ready", ms: performance.now() - begun });
+  const ends = JSON.parse(python.FS.readFile("/world/ends.json", { encoding: "utf8" }));
+  postMessage({ says: "ready", ms: performance.now() - begun, ends });
 }
 
 load().catch((error) => postMessage({ says: "failed", run, why: `the autopilot cannot be loaded: ${error.message}` }));

@@ -4,9 +4,12 @@ import { CPU } from "../vendor/avr8js/cpu/cpu.js";
 import { avrInstruction } from "../vendor/avr8js/cpu/instruction.js";
 import { ADCMuxInputType, ADCReference, AVRADC, adcConfig } from "../vendor/avr8js/peripherals/adc.js";
 import { AVREEPROM, EEPROMMemoryBackend, eepromConfig } from "../vendor/avr8js/peripherals/eeprom.js";
+import { AVRSPI, spiConfig } from "../vendor/avr8js/peripherals/spi.js";
 import { AVRTimer, timer0Config } from "../vendor/avr8js/peripherals/timer.js";
+import { Card } from "./card.js";
 import { piecesOf } from "./hex.js";
 import { Pins } from "./pins.js";
+import { Timer16 } from "./timer16.js";
 import { Usart } from "./usart.js";
 
 export const HZ = 16_000_000;
@@ -20,7 +23,7 @@ const ERASED = 0xffff;
 const SPL = 93, SPH = 94;
 
 // The 2560's interrupt vectors, by their numbers; an address is two words for each.
-const TIMER0_COMPA = 21, TIMER0_COMPB = 22, TIMER0_OVF = 23, USART0_RX = 25, ADC_READY = 29, EE_READY = 30;
+const TIMER0_COMPA = 21, TIMER0_COMPB = 22, TIMER0_OVF = 23, SPI_READY = 24, USART0_RX = 25, ADC_READY = 29, EE_READY = 30;
 const USART1_RX = 36;
 // avr8js takes 2 cycles for what takes the chip 5: two, and a push of three bytes.
 const RESPONSE_CYCLES = 3;
@@ -47,6 +50,14 @@ const ADC = {
   muxChannels: Object.fromEntries(PINS),
   adcReferences: [ADCReference.AREF, ADCReference.AVCC, ADCReference.Internal1V1, ADCReference.Internal2V56],
 };
+// The numbers of their interrupts for channel A, and the pins of their channels.
+const TIMERS16 = [
+  { number: 1, base: 0x80, vector: 17, channels: [11, 12, 13] },
+  { number: 3, base: 0x90, vector: 32, channels: [5, 2, 3] },
+  { number: 4, base: 0xa0, vector: 42, channels: [6, 7, 8] },
+  { number: 5, base: 0x120, vector: 47, channels: [46, 45, 44] },
+];
+const SPI = { ...spiConfig, spiInterrupt: 2 * SPI_READY };
 const UCSR0A = 0xc0, UCSR1A = 0xc8;
 
 export class Crashed extends Error {}
@@ -54,7 +65,9 @@ export class Crashed extends Error {}
 export class Mega {
   // hex: the text of the .hex file, or {address, bytes} of the pieces of its flash. pass: the address in flash of what
   // the Arduino core calls once in each pass through loop(), by which the passes are counted; 0 counts none.
-  constructor(hex, pass = 0) {
+  // text: of the file on its SD card.
+  constructor(hex, pass = 0, text = "") {
+    this.text = text;
     this.flash = new Uint16Array(FLASH_BYTES / 2).fill(ERASED);
     const bytes = new Uint8Array(this.flash.buffer);
     for (const piece of typeof hex === "string" ? piecesOf(hex) : hex) {
@@ -104,6 +117,12 @@ export class Mega {
     this.analog = new AVRADC(cpu, ADC);
     this.memory = new AVREEPROM(cpu, this.eeprom, EEPROM);
     this.pins = new Pins(cpu);
+    for (const one of TIMERS16) {
+      new Timer16(cpu, one, (channel, level) => this.pins.drive(one.channels[channel], level));
+    }
+    const card = new Card(this.text);
+    this.spi = new AVRSPI(cpu, SPI, HZ);
+    this.spi.onTransfer = (byte) => card.exchange(byte);
     this.ports = [new Usart(cpu, UCSR0A, USART0_RX), new Usart(cpu, UCSR1A, USART1_RX)];
   }
 

@@ -55,10 +55,10 @@ function toNextFrame() {
   go();
 }
 
-function start({ hex, pass, port, number }) {
+function start({ hex, pass, card, port, number }) {
   stop();
   run = number;
-  mega = new Mega(hex, pass);
+  mega = new Mega(hex, pass, card);
   far = port;
   far.onmessage = ({ data: answer }) => {
     answers.set(answer.slice, answer.bytes);
@@ -182,7 +182,6 @@ function tell() {
     passes,
     cycles,
     lost: mega.serial(TELEM).lost,
-    eepromWritten: mega.eeprom.memory.some((byte) => byte !== 0xff),
   });
   told = { at: now, cycle: mega.cycle };
 }
