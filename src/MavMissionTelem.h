@@ -12,6 +12,12 @@
 
 #include <Arduino.h>
 
+#if defined(TELEM_RX) != defined(TELEM_TX)
+#error "One of TELEM_RX and TELEM_TX is missing: above the #include, #define both"
+#elif defined(TELEM_RX) && !defined(ARDUINO_ARCH_ESP32) && !defined(ARDUINO_ARCH_STM32)
+#error "TELEM_RX and TELEM_TX are for an ESP32 or an STM32: #define TELEM Serial2, or another port of this board"
+#endif
+
 #ifndef TELEM
 #if defined(ARDUINO_ARCH_STM32)
 // Serial is another name for one of the numbered ports here, or the USB; and Serial1 exists only if the board's menu or

@@ -19,7 +19,7 @@ from examples import example_folders, sketch_of
 from releasing import write_playground
 
 BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())
-OWN = ("*.html", "*.css", "*.js", "far/*.js", "mega/*.js")
+OWN = ("*.html", "*.css", "*.js", "ardupilot/*.js", "far/*.js", "mega/*.js")
 
 
 def size(folder, *patterns: str) -> int:

@@ -82,5 +82,14 @@ def test_a_sketch_is_written_compiled_and_run_in_the_page(page):
     page.wait_for_text("#console", "written in the page")
     assert page.browser.text("#compiler-says") == "It was compiled, and runs."
     assert page.browser.text("#errors") == ""
+    page.wait_for_text("#notice", "your sketch runs")
+
+    page.browser.run(WRITE, SKETCH.replace("println", "printline"))
+    page.wait_for_text("#compiler-says", "It was not compiled.")
+    assert page.notice == ""  # what it said is no longer true
     page.begin("#example=UploadMission")
     page.wait_until_good()
+    assert page.browser.text("#compiler-says") == "UploadMission runs, and this is what you have written."
+    assert "printline" in page.value("document.getElementById('source').value")
+    page.browser.run("document.getElementById('source-back').click()")
+    page.browser.wait_for("return document.getElementById('source').value.includes('returnToLaunch()')")

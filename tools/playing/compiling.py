@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import fcntl
 import re
-import threading
 from typing import Any
 
 from building import BUILD, BuildFailed, build_sketch
@@ -17,13 +17,13 @@ FOLDER = BUILD / "playground" / "written" / NAME
 AT_LINE = re.compile(rf"{NAME}\.ino:(\d+)(?::\d+)?: (?:fatal )?error: (.*)")
 MOST_ERRORS = 20
 
-_one_at_a_time = threading.Lock()
-
 
 def compiled(source: str) -> dict[str, Any]:
     """{hex, flash, ram, pass}, or {errors}: [line or None, text] each."""
-    with _one_at_a_time:
-        FOLDER.mkdir(parents=True, exist_ok=True)
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    # One at a time, whoever asks: another request to this server, or another one beside it.
+    with (FOLDER.parent / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
         (FOLDER / f"{NAME}.ino").write_text(source)
         try:
             built = build_sketch(FOLDER, strict=False)

@@ -1,15 +1,26 @@
 // The sketch's source, which may be changed, compiled by the server beside the page, and run. Errors name their lines.
 
 export class Editor {
-  // parts: the elements {area, compile, errors, says}. ran: is called with what was compiled.
-  constructor(parts, ran) {
-    Object.assign(this, parts, { ran, shown: "", isBusy: false });
+  // parts: the elements {area, compile, back, errors, says}. begins: is called when something is compiled; ran: with what
+  // was compiled.
+  constructor(parts, begins, ran) {
+    Object.assign(this, parts, { begins, ran, shown: "", name: "", isBusy: false });
     this.compile.onclick = () => this.run();
+    this.back.onclick = () => {
+      this.area.value = this.shown;
+      this.show(this.name);
+    };
   }
 
   // An example's source, unless somebody has written in it.
   async show(name) {
-    if (this.area.value !== this.shown) return;
+    this.name = name;
+    const isWritten = this.area.value !== this.shown;
+    this.back.hidden = !isWritten;
+    if (isWritten) {
+      this.says.textContent = `${name} runs, and this is what you have written.`;
+      return;
+    }
     this.shown = await (await fetch(`examples/${name}.ino`)).text();
     this.area.value = this.shown;
     this.tell([]);
@@ -25,6 +36,7 @@ export class Editor {
   async run() {
     if (this.isBusy) return;
     this.isBusy = true;
+    this.begins();
     this.says.textContent = "The sketch is being compiled.";
     try {
       const made = await (await fetch("compile", { method: "POST", body: this.area.value })).json();

@@ -52,8 +52,8 @@ const frames = new Frames(at("frames"), ({ hex }) => hex && far.postMessage({ do
 const deeds = new Deeds(at("deeds"));
 const pins = new PinPanel(at("pins"), (pin, isDown) => mega.postMessage({ does: "press", pin, isDown }));
 const editor = new Editor({
-  area: at("source"), compile: at("compile"), errors: at("errors"), says: at("compiler-says"),
-}, (made) => runOwn(entryOf({
+  area: at("source"), compile: at("compile"), back: at("source-back"), errors: at("errors"), says: at("compiler-says"),
+}, () => notice(""), (made) => runOwn(entryOf({
   ...made, name: WRITTEN, image: made.hex, says: "The sketch as it is written in the editor.",
 })));
 const playback = new Playback(({ now, news, printed }) => {
