@@ -51,7 +51,7 @@ def test_what_one_does_is_told_at_once_with_what_came_of_it(page, button):
 
 def test_a_pilot_who_takes_over_in_flight_is_told_of_by_the_sketch(page):
     page.begin("#example=GoToPlaces")
-    page.wait_for_text("#outcome", "The sketch says: to 1")
+    page.wait_for_text("#console", "to 1")  # the headline has it until the next line, which comes at once
     page.browser.click("#pilot")
     page.wait_for_text("#deeds", "a pilot sets LOITER")
     page.wait_for_text("#deeds", "the sketch says")

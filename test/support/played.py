@@ -67,10 +67,10 @@ class Page:
     """One page that has been opened; a run of it after another."""
 
     first_words = first_loaded = ""
-    first_flight: Any = None  # whether something flew before Python had come
     first_shown = 0
     first_places: ClassVar[dict[str, list[int]]] = {}
-    shown_s = ready_s = 0.0  # from the address to the map, and to the Mega's power-on
+    # From the address to the map, to the first aircraft in the air (of a recorded run), and to the Mega's power-on.
+    shown_s = flown_s = ready_s = 0.0
     asked_for: tuple[str, ...] | list[str] = ()
 
     def __init__(self, browser: Browser, server: Server) -> None:
@@ -85,11 +85,10 @@ class Page:
         self.browser.wait_for("return document.body.dataset.shownMs", STARTS_S)
         self.first_words = self.outcome  # while the autopilot loads
         self.first_shown = self.on_map(".grid") + self.on_map(".point.meant")
-        flies = "/, armed, [1-9]/.test(document.getElementById('vehicle').textContent)"
-        self.first_flight = self.browser.wait_for(f"return document.body.dataset.readyMs ? 'none' : {flies}", STARTS_S)
         self.first_places = self.places
-        self.first_loaded = self.browser.text("#fetched-words")
         self.browser.wait_for("return document.body.dataset.readyMs", STARTS_S)
+        self.first_loaded = self.value("document.getElementById('fetched-words').textContent")
+        self.flown_s = int(self.value("document.body.dataset.flownMs || 1e9")) / 1000
         self.shown_s = int(self.value("document.body.dataset.shownMs")) / 1000
         self.ready_s = int(self.value("document.body.dataset.readyMs")) / 1000
         self.asked_for = [address for address in self.browser.requests()

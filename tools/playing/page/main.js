@@ -327,6 +327,7 @@ function showNews({ now, news }) {
     const { armed, mode, height, item } = news.vehicle;
     const before = flightInWords(seen);
     seen.vehicle = news.vehicle;
+    if (armed && height >= 1) document.body.dataset.flownMs ??= Math.round(performance.now()); // a recorded flight, too
     seen.flown ||= armed;
     if (isReady && isGood && flightInWords(seen) !== before) judged(isGood);
     const flies = item === null || item === undefined ? "" : `, item ${numberOf("plan", item, hasHome())}`;
