@@ -125,8 +125,7 @@ class Flying {
     const Kind kind = plan_.kind;
     switch (act.what) {
       case What::Pilot: return autopilot_->actorSetsMode(modeOf(kind, Means::Pilot), false, nowMs_);
-      case What::Lands:
-        return autopilot_->actorSetsMode(modeOf(kind, kind == Kind::Rover ? Means::Hold : Means::Land), false, nowMs_);
+      case What::Lands: return autopilot_->actorSetsMode(modeOfLanding(kind, plan_.task), false, nowMs_);
       case What::Holds: return autopilot_->actorSetsMode(modeOf(kind, Means::Hold), false, nowMs_);
       case What::Disarms: return autopilot_->actorDisarms(nowMs_);
       case What::Failsafe: return autopilot_->actorSetsMode(modeOf(kind, Means::Return), true, nowMs_);

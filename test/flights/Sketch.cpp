@@ -70,6 +70,11 @@ bool Sketch::loop(uint32_t nowMs) {
   return true;
 }
 
+uint16_t modeOfLanding(Kind kind, Task task) {
+  if (kind != Kind::Rover) return modeOf(kind, Means::Land);
+  return modeOf(kind, task == Task::Pause || task == Task::Follow ? Means::First : Means::Hold);
+}
+
 uint16_t modeWanted(Kind kind, Task task) {
   const bool isPx4 = kind == Kind::Px4;
   switch (task) {

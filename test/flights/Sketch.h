@@ -58,5 +58,9 @@ class Sketch {
   uint32_t followedMs_ = 0;  // when it began to be followed
 };
 
+// Returns the mode of an actor who lets it land, or stops a rover: not by HOLD where pause() sets that itself first
+// (docs/who_has_the_aircraft.md).
+uint16_t modeOfLanding(Kind kind, Task task);
+
 // Returns the mode in which the aircraft flies when the task is done; kNoSuchMode if the task leaves it as it was.
 uint16_t modeWanted(Kind kind, Task task);

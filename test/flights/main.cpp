@@ -88,10 +88,10 @@ constexpr Kinds kSingle[] = {
 };
 
 // Returns the mode that this actor sets.
-uint16_t modeSetBy(Kind kind, What what) {
+uint16_t modeSetBy(Kind kind, Task task, What what) {
   switch (what) {
     case What::Pilot: return modeOf(kind, Means::Pilot);
-    case What::Lands: return modeOf(kind, kind == Kind::Rover ? Means::Hold : Means::Land);
+    case What::Lands: return modeOfLanding(kind, task);
     case What::Failsafe: return modeOf(kind, Means::Return);
     default: return modeOf(kind, Means::Hold);
   }
@@ -101,7 +101,7 @@ uint16_t modeSetBy(Kind kind, What what) {
 bool isOfUse(const FlightPlan& plan, What what) {
   const uint16_t wanted = modeWanted(plan.kind, plan.task);
   switch (what) {
-    case What::Lands: return wanted != modeOf(plan.kind, plan.kind == Kind::Rover ? Means::Hold : Means::Land);
+    case What::Lands: return wanted != modeOfLanding(plan.kind, plan.task);
     case What::Holds: return isStart(plan.task) || plan.task == Task::TakeOff;
     case What::Failsafe: return wanted != modeOf(plan.kind, Means::Return);
     case What::OtherPlan:
@@ -191,7 +191,7 @@ void flyOvertakes(FlightPlan plan, unsigned count, Findings& findings) {
       const What who = kWho[below(4)];
       // (A mode that is changed back to an earlier one cannot be told from ours that has set that one again.)
       const bool isNew = std::none_of(plan.acts.begin(), plan.acts.end(), [&](const Act& act) {
-        return modeSetBy(plan.kind, act.what) == modeSetBy(plan.kind, who);
+        return modeSetBy(plan.kind, plan.task, act.what) == modeSetBy(plan.kind, plan.task, who);
       });
       if (isOfUse(plan, who) && isNew) plan.acts.push_back(Act{who, atMs, 0, order});
       atMs += below(kAgainMs);

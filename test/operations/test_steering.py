@@ -9,7 +9,7 @@ import pytest
 from disorders import latency_of
 from plans import NAN, on_the_wire, waypoint
 from simulation.fake_autopilot import item, mavlink
-from simulation.steered import ABOVE_SEA, REPOSITION, SPEED, TAKEOFF
+from simulation.steered import ABOVE_SEA, REPOSITION, SPEED, TAKEOFF, Steered
 from simulation.wire import Wire
 from starts import hops
 
@@ -261,6 +261,74 @@ def test_it_stops_on_the_way_and_stays(steered):
     steered.run(5.0)
     assert steered.where.distance(stopped) < 0.1 and not steered.has_arrived()
     assert steered.where.height == pytest.approx(stopped.height, abs=0.1)
+
+
+def on_its_way(vehicle_type: int) -> Steered:
+    steered = Steered("ArduPilot", vehicle="rover", vehicle_type=vehicle_type, uptime_s=120.0)
+    steered.arm_in_guided()
+    steered.go_to(steered.place(200, 0), 0.0)
+    assert steered.done() == "Done"
+    steered.run(8.0)
+    return steered
+
+
+@STEERING
+@pytest.mark.parametrize("vehicle_type", [mavlink.MAV_TYPE_GROUND_ROVER, mavlink.MAV_TYPE_SURFACE_BOAT])
+def test_rover_on_its_way_is_stopped_by_hold_and_not_sent_to_where_it_was(vehicle_type):
+    """Sent there, ArduRover 4.6.3 at 5 m/s drives on for 18 m, turns, and drives back."""
+    steered = on_its_way(vehicle_type)
+    for _ in range(2):
+        before = len(steered.ordered())
+        steered.order_of("hold")
+        assert steered.done() == "Done" and steered.mode == "GUIDED"
+        modes = steered.autopilot.kind.modes
+        assert [(one.command, one.param2) for one in steered.ordered()[before:]] == [
+            (SET_MODE, modes["HOLD"]), (SET_MODE, modes["GUIDED"])]  # fmt: skip
+    stopped = steered.where
+    steered.run(5.0)
+    assert steered.where.distance(stopped) < 0.1
+    steered.go_to(steered.place(200, 0), 0.0)
+    assert steered.done() == "Done" and steered.mode == "GUIDED"
+    steered.run(10.0)
+    assert steered.where.distance(stopped) > 3.0
+
+
+@STEERING
+@pytest.mark.parametrize("mode, status", [("HOLD", "PilotHasIt"), ("LOITER", "PilotHasIt"), ("RTL", "FailsafeHasIt")])
+@pytest.mark.parametrize("later_s", [None, 0.002, 0.01, 0.03, 0.06, 0.1])
+def test_rover_whose_pilot_takes_it_beside_a_hold_stays_his(mode, status, later_s):
+    """Before and behind it HOLD is his; while it is the order's own, nobody can tell."""
+    steered = on_its_way(mavlink.MAV_TYPE_GROUND_ROVER)
+    steered.order_of("hold")
+    if later_s is None:
+        assert steered.done() == "Done"
+        steered.run(1.2)
+        steered.pilot_sets(mode)
+    else:
+        steered.pilot_sets_in(later_s, mode)
+        ended = steered.done(limit_s=12)
+        if mode != "HOLD":
+            assert ended in (status, "Done")
+    steered.run(4.0)
+    if mode != "HOLD" or later_s is None:
+        assert steered.mode == mode and not steered.may_steer
+        steered.go_to(steered.place(200, 0), 0.0)
+        assert steered.done() == status and steered.mode == mode
+
+
+@STEERING
+def test_rover_in_its_mission_is_held_in_guided_and_goes_on():
+    """A pilot who sets HOLD there is seen."""
+    steered = Steered("ArduPilot", vehicle="rover", uptime_s=120.0)
+    steered.upload(hops("rover", 5), proof="Always")
+    assert steered.done(limit_s=20) == "Accepted"
+    steered.order_of("start", 0)
+    assert steered.done(limit_s=20) == "Done"
+    steered.run(3.0)
+    for order, mode in (("hold", "GUIDED"), ("goOn", "AUTO")):
+        steered.order_of(order)
+        assert steered.done() == "Done" and steered.mode == mode
+        steered.run(1.5)
 
 
 @STEERING

@@ -26,6 +26,9 @@ Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
       const Status refusal = refuse();
       if (refusal != Status::Transferring || client_.commands().asksVehicle()) return refusal;
       lead(client_.commands().firstMode(), wantedMode());
+      if (is(kStopsHere) && isGround() && wantsPosition()) {
+        lead(change_.wanted(), client_.commands().numberOf(FlightMode::Hold));
+      }
       const Status begun = nextStep(nowMs);
       beganS_ = 0;  // behind this event the seconds begin anew
       return begun;
@@ -57,7 +60,12 @@ Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
 Status Steering::nextStep(uint16_t nowMs) {
   do {
     step_ = static_cast<SteerStep>(static_cast<uint8_t>(step_) + 1);
-    if (step_ > SteerStep::Confirm) return done();
+    if (step_ > SteerStep::Confirm) {
+      if (!is(kStopsHere) || change_.wanted() == wantedMode()) return done();
+      lead(change_.wanted(), wantedMode());  // a rover that has been stopped by HOLD
+      isOrdered_ = false;
+      step_ = SteerStep::Mode;
+    }
   } while (!beginStep(nowMs));
   return Status::Transferring;
 }
@@ -67,7 +75,9 @@ bool Steering::needsHome() const {
   return is(kTakesHeight) && isRelative() && has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
 }
 
-// An aircraft that pauses stops by another mode, or, where it flies in that mode already, by a place.
+// An aircraft that pauses stops by another mode, or, where it flies in that mode already, by a place. (A rover that is
+// sent to the place where it is drives on for 18 m at 5 m/s until it can stop, turns, and comes back. So it is set to
+// HOLD, and then to GUIDED again, where it stays.)
 bool Steering::stopsByPlace() const {
   return is(kStopsHere) && (oldMode_ == change_.wanted() || has(client_.autopilot().firmware(), kUnsetPlaceIsHere));
 }
