@@ -72,6 +72,18 @@ def test_a_mode_that_somebody_sets_in_flight_stays(autopilot, who, modes, words)
     assert any(event.startswith(words) for event in run.events)
 
 
+@pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])
+def test_a_pilot_who_gives_it_back_sets_the_mode_of_before(autopilot):
+    run = Run("UploadMission", autopilot, arms=False)
+    run.for_s(0.5)
+    before = run.far._mode()
+    for mode in (PILOT[autopilot], before, PILOT[autopilot]):
+        run.far.interfere("pilot")
+        run.for_s(0.5)
+        assert run.far._mode() == mode
+    assert [event.split(" sets ")[0] for event in run.events] == ["a pilot", "the pilot", "a pilot"]
+
+
 def test_a_low_battery_on_the_ground_is_told_and_does_nothing():
     run = Run("UploadMission", "ardupilot", arms=False)
     run.for_s(0.5)

@@ -45,8 +45,14 @@ def test_what_one_does_is_told_at_once_with_what_came_of_it(page, button):
         assert "the Mega sends" in result or "the sketch says" in result
     if button == "pilot":
         assert "the Mega has had nothing to do about it" in result
+        page.wait_for_text("#pilot", "The pilot gives back")
+        page.browser.click("#pilot")
+        page.wait_for_text("#deeds", "the pilot sets the mode of before again")
+        page.wait_for_text("#pilot", "A pilot takes over")
     if button == "cable":
+        assert page.outcome.startswith("The cable is pulled: nothing passes. All ")
         page.browser.click("#cable")
+        assert page.outcome.startswith("All ")
 
 
 def test_a_pilot_who_takes_over_in_flight_is_told_of_by_the_sketch(page):

@@ -101,6 +101,13 @@ def test_a_plan_is_drawn_by_the_keyboard_alone_and_shown_in_three_forms(page):
           form.dispatchEvent(new Event("change"));
         """, form)  # fmt: skip
         page.wait_for_text("#drawn-text", words)
+    page.browser.run("""
+      const clipboard = { writeText: async (text) => { window.copied = text; } };
+      Object.defineProperty(navigator, "clipboard", { value: clipboard, configurable: true });
+      document.getElementById("copy-drawn").click();
+    """)
+    page.wait_for_text("#notice", "The plan that you drew is in the clipboard.")
+    assert page.value("window.copied").startswith("QGC WPL 110")
     page.browser.run("document.querySelector('#points li:first-child button').click()")
     assert page.on_map(".point.drawn") == 1
     page.begin("#example=UploadMission")

@@ -24,13 +24,13 @@ from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
 from simulation.fake_autopilot.vehicles import VEHICLES
 from simulation.wire import Entry
 
-from .interference import battery_is_low, other_station_uploads, pilot_takes_over
+from .interference import battery_is_low, is_pilots, other_station_uploads, pilot_turns_the_switch
 
 UPTIME_S = 60.0  # the autopilot has been on for so long: it can be armed
 VEHICLE_EVERY_S = 0.1
 SILENCE_S = 3.0  # of an autopilot that is restarted
 NEXT = {">": "the Mega", "<": "the autopilot"}
-DEEDS = {"pilot": pilot_takes_over, "battery": battery_is_low, "station": other_station_uploads}
+DEEDS = {"pilot": pilot_turns_the_switch, "battery": battery_is_low, "station": other_station_uploads}
 # What a message of tools/plan says of its own options, which the page has not.
 OPTION = re.compile(r"[,;] (or say )?--[a-z].*$")
 
@@ -258,7 +258,7 @@ class FarEnd:
         place = self.autopilot.flight.where(now)
         self._vehicle = {
             "lat": place.lat_e7, "lon": place.lon_e7, "height": round(place.height, 2), "armed": self.autopilot.armed,
-            "mode": self._mode(), "item": self.autopilot.flight.index,
+            "mode": self._mode(), "item": self.autopilot.flight.index, "pilots": is_pilots(self.autopilot),
         }  # fmt: skip
 
     def _progress_of(self, kind: int, count: int) -> dict:

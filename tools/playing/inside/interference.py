@@ -12,12 +12,32 @@ STATION = (255, 190)  # its system and its component
 PX4_POSITION, PX4_RETURN = (3, 0), (4, 5)  # PX4's main and sub mode
 
 
-def pilot_takes_over(autopilot: Any, now: float) -> str:
-    """By the switch of the remote control; in words."""
+def pilots_numbers(autopilot: Any) -> tuple[int, ...]:
     kind = getattr(autopilot, "kind", None)
-    numbers = (kind.modes["LOITER"],) if kind else PX4_POSITION
+    return (kind.modes["LOITER"],) if kind else PX4_POSITION
+
+
+def numbers_of_mode(autopilot: Any) -> tuple[int, ...]:
+    kind = getattr(autopilot, "kind", None)
+    return (kind.modes[autopilot.mode],) if kind else (autopilot.main_mode, autopilot.sub_mode)
+
+
+def is_pilots(autopilot: Any) -> bool:
+    """A pilot has taken it, and it is in his mode still."""
+    return getattr(autopilot, "taken_from", None) is not None and (
+        numbers_of_mode(autopilot) == pilots_numbers(autopilot)
+    )
+
+
+def pilot_turns_the_switch(autopilot: Any, now: float) -> str:
+    """Of the remote control: to his mode, and from it back to the mode of before; in words."""
+    gives_back = is_pilots(autopilot)
+    numbers = autopilot.taken_from if gives_back else pilots_numbers(autopilot)
+    autopilot.taken_from = None if gives_back else numbers_of_mode(autopilot)
     autopilot.at("pilot", now, lambda time: autopilot._set_mode(*numbers, time))
-    return f"a pilot sets {'LOITER' if kind else 'POSCTL'}"
+    if gives_back:
+        return "the pilot sets the mode of before again"
+    return f"a pilot sets {'LOITER' if hasattr(autopilot, 'kind') else 'POSCTL'}"
 
 
 def battery_is_low(autopilot: Any, now: float) -> str:

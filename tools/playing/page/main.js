@@ -77,6 +77,7 @@ let progress = {};
 let held = {};
 let isPaused = false;
 let onCard = ""; // the plan that was dropped last, as the Mega's SD card has it
+let latest = ["", "going"]; // what outcome() was told last
 let files = null; // what was drawn, as {cpp, plan, waypoints}
 let seen = {}; // {heard, vehicle, flown, read, said}: what there was to see of the run
 let line = ""; // of the sketch's, as far as it has printed it
@@ -106,7 +107,9 @@ function notice(text, isTrouble = true) {
 
 function outcome(text, kind = "going") {
   const place = at("outcome");
-  if (place.textContent !== text) place.textContent = text;
+  const whole = isReady && !isPort && state.cable === "pulled" ? `The cable is pulled: nothing passes. ${text}` : text;
+  latest = [text, kind];
+  if (place.textContent !== whole) place.textContent = whole;
   place.dataset.state = kind;
 }
 
@@ -327,6 +330,7 @@ function showNews({ now, news }) {
     const { armed, mode, height, item } = news.vehicle;
     const before = flightInWords(seen);
     seen.vehicle = news.vehicle;
+    at("pilot").textContent = news.vehicle.pilots ? "The pilot gives back" : "A pilot takes over";
     if (armed && height >= 1) document.body.dataset.flownMs ??= Math.round(performance.now()); // a recorded flight, too
     seen.flown ||= armed;
     if (isReady && isGood && flightInWords(seen) !== before) judged(isGood);
@@ -524,7 +528,7 @@ function askForFiles() {
 function showDrawn(made) {
   files = made;
   at("fly").disabled = isPort || !made.waypoints;
-  at("save-drawn").disabled = !made.waypoints;
+  at("save-drawn").disabled = at("copy-drawn").disabled = !made.waypoints;
   at("drawn-text").textContent = made.error || made[at("form").value];
 }
 
@@ -616,6 +620,7 @@ at("cable").onclick = () => {
   const cable = state.cable === "pulled" ? "joined" : "pulled";
   change({ cable }, false);
   far.postMessage({ does: "cable", joined: cable === "joined" });
+  outcome(...latest);
 };
 at("lose").onclick = () => far.postMessage({ does: "loseNext", name: at("lose-what").value });
 at("latency").oninput = (event) => change({ latency: Number(event.target.value) }, false);
@@ -663,14 +668,18 @@ at("reset-autopilot").onclick = () => {
 };
 at("heard").onclick = () => notice("");
 at("again").onclick = () => begin();
-at("share").onclick = async () => {
+async function copy(text, what, otherwise) {
   try {
-    await navigator.clipboard.writeText(location.href);
-    notice("The address of this state is in the clipboard.", false);
+    await navigator.clipboard.writeText(text);
+    notice(`${what} is in the clipboard.`, false);
   } catch {
-    notice(`The address of this state: ${location.href}`, false);
+    notice(otherwise, false);
   }
-};
+}
+at("share").onclick = () =>
+  copy(location.href, "The address of this state", `The address of this state: ${location.href}`);
+at("copy-drawn").onclick = () =>
+  copy(files[at("form").value], "The plan that you drew", "This browser does not copy: mark the text below.");
 at("typing").onsubmit = (event) => {
   event.preventDefault();
   if (!isReady) return notice("The Mega is not switched on yet.");
