@@ -32,6 +32,11 @@ def with_values(text: str, known: dict[str, str]) -> str:
     return CONSTANT.sub(lambda found: f"`{found[1]}` = {known[found[1]]}", text)
 
 
+def documented_s(rule: str) -> float:
+    """What the document says of a rule whose name ends in Ms [s]. Raises StopIteration if it does not name it."""
+    return next(int(value) for name, value in CONSTANT.findall(DOCUMENT.read_text()) if name == rule) / 1000
+
+
 def main() -> None:
     text = with_values(DOCUMENT.read_text(), values(SOURCE.read_text()))
     if sys.argv[1:] == ["--write"]:
