@@ -14,7 +14,7 @@ namespace mavmission {
   /* not ended */ \
   X(Idle, "idle")                                   /* no operation has been started yet */ \
   X(WaitingForAutopilot, "waiting for an autopilot") /* none heard yet, or two heard and none named */ \
-  X(BackingOff, "waiting: another ground station is transferring") /* see retryWhenBusy() */ \
+  X(BackingOff, "waiting: another station is transferring") /* see retryWhenBusy() */ \
   X(Checking, "checking the plan")                  /* before the first byte is sent */ \
   X(Transferring, "transferring")                   /* exchanging messages with the autopilot */ \
   /* ended well */ \
@@ -25,86 +25,86 @@ namespace mavmission {
   X(Cleared, "cleared: no plan is aboard")          /* acknowledged by the autopilot */ \
   X(Done, "done: the autopilot confirmed it")        /* a command, or all steps of start() */ \
   /* ended with an unknown outcome */ \
-  X(Unconfirmed, "unconfirmed: it was sent, the answer never came") /* the plan may or may not be aboard */ \
+  X(Unconfirmed, "unconfirmed: it was sent, and never answered") /* the plan may or may not be aboard */ \
   /* ended by the sketch */ \
   X(Cancelled, "cancelled by the sketch") \
   /* refused before the first byte was sent: nothing aboard has changed */ \
   X(Busy, "busy with another operation")            /* only returned: the running operation keeps its own status */ \
-  X(NoAutopilot, "no autopilot heard in the time allowed") \
-  X(SeveralAutopilots, "several autopilots heard: name one with setTargetIds()") \
-  X(SameIdsAsAutopilot, "our system and component id are the autopilot's own: it would ignore us") \
+  X(NoAutopilot, "no autopilot heard in time") \
+  X(SeveralAutopilots, "several autopilots: name one with setTargetIds()") \
+  X(SameIdsAsAutopilot, "our ids are the autopilot's own: it would ignore us") \
   X(OtherAutopilot, "refused: compiled for another autopilot") /* MAVMISSION_ONLY_ARDUPILOT, _PX4: Config.h */ \
-  X(NeedsMavlink2, "refused: this needs MAVLink 2, and the link speaks MAVLink 1") \
+  X(NeedsMavlink2, "refused: this needs MAVLink 2, the link speaks 1") \
   X(Armed, "refused: the autopilot is armed")       /* allowWhileArmed() allows it */ \
-  X(TooManyItems, "refused: more than 65535 items on the wire") \
+  X(TooManyItems, "refused: more than 65535 items") \
   X(BadLatitude, "refused: a latitude beyond 90 degrees") \
   X(BadLongitude, "refused: a longitude beyond 180 degrees") \
   X(NotANumber, "refused: a NaN where none is allowed") \
   X(NotFinite, "refused: an infinite number") \
-  X(BadCurrent, "refused: current is 2 or more, which means fly there now") \
-  X(BadJump, "refused: a jump to an item that is not in the plan") \
+  X(BadCurrent, "refused: current above 1 means fly there now") \
+  X(BadJump, "refused: a jump out of the plan") \
   X(BadRange, "refused: the part is not within the plan") \
   X(BadPlanType, "refused: only clear() takes PlanType::All") \
-  X(WholePlansOnly, "refused: this autopilot takes only whole plans") \
-  X(BadFrame, "refused: an altitude reference that this autopilot does not take") \
-  X(NotFlown, "refused: a command that this autopilot does not take in a plan") \
-  X(NeedsCoordinates, "refused: this autopilot needs coordinates in the item") \
-  X(BadAltitude, "refused: an altitude beyond what this autopilot takes") \
-  X(NotKept, "refused: this autopilot would store another value") /* keptValue() of differingField() */ \
+  X(WholePlansOnly, "refused: the autopilot takes whole plans only") \
+  X(BadFrame, "refused: the autopilot has no such altitude reference") \
+  X(NotFlown, "refused: the autopilot takes no such command in a plan") \
+  X(NeedsCoordinates, "refused: the autopilot needs coordinates in the item") \
+  X(BadAltitude, "refused: the autopilot takes no such altitude") \
+  X(NotKept, "refused: the autopilot would store another value") /* keptValue() of differingField() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
-  X(SinkFull, "the plan aboard is larger than the sink takes") \
+  X(SinkFull, "the plan aboard is too large for the sink") \
   X(SourceRefused, "the plan's source gave no item") \
   X(NoAnswer, "the autopilot did not answer") \
-  X(TimedOut, "the autopilot fell silent, or asked for the same item for ever") \
-  X(TookTooLong, "the whole transfer took too long") \
-  X(AcceptedEarly, "the autopilot said accepted before it had asked for every item") \
-  X(OtherPlanAboard, "the autopilot accepted, but its checksum is not that of our plan") \
+  X(TimedOut, "the autopilot fell silent, or asked for one item for ever") \
+  X(TookTooLong, "it took too long") \
+  X(AcceptedEarly, "accepted before every item was asked for") \
+  X(OtherPlanAboard, "accepted, but its checksum is not that of our plan") \
   /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in order, then any other result */ \
-  X(Error, "the autopilot said: error") \
-  X(UnsupportedFrame, "the autopilot said: coordinate frame not supported") \
-  X(Unsupported, "the autopilot said: command not supported in a plan") \
-  X(NoSpace, "the autopilot said: no room for the items") \
-  X(Invalid, "the autopilot said: a parameter is invalid") \
-  X(InvalidParam1, "the autopilot said: param1 is invalid") \
-  X(InvalidParam2, "the autopilot said: param2 is invalid") \
-  X(InvalidParam3, "the autopilot said: param3 is invalid") \
-  X(InvalidParam4, "the autopilot said: param4 is invalid") \
-  X(InvalidParam5, "the autopilot said: x (latitude) is invalid") \
-  X(InvalidParam6, "the autopilot said: y (longitude) is invalid") \
-  X(InvalidParam7, "the autopilot said: z (altitude) is invalid") \
-  X(InvalidSequence, "the autopilot said: item out of sequence") \
-  X(Denied, "the autopilot said: denied (another ground station may be transferring)") \
+  X(Error, "autopilot: error") \
+  X(UnsupportedFrame, "autopilot: coordinate frame not supported") \
+  X(Unsupported, "autopilot: command not supported in a plan") \
+  X(NoSpace, "autopilot: no room for the items") \
+  X(Invalid, "autopilot: a parameter is invalid") \
+  X(InvalidParam1, "autopilot: param1 is invalid") \
+  X(InvalidParam2, "autopilot: param2 is invalid") \
+  X(InvalidParam3, "autopilot: param3 is invalid") \
+  X(InvalidParam4, "autopilot: param4 is invalid") \
+  X(InvalidParam5, "autopilot: x (latitude) is invalid") \
+  X(InvalidParam6, "autopilot: y (longitude) is invalid") \
+  X(InvalidParam7, "autopilot: z (altitude) is invalid") \
+  X(InvalidSequence, "autopilot: item out of sequence") \
+  X(Denied, "autopilot: denied (another station may be transferring)") \
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
-  X(UnknownResult, "the autopilot answered with an unknown code") \
+  X(UnknownResult, "autopilot: unknown code") \
   /* commands: MAV_RESULT 1 to 4 and 7 to 10 in order, then any other result */ \
-  X(CommandRejected, "the autopilot said: not now") \
-  X(CommandDenied, "the autopilot said: denied (a parameter is not valid)") \
-  X(CommandUnsupported, "the autopilot does not support the command") \
-  X(CommandFailed, "the autopilot said: failed") \
-  X(CommandLongOnly, "the autopilot said: only as COMMAND_LONG") \
-  X(CommandIntOnly, "the autopilot said: only as COMMAND_INT") \
-  X(CommandFrame, "the autopilot said: coordinate frame not supported by the command") \
-  X(NotInControl, "the autopilot said: another station is in control") \
-  X(CommandRefused, "the autopilot refused with another code") \
+  X(CommandRejected, "autopilot: not now") \
+  X(CommandDenied, "autopilot: denied (a parameter is not valid)") \
+  X(CommandUnsupported, "autopilot: command not supported") \
+  X(CommandFailed, "autopilot: failed") \
+  X(CommandLongOnly, "autopilot: only as COMMAND_LONG") \
+  X(CommandIntOnly, "autopilot: only as COMMAND_INT") \
+  X(CommandFrame, "autopilot: coordinate frame not supported by the command") \
+  X(NotInControl, "autopilot: another station is in control") \
+  X(CommandRefused, "autopilot: refused, by another code") \
   X(NoSuchMode, "this vehicle has no such mode") \
   X(NotArmed, "refused: the autopilot is not armed") \
-  X(Unproven, "refused: what is aboard is not known to be our plan") \
-  X(Infeasible, "the autopilot accepted the plan, then found that it cannot be flown") \
+  X(Unproven, "refused: the plan aboard may not be ours") \
+  X(Infeasible, "accepted, then found impossible to fly") \
   X(NoSuchItem, "refused: the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to from this item on") \
-  X(OtherItem, "the autopilot is at another item than the first")  /* failedItem() is the item it is at */ \
+  X(OtherItem, "the autopilot is not at the first item")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
-  X(Overruled, "a command undid another mode, which could not be set again") \
+  X(Overruled, "another mode was undone, and could not be set again") \
   /* Steering: nothing was sent, unless control was lost during the operation */ \
   X(PilotHasIt, "a pilot or another station is in control") \
-  X(FailsafeHasIt, "a failsafe or another station lands the aircraft, or flies it home") \
+  X(FailsafeHasIt, "a failsafe or another station lands it, or flies it home") \
   X(NotFlying, "refused: the aircraft is not in the air") \
-  X(NoHome, "refused: the autopilot does not say where home is") \
+  X(NoHome, "refused: the autopilot names no home") \
   X(BadSpeed, "refused: a speed must be above 0, up to 100 m/s") \
-  X(NotRenewed, "held: the sketch has not renewed its target in time") /* MovingTarget */ \
+  X(NotRenewed, "held: the target was not renewed in time") /* MovingTarget */ \
   /* parameters */ \
-  X(NoParameter, "no answer: it has no parameter of this name, or does not hear us") \
+  X(NoParameter, "no answer: no such parameter, or we are not heard") \
   X(OtherValue, "the autopilot stores another value")  /* Parameters::value() */
 // clang-format on
 
@@ -124,13 +124,13 @@ enum class Status : uint8_t {
 bool isWorthRetry(Status status);
 
 // The plan that the autopilot holds when an operation has ended.
-#define MAVMISSION_ABOARD(X)                                              \
-  X(NotKnown, "not known")                                                \
-  X(AsBefore, "what was aboard before")                                   \
-  X(OurPlan, "our plan, whole")                                           \
-  X(Mixture, "a mixture: our items as far as they came, then older ones") \
-  X(Nothing, "no plan")                                                   \
-  X(OtherPlan, "not our plan any more: somebody else has replaced or cleared it")
+#define MAVMISSION_ABOARD(X)                                \
+  X(NotKnown, "not known")                                  \
+  X(AsBefore, "what was aboard before")                     \
+  X(OurPlan, "our plan, whole")                             \
+  X(Mixture, "a mixture: our first items, then older ones") \
+  X(Nothing, "no plan")                                     \
+  X(OtherPlan, "not ours: somebody has replaced or cleared it")
 
 // Which plan is aboard.
 inline namespace print_it_with_toString {

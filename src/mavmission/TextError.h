@@ -19,17 +19,17 @@ namespace mavmission {
   X(TooLarge, "a number too large")                                                                \
   X(OutOfOrder, "the lines are not numbered 0, 1, 2, ...")                                         \
   X(NotZeroOrOne, "neither 0 nor 1")                                                               \
-  X(BadTextFrame, "a frame that is not 0, 2, 3, 5, 6, 10 or 11")                                   \
+  X(BadTextFrame, "the frame is not 0, 2, 3, 5, 6, 10 or 11")                                      \
   X(NotWhole, "not a whole number")                                                                \
   X(BeyondLatitude, "a latitude beyond 90 degrees")                                                \
   X(BeyondLongitude, "a longitude beyond 180 degrees")                                             \
-  X(BadTarget, "a jump to home, or to a line that is not there")                                   \
-  X(MixedKinds, "items of a mission, a fence or rally points together")                           \
-  X(NoItems, "no item after home")                                                                \
+  X(BadTarget, "a jump to home, or out of the plan")                                               \
+  X(MixedKinds, "mission, fence or rally items together")                                          \
+  X(NoItems, "no item after home")                                                                 \
   X(Unreadable, "it cannot be read to its end")                                                    \
   X(NoRoom, "more items than there is room for")                                                   \
   X(NotKept, "the EEPROM could not store the plan")                                                \
-  X(TooFast, "it came faster than it could be stored: send it line by line")
+  X(TooFast, "too fast for the EEPROM: send it line by line")
 // clang-format on
 
 inline namespace print_it_with_toString {  // what println() of one says: see Status.h

@@ -28,7 +28,7 @@ def test_new_result_code_is_a_line_and_a_number_in_one_file(tmp_path):
     shutil.copytree(LIBRARY, library)
     status = library / "mavmission" / "Status.h"
     last = '  X(CancelledByAutopilot, "the autopilot cancelled or timed out") \\\n'
-    replaced(status, last, f'{last}  X(NotInFlight, "the autopilot said: not in flight") \\\n')
+    replaced(status, last, f'{last}  X(NotInFlight, "autopilot: not in flight") \\\n')
     replaced(status, "result <= 15 ?", "result <= 16 ?")
     replaced(status, "fromMissionResult(15) == Status::CancelledByAutopilot",
              "fromMissionResult(16) == Status::NotInFlight")  # fmt: skip
@@ -40,7 +40,7 @@ def test_new_result_code_is_a_line_and_a_number_in_one_file(tmp_path):
         [program], capture_output=True, text=True, check=True
     ).stdout.splitlines()
     assert "denied" in denied and "cancelled" in cancelled and "unknown code" in unknown
-    assert new == "the autopilot said: not in flight"
+    assert new == "autopilot: not in flight"
 
 
 @pytest.mark.slow

@@ -157,7 +157,7 @@ def test_bad_text_is_refused_with_its_line_and_the_old_plan_stays(console):
     (["load", *HEAD, SURVEY[0], SURVEY[2]], "line 4, field 1: the lines are not numbered 0, 1, 2, ..."),
     (["load", *HEAD, SURVEY[0], SURVEY[1], "upload"], "line 5: not a number"),
     (["load", *HEAD, SURVEY[0], SURVEY[1], SURVEY[2].replace("\t2\t2", "\t7\t2"), "end"],
-     "line 5, field 5: a jump to home, or to a line that is not there"),
+     "line 5, field 5: a jump to home, or out of the plan"),
     (["load", "cancel"], "nothing was loaded"),
     (["end"], "nothing is being loaded: type load first"),
     (["list"], "no plan is stored: type load"),
@@ -197,7 +197,7 @@ def test_a_text_that_comes_faster_than_it_is_stored_is_refused(console):
     assert [
         line
         for line in console.lines
-        if line.endswith(": it came faster than it could be stored: send it line by line")
+        if line.endswith(": too fast for the EEPROM: send it line by line")
     ]
     console.run(1.0)
     assert console.answer("list", "no plan is stored: type load")[-1] == "no plan is stored: type load"
@@ -210,7 +210,7 @@ def test_a_text_of_which_bytes_were_lost_is_refused():
         ["1\t0\t3\t16", *["1.234567890123456789e-37"] * 4, "-35.3632621", "149.1652374", "9.99999999999999999e-38", "1"]
     )
     console.send("load", *HEAD, row, "end")
-    too_fast = "line 3: it came faster than it could be stored: send it line by line"
+    too_fast = "line 3: too fast for the EEPROM: send it line by line"
     assert too_fast in console.until(too_fast, 3.0)
     console.run(1.0)
     assert console.answer("list", "no plan is stored: type load")[-1] == "no plan is stored: type load"
@@ -257,7 +257,7 @@ def test_a_download_that_fails_leaves_the_plan_that_is_kept(console):
     console.load(*SURVEY)
     before = console.listed()
     console.autopilot.load([waypoint(n, n, float(n)) for n in range(1, 201)])
-    console.answer("download", "the plan aboard is larger than the sink takes", limit_s=60.0)
+    console.answer("download", "the plan aboard is too large for the sink", limit_s=60.0)
     console.run(1.0)
     assert console.listed() == before
 
@@ -291,7 +291,7 @@ def test_start_that_is_refused_says_that_the_aircraft_is_disarmed_again():
     console.answer("upload", "aboard: our plan, whole")
     console.autopilot._begins_with_takeoff = lambda: False
     lines = console.answer("start", "it is disarmed again", limit_s=60.0)
-    assert "the autopilot said: failed" in lines
+    assert "autopilot: failed" in lines
     console.run(1.2)
     assert not console.autopilot.armed
     assert "it is disarmed again" not in console.answer("verify", "aboard: our plan, whole", limit_s=20.0)
@@ -300,7 +300,7 @@ def test_start_that_is_refused_says_that_the_aircraft_is_disarmed_again():
 @pytest.mark.slow
 def test_start_flies_what_is_aboard(console):
     assert console.answer("start", "aboard: not known", limit_s=8.0)[0].startswith(
-        "refused: what is aboard is not known"
+        "refused: the plan aboard may not be ours"
     )
     console.load(*SURVEY[:2], SURVEY[3].replace("4", "3", 1))
     console.answer("upload", "aboard: our plan, whole")

@@ -119,7 +119,7 @@ TEST_CASE("a text is refused when the port's ring was full in its midst, and onl
   desk.answer(std::string(kHead).substr(12));
   CHECK(desk.answer(row + "end\n").find("stored: ") != std::string::npos);
   desk.answer("load\n");
-  CHECK(desk.answer(std::string(kHead) + row + "end\n").find("line 1: it came faster") == 0);
+  CHECK(desk.answer(std::string(kHead) + row + "end\n").find("line 1: too fast") == 0);
   CHECK(desk.plan.count() == 1);
 }
 
