@@ -4,9 +4,9 @@
 //
 // To choose another port or other pins, write this before the #include:
 //
-//   #define CONSOLE Serial2                       // another port
-//   #define CONSOLE_RX 8                          // an Uno's pins for the adapter
-//   #define CONSOLE_TX 9
+//   #define CONSOLE Serial2  // another port
+//   #define CONSOLE_TX 9     // an Uno's pin for the adapter
+//   #define CONSOLE_RX 8     // and the one that its TX is wired to, for a sketch that also reads from CONSOLE
 #pragma once
 
 #include "MavMissionTelem.h"
@@ -15,12 +15,16 @@
 #if defined(MAVMISSION_ONE_PORT) && defined(ARDUINO_ARCH_ESP8266)
 #define CONSOLE Serial1  // it only sends; the usual pins of a SoftwareSerial, 10 and 11, go to the flash
 #elif defined(MAVMISSION_ONE_PORT)
-#include <SoftwareSerial.h>
-#ifndef CONSOLE_RX
-#define CONSOLE_RX 10
+#ifndef CONSOLE_TX
 #define CONSOLE_TX 11
 #endif
+#ifdef CONSOLE_RX
+#include <SoftwareSerial.h>
 static SoftwareSerial mavMissionConsole(CONSOLE_RX, CONSOLE_TX);
+#else
+#include "mavmission/PinPrint.h"
+static mavmission::PinPrint mavMissionConsole(CONSOLE_TX);
+#endif
 #define CONSOLE mavMissionConsole
 #else
 #define CONSOLE Serial

@@ -1,6 +1,7 @@
 // The board's side of tools/bench, which makes a sketch of it: does what lines on CONSOLE tell it, over TELEM, and says
 // what came of it. A line is a word and up to two numbers; the answer to each ends with "ok". docs/bench.md says how it
 // is used.
+#define CONSOLE_RX 10  // an Uno and a Nano need it to read from CONSOLE
 #include <Arduino.h>
 #include <MavMission.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
