@@ -116,6 +116,10 @@ class PlanConsole : private detail::PlanConsoleState {
   MissionItem* const room_;
   const uint8_t roomItems_;
   detail::WaypointsText text_;
+  char command_[9];
+  char piece_[detail::kFloatText];
+  Offer offers_[kOffers] = {};  // null: not offered
+  bool (*composeList_)(PlanConsole& console) = nullptr;
 };
 
 }  // namespace mavmission

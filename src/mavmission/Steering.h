@@ -161,23 +161,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }
   uint16_t wantedMode() const;
 
-  Place target_;              // to which it flies
-  Place wanted_;              // of the running goTo() or takeOff()
-  LatLon here_;               // its position
-  int32_t seaCm_;             // its altitude above the sea
-  int32_t homeCm_;            // its altitude above home
-  float value_;               // the altitude [m] or the speed [m/s] of the order
-  uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
-  uint16_t oldMode_;          // the mode at the beginning of the operation
-  detail::ModeOrder change_;  // from that mode to the one of the order
-  uint16_t beganS_;           // when the step began [s]
-  detail::OrderRow row_;      // of the running order, or of the last one
-  Frame frame_;
-  SteerStep step_;
-  Status refusal_;         // with which a takeoff will end
-  uint8_t landedState_;    // MAV_LANDED_STATE; 0: not known
-  uint8_t positionAge_;    // heartbeats since the last position
-  uint8_t targetAge_;      // and since the last POSITION_TARGET_GLOBAL_INT
+  // What the code asks for most often comes first, where avr-gcc reaches it cheaply.
   bool seenDisarmed_ : 1;  // since the sketch began
   bool hasArmed_ : 1;      // in this operation
   bool isModeSeen_ : 1;    // a heartbeat has shown the wanted mode
@@ -187,6 +171,23 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isOrdered_ : 1;     // what changes the mode has left in this operation
   bool isDenied_ : 1;      // the place was refused: it is looked who has the aircraft
   bool canHover_ : 1;      // EXTENDED_SYS_STATE has named a state of a VTOL
+  SteerStep step_;
+  detail::OrderRow row_;  // of the running order, or of the last one
+  Frame frame_;
+  Status refusal_;            // with which a takeoff will end
+  uint8_t landedState_;       // MAV_LANDED_STATE; 0: not known
+  uint8_t positionAge_;       // heartbeats since the last position
+  uint8_t targetAge_;         // and since the last POSITION_TARGET_GLOBAL_INT
+  uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
+  uint16_t oldMode_;          // the mode at the beginning of the operation
+  detail::ModeOrder change_;  // from that mode to the one of the order
+  uint16_t beganS_;           // when the step began [s]
+  float value_;               // the altitude [m] or the speed [m/s] of the order
+  int32_t homeCm_;            // its altitude above home
+  int32_t seaCm_;             // its altitude above the sea
+  Place wanted_;              // of the running goTo() or takeOff()
+  Place target_;              // to which it flies
+  LatLon here_;               // its position
 };
 
 }  // namespace mavmission

@@ -6,7 +6,6 @@
 #include "../FlashText.h"
 #include "../TextError.h"
 #include "../base/StreamRoom.h"
-#include "../text/DecimalText.h"
 
 namespace mavmission {
 
@@ -49,10 +48,6 @@ class PlanConsoleState {
   FlashText said_;     // the text of kSay
   const char* flash_;  // being printed, in flash, if not null,
   const char* ram_;    // and then this, in RAM
-  char command_[9];
-  char piece_[kFloatText];
-  Offer offers_[kOffers];  // null: not offered
-  bool (*composeList_)(PlanConsole& console);
 };
 
 }  // namespace detail

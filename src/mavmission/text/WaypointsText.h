@@ -76,8 +76,7 @@ class WaypointsText {
 
   static constexpr uint8_t kFields = 12;
 
-  DecimalText decimal_;  // the field being taken
-  MissionItem item_;
+  DecimalText decimal_;      // the field being taken
   uint16_t line_;            // from 1 on
   uint16_t number_;          // the file's number of the next line that is no comment
   uint16_t farthestTarget_;  // of all jumps, as a number of the file
@@ -91,6 +90,7 @@ class WaypointsText {
   bool isComment_ : 1;
   bool isLineUnknown_ : 1;
   TextError error_;
+  MissionItem item_;
 };
 
 }  // namespace detail
