@@ -1,5 +1,4 @@
-// Uploads a plan, reads it back, arms, flies it, and prints each item reached; at the end it downloads the plan. TAKE
-// OFF THE PROPELLERS WHILE YOU TRY IT.
+// Uploads a plan, reads it back, arms, flies it, and prints each item reached. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
 // While the aircraft is armed, nothing is uploaded or started: so nothing happens after a reset in flight.
 #include <MavMission.h>
@@ -16,7 +15,7 @@ constexpr MissionItem plan[] PROGMEM = {
 MissionClient autopilot(TELEM);
 MissionFollower mission(autopilot);
 
-enum class Stage : uint8_t { Uploading, Starting, Flying, Ending, Reading, Done };
+enum class Stage : uint8_t { Uploading, Starting, Flying, Done };
 Stage stage = Stage::Uploading;
 uint32_t refusedAtMs;
 uint8_t startTries;
@@ -35,14 +34,6 @@ void onText(void*, uint8_t, const char* text) {
   if (strcmp_P(text, PSTR("Mission Complete")) == 0) saysComplete = true;
 }
 
-bool printCommand(void*, uint16_t index, const MissionItem& item) {
-  if (index == kHomeIndex) return true;
-  CONSOLE.print(index);
-  CONSOLE.print(F(": command "));
-  CONSOLE.println(item.command);
-  return true;
-}
-
 void setup() {
   CONSOLE.begin(115200);
   beginTelem(57600);
@@ -56,11 +47,6 @@ void start() {
   saysComplete = false;
   ++startTries;
   autopilot.start();
-}
-
-void readBack() {
-  stage = Stage::Reading;
-  autopilot.download(toFunction(printCommand));
 }
 
 void onEnded(Status status) {
@@ -85,9 +71,7 @@ void onEnded(Status status) {
       refusedAtMs = millis();
       if (startAgain) return;
       break;
-    case Stage::Ending: readBack(); return;
     case Stage::Flying:  // PX4 may find an accepted plan infeasible later
-    case Stage::Reading:
     case Stage::Done: break;
   }
   stage = Stage::Done;
@@ -104,10 +88,10 @@ void loop() {
   if (!autopilot.hasAutopilot()) return;  // no heartbeat has come for a while
   if (!autopilot.isArmed()) {
     CONSOLE.println(F("landed"));
-    readBack();
+    stage = Stage::Done;
   } else if (millis() - notOverAtMs >= 5000) {
     CONSOLE.println(F("arrived: disarm"));
-    stage = Stage::Ending;
+    stage = Stage::Done;
     autopilot.disarm();
   }
 }
