@@ -72,13 +72,13 @@ class MissionFollower : public detail::MessageIntervals {
   TextFunction textFunction_ = nullptr;
   void* textContext_ = nullptr;
   uint32_t planId_ = 0;
-  uint32_t doubtedId_ = 0;  // of a plan that the autopilot has once reported as no mission
   uint16_t current_ = 0xFFFF;
   uint16_t reached_ = 0xFFFF;
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
   uint8_t textDue_ = 0;    // heartbeats left in which ArduPilot's text about an upload of ours is expected
   bool isNewLeg_ = false;  // the item reached last is being flown again
+  bool isDoubted_ = false;  // the autopilot has once reported the plan with planId_ as no mission
   uint8_t patience_ = 0;
   uint8_t heartbeatsLeft_ = detail::FollowRules::kSilence;  // before MISSION_CURRENT is requested
   uint8_t pause_ = detail::FollowRules::kFirstPause;        // the next one

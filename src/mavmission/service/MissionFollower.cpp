@@ -93,6 +93,7 @@ void MissionFollower::takeHeartbeat() {
 void MissionFollower::takeName(uint32_t planId) {
   if (planId == 0) return;
   planId_ = planId;
+  isDoubted_ = false;
   patience_ = FollowRules::kPatience;
   client_.noteMissionName(planId_);
 }
@@ -119,23 +120,24 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   total_ = total;
   state_ = static_cast<MissionState>(message.mission_state);
   const uint32_t planId = message.mission_id;
-  if (planId != planId_ && patience_ != 0 && planId_ == client_.acceptedPlanId()) {
+  const bool isNew = planId != planId_;
+  bool isDoubted = false;
+  if (isNew && patience_ != 0 && planId_ == client_.acceptedPlanId()) {
     --patience_;
   } else {
     planId_ = planId;
-    client_.noteMissionName(planId_);
+    client_.noteMissionName(planId);
     if (planId == 0 && client_.namesOther(frame)) {
       if (patience_ == 0) client_.noteOtherMission();
       if (patience_ != 0) --patience_;  // the message may be older than the acceptance of our plan
     } else {
       patience_ = planId == 0 ? 1 : 0;  // a total is no name: two messages must have the same
     }
+    // PX4 checks a plan after it has accepted it, and reports no mission until then too: only the second report counts.
+    isDoubted = planId != 0 && state_ == MissionState::NoMission && isOurPlan();
+    if (isDoubted && isDoubted_ && !isNew) client_.noteInfeasible();
   }
-  // PX4 checks a plan after it has accepted it, and reports no mission until then too: only the second report counts.
-  uint32_t doubtedId = 0;
-  if (state_ == MissionState::NoMission && planId == planId_ && isOurPlan()) doubtedId = planId;
-  if (doubtedId != 0 && doubtedId == doubtedId_) client_.noteInfeasible();
-  doubtedId_ = doubtedId;
+  isDoubted_ = isDoubted;
   if (item == current_) return;
   current_ = item;
   if (item == reached_) isNewLeg_ = true;
