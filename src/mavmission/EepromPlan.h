@@ -111,7 +111,7 @@ class EepromPlan {
   static bool writeItem(void* plan, uint16_t index, const MissionItem& item);
   static bool isReadyForItem(void* plan);
 
-  uint16_t addressOf(uint8_t bank) const { return first_ + (bank != 0 ? bankSize_ : 0); }
+  MAVMISSION_APART uint16_t addressOf(uint8_t bank) const { return first_ + (bank != 0 ? bankSize_ : 0); }
   uint8_t target() const { return active_ == 0 ? 1 : 0; }
   uint8_t readByte(uint16_t address) const { return eeprom_.read(address); }
   uint16_t readWord(uint16_t address) const {
@@ -120,8 +120,8 @@ class EepromPlan {
   bool isWhole(uint8_t bank) const;
   uint16_t checksumOf(uint8_t bank) const;
   void activate(uint8_t bank);
-  void write(uint16_t address, uint8_t length, Step step);
-  void writeMark(uint8_t bank, uint8_t mark, Step step);
+  MAVMISSION_APART void write(uint16_t address, uint8_t length, Step step);
+  MAVMISSION_APART void writeMark(uint8_t bank, uint8_t mark, Step step);
   void stepDone();
   // Called when a change is complete: it is stored permanently, where that takes a call.
   void settle() {

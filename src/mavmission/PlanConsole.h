@@ -77,7 +77,7 @@ class PlanConsole : private detail::PlanConsoleState {
   void takeInCommand(char c);
   void takeInText(char c);
   MAVMISSION_APART void runCommand();
-  MAVMISSION_APART void run(Command command);
+  MAVMISSION_APART MAVMISSION_ONE_EXIT void run(Command command);
   Offer& offerOf(Command command);
   bool isOffered(Command command);
   bool mayExchangePlan();
