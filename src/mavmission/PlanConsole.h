@@ -97,7 +97,7 @@ class PlanConsole : private detail::PlanConsoleState {
 
   MAVMISSION_APART void print();
   MAVMISSION_APART void compose();
-  void due(Task task) { due_ |= static_cast<uint16_t>(1 << task); }
+  void due(Task task) { due_ |= static_cast<uint8_t>(1 << (task - 1)); }
   MAVMISSION_APART void say(FlashText text);
   void put(FlashText text) { flash_ = reinterpret_cast<const char*>(text); }
   void putLineEnd() { flash_ = kLineEnd; }

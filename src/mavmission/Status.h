@@ -25,16 +25,16 @@ namespace mavmission {
   X(Cleared, "cleared: no plan is aboard")          /* acknowledged by the autopilot */ \
   X(Done, "done: the autopilot confirmed it")        /* a command, or all steps of start() */ \
   /* ended with an unknown outcome */ \
-  X(Unconfirmed, "unconfirmed: it was sent, and never answered") /* the plan may or may not be aboard */ \
+  X(Unconfirmed, "unconfirmed: sent, and never answered") /* the plan may or may not be aboard */ \
   /* ended by the sketch */ \
   X(Cancelled, "cancelled by the sketch") \
   /* refused before the first byte was sent: nothing aboard has changed */ \
   X(Busy, "busy with another operation")            /* only returned: the running operation keeps its own status */ \
   X(NoAutopilot, "no autopilot heard in time") \
   X(SeveralAutopilots, "several autopilots: name one with setTargetIds()") \
-  X(SameIdsAsAutopilot, "our ids are the autopilot's own: it would ignore us") \
+  X(SameIdsAsAutopilot, "our ids are the autopilot's: it ignores us") \
   X(OtherAutopilot, "refused: compiled for another autopilot") /* MAVMISSION_ONLY_ARDUPILOT, _PX4: Config.h */ \
-  X(NeedsMavlink2, "refused: this needs MAVLink 2, the link speaks 1") \
+  X(NeedsMavlink2, "refused: this needs MAVLink 2") \
   X(Armed, "refused: the autopilot is armed")       /* allowWhileArmed() allows it */ \
   X(TooManyItems, "refused: more than 65535 items") \
   X(BadLatitude, "refused: a latitude beyond 90 degrees") \
@@ -43,26 +43,26 @@ namespace mavmission {
   X(NotFinite, "refused: an infinite number") \
   X(BadCurrent, "refused: current above 1 means fly there now") \
   X(BadJump, "refused: a jump out of the plan") \
-  X(BadRange, "refused: the part is not within the plan") \
+  X(BadRange, "refused: the part is beyond the plan") \
   X(BadPlanType, "refused: only clear() takes PlanType::All") \
   X(WholePlansOnly, "refused: the autopilot takes whole plans only") \
-  X(BadFrame, "refused: the autopilot has no such altitude reference") \
-  X(NotFlown, "refused: the autopilot takes no such command in a plan") \
-  X(NeedsCoordinates, "refused: the autopilot needs coordinates in the item") \
-  X(BadAltitude, "refused: the autopilot takes no such altitude") \
+  X(BadFrame, "refused: no such altitude reference") \
+  X(NotFlown, "refused: the autopilot takes no such command") \
+  X(NeedsCoordinates, "refused: the item needs coordinates") \
+  X(BadAltitude, "refused: an altitude out of range") \
   X(NotKept, "refused: the autopilot would store another value") /* keptValue() of differingField() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
   X(SinkFull, "the plan aboard is too large for the sink") \
   X(SourceRefused, "the plan's source gave no item") \
   X(NoAnswer, "the autopilot did not answer") \
-  X(TimedOut, "the autopilot fell silent, or asked for one item for ever") \
+  X(TimedOut, "the autopilot fell silent, or repeats one request") \
   X(TookTooLong, "it took too long") \
   X(AcceptedEarly, "accepted before every item was asked for") \
-  X(OtherPlanAboard, "accepted, but its checksum is not that of our plan") \
+  X(OtherPlanAboard, "accepted, but the checksum is not our plan's") \
   /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in order, then any other result */ \
   X(Error, "autopilot: error") \
-  X(UnsupportedFrame, "autopilot: coordinate frame not supported") \
+  X(UnsupportedFrame, "autopilot: frame not supported") \
   X(Unsupported, "autopilot: command not supported in a plan") \
   X(NoSpace, "autopilot: no room for the items") \
   X(Invalid, "autopilot: a parameter is invalid") \
@@ -84,7 +84,7 @@ namespace mavmission {
   X(CommandFailed, "autopilot: failed") \
   X(CommandLongOnly, "autopilot: only as COMMAND_LONG") \
   X(CommandIntOnly, "autopilot: only as COMMAND_INT") \
-  X(CommandFrame, "autopilot: coordinate frame not supported by the command") \
+  X(CommandFrame, "autopilot: frame not supported by the command") \
   X(NotInControl, "autopilot: another station is in control") \
   X(CommandRefused, "autopilot: refused, by another code") \
   X(NoSuchMode, "this vehicle has no such mode") \
@@ -98,7 +98,7 @@ namespace mavmission {
   X(Overruled, "another mode was undone, and could not be set again") \
   /* Steering: nothing was sent, unless control was lost during the operation */ \
   X(PilotHasIt, "a pilot or another station is in control") \
-  X(FailsafeHasIt, "a failsafe or another station lands it, or flies it home") \
+  X(FailsafeHasIt, "a failsafe or another station is in control") \
   X(NotFlying, "refused: the aircraft is not in the air") \
   X(NoHome, "refused: the autopilot names no home") \
   X(BadSpeed, "refused: a speed must be above 0, up to 100 m/s") \

@@ -113,7 +113,7 @@ void Client::fillStart(Client& client, FlightCommand& command) {
     case StartTransfer::Message::Disarm: return fillDisarm(client, command);
     case StartTransfer::Message::AskCurrent:
       command.id = MAV_CMD_REQUEST_MESSAGE;
-      command.param1 = MAVLINK_MSG_ID_MISSION_CURRENT;
+      command.param1 = floatOf(MAVLINK_MSG_ID_MISSION_CURRENT);
       return;
     case StartTransfer::Message::Start:
       command.id = MAV_CMD_MISSION_START;  // ArduPilot wants parameters of 0; PX4 begins with the item in param1

@@ -11,14 +11,14 @@ namespace {
 // clang-format off
 #define MAVMISSION_COMMANDS(X)                                            \
   X(help, "list the commands")                                            \
-  X(status, "show the autopilot, its plan and the stored plan")           \
+  X(status, "show the autopilot and both plans")                          \
   X(load, "read a .waypoints file, up to end or cancel")                  \
-  X(end, "end of the file: store the plan in EEPROM")                     \
+  X(end, "end of the file: store the plan")                               \
   X(upload, "upload the stored plan")                                     \
   X(cancel, "stop what is running")                                       \
   X(erase, "delete the stored plan")                                      \
-  X(list, "print the stored plan as a .waypoints file")                   \
-  X(verify, "compare the plan aboard with the stored plan")               \
+  X(list, "print the stored plan")                                        \
+  X(verify, "compare both plans")                                         \
   X(download, "store the plan aboard")                                    \
   X(clear, "delete the plan aboard")                                      \
   X(start, "ARM, and fly the plan aboard")

@@ -45,10 +45,11 @@ void PlanConsole::putNumber(uint32_t number) {
 void PlanConsole::compose() {
   if (task_ == kNothing) {
     if (due_ == 0) return;
-    uint8_t first = 1;
-    while ((due_ >> first & 1) == 0) ++first;
-    task_ = static_cast<Task>(first);
-    due_ &= static_cast<uint16_t>(~(1 << first));
+    uint8_t task = kSay;
+    uint8_t bit = 1;
+    for (; (due_ & bit) == 0; bit <<= 1) ++task;
+    task_ = static_cast<Task>(task);
+    due_ ^= bit;
     step_ = 0;
   }
   bool isMore = false;
@@ -114,7 +115,7 @@ bool PlanConsole::composeError() {
       return true;
     case 2: put(F(": ")); return true;
     case 3: put(toString(error_)); return true;
-    default: put(F("\r\nnothing was loaded; further lines are ignored, up to end\r\n")); return false;
+    default: put(F("\r\nnothing was loaded; lines are ignored, up to end\r\n")); return false;
   }
 }
 

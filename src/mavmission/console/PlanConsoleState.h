@@ -20,6 +20,7 @@ class PlanConsoleState {
   enum class Mode : uint8_t { Commands, Text, Ending, Refused };
   // Outputs; of several that are due the first one here is printed first.
   enum Task : uint8_t { kNothing, kSay, kError, kHelp, kList, kStatus, kProgress, kEnded, kStored };
+  static_assert(kStored <= 8, "due_ has 8 bits");
   typedef void (*Offer)(PlanConsole& console);
   static constexpr uint8_t kOffers = 5;
   static const char kLineEnd[];  // in flash
@@ -40,7 +41,7 @@ class PlanConsoleState {
   uint8_t ring_;
   uint16_t told_;  // stored items that were reported
   uint16_t done_;  // the progress that was printed
-  uint16_t due_;   // a bit for each Task
+  uint8_t due_;    // a bit for each Task but kNothing, kSay in the lowest
   Task task_;
   uint8_t step_;   // of the task
   uint16_t item_;  // the item being listed

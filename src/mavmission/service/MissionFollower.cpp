@@ -145,9 +145,7 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
 }
 
 void MissionFollower::takeReached(const FrameParser& frame) {
-  mavlink_mission_item_reached_t message;
-  frame.copyPayload(&message, sizeof(message));
-  const uint16_t item = client_.itemFromWire(message.seq);
+  const uint16_t item = client_.itemFromWire(frame.payloadWord(offsetof(mavlink_mission_item_reached_t, seq)));
   // PX4 repeats the message every second while it stays at the item.
   if (item == Port::kNoItem || (item == reached_ && !isNewLeg_)) return;
   reached_ = item;

@@ -18,11 +18,11 @@ PlanType typeOf(uint16_t command) {
   return command <= kFenceCircleExclusion - kFenceReturnPoint ? PlanType::Fence : PlanType::Mission;
 }
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+MAVMISSION_APART bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 }  // namespace
 
-void WaypointsText::begin() {
+MAVMISSION_APART void WaypointsText::begin() {
   beginAt(0);
   line_ = 1;
   farthestTarget_ = 0;

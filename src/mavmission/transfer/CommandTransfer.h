@@ -77,7 +77,7 @@ class CommandTransfer : public CommandRules {
   // True when the command must be sent, if the CommandLog has nothing against that.
   bool isDue() const { return state() == State::Due || isRestoring(); }
   // `answerMs`: how long to wait for an answer before it is sent again; less on a lossy link, and then more often.
-  void sent(uint16_t nowMs, uint16_t answerMs = kAnswerMs);
+  MAVMISSION_APART void sent(uint16_t nowMs, uint16_t answerMs = kAnswerMs);
   // How long its answer is waited for [ms].
   uint16_t waitMs() const { return waitMs_; }
 

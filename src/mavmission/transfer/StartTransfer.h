@@ -72,7 +72,7 @@ class StartTransfer : public StartRules {
   Status onItem(Status read, const MissionItem* item, const Aircraft& aircraft, CommandTransfer& sending);
 
   // The answer to a step's command, or the lack of one: NoAnswer, Unconfirmed, TookTooLong.
-  Status onAccepted(const Aircraft& aircraft, CommandTransfer& sending);
+  MAVMISSION_APART Status onAccepted(const Aircraft& aircraft, CommandTransfer& sending);
   Status onRefused(Status refusal, const Aircraft& aircraft, CommandTransfer& sending);
   Status onSilent(Status silence, const Aircraft& aircraft, CommandTransfer& sending);
   Status onHeartbeat(const Aircraft& aircraft, CommandTransfer& sending);
