@@ -91,9 +91,9 @@ void FrameParser::copyPayload(void* message, uint8_t size) const {
 }
 
 bool FrameParser::isFor(uint8_t systemId, uint8_t componentId) const {
-  if (target_ == MessageKey::kNoTarget) return true;
-  const uint8_t system = payloadByte(target_);
-  const uint8_t component = payloadByte(target_ + 1);
+  const uint16_t target = payloadWord(target_);  // 0, everyone, where there is none: no payload is so long
+  const uint8_t system = static_cast<uint8_t>(target);
+  const uint8_t component = static_cast<uint8_t>(target >> 8);
   return (system == 0 || system == systemId) && (component == 0 || component == componentId);
 }
 

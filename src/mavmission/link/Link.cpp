@@ -12,12 +12,12 @@ namespace mavmission {
 namespace detail {
 void Link::setSourceIds(uint8_t systemId, uint8_t componentId) {
   state_.ownSystemId = systemId;
-  state_.ownComponentId = componentId;
+  state_.ownComponentId = componentId != 0 ? componentId : kComponentId;
 }
 
 uint8_t Link::systemId() const { return state_.ownSystemId != 0 ? state_.ownSystemId : finder_.heartbeat().systemId; }
 
-uint8_t Link::componentId() const { return state_.ownComponentId != 0 ? state_.ownComponentId : kComponentId; }
+uint8_t Link::componentId() const { return state_.ownComponentId; }
 
 uint8_t Link::version() const {
 #if MAVMISSION_SIGNING
@@ -40,7 +40,7 @@ void Link::add(MoreKeys& listener) {
   first = &listener;
 }
 
-void Link::takeHeartbeat(uint16_t nowMs) {
+bool Link::takeHeartbeat(uint16_t nowMs) {
   static_assert(offsetof(Heartbeat, vehicleType) == offsetof(mavlink_heartbeat_t, type) &&
                     offsetof(Heartbeat, autopilot) == offsetof(mavlink_heartbeat_t, autopilot) &&
                     offsetof(Heartbeat, baseMode) == offsetof(mavlink_heartbeat_t, base_mode) &&
@@ -50,15 +50,17 @@ void Link::takeHeartbeat(uint16_t nowMs) {
   const FrameParser& given = frame();
   const uint8_t systemId = given.systemId();
   const uint8_t componentId = given.componentId();
-  const uint8_t autopilot = given.payloadByte(offsetof(mavlink_heartbeat_t, autopilot));
-  const uint8_t vehicleType = given.payloadByte(offsetof(mavlink_heartbeat_t, type));
-  if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return;
+  const uint16_t typeAndAutopilot = given.payloadWord(offsetof(mavlink_heartbeat_t, type));
+  const uint8_t vehicleType = static_cast<uint8_t>(typeAndAutopilot);
+  const uint8_t autopilot = static_cast<uint8_t>(typeAndAutopilot >> 8);
+  if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return false;
   outbox_.drop();
   Heartbeat& heartbeat = finder_.toFill();
   given.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
   heartbeat.version = given.version();
   heartbeat.systemId = systemId;
   heartbeat.componentId = componentId;
+  return true;
 }
 
 bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
@@ -95,21 +97,22 @@ bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
 // Counts a frame; true if it comes from the autopilot, is wanted, and is addressed to us.
 bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   const bool isWanted = result == FrameParser::Result::Wanted;
+  bool isAutopilots = finder_.isFrom(parser_.systemId(), parser_.componentId());
   if (isWanted) {
     ++state_.frames;
     if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
-      if (isOvertaken()) {
+      if (isAutopilots && isOvertaken()) {
         state_.heardSequence = parser_.sequence();  // behind a restart of the autopilot's the next one counts
         return false;
       }
-      takeHeartbeat(nowMs);
+      if (takeHeartbeat(nowMs)) isAutopilots = true;
     }
     const MoreKeys* const listeners = parser_.moreKeys();
     if (listeners != nullptr) listeners->tell(listeners, parser_);
   } else {
     ++state_.unknownMessages;
   }
-  if (!finder_.isFrom(parser_.systemId(), parser_.componentId())) return false;
+  if (!isAutopilots) return false;
   noteSequence();
   if (isWanted) finder_.onFrame(nowMs);
   return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
@@ -118,8 +121,9 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
 // A heartbeat that others have overtaken shows a mode that is over.
 bool Link::isOvertaken() const {
   const uint8_t ahead = static_cast<uint8_t>(parser_.sequence() - state_.heardSequence);
-  return ahead > 255 - kLateFrames && state_.sequenceKnown && finder_.isFrom(parser_.systemId(), parser_.componentId());
+  return ahead > 255 - kLateFrames && state_.sequenceKnown;
 }
+
 
 void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();

@@ -23,7 +23,10 @@ class Link : public LinkRules {
   static constexpr uint8_t kComponentId = 191;  // MAV_COMP_ID_ONBOARD_COMPUTER
 
   // Sets the stream. All other members of a Link begin as zero.
-  void begin(Stream& stream) { stream_ = &stream; }
+  void begin(Stream& stream) {
+    stream_ = &stream;
+    state_.ownComponentId = kComponentId;
+  }
 
   // Sets our own ids. 0, 0 is the default: the autopilot's system id, and kComponentId.
   void setSourceIds(uint8_t systemId, uint8_t componentId);
@@ -128,7 +131,7 @@ class Link : public LinkRules {
   // Counts a frame and notes its sequence number; true if receive() must return the frame.
   MAVMISSION_APART bool takeResult(FrameParser::Result result, uint16_t nowMs);
   MAVMISSION_APART void sendHeartbeat();
-  void takeHeartbeat(uint16_t nowMs);
+  bool takeHeartbeat(uint16_t nowMs);  // true if it is the autopilot's
   void pack(uint8_t* payload, const MessageKey* key);
 
   static constexpr uint8_t kLateFrames = 63;
@@ -150,9 +153,9 @@ class Link : public LinkRules {
     bool sequenceKnown : 1;
   };
 
+  AutopilotFinder finder_;  // here avr-gcc reaches it cheaply, also as a part of Client
   Stream* stream_;
   State state_;
-  AutopilotFinder finder_;
   Outbox outbox_;
   FrameParser parser_;
   Pace pace_;

@@ -23,7 +23,7 @@ class DownloadTransfer : public DownloadRules {
   enum class State : uint8_t { Listing, Fetching, Closing };
   enum class Send : uint8_t { Nothing, List, Request, Accepted };
 
-  void begin(uint16_t nowMs);
+  MAVMISSION_APART void begin(uint16_t nowMs);
   // After begin(): the items before this one are there already.
   void skipTo(uint16_t item) { next_ = item; }
 
