@@ -50,15 +50,17 @@ FloatKind kindOf(const void* bytes) {
 int32_t wholeNumber(const void* number) {
   uint32_t bits;
   memcpy(&bits, number, sizeof(bits));
-  if ((bits & ~kSign) == 0) return 0;
-  const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // with the sign above it: larger than any exponent
-  if (biased < kBias || biased > kBias + 15) return -1;
-  uint32_t mantissa = (bits & (kHidden - 1)) | kHidden;
-  for (uint8_t shift = 23 - (biased - kBias); shift != 0; --shift) {
-    if ((mantissa & 1) != 0) return -1;
-    mantissa >>= 1;
+  uint16_t mantissa = 0;
+  if ((bits & ~kSign) != 0) {
+    const uint16_t biased = static_cast<uint16_t>(bits >> 16) >> 7;  // with the sign above it: larger than any exponent
+    if (biased < kBias || biased > kBias + 15 || static_cast<uint8_t>(bits) != 0) return -1;
+    mantissa = static_cast<uint16_t>(bits >> 8) | 0x8000;  // of its 24 bits the lowest 8 are behind the point
+    for (uint8_t i = static_cast<uint8_t>(biased); i != kBias + 15; ++i) {
+      if ((mantissa & 1) != 0) return -1;
+      mantissa >>= 1;
+    }
   }
-  return static_cast<int32_t>(mantissa);
+  return mantissa;
 }
 
 int32_t timesWhole(int32_t bits, uint32_t factor) {

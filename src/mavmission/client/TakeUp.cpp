@@ -26,13 +26,13 @@ bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
                                transfer.state() == UploadTransfer::State::Confirming;
   // Of the frames that a line has broken, one of 65,536 has a right checksum all the same: where the line was seen to
   // lose, a plan may have been accepted with a broken item. PX4 names the checksum of the plan itself.
-  const bool isAcceptanceInDoubt = client.plan_.has(kSaysChecksum)
-                                       ? transfer.hasBegun() && transfer.isAcceptanceDoubtful()
-                                       : client.link_.pace().isLossy();
-  const bool isInDoubt =
-      status == Status::Unconfirmed || isDoubtfulError || (status == Status::Accepted && isAcceptanceInDoubt);
-  const bool isAlways = rest.proof == static_cast<uint8_t>(Readback::Always);
-  const bool isProofDue = isInDoubt || (status == Status::Accepted && isAlways);
+  bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError;
+  bool isProofDue = isInDoubt;
+  if (status == Status::Accepted) {
+    isInDoubt = client.plan_.has(kSaysChecksum) ? transfer.hasBegun() && transfer.isAcceptanceDoubtful()
+                                                : client.link_.pace().isLossy();
+    isProofDue = isInDoubt || rest.proof == static_cast<uint8_t>(Readback::Always);
+  }
   if (!isProofDue || rest.options.readBack == nullptr) return false;
   if (isInDoubt) client.unsettle(nowMs);
   client.state_.mayBeRefused = isDoubtfulError;

@@ -124,7 +124,6 @@ bool Link::isOvertaken() const {
   return ahead > 255 - kLateFrames && state_.sequenceKnown;
 }
 
-
 void Link::noteSequence() {
   const uint8_t sequence = parser_.sequence();
   const uint8_t left = static_cast<uint8_t>(sequence - state_.heardSequence - 1);

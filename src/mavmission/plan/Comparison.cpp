@@ -66,22 +66,22 @@ bool isNext(const Four& a, const Four& b) { return a.bits - b.bits + 1 <= 2; }
 // with a place is "none" or "a place", and without a place is "none" or "an item". `value` is the magnitude of the
 // field, and is overwritten.
 bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
-  if (isByPx4(keeper)) makeWhole(&value);
+  if (isByPx4(keeper)) {
+    makeWhole(&value);
+    const uint16_t mode = static_cast<uint16_t>(wholeNumber(&value));
+    return (keeper & kInFloats) != 0 ? mode < 3 : mode == 0 || mode == 3;
+  }
   const int32_t number = wholeNumber(&value);
   uint16_t whole = static_cast<uint16_t>(number);  // 65535, which none of these keeps, if it is none
-  if (isByPx4(keeper)) {
-    const uint8_t modes = (keeper & kInFloats) != 0 ? 1 << 0 | 1 << 1 | 1 << 2 : 1 << 0 | 1 << 3;
-    return whole < 8 && (modes >> whole & 1) != 0;
-  }
   if ((keeper & kOfFence) != 0) {
     // ArduPilot cuts a radius that is less than a millimetre above a whole number of metres to that number, even to 0.
-    if (isBelow0 || value.bits < 0x3A83126F) return false;                   // 0.001
-    const uint8_t doublings = static_cast<uint8_t>(value.bits >> 23) - 127;  // the float's exponent, if at least 1 m
+    if (isBelow0 || value.bits < 0x3A83126F) return false;                                         // 0.001
+    uint8_t doublings = static_cast<uint8_t>(static_cast<uint16_t>(value.bits >> 16) >> 7) - 127;  // if at least 1 m
     if (doublings >= 14) return true;  // below 1 m, or so large that a float has steps above 1 mm
-    Four metres = value;
-    makeWhole(&metres);
-    const uint32_t above = value.bits - metres.bits;  // in steps of the float; 1 m has 2^23 >> doublings steps
-    return above == 0 || above > static_cast<uint16_t>(8388u >> doublings);
+    uint32_t above = value.bits;       // what is above whole metres [2^-23 m]: 8388 are a millimetre
+    for (; doublings != 0; --doublings) above <<= 1;
+    above &= 0x7FFFFF;
+    return above == 0 || above > 8388;
   }
   if (field == kParam3) {
     if (whole > 255 && whole <= 2550) {
@@ -103,16 +103,16 @@ bool areNoNumbers(const void* a, const void* b) {
   return kindOf(a) == FloatKind::NotANumber && kindOf(b) == FloatKind::NotANumber;
 }
 
-// Changes `kept`, the field as it was sent, to the value that the autopilot keeps. The slow conversions are left out
-// when the field as it was read `is` the same as it was sent. False if the kept value would not mean the same.
-MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
+// Makes `kept` of the field as it was sent: the value that the autopilot keeps. The slow conversions are left out when
+// the field as it was read `is` the same as it was sent. False if the kept value would not mean the same.
+MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
   const bool isZ = field == kZ;
+  kept = sent;
   if (field == kX || field == kY) {
     if (kind == U8) return kept.bits <= 0xFF;
     if (kind == I16) return kept.bits + 0x8000 <= 0xFFFF;
     if (kind == D) kept.bits = 0;
     if (kind == D || (keeper & kInFloats) == 0) return true;
-    const Four sent = kept;
     throughFloat(&kept);
     return kind == Rounded || isEqual(kept, sent);
   }
@@ -131,32 +131,34 @@ MAVMISSION_APART bool keep(Four& kept, uint8_t kind, uint8_t field, Keeper keepe
     makeHundredths(&kept);
     return isWithin;
   }
-  Four magnitude = kept;
-  magnitude.bytes[3] &= 0x7F;
+  kept.bytes[3] &= 0x7F;  // the magnitude, for the time being
   if (kind == Yaw360) {
+    const bool isWithin = kept.bits <= (sign != 0 ? 0x43340000 : 0x43B40000);  // 180, 360
+    kept.bytes[3] |= sign;
     if (kindOf(&kept) == FloatKind::NotANumber) return true;
-    if (magnitude.bits > (sign != 0 ? 0x43340000 : 0x43B40000)) return false;  // 180, 360
     if (!is) makeTurn(&kept);
-    return true;
+    return isWithin;
   }
   static_assert(Zero == Special, "a Zero is told from a Special by its field");
   // param2 or param4; no table of its own has a Special.
   if (kind == Zero && ((field & 1) != 0 || (keeper & kOwn) != 0)) kind = kOnlyZero;
-  const int32_t number = wholeNumber(&magnitude);
+  const int32_t number = wholeNumber(&kept);
   const uint16_t whole = static_cast<uint16_t>(number);  // 65535 if it is none
   if (kind >= U1) {
     const uint16_t* limit = &kLimits[kind - U1].positive;
     if (sign != 0) ++limit;
-    if (whole == 0) kept.bits = 0;
+    if (whole != 0) kept.bytes[3] |= sign;
     return number >= 0 && whole <= fromFlash(limit);
   }
   if (kind == Special) {
+    const bool isKept = isSpecialKept(kept, sign != 0, field, keeper);
+    kept = sent;
     // PX4 does not give back the mode of a region of interest that has a place.
     if (isByPx4(keeper) && (keeper & kInFloats) == 0) kept.bits = 0;
-    return isSpecialKept(magnitude, sign != 0, field, keeper);
+    return isKept;
   }
-  kept.bits = isZ ? 0x40000000 : 0x3F800000;  // 2, 1
-  if (!isZ) kept.bytes[3] |= sign;
+  kept.bits = 0x3F800000 | static_cast<uint32_t>(sign) << 24;  // 1 or -1
+  if (isZ) kept.bits = 0x40000000;                             // 2
   return (keeper & kByPlane) == 0 || isZ || whole <= 1;
 }
 
@@ -173,18 +175,18 @@ bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& 
 
 ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper keeper) {
   if (read.command != sent.command) return ItemField::Command;
-  Rules rules = rulesOf(sent, keeper);
+  const Rules rules = rulesOf(sent, keeper);
   if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
-  if (!isByEither(keeper) && !isByOwn(keeper)) rules.bits = 0;  // all fields are kept
-  uint8_t flags = keeper;
-  if (isByPx4(keeper) && sent.frame == Frame::Mission) flags |= kInFloats;
+  uint32_t kinds = rules.bits;
+  if (!isByEither(keeper) && !isByOwn(keeper)) kinds = 0;  // all fields are kept
+  if (isByPx4(keeper) && sent.frame == Frame::Mission) keeper |= kInFloats;
   const Four* wasSent = reinterpret_cast<const Four*>(&sent);
   const Four* wasRead = reinterpret_cast<const Four*>(&read);
-  for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, rules.bits >>= 4) {
-    const uint8_t kind = static_cast<uint8_t>(rules.bits) & 15;
-    Four kept = *wasSent;
+  for (uint8_t field = 0; field <= kZ; ++field, ++wasSent, ++wasRead, kinds >>= 4) {
+    const uint8_t kind = static_cast<uint8_t>(kinds) & 15;
+    Four kept;
     const bool isSame = isEqual(*wasRead, *wasSent);
-    const bool isKept = keep(kept, kind, field, flags, isSame) &&
+    const bool isKept = keep(kept, *wasSent, kind, field, keeper, isSame) &&
                         (isSame || isEqual(*wasRead, kept) || (field == kYaw && areNoNumbers(wasRead, wasSent)) ||
                          ((keeper & kOwn) != 0 && field == kZ && isNext(*wasRead, kept)));
     if (!isKept) return static_cast<ItemField>(static_cast<uint8_t>(ItemField::Param1) + field);
