@@ -108,7 +108,7 @@ MAVMISSION_APART void storeRounded(uint8_t* number, uint32_t mantissa, uint8_t b
     ++biased;
   }
   if (half != 0 && ((more | static_cast<uint8_t>(mantissa)) & 1) != 0) {
-    if (++mantissa == kHidden << 1) ++biased;  // the other bits are 0
+    if (static_cast<uint8_t>(++mantissa >> 24) != 0) ++biased;  // the other bits are 0
   }
   number[0] = static_cast<uint8_t>(mantissa);
   number[1] = static_cast<uint8_t>(mantissa >> 8);
@@ -196,7 +196,7 @@ void makeTurn(void* degrees) {
       more |= static_cast<uint8_t>(radians) & 1;
       radians >>= 1;
     }
-    store(degrees, 0);
+    static_cast<uint8_t*>(degrees)[3] = 0;  // its sign
     storeRounded(static_cast<uint8_t*>(degrees), (mantissaOf(kTurn) << 7) - radians - more, kBias + 2 - 7, more);
   } else if (radians == kTurn) {
     store(degrees, 0);

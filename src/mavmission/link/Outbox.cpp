@@ -58,10 +58,11 @@ void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {
 #if MAVMISSION_SIGNING
   if (isUnsigned_) return;
 #endif
-  int room = room_.of(stream, nowMs, kBlindBytes);
-  if (room == 0) return;
+  const int said = room_.of(stream, nowMs, kBlindBytes);
+  if (said == 0) return;
   constexpr Room kMostRoom = static_cast<Room>(-1);
-  if (room > idle_) idle_ = room < kMostRoom ? static_cast<Room>(room) : kMostRoom;
+  const Room room = said < kMostRoom ? static_cast<Room>(said) : kMostRoom;
+  if (room > idle_) idle_ = room;
   if (room < most) most = static_cast<uint8_t>(room);
   for (; fill_ != 0 && most != 0; --most, --fill_) stream.write(static_cast<uint8_t>(0));
   if (writeForeign_ != nullptr) return writeForeign_(*this, stream, most);

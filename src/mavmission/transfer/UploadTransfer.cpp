@@ -188,7 +188,7 @@ void UploadTransfer::sent(uint16_t nowMs) {
     return;
   }
   if (send_ == Send::Count) {
-    recounted_ = tries_ != 0 || freed_;
+    if (tries_ != 0 || freed_) recounted_ = true;
     if (tries_ == 0) progressMs_ = nowMs;
   } else if (state_ != State::Confirming && item_ + 1u == behind_) {
     state_ = State::Confirming;
