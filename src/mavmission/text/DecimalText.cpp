@@ -186,6 +186,7 @@ bool DecimalText::toFloat(float& value) const {
 
 namespace {
 
+// The lowest of its digits, so many.
 char* putDigits(char* text, uint32_t value, uint8_t places) {
   char* end = text + places;
   for (char* at = end; at != text; value /= 10) *--at = static_cast<char>('0' + value % 10);
@@ -212,7 +213,6 @@ uint32_t nineDigits(uint32_t bits, int16_t& exponent) {
     // mantissa * 2^binary / 10^exponent = number * 2^-shift
     int16_t shift = exponent - binary;
     if (exponent <= 0) {
-      if (exponent < -60) continue;
       number.multiplyByPowerOf5(static_cast<uint8_t>(-exponent));
     } else {
       // 12 bytes up: 96 bits more than division by 5^30 takes away.
@@ -268,16 +268,16 @@ void printFloat(float value, char* text) {
     for (; exponent != 0; --exponent) *text++ = '0';
   } else if (exponent < 0 && places + exponent > -4) {  // a point within the digits, or a few zeros behind the point
     const int16_t before = places + exponent;
-    uint32_t unit = 1;
-    for (int16_t i = before > 0 ? exponent : -places; i < 0; ++i) unit *= 10;
     if (before > 0) {
+      uint32_t unit = 1;
+      for (int16_t i = exponent; i < 0; ++i) unit *= 10;
       text = putDigits(text, digits / unit, static_cast<uint8_t>(before));
     } else {
       *text++ = '0';
     }
     *text++ = '.';
     for (int16_t i = before; i < 0; ++i) *text++ = '0';
-    text = putDigits(text, before > 0 ? digits % unit : digits, before > 0 ? static_cast<uint8_t>(-exponent) : places);
+    text = putDigits(text, digits, before > 0 ? static_cast<uint8_t>(-exponent) : places);
   } else {
     text = putDigits(text, digits, places);
     *text++ = 'e';

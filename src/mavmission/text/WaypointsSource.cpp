@@ -23,7 +23,6 @@ void WaypointsSource::begin() {
 
 bool WaypointsSource::goTo(uint32_t position) {
   position_ = position;
-  lineStart_ = position;
   return seek_(context_, position);
 }
 

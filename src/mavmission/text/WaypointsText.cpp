@@ -25,7 +25,6 @@ MAVMISSION_APART bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r
 MAVMISSION_APART void WaypointsText::begin() {
   beginAt(0);
   line_ = 1;
-  farthestTarget_ = 0;
   firstNumber_ = 0;
   type_ = PlanType::Mission;
   isHeader_ = true;
@@ -53,7 +52,6 @@ WaypointsText::Step WaypointsText::fail(TextError error) {
 WaypointsText::Step WaypointsText::take(char c) {
   if (error_ != TextError::None) return Step::Bad;
   if (c == '\n') return endLine();
-  if (length_ == 0) field_ = 0;
   if (length_ == 255) {
     field_ = 0;
     return fail(TextError::LineTooLong);
