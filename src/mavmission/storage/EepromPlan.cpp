@@ -161,7 +161,7 @@ bool EepromPlan::store() {
 bool EepromPlan::put(const MissionItem& item) {
   if (!isReady()) return false;
   const uint8_t length = pack(item, buffer_);
-  if (end_ - addressOf(target()) + length > bankSize_ || taken_ == 0xFFFE) {
+  if (end_ - addressOf(target()) + length > bankSize_) {
     state_ = State::Failed;
     return false;
   }
@@ -259,8 +259,6 @@ void EepromPlan::stepDone() {
     case Step::EraseOther:
       if (active_ != kNone) return writeMark(active_, kInvalid, Step::EraseActive);
       // Bank 1 may hold a damaged plan.
-      activate(kNone);
-      step_ = Step::EraseActive;
       return writeMark(1, kInvalid, Step::EraseActive);
     case Step::EraseActive: activate(kNone); return settle();
     case Step::DropOld: return settle();

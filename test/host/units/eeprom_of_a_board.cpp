@@ -74,6 +74,7 @@ TEST_CASE("a plan is committed once when it is whole, and stays when the power g
   plan.begin();
   storeAll(plan);
   CHECK(plan.state() == EepromPlan::State::Resting);
+  for (int i = 0; i < 10; ++i) plan.update();
   CHECK(committed.commits == 1);
   committed.losePower();
   EepromPlan after(MAVMISSION_EEPROM(committed, 256));

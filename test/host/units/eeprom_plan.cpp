@@ -474,3 +474,179 @@ TEST_CASE("a plan keeps to its part of the EEPROM") {
     if (address < 100 || address >= 300) CHECK(chip.wear[address] == 0);
   }
 }
+
+// A plan of items that take 4 bytes each.
+Items shortPlan(uint16_t count, uint16_t command = 20) { return Items(count, anyCommand(command)); }
+
+TEST_CASE("a bank holds what the header says, byte by byte") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory, 100, 200);
+  kept.begin();
+  MissionItem item = anyCommand(0x1234, 1);
+  item.current = 1;
+  REQUIRE(keep(kept, Items(1, item)));
+  const uint8_t bytes[] = {0, 1, 0, 0x81, 0x82, 0x34, 0x12, 0, 0, 0x80, 0x3F};
+  uint16_t crc = checksum(kChecksumStart, bytes + 3, 8);
+  crc = checksum(crc, bytes, 3);
+  const std::vector<uint8_t> first = {
+      0x4D, 0, 1,    0,   static_cast<uint8_t>(crc), static_cast<uint8_t>(crc >> 8), 0x81, 0x82, 0x34, 0x12,
+      0,    0, 0x80, 0x3F};
+  CHECK(std::vector<uint8_t>(&chip.bytes[100], &chip.bytes[100] + first.size()) == first);
+  // The next one lies in the other half, and has the next number; the first one is invalid.
+  REQUIRE(keep(kept, shortPlan(2)));
+  CHECK(chip.bytes[100] == 0);
+  CHECK(chip.bytes[200] == 0x4D);
+  CHECK(chip.bytes[201] == 1);
+  CHECK(chip.bytes[202] == 2);
+  CHECK(chip.bytes[203] == 0);
+  REQUIRE(keep(kept, shortPlan(3)));
+  CHECK(chip.bytes[101] == 2);
+  CHECK(chip.bytes[200] == 0);
+}
+
+TEST_CASE("numbers, commands and flags come back, whichever of their bytes are 0") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  Items items;
+  for (uint8_t byte = 0; byte < 4; ++byte) {
+    MissionItem item = anyCommand(static_cast<uint16_t>(0x0101 << byte));
+    item.x = 1 << 8 * byte;
+    item.autocontinue = byte % 2;
+    item.current = byte / 2;
+    items.push_back(item);
+  }
+  REQUIRE(keep(kept, items));
+  CHECK(holds(kept, items));
+}
+
+TEST_CASE("of two valid banks the later one counts, the other one is made invalid, and the numbers go round") {
+  for (uint8_t sequence : {0, 1, 127, 128, 254, 255}) {
+    CAPTURE(sequence);
+    const Eeprom memory = eeprom(kSize);
+    EepromPlan kept(memory);
+    kept.begin();
+    const Items older = plan(3, 20), newer = plan(2, 30);
+    for (int32_t i = 0; i < sequence; ++i) REQUIRE(keep(kept, plan(1, i)));
+    REQUIRE(keep(kept, older));
+    const uint16_t old = sequence % 2 == 0 ? 0 : kSize / 2;
+    CHECK(chip.bytes[old + 1] == sequence);
+    REQUIRE(keep(kept, newer));
+    chip.bytes[old] = 0x4D;  // as if the power had failed before that
+    EepromPlan again = afterReset(memory);
+    CHECK(holds(again, newer));
+    CHECK(again.isBusy());
+    CHECK_FALSE(again.store());
+    settle(again);
+    CHECK(chip.bytes[old] == 0);
+    // Should the newer one be damaged, the older one does not come back.
+    chip.bytes[kSize / 2 - old + 8] ^= 1;
+    EepromPlan damaged = afterReset(memory);
+    CHECK_FALSE(damaged.hasPlan());
+    CHECK(damaged.isDamaged());
+  }
+}
+
+TEST_CASE("a bank is filled to its last byte") {
+  const Eeprom memory = eeprom(2 * (6 + 40));
+  EepromPlan kept(memory);
+  kept.begin();
+  CHECK(kept.room() == 40);
+  CHECK_FALSE(keep(kept, shortPlan(11)));
+  REQUIRE(keep(kept, shortPlan(10)));
+  CHECK(holds(kept, shortPlan(10)));
+  EepromPlan again = afterReset(memory);
+  CHECK(holds(again, shortPlan(10)));
+}
+
+TEST_CASE("more than 255 items are kept") {
+  const Eeprom memory = eeprom(4096);
+  EepromPlan kept(memory);
+  kept.begin();
+  REQUIRE(keep(kept, shortPlan(400)));
+  EepromPlan again = afterReset(memory);
+  CHECK(again.count() == 400);
+  CHECK(holds(again, shortPlan(400)));
+}
+
+TEST_CASE("a number of items that does not fit into the bank is a damaged plan, whatever the other bytes are") {
+  const Eeprom memory = eeprom(kSize);
+  chip.bytes.assign(kSize, 0);
+  const uint8_t header[] = {0x4D, 0, 0xF0, 0xFF, 0x00, 0xFF, 0x00};
+  memcpy(chip.bytes.data(), header, sizeof(header));
+  EepromPlan kept(memory);
+  kept.begin();
+  CHECK_FALSE(kept.hasPlan());
+  CHECK(kept.isDamaged());
+}
+
+TEST_CASE("a damaged plan is told in whichever bank it lies, until it is erased or another one is stored") {
+  for (uint16_t bank : {0, 1}) {
+    for (bool isErased : {true, false}) {
+      const Eeprom memory = eeprom(kSize);
+      EepromPlan kept(memory);
+      kept.begin();
+      CHECK_FALSE(kept.isDamaged());
+      for (uint16_t i = 0; i <= bank; ++i) REQUIRE(keep(kept, plan(2, i)));
+      chip.bytes[bank * kSize / 2 + 8] ^= 1;
+      EepromPlan again = afterReset(memory);
+      CHECK_FALSE(again.hasPlan());
+      CHECK(again.isDamaged());
+      if (isErased) {
+        REQUIRE(again.erase());
+        settle(again);
+        CHECK(again.state() == EepromPlan::State::Resting);
+      } else {
+        REQUIRE(keep(again, plan(2, 5)));
+      }
+      CHECK_FALSE(again.isDamaged());
+      EepromPlan last = afterReset(memory);
+      CHECK_FALSE(last.isDamaged());
+      CHECK(last.hasPlan() == !isErased);
+    }
+  }
+}
+
+TEST_CASE("an erased plan is gone after a reset, in whichever bank it was") {
+  for (uint16_t plans : {1, 2, 3}) {
+    const Eeprom memory = eeprom(kSize);
+    EepromPlan kept(memory);
+    kept.begin();
+    for (uint16_t i = 0; i < plans; ++i) REQUIRE(keep(kept, plan(2, i)));
+    REQUIRE(kept.erase());
+    settle(kept);
+    CHECK_FALSE(kept.hasPlan());
+    CHECK(kept.count() == 0);
+    EepromPlan again = afterReset(memory);
+    CHECK_FALSE(again.hasPlan());
+    CHECK_FALSE(again.isDamaged());
+  }
+}
+
+TEST_CASE("before begin() there is no plan, and begin() drops a plan that is being stored") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  CHECK_FALSE(kept.hasPlan());
+  CHECK_FALSE(kept.isDamaged());
+  CHECK(kept.count() == 0);
+  CHECK(kept.stored() == 0);
+  kept.begin();
+  const Items items = plan(2, 3);
+  REQUIRE(keep(kept, items));
+  CHECK(kept.sink().limit == 65534);
+  for (int i = 0; i < 10; ++i) update(kept);
+  REQUIRE(kept.put(items[0]));
+  kept.begin();
+  CHECK(kept.state() == EepromPlan::State::Resting);
+  CHECK(holds(kept, items));
+}
+
+TEST_CASE("what has failed stays so, and writes no more") {
+  const Eeprom memory = eeprom(2 * (6 + 40));
+  EepromPlan kept(memory);
+  kept.begin();
+  CHECK_FALSE(keep(kept, shortPlan(11)));
+  chip.writes = 0;
+  for (int i = 0; i < 100; ++i) CHECK(update(kept) == EepromPlan::State::Failed);
+  CHECK(chip.writes == 0);
+}
