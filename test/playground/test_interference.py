@@ -9,8 +9,11 @@ import pytest
 from building import build_sketch
 from demonstration.autopilots import EXAMPLES_FLY_AT
 from playing.inside.far_end import FarEnd
+from playing.inside.interference import as_message
+from simulation.fake_autopilot import item, mavlink
 from simulation.mega import Mega
 
+HZ, SLICE_S = 16_000_000, 0.02
 SLICE_CYCLES = 80_000  # 5 ms
 BAUD = 57600.0
 PILOT, RETURN = {"ardupilot": "LOITER", "px4": "POSCTL"}, {"ardupilot": "RTL", "px4": "RTL"}
@@ -101,7 +104,26 @@ def test_the_plan_of_another_station_is_aboard_in_the_place_of_ours(autopilot):
     run.for_s(0.5)
     assert len(run.far.autopilot.received()) == (4 if autopilot == "ardupilot" else 3)
     assert run.events == ["another ground station uploads its 3 items"]
-    assert not json.loads(run.far.verdict("{}"))["good"]
+    verdict = json.loads(run.far.verdict("{}"))
+    assert not verdict["good"] and verdict["replaced"]
+    items = "3 items and home" if autopilot == "ardupilot" else "3 items"
+    assert f" now: {items}, which are not those that the Mega put there." in verdict["sentence"]
+
+
+def test_a_further_plan_of_the_mega_takes_the_place_of_its_first_one():
+    far = FarEnd(json.dumps({"autopilot": "px4", "loss": 0, "bytes": 0, "seed": 1, "hz": HZ, "home": EXAMPLES_FLY_AT}))
+    packer, parser, now = mavlink.MAVLink(None, 1, 191), mavlink.MAVLink(None), 1.0
+    for heights in ((10.0, 20.0, 30.0), (40.0, 50.0)):
+        said = [mavlink.MAVLink_mission_count_message(1, 1, len(heights), 0)]
+        for _ in range(60):
+            data = b"".join(message.pack(packer) for message in said)
+            left = [int((now + turn * 10 / BAUD) * HZ) for turn in range(1, len(data) + 1)]
+            now += SLICE_S
+            answers = parser.parse_buffer(far.step(now, data, left, BAUD)) or []
+            asked = [answer.seq for answer in answers if answer.get_type().startswith("MISSION_REQUEST")]
+            said = [as_message(seq, item(16, x=1, y=2, z=heights[seq]), (1, 1)) for seq in asked]
+        verdict = json.loads(far.verdict("{}"))
+        assert verdict["good"] and verdict["sentence"].startswith(f"All {len(heights)} items are aboard PX4")
 
 
 @pytest.mark.parametrize(("name", "way"), [(">", ">"), ("<", "<"), ("MISSION_ACK", "<"), ("MISSION_REQUEST*", "<")])

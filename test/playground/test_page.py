@@ -45,14 +45,14 @@ def test_map_and_console_stand_before_the_autopilot_and_the_start_is_within_its_
 def test_the_first_upload_ends_accepted_with_the_plan_on_the_map(page, autopilot):
     page.begin(f"#example=UploadMission&autopilot={autopilot}")
     sentence = page.wait_until_good()
-    count = {"ardupilot": 5, "px4": 4}[autopilot]
-    assert sentence == f"All {count} items are aboard {NAMES[autopilot]} as they were meant, and the Mega knows it."
+    items = {"ardupilot": "4 items and home", "px4": "4 items"}[autopilot]
+    assert sentence == f"All {items} are aboard {NAMES[autopilot]} as they were meant, and the Mega knows it."
     page.browser.wait_for("return document.querySelectorAll('#map .point.held').length >= 2")
     assert page.on_map(".path.held") == 1
     assert page.on_map(".path.held") == page.on_map(".aircraft[visibility=visible]") == 1
     assert page.on_map(".grid") > 4 and page.on_map(".scale") == page.on_map(".north") == 1
     assert any("MISSION_ACK ACCEPTED" in line for line in page.frames)
-    assert page.browser.text("#items").split().count("aboard") == count
+    assert page.browser.text("#items").split().count("aboard") == {"ardupilot": 5, "px4": 4}[autopilot]
     assert f"{GLOBALS} of 8192" in page.browser.text("#ram")
 
 
@@ -129,8 +129,13 @@ def test_what_is_typed_reaches_the_sketch_and_its_answer_is_shown(page):
     page.begin("#example=PlanConsole")
     page.wait_for_text("#outcome", "type help")
     page.browser.wait_for("return document.getElementById('clock').textContent.startsWith('1')")
+    page.browser.type("#line", "stop\n")
+    page.wait_for_text("#console", "\n")
+    page.browser.run("window.firstWords = document.getElementById('console').firstChild")
     page.browser.type("#line", "help\n")
     page.wait_for_text("#console", "start: ARM, and fly the plan aboard")
+    # What was printed before stays where it is: a screen reader says only what is new.
+    assert page.value("window.firstWords === document.getElementById('console').firstChild")
 
 
 @pytest.mark.parametrize("example", DONE)
@@ -187,6 +192,10 @@ def test_the_sliders_and_choices_are_in_the_address(page):
       document.querySelector("input[value=px4]").click();
     """)
     assert page.value("location.hash") == "#example=UploadMission&autopilot=px4&loss=15&bytes=2.5&seed=7"
+    # A screen reader says a slider's words as its value, and not a second time as news.
+    said = """["loss", "bytes", "latency"].map((id) => [document.getElementById(id).getAttribute("aria-valuetext"),
+      document.getElementById(`${id}-value`).getAttribute("aria-live")])"""
+    assert page.value(said) == [["15 %", "off"], ["2.5 %", "off"], ["0 ms", "off"]]
 
 
 def test_every_control_has_a_name_and_the_keyboard_reaches_it(page):

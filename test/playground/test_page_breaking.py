@@ -43,9 +43,16 @@ def test_what_one_does_is_told_at_once_with_what_came_of_it(page, button):
     result = page.browser.text("#deeds")
     if button == "reset-mega":
         assert "the Mega sends" in result or "the sketch says" in result
+    if button == "station":
+        page.wait_for_text("#outcome", "Another plan is aboard ArduPilot now: 3 items and home, which are not those")
+        assert page.browser.text("#items").split().count("aboard") == 4
+    if button == "lose":
+        assert "none has come yet: “Restart the Mega” lets the sketch begin anew" in result
     if button == "pilot":
         assert "the Mega has had nothing to do about it" in result
+        places = page.places
         page.wait_for_text("#pilot", "The pilot gives back")
+        assert page.places == places
         page.browser.click("#pilot")
         page.wait_for_text("#deeds", "the pilot sets the mode of before again")
         page.wait_for_text("#pilot", "A pilot takes over")
@@ -111,14 +118,14 @@ def test_a_paused_run_goes_on_by_a_frame_and_then_slowly(page):
     assert (page.value(COUNT), page.value(CLOCK)) == (frames, paused)
     page.browser.click("#next-frame")
     page.browser.wait_for(f"return {COUNT} > {frames}")
-    assert page.browser.text("#pause") == "Go on"
+    assert page.browser.text("#pause") == "Go on" and page.outcome.startswith("Paused. ")
     page.browser.run("""
       const pace = document.getElementById("pace");
       pace.value = "0.2";
       pace.dispatchEvent(new Event("change"));
     """)
     page.browser.wait_for("return /^0[.][12]\\d of real time/.test(document.getElementById('factor').textContent)")
-    assert page.browser.text("#pause") == "Pause"
+    assert page.browser.text("#pause") == "Pause" and not page.outcome.startswith("Paused")
 
 
 def test_both_wires_are_there_to_download(page):

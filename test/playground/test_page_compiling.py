@@ -10,7 +10,7 @@ import pytest
 
 from building import build_sketch
 from examples import sketch_of
-from playing.compiling import LONGEST, compiled
+from playing.compiling import LONGEST, compiled, errors_in
 from playing.serving import Server
 
 SKETCH = """#include <MavMissionMonitor.h>
@@ -25,6 +25,11 @@ const area = document.getElementById("source");
 document.getElementById("editor").open = true;
 area.value = arguments[0];
 document.getElementById("compile").click();
+"""
+CHOOSE = """
+const list = document.getElementById("example");
+list.value = "UploadMission";
+list.dispatchEvent(new Event("change"));
 """
 
 
@@ -71,6 +76,17 @@ def test_a_mistake_is_told_with_its_line():
 
 
 @pytest.mark.slow
+def test_a_sketch_without_a_serial_port_is_compiled_and_one_without_setup_is_told_of():
+    assert compiled("void setup() { pinMode(13, OUTPUT); }\nvoid loop() {}\n")["pass"] == 0
+    assert compiled("void loop() {}\n")["errors"] == [[None, "nothing defines setup"]]
+
+
+def test_memory_that_does_not_suffice_is_named():
+    said = "avr/bin/ld: address 0x8025e0 of Written.ino.elf section `.bss' is not within region `data'\n"
+    assert errors_in(2 * said + "collect2: error: ld returned 1 exit status\n") == [[None, "more RAM than a Mega has"]]
+
+
+@pytest.mark.slow
 def test_a_sketch_is_written_compiled_and_run_in_the_page(page):
     page.begin("#example=UploadMission")
     page.browser.wait_for("return document.getElementById('source').value.includes('returnToLaunch()')")
@@ -83,6 +99,11 @@ def test_a_sketch_is_written_compiled_and_run_in_the_page(page):
     assert page.browser.text("#compiler-says") == "It was compiled, and runs."
     assert page.browser.text("#errors") == ""
     page.wait_for_text("#notice", "your sketch runs")
+    page.browser.run(WRITE + CHOOSE, SKETCH)
+    assert page.notice == ""
+    page.wait_for_text("#notice", "your sketch is compiled: choose it in the list of examples.")
+    assert page.browser.text("#compiler-says") == "It was compiled."
+    assert page.value("document.getElementById('example').value") == "UploadMission"
 
     page.browser.run(WRITE, SKETCH.replace("println", "printline"))
     page.wait_for_text("#compiler-says", "It was not compiled.")

@@ -75,12 +75,16 @@ def test_clicks_and_drags_on_the_map_make_a_plan_that_is_flown(page):
     page.browser.wait_for("return !document.getElementById('drawn-text').innerText.includes('returnToLaunch')")
     address = page.value("location.hash")
     assert "&draw=" in address and address.count(".33") == 1 and not address.endswith("r")
+    kinds = "[...document.querySelectorAll('#map .path')].map((one) => one.classList[1])"
+    assert page.value(kinds)[-1] == "drawn"  # above all others
     page.browser.click("#fly")
     page.wait_for_text("#outcome", "PlanConsole has verified and started it.")
+    # It is flown now: a click on the map sets no waypoint any more, and what is aboard lies above what was drawn.
+    assert page.value("document.getElementById('draw').getAttribute('aria-pressed')") == "false"
+    assert page.value(kinds) == ["drawn", "meant", "held"]
     assert page.browser.text("#items").count("NAV_WAYPOINT") == 2
-    page.browser.click("#draw")
     page.begin("#example=UploadMission")
-    assert page.on_map(".point.drawn") == 0
+    assert page.on_map(".point.drawn") == 0 and page.value("document.getElementById('returns').checked")
     page.begin(address)
     assert page.on_map(".point.drawn") == 2
     page.wait_for_text("#drawn-text", "33_m")

@@ -62,6 +62,21 @@ def test_map_and_buttons_stay_where_they_are_while_texts_come(sized):
     assert page.places == places
 
 
+def test_the_bar_of_what_is_loading_covers_neither_north_nor_the_scale(sized):
+    covered = sized.browser.run("""
+      const loading = document.getElementById("loading");
+      loading.hidden = false;
+      const words = "12.6 of 12.6 MB, 100 s: all is here, and is being started";
+      document.getElementById("fetched-words").textContent = words;
+      const { right, bottom, top } = loading.getBoundingClientRect();
+      const marks = [...document.querySelectorAll("#map .north, #map .scale")];
+      loading.hidden = true;
+      return marks.map((one) => one.getBoundingClientRect())
+        .map((mark) => mark.left < right && mark.top < bottom && mark.bottom > top);
+    """)
+    assert covered == [False, False]
+
+
 def test_a_window_of_1920_pixels_is_used(page):
     try:
         page.browser.resize(*WIDE)

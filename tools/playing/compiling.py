@@ -15,11 +15,15 @@ LONGEST = 100_000  # of a sketch [bytes]
 NAME = "Written"
 FOLDER = BUILD / "playground" / "written" / NAME
 AT_LINE = re.compile(rf"{NAME}\.ino:(\d+)(?::\d+)?: (?:fatal )?error: (.*)")
+# Of the linker, whose lines say nothing of the sketch's.
+NOWHERE = re.compile(r"undefined reference to `(.*?)'")
+TOO_LARGE = re.compile(r"region `(data|text)'")
+MEMORY = {"data": "RAM", "text": "flash"}
 MOST_ERRORS = 20
 
 
 def compiled(source: str) -> dict[str, Any]:
-    """{hex, flash, ram, pass}, or {errors}: [line or None, text] each."""
+    """{hex, flash, ram, pass}, or {errors}: [line or None, text] each. pass: 0 if the sketch uses no serial port."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     # One at a time, whoever asks: another request to this server, or another one beside it.
     with (FOLDER.parent / "lock").open("w") as lock:
@@ -29,12 +33,13 @@ def compiled(source: str) -> dict[str, Any]:
             built = build_sketch(FOLDER, strict=False)
         except BuildFailed as error:
             return {"errors": errors_in(str(error))}
-        image = Image.load(built.elf)
-        made = {"hex": built.hex.read_text(), "flash": built.flash, "ram": built.ram}
-        return {**made, "pass": image.symbol(PASS).address}
+        passes = next((one.address for one in Image.load(built.elf).symbols if one.is_called(PASS)), 0)
+        return {"hex": built.hex.read_text(), "flash": built.flash, "ram": built.ram, "pass": passes}
 
 
 def errors_in(text: str) -> list[list]:
-    """Those of the sketch's own lines; if there are none, the last that the compiler said."""
+    """Those of the sketch's own lines; if there are none, what is missing or too large, or what the compiler said."""
     found = [[int(line), words] for line, words in AT_LINE.findall(text)]
+    found = found or [[None, f"nothing defines {name}"] for name in dict.fromkeys(NOWHERE.findall(text))]
+    found = found or [[None, f"more {MEMORY[region]} than a Mega has"] for region in set(TOO_LARGE.findall(text))]
     return found[:MOST_ERRORS] or [[None, line] for line in text.splitlines() if "error" in line][-3:] or [[None, text]]

@@ -28,6 +28,7 @@ ARMING = re.compile(
 )
 # Such a sketch reads what is typed: itself, or by what it gives its console to.
 LISTENS = re.compile(r"\(CONSOLE,|CONSOLE\.(read|available|parse|find)")
+NOT_HERE = "TAKE OFF THE PROPELLERS WHILE YOU TRY IT."  # said of a real aircraft
 CARD = "PlanFromSd"  # the text that it has without a card is the file on the card
 
 
@@ -109,4 +110,5 @@ def said(sketch: Path) -> str:
         if not line.startswith("//"):
             break
         lines.append(line.removeprefix("//").strip())
-    return " ".join(lines).partition(" With a card")[0].strip()
+    text = " ".join(lines).partition(" With a card")[0]
+    return " ".join(text.replace(NOT_HERE, "").split())

@@ -177,10 +177,10 @@ class FarEnd:
         """The next frame of this name from the autopilot does not arrive; of ">" or "<", the next that is shown."""
         if name in NEXT:
             self._line.wire.lose(name, where=self._is_next_shown)
-            self._note_event(f"the next frame of {NEXT[name]} will be lost")
+            self._note_event(f"the next frame of {NEXT[name]} will be lost", awaits=True)
         else:
             self._line.wire.lose("<", name=name)
-            self._note_event(f"the next {name.rstrip('*')} of the autopilot will be lost")
+            self._note_event(f"the next {name.rstrip('*')} of the autopilot will be lost", awaits=True)
 
     @staticmethod
     def _is_next_shown(message: Any) -> bool:
@@ -227,6 +227,7 @@ class FarEnd:
         for entry in self._line.seen():
             if self.name == "outside" and entry.direction == "<" and entry.message is not None:
                 self.autopilot.said[entry.message.get_type()] = entry.message
+            self._begin_anew(entry)
             again = self._conversation.add(entry)
             shown = self._conversation.is_shown(entry)
             self._frames.append((entry, {
@@ -246,6 +247,23 @@ class FarEnd:
         self._frames = waiting
         self._line.forget()
         self.autopilot.log.clear()
+
+    def _begin_anew(self, entry: Entry) -> None:
+        """Of a plan that is aboard, and is now sent again or changed, the items are those that are sent from now on."""
+        message, talk = entry.message, self._conversation
+        kind = getattr(message, "mission_type", MISSION)
+        if entry.direction != ">" or message is None or kind not in talk.told:
+            return
+        if message.get_type() == "MISSION_COUNT":
+            first, last = 0, 1 << 16
+            talk.aboard[kind] = 0
+        elif message.get_type() == "MISSION_WRITE_PARTIAL_LIST":
+            first, last = message.start_index, message.end_index
+        else:
+            return
+        talk.told.discard(kind)
+        talk.items = {key: item for key, item in talk.items.items() if key[0] != kind or not first <= key[1] <= last}
+        self._told_items[kind] = min(first, self._told_items.get(kind, 0))
 
     def _look(self, now: float) -> None:
         talk = self._conversation
@@ -303,8 +321,9 @@ class FarEnd:
         return json.dumps(plain(new)) if new else ""
 
     def verdict(self, meant: str) -> str:
-        """Whether what is aboard is what was meant: JSON of {good, sentence}. meant: JSON, kind -> its items on the
-        wire and their words; of a kind that is not in it, what was sent is what was meant."""
+        """Whether what is aboard is what was meant: JSON of {good, sentence}, and replaced if what the Mega put aboard
+        is not there any more. meant: JSON, kind -> its items on the wire and their words; of a kind that is not in it,
+        what was sent is what was meant."""
         name = NAMES.get(self.name, "the autopilot")
         talk = self._conversation
         if not talk.counts:
@@ -324,12 +343,30 @@ class FarEnd:
             aboard = self.autopilot.received(kind)
             differing = sum(not a.same_as(b) for a, b in zip(items, aboard, strict=False))
             differing += abs(len(items) - len(aboard))
+            if kind in talk.told and len(sent) == talk.counts[kind] and not same(sent, aboard):
+                return json.dumps({"good": False, "replaced": True, "sentence": self._in_its_place(kind, len(aboard))})
             if len(sent) < talk.counts[kind] or differing or talk.aboard[kind] < talk.counts[kind]:
                 return json.dumps({"good": False, "sentence": talk.last_word()})
         knows = talk.told >= set(talk.counts) or talk.thanked
         told = "and the Mega knows it" if knows else "which the Mega has not been told yet"
-        sentence = f"All {total} items are aboard {name} as they were meant, {told}."
+        sentence = f"All {self._counted(total, MISSION in talk.counts)} are aboard {name} as they were meant, {told}."
         return json.dumps({"good": True, "knows": knows, "sentence": sentence})
+
+    def _in_its_place(self, kind: int, count: int) -> str:
+        name = NAMES.get(self.name, "the autopilot")
+        if not count:
+            return f"What the Mega put aboard {name} is not there any more."
+        plan = "Another plan" if kind == MISSION else f"Another {KINDS[kind]}"
+        items = self._counted(count, kind == MISSION)
+        return f"{plan} is aboard {name} now: {items}, which are not those that the Mega put there."
+
+    def _counted(self, count: int, is_plan: bool) -> str:
+        """Items as the sketch counts them: ArduPilot's plan has home in front."""
+        return f"{count - 1} items and home" if is_plan and self.name == "ardupilot" else f"{count} items"
+
+
+def same(some: Sequence[Item], others: Sequence[Item]) -> bool:
+    return len(some) == len(others) and all(a.same_as(b) for a, b in zip(some, others, strict=True))
 
 
 def item_of(values: Iterable) -> Item:

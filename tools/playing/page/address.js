@@ -21,8 +21,7 @@ export function stateOf(hash, examples) {
   const state = { ...PLAIN };
   const complaints = [];
   for (const [name, value] of new URLSearchParams(hash.replace(/^#/, ""))) {
-    const take = TAKERS[name];
-    const taken = take ? take(value, examples) : undefined;
+    const taken = Object.hasOwn(TAKERS, name) ? TAKERS[name](value, examples) : undefined;
     if (taken === undefined) complaints.push(`${shortened(name)}=${shortened(value)}`);
     else state[name] = taken;
   }

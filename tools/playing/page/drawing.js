@@ -9,7 +9,12 @@ const SHAPE = /^(-?\d{1,10}\.-?\d{1,10}\.\d{1,4}_?){1,60}r?$/;
 const RELATIVE = 3;
 
 // In the address: latitude.longitude.height of each, and r for a return to home.
-export const isDrawing = (word) => SHAPE.test(word);
+const pointsOf = (word) => word.replace("r", "").split("_").filter(Boolean).map((one) => {
+  const [x, y, height] = one.split(".").map(Number);
+  return { x, y, height };
+});
+export const isDrawing = (word) =>
+  SHAPE.test(word) && pointsOf(word).every(({ x, y }) => Math.abs(x) <= 90e7 && Math.abs(y) <= 180e7);
 const wordOf = ({ points, returns }) =>
   points.length ? points.map(({ x, y, height }) => `${x}.${y}.${height}`).join("_") + (returns ? "r" : "") : "";
 
@@ -35,12 +40,8 @@ export class Drawing {
 
   take(word) {
     if (word === this.word) return;
-    this.returns = word.endsWith("r");
-    const words = word.replace("r", "").split("_").filter(Boolean);
-    this.points = words.map((one) => {
-      const [x, y, height] = one.split(".").map(Number);
-      return { x, y, height };
-    });
+    this.returns = !word || word.endsWith("r");
+    this.points = pointsOf(word);
     this.show();
   }
 
@@ -48,6 +49,7 @@ export class Drawing {
     this.isOn = isOn;
     this.map.isFrozen = isOn;
     this.map.svg.classList.toggle("drawing", isOn);
+    this.map.draw();
   }
 
   add(place) {

@@ -1,15 +1,18 @@
 // A plan that was dropped onto the page, put aboard by PlanConsole as a person would at its terminal: a command, and
-// the next one when the sketch has said that it is done.
+// the next one when the sketch has said that it is done. The lines of the file follow one another as they are stored:
+// sent at once they would come faster than the Mega takes them.
 
 const STEPS = [
-  { types: (plan) => `load\n${plan.waypoints}end\n`, done: "stored: list prints it" },
-  { types: () => "upload\n", done: "accepted: the plan is aboard" },
-  { types: () => "verify\n", done: "verified: what is aboard is the plan" },
-  { types: () => "start\n", done: "done: the autopilot confirmed it" },
+  { types: "load\n", done: "stored: list prints it" },
+  { types: "upload\n", done: "accepted: the plan is aboard" },
+  { types: "verify\n", done: "verified: what is aboard is the plan" },
+  { types: "start\n", done: "done: the autopilot confirmed it" },
 ];
+const HEAD = 2; // lines before the first item
+const AHEAD = 2; // items that are sent before the first of them is stored
 const WHERE_IN_TEXT = /^line (\d+)(?:, field \d+)?: (.*)$/;
 const FIRST_ROW = 3; // of an item in the text: behind the line that names its kind, and home
-const WHERE_IN_PLAN = /^item (\d+)$/; // counted from 1
+const WHERE_IN_PLAN = /^item (\d+)(?:: (.*))?$/; // counted from 1
 const REFUSED = [
   "nothing was loaded; further lines are ignored, up to end",
   "the EEPROM could not store it",
@@ -26,7 +29,11 @@ export class Dropped {
     this.text = "";
     this.words = ""; // what the sketch found wrong
     this.item = -1; // and with which item
+    this.lines = [...plan.waypoints.split(/\r?\n/).filter(Boolean), "end"];
+    this.count = this.lines.length - HEAD - 1; // of items
+    this.stored = 0; // of them
     this.next();
+    this.feed();
   }
 
   get isOver() {
@@ -41,7 +48,21 @@ export class Dropped {
 
   next() {
     this.step++;
-    if (!this.isOver) this.type(STEPS[this.step].types(this.plan));
+    if (!this.isOver) this.type(STEPS[this.step].types);
+  }
+
+  // The next lines of the file.
+  feed() {
+    const sent = HEAD + this.count + 1 - this.lines.length;
+    const due = Math.max(0, HEAD + this.stored + AHEAD - sent);
+    const lines = this.lines.splice(0, this.stored + AHEAD > this.count ? this.lines.length : due);
+    if (lines.length) this.type(lines.map((line) => `${line}\n`).join(""));
+  }
+
+  fail() {
+    this.failed = true;
+    if (this.lines.length) this.type("end\n"); // of the text, so that the console takes commands again
+    this.lines = [];
   }
 
   // What the sketch has printed.
@@ -52,16 +73,20 @@ export class Dropped {
     for (const line of lines) {
       const [, row, words] = line.match(WHERE_IN_TEXT) || [];
       if (row) [this.item, this.words] = [row - FIRST_ROW, words];
-      const [, item] = line.match(WHERE_IN_PLAN) || [];
-      if (item && this.failed) this.item = item - 1;
+      const [, item, about] = line.match(WHERE_IN_PLAN) || [];
+      if (item && (about || this.failed)) [this.item, this.words] = [item - 1, about || this.words];
       if (this.isOver) continue;
+      if (this.step === 0 && /^\d+$/.test(line)) {
+        this.stored = Number(line);
+        this.feed();
+      }
       if (line === STEPS[this.step].done) {
         this.next();
       } else if (REFUSED.includes(line)) {
-        this.failed = true;
+        this.fail();
       } else if (this.ends.includes(line)) {
-        this.failed = true;
         this.words = line;
+        this.fail();
       }
     }
   }

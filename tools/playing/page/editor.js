@@ -2,10 +2,11 @@
 
 export class Editor {
   // parts: the elements {area, compile, back, errors, says}. begins: is called when something is compiled; ran: with what
-  // was compiled.
+  // was compiled, and says whether it runs.
   constructor(parts, begins, ran) {
     Object.assign(this, parts, { begins, ran, shown: "", name: "", isBusy: false });
     this.compile.onclick = () => this.run();
+    this.area.oninput = () => { this.back.hidden = this.area.value === this.shown; };
     this.back.onclick = () => {
       this.area.value = this.shown;
       this.show(this.name);
@@ -21,8 +22,10 @@ export class Editor {
       this.says.textContent = `${name} runs, and this is what you have written.`;
       return;
     }
-    this.shown = await (await fetch(`examples/${name}.ino`)).text();
-    this.area.value = this.shown;
+    const source = await fetch(`examples/${name}.ino`).then((answer) => answer.text()).catch(() => "");
+    if (this.name !== name || this.area.value !== this.shown) return; // another one was chosen, or somebody has written
+    this.shown = source;
+    this.area.value = source;
     this.tell([]);
   }
 
@@ -40,16 +43,17 @@ export class Editor {
     this.says.textContent = "The sketch is being compiled.";
     try {
       const made = await (await fetch("compile", { method: "POST", body: this.area.value })).json();
-      this.tell(made.errors || []);
-      if (made.hex) this.ran(made);
+      const runs = made.hex && this.ran(made);
+      this.tell(made.errors || [], runs ? "It was compiled, and runs." : "It was compiled.");
     } catch (error) {
       this.tell([[null, `the compiler does not answer: ${error.message}`]]);
     }
     this.isBusy = false;
   }
 
-  tell(errors) {
-    if (this.isBusy) this.says.textContent = errors.length ? "It was not compiled." : "It was compiled, and runs.";
+  // good: what to say of a sketch without errors.
+  tell(errors, good = "") {
+    if (this.isBusy) this.says.textContent = errors.length ? "It was not compiled." : good;
     this.errors.replaceChildren(...errors.map(([line, words]) => {
       const button = document.createElement("button");
       button.type = "button";

@@ -27,6 +27,7 @@ const FLASH = 253952;
 const EXAMPLES_FLY_AT = [-353632621, 1491652374, 584]; // latitude, longitude [1e-7 degrees], altitude [m]
 const MOST_TEXT = 60000; // of the console [characters]
 const SLOW = 0.95;
+const STORES = "PlanConsole stores the plan that you dropped";
 const KEPT = "PlanConsole waits for a command: the plan that it had is still in the EEPROM.";
 const STOPPED = "PlanConsole refused the plan, or failed: the serial monitor says why.";
 const TOO_LONG = "The address does not carry the plan: it is too long for one.";
@@ -53,9 +54,12 @@ const deeds = new Deeds(at("deeds"));
 const pins = new PinPanel(at("pins"), (pin, isDown) => mega.postMessage({ does: "press", pin, isDown }));
 const editor = new Editor({
   area: at("source"), compile: at("compile"), back: at("source-back"), errors: at("errors"), says: at("compiler-says"),
-}, () => notice(""), (made) => runOwn(entryOf({
+}, () => {
+  notice("");
+  whenCompiled = state.example;
+}, (made) => runOwn(entryOf({
   ...made, name: WRITTEN, image: made.hex, says: "The sketch as it is written in the editor.",
-})));
+}), state.example === whenCompiled));
 const playback = new Playback(({ now, news, printed }) => {
   showNews({ now, news });
   if (printed) print(printed);
@@ -81,8 +85,9 @@ let latest = ["", "going"]; // what outcome() was told last
 let files = null; // what was drawn, as {cpp, plan, waypoints}
 let seen = {}; // {heard, vehicle, flown, read, said}: what there was to see of the run
 let line = ""; // of the sketch's, as far as it has printed it
-let isGood = false;
+let verdict = null; // of what is aboard: {good, knows, replaced, sentence}
 let ramFree = null;
+let whenCompiled = ""; // the example that was chosen when the editor's sketch was given to the compiler
 let shownLater = null;
 
 const hearOutside = (bytes) => far.postMessage({ does: "outside", bytes });
@@ -107,7 +112,8 @@ function notice(text, isTrouble = true) {
 
 function outcome(text, kind = "going") {
   const place = at("outcome");
-  const whole = isReady && !isPort && state.cable === "pulled" ? `The cable is pulled: nothing passes. ${text}` : text;
+  const isPulled = isReady && !isPort && state.cable === "pulled";
+  const whole = `${isPaused ? "Paused. " : ""}${isPulled ? "The cable is pulled: nothing passes. " : ""}${text}`;
   latest = [text, kind];
   if (place.textContent !== whole) place.textContent = whole;
   place.dataset.state = kind;
@@ -128,7 +134,7 @@ function begin() {
   held = {};
   seen = {};
   line = "";
-  isGood = false;
+  verdict = null;
   dropped = null;
   if (!isConsole()) plan = null;
   if (isReady && !plan && state.plan) change({ plan: "" }, false);
@@ -164,7 +170,8 @@ function begin() {
       const { pass } = example();
       mega.postMessage({ does: "start", hex, pass, card: onCard || known.card, port: port2, number }, [port2]);
       if (plan) dropped = new Dropped(plan, type, ends);
-    });
+    })
+    .catch((error) => number === run && outcome(`${example().name} was not loaded: ${error.message}.`, "bad"));
 }
 
 async function firmwareOf({ image, name }) {
@@ -172,7 +179,7 @@ async function firmwareOf({ image, name }) {
 }
 
 function firstWords() {
-  if (plan) return "PlanConsole stores the plan that you dropped.";
+  if (plan) return `${STORES}.`;
   if (isConsole()) return "PlanConsole waits for a command: type help, or drop a plan onto the page.";
   if (example().reads) return `The Mega reads the plan that ${NAMES[autopilot()]} holds.`;
   return `The Mega is looking for ${NAMES[autopilot()]}.`;
@@ -293,8 +300,8 @@ async function beginOrCarry() {
 function print(text) {
   const place = at("console");
   const isAtEnd = place.scrollTop + place.clientHeight >= place.scrollHeight - 8;
-  const shown = place.textContent + text.replaceAll("\r\n", "\n");
-  place.textContent = shown.length > MOST_TEXT ? shown.slice(-MOST_TEXT) : shown;
+  place.append(text.replaceAll("\r", "")); // a text of its own: a screen reader says what is new
+  while (place.textContent.length > MOST_TEXT) place.firstChild.remove();
   if (isAtEnd) place.scrollTop = place.scrollHeight;
   const lines = `${line}${text}`.split(/\r?\n/);
   line = lines.pop();
@@ -304,7 +311,8 @@ function print(text) {
   if (!dropped) return;
   const step = dropped.step;
   dropped.hear(text);
-  if (dropped.step !== step && isGood) judged(isGood);
+  if (!dropped.step && dropped.stored) outcome(`${STORES}: ${dropped.stored} of ${dropped.count} items.`);
+  if (dropped.step !== step && verdict?.good) judged(verdict);
   if (dropped.failed) outcome(dropped.why ? `The plan was refused: ${dropped.why}` : STOPPED, "bad");
 }
 
@@ -333,7 +341,7 @@ function showNews({ now, news }) {
     at("pilot").textContent = news.vehicle.pilots ? "The pilot gives back" : "A pilot takes over";
     if (armed && height >= 1) document.body.dataset.flownMs ??= Math.round(performance.now()); // a recorded flight, too
     seen.flown ||= armed;
-    if (isReady && isGood && flightInWords(seen) !== before) judged(isGood);
+    if (isReady && verdict && flightInWords(seen) !== before) judged(verdict);
     const flies = item === null || item === undefined ? "" : `, item ${numberOf("plan", item, hasHome())}`;
     at("vehicle").textContent = `${mode}, ${armed ? "armed" : "disarmed"}, ${height.toFixed(1)} m${flies}`;
   }
@@ -349,7 +357,7 @@ function learn(kind, { announced, arrived, told, sent }) {
   const known = before ? before.sent : [];
   for (const item of sent) known[item.seq] = item;
   progress[kind] = { announced, arrived, told, sent: known };
-  return isFurther || (isGood && !isGood.knows);
+  return isFurther || (verdict?.good && !verdict.knows);
 }
 
 // The map and the list are drawn anew a few times a second, however fast the items come.
@@ -371,39 +379,47 @@ function arrivedItems() {
     numbered(kind, sent, hasHome()).filter((item) => item.seq < arrived && !held[kind]?.[item.seq]));
 }
 
-function judged(verdict) {
-  isGood = verdict.good ? verdict : false;
+function judged(now) {
+  verdict = now.good || now.replaced ? now : null;
   if (dropped?.failed) return;
-  if (verdict.good) {
+  if (verdict) {
     const flight = flightInWords(seen);
-    outcome(verdict.sentence + (NEXT[dropped?.step] || "") + (flight && ` ${flight}`), "good");
-    showItems();
-    return;
+    const next = verdict.good ? NEXT[dropped?.step] || "" : "";
+    const isOthers = verdict.replaced && Object.values(held).some((items) => items.length);
+    outcome(verdict.sentence + next + (flight && ` ${flight}`), verdict.good ? "good" : isOthers ? "bad" : "going");
+  } else {
+    tellOfTransfer(now.sentence);
   }
+  showItems();
+}
+
+function tellOfTransfer(sentence) {
   const kinds = Object.entries(progress);
   const [name, now] = kinds.findLast(([, { told }]) => !told) || kinds.at(-1) || [];
   if (!now) return;
-  const refused = verdict.sentence.includes("last word") ? ` ${verdict.sentence}` : "";
-  outcome(`${name === "plan" ? "" : `${name}: `}${now.arrived} of ${now.announced} items have arrived.${refused}`,
-    refused ? "bad" : "going");
+  const refused = sentence.includes("last word") ? ` ${sentence}` : "";
+  const home = name === "plan" && hasHome() ? 1 : 0;
+  const arrived = `${Math.max(0, now.arrived - home)} of ${now.announced - home}`;
+  outcome(`${name === "plan" ? "" : `${name}: `}${arrived} items have arrived.${refused}`, refused ? "bad" : "going");
 }
 
 function showItems() {
-  const meant = meantItems();
+  const isReplaced = Boolean(verdict?.replaced); // then what is aboard is shown
+  const meant = isReplaced ? [] : meantItems();
   const rows = []; // [number, how, words]
   for (const kind of Object.values(KINDS)) {
-    const now = progress[kind];
+    const now = isReplaced ? null : progress[kind];
     const aboard = held[kind] || [];
     // A file's items count without home, which is ArduPilot's first: they stand until the Mega sends its own.
-    const wanted = plan ? (kind === "plan" && !now ? plan.items : []) : meant.filter((item) => item.kind === kind);
+    const isFile = plan && kind === "plan" && !now && !isReplaced;
+    const wanted = isFile ? plan.items : plan ? [] : meant.filter((item) => item.kind === kind);
     const count = Math.max(now?.announced || 0, wanted.length, aboard.length);
     for (let seq = 0; seq < count; seq++) {
       const item = now?.sent[seq] || aboard[seq] || wanted[seq];
       const arrived = now && seq < now.arrived;
-      const isAboard = isGood || (!now && aboard[seq]);
+      const isAboard = verdict?.good || (!now && aboard[seq]);
       const kindOf = isAboard ? "aboard" : arrived ? "arrived" : now?.sent[seq] ? "sent" : "planned";
       const words = item?.words || "comes from a function";
-      const isFile = plan && kind === "plan" && !now;
       rows.push([numberOf(kind, seq, !isFile && hasHome()), kindOf, kind === "plan" ? words : `${kind}: ${words}`]);
     }
   }
@@ -473,15 +489,13 @@ function showState() {
     choice.disabled = isOutside;
   }
   for (const id of ["loss", "bytes"]) {
-    at(id).value = state[id];
-    at(`${id}-value`).textContent = `${state[id]} %`;
+    showRange(id, `${state[id]} %`);
   }
   at("seed").value = state.seed;
   const isPulled = state.cable === "pulled";
   at("cable").classList.toggle("on", isPulled);
   at("cable").textContent = isPulled ? "Join the cable" : "Pull the cable";
-  at("latency").value = state.latency;
-  at("latency-value").textContent = `${state.latency} ms`;
+  showRange("latency", `${state.latency} ms`);
   for (const id of LINE) at(id).disabled = isPort;
   for (const id of AUTOPILOT) at(id).disabled = isOutside;
   for (const option of at("example").options) {
@@ -493,6 +507,13 @@ function showState() {
   at("pixhawk").disabled = !isOffered() || (isOutside && !isPort);
   at("build").disabled = isOutside;
   at("end-build").disabled = !isOutside || isPort;
+}
+
+// The words stand beside the slider; a screen reader says them as its value, once.
+function showRange(id, words) {
+  at(id).value = state[id];
+  at(id).setAttribute("aria-valuetext", words);
+  at(`${id}-value`).textContent = words;
 }
 
 function takeAddress(isFirst) {
@@ -537,6 +558,7 @@ function setPace(factor) {
   isPaused = factor === 0;
   if (!isPaused) at("pace").value = factor;
   at("pause").textContent = isPaused ? "Go on" : "Pause";
+  outcome(...latest);
   timeline.factor = factor;
   mega.postMessage({ does: "setPace", factor });
 }
@@ -566,14 +588,24 @@ async function readFile(file) {
   far.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
 }
 
-// A sketch of one's own takes its place among the examples.
-function runOwn(own) {
-  if (isPort) return notice("A sketch of your own may arm, so it does not run with a real autopilot.");
-  known.examples = [own, ...known.examples.filter(({ name, image }) => !image && name !== own.name)];
+// A sketch of one's own takes its place among the examples, and runs, unless another one was chosen meanwhile.
+// Whether it does.
+function runOwn(own, isWanted = true) {
+  if (isPort) {
+    notice("A sketch of your own may arm, so it does not run with a real autopilot.");
+    return false;
+  }
+  known.examples = [own, ...known.examples.filter(({ name }) => name !== own.name)];
   showExamples();
+  if (!isWanted) {
+    showState();
+    notice(`${own.name} is compiled: choose it in the list of examples.`, false);
+    return false;
+  }
   plan = null;
   change({ example: own.name, plan: "" }, true);
   notice(`${own.name} runs as it was compiled. The address does not carry it.`, false);
+  return true;
 }
 
 async function readSketch(file) {
@@ -598,12 +630,15 @@ function goOutside(where) {
 }
 
 at("example").onchange = (event) => {
+  notice("");
   plan = null;
   change({ example: event.target.value }, true);
 };
 for (const choice of document.getElementsByName("autopilot")) {
   choice.onchange = () => {
-    if (choice.checked && AUTOPILOTS.includes(choice.value)) change({ autopilot: choice.value }, true);
+    if (!choice.checked || !AUTOPILOTS.includes(choice.value)) return;
+    notice("");
+    change({ autopilot: choice.value }, true);
   };
 }
 for (const id of ["loss", "bytes"]) {
@@ -635,11 +670,13 @@ at("next-frame").onclick = () => {
   mega.postMessage({ does: "toNextFrame" });
 };
 at("vcd").onclick = () => saved("line.vcd", vcdOf(timeline.frames));
-at("draw").onclick = () => {
-  drawing.turn(!drawing.isOn);
-  at("draw").setAttribute("aria-pressed", drawing.isOn);
-  for (const id of ["wider", "closer"]) at(id).disabled = !drawing.isOn;
-};
+function draw(isOn) {
+  drawing.turn(isOn);
+  at("draw").setAttribute("aria-pressed", isOn);
+  for (const id of ["wider", "closer"]) at(id).disabled = !isOn;
+  at("map-part").scrollIntoView({ block: "nearest" });
+}
+at("draw").onclick = () => draw(!drawing.isOn);
 at("add-point").onclick = () => drawing.addNext();
 at("wider").onclick = () => map.zoom(0.7);
 at("closer").onclick = () => map.zoom(1.4);
@@ -650,11 +687,12 @@ at("returns").onchange = (event) => {
 at("form").onchange = () => showDrawn(files);
 at("save-drawn").onclick = () => saved(`drawn.${at("form").value}`, files[at("form").value]);
 at("fly").onclick = () => {
+  draw(false);
   const bytes = new TextEncoder().encode(files.waypoints).buffer;
   far.postMessage({ does: "read", name: "drawn.waypoints", bytes }, [bytes]);
 };
 at("reset-mega").onclick = () => {
-  isGood = false;
+  verdict = null;
   progress = {};
   seen = {};
   line = "";

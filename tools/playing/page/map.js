@@ -86,13 +86,15 @@ export class PlanMap {
     this.svg.replaceChildren(...this.grid());
     this.svg.classList.toggle("dense", this.everything.length > 2 * MANY);
     this.numbered = []; // the boxes of the numbers that stand on the map
+    // What is drawn lies above what is aboard while one draws, and below it when it is flown.
+    const drawn = [this.path(this.drawn, "drawn"), this.points(this.drawn, "drawn")];
+    const [below, above] = this.isFrozen ? [[], drawn] : [drawn, []];
     const groups = [
-      this.fences(), this.path(this.meant, "meant"), this.path(this.held.plan || [], "held"), this.returning(),
+      below, this.fences(), this.path(this.meant, "meant"), this.path(this.held.plan || [], "held"), this.returning(),
       this.points(this.meant, "meant"), this.points(this.arrived, "arrived"), this.points(this.held.plan || [], "held"),
-      this.path(this.drawn, "drawn"), this.points(this.drawn, "drawn"), this.rallies(), this.homeMark(),
-      this.aircraft(), this.scale(), this.north(),
+      above, this.rallies(), this.homeMark(), this.aircraft(), this.scale(), this.north(),
     ];
-    this.svg.append(...groups.flat().filter(Boolean));
+    this.svg.append(...groups.flat(2).filter(Boolean));
     this.drawAircraft();
   }
 

@@ -10,7 +10,7 @@ export const isSketch = (name) => /\.(hex|elf)$/i.test(name);
 
 // As an entry of examples.json. Throws an Error that says what is wrong.
 export function exampleOf(name, bytes) {
-  const { pieces, pass, ram } = isElf(bytes) ? readElf(bytes)
+  const { pieces, pass, ram } = isElf(bytes) || /\.elf$/i.test(name) ? readElf(bytes)
     : { pieces: piecesOf(new TextDecoder().decode(bytes)), pass: 0, ram: null };
   if (!isOfMega(pieces)) throw new Error("it is not for an Arduino Mega 2560");
   const flash = pieces.filter(({ address }) => address < FLASH).reduce((sum, piece) => sum + piece.bytes.length, 0);
