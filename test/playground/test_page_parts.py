@@ -64,6 +64,17 @@ def heard(*frames: tuple[str, str, str, bool, float]) -> str:
     return f"deeds.hear([{', '.join(made)}])"
 
 
+def test_the_headline_says_whether_the_sketch_has_printed_and_where_its_buttons_are(folder):
+    seen = [{"prints": True}, {"prints": True, "said": "well"}, {"waits": True}, {"waits": True, "flown": True}]
+    known = {"name": "My", "autopilot": "PX4", "heard": True}
+    script = f"out = {json.dumps([{**known, **one} for one in seen])}.map(headline)"
+    assert ran(folder, "headline@headline.js", script) == [
+        "My runs beside PX4, and has printed nothing yet.",
+        "My runs beside PX4: the serial monitor has what it prints.",
+        "My runs beside PX4. Its buttons stand under “Inside the Mega”.", "The flight is over.",
+    ]  # fmt: skip
+
+
 def test_what_is_lost_is_told_however_many_items_were_sent_before(folder):
     items = [(">", f"MISSION_ITEM_INT {seq}: NAV_WAYPOINT", "", False, 2 + seq / 10) for seq in range(9)]
     frames = [(">", "MISSION_COUNT 9 items", "", False, 1.9), *items, ("<", "MISSION_ACK ACCEPTED", "lost", False, 3.0),

@@ -27,7 +27,8 @@ SITE = BUILD / "playground" / "site"
 AVR8JS = ("cpu/cpu", "cpu/instruction", "cpu/interrupt", "peripherals/adc", "peripherals/eeprom", "peripherals/gpio",
           "peripherals/spi", "peripherals/timer")  # fmt: skip
 IMPORT = re.compile(r"(from ')(\.[^']*)(')")
-COMMENT = re.compile(r"^ *//.*\n", re.M)  # which a browser need not load
+# What a browser need not load: comments, empty lines and indents (in a script of this page no text has two lines).
+UNUSED = re.compile(r"^ *(?://.*)?\n|^ +", re.M)
 PYODIDE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 
 # What the page's Python fetches before it is ready.
@@ -66,7 +67,7 @@ def make_folder(folder: Path = SITE, tell: Callable[[str], None] = silent) -> Ma
         shutil.rmtree(fresh, ignore_errors=True)
         shutil.copytree(PAGE, fresh)
         for script in fresh.rglob("*.js"):
-            script.write_text(COMMENT.sub("", script.read_text()))
+            script.write_text(UNUSED.sub("", script.read_text()))
         try:
             fill(fresh, tell)
         except (BuildFailed, NotCompiled, OSError) as error:

@@ -19,7 +19,6 @@ EXAMPLE, AUTOPILOT = "StartMission", "ardupilot"
 LASTS_S = 60.0
 SLICE_CYCLES = 80_000  # 5 ms
 TOLD_EVERY_S = 0.2
-BEFORE_TAKEOFF_S = 1.0
 BAUD = 57600.0
 
 
@@ -40,7 +39,7 @@ def make_recorded(file: Path, world: Path) -> None:
 
 
 def recorded(elf: Path) -> dict[str, Any]:
-    """{example, autopilot, from: the time that is shown first, told: [[time, news, printed], ...]}."""
+    """{example, autopilot, from: the time of the takeoff, which is shown first, told: [[time, news, printed], ...]}."""
     from .inside.far_end import FarEnd
 
     mega = Mega(elf)
@@ -71,5 +70,4 @@ def recorded(elf: Path) -> dict[str, Any]:
             takes_off_s = now
         told.append([round(now, 3), news, printed.decode(errors="replace")])
         printed = b""
-    begins = max(0.0, takes_off_s - BEFORE_TAKEOFF_S)
-    return {"example": EXAMPLE, "autopilot": AUTOPILOT, "from": begins, "told": told}
+    return {"example": EXAMPLE, "autopilot": AUTOPILOT, "from": round(takes_off_s, 3), "told": told}

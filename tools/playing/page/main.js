@@ -10,7 +10,7 @@ import { Dropped } from "./dropped.js";
 import { Editor } from "./editor.js";
 import { showFields } from "./fields.js";
 import { Frames } from "./frames.js";
-import { flightInWords, headline } from "./headline.js";
+import { BUTTONS, flightInWords, headline } from "./headline.js";
 import { PlanMap } from "./map.js";
 import { numbered, numberOf } from "./numbers.js";
 import { entryOf, exampleOf, isSketch } from "./own.js";
@@ -229,7 +229,7 @@ mega.onmessage = ({ data }) => {
   if (data.run !== run) return;
   if (data.says === "printed") print(data.text);
   if (data.says === "measured") showMeasured(data);
-  if (data.says === "pins") pins.show(data.state);
+  if (data.says === "pins") showPins(data.state);
   if (data.says === "reset") map.show({ arrived: [] });
   if (data.says === "crashed") outcome(`The Mega has crashed: ${data.why}`, "bad");
 };
@@ -250,6 +250,14 @@ far.onmessage = ({ data }) => {
   if (says === "outside") (isPort ? pixhawk : build).send(data.bytes);
 };
 far.onerror = (error) => outcome(`The autopilot's worker has failed: ${error.message}`, "bad");
+
+function showPins(state) {
+  pins.show(state);
+  if (seen.waits === state.inputs.length > 0) return;
+  seen.waits = state.inputs.length > 0;
+  if (verdict) judged(verdict);
+  else tellOfSketch();
+}
 
 function loading(what) {
   if (playback.isOn) return;
@@ -384,9 +392,11 @@ function judged(now) {
   if (dropped?.failed) return;
   if (verdict) {
     const flight = flightInWords(seen);
+    const waits = seen.waits && !flight ? BUTTONS : "";
     const next = verdict.good ? NEXT[dropped?.step] || "" : "";
     const isOthers = verdict.replaced && Object.values(held).some((items) => items.length);
-    outcome(verdict.sentence + next + (flight && ` ${flight}`), verdict.good ? "good" : isOthers ? "bad" : "going");
+    const kind = verdict.good ? "good" : isOthers ? "bad" : "going";
+    outcome(verdict.sentence + next + (flight && ` ${flight}`) + waits, kind);
   } else {
     tellOfTransfer(now.sentence);
   }
