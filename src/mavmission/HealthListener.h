@@ -31,7 +31,7 @@ class HealthListener : public TelemetryListener {
 
   uint32_t failed_ = 0;
   uint16_t loadPermille_ = 0;
-  FitReason reason_ = FitReason::NotHeard;
+  bool haveChecksPassed_ = false;
 };
 
 }  // namespace mavmission

@@ -6,8 +6,8 @@
 
 namespace mavmission {
 
-// Receives the texts of the client's autopilot, which sends them without a request. PX4 sends them only to a link on
-// which it hears heartbeats, such as ours.
+// Receives the texts of the client's autopilot, which sends them without a request. PX4 sends them only to a port on
+// which it hears a ground station's heartbeats; ours are an onboard computer's (docs/autopilots.md).
 //
 //   void print(void*, uint8_t severity, const char* text) { Serial.println(text); }
 //   TextListener texts(autopilot);

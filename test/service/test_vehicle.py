@@ -193,6 +193,18 @@ def test_health_in_one_word(alone, present, enabled, healthy, how, wanted):
     assert (told["failed"], told["load"]) == (enabled & ~healthy & ~PREARM, 321)
 
 
+def test_health_follows_the_arming_before_the_next_message(alone):
+    """Seen with PX4 on a full line: 5 s after its takeoff the last message was of before the arming."""
+    assert verdict(alone, "health", sys_status(PREARM, PREARM, 0)) == ("NotReady", NOT_YET)
+    beat(alone, armed=True)
+    alone.run(0.05)
+    assert alone.reason("health") == "AllWell"
+    assert verdict(alone, "health", sys_status(GPS, GPS, 0), armed=True) == ("SensorFailed", UNFIT)
+    beat(alone)
+    alone.run(0.05)
+    assert alone.reason("health") == "NotReady"
+
+
 def vibration(*levels: float, clipping: tuple[int, int, int] = (0, 0, 0)):
     return mavlink.MAVLink_vibration_message(1, *levels, *clipping)
 

@@ -27,17 +27,20 @@ bool HealthListener::decode(TelemetryListener& listener, const FrameParser& fram
   self.failed_ = frame.payloadLong(offsetof(Message, onboard_control_sensors_enabled)) & ~healthy &
                  ~uint32_t{MAV_SYS_STATUS_PREARM_CHECK};
   self.loadPermille_ = frame.payloadWord(offsetof(Message, load));
-  if (self.client_.autopilot().isArmed()) {
-    self.reason_ = (self.failed_ & kNeeded) != 0 ? FitReason::SensorFailed : FitReason::AllWell;
-  } else if ((healthy & MAV_SYS_STATUS_PREARM_CHECK) != 0) {
-    self.reason_ = FitReason::AllWell;
-  } else {
-    const bool hasChecks = has(self.client_.autopilot().firmware(), kTellsArmingChecks);
-    self.reason_ = hasChecks ? FitReason::NotReady : FitReason::NotTold;
-  }
+  self.haveChecksPassed_ = (healthy & MAV_SYS_STATUS_PREARM_CHECK) != 0;
   return true;
 }
 
-FitReason HealthListener::reason() const { return reasonAt(ageMs(), reason_); }
+// A heartbeat may have shown the arming since the message came.
+FitReason HealthListener::reason() const {
+  FitReason reason = FitReason::AllWell;
+  if (client_.autopilot().isArmed()) {
+    if ((failed_ & kNeeded) != 0) reason = FitReason::SensorFailed;
+  } else if (!haveChecksPassed_) {
+    const bool hasChecks = has(client_.autopilot().firmware(), kTellsArmingChecks);
+    reason = hasChecks ? FitReason::NotReady : FitReason::NotTold;
+  }
+  return reasonAt(ageMs(), reason);
+}
 
 }  // namespace mavmission
