@@ -5,25 +5,32 @@ All of them: tools/mutate. What may survive, and why, is in surviving_mutants.to
 
 from __future__ import annotations
 
+import os
+import subprocess
+
 import pytest
 
-from mutating import report, run, syntax
+from mutating import report, run, syntax, together
 from mutating.explained import explained, without_a_mutant
 from mutating.judging import SAME, SURVIVED, judge
 from mutating.kinds import KINDS
-from mutating.subjects import SUBJECTS, files_of, units_of
+from mutating.mutants import mutants_of
+from mutating.subjects import AROUND, ENGINES, SUBJECTS, files_of, units_of
 
 SAMPLE = 60
+SAMPLE_AROUND = 20  # of what is around the engines, where a mutant costs more
 
 
 @pytest.mark.slow
 def test_every_mutant_of_a_fixed_sample_is_found_or_explained(record_property):
-    verdicts = judge(run.drawn([], SAMPLE, seed=1))
+    drawn = run.drawn([subject.name for subject in ENGINES], SAMPLE, seed=1)
+    drawn += run.drawn([subject.name for subject in AROUND], SAMPLE_AROUND, seed=1)
+    verdicts = judge(drawn)
     reasons = explained()
     record_property("table", ["mutants: a fixed sample", report.rows(verdicts, reasons)])
     assert [report.line(verdict.mutant) for verdict in report.unexplained(verdicts, reasons)] == []
     assert [report.line(verdict.mutant) for verdict in report.killed_but_explained(verdicts, reasons)] == []
-    assert sum(verdict.counts for verdict in verdicts) > SAMPLE / 2
+    assert sum(verdict.counts for verdict in verdicts) > (SAMPLE + SAMPLE_AROUND) / 2
 
 
 def test_each_explanation_is_of_a_mutant_that_there_is():
@@ -93,3 +100,40 @@ def test_each_kind_changes_what_its_name_says_and_nothing_else():
     }  # fmt: skip
     assert changes("assignment left out") == {("state_ = State::Here;", ";")}
     assert changes("call left out") == {("call(0x10);", ";")}
+
+
+PROGRAM = """
+static const int kLimit = 3;
+constexpr int twice(int a) { return a * 2; }
+static int next(int a) {
+  for (int i = 0; i < 2; ++i) a += 1;
+  if (a < kLimit || a > 9) return 1;
+  return twice(a);
+}
+int main() { return next(1) == 6 && next(8) == 1 ? 0 : 1; }
+"""
+
+
+def test_mutants_in_one_program_do_what_each_does_in_its_own(tmp_path):
+    path = tmp_path / "program.cpp"
+    path.write_text(PROGRAM)
+    every = mutants_of(path)
+    numbered = {number: mutant for number, mutant in enumerate(every, start=1) if mutant.body is not None}
+    outside = {mutant.was for mutant in every if mutant.body is None}
+    assert outside == {"static const int kLimit = 3;", "constexpr int twice(int a) { return a * 2; }"}
+
+    def made(name: str, text: str) -> list[str]:
+        source = tmp_path / f"{name}.cpp"
+        source.write_text(text)
+        subprocess.run(["g++", "-std=c++11", "-w", source, "-o", tmp_path / name], check=True)
+        return ["prlimit", "--cpu=1:2", str(tmp_path / name)]
+
+    def passes(program: list[str], number: int) -> bool:
+        ran = subprocess.run(program, env={**os.environ, together.CHOSEN: str(number)}, check=False)
+        return ran.returncode == 0
+
+    all_of_them = made("together", together.text_of(path, numbered))
+    assert passes(all_of_them, 0)
+    found = {number for number in numbered if not passes(all_of_them, number)}
+    assert found == {number for number, mutant in numbered.items() if not passes(made("alone", mutant.text), 0)}
+    assert 0 < len(found) < len(numbered)

@@ -18,8 +18,9 @@ from simulation.host_build import STANDARD
 
 from .mutants import Mutant
 from .overlay import Overlay
-from .programs import NICE, OUTPUT, Program, explorer, unit_program
-from .subjects import EXPLORED, Subject, units_of
+from .programs import NICE, OUTPUT, Program, explorer, flights, unit_program
+from .subjects import EXPLORED, FLOWN, Subject, units_of
+from .together import CHOSEN, FEWEST, NotTogether, Together
 
 RESULTS = OUTPUT / "results"
 # What is no mutant: it is not counted.
@@ -42,7 +43,8 @@ def killers(subject: Subject) -> list[Program]:
     """In the order of what they cost."""
     quick = [unit_program(unit, sanitized=False) for unit in units_of(subject)]
     own = [unit_program(unit, sanitized=True) for unit in units_of(subject) if unit.stem in subject.units]
-    return [*quick, *own, explorer(EXPLORED)]
+    flown = [flights(FLOWN)] if subject.is_flown else []
+    return [*quick, *own, *flown, explorer(EXPLORED)]
 
 
 def judge(
@@ -50,13 +52,21 @@ def judge(
 ) -> list[Verdict]:
     """In the order given, so many at a time. `told` hears of each when it is known."""
     work = list(mutants)
-    for subject in dict.fromkeys(subject for subject, _ in work):
+    for subject, path in dict.fromkeys((subject, mutant.path) for subject, mutant in work):
         for killer in killers(subject):
-            killer.limits_s  # noqa: B018  (each is made, and passes on the library as it is)
+            if killer.includers(path):
+                killer.limits_s  # noqa: B018  (each is made, and passes on the library as it is)
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(jobs) as pool:
         desks: queue.SimpleQueue[Desk] = queue.SimpleQueue()
         for number in range(jobs):
             desks.put(Desk(Path(folder) / str(number)))
+
+        def all_of(subject: Subject, mutants: list[Mutant]) -> None:
+            desk = desks.get()
+            try:
+                desk.judge_together(subject, mutants)
+            finally:
+                desks.put(desk)
 
         def one(subject: Subject, mutant: Mutant) -> Verdict:
             desk = desks.get()
@@ -67,6 +77,10 @@ def judge(
             told(verdict)
             return verdict
 
+        groups: dict[tuple[Subject, Path], list[Mutant]] = {}
+        for subject, mutant in work:
+            groups.setdefault((subject, mutant.path), []).append(mutant)
+        list(pool.map(lambda group: all_of(group[0][0], group[1]), groups.items()))
         return list(pool.map(lambda pair: one(*pair), work))
 
 
@@ -78,6 +92,27 @@ class Desk:
         self.overlay = Overlay(place / "src")
         self.made: dict[tuple[str, ...], Path | None] = {}  # objects of the mutant at hand, by command
 
+    def judge_together(self, subject: Subject, mutants: list[Mutant]) -> None:
+        """What judge() shall remember of these, which are of one file: those that can be are tried in one program."""
+        together = Together(self.place, self.overlay, mutants)
+        found: set[int] = set()
+        for killer in killers(subject):
+            asked = {
+                number: Remembered("killed", killer, mutant)
+                for number, mutant in together.mutants.items()
+                if number not in found
+            }
+            if sum(not remembered.outcome for remembered in asked.values()) >= FEWEST:
+                try:
+                    program = together.program(killer)
+                except NotTogether:
+                    continue
+                for number, remembered in asked.items():
+                    if not remembered.outcome and number in together.mutants:
+                        reason = killer.finds(program, **{CHOSEN: str(number)})
+                        remembered.keep(killer.killer if reason else SURVIVED, reason)
+            found |= {number for number, remembered in asked.items() if remembered.outcome == killer.killer}
+
     def judge(self, subject: Subject, mutant: Mutant) -> Verdict:
         known = {killer: Remembered("killed", killer, mutant) for killer in killers(subject)}
         for killer, remembered in known.items():
@@ -86,8 +121,6 @@ class Desk:
         self.overlay.put(mutant.path, mutant.text)
         self.made = {}
         try:
-            if self.is_left_out(mutant):
-                return Verdict(mutant, SAME)
             return self.tried(mutant, known)
         finally:
             self.overlay.restore(mutant.path)
@@ -103,7 +136,13 @@ class Desk:
         return texts[0] == texts[1]
 
     def tried(self, mutant: Mutant, known: dict[Program, Remembered]) -> Verdict:
+        is_looked_at = False
         for killer, remembered in known.items():
+            # Under the sanitizers an object does not say that the code is the same; asking the preprocessor takes long.
+            if not remembered.outcome and killer.is_sanitized and not is_looked_at:
+                if self.is_left_out(mutant):
+                    return Verdict(mutant, SAME)
+                is_looked_at = True
             if not remembered.outcome:
                 remembered.keep(*self.run(killer, mutant))
             if remembered.outcome in (killer.killer, NO_CODE):

@@ -25,6 +25,7 @@ class Mutant:
     becomes: str
     nth: int  # of those that are alike in all this, from 1
     text: str  # of the whole file, changed
+    body: tuple[int, int] | None  # of the function, in the file as it is; None outside of what runs
 
     @property
     def file(self) -> str:
@@ -55,7 +56,8 @@ def mutants_of(path: Path) -> list[Mutant]:
             was, becomes = syntax.lines_around(text, changed, change.start, change.end)
             alike = (function, was, becomes)
             seen[alike] += 1
-            found.append(Mutant(path, kind, function, was, becomes, seen[alike], changed.decode()))
+            body = syntax.body_around(change)
+            found.append(Mutant(path, kind, function, was, becomes, seen[alike], changed.decode(), body))
     return found
 
 

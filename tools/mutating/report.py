@@ -6,16 +6,25 @@ from collections import Counter
 
 from .judging import SURVIVED, Verdict
 from .mutants import Mutant
+from .subjects import OPEN, files_of
 
-KILLERS = ("unit tests", "client tests", "sanitizers", "explorer")
+KILLERS = ("unit tests", "client tests", "sanitizers", "flights", "explorer")
 HEAD = ["file", "mutants", *KILLERS, "survived", "explained", "score"]
 
 
 def rows(verdicts: list[Verdict], reasons: dict) -> list[list[str]]:
-    """A row for each file and one for all, below the head. The score is of those that are not explained."""
-    files = list(dict.fromkeys(verdict.mutant.file for verdict in verdicts))
-    found = [row(file, [verdict for verdict in verdicts if verdict.mutant.file == file], reasons) for file in files]
-    return [HEAD, *found, row("all", verdicts, reasons)]
+    """A row for each file, for each folder and for all, below the head."""
+    groups: dict[str, list[Verdict]] = {}
+    for verdict in verdicts:
+        groups.setdefault(verdict.mutant.file, []).append(verdict)
+    for verdict in verdicts:
+        groups.setdefault(folder_of(verdict.mutant) + "/", []).append(verdict)
+    return [HEAD, *(row(name, group, reasons) for name, group in groups.items()), row("all", verdicts, reasons)]
+
+
+def folder_of(mutant: Mutant) -> str:
+    """Of a public header, that of the source beside which it belongs."""
+    return files_of(mutant.path.stem)[0].parent.name
 
 
 def aligned(table: list[list[str]]) -> list[str]:
@@ -46,6 +55,14 @@ def is_explained(verdict: Verdict, reasons: dict) -> bool:
 
 
 def unexplained(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
+    return [verdict for verdict in without_a_verdict(verdicts, reasons) if verdict.mutant.path.stem not in OPEN]
+
+
+def left_open(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
+    return [verdict for verdict in without_a_verdict(verdicts, reasons) if verdict.mutant.path.stem in OPEN]
+
+
+def without_a_verdict(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
     return [verdict for verdict in verdicts if verdict.outcome == SURVIVED and verdict.mutant.key not in reasons]
 
 
@@ -66,6 +83,7 @@ def text(verdicts: list[Verdict], reasons: dict) -> str:
         parts.append("not counted: " + ", ".join(f"{number} {why}" for why, number in left_out.items()))
     for title, found in (
         ("survived, and is not explained:", unexplained(verdicts, reasons)),
+        ("survived, in a file that is still open:", left_open(verdicts, reasons)),
         ("is explained, and was killed:", killed_but_explained(verdicts, reasons)),
     ):
         if found:

@@ -16,9 +16,12 @@ from simulation.host_build import UNITS
 class Subject(NamedTuple):
     name: str
     units: tuple[str, ...] = ()  # what tests it alone, or with the parts next to it
+    is_flown: bool = False  # whether flights are to find what these do not
+    is_open: bool = False  # whether nobody has given a verdict on its survivors yet: they are counted, and fail nothing
 
 
-SUBJECTS = (
+# The engines: what needs neither a stream nor a clock.
+ENGINES = (
     Subject("UploadTransfer", ("upload_transfer",)),
     Subject("DownloadTransfer", ("download_transfer",)),
     Subject("ClearTransfer", ("clear_transfer",)),
@@ -38,8 +41,85 @@ SUBJECTS = (
     Subject("PartialUpload", ("client_parts",)),
 )
 
+# What is around them.
+AROUND = (
+    # text
+    Subject("LongNumber", ("long_number", "decimal_text")),
+    Subject("DecimalText", ("decimal_text",)),
+    Subject("WaypointsText", ("waypoints_text",)),
+    Subject("WaypointsSource", ("waypoints_source",)),
+    # storage
+    Subject("EepromPlan", ("eeprom_plan", "eeprom_of_a_board")),
+    Subject("EepromTimestamps", ("eeprom_timestamps", "eeprom_of_a_board")),
+    Subject("Eeprom", ("eeprom_of_a_board",)),
+    # client
+    Subject("AskVehicle", ("steering",), is_flown=True, is_open=True),
+    Subject("Clear", ("client_clear",), is_open=True),
+    Subject("Client", ("client_late_answers", "client_clear", "client_current_item"), is_open=True),
+    Subject("Command", ("steering", "message_intervals"), is_flown=True, is_open=True),
+    Subject("CommandForm", ("client_start",), is_flown=True, is_open=True),
+    Subject("Download", ("client_ensure",), is_open=True),
+    Subject("Ensure", ("client_ensure",), is_open=True),
+    Subject("Fence", ("client_fence",), is_open=True),
+    Subject("FloatItems", ("client_parts",), is_open=True),
+    Subject("Kept", ("client_ensure",), is_open=True),
+    Subject("Operation", ("client_ensure", "client_late_answers"), is_open=True),
+    Subject("OtherPlan", ("client_start", "client_current_item"), is_flown=True, is_open=True),
+    Subject("PlanPort", ("client_ensure",), is_open=True),
+    Subject("Port", ("steering", "client_current_item"), is_flown=True, is_open=True),
+    Subject("Read", ("client_ensure", "client_fence"), is_open=True),
+    Subject("Start", ("client_start", "steering", "client_current_item"), is_flown=True, is_open=True),
+    Subject("TakeUp", ("client_late_answers", "client_ensure"), is_open=True),
+    Subject("Upload", ("client_parts", "client_late_answers", "client_ensure", "client_fence"), is_open=True),
+    Subject("VerifyAndStart", ("client_start",), is_flown=True, is_open=True),
+    Subject("WorthRetry", ("client_ensure",), is_open=True),
+    # service
+    Subject("AttitudeListener", ("telemetry_listeners",), is_open=True),
+    Subject("BatteryListener", ("telemetry_listeners",), is_open=True),
+    Subject("EitherListener", ("telemetry_listeners",), is_open=True),
+    Subject("EstimatorListener", ("vehicle_listeners",), is_open=True),
+    Subject("FitReasons", ("vehicle_listeners",), is_open=True),
+    Subject("GpsListener", ("telemetry_listeners",), is_open=True),
+    Subject("HealthListener", ("vehicle_listeners",), is_open=True),
+    Subject("HudListener", ("telemetry_listeners",), is_open=True),
+    Subject("Listener", ("telemetry_listeners",), is_open=True),
+    Subject("MessageIntervals", ("message_intervals", "telemetry_listeners"), is_open=True),
+    Subject("MissionFollower", ("message_intervals",), is_flown=True, is_open=True),
+    Subject("MovingTarget", ("velocity_target",), is_flown=True, is_open=True),
+    Subject("Parameters", ("parameters",), is_open=True),
+    Subject("PositionListener", ("position_listener", "telemetry_listeners"), is_open=True),
+    Subject("RadioListener", ("telemetry_listeners",), is_open=True),
+    Subject("RcListener", ("telemetry_listeners",), is_open=True),
+    Subject("Steering", ("steering",), is_flown=True, is_open=True),
+    Subject("SteeringHands", ("steering",), is_flown=True, is_open=True),
+    Subject("SteeringNumbers", ("steering",), is_flown=True, is_open=True),
+    Subject("SteeringOrders", ("steering",), is_flown=True, is_open=True),
+    Subject("SteeringRefusals", ("steering",), is_flown=True, is_open=True),
+    Subject("SteeringSteps", ("steering",), is_flown=True, is_open=True),
+    Subject("TelemetryListener", ("telemetry_listeners",), is_open=True),
+    Subject("TextListener", ("vehicle_listeners",), is_open=True),
+    Subject("VelocityTarget", ("velocity_target",), is_open=True),
+    Subject("VibrationListener", ("vehicle_listeners",), is_open=True),
+    Subject("WaypointListener", ("telemetry_listeners",), is_open=True),
+    Subject("WindListener", ("vehicle_listeners", "telemetry_listeners"), is_open=True),
+)
+
+SUBJECTS = ENGINES + AROUND
+OPEN = frozenset(subject.name for subject in SUBJECTS if subject.is_open)
+
 # Tests of a whole MissionClient on a stream in memory: they see what a part's own tests do not.
 CLIENT_UNITS = ("client_upload", "client_reading")
+
+# Flown by the client as it ships, against models of autopilots. Each takes less than a second.
+FLOWN = (
+    "Copter all each 100",
+    "Rover all each 100",
+    "PX4 all each 100",
+    "Copter all each 100 --own 1",
+    "PX4 all each 100 --own 1",
+    "Copter all random 12 --loss 30",
+    "PX4 all random 12 --loss 30",
+)
 
 # Explored when all else has passed. Each takes less than a second.
 EXPLORED = (

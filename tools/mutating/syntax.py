@@ -13,6 +13,11 @@ from tree_sitter import Node
 LANGUAGE = tree_sitter.Language(tree_sitter_cpp.language())
 # Attributes by macro are no C++ before they are expanded. Blanks of the same length keep every place where it is.
 ATTRIBUTES = re.compile(rb"\b(?:MAVMISSION_(?:APART|INLINE|ONE_EXIT)|PROGMEM)\b")
+# Tables by macro are nothing but texts. What is for the AVR alone is not compiled here.
+TEXT_TABLE = re.compile(rb"^MAVMISSION_TEXT_TABLE\(.*\)$", re.MULTILINE)
+FOR_AVR = re.compile(
+    rb"^#ifdef __AVR__\n(?:(?!#(?:if|else|endif)).*\n)*(?:#else\n((?:(?!#(?:if|endif)).*\n)*))?#endif$", re.MULTILINE
+)
 COMMENT = re.compile(r"//.*")
 
 
@@ -29,8 +34,21 @@ class NotUnderstood(Exception):
     """The source is not what the grammar knows, so mutants would be missing."""
 
 
+def blanks(text: bytes) -> bytes:
+    return re.sub(rb"[^\n]", b" ", text)
+
+
+def without_avr(match: re.Match[bytes]) -> bytes:
+    """Blanks, but for what is there in its place."""
+    if match[1] is None:
+        return blanks(match[0])
+    start, end = (place - match.start() for place in match.span(1))
+    return blanks(match[0][:start]) + match[1] + blanks(match[0][end:])
+
+
 def parsed(text: bytes) -> Node:
-    tree = tree_sitter.Parser(LANGUAGE).parse(ATTRIBUTES.sub(lambda match: b" " * len(match[0]), text))
+    plain = TEXT_TABLE.sub(lambda match: blanks(match[0]), ATTRIBUTES.sub(lambda match: blanks(match[0]), text))
+    tree = tree_sitter.Parser(LANGUAGE).parse(FOR_AVR.sub(without_avr, plain))
     for node in walk(tree.root_node):
         # (An enum whose names come from a macro has nothing to be mutated.)
         if (node.type == "ERROR" or node.is_missing) and not is_in_enum(node):
@@ -89,6 +107,21 @@ def function_around(node: Node) -> str:
             names.append(text_of(name) if name is not None else "")
         step = step.parent
     return "::".join(reversed(names))
+
+
+def body_around(change: Change) -> tuple[int, int] | None:
+    """Where the body of the outermost function around it is; None if that is not there, or for the compiler."""
+    found = None
+    step: Node | None = change.node
+    while step is not None:
+        if step.type == "function_definition":
+            body = step.child_by_field_name("body")
+            words = {text_of(child) for child in step.children if child.type == "type_qualifier"}
+            found = None
+            if body is not None and body.start_byte < change.start and change.end < body.end_byte:
+                found = None if "constexpr" in words else (body.start_byte, body.end_byte)
+        step = step.parent
+    return found
 
 
 def declared(function: Node) -> str:

@@ -116,6 +116,21 @@ TEST_CASE("each time is written into the next slot, and behind the last one into
   }
 }
 
+TEST_CASE("what lies behind the last slot is nobody's time, and a memory that was wiped begins with the first one") {
+  fresh();
+  EepromTimestamps store(memory(), kFirst, kSlots);
+  store.load(store.context);
+  save(store, 5);
+  const std::vector<uint8_t> later = slotOf(7);
+  for (uint16_t i = 0; i < kSlot; ++i) chip.bytes[kFirst + kSlots * kSlot + i] = later[i];
+  CHECK(loaded() == 5);
+  save(store, 6);
+  chip.bytes.assign(100, 0xFF);
+  CHECK(store.load(store.context) == 0);
+  save(store, 8);
+  CHECK(slotAt(0) == slotOf(8));
+}
+
 TEST_CASE("a store is loaded again after a time that was broken off") {
   fresh();
   EepromTimestamps store(memory(), kFirst, kSlots);
