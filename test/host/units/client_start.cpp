@@ -12,7 +12,7 @@ using namespace mavmission;
 namespace {
 
 constexpr uint8_t kDisarmed = 1, kArmed = 1 | 128;  // HEARTBEAT.base_mode
-constexpr uint32_t kStabilize = 0, kAuto = 3, kGuided = 4;
+constexpr uint32_t kStabilize = 0, kAuto = 3;
 constexpr uint32_t kPx4Mission = 4ul << 24 | 4ul << 16, kPx4Position = 3ul << 16;
 constexpr uint16_t kSetCurrent = MAVLINK_MSG_ID_MISSION_SET_CURRENT, kCommand = MAVLINK_MSG_ID_COMMAND_LONG;
 const MissionItem kPlan[] = {takeoff(20_m), changeSpeed(5_mps), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
