@@ -16,7 +16,7 @@ SURVEY = [
     "4\t0\t3\t21\t0\t0\t0\t0\t-35.3632621\t149.1652374\t0\t1",
 ]
 KEPT = "stored: list prints it"
-PASSED_OVER = "nothing was loaded; lines are ignored, up to end"
+PASSED_OVER = "nothing was loaded; further lines are ignored, up to end"
 TORN = (0xFF, 0x00, 0x4D, 0xA5)  # what may be left of a byte whose writing was cut short
 
 

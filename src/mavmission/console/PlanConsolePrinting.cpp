@@ -115,7 +115,7 @@ bool PlanConsole::composeError() {
       return true;
     case 2: put(F(": ")); return true;
     case 3: put(toString(error_)); return true;
-    default: put(F("\r\nnothing was loaded; lines are ignored, up to end\r\n")); return false;
+    default: put(F("\r\nnothing was loaded; further lines are ignored, up to end\r\n")); return false;
   }
 }
 
