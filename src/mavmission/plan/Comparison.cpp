@@ -164,11 +164,12 @@ MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t f
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
   const Frame found = modern(read.frame);
-  if (modern(sent.frame) == found) return true;
+  if (found == modern(sent.frame)) return true;
   // Items of a fence, which have no altitude, are read back with Frame::Global, whatever frame was sent. So are
   // ArduPilot's items without a place.
-  if (isByArduPilot(keeper) && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) keeper |= kOfFence;
-  return found == Frame::Global && isByEither(keeper) && (keeper & kOfFence) != 0;
+  if (found != Frame::Global) return false;
+  if (isByArduPilot(keeper) && (sent.frame == Frame::Mission || rules.has(kHasNoPlace))) return true;
+  return isByEither(keeper) && (keeper & kOfFence) != 0;
 }
 
 }  // namespace
@@ -194,10 +195,10 @@ ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper ke
   // It stops at no item, or refuses to.
   if ((keeper & kOwn) != 0 && sent.autocontinue != 1) return ItemField::Autocontinue;
   // In a read-back, autocontinue is 0 in fence and rally items, and 1 in the items of ArduPilot's missions.
-  const bool isAlways1 = isByArduPilot(keeper) && read.autocontinue == 1;
-  if ((keeper & (kOfFence | kOfRally)) == 0 && !isAlways1 && read.autocontinue != sent.autocontinue)
-    return ItemField::Autocontinue;
-  return ItemField::None;
+  const uint8_t found = read.autocontinue;
+  const bool isKept =
+      (keeper & (kOfFence | kOfRally)) != 0 || found == sent.autocontinue || (found == 1 && isByArduPilot(keeper));
+  return isKept ? ItemField::None : ItemField::Autocontinue;
 }
 
 }  // namespace detail
