@@ -76,8 +76,8 @@ class MissionFollower : public detail::MessageIntervals {
   uint16_t reached_ = 0xFFFF;
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
-  uint8_t textDue_ = 0;    // heartbeats left in which ArduPilot's text about an upload of ours is expected
-  bool isNewLeg_ = false;  // the item reached last is being flown again
+  uint8_t textDue_ = 0;     // heartbeats left in which ArduPilot's text about an upload of ours is expected
+  bool isNewLeg_ = false;   // the item reached last is being flown again
   bool isDoubted_ = false;  // the autopilot has once reported the plan with planId_ as no mission
   uint8_t patience_ = 0;
   uint8_t heartbeatsLeft_ = detail::FollowRules::kSilence;  // before MISSION_CURRENT is requested

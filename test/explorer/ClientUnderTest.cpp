@@ -8,6 +8,10 @@
 
 #include "Plans.h"
 #include "mavmission/base/Clock.h"
+#include "mavmission/client/Clearing.h"
+#include "mavmission/client/Ensuring.h"
+#include "mavmission/client/Reading.h"
+#include "mavmission/client/Uploading.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
@@ -101,7 +105,8 @@ void blank(T& what) {
 }
 
 bool isReading(const MissionClient& client) {
-  return client.state_.operation == MissionClient::readStep || client.state_.operation == MissionClient::ensureStep ||
+  return client.state_.operation == detail::Client::ReadingPlan::step ||
+         client.state_.operation == detail::Client::Ensuring::step ||
          client.state_.operation == PlanFiles::proveByItemsStep;
 }
 
@@ -240,7 +245,7 @@ uint16_t ClientUnderTest::nextMs() const {
   if (c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep)
     return std::min(next, nextOfFilesMs());
   const Pace& pace = c.link_.pace_;
-  if (c.state_.operation == MissionClient::uploadStep) {
+  if (c.state_.operation == detail::Client::Uploading::step) {
     const UploadTransfer& t = c.transfer_;
     const bool isCounting = t.state_ == UploadTransfer::State::Counting;
     const uint16_t ruleMs = UploadTransfer::kRepeatMs;
@@ -370,14 +375,14 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
 
   c.state_.secondMs = kNow;
   c.state_.seconds = 0;
-  const bool isLooking = c.state_.operation == MissionClient::ensureStep;
+  const bool isLooking = c.state_.operation == detail::Client::Ensuring::step;
   const bool isByFile = c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep;
   if (!isLooking) c.rest_.lastResult = 255;  // ensure() remembers a refusal
-  const bool isUpload = c.state_.operation == MissionClient::uploadStep;
+  const bool isUpload = c.state_.operation == detail::Client::Uploading::step;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
   // What earlier transfers left matters when a transfer begins, and to a clear and a reading; what an upload leaves it
   // says at its end.
-  const bool isClear = c.state_.operation == MissionClient::clearStep;
+  const bool isClear = c.state_.operation == detail::Client::Clearing::step;
   const bool isLeftUnread =
       isLast ? (isTransferring && !isClear && !isReading(c) && !isByFile) || !c.isBusy() : isTransferring && isUpload;
   if (isLeftUnread) c.state_.unsettled = 0;

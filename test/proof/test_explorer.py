@@ -237,7 +237,7 @@ def test_betaflight_does_not_mislead_a_client_that_is_told_of_it(record_property
 def test_an_acceptance_that_betaflight_takes_back_is_not_believed(generic):
     """A network brings COUNT once more behind the last item, and Betaflight deletes the plan that it has accepted."""
     words = "Betaflight upload-in-doubt 1 --losses 2 --faults 1"
-    right = "if (plan_.has(kIsReadBack) && transfer_.hasBegun()) return Status::Unconfirmed;"
+    right = "if (client.plan_.has(kIsReadBack) && client.transfer_.hasBegun()) return Status::Unconfirmed;"
     assert explore(words, build_explorer(generic=generic))["violations"] == "0"
     found = explore(words, build_explorer(with_defect("Upload.cpp", right, ""), generic))
     assert found["broken"].startswith(("aboard() says our plan, and it is not", "Accepted, and not read back"))
@@ -326,15 +326,15 @@ DEFECTS = {
     ),
     "ensure() takes any checksum for that of our plan": (
         "Ensure.cpp",
-        "} else if (reading_.planId == opaqueId_.value()) {",
-        "} else if (reading_.planId != 0) {",
+        "} else if (client.reading_.planId == client.opaqueId_.value()) {",
+        "} else if (client.reading_.planId != 0) {",
         "PX4 ensure 2 --held 2",
         "aboard() says our plan, and it is not",
     ),
     "ensure() reads no item": (
         "Ensure.cpp",
-        "transfer.onCount(count, nowMs, link_.pace());",
-        "(void)nowMs;\n    endLook(Status::AlreadyAboard);",
+        "transfer.onCount(count, nowMs, client.link_.pace());",
+        "(void)nowMs;\n    endLook(client, Status::AlreadyAboard);",
         "ArduPilot ensure 2 --held 2",
         "aboard() says our plan, and it is not",
     ),
@@ -410,21 +410,21 @@ DEFECTS = {
     ),
     "the answer to a fence is taken for the mission's": (
         "Upload.cpp",
-        "if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;",
+        "if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;",
         "",
         "ArduPilot fence-upload 4 upload-in-doubt 1 --losses 2 --resets 1",
         "a refusal that the autopilot did not send",
     ),
     "a rally point is sent where the mission's item is asked for": (
         "Upload.cpp",
-        "if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;",
+        "if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;",
         "",
         "ArduPilot upload-in-doubt 2 rally-upload-in-doubt 1 --losses 2 --cancels 1",
         "an item is sent that was not asked for",
     ),
     "ensure() compares the rally points with how many items a mission has": (
         "Ensure.cpp",
-        "if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;",
+        "if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;",
         "",
         "PX4 rally-ensure 1 ensure 1 --held-beside 2 --losses 2 --resets 1",
         "an upload begins before it was looked what is aboard",
@@ -438,8 +438,8 @@ DEFECTS = {
     ),
     "rally points that were begun are said to be as before": (
         "Upload.cpp",
-        "plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown",
-        "plan_.has(kReplacesItemByItem) ? Aboard::AsBefore : Aboard::NotKnown",
+        "client.plan_.has(kReplacesItemByItem) && client.state_.type == PlanType::Mission ? Aboard::Mixture",
+        "client.plan_.has(kReplacesItemByItem) ? Aboard::AsBefore",
         "ArduPilot rally-upload 2 --losses 1 --cancels 1",
         "aboard() says as before, and it is not",
     ),

@@ -200,8 +200,8 @@ DEFECTS = {
     ),
     "verifyAndStart() does not compare": (
         "VerifyAndStart.cpp",
-        "  return compareItem(client, wireItem, item);",
-        "  return wireItem != 0xFFFF ? Status::Transferring : compareItem(client, wireItem, item);",
+        "  return ReadingPlan::compare(client, wireItem, item);",
+        "  return wireItem != 0xFFFF ? Status::Transferring : ReadingPlan::compare(client, wireItem, item);",
         "Rover verifyAndStart each 5",
         "it is armed ",
     ),
@@ -256,8 +256,8 @@ DEFECTS = {
     ),
     "what sets a mode again waits for late answers to the order": (
         "Command.cpp",
-        "if (!sending.isRestoring() && !log_.maySend(piece.command.id, nowMs)) return;",
-        "if (!log_.maySend(piece.command.id, nowMs)) return;",
+        "if (!sending.isRestoring() && !client.log_.maySend(piece.command.id, nowMs)) return;",
+        "if (!client.log_.maySend(piece.command.id, nowMs)) return;",
         "Rover returnHome overtakes 200 --loss 5",
         "it is set again too late",
     ),

@@ -23,7 +23,7 @@ from simulation.mega import Image
 PASS = "serialEventRun()"
 # Parts of start(), and of Steering, which are linked where a sketch arms: such a sketch is not given a real aircraft.
 ARMING = re.compile(
-    r"mavmission::(detail::(Client::(onStart|fillDisarm)|StartTransfer::leave)"
+    r"mavmission::(detail::(Client::(Starting::on|Arming::fillDisarming)|StartTransfer::leave)"
     r"|Steering::(fill|leave|onEvent|beginStep))\("
 )
 # Such a sketch reads what is typed: itself, or by what it gives its console to.

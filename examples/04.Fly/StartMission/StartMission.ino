@@ -1,4 +1,5 @@
-// Uploads a plan, reads it back, arms, flies it, and prints each item reached. TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Uploads a plan, reads it back, arms, flies it, and prints each item reached.
+// TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
 //
 // While the aircraft is armed, nothing is uploaded or started: so nothing happens after a reset in flight.
 #include <MavMission.h>

@@ -7,6 +7,7 @@
 #include "../MissionClient.h"
 #include "../autopilot/Vehicle.h"
 #include "../link/Messages.h"
+#include "Commands.h"
 
 namespace mavmission {
 namespace detail {
@@ -16,13 +17,15 @@ bool CommandPort::asksVehicle() {
   const bool isKnown = !has(client.firmware(), kModesByVehicle) || isPlane(client.vehicleType()) ||
                        client.link_.finder().isVehicleKnown();
   if (isKnown) return false;
-  client.commanding_.fill = Client::fillVehicle;
+  client.commanding_.fill = Client::AskingVehicle::fill;
   return true;
 }
 
+bool Client::isVehicleAsked() const { return commanding_.fill == AskingVehicle::fill; }
+
 bool CommandPort::isAskingVehicle() const { return static_cast<const Client&>(*this).isVehicleAsked(); }
 
-void Client::fillVehicle(Client&, FlightCommand& command) {
+void Client::AskingVehicle::fill(Client&, FlightCommand& command) {
   command.id = MAV_CMD_DO_VTOL_TRANSITION;
   command.param1 = MAV_VTOL_STATE_UNDEFINED;
 }

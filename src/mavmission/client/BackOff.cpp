@@ -2,18 +2,24 @@
 #include <Arduino.h>
 
 #include "../MissionClient.h"
+#include "Uploading.h"
 
 namespace mavmission {
 using namespace detail;
 
+struct Client::BackingOff {
+  static bool begin(Client& client, Status refusal);
+  static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
+};
+
 void MissionClient::retryWhenBusy(uint16_t seconds) {
   rest_.backOffLimitS = seconds;
-  rest_.options.backOff = seconds != 0 ? beginBackOff : nullptr;
-  rest_.options.takeUp = takeUpEnd;
+  rest_.options.backOff = seconds != 0 ? BackingOff::begin : nullptr;
+  rest_.options.takeUp = Uploading::takeUp;
 }
 
 // Begins the back-off after a refusal of COUNT; false if the time allowed is over.
-bool Client::beginBackOff(Client& client, Status refusal) {
+bool Client::BackingOff::begin(Client& client, Status refusal) {
   State& state = client.state_;
   if (refusal != Status::Denied && !(refusal == Status::Error && has(client.firmware(), kSaysErrorWhenBusy)))
     return false;
@@ -24,14 +30,14 @@ bool Client::beginBackOff(Client& client, Status refusal) {
   if (state.seconds + client.rest_.backOffPauseS > client.rest_.backOffLimitS) return false;
   client.state_.backOffEndS = state.seconds + client.rest_.backOffPauseS;
   state.status = Status::BackingOff;
-  state.operation = backOffStep;
+  state.operation = step;
   return true;
 }
 
-void Client::backOffStep(Client& client, const FrameParser* frame, uint16_t) {
+void Client::BackingOff::step(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
   if (frame != nullptr || state.seconds < client.state_.backOffEndS) return;
-  state.operation = uploadStep;
+  state.operation = Uploading::step;
   state.quiet = 255;                           // what is answered late was asked for the same plan
   state.status = Status::WaitingForAutopilot;  // it may be armed, or lost, by now: from the start
 }

@@ -6,6 +6,8 @@
 #include "../base/Flash.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "Reading.h"
+#include "Uploading.h"
 
 namespace mavmission {
 using namespace detail;
@@ -120,10 +122,10 @@ void Client::cancelSecond(Client& client) {
 void Client::cancelNow() {
   if (state_.operation == nullptr) return;
   if (state_.status == Status::Transferring && !state_.isCommanding) expectLateAnswers();
-  const bool isUpload = state_.operation == uploadStep;
-  if (state_.status == Status::Transferring && (isUpload || state_.proving || state_.operation == readStep)) {
+  const bool isUpload = state_.operation == Uploading::step;
+  if (state_.status == Status::Transferring && (isUpload || state_.proving || state_.operation == ReadingPlan::step)) {
     tellCancelled();
-    if (isUpload) setAboard(aboardAfterUpload(Status::Cancelled));
+    if (isUpload) setAboard(Uploading::aboardAfter(*this, Status::Cancelled));
     unsettle(static_cast<uint16_t>(millis()));
   }
   end(Status::Cancelled);

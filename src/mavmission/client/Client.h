@@ -80,95 +80,21 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   // As PlanPort::isShortFence() says [items].
   static constexpr uint8_t kShortFence = 3;
 
-  static bool takeUpEnd(Client& client, Status status, uint16_t nowMs);
-  static bool tryFloats(Client& client, Status refusal, uint16_t nowMs);
-  static bool beginBackOff(Client& client, Status refusal);
-  static void backOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  MAVMISSION_ONE_EXIT static void uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  MAVMISSION_ONE_EXIT static void readStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void clearStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static Status compareItem(Client& client, uint16_t wireItem, MissionItem& item);
   static void fromFloats(void* itemMessage);
-  static Status storeItem(Client& client, uint16_t wireItem, MissionItem& item);
-  void takeReadFrame(const FrameParser& frame, uint16_t nowMs);
-  void takeReadCount(const FrameParser& frame, uint16_t nowMs);
   bool isOurCount(uint16_t count) const;
-  MAVMISSION_APART void takeReadItem(const FrameParser& frame, uint16_t nowMs);
-  void sendRead(uint16_t nowMs);
-  void endReading(Status status);
   Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
   Status uploadKeptPlan();                                    // of the last upload or verification
   Status uploadProven(const ItemSource& plan, PlanType type, Readback proof);
   Status ensurePlan(const ItemSource& plan, PlanType type, Readback proof);
   void beginEnsuring();
-  static void ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void ensureFreeStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void proveEnsured(Client& client, uint16_t nowMs);
-  static void ensureProofStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void ensureBackOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static bool ensureTakeUp(Client& client, Status status, uint16_t nowMs);
-  static bool ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs);
-  static Status ensureItem(Client& client, uint16_t wireItem, MissionItem& item);
-  void checkEnsured(uint16_t nowMs);
-  Status sumItem(uint16_t wireItem);
-  void beginLook(uint16_t nowMs);
-  void look(uint16_t nowMs);
-  void takeLookFrame(const FrameParser& frame, uint16_t nowMs);
-  void takeLookCount(const FrameParser& frame, uint16_t nowMs);
-  void replaceOther();
-  void endLook(Status status);
-  static void proveUpload(Client& client, uint16_t nowMs);
-  static void proveFence(Client& client, uint16_t nowMs);
-  static void proveFenceAgain(Client& client, uint16_t nowMs);
-  static void fenceSettleStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void fenceSettleAgainStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void fenceStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void commandStep(Client& client, const FrameParser* frame, uint16_t nowMs);
-  static void fillOwn(Client& client, FlightCommand& command);
-  static void fillOwnAsInt(Client& client, FlightCommand& command);
-  static void fillOwnAsLong(Client& client, FlightCommand& command);
-  static void fillArm(Client& client, FlightCommand& command);
-  static void fillDisarm(Client& client, FlightCommand& command);
-  static void fillMode(Client& client, FlightCommand& command);
-  static void fillBegin(Client& client, FlightCommand& command);
-  static void fillStart(Client& client, FlightCommand& command);
-  static void fillCurrent(Client& client, FlightCommand& command);
-  static void fillCurrentMessage(Client& client, FlightCommand& command);
-  static void fillInterval(Client& client, FlightCommand& command);
-  static Status onOwn(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  Status sendInOtherForm(Status refusal);
-  static Status onArm(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  Status whenSilent(Status silence) const;
-  static Status onMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onCustomMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onNamedMode(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onStartMission(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onSetCurrent(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static Status onStart(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
   struct Commanding;
   Status beginCommand(FillCommand fill, OnCommand on);
   MAVMISSION_APART void nextCommand(FillCommand fill);
-  void takeCommandFrame(const FrameParser& frame, uint16_t nowMs);
-  void sendCommand(uint16_t nowMs);
-  MAVMISSION_APART uint16_t askAgainMs();  // from a request for a heartbeat to the next
-  void takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   bool hasItem(uint16_t item);
   uint8_t vehicleType() const { return link_.finder().vehicleType(); }
-  static void fillVehicle(Client&, FlightCommand& command);
-  bool isVehicleAsked() const { return commanding_.fill == fillVehicle; }
+  bool isVehicleAsked() const;
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
-  static Status compareFirst(Client& client, uint16_t wireItem, MissionItem& item);
-  static void startVerified(Client& client, Status status);
-  static Status onVerifiedStart(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  static void endVerifiedStart(Client& client, Status status);
-  static Status leaveOther(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
-  void takeLook();
-  Status mayStart();
-  MAVMISSION_APART void beginStart();
-  MAVMISSION_APART Aircraft aircraft(uint16_t nowMs) const;
-  MAVMISSION_APART void noteStart();
-  Status lookAtItem(const Aircraft& aircraft);
   Status updateAt(uint16_t nowMs);
   MAVMISSION_APART MAVMISSION_ONE_EXIT void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Step operation);
@@ -182,21 +108,11 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void tellCancelled();
   void setAboard(Aboard what) { setAboard(state_.type, what); }
   void setAboard(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
-  MAVMISSION_APART Aboard aboardAfterUpload(Status status) const;
   MAVMISSION_APART void beginPlan();
   MAVMISSION_APART Status keeping(const MissionItem& item);
-  void checkPlan(uint16_t nowMs);
   void beginTransfer();
-  void beginUpload(uint16_t nowMs);
-  void onUploadTime(uint16_t nowMs);
-  void takeUploadFrame(const FrameParser& frame, uint16_t nowMs);
-  void sendUpload(uint16_t nowMs);
-  MAVMISSION_APART void sendAnnouncement();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && state_.prepared == wireItem; }
-  MAVMISSION_APART MAVMISSION_ONE_EXIT void prepareItem(uint16_t wireItem, uint16_t nowMs);
-  Status proven(uint32_t opaqueId);
-  MAVMISSION_ONE_EXIT void continueUpload(Status status, uint16_t nowMs);
   uint16_t ownItem(uint16_t wireItem) const { return plan_.numbers().toOwn(wireItem); }
   void report(uint16_t done);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
@@ -210,11 +126,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   static void doNothing(Client&) {}
   static void cancelAtEnd(Client& client);
   static void cancelSecond(Client& client);
-  void sendRequest(uint16_t wireItem);
   void sendAck(uint8_t result, PlanType type);
   MAVMISSION_APART void sendShort(KeyIndex message, uint16_t number, PlanType type);
-  void endClearing(Status status);
-  static void announceRange(Client& client, bool isBeginning);
   // Of the mission aboard, whatever plan_ is.
   ItemNumbers numbersAboard() const {
     ItemNumbers numbers;
@@ -226,10 +139,23 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void setPlanToVerify(const ItemSource& plan, PlanType type);
   MAVMISSION_APART Status refuseType();
 
-  // The operations, each in its own file.
+  // The operations, and what goes with them: their functions are in the files of client/ that are named after them.
+  struct Uploading;
+  struct BackingOff;
+  struct ShortFence;
   struct ReadingPlan;
-  struct Clearing;
   struct Ensuring;
+  struct Clearing;
+  struct Command;
+  struct OwnCommand;
+  struct Arming;
+  struct SettingMode;
+  struct SettingCurrent;
+  struct SettingInterval;
+  struct AskingVehicle;
+  struct BeginningMission;
+  struct Starting;
+  struct VerifiedStart;
 
   // The members that every update() uses lie first, since avr-gcc reaches 64 bytes of an object cheaply. All zero at
   // the start except for those that the constructor sets.

@@ -6,6 +6,7 @@
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "Commands.h"
 
 namespace mavmission {
 using namespace detail;
@@ -36,7 +37,7 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
                                     : state_.isCommanding                       ? CommandLog::Before::Command
                                                                                 : CommandLog::Before::Other;
   const uint16_t nowMs = static_cast<uint16_t>(millis());
-  startOperation(commandStep);
+  startOperation(Command::step);
   state_.isCommanding = true;
   memset(&commanding_, 0, sizeof(commanding_));
   log_.begin(before, nowMs);
@@ -57,11 +58,11 @@ void CommandPort::lookAtClock(uint16_t nowMs) {
   if (client.commanding_.transfer.look(nowMs)) client.link_.spoil();
 }
 
-void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::Command::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
   client.lookAtClock(nowMs);
   if (frame != nullptr) {
-    if (state.status == Status::Transferring) client.takeCommandFrame(*frame, nowMs);
+    if (state.status == Status::Transferring) takeFrame(client, *frame, nowMs);
     return;
   }
   if (state.status == Status::WaitingForAutopilot) {
@@ -82,34 +83,35 @@ void Client::commandStep(Client& client, const FrameParser* frame, uint16_t nowM
   Status status = client.commanding_.transfer.onTime(client.log_.asksOpen(), nowMs);
   if (status == Status::Transferring && state.isLate) status = Status::TookTooLong;
   const bool goesOn = status == Status::Transferring;
-  client.takeCommandEvent(goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
+  takeEvent(client, goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
   if (state.status != Status::Transferring) return;
   const CommandTransfer& sending = client.commanding_.transfer;
-  const bool isDue = sending.isDue() || sending.isAskDue(nowMs, client.askAgainMs());
-  if (isDue && client.link_.canSend() && client.claimHeavyWork()) client.sendCommand(nowMs);
+  const bool isDue = sending.isDue() || sending.isAskDue(nowMs, askAgainMs(client));
+  if (isDue && client.link_.canSend() && client.claimHeavyWork()) send(client, nowMs);
 }
 
-void Client::takeCommandEvent(CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs) {
-  const CommandTransfer& sending = commanding_.transfer;
+void Client::Command::takeEvent(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                                uint16_t nowMs) {
+  const CommandTransfer& sending = client.commanding_.transfer;
   const uint8_t tries = sending.tries();
-  if (event == CommandEvent::Silent) log_.gaveUp();
-  OnCommand const on = commanding_.on;
-  if (on != nullptr) status = on(*this, event, status, frame, nowMs);
-  if (status != Status::Transferring || sending.tries() == 0) log_.ended(tries, nowMs);
+  if (event == CommandEvent::Silent) client.log_.gaveUp();
+  OnCommand const on = client.commanding_.on;
+  if (on != nullptr) status = on(client, event, status, frame, nowMs);
+  if (status != Status::Transferring || sending.tries() == 0) client.log_.ended(tries, nowMs);
   // Behind a pause the same is asked again: a late answer to it is as good.
-  if (sending.state() == CommandTransfer::State::Pausing) log_.forget();
+  if (sending.state() == CommandTransfer::State::Pausing) client.log_.forget();
   if (status == Status::Transferring) return;
-  beginSeconds(nowMs);  // the seconds tell the next command how long ago this one ended
-  end(status);
+  client.beginSeconds(nowMs);  // the seconds tell the next command how long ago this one ended
+  client.end(status);
 }
 
 // Twice as often while somebody's mode may be undone.
-uint16_t Client::askAgainMs() {
-  const uint16_t againMs = link_.pace().waitMs(CommandTransfer::kAskMs);
-  return commanding_.transfer.isUrgent() ? againMs / 2 : againMs;
+uint16_t Client::Command::askAgainMs(Client& client) {
+  const uint16_t againMs = client.link_.pace().waitMs(CommandTransfer::kAskMs);
+  return client.commanding_.transfer.isUrgent() ? againMs / 2 : againMs;
 }
 
-void Client::sendCommand(uint16_t nowMs) {
+void Client::Command::send(Client& client, uint16_t nowMs) {
   // The command is turned into its message in place: param1 to param4, and z, stay where they are.
   union {
     FlightCommand command;
@@ -122,20 +124,20 @@ void Client::sendCommand(uint16_t nowMs) {
                     offsetof(mavlink_command_int_t, z) == offsetof(FlightCommand, param7),
                 "param1 to param7 must lie in FlightCommand as they lie in COMMAND_LONG and COMMAND_INT");
   memset(&piece, 0, sizeof(piece));
-  CommandTransfer& sending = commanding_.transfer;
+  CommandTransfer& sending = client.commanding_.transfer;
   bool isAsking = !sending.isDue();
   if (!isAsking) {
-    commanding_.fill(*this, piece.command);
+    client.commanding_.fill(client, piece.command);
     // (What sets a mode again does not wait for late answers to the order that has undone it: a refusal of that has
     // come before the heartbeat that shows its mode, and an acceptance ends nothing.)
-    if (!sending.isRestoring() && !log_.maySend(piece.command.id, nowMs)) return;
+    if (!sending.isRestoring() && !client.log_.maySend(piece.command.id, nowMs)) return;
     if (sending.lacksHeartbeat(nowMs)) {
       sending.ask();
       isAsking = true;
     }
   }
   if (isAsking) {
-    if (!sending.isAskDue(nowMs, askAgainMs())) return;
+    if (!sending.isAskDue(nowMs, askAgainMs(client))) return;
     static_assert(MAVLINK_MSG_ID_HEARTBEAT == 0, "param1 is the message that is asked for");
     memset(&piece, 0, sizeof(piece));
     piece.command.id = MAV_CMD_REQUEST_MESSAGE;
@@ -158,91 +160,91 @@ void Client::sendCommand(uint16_t nowMs) {
     piece.asLong.command = id;
     piece.asLong.confirmation = isAsking ? 0 : sending.tries();
   }
-  link_.sendMessage(reinterpret_cast<uint8_t*>(&piece), &kKeys[static_cast<uint8_t>(key)]);
+  client.link_.sendMessage(reinterpret_cast<uint8_t*>(&piece), &kKeys[static_cast<uint8_t>(key)]);
   if (isAsking) {
-    log_.askedAside(nowMs);
+    client.log_.askedAside(nowMs);
     return sending.asked(nowMs);
   }
-  sending.sent(nowMs, link_.pace().waitMs(CommandTransfer::kAnswerMs));
-  log_.sent(id, sending.waitMs(), nowMs);
+  sending.sent(nowMs, client.link_.pace().waitMs(CommandTransfer::kAnswerMs));
+  client.log_.sent(id, sending.waitMs(), nowMs);
 }
 
-void Client::takeCommandFrame(const FrameParser& frame, uint16_t nowMs) {
+void Client::Command::takeFrame(Client& client, const FrameParser& frame, uint16_t nowMs) {
   CommandEvent event;
   Status status = Status::Transferring;
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_COMMAND_ACK: {
       const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
-      if (!log_.isAnswer(ack.command, frame.sequence(), nowMs)) return;
-      rest_.lastResult = ack.result;
+      if (!client.log_.isAnswer(ack.command, frame.sequence(), nowMs)) return;
+      client.rest_.lastResult = ack.result;
       if (ack.result == MAV_RESULT_IN_PROGRESS) {
-        log_.onProgress(nowMs);
-        return commanding_.transfer.onProgress(nowMs);
+        client.log_.onProgress(nowMs);
+        return client.commanding_.transfer.onProgress(nowMs);
       }
       status = fromCommandResult(ack.result);
-      if (status == Status::Done) commanding_.transfer.onAccepted(ack.command == CommandLog::kRequestMessage);
+      if (status == Status::Done) client.commanding_.transfer.onAccepted(ack.command == CommandLog::kRequestMessage);
       event = status == Status::Done ? CommandEvent::Accepted : CommandEvent::Refused;
       break;
     }
     case MAVLINK_MSG_ID_HEARTBEAT:
-      commanding_.transfer.onHeartbeat(nowMs);
-      if (!commanding_.transfer.isOld()) log_.onHeartbeat();
+      client.commanding_.transfer.onHeartbeat(nowMs);
+      if (!client.commanding_.transfer.isOld()) client.log_.onHeartbeat();
       event = CommandEvent::Heartbeat;
       break;
     case MAVLINK_MSG_ID_MISSION_CURRENT:
-      if (commanding_.transfer.isUrgent()) return;  // it does not tell whose the aircraft is
+      if (client.commanding_.transfer.isUrgent()) return;  // it does not tell whose the aircraft is
       event = CommandEvent::Current;
       break;
     default: return;
   }
-  takeCommandEvent(event, status, &frame, nowMs);
+  takeEvent(client, event, status, &frame, nowMs);
 }
 
 Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
-  const Status status = beginCommand(fillOwn, onOwn);
+  const Status status = beginCommand(OwnCommand::fill, OwnCommand::on);
   if (status == Status::Busy) return status;
   commanding_.own = &command;
   commanding_.transfer.setRepeats(repeat == CommandRepeat::Always || !isOnceOnly(command.id));
   return status;
 }
 
-Status Client::onOwn(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
-  if (event == CommandEvent::Refused) return client.sendInOtherForm(status);
+Status Client::OwnCommand::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  if (event == CommandEvent::Refused) return sendInOtherForm(client, status);
   if (event != CommandEvent::Ready) return status;
   // MAV_CMD_MISSION_START would arm this autopilot.
   const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && has(client.firmware(), kArmsByMissionStart);
   return arms && !client.isArmed() ? Status::NotArmed : status;
 }
 
-void Client::fillOwn(Client& client, FlightCommand& command) {
+void Client::OwnCommand::fill(Client& client, FlightCommand& command) {
   command = *client.commanding_.own;
   if (command.id == MAV_CMD_COMPONENT_ARM_DISARM) command.param2 = 0;  // never forced
 }
 
-Status MissionClient::arm() { return beginCommand(fillArm, onArm); }
+Status MissionClient::arm() { return beginCommand(Arming::fill, Arming::on); }
 
-Status MissionClient::disarm() { return beginCommand(fillDisarm, onArm); }
+Status MissionClient::disarm() { return beginCommand(Arming::fillDisarming, Arming::on); }
 
 // The aircraft is armed, or disarmed, when a heartbeat shows it: ArduPilot sends none at arming, so one is asked for.
 // The answer may be a late one, to an earlier command.
-Status Client::onArm(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+Status Client::Arming::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   CommandTransfer& sending = client.commanding_.transfer;
   switch (event) {
     case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
     case CommandEvent::Heartbeat: {
-      const bool isDone = sending.tries() != 0 && client.isArmed() == (client.commanding_.fill == fillArm);
+      const bool isDone = sending.tries() != 0 && client.isArmed() == (client.commanding_.fill == fill);
       if (isDone && !sending.isOld()) return Status::Done;
       if (client.rest_.lastResult == MAV_RESULT_ACCEPTED) sending.askLater();
       return status;
     }
-    case CommandEvent::Silent: return client.whenSilent(status);
+    case CommandEvent::Silent: return Command::whenSilent(client, status);
     default: return status;
   }
 }
 
 // An order that was accepted, and that no heartbeat shows.
-Status Client::whenSilent(Status silence) const {
-  return rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : silence;
+Status Client::Command::whenSilent(const Client& client, Status silence) {
+  return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : silence;
 }
 
 void CommandPort::fillArming(FlightCommand& command, bool arms) {
@@ -250,9 +252,9 @@ void CommandPort::fillArming(FlightCommand& command, bool arms) {
   if (arms) command.param1 = 1;  // param2 stays 0: never forced
 }
 
-void Client::fillArm(Client&, FlightCommand& command) { fillArming(command, true); }
+void Client::Arming::fill(Client&, FlightCommand& command) { fillArming(command, true); }
 
-void Client::fillDisarm(Client&, FlightCommand& command) { fillArming(command, false); }
+void Client::Arming::fillDisarming(Client&, FlightCommand& command) { fillArming(command, false); }
 
 uint16_t CommandPort::numberOf(FlightMode mode) const {
   const Client& client = static_cast<const Client&>(*this);
@@ -270,13 +272,13 @@ uint16_t CommandPort::shownMode() const { return modeNumberOf(static_cast<const 
 uint16_t CommandPort::firstMode() const { return static_cast<const Client&>(*this).state_.next; }
 
 Status MissionClient::setMode(FlightMode mode) {
-  const Status status = beginCommand(fillMode, onNamedMode);
+  const Status status = beginCommand(SettingMode::fill, SettingMode::onNamed);
   if (status != Status::Busy) commanding_.mode.named = mode;
   return status;
 }
 
 Status MissionClient::setCustomMode(uint32_t customMode) {
-  const Status status = beginCommand(fillMode, onCustomMode);
+  const Status status = beginCommand(SettingMode::fill, SettingMode::onCustom);
   if (status == Status::Busy) return status;
   commanding_.mode.number = modeNumberOf(customMode);
   commanding_.mode.isLarge = customMode > 255;
@@ -284,27 +286,27 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
 }
 
 // ArduPilot's mode numbers have one byte. A larger number would be cut, and set another mode.
-Status Client::onCustomMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
-                            uint16_t nowMs) {
+Status Client::SettingMode::onCustom(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                                     uint16_t nowMs) {
   const Modes& mode = client.commanding_.mode;
   const bool isNone = event == CommandEvent::Ready && has(client.firmware(), kModeIsOneByte) && mode.isLarge;
-  return isNone ? Status::NoSuchMode : onMode(client, event, status, frame, nowMs);
+  return isNone ? Status::NoSuchMode : on(client, event, status, frame, nowMs);
 }
 
-Status Client::onNamedMode(Client& client, CommandEvent event, Status status, const FrameParser* frame,
-                           uint16_t nowMs) {
+Status Client::SettingMode::onNamed(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                                    uint16_t nowMs) {
   Modes& mode = client.commanding_.mode;
-  if (client.isVehicleAsked()) return client.onVehicle(event, status, fillMode);
+  if (client.isVehicleAsked()) return client.onVehicle(event, status, fill);
   if (event == CommandEvent::Ready) {
     if (client.numberOf(mode.named) != kNoMode && client.asksVehicle()) return status;
     mode.number = client.numberOf(mode.named);
   }
-  return mode.number == kNoMode ? Status::NoSuchMode : onMode(client, event, status, frame, nowMs);
+  return mode.number == kNoMode ? Status::NoSuchMode : on(client, event, status, frame, nowMs);
 }
 
 // A mode is set when a heartbeat shows it: PX4 answers twice, and may first accept a mode that it then refuses. Until a
 // heartbeat shows the mode, the command is repeated, since the refusal may have been lost.
-Status Client::onMode(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
+Status Client::SettingMode::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t nowMs) {
   Modes& mode = client.commanding_.mode;
   CommandTransfer& sending = client.commanding_.transfer;
   const bool isRestoring = mode.order.isRestoring();
@@ -325,18 +327,18 @@ Status Client::onMode(Client& client, CommandEvent event, Status status, const F
         case ModeOrder::Sight::Doubtful: sending.doubt(); break;
         case ModeOrder::Sight::Undone:
           mode.number = mode.order.wanted();
-          client.commanding_.fill = fillMode;
+          client.commanding_.fill = fill;
           sending.restore();
           break;
       }
       return status;
-    case CommandEvent::Silent: return isRestoring ? Status::Overruled : client.whenSilent(status);
+    case CommandEvent::Silent: return isRestoring ? Status::Overruled : Command::whenSilent(client, status);
     case CommandEvent::Refused: return isRestoring ? Status::Overruled : status;
     default: return status;
   }
 }
 
-void Client::fillMode(Client& client, FlightCommand& command) {
+void Client::SettingMode::fill(Client& client, FlightCommand& command) {
   fillModeNumber(command, client.commanding_.mode.number);
 }
 
@@ -356,12 +358,13 @@ bool Client::hasItem(uint16_t item) {
 }
 
 Status MissionClient::setCurrentItem(uint16_t item) {
-  const Status status = beginCommand(fillCurrent, onSetCurrent);
+  const Status status = beginCommand(SettingCurrent::fill, SettingCurrent::on);
   if (status != Status::Busy) commanding_.item = item;
   return status;
 }
 
-Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, const FrameParser* frame, uint16_t) {
+Status Client::SettingCurrent::on(Client& client, CommandEvent event, Status status, const FrameParser* frame,
+                                  uint16_t) {
   Commanding& commanding = client.commanding_;
   const ItemNumbers numbers = client.numbersAboard();
   switch (event) {
@@ -371,13 +374,13 @@ Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, c
       break;
     case CommandEvent::Refused:
       if (status != Status::CommandUnsupported) break;
-      client.nextCommand(fillCurrentMessage);
+      client.nextCommand(fillMessage);
       return Status::Transferring;
     case CommandEvent::Current: {
       // The older message has no answer of its own: MISSION_CURRENT with our item is the answer. MISSION_CURRENT with
       // another item is no answer, unless the total shows that the plan has no such item, which PX4 reports only in a
       // STATUSTEXT. (A PX4 without a plan reports a total of 65535.)
-      if (commanding.fill != fillCurrentMessage || commanding.transfer.tries() == 0) break;
+      if (commanding.fill != fillMessage || commanding.transfer.tries() == 0) break;
       const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
       if (current.seq == commanding.item) return Status::Done;
       const uint16_t total = current.total;
@@ -391,22 +394,24 @@ Status Client::onSetCurrent(Client& client, CommandEvent event, Status status, c
   return status;
 }
 
-void Client::fillCurrent(Client& client, FlightCommand& command) {
+void Client::SettingCurrent::fill(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_DO_SET_MISSION_CURRENT;
   command.param1 = floatOf(client.commanding_.item);
 }
 
-void Client::fillCurrentMessage(Client& client, FlightCommand& command) { command.x = client.commanding_.item; }
+void Client::SettingCurrent::fillMessage(Client& client, FlightCommand& command) {
+  command.x = client.commanding_.item;
+}
 
 Status MissionClient::setMessageInterval(uint16_t messageId, int32_t intervalUs) {
-  const Status status = beginCommand(fillInterval, nullptr);
+  const Status status = beginCommand(SettingInterval::fill, nullptr);
   if (status == Status::Busy) return status;
   commanding_.interval.us = intervalUs;
   commanding_.interval.message = messageId;
   return status;
 }
 
-void Client::fillInterval(Client& client, FlightCommand& command) {
+void Client::SettingInterval::fill(Client& client, FlightCommand& command) {
   command.id = MAV_CMD_SET_MESSAGE_INTERVAL;
   command.param1 = floatOf(client.commanding_.interval.message);
   command.param2 = static_cast<float>(client.commanding_.interval.us);

@@ -3,6 +3,7 @@
 
 #include "../MissionClient.h"
 #include "../base/FloatBits.h"
+#include "Commands.h"
 
 namespace mavmission {
 using namespace detail;
@@ -32,31 +33,31 @@ bool isFloat(int32_t whole) {
 // place does not fit into COMMAND_LONG: its coordinates would be rounded by metres, and the reference of its altitude
 // would be left to the autopilot. The refused command was not carried out, so this holds as well for one that must not
 // be carried out twice.
-Status Client::sendInOtherForm(Status refusal) {
-  if (commanding_.fill != fillOwn) return refusal;
-  const FlightCommand& own = *commanding_.own;
+Status Client::OwnCommand::sendInOtherForm(Client& client, Status refusal) {
+  if (client.commanding_.fill != fill) return refusal;
+  const FlightCommand& own = *client.commanding_.own;
   FillCommand other = nullptr;
   int32_t whole = 0;
   if (refusal == Status::CommandIntOnly && !own.hasPlace) {
-    if (isInteger(own.param5, whole) && isInteger(own.param6, whole)) other = fillOwnAsInt;
+    if (isInteger(own.param5, whole) && isInteger(own.param6, whole)) other = fillAsInt;
   } else if (refusal == Status::CommandLongOnly && own.hasPlace && own.frame == Frame::Mission) {
-    if (isFloat(own.x) && isFloat(own.y)) other = fillOwnAsLong;
+    if (isFloat(own.x) && isFloat(own.y)) other = fillAsLong;
   }
   if (other == nullptr) return refusal;
-  commanding_.fill = other;
-  commanding_.transfer.next(commanding_.transfer.repeats());
+  client.commanding_.fill = other;
+  client.commanding_.transfer.next(client.commanding_.transfer.repeats());
   return Status::Transferring;
 }
 
-void Client::fillOwnAsInt(Client& client, FlightCommand& command) {
-  fillOwn(client, command);
+void Client::OwnCommand::fillAsInt(Client& client, FlightCommand& command) {
+  fill(client, command);
   isInteger(command.param5, command.x);
   isInteger(command.param6, command.y);
   command.hasPlace = true;
 }
 
-void Client::fillOwnAsLong(Client& client, FlightCommand& command) {
-  fillOwn(client, command);
+void Client::OwnCommand::fillAsLong(Client& client, FlightCommand& command) {
+  fill(client, command);
   command.param5 = quotient(command.x, 1);
   command.param6 = quotient(command.y, 1);
   command.hasPlace = false;

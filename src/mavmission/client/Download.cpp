@@ -4,6 +4,7 @@
 #include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
+#include "Reading.h"
 
 namespace mavmission {
 using namespace detail;
@@ -12,15 +13,15 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
   state_.type = type;
-  startOperation(readStep);
-  reading_.take = storeItem;
+  startOperation(ReadingPlan::step);
+  reading_.take = ReadingPlan::store;
   state_.isCompared = false;
   reading_.fromFloats = fromFloats;
   reading_.sink = sink;
   return state_.status;
 }
 
-Status Client::storeItem(Client& client, uint16_t wireItem, MissionItem& item) {
+Status Client::ReadingPlan::store(Client& client, uint16_t wireItem, MissionItem& item) {
   const ItemSink& sink = client.reading_.sink;
   if (sink.isReady != nullptr && !sink.isReady(sink.context)) return Status::Checking;
   if (!client.rest_.raw) fromWire(item, client.plan_.firmware());

@@ -3,7 +3,7 @@
 //   WaitingForAutopilot -> Checking -> the look ------------------------> AlreadyAboard
 //                                        | another plan is aboard
 //                                        +--> armed: Armed, and nothing is changed
-//                                        +--> our reading is closed (ensureFreeStep) -> the upload
+//                                        +--> our reading is closed (freeStep()) ----> the upload
 //
 // The look is MISSION_REQUEST_LIST. PX4's answer has the checksum of its plan, which is compared with ours; any other
 // autopilot's items are read and compared.
@@ -12,6 +12,9 @@
 #include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "Ensuring.h"
+#include "Reading.h"
+#include "Uploading.h"
 
 namespace mavmission {
 using namespace detail;
@@ -31,161 +34,157 @@ Status MissionClient::ensure(const ItemSource& plan, PlanType type, Readback pro
 }
 
 void Client::beginEnsuring() {
-  state_.operation = ensureStep;
+  state_.operation = Ensuring::step;
   state_.status = Status::WaitingForAutopilot;
-  rest_.options.takeUp = ensureTakeUp;
+  rest_.options.takeUp = Ensuring::takeUp;
   setAboard(Aboard::NotKnown);  // what was known was about the plan before
 }
 
-struct Client::Ensuring : OperationParts {
-  static bool begin(Client& client, uint16_t) {
-    client.beginChecking();
-    client.reading_.summed = 0;
-    client.opaqueId_.begin();
-    return true;
-  }
+bool Client::Ensuring::begin(Client& client, uint16_t) {
+  client.beginChecking();
+  client.reading_.summed = 0;
+  client.opaqueId_.begin();
+  return true;
+}
 
-  static void frame(Client& client, const FrameParser& frame, uint16_t nowMs) { client.takeLookFrame(frame, nowMs); }
+void Client::Ensuring::time(Client& client, uint16_t nowMs) {
+  if (client.state_.status == Status::Transferring) return look(client, nowMs);
+  checkNext(client, nowMs);
+}
 
-  static void time(Client& client, uint16_t nowMs) {
-    if (client.state_.status == Status::Transferring) return client.look(nowMs);
-    client.checkEnsured(nowMs);
-  }
-};
-
-void Client::ensureStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::Ensuring::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
   operate<Ensuring>(client, frame, nowMs);
 }
 
 // Checks the plan as an upload does, and adds up its checksum, before the autopilot is asked: so the time of the look
 // does not grow with the plan.
-void Client::checkEnsured(uint16_t nowMs) {
-  if (checkNext(false) != Status::Transferring) return;
+void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
+  if (client.checkNext(false) != Status::Transferring) return;
   // An item is checked in one update(), and added to the checksum in another: both together would take too long.
-  uint16_t& wireItem = reading_.summed;
-  if (plan_.has(kSaysChecksum) && wireItem < plan_.wireCount()) {
-    const Status read = sumItem(wireItem);
+  uint16_t& wireItem = client.reading_.summed;
+  if (client.plan_.has(kSaysChecksum) && wireItem < client.plan_.wireCount()) {
+    const Status read = sum(client, wireItem);
     if (read == Status::Checking) return;
     if (read != Status::Accepted) {
-      noteFailed(wireItem);
-      return end(read);
+      client.noteFailed(wireItem);
+      return client.end(read);
     }
     ++wireItem;
     return;
   }
-  reading_.take = ensureItem;
-  state_.isCompared = true;
-  reading_.fromFloats = fromFloats;
-  beginLook(nowMs);
-  state_.proving = true;  // no progress is reported for the look
-  rest_.field = ItemField::None;
-  if (rest_.backOffPauseS == 0) beginSeconds(nowMs);
-  state_.status = Status::Transferring;
+  client.reading_.take = takeItem;
+  client.state_.isCompared = true;
+  client.reading_.fromFloats = fromFloats;
+  beginLook(client, nowMs);
+  client.state_.proving = true;  // no progress is reported for the look
+  client.rest_.field = ItemField::None;
+  if (client.rest_.backOffPauseS == 0) client.beginSeconds(nowMs);
+  client.state_.status = Status::Transferring;
 }
 
-void Client::beginLook(uint16_t nowMs) {
-  rest_.lastResult = 255;
-  reading_.transfer.begin(nowMs);
+void Client::Ensuring::beginLook(Client& client, uint16_t nowMs) {
+  client.rest_.lastResult = 255;
+  client.reading_.transfer.begin(nowMs);
 }
 
-Status Client::sumItem(uint16_t wireItem) {
-  MissionItem& item = *static_cast<MissionItem*>(link_.draft());
-  const Status read = plan_.read(wireItem, item);
-  if (read == Status::Accepted) opaqueId_.add(&item.frame, &item.command, &item.autocontinue, &item);
+Status Client::Ensuring::sum(Client& client, uint16_t wireItem) {
+  MissionItem& item = *static_cast<MissionItem*>(client.link_.draft());
+  const Status read = client.plan_.read(wireItem, item);
+  if (read == Status::Accepted) client.opaqueId_.add(&item.frame, &item.command, &item.autocontinue, &item);
   return read;
 }
 
-void Client::look(uint16_t nowMs) {
-  state_.readsHalf = true;  // as in readStep()
-  DownloadTransfer& transfer = reading_.transfer;
-  Status status = transfer.onTime(nowMs, link_.pace());
+void Client::Ensuring::look(Client& client, uint16_t nowMs) {
+  client.state_.readsHalf = true;  // as in ReadingPlan::time()
+  DownloadTransfer& transfer = client.reading_.transfer;
+  Status status = transfer.onTime(nowMs, client.link_.pace());
   // A refusal of the request is believed only after the last attempt: the autopilot may hold an upload of ours open,
   // from before a reset, or one of another ground station, and both end within seconds.
-  if (status == Status::NoAnswer && rest_.lastResult != 255) {
-    if ((state_.unsettled & UploadTransfer::kAnswers) != 0) return beginLook(nowMs);
-    status = fromMissionResult(rest_.lastResult);
+  if (status == Status::NoAnswer && client.rest_.lastResult != 255) {
+    if ((client.state_.unsettled & UploadTransfer::kAnswers) != 0) return beginLook(client, nowMs);
+    status = fromMissionResult(client.rest_.lastResult);
   }
-  if (status == Status::Transferring && state_.isLate) status = Status::TookTooLong;
-  if (status != Status::Transferring) return endLook(status);
-  if (transfer.toSend() != DownloadTransfer::Send::Accepted) return sendRead(nowMs);
-  if (!link_.canSend()) return;
-  sendAck(MAV_MISSION_ACCEPTED, state_.type);
-  endLook(Status::AlreadyAboard);
+  if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
+  if (status != Status::Transferring) return endLook(client, status);
+  if (transfer.toSend() != DownloadTransfer::Send::Accepted) return ReadingPlan::send(client, nowMs);
+  if (!client.link_.canSend()) return;
+  client.sendAck(MAV_MISSION_ACCEPTED, client.state_.type);
+  endLook(client, Status::AlreadyAboard);
 }
 
-void Client::takeLookFrame(const FrameParser& frame, uint16_t nowMs) {
+void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
-    case MAVLINK_MSG_ID_MISSION_COUNT: return takeLookCount(frame, nowMs);
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeCount(client, frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case MAVLINK_MSG_ID_MISSION_ITEM:
-      takeReadItem(frame, nowMs);
-      if (state_.operation == ensureStep && rest_.field != ItemField::None) replaceOther();
+      ReadingPlan::takeItem(client, frame, nowMs);
+      if (client.state_.operation == step && client.rest_.field != ItemField::None) replaceOther(client);
       return;
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
-      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
-      const Status status = reading_.transfer.onAck(result);
-      if (status == Status::Transferring || reading_.transfer.tries() == 0) return;
-      rest_.lastResult = result;
-      if (reading_.transfer.state() != DownloadTransfer::State::Listing) {
+      const Status status = client.reading_.transfer.onAck(result);
+      if (status == Status::Transferring || client.reading_.transfer.tries() == 0) return;
+      client.rest_.lastResult = result;
+      if (client.reading_.transfer.state() != DownloadTransfer::State::Listing) {
         // An error may be the late answer to the last item of an earlier upload, if that item was sent again.
-        const bool mayBeOlder = status == Status::Error && (state_.unsettled & UploadTransfer::kAnswers) != 0;
-        return mayBeOlder ? void() : endLook(status);
+        const bool mayBeOlder = status == Status::Error && (client.state_.unsettled & UploadTransfer::kAnswers) != 0;
+        return mayBeOlder ? void() : endLook(client, status);
       }
       // ArduPilot has just given up the upload for which it refused to be read.
-      if (status == Status::CancelledByAutopilot) beginLook(nowMs);
+      if (status == Status::CancelledByAutopilot) beginLook(client, nowMs);
       return;
     }
     default: return;
   }
 }
 
-void Client::takeLookCount(const FrameParser& frame, uint16_t nowMs) {
+void Client::Ensuring::takeCount(Client& client, const FrameParser& frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;
-  DownloadTransfer& transfer = reading_.transfer;
-  if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+  DownloadTransfer& transfer = client.reading_.transfer;
+  if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
   if (!transfer.expectsAnswer(DownloadTransfer::State::Listing)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
-  reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
-  if (!isOurCount(count)) {
-    rest_.field = ItemField::Count;
-    return replaceOther();
+  client.reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
+  if (!client.isOurCount(count)) {
+    client.rest_.field = ItemField::Count;
+    return replaceOther(client);
   }
   // Our checksum is that of the items as integers.
-  if (!plan_.has(kSaysChecksum) || reading_.planId == 0 || state_.floatItems) {
-    transfer.onCount(count, nowMs, link_.pace());
-  } else if (reading_.planId == opaqueId_.value()) {
-    tellCancelled();  // otherwise PX4 would wait for our requests for 5 s
-    endLook(Status::AlreadyAboard);
+  if (!client.plan_.has(kSaysChecksum) || client.reading_.planId == 0 || client.state_.floatItems) {
+    transfer.onCount(count, nowMs, client.link_.pace());
+  } else if (client.reading_.planId == client.opaqueId_.value()) {
+    client.tellCancelled();  // otherwise PX4 would wait for our requests for 5 s
+    endLook(client, Status::AlreadyAboard);
   } else {
-    replaceOther();
+    replaceOther(client);
   }
 }
 
-// Compares an item of the look. A difference is left in rest_.field for takeLookFrame().
-Status Client::ensureItem(Client& client, uint16_t wireItem, MissionItem& item) {
-  const Status compared = compareItem(client, wireItem, item);
+// Compares an item of the look. A difference is left in rest_.field for frame().
+Status Client::Ensuring::takeItem(Client& client, uint16_t wireItem, MissionItem& item) {
+  const Status compared = ReadingPlan::compare(client, wireItem, item);
   if (compared == Status::Transferring || compared == Status::Checking) return compared;
   client.noteFailed(wireItem);
   if (compared != Status::Differs) {
     client.rest_.field = ItemField::None;
-    client.endLook(compared);
+    endLook(client, compared);
   }
   return Status::Checking;  // nothing more is made of this item
 }
 
 // Another plan is aboard.
-void Client::replaceOther() {
+void Client::Ensuring::replaceOther(Client& client) {
   // An autopilot that is armed may be flying its plan. allowWhileArmed() does not matter here: a sketch calls ensure()
   // at each start, which may be a reset in the air.
-  if (isArmed()) return endLook(Status::Armed);
-  state_.readsHalf = false;
-  state_.operation = ensureFreeStep;
+  if (client.isArmed()) return endLook(client, Status::Armed);
+  client.state_.readsHalf = false;
+  client.state_.operation = freeStep;
 }
 
 // Closes our reading, then begins the upload. PX4 would otherwise refuse MISSION_COUNT, being busy with our reading.
-void Client::ensureFreeStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::Ensuring::freeStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr || !client.link_.canSend()) return;
   State& state = client.state_;
   client.sendAck(MAV_MISSION_OPERATION_CANCELLED, state.type);
@@ -195,66 +194,66 @@ void Client::ensureFreeStep(Client& client, const FrameParser* frame, uint16_t n
   client.rest_.field = ItemField::None;
   client.rest_.lastResult = 255;
   client.state_.proving = false;
-  if (client.rest_.options.readBack == proveUpload) client.rest_.options.readBack = proveEnsured;
-  state.operation = uploadStep;
-  client.beginUpload(nowMs);
+  if (client.rest_.options.readBack == ReadingPlan::prove) client.rest_.options.readBack = prove;
+  state.operation = Uploading::step;
+  Uploading::begin(client, nowMs);
 }
 
-void Client::proveEnsured(Client& client, uint16_t nowMs) {
-  proveUpload(client, nowMs);
-  client.state_.operation = ensureProofStep;
+void Client::Ensuring::prove(Client& client, uint16_t nowMs) {
+  ReadingPlan::prove(client, nowMs);
+  client.state_.operation = proofStep;
 }
 
 // The read-back, as it is behind any upload, but for its COUNT: that may be the look's, which the line has repeated. So
 // another number of items is believed when REQUEST_LIST has been sent again.
-void Client::ensureProofStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::Ensuring::proofStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   typedef mavlink_mission_count_t Count;
   const DownloadTransfer& transfer = client.reading_.transfer;
   if (frame != nullptr && frame->messageId() == MAVLINK_MSG_ID_MISSION_COUNT) {
     if (frame->payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
     const bool isOurs = client.isOurCount(frame->payloadWord(offsetof(Count, count)));
     if (transfer.tries() < (isOurs ? 1 : DownloadRules::kOtherTries)) return;
-    client.state_.operation = readStep;
+    client.state_.operation = ReadingPlan::step;
   }
-  readStep(client, frame, nowMs);
+  ReadingPlan::step(client, frame, nowMs);
 }
 
-void Client::endLook(Status status) {
-  state_.readsHalf = false;
+void Client::Ensuring::endLook(Client& client, Status status) {
+  client.state_.readsHalf = false;
   if (status == Status::AlreadyAboard) {
-    setAboard(Aboard::OurPlan);
-    if (state_.type == PlanType::Mission) {
+    client.setAboard(Aboard::OurPlan);
+    if (client.state_.type == PlanType::Mission) {
       // What PX4 has said about a plan holds until it takes another one.
-      if (reading_.planId != rest_.planId) state_.infeasible = false;
-      rest_.planId = reading_.planId;
+      if (client.reading_.planId != client.rest_.planId) client.state_.infeasible = false;
+      client.rest_.planId = client.reading_.planId;
     }
-    report(rest_.itemsTotal);
+    client.report(client.rest_.itemsTotal);
   } else {
-    tellCancelled();
+    client.tellCancelled();
   }
-  state_.unsettled |= UploadTransfer::kBusy;  // our last message may be lost
-  state_.unsettledMs = state_.secondMs;       // about now: less than a second ago
-  if (rest_.options.backOff != nullptr && rest_.options.backOff(*this, status)) {
-    state_.operation = ensureBackOffStep;
+  client.state_.unsettled |= UploadTransfer::kBusy;    // our last message may be lost
+  client.state_.unsettledMs = client.state_.secondMs;  // about now: less than a second ago
+  if (client.rest_.options.backOff != nullptr && client.rest_.options.backOff(client, status)) {
+    client.state_.operation = backOffStep;
     return;
   }
-  end(status);
+  client.end(status);
 }
 
 // ArduPilot denies reading while it receives our plan. So the first denial of MISSION_COUNT may be the answer to a
 // MISSION_REQUEST_LIST of the look that the line has repeated: COUNT is sent again before a denial is believed.
-bool Client::ensureTakeUp(Client& client, Status status, uint16_t nowMs) {
-  client.rest_.options.takeUp = ensureTakeUpAgain;
+bool Client::Ensuring::takeUp(Client& client, Status status, uint16_t nowMs) {
+  client.rest_.options.takeUp = takeUpAgain;
   if (status == Status::Denied && !client.transfer_.hasBegun()) return true;
-  return ensureTakeUpAgain(client, status, nowMs);
+  return takeUpAgain(client, status, nowMs);
 }
 
 // After a back-off it is looked again: the transfer that was waited for may have brought our plan, or another one.
-bool Client::ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs) {
+bool Client::Ensuring::takeUpAgain(Client& client, Status status, uint16_t nowMs) {
   const bool hasBegun = client.transfer_.hasBegun();
-  client.rest_.options.takeUp = takeUpEnd;
-  if (takeUpEnd(client, status, nowMs)) {
-    if (client.state_.status == Status::BackingOff) client.state_.operation = ensureBackOffStep;
+  client.rest_.options.takeUp = Uploading::takeUp;
+  if (Uploading::takeUp(client, status, nowMs)) {
+    if (client.state_.status == Status::BackingOff) client.state_.operation = backOffStep;
     return true;
   }
   if (hasBegun || (status != Status::Denied && status != Status::Error)) return false;
@@ -263,7 +262,7 @@ bool Client::ensureTakeUpAgain(Client& client, Status status, uint16_t nowMs) {
   return true;
 }
 
-void Client::ensureBackOffStep(Client& client, const FrameParser* frame, uint16_t) {
+void Client::Ensuring::backOffStep(Client& client, const FrameParser* frame, uint16_t) {
   if (frame == nullptr && client.state_.seconds >= client.state_.backOffEndS) client.beginEnsuring();
 }
 

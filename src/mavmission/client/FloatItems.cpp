@@ -5,6 +5,7 @@
 #include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
+#include "Uploading.h"
 
 namespace mavmission {
 using namespace detail;
@@ -25,18 +26,18 @@ void toFloats(void* itemMessage) {
 }  // namespace
 
 // After the refusal by an autopilot without MISSION_ITEM_INT: uploads once more, as MISSION_ITEM.
-bool Client::tryFloats(Client& client, Status refusal, uint16_t nowMs) {
+bool Client::Uploading::fallBackToFloats(Client& client, Status refusal, uint16_t nowMs) {
   if (refusal != Status::Unsupported || client.state_.floatItems) return false;
   if (!client.plan_.has(kMayBeOld) || client.transfer_.itemsAskedFor() != 1) return false;
   client.state_.floatItems = true;
-  client.beginUpload(nowMs);
+  begin(client, nowMs);
   return true;
 }
 
 void MissionClient::useMissionItemFallback(bool always) {
   rest_.options.toFloats = toFloats;
-  rest_.options.fallBack = tryFloats;
-  rest_.options.takeUp = takeUpEnd;
+  rest_.options.fallBack = Uploading::fallBackToFloats;
+  rest_.options.takeUp = Uploading::takeUp;
   state_.floatItems = always;
 }
 

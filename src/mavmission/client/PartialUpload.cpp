@@ -4,6 +4,7 @@
 #include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "Uploading.h"
 
 namespace mavmission {
 using namespace detail;
@@ -12,7 +13,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   if (state_.operation != nullptr) return Status::Busy;
   const Status status = upload(plan);
   if (isEnd(status)) return status;
-  state_.announcePart = announceRange;
+  state_.announcePart = Uploading::announcePart;
   partFirst_ = first;
   partCount_ = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {
@@ -22,7 +23,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   return state_.status;
 }
 
-void Client::announceRange(Client& client, bool isBeginning) {
+void Client::Uploading::announcePart(Client& client, bool isBeginning) {
   const uint16_t first = client.plan_.numbers().toWire(client.partFirst_);
   const uint16_t behind = first + client.partCount_;
   if (isBeginning) {

@@ -3,6 +3,8 @@
 
 #include "../MissionClient.h"
 #include "../link/Messages.h"
+#include "Reading.h"
+#include "Uploading.h"
 
 namespace mavmission {
 namespace detail {
@@ -20,7 +22,7 @@ Status PlanPort::startVerifying(const ItemSource& plan, PlanType type, Port::Ste
   client.setPlanToVerify(plan, type);
   client.startOperation(operation);
   client.reading_.files = &files;
-  client.reading_.take = Client::compareItem;
+  client.reading_.take = Client::ReadingPlan::compare;
   client.state_.isCompared = true;
   client.rest_.itemsTotal = client.plan_.count();
   if (client.state_.tooLong) return client.refuse(Status::TooManyItems);
@@ -33,7 +35,7 @@ Status PlanPort::startDownloading(const ItemSink& sink, PlanType type, Port::Ste
   client.state_.type = type;
   const Status status = client.startOperation(operation);
   client.reading_.files = &files;
-  client.reading_.take = Client::storeItem;
+  client.reading_.take = Client::ReadingPlan::store;
   client.state_.isCompared = false;
   client.reading_.sink = sink;
   return status;
@@ -82,7 +84,7 @@ Status PlanPort::takeItem(uint16_t wireItem, MissionItem& item) {
 }
 
 Status PlanPort::compare(uint16_t wireItem, MissionItem& item) {
-  return Client::compareItem(static_cast<Client&>(*this), wireItem, item);
+  return Client::ReadingPlan::compare(static_cast<Client&>(*this), wireItem, item);
 }
 
 void PlanPort::progress(uint16_t wireItems) {
@@ -113,7 +115,7 @@ void PlanPort::beginComparing(Port::Step operation, PlanFiles& files) {
   goOnBy(operation, files);
   client.state_.proving = true;  // no progress is reported for it
   client.state_.mayBeRefused = false;
-  client.reading_.take = Client::compareItem;
+  client.reading_.take = Client::ReadingPlan::compare;
   client.state_.isCompared = true;
 }
 
@@ -125,8 +127,8 @@ void PlanPort::noteWhole() { static_cast<Client&>(*this).rest_.lastResult = MAV_
 
 void PlanPort::uploadByItems(uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
-  client.state_.operation = Client::uploadStep;
-  client.beginUpload(nowMs);
+  client.state_.operation = Client::Uploading::step;
+  Client::Uploading::begin(client, nowMs);
 }
 
 void PlanPort::proveInAnyCase() {
@@ -142,7 +144,7 @@ void PlanPort::ensureByItems() { static_cast<Client&>(*this).beginEnsuring(); }
 void PlanPort::readByItems(uint16_t first, uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
   client.reading_.fromFloats = Client::fromFloats;
-  client.state_.operation = Client::readStep;
+  client.state_.operation = Client::ReadingPlan::step;
   client.reading_.transfer.begin(nowMs);
   client.reading_.transfer.skipTo(first);
 }
@@ -157,7 +159,7 @@ void PlanPort::proveByItems(Port::Step operation, TakeItem take, PlanFiles& prov
 }
 
 void PlanPort::readOnByItems(const FrameParser* frame, uint16_t nowMs) {
-  Client::readStep(static_cast<Client&>(*this), frame, nowMs);
+  Client::ReadingPlan::step(static_cast<Client&>(*this), frame, nowMs);
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 
 #include "../MissionClient.h"
 #include "../link/Messages.h"
+#include "Commands.h"
 
 namespace mavmission {
 namespace detail {
@@ -67,7 +68,7 @@ void Port::noteOtherMission() {
 void Port::noteInfeasible() {
   Client& client = static_cast<Client&>(*this);
   if (client.state_.status == Status::Infeasible || !isOurMission()) return;
-  if (client.state_.operation != nullptr && client.state_.operation != Client::commandStep) return;
+  if (client.state_.operation != nullptr && client.state_.operation != Client::Command::step) return;
   client.state_.infeasible = true;
   end(Status::Infeasible);
 }
@@ -122,8 +123,8 @@ bool CommandPort::wasAccepted() const {
 bool CommandPort::isSetting(uint16_t mode) const {
   const Client& client = static_cast<const Client&>(*this);
   const Client::Commanding& running = client.commanding_;
-  const bool isSetting =
-      client.status() == Status::Transferring && client.state_.isCommanding && running.fill == Client::fillMode;
+  const bool isSetting = client.status() == Status::Transferring && client.state_.isCommanding &&
+                         running.fill == Client::SettingMode::fill;
   return isSetting && !running.mode.order.isRestoring() && running.mode.number == mode;
 }
 

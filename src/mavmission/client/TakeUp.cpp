@@ -1,12 +1,13 @@
 // What follows the end of an upload when the sketch has chosen options: the back-off, the MISSION_ITEM fallback, the
 // read-back. They are all decided here, so that an upload without any of these options needs only one test.
 #include "../MissionClient.h"
+#include "Uploading.h"
 
 namespace mavmission {
 using namespace detail;
 
 // True if the operation continues.
-bool Client::takeUpEnd(Client& client, Status status, uint16_t nowMs) {
+bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
   const Rest& rest = client.rest_;
   if (rest.options.fallBack != nullptr && rest.options.fallBack(client, status, nowMs)) return true;
   if (rest.options.backOff != nullptr && !client.transfer_.hasBegun() && rest.options.backOff(client, status))

@@ -4,6 +4,7 @@
 #include "../MissionClient.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
+#include "Uploading.h"
 
 namespace mavmission {
 using namespace detail;
@@ -19,7 +20,7 @@ Status Client::startUpload(const ItemSource& plan, PlanType type) {
 }
 
 Status Client::refuseType() {
-  startOperation(uploadStep);
+  startOperation(Uploading::step);
   return refuse(Status::BadPlanType);
 }
 
@@ -32,7 +33,7 @@ void Client::setPlan(const ItemSource& plan, PlanType type) {
 
 Status Client::uploadKeptPlan() {
   if (state_.operation != nullptr) return Status::Busy;
-  startOperation(uploadStep);
+  startOperation(Uploading::step);
   state_.type = rest_.planType;
   rest_.itemsTotal = plan_.count();
   if (state_.type == PlanType::All) return refuse(Status::SourceRefused);  // there is no plan yet
@@ -41,9 +42,9 @@ Status Client::uploadKeptPlan() {
 }
 
 // As operate() would call them, but in the order in which a request is answered soonest.
-void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+void Client::Uploading::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (client.state_.status == Status::Transferring) {
-    return frame != nullptr ? client.takeUploadFrame(*frame, nowMs) : client.onUploadTime(nowMs);
+    return frame != nullptr ? Uploading::frame(client, *frame, nowMs) : time(client, nowMs);
   }
   if (frame != nullptr) return;
   if (client.state_.status == Status::WaitingForAutopilot) {
@@ -51,14 +52,14 @@ void Client::uploadStep(Client& client, const FrameParser* frame, uint16_t nowMs
     if (client.state_.status != Status::Checking) return;
     client.beginChecking();
   }
-  client.checkPlan(nowMs);
+  checkNext(client, nowMs);
 }
 
-void Client::onUploadTime(uint16_t nowMs) {
-  const Status status = transfer_.onTime(nowMs, link_.pace());
-  if (status != Status::Transferring) return continueUpload(status, nowMs);
-  if (state_.isLate) return continueUpload(Status::TookTooLong, nowMs);
-  sendUpload(nowMs);
+void Client::Uploading::time(Client& client, uint16_t nowMs) {
+  const Status status = client.transfer_.onTime(nowMs, client.link_.pace());
+  if (status != Status::Transferring) return goOn(client, status, nowMs);
+  if (client.state_.isLate) return goOn(client, Status::TookTooLong, nowMs);
+  send(client, nowMs);
 }
 
 void Client::beginPlan() { plan_.begin(firmware(), link_.finder().heartbeat().vehicleType, state_.type, rest_.raw); }
@@ -117,52 +118,54 @@ Status PlanPort::checkNext(bool isToChange) {
   return Status::Checking;
 }
 
-void Client::checkPlan(uint16_t nowMs) {
+void Client::Uploading::checkNext(Client& client, uint16_t nowMs) {
   for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE; ++read) {
-    const Status checked = checkNext(true);
-    if (checked == Status::Transferring) return beginUpload(nowMs);
+    const Status checked = client.checkNext(true);
+    if (checked == Status::Transferring) return begin(client, nowMs);
     if (checked != Status::Accepted) return;
   }
 }
 
 void Client::beginTransfer() { transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled); }
 
-void Client::beginUpload(uint16_t nowMs) {
-  beginTransfer();
-  if (state_.announcePart != nullptr) state_.announcePart(*this, true);
-  opaqueId_.begin();
-  state_.next = 0;
-  state_.isLate = false;
-  if (rest_.backOffPauseS == 0) beginSeconds(nowMs);
-  state_.status = Status::Transferring;
-  sendUpload(nowMs);
+void Client::Uploading::begin(Client& client, uint16_t nowMs) {
+  client.beginTransfer();
+  if (client.state_.announcePart != nullptr) client.state_.announcePart(client, true);
+  client.opaqueId_.begin();
+  client.state_.next = 0;
+  client.state_.isLate = false;
+  if (client.rest_.backOffPauseS == 0) client.beginSeconds(nowMs);
+  client.state_.status = Status::Transferring;
+  send(client, nowMs);
 }
 
-void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
+void Client::Uploading::frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_MISSION_REQUEST:
     case MAVLINK_MSG_ID_MISSION_REQUEST_INT: {
       typedef mavlink_mission_request_int_t Request;
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request),
                     "MISSION_REQUEST and MISSION_REQUEST_INT must have the same layout");
-      if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(state_.type)) return;
-      if (frame.messageId() == MAVLINK_MSG_ID_MISSION_REQUEST_INT) transfer_.noteInt();
-      const Status status = transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, link_.pace());
+      if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
+      if (frame.messageId() == MAVLINK_MSG_ID_MISSION_REQUEST_INT) client.transfer_.noteInt();
+      const Status status =
+          client.transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, client.link_.pace());
       // The item is sent at once, before the rest of this update().
-      sendUpload(nowMs);
-      link_.flush(nowMs, kStartBytes);
-      continueUpload(status, nowMs);
+      send(client, nowMs);
+      client.link_.flush(nowMs, kStartBytes);
+      goOn(client, status, nowMs);
       return;
     }
     case MAVLINK_MSG_ID_MISSION_ACK: {
       typedef mavlink_mission_ack_t Ack;
-      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(state_.type)) return;
+      if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
-      rest_.lastResult = result;
-      if (!transfer_.hasBegun() && !link_.isSent()) return;  // COUNT still waits for room: this answers something else
-      Status status = transfer_.onAck(result, nowMs, link_.pace());
-      if (status == Status::Accepted) status = proven(frame.payloadLong(offsetof(Ack, opaque_id)));
-      continueUpload(status, nowMs);
+      client.rest_.lastResult = result;
+      if (!client.transfer_.hasBegun() && !client.link_.isSent())
+        return;  // COUNT still waits for room: this answers something else
+      Status status = client.transfer_.onAck(result, nowMs, client.link_.pace());
+      if (status == Status::Accepted) status = proven(client, frame.payloadLong(offsetof(Ack, opaque_id)));
+      goOn(client, status, nowMs);
       return;
     }
     default: return;
@@ -172,51 +175,52 @@ void Client::takeUploadFrame(const FrameParser& frame, uint16_t nowMs) {
 // The status that follows from an acceptance with this opaque_id, in which PX4 reports the checksum of the plan that it
 // holds. It is not compared when it is 0, which means that none is reported, nor when items were sent as floats, since
 // our checksum was computed before the conversion.
-Status Client::proven(uint32_t opaqueId) {
+Status Client::Uploading::proven(Client& client, uint32_t opaqueId) {
   // ArduPilot asks by MISSION_REQUEST. Another one may only say that it is an ArduPilot, and hold as the first item
   // what was sent in home's place.
-  if (plan_.numbers().isHomeAdded() && transfer_.isAskedByInt()) return Status::Unconfirmed;
-  if (!state_.floatItems) {
+  if (client.plan_.numbers().isHomeAdded() && client.transfer_.isAskedByInt()) return Status::Unconfirmed;
+  if (!client.state_.floatItems) {
     // What a server does whose ways are not known is not known: Betaflight deletes the plan that it has just accepted,
     // when a network brings our COUNT once more. Reading shows that. (Behind an empty plan there is nothing to be
     // deleted, and what was sent as floats cannot be compared.)
-    if (plan_.has(kIsReadBack) && transfer_.hasBegun()) return Status::Unconfirmed;
-    if (plan_.has(kSaysChecksum) && opaqueId != 0 && opaqueId != opaqueId_.value()) return Status::OtherPlanAboard;
+    if (client.plan_.has(kIsReadBack) && client.transfer_.hasBegun()) return Status::Unconfirmed;
+    if (client.plan_.has(kSaysChecksum) && opaqueId != 0 && opaqueId != client.opaqueId_.value())
+      return Status::OtherPlanAboard;
   }
-  if (state_.type == PlanType::Mission) rest_.planId = opaqueId;
+  if (client.state_.type == PlanType::Mission) client.rest_.planId = opaqueId;
   return Status::Accepted;
 }
 
 // Reports the progress, and ends the upload or continues it, according to the transfer's status.
-void Client::continueUpload(Status status, uint16_t nowMs) {
-  if (state_.status != Status::Transferring) return;  // the source has refused the item that was to be sent
+void Client::Uploading::goOn(Client& client, Status status, uint16_t nowMs) {
+  if (client.state_.status != Status::Transferring) return;  // the source has refused the item that was to be sent
   // The autopilot holds every item that it has requested except the last one.
-  const uint16_t notHeld = plan_.numbers().before() + 1;
-  if (transfer_.itemsAskedFor() > notHeld) report(transfer_.itemsAskedFor() - notHeld);
+  const uint16_t notHeld = client.plan_.numbers().before() + 1;
+  if (client.transfer_.itemsAskedFor() > notHeld) client.report(client.transfer_.itemsAskedFor() - notHeld);
   if (status == Status::Transferring) return;
 
-  if (rest_.options.takeUp != nullptr && rest_.options.takeUp(*this, status, nowMs)) return;
-  setAboard(aboardAfterUpload(status));
+  if (client.rest_.options.takeUp != nullptr && client.rest_.options.takeUp(client, status, nowMs)) return;
+  client.setAboard(aboardAfter(client, status));
   switch (status) {
     case Status::Accepted:
-      report(rest_.itemsTotal);
-      noteAccepted();
+      client.report(client.rest_.itemsTotal);
+      client.noteAccepted();
       break;
     case Status::NoAnswer:
     case Status::TimedOut:
     case Status::TookTooLong:
     case Status::SourceRefused:
-      if (status == Status::TimedOut) noteFailed(transfer_.itemsAskedFor() - 1);
-      tellCancelled();
-      unsettle(nowMs);
+      if (status == Status::TimedOut) client.noteFailed(client.transfer_.itemsAskedFor() - 1);
+      client.tellCancelled();
+      client.unsettle(nowMs);
       break;
-    case Status::Unconfirmed: unsettle(nowMs); break;
+    case Status::Unconfirmed: client.unsettle(nowMs); break;
     default:
-      state_.unsettled = 0;
-      if (transfer_.hasBegun()) noteFailed(transfer_.lastItem());
+      client.state_.unsettled = 0;
+      if (client.transfer_.hasBegun()) client.noteFailed(client.transfer_.lastItem());
       break;
   }
-  end(status);
+  client.end(status);
 }
 
 void Client::noteAccepted() {
@@ -224,20 +228,22 @@ void Client::noteAccepted() {
   state_.unsettled = 0;
 }
 
-Aboard Client::aboardAfterUpload(Status status) const {
+Aboard Client::Uploading::aboardAfter(const Client& client, Status status) {
   if (status == Status::Accepted) return Aboard::OurPlan;
-  const bool begun = transfer_.hasBegun();
+  const bool begun = client.transfer_.hasBegun();
   const bool refused = status >= Status::Error;  // a refusal by the autopilot
-  const bool mayBeWhole = transfer_.state() == UploadTransfer::State::Confirming || status == Status::AcceptedEarly;
+  const bool mayBeWhole =
+      client.transfer_.state() == UploadTransfer::State::Confirming || status == Status::AcceptedEarly;
   // An error after the last item does not prove a refusal: a radio may have repeated an item, which then reached an
   // idle autopilot.
   if (mayBeWhole && (!refused || status == Status::Error)) return Aboard::NotKnown;
   // Such an autopilot keeps the old plan until the new plan is complete; an empty plan is complete at once.
-  if (plan_.has(kKeepsPlanUntilWhole) && (refused || plan_.count() != 0)) return Aboard::AsBefore;
-  if (!begun) return refused && !transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
-  if (plan_.has(kDropsPlanFirst)) return Aboard::Nothing;
+  if (client.plan_.has(kKeepsPlanUntilWhole) && (refused || client.plan_.count() != 0)) return Aboard::AsBefore;
+  if (!begun) return refused && !client.transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
+  if (client.plan_.has(kDropsPlanFirst)) return Aboard::Nothing;
   // ArduPilot replaces a mission item by item, but a fence only as a whole.
-  return plan_.has(kReplacesItemByItem) && state_.type == PlanType::Mission ? Aboard::Mixture : Aboard::NotKnown;
+  return client.plan_.has(kReplacesItemByItem) && client.state_.type == PlanType::Mission ? Aboard::Mixture
+                                                                                          : Aboard::NotKnown;
 }
 
 void PlanPort::noteFailed(uint16_t wireItem) {
@@ -247,41 +253,41 @@ void PlanPort::noteFailed(uint16_t wireItem) {
 
 // Sends what is due. An item is packed before it is requested, while the line waits for the autopilot: the answer to
 // the request then begins earlier by the time of packing, and no update() both packs an item and writes it.
-void Client::sendUpload(uint16_t nowMs) {
-  if (transfer_.toSend() == UploadTransfer::Send::Nothing) {
+void Client::Uploading::send(Client& client, uint16_t nowMs) {
+  if (client.transfer_.toSend() == UploadTransfer::Send::Nothing) {
     // (What is prepared now is the next item: whatever was sent since has taken its place.)
-    if (link_.isPrepared() || !transfer_.expectsRequest() || !link_.canSend()) return;
-    return prepareItem(transfer_.nextItem(), nowMs);
+    if (client.link_.isPrepared() || !client.transfer_.expectsRequest() || !client.link_.canSend()) return;
+    return prepare(client, client.transfer_.nextItem(), nowMs);
   }
-  if (!link_.canSend()) return;
-  if (transfer_.toSend() != UploadTransfer::Send::Item) {
-    sendAnnouncement();
-  } else if (isPrepared(transfer_.itemToSend())) {
-    link_.release();
+  if (!client.link_.canSend()) return;
+  if (client.transfer_.toSend() != UploadTransfer::Send::Item) {
+    sendAnnouncement(client);
+  } else if (client.isPrepared(client.transfer_.itemToSend())) {
+    client.link_.release();
   } else {
-    return prepareItem(transfer_.itemToSend(), nowMs);
+    return prepare(client, client.transfer_.itemToSend(), nowMs);
   }
-  transfer_.sent(nowMs);
-  noteSent(transfer_.tries());
+  client.transfer_.sent(nowMs);
+  client.noteSent(client.transfer_.tries());
 }
 
 // Sends the message that comes before the items (COUNT, or the announcement of a part), or a cancellation.
-void Client::sendAnnouncement() {
-  if (transfer_.toSend() == UploadTransfer::Send::Cancel) {
-    sendAck(MAV_MISSION_OPERATION_CANCELLED, state_.type);
-  } else if (state_.announcePart != nullptr) {
-    state_.announcePart(*this, false);
+void Client::Uploading::sendAnnouncement(Client& client) {
+  if (client.transfer_.toSend() == UploadTransfer::Send::Cancel) {
+    client.sendAck(MAV_MISSION_OPERATION_CANCELLED, client.state_.type);
+  } else if (client.state_.announcePart != nullptr) {
+    client.state_.announcePart(client, false);
   } else {
-    sendShort(KeyIndex::MISSION_COUNT, plan_.wireCount(), state_.type);
+    client.sendShort(KeyIndex::MISSION_COUNT, client.plan_.wireCount(), client.state_.type);
   }
 }
 
-void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
+void Client::Uploading::prepare(Client& client, uint16_t wireItem, uint16_t nowMs) {
   static_assert(offsetof(mavlink_mission_item_int_t, seq) == kPlaceBytes,
                 "param1 to z must lie in MISSION_ITEM_INT as they lie in MissionItem");
   static_assert(sizeof(mavlink_mission_item_t) == sizeof(mavlink_mission_item_int_t),
                 "MISSION_ITEM and MISSION_ITEM_INT must have the same layout");
-  if (!claimHeavyWork()) return;
+  if (!client.claimHeavyWork()) return;
   // The item is read into the buffer of the outgoing frame and turned into the message in place: param1 to z stay where
   // they are, the other fields are moved. This keeps the deepest stack small.
   union Piece {
@@ -290,12 +296,12 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   };
   static_assert(sizeof(MissionItem) <= Outbox::kMaxPayload && sizeof(mavlink_mission_item_int_t) <= Outbox::kMaxPayload,
                 "raise Outbox::kMaxPayload: an item is made in the outbox");
-  Piece& piece = *static_cast<Piece*>(link_.draft());
-  const Status read = plan_.read(wireItem, piece.item);
+  Piece& piece = *static_cast<Piece*>(client.link_.draft());
+  const Status read = client.plan_.read(wireItem, piece.item);
   if (read == Status::Checking) return;
   if (read != Status::Accepted) {
-    noteFailed(wireItem);
-    return continueUpload(read, nowMs);
+    client.noteFailed(wireItem);
+    return goOn(client, read, nowMs);
   }
   const MissionItem& item = piece.item;
   mavlink_mission_item_int_t& message = piece.message;
@@ -308,19 +314,19 @@ void Client::prepareItem(uint16_t wireItem, uint16_t nowMs) {
   message.frame = static_cast<uint8_t>(frame);
   message.current = current;
   message.autocontinue = autocontinue;
-  message.mission_type = static_cast<uint8_t>(state_.type);
-  if (wireItem == state_.next && plan_.has(kSaysChecksum)) {
+  message.mission_type = static_cast<uint8_t>(client.state_.type);
+  if (wireItem == client.state_.next && client.plan_.has(kSaysChecksum)) {
     // Computing the checksum is enough work for one update(): the item is packed in the next one.
-    ++state_.next;
-    return opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
+    ++client.state_.next;
+    return client.opaqueId_.add(&message.frame, &message.command, &message.autocontinue, &message);
   }
-  if (state_.floatItems) {
-    rest_.options.toFloats(&message);
-    link_.prepareAs<mavlink_mission_item_t>(&message);
+  if (client.state_.floatItems) {
+    client.rest_.options.toFloats(&message);
+    client.link_.prepareAs<mavlink_mission_item_t>(&message);
   } else {
-    link_.prepareAs<mavlink_mission_item_int_t>(&message);
+    client.link_.prepareAs<mavlink_mission_item_int_t>(&message);
   }
-  state_.prepared = wireItem;
+  client.state_.prepared = wireItem;
 }
 
 }  // namespace mavmission
