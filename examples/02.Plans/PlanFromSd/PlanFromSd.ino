@@ -7,7 +7,7 @@
 // #define CARD_SELECT 10
 
 #include <MavMission.h>
-#define CONSOLE_TX 9  // on an Uno or a Nano: a pin that the card does not use
+#define CONSOLE_TX 9            // on an Uno or a Nano: a pin that the card does not use
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 

@@ -150,9 +150,7 @@ void Client::Uploading::frame(Client& client, const FrameParser& frame, uint16_t
       if (frame.messageId() == MAVLINK_MSG_ID_MISSION_REQUEST_INT) client.transfer_.noteInt();
       const Status status =
           client.transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, client.link_.pace());
-      // The item is sent at once, before the rest of this update().
       send(client, nowMs);
-      client.link_.flush(nowMs, kStartBytes);
       goOn(client, status, nowMs);
       return;
     }
@@ -254,16 +252,16 @@ void PlanPort::noteFailed(uint16_t wireItem) {
 // Sends what is due. An item is packed before it is requested, while the line waits for the autopilot: the answer to
 // the request then begins earlier by the time of packing, and no update() both packs an item and writes it.
 void Client::Uploading::send(Client& client, uint16_t nowMs) {
-  if (client.transfer_.toSend() == UploadTransfer::Send::Nothing) {
-    // (What is prepared now is the next item: whatever was sent since has taken its place.)
-    if (client.link_.isPrepared() || !client.transfer_.expectsRequest() || !client.link_.canSend()) return;
-    return prepare(client, client.transfer_.nextItem(), nowMs);
-  }
+  const bool isNothingDue = client.transfer_.toSend() == UploadTransfer::Send::Nothing;
+  // (What is prepared now is the next item: whatever was sent since has taken its place.)
+  if (isNothingDue && (client.link_.isPrepared() || !client.transfer_.expectsRequest())) return;
   if (!client.link_.canSend()) return;
+  if (isNothingDue) return prepare(client, client.transfer_.nextItem(), nowMs);
   if (client.transfer_.toSend() != UploadTransfer::Send::Item) {
     sendAnnouncement(client);
   } else if (client.isPrepared(client.transfer_.itemToSend())) {
     client.link_.release();
+    client.link_.flush(nowMs, kStartBytes);  // at once: the autopilot waits for this item
   } else {
     return prepare(client, client.transfer_.itemToSend(), nowMs);
   }

@@ -94,7 +94,7 @@ class FrameParser : public ParserRules {
   uint8_t payloadByte(uint8_t index) const { return index < length() ? payload()[index] : 0; }
   // The number of two or four bytes that begins at `index`.
   uint16_t payloadWord(uint8_t index) const;
-  uint32_t payloadLong(uint8_t index) const;
+  MAVMISSION_APART uint32_t payloadLong(uint8_t index) const;
   // True if it is addressed to this component, to everyone, or to no one.
   bool isFor(uint8_t systemId, uint8_t componentId) const;
   // Copies the payload to a message of `size` bytes; bytes that the sender omitted, or does not know, become 0.
