@@ -6,7 +6,7 @@ from . import hearing, instruments, parameters
 from .autopilot import TEXT_LAG_S, FakeAutopilot
 from .dialect import mavlink
 from .feasibility import objection
-from .flight import LANDINGS, PLACE_IGNORED, Flight, Pace, Place
+from .flight import DELAY, JUMP, LANDINGS, PLACE_IGNORED, RETURN, Flight, Pace, Place
 from .items import FENCE, MISSION, RALLY, Item, whole_number
 from .px4_missions import Missions, State
 from .px4_rewriting import AT_A_PLACE
@@ -636,8 +636,16 @@ class Px4(FakeAutopilot):
             height = item.z - self.home[2] if item.frame == 5 else item.z
             self.text(INFO, f"Climb to {height:.1f} meters above home\t", now, later_s=0.35)
             self.text(INFO, "Takeoff detected\t", now, later_s=PACE.spool_up_s)
+        if item.command == RETURN and self.flight.airborne(now):  # it is a mode, and the plan is over
+            self._item_reached(index, item, now)
+            self._end_plan()
+            self._set_mode(AUTO, SUB_RTL, now)
 
     def _item_reached(self, index: int, item: Item, now: float) -> None:
+        """Seen: of an item and those behind it that take no time and have no place only the last is reported."""
+        held = self.missions.held[MISSION]
+        if index + 1 < len(held) and held[index + 1].command not in (*AT_A_PLACE, DELAY, JUMP):
+            return
         self._reached, self._reached_again = index, 0
         self.send_now(mavlink.MAVLink_mission_item_reached_message(index), now)
 

@@ -50,12 +50,20 @@ class MissionFollower : public detail::MessageIntervals {
 
   // Called when the current item changes.
   void onCurrent(ItemNumberFunction function, void* context = nullptr);
-  // Called once for each item reached, although PX4 repeats the message; again if the item is flown again.
+  // Called once for each item reached, although PX4 repeats the message; again if the item is flown again. Of a
+  // waypoint and the commands behind it that take no time (a speed, a return), PX4 reports only the last.
   void onReached(ItemNumberFunction function, void* context = nullptr);
   // Called with each STATUSTEXT of the autopilot.
   void onText(TextFunction function, void* context = nullptr);
 
  private:
+  // Of the item reached last.
+  enum class Leg : uint8_t {
+    Flown,
+    Early,  // it was reported as reached before it was reported as the current item
+    Again   // it has become the current item again
+  };
+
   static void take(detail::Listener& listener, const detail::FrameParser& frame);
   void takeHeartbeat();
   MAVMISSION_APART void takeName(uint32_t planId);
@@ -76,8 +84,8 @@ class MissionFollower : public detail::MessageIntervals {
   uint16_t reached_ = 0xFFFF;
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
-  uint8_t textDue_ = 0;     // heartbeats left in which ArduPilot's text about an upload of ours is expected
-  bool isNewLeg_ = false;   // the item reached last is being flown again
+  uint8_t textDue_ = 0;  // heartbeats left in which ArduPilot's text about an upload of ours is expected
+  Leg leg_ = Leg::Flown;
   bool isDoubted_ = false;  // the autopilot has once reported the plan with planId_ as no mission
   uint8_t patience_ = 0;
   uint8_t heartbeatsLeft_ = detail::FollowRules::kSilence;  // before MISSION_CURRENT is requested

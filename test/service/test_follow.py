@@ -55,6 +55,17 @@ def test_recorded_flight_is_followed_item_by_item(build_service, flight, persona
 
 
 @FOLLOW
+def test_item_is_reached_once_though_it_is_reported_before_it_is_current(build_service):
+    """Seen with PX4 1.17.0: REACHED 8, half a second later CURRENT 8, and REACHED 8 each second from then on."""
+    service = uploaded(build_service("PX4", tells_at_s=60.0))
+    for current, reached in ((6, 5), (6, 8), (8, 8), (8, 8), (6, 8), (8, 8)):
+        service.say(mavlink.MAVLink_mission_current_message(current))
+        service.say(mavlink.MAVLink_mission_item_reached_message(reached))
+        service.run(0.01)
+    assert service.reached == [5, 8, 8]  # the second time it had been made the current item again
+
+
+@FOLLOW
 def test_item_that_is_flown_again_is_reached_again(build_service):
     service = uploaded(build_service("PX4", tells_at_s=60.0))
     for current, reached in ((0, 0), (1, 1), (2, 2), (1, 2), (1, 1), (2, 1), (2, 2)):

@@ -46,6 +46,23 @@ def flying(autopilot, **options) -> PlainClient:
     return client
 
 
+def test_px4_reports_only_the_last_of_the_items_that_are_carried_out_on_the_spot():
+    """As PX4 1.17.0 did in its simulator; the return is a mode, and reached at once."""
+    fake = Px4()
+    takeoff, there, farther, back = square_for(Px4)
+    speed = item(178, frame=2, param1=1, param2=5, param3=-1)
+    client = client_of(fake)
+    assert client.upload([takeoff, there, speed, farther, speed, speed, there, speed, back]) == ACCEPTED
+    client.say(client.command(START))
+    client.wait(25.0)
+    reached = [seq for seq, _ in itertools.groupby(
+        message.seq for message in fake.messages("<", "MISSION_ITEM_REACHED"))]
+    assert reached == [0, 2, 5, 8]
+    assert (fake.main_mode, fake.sub_mode, fake.complete, fake.armed) == (4, 5, True, True)
+    client.wait(60.0)
+    assert not fake.armed and fake.flight.where(client.now).distance(fake.flight.home) < 1.0
+
+
 def test_jumps_are_flown_as_often_as_they_say():
     fake = Px4()
     plan = square_for(Px4)[:3] + [item(177, frame=2, param1=1, param2=2), item(RTL, frame=2)]

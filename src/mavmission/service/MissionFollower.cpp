@@ -140,16 +140,20 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   isDoubted_ = isDoubted;
   if (item == current_) return;
   current_ = item;
-  if (item == reached_) isNewLeg_ = true;
+  if (item == reached_) {
+    leg_ = leg_ == Leg::Early ? Leg::Flown : Leg::Again;
+  } else if (item > reached_ && leg_ == Leg::Early) {
+    leg_ = Leg::Flown;
+  }
   if (item != Port::kNoItem && currentFunction_ != nullptr) currentFunction_(currentContext_, item);
 }
 
 void MissionFollower::takeReached(const FrameParser& frame) {
   const uint16_t item = client_.itemFromWire(frame.payloadWord(offsetof(mavlink_mission_item_reached_t, seq)));
   // PX4 repeats the message every second while it stays at the item.
-  if (item == Port::kNoItem || (item == reached_ && !isNewLeg_)) return;
+  if (item == Port::kNoItem || (item == reached_ && leg_ != Leg::Again)) return;
   reached_ = item;
-  isNewLeg_ = false;
+  leg_ = current_ == Port::kNoItem || current_ < item ? Leg::Early : Leg::Flown;
   if (reachedFunction_ != nullptr) reachedFunction_(reachedContext_, item);
 }
 
