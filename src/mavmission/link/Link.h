@@ -153,13 +153,14 @@ class Link : public LinkRules {
     bool sequenceKnown : 1;
   };
 
-  AutopilotFinder finder_;  // here avr-gcc reaches it cheaply, also as a part of Client
+  // What is asked for in every update() lies first, where avr-gcc reaches it cheaply, also as a part of Client.
+  AutopilotFinder finder_;
   Stream* stream_;
+  Pace pace_;
+  uint8_t damage_;  // low byte of what has been counted as skipped or lost
   State state_;
   Outbox outbox_;
   FrameParser parser_;
-  Pace pace_;
-  uint8_t damage_;  // low byte of what has been counted as skipped or lost
 
 #if MAVMISSION_SIGNING
   // Rounds of SHA-256 in an update() that is spent on hashing (docs/design/signing.md).
