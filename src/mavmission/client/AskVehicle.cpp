@@ -7,7 +7,7 @@
 #include "../MissionClient.h"
 #include "../autopilot/Vehicle.h"
 #include "../link/Messages.h"
-#include "Commands.h"
+#include "CommandOperations.h"
 
 namespace mavmission {
 namespace detail {

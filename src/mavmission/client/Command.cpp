@@ -6,7 +6,7 @@
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
 #include "../link/Sending.h"
-#include "Commands.h"
+#include "CommandOperations.h"
 
 namespace mavmission {
 using namespace detail;

@@ -3,7 +3,7 @@
 
 #include "../MissionClient.h"
 #include "../base/FloatBits.h"
-#include "Commands.h"
+#include "CommandOperations.h"
 
 namespace mavmission {
 using namespace detail;

@@ -5,7 +5,7 @@
 
 #include "../MissionClient.h"
 #include "../link/Messages.h"
-#include "Commands.h"
+#include "CommandOperations.h"
 
 namespace mavmission {
 namespace detail {

@@ -4,7 +4,7 @@
 #include "../MissionClient.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
-#include "Commands.h"
+#include "CommandOperations.h"
 
 namespace mavmission {
 using namespace detail;

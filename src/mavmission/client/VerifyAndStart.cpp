@@ -1,6 +1,6 @@
 // MissionClient's verifyAndStart(): a start() between two looks at each item that the autopilot holds.
 #include "../MissionClient.h"
-#include "Commands.h"
+#include "CommandOperations.h"
 #include "Reading.h"
 
 namespace mavmission {
