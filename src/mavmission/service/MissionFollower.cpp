@@ -140,10 +140,12 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   isDoubted_ = isDoubted;
   if (item == current_) return;
   current_ = item;
-  if (item == reached_) {
-    leg_ = leg_ == Leg::Early ? Leg::Flown : Leg::Again;
-  } else if (item > reached_ && leg_ == Leg::Early) {
-    leg_ = Leg::Flown;
+  if (item >= reached_) {
+    if (leg_ == Leg::Early) {
+      leg_ = Leg::Flown;
+    } else if (item == reached_) {
+      leg_ = Leg::Again;
+    }
   }
   if (item != Port::kNoItem && currentFunction_ != nullptr) currentFunction_(currentContext_, item);
 }
@@ -153,7 +155,7 @@ void MissionFollower::takeReached(const FrameParser& frame) {
   // PX4 repeats the message every second while it stays at the item.
   if (item == Port::kNoItem || (item == reached_ && leg_ != Leg::Again)) return;
   reached_ = item;
-  leg_ = current_ == Port::kNoItem || current_ < item ? Leg::Early : Leg::Flown;
+  leg_ = static_cast<uint16_t>(current_ + 1) <= item ? Leg::Early : Leg::Flown;  // or none is current yet
   if (reachedFunction_ != nullptr) reachedFunction_(reachedContext_, item);
 }
 
