@@ -11,7 +11,7 @@
 namespace mavmission {
 
 // As SoftwareSerial does, it sends each byte at once, with interrupts off: for 78 µs at 115200 baud. It does not
-// receive, so it needs no interrupt, and 1,300 bytes of flash and 95 bytes of RAM less.
+// receive, so it needs no interrupt and no buffer.
 class PinPrint : public Print {
  public:
   explicit PinPrint(uint8_t pin) : pin_(pin) {}
@@ -67,7 +67,7 @@ class PinPrint : public Print {
   static constexpr uint8_t kOverhead = 12;  // of a bit, without its _delay_loop_2() [cycles]
 
   volatile uint8_t* output_;
-  uint16_t loops_;  // of a bit [4 cycles]
+  uint16_t loops_;  // how often _delay_loop_2() loops in a bit
   uint8_t mask_;
   const uint8_t pin_;
 };
