@@ -105,7 +105,7 @@ def test_command_that_one_autopilot_refuses_is_found_for_it_alone(tmp_path, row,
     assert status == 0 and f"nothing in it that {names[takes]} is known to refuse" in text
     assert f"on {names[refuses]}: item 0 (" in text
     status, text = check(tmp_path, [row], refuses)
-    assert status == 1 and ":3: item 0 (" in text and "a command that this autopilot does not take in a plan" in text
+    assert status == 1 and ":3: item 0 (" in text and "the autopilot takes no such command" in text
     assert "is known to refuse" not in text
 
 
@@ -124,7 +124,7 @@ def test_command_of_which_nothing_is_known_is_said_to_be_so(tmp_path):
 def test_number_that_an_autopilot_would_keep_as_another_is_found_with_both(tmp_path):
     turns = "0 3 18 300 0 10 0 47.5 8.5 20 1"
     status, text = check(tmp_path, [turns], "ardupilot")
-    assert status == 1 and "this autopilot would store another value: param1, 300 -> 255" in text
+    assert status == 1 and "the autopilot would store another value: param1, 300 -> 255" in text
 
 
 def test_plan_is_judged_for_the_vehicle_that_it_was_drawn_for():
@@ -158,8 +158,8 @@ def test_plan_that_this_autopilot_refuses_ends_with_the_reason_at_once():
     assert not good
     last = text.splitlines()[-1]
     assert "FAILED: the library did not send the plan to PX4." in last
-    assert "a command that this autopilot does not take in a plan (item 2)." in last
-    assert "drawn.plan:1: item 2 (DO_SET_SERVO): a command that this autopilot does not take" in text
+    assert "the autopilot takes no such command (item 2)." in last
+    assert "drawn.plan:1: item 2 (DO_SET_SERVO): the autopilot takes no such command" in text
     times = [float(line.split()[0]) for line in text.splitlines() if line[:8].strip().replace(".", "").isdigit()]
     assert times and max(times) < 3
     assert shown(plan, autopilot="ardupilot")[0]

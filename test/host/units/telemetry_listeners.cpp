@@ -95,12 +95,12 @@ TEST_CASE("a message is requested at its interval, as soon as the autopilot is k
   Attitude desk(250);
   REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
   const mavlink_command_long_t command = commandOf(desk.sent.back());
-  CHECK(command.command == MAV_CMD_SET_MESSAGE_INTERVAL);
-  CHECK(command.param1 == MAVLINK_MSG_ID_ATTITUDE);
-  CHECK(command.param2 == 250000);
-  CHECK(command.confirmation == 0);
-  CHECK(command.target_system == 1);
-  CHECK(command.target_component == 1);
+  CHECK((command.command == MAV_CMD_SET_MESSAGE_INTERVAL));
+  CHECK((command.param1 == MAVLINK_MSG_ID_ATTITUDE));
+  CHECK((command.param2 == 250000));
+  CHECK((command.confirmation == 0));
+  CHECK((command.target_system == 1));
+  CHECK((command.target_component == 1));
   CHECK_FALSE(desk.listener.isConfirmed());
   desk.answer(kAccepted);
   CHECK(desk.listener.isConfirmed());
@@ -214,7 +214,7 @@ TEST_CASE("of two listeners each gets its own answer, one behind the other") {
   REQUIRE(desk.sent.size() == 1);
   const mavlink_command_long_t second = commandOf(desk.sent.back());
   CHECK(first + second.param1 == MAVLINK_MSG_ID_ATTITUDE + MAVLINK_MSG_ID_GPS_RAW_INT);
-  CHECK(second.param2 == (second.param1 == MAVLINK_MSG_ID_GPS_RAW_INT ? 500000 : 1000000));
+  CHECK((second.param2 == (second.param1 == MAVLINK_MSG_ID_GPS_RAW_INT ? 500000 : 1000000)));
   desk.answer(kDenied);
   CHECK(desk.listener.isConfirmed() != desk.gps.isConfirmed());
 }
@@ -606,12 +606,12 @@ TEST_CASE("of two messages the one of the autopilot is requested") {
     Desk desk(autopilot);
     WindListener wind(desk.client, 1000);
     REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-    CHECK(commandOf(desk.sent.back()).param1 == (isArduPilot ? 168 : 231));
-    CHECK(commandOf(desk.sent.back()).param2 == 1000000);
+    CHECK((commandOf(desk.sent.back()).param1 == (isArduPilot ? 168 : 231)));
+    CHECK((commandOf(desk.sent.back()).param2 == 1000000));
     Desk other(autopilot);
     EstimatorListener estimator(other.client, 2000);
     REQUIRE(other.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
-    CHECK(commandOf(other.sent.back()).param1 == (isArduPilot ? 193 : 230));
-    CHECK(commandOf(other.sent.back()).param2 == 2000000);
+    CHECK((commandOf(other.sent.back()).param1 == (isArduPilot ? 193 : 230)));
+    CHECK((commandOf(other.sent.back()).param2 == 2000000));
   }
 }
