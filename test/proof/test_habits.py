@@ -129,6 +129,11 @@ FOR_OTHERS = {
     "kWholeText": "the room that a caller must give; now they all have more",
     "kDegreesText": "the room that a caller must give; now they all have more",
 }
+FOR_OTHERS |= {
+    f"{operation}::{part}": "operate() calls it by its name"
+    for operation in ("Clearing", "Ensuring", "ReadingPlan")
+    for part in ("begin", "frame", "time")
+}
 
 
 def for_sketches() -> set[str]:

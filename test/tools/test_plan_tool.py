@@ -397,7 +397,8 @@ def test_tool_checks_for_the_autopilot_that_the_plan_was_drawn_for():
     assert f"{file}:34: on PX4: item 1 (NAV_WAYPOINT, doJumpId 2): no such altitude reference" in ran.stdout
     ran = run("check", file, "--autopilot", "px4")
     assert ran.returncode == 1
-    assert ran.stdout.splitlines()[0].startswith(f"{file}:34: item 1 (NAV_WAYPOINT, doJumpId 2): no such altitude reference")
+    first = ran.stdout.splitlines()[0]
+    assert first.startswith(f"{file}:34: item 1 (NAV_WAYPOINT, doJumpId 2): no such altitude reference")
 
 
 def test_tool_converts_there_and_back_and_tells_what_is_not_carried(tmp_path):
