@@ -12,7 +12,8 @@ class WindListener : public detail::EitherListener {
   // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.
   explicit WindListener(MissionClient& client, uint16_t intervalMs = 1000);
 
-  // The horizontal speed [cm/s].
+  // The speed [cm/s]: on PX4 the horizontal one; on ArduPilot, by its source, that of the whole wind, what blows up or
+  // down included.
   uint16_t speedCmS() const;
   // Where the wind comes from, from north, clockwise [whole degrees], 0 to 359. PX4 gives it as components: from these
   // it is computed to within a degree.
