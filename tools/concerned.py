@@ -40,8 +40,8 @@ def listed(name: str) -> list[str]:
 
 
 def units(name: str) -> list[str]:
-    """The host's unit tests in which the file is named, by its name without the ending; of SteeringHands steering.cpp,
-    too."""
+    """The host's unit tests in which the file is named, by its name without the ending. steering.cpp is also
+    SteeringControl's."""
     stem = Path(name).stem
     snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", stem).lower()
     word = re.compile(rf"\b{stem}\b")

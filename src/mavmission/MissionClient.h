@@ -102,7 +102,7 @@ class MissionClient : private detail::Client {
 
   // --- Flying. Each ends with Status::Done, or with the autopilot's refusal (MAVLink guide, Command Protocol). Only
   // arm(), start(), verifyAndStart(), Steering::takeOff(), and send() with a command that arms, can arm the aircraft.
-  // Arming is never forced. Read docs/who_has_the_aircraft.md before the first flight.
+  // Arming is never forced. Read docs/in_control.md before the first flight.
 
   // Arms the aircraft, and flies the plan that is aboard, beginning with `item`, in the sketch's numbers. start() takes
   // the steps that this autopilot needs, and each step is confirmed; startStep() says which one was refused.

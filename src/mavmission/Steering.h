@@ -42,7 +42,7 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 // is in the wanted mode already, the command is sent in a form that does not change the mode. If somebody else sets a
 // mode between that heartbeat and the arrival of the command, and a heartbeat has shown that mode, it is set again: the
 // status is PilotHasIt or FailsafeHasIt if the aircraft flies in it again, Overruled if it could not be set.
-// docs/who_has_the_aircraft.md gives the times.
+// docs/in_control.md gives the times.
 //
 // After a reset in flight nothing happens by itself: until this object has seen the aircraft disarmed, its functions
 // end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. Then they act only in the mission

@@ -58,7 +58,7 @@ ANSWERS = {
     "what is set on either autopilot?": (r"## Settings of the autopilot\n[^#]*BRD_SERn_RTSCTS[^#]*MAV_n_FLOW_CTRL",),
     "how do I see what is wrong?": (r"Nothing works\? Load \[LinkDoctor\].*\n.*\n?.*\]\((docs/troubleshooting\.md)\)",
                                     r"## Nothing works"),
-    "will it take my aircraft?": (r"## Will it take my aircraft\?\n[^#]*\]\((docs/who_has_the_aircraft\.md)\)",
+    "will it take my aircraft?": (r"## Will it take my aircraft\?\n[^#]*\]\((docs/in_control\.md)\)",
                                   r"## What it never does"),
     "can it upload a plan of QGroundControl?": (r"plan from QGroundControl.*\]\((docs/plans\.md)\)",
                                                 r"tools/plan to-header"),

@@ -66,7 +66,7 @@ void Referee::take(uint16_t mode) {
     return;
   }
   // It is the mode in which the order began, and no heartbeat has shown another one; or it is the mode that an order
-  // has just set, with somebody's other mode between: nobody can tell who set it (docs/who_has_the_aircraft.md).
+  // has just set, with somebody's other mode between: nobody can tell who set it (docs/in_control.md).
   hasTaken_ = true;
   const bool isTurnedBack = foreign_.is && mode == orderedMode_ && nowMs_ - orderedMs_ < kTurnedBackMs;
   if ((isRunning_ && mode == firstMode_ && !isFirstOver_) || isTurnedBack) {
@@ -102,7 +102,7 @@ void Referee::modeSet(uint16_t mode, By by) {
   }
   if (foreign_.isUndone) return;
   const uint32_t windowMs = nowMs_ - foreign_.sinceMs;
-  // A target was sent before a heartbeat had told of the failsafe: see docs/who_has_the_aircraft.md.
+  // A target was sent before a heartbeat had told of the failsafe: see docs/in_control.md.
   const bool mayBeUnseen = windowMs < kStreamMs || isBad_;
   const bool wasShown = foreign_.isShown && nowMs_ - foreign_.shownMs > kBufferedMs;
   if (foreign_.isOfStream && mode == modeOf(kind_, Means::Offboard) && !wasShown && mayBeUnseen) {

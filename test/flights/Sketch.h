@@ -59,7 +59,7 @@ class Sketch {
 };
 
 // Returns the mode of an actor who lets it land, or stops a rover: not by HOLD where pause() sets that itself first
-// (docs/who_has_the_aircraft.md).
+// (docs/in_control.md).
 uint16_t modeOfLanding(Kind kind, Task task);
 
 // Returns the mode in which the aircraft flies when the task is done; kNoSuchMode if the task leaves it as it was.

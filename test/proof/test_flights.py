@@ -33,7 +33,7 @@ FLIGHTS = ROOT / "test" / "flights"
 AUTOPILOTS = ("Copter", "Rover", "PX4")
 COLUMNS = ["autopilot", "bytes lost", "flights", "somebody took it", "undone, longest", "undone and never shown",
            "from his mode to the order, longest", "violations"]  # fmt: skip
-WINDOW_MS = 30  # from the heartbeat that shows no foreign mode to the order's arrival: docs/who_has_the_aircraft.md
+WINDOW_MS = 30  # from the heartbeat that shows no foreign mode to the order's arrival: docs/in_control.md
 GIVEN_BACK_MS = 300
 TWO_HEARTBEATS_MS = 2000
 
@@ -157,7 +157,7 @@ DEFECTS = {
         "an order has undone ",
     ),
     "goTo() leaves at any time": (
-        "SteeringHands.cpp",
+        "SteeringControl.cpp",
         "  return changesMode() || step_ == SteerStep::Arm",
         "  return step_ == SteerStep::Arm",
         "PX4 goTo random 400 --loss 5",
@@ -241,7 +241,7 @@ DEFECTS = {
         "an order has undone ",
     ),
     "a takeoff is done behind a heartbeat that leaves a doubt": (
-        "SteeringHands.cpp",
+        "SteeringControl.cpp",
         "      isModeSeen_ = false;\n      sending.doubt();",
         "      sending.doubt();",
         "Copter takeOff random 400",
@@ -262,7 +262,7 @@ DEFECTS = {
         "it is set again too late",
     ),
     "what sets a mode again leaves once in 400 ms": (
-        "SteeringHands.cpp",
+        "SteeringControl.cpp",
         "  sending.restore();",
         "  sending.next(true);\n  sending.guard();",
         "Rover returnHome overtakes 200 --loss 5",
@@ -276,7 +276,7 @@ DEFECTS = {
         "behind start (somebody else has set another mode) an order has undone HOLD for good",
     ),
     "PX4's takeoff is sent again though its mode is shown": (
-        "SteeringHands.cpp",
+        "SteeringControl.cpp",
         "if (step_ == SteerStep::Mode || isTakingOff) return nextStep(nowMs);",
         "if (step_ == SteerStep::Mode || (false && isTakingOff)) return nextStep(nowMs);",
         "PX4 takeOff overtakes 3 --loss 5 --seed 631",

@@ -91,7 +91,7 @@ AROUND = (
     Subject("RadioListener", ("telemetry_listeners",), is_open=True),
     Subject("RcListener", ("telemetry_listeners",), is_open=True),
     Subject("Steering", ("steering",), is_flown=True, is_open=True),
-    Subject("SteeringHands", ("steering",), is_flown=True, is_open=True),
+    Subject("SteeringControl", ("steering",), is_flown=True, is_open=True),
     Subject("SteeringNumbers", ("steering",), is_flown=True, is_open=True),
     Subject("SteeringOrders", ("steering",), is_flown=True, is_open=True),
     Subject("SteeringRefusals", ("steering",), is_flown=True, is_open=True),

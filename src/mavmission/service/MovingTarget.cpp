@@ -207,7 +207,7 @@ bool MovingTarget::isSteered() const { return steering_.isRunning() && !steering
 
 bool MovingTarget::needsStream() const { return has(client_.autopilot().firmware(), kNeedsStream); }
 
-// True while the aircraft is in our hands, and in the mode in which it follows.
+// True while the sketch is in control, and in the mode in which it follows.
 bool MovingTarget::mayFollow() const {
   return client_.autopilot().isArmed() && steering_.ownMode_ == mode_ && steering_.maySteer() &&
          client_.commands().shownMode() == mode_;

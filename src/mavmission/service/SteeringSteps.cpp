@@ -212,7 +212,7 @@ void Steering::fillCommand(FlightCommand& command) const {
   if (!is(kRepositions)) return;  // no order has such a row; none may leave as another one
   command.id = MAV_CMD_DO_REPOSITION;
   // Without the flag, ArduPilot refuses it in another mode than GUIDED, and PX4 does nothing in another mode than HOLD:
-  // so it cannot take the aircraft out of anybody's hands.
+  // so it cannot take control from anybody.
   if (client_.commands().shownMode() != change_.wanted()) command.param2 = MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
   if (isUnsetHere && is(kStopsHere)) {  // stop here
     command.param5 = command.param6 = command.param7 = unset;
@@ -243,8 +243,8 @@ Status Steering::done() {
   return Status::Done;
 }
 
-// If a takeoff has armed and cannot go on, the aircraft is disarmed, while it is in our hands. (If it flies all the
-// same, autopilots refuse that.)
+// If a takeoff has armed and cannot go on, the aircraft is disarmed, while the sketch is in control. (If it flies all
+// the same, autopilots refuse that.)
 Status Steering::leave(Status refusal) {
   const uint16_t shown = client_.commands().shownMode();
   if (!hasArmed_ || isInAir() || (shown != change_.wanted() && shown != oldMode_)) return refusal;
@@ -320,7 +320,7 @@ Status Steering::onTime(uint16_t nowMs) {
           if (isHeard_) {
             isHeard_ = false;
             sending.next(true);
-            if (isInAir()) {  // and in whose hands?
+            if (isInAir()) {  // and who is in control?
               isModeSeen_ = false;
               sending.listen(kConfirmMs, nowMs);
               sending.ask();
