@@ -199,7 +199,7 @@ class MissionClient : private detail::Client {
   Aboard aboard(PlanType type = PlanType::Mission) const { return Client::aboard(type); }
   // The autopilot's last MISSION_ACK.type in this operation, or 255 if there was none: the cause of Status::Unconfirmed
   // and Status::UnknownResult.
-  uint8_t lastResult() const { return rest_.lastResult; }
+  uint8_t lastResult() const { return state_.lastResult; }
 
   // The step of start() that is running, or that was refused.
   StartStep startStep() const { return Client::startStep(); }

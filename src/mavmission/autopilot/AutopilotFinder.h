@@ -11,14 +11,13 @@
 namespace mavmission {
 namespace detail {
 
-// The contents of a HEARTBEAT, in the order of its payload, and the version and the sender of its frame.
+// The contents of a HEARTBEAT, in the order of its payload, and the sender of its frame.
 struct Heartbeat {
   uint32_t customMode;  // the current mode, in the autopilot's own numbers
   uint8_t vehicleType;  // MAV_TYPE
   uint8_t autopilot;    // MAV_AUTOPILOT
   uint8_t baseMode;     // MAV_MODE_FLAG
   uint8_t state;        // MAV_STATE
-  uint8_t version;      // MAVLink version of the frame: 1 or 2. (The payload's field is a constant, 3.)
   uint8_t systemId;
   uint8_t componentId;
 };

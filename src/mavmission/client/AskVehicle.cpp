@@ -36,7 +36,7 @@ Status CommandPort::onVehicle(CommandEvent event, Status status, FillCommand the
   if (status != Status::CommandUnsupported && status != Status::CommandFailed) return status;
   Client& client = static_cast<Client&>(*this);
   client.link_.finder().setVehicle(status == Status::CommandFailed);
-  client.rest_.lastResult = 255;
+  client.state_.lastResult = 255;
   client.commanding_.fill = then;
   client.commanding_.transfer.next(true);
   client.commanding_.transfer.forgetHeartbeat();  // the operation has not looked at it

@@ -36,7 +36,7 @@ void Client::Clearing::frame(Client& client, const FrameParser& frame, uint16_t)
   if (frame.messageId() != MAVLINK_MSG_ID_MISSION_ACK) return;
   const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
   if (ack.mission_type != static_cast<uint8_t>(clearing.type()) || !clearing.hasBeenSent()) return;
-  client.rest_.lastResult = ack.type;
+  client.state_.lastResult = ack.type;
   Status status = fromMissionResult(ack.type);
   if (status == Status::Accepted) {
     client.setAboard(clearing.type(), Aboard::Nothing);

@@ -17,7 +17,7 @@ Client::Client(Stream& stream) {
   memset(static_cast<void*>(this), 0, sizeof(*this));
   link_.begin(stream);
   state_.failedItem = kNoItem;
-  rest_.lastResult = 255;
+  state_.lastResult = 255;
   state_.unsettled = UploadTransfer::kAnswers;
   state_.quiet = 255;
   rest_.planType = PlanType::All;
@@ -52,8 +52,8 @@ Status Client::startOperation(Step operation) {
   state_.operation = operation;
   state_.failedItem = kNoItem;
   state_.itemsDone = 0;
-  rest_.itemsTotal = 0;
-  rest_.lastResult = 255;
+  state_.itemsTotal = 0;
+  state_.lastResult = 255;
   rest_.field = ItemField::None;
   state_.proving = false;
   rest_.backOffPauseS = 0;
@@ -155,7 +155,7 @@ void Port::waitForAutopilot() {
 void Client::report(uint16_t done) {
   if (done <= state_.itemsDone) return;
   state_.itemsDone = done;
-  if (rest_.progress != nullptr) rest_.progress(rest_.progressContext, state_.itemsDone, rest_.itemsTotal);
+  if (rest_.progress != nullptr) rest_.progress(rest_.progressContext, state_.itemsDone, state_.itemsTotal);
 }
 
 void Client::sendAck(uint8_t result, PlanType type) { sendShort(KeyIndex::MISSION_ACK, result, type); }
@@ -194,7 +194,7 @@ void Client::onTick(uint16_t nowMs) {
     state_.secondMs += 1000;
     ++state_.seconds;
     link_.pace().onSecond();
-    const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(rest_.itemsTotal);
+    const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(state_.itemsTotal);
     if (static_cast<uint16_t>(state_.seconds - state_.backOffEndS) >= limitS) state_.isLate = true;
   }
   if (state_.unsettled != 0 && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = 0;

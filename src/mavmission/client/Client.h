@@ -67,7 +67,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
 
   Status status() const { return state_.status; }
   Aboard aboard(PlanType type = PlanType::Mission) const { return rest_.aboard[static_cast<uint8_t>(type) & 3]; }
-  uint16_t itemsTotal() const { return rest_.itemsTotal; }
+  uint16_t itemsTotal() const { return state_.itemsTotal; }
   bool isBusy() const { return state_.operation != nullptr; }
   bool hasAutopilot() const { return link_.finder().isFound(); }
   Firmware firmware() const { return link_.finder().firmware(); }
@@ -171,6 +171,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     uint16_t backOffEndS;  // when the back-off ends, and when the transfer's own time began [s]
     // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
     void (*announcePart)(Client& client, bool isBeginning);
+    uint16_t itemsTotal;
+    uint8_t lastResult;
     Status status;
     uint8_t quiet;  // since a message was sent again, or a transfer was left open [256 ticks]
     PlanType type;  // of the running operation
@@ -202,14 +204,12 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none
     EndFunction ended;
     void* endedContext;
-    uint16_t itemsTotal;
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
     uint16_t backOffLimitS;  // the limit of all back-offs [s]
     uint8_t backOffPauseS;   // the pause before the next try; 0 before the first
     Status toReturn;
-    Aboard aboard[4];  // by PlanType; the last is unused
-    uint8_t lastResult;
+    Aboard aboard[4];         // by PlanType; the last is unused
     PlanType planType;        // of the plan that uploadAgain() takes; All before there is one
     uint32_t planId;          // the autopilot's name (opaque_id) of the mission accepted or verified last; 0: none
     uint8_t startStep : 3;    // StartStep

@@ -176,7 +176,7 @@ void Client::Command::takeFrame(Client& client, const FrameParser& frame, uint16
     case MAVLINK_MSG_ID_COMMAND_ACK: {
       const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
       if (!client.log_.isAnswer(ack.command, frame.sequence(), nowMs)) return;
-      client.rest_.lastResult = ack.result;
+      client.state_.lastResult = ack.result;
       if (ack.result == MAV_RESULT_IN_PROGRESS) {
         client.log_.onProgress(nowMs);
         return client.commanding_.transfer.onProgress(nowMs);
@@ -234,7 +234,7 @@ Status Client::Arming::on(Client& client, CommandEvent event, Status status, con
     case CommandEvent::Heartbeat: {
       const bool isDone = sending.tries() != 0 && client.isArmed() == (client.commanding_.fill == fill);
       if (isDone && !sending.isOld()) return Status::Done;
-      if (client.rest_.lastResult == MAV_RESULT_ACCEPTED) sending.askLater();
+      if (client.state_.lastResult == MAV_RESULT_ACCEPTED) sending.askLater();
       return status;
     }
     case CommandEvent::Silent: return Command::whenSilent(client, status);
@@ -244,7 +244,7 @@ Status Client::Arming::on(Client& client, CommandEvent event, Status status, con
 
 // An order that was accepted, and that no heartbeat shows.
 Status Client::Command::whenSilent(const Client& client, Status silence) {
-  return client.rest_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : silence;
+  return client.state_.lastResult == MAV_RESULT_ACCEPTED ? Status::Unconfirmed : silence;
 }
 
 void CommandPort::fillArming(FlightCommand& command, bool arms) {

@@ -83,7 +83,7 @@ void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
 }
 
 void Client::Ensuring::beginLook(Client& client, uint16_t nowMs) {
-  client.rest_.lastResult = 255;
+  client.state_.lastResult = 255;
   client.reading_.transfer.begin(nowMs);
 }
 
@@ -100,9 +100,9 @@ void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   Status status = transfer.onTime(nowMs, client.link_.pace());
   // A refusal of the request is believed only after the last attempt: the autopilot may hold an upload of ours open,
   // from before a reset, or one of another ground station, and both end within seconds.
-  if (status == Status::NoAnswer && client.rest_.lastResult != 255) {
+  if (status == Status::NoAnswer && client.state_.lastResult != 255) {
     if ((client.state_.unsettled & UploadTransfer::kAnswers) != 0) return beginLook(client, nowMs);
-    status = fromMissionResult(client.rest_.lastResult);
+    status = fromMissionResult(client.state_.lastResult);
   }
   if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
   if (status != Status::Transferring) return endLook(client, status);
@@ -126,7 +126,7 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
       const Status status = client.reading_.transfer.onAck(result);
       if (status == Status::Transferring || client.reading_.transfer.tries() == 0) return;
-      client.rest_.lastResult = result;
+      client.state_.lastResult = result;
       if (client.reading_.transfer.state() != DownloadTransfer::State::Listing) {
         // An error may be the late answer to the last item of an earlier upload, if that item was sent again.
         const bool mayBeOlder = status == Status::Error && (client.state_.unsettled & UploadTransfer::kAnswers) != 0;
@@ -192,7 +192,7 @@ void Client::Ensuring::freeStep(Client& client, const FrameParser* frame, uint16
   state.unsettledMs = nowMs;
   state.failedItem = kNoItem;
   client.rest_.field = ItemField::None;
-  client.rest_.lastResult = 255;
+  client.state_.lastResult = 255;
   client.state_.proving = false;
   if (client.rest_.options.readBack == ReadingPlan::prove) client.rest_.options.readBack = prove;
   state.operation = Uploading::step;
@@ -227,7 +227,7 @@ void Client::Ensuring::endLook(Client& client, Status status) {
       if (client.reading_.planId != client.rest_.planId) client.state_.infeasible = false;
       client.rest_.planId = client.reading_.planId;
     }
-    client.report(client.rest_.itemsTotal);
+    client.report(client.state_.itemsTotal);
   } else {
     client.tellCancelled();
   }

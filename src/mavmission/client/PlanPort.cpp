@@ -24,7 +24,7 @@ Status PlanPort::startVerifying(const ItemSource& plan, PlanType type, Port::Ste
   client.reading_.files = &files;
   client.reading_.take = Client::ReadingPlan::compare;
   client.state_.isCompared = true;
-  client.rest_.itemsTotal = client.plan_.count();
+  client.state_.itemsTotal = client.plan_.count();
   if (client.state_.tooLong) return client.refuse(Status::TooManyItems);
   return client.status();
 }
@@ -104,7 +104,7 @@ void PlanPort::endAsOurs(Status status) {
   client.setAboard(Aboard::OurPlan);
   if (status == Status::Accepted) client.noteAccepted();
   if (client.state_.type == PlanType::Mission) client.rest_.planId = 0;
-  client.report(client.rest_.itemsTotal);
+  client.report(client.state_.itemsTotal);
   client.end(status);
 }
 
@@ -121,7 +121,7 @@ void PlanPort::beginComparing(Port::Step operation, PlanFiles& files) {
 
 void PlanPort::endComparing() { static_cast<Client&>(*this).state_.proving = false; }
 
-void PlanPort::noteWhole() { static_cast<Client&>(*this).rest_.lastResult = MAV_MISSION_ACCEPTED; }
+void PlanPort::noteWhole() { static_cast<Client&>(*this).state_.lastResult = MAV_MISSION_ACCEPTED; }
 
 // --- Going over to the mission protocol
 

@@ -18,7 +18,7 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   reading_.take = ReadingPlan::compare;
   state_.isCompared = true;
   reading_.fromFloats = fromFloats;
-  rest_.itemsTotal = plan_.count();
+  state_.itemsTotal = plan_.count();
   if (state_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
 }
@@ -53,7 +53,7 @@ Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proo
 
 bool PlanPort::isTypeCarried() const {
   const Client& client = static_cast<const Client&>(*this);
-  return client.state_.type == PlanType::Mission || client.link_.version() != 1;
+  return client.state_.type == PlanType::Mission || !client.link_.speaksV1();
 }
 
 bool PlanPort::beginsReading(uint16_t nowMs) {
@@ -135,7 +135,7 @@ void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16
       // The refusal of the older request, perhaps.
       const bool isOlderAsked = client.reading_.transfer.tries() > DownloadRules::kNewRequestTries;
       if (client.plan_.has(kMayBeOld) && isOlderAsked && status == Status::Unsupported) return;
-      client.rest_.lastResult = result;
+      client.state_.lastResult = result;
       return end(client, status);
     }
     default: return;
@@ -156,7 +156,7 @@ Status PlanPort::takeCount(uint16_t count) {
   Client& client = static_cast<Client&>(*this);
   if (!client.state_.isCompared) {
     const uint16_t items = client.plan_.numbers().ownCount(count);
-    client.rest_.itemsTotal = items;
+    client.state_.itemsTotal = items;
     return items > client.reading_.sink.limit ? Status::SinkFull : Status::Transferring;
   }
   if (client.isOurCount(count)) return Status::Transferring;
@@ -248,12 +248,12 @@ void Client::ReadingPlan::end(Client& client, Status status) {
       case Status::Verified:
         status = Status::Accepted;
         client.noteAccepted();
-        client.report(client.rest_.itemsTotal);
+        client.report(client.state_.itemsTotal);
         break;
       case Status::Differs:
         // A plan that was accepted is complete, though it is another plan; otherwise ArduPilot has a mixture.
         if (client.plan_.has(kReplacesItemByItem) && client.state_.type == PlanType::Mission &&
-            client.rest_.lastResult != MAV_MISSION_ACCEPTED) {
+            client.state_.lastResult != MAV_MISSION_ACCEPTED) {
           client.setAboard(Aboard::Mixture);
         }
         if (client.state_.mayBeRefused) {  // the doubtful error was a refusal of the last item

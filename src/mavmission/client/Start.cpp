@@ -149,7 +149,7 @@ Status Client::BeginningMission::on(Client& client, CommandEvent event, Status s
   if (!isRestoring && !client.isArmed()) return Status::NotArmed;
   const Status ended = SettingMode::on(client, event, status, frame, nowMs);
   // Where AUTO is there already, a copter still waits for the command.
-  const bool isAnswered = commanding.fill != fill || client.rest_.lastResult == MAV_RESULT_ACCEPTED;
+  const bool isAnswered = commanding.fill != fill || client.state_.lastResult == MAV_RESULT_ACCEPTED;
   return ended == Status::Done && !isAnswered ? Status::Transferring : ended;
 }
 

@@ -35,7 +35,7 @@ Status Client::uploadKeptPlan() {
   if (state_.operation != nullptr) return Status::Busy;
   startOperation(Uploading::step);
   state_.type = rest_.planType;
-  rest_.itemsTotal = plan_.count();
+  state_.itemsTotal = plan_.count();
   if (state_.type == PlanType::All) return refuse(Status::SourceRefused);  // there is no plan yet
   if (state_.tooLong) return refuse(Status::TooManyItems);
   return state_.status;
@@ -158,7 +158,7 @@ void Client::Uploading::frame(Client& client, const FrameParser& frame, uint16_t
       typedef mavlink_mission_ack_t Ack;
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
-      client.rest_.lastResult = result;
+      client.state_.lastResult = result;
       if (!client.transfer_.hasBegun() && !client.link_.isSent())
         return;  // COUNT still waits for room: this answers something else
       Status status = client.transfer_.onAck(result, nowMs, client.link_.pace());
@@ -201,7 +201,7 @@ void Client::Uploading::goOn(Client& client, Status status, uint16_t nowMs) {
   client.setAboard(aboardAfter(client, status));
   switch (status) {
     case Status::Accepted:
-      client.report(client.rest_.itemsTotal);
+      client.report(client.state_.itemsTotal);
       client.noteAccepted();
       break;
     case Status::NoAnswer:

@@ -58,7 +58,7 @@ Status Client::VerifiedStart::on(Client& client, CommandEvent event, Status stat
   client.reading_.take = ReadingPlan::compare;
   client.state_.isCompared = true;
   client.reading_.fromFloats = fromFloats;
-  client.rest_.itemsTotal = client.plan_.count();
+  client.state_.itemsTotal = client.plan_.count();
   client.rest_.tellEnd = end;
   return Status::Transferring;
 }

@@ -205,7 +205,8 @@ FrameParser::Result FrameParser::classify() {
     return Result::Nothing;
   }
   const uint16_t id = v2 ? bytes_[7] | bytes_[8] << 8 : bytes_[5];
-  const MessageKey* const key = v2 && bytes_[9] != 0 ? nullptr : keyOf(id);
+  const bool isIdLong = v2 && bytes_[9] != 0;  // such messages are never wanted
+  const MessageKey* const key = isIdLong ? nullptr : keyOf(id);
   if (key != nullptr) {
     if (!v2 && length != fromFlash(&key->lengthV1)) {
       giveUp();
@@ -229,14 +230,15 @@ FrameParser::Result FrameParser::classify() {
   }
   noteSender();
   uint16_t skip = length + kChecksum + 1;
-  if (isSigned()) skip += kSignature;
+  if (v2 && bytes_[2] != 0) skip += kSignature;  // the one flag that gets here
   skip_ = skip;
   // Data that looks like a carrier's header is common after damage: it must begin where a frame is due, and have a
   // sender (0 is none).
-  const bool carries = inStep_ && sender_.systemId != 0 && !(v2 && bytes_[9] != 0) && isCarrier(id);
+  const bool carries = inStep_ && sender_.systemId != 0 && !isIdLong && isCarrier(id);
   stepping_ = carries ? Stepping::MessageWithBytes : Stepping::Message;
-  for (uint8_t i = have_ - 1; i != 0; --i) {
-    if (!isMagic(bytes_[i])) continue;
+  const uint8_t* byte = bytes_ + have_;
+  for (uint8_t left = have_ - 1; left != 0; --left) {
+    if (!isMagic(*--byte)) continue;
     giveUp();  // a frame may have begun within this supposed header
     return Result::Nothing;
   }
@@ -298,7 +300,11 @@ void FrameParser::giveUp() {
   const Index waiting = end_ - read_;
   uint8_t* to = bytes_ + have_;
   const uint8_t* from = bytes_ + read_;
-  for (Index left = waiting; left != 0; --left) *to++ = *from++;
+  Index left = waiting;
+  if (left != 0) {
+    do *to++ = *from++;
+    while (--left != 0);  // quicker than a loop that asks first
+  }
   read_ = 1;
   end_ = have_ + waiting;
   have_ = 0;

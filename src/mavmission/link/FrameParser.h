@@ -37,7 +37,7 @@ struct MoreKeys {
 };
 
 // The key, in flash, of a message that the library wants, or null. Defined in Messages.cpp.
-MAVMISSION_APART const MessageKey* wantedKey(uint16_t messageId);
+const MessageKey* wantedKey(uint16_t messageId);
 
 class FrameParser : public ParserRules {
  public:
@@ -77,6 +77,7 @@ class FrameParser : public ParserRules {
   uint8_t systemId() const { return sender_.systemId; }
   uint8_t componentId() const { return sender_.componentId; }
   uint8_t sequence() const { return sender_.sequence; }
+  bool isV2() const;
   // MAVLink 1 or 2.
   uint8_t version() const { return isV2() ? 2 : 1; }
   // True if it carries a signature, which the parser does not check.
@@ -148,7 +149,6 @@ class FrameParser : public ParserRules {
   MAVMISSION_APART MAVMISSION_ONE_EXIT Result complete();
   MAVMISSION_APART void noteSender();
   const MessageKey* keyOf(uint16_t messageId) const;
-  bool isV2() const;
   // True if the frame that has begun lies inside another frame.
   bool isInside() const { return skip_ != 0 || boundary_ != 0; }
   // Counts a byte that belongs to no frame.

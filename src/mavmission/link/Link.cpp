@@ -19,12 +19,16 @@ uint8_t Link::systemId() const { return state_.ownSystemId != 0 ? state_.ownSyst
 
 uint8_t Link::componentId() const { return state_.ownComponentId; }
 
-uint8_t Link::version() const {
+bool Link::speaksV1() const {
 #if MAVMISSION_SIGNING
-  if (signing_.isOn()) return 2;
+  if (signing_.isOn()) return false;
 #endif
-  if (state_.speak != static_cast<uint8_t>(MavlinkVersion::AsAutopilot)) return state_.speak;
-  return finder_.heartbeat().version == 1 ? 1 : 2;
+  return state_.speaksV1;
+}
+
+void Link::setMavlinkVersion(MavlinkVersion speak) {
+  state_.isVersionSet = speak != MavlinkVersion::AsAutopilot;
+  state_.speaksV1 = state_.isVersionSet ? speak == MavlinkVersion::Version1 : state_.hearsV1;
 }
 
 bool Link::maySpeak() const {
@@ -45,8 +49,8 @@ bool Link::takeHeartbeat(uint16_t nowMs) {
                     offsetof(Heartbeat, autopilot) == offsetof(mavlink_heartbeat_t, autopilot) &&
                     offsetof(Heartbeat, baseMode) == offsetof(mavlink_heartbeat_t, base_mode) &&
                     offsetof(Heartbeat, state) == offsetof(mavlink_heartbeat_t, system_status) &&
-                    offsetof(Heartbeat, version) == offsetof(mavlink_heartbeat_t, mavlink_version),
-                "Heartbeat begins with the message");
+                    offsetof(Heartbeat, systemId) == offsetof(mavlink_heartbeat_t, mavlink_version),
+                "Heartbeat begins with the message, without mavlink_version, which is a constant");
   const FrameParser& given = frame();
   const uint8_t systemId = given.systemId();
   const uint8_t componentId = given.componentId();
@@ -54,10 +58,12 @@ bool Link::takeHeartbeat(uint16_t nowMs) {
   const uint8_t vehicleType = static_cast<uint8_t>(typeAndAutopilot);
   const uint8_t autopilot = static_cast<uint8_t>(typeAndAutopilot >> 8);
   if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return false;
-  outbox_.drop();
+  if (isPrepared()) outbox_.drop();
   Heartbeat& heartbeat = finder_.toFill();
-  given.copyPayload(&heartbeat, sizeof(mavlink_heartbeat_t));
-  heartbeat.version = given.version();
+  given.copyPayload(&heartbeat, offsetof(mavlink_heartbeat_t, mavlink_version));
+  const bool isV1 = !given.isV2();
+  state_.hearsV1 = isV1;
+  if (!state_.isVersionSet) state_.speaksV1 = isV1;
   heartbeat.systemId = systemId;
   heartbeat.componentId = componentId;
   return true;
@@ -151,16 +157,16 @@ void Link::pack(uint8_t* payload, const MessageKey* key) {
     payload[target] = finder_.heartbeat().systemId;
     payload[target + 1] = finder_.heartbeat().componentId;
   }
-  outbox_.begin(version(), state_.sequence, systemId(), componentId());
+  outbox_.begin(speaksV1(), state_.sequence, systemId(), componentId());
   outbox_.complete(key, payload);
 }
 
 bool Link::sendForeign(const OutgoingMessage& message) {
-  const bool isV1 = version() == 1;
+  const bool isV1 = speaksV1();
   if (!canSend() || !maySpeak() || (isV1 && (message.id > 0xFF || message.lengthV1 == 0))) {
     return false;
   }
-  outbox_.begin(version(), state_.sequence, systemId(), componentId());
+  outbox_.begin(speaksV1(), state_.sequence, systemId(), componentId());
   outbox_.completeForeign(message);
   release();
   return true;

@@ -30,7 +30,7 @@ class Link : public LinkRules {
 
   // Sets our own ids. 0, 0 is the default: the autopilot's system id, and kComponentId.
   void setSourceIds(uint8_t systemId, uint8_t componentId);
-  void setMavlinkVersion(MavlinkVersion speak) { state_.speak = static_cast<uint8_t>(speak); }
+  void setMavlinkVersion(MavlinkVersion speak);
 
   // Reads on to the autopilot's next frame that is addressed to us; false when no more bytes have come or the budget is
   // used up.
@@ -116,8 +116,8 @@ class Link : public LinkRules {
   uint8_t systemId() const;
   uint8_t componentId() const;
   uint8_t ownSystemId() const { return state_.ownSystemId; }  // as the sketch has set it
-  // The MAVLink version in which we send now: 1 or 2.
-  uint8_t version() const;
+  // True if we send in MAVLink 1 now, else in MAVLink 2.
+  bool speaksV1() const;
   LinkCounters counters() const;
 
  private:
@@ -148,9 +148,11 @@ class Link : public LinkRules {
     uint8_t heardSequence;
     uint8_t ownSystemId;
     uint8_t ownComponentId;
-    uint8_t speak : 2;  // MavlinkVersion
+    bool isVersionSet : 1;  // by the sketch
+    bool speaksV1 : 1;
     bool heartbeatSent : 1;
     bool sequenceKnown : 1;
+    bool hearsV1 : 1;  // the autopilot's last heartbeat was a MAVLink 1 frame
   };
 
   // What is asked for in every update() lies first, where avr-gcc reaches it cheaply, also as a part of Client.

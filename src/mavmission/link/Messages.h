@@ -37,13 +37,19 @@ namespace detail {
 // The same for a message without one, or for a listener that takes it whomever it is for.
 #define MAVMISSION_LISTENER_KEY(NAME) MAVMISSION_MESSAGE_KEY(NAME, MessageKey::kNoTarget)
 
-// The indices of their keys in kKeys, in this order.
+// The places of their keys in kKeys. That of a received message is its id modulo 16, so that wantedKey() finds it at
+// once; the sent ones take the places between, none of them its own. 14 is free.
+constexpr uint8_t kKeyPlaces = 16;
 enum class KeyIndex : uint8_t {
-#define MAVMISSION_NAME(NAME, type, target) NAME,
-  MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_NAME) kReceived,
-  kBehindReceived = kReceived - 1,
-  MAVMISSION_SENT_MESSAGES(MAVMISSION_NAME)
-#undef MAVMISSION_NAME
+  MISSION_REQUEST_LIST = 1,
+  MISSION_CLEAR_ALL = 2,
+  MISSION_SET_CURRENT = 4,
+  COMMAND_LONG = 5,
+  COMMAND_INT = 6,
+  MISSION_WRITE_PARTIAL_LIST = 11,
+#define MAVMISSION_PLACE(NAME, type, target) NAME = MAVLINK_MSG_ID_##NAME % kKeyPlaces,
+  MAVMISSION_RECEIVED_MESSAGES(MAVMISSION_PLACE)
+#undef MAVMISSION_PLACE
 };
 extern const MessageKey kKeys[];
 

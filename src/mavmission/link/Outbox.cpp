@@ -10,9 +10,9 @@
 namespace mavmission {
 namespace detail {
 
-void Outbox::begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
+void Outbox::begin(bool isV1, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
   uint8_t* out = frame_;
-  if (version == 1) {
+  if (isV1) {
     *out++ = MAVLINK_STX_MAVLINK1;
   } else {
     *out++ = MAVLINK_STX;
@@ -43,7 +43,7 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
     *out++ = 0;
   }
   frame_[1] = length;
-  for (; length != 0; --length) *out++ = *payload++;
+  for (const uint8_t* const end = payload + length; payload != end;) *out++ = *payload++;
   *out = fromFlash(&key->crcExtra);  // the last byte that the checksum covers; the checksum then overwrites it
   const uint16_t crc = checksum(kChecksumStart, frame_ + 1, static_cast<uint8_t>(out - frame_));
   *out++ = static_cast<uint8_t>(crc);
@@ -51,7 +51,7 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
   length_ = static_cast<uint16_t>(out - frame_);
   writeForeign_ = nullptr;
   sent_ = length_;
-  held_ = true;
+  fill_ = kHeld;
 }
 
 void Outbox::flush(Stream& stream, uint16_t nowMs, uint8_t most) {

@@ -30,8 +30,8 @@ class Outbox {
   // True when no frame is being sent, so that a new one may be begun.
   bool isEmpty() const { return sent_ == length_; }
 
-  // Begins a frame. To be called only when isEmpty(). `version`: MAVLink 1 or 2.
-  void begin(uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId);
+  // Begins a frame. To be called only when isEmpty(). `isV1`: in MAVLink 1, else in 2.
+  void begin(bool isV1, uint8_t sequence, uint8_t systemId, uint8_t componentId);
   // Completes the frame with a message: its key, in flash, and a payload of key->length bytes. The frame is then held.
   void complete(const MessageKey* key, const uint8_t* payload);
 
@@ -67,16 +67,16 @@ class Outbox {
   void completeStreamed(const MessageKey* key, uint8_t length, NextPiece next, void* context);
 
   // A held frame is complete and waits: it is sent after release(), or never if it is dropped or another one is begun.
-  bool isHeld() const { return held_; }
+  bool isHeld() const { return fill_ == kHeld; }
   void release(bool isFilled = false) {
-    held_ = false;
     sent_ = 0;
     fill_ = isFilled ? kFill : 0;
 #if MAVMISSION_SIGNING
     isUnsigned_ = signs_;
 #endif
   }
-  void drop() { held_ = false; }
+  // To be called only when isEmpty().
+  void drop() { fill_ = 0; }
 
   // For how long the line has been busy with what was handed to the stream last [ms]; 0 when it is idle.
   uint8_t busyMs(Stream& stream, uint16_t nowMs) const;
@@ -130,8 +130,8 @@ class Outbox {
   // a frame that lies in one piece.
   void (*writeForeign_)(Outbox& outbox, Stream& stream, uint16_t room);
   StreamRoom room_;
-  bool held_;
-  uint8_t fill_;  // zeros that are still to be written before the frame
+  static constexpr uint8_t kHeld = 255;
+  uint8_t fill_;  // zeros that are still to be written before the frame; kHeld: the frame waits for release()
   // What the stream takes when that is empty, as far as that was seen. (An AVR's ring has 63 bytes; where a sketch has
   // made it larger than 255, so many count as empty.)
 #ifdef __AVR__

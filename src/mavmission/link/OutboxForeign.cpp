@@ -34,7 +34,7 @@ void Outbox::completeForeign(const OutgoingMessage& message) {
   foreign_.body = body;
   foreign_.bodyLength = bodyLength;
   writeForeign_ = writeForeign;
-  held_ = true;
+  fill_ = kHeld;
 }
 
 // What lies before the payload, the payload, or what is behind it.

@@ -32,7 +32,7 @@ void Outbox::completeStreamed(const MessageKey* key, uint8_t length, NextPiece n
   length_ = kHeader + length + 2;
   writeForeign_ = writeStreamed;
   sent_ = length_;
-  held_ = true;
+  fill_ = kHeld;
 }
 
 void Outbox::writeStreamed(Outbox& outbox, Stream& stream, uint16_t room) {

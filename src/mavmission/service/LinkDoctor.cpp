@@ -82,7 +82,7 @@ constexpr uint8_t kBaudCount = sizeof(kBauds) / sizeof(kBauds[0]);
 FlashText toString(Verdict verdict) { return textAt(verdicts::kTexts, static_cast<uint8_t>(verdict)); }
 
 LinkDoctor::LinkDoctor(MissionClient& client)
-    : Listener(client, kKeys, static_cast<uint8_t>(KeyIndex::kReceived), take),
+    : Listener(client, kKeys, kKeyPlaces, take),
       baudIndex_(kOwnBaud),
       quiet_(false),
       askDue_(false),
@@ -161,6 +161,7 @@ void LinkDoctor::take(Listener& listener, const FrameParser& frame) {
   const uint16_t id = frame.messageId();
   if (id == MAVLINK_MSG_ID_HEARTBEAT) return self.takeHeartbeat(frame);
   if (!self.isFromAutopilot(frame) || id == MAVLINK_MSG_ID_MISSION_CURRENT) return;
+  if (wantedKey(id) == nullptr) return;  // a message that we send is no answer when it comes
   const Link& link = self.client_.link();
   if (!frame.isFor(link.systemId(), link.componentId())) return;
   // In MAVLink 1 an acknowledgement has no target.

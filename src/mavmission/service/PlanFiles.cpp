@@ -60,7 +60,7 @@ bool PlanFiles::isRunning() const { return operation_ != nullptr && client_.runs
 // True if the plan may be transferred by file. A piece of a file is as long as an item, and must fit into the parser.
 bool PlanFiles::isUsable() const {
   return FileFrame::kItem <= MAVMISSION_MAX_PAYLOAD && has(client_.autopilot().firmware(), kHasPlanFiles) &&
-         client_.link().version() == 2;
+         !client_.link().speaksV1();
 }
 
 // There is one file for the whole autopilot, and whoever has its session number writes into it. So the number is made

@@ -101,7 +101,7 @@ Status StandardModes::onEvent(CommandEvent event, Status status, uint16_t nowMs)
       if (isSetting() && wanted_ == StandardMode::NonStandard) return Status::NoSuchMode;
       before_ = client_.commands().shownMode();
       if (isSetting()) client_.commands().sending().guard();
-      return client_.link().version() == 1 ? Status::NeedsMavlink2 : status;
+      return client_.link().speaksV1() ? Status::NeedsMavlink2 : status;
     case CommandEvent::Accepted:
       if (!isSetting() || isAsking_) {
         isAnswered_ = true;

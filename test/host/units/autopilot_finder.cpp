@@ -18,7 +18,7 @@ struct Finder : AutopilotFinder {
 
 Heartbeat from(uint8_t systemId, uint8_t componentId, uint8_t autopilot = MAV_AUTOPILOT_PX4,
                uint8_t type = MAV_TYPE_QUADROTOR, uint8_t baseMode = 0) {
-  return Heartbeat{0, type, autopilot, baseMode, MAV_STATE_STANDBY, 2, systemId, componentId};
+  return Heartbeat{0, type, autopilot, baseMode, MAV_STATE_STANDBY, systemId, componentId};
 }
 
 }  // namespace

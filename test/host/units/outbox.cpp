@@ -20,7 +20,7 @@ template <typename T>
 Bytes sent(const T& message, uint8_t version, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
   EmptyOutbox outbox;
   MemoryStream stream;
-  outbox.begin(version, sequence, systemId, componentId);
+  outbox.begin(version == 1, sequence, systemId, componentId);
   outbox.complete(&kKeys[static_cast<uint8_t>(MessageOf<T>::kKey)], reinterpret_cast<const uint8_t*>(&message));
   outbox.release();
   outbox.flush(stream, 0, 255);
@@ -75,7 +75,7 @@ void compare(Encode<T> encode, const char* name) {
 Outbox& holding(EmptyOutbox& outbox) {
   mavlink_mission_count_t count = mavlink_mission_count_t();
   count.count = 3;
-  outbox.begin(2, 0, 1, 191);
+  outbox.begin(false, 0, 1, 191);
   outbox.complete(&kKeys[static_cast<uint8_t>(KeyIndex::MISSION_COUNT)], reinterpret_cast<const uint8_t*>(&count));
   outbox.release();
   return outbox;
@@ -118,7 +118,7 @@ TEST_CASE(
     MemoryStream stream;
     mavlink_mission_count_t count = mavlink_mission_count_t();
     count.count = 3;
-    outbox.begin(2, 0, 1, 191);
+    outbox.begin(false, 0, 1, 191);
     outbox.complete(&kKeys[static_cast<uint8_t>(KeyIndex::MISSION_COUNT)], reinterpret_cast<const uint8_t*>(&count));
     CHECK(outbox.isHeld());
     CHECK(outbox.isEmpty());
@@ -223,7 +223,7 @@ TEST_CASE("a frame on a line that loses goes out behind zeros, however little ro
     EmptyOutbox outbox;
     MemoryStream stream;
     stream.room = room;
-    outbox.begin(2, 7, 1, 191);
+    outbox.begin(false, 7, 1, 191);
     outbox.complete(&kKeys[static_cast<uint8_t>(MessageOf<mavlink_mission_count_t>::kKey)],
                     reinterpret_cast<const uint8_t*>(&message));
     outbox.release(true);
