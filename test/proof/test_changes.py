@@ -43,6 +43,72 @@ def test_new_result_code_is_a_line_and_a_number_in_one_file(tmp_path):
     assert new == "autopilot: not in flight"
 
 
+LISTENER = {
+    "AltitudeListener.h": """
+#pragma once
+
+#include "TelemetryListener.h"
+
+namespace mavmission {
+
+class AltitudeListener : public TelemetryListener {
+ public:
+  explicit AltitudeListener(MissionClient& client, uint16_t intervalMs = 1000);
+  int32_t aboveHomeCm() const;
+
+ private:
+  static bool decode(TelemetryListener& listener, const detail::FrameParser& frame);
+  int32_t aboveHome_ = 0;  // a float [m], as bits
+};
+
+}  // namespace mavmission
+""",
+    "service/AltitudeListener.cpp": """
+#include "../AltitudeListener.h"
+
+#include "../base/FloatBits.h"
+#include "TelemetryKeys.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+MAVMISSION_TELEMETRY_KEYS(ALTITUDE);
+
+}  // namespace
+
+AltitudeListener::AltitudeListener(MissionClient& client, uint16_t intervalMs)
+    : TelemetryListener(client, kListened, intervalMs, decode) {}
+
+bool AltitudeListener::decode(TelemetryListener& listener, const FrameParser& frame) {
+  const uint32_t bits = frame.payloadLong(offsetof(mavlink_altitude_t, altitude_relative));
+  static_cast<AltitudeListener&>(listener).aboveHome_ = static_cast<int32_t>(bits);
+  return true;
+}
+
+int32_t AltitudeListener::aboveHomeCm() const { return timesWhole(aboveHome_, 100); }
+
+}  // namespace mavmission
+""",
+}
+
+
+@pytest.mark.slow
+def test_new_listener_is_two_files_and_a_line(tmp_path):
+    library = tmp_path / "src"
+    shutil.copytree(LIBRARY, library)
+    for name, text in LISTENER.items():
+        (library / "mavmission" / name).write_text(text)
+    before = '#include "mavmission/AttitudeListener.h"\n'
+    replaced(library / "MavMission.h", before, '#include "mavmission/AltitudeListener.h"\n' + before)
+    program = tmp_path / "program"
+    sources = [PROGRAMS / "altitude.cpp", HOST / "Frames.cpp", SHIM / "Arduino.cpp", *library_sources(library)]
+    command = ["g++", *WORDS, f"-I{library}", f"-I{SHIM}", f"-I{HOST}"]
+    quick = with_mavlink(command, compiler_version("g++"))
+    subprocess.run([*command, *quick, *map(str, sources), "-o", str(program)], check=True)
+    assert subprocess.run([program], capture_output=True, text=True, check=True).stdout.split() == ["0", "1", "1234"]
+
+
 @pytest.mark.slow
 def test_program_for_linux_needs_the_shim_alone(tmp_path):
     program = tmp_path / "program"
