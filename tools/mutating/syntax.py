@@ -15,6 +15,8 @@ LANGUAGE = tree_sitter.Language(tree_sitter_cpp.language())
 ATTRIBUTES = re.compile(rb"\b(?:MAVMISSION_(?:APART|INLINE|ONE_EXIT)|PROGMEM)\b")
 # Tables by macro are nothing but texts. What is for the AVR alone is not compiled here.
 TEXT_TABLE = re.compile(rb"^MAVMISSION_TEXT_TABLE\(.*\)$", re.MULTILINE)
+# So are lists by macro, whose comments the grammar does not know.
+LIST = re.compile(rb"^#define .*\\\n(?:.*\\\n)*.*$", re.MULTILINE)
 FOR_AVR = re.compile(
     rb"^#ifdef __AVR__\n(?:(?!#(?:if|else|endif)).*\n)*(?:#else\n((?:(?!#(?:if|endif)).*\n)*))?#endif$", re.MULTILINE
 )
@@ -47,7 +49,9 @@ def without_avr(match: re.Match[bytes]) -> bytes:
 
 
 def parsed(text: bytes) -> Node:
-    plain = TEXT_TABLE.sub(lambda match: blanks(match[0]), ATTRIBUTES.sub(lambda match: blanks(match[0]), text))
+    plain = text
+    for macros in (ATTRIBUTES, TEXT_TABLE, LIST):
+        plain = macros.sub(lambda match: blanks(match[0]), plain)
     tree = tree_sitter.Parser(LANGUAGE).parse(FOR_AVR.sub(without_avr, plain))
     for node in walk(tree.root_node):
         # (An enum whose names come from a macro has nothing to be mutated.)

@@ -26,6 +26,7 @@ constexpr uint16_t kEkfUninitialised = 1024, kEkfGpsGlitching = 32768;
 
 constexpr uint32_t kEkfLimit = 0x3F4CCCCD;  // 0.8, as the bits of a float
 constexpr uint32_t kLimit = 0x3F800000;     // 1.0
+constexpr uint32_t kBeyond = 0x447A0000;    // 1000.0
 constexpr uint8_t kSensors = 4;             // velocity, place, height, compass
 
 FitReason reasonOf(bool isArduPilots, uint16_t flags, uint32_t worst) {
@@ -59,6 +60,8 @@ bool EstimatorListener::decode(TelemetryListener& listener, const FrameParser& f
 FitReason EstimatorListener::reason() const { return reasonAt(ageMs(), reason_); }
 
 uint16_t EstimatorListener::worstPercent() const {
+  // Beyond 65535 % in either case, and within the 31 bits that the product may have.
+  if (worst_ >= kBeyond) return 0xFFFF;
   const int32_t percent = timesWhole(static_cast<int32_t>(worst_), isArduPilots_ ? 125 : 100);
   return percent > 0xFFFF ? 0xFFFF : static_cast<uint16_t>(percent);
 }
