@@ -85,7 +85,7 @@ AROUND = (
     Subject("HomeListener", ("home_listener",)),
     Subject("HudListener", ("listener_values", "telemetry_listeners")),
     Subject("LinkDoctor", ("link_doctor",), is_open=True),
-    Subject("Listener", ("telemetry_listeners", "message_listener", "velocity_target"), is_open=True),
+    Subject("Listener", ("telemetry_listeners", "message_listener", "velocity_vehicles"), is_open=True),
     Subject(
         "MessageIntervals",
         ("message_intervals", "telemetry_listeners", "telemetry_requests", "telemetry_pause"),
@@ -107,7 +107,7 @@ AROUND = (
     Subject("TelemetryListener", ("telemetry_listeners", "telemetry_requests", "listener_values"), is_open=True),
     Subject("TelemetryPause", ("telemetry_pause",), is_open=True),
     Subject("TextListener", ("text_listener",)),
-    Subject("VelocityTarget", ("velocity_target",), is_open=True),
+    Subject("VelocityTarget", ("velocity_target", "velocity_vehicles"), is_open=True),
     Subject("VibrationListener", ("fitness_listeners", "vehicle_listeners", "listener_values")),
     Subject("WaypointListener", ("listener_values", "telemetry_listeners")),
     Subject("WindListener", ("vehicle_listeners", "listener_values", "telemetry_listeners")),

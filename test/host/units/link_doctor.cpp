@@ -227,7 +227,7 @@ TEST_CASE("an echo that has ended more than 3 s ago is none, while another board
   desk.pass(5000);
   desk.echoes = false;
   for (int second = 0; second < 8; ++second) {
-    desk.beat(1, 191, kNoAutopilot, kBoard, 0x4D4D0001);  // a doctor's, too, but its mark is another one
+    desk.beat(1, 191, kNoAutopilot, kBoard, 0x4D4D0000);  // a doctor's, too, but its mark is another one
     desk.pass(1000);
   }
   CHECK(desk.history == "4000 OnlyEcho, 8000 NoAutopilot");
@@ -265,6 +265,52 @@ TEST_CASE("frames that end while bytes still come are missed after 3 s; an end o
   both.pass(9100);
   CHECK(both.history == "4000 Quiet, 14000 NoBytes");
   CHECK(both.opened.empty());
+}
+
+TEST_CASE("bytes that end 2 s before the frames are missed are none of a wrong rate's, and 1 s less are") {
+  for (uint32_t garbageMs : {900u, 1900u, 2900u}) {
+    CAPTURE(garbageMs);
+    Well desk;
+    desk.pass(10000);
+    desk.beats = false;
+    desk.answers = 0;
+    desk.garbage = kText;
+    desk.pass(garbageMs);
+    desk.garbage.clear();
+    desk.pass(8000);
+    const char* const kHistories[] = {"4000 Quiet, 14000 NoBytes", "4000 Quiet, 13000 NoFrames, 15000 NoBytes",
+                                      "4000 Quiet, 13000 NoFrames, 16000 NoBytes"};
+    CHECK(desk.history == kHistories[garbageMs / 1000]);
+  }
+}
+
+TEST_CASE("frames of which each second one is lost are listened to for 4 s as well") {
+  Desk desk;
+  desk.garbage = kText;
+  desk.pass(10000);
+  desk.garbage.clear();
+  desk.answers = kAlways;
+  for (int i = 0; i < 4; ++i) {
+    desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
+    desk.pass(2000);
+  }
+  CHECK(desk.history == "3000 NoFrames, 11000 Listening, 15000 Quiet");
+}
+
+TEST_CASE("a fault is forgotten with the line on which it was") {
+  Well desk;
+  desk.pass(8500);
+  for (int i = 0; i < 3; ++i) desk.damaged();
+  desk.pass(3600);
+  desk.beats = false;
+  desk.answers = 0;
+  desk.pass(5900);
+  desk.beats = true;
+  desk.answers = kAlways;
+  desk.pass(2500);
+  desk.damaged();
+  desk.pass(6000);
+  CHECK(desk.history == "4000 Quiet, 12000 Damaged, 16000 NoBytes, 20000 Listening, 24000 Quiet");
 }
 
 // --- The rates
@@ -434,14 +480,61 @@ TEST_CASE("a sender without heartbeats is believed when eight of its frames come
 }
 
 TEST_CASE("frames of which a quarter does not end where it should are garbage") {
-  for (uint32_t cut : {1u, 2u, 3u}) {
+  const struct {
+    uint32_t whole, cut;
+    bool isBelieved;
+  } kCases[] = {{8, 1, true},   {8, 2, false}, {8, 3, false}, {12, 2, true},
+                {12, 3, false}, {16, 3, true}, {16, 4, false}};
+  for (const auto& one : kCases) {
     Desk desk;
     desk.pass(10);
-    for (uint32_t i = 0; i < cut; ++i) desk.broken();
-    desk.chatter(8, 42, 77);
-    desk.pass(3000);
-    CHECK(desk.isSpeaker(cut == 1 ? 42 : 0, cut == 1 ? 77 : 0, 0));
+    for (uint32_t i = 0; i < one.cut; ++i) desk.broken();
+    desk.chatter(one.whole, 42, 77);
+    desk.pass(2900 - 100 * one.cut);
+    CHECK(desk.isSpeaker(one.isBelieved ? 42 : 0, one.isBelieved ? 77 : 0, 0));
   }
+  // What was broken more than 4 s ago does not count.
+  Desk later;
+  for (int i = 0; i < 3; ++i) later.broken();
+  later.garbage = kText;
+  later.pass(3800);
+  later.garbage.clear();
+  later.chatter(8, 42, 77);
+  later.pass(1500);
+  CHECK(later.isSpeaker(42, 77, 0));
+}
+
+TEST_CASE("a sender without heartbeats is believed for as long as one with them") {
+  Desk desk;
+  desk.chatter(8, 42, 77);
+  desk.garbage = kText;
+  desk.pass(8000);
+  CHECK(desk.history == "3000 NoAutopilot, 6000 NoFrames");
+}
+
+TEST_CASE("a sender without heartbeats is told when autopilot and others have been silent for more than 5 s") {
+  for (bool isAutopilot : {true, false}) {
+    CAPTURE(isAutopilot);
+    Desk desk;
+    for (int tenths = 0; tenths < 148; ++tenths) {
+      if (tenths % 10 == 0 && tenths <= 90) {
+        isAutopilot ? desk.beat(1, 1, kAutopilot, kCopter) : desk.beat(255, 190, kNoAutopilot, kStation);
+      }
+      desk.chatter(1, 42, 77);
+      desk.pass(90);
+    }
+    CHECK(desk.isSpeaker(isAutopilot ? 0 : 255, isAutopilot ? 0 : 190, isAutopilot ? 0 : uint8_t{kStation}));
+    desk.chatter(1, 42, 77);
+    desk.pass(300);
+    CHECK(desk.isSpeaker(42, 77, 0));
+  }
+  // Our own frames that come back are nobody's.
+  Desk echo;
+  for (int tenths = 0; tenths < 60; ++tenths) {
+    echo.chatter(1, 1, 191);
+    echo.pass(90);
+  }
+  CHECK(echo.isSpeaker(0, 0, 0));
 }
 
 TEST_CASE("the last sender but the client's autopilot is told, and is no fault beside it") {
@@ -496,6 +589,19 @@ TEST_CASE("an autopilot that is not the one named is another one, and none when 
   }
   CHECK(desk.history == "4000 OtherAutopilot, 13000 NoAutopilot");
   CHECK(desk.isSpeaker(255, 190, kStation));
+}
+
+TEST_CASE("another autopilot than the one named counts as heard for 3 s") {
+  for (uint32_t heardMs : {900u, 1100u}) {
+    Desk desk;
+    desk.client.setTargetIds(9, 1);
+    for (uint32_t ms = 0; ms < 4500; ms += 100) {
+      if (ms % 1000 == 0) desk.beat(255, 190, kNoAutopilot, kStation);
+      if (ms == heardMs) desk.beat(1, 1, kAutopilot, kCopter);
+      desk.pass(100);
+    }
+    CHECK((desk.doctor.verdict() == (heardMs == 1100 ? Verdict::OtherAutopilot : Verdict::Listening)));
+  }
 }
 
 TEST_CASE("an autopilot with our own ids does not hear us") {

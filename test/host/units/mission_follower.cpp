@@ -344,6 +344,16 @@ TEST_CASE("PX4 names our plan, and another name is another plan's") {
   CHECK(desk.aboard() == "ours");
 }
 
+TEST_CASE("another name behind a report without one is another plan's at once") {
+  Desk desk;
+  desk.upload();
+  desk.current(0, 2, desk.ours);
+  desk.current(0, 2, 0);
+  CHECK(desk.aboard() == "ours");
+  desk.current(0, 2, kTheirs);
+  CHECK(desk.aboard() == "another");
+}
+
 TEST_CASE("an older name that comes up to three times behind the acceptance is no other plan") {
   for (int times : {1, 3, 4}) {
     CAPTURE(times);
@@ -384,6 +394,12 @@ TEST_CASE("the answer to another station's upload or download names the plan at 
     CHECK(desk.aboard() == "ours");
     isCount ? desk.count(desk.ours) : desk.ack(desk.ours);
     CHECK(desk.aboard() == "ours");
+    for (uint32_t name : {kTheirs, uint32_t{1}}) {
+      isCount ? desk.count(name) : desk.ack(name);
+      CHECK(desk.aboard() == "another");
+      isCount ? desk.count(desk.ours) : desk.ack(desk.ours);
+      CHECK(desk.aboard() == "ours");
+    }
     isCount ? desk.count(kTheirs) : desk.ack(kTheirs);
     CHECK(desk.aboard() == "another");
     isCount ? desk.count(desk.ours) : desk.ack(desk.ours);
@@ -421,6 +437,19 @@ TEST_CASE("a plan that PX4 accepts and then reports twice as no mission is not f
     desk.run(5);
     CHECK((desk.client.status() == Status::Infeasible) == !one.isFeasible);
   }
+  // An older name between is no report of ours, and an answer without a name says nothing about it.
+  Desk older;
+  older.upload();
+  older.current(0, 2, kTheirs);
+  older.current(0, 2, older.ours, kNoMission);
+  CHECK((older.client.status() != Status::Infeasible));
+  older.ack(0);
+  older.current(0, 2, older.ours, kNoMission);
+  CHECK((older.client.status() == Status::Infeasible));
+  Desk arduPilot(ClientOnLine::kArduPilot);
+  arduPilot.upload();
+  for (int i = 0; i < 3; ++i) arduPilot.current(1, 2, 0, kNoMission);
+  CHECK((arduPilot.client.status() != Status::Infeasible));
   // The name is another one's, or an answer has named the plan between the two.
   Desk other;
   other.upload();
@@ -492,6 +521,17 @@ TEST_CASE("ArduPilot's total is that of our plan, or it is another one when it s
     }
     CHECK(story == one.story);
   }
+}
+
+TEST_CASE("a total that comes before the state is known counts when it comes twice behind that") {
+  Desk desk(ClientOnLine::kArduPilot);
+  desk.upload();
+  desk.current(1, 2);
+  desk.current(1, 3, 0, 0);
+  desk.current(1, 3);
+  CHECK(desk.aboard() == "ours");
+  desk.current(1, 3);
+  CHECK(desk.aboard() == "another");
 }
 
 TEST_CASE("ArduPilot's words about an upload that is not ours tell of another plan") {

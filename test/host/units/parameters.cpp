@@ -366,3 +366,32 @@ TEST_CASE("an operation that takes too long ends as such") {
   desk.run(1600);
   CHECK((desk.ended == Status::TookTooLong));
 }
+
+TEST_CASE("another value counts when it was set twice, however long that takes") {
+  Desk desk;
+  desk.parameters.set(inFlash("NAME"), 500);
+  REQUIRE(desk.runUntilSent(kRead, 100));
+  CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(500)));
+  desk.line.room = 0;  // the second attempt cannot leave
+  desk.run(2500);
+  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
+  CHECK(desk.client.isBusy());
+  desk.line.room = MemoryStream::kAlwaysRoom;
+  REQUIRE(desk.runUntilSent(kSet, 100));
+  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
+  CHECK((desk.ended == Status::OtherValue));
+}
+
+TEST_CASE("the 2 s after which another value is believed count from the setting, and not from the reading") {
+  Desk desk;
+  desk.parameters.set(inFlash("NAME"), 500);
+  REQUIRE(desk.runUntilSent(kRead, 100));
+  desk.run(1200);
+  CHECK(desk.isSet(MAV_PARAM_TYPE_REAL32, bitsOf(500)));
+  REQUIRE(desk.runUntilSent(kSet, 1600));
+  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
+  CHECK(desk.client.isBusy());
+  desk.run(500);
+  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
+  CHECK((desk.ended == Status::OtherValue));
+}

@@ -23,7 +23,8 @@ struct Line : ClientOnLine {
   uint32_t fromMs = 0;   // since when
   uint8_t says = kNone;  // how each command is answered, `delayMs` behind it
   uint32_t delayMs = 10;
-  bool requests = false;  // the peer requests the items of an upload, one each second
+  bool requests = false;  // the peer requests the items of an upload, one after the other
+  uint32_t everyMs = 1000;
 
   explicit Line(uint8_t autopilot) : ClientOnLine(autopilot) {
     for (MissionItem& item : plan_) item = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
@@ -52,7 +53,7 @@ struct Line : ClientOnLine {
  protected:
   void turn() {
     if (dueMs_ != 0 && nowMs() == dueMs_) answer(says);
-    if (requests && nowMs() % 1000 == 500) hear(requestParts(item_++));
+    if (requests && nowMs() % everyMs == 500) hear(requestParts(item_++));
     const size_t before = sent.size();
     run(1);
     for (size_t i = before; i < sent.size(); ++i) note(sent[i]);
@@ -365,4 +366,70 @@ TEST_CASE("an answer to the client's own setMessageInterval() is not taken for o
   desk.pass(10000);
   CHECK(desk.asked == "30:100000 99:250000 30:100000/1 24:0 33:65535000");
   CHECK(desk.pause.isIdle());
+}
+
+TEST_CASE("a message whose second command was answered last is restored 1.5 s later: another answer may come") {
+  const PausableMessage kOne[] = {{30, 100}};
+  Desk desk(kOne);
+  desk.pass(2000);
+  REQUIRE(desk.asked == "30:100000 30:100000/1");
+  desk.answer(kAccepted);
+  desk.pass(1490);
+  CHECK_FALSE(desk.pause.isIdle());
+  desk.pass(20);
+  CHECK(desk.pause.isIdle());
+  desk.pass(5000);
+  CHECK(desk.pause.isIdle());
+  CHECK(desk.asked == "30:100000 30:100000/1");
+}
+
+TEST_CASE("what follows a command that nobody has answered counts its attempts anew") {
+  Quiet desk;
+  desk.says = kNone;
+  desk.beginUpload();
+  desk.pass(2000);
+  REQUIRE(desk.asked == "30:-1 30:-1/1");
+  desk.endUpload();
+  desk.pass(8000);
+  CHECK(desk.asked == "30:-1 30:-1/1 30:100000 30:100000/1 30:100000/2 30:100000/3 30:100000/4");
+}
+
+TEST_CASE("a command that was answered does not delay the client's own") {
+  Quiet desk;
+  desk.beginUpload();
+  desk.pass(3000);
+  desk.endUpload();
+  while (!desk.pause.isIdle()) desk.pass(1);
+  desk.forget();
+  desk.client.setMessageInterval(99, 250000);
+  desk.pass(20);
+  CHECK(desk.asked == "99:250000");
+}
+
+TEST_CASE("a command that nobody has answered delays no other listener's, when 16 bits of milliseconds have passed") {
+  struct Followed : Line {
+    TelemetryPause pause;
+    MissionFollower follower;
+    Followed() : Line(kArduPilot), pause(client, kThree), follower(client) {}
+    void pass(uint32_t ms, bool isFollowed) {
+      for (; ms != 0; --ms) {
+        if (isFollowed && nowMs() % 500 == 250) hear(FrameParts(MAVLINK_MSG_ID_MISSION_CURRENT, Bytes(6, 0), 28));
+        pause.update();
+        turn();
+      }
+    }
+  } desk;
+  desk.says = kAccepted;
+  desk.pass(3000, true);
+  desk.says = kNone;
+  desk.everyMs = 2000;
+  desk.beginUpload();
+  while (!desk.pause.isPaused()) desk.pass(1, true);
+  desk.forget();
+  desk.pass(61500, true);  // the last command has left 1.5 s before
+  desk.pass(1000 - desk.nowMs() % 1000, true);
+  desk.forget();
+  desk.pass(3500, false);
+  CHECK(desk.asked == "42:1000000");
+  CHECK(desk.times == "2002");
 }
