@@ -289,12 +289,11 @@ TEST_CASE("frames of which each second one is lost are listened to for 4 s as we
   desk.garbage = kText;
   desk.pass(10000);
   desk.garbage.clear();
-  desk.answers = kAlways;
   for (int i = 0; i < 4; ++i) {
     desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
     desk.pass(2000);
   }
-  CHECK(desk.history == "3000 NoFrames, 11000 Listening, 15000 Quiet");
+  CHECK(desk.history == "3000 NoFrames, 11000 Listening, 15000 NotHeard");
 }
 
 TEST_CASE("a fault is forgotten with the line on which it was") {

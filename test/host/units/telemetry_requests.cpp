@@ -152,3 +152,15 @@ TEST_CASE("of two autopilots neither is asked") {
   }
   CHECK(desk.requests(0).empty());
 }
+
+TEST_CASE("a message that no listener wants is none's") {
+  Desk desk(0);
+  WindListener wind(desk.client, 0);
+  desk.run(1500);
+  const uint16_t before = desk.client.counters().unknownMessages;
+  desk.hear(FrameParts(MAVLINK_MSG_ID_VFR_HUD, Bytes(20, 1), MAVLINK_MSG_ID_VFR_HUD_CRC));
+  desk.run(100);
+  CHECK(desk.client.counters().unknownMessages == before + 1);
+  CHECK_FALSE(desk.listener.isHeard());
+  CHECK_FALSE(wind.isHeard());
+}
