@@ -84,7 +84,7 @@ AROUND = (
     Subject("HealthListener", ("fitness_listeners", "vehicle_listeners", "listener_values")),
     Subject("HomeListener", ("home_listener",)),
     Subject("HudListener", ("listener_values", "telemetry_listeners")),
-    Subject("LinkDoctor", ("link_doctor",), is_open=True),
+    Subject("LinkDoctor", ("link_doctor",)),
     Subject("Listener", ("telemetry_listeners", "message_listener", "velocity_vehicles")),
     Subject(
         "MessageIntervals",

@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "ClientOnLine.h"
 #include "Px4Checksum.h"
@@ -30,7 +31,8 @@ struct Desk : ClientOnLine {
   MissionFollower follower;
   std::string currents, reacheds, texts;  // what the functions were called with
   const bool isPx4;
-  uint32_t ours = 0;  // PX4's name for our plan
+  uint32_t ours = 0;                              // PX4's name for our plan
+  std::vector<mavlink_mission_item_int_t> items;  // of it, as they were sent
 
   explicit Desk(uint8_t autopilot = kPx4) : ClientOnLine(autopilot), follower(client), isPx4(autopilot == kPx4) {
     follower.onCurrent(noteNumber, &currents);
@@ -105,6 +107,7 @@ struct Desk : ClientOnLine {
       REQUIRE(runUntilSent(kItemInt, 50));
       mavlink_mission_item_int_t sentItem;
       memcpy(&sentItem, sent.back().payload.data(), sizeof(sentItem));
+      items.push_back(sentItem);
       if (isPx4) ours = px4Checksum(item == 0 ? 0 : ours, sentItem);
     }
   }
@@ -116,6 +119,26 @@ struct Desk : ClientOnLine {
     run(1);
     REQUIRE((ended == Status::Accepted));
     REQUIRE(follower.isOurPlan());
+  }
+  // An ArduPilot has these items, and our client reads them.
+  void verify(const std::vector<mavlink_mission_item_int_t>& held) {
+    client.verify(inRam(kPlan));
+    REQUIRE(runUntilSent(kRequestList, 3000));
+    mavlink_mission_count_t message = mavlink_mission_count_t();
+    message.count = static_cast<uint16_t>(held.size());
+    message.target_system = 1;
+    message.target_component = 191;
+    tell(MAVLINK_MSG_ID_MISSION_COUNT, MAVLINK_MSG_ID_MISSION_COUNT_CRC, message);
+    while (client.isBusy() && runUntilSent(kRequestInt, 100)) {
+      mavlink_mission_item_int_t item = held.at(sent.back().payload[0]);
+      item.target_component = 191;
+      if (item.seq == 0) {  // home, which is the autopilot's own
+        item.command = MAV_CMD_NAV_WAYPOINT;
+        item.frame = MAV_FRAME_GLOBAL;
+      }
+      tell(MAVLINK_MSG_ID_MISSION_ITEM_INT, MAVLINK_MSG_ID_MISSION_ITEM_INT_CRC, item);
+    }
+    run(5);
   }
   std::string aboard() const {
     CHECK(follower.isOurPlan() == (client.aboard() == Aboard::OurPlan));
@@ -520,6 +543,20 @@ TEST_CASE("ArduPilot's total is that of our plan, or it is another one when it s
       story += desk.aboard() + " ";
     }
     CHECK(story == one.story);
+  }
+}
+
+TEST_CASE("a plan that was verified is another one at the first report of another total") {
+  Desk first(ClientOnLine::kArduPilot);
+  first.upload();
+  for (uint16_t total : {2, 3}) {
+    Desk desk(ClientOnLine::kArduPilot);
+    desk.run(3500);
+    desk.verify(first.items);
+    REQUIRE((desk.ended == Status::Verified));
+    REQUIRE(desk.aboard() == "ours");
+    desk.current(1, total);
+    CHECK(desk.aboard() == (total == 2 ? "ours" : "another"));
   }
 }
 
