@@ -12,6 +12,7 @@ struct SentFrame {
   uint32_t atMs;
   uint16_t messageId;
   Bytes payload;  // with what MAVLink 2 left out
+  Bytes frame;    // as it left
 };
 
 class ClientOnLine {
@@ -102,7 +103,10 @@ class ClientOnLine {
       const uint16_t id = static_cast<uint16_t>(isV2 ? unread_[7] | unread_[8] << 8 : unread_[5]);
       Bytes payload(unread_.begin() + static_cast<long>(header), unread_.begin() + static_cast<long>(length - 2));
       payload.resize(255);
-      if (!(saysVehicle && isForVehicle(id, payload))) sent.push_back({nowMs_, id, payload});
+      if (!(saysVehicle && isForVehicle(id, payload))) {
+        const Bytes frame(unread_.begin(), unread_.begin() + static_cast<long>(length));
+        sent.push_back({nowMs_, id, payload, frame});
+      }
       unread_.erase(unread_.begin(), unread_.begin() + static_cast<long>(length));
     }
   }

@@ -54,6 +54,11 @@ class Aircraft : public ClientOnLine {
     beats = false;
   }
 
+  virtual ~Aircraft() = default;
+
+  // What else loop() does, before the client's update().
+  virtual void loop() {}
+
   // On the ground, and found.
   Aircraft& stand(uint32_t inMode) {
     mode = inMode;
@@ -194,6 +199,7 @@ class Aircraft : public ClientOnLine {
       }
     }
     const size_t before = sent.size();
+    loop();
     run(1);
     for (size_t i = before; i < sent.size(); ++i) react(sent[i]);
   }

@@ -55,8 +55,6 @@ class CommandPort {
   bool isCommanding() const;
   // When the command leaves, and what is waited for.
   CommandTransfer& sending();
-  // True if the last answer was an acceptance.
-  bool wasAccepted() const;
   // To be called before anything is made of what is read, by whoever hears before the operation does.
   MAVMISSION_APART void lookAtClock(uint16_t nowMs);
 

@@ -116,10 +116,6 @@ bool CommandPort::isCommanding() const { return static_cast<const Client&>(*this
 
 CommandTransfer& CommandPort::sending() { return static_cast<Client&>(*this).commanding_.transfer; }
 
-bool CommandPort::wasAccepted() const {
-  return static_cast<const Client&>(*this).state_.lastResult == MAV_RESULT_ACCEPTED;
-}
-
 bool CommandPort::isSetting(uint16_t mode) const {
   const Client& client = static_cast<const Client&>(*this);
   const Client::Commanding& running = client.commanding_;

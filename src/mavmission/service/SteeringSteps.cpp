@@ -38,7 +38,10 @@ Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
         case SteerStep::Arm:
         case SteerStep::AskHome: return nextStep(nowMs);
         case SteerStep::Mode:
-        case SteerStep::GiveBack: client_.commands().sending().ask(); break;
+        case SteerStep::GiveBack:
+          isAnswered_ = true;
+          client_.commands().sending().ask();
+          break;
         case SteerStep::Command: return is(kAdjusts) ? done() : nextStep(nowMs);
         case SteerStep::Disarm: return refusal_;
         case SteerStep::AskPosition:
@@ -283,12 +286,11 @@ Status Steering::onSilent(Status silence) {
   if (step_ == SteerStep::GiveBack) return Status::Overruled;
   if (silence == Status::TookTooLong) return step_ == SteerStep::Disarm ? Status::Transferring : leave(silence);
   if (isDenied_) return refusal_;
-  const bool isAnswered = client_.commands().wasAccepted();
   switch (step_) {
     case SteerStep::Disarm: return refusal_;
     case SteerStep::AskPosition: return needsHome() ? Status::NoHome : silence;
     case SteerStep::Confirm: return leave(Status::Unconfirmed);
-    case SteerStep::Mode: return isAnswered ? Status::Unconfirmed : silence;
+    case SteerStep::Mode: return isAnswered_ ? Status::Unconfirmed : silence;
     default: return leave(silence);
   }
 }
