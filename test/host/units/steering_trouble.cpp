@@ -12,7 +12,7 @@ namespace {
 
 constexpr LatLon kPlace = {-35.3630000_deg, 149.1652374_deg};
 constexpr uint8_t kFirmwares[] = {ClientOnLine::kArduPilot, ClientOnLine::kPx4};
-constexpr char kArm[] = "L400 1 0 0 0 0 0 0", kDisarm[] = "L400 0 0 0 0 0 0 0";
+constexpr char kDisarm[] = "L400 0 0 0 0 0 0 0";
 
 // On the ground, in a mode from which a takeoff leads away.
 struct Standing : Aircraft {
