@@ -46,6 +46,9 @@ class ClientOnLine {
     line.bring(packed(parts));
   }
 
+  // So many frames of the peer's are lost.
+  void lose(uint8_t frames) { sequence_ = static_cast<uint8_t>(sequence_ + frames); }
+
   // An update() every `step` ms, of which `ms` is a multiple, and a heartbeat each second.
   void run(uint32_t ms, uint32_t step = 1) {
     for (uint32_t end = nowMs_ + ms; nowMs_ != end;) {

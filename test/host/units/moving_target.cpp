@@ -1,6 +1,7 @@
 // MovingTarget by a whole client: which targets are sent, when, and with what it ends.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <new>
 
@@ -80,6 +81,12 @@ struct Follower : Aircraft {
     }
     return found;
   }
+  // When loop() gave them [ms, since `from`], as they say themselves.
+  std::vector<uint32_t> given(uint32_t from) const {
+    std::vector<uint32_t> found;
+    for (const Message& message : messages()) found.push_back(message.time_boot_ms - from);
+    return found;
+  }
   // The last target as "latitude longitude altitude frame"; "" if none was sent.
   std::string last() const {
     const std::vector<Message> all = messages();
@@ -111,6 +118,7 @@ TEST_CASE("a copter that is followed gets its place five times a second, with ev
   CHECK(copter.asks == 2);
   CHECK(copter.messages().empty());
   CHECK((copter.target.status() == Status::Transferring));
+  CHECK((copter.target.update() == Status::Transferring));
   copter.sent.clear();
   const uint32_t beganMs = copter.nowMs();
   copter.pass(2000);
@@ -204,6 +212,7 @@ TEST_CASE("what is refused by goTo() is refused by start(), and told by update()
     copter.renews = false;
     copter.target.start(one.place, one.altitude);
     CHECK((copter.end(1000) == one.status));
+    CHECK((copter.target.status() == one.status));  // before update() has told it
     copter.pass(2);
     CHECK(copter.ended(one.status));
     CHECK(copter.said() == "");
@@ -426,8 +435,7 @@ TEST_CASE("an order that leads into another mode ends with that mode, and one th
   copter.steering.landNow();
   CHECK((copter.end() == Status::Done));
   copter.pass(10);
-  CHECK(copter.ends.size() == 1);
-  copter.ends.clear();
+  CHECK(copter.ended(Status::Cancelled));
   Follower refused(ClientOnLine::kArduPilot);
   refused.follow();
   refused.pass(1000);
@@ -441,23 +449,22 @@ TEST_CASE("an order that leads into another mode ends with that mode, and one th
   CHECK(refused.said() == "L176 1 9 0 0 0 0 0, I192 frame 6 -1 0 0 nan -353632621 1491652374 0");
 }
 
-TEST_CASE("loop() that has stood still sends nothing until a new heartbeat shows who has the aircraft") {
-  for (uint32_t stillMs : {590, 700}) {
+TEST_CASE("loop() that has stood still for 0.6 s sends nothing until a new heartbeat shows who has the aircraft") {
+  for (uint32_t stillMs : {599, 600}) {
     CAPTURE(stillMs);
     Follower copter(ClientOnLine::kArduPilot);
     copter.follow();
     copter.pass(1000);
-    copter.beatsBySecond = false;
-    copter.beatsWhenAsked = false;
-    copter.beat();
-    copter.pass(5);
-    copter.sent.clear();
+    copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+    copter.pass(10);
+    copter.beat();  // heard when loop() goes on
     copter.asks = 0;
-    copter.run(stillMs - 1, stillMs - 1);  // the client's update() stands still, too
+    copter.run(stillMs - 1, stillMs - 1);
     copter.target.renew(kPlace, 20_m);
+    copter.sent.clear();
     copter.pass(150);
-    CHECK(copter.messages().empty() == (stillMs >= 600));
-    CHECK(copter.asks >= (stillMs >= 600 ? 1 : 0));
+    CHECK(copter.messages().empty() == (stillMs == 600));
+    CHECK(copter.asks == (stillMs == 600 ? 2 : 0));
     if (stillMs < 600) continue;
     copter.pass(100);
     copter.beat();
@@ -468,24 +475,134 @@ TEST_CASE("loop() that has stood still sends nothing until a new heartbeat shows
 }
 
 TEST_CASE("what is read in the first 200 ms behind a standstill is older than that") {
+  for (uint32_t behindMs : {199, 200}) {
+    CAPTURE(behindMs);
+    Follower copter(ClientOnLine::kArduPilot);
+    copter.follow();
+    copter.pass(1000);
+    copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+    copter.run(700, 700);
+    const uint32_t blindMs = copter.nowMs();  // loop() looks at the clock
+    copter.target.renew(kPlace, 20_m);
+    copter.sent.clear();
+    copter.pass(behindMs - 1);
+    REQUIRE(copter.nowMs() == blindMs + behindMs - 1);
+    copter.beat();
+    copter.pass(4);
+    CHECK(copter.messages().empty() == (behindMs == 199));
+  }
+}
+
+TEST_CASE("a position from before a standstill is not known any more") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.inMission();
+  copter.homeMm = 20000;
+  copter.here = kPlace;
+  copter.steering.goTo(kPlace, 20_m);
+  REQUIRE((copter.end() == Status::Done));
+  copter.pass(600);
+  REQUIRE(copter.steering.hasArrived());
+  copter.hasPosition = false;
+  copter.run(700, 700);
+  copter.pass(1);
+  CHECK_FALSE(copter.steering.hasArrived());
+}
+
+TEST_CASE("a loop() that stood still until its target was old makes the aircraft hold when that is heard again") {
+  for (uint32_t stillMs : {1500, 7000}) {  // in the second, the autopilot counts as lost
+    CAPTURE(stillMs);
+    Follower copter(ClientOnLine::kArduPilot);
+    copter.follow();
+    copter.pass(1000);
+    copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = copter.renews = false;
+    copter.run(stillMs, stillMs);
+    CHECK((copter.target.renew(kPlace, 20_m) == Status::NotRenewed));
+    copter.said();
+    copter.pass(2000);
+    CHECK((copter.target.status() == Status::Transferring));
+    CHECK_FALSE(copter.target.isFollowed());
+    CHECK(copter.said() == "");
+    copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = true;
+    copter.pass(5000);
+    CHECK(copter.ended(Status::NotRenewed));
+    CHECK(copter.said().find("I192 frame 6 -1 0 0 nan -353632621 1491652374 0") != std::string::npos);
+  }
+  Follower lost(ClientOnLine::kArduPilot);
+  lost.follow();
+  lost.pass(1000);
+  lost.beatsBySecond = lost.beatsWhenAsked = lost.hasPosition = lost.renews = false;
+  lost.run(1500, 1500);
+  lost.pass(4990);
+  CHECK((lost.target.status() == Status::Transferring));
+  lost.pass(20);
+  CHECK(lost.ended(Status::NoAutopilot));
+}
+
+TEST_CASE("an autopilot that is silent while its target is renewed is lost after 5 s") {
   Follower copter(ClientOnLine::kArduPilot);
   copter.follow();
   copter.pass(1000);
-  copter.beatsBySecond = false;
-  copter.beatsWhenAsked = false;
-  copter.run(700, 700);
-  copter.target.renew(kPlace, 20_m);
+  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+  copter.pass(3500);
+  CHECK(copter.target.isFollowed());
+  copter.pass(2500);
+  CHECK(copter.ended(Status::NoAutopilot));
+}
+
+TEST_CASE("the last target leaves before 0.6 s of silence, and a heartbeat is asked for at 0.3 s and each 0.1 s") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.follow();
+  copter.pass(1000);
+  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+  const uint32_t dueMs = copter.given(0).back() + 400;  // a target is due in this loop()
+  for (; copter.nowMs() + 1 != dueMs;) copter.pass(1);
   copter.sent.clear();
-  copter.pass(1);
-  const uint32_t blindMs = copter.nowMs();
-  copter.pass(100);
   copter.beat();
-  copter.pass(95);
-  CHECK(copter.messages().empty());
-  copter.pass(blindMs + 200 - copter.nowMs());
-  copter.beat();
-  copter.pass(10);
-  CHECK_FALSE(copter.messages().empty());
+  copter.pass(1000);
+  CHECK(copter.given(dueMs).back() < 600);
+  std::vector<uint32_t> asked;
+  for (const SentFrame& frame : copter.sent) {
+    if (frame.messageId == 76) asked.push_back(frame.atMs - dueMs);
+  }
+  REQUIRE(asked.size() >= 4);
+  CHECK(asked[0] == 301);
+  CHECK(asked[3] - asked[2] == 100);
+}
+
+TEST_CASE("where nothing is followed, no heartbeat is asked for") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.inMission();
+  copter.beatsBySecond = false;
+  copter.pass(2000);
+  CHECK(copter.asks == 0);
+}
+
+TEST_CASE("a target that is half sent when it is no longer true is spoilt, and stays so") {
+  for (int what = 0; what < 4; ++what) {
+    CAPTURE(what);
+    Follower copter(ClientOnLine::kArduPilot);
+    copter.follow();
+    copter.pass(1000);
+    copter.hasPosition = false;
+    const uint32_t dueMs = copter.given(0).back() + 400;
+    for (; copter.nowMs() != dueMs;) copter.pass(1);
+    copter.line.room = 20;
+    copter.pass(3);
+    copter.sent.clear();
+    if (what == 0) copter.run(700, 700);
+    if (what == 1 || what == 3) {
+      copter.mode = kLoiter;
+      if (what == 3) copter.target.stop();
+      copter.beat();
+    }
+    if (what == 2) copter.target.stop();
+    copter.pass(3);
+    copter.line.room = MemoryStream::kAlwaysRoom;
+    copter.pass(20);
+    REQUIRE_FALSE(copter.timesOf(kTarget, 0).empty());
+    CHECK_FALSE(Follower::isTarget(*std::find_if(copter.sent.begin(), copter.sent.end(),
+                                                 [](const SentFrame& frame) { return frame.messageId == kTarget; })));
+  }
 }
 
 TEST_CASE("an autopilot that is silent is asked for a heartbeat, and gets no target after 0.6 s") {
@@ -572,7 +689,7 @@ TEST_CASE("a hold that is refused is told, and one that somebody else takes over
 
 TEST_CASE("a hold waits until the client is free, and the copter is told where to stay meanwhile") {
   Follower copter(ClientOnLine::kArduPilot);
-  copter.follow();
+  copter.follow(aboveSeaLevel(620_m));
   copter.pass(3000);
   copter.client.allowWhileArmed(true);
   static const MissionItem kPlan[] = {waypoint(1_deg, 2_deg, 3_m)};
@@ -591,6 +708,135 @@ TEST_CASE("a hold waits until the client is free, and the copter is told where t
   CHECK((copter.end() == Status::Done));
   copter.pass(3);
   CHECK(copter.ended(Status::Done));
+}
+
+TEST_CASE("an end that was not told yet is not that of the next start()") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.inMission();
+  copter.renews = false;
+  copter.target.start({0_deg, 0_deg}, 20_m);
+  REQUIRE((copter.end(1000) == Status::NeedsCoordinates));
+  copter.renews = true;
+  copter.target.start(kPlace, 20_m);
+  copter.pass(10);
+  CHECK(copter.ends.empty());
+  CHECK((copter.end() == Status::Done));
+}
+
+TEST_CASE("a start() that was cancelled for another operation is cancelled") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.inMission();
+  copter.target.start(kPlace, 20_m);
+  REQUIRE(copter.passUntil(511));
+  copter.client.cancel();
+  copter.steering.setSpeed(5_mps);
+  copter.pass(2);
+  CHECK(copter.ended(Status::Cancelled));
+}
+
+TEST_CASE("a vehicle that does not say what it is is not followed") {
+  Follower rover(ClientOnLine::kArduPilot, 10);
+  rover.saysVehicle = false;
+  rover.gives[3000] = kUnheard;
+  rover.inMission();
+  rover.target.start(kPlace, 20_m);
+  CHECK((rover.end(20000) == Status::NoAnswer));
+  CHECK((rover.target.status() == Status::NoAnswer));
+}
+
+TEST_CASE("a mode that start() has undone is set again") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.inMission();
+  copter.target.start(kPlace, 20_m);
+  copter.gives[176] = kUnheard;
+  REQUIRE(copter.passUntil(176));
+  copter.show(kLoiter);
+  copter.pass(5);
+  copter.said();
+  copter.show(kGuided);
+  CHECK(copter.passUntil(176, 50));
+  CHECK(copter.said() == "L176 1 5 0 0 0 0 0");
+  copter.show(kLoiter);
+  copter.show(kLoiter);
+  copter.pass(500);
+  CHECK(copter.ended(Status::PilotHasIt));
+}
+
+TEST_CASE("an aircraft that is followed in the mode in which it was sent to a place has no place any more") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.inMission();
+  copter.homeMm = 20000;
+  copter.here = kPlace;
+  copter.steering.goTo(kPlace, 20_m);
+  REQUIRE((copter.end() == Status::Done));
+  copter.pass(600);
+  REQUIRE(copter.steering.hasArrived());
+  copter.said();
+  copter.target.start(kPlace, 20_m);
+  REQUIRE((copter.end() == Status::Done));
+  CHECK(copter.said() == "");
+  CHECK_FALSE(copter.steering.hasArrived());
+  copter.target.stop();
+  copter.pass(1000);
+  CHECK(copter.ended(Status::Done));
+  CHECK(copter.said() == "I192 frame 6 -1 0 0 nan -353630000 1491652374 20");
+}
+
+TEST_CASE("PX4's mode is ordered again when it is not answered, and its targets then name where it is") {
+  Follower px4(ClientOnLine::kPx4);
+  px4.inMission();
+  px4.altitude = aboveSeaLevel(620_m);
+  px4.gives[176] = kUnheard;
+  px4.target.start(kPlace, aboveSeaLevel(620_m));
+  REQUIRE(px4.passUntil(176));
+  REQUIRE(px4.passUntil(176, 1700));
+  px4.renews = false;
+  px4.pass(800);
+  CHECK(px4.last() == "-353630000 1491652374 620 5");
+  px4.pass(450);
+  CHECK(px4.last() == "-353632621 1491652374 584 5");
+}
+
+TEST_CASE("PX4 that the sketch lands gets targets until its mode has changed") {
+  Follower px4(ClientOnLine::kPx4);
+  px4.follow(aboveSeaLevel(620_m));
+  px4.pass(3000);
+  px4.gives[176] = kUnheard;
+  px4.steering.landNow();
+  px4.pass(1000);
+  px4.sent.clear();
+  px4.pass(1000);
+  CHECK(px4.messages().size() == 5);
+  CHECK(px4.last() == "-353632621 1491652374 584 5");
+}
+
+TEST_CASE("a hold that does not know where the aircraft is aims when that is told") {
+  Follower px4(ClientOnLine::kPx4);
+  px4.follow(aboveSeaLevel(620_m));
+  px4.pass(1000);
+  px4.hasPosition = false;
+  px4.pass(5000);
+  px4.gives[512] = kUnheard;
+  px4.target.stop();
+  px4.pass(100);
+  px4.sent.clear();
+  px4.pass(500);
+  CHECK(px4.messages().empty());
+  px4.here = kOther;
+  px4.tellPosition();
+  px4.pass(300);
+  CHECK(px4.last() == "-353620000 1491650000 584 5");
+}
+
+TEST_CASE("what loop() hears last decides: a stop() behind a pilot's heartbeat is the pilot's") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.follow();
+  copter.pass(1000);
+  copter.mode = kLoiter;
+  copter.beat();
+  copter.run(3);
+  copter.target.stop();
+  CHECK((copter.target.update() == Status::PilotHasIt));
 }
 
 TEST_CASE("it may begin again when it has ended") {

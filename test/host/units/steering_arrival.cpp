@@ -213,6 +213,11 @@ TEST_CASE("an order that leads elsewhere takes the target away when it has been 
     sent.isThere(kLatitude, kLongitude);
     CHECK_FALSE(sent.steering.hasArrived());
   }
+  Sent sea(aboveSeaLevel(604_m));
+  REQUIRE(sea.isThere(kLatitude, kLongitude));
+  sea.steering.returnHome();
+  REQUIRE((sea.end() == Status::Done));
+  CHECK_FALSE(sea.isThere(kLatitude, kLongitude));
   // One that is refused before it was sent does not.
   Sent sent(20_m);
   REQUIRE(sent.isThere(kLatitude, kLongitude));
@@ -374,6 +379,10 @@ TEST_CASE("a Steering in memory that was used before begins like any other") {
     copter.tellPosition();
     copter.pass(5);
     CHECK_FALSE(copter.steering.hasArrived());  // nobody has sent it anywhere
+    copter.here = at(0, 0);
+    copter.tellPosition();
+    copter.pass(5);
+    CHECK_FALSE(copter.steering.hasArrived());
     copter.pass(5000);
     copter.said();
     copter.steering.goTo(kPlace, 20_m);
@@ -384,7 +393,8 @@ TEST_CASE("a Steering in memory that was used before begins like any other") {
 }
 
 TEST_CASE("an aircraft whose position was never told is asked for it") {
-  Aircraft copter(ClientOnLine::kArduPilot);
+  alignas(16) static uint8_t memory[sizeof(Aircraft)];  // all 0
+  Aircraft& copter = *new (memory) Aircraft(ClientOnLine::kArduPilot);
   copter.beatsBySecond = false;
   copter.isArmed = false;
   copter.show(kAuto);
@@ -394,6 +404,20 @@ TEST_CASE("an aircraft whose position was never told is asked for it") {
   copter.show(kAuto);
   copter.steering.goTo(kPlace, 20_m);
   CHECK(copter.passUntil(511, 100));
+  copter.~Aircraft();
+}
+
+TEST_CASE("a takeoff after a place has arrived at its height wherever that is") {
+  Sent sent(20_m);
+  sent.steering.landNow();
+  REQUIRE((sent.end() == Status::Done));
+  sent.isArmed = false;
+  sent.state = kStandby;
+  sent.pass(1000);
+  sent.hasPosition = true;
+  sent.steering.takeOff(20_m);
+  REQUIRE((sent.end() == Status::Done));
+  CHECK(sent.isThere(500000, 600000));
 }
 
 TEST_CASE("messages of other systems and other components are not the aircraft's") {
