@@ -24,6 +24,7 @@ class FilePilot : public ClientOnLine {
   uint16_t lostItem = 0xFFFF;  // of a burst, this one is lost
   uint32_t delayMs = 5;
   uint32_t stored = 0;  // how often a plan has been stored
+  Bytes header;         // of the file that was stored last
 
   // The last request.
   uint16_t sequence = 0;
@@ -240,6 +241,7 @@ class FilePilot : public ClientOnLine {
       aboard.push_back(Bytes(written_.begin() + static_cast<long>(at), written_.begin() + static_cast<long>(at) + 38));
     }
     if (type == 0 && !aboard.empty()) aboard[0] = home();  // its own, whatever is given
+    header.assign(written_.begin(), written_.begin() + 10);
     ++stored;
     written_.clear();
   }

@@ -71,6 +71,7 @@ TEST_CASE("a plan is written as a file, its header last, and read back") {
   CHECK(pilot.client.itemsTotal() == 4);
   CHECK(pilot.client.itemsDone() == 4);
   CHECK(pilot.stored == 1);
+  CHECK(pilot.header == Bytes{0x3D, 0x76, 0, 0, 0, 0, 0, 0, 5, 0});
   REQUIRE(pilot.plans[0].size() == 5);
   for (uint16_t i = 1; i < 5; ++i) {
     const mavlink_mission_item_int_t item = pilot.itemAboard(i);
@@ -87,6 +88,42 @@ TEST_CASE("a plan is written as a file, its header last, and read back") {
   }
   pilot.pass(5000);
   CHECK(pilot.said() == "");
+}
+
+TEST_CASE("no frame ends with a zero that MAVLink 2 leaves out") {
+  // The last item ends with a mission_type of 0, an autocontinue of 1.
+  constexpr MissionItem kEnds[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m), returnToLaunch()};
+  for (size_t number = 1; number <= 3; ++number) {
+    Pilot pilot;
+    pilot.sent.clear();
+    pilot.files.upload(inRam(kEnds, static_cast<uint32_t>(number)));
+    CHECK((pilot.end() == Status::Accepted));
+    size_t frames = 0;
+    for (const SentFrame& frame : pilot.sent) {
+      if (frame.messageId != 110) continue;
+      ++frames;
+      CHECK(frame.frame[9 + frame.frame[1]] != 0);
+    }
+    CHECK(frames == 8);
+    CHECK(pilot.itemAboard(number).autocontinue == 1);
+  }
+}
+
+TEST_CASE("the items that are written are told one write after the other, the last one when the plan is proven") {
+  static MissionItem many[20];
+  for (int i = 0; i < 20; ++i) many[i] = waypoint(Degrees::fromE7(100000 + i), Degrees::fromE7(200000 + i), 20_m);
+  Pilot pilot;
+  pilot.delayMs = 60;  // one write at a time
+  pilot.files.upload(inRam(many));
+  std::string done;
+  uint16_t last = 0;
+  for (int ms = 0; ms < 5000 && pilot.client.isBusy(); ++ms) {
+    pilot.pass(1);
+    if (pilot.client.itemsDone() != last) done += std::to_string(last = pilot.client.itemsDone()) + " ";
+  }
+  CHECK(done == "4 10 16 19 20 ");
+  CHECK((pilot.ended == Status::Accepted));
+  CHECK(pilot.client.itemsDone() == 20);
 }
 
 TEST_CASE("each request has a number of its own, and a repeat that of the request") {
@@ -516,6 +553,30 @@ TEST_CASE("a file that an operation has left open is closed with a heartbeat, un
   pilot.pass(3000);
   CHECK(pilot.said() == "close");
   CHECK(pilot.stored == 0);
+}
+
+TEST_CASE("a file that was left open by an operation whose autopilot was armed meanwhile is closed all the same") {
+  Pilot pilot;
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE(pilot.passUntil("write 10"));
+  pilot.client.cancel();
+  pilot.baseMode = 128 | 1;
+  pilot.pass(100);
+  pilot.said();
+  pilot.pass(3000);
+  CHECK(pilot.said() == "close");
+}
+
+TEST_CASE("an opening that is not answered may have been carried out: it is closed, five times at most") {
+  Pilot pilot;
+  pilot.gives[FilePilot::kCreate] = FilePilot::kUnheard;
+  pilot.gives[FilePilot::kTerminate] = FilePilot::kUnheard;
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE(pilot.passUntil("create"));
+  pilot.client.cancel();
+  pilot.said();
+  pilot.pass(12000);
+  CHECK(pilot.said() == "close, close, close, close, close");
 }
 
 TEST_CASE("a plan that was complete in its file when its upload was cancelled is not stored by the closing") {
