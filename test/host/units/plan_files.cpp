@@ -699,7 +699,7 @@ TEST_CASE("a piece that is no item, or none of the file, is not taken") {
   pilot.files.verify(inRam(kPlan));
   REQUIRE(pilot.passUntil("burst"));
   const uint16_t number = static_cast<uint16_t>(pilot.sequence + 1);
-  const Bytes& first = pilot.plans[0][0];
+  const Bytes& first = pilot.plans[0][1];  // would be another item
   pilot.reply(number, pilot.session, 128, FilePilot::kBurst, 11, first);
   pilot.reply(number, pilot.session, 128, FilePilot::kBurst, 10 + 38 * 65536u, first);
   pilot.reply(number, pilot.session, 128, FilePilot::kBurst, 10, Bytes(first.begin(), first.begin() + 37));
@@ -710,4 +710,109 @@ TEST_CASE("a piece that is no item, or none of the file, is not taken") {
                 pilot.plans[0][i]);
   }
   CHECK((pilot.end(200) == Status::Verified));
+}
+
+namespace {
+
+// What the mission protocol asks for first when it has been told how many items there are.
+int firstAsked(Pilot& pilot, uint16_t count) {
+  pilot.sent.clear();
+  if (!pilot.goesByItems(kRequestList)) return -1;
+  pilot.hear(FrameParts(44, {static_cast<uint8_t>(count), 0, 1, 191, 0}, 221));
+  for (int ms = 0; ms < 200; ++ms) {
+    pilot.pass(1);
+    for (const SentFrame& frame : pilot.sent) {
+      const bool isRequest = frame.messageId == 40 || frame.messageId == 51;
+      if (isRequest) return frame.payload[0] | frame.payload[1] << 8;
+    }
+  }
+  return -2;
+}
+
+}  // namespace
+
+TEST_CASE("where the file is lost in the middle, a download goes on by items, and a comparison begins anew") {
+  for (bool isCompared : {false, true}) {
+    Pilot pilot;
+    pilot.hold(pilot.items(kPlan, 4));
+    pilot.gives[FilePilot::kBurst] = FilePilot::kUnheard;
+    Sink sink;
+    if (isCompared) {
+      pilot.files.verify(inRam(kPlan));
+    } else {
+      pilot.files.download(toFunction(Sink::write, &sink));
+    }
+    REQUIRE(pilot.passUntil("burst"));
+    for (uint16_t i = 0; i < 3; ++i) {
+      pilot.reply(static_cast<uint16_t>(pilot.sequence + 1 + i), pilot.session, 128, FilePilot::kBurst, 10u + 38u * i,
+                  pilot.plans[0][i]);
+      pilot.pass(5);
+    }
+    pilot.refuse(static_cast<uint16_t>(pilot.sequence + 4), FilePilot::kBurst, FilePilot::kInvalidSession);
+    CHECK(firstAsked(pilot, 5) == (isCompared ? 0 : 3));
+  }
+}
+
+TEST_CASE("an autopilot without files is asked for all items, and so is one that does not answer twelve times") {
+  Pilot px4(ClientOnLine::kPx4);
+  Sink sink;
+  px4.files.download(toFunction(Sink::write, &sink));
+  CHECK(firstAsked(px4, 4) == 0);
+  Pilot silent;
+  silent.gives[FilePilot::kOpen] = FilePilot::kUnheard;
+  silent.files.download(toFunction(Sink::write, &sink));
+  CHECK(firstAsked(silent, 5) == 0);
+  CHECK_FALSE(silent.files.isByFile());
+}
+
+TEST_CASE("a late refusal of an opening whose repeat was taken, and one of the closing, change nothing") {
+  Pilot pilot;
+  pilot.hold(pilot.items(kPlan, 4));
+  pilot.once[FilePilot::kOpen] = FilePilot::kUnheard;
+  pilot.gives[FilePilot::kTerminate] = FilePilot::kFail;
+  pilot.gives[FilePilot::kBurst] = FilePilot::kUnheard;
+  pilot.files.verify(inRam(kPlan));
+  REQUIRE(pilot.passUntil("burst"));
+  pilot.refuse(static_cast<uint16_t>(pilot.sequence - 1), FilePilot::kOpen, FilePilot::kFail);
+  pilot.pass(20);
+  CHECK(pilot.files.isByFile());
+  pilot.gives[FilePilot::kBurst] = 0;
+  CHECK((pilot.end() == Status::Verified));
+  CHECK(pilot.files.isByFile());
+}
+
+TEST_CASE("what an item has of its own in a file is given, and whether it is the current one is not") {
+  Pilot pilot;
+  MissionItem item = kPlan[1];
+  item.current = 1;
+  item.autocontinue = 0;
+  pilot.hold(pilot.items(kPlan, 4));
+  pilot.plans[0][2] = pilot.bytesOf(item, 2);
+  Sink sink;
+  pilot.files.download(toFunction(Sink::write, &sink));
+  REQUIRE((pilot.end() == Status::Downloaded));
+  CHECK(sink.items[2].current == 0);
+  CHECK(sink.items[2].autocontinue == 0);
+  CHECK(uint16_t{sink.items[2].command} == 16);
+}
+
+TEST_CASE("a download leaves what is known of the plan aboard as it was") {
+  Pilot pilot;
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE((pilot.end() == Status::Accepted));
+  Sink sink;
+  pilot.files.download(toFunction(Sink::write, &sink));
+  REQUIRE((pilot.end() == Status::Downloaded));
+  CHECK((pilot.client.aboard() == Aboard::OurPlan));
+}
+
+TEST_CASE("a reading that has taken too long ends when its file is closed") {
+  Pilot pilot;
+  pilot.hold(pilot.items(kPlan, 4));
+  pilot.client.setOperationTimeout(1);
+  pilot.gives[FilePilot::kBurst] = FilePilot::kUnheard;
+  pilot.files.verify(inRam(kPlan));
+  REQUIRE(pilot.passUntil("close"));
+  CHECK((pilot.end() == Status::TookTooLong));
+  CHECK(pilot.tookMs < 20);
 }
