@@ -874,3 +874,44 @@ TEST_CASE("a MovingTarget in memory that was used before begins like any other")
     copter.~Follower();
   }
 }
+
+TEST_CASE("PX4's second of targets begins anew behind a gap of 0.6 s") {
+  Follower px4(ClientOnLine::kPx4);
+  px4.inMission();
+  px4.altitude = aboveSeaLevel(620_m);
+  px4.target.start(kPlace, aboveSeaLevel(620_m));
+  for (int ms = 0; ms < 5000 && px4.messages().size() < 3; ++ms) px4.pass(1);
+  const uint32_t sentMs = px4.given(0).back();
+  REQUIRE(px4.nowMs() < sentMs + 10);
+  px4.isStuck = true;
+  const uint32_t updatedMs = px4.nowMs() - 1;
+  while (px4.nowMs() != sentMs + 600) px4.pass(1);
+  REQUIRE(px4.nowMs() - updatedMs < 600);
+  px4.isStuck = false;
+  REQUIRE(px4.passUntil(176));
+  REQUIRE(px4.given(sentMs).size() > 3);
+  CHECK(px4.given(sentMs)[3] == 600);
+  CHECK(px4.nowMs() >= sentMs + 1600);
+}
+
+TEST_CASE("a hold aims where the aircraft was told to be within three heartbeats") {
+  for (int beats : {3, 4}) {
+    CAPTURE(beats);
+    Follower copter(ClientOnLine::kArduPilot);
+    copter.follow();
+    copter.pass(3000);
+    copter.client.allowWhileArmed(true);
+    static const MissionItem kPlan[] = {waypoint(1_deg, 2_deg, 3_m)};
+    copter.client.upload(inRam(kPlan));
+    copter.hasPosition = copter.beatsBySecond = copter.beatsWhenAsked = false;
+    copter.homeMm = 9000;
+    copter.tellPosition();
+    copter.pass(5);
+    for (int i = 0; i < beats; ++i) copter.show(kGuided);
+    copter.target.stop();
+    copter.pass(3);
+    copter.sent.clear();
+    copter.pass(220);
+    CHECK(copter.last() == (beats == 3 ? "-353632621 1491652374 9 6" : ""));
+  }
+}
