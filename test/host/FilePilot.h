@@ -19,6 +19,7 @@ class FilePilot : public ClientOnLine {
   std::vector<Bytes> plans[3];  // by MAV_MISSION_TYPE: the items, of a mission with home, as MISSION_ITEM_INT
   uint8_t type = 0;             // of the file that was opened last
   uint8_t baseMode = 0;
+  uint8_t version = 2;         // of MAVLink
   std::map<int, int> gives;    // by opcode: the error, or what becomes of it; 0: it is done
   std::map<int, int> once;     // the same for the next one alone
   uint16_t lostItem = 0xFFFF;  // of a burst, this one is lost
@@ -109,6 +110,7 @@ class FilePilot : public ClientOnLine {
   }
   void beat() {
     FrameParts parts = heartbeatParts(isPx4_ ? kPx4 : kArduPilot, baseMode);
+    parts.version = version;
     hear(parts);
   }
   // A reply of its own making.

@@ -816,3 +816,30 @@ TEST_CASE("a reading that has taken too long ends when its file is closed") {
   CHECK((pilot.end() == Status::TookTooLong));
   CHECK(pilot.tookMs < 20);
 }
+
+TEST_CASE("our own plan that is not aboard any more is not known to be there") {
+  Pilot pilot;
+  const ItemSource plan = inRam(kPlan);
+  pilot.files.upload(plan);
+  REQUIRE((pilot.end() == Status::Accepted));
+  pilot.hold(pilot.items(kOther, 4));
+  pilot.files.verify(plan);
+  CHECK((pilot.end() == Status::Differs));
+  CHECK((pilot.client.aboard() == Aboard::NotKnown));
+}
+
+TEST_CASE("on a link of MAVLink 1 no file is asked for, and there are no fences") {
+  FilePilot pilot;
+  pilot.version = 1;
+  pilot.pass(4000);
+  Sink sink;
+  pilot.files.download(toFunction(Sink::write, &sink), PlanType::Fence);
+  CHECK((pilot.end() == Status::NeedsMavlink2));
+  pilot.pass(2000);
+  CHECK((pilot.client.status() == Status::NeedsMavlink2));
+  pilot.files.download(toFunction(Sink::write, &sink));
+  CHECK(pilot.passUntil("open", 50) == false);
+  CHECK_FALSE(pilot.files.isByFile());
+  CHECK(pilot.timesOf(kRequestList, 0).size() == 1);
+  CHECK(pilot.said() == "");
+}
