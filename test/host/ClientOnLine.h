@@ -32,7 +32,11 @@ class ClientOnLine {
   bool beats = true;        // whether the peer sends heartbeats
   bool saysVehicle = true;  // whether it answers, as a vehicle that is no plane, when it is asked which one it is
 
-  explicit ClientOnLine(uint8_t autopilot) : client(line), autopilot_(autopilot), nowMs_(65000) { setMillis(nowMs_); }
+  // `startMs`: what millis() says at the beginning; 0 is behind a reset, when answers to what was before may come.
+  explicit ClientOnLine(uint8_t autopilot, uint32_t startMs = 65000)
+      : client(line), autopilot_(autopilot), nowMs_(startMs) {
+    setMillis(nowMs_);
+  }
 
   uint32_t nowMs() const { return nowMs_; }
 

@@ -146,3 +146,20 @@ TEST_CASE(
     CHECK((desk.ended == Status::Accepted));
   }
 }
+
+TEST_CASE("as floats, coordinates are degrees, and parameters the numbers that they are") {
+  const MissionItem plan[] = {anyCommand(kDoDigicamControl, 0, 0, 0, 0, 7, -3), waypoint(45_deg, 180_deg, 20_m)};
+  ClientOnLine desk(ClientOnLine::kOther);
+  desk.run(11000);
+  desk.client.useMissionItemFallback(true);
+  desk.client.uploadWithoutReadback(inRam(plan));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
+  desk.hear(requestParts(0));
+  REQUIRE(desk.runUntilSent(kItem, 50));
+  CHECK(floatAt(desk.sent.back(), 16) == 7);
+  CHECK(floatAt(desk.sent.back(), 20) == -3);
+  desk.hear(requestParts(1));
+  REQUIRE(desk.runUntilSent(kItem, 50));
+  CHECK(floatAt(desk.sent.back(), 16) == 45);
+  CHECK(floatAt(desk.sent.back(), 20) == 180);
+}
