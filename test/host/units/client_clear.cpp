@@ -165,6 +165,55 @@ TEST_CASE("behind a transfer that was left open a clear waits for the answers to
   CHECK_FALSE(desk.client.isBusy());
 }
 
+TEST_CASE("behind a reset a clear waits for answers to what was before, and is then repeated as any other") {
+  ClientOnLine desk(ClientOnLine::kArduPilot, 0);
+  desk.client.setTargetIds(1, 1);
+  desk.run(10);
+  desk.client.clear();
+  desk.run(8000);
+  CHECK(desk.timesOf(kClearAll, 0) == std::vector<uint32_t>{1500, 3000, 4500, 6000, 7500});
+  desk.hear(ackOf(PlanType::Mission, kDenied));
+  desk.run(5);
+  CHECK((desk.ended == Status::Denied));
+}
+
+TEST_CASE("a clear leaves in the update() that follows, and is a message of its target and type alone") {
+  Clearing desk(PlanType::Fence);
+  desk.hear(ackOf(PlanType::Fence, kAccepted));
+  desk.run(100);
+  desk.sent.clear();
+  desk.client.clear(PlanType::Rally);
+  desk.run(1);
+  REQUIRE(desk.timesOf(kClearAll, 0).size() == 1);
+  CHECK(desk.sent.back().payload[0] == 1);
+  CHECK(desk.sent.back().payload[1] == 1);
+  CHECK(desk.sent.back().payload[2] == static_cast<uint8_t>(PlanType::Rally));
+}
+
+TEST_CASE("behind a reading that has ended a clear leaves at once") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(11000);
+  desk.client.verify(inRam(kPlan));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
+  desk.hear(FrameParts(44, {5, 0, 1, 191, 0}, 221));
+  desk.run(5);
+  REQUIRE((desk.ended == Status::Differs));
+  desk.client.clear();
+  CHECK(desk.runUntilSent(kClearAll, 10));
+}
+
+TEST_CASE("what follows a clear that was repeated waits for the other answer, and what follows another one does not") {
+  for (const bool repeats : {false, true}) {
+    Clearing desk(PlanType::Mission);
+    if (repeats) REQUIRE(desk.runUntilSent(kClearAll, 1600));
+    desk.hear(ackOf(PlanType::Mission, kAccepted));
+    desk.run(5);
+    REQUIRE((desk.ended == Status::Cleared));
+    desk.client.clear();
+    CHECK(desk.runUntilSent(kClearAll, 1000) != repeats);
+  }
+}
+
 TEST_CASE("a clear that is cancelled is cancelled without a word, and the next one waits for its answer") {
   Clearing desk(PlanType::Mission);
   desk.sent.clear();

@@ -82,6 +82,76 @@ TEST_CASE("a fence of up to three items is read back a second after its acceptan
   }
 }
 
+TEST_CASE("a short fence settles for a second, in its second upload too, whether anything is heard or not") {
+  Fencing desk(2);
+  desk.beats = false;
+  desk.sent.clear();
+  uint32_t acceptedMs = desk.nowMs() - 5;
+  desk.run(1100);
+  const std::vector<uint32_t> first = desk.timesOf(ClientOnLine::kRequestList, acceptedMs);
+  REQUIRE(first.size() == 1);
+  CHECK(first[0] >= 1000);
+  CHECK(first[0] <= 1005);
+  desk.hear(countParts(0));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 20));
+  desk.beats = true;
+  desk.run(1200);
+  for (uint16_t item = 0; item < 2; ++item) {
+    desk.hear(requestParts(item, 1, 191, kFence));
+    REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
+  }
+  desk.sent.clear();
+  desk.beats = false;
+  desk.hear(ackParts(0, 1, 191, kFence));
+  acceptedMs = desk.nowMs();
+  desk.run(1100);
+  const std::vector<uint32_t> second = desk.timesOf(ClientOnLine::kRequestList, acceptedMs);
+  REQUIRE(second.size() == 1);
+  CHECK(second[0] >= 1000);
+  CHECK(second[0] <= 1005);
+}
+
+TEST_CASE("a fence that is no short one, and other plans, are read back at once where that is asked for") {
+  for (const PlanType type : {PlanType::Fence, PlanType::Rally}) {
+    const MissionItem rally[] = {rallyPoint(-35.36_deg, 149.16_deg, 20_m)};
+    const uint16_t items = type == PlanType::Fence ? 4 : 1;
+    ClientOnLine desk(ClientOnLine::kArduPilot);
+    desk.run(3000);
+    desk.client.upload(type == PlanType::Fence ? inRam(kCircles) : inRam(rally), type, Readback::Always);
+    REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+    for (uint16_t item = 0; item < items; ++item) {
+      desk.hear(requestParts(item, 1, 191, static_cast<uint8_t>(type)));
+      REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
+    }
+    desk.hear(ackParts(0, 1, 191, static_cast<uint8_t>(type)));
+    CHECK(desk.runUntilSent(ClientOnLine::kRequestList, 20));
+  }
+}
+
+TEST_CASE(
+    "while a short fence settles it is not known what is aboard, and a cancel() says nothing, the second time too") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(3000);
+  desk.client.clear(PlanType::Fence);
+  REQUIRE(desk.runUntilSent(45, 100));
+  desk.hear(ackParts(0, 1, 191, kFence));
+  desk.run(5);
+  REQUIRE((desk.client.aboard(PlanType::Fence) == Aboard::Nothing));
+  desk.client.upload(inRam(kCircles, 2), PlanType::Fence);
+  accept(desk, 2);
+  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 2000));
+  desk.hear(countParts(0));
+  accept(desk, 2);
+  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+  desk.run(300);
+  desk.sent.clear();
+  desk.client.cancel();
+  desk.run(5);
+  CHECK((desk.client.status() == Status::Cancelled));
+  CHECK(desk.timesOf(ClientOnLine::kAck, 0).empty());
+}
+
 TEST_CASE("an empty fence and a short plan of another type are not doubted") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.run(11000);

@@ -116,6 +116,7 @@ TEST_CASE("ArduPilot gives up an upload that was left open, and the clear or the
 TEST_CASE("an empty plan is not accepted while its COUNT waits for room") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.run(3000);
+  REQUIRE(desk.runUntilSent(0, 1100));  // our heartbeat, so that none is due now
   desk.line.room = 4;
   desk.line.takes = 4;
   desk.client.uploadWithoutReadback(emptyPlan());

@@ -106,6 +106,21 @@ TEST_CASE("where the acceptance proves the plan nothing is read back") {
   }
 }
 
+TEST_CASE("on a line that loses, the repeats in a read-back do not wait for what the longer items of before took") {
+  Proving desk(ClientOnLine::kArduPilot);
+  desk.begin(Readback::Always);
+  desk.ask(3);
+  desk.line.room = 60;  // the stream is busy with the last item
+  desk.run(40);
+  desk.line.room = desk.line.kAlwaysRoom;
+  desk.lose();
+  desk.hear(ackParts(kAccepted));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 50));
+  const uint32_t firstMs = desk.nowMs();
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 1000));
+  CHECK(desk.nowMs() - firstMs <= 60);
+}
+
 TEST_CASE("an empty plan that PX4 accepts behind a reset is not read back") {
   Proving desk(ClientOnLine::kPx4, 0);
   desk.client.upload(emptyPlan());
@@ -124,7 +139,43 @@ TEST_CASE("an upload that nobody confirms is read back, and what follows waits f
   desk.tellItems();
   CHECK((desk.ended == Status::Accepted));
   CHECK((desk.client.aboard() == Aboard::OurPlan));
-  CHECK(desk.leavesDoubt());
+  // The next one waits, and nothing that comes behind its COUNT is from before.
+  desk.client.upload(inRam(kPlan));
+  CHECK_FALSE(desk.runUntilSent(ClientOnLine::kCount, 1000));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 2000));
+  desk.tell(ackParts(kCancelled));
+  CHECK((desk.ended == Status::CancelledByAutopilot));
+}
+
+TEST_CASE("while a plan is read back it is not known what is aboard, also where ours was") {
+  Proving desk(ClientOnLine::kArduPilot);
+  desk.begin();
+  desk.ask(3);
+  desk.tell(ackParts(kAccepted));
+  REQUIRE((desk.client.aboard() == Aboard::OurPlan));
+  desk.begin(Readback::Always);
+  CHECK((desk.client.aboard() == Aboard::AsBefore));
+  desk.ask(3);
+  desk.tell(ackParts(kAccepted));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
+}
+
+TEST_CASE("in a read-back a height, and what it counts from, must be those of the plan") {
+  for (const bool isReference : {true, false}) {
+    for (const uint8_t autopilot : {ClientOnLine::kPx4, ClientOnLine::kOther}) {
+      Proving desk(autopilot);
+      desk.begin(Readback::Always);
+      desk.ask(2);
+      desk.tell(ackParts(kAccepted));
+      desk.tell(countParts(2));
+      MissionItem item = kPlan[0];
+      if (isReference) item.frame = Frame::Global;
+      if (!isReference) item.z = 21;
+      desk.tell(itemParts(0, item));
+      CHECK((desk.ended == Status::Differs));
+      CHECK((desk.client.differingField() == (isReference ? ItemField::Reference : ItemField::Height)));
+    }
+  }
 }
 
 TEST_CASE("on a line that loses, an acceptance of ArduPilot's is checked, and PX4's checksum is enough") {
@@ -320,6 +371,10 @@ TEST_CASE("an error while items are read back begins the reading anew, and in a 
 
 TEST_CASE("items that come as floats prove nothing") {
   Proving desk(ClientOnLine::kPx4);
+  desk.client.verify(inRam(kPlan));  // which takes them
+  desk.run(5);
+  desk.client.cancel();
+  desk.run(3000);
   desk.begin(Readback::Always);
   desk.ask(2);
   desk.tell(ackParts(kAccepted));
@@ -357,8 +412,10 @@ TEST_CASE("a server whose ways are not known begins anew on a line that loses, w
       continue;
     }
     // What is cancelled now may be what was before.
+    desk.sent.clear();
     desk.tell(ackParts(kCancelled));
     CHECK(desk.client.isBusy());
+    CHECK(desk.timesOf(ClientOnLine::kCount, 0).empty());
     desk.ask(2);
     CHECK((desk.client.status() == Status::Transferring));
   }

@@ -165,6 +165,23 @@ TEST_CASE("behind a back-off an upload begins anew, with the autopilot and the c
   CHECK(std::equal(expected.rbegin(), expected.rend(), desk.returned.rbegin()));
 }
 
+TEST_CASE("behind back-offs an upload has its whole time, and goes on as any other") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.client.retryWhenBusy(60);
+  desk.client.setOperationTimeout(10);
+  desk.run(11000);
+  countsWhenDenied(desk, 4);  // 15 s later
+  desk.run(5000);
+  CHECK((desk.client.status() == Status::Transferring));
+  for (uint16_t item = 0; item < 3; ++item) {
+    desk.hear(requestParts(item));
+    REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
+  }
+  desk.hear(ackParts(kAccepted));
+  desk.run(5);
+  CHECK((desk.ended == Status::Accepted));
+}
+
 TEST_CASE("an autopilot that fell silent during a back-off is waited for first") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.client.retryWhenBusy(60);

@@ -359,6 +359,76 @@ TEST_CASE("a plan with an item that cannot be right, or is not kept, is not begu
   CHECK((desk.client.differingField() == ItemField::None));
 }
 
+TEST_CASE("what was said of an operation is forgotten when the next one is refused at once") {
+  const MissionItem notKept[] = {kPlan[0], anyCommandAt(kNavWaypoint, -35_deg, 149_deg, 20_m, 2.5f)};
+  Uploading desk(ClientOnLine::kArduPilot);
+  desk.client.uploadWithoutReadback(inRam(notKept));
+  desk.run(50);
+  REQUIRE(desk.client.failedItem() == 1);
+  desk.client.uploadWithoutReadback(inRam(kPlan), PlanType::All);
+  CHECK((desk.client.failedItem() == MissionClient::kNoItem));
+  CHECK((desk.client.differingField() == ItemField::None));
+  CHECK(desk.client.itemsTotal() == 0);
+}
+
+namespace {
+
+// PX4 gives a takeoff the place of the next item that has one: the library looks for it in several steps.
+bool readFarPlace(void* reads, uint16_t index, MissionItem& item) {
+  ++*static_cast<int*>(reads);
+  item = index == 0 ? takeoff(20_m) : index == 12 ? kPlan[0] : changeSpeed(5_mps);
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("a plan is checked item by item, one in an update(), and a place that is far away is found") {
+  int reads = 0;
+  Uploading desk(ClientOnLine::kPx4);
+  desk.client.uploadWithoutReadback(fromFunction(readFarPlace, 13, &reads));
+  for (int update = 0; desk.timesOf(ClientOnLine::kCount, 0).empty(); ++update) {
+    const int before = reads;
+    desk.run(1);
+    CHECK(reads - before <= 3);  // the item, one where its place may be, and the item again
+    REQUIRE(update < 100);
+  }
+  CHECK(reads >= 26);
+  desk.hear(requestParts(0));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 100));
+  CHECK(valueAt<int32_t>(desk.sent.back(), 16) == kPlan[0].x);
+  CHECK(valueAt<int32_t>(desk.sent.back(), 20) == kPlan[0].y);
+}
+
+TEST_CASE("an update() checks one item") {
+  int reads = 0;
+  Uploading desk(ClientOnLine::kArduPilot);
+  const auto read = [](void* counted, uint16_t, MissionItem& item) {
+    ++*static_cast<int*>(counted);
+    item = kPlan[0];
+    return true;
+  };
+  desk.client.uploadWithoutReadback(fromFunction(read, 200, &reads));
+  desk.run(20);
+  CHECK(reads > 15);
+  CHECK(reads <= 20 * MAVMISSION_ITEMS_PER_UPDATE);
+}
+
+TEST_CASE("an autopilot that is another one while the plan is checked gets the plan as it wants it") {
+  ClientOnLine desk(ClientOnLine::kPx4);
+  const auto read = [](void*, uint16_t, MissionItem& item) {
+    item = kPlan[0];
+    return true;
+  };
+  desk.run(3000);
+  desk.client.uploadWithoutReadback(fromFunction(read, 300));
+  desk.run(100);
+  REQUIRE((desk.client.status() == Status::Checking));
+  desk.hear(heartbeatParts(ClientOnLine::kArduPilot));
+  desk.beats = false;
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 1000));
+  CHECK(valueAt<uint16_t>(desk.sent.back(), 0) == 301);
+}
+
 TEST_CASE("a plan that is refused when an item is to be sent ends there, and the autopilot is told") {
   static bool isThere;
   isThere = true;

@@ -82,6 +82,37 @@ TEST_CASE("a plan is verified item by item, and is ours then") {
   }
 }
 
+TEST_CASE("REQUEST_LIST leaves in the update() that follows, and tells its target and type alone") {
+  ClientOnLine desk(ClientOnLine::kPx4);
+  desk.run(3000);
+  desk.sent.clear();
+  desk.client.verify(inRam(kPlan), PlanType::Rally);
+  desk.run(1);
+  REQUIRE(desk.timesOf(ClientOnLine::kRequestList, 0).size() == 1);
+  CHECK(desk.sent.back().payload[0] == 1);
+  CHECK(desk.sent.back().payload[1] == 1);
+  CHECK(desk.sent.back().payload[2] == static_cast<uint8_t>(PlanType::Rally));
+}
+
+TEST_CASE("an item is asked for by its number, however large, and by nothing else") {
+  ClientOnLine desk(ClientOnLine::kPx4);
+  desk.run(3000);
+  const auto read = [](void*, uint16_t, MissionItem& item) {
+    item = kPlan[0];
+    return true;
+  };
+  desk.client.verify(fromFunction(read, 700));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 20));
+  desk.hear(countParts(700));
+  for (uint16_t seq = 0; seq < 600; ++seq) {
+    REQUIRE(desk.runUntilSent(ClientOnLine::kRequestInt, 20));
+    const Bytes& payload = desk.sent.back().payload;
+    REQUIRE((payload[0] | payload[1] << 8) == seq);
+    REQUIRE((payload[2] == 1 && payload[3] == 1 && payload[4] == 0));
+    desk.hear(itemParts(seq, kPlan[0]));
+  }
+}
+
 TEST_CASE("the first field that differs is named with its item, and what is aboard is not known") {
   const struct {
     int item;
@@ -358,7 +389,7 @@ TEST_CASE(
 
 TEST_CASE("behind a reading PX4 may still be busy with it, for some time") {
   for (const uint32_t pauseMs : {0, 11000}) {
-    Verifying desk(ClientOnLine::kPx4);
+    Verifying desk(ClientOnLine::kPx4, 30000);
     desk.tellPlan();
     REQUIRE((desk.ended == Status::Verified));
     desk.run(pauseMs);
