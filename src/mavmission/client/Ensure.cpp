@@ -78,6 +78,7 @@ void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
   beginLook(client, nowMs);
   client.state_.proving = true;  // no progress is reported for the look
   client.rest_.field = ItemField::None;
+  client.state_.isLate = false;  // of the time before the end of a back-off
   if (client.rest_.backOffPauseS == 0) client.beginSeconds(nowMs);
   client.state_.status = Status::Transferring;
 }

@@ -19,6 +19,7 @@ bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
       client.link_.pace().isLossy()) {
     client.unsettle(nowMs);
     client.beginTransfer();
+    client.transfer_.noteBegunBefore();
     return true;
   }
   // An idle ArduPilot answers with an error when the line has repeated the last item. The acceptance may have been lost

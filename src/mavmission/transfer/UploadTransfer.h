@@ -65,8 +65,11 @@ class UploadTransfer : public UploadRules {
   // Attempts at COUNT; later, how often items were sent since the newest request.
   uint8_t tries() const { return tries_; }
   bool hasBegun() const { return state_ != State::Counting; }
-  // True if an answer has come that may belong to an earlier transfer.
-  bool isSuspected() const { return suspicion_ != Status::Transferring; }
+  // This upload has been begun before, and that may have changed what is aboard. To be called behind begin().
+  void noteBegunBefore() { isBegunBefore_ = true; }
+  // True if an answer has come that may belong to an earlier transfer, or if there was one of this upload: a refusal
+  // then does not tell what is aboard.
+  bool isSuspected() const { return suspicion_ != Status::Transferring || isBegunBefore_; }
   // True if an acceptance may belong to an earlier, longer transfer that broke off at the item where this upload ends.
   // PX4 then takes our last item for a repetition from the earlier transfer, and accepts it with the checksum of the
   // items that it had received until then.
@@ -99,6 +102,7 @@ class UploadTransfer : public UploadRules {
   uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the current one is current
   Status suspicion_;  // an answer that may belong to an earlier transfer: the result if no other answer comes
   Firmware firmware_;
+  bool isBegunBefore_;
   uint8_t leftovers_ : 2;
   bool recounted_ : 1;  // COUNT was sent more than once
   bool freed_ : 1;      // an open earlier transfer of ours was cancelled first

@@ -195,6 +195,17 @@ TEST_CASE("a short fence that was wiped is uploaded once more, and no third time
   CHECK(desk.runUntilSent(ClientOnLine::kCount, 100));
 }
 
+TEST_CASE("a short fence that was wiped, and is refused then, is not what was aboard before") {
+  Fencing desk(2);
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 2000));
+  desk.hear(countParts(0));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
+  desk.hear(ackParts(4, 1, 191, kFence));  // no space
+  desk.run(5);
+  CHECK((desk.ended == Status::NoSpace));
+  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+}
+
 TEST_CASE("what is not the number of the fence's items does not begin its second upload") {
   Fencing desk(2);
   desk.hear(countParts(0));  // before it was asked for

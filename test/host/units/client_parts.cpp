@@ -147,6 +147,22 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a plan that is refused when it begins anew as floats may have changed what was aboard before") {
+  ClientOnLine desk(ClientOnLine::kOther);
+  desk.run(11000);
+  desk.client.useMissionItemFallback();
+  desk.client.uploadWithoutReadback(inRam(kPlan));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
+  desk.hear(requestParts(0));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kItemInt, 50));
+  desk.hear(ackParts(kUnsupported));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
+  desk.hear(ackParts(kNoSpace));
+  desk.run(5);
+  CHECK((desk.ended == Status::NoSpace));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
+}
+
 TEST_CASE("as floats, coordinates are degrees, and parameters the numbers that they are") {
   const MissionItem plan[] = {anyCommand(kDoDigicamControl, 0, 0, 0, 0, 7, -3), waypoint(45_deg, 180_deg, 20_m)};
   ClientOnLine desk(ClientOnLine::kOther);

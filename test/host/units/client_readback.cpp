@@ -421,6 +421,19 @@ TEST_CASE("a server whose ways are not known begins anew on a line that loses, w
   }
 }
 
+TEST_CASE("an upload that has begun anew, and is refused then, may have changed what was aboard before") {
+  Proving desk(ClientOnLine::kOther);
+  desk.lose();
+  desk.begin();
+  desk.ask(1);
+  desk.sent.clear();
+  desk.tell(ackParts(kCancelled));
+  REQUIRE(desk.timesOf(ClientOnLine::kCount, 0).size() == 1);
+  desk.tell(ackParts(kDenied));
+  CHECK((desk.ended == Status::Denied));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
+}
+
 TEST_CASE("a server whose ways are not known, and that falls silent, is tried again on a line that loses") {
   for (const bool isLossy : {false, true}) {
     Proving desk(ClientOnLine::kOther);
