@@ -55,7 +55,19 @@ AROUND = (
     # client
     Subject("AskVehicle", ("client_modes",), is_flown=True, is_open=True),
     Subject("Clear", ("client_clear",), is_open=True),
-    Subject("Client", ("client_late_answers", "client_clear", "client_callbacks"), is_flown=True, is_open=True),
+    Subject(
+        "Client",
+        (
+            "client_calls",
+            "client_upload_ends",
+            "client_verify",
+            "client_late_answers",
+            "client_readback",
+            "client_start",
+        ),
+        is_flown=True,
+        is_open=True,
+    ),
     Subject(
         "Command",
         ("client_commands", "client_modes", "client_current_item", "client_command_form"),
@@ -68,7 +80,7 @@ AROUND = (
     Subject("Fence", ("client_fence",), is_open=True),
     Subject("FloatItems", ("client_parts", "client_download")),
     Subject("Kept", ("client_kept_value",)),
-    Subject("Operation", ("client_clear", "client_verify"), is_open=True),
+    Subject("Operation", ("client_clear", "client_verify", "parameters"), is_open=True),
     Subject("OtherPlan", ("client_mission_name", "client_start"), is_flown=True, is_open=True),
     Subject("PlanPort", ("client_ensure",), is_open=True),
     Subject("Port", ("client_mission_name", "steering", "parameters"), is_flown=True, is_open=True),
@@ -77,14 +89,14 @@ AROUND = (
         ("client_verify", "client_readback", "client_download", "client_late_answers", "client_mission_name"),
         is_open=True,
     ),
-    Subject("Start", ("client_start", "steering", "client_current_item"), is_flown=True, is_open=True),
+    Subject("Start", ("client_start", "client_mission_name"), is_flown=True, is_open=True),
     Subject("TakeUp", ("client_readback", "client_parts", "client_late_answers"), is_open=True),
     Subject(
         "Upload",
         ("client_upload_ends", "client_readback", "client_mission_name", "client_late_answers", "client_parts"),
         is_open=True,
     ),
-    Subject("VerifyAndStart", ("client_start",), is_flown=True, is_open=True),
+    Subject("VerifyAndStart", ("client_verify_and_start",), is_flown=True, is_open=True),
     Subject("WorthRetry", ("status",)),
     # service
     Subject("Adjustments", ("adjustments",)),

@@ -25,6 +25,7 @@ Value valueAt(const SentFrame& frame, size_t at) {
 struct Ordering : ClientOnLine {
   const uint8_t kind;
   const uint8_t type;
+  uint8_t baseMode = 1;
   uint32_t mode;
 
   Ordering(uint8_t autopilot, uint8_t is, uint32_t shown)
@@ -42,7 +43,7 @@ struct Ordering : ClientOnLine {
     message.custom_mode = customMode;
     message.type = type;
     message.autopilot = kind;
-    message.base_mode = 1;
+    message.base_mode = baseMode;
     message.system_status = 4;
     message.mavlink_version = 3;
     Bytes payload(sizeof(message));
@@ -377,4 +378,76 @@ TEST_CASE("behind a loop() that stood still an order waits for a new heartbeat")
   CHECK(desk.count(kSetMode) == 0);
   REQUIRE(desk.runUntilOrdered(kSetMode, 100));
   CHECK(desk.count(kRequestMessage) >= 1);
+}
+
+TEST_CASE("startMission() that has undone somebody's mode sets that mode again, and does not start the mission again") {
+  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
+  desk.baseMode = 1 | 128;  // armed
+  desk.show(kStabilize);
+  desk.run(1000);
+  desk.sent.clear();
+  desk.client.startMission();
+  REQUIRE(desk.runUntilOrdered(kTransition, 20));
+  desk.hear(commandAckParts(kTransition, kUnsupported));
+  REQUIRE(desk.runUntilOrdered(300, 50));
+  desk.show(kLoiter);
+  desk.run(5);
+  desk.show(3);  // AUTO
+  REQUIRE(desk.runUntilSent(kCommandLong, 5));
+  CHECK(valueAt<uint16_t>(desk.sent.back(), 28) == kSetMode);
+  CHECK(valueAt<float>(desk.sent.back(), 4) == kLoiter);
+}
+
+TEST_CASE(
+    "behind a loop() that stood still the wanted mode is believed when a new heartbeat shows it, which is asked for") {
+  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
+  desk.client.setCustomMode(kGuided);
+  REQUIRE(desk.runUntilOrdered(kSetMode, 20));
+  desk.sent.clear();
+  desk.show(kGuided);
+  desk.run(300, 300);
+  CHECK(desk.client.isBusy());
+  REQUIRE(desk.runUntilSent(kCommandLong, 30));
+  CHECK(Ordering::isCommand(desk.sent.back(), kRequestMessage));
+  desk.show(kGuided);
+  desk.run(5);
+  CHECK((desk.ended == Status::Done));
+}
+
+TEST_CASE("on a line that loses, an order that is accepted again and again, and that nothing shows, is given up") {
+  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
+  desk.client.setCustomMode(kGuided);
+  uint32_t ms = 0;
+  for (size_t orders = 0; ms < 60000 && (ms == 0 || desk.client.isBusy()); ++ms) {
+    if (ms % 1000 == 0) {
+      Bytes broken = packed(heartbeatParts(ClientOnLine::kArduPilot));
+      broken[12] = static_cast<uint8_t>(broken[12] ^ 1);
+      desk.line.bring(broken);
+    }
+    if (ms % 500 == 250) desk.show(kStabilize);
+    desk.run(1);
+    if (desk.count(kSetMode) == orders) continue;
+    ++orders;
+    desk.hear(commandAckParts(kSetMode, kAccepted));
+  }
+  CHECK((desk.ended == Status::Unconfirmed));
+  CHECK(ms < 40000);
+}
+
+TEST_CASE("the answer to a request for a heartbeat is not that of the sketch's own request") {
+  const FlightCommand own = flightCommand(kRequestMessage, 148);
+  Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
+  desk.client.setCustomMode(kGuided);
+  REQUIRE(desk.runUntilOrdered(kSetMode, 20));
+  desk.mode = kGuided;
+  desk.show(kGuided);
+  desk.run(5);
+  REQUIRE((desk.ended == Status::Done));
+  desk.sent.clear();
+  desk.client.send(own);
+  REQUIRE(desk.runUntilSent(kCommandLong, 20));
+  desk.answer(kRequestMessage, kFailed);  // of the request before
+  CHECK(desk.client.isBusy());
+  desk.answer(kRequestMessage, kAccepted);
+  CHECK((desk.ended == Status::Done));
 }

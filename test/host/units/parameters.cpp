@@ -395,3 +395,33 @@ TEST_CASE("the 2 s after which another value is believed count from the setting,
   desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 100);
   CHECK((desk.ended == Status::OtherValue));
 }
+
+TEST_CASE("a parameter is asked for in the update() that follows, and its time begins then") {
+  Desk desk;
+  desk.run(10);
+  desk.parameters.read(inFlash("NAME"));
+  desk.run(1);
+  CHECK(desk.timesOf(kRead, 0).size() == 1);
+
+  ClientOnLine waiting(ClientOnLine::kArduPilot);
+  Parameters parameters(waiting.client);
+  waiting.client.setOperationTimeout(2);
+  waiting.beats = false;
+  parameters.read(inFlash("NAME"));
+  waiting.run(3500);
+  waiting.beats = true;
+  REQUIRE(waiting.runUntilSent(kRead, 4000));
+  waiting.run(1900);
+  CHECK(waiting.client.isBusy());
+}
+
+TEST_CASE("a value is for the one that has asked") {
+  Desk desk;
+  Parameters other(desk.client);
+  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 1);
+  other.read(inFlash("NAME"));
+  REQUIRE(desk.runUntilSent(kRead, 100));
+  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 7);
+  CHECK(other.value() == 7);
+  CHECK_FALSE(desk.parameters.value() == 7);
+}

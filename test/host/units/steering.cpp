@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <string.h>
 
+#include <cmath>
 #include <initializer_list>
 
 #include "ClientOnLine.h"
@@ -278,4 +279,25 @@ TEST_CASE("a pilot who takes over before the answer keeps the aircraft: nothing 
   CHECK((flight.ended == Status::PilotHasIt));
   for (int second = 0; second < 9; ++second) flight.fly(kLoiter);
   CHECK_FALSE(flight.hasSent());
+}
+
+TEST_CASE(
+    "what is wrong with an order is named, and a second object that is refused does not get the first one's answers") {
+  Flight flight;
+  Steering other(flight.client);
+  flight.fly(kAuto);
+  flight.steering.goTo(kPlace, Metres(NAN));
+  CHECK((flight.refusal() == Status::NotANumber));
+  CHECK((flight.client.differingField() == ItemField::Height));
+  flight.steering.goTo(kPlace, 20_m);
+  CHECK((other.goTo(kPlace, 30_m) == Status::Busy));
+  REQUIRE(flight.runUntilSent(kCommandLong, 100));
+  flight.answer(511, 0);
+  REQUIRE(flight.runUntilOrdered(kCommandInt, kAuto));
+  CHECK(flight.command() == 192);
+  flight.answer(192, 0);
+  flight.run(10);
+  flight.fly(kGuided);
+  CHECK((flight.ended == Status::Done));
+  CHECK(flight.steering.maySteer());
 }

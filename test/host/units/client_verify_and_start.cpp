@@ -1,0 +1,238 @@
+// verifyAndStart() by a whole client: a start between two looks at each item.
+#include <doctest/doctest.h>
+
+#include "ObedientVehicle.h"
+
+using namespace mavmission;
+using namespace obedient;
+
+namespace {
+
+constexpr uint32_t kLoiter = 5;
+
+struct Sketch : Flight {
+  std::vector<Status> told;
+
+  explicit Sketch(uint8_t autopilot = kArduPilot) : Flight(autopilot) {
+    client.onEnd(note, this);
+    sent.clear();
+  }
+  static void note(void* context, Status status) { static_cast<Sketch*>(context)->told.push_back(status); }
+  size_t looks() const { return timesOf(kRequestList, 0).size(); }
+  // Until the second look has begun, with the aircraft in flight.
+  void flyUntilSecondLook() {
+    for (int i = 0; i < 6000 && looks() < 2; ++i) fly(5);
+    REQUIRE(looks() == 2);
+    REQUIRE(baseMode == kArmed);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an ArduPilot's plan is looked at, started, and looked at once more") {
+  for (const uint16_t item : {0, 2}) {
+    Sketch sketch;
+    sketch.flown = item == 0 ? 1 : 3;
+    CHECK((sketch.client.verifyAndStart(inRam(kFlownPlan), item) == Status::WaitingForAutopilot));
+    CHECK((sketch.client.verifyAndStart(inRam(kFlownPlan), item) == Status::Busy));
+    sketch.flyUntilSecondLook();
+    CHECK(sketch.firstItem == (item == 0 ? 0 : 3));
+    CHECK(sketch.client.isBusy());
+    CHECK(sketch.client.itemsTotal() == 4);
+    CHECK(sketch.told.empty());
+    CHECK(sketch.ends.empty());
+    sketch.fly(3000);
+    CHECK(sketch.told == std::vector<Status>{Status::Done});
+    CHECK(sketch.ends == std::vector<Status>{Status::Done});
+    CHECK((sketch.client.aboard() == Aboard::OurPlan));
+    CHECK((sketch.client.startArming() == StartArming::Armed));
+    CHECK(sketch.client.itemsDone() == 4);
+    CHECK(sketch.looks() == 2);
+    CHECK(sketch.baseMode == kArmed);
+    CHECK(sketch.mode == kAuto);
+    // What comes next is told as ever.
+    sketch.client.disarm();
+    sketch.fly(1000);
+    CHECK((sketch.told.back() == Status::Done));
+    CHECK(sketch.told.size() == 2);
+  }
+}
+
+TEST_CASE("items that come as floats are compared in both looks") {
+  Sketch sketch;
+  sketch.givesFloats = true;
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.flyUntilSecondLook();
+  sketch.fly(3000);
+  CHECK(sketch.told == std::vector<Status>{Status::Done});
+}
+
+TEST_CASE("a plan that is not ours is not started") {
+  Sketch sketch;
+  sketch.held[2] = returnToLaunch();
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.fly(3000);
+  CHECK(sketch.told == std::vector<Status>{Status::Differs});
+  CHECK(sketch.client.failedItem() == 1);
+  CHECK(sketch.orders.empty());
+  CHECK(sketch.firstItem == -1);
+}
+
+TEST_CASE("what was said of an earlier start is forgotten when the next one looks") {
+  Sketch sketch;
+  sketch.upload();
+  sketch.refusedOn = MAV_CMD_MISSION_START;
+  sketch.client.start();
+  sketch.fly(15000);
+  REQUIRE((sketch.client.startStep() == StartStep::Begin));
+  REQUIRE((sketch.client.startArming() == StartArming::Disarmed));
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  CHECK((sketch.client.startStep() == StartStep::None));
+  CHECK((sketch.client.startArming() == StartArming::Untouched));
+  sketch.client.cancel();
+  CHECK((sketch.told.back() == Status::Cancelled));
+  sketch.client.start();
+  CHECK((sketch.client.startStep() == StartStep::None));
+}
+
+TEST_CASE("another plan that the second look finds is left: the aircraft is disarmed, and what is aboard is known") {
+  for (const bool isRefused : {false, true}) {
+    Sketch sketch;
+    sketch.client.verifyAndStart(inRam(kFlownPlan));
+    sketch.flyUntilSecondLook();
+    sketch.held[3] = returnToLaunch();
+    if (isRefused) sketch.refusedOn = MAV_CMD_COMPONENT_ARM_DISARM;
+    sketch.fly(20000);
+    CHECK(sketch.told == std::vector<Status>{Status::Unproven});
+    CHECK((sketch.client.aboard() == Aboard::OtherPlan));
+    CHECK(sketch.orders.back() == MAV_CMD_COMPONENT_ARM_DISARM);
+    CHECK(sketch.parameters.back() == 0);
+    CHECK(sketch.baseMode == (isRefused ? kArmed : kDisarmed));
+    CHECK((sketch.client.startArming() == (isRefused ? StartArming::Armed : StartArming::Disarmed)));
+  }
+}
+
+TEST_CASE("a plan that cannot be read a second time is flown on, and unproven") {
+  Sketch sketch;
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.flyUntilSecondLook();
+  sketch.isMute = true;
+  sketch.fly(12000);
+  CHECK(sketch.told == std::vector<Status>{Status::Unproven});
+  CHECK((sketch.client.aboard() != Aboard::OtherPlan));
+  CHECK(sketch.baseMode == kArmed);
+  CHECK(sketch.mode == kAuto);
+}
+
+TEST_CASE("who disarms the aircraft, or sets another mode, during the second look has it") {
+  for (const bool disarms : {true, false}) {
+    Sketch sketch;
+    sketch.client.verifyAndStart(inRam(kFlownPlan));
+    sketch.flyUntilSecondLook();
+    const size_t orders = sketch.orders.size();
+    if (disarms) {
+      sketch.baseMode = kDisarmed;
+    } else {
+      sketch.mode = kLoiter;
+    }
+    sketch.beat();
+    sketch.fly(3000);
+    CHECK(sketch.told == std::vector<Status>{disarms ? Status::NotArmed : Status::TakenOver});
+    CHECK(sketch.orders.size() == orders);
+  }
+}
+
+TEST_CASE("a mode that somebody sets during the first look stays") {
+  for (const bool isHeardBefore : {true, false}) {
+    Sketch sketch;
+    if (!isHeardBefore) {
+      sketch.run(7000);
+      REQUIRE_FALSE(sketch.client.hasAutopilot());
+    }
+    sketch.client.verifyAndStart(inRam(kFlownPlan));
+    for (int i = 0; i < 6000 && sketch.timesOf(ClientOnLine::kRequestInt, 0).size() < 3; ++i) sketch.fly(1);
+    REQUIRE(sketch.client.isBusy());
+    sketch.mode = kLoiter;
+    sketch.beat();
+    sketch.fly(4000);
+    CHECK(sketch.told == std::vector<Status>{Status::TakenOver});
+    CHECK(sketch.orders.empty());
+    CHECK(sketch.mode == kLoiter);
+  }
+}
+
+TEST_CASE("an autopilot that was not heard before is waited for, and started in the mode that it has then") {
+  Sketch sketch;
+  sketch.run(7000);
+  REQUIRE_FALSE(sketch.client.hasAutopilot());
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.fly(20000);
+  CHECK(sketch.told == std::vector<Status>{Status::Done});
+}
+
+TEST_CASE("another plan that the second look finds is known to be aboard, also where somebody has disarmed meanwhile") {
+  Sketch sketch;
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.flyUntilSecondLook();
+  sketch.held[3] = returnToLaunch();
+  sketch.baseMode = kDisarmed;
+  sketch.beat();
+  sketch.fly(3000);
+  CHECK(sketch.told == std::vector<Status>{Status::NotArmed});
+  CHECK((sketch.client.aboard() == Aboard::OtherPlan));
+}
+
+TEST_CASE("an aircraft that flew its mission before is not disarmed when the second look finds another plan") {
+  Sketch sketch;
+  sketch.client.allowWhileArmed(true);
+  sketch.baseMode = kArmed;
+  sketch.mode = kAuto;
+  sketch.fly(1100);
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.flyUntilSecondLook();
+  sketch.held[3] = returnToLaunch();
+  sketch.fly(5000);
+  CHECK(sketch.told == std::vector<Status>{Status::Unproven});
+  CHECK((sketch.client.startArming() == StartArming::Untouched));
+
+  CHECK((sketch.client.startStep() == StartStep::Confirm));
+  CHECK(sketch.baseMode == kArmed);
+}
+
+TEST_CASE("cancel() ends it in each look, and in the start between") {
+  for (const size_t look : {1, 2}) {
+    Sketch sketch;
+    sketch.client.verifyAndStart(inRam(kFlownPlan));
+    for (int i = 0; i < 6000 && sketch.looks() < look; ++i) sketch.fly(5);
+    sketch.client.cancel();
+    sketch.fly(2000);
+    CHECK(sketch.told == std::vector<Status>{Status::Cancelled});
+    CHECK(sketch.looks() == look);
+    CHECK(sketch.orders.empty() == (look == 1));
+  }
+}
+
+TEST_CASE("a PX4 that names its plan is looked at once, and one that does not is looked at twice") {
+  for (const uint32_t name : {0u, 0x12345678u}) {
+    Sketch sketch(ClientOnLine::kPx4);
+    sketch.held[0].x = sketch.held[2].x;  // PX4 takes off from a place
+    sketch.held[0].y = sketch.held[2].y;
+    sketch.name = name;
+    sketch.client.verifyAndStart(inRam(kFlownPlan), 2);
+    sketch.fly(500);
+    REQUIRE(!sketch.orders.empty());
+    CHECK(sketch.orders.back() == MAV_CMD_MISSION_START);
+    CHECK(sketch.parameters.back() == 2);
+    mavlink_mission_current_t message = mavlink_mission_current_t();
+    message.seq = 2;
+    message.total = 4;
+    message.mission_state = MISSION_STATE_ACTIVE;
+    message.mission_id = name;
+    for (int second = 0; second < 6 && sketch.client.isBusy(); ++second) {
+      sketch.tell(MAVLINK_MSG_ID_MISSION_CURRENT, MAVLINK_MSG_ID_MISSION_CURRENT_CRC, message);
+      sketch.fly(1000);
+    }
+    CHECK(sketch.told == std::vector<Status>{Status::Done});
+    CHECK(sketch.looks() == (name == 0 ? 2 : 1));
+  }
+}
