@@ -108,7 +108,7 @@ TEST_CASE("an operation that an end begins, and that ends at once, is told about
   CHECK(sketch.told == Ends{Status::Cleared});
   CHECK(sketch.client.isBusy());
   for (size_t i = 1; i <= 20; ++i) {
-    sketch.hear(heartbeatParts(ClientOnLine::kArduPilot));
+    if (i % 2 == 0) sketch.hear(heartbeatParts(ClientOnLine::kArduPilot));
     sketch.run(1);
     CHECK(sketch.ends.size() == i + 1);
     CHECK(sketch.told.size() == i + 1);
@@ -231,9 +231,9 @@ TEST_CASE("a command between does not shorten the wait for late answers to what 
   sketch.hear(commandAckParts(2500, 0));
   sketch.run(5);
   REQUIRE((sketch.told.back() == Status::Done));
-  sketch.client.clear();
-  CHECK_FALSE(sketch.runUntilSent(kClearAll, 1400));
-  CHECK(sketch.runUntilSent(kClearAll, 1000));
+  sketch.client.verify(inRam(kPlan));
+  CHECK_FALSE(sketch.runUntilSent(ClientOnLine::kRequestList, 1400));
+  CHECK(sketch.runUntilSent(ClientOnLine::kRequestList, 1000));
 }
 
 TEST_CASE("a command that is cancelled delays nothing of the mission protocol") {
@@ -292,12 +292,39 @@ TEST_CASE("a new client has nothing to tell") {
   CHECK((desk.client.differingField() == ItemField::None));
   CHECK(desk.client.itemsDone() == 0);
   CHECK(desk.client.itemsTotal() == 0);
-  for (const PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
+  for (const PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally, PlanType::All}) {
     CHECK((desk.client.aboard(type) == Aboard::NotKnown));
   }
   CHECK((desk.client.uploadAgain() == Status::SourceRefused));
   CHECK((desk.client.update() == Status::SourceRefused));
   CHECK((desk.client.update() == Status::Idle));
+}
+
+namespace {
+
+// Whoever hears the text begins an upload, and cancels it.
+void onText(void* context, uint8_t, const char*) {
+  MissionClient& client = *static_cast<MissionClient*>(context);
+  client.upload(inRam(kPlan));
+  client.cancel();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "what is begun and cancelled behind an end in one update() is returned by the next, without onEnd() as well") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  MissionFollower follower(desk.client);
+  follower.onText(onText, &desk.client);
+  desk.run(3000);
+  desk.client.clear();
+  REQUIRE(desk.runUntilSent(kClearAll, 20));
+  const Bytes text = {6, 'x'};
+  desk.hear(ackParts(kAccepted));
+  desk.hear(FrameParts(253, text, 83));
+  for (int i = 0; i < 5 && desk.ends.empty(); ++i) desk.run(1);
+  desk.run(5);
+  CHECK(desk.ends == Ends{Status::Cleared, Status::Cancelled});
 }
 
 TEST_CASE("each operation begins with nothing of the one before") {
@@ -357,8 +384,8 @@ TEST_CASE("behind an upload with back-offs the next operation has its whole time
   }
   REQUIRE(sketch.runUntilSent(ClientOnLine::kCount, 9000));
   sketch.client.cancel();
-  sketch.client.clear();
-  REQUIRE(sketch.runUntilSent(kClearAll, 3000));
+  sketch.client.verify(inRam(kPlan));
+  REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 3000));
   sketch.run(2000);
   CHECK(sketch.client.isBusy());
 }
@@ -377,6 +404,11 @@ TEST_CASE("the limit of an operation is met to two milliseconds") {
     const uint32_t took = sketch.nowMs() - beganMs;
     if (took < soonest) soonest = took;
     if (took > latest) latest = took;
+    // The next one has its own time.
+    sketch.client.verify(inRam(kPlan));
+    REQUIRE(sketch.runUntilSent(ClientOnLine::kRequestList, 3000));
+    sketch.run(1000);
+    CHECK(sketch.client.isBusy());
   }
   CHECK(soonest == 3000);
   CHECK(latest <= 3001);

@@ -419,9 +419,13 @@ TEST_CASE("a value is for the one that has asked") {
   Desk desk;
   Parameters other(desk.client);
   desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 1);
-  other.read(inFlash("NAME"));
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 7);
-  CHECK(other.value() == 7);
-  CHECK_FALSE(desk.parameters.value() == 7);
+  for (Parameters* one : {&desk.parameters, &other}) {
+    one->read(inFlash("NAME"));
+    REQUIRE(desk.runUntilSent(kRead, 100));
+    const float value = one == &other ? 8 : 7;
+    desk.tell("NAME", MAV_PARAM_TYPE_REAL32, value);
+    CHECK((desk.ended == Status::Done));
+    CHECK(one->value() == value);
+    CHECK_FALSE((one == &other ? desk.parameters : other).value() == value);
+  }
 }
