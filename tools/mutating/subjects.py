@@ -54,7 +54,7 @@ AROUND = (
     Subject("Eeprom", ("eeprom_of_a_board",)),
     # client
     Subject("AskVehicle", ("client_modes",), is_flown=True, is_open=True),
-    Subject("Clear", ("client_clear",), is_open=True),
+    Subject("Clear", ("client_clear",)),
     Subject(
         "Client",
         (
@@ -80,11 +80,11 @@ AROUND = (
     Subject("CommandForm", ("client_command_form",)),
     Subject("Download", ("client_download",)),
     Subject("Ensure", ("client_ensure", "client_looks", "client_mission_name"), is_open=True),
-    Subject("Fence", ("client_fence",), is_open=True),
+    Subject("Fence", ("client_fence",)),
     Subject("FloatItems", ("client_parts", "client_download")),
     Subject("Kept", ("client_kept_value",)),
     Subject("Operation", ("client_clear", "client_verify", "parameters"), is_open=True),
-    Subject("OtherPlan", ("client_mission_name", "client_start"), is_flown=True, is_open=True),
+    Subject("OtherPlan", ("client_mission_name", "client_start"), is_flown=True),
     Subject("PlanPort", ("client_ensure",), is_open=True),
     Subject(
         "Port",
@@ -98,7 +98,7 @@ AROUND = (
         is_open=True,
     ),
     Subject("Start", ("client_start", "client_mission_name"), is_flown=True, is_open=True),
-    Subject("TakeUp", ("client_readback", "client_parts", "client_late_answers"), is_open=True),
+    Subject("TakeUp", ("client_readback", "client_parts", "client_late_answers")),
     Subject(
         "Upload",
         ("client_upload_ends", "client_readback", "client_mission_name", "client_late_answers", "client_parts"),
