@@ -41,6 +41,11 @@ ENGINES = (
     Subject("PartialUpload", ("client_parts",)),
 )
 
+# The tests of Steering, the cheapest first.
+STEERING = (
+    "steering_refusals", "steering_orders", "steering_arrival", "steering_trouble", "steering_takeover", "steering",
+)  # fmt: skip
+
 # What is around them.
 AROUND = (
     # text
