@@ -102,7 +102,6 @@ class UploadTransfer : public UploadRules {
   uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the current one is current
   Status suspicion_;  // an answer that may belong to an earlier transfer: the result if no other answer comes
   Firmware firmware_;
-  bool isBegunBefore_;
   uint8_t leftovers_ : 2;
   bool recounted_ : 1;  // COUNT was sent more than once
   bool freed_ : 1;      // an open earlier transfer of ours was cancelled first
@@ -110,6 +109,7 @@ class UploadTransfer : public UploadRules {
   bool repeated_ : 1;   // an item was sent more than once
   bool isAskedByInt_ : 1;
   bool isUnasked_ : 1;  // the current item was sent again without being asked for
+  bool isBegunBefore_;
 };
 
 }  // namespace detail
