@@ -130,7 +130,7 @@ AROUND = (
         ("message_intervals", "telemetry_listeners", "telemetry_requests", "telemetry_pause"),
     ),
     Subject("MessageListener", ("message_listener",)),
-    Subject("MissionFollower", ("mission_follower", "message_intervals"), is_flown=True, is_open=True),
+    Subject("MissionFollower", ("mission_follower", "message_intervals"), is_flown=True),
     Subject("MovingTarget", ("moving_target", "velocity_end", "velocity_target"), is_flown=True, is_open=True),
     Subject("OutgoingFields", ("payload_messages", "sensor_messages")),
     Subject("Parameters", ("parameters",)),
