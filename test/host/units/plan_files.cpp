@@ -843,3 +843,109 @@ TEST_CASE("on a link of MAVLink 1 no file is asked for, and there are no fences"
   CHECK(pilot.timesOf(kRequestList, 0).size() == 1);
   CHECK(pilot.said() == "");
 }
+
+namespace {
+
+// An upload whose file was closed, and which is proven item by item: the line loses, or the file cannot be read.
+struct Proven : Pilot {
+  explicit Proven(bool isLossy) {
+    for (int i = 0; isLossy && i < 100; ++i) {
+      lose(3);
+      beat();
+      pass(20);
+    }
+    gives[kOpen] = kFail;
+    said();
+    files.upload(inRam(kPlan));
+    REQUIRE(passUntil("close"));
+    REQUIRE(isAsked(kRequestList));
+    CHECK(stored == 1);
+  }
+  bool isAsked(uint16_t messageId, uint32_t limitMs = 3000) {
+    sent.clear();
+    for (; limitMs != 0; --limitMs) {
+      pass(1);
+      for (const SentFrame& frame : sent) {
+        if (frame.messageId == messageId) return true;
+      }
+    }
+    return false;
+  }
+  void tellCount(uint8_t count) { hear(FrameParts(44, {count, 0, 1, 191, 0}, 221)); }
+  // The items one after the other, as each is asked for; the last one with this height.
+  void tellItems(float lastHeight) {
+    for (size_t i = 0; i < 5; ++i) {
+      if (!isAsked(51)) return;
+      mavlink_mission_item_int_t item = itemAboard(i);
+      if (i == 3) item.z = lastHeight;
+      item.target_system = 1;
+      item.target_component = 191;
+      Bytes bytes(sizeof(item));
+      memcpy(bytes.data(), &item, sizeof(item));
+      hear(FrameParts(73, bytes, 38));
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a plan that is proven item by item is accepted when all items are the same") {
+  for (bool isLossy : {false, true}) {
+    CAPTURE(isLossy);
+    Proven pilot(isLossy);
+    pilot.tellCount(5);
+    pilot.tellItems(30);
+    pilot.pass(100);
+    CHECK((pilot.ended == Status::Accepted));
+    CHECK((pilot.client.aboard() == Aboard::OurPlan));
+    CHECK(pilot.files.isByFile());
+  }
+}
+
+TEST_CASE("an item that is another one differs, and on a line that loses the plan is uploaded item by item") {
+  for (bool isLossy : {false, true}) {
+    CAPTURE(isLossy);
+    Proven pilot(isLossy);
+    pilot.tellCount(5);
+    pilot.tellItems(31);
+    const bool isUploaded = pilot.isAsked(kCount, 1000);
+    CHECK(isUploaded == isLossy);
+    CHECK(pilot.client.isBusy() == isLossy);
+    CHECK(pilot.files.isByFile() == !isLossy);
+    if (!isLossy) CHECK((pilot.ended == Status::Differs));
+  }
+}
+
+TEST_CASE("another number of items differs, and on a line that loses the plan is uploaded item by item") {
+  for (bool isLossy : {false, true}) {
+    CAPTURE(isLossy);
+    Proven pilot(isLossy);
+    pilot.tellCount(4);
+    const bool isUploaded = pilot.isAsked(kCount, 1000);
+    CHECK(isUploaded == isLossy);
+    CHECK(pilot.files.isByFile() == !isLossy);
+    if (!isLossy) CHECK((pilot.ended == Status::Differs));
+  }
+}
+
+TEST_CASE("what was known of the plan aboard is not known of the next one that is ensured") {
+  Pilot pilot;
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE((pilot.end() == Status::Accepted));
+  REQUIRE((pilot.client.aboard() == Aboard::OurPlan));
+  pilot.files.ensure(inRam(kOther));
+  CHECK((pilot.client.aboard() == Aboard::NotKnown));
+}
+
+TEST_CASE("what ensure() has written is proven item by item where its file cannot be read") {
+  Pilot pilot;
+  pilot.hold(pilot.items(kOther, 4));
+  pilot.files.ensure(inRam(kPlan));
+  REQUIRE(pilot.passUntil("create"));
+  pilot.gives[FilePilot::kOpen] = FilePilot::kFail;
+  REQUIRE(pilot.passUntil("open"));
+  pilot.sent.clear();
+  pilot.pass(1000);
+  CHECK(pilot.client.isBusy());
+  CHECK_FALSE(pilot.timesOf(kRequestList, 0).empty());
+}
