@@ -451,3 +451,54 @@ TEST_CASE("the answer to a request for a heartbeat is not that of the sketch's o
   desk.answer(kRequestMessage, kAccepted);
   CHECK((desk.ended == Status::Done));
 }
+
+TEST_CASE("the rest of an order that loop() has kept back for too long is spoiled, so that nobody obeys it") {
+  for (const uint32_t stillMs : {10, 300}) {
+    setMillis(1000);
+    MemoryStream line;
+    MissionClient client(line);
+    client.setTargetIds(1, 1);
+    uint32_t nowMs = 1000;
+    uint8_t sequence = 0;
+    const auto hear = [&] {
+      FrameParts beat = heartbeatParts(ClientOnLine::kPx4);
+      beat.sequence = sequence++;
+      line.bring(packed(beat));
+    };
+    const auto run = [&](uint32_t ms) {
+      setMillis(nowMs += ms);
+      client.update();
+    };
+    hear();
+    for (int i = 0; i < 50; ++i) run(1);
+    client.setCustomMode(kPx4Hold);
+    for (int i = 0; i < 10; ++i) run(1);
+    line.takeWritten();
+    line.room = 12;
+    line.takes = 12;
+    hear();
+    Bytes written;  // until the order begins to leave
+    for (int i = 0; i < 8 && written.empty(); ++i) {
+      run(1);
+      written = line.takeWritten();
+    }
+    REQUIRE(!written.empty());
+    REQUIRE(written.size() < 30);
+    line.room = line.kAlwaysRoom;
+    line.takes = 1000000;
+    run(stillMs);
+    for (int i = 0; i < 5; ++i) run(1);
+    written = written + line.takeWritten();
+    REQUIRE(written.size() > 12);
+    REQUIRE(written[0] == 0xFD);
+    REQUIRE(written[7] == 76);
+    const size_t length = 10u + written[1] + 2;
+    REQUIRE(written.size() >= length);
+    const Bytes frame(written.begin(), written.begin() + static_cast<long>(length));
+    FrameParts parts(76, Bytes(frame.begin() + 10, frame.end() - 2), 152);
+    parts.sequence = frame[4];
+    parts.systemId = frame[5];
+    parts.componentId = frame[6];
+    CHECK((packed(parts) == frame) == (stillMs < 200));
+  }
+}

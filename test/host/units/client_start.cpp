@@ -338,3 +338,30 @@ TEST_CASE("startMission() of a copter asks which vehicle it is, and a disarmed o
     CHECK(flight.client.isBusy() == isArmed);
   }
 }
+
+TEST_CASE("a rover that refuses AUTO is asked again 1 s later, also where the order had been repeated") {
+  Flight flight(ClientOnLine::kArduPilot, MAV_TYPE_GROUND_ROVER);
+  flight.upload();
+  flight.client.start();
+  for (int i = 0; i < 4000 && flight.baseMode != kArmed; ++i) flight.fly(5);
+  REQUIRE(flight.baseMode == kArmed);
+  flight.sent.clear();
+  flight.silentOn = MAV_CMD_DO_SET_MODE;
+  const auto orders = [&] {
+    std::vector<uint32_t> times;
+    for (const SentFrame& frame : flight.sent) {
+      const bool isOrder = frame.messageId == kCommand && Flight::commandOf(frame) == MAV_CMD_DO_SET_MODE;
+      if (isOrder) times.push_back(frame.atMs);
+    }
+    return times;
+  };
+  for (int i = 0; i < 1000 && orders().empty(); ++i) flight.fly(5);
+  flight.silentOn = 0;
+  flight.refusedOn = MAV_CMD_DO_SET_MODE;
+  flight.fly(5000);
+  REQUIRE(orders().size() >= 3);
+  CHECK(orders()[1] - orders()[0] >= 1500);
+  CHECK(orders()[2] - orders()[1] >= 1000);
+  CHECK(orders()[2] - orders()[1] <= 1200);
+  CHECK(flight.client.isBusy());
+}
