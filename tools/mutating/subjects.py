@@ -58,7 +58,11 @@ AROUND = (
     Subject("EepromTimestamps", ("eeprom_timestamps", "eeprom_of_a_board")),
     Subject("Eeprom", ("eeprom_of_a_board",)),
     # client
-    Subject("AskVehicle", ("client_modes",), is_flown=True, is_open=True),
+    Subject(
+        "AskVehicle",
+        ("client_modes",),
+        is_flown=True,
+    ),
     Subject("Clear", ("client_clear",)),
     Subject(
         "Client",
@@ -74,21 +78,25 @@ AROUND = (
             "client_commands",
         ),
         is_flown=True,
-        is_open=True,
     ),
     Subject(
         "Command",
         ("client_commands", "client_modes", "client_current_item", "client_start"),
         is_flown=True,
-        is_open=True,
     ),
     Subject("CommandForm", ("client_command_form",)),
     Subject("Download", ("client_download",)),
-    Subject("Ensure", ("client_ensure", "client_looks", "client_mission_name"), is_open=True),
+    Subject(
+        "Ensure",
+        ("client_ensure", "client_looks", "client_mission_name"),
+    ),
     Subject("Fence", ("client_fence",)),
     Subject("FloatItems", ("client_parts", "client_download")),
     Subject("Kept", ("client_kept_value",)),
-    Subject("Operation", ("client_clear", "client_verify", "parameters"), is_open=True),
+    Subject(
+        "Operation",
+        ("client_clear", "client_verify", "parameters"),
+    ),
     Subject("OtherPlan", ("client_mission_name", "client_start"), is_flown=True),
     Subject("PlanPort", ("client_ensure",), is_open=True),
     Subject(
@@ -100,16 +108,22 @@ AROUND = (
     Subject(
         "Read",
         ("client_verify", "client_readback", "client_download", "client_late_answers", "client_mission_name"),
-        is_open=True,
     ),
-    Subject("Start", ("client_start", "client_mission_name"), is_flown=True, is_open=True),
+    Subject(
+        "Start",
+        ("client_start", "client_mission_name"),
+        is_flown=True,
+    ),
     Subject("TakeUp", ("client_readback", "client_parts", "client_late_answers")),
     Subject(
         "Upload",
         ("client_upload_ends", "client_readback", "client_mission_name", "client_late_answers", "client_parts"),
-        is_open=True,
     ),
-    Subject("VerifyAndStart", ("client_verify_and_start",), is_flown=True, is_open=True),
+    Subject(
+        "VerifyAndStart",
+        ("client_verify_and_start",),
+        is_flown=True,
+    ),
     Subject("WorthRetry", ("status",)),
     # service
     Subject("Adjustments", ("adjustments",)),

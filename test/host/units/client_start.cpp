@@ -240,7 +240,7 @@ bool read(void*, uint16_t index, MissionItem& item) {
 
 // PX4 gives a takeoff the place of the next item that has one: the library looks for it in several steps.
 bool readFarPlace(void*, uint16_t index, MissionItem& item) {
-  item = index == 0 ? takeoff(20_m) : index == 12 ? kFlownPlan[2] : changeSpeed(5_mps);
+  item = index == 1 ? takeoff(20_m) : index == 13 ? kFlownPlan[2] : changeSpeed(5_mps);
   return true;
 }
 
@@ -274,13 +274,13 @@ TEST_CASE("a plan whose source does not give it any more is not confirmed to be 
 
 TEST_CASE("a start looks at an item whose place has to be searched as well") {
   Flight flight(ClientOnLine::kPx4);
-  accept(flight, fromFunction(readFarPlace, 13));
+  accept(flight, fromFunction(readFarPlace, 14));
   flight.client.start();
   flight.fly(1000);
   REQUIRE(!flight.orders.empty());
   CHECK(flight.orders.back() == MAV_CMD_MISSION_START);
   for (int second = 0; second < 9 && flight.client.isBusy(); ++second) {
-    flight.tellCurrent(0, MISSION_STATE_ACTIVE, 13);
+    flight.tellCurrent(1, MISSION_STATE_ACTIVE, 14);
     flight.fly(1000);
   }
   CHECK((flight.ended == Status::Done));
