@@ -12,7 +12,7 @@ namespace {
 constexpr uint16_t kCommandLong = 76, kSetMode = 176, kTransition = 3000, kRequestMessage = 512;
 constexpr uint8_t kAccepted = 0, kUnsupported = 3, kFailed = 4;
 constexpr uint8_t kPlaneType = 1, kCopterType = 2, kRocketType = 9;  // HEARTBEAT.type
-constexpr uint32_t kStabilize = 0, kLoiter = 5, kRtl = 6, kGuided = 4, kPlaneGuided = 15;
+constexpr uint32_t kStabilize = 0, kLoiter = 5, kGuided = 4, kPlaneGuided = 15;
 constexpr uint32_t kPx4Position = 3ul << 16, kPx4Hold = 4ul << 16 | 3ul << 24;
 
 template <typename Value>
