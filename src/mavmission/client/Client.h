@@ -112,7 +112,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   MAVMISSION_APART Status keeping(const MissionItem& item);
   void beginTransfer();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
-  bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && state_.prepared == wireItem; }
+  bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && rest_.prepared == wireItem; }
   uint16_t ownItem(uint16_t wireItem) const { return plan_.numbers().toOwn(wireItem); }
   void report(uint16_t done);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
@@ -165,7 +165,6 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     uint16_t seconds;      // the time of the operation, or of its transfer [s]
     uint16_t unsettledMs;  // when a transfer was last left open, or a download ended
     uint16_t next;         // the wire item to be checked, or to be added to opaqueId_; of commands: see firstMode()
-    uint16_t prepared;     // the wire item that the link holds packed, if it holds one
     uint16_t itemsDone;
     uint16_t failedItem;
     uint16_t backOffEndS;  // when the back-off ends, and when the transfer's own time began [s]
@@ -204,6 +203,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none
     EndFunction ended;
     void* endedContext;
+    uint16_t prepared;  // the wire item that the link holds packed, if it holds one
     uint16_t waitingLimitS;
     uint16_t transferLimitS;
     uint16_t backOffLimitS;  // the limit of all back-offs [s]

@@ -324,7 +324,7 @@ void Client::Uploading::prepare(Client& client, uint16_t wireItem, uint16_t nowM
   } else {
     client.link_.prepareAs<mavlink_mission_item_int_t>(&message);
   }
-  client.state_.prepared = wireItem;
+  client.rest_.prepared = wireItem;
 }
 
 }  // namespace mavmission

@@ -9,6 +9,16 @@
 
 namespace mavmission {
 namespace detail {
+namespace {
+
+// Copies bytes towards the front, and returns the place behind the copy. (Apart, avr-gcc has two registers for the two
+// places.)
+MAVMISSION_APART uint8_t* copyToFront(uint8_t* to, const uint8_t* from, uint8_t length) {
+  for (; length != 0; --length) *to++ = *from++;
+  return to;
+}
+
+}  // namespace
 
 void Outbox::begin(bool isV1, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
   uint8_t* out = frame_;
@@ -43,7 +53,7 @@ void Outbox::complete(const MessageKey* key, const uint8_t* payload) {
     *out++ = 0;
   }
   frame_[1] = length;
-  for (const uint8_t* const end = payload + length; payload != end;) *out++ = *payload++;
+  out = copyToFront(out, payload, length);
   *out = fromFlash(&key->crcExtra);  // the last byte that the checksum covers; the checksum then overwrites it
   const uint16_t crc = checksum(kChecksumStart, frame_ + 1, static_cast<uint8_t>(out - frame_));
   *out++ = static_cast<uint8_t>(crc);
