@@ -377,7 +377,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   c.state_.seconds = 0;
   const bool isLooking = c.state_.operation == detail::Client::Ensuring::step;
   const bool isByFile = c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep;
-  if (!isLooking) c.rest_.lastResult = 255;  // ensure() remembers a refusal
+  if (!isLooking) c.state_.lastResult = 255;  // ensure() remembers a refusal
   const bool isUpload = c.state_.operation == detail::Client::Uploading::step;
   const bool isTransferring = c.isBusy() && c.state_.status == Status::Transferring;
   // What earlier transfers left matters when a transfer begins, and to a clear and a reading; what an upload leaves it
