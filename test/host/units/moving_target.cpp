@@ -915,3 +915,122 @@ TEST_CASE("a hold aims where the aircraft was told to be within three heartbeats
     CHECK(copter.last() == (beats == 3 ? "-353632621 1491652374 9 6" : ""));
   }
 }
+
+TEST_CASE("a hold that is blind for 5 s has no autopilot any more, to the millisecond") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.follow();
+  copter.pass(1000);
+  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = copter.renews = false;
+  copter.run(1500, 1500);
+  const uint32_t blindMs = copter.nowMs();
+  while (copter.nowMs() != blindMs + 5000) copter.pass(1);
+  CHECK((copter.target.status() == Status::Transferring));
+  CHECK(copter.ends.empty());
+  copter.pass(1);
+  CHECK(copter.ended(Status::NoAutopilot));
+}
+
+TEST_CASE("PX4's mode is due when the first target left 1000 ms ago: then a heartbeat is asked for") {
+  Follower px4(ClientOnLine::kPx4);
+  px4.inMission();
+  px4.altitude = aboveSeaLevel(620_m);
+  px4.target.start(kPlace, aboveSeaLevel(620_m));
+  while (px4.messages().empty()) px4.pass(1);
+  const uint32_t beganMs = px4.given(0)[0];
+  px4.beatsBySecond = px4.beatsWhenAsked = false;
+  while (px4.nowMs() != beganMs + 600) px4.pass(1);
+  px4.beat();  // so none is asked for by the target: it has heard the autopilot
+  while (px4.nowMs() != beganMs + 850) px4.pass(1);
+  px4.tellLanded();
+  px4.asks = 0;
+  while (px4.nowMs() != beganMs + 999) px4.pass(1);
+  CHECK(px4.asks == 0);
+  px4.pass(1);
+  CHECK(px4.asks == 1);
+}
+
+TEST_CASE("PX4's mode is not ordered when the last target left 600 ms ago") {
+  for (uint32_t gapMs : {599, 600}) {  // it leaves in the update() behind the heartbeat
+    CAPTURE(gapMs);
+    Follower px4(ClientOnLine::kPx4);
+    px4.inMission();
+    px4.altitude = aboveSeaLevel(620_m);
+    px4.target.start(kPlace, aboveSeaLevel(620_m));
+    while (px4.messages().size() < 5) px4.pass(1);
+    const uint32_t sentMs = px4.given(0).back();
+    px4.beatsBySecond = px4.beatsWhenAsked = false;
+    px4.isStuck = true;
+    px4.said();
+    while (px4.nowMs() != sentMs + gapMs - 2) px4.pass(1);
+    CHECK(px4.said() == "");  // no heartbeat
+    px4.beat();
+    px4.pass(5);
+    CHECK(px4.said() == (gapMs == 599 ? "L176 1 6 0 0 0 0 0" : ""));
+  }
+}
+
+TEST_CASE("an answer to a heartbeat's request is none to the sketch's own request of a message") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.follow();
+  copter.pass(21000);  // nobody expects answers to the beginning any more
+  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+  copter.pass(20);
+  copter.beat();
+  copter.pass(250);
+  copter.gives[512] = kUnheard;
+  static const FlightCommand kOwn = flightCommand(512, 148);
+  copter.client.send(kOwn);
+  copter.asks = 0;
+  for (int ms = 0; ms < 200 && copter.asks == 0; ++ms) copter.pass(1);
+  CHECK(copter.asks == 1);
+  CHECK(copter.client.isBusy());
+  copter.Aircraft::ended = Status::Idle;
+  copter.answer(512, 3);
+  copter.pass(3);
+  CHECK(copter.client.isBusy());
+  copter.answer(512, 0);
+  copter.pass(3);
+  CHECK((copter.Aircraft::ended == Status::Done));
+}
+
+TEST_CASE("an order that asks for a heartbeat waits 100 ms behind the target's request, too") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.follow();
+  copter.pass(1000);
+  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+  copter.beat();
+  copter.asks = 0;
+  while (copter.asks == 0) copter.pass(1);
+  copter.pass(50);
+  copter.steering.landNow();
+  copter.pass(60);
+  CHECK(copter.asks == 3);  // one by the order, 50 ms between two by the target
+  copter.sent.clear();
+  copter.pass(1000);
+  const std::vector<uint32_t> asked = copter.timesOf(76, 0);
+  REQUIRE(asked.size() >= 10);
+  // (The client's clock is the next millisecond's here.)
+  for (size_t i = 1; i < asked.size(); ++i) CHECK((asked[i] - asked[i - 1] + 1) % 100 <= 2);
+}
+
+TEST_CASE("a target that is due when nothing was heard for 600 ms is not sent") {
+  Follower copter(ClientOnLine::kArduPilot);
+  copter.follow();
+  copter.pass(1000);
+  copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+  copter.gives[2500] = kUnheard;
+  const uint32_t dueMs = copter.given(0).back() + 400;
+  while (copter.nowMs() + 1 != dueMs) copter.pass(1);
+  copter.beat();
+  copter.pass(290);
+  copter.forget();
+  copter.line.room = 0;  // so the requests for a heartbeat are in the way of no target
+  static const FlightCommand kOwn = flightCommand(2500);
+  copter.client.send(kOwn);
+  copter.pass(20);
+  copter.line.room = MemoryStream::kAlwaysRoom;
+  copter.pass(500);
+  REQUIRE(copter.given(dueMs).size() == 1);
+  CHECK(copter.given(dueMs)[0] == 400);
+  CHECK(copter.asks >= 4);
+}

@@ -429,3 +429,18 @@ TEST_CASE("a value is for the one that has asked") {
     CHECK_FALSE((one == &other ? desk.parameters : other).value() == value);
   }
 }
+
+TEST_CASE("a value that comes while the client clears a plan ends nothing, though its reading was cancelled") {
+  Desk desk;
+  desk.parameters.read(inFlash("NAME"));
+  REQUIRE(desk.runUntilSent(kRead, 100));
+  desk.client.cancel();
+  desk.run(5);
+  desk.ended = Status::Idle;
+  desk.client.clear();
+  REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_MISSION_CLEAR_ALL, 3000));
+  desk.tell("NAME", MAV_PARAM_TYPE_REAL32, 4);
+  CHECK(desk.client.isBusy());
+  CHECK((desk.ended == Status::Idle));
+  CHECK(desk.parameters.value() == 0);
+}
