@@ -101,7 +101,7 @@ AROUND = (
     Subject("PlanPort", ("client_ensure",), is_open=True),
     Subject(
         "Port",
-        ("client_mission_name", "steering", "parameters", "client_commands", "client_upload_ends"),
+        ("client_mission_name", "steering", "parameters", "client_commands", "client_upload_ends", "plan_files"),
         is_flown=True,
         is_open=True,
     ),
