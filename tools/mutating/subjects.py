@@ -103,7 +103,6 @@ AROUND = (
         "Port",
         ("client_mission_name", "steering", "parameters", "client_commands", "client_upload_ends", "plan_files"),
         is_flown=True,
-        is_open=True,
     ),
     Subject(
         "Read",
