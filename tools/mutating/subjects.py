@@ -144,7 +144,7 @@ AROUND = (
     ),
     Subject("MessageListener", ("message_listener",)),
     Subject("MissionFollower", ("mission_follower", "message_intervals"), is_flown=True),
-    Subject("MovingTarget", ("moving_target", "velocity_end", "velocity_target"), is_flown=True, is_open=True),
+    Subject("MovingTarget", ("moving_target", "velocity_end", "velocity_target"), is_flown=True),
     Subject("OutgoingFields", ("payload_messages", "sensor_messages")),
     Subject("Parameters", ("parameters",)),
     Subject("Payload", ("payload",)),
