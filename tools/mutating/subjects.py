@@ -98,7 +98,7 @@ AROUND = (
         ("client_clear", "client_verify", "parameters"),
     ),
     Subject("OtherPlan", ("client_mission_name", "client_start"), is_flown=True),
-    Subject("PlanPort", ("client_ensure",), is_open=True),
+    Subject("PlanPort", ("client_ensure", "plan_files"), is_open=True),
     Subject(
         "Port",
         ("client_mission_name", "steering", "parameters", "client_commands", "client_upload_ends", "plan_files"),
