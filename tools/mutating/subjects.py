@@ -46,6 +46,11 @@ STEERING = (
     "steering_refusals", "steering_orders", "steering_arrival", "steering_trouble", "steering_takeover", "steering",
 )  # fmt: skip
 
+# The tests of PlanFiles.
+PLAN_FILES = (
+    "plan_files", "plan_files_next", "plan_files_left_open", "plan_files_requests", "plan_files_lossy",
+)  # fmt: skip
+
 # What is around them.
 AROUND = (
     # text
@@ -98,7 +103,7 @@ AROUND = (
         ("client_clear", "client_verify", "parameters"),
     ),
     Subject("OtherPlan", ("client_mission_name", "client_start"), is_flown=True),
-    Subject("PlanPort", ("client_ensure", "plan_files"), is_open=True),
+    Subject("PlanPort", ("client_ensure", *PLAN_FILES), is_open=True),
     Subject(
         "Port",
         ("client_mission_name", "steering", "parameters", "client_commands", "client_upload_ends", "plan_files"),
@@ -149,10 +154,10 @@ AROUND = (
     Subject("Parameters", ("parameters",)),
     Subject("Payload", ("payload",)),
     Subject("PayloadMessages", ("payload_messages",)),
-    Subject("PlanFiles", ("plan_files",), is_open=True),
-    Subject("PlanFilesEnsuring", ("plan_files",), is_open=True),
-    Subject("PlanFilesReading", ("plan_files",), is_open=True),
-    Subject("PlanFilesWriting", ("plan_files",), is_open=True),
+    Subject("PlanFiles", PLAN_FILES, is_open=True),
+    Subject("PlanFilesEnsuring", PLAN_FILES, is_open=True),
+    Subject("PlanFilesReading", PLAN_FILES, is_open=True),
+    Subject("PlanFilesWriting", PLAN_FILES, is_open=True),
     Subject("PositionListener", ("position_listener", "listener_values", "telemetry_listeners")),
     Subject("RadioListener", ("listener_values", "telemetry_listeners")),
     Subject("RcListener", ("listener_values", "telemetry_listeners")),
