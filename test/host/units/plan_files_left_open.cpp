@@ -168,3 +168,38 @@ TEST_CASE("no file is closed while an operation has it open") {
   const std::string said = pilot.said();
   CHECK(said.find("close") == said.rfind("close"));
 }
+
+TEST_CASE("where the header was refused, since somebody else has the file, there is none that could be spoilt") {
+  Pilot pilot;
+  pilot.settle();
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE(pilot.passUntil("write 10"));
+  pilot.once[FilePilot::kWrite] = FilePilot::kInvalidSession;
+  REQUIRE(pilot.passUntil("write 0+10"));
+  pilot.pass(50);
+  pilot.client.cancel();
+  pilot.ignore(FilePilot::kOpen);
+  pilot.files.verify(inRam(kPlan));
+  REQUIRE(pilot.passUntil("open"));
+  pilot.client.cancel();
+  pilot.said();
+  pilot.pass(3000);
+  CHECK(pilot.said() == "close");
+}
+
+TEST_CASE("a file that was left open is not closed while ensure() checks its plan") {
+  static MissionItem many[300];
+  for (int i = 0; i < 300; ++i) many[i] = waypoint(Degrees::fromE7(100000 + i), Degrees::fromE7(200000 + i), 20_m);
+  Pilot pilot;
+  pilot.settle();
+  pilot.files.verify(inRam(kPlan));
+  REQUIRE(pilot.passUntil("read"));
+  pilot.client.cancel();
+  pilot.said();
+  pilot.files.ensure(inRam(many));
+  for (int ms = 0; ms < 5000 && pilot.client.status() != Status::Checking; ++ms) pilot.pass(1);
+  pilot.beat();
+  pilot.pass(20);
+  CHECK(pilot.said() == "");
+  CHECK((pilot.client.status() == Status::Checking));
+}

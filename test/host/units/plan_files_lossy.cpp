@@ -170,3 +170,187 @@ TEST_CASE("an autopilot that is armed while ensure() checks a long plan may have
   pilot.beat();
   CHECK((pilot.end() == Status::AlreadyAboard));
 }
+
+TEST_CASE("on a line that loses, another number of items of a plan of one item leads to an upload item by item") {
+  Pilot pilot;
+  pilot.makeLossy();
+  pilot.gives[FilePilot::kOpen] = FilePilot::kFail;
+  pilot.files.upload(inRam(kPlan, 1));
+  REQUIRE(pilot.passUntil("close"));
+  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
+  pilot.tellCount(4);
+  CHECK(pilot.isAsked(FilePilot::kCount, 1000));
+}
+
+TEST_CASE("what is no number of items is not taken for another one") {
+  Pilot pilot;
+  pilot.makeLossy();
+  pilot.gives[FilePilot::kOpen] = FilePilot::kFail;
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE(pilot.passUntil("close"));
+  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
+  pilot.reply(5, 1, 128, FilePilot::kRead, 0, {});  // where a MISSION_COUNT has its type, there is a 0
+  CHECK_FALSE(pilot.isAsked(FilePilot::kCount, 50));
+  pilot.tellCount(5);
+  CHECK(pilot.isAsked(FilePilot::kRequestInt, 50));
+}
+
+TEST_CASE("a damaged plan is read back in any case: also if the line has lost nothing for long") {
+  Pilot pilot;
+  pilot.makeLossy();
+  pilot.writeAndAsk();
+  pilot.tellItems(3, 31);
+  REQUIRE(pilot.isAsked(FilePilot::kCount, 1000));
+  for (uint8_t item = 0; item < 5; ++item) {
+    pilot.hear(requestParts(item));
+    REQUIRE(pilot.isAsked(FilePilot::kItemInt, 500));
+    pilot.pass(3000);
+  }
+  pilot.hear(ackParts(0));
+  CHECK(pilot.isAsked(FilePilot::kRequestList));
+}
+
+TEST_CASE("an upload that a damaged plan leads to reads as many bytes in an update() as any other") {
+  size_t most[3] = {};
+  for (size_t i = 0; i < 3; ++i) {
+    Pilot pilot;
+    if (i == 2) pilot.gives[FilePilot::kRead] = FilePilot::kUnheard;
+    if (i != 0) {
+      pilot.gives[FilePilot::kRead] = FilePilot::kUnheard;
+      pilot.files.upload(inRam(kPlan));
+      REQUIRE(pilot.passUntil("read"));
+    }
+    if (i == 2) {
+      pilot.makeLossy();
+      pilot.hold({kOther[0], kOther[1], kOther[2], kOther[3]});
+      pilot.gives.clear();
+      REQUIRE(pilot.isAsked(FilePilot::kCount));
+    }
+    pilot.pass(3);
+    for (int frames = 0; frames < 50; ++frames) pilot.line.bring(telemetry());
+    const size_t before = pilot.line.bytesRead;
+    pilot.run(1);
+    most[i] = pilot.line.bytesRead - before;
+  }
+  CHECK(most[1] < most[0]);  // time is kept free for a comparison
+  CHECK(most[2] == most[0]);
+}
+
+TEST_CASE("an error behind an earlier upload, in doubt whether it was a refusal, says nothing about the next one") {
+  Pilot pilot;
+  pilot.client.upload(inRam(kOther));
+  REQUIRE(pilot.isAsked(FilePilot::kCount));
+  for (uint8_t i = 0; i < 5; ++i) {
+    pilot.hear(requestParts(i));
+    REQUIRE(pilot.isAsked(FilePilot::kItemInt, 500));
+  }
+  pilot.hear(ackParts(1));
+  REQUIRE(pilot.isAsked(FilePilot::kRequestList));
+  pilot.tellCount(3);
+  pilot.pass(100);
+  REQUIRE((pilot.ended == Status::Error));
+  pilot.writeAndAsk();
+  pilot.tellItems(3, 31);
+  pilot.pass(100);
+  CHECK((pilot.ended == Status::Differs));
+}
+
+TEST_CASE("behind a plan that was proven, nothing of an earlier transfer is waited for") {
+  Pilot pilot;
+  pilot.client.upload(inRam(kOther));
+  REQUIRE(pilot.isAsked(FilePilot::kCount));
+  pilot.hear(requestParts(0));
+  REQUIRE(pilot.isAsked(FilePilot::kItemInt));
+  pilot.client.cancel();
+  pilot.pass(10);
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE((pilot.end() == Status::Accepted));
+  pilot.client.clear();
+  CHECK(pilot.isAsked(45, 20));
+}
+
+TEST_CASE("a plan that was written as a file has no name, and not that of the plan before") {
+  Pilot pilot;
+  MissionFollower follower(pilot.client);
+  pilot.client.upload(inRam(kOther));
+  REQUIRE(pilot.isAsked(FilePilot::kCount));
+  for (uint8_t i = 0; i < 5; ++i) {
+    pilot.hear(requestParts(i));
+    REQUIRE(pilot.isAsked(FilePilot::kItemInt, 500));
+  }
+  pilot.hear(ackParts(0, 1, 191, 0, 77));
+  pilot.pass(50);
+  REQUIRE((pilot.ended == Status::Accepted));
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE((pilot.end() == Status::Accepted));
+  for (int i = 0; i < 4; ++i) {
+    pilot.hear(FrameParts(42, {0, 0, 4, 0, 3, 1, 88, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}, 28));
+    pilot.pass(1000);
+  }
+  CHECK((pilot.client.aboard() == Aboard::OurPlan));
+}
+
+TEST_CASE("an item whose place is looked for in more than one update() is compared when it is found") {
+  std::vector<MissionItem> plan(1, takeoff(20_m));
+  for (int i = 0; i < 30; ++i) plan.push_back(returnToLaunch());
+  plan.push_back(kPlan[1]);
+  Pilot pilot;
+  pilot.files.upload(inRam(plan.data(), static_cast<uint32_t>(plan.size())));
+  CHECK((pilot.end() == Status::Accepted));
+  CHECK(pilot.client.failedItem() == 0xFFFF);
+  CHECK(pilot.files.isByFile());
+}
+
+namespace {
+
+// A plan of one waypoint and home, by MISSION_ITEM.
+void tellFloats(Pilot& pilot) {
+  pilot.tellCount(2);
+  for (uint8_t i = 0; i < 2; ++i) {
+    if (!pilot.isAsked(FilePilot::kRequestInt, 100)) return;
+    mavlink_mission_item_t item = mavlink_mission_item_t();
+    item.x = -35.5f;
+    item.y = 149.5f;
+    item.z = 20;
+    item.seq = i;
+    item.command = 16;
+    item.frame = i == 0 ? 0 : 3;
+    item.target_system = 1;
+    item.target_component = 191;
+    item.autocontinue = 1;
+    Bytes bytes(sizeof(item));
+    memcpy(bytes.data(), &item, sizeof(item));
+    pilot.hear(FrameParts(39, bytes, 254));
+  }
+  pilot.pass(100);
+}
+
+}  // namespace
+
+TEST_CASE("items with places in floats are read where no file is, and prove no upload") {
+  struct Sink {
+    static bool write(void* context, uint16_t, const MissionItem& item) {
+      static_cast<std::vector<int32_t>*>(context)->push_back(item.x);
+      return true;
+    }
+  };
+  Pilot pilot;
+  pilot.gives[FilePilot::kOpen] = FilePilot::kFail;
+  for (int i = 0; i < 2; ++i) {
+    CAPTURE(i);
+    std::vector<int32_t> taken;
+    pilot.files.download(toFunction(Sink::write, &taken));
+    REQUIRE(pilot.isAsked(FilePilot::kRequestList));
+    tellFloats(pilot);
+    CHECK((pilot.ended == Status::Downloaded));
+    CHECK(taken == std::vector<int32_t>{-355000000, -355000000});
+    pilot.files.upload(inRam(kPlan + 1, 1));
+    REQUIRE(pilot.passUntil("close"));
+    REQUIRE(pilot.isAsked(FilePilot::kRequestList));
+    pilot.sent.clear();
+    tellFloats(pilot);
+    CHECK(pilot.client.isBusy());
+    pilot.client.cancel();
+    pilot.pass(3000);
+  }
+}

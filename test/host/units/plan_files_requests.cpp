@@ -20,7 +20,7 @@ struct Pilot : FilePilot {
 std::vector<MissionItem> circles() {
   std::vector<MissionItem> many;
   for (int i = 0; i < 20; ++i) {
-    many.push_back(loiterUnlimited(Degrees::fromE7(100000 + i), Degrees::fromE7(200000 + i), 20_m, 12_m));
+    many.push_back(loiterUnlimited(Degrees::fromE7(100000 + i), Degrees::fromE7(1491652374 + i), 20_m, 12_m));
   }
   return many;
 }
