@@ -90,16 +90,17 @@ TEST_CASE("no request has what an item before has left where a field is to be ze
   CHECK(pilot.said().find('!') == std::string::npos);
 }
 
-TEST_CASE("an item is written with its own autocontinue, for the autopilot, and none is the current one") {
+TEST_CASE("an item is written with its own autocontinue, and current, for the autopilot") {
   std::vector<MissionItem> many = circles();
   for (MissionItem& item : many) item.autocontinue = 0;
+  many[3].current = 1;
   Pilot pilot;
   pilot.files.upload(inRamOf(many));
   REQUIRE((pilot.end() == Status::Accepted));
   for (size_t i = 1; i <= many.size(); ++i) {
     const mavlink_mission_item_int_t item = pilot.itemAboard(i);
     CHECK(uint8_t{item.autocontinue} == 0);
-    CHECK(uint8_t{item.current} == 0);
+    CHECK(uint8_t{item.current} == (i == 4 ? 1 : 0));
     CHECK(uint8_t{item.target_system} == 1);
     CHECK(uint8_t{item.target_component} == 1);
   }
