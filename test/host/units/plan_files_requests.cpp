@@ -168,3 +168,30 @@ TEST_CASE("a plan that has too many items is not verified at all") {
   CHECK_FALSE(pilot.client.isBusy());
   CHECK(pilot.said() == "");
 }
+
+TEST_CASE("a request waits until another frame has left") {
+  Pilot pilot;
+  pilot.sent.clear();
+  REQUIRE(pilot.runUntilSent(0, 3000));  // our heartbeat, each second
+  pilot.gives[FilePilot::kCreate] = FilePilot::kUnheard;
+  pilot.pass(700);
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE(pilot.passUntil("create", 250));
+  pilot.line.room = 3;
+  pilot.line.writes = 0;
+  while (pilot.line.writes == 0) pilot.pass(1);
+  pilot.said();
+  pilot.sent.clear();
+  pilot.reply(static_cast<uint16_t>(pilot.sequence + 1), pilot.session, 128, FilePilot::kCreate, 0, {});
+  pilot.pass(20);
+  pilot.line.room = MemoryStream::kAlwaysRoom;
+  CHECK(pilot.passUntil("write 10+190", 50));
+  REQUIRE(pilot.sent.size() >= 2);
+  CHECK(pilot.sent[0].messageId == 0);
+  const Bytes& beat = pilot.sent[0].frame;
+  FrameParts parts(0, Bytes(beat.begin() + 10, beat.end() - 2), 50);
+  parts.sequence = beat[4];
+  parts.systemId = beat[5];
+  parts.componentId = beat[6];
+  CHECK(packed(parts) == beat);
+}
