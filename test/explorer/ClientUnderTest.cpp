@@ -368,7 +368,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   }
   if (!c.link_.outbox_.isHeld()) {
     blank(c.link_.outbox_);
-    c.state_.prepared = 0;
+    c.rest_.prepared = 0;
   }
   c.state_.isTimeLeft = false;
   c.state_.tick = static_cast<uint8_t>(kNow / MissionClient::kTickMs);

@@ -183,3 +183,18 @@ TEST_CASE("a write that was on its way when its upload was cancelled is broken, 
     CHECK(broken == 1);
   }
 }
+
+TEST_CASE("behind a plan that was there by file, an armed ArduPilot is asked for no file, for an empty plan either") {
+  Pilot pilot;
+  CHECK_FALSE(pilot.files.isByFile());
+  pilot.files.ensure(inRam(kPlan));
+  REQUIRE((pilot.end() == Status::Accepted));
+  REQUIRE(pilot.files.isByFile());
+  pilot.baseMode = 128 | 1;
+  pilot.pass(3000);
+  pilot.said();
+  pilot.files.ensure(emptyPlan());
+  pilot.end(4000);
+  CHECK(pilot.said() == "");
+  CHECK_FALSE(pilot.files.isByFile());
+}
