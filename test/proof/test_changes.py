@@ -93,6 +93,31 @@ int32_t AltitudeListener::aboveHomeCm() const { return timesWhole(aboveHome_, 10
 }
 
 
+LISTENING = """
+#include <MavMission.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "ClientOnLine.h"
+#include "mavmission/base/MavlinkHeaders.h"
+
+int main() {
+  ClientOnLine desk(ClientOnLine::kPx4);
+  mavmission::AltitudeListener altitude(desk.client);
+  mavlink_altitude_t message = mavlink_altitude_t();
+  message.altitude_relative = 12.34f;
+  Bytes payload(sizeof(message));
+  memcpy(payload.data(), &message, sizeof(message));
+  desk.run(2000);
+  desk.hear(FrameParts(MAVLINK_MSG_ID_ALTITUDE, payload, MAVLINK_MSG_ID_ALTITUDE_CRC));
+  printf("%d\\n", altitude.isHeard());
+  desk.run(5);
+  printf("%d\\n%ld\\n", altitude.isHeard(), static_cast<long>(altitude.aboveHomeCm()));
+  return 0;
+}
+"""
+
+
 @pytest.mark.slow
 def test_new_listener_is_two_files_and_a_line(tmp_path):
     library = tmp_path / "src"
@@ -102,7 +127,8 @@ def test_new_listener_is_two_files_and_a_line(tmp_path):
     before = '#include "mavmission/AttitudeListener.h"\n'
     replaced(library / "MavMission.h", before, '#include "mavmission/AltitudeListener.h"\n' + before)
     program = tmp_path / "program"
-    sources = [PROGRAMS / "altitude.cpp", HOST / "Frames.cpp", SHIM / "Arduino.cpp", *library_sources(library)]
+    (tmp_path / "listening.cpp").write_text(LISTENING)
+    sources = [tmp_path / "listening.cpp", HOST / "Frames.cpp", SHIM / "Arduino.cpp", *library_sources(library)]
     command = ["g++", *WORDS, f"-I{library}", f"-I{SHIM}", f"-I{HOST}"]
     quick = with_mavlink(command, compiler_version("g++"))
     subprocess.run([*command, *quick, *map(str, sources), "-o", str(program)], check=True)

@@ -389,7 +389,7 @@ DEFECTS = {
     ),
     "an upload begins anew and forgets that the server has begun": (
         "TakeUp.cpp",
-        "client.unsettle(nowMs);\n    client.beginTransfer();",
+        "client.unsettle(nowMs);\n    client.beginTransfer();\n    client.transfer_.noteBegunBefore();",
         "client.beginTransfer();",
         "Betaflight upload-in-doubt 2 --losses 2 --faults 1",
         "aboard() says as before, and it is not",
