@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ClientOnLine.h"
+#include "PlanFrames.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 class FilePilot : public ClientOnLine {
@@ -74,25 +75,13 @@ class FilePilot : public ClientOnLine {
       plans[0].push_back(bytesOf(item, static_cast<uint16_t>(plans[0].size())));
     }
   }
-  Bytes bytesOf(const mavmission::MissionItem& item, uint16_t seq) const {
-    mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
-    message.param1 = orZero(item.param1);
-    message.param2 = orZero(item.param2);
-    message.param3 = orZero(item.param3);
-    message.param4 = orZero(item.param4);
-    message.x = item.x;
-    message.y = item.y;
-    message.z = item.z;
-    message.seq = seq;
-    message.command = item.command;
-    message.target_system = 1;
-    message.target_component = 1;
-    message.frame = static_cast<uint8_t>(item.frame);
-    message.current = item.current;
-    message.autocontinue = item.autocontinue;
-    message.mission_type = type;
-    Bytes bytes(sizeof(message));
-    memcpy(bytes.data(), &message, sizeof(message));
+  // An item of a file; what is not set is 0 in it.
+  Bytes bytesOf(mavmission::MissionItem item, uint16_t seq) const {
+    for (float* number : {&item.param1, &item.param2, &item.param3, &item.param4}) {
+      if (*number != *number) *number = 0;
+    }
+    Bytes bytes = itemParts(seq, item, static_cast<mavmission::PlanType>(type)).payload;
+    bytes[offsetof(mavlink_mission_item_int_t, target_component)] = 1;
     return bytes;
   }
   mavlink_mission_item_int_t itemAboard(size_t number) const {
@@ -100,8 +89,6 @@ class FilePilot : public ClientOnLine {
     memcpy(&message, plans[type].at(number).data(), sizeof(message));
     return message;
   }
-  // What is not set is 0 aboard.
-  static float orZero(float value) { return value == value ? value : 0; }
   Bytes home() const {
     mavmission::MissionItem item =
         mavmission::waypoint(mavmission::Degrees::fromE7(-353632621), mavmission::Degrees::fromE7(1491652374),

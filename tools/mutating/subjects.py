@@ -63,11 +63,7 @@ AROUND = (
     Subject("EepromTimestamps", ("eeprom_timestamps", "eeprom_of_a_board")),
     Subject("Eeprom", ("eeprom_of_a_board",)),
     # client
-    Subject(
-        "AskVehicle",
-        ("client_modes",),
-        is_flown=True,
-    ),
+    Subject("AskVehicle", ("client_modes",), is_flown=True),
     Subject("Clear", ("client_clear",)),
     Subject(
         "Client",
@@ -84,24 +80,14 @@ AROUND = (
         ),
         is_flown=True,
     ),
-    Subject(
-        "Command",
-        ("client_commands", "client_modes", "client_current_item", "client_start"),
-        is_flown=True,
-    ),
+    Subject("Command", ("client_commands", "client_modes", "client_current_item", "client_start"), is_flown=True),
     Subject("CommandForm", ("client_command_form",)),
     Subject("Download", ("client_download",)),
-    Subject(
-        "Ensure",
-        ("client_ensure", "client_looks", "client_mission_name"),
-    ),
+    Subject("Ensure", ("client_ensure", "client_looks", "client_mission_name")),
     Subject("Fence", ("client_fence",)),
     Subject("FloatItems", ("client_parts", "client_download")),
     Subject("Kept", ("client_kept_value",)),
-    Subject(
-        "Operation",
-        ("client_clear", "client_verify", "parameters"),
-    ),
+    Subject("Operation", ("client_clear", "client_verify", "parameters")),
     Subject("OtherPlan", ("client_mission_name", "client_start"), is_flown=True),
     Subject("PlanPort", ("client_ensure", *PLAN_FILES)),
     Subject(
@@ -110,24 +96,15 @@ AROUND = (
         is_flown=True,
     ),
     Subject(
-        "Read",
-        ("client_verify", "client_readback", "client_download", "client_late_answers", "client_mission_name"),
+        "Read", ("client_verify", "client_readback", "client_download", "client_late_answers", "client_mission_name")
     ),
-    Subject(
-        "Start",
-        ("client_start", "client_mission_name"),
-        is_flown=True,
-    ),
+    Subject("Start", ("client_start", "client_mission_name"), is_flown=True),
     Subject("TakeUp", ("client_readback", "client_parts", "client_late_answers")),
     Subject(
         "Upload",
         ("client_upload_ends", "client_readback", "client_mission_name", "client_late_answers", "client_parts"),
     ),
-    Subject(
-        "VerifyAndStart",
-        ("client_verify_and_start",),
-        is_flown=True,
-    ),
+    Subject("VerifyAndStart", ("client_verify_and_start",), is_flown=True),
     Subject("WorthRetry", ("status",)),
     # service
     Subject("Adjustments", ("adjustments",)),
@@ -143,10 +120,7 @@ AROUND = (
     Subject("HudListener", ("listener_values", "telemetry_listeners")),
     Subject("LinkDoctor", ("link_doctor",)),
     Subject("Listener", ("telemetry_listeners", "message_listener", "velocity_vehicles")),
-    Subject(
-        "MessageIntervals",
-        ("message_intervals", "telemetry_listeners", "telemetry_requests", "telemetry_pause"),
-    ),
+    Subject("MessageIntervals", ("message_intervals", "telemetry_listeners", "telemetry_requests", "telemetry_pause")),
     Subject("MessageListener", ("message_listener",)),
     Subject("MissionFollower", ("mission_follower", "message_intervals"), is_flown=True),
     Subject("MovingTarget", ("moving_target", "velocity_end", "velocity_target"), is_flown=True),

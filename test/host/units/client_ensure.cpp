@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "ClientOnLine.h"
+#include "PlanFrames.h"
 #include "mavmission/base/MavlinkHeaders.h"
 
 using namespace mavmission;
@@ -10,12 +11,6 @@ namespace {
 
 constexpr MissionItem kPlan[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m)};
 constexpr uint8_t kDenied = 14, kCancelled = 15;
-
-FrameParts countParts(uint16_t items, uint32_t opaqueId = 0) {
-  Bytes payload = {static_cast<uint8_t>(items), static_cast<uint8_t>(items >> 8), 1, 191, 0};
-  for (int shift = 0; shift < 32; shift += 8) payload.push_back(static_cast<uint8_t>(opaqueId >> shift));
-  return FrameParts(44, payload, 221);
-}
 
 struct Looking : ClientOnLine {
   explicit Looking(uint8_t autopilot) : ClientOnLine(autopilot) {
@@ -76,7 +71,7 @@ TEST_CASE("the reading is closed before MISSION_COUNT leaves, and the first deni
 TEST_CASE("PX4's checksum decides by itself, and the same number of items does not") {
   Looking desk(ClientOnLine::kPx4);
   desk.sent.clear();
-  desk.hear(countParts(2, 0x12345678));
+  desk.hear(countParts(2, PlanType::Mission, 0x12345678));
   CHECK(desk.runUntilSent(ClientOnLine::kCount, 100));
   CHECK(desk.timesOf(ClientOnLine::kRequestInt, 0).empty());
 }
@@ -101,31 +96,10 @@ TEST_CASE("what was known to be aboard is not known while another plan is looked
 
 namespace {
 
-// The items of kPlan as PX4 gives them, and the checksum that it computed over them.
-FrameParts itemParts(uint16_t seq) {
-  mavlink_mission_item_int_t message = mavlink_mission_item_int_t();
-  const MissionItem& item = kPlan[seq];
-  message.param1 = item.param1;
-  message.param2 = item.param2;
-  message.param3 = item.param3;
-  message.param4 = item.param4;
-  message.x = item.x;
-  message.y = item.y;
-  message.z = item.z;
-  message.seq = seq;
-  message.command = item.command;
-  message.target_system = 1;
-  message.target_component = 191;
-  message.frame = static_cast<uint8_t>(item.frame);
-  message.autocontinue = item.autocontinue;
-  const uint8_t* begin = reinterpret_cast<const uint8_t*>(&message);
-  return FrameParts(73, Bytes(begin, begin + sizeof(message)), 38);
-}
-
 // Answers every request for an item of kPlan, and ends when nothing is asked any more.
 void answerReading(ClientOnLine& desk, uint16_t changed = 0xFFFF) {
   for (uint16_t seq = 0; seq < 2; ++seq) {
-    FrameParts parts = itemParts(seq);
+    FrameParts parts = itemParts(seq, kPlan[seq]);
     if (seq == changed) parts.payload[16] = static_cast<uint8_t>(parts.payload[16] ^ 1);  // x
     desk.hear(parts);
     desk.run(5);

@@ -262,7 +262,7 @@ TEST_CASE("an upload without a read-back stays unconfirmed, whatever else the sk
     } else {
       desk.client.useMissionItemFallback();
     }
-    desk.client.upload(inRam(kPlan), Readback::Always);  // which is forgotten
+    desk.client.upload(inRam(kPlan), Readback::Always);  // this upload's proof is forgotten
     desk.client.cancel();
     desk.run(3000);
     desk.ended = Status::Idle;
@@ -371,7 +371,7 @@ TEST_CASE("an error while items are read back begins the reading anew, and in a 
 
 TEST_CASE("items that come as floats prove nothing") {
   Proving desk(ClientOnLine::kPx4);
-  desk.client.verify(inRam(kPlan));  // which takes them
+  desk.client.verify(inRam(kPlan));  // it takes the late answers
   desk.run(5);
   desk.client.cancel();
   desk.run(3000);

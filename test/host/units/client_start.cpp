@@ -199,7 +199,7 @@ TEST_CASE("the items are looked at one in an update(), and the first message lea
   Flight flight;
   flight.upload();
   flight.run(10);
-  flight.client.setCustomMode(kStabilize);  // which flies
+  flight.client.setCustomMode(kStabilize);
   flight.fly(1100);
   flight.run(10);
   flight.saysVehicle = true;

@@ -5,7 +5,8 @@
 #include "mavmission/TelemetryListener.h"
 
 // It is to be compiled with room for 60 bytes, and the programs of these tests have less: enough for a HOME_POSITION
-// whose last 8 bytes, the time, are 0, since MAVLink 2 omits them. So what it demands is set aside here.
+// whose last 8 bytes, the time, are 0, since MAVLink 2 omits them. So the check of the buffer's length is set aside
+// here.
 #pragma push_macro("MAVMISSION_MAX_PAYLOAD")
 #undef MAVMISSION_MAX_PAYLOAD
 #define MAVMISSION_MAX_PAYLOAD 60

@@ -41,7 +41,7 @@ struct Desk : ClientOnLine {
   uint32_t answers = 0;    // so many questions are answered
   uint32_t telemetry = 0;  // so many messages that nobody wants come each second
   bool echoes = false;     // what we send comes back
-  Bytes garbage;           // comes each 100 ms
+  Bytes garbage;           // that comes every 100 ms
   uint32_t baud = 57600;   // of the port
   uint32_t goodBaud = 0;   // an autopilot is heard at this one, twice a second
 
@@ -614,7 +614,7 @@ TEST_CASE("an autopilot with our own ids does not hear us") {
 
 // --- Whether we are heard
 
-TEST_CASE("all is well: each 4 s show whether much telemetry comes") {
+TEST_CASE("all is well: every 4 s it is judged anew whether much telemetry comes") {
   for (uint32_t telemetry : {3u, 4u}) {
     Well desk;
     desk.telemetry = telemetry;

@@ -20,7 +20,7 @@ constexpr uint8_t kFirmwares[] = {ClientOnLine::kArduPilot, ClientOnLine::kPx4};
 
 typedef mavlink_set_position_target_global_int_t Message;
 
-// An aircraft in its mission, and a sketch that renews a target each 50 ms.
+// An aircraft in its mission, and a sketch that renews a target every 50 ms.
 struct Follower : Aircraft {
   MovingTarget target;
   bool renews = true;
