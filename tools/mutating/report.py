@@ -6,7 +6,7 @@ from collections import Counter
 
 from .judging import SURVIVED, Verdict
 from .mutants import Mutant
-from .subjects import OPEN, files_of
+from .subjects import files_of
 
 KILLERS = ("unit tests", "client tests", "sanitizers", "flights", "explorer")
 HEAD = ["file", "mutants", *KILLERS, "survived", "explained", "score"]
@@ -55,14 +55,6 @@ def is_explained(verdict: Verdict, reasons: dict) -> bool:
 
 
 def unexplained(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
-    return [verdict for verdict in without_a_verdict(verdicts, reasons) if verdict.mutant.path.stem not in OPEN]
-
-
-def left_open(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
-    return [verdict for verdict in without_a_verdict(verdicts, reasons) if verdict.mutant.path.stem in OPEN]
-
-
-def without_a_verdict(verdicts: list[Verdict], reasons: dict) -> list[Verdict]:
     return [verdict for verdict in verdicts if verdict.outcome == SURVIVED and verdict.mutant.key not in reasons]
 
 
@@ -83,7 +75,6 @@ def text(verdicts: list[Verdict], reasons: dict) -> str:
         parts.append("not counted: " + ", ".join(f"{number} {why}" for why, number in left_out.items()))
     for title, found in (
         ("survived, and is not explained:", unexplained(verdicts, reasons)),
-        ("survived, in a file that is still open:", left_open(verdicts, reasons)),
         ("is explained, and was killed:", killed_but_explained(verdicts, reasons)),
     ):
         if found:
