@@ -11,6 +11,7 @@ import sys
 import pytest
 
 from building import ROOT
+from measuring import record
 
 TEXT = (ROOT / "CONTRIBUTING.md").read_text()
 BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```$", TEXT, re.M | re.S)  # (language, lines)
@@ -46,13 +47,7 @@ def test_named_test_is_there_and_the_named_figure_is_measured():
     (file, name) = re.search(r'"(test/\w+/\w+\.py)::(\w+)"', TEXT).groups()
     assert f"def {name}(" in (ROOT / file).read_text()
     (figure,) = re.findall(r"--only (\w+)", TEXT)
-    assert f"[{figure}]" in (ROOT / "test" / "figures" / "measure_bounds.toml").read_text()
-
-
-def test_pictures_of_the_page_on_simulation_are_drawn_by_the_same_commands_here():
-    page = (ROOT / "docs" / "simulation.md").read_text()
-    drawn = re.findall(r"^tools/demo .*--timeline docs/.*$", page, re.M)
-    assert drawn and set(drawn) <= set(COMMANDS)
+    assert figure in record.load()["figures"]
 
 
 def test_trace_of_one_run_is_printed():

@@ -6,14 +6,14 @@ import re
 
 import pytest
 
-import retry_table
 from building import ROOT
-from measuring import budget, documents, report
+from measuring import budget
+from refreshing import retries
 from simulation.firmware import library_file
 
 DESIGN = (ROOT / "DESIGN.md").read_text()
 PAGES = sorted((ROOT / "docs" / "design").glob("*.md"))
-RETRIES = retry_table.DOCUMENT.read_text()
+RETRIES = retries.DOCUMENT.read_text()
 SOURCES = ROOT / "src" / "mavmission"
 MOST_LINES = 400
 
@@ -28,7 +28,7 @@ def test_design_is_short_enough_to_be_read_once_and_leads_to_each_of_its_pages()
 
 
 def waits_in_the_code() -> dict[str, str]:
-    return retry_table.values(library_file("RetryRules.h").read_text())
+    return retries.values(library_file("RetryRules.h").read_text())
 
 
 def rules() -> list[list[str]]:
@@ -48,15 +48,13 @@ def test_every_wait_in_the_code_is_a_rule_of_the_table_with_its_value():
     assert dict(written) == waits_in_the_code()
 
 
-def test_values_are_those_that_the_tool_writes():
-    known = waits_in_the_code()
-    assert retry_table.with_values(RETRIES, known) == RETRIES, "run test/support/retry_table.py --write"
+def test_value_of_the_code_is_put_behind_its_name():
     row = "| `UploadRules::kRepeatMs` = 7, `UploadRules::kBusyTries` = 8 | seen |"
-    assert retry_table.with_values(row, {"UploadRules::kRepeatMs": "1 + 2", "UploadRules::kBusyTries": "9"}) == (
+    assert retries.with_values(row, {"UploadRules::kRepeatMs": "1 + 2", "UploadRules::kBusyTries": "9"}) == (
         "| `UploadRules::kRepeatMs` = 1 + 2, `UploadRules::kBusyTries` = 9 | seen |"
     )
     with pytest.raises(KeyError, match="kGone"):
-        retry_table.with_values("| `UploadRules::kGone` = 7 |", known)
+        retries.with_values("| `UploadRules::kGone` = 7 |", waits_in_the_code())
 
 
 def worth(name: str, value: str) -> str:
@@ -170,22 +168,6 @@ def test_table_of_changes_is_read_to_its_last_row():
 
 
 # The budget -------------------------------------------------------------------
-
-
-QUICK = ("in short", "RAM budget", "goals", "flash budget")
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in documents.TABLES]
-)
-def test_measured_table_is_not_stale(name):
-    assert documents.is_current(name, documents.TABLES[name]()), "run tools/measure --write-docs"
-
-
-def test_each_place_for_a_measured_table_is_written_by_the_tool():
-    texts = [place.read_text() for place in documents.DOCUMENTS]
-    marked = [name for text in texts for name in re.findall(r"<!-- ([\w ]+): begin -->", text)]
-    assert sorted(marked) == sorted([*documents.TABLES, report.MARK, "files", "rates"])
 
 
 def test_parts_of_the_budget_add_up_to_the_whole():

@@ -10,7 +10,6 @@ import pytest
 
 from building import BOARDS, BUILD, HARDWARE, ROOT, BuildFailed, Built, build_sketch
 from examples import example_folders, sketch_of
-from keywords import keywords as keywords_of_headers
 from promised import TOO_LARGE
 
 UNTRACKED = {"build", ".git", ".pio", "__pycache__", ".hypothesis", ".pytest_cache"}
@@ -158,10 +157,6 @@ def public_headers() -> str:
     headers = [*(ROOT / "src").glob("*.h"), *(ROOT / "src" / "mavmission").glob("*.h")]
     text = "\n".join(h.read_text() for h in headers)
     return re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
-
-
-def test_keywords_are_those_of_the_headers():
-    assert (ROOT / "keywords.txt").read_text() == keywords_of_headers(), "run tools/keywords.py --write"
 
 
 def test_keywords_are_a_name_one_tab_and_a_kind():

@@ -1,9 +1,8 @@
-"""The figures hold their bounds, mean what they say, and are what the documents print."""
+"""The figures hold their bounds, mean what they say, and are what test/figures/measured.toml and the documents say."""
 
 from __future__ import annotations
 
 import fcntl
-import hashlib
 import pickle
 import re
 import subprocess
@@ -13,33 +12,21 @@ from collections.abc import Callable
 import pytest
 
 from building import BUILD, ROOT
-from measuring import bounds, calls, documents, features, figures, growth, profiling, report, runs, tricks
+from measuring import calls, figures, profiling, record, report, runs, tricks, updates
 from measuring.firmware import baseline, measured, ours
 from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
+from refreshing import refresh
+from refreshing.things import THINGS
 from simulation.mega import Mega
 
-WHAT_FIGURES_DEPEND_ON = (
-    "src", "examples/01.First/UploadMission", "test/measured", "test/baseline", "simulation/fake_autopilot",
-    "simulation/recordings", "simulation/firmware.py", "tools/measuring", "simulation/mega",
-    "tools/building.py", "tools/baseline.py",
-)  # fmt: skip
+SECTIONS = {thing.name: thing for thing in THINGS if thing.measure}
 
 
-def tree_digest() -> str:
-    whole = hashlib.sha256()
-    for name in WHAT_FIGURES_DEPEND_ON:
-        place = ROOT / name
-        for file in sorted(place.rglob("*")) if place.is_dir() else [place]:
-            if file.is_file() and "__pycache__" not in file.parts:
-                whole.update(str(file).encode() + b"\0" + file.read_bytes())
-    return whole.hexdigest()[:16]
-
-
-def measured_once(name: str, measure: Callable[[], object]):
+def measured_once(name: str, measure: Callable[[], record.Section]) -> record.Section:
     """What `measure` returns, measured once for all workers of a test run."""
     folder = BUILD / "measured"
     folder.mkdir(parents=True, exist_ok=True)
-    kept = folder / f"{name}-{tree_digest()}.pickle"
+    kept = folder / f"{name}-{refresh.inputs_of(SECTIONS[name])}.pickle"
     with open(folder / f"{name}.lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not kept.exists():
@@ -47,42 +34,43 @@ def measured_once(name: str, measure: Callable[[], object]):
     return pickle.loads(kept.read_bytes())
 
 
-@pytest.fixture(scope="session")
-def rows() -> list[figures.Row]:
-    """All the figures."""
-    values = measured_once(
-        "figures", lambda: {row.figure.key: (row.baseline_2, row.baseline_1, row.ours) for row in figures.measure()}
-    )
-    return [figures.Row(figure, *values[figure.key]) for figure in figures.FIGURES]
+def section(name: str) -> record.Section:
+    return measured_once(name, SECTIONS[name].measure)
 
 
-@pytest.fixture(scope="session")
-def costs() -> list[growth.Cost]:
-    """How the cost grows with the plan."""
-    return [growth.Cost(*cost) for cost in measured_once("growth", lambda: [tuple(cost) for cost in growth.costs()])]
+# What takes long is left to tools/test --all.
+DEAR = ("baseline", "features", "growth", "signing")
 
 
 @pytest.mark.slow
-def test_no_figure_is_beyond_its_bound(rows):
-    failures = [finding.text for finding in bounds.compare(rows, bounds.load()) if finding.failed]
-    assert not failures, "\n".join(failures)
-
-
-def test_each_bound_has_its_figure():
-    assert list(bounds.load()) == [figure.key for figure in figures.FIGURES]
+@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.thorough if name in DEAR else ())
+                                  for name in SECTIONS if name != "updates"])  # fmt: skip
+def test_no_figure_is_beyond_its_bound_or_far_from_what_is_recorded(name):
+    assert SECTIONS[name].beyond(section(name)) == []
 
 
 @pytest.mark.slow
-def test_table_in_the_documents_is_not_stale(rows):
-    fresh = report.for_documents(rows, features.table())
-    assert documents.is_current(report.MARK, fresh), "run tools/measure --write-docs"
+@pytest.mark.parametrize("operation", updates.OPERATIONS)
+def test_update_stays_within_its_bound(operation):
+    """In one loop, on one line of those whose longest is recorded."""
+    bounds = record.load()["updates"][operation]
+    for played, ended in updates.courses(operation, *updates.SAMPLE):
+        assert ended != 0, "it has not ended: it was not seen whole"
+        assert played.watch.calls.count > 0
+        found = played.longest()
+        assert found.waited <= bounds["waited"][1] and found.own <= bounds["own"][1], found
 
 
-@pytest.mark.slow
-def test_ours_is_better_than_either_baseline_where_both_are_measured(rows):
-    for row in rows:
-        if row.figure.key in ("globals", "globals_and_stack", "byte_mean", "byte_worst", "turnaround"):
-            assert row.ours < row.baseline_1 < row.baseline_2, row.figure.label
+def test_no_update_takes_more_than_a_millisecond():
+    recorded = record.section("updates")
+    assert recorded.keys() == updates.OPERATIONS.keys()
+    assert max(one["waited"] for one in recorded.values()) <= updates.GOAL
+
+
+def test_ours_is_better_than_either_baseline_where_both_are_measured():
+    ours, older = record.section("figures"), record.section("baseline")
+    for key in ("globals", "globals_and_stack", "byte_mean", "byte_worst", "turnaround"):
+        assert ours[key] < older[key]["MAVLink 1"] < older[key]["MAVLink 2"], key
 
 
 # The measurements mean what they say ----------------------------------------
@@ -165,47 +153,31 @@ def test_stall_fills_the_receive_ring():
 
 @pytest.mark.slow
 def test_stack_of_update_is_the_deepest_of_the_public_calls():
-    taken = calls.stacks()
+    taken = section("stack")
     assert max(taken, key=taken.get).startswith("update()")
     assert all(0 <= depth < 400 for depth in taken.values())
 
 
 @pytest.mark.slow
-def test_stack_of_a_call_is_part_of_the_stack_of_the_upload(rows):
-    by_key = {row.figure.key: row.ours for row in rows}
-    deepest = by_key["globals_and_stack"] - by_key["globals"]
+def test_stack_of_a_call_is_part_of_the_stack_of_the_upload():
+    recorded = record.section("figures")
+    deepest = recorded["globals_and_stack"] - recorded["globals"]
     assert deepest - 60 < max(calls.Caller(kind).upload() for kind in KINDS) < deepest + 60
 
 
-@pytest.mark.slow
 def test_empty_sketch_is_the_smallest_and_a_client_that_uploads_costs_more():
-    rows = features.features()
-    assert min(row.flash for row in rows) == rows[0].flash
-    by_name = {row.label: row for row in rows}
-    upload = by_name["Uploads a plan from flash, and reads it back when the answer is in doubt"]
-    assert rows[0].flash < upload.flash < by_name["The upload with its status printed in words"].flash
+    sizes = {label: size["flash"] for label, size in record.section("features").items()}
+    assert min(sizes.values()) == next(iter(sizes.values()))
+    upload = sizes["Uploads a plan from flash, and reads it back when the answer is in doubt"]
+    assert min(sizes.values()) < upload < sizes["The upload with its status printed in words"]
 
 
 @pytest.mark.slow
 def test_ram_does_not_grow_with_the_plan_and_time_grows_with_it():
-    ten, hundred = growth.costs((10, 100))
-    assert ten.ram == hundred.ram
-    assert hundred.seconds == pytest.approx(10 * ten.seconds, rel=0.15)
-
-
-@pytest.mark.slow
-def test_ram_is_the_same_for_ten_thousand_items(costs):
-    by_items = {cost.items: cost for cost in costs}
-    small, large = by_items[100], by_items[10_000]
-    assert small.ram == large.ram
-    assert large.seconds == pytest.approx(100 * small.seconds, rel=0.02)
-
-
-@pytest.mark.slow
-def test_picture_in_the_documents_is_not_stale(costs, tmp_path):
-    growth.draw(costs, tmp_path / "cost.svg")
-    assert (tmp_path / "cost.svg").read_text() == growth.PICTURE.read_text(), "run tools/measure --growth"
-    assert any("cost.svg)" in place.read_text() for place in documents.DOCUMENTS)
+    costs = section("growth")
+    assert len({cost["ram"] for cost in costs.values()}) == 1
+    assert costs["100"]["seconds"] == pytest.approx(10 * costs["10"]["seconds"], rel=0.15)
+    assert costs["10000"]["seconds"] == pytest.approx(100 * costs["100"]["seconds"], rel=0.02)
 
 
 def test_every_trick_is_still_in_the_code():
@@ -237,47 +209,65 @@ def test_profile_names_the_library_and_the_core():
     assert runs.RECEIVED in text
 
 
-# Bounds ---------------------------------------------------------------------
+# The record -----------------------------------------------------------------
 
-SIZE = next(figure for figure in figures.FIGURES if figure.key == "flash")
-LEFT = next(figure for figure in figures.FIGURES if figure.more_is_better)
+
+def test_bound_is_one_percent_beyond_and_at_least_a_step():
+    assert [record.bound_of(value) for value in (16322, 507, 3, 0, 67.1, 1.011)] == [16486, 513, 4, 0, 67.8, 1.022]
+    assert record.bound_of(84.5, more_is_better=True) == 83.6
+
+
+def test_bounds_only_tighten_and_one_that_was_taken_away_is_made_anew():
+    old = {"flash": [100, 101], "left": [80.0, 79.2], "sketch": {"ram": [200, 202], "flash": 900}}
+    fresh = {"flash": 110, "left": 90.0, "sketch": {"ram": 150, "flash": 950}}
+    tight = {"flash": [110, 101], "left": [90.0, 89.1], "sketch": {"ram": [150, 152], "flash": [950, 960]}}
+    assert record.with_bounds(fresh, old, more_is_better=("left",)) == tight
+    raised = record.with_bounds({**fresh, "left": 70.0}, tight, more_is_better=("left",), may_raise=True)
+    assert raised == {**tight, "flash": [110, 112], "left": [70.0, 69.3]}
 
 
 @pytest.mark.parametrize(
-    ("figure", "value", "bound", "failed", "told"),
+    ("known", "fresh", "said"),
     [
-        (SIZE, 100, 100, False, False),
-        (SIZE, 101, 100, True, True),
-        (SIZE, 99, 100, False, False),
-        (SIZE, 97, 100, False, True),
-        (LEFT, 80.0, 80.0, False, False),
-        (LEFT, 79.9, 80.0, True, True),
-        (LEFT, 82.0, 80.0, False, True),
+        ([1000, 1010], 1010, []),
+        ([1000, 1010], 1011, ["one: 1011 is beyond its bound 1010"]),
+        ([1005, 1010], 1011, ["one: 1011 is beyond its bound 1010"]),
+        ([1000, 1010], 990, []),
+        ([1000, 1010], 989, ["one: 1000 is recorded, and 989 was measured: run tools/refresh"]),
+        (1000, 1011, ["one: 1000 is recorded, and 1011 was measured: run tools/refresh"]),
+        (None, 5, ["one: None is recorded, and 5 was measured: run tools/refresh"]),
     ],
 )
-def test_figure_fails_beyond_its_bound_and_is_told_of_when_clearly_better(figure, value, bound, failed, told):
-    found = bounds.compare([figures.Row(figure, None, None, value)], {figure.key: bounds.Bound(bound)})
-    assert [finding.failed for finding in found] == ([failed] if told else [])
+def test_figure_is_told_of_beyond_its_bound_and_where_a_reader_would_call_the_record_wrong(known, fresh, said):
+    assert record.beyond({} if known is None else {"one": known}, {"one": fresh}) == said
 
 
-def test_figure_without_a_bound_fails():
-    assert bounds.compare([figures.Row(SIZE, None, None, 5)], {})[0].failed
+def test_part_of_a_whole_is_told_of_when_a_hundredth_of_the_whole_has_moved():
+    known = {"all": 1000, "large": 900, "gone": 9, "small": 91}
+    assert record.beyond(known, {"all": 1005, "large": 900, "small": 99, "new": 6}, of_the_largest=True) == []
+    assert len(record.beyond(known, {"all": 1000, "large": 900, "small": 79, "new": 21}, of_the_largest=True)) == 2
 
 
-def test_bounds_only_tighten():
-    text = "# why\n\n[flash]\nbound = 100\ngoal = 50\n\n[cpu_left_57600]\nbound = 80.0\n"
-    better = [figures.Row(SIZE, None, None, 90), figures.Row(LEFT, None, None, 81.5)]
-    assert bounds.tightened(text, better) == text.replace("100", "90").replace("80.0", "81.5")
-    worse = [figures.Row(SIZE, None, None, 110), figures.Row(LEFT, None, None, 70.0)]
-    assert bounds.tightened(text, worse) == text
+def test_record_is_read_as_it_was_written(tmp_path):
+    whole = {"made_with": "gcc", "stack": {"upload()": [6, 7], "a b": {"ram": 3, "time left": 1.5}}}
+    (tmp_path / "one.toml").write_text(record.text_of(whole))
+    assert record.load(tmp_path / "one.toml") == whole
+    assert record.measured(whole["stack"]) == {"upload()": 6, "a b": {"ram": 3, "time left": 1.5}}
 
 
-def test_figures_of_another_compiler_or_other_flags_are_not_compared(tmp_path):
-    bounds.refuse_other_tools()
-    file = tmp_path / "bounds.toml"
-    file.write_text(bounds.FILE.read_text().replace("-Wl,--no-relax", "-Wl,--relax"))
-    with pytest.raises(bounds.BadBounds, match="-Wl,--relax, and this would be .*-Wl,--no-relax: they"):
-        bounds.refuse_other_tools(file)
+def test_each_figure_that_is_to_be_large_has_its_bound_below():
+    recorded = record.load()["figures"]
+    assert list(recorded) == [figure.key for figure in figures.FIGURES]
+    assert {key for key, (value, bound) in recorded.items() if bound < value} == set(figures.MORE_IS_BETTER)
+    assert report.goals().keys() <= recorded.keys()
+
+
+def test_figures_of_another_compiler_or_other_flags_are_not_compared():
+    whole = record.load()
+    record.refuse_other_tools(whole)
+    whole[record.MADE_WITH] = whole[record.MADE_WITH].replace("-Wl,--no-relax", "-Wl,--relax")
+    with pytest.raises(record.BadRecord, match="-Wl,--relax, and this would be .*-Wl,--no-relax: they"):
+        record.refuse_other_tools(whole)
 
 
 # The tool -------------------------------------------------------------------

@@ -10,15 +10,13 @@ import tomllib
 
 import pytest
 
-from building import ROOT
+from building import ROOT, build_sketch
 from examples import example_folders
 from played import DONE, FLOWN
 
 pytestmark = pytest.mark.slow
 
 BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())["seconds"]
-# Of the first example on a Mega, as tools/measure holds it to.
-GLOBALS = tomllib.loads((ROOT / "test" / "figures" / "measure_bounds.toml").read_text())["globals"]["bound"]
 NAMES = {"ardupilot": "ArduPilot", "px4": "PX4"}
 FARM = json.loads((ROOT / "docs" / "farm.plan").read_text())
 FARM["mission"]["items"] = [item for item in FARM["mission"]["items"] if item["type"] == "SimpleItem"][:4]
@@ -53,7 +51,7 @@ def test_the_first_upload_ends_accepted_with_the_plan_on_the_map(page, autopilot
     assert page.on_map(".grid") > 4 and page.on_map(".scale") == page.on_map(".north") == 1
     assert any("MISSION_ACK ACCEPTED" in line for line in page.frames)
     assert page.browser.text("#items").split().count("aboard") == {"ardupilot": 5, "px4": 4}[autopilot]
-    assert f"{GLOBALS} of 8192" in page.browser.text("#ram")
+    assert f"{build_sketch('UploadMission').ram} of 8192" in page.browser.text("#ram")
 
 
 @pytest.mark.parametrize("autopilot", NAMES)

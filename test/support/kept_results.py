@@ -20,6 +20,7 @@ from pathlib import Path
 import pytest
 
 from cpu_time import RUNS
+from refreshing.inputs import contents
 
 ROOT = Path(__file__).resolve().parents[2]
 KEPT = Path("build") / "passed.json"
@@ -27,24 +28,11 @@ KEPT = Path("build") / "passed.json"
 FOLDERS = {"upload", "operations", "service", "link", "simulation", "boards"}
 READS_DOCUMENTS = re.compile(r"\.md\b|README|documents")
 INTO_ALL = ("src", "simulation", "test", "tools", "examples", "docs", "library.properties", "pytest.ini")
-LIBRARY = "src/mavmission"
 COMPILERS = ("avr-gcc", "g++", "clang++", "arm-none-eabi-gcc")
-# A string or a character, which stay, or a comment.
-TOKEN = re.compile(r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|//[^\n]*|/\*.*?\*/', re.S)
-
-
-def without_comments(text: str) -> str:
-    return TOKEN.sub(lambda found: "" if found[0].startswith("/") else found[0], text)
 
 
 def is_test(file: Path) -> bool:
     return file.name.startswith("test_") and file.suffix == ".py"
-
-
-def contents(file: Path) -> bytes:
-    data = file.read_bytes()
-    is_own = f"/{LIBRARY}/" in file.as_posix() and "/mavlink/" not in file.as_posix()
-    return without_comments(data.decode()).encode() if is_own else data
 
 
 def into_all(root: Path) -> str:

@@ -1,11 +1,7 @@
-"""How often an upload over UdpLink succeeds in a network that loses datagrams: the table of docs/radio.md.
-
-build/venv/bin/python test/support/udp_rates.py --write-docs
-"""
+"""How often an upload over UdpLink succeeds in a network that loses datagrams, for tools/refresh: docs/radio.md."""
 
 from __future__ import annotations
 
-import re
 import statistics
 import sys
 from pathlib import Path
@@ -15,8 +11,8 @@ if __name__ == "__main__":
     sys.path[:0] = [str(ROOT), str(ROOT / "tools")]
 
 from datagrams import Network  # noqa: E402
+from measuring.report import aligned  # noqa: E402
 from plans import SURVEY, on_the_wire  # noqa: E402
-from tables import aligned  # noqa: E402
 from udp_client import UdpClient  # noqa: E402
 
 PAGE = ROOT / "docs" / "radio.md"
@@ -59,17 +55,5 @@ def in_the_page() -> list[list[str]]:
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
 
 
-def main() -> None:
-    rows = [row(latency_ms, lose) for latency_ms in LATENCY_MS for lose in LOSS]
-    if "--write-docs" not in sys.argv:
-        print(aligned([HEAD, *rows]))
-        return
-    lines = [f"| {' | '.join(cells)} |" for cells in (HEAD, ["---"] * len(HEAD), *rows)]
-    text = PAGE.read_text()
-    between = "\n".join(lines)
-    fresh = re.sub(r"(<!-- udp: begin -->\n).*?(<!-- udp: end -->)", rf"\g<1>{between}\n\g<2>", text, flags=re.S)
-    PAGE.write_text(fresh)
-
-
 if __name__ == "__main__":
-    main()
+    print(aligned([HEAD, *(row(latency_ms, lose) for latency_ms in LATENCY_MS for lose in LOSS)], left=2))

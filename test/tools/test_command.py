@@ -44,8 +44,6 @@ def test_interrupted_command_leaves_with_a_line_and_the_status_of_a_shell(tmp_pa
 @pytest.mark.parametrize(
     ("command", "said"),
     [
-        (["wiring", "-o", "a folder"], "tools/wiring: a folder: it is a folder; name a file"),
-        (["wiring", "-o", "none/x.svg"], "tools/wiring: none/x.svg: No such file or directory"),
         (["playground", "--port", "65536"], "argument --port: '65536' is not a number from 0 to 65535"),
         (["site", "--port", "-1"], "argument --port: '-1' is not a number from 0 to 65535"),
         (["demo", "--latency", "slow"], "argument --latency: 'slow' is not a number"),

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-import command_table
 from planned import FARM
 from planning import BadPlan, commands, judge, qgc_plan, waypoints
 from planning.commands import table
@@ -127,7 +126,3 @@ def test_place_of_a_camera_mount_counts_only_where_it_points_at_a_place():
     plan = qgc_plan.read(FARM, dot_plan(MOUNT, -90, 0, 0, 0, 47.5, 8.5, 2))
     assert (plan.items()[-1].x, plan.items()[-1].y, plan.items()[-1].z) == (0, 0, 2.0)
     assert any("this camera mount is not pointed at a place" in note for note in plan.notes)
-
-
-def test_table_of_commands_is_that_of_pymavlink():
-    assert command_table.FILE.read_text() == command_table.fresh()

@@ -8,7 +8,7 @@ import time
 import pytest
 
 from building import ROOT
-from fetched import (
+from refreshing.fetched import (
     BOUNDED,
     GROUPS,
     REQUIREMENTS,
@@ -26,7 +26,7 @@ from fetched import (
 # What tools/setup gives each tool.
 TOOLS = {
     "build": {"build"}, "plan": {"plan", "pictures"}, "demo": {"demo", "pictures"}, "simulate": {"demo"},
-    "measure": {"demo", "pictures"}, "ram_budget": {"demo"}, "playground": {"playground", "browser"},
+    "measure": {"demo"}, "refresh": {"demo"}, "playground": {"playground", "browser"},
     "release": {"release"}, "site": {"site"}, "mutate": {"test"}, "test": {"--all"},
 }  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""tools/demo --timeline draws what crossed the line when, and the pictures in docs/simulation.md are what it draws."""
+"""tools/demo --timeline draws what crossed the line when; the pictures on the pages show what it draws."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from demonstration import demonstration as inside
 from demonstration.picture import with_room
 from demonstration.screen import PlainScreen
 from demonstration.timeline import Mark
+from refreshing.things import shows_the_same
 
 PAGES = [ROOT / "docs" / "simulation.md", ROOT / "docs" / "design" / "proof.md"]
 COMMAND = re.compile(r"^(tools/demo .*--timeline (docs/[\w/]+\.svg))$", re.M)
@@ -56,11 +57,11 @@ def test_pages_show_each_picture_that_their_commands_draw():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("command", "picture"), COMMANDS)
-def test_picture_on_the_page_is_what_its_command_draws(command, picture, tmp_path):
+def test_picture_on_the_page_shows_what_its_command_draws(command, picture, tmp_path):
     fresh = tmp_path / "fresh.svg"
     words = [str(fresh) if word == picture else word for word in shlex.split(command)[1:]]
     subprocess.run([sys.executable, ROOT / "tools" / "demo", *words], check=True, capture_output=True)
-    assert fresh.read_text() == (ROOT / picture).read_text(), f"the picture is stale: run  {command}"
+    assert shows_the_same((ROOT / picture).read_bytes(), fresh.read_bytes()), f"run  tools/refresh {picture}"
 
 
 def test_lost_answer_and_what_recovered_it_are_in_the_picture():

@@ -1,40 +1,24 @@
-"""docs/wiring.svg is what tools/wiring draws, its pins are those of the library, and a phone shows all of it."""
+"""The pins in docs/wiring.svg are those of the library, and a phone shows all of it."""
 
 from __future__ import annotations
 
-import importlib.machinery
-import importlib.util
 import re
-import sys
 import xml.etree.ElementTree as ElementTree
 
 import pytest
 
 from building import ROOT
+from refreshing import wiring
 
-
-def load():
-    loader = importlib.machinery.SourceFileLoader("wiring", str(ROOT / "tools" / "wiring"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
-    sys.modules[loader.name] = module
-    loader.exec_module(module)
-    return module
-
-
-WIRING = load()
 PICTURE = ROOT / "docs" / "wiring.svg"
 PHONE = 390  # [px], the width of many phones' screens
-BOARDS = {board.name.partition(",")[0].split()[0]: board for board in WIRING.BOARDS}
+BOARDS = {board.name.partition(",")[0].split()[0]: board for board in wiring.BOARDS}
 
 
 def words():
     for element in ElementTree.parse(PICTURE).iter():
         if element.tag.endswith("}text"):
             yield element
-
-
-def test_picture_is_what_the_tool_draws():
-    assert PICTURE.read_text(encoding="utf-8") == WIRING.drawing(), "run  tools/wiring -o docs/wiring.svg"
 
 
 def test_picture_is_as_wide_as_a_phone_and_its_letters_are_not_small():
@@ -44,7 +28,7 @@ def test_picture_is_as_wide_as_a_phone_and_its_letters_are_not_small():
 
 @pytest.mark.parametrize("element", [*words()], ids=lambda element: element.text)
 def test_words_stay_within_the_picture(element):
-    x, width = float(element.get("x")), WIRING.LETTER * float(element.get("font-size")) * len(element.text)
+    x, width = float(element.get("x")), wiring.LETTER * float(element.get("font-size")) * len(element.text)
     left = x - {"start": 0, "middle": width / 2, "end": width}[element.get("text-anchor")]
     assert left >= 0 and left + width <= PHONE
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 
 from plans import HOME, OLD_PLAN, SURVEY, on_the_wire, smooth_steps, steps, waypoint
-from retry_table import documented_s
+from refreshing.retries import documented_s
 from simulation.bench import FunctionPlan, same_bits
 from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.px4_rewriting import checksum

@@ -13,8 +13,10 @@ from examples import example_folder
 from simulation.firmware import LIBRARY, compiled, exclusive, run
 from simulation.mega.image import demangle
 
+from .record import Section
+from .report import aligned
+
 SKETCH = example_folder("UploadMission")
-MARK = "RAM budget"
 CLIENT = "MissionClient"
 ROWS_FROM = 100  # a member as large as that gets a row for each of its own [bytes]
 
@@ -125,24 +127,39 @@ def size_of(kind: DIE) -> int:
     return kind.attributes["DW_AT_byte_size"].value
 
 
-def table() -> str:
-    """The budget as the documents have it."""
-    whole = globals_of(build_sketch(SKETCH, "mega").elf)
+def whole() -> tuple[Part, dict[str, int]]:
+    """The client, and name -> size [bytes] of what is in RAM beside it, the largest first."""
+    others = globals_of(build_sketch(SKETCH, "mega").elf)
     ours = client()
-    if whole.pop("autopilot") != ours.size:
+    if others.pop("autopilot") != ours.size:
         raise ValueError(f"the linker and the compiler differ about the size of a {CLIENT}")
-    rows = [f"| **`{CLIENT}`** | **{ours.size}** | |"]
-    for part in ours.parts:
-        rows += rows_of(part, part.name)
-    rows += [f"| {name} (the core's) | {size} | |" for name, size in sorted(whole.items(), key=lambda one: -one[1])]
-    total = ours.size + sum(whole.values())
-    return "\n".join(["| UploadMission on a Mega | bytes | of which |", "|---|---:|---|", *rows,
-                      f"| **all globals** | **{total}** | |"])  # fmt: skip
+    return ours, {f"{name} (the core's)": size for name, size in sorted(others.items(), key=lambda one: -one[1])}
 
 
-def rows_of(part: Part, path: str) -> list[str]:
+def rows() -> list[tuple[str, Part]]:
+    """(name, part): the client's, those of a large one each for itself, and the core's."""
+    ours, others = whole()
+    return [*(row for part in ours.parts for row in rows_of(part, part.name)),
+            *((name, Part(name, size)) for name, size in others.items())]  # fmt: skip
+
+
+def rows_of(part: Part, path: str) -> list[tuple[str, Part]]:
     if part.size >= ROWS_FROM and part.parts:
         return [row for inner in part.parts for row in rows_of(inner, f"{path}.{inner.name}")]
-    within = (" or " if part.is_choice else ", ").join(f"{inner.name} {inner.size}" for inner in part.parts)
-    name = path if part.is_choice else f"`{path}`"
-    return [f"| {name} | {part.size} | {within} |"]
+    return [(path if part.is_choice else f"`{path}`", part)]
+
+
+def sizes() -> Section:
+    """The budget as it is recorded."""
+    ours, others = whole()
+    parts = {name: part.size for name, part in rows() if name not in others}
+    return {f"`{CLIENT}`, whose parts follow": ours.size, **parts, **others, "all": ours.size + sum(others.values())}
+
+
+def table() -> str:
+    """With the members of each part."""
+    lines = [["UploadMission on a Mega", "bytes", "of which"]]
+    for name, part in rows():
+        within = (" or " if part.is_choice else ", ").join(f"{inner.name} {inner.size}" for inner in part.parts)
+        lines.append([name, str(part.size), within])
+    return aligned([*lines, ["all", str(sum(part.size for _, part in rows())), ""]], left=1)

@@ -8,7 +8,6 @@ from simulation.mega import Mega
 
 from .firmware import measured
 from .peer import AUTOPILOT, ITEMS, KINDS
-from .report import aligned
 
 # Numbers of test/measured/calls.cpp.
 CALLS = {
@@ -188,9 +187,3 @@ def stacks() -> dict[str, int]:
     for which, name in MORE_CALLS.items():
         taken[name] = Caller("px4", EVERY_CALL=True).call(which)
     return taken
-
-
-def table() -> str:
-    lines = [["public call", "stack [bytes]"]]
-    lines += [[name, str(taken)] for name, taken in sorted(stacks().items(), key=lambda item: -item[1])]
-    return aligned(lines, left=1)

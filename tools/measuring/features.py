@@ -5,13 +5,13 @@ from __future__ import annotations
 import functools
 import tomllib
 from pathlib import Path
-from typing import NamedTuple
 
 from building import ROOT, elf_sizes
 from simulation.firmware import build_firmware, exclusive
 
 from .firmware import MEASURED
-from .report import aligned
+from .record import Section
+from .report import aligned, rounded
 
 SKETCHES = MEASURED / "features.toml"
 WRITTEN = ROOT / "build" / "measured"
@@ -20,14 +20,6 @@ constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
 MissionClient autopilot(Serial1);"""
 SETUP = "autopilot.upload(inFlash(survey));"
 LOOP = "autopilot.update();"
-
-
-class Feature(NamedTuple):
-    """A sketch of test/measured/features.toml, and what it takes on a Mega [bytes]."""
-
-    label: str
-    flash: int
-    globals: int
 
 
 def sketch_of(parts: dict[str, str]) -> str:
@@ -63,17 +55,17 @@ def built(name: str, *, library: bool | Path = True) -> Path:
     return build_firmware(f"measured_{name}", [source], listed()[name].get("macros"), library=library)
 
 
-def features() -> list[Feature]:
-    """In the order of the list."""
-    return [Feature(parts["label"], *elf_sizes(built(name))) for name, parts in listed().items()]
+def features() -> Section:
+    """By its label, in the order of the list, what each sketch takes on a Mega [bytes]."""
+    return {parts["label"]: dict(zip(("flash", "globals"), elf_sizes(built(name)), strict=True))
+            for name, parts in listed().items()}  # fmt: skip
 
 
-def table() -> str:
-    """Each feature, and how much more than the first, which is a sketch that only opens Serial1."""
-    rows = features()
-    base = rows[0]
+def table(sizes: Section) -> str:
+    """Each feature, and how much more than an upload."""
+    base = sizes[listed()["upload"]["label"]]
     lines = [["sketch, on a Mega", "flash", "globals", "more flash", "more globals"]]
-    for row in rows:
-        lines.append([row.label, f"{row.flash:,}", f"{row.globals:,}",
-                      f"{row.flash - base.flash:+,}", f"{row.globals - base.globals:+,}"])  # fmt: skip
+    for label, size in sizes.items():
+        more = [f"{'-' if size[part] < base[part] else '+'}{rounded(abs(size[part] - base[part]))}" for part in base]
+        lines.append([label, *map(rounded, size.values()), *more])
     return aligned(lines, left=1)

@@ -55,6 +55,7 @@ FIGURES = (
     Figure("flash", "flash, the same", "bytes", lambda s: s.built.flash, True),
     Figure("globals_and_stack", "globals and deepest stack, in an upload under telemetry", "bytes",
            lambda s: s.built.ram + runs.deepest_stack(s), True),
+    Figure("flash_uno", "flash, UploadMission on an Uno", "bytes", lambda s: build_sketch(EXAMPLE, "uno").flash),
     Figure("globals_uno", "globals, UploadMission on an Uno", "bytes", lambda s: build_sketch(EXAMPLE, "uno").ram),
     Figure("byte_mean", "received byte, mean over recorded telemetry", "cycles", lambda s: parsing(s).mean, True, 1),
     Figure("byte_worst", "received byte, worst", "cycles", lambda s: parsing(s).worst, True),
@@ -74,6 +75,8 @@ FIGURES = (
            digits=1, more_is_better=True),
 )  # fmt: skip
 
+MORE_IS_BETTER = tuple(figure.key for figure in FIGURES if figure.more_is_better)
+
 
 def measure(only: tuple[str, ...] = ()) -> list[Row]:
     """All the figures, or those of the keys."""
@@ -81,10 +84,20 @@ def measure(only: tuple[str, ...] = ()) -> list[Row]:
 
 
 def measured(figure: Figure) -> Row:
-    def rounded(subject: Subject) -> float:
-        # As printed, so that a bound and a table say the same.
-        value = round(figure.of(subject), figure.digits)
-        return value if figure.digits else int(value)
+    older = [of(figure, baseline(wire)) if figure.in_baseline else None for wire in (2, 1)]
+    return Row(figure, older[0], older[1], of(figure, ours()))
 
-    older = [rounded(baseline(wire)) if figure.in_baseline else None for wire in (2, 1)]
-    return Row(figure, older[0], older[1], rounded(ours()))
+
+def of(figure: Figure, subject: Subject) -> float:
+    """As printed, so that a bound and a table say the same."""
+    value = round(figure.of(subject), figure.digits)
+    return value if figure.digits else int(value)
+
+
+def measured_ours() -> dict[str, float]:
+    return {figure.key: of(figure, ours()) for figure in FIGURES}
+
+
+def measured_baseline() -> dict[str, dict[str, float]]:
+    return {figure.key: {f"MAVLink {wire}": of(figure, baseline(wire)) for wire in (2, 1)}
+            for figure in FIGURES if figure.in_baseline}  # fmt: skip

@@ -12,6 +12,8 @@ from building import build_sketch
 from simulation.mega.image import demangle
 
 from .firmware import EXAMPLE
+from .record import Section
+from .report import aligned
 
 NAMED_FROM = 100  # a function as large as that is named [bytes]
 TABLES, OTHERS = "tables and free functions", "the core's, the compiler's and the sketch's"
@@ -45,17 +47,27 @@ def parts(elf: Path) -> dict[str, list[tuple[int, str]]]:
     return {owner: sorted(functions, reverse=True) for owner, functions in found.items()}
 
 
-def table() -> str:
-    """As the documents have it."""
+def whole() -> tuple[int, dict[str, list[tuple[int, str]]]]:
+    """All the flash [bytes], and its parts: our classes, the largest first, then the others."""
     built = build_sketch(EXAMPLE, "mega")
     found = parts(built.elf)
+    order = sorted(found, key=lambda one: (one in (TABLES, OTHERS), -sum(size for size, _ in found[one])))
+    return built.flash, {owner if owner in (TABLES, OTHERS) else f"`{owner}`": found[owner] for owner in order}
+
+
+def sizes() -> Section:
+    """The budget as it is recorded."""
+    flash, found = whole()
     sums = {owner: sum(size for size, _ in functions) for owner, functions in found.items()}
+    return {**sums, "vectors, and what RAM begins with": flash - sum(sums.values()), "all": flash}
+
+
+def table() -> str:
+    """With the larger functions of each class."""
+    _, found = whole()
     lines = [["UploadMission on a Mega", "bytes", f"of which, from {NAMED_FROM} bytes on"]]
-    for owner in sorted(sums, key=lambda one: (one in (TABLES, OTHERS), -sums[one])):
-        named = ", ".join(f"{function} {size:,}" for size, function in found[owner]
-                          if size >= NAMED_FROM and (owner != OTHERS or function == "main"))  # fmt: skip
-        lines.append([owner if owner in (TABLES, OTHERS) else f"`{owner}`", f"{sums[owner]:,}", named])
-    lines.append(["vectors, and what RAM begins with", f"{built.flash - sum(sums.values()):,}", ""])
-    lines.append(["**all**", f"**{built.flash:,}**", ""])
-    return "\n".join(["| {} | {} | {} |".format(*lines[0]), "|---|---:|---|",
-                      *("| {} | {} | {} |".format(*line) for line in lines[1:])])  # fmt: skip
+    for owner, size in sizes().items():
+        named = ", ".join(f"{function} {taken:,}" for taken, function in found.get(owner, ())
+                          if taken >= NAMED_FROM and (owner != OTHERS or function == "main"))  # fmt: skip
+        lines.append([owner, f"{size:,}", named])
+    return aligned(lines, left=1)

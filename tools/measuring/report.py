@@ -1,28 +1,48 @@
-"""The figures as a table: for a terminal, for the documents, for another program."""
+"""The figures as a table: for a terminal, and for the documents."""
 
 from __future__ import annotations
 
-import json
+import tomllib
+from typing import Any
 
-from .bounds import Bound
-from .figures import Row
+from building import BOARDS, ROOT
 
-MARK = "measured"
-NOTE = "Measured by `tools/measure` on the simulated Mega (16 MHz), the same to the byte and cycle each time."
+from .figures import FIGURES, Row
+from .record import BadRecord, Section, three_digits
+
+GOALS = ROOT / "test" / "figures" / "goals.toml"
+NOTE = """\
+Measured on the simulated Mega (16 MHz), the same to the byte and to the cycle each time. Three digits of each figure
+are here, all of them in `test/figures/measured.toml`, beside its bound."""
 
 
-def table(rows: list[Row], bounds: dict[str, Bound]) -> str:
+def rounded(value: float) -> str:
+    return f"{three_digits(value):,}"
+
+
+def table(rows: list[Row], recorded: Section) -> str:
     """As Markdown, its columns aligned."""
     lines = [["figure", "unit", "baseline (MAVLink 2 / 1)", "MavMission", "bound", "goal"]]
     for row in rows:
         text = row.figure.text
-        bound = bounds.get(row.figure.key)
         older = "–" if row.baseline_2 is None else f"{text(row.baseline_2)} / {text(row.baseline_1)}"
-        lines.append([
-            row.figure.label, row.figure.unit, older, text(row.ours),
-            text(bound.bound) if bound else "–", text(bound.goal) if bound else "–",
-        ])  # fmt: skip
+        lines.append([row.figure.label, row.figure.unit, older, text(row.ours), text(bound_of(row, recorded)),
+                      text(goal_of(row))])  # fmt: skip
     return aligned(lines, left=2)
+
+
+def goals() -> dict[str, Any]:
+    """Key of a figure -> where it is to go, and what stands in the way."""
+    return tomllib.loads(GOALS.read_text())
+
+
+def goal_of(row: Row) -> Any:
+    return goals().get(row.figure.key, {}).get("goal")
+
+
+def bound_of(row: Row, recorded: Section) -> Any:
+    entry = recorded.get(row.figure.key)
+    return entry[1] if isinstance(entry, list) else None
 
 
 def aligned(lines: list[list[str]], left: int) -> str:
@@ -37,29 +57,37 @@ def aligned(lines: list[list[str]], left: int) -> str:
     return "\n".join([line(lines[0]), line(rule), *(line(cells) for cells in lines[1:])])
 
 
-def as_json(rows: list[Row], bounds: dict[str, Bound]) -> str:
-    return json.dumps(
-        {
-            row.figure.key: {
-                "label": row.figure.label,
-                "unit": row.figure.unit,
-                "baseline_mavlink2": row.baseline_2,
-                "baseline_mavlink1": row.baseline_1,
-                "ours": row.ours,
-                "bound": bounds[row.figure.key].bound if row.figure.key in bounds else None,
-                "goal": bounds[row.figure.key].goal if row.figure.key in bounds else None,
-            }
-            for row in rows
-        },
-        indent=1,
-    )
+def sizes(section: Section) -> str:
+    """A table of what is in a sketch."""
+    return aligned([["UploadMission on a Mega", "bytes"], *([name, rounded(size)] for name, size in section.items())],
+                   left=1)  # fmt: skip
 
 
-def for_documents(rows: list[Row], features: str) -> str:
-    """What stands between the marks in the documents. `features`: the table of what each feature adds."""
+def for_documents(ours: Section, baseline: Section) -> str:
+    """What stands between the marks in the documents."""
     lines = [["", "unit", "baseline (MAVLink 2 / 1)", "MavMission"]]
-    for row in rows:
-        text = row.figure.text
-        older = "–" if row.baseline_2 is None else f"{text(row.baseline_2)} / {text(row.baseline_1)}"
-        lines.append([row.figure.label, row.figure.unit, older, text(row.ours)])
-    return f"{NOTE}\n\n{aligned(lines, left=2)}\n\n{features}"
+    for figure in FIGURES:
+        older = " / ".join(figure.text(three_digits(value)) for value in baseline.get(figure.key, {}).values()) or "–"
+        lines.append([figure.label, figure.unit, older, figure.text(three_digits(ours[figure.key]))])
+    return f"{NOTE}\n\n{aligned(lines, left=2)}"
+
+
+def goals_missed(ours: Section) -> str:
+    """As the documents have it: the goals that are not reached, and why not."""
+    lines = ["| | is | goal | what stands in the way |", "|---|---:|---:|---|"]
+    for figure in FIGURES:
+        is_now, goal = ours[figure.key], goals().get(figure.key, {}).get("goal")
+        if goal is None or (is_now >= goal if figure.more_is_better else is_now <= goal):
+            continue
+        if not (obstacle := goals()[figure.key].get("obstacle")):
+            raise BadRecord(f"{GOALS}: {figure.key} misses its goal: give it an obstacle")
+        lines.append(f"| {figure.label} | {figure.text(three_digits(is_now))} | {figure.text(goal)} | {obstacle} |")
+    return "\n".join(lines)
+
+
+def in_short(figures: Section) -> str:
+    """What the first example takes, for who looks no further."""
+    flash, ram, uno_flash, uno_ram = (rounded(figures[key]) for key in ("flash", "globals", "flash_uno", "globals_uno"))
+    return (f"The first example takes {flash} bytes of flash and {ram} bytes of RAM on a Mega,\n"
+            f"{uno_flash} of {BOARDS['uno'].flash:,} and {uno_ram} of {BOARDS['uno'].ram:,} on an Uno, "
+            "however long the plan is.")  # fmt: skip

@@ -6,21 +6,17 @@ operation to its end; the line to the Mega is full of what a real autopilot sent
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
-from pathlib import Path
 from typing import NamedTuple
 
-from building import ROOT
 from simulation.fake_autopilot import ArduPilot, Px4
 from simulation.mega import Mega
 from simulation.recordings import saturated
 
 from .firmware import measured
 from .peer import RECORDINGS
-from .report import aligned
+from .record import Section
 
-BOUNDS = ROOT / "test" / "figures" / "update_bounds.toml"
 GOAL = 16_000  # 1 ms
 PERSONALITIES = {"ardupilot": ArduPilot, "px4": Px4}
 
@@ -38,6 +34,8 @@ OPERATIONS = {
 }
 STALLS_MS = (0, 4, 6, 20, 100)
 BAUDS = (57600, 115200)
+# A full line is read in such a loop. One that stalls longer loses bytes, and what reads a plan then takes very long.
+SAMPLE = (57600,), (4,)
 ENOUGH_S = 10.0  # for an operation, or for what it does over and over
 SLICE_CYCLES = 16_000
 
@@ -102,22 +100,15 @@ def courses(operation: str, bauds=BAUDS, stalls=STALLS_MS) -> Iterator[tuple[Pla
                 yield played, played.play(OPERATIONS[operation])
 
 
-def longest_update(operation: str) -> Longest:
-    """Of one operation, on each line and in each loop."""
-    found = [played.longest() for played, _ in courses(operation)]
-    return Longest(max(one.waited for one in found), max(one.own for one in found))
+def longest_update(operation: str, bauds=BAUDS, stalls=STALLS_MS) -> dict[str, int]:
+    """Of one operation, on each line and in each loop [cycles]."""
+    found = [played.longest() for played, _ in courses(operation, bauds, stalls)]
+    return {"waited": max(one.waited for one in found), "own": max(one.own for one in found)}
 
 
-def longest_updates() -> dict[str, Longest]:
+def longest_updates() -> Section:
     return {operation: longest_update(operation) for operation in OPERATIONS}
 
 
-def bounds(file: Path = BOUNDS) -> dict[str, Longest]:
-    """What the tests hold each operation to [cycles]."""
-    return {name: Longest(**row) for name, row in tomllib.loads(file.read_text()).items()}
-
-
-def table(found: dict[str, Longest]) -> str:
-    lines = [["longest update() in", "with interrupts [cycles]", "without [cycles]", "[ms]"]]
-    lines += [[name, f"{one.waited:,}", f"{one.own:,}", f"{one.waited / 16_000:.2f}"] for name, one in found.items()]
-    return aligned(lines, left=1)
+def sample() -> Section:
+    return {operation: longest_update(operation, *SAMPLE) for operation in OPERATIONS}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from simulation.mega import Mega
 
 from .firmware import measured
-from .report import aligned
+from .record import Section
+from .report import aligned, rounded
 from .runs import HZ
 
 # By the numbers that test/measured/work.cpp takes them by, and the function in it that is watched.
@@ -40,13 +41,16 @@ def sha256_block() -> int:
     return longest(BLOCK)
 
 
-def table() -> str:
-    usual, worst = longest(TEXT, HEAD + USUAL), longest(TEXT, HEAD + WORST)
-    begin = longest(BEGIN)
-    return aligned([
-        ["one call", "cycles", "ms"],
-        ["`WaypointsText::take()`, of numbers as Mission Planner writes them",
-         f"{usual:,}", f"{1000 * usual / HZ:.2f}"],
-        ["the same, of a number of 19 digits near the smallest float", f"{worst:,}", f"{1000 * worst / HZ:.1f}"],
-        [f"`EepromPlan::begin()`, {MOST_WAYPOINTS} waypoints kept", f"{begin:,}", f"{1000 * begin / HZ:.1f}"],
-    ], left=1)  # fmt: skip
+def costs() -> Section:
+    """[cycles]"""
+    return {
+        "`WaypointsText::take()`, of numbers as Mission Planner writes them": longest(TEXT, HEAD + USUAL),
+        "the same, of a number of 19 digits near the smallest float": longest(TEXT, HEAD + WORST),
+        f"`EepromPlan::begin()`, {MOST_WAYPOINTS} waypoints kept": longest(BEGIN),
+    }
+
+
+def table(costs: Section) -> str:
+    lines = [["one call", "cycles", "ms"]]
+    return aligned(lines + [[call, rounded(cycles), f"{1000 * cycles / HZ:.2g}"] for call, cycles in costs.items()],
+                   left=1)  # fmt: skip

@@ -1,19 +1,15 @@
 """keywords.txt, by which the Arduino IDE colours a sketch: every name that the public headers offer.
 
-    build/venv/bin/python tools/keywords.py --write
-
 Names of namespace detail and of private members are not among them, nor those of a function's parameters.
 """
 
 from __future__ import annotations
 
-import argparse
 import re
 from pathlib import Path
 from typing import NamedTuple
 
-ROOT = Path(__file__).resolve().parent.parent
-FILE = ROOT / "keywords.txt"
+ROOT = Path(__file__).resolve().parents[2]
 TYPES, FUNCTIONS, CONSTANTS = "KEYWORD1", "KEYWORD2", "LITERAL1"
 INTERNAL = ("detail", "literal", "namespace")  # namespaces whose names a sketch does not write; the last has none
 TITLES = {TYPES: "Types", FUNCTIONS: "Functions", CONSTANTS: "Statuses and other constants"}
@@ -156,16 +152,3 @@ def keywords(root: Path = ROOT) -> str:
     for kind, title in TITLES.items():
         lines += [f"# {title}", *(f"{name}\t{kind}" for name in sorted(names) if names[name] == kind), ""]
     return "\n".join(lines).rstrip("\n") + "\n"
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write", action="store_true", help="write keywords.txt, in place of printing it")
-    if parser.parse_args().write:
-        FILE.write_text(keywords())
-    else:
-        print(keywords(), end="")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,16 +1,11 @@
-"""docs/readback.md is made of the table in src/mavmission/autopilot/Commands.cpp:
-
-    build/venv/bin/python test/support/readback_document.py --write
-"""
+"""The table of docs/readback.md is made of that in src/mavmission/autopilot/Commands.cpp."""
 
 from __future__ import annotations
 
 import re
-import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-DOCUMENT = ROOT / "docs" / "readback.md"
 SOURCE = ROOT / "src" / "mavmission" / "autopilot" / "Commands.cpp"
 
 KINDS = {
@@ -72,25 +67,12 @@ def table() -> str:
         "|---:|---|---|---|---|---|---|---|",
     ]
     for number, *params, where, in_px4, name in ROW.findall(SOURCE.read_text()):
-        if PLACES[where] is None:
-            cells = ["not taken", "", "", "", ""]
-        else:
-            cells = [*(KINDS[kind] for kind in params), PLACES[where]]
+        place = PLACES[where]
+        cells = [*(KINDS[kind] for kind in params), place] if place else ["not taken", "", "", "", ""]
         is_plane = " on a plane" in name
         label = name.split(" on a plane")[0] + (", plane" if is_plane else "")
         px4 = "" if is_plane else IN_PX4[in_px4]
         if number in may_be_nan and px4:
             px4 += f"; may be NaN: {may_be_nan[number].replace('7', 'z')}"
         lines.append(f"| {number} | {label} | {' | '.join(cells)} | {px4} |")
-    return "\n".join(lines) + "\n"
-
-
-def with_table(text: str) -> str:
-    begin, end = "<!-- commands: begin -->\n", "<!-- commands: end -->\n"
-    return text[: text.index(begin) + len(begin)] + table() + text[text.index(end) :]
-
-
-if __name__ == "__main__":
-    if sys.argv[1:] != ["--write"]:
-        sys.exit(__doc__)
-    DOCUMENT.write_text(with_table(DOCUMENT.read_text()))
+    return "\n".join(lines)

@@ -1,14 +1,12 @@
 """What a fresh Debian has to fetch for each group of tools/setup, by names and sizes of packages.
 
 apt-get computes it on a machine that has Debian's minimal system and what a clone needs (git and python3), whatever is
-installed here. The record, test/figures/fetched.toml, is written, sizes of Python's packages included, by
-
-    build/venv/bin/python test/support/fetched.py --write
+installed here. tools/refresh writes the record, test/figures/fetched.toml; of Python's packages it fetches those
+whose sizes are not known yet.
 """
 
 from __future__ import annotations
 
-import argparse
 import functools
 import os
 import re
@@ -82,7 +80,7 @@ exit 0'''
         return file.read_text().splitlines() if file.exists() else []
 
     def setup(self, *arguments: str) -> subprocess.CompletedProcess:
-        command = [self.programs / "bash", self.folder / "tools" / "setup", *arguments]
+        command = [str(self.programs / "bash"), str(self.folder / "tools" / "setup"), *arguments]
         return subprocess.run(
             command, capture_output=True, text=True, env={"PATH": str(self.programs), "HOME": str(self.folder)},
             stdin=subprocess.DEVNULL, check=False,
@@ -199,7 +197,7 @@ def written(old: Mapping, wheels: Mapping[str, int]) -> str:
 
 
 HEAD = """\
-# What a fresh Debian 12 (amd64) has to fetch for each group of tools/setup; made by test/support/fetched.py --write.
+# What a fresh Debian 12 (amd64) has to fetch for each group of tools/setup; made by tools/refresh.
 # `minimal` is on every machine; `before` is there before any tool can be started, and what it needs with it.
 """
 
@@ -214,24 +212,23 @@ def row(names: Iterable[str]) -> str:
     return "[\n" + "\n".join([*lines, line]) + "\n]"
 
 
-def wheels_of_today() -> dict[str, int]:
+def wheels_of_today(known: Mapping[str, int]) -> dict[str, int]:
+    """The file of each pinned package and its size; those that are known are not fetched again."""
+    every = {pin for file in REQUIREMENTS.glob("*.txt") for pin in pins(file.stem)}
+    wheels, unknown = {}, []
+    for pin in every:
+        try:
+            wheels[wheel_of(pin, known)] = known[wheel_of(pin, known)]
+        except ValueError:
+            unknown.append(pin)
     with tempfile.TemporaryDirectory() as folder:
-        files = [f"-r{file}" for file in REQUIREMENTS.glob("*.txt")]
-        command = [sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", folder, *files]
+        command = [sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", folder, *unknown]
         bundled = ":".join(map(str, Path("/usr/share/python-wheels").glob("pip-*.whl")))
-        subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": bundled})
-        return {file.name: file.stat().st_size for file in sorted(Path(folder).iterdir())}
+        if unknown:
+            subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": bundled})
+        return dict(sorted({**wheels, **{file.name: file.stat().st_size for file in Path(folder).iterdir()}}.items()))
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write", action="store_true", help="write the record instead of printing it")
-    fresh = written(record(), wheels_of_today()) if parser.parse_args().write else RECORD.read_text()
-    if parser.parse_args().write:
-        RECORD.write_text(fresh)
-    print(fresh, end="")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+def made() -> str:
+    """The record as it is to be."""
+    return written(record(), wheels_of_today(record()["wheels"]))

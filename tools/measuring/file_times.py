@@ -1,23 +1,16 @@
 """How long plans take to go up and to come back, by the mission protocol and as files, beside the time of their bytes.
 
 The firmware on a simulated Mega, at 57600 baud, beside the simulated ArduPilot: on a line without telemetry, and on one
-that is full of it as in the recordings. The table in the documents is made by
-
-    build/venv/bin/python test/support/file_times.py --write-docs
+that is full of it as in the recordings.
 """
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
+from simulation.bench import Bench, FunctionPlan
+from simulation.fake_autopilot.ftp import HEADER, ITEM_SIZE, TERMINATE, Request
+from simulation.quiet import as_recorded
 
-ROOT = Path(__file__).resolve().parents[2]
-if __name__ == "__main__":
-    sys.path[:0] = [str(ROOT), str(ROOT / "tools")]
-
-from simulation.bench import Bench, FunctionPlan  # noqa: E402
-from simulation.fake_autopilot.ftp import HEADER, ITEM_SIZE, TERMINATE, Request  # noqa: E402
-from simulation.quiet import as_recorded  # noqa: E402
+from .report import aligned
 
 BAUD = 57600
 PLANS = (10, 50, 200, 600)
@@ -102,13 +95,5 @@ def rows() -> list[list[str]]:
 
 def for_documents() -> str:
     """What stands between the marks in the documents."""
-    from measuring.report import aligned
-
     note = "Seconds, from the first request on, at 57600 baud beside the simulated ArduPilot."
     return f"{note}\n\n{aligned(rows(), left=1)}"
-
-
-if __name__ == "__main__":
-    from measuring import documents
-
-    sys.exit(documents.program(__doc__, "files", for_documents))

@@ -1,12 +1,8 @@
-"""The values in the table of docs/design/retries.md are those of src/mavmission/base/RetryRules.h:
-
-    build/venv/bin/python test/support/retry_table.py --write
-"""
+"""The values in the table of docs/design/retries.md are those of src/mavmission/base/RetryRules.h."""
 
 from __future__ import annotations
 
 import re
-import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,7 +13,7 @@ CONSTANT = re.compile(r"`(\w+::\w+)` = ([^,|]+?)(?=,| \|)")
 
 def values(code: str) -> dict[str, str]:
     """Struct::name -> value of each rule."""
-    found = {}
+    found: dict[str, str] = {}
     for struct, body in re.findall(r"^struct (\w+) \{\n(.*?)^\};", code, re.M | re.S):
         constants = re.sub(r"//.*", "", body)
         for line in re.findall(r"static constexpr \w+ (.*?);", constants):
@@ -37,13 +33,6 @@ def documented_s(rule: str) -> float:
     return next(int(value) for name, value in CONSTANT.findall(DOCUMENT.read_text()) if name == rule) / 1000
 
 
-def main() -> None:
-    text = with_values(DOCUMENT.read_text(), values(SOURCE.read_text()))
-    if sys.argv[1:] == ["--write"]:
-        DOCUMENT.write_text(text)
-    else:
-        print(text)
-
-
-if __name__ == "__main__":
-    main()
+def document() -> str:
+    """As it is to be."""
+    return with_values(DOCUMENT.read_text(), values(SOURCE.read_text()))

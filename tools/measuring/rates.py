@@ -3,27 +3,21 @@
 The library's own MissionClient, compiled for this computer, puts a plan of five items aboard models of both
 autopilots (test/explorer), in simulated time, over a line of 57600 baud. The models hear bytes through the autopilots'
 own parsers (simulation/hearing). The n-th frame of a direction, or its n-th byte, is lost or not by the seed alone.
-What three plainer clients reach on the same lines was measured once, and is in rates/plainer_clients.toml. The table
-in the documents is made by
-
-    build/venv/bin/python test/support/rates.py --write-docs
+What three plainer clients reach on the same lines was measured once, and is in test/rates/plainer_clients.toml.
 """
 
 from __future__ import annotations
 
 import functools
 import subprocess
-import sys
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-if __name__ == "__main__":
-    sys.path[:0] = [str(ROOT), str(ROOT / "tools")]
+from building import ROOT
+from simulation.host_build import FAST, HOST, build_host
 
-from simulation.host_build import FAST, HOST, build_host  # noqa: E402
-from truth import longest_s  # noqa: E402
+from .report import aligned
 
 RATES, EXPLORER = ROOT / "test" / "rates", ROOT / "test" / "explorer"
 HEARING = ROOT / "simulation" / "hearing" / "Hearing.cpp"
@@ -35,7 +29,6 @@ AUTOPILOTS = {"ArduPilot": "ArduPilot", "LateArduPilot": "ArduPilot, ACK late", 
 SERVERS = {"MAVSDK": "MAVSDK's", "Betaflight": "Betaflight's", "iNav": "iNav's"}
 SERVER_LINES = (0, 1, 3)
 CLIENTS = {"upload-by-answer": "`uploadWithoutReadback()`", "upload": "`upload()`"}
-OURS = {"upload-by-answer": "ByAnswer", "upload": "InDoubt"}  # and what is proven, as truth.longest_s() calls it
 MOST_HELD = 302  # items on the wire, home included: an even number
 OWN_FLAGS = ["-std=c++17", "-fno-access-control", f"-DMOST_HELD={MOST_HELD}"]
 LINES = (("frames", 5), ("frames", 25), ("frames", 40), ("bytes", 1), ("bytes", 3), ("bytes", 5))  # what is lost [%]
@@ -81,11 +74,6 @@ class Upload:
         return self.status != "Accepted" and self.is_aboard
 
 
-def limit_s(autopilot: str, client: str) -> float:
-    """The bound on an upload of the library's, from its first COUNT: five items, on ArduPilot behind home."""
-    return longest_s(5 if autopilot == "PX4" else 6, OURS[client])
-
-
 @functools.cache
 def build_rates(library: tuple[Path, ...] | None = None) -> Path:
     sources = [*sorted(RATES.glob("*.cpp")), *(EXPLORER / name for name in MODELS), HOST / "Frames.cpp", HEARING]
@@ -98,7 +86,7 @@ def uploads(
     loop_ms: int = 0, telemetry: int | None = None, latency_ms: int = 0, items: int = 5,
 ) -> tuple[Upload, ...]:
     """The ends of the uploads with the seeds from 0 on. Raises RuntimeError if the program fails."""
-    words = [program or build_rates(), autopilot, client, lost, *map(str, (percent, seeds, baud, loop_ms))]
+    words = [str(program or build_rates()), autopilot, client, lost, *map(str, (percent, seeds, baud, loop_ms))]
     if telemetry is None:
         telemetry = TELEMETRY[autopilot]
     words += map(str, (telemetry, latency_ms, items))
@@ -129,7 +117,7 @@ def rows(seeds: int = SEEDS, lines: tuple[tuple[str, int], ...] = LINES) -> list
             ends = [end for one in by_autopilot for end in one]
             table.append([
                 f"{percent} % of {lost}", name,
-                *(share(sum(end.is_success for end in one), len(one)) for one in by_autopilot),
+                *(cells(one)[0] for one in by_autopilot),
                 str(sum(end.is_aboard_unsaid for end in ends)), str(sum(end.is_false_acceptance for end in ends)),
                 *(median_s(one) for one in by_autopilot),
             ])  # fmt: skip
@@ -143,8 +131,7 @@ def server_rows(seeds: int = SEEDS) -> list[list[str]]:
     for percent in SERVER_LINES:
         by_server = [uploads(server, "upload", "bytes", percent, seeds) for server in SERVERS]
         table.append([f"{percent} %",
-                      *(cell for ends in by_server
-                        for cell in (share(sum(end.is_success for end in ends), len(ends)), median_s(ends))),
+                      *(cell for ends in by_server for cell in cells(ends)),
                       str(sum(end.is_false_acceptance for ends in by_server for end in ends))])  # fmt: skip
     return table
 
@@ -171,6 +158,11 @@ def late_uploads(
     )
 
 
+def cells(ends: tuple[Upload, ...]) -> tuple[str, str]:
+    """How many succeeded, and their median time."""
+    return share(sum(end.is_success for end in ends), len(ends)), median_s(ends)
+
+
 def median_s(ends: tuple[Upload, ...]) -> str:
     """Of the successes, from the first COUNT."""
     times = sorted(end.took_s for end in ends if end.is_success)
@@ -183,10 +175,8 @@ def share(part: int, whole: int) -> str:
 
 def for_documents() -> str:
     """What stands between the marks in the documents."""
-    from measuring.report import aligned
-
     note = (
-        f"Uploads of five items, {SEEDS} for each autopilot on each line, by `test/support/rates.py`. "
+        f"Uploads of five items, {SEEDS} for each autopilot on each line, by `tools/refresh rates`. "
         "Unsaid: the plan was\naboard, and the client did not say so, "
         f"of {SEEDS * len(AUTOPILOTS)}; times are those of the successes, from the first COUNT."
     )
@@ -204,9 +194,3 @@ def for_documents() -> str:
         f"{note}\n\n{aligned(rows(), left=2)}\n\n{late}\n\n{aligned(late_rows(), left=3)}\n\n"
         f"{servers}\n\n{aligned(server_rows(), left=2)}"
     )
-
-
-if __name__ == "__main__":
-    from measuring import documents
-
-    sys.exit(documents.program(__doc__, "rates", for_documents))

@@ -1,22 +1,12 @@
-#!/usr/bin/env python3
-"""Draw how a board is joined to a Pixhawk's TELEM connector: docs/wiring.svg.
-
-    tools/wiring -o docs/wiring.svg
+"""How a board is joined to a Pixhawk's TELEM connector: docs/wiring.svg.
 
 One drawing for each of three boards, one below the other, so that a phone shows them without zooming.
 """
 
 from __future__ import annotations
 
-import argparse
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 from xml.sax.saxutils import escape
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
-from _command import explained, run_command
 
 
 @dataclass(frozen=True)
@@ -116,24 +106,3 @@ def drawing() -> str:
         "</svg>",
     ]
     return "\n".join(lines) + "\n"
-
-
-def main() -> int:
-    parser = argparse.ArgumentParser(
-        prog="tools/wiring", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("-o", "--output", type=Path, help="write the drawing there, and not to the terminal")
-    args = parser.parse_args()
-    if not args.output:
-        print(drawing(), end="")
-        return 0
-    try:
-        args.output.write_text(drawing(), encoding="utf-8")
-    except OSError as error:
-        print(f"tools/wiring: {explained(error)}", file=sys.stderr)
-        return 1
-    return 0
-
-
-if __name__ == "__main__":
-    run_command(main)

@@ -1,0 +1,123 @@
+"""tools/refresh knows what is generated, makes what is stale and nothing else, and says what it has changed."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from building import ROOT
+from measuring import documents, record
+from refreshing import refresh
+from refreshing.things import THINGS, Thing, in_order, shown, shows_the_same
+
+
+def said_by(things: list[Thing], **more) -> list[str]:
+    said: list[str] = []
+    refresh.refresh(things, said.append, **more)
+    return said
+
+
+# What is in the repository ------------------------------------------------------
+
+
+def test_what_is_made_of_text_is_up_to_date():
+    stale: list[str] = []
+    assert refresh.check([thing for thing in THINGS if not thing.inputs], stale.append), f"{stale}: run tools/refresh"
+
+
+def test_each_place_for_a_table_is_written_by_the_tool():
+    texts = [place.read_text() for place in documents.DOCUMENTS]
+    marked = [name for text in texts for name in re.findall(r"<!-- ([\w -]+): begin -->", text)]
+    assert len(set(marked)) == len(marked) and set(marked) <= {thing.name for thing in THINGS}
+
+
+def test_names_of_two_are_the_same_only_for_a_section_of_the_record_and_its_table():
+    names = [thing.name for thing in THINGS if not thing.measure]
+    assert len(set(names)) == len(names)
+    assert all((ROOT / place).exists() for thing in THINGS for place in thing.inputs)
+
+
+def test_record_is_as_the_tool_writes_it():
+    assert record.FILE.read_text() == in_order(record.load())
+
+
+# What is stale --------------------------------------------------------------------
+
+
+@pytest.fixture
+def made(tmp_path, monkeypatch):
+    """A repository with one source, of which one text is made, as long as it is; and how often it was made."""
+    monkeypatch.setattr(refresh, "ROOT", tmp_path)
+    monkeypatch.setattr(record, "FILE", tmp_path / "measured.toml")
+    (tmp_path / "source").write_text("one\n")
+    times = []
+
+    def make() -> dict:
+        times.append(1)
+        return {tmp_path / "made": (tmp_path / "source").read_bytes() * 2}
+
+    def thing(**more) -> Thing:
+        things = (Thing("text", make, **{"inputs": ("source",), **more}),)
+        monkeypatch.setattr(refresh, "THINGS", things)
+        return things[0]
+
+    thing.folder, thing.times = tmp_path, times
+    return thing
+
+
+def test_what_its_inputs_make_stale_is_made_once_and_told_of(made):
+    thing = made()
+    said = said_by([thing])
+    assert said == ["text: what it is made of has changed", "text: made is written anew", "  +one", "  +one"]
+    assert said_by([thing]) == [] and refresh.check([thing], pytest.fail)
+    (made.folder / "source").write_text("two\n")
+    stale = []
+    assert not refresh.check([thing], stale.append) and stale == ["text: what it is made of has changed"]
+    assert said_by([thing])[2:] == ["  -one", "  -one", "  +two", "  +two"] and len(made.times) == 2
+    said_by([thing], anyway=True)
+    assert len(made.times) == 3
+
+
+def test_what_has_no_inputs_is_made_each_time_and_written_only_where_it_differs(made):
+    thing = made(inputs=())
+    said_by([thing])
+    assert said_by([thing]) == [] and len(made.times) == 2
+    (made.folder / "made").write_text("one\none\nthree\n")
+    stale = []
+    assert not refresh.check([thing], stale.append) and stale == ["text: made is not as it would be made"]
+    assert said_by([thing]) == ["text: made is written anew", "  -three"]
+
+
+def test_where_the_sample_is_as_before_nothing_more_is_measured(made):
+    taken = {"one": 100, "two": {"a": 2}}
+    thing = made(sample=lambda: taken, share=0.01)
+    said_by([thing])
+    for change, times in ((101, 1), (99, 1), (102, 2), (102, 2)):
+        taken["one"] = change
+        (made.folder / "source").write_text(f"{change}\n")
+        said_by([thing])
+        assert len(made.times) == times and refresh.check([thing], pytest.fail)
+
+
+def test_picture_is_the_same_that_says_the_same_with_other_figures():
+    picture = "<svg xmlns='svg'><text>{}</text></svg>"
+    one, later, other = (picture.format(words).encode() for words in ("ACK 1.25 s", "ACK 1.5 s", "ACK, lost 1.25 s"))
+    assert shown(one) == {"ACK  s"}
+    assert shows_the_same(one, later) and not shows_the_same(one, other)
+
+
+# The tool -------------------------------------------------------------------------
+
+
+def test_tool_names_what_there_is_and_refuses_another_name():
+    def run(*words: str) -> subprocess.CompletedProcess:
+        return subprocess.run([sys.executable, ROOT / "tools" / "refresh", *words], capture_output=True, text=True)
+
+    listed = run("--list").stdout.splitlines()
+    assert [line.partition(":")[0] for line in listed] == [thing.name for thing in THINGS]
+    refused = run("keyword")
+    assert refused.returncode == 2 and "nothing generated is named keyword" in refused.stderr
+    assert run("--check", "keywords").returncode == 0

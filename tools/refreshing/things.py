@@ -1,0 +1,192 @@
+"""Everything in the repository that is made of something else: its name, what goes into it, how it is made.
+
+What is made in no time is made each time, and compared. What has to be measured or drawn names its inputs: it is stale
+when their digest is another one than in test/figures/measured.toml. It is then made again, unless it has a sample:
+something short, measured first. Where that comes out as it did before, within its share, all of it would.
+"""
+
+from __future__ import annotations
+
+import importlib
+import operator
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from building import ROOT
+from measuring import documents, record
+
+from . import fetched, keywords, readback, retries, wiring
+
+Files = dict[Path, bytes]
+UPLOADER = "examples/01.First/UploadMission"
+COMPILED = ("src", "test/measured", UPLOADER, "tools/building.py", "simulation/firmware.py")
+SIMULATED = (*COMPILED, "simulation", "tools/measuring/firmware.py", "tools/measuring/peer.py")
+HOST = ("src", "simulation/host_build.py", "simulation/hearing", "test/host/Frames.cpp", "test/host/arduino")
+
+
+@dataclass(frozen=True)
+class Thing:
+    name: str
+    made: Callable[[], Files]
+    inputs: tuple[str, ...] = ()
+    sample: Callable[[], record.Section] | None = None
+    share: float = 0.0
+    is_same: Callable[[bytes, bytes], bool] = operator.eq  # what is kept and what was made
+    group: str = ""  # of tools/setup, beside demo
+    # Of a section of test/figures/measured.toml, what is measured, and how it is compared.
+    measure: Callable[[], record.Section] | None = None
+    more_is_better: tuple[str, ...] = ()
+    is_whole: bool = False  # its largest figure, of which the others are parts: these have no bounds
+
+    def beyond(self, fresh: record.Section) -> list[str]:
+        """What of it is beyond its bound, or far from what is recorded."""
+        return record.beyond(record.load()[self.name], fresh, more_is_better=self.more_is_better,
+                             of_the_largest=self.is_whole)  # fmt: skip
+
+    def broken(self) -> list[str]:
+        """What of the record is beyond its bound."""
+        return self.beyond(record.section(self.name))
+
+    def stale_files(self) -> Files:
+        """Those that are to be written."""
+        return {file: data for file, data in self.made().items()
+                if not file.exists() or not self.is_same(file.read_bytes(), data)}  # fmt: skip
+
+
+def later(module: str, name: str) -> Callable:
+    """A function of a module that needs what tools/setup demo brings; the table's names are known without."""
+    package = "refreshing" if module == "commands" else "measuring"
+    return lambda *values: getattr(importlib.import_module(f"{package}.{module}"), name)(*values)
+
+
+def text(file: str, make: Callable[[], str]) -> Callable[[], Files]:
+    return lambda: {ROOT / file: make().encode()}
+
+
+def table(name: str, make: Callable[[], str], *inputs: str, **more) -> Thing:
+    """What stands between the marks of this name in a document."""
+
+    def made() -> Files:
+        place = documents.place_of(name)
+        return {place: documents.with_table(place.read_text(), name, make()).encode()}
+
+    return Thing(name, made, inputs, **more)
+
+
+def recorded(name: str, make: Callable[..., str], *sections: str) -> Thing:
+    """A table of what is in test/figures/measured.toml."""
+    return table(name, lambda: make(*map(record.section, sections)))
+
+
+def section(name: str, measure: Callable[[], record.Section], *inputs: str, has_bounds: bool = True,
+            more_is_better: tuple[str, ...] = (), is_whole: bool = False, **more) -> Thing:  # fmt: skip
+    """Of test/figures/measured.toml."""
+
+    def made() -> Files:
+        fresh = measure()
+        whole = record.load()
+        bounded = record.with_bounds(fresh, whole.get(name), more_is_better=more_is_better)
+        whole[name] = bounded if has_bounds and not is_whole else fresh
+        return {record.FILE: in_order(whole).encode()}
+
+    return Thing(name, made, inputs, measure=measure, more_is_better=more_is_better, is_whole=is_whole, **more)
+
+
+def in_order(whole: dict) -> str:
+    """The record's text: its sections as they are listed below, then what they were made from."""
+    names = [record.MADE_WITH, *(thing.name for thing in THINGS if thing.measure), SAMPLES, MADE_FROM]
+    return record.text_of({name: whole[name] for name in names if whole.get(name)})
+
+
+def printed_by(*command: str) -> str:
+    """Raises RuntimeError with what it said, if it fails."""
+    ran = subprocess.run([sys.executable, *command], cwd=ROOT, capture_output=True, text=True, check=False)
+    if ran.returncode != 0:
+        raise RuntimeError(f"{' '.join(command)}: {ran.stderr}")
+    return ran.stdout
+
+
+def udp() -> str:
+    return printed_by("test/support/udp_rates.py").rstrip("\n")
+
+
+# Pictures -------------------------------------------------------------------------------------------
+
+
+def shown(picture: bytes) -> set[str]:
+    """What a picture says in words, figures apart: those hang on each cycle."""
+    texts = ("".join(element.itertext()) for element in ElementTree.fromstring(picture).iter()
+             if element.tag.endswith("}text"))  # fmt: skip
+    return {re.sub(r"\d[\d.]*", "", words).strip() for words in texts}
+
+
+def shows_the_same(kept: bytes, fresh: bytes) -> bool:
+    return shown(kept) == shown(fresh)
+
+
+def drawn(file: str, *command: str) -> Callable[[], Files]:
+    def made() -> Files:
+        with tempfile.TemporaryDirectory() as folder:
+            fresh = Path(folder) / Path(file).name
+            printed_by(*command, str(fresh))
+            return {ROOT / file: fresh.read_bytes()}
+
+    return made
+
+
+def timeline(file: str, *options: str) -> Thing:
+    """The picture of a run, as the page that shows it says how to draw it."""
+    return Thing(file, drawn(file, "tools/demo", "--fast", *options, "--timeline"), ("src", UPLOADER, "simulation",
+                 "tools/demonstration"), is_same=shows_the_same, group="pictures")  # fmt: skip
+
+
+# All of them, those first that others are made from -----------------------------------------------
+
+SAMPLES, MADE_FROM = "samples", "made_from"  # tables of test/figures/measured.toml
+THINGS = (
+    Thing("keywords", text("keywords.txt", keywords.keywords)),
+    Thing("commands", text("tools/planning/commands.txt", later("commands", "table"))),
+    Thing("retries", text("docs/design/retries.md", retries.document)),
+    Thing("docs/wiring.svg", text("docs/wiring.svg", wiring.drawing)),
+    table("read-back", readback.table),
+    section("figures", later("figures", "measured_ours"), *SIMULATED, "tools/measuring/runs.py",
+            more_is_better=("cpu_left_57600", "cpu_left_115200")),
+    section("baseline", later("figures", "measured_baseline"), "test/baseline", "src/mavmission/mavlink", "simulation",
+            "tools/baseline.py", "tools/measuring/peer.py", "tools/measuring/runs.py", has_bounds=False),
+    section("features", later("features", "features"), *COMPILED),
+    section("stack", later("calls", "stacks"), *SIMULATED, "tools/measuring/calls.py"),
+    section("updates", later("updates", "longest_updates"), *SIMULATED, "tools/measuring/updates.py",
+            sample=later("updates", "sample"), share=record.SHARE),
+    section("signing", later("signing", "costs"), *SIMULATED, "tools/measuring/signing.py", "tools/measuring/work.py",
+            more_is_better=("0 ms", "1 ms", "2 ms", "5 ms")),
+    section("work", later("work", "costs"), *SIMULATED, "tools/measuring/work.py"),
+    section("growth", later("growth", "costs"), *SIMULATED, "tools/measuring/growth.py", "tools/measuring/calls.py"),
+    section("RAM budget", later("budget", "sizes"), *COMPILED, is_whole=True),
+    section("flash budget", later("flash", "sizes"), *COMPILED, is_whole=True),
+    recorded("in short", later("report", "in_short"), "figures"),
+    recorded("measured", later("report", "for_documents"), "figures", "baseline"),
+    recorded("features", later("features", "table"), "features"),
+    recorded("goals", later("report", "goals_missed"), "figures"),
+    recorded("signing", later("signing", "table"), "signing"),
+    recorded("work", later("work", "table"), "work"),
+    recorded("growth", later("growth", "table"), "growth"),
+    recorded("RAM budget", later("report", "sizes"), "RAM budget"),
+    recorded("flash budget", later("report", "sizes"), "flash budget"),
+    table("quiet transfers", later("quieting", "table"), *SIMULATED, "tools/measuring/quieting.py"),
+    table("files", later("file_times", "for_documents"), *SIMULATED, "tools/measuring/file_times.py"),
+    table("rates", later("rates", "for_documents"), *HOST, "test/rates", "test/explorer", "tools/measuring/rates.py"),
+    table("udp", udp, *HOST, "simulation/fake_autopilot", "test/day/client.cpp", "test/support/udp_rates.py",
+          "test/support/udp_client.py", "test/support/datagrams.py"),
+    timeline("docs/upload.svg"),
+    timeline("docs/recovered.svg", "--lose", "MISSION_ACK:1"),
+    timeline("docs/design/lossy.svg", "--loss-bytes", "3", "--seed", "5"),
+    Thing("docs/playground.png", drawn("docs/playground.png", "tools/playground", "--picture"),
+          ("tools/playing/page", "docs/farm.plan"), group="browser"),
+    Thing("fetched", text("test/figures/fetched.toml", fetched.made), ("tools/setup", "tools/requirements")),
+)  # fmt: skip
