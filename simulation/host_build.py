@@ -27,11 +27,9 @@ COMPILERS = ("g++", "clang++")
 STANDARD = ["-std=c++11", "-g1", "-fno-omit-frame-pointer"]
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 SANITIZERS = "address,undefined"
-# A finding ends the program with a failure instead of a line of text.
-SANITIZED = ["-O1", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
 # As a 32-bit processor has it: pointers, size_t, long and the alignment of 64-bit numbers. (The x87's registers would
-# make other NaNs of some.)
-OF_32_BITS = ["-O1", "-m32", "-msse2", "-mfpmath=sse", "-fsanitize=alignment,undefined", "-fno-sanitize-recover=all"]
+# make other NaNs of some.) A finding ends the program with a failure instead of a line of text.
+SANITIZED = ["-O1", "-m32", "-msse2", "-mfpmath=sse", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
 # Without what depends on the environment and on where the system puts a program, since an input would be interesting on
 # one day alone: the depth of the stack, and the check of a virtual table, which looks it up by a hash of its address
 # (two tables have the same in one run of 20). The unit tests have that check.
@@ -43,6 +41,8 @@ FAST = ["-O2", "-g0"]
 # What tries a million values is sooner done when it is optimised all the same.
 UNITS = HOST / "units"
 LONG_RUNNING = (UNITS / "float_bits.cpp",)
+MAIN = UNITS / "main.cpp"
+UNITS_INCLUDE = ("<doctest/doctest.h>", "<algorithm>", "<map>", "<string>", "<vector>")
 AS_IT_IS = ["-O0"]
 FAST_ASSERTS = ["-DDOCTEST_CONFIG_SUPER_FAST_ASSERTS"]
 
@@ -64,19 +64,13 @@ def build_host(
 ) -> Path:
     """The program that `sources`, the library and the Arduino shim make.
 
-    `flags` are one of SANITIZED, OF_32_BITS, FUZZED and FAST; `own_flags` are for `sources` alone, so that
+    `flags` are one of SANITIZED, FUZZED and FAST; `own_flags` are for `sources` alone, so that
     programs share the library's objects. `library` names the sources of
     the library that go in; all by default. Warnings are errors.
     """
-    units = [*sources, *(library_sources() if library is None else library), SHIM / "Arduino.cpp"]
-    command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), *PLACES]
-    unit = [*command, *FAST_ASSERTS]
-    kinds = {source: [*unit, *AS_IT_IS] for source in units if source.parent == UNITS}
-    kinds |= {source: unit for source in LONG_RUNNING}
-    kinds |= {source: [*command, *own_flags] for source in sources if own_flags}
-    with ThreadPoolExecutor(os.cpu_count()) as workers:
-        commands = [kinds.get(source, command) for source in units]
-        objects = list(workers.map(make_object, units, commands))
+    objects = build_objects(sources, compiler, flags, own_flags, defines)
+    objects += build_objects(library_sources() if library is None else library, compiler, flags, (), defines)
+    objects += build_objects([SHIM / "Arduino.cpp"], compiler, flags, (), defines)
     linking = [compiler, *flags, *link]
     key = digest("program", *linking, *map(str, objects))
     program = OUTPUT / f"{name}-{key[:12]}" / name
@@ -86,6 +80,20 @@ def build_host(
             run([*linking, "-o", fresh, *objects])
             fresh.replace(program)
     return program
+
+
+def build_objects(
+    sources: Iterable[Path], compiler: str, flags: Sequence[str], own_flags: Sequence[str] = (),
+    defines: Mapping[str, object] | None = None,
+) -> list[Path]:  # fmt: skip
+    command = [compiler, "-c", *STANDARD, *flags, *WARNINGS, *defined(defines or {}), *PLACES]
+
+    def told(source: Path) -> list[str]:
+        unit = FAST_ASSERTS if source in LONG_RUNNING else [*FAST_ASSERTS, *AS_IT_IS]
+        return [*command, *own_flags, *(unit if source.parent == UNITS else [])]
+
+    with ThreadPoolExecutor(os.cpu_count()) as workers:
+        return [*workers.map(lambda source: make_object(source, told(source)), sources)]
 
 
 def make_object(source: Path, command: Sequence[str]) -> Path:
@@ -105,10 +113,11 @@ def make_object(source: Path, command: Sequence[str]) -> Path:
 
 
 def quickened(source: Path, command: Sequence[str]) -> list[str]:
-    """The command for a source, with MAVLink's headers precompiled. (No test of a unit includes them.)"""
-    if source.suffix != ".cpp" or source.parent == UNITS:
+    """The command for a source, with MAVLink's headers precompiled, for a unit with what all units include beside."""
+    if source.suffix != ".cpp" or source in (MAIN, *LONG_RUNNING):
         return [*command]
-    return [*command, *with_mavlink(command, compiler_version(command[0]))]
+    more = UNITS_INCLUDE if source.parent == UNITS else ()
+    return [*command, *with_mavlink(command, compiler_version(command[0]), *more)]
 
 
 def compilation(source: Path, command: Sequence[str]) -> tuple[str, Path]:

@@ -17,7 +17,7 @@ import subprocess
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from simulation import firmware
+from simulation import firmware, together
 from simulation.firmware import (
     LIBRARY,
     ROOT,
@@ -36,7 +36,7 @@ CORE = ROOT / "simulation" / "cortex_m0" / "core"
 COMPILER = "arm-none-eabi-g++"
 CPU = ["-mcpu=cortex-m0", "-mthumb"]
 # -fno-... as all cores for ARM have it.
-FLAGS = [*CPU, "-c", "-g", "-Os", "-ffunction-sections", "-fdata-sections", "-fno-exceptions", "-fno-rtti",
+FLAGS = [*CPU, "-c", "-Os", "-ffunction-sections", "-fdata-sections", "-fno-exceptions", "-fno-rtti",
          "-fno-threadsafe-statics", "-DARDUINO=10819", "-DARDUINO_ARCH_CORTEX_M0"]  # fmt: skip
 STRICT = ["-Wall", "-Wextra", "-Werror"]
 STANDARD = "-std=gnu++11"
@@ -83,7 +83,8 @@ def cortex_m0_object(source: Path, flags: Sequence[str], places: Sequence[Path],
     with exclusive(target):
         if not target.exists():
             fresh = target.with_suffix(".new")
-            quick = with_mavlink(command, compiler_version()) if LIBRARY in source.parents else []
+            is_librarys = {LIBRARY, together.OUTPUT} & {*source.parents}
+            quick = with_mavlink(command, compiler_version()) if is_librarys else []
             firmware.run([*command, *quick, source, "-o", fresh])
             fresh.replace(target)
     return target

@@ -19,9 +19,12 @@ OUTPUT = ROOT / "build" / "precompiled"
 HEADERS = LIBRARY / "mavmission" / "base" / "MavlinkHeaders.h"
 
 
-def with_mavlink(command: Sequence[str], version: str) -> list[str]:
-    """The further words for a compiler of this version (a g++ or clang++) that is told these."""
-    return list(made(tuple(command), version, vendored(), HEADERS.read_bytes()))
+def with_mavlink(command: Sequence[str], version: str, *more: str) -> list[str]:
+    """The further words for a compiler of this version (a g++ or clang++) that is told these.
+
+    `more`: what is precompiled beside MAVLink's headers, as it stands behind #include.
+    """
+    return list(made(tuple(command), version, more, vendored(), HEADERS.read_bytes()))
 
 
 @functools.cache
@@ -31,13 +34,13 @@ def vendored() -> str:
 
 
 @functools.cache
-def made(command: tuple[str, ...], version: str, *contents: str | bytes) -> tuple[str, ...]:
+def made(command: tuple[str, ...], version: str, more: tuple[str, ...], *contents: str | bytes) -> tuple[str, ...]:
     is_clang = "clang" in command[0]
-    header = OUTPUT / digest(version, *command, *contents)[:16] / "mavlink.h"
+    header = OUTPUT / digest(version, *command, *more, *contents)[:16] / "mavlink.h"
     target = header.with_name("mavlink.h.pch" if is_clang else "mavlink.h.gch")
     with exclusive(target):
         if not target.exists():
-            header.write_text(f'#include "{HEADERS}"\n')
+            header.write_text("".join(f"#include {name}\n" for name in (f'"{HEADERS}"', *more)))
             fresh = target.with_suffix(".new")
             # (clang would not take it any more when git has written the same headers again.)
             steady = ["-Xclang", "-fno-pch-timestamp"] if is_clang else []

@@ -44,11 +44,20 @@ def units(name: str) -> list[str]:
     SteeringControl's."""
     stem = Path(name).stem
     snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", stem).lower()
-    word = re.compile(rf"\b{stem}\b")
-    found = [unit.stem for unit in sorted(UNITS.glob("*.cpp"))
-             if snake.startswith(f"{unit.stem}_") or word.search(unit.read_text())]  # fmt: skip
+    found = [unit for unit, words in words_of_units().items() if snake.startswith(f"{unit}_") or stem in words]
     test = "test/proof/test_host.py::test_every_case_of_a_unit_passes"
     return [f"{test}[plain-{unit}]" for unit in found if unit != "main"]
+
+
+@cache
+def words_of_units() -> dict[str, set[str]]:
+    return {unit.stem: set(re.findall(r"\w+", unit.read_text())) for unit in sorted(UNITS.glob("*.cpp"))}
+
+
+def example(name: str) -> list[str]:
+    """Marked slow, and run all the same, since it is asked for by its name."""
+    test = "test/documents/test_packaging.py::test_every_example_compiles_for_every_board"
+    return [f"{test}[{Path(name).stem}-mega]"] if name.endswith(".ino") and (ROOT / name).exists() else []
 
 
 def named(test: str) -> list[str]:
@@ -96,7 +105,7 @@ def tests_of(name: str) -> list[str]:
     found = users if len(users) <= MOST_IMPORTERS else []
     found = [*found, *named(f"*/test_{path.stem}.py")]
     for test in listed(name):
-        found += units(name) if test == "units" else named(test)
+        found += {"units": units, "example": example}[test](name) if test in ("units", "example") else named(test)
     return found
 
 

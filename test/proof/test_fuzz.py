@@ -20,8 +20,9 @@ if __name__ == "__main__":
 
 import pytest
 
-from simulation.firmware import ROOT, library_file
+from simulation.firmware import ROOT, library_file, library_sources
 from simulation.host_build import FUZZED, HOST, build_host
+from simulation.together import together
 
 FUZZ = ROOT / "test" / "fuzz"
 PARSER = [library_file(name) for name in ("Checksum.cpp", "FrameParser.cpp", "Messages.cpp")]
@@ -34,7 +35,8 @@ TARGETS = {"parser": ((), PARSER, 60_000, 600), "client": (("Evidence.cpp",), No
 def build_target(target: str) -> Path:
     others, library, *_ = TARGETS[target]
     sources = [FUZZ / f"{target}.cpp", *(FUZZ / name for name in others), HOST / "Frames.cpp"]
-    return build_host(f"fuzz-{target}", sources, "clang++", FUZZED, library=library, link=["-fsanitize=fuzzer"])
+    parts = together(library or library_sources())
+    return build_host(f"fuzz-{target}", sources, "clang++", FUZZED, library=parts, link=["-fsanitize=fuzzer"])
 
 
 # What would make a run differ from the one before: words of compared values are put into inputs, and pointers are

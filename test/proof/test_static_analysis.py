@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from simulation.together import groups
 from static_analysis import (
     CLANG_TIDY,
     CPPCHECK,
@@ -16,7 +17,6 @@ from static_analysis import (
     VENDORED,
     all_headers,
     findings,
-    fitting,
     look_at,
     look_at_all,
 )
@@ -59,7 +59,7 @@ def test_fault_is_found_in_one_of_several_sources_that_are_looked_at_together(to
     sources = [tmp_path / f"{name}.cpp" for name in ("before", "faulty", "behind")]
     for source in sources:
         source.write_text(text + "\n" if source.stem == "faulty" else f"int {source.stem}() {{ return 1; }}\n")
-    assert fitting(sources) == [sources]
+    assert groups(sources) == [sources]
     (said,) = findings(tool, sources)
     assert check in said and "faulty.cpp" in said
     assert "faulty.cpp" in look_at_all(tool, sources)
@@ -69,7 +69,7 @@ def test_sources_with_the_same_names_are_looked_at_apart(tmp_path):
     sources = [tmp_path / f"{name}.cpp" for name in "abc"]
     for source in sources:
         source.write_text(f"namespace {{ const int kSame = 1; }} int {source.stem}() {{ return kSame; }}\n")
-    assert fitting(sources) == [[source] for source in sources]
+    assert groups(sources) == [[source] for source in sources]
 
 
 def test_every_suppression_in_the_code_has_a_reason():

@@ -13,6 +13,7 @@ from simulation.enumerators import texts_of
 from simulation.firmware import LIBRARY, ROOT, library_sources
 from simulation.host_build import HOST, SHIM, compiler_version
 from simulation.precompiled import with_mavlink
+from simulation.together import together
 
 AUTOPILOT = 9  # MAV_AUTOPILOT_PPZ
 NAME = "a third autopilot"
@@ -30,9 +31,8 @@ def planted(folder: Path, file: str, before: str, line: str) -> None:
 def talk(library: Path, folder: Path, autopilot: int) -> dict[str, str]:
     """What the program says, by the first word of each line; items by their number."""
     program = folder / "program"
-    sources = [
-        HOST / "programs" / "third_autopilot.cpp", HOST / "Frames.cpp", SHIM / "Arduino.cpp", *library_sources(library),
-    ]  # fmt: skip
+    sources = [HOST / "programs" / "third_autopilot.cpp", HOST / "Frames.cpp", SHIM / "Arduino.cpp",
+               *together(library_sources(library))]  # fmt: skip
     command = ["g++", "-O0", "-std=c++11", "-Wall", "-Wextra", "-Werror", f"-I{library}", f"-I{SHIM}", f"-I{HOST}"]
     if not program.exists():
         quick = with_mavlink(command, compiler_version("g++"))

@@ -7,11 +7,9 @@ from collections import Counter
 import pytest
 
 from simulation import recordings
-from simulation.fake_autopilot import mavlink
 from simulation.fake_autopilot.frames import message_id
 from simulation.quiet import RECORDED, Quiet, as_recorded, default_list, recorded
 
-ATTITUDE, GPS_RAW_INT, MISSION_CURRENT = 30, 24, 42
 SIMSTATE = 164  # an ArduPilot sends it that has no aircraft but a simulated one
 NINE_TENTHS = 0.9
 LONG_PLAN = 150
@@ -121,53 +119,7 @@ def test_line_is_quiet_during_a_transfer_and_as_loud_as_before_after_it(loud, pe
     assert is_back(loud, before)
 
 
-def test_line_is_loud_again_after_a_cancel(loud):
-    before = loud.rates()
-    loud.upload_quietly(LONG_PLAN)
-    loud.cancel()
-    assert loud.run_until_ended(limit_s=1) == "Cancelled"
-    loud.run_until_idle()
-    assert is_back(loud, before)
-
-
-# Nothing but transfers --------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "order, end",
-    [
-        pytest.param(("arm",), "Done", marks=pytest.mark.slow),
-        (("clear",), "Cleared"),
-        (("interval", 30, 200000), "Done"),
-    ],
-)
-def test_commands_and_clearing_silence_nothing(loud, order, end):
-    loud.run(30.0 if order == ("arm",) else 0.0)  # until an ArduPilot lets itself be armed
-    began = loud.now
-    loud.tell(*order)
-    assert loud.run_until_ended(limit_s=5) == end
-    loud.run(1.0)
-    assert loud.asked_since(began, -1) == []
-    assert loud.is_idle
-
-
 # Faults --------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-def test_every_interval_is_given_back_though_commands_and_answers_are_lost(make_quiet, personality):
-    bench = make_quiet()
-    bench.run(2.0)
-    bench.run_until_idle()
-    before = bench.rates()
-    bench.upload_quietly(LONG_PLAN)
-    bench.cancel()
-    lost = (0, 2, 3, 4, 5, 6, 7, 8, 15)
-    faults = [bench.wire.lose(">", name="COMMAND_LONG", index=index) for index in lost]
-    faults += [bench.wire.lose("<", name="COMMAND_ACK", index=index) for index in (1, 2, 4, 7)]
-    bench.run_until_idle(limit_s=45)
-    assert all(fault.struck for fault in faults)
-    assert is_back(bench, before)
 
 
 @pytest.mark.slow
@@ -199,47 +151,6 @@ def test_reset_of_the_arduino_in_mid_transfer_leaves_no_silence(loud):
     loud.run_until_idle(limit_s=5)
     loud.run(10.0)  # until the autopilot has given up
     assert is_back(loud, before)
-
-
-def test_refused_messages_are_passed_over(make_quiet, personality):
-    bench = make_quiet()
-    bench.autopilot._set_message_interval = lambda message, now: mavlink.MAV_RESULT_DENIED
-    bench.run(2.0)
-    bench.run_until_idle(limit_s=3)
-    began = bench.now
-    bench.upload_quietly(LONG_PLAN, limit_s=3)
-    assert bench.asked_since(began, -1) == default_list(personality)
-    assert bench.run_until_ended(limit_s=20) == "Accepted"
-    bench.run_until_idle(limit_s=3)
-    assert bench.asked_since(began, 0) == default_list(personality)
-
-
-def test_nobody_is_asked_before_an_autopilot_was_heard_or_when_there_are_several(make_quiet):
-    bench = make_quiet(heartbeat_at_s=3.0)
-    bench.run(2.9)
-    assert bench.asked == []
-    assert not bench.is_idle
-    bench.run_until_idle()
-
-
-# The sketch's own list -----------------------------------------------------------------
-
-
-@pytest.mark.slow
-def test_own_list_gets_its_own_intervals_and_never_silences_what_transfers_need(make_quiet):
-    bench = make_quiet(defines={"BENCH_QUIET_LIST": 1})
-    bench.run(2.0)
-    bench.run_until_idle()
-    assert set(bench.asked_since(0.0, 0)) == {9999, GPS_RAW_INT}
-    assert bench.asked_since(0.0, 500_000) == [ATTITUDE]
-    began = bench.now
-    bench.upload_quietly(LONG_PLAN)
-    assert bench.asked_since(began, -1) == [ATTITUDE, 9999, GPS_RAW_INT]
-    assert bench.run_until_ended(limit_s=20) == "Accepted"
-    bench.run_until_idle()
-    heard = bench.rates(2.0)
-    assert heard[ATTITUDE] == pytest.approx(40 / 0.5, rel=0.3)  # a frame of 40 bytes each 500 ms
-    assert heard[GPS_RAW_INT] > 0
 
 
 # What it is worth, and what it costs ------------------------------------------------------

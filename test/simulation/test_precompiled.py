@@ -38,8 +38,9 @@ def test_object_for_the_mega_is_the_same_and_the_old_compiler_takes_what_is_prec
 def test_other_headers_flags_or_compilers_are_compiled_anew(monkeypatch, tmp_path):
     monkeypatch.setattr(precompiled, "OUTPUT", tmp_path)
     monkeypatch.setattr(precompiled, "HEADERS", library_file("Clock.h"))
-    base = ("g++", "-c", "-std=c++11"), "12", "headers"
-    others = [(("g++", "-c", "-std=c++17"), "12", "headers"), (base[0], "13", "headers"), (base[0], "12", "changed")]
+    base = ("g++", "-c", "-std=c++11"), "12", (), "headers"
+    others = [(("g++", "-c", "-std=c++17"), *base[1:]), (base[0], "13", *base[2:]), (*base[:2], ("<map>",), base[3]),
+              (*base[:3], "changed")]  # fmt: skip
     folders = {precompiled.made(*words) for words in (base, *others)}
-    assert len(folders) == 4
+    assert len(folders) == 5
     assert precompiled.made(*base) in folders

@@ -1,62 +1,52 @@
 """The branches of src/ that the host tests take, by folder: the unit tests, a few explorations and flights, as gcov
 counts.
 
-Branches to where an exception would go are left out: the library has none.
+The library is compiled anew; the objects of the tests are those that other tests have. Branches to where an exception
+would go are left out: the library has none.
 """
 
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 from collections import defaultdict
-from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from simulation.firmware import LIBRARY, ROOT, library_sources
-from simulation.host_build import HOST, PLACES, SHIM, UNITS, compiler_version
+from simulation.host_build import FAST, HOST, PLACES, SHIM, UNITS, build_objects, compiler_version
 from simulation.precompiled import with_mavlink
 from simulation.recorded_for_units import environment
+from simulation.together import together
 
-EXPLORER = ROOT / "test" / "explorer"
-FLIGHTS = ROOT / "test" / "flights"
+TEST = ROOT / "test"
 FLOWN = ("Copter all random 30", "Rover all random 30", "PX4 all random 30 --loss 5")
 EXPLORED = ("ArduPilot upload-in-doubt 2", "PX4 upload-verified 2", "ArduPilot download 0 --held 2")
-LIBRARYS = ["g++", "-c", "-std=c++17", "-O0", "-g0", "-fno-access-control", "--coverage", "-w", *PLACES]
-TESTS = ["g++", "-c", "-std=c++17", "-O0", "-g0", "-fno-access-control", "-w", *PLACES]
-
-
-def compiled(sources: Sequence[Path], command: list[str], folder: Path) -> list[Path]:
-    folder.mkdir()
-    quick = [*command, *with_mavlink(command, compiler_version(command[0]))]
-
-    def one(source: Path) -> Path:
-        made = folder / f"{source.stem}.o"
-        subprocess.run([*(command if source.parent == UNITS else quick), source, "-o", made], check=True)
-        return made
-
-    with ThreadPoolExecutor(os.cpu_count()) as workers:
-        return list(workers.map(one, sources))
+COUNTED = ["g++", "-c", "-std=c++11", "-O0", "-g0", "--coverage", "-w", *PLACES]
+# The folder of each program, the further flags of its sources, and its runs.
+PROGRAMS = (
+    (UNITS, (), ("--no-version",)),
+    (TEST / "explorer", ("-std=c++17", "-fno-access-control"), EXPLORED),
+    (TEST / "flights", (), FLOWN),
+)
 
 
 def branches(folder: Path) -> dict[str, tuple[int, int]]:
     """Folder of src/mavmission -> how many of its branches were taken, and how many there are. Works in `folder`."""
-    library = compiled(library_sources(), LIBRARYS, folder / "library")
-    frames = [*sorted(HOST.glob("*.cpp")), SHIM / "Arduino.cpp"]
-    for name, sources, runs in (
-        ("units", [*sorted(UNITS.glob("*.cpp")), *frames], ("--no-version",)),
-        ("explorer", [*sorted(EXPLORER.glob("*.cpp")), HOST / "Frames.cpp", SHIM / "Arduino.cpp"], EXPLORED),
-        ("flights", [*sorted(FLIGHTS.glob("*.cpp")), HOST / "Frames.cpp", SHIM / "Arduino.cpp"], FLOWN),
-    ):
-        program = folder / f"{name}.program"
-        objects = compiled(sources, TESTS, folder / name)
+    quick = with_mavlink(COUNTED, compiler_version("g++"))
+    library = []
+    for source in together(library_sources()):
+        library.append(folder / f"{source.stem}.o")
+        subprocess.run([*COUNTED, *quick, source, "-o", library[-1]], check=True)
+    frames = build_objects([*sorted(HOST.glob("*.cpp")), SHIM / "Arduino.cpp"], "g++", FAST)
+    for place, own_flags, runs in PROGRAMS:
+        program = folder / f"{place.name}.program"
+        objects = build_objects(sorted(place.glob("*.cpp")), "g++", FAST, own_flags)
         # The library first: of a function in a header, which each has, the linker takes the one that is counted.
-        subprocess.run(["g++", "--coverage", *library, *objects, "-o", program], check=True)
-        places = environment(folder / "uploads")
+        subprocess.run(["g++", "--coverage", *library, *objects, *frames, "-o", program], check=True)
         for words in runs:
+            places = environment(folder / "uploads")
             subprocess.run([program, *words.split()], check=True, capture_output=True, env=places)
-    return by_folder(folder / "library")
+    return by_folder(folder)
 
 
 def by_folder(objects: Path) -> dict[str, tuple[int, int]]:

@@ -4,32 +4,39 @@ from __future__ import annotations
 
 import os
 from functools import cache
+from pathlib import Path
 
+from building import build_sketch
 from examples import sketch_of
 from simulation.bench import fake
 from simulation.fake_autopilot import MISSION, mavlink
-from simulation.firmware import ROOT, build_firmware
+from simulation.firmware import ARDUINO, ROOT, build_firmware
 from simulation.mega import Image, Mega
 
+LIBRARIES = ARDUINO / "libraries"
 WRAPPED = ROOT / "build" / "examples"
 PLACE = (-353632621, 1491652374, 584.0)  # where the examples fly: latitude, longitude [1e-7 degrees], altitude [m]
 SLICE_S = 0.002
 
 
 @cache
-def image_of(example: str, **macros: int) -> Image:
-    """As the Arduino IDE makes it, but for the prototypes, which no example needs. macros: defined before it."""
-    name = "-".join([example, *macros])
-    source = WRAPPED / f"{name}.cpp"
+def image_of(example: str) -> Image:
+    return Image.load(build_sketch(example).elf)
+
+
+def firmware_of(example: str, mcu: str) -> Path:
+    """As the Arduino IDE makes it, but for the prototypes, which no example needs."""
+    source = WRAPPED / f"{example}.cpp"
     source.parent.mkdir(parents=True, exist_ok=True)
     sketch = sketch_of(example)
-    defined = "".join(f"#define {macro} {value}\n" for macro, value in macros.items())
-    text = f'{defined}#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
+    text = f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
     if not source.exists() or source.read_text() != text:
         fresh = source.with_suffix(f".{os.getpid()}")
         fresh.write_text(text)
         fresh.replace(source)
-    return Image.load(build_firmware(name, [source]))
+    port = LIBRARIES / "SoftwareSerial" / "src" / "SoftwareSerial.cpp"
+    own = [port] if "CONSOLE_RX" in text and mcu == "atmega328p" else []
+    return build_firmware(example, [source, *own], mcu=mcu, include_dirs=sorted(LIBRARIES.glob("*/src")))
 
 
 class Run:

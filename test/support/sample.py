@@ -66,7 +66,10 @@ def mark(items: list[pytest.Item], sampled: dict[str, dict[str, int]]) -> None:
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    for item in items:
+        if item.nodeid in config.args:
+            item.add_marker("asked_for")
     sampled = listed()
     mark_beyond_quick(items, sampled.pop("quick", {}))
     mark(items, sampled)

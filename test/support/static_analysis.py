@@ -2,10 +2,9 @@
 
     findings(CLANG_TIDY, LIBRARY_UNITS)   # [] or the tools' own words, a text for each source
 
-Nine tenths of the time are MAVLink's headers, which nearly every source includes; so many sources are looked at as one,
-which includes them all. Where something is found there, each is looked at alone, and what is said of it then counts.
-What was found clean is looked at again when it, anything that it includes, the tool or its options have changed: what
-was clean is noted under build/analysis.
+Many sources are looked at as one (simulation/together.py). Where something is found there, each is looked at alone, and
+what is said of it then counts. What was found clean is looked at again when it, anything that it includes, the tool or
+its options have changed: what was clean is noted under build/analysis.
 """
 
 from __future__ import annotations
@@ -21,6 +20,7 @@ from typing import NamedTuple
 
 from simulation.firmware import LIBRARY, ROOT, digest, library_sources
 from simulation.host_build import HOST, SHIM
+from simulation.together import as_one, groups
 
 OUTPUT = ROOT / "build" / "analysis"
 TIDY_CHECKS = ROOT / ".clang-tidy"
@@ -62,40 +62,11 @@ class ToolMissing(Exception):
     """It does not start; the text says what to do."""
 
 
-# Names that several sources have, each for itself.
-SAME_NAMES = ("kListened", "Row", "kRows")
-TOGETHER = 30  # sources, at the most
-
-
 def findings(tool: Tool, sources: Sequence[Path]) -> list[str]:
     with ThreadPoolExecutor(os.cpu_count()) as workers:
-        groups = [group for at in range(0, len(sources), TOGETHER) for group in fitting(sources[at : at + TOGETHER])]
-        of_groups = workers.map(functools.partial(look_at_all, tool), groups)
-        suspects = [source for group, said in zip(groups, of_groups, strict=True) if said for source in group]
+        of_groups = [*workers.map(functools.partial(look_at_all, tool), groups(sources))]
+        suspects = [source for group, said in zip(groups(sources), of_groups, strict=True) if said for source in group]
         return [said for said in workers.map(functools.partial(look_at, tool), suspects) if said]
-
-
-def fitting(sources: Sequence[Path]) -> list[list[Path]]:
-    """The sources in groups that compile as one: in one of their own if need be."""
-    if len(sources) > 1:
-        command = ["clang++", "-fsyntax-only", *CLANG_TIDY.after[1:], as_one(sources)]
-        if subprocess.run(command, capture_output=True, check=False).returncode != 0:
-            middle = len(sources) // 2
-            return [*fitting(sources[:middle]), *fitting(sources[middle:])]
-    return [[*sources]]
-
-
-def as_one(sources: Sequence[Path]) -> Path:
-    """A source that includes all of them."""
-    lines = []
-    for number, source in enumerate(sources):
-        lines += [f"#undef {name}\n#define {name} {name}_{number}" for name in SAME_NAMES]
-        lines.append(f'#include "{source}"  // NOLINT(bugprone-suspicious-include)')
-    text = "\n".join([*lines, ""])
-    file = OUTPUT / f"together-{digest(text)[:16]}.cpp"
-    OUTPUT.mkdir(parents=True, exist_ok=True)
-    file.write_text(text)
-    return file
 
 
 def look_at_all(tool: Tool, sources: Sequence[Path]) -> str:
@@ -104,17 +75,17 @@ def look_at_all(tool: Tool, sources: Sequence[Path]) -> str:
         return look_at(tool, sources[0])
     # Both speak of included files too; clang-tidy of those alone that it is told.
     told = [f"--header-filter={headers_to_look_at()}|({'|'.join(re.escape(str(source)) for source in sources)})$"]
-    return look_at(tool, as_one(sources), sources, told if tool is CLANG_TIDY else [])
+    return look_at(tool, as_one(sources), told if tool is CLANG_TIDY else [])
 
 
 def headers_to_look_at() -> str:
     return re.search(r"^HeaderFilterRegex: '(.*)'$", TIDY_CHECKS.read_text(), re.M)[1]
 
 
-def look_at(tool: Tool, source: Path, included: Sequence[Path] = (), told: Sequence[str] = ()) -> str:
+def look_at(tool: Tool, source: Path, told: Sequence[str] = ()) -> str:
     """What the tool says of one source; nothing if it is clean."""
     command = [tool.name, *tool.before, *told, str(source), *tool.after]
-    contents = (file.read_bytes() for file in (source, *included, *all_headers()))
+    contents = (file.read_bytes() for file in (source, *all_headers()))
     key = digest(version(tool.name), *command, tool.settings.read_bytes(), *contents)
     clean = OUTPUT / f"{tool.name}-{source.stem}-{key[:16]}"
     if clean.exists():

@@ -17,7 +17,7 @@ TABLE = tomllib.loads(concerned.TABLE.read_text())
 def test_each_row_names_tests_that_there_are_and_fits_a_file(folder):
     files = [str(file.relative_to(ROOT / folder)) for file in (ROOT / folder).rglob("*") if file.is_file()]
     for pattern, tests in TABLE[folder].items():
-        assert [test for test in tests if test != "units" and not concerned.named(test)] == [], pattern
+        assert [test for test in tests if test not in ("units", "example") and not concerned.named(test)] == [], pattern
         assert any(concerned.fnmatch(file, pattern) for file in files), pattern
 
 
@@ -41,6 +41,7 @@ def test_each_source_of_the_library_concerns_some_tests_and_not_many():
         ("simulation/payload.py", "test/service/test_payload.py"),
         ("tools/demonstration/timeline.py", "test/tools/test_timeline.py"),
         ("README.md", "test/documents"),
+        ("examples/01.First/UploadMission/UploadMission.ino", "[UploadMission-mega]"),
     ],
 )
 def test_change_of_a_file_concerns(name, expected):
