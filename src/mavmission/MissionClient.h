@@ -201,6 +201,15 @@ class MissionClient : private detail::Client {
   // and Status::UnknownResult.
   uint8_t lastResult() const { return state_.lastResult; }
 
+  // Who has taken the aircraft from this sketch: Status::PilotHasIt (a pilot, or another station, has set another mode
+  // or has disarmed it) or Status::FailsafeHasIt; Status::Idle: nobody. It is seen by start() and takeOff() while they
+  // run, and by Steering, MissionFollower and Flight at any time. It is remembered, also after the landing: arm(),
+  // start(), takeOff(), and send() with a command that lets motors start, then end with that status, until
+  // requestControl().
+  Status takenBy() const { return known_.takenBy; }
+  // Asks for the aircraft again. To be called when a person wants it so. Nothing is sent.
+  void requestControl() { known_.takenBy = Status::Idle; }
+
   // The step of start() that is running, or that was refused.
   StartStep startStep() const { return Client::startStep(); }
   StartArming startArming() const { return Client::startArming(); }

@@ -108,7 +108,6 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   Steering& steering_;
   Other other_;  // null: a place
   uint32_t renewedMs_;
-  uint32_t updatedMs_;  // when update() was called last
   uint16_t timeoutMs_;
   uint16_t sentMs_;   // when the last target left
   uint16_t beganMs_;  // when the first target left
@@ -123,7 +122,6 @@ class MovingTarget : private detail::Listener, private detail::TargetRules {
   Status ending_;  // with which a hold ends
   Stage stage_;
   bool isBlind_ : 1;     // loop() has stood still, or the autopilot was silent, and no heartbeat has come since then
-  bool isStale_ : 1;     // loop() was blocked: what comes next may be old
   bool isStopped_ : 1;   // by stop()
   bool hasSent_ : 1;     // a target has left since start()
   bool isOrdered_ : 1;   // the hold is an operation of the client, and has not ended

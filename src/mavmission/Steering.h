@@ -44,6 +44,13 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 // status is PilotHasIt or FailsafeHasIt if the aircraft flies in it again, Overruled if it could not be set.
 // docs/in_control.md gives the times.
 //
+// When somebody takes the aircraft, that is remembered, also after it has landed and was disarmed: takeOff(), start()
+// and arm() then end with PilotHasIt or FailsafeHasIt, and send nothing, until the sketch calls requestControl().
+// (MissionClient::takenBy() tells.)
+//
+// The mode that the sketch has set is forgotten when the aircraft is disarmed, and when the autopilot was not heard for
+// 5 s: call requestControl() then, if a person wants it so.
+//
 // After a reset in flight nothing happens by itself: until this object has seen the aircraft disarmed, its functions
 // end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. Then they act only in the mission
 // mode, since it is not known who set any other mode.
@@ -87,8 +94,14 @@ class Steering : public detail::Listener, private detail::SteerRules {
   // north and south, east and west, up and down [cm]; false when its position is not known.
   bool hasArrived(uint16_t withinCm = 200) const;
 
-  // True while the heartbeat shows the mission mode, or the mode that this sketch has set.
+  // True while the heartbeat shows the mission mode, or the mode that this sketch has set; false when no heartbeat has
+  // come since loop() stood still last.
   bool maySteer() const;
+
+  // Asks for the aircraft again: MissionClient::requestControl(), and the mode that the next heartbeat shows counts as
+  // the sketch's own, until somebody sets another. To be called when a person wants it so, such as by a button. Nothing
+  // is sent.
+  void requestControl();
 
   // The step of the running operation, or the step at which the last one ended.
   SteerStep step() const { return step_; }
@@ -124,6 +137,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status refuseField(Status status, ItemField field);
   Status otherHands() const;
   Status whoFlies() const;
+  bool isOurs() const;
   Status judgeFlight();
   Status nextStep(uint16_t nowMs);
   bool beginStep(uint16_t nowMs);
@@ -149,6 +163,8 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isPlane() const;
   bool isGround() const;
   bool isInAir() const;
+  bool isToldByHeartbeat() const;
+  bool mayBeOfPlan() const;
   bool isMissionMode() const;
   bool isFailsafe() const;
   bool needsHome() const;
@@ -156,8 +172,9 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool hasCommand() const;
   bool wantsPosition() const;
   bool changesMode() const;
-  bool isGuarded() const;
   bool hasClimbed() const;
+  bool isPositionKnown() const;
+  void forgetShown();
   bool isRelative() const { return modern(frame_) == Frame::GlobalRelative; }
   uint16_t wantedMode() const;
 
@@ -171,13 +188,17 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool isOrdered_ : 1;     // what changes the mode has left in this operation
   bool isDenied_ : 1;      // the place was refused: it is looked who has the aircraft
   bool canHover_ : 1;      // EXTENDED_SYS_STATE has named a state of a VTOL
+  bool hadControl_ : 1;    // the last heartbeat has shown it armed, and the sketch in control
+  bool wasArmed_ : 1;      // the last heartbeat has shown it armed
+  bool isRequested_ : 1;   // by requestControl(): the next heartbeat tells the mode
   SteerStep step_;
   detail::OrderRow row_;  // of the running order, or of the last one
   Frame frame_;
   Status refusal_;            // with which a takeoff will end
   uint8_t landedState_;       // MAV_LANDED_STATE; 0: not known
-  uint8_t positionAge_;       // heartbeats since the last position
-  uint8_t targetAge_;         // and since the last POSITION_TARGET_GLOBAL_INT
+  uint8_t targetAge_;         // heartbeats since the last POSITION_TARGET_GLOBAL_INT
+  uint8_t knowledge_;         // AutopilotFinder::knowledge() of what is known here
+  uint16_t positionS_;        // when the last position came [1.024 s]
   uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
   uint16_t oldMode_;          // the mode at the beginning of the operation
   detail::ModeOrder change_;  // from that mode to the one of the order
@@ -188,6 +209,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Place wanted_;              // of the running goTo() or takeOff()
   Place target_;              // to which it flies
   LatLon here_;               // its position
+  MovingTarget* stream_;      // which sends targets
 };
 
 }  // namespace mavmission

@@ -61,7 +61,7 @@ def worth(name: str, value: str) -> str:
     """The number that a constant comes to: it may be a sum with another one of its struct."""
     struct = name.partition("::")[0]
     known = waits_in_the_code()
-    return str(sum(int(known.get(f"{struct}::{part}", part)) for part in value.split(" + ")))
+    return str(sum(int(known.get(f"{struct}::{part}", known.get(part, part))) for part in value.split(" + ")))
 
 
 def test_numbers_in_words_are_those_of_the_code():

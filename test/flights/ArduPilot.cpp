@@ -73,7 +73,7 @@ Message ArduPilot::itemToRead(uint16_t item) const {
     memcpy(&message, plan[item - 1u].data(), sizeof(message));
   }
   message.seq = item;
-  message.target_system = 1;
+  message.target_system = systemId;
   message.target_component = 191;
   return messageOf(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
 }

@@ -11,8 +11,11 @@ constexpr uint32_t kDisarmMs = 2000;            // it disarms so long after it h
 
 }  // namespace
 
-Autopilot::Autopilot(Kind which, Witness& witness, uint32_t firstBeatMs)
-    : kind(which), mode(modeOf(which, which == Kind::Px4 ? Means::Hold : Means::First)), witness_(witness) {
+Autopilot::Autopilot(Kind which, uint8_t system, Witness& witness, uint32_t firstBeatMs)
+    : kind(which),
+      systemId(system),
+      mode(modeOf(which, which == Kind::Px4 ? Means::Hold : Means::First)),
+      witness_(witness) {
   streams_[MAVLINK_MSG_ID_HEARTBEAT] = {kBeatMs, firstBeatMs};
   if (isPx4()) {
     streams_[MAVLINK_MSG_ID_MISSION_CURRENT] = {kBeatMs, firstBeatMs + 420};
@@ -54,6 +57,7 @@ void Autopilot::putInAir(uint32_t nowMs) {
 }
 
 void Autopilot::actorSetsMode(uint16_t wanted, bool isFailsafe, uint32_t nowMs) {
+  if (mode == wanted) return;
   by_ = By::Actor;
   setMode(wanted, nowMs);
   isInFailsafe_ = isFailsafe;
@@ -113,7 +117,7 @@ void Autopilot::hearCommand(const mavlink_command_long_t& given, bool isInt, uin
   }
   mavlink_command_ack_t ack = mavlink_command_ack_t();
   ack.command = given.command;
-  ack.target_system = 1;
+  ack.target_system = systemId;
   ack.target_component = 191;
   if (isPx4() && given.command == MAV_CMD_DO_SET_MODE) {  // two of its parts answer, the first one too soon
     ack.result = MAV_RESULT_ACCEPTED;
@@ -210,6 +214,7 @@ void Autopilot::pass(uint32_t nowMs) {
   while (nowMs - movedMs_ >= kMoveMs) {
     movedMs_ += kMoveMs;
     beat(movedMs_);
+    if (isReceiving_) lookForItem(movedMs_);
     if (!isArmed) {
       heightCm = 0;
       landedMs_ = movedMs_;

@@ -16,7 +16,7 @@ class Witness {
  public:
   virtual void modeSet(uint16_t mode, By by) = 0;
   virtual void armed(bool isArmed, By by) = 0;
-  virtual void planSet(bool isOurs) = 0;
+  virtual void planSet(bool isOurs, By by) = 0;
 
  protected:
   ~Witness() = default;
@@ -24,10 +24,11 @@ class Witness {
 
 class Autopilot {
  public:
-  Autopilot(Kind kind, Witness& witness, uint32_t firstBeatMs);
+  Autopilot(Kind kind, uint8_t systemId, Witness& witness, uint32_t firstBeatMs);
   virtual ~Autopilot() = default;
 
   const Kind kind;
+  const uint8_t systemId;  // also of the sketch that it answers
   bool isArmed = false;
   uint16_t mode;
   int32_t heightCm = 0;
@@ -91,6 +92,7 @@ class Autopilot {
   void hearCommand(const mavlink_command_long_t& command, bool isInt, uint32_t nowMs);
   bool hearMission(const Message& message, uint32_t nowMs);
   void askForItem(uint32_t nowMs);
+  void lookForItem(uint32_t nowMs);
   void acknowledge(uint8_t result, uint32_t nowMs);
   void take(const std::vector<Bytes>& items, bool isOurs);
 
@@ -101,6 +103,7 @@ class Autopilot {
   uint32_t movedMs_ = 0;
   uint32_t landedMs_ = 0;
   bool isReceiving_ = false;
+  uint32_t askedMs_ = 0, heardMs_ = 0;  // when it has asked for an item, and when the last one came
   uint16_t announced_ = 0, expected_ = 0;
   std::vector<Bytes> received_;
 };

@@ -12,9 +12,10 @@ void Line::pass(size_t bytes, uint32_t nowMs) {
 
 void Line::occupy(size_t bytes, uint32_t nowMs) { pass(bytes, nowMs); }
 
-void Line::send(const Message& message, const Bytes& bytes, bool isRight, uint32_t nowMs, size_t sent) {
+void Line::send(const Message& message, uint8_t vehicle, const Bytes& bytes, bool isRight, uint32_t nowMs,
+                size_t sent) {
   pass(bytes.size() - sent, nowMs);
-  Due due = {nowMs, static_cast<uint32_t>(freeUs_ / 1000) + kOnTheWayMs, Bytes(), message, isRight};
+  Due due = {nowMs, static_cast<uint32_t>(freeUs_ / 1000) + kOnTheWayMs, Bytes(), message, vehicle, isRight};
   const bool isLost = loseNext_ != 0;
   if (isLost) --loseNext_;
   for (uint8_t byte : bytes) {

@@ -2,11 +2,19 @@
 
 #include <stdexcept>
 
-Bytes frameOf(const Message& message, uint8_t sequence) {
+Bytes frameOf(const Message& message, uint8_t sequence, uint8_t systemId, uint8_t componentId) {
   const mavlink_msg_entry_t* const entry = mavlink_get_msg_entry(message.id);
   FrameParts parts(message.id, message.payload, entry->crc_extra);
   parts.sequence = sequence;
+  parts.systemId = systemId;
+  parts.componentId = componentId;
   return packed(parts);
+}
+
+uint8_t targetOf(const Message& message) {
+  const mavlink_msg_entry_t* const entry = mavlink_get_msg_entry(message.id);
+  const bool hasTarget = (entry->flags & MAV_MSG_ENTRY_FLAG_HAVE_TARGET_SYSTEM) != 0;
+  return hasTarget ? message.payload[entry->target_system_ofs] : uint8_t{0};
 }
 
 std::vector<Unpacker::Found> Unpacker::take(const Bytes& bytes) {

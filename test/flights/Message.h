@@ -27,8 +27,11 @@ T read(const Message& message) {
   return payload;
 }
 
-// Returns the frame in which the autopilot sends this message.
-Bytes frameOf(const Message& message, uint8_t sequence);
+// Returns the frame in which this sender sends the message.
+Bytes frameOf(const Message& message, uint8_t sequence, uint8_t systemId = 1, uint8_t componentId = 1);
+
+// Returns the system to which a message is addressed; 0: to none.
+uint8_t targetOf(const Message& message);
 
 // Finds the frames in what the client writes. It begins each at the start of a frame: nothing is lost before the line.
 class Unpacker {

@@ -1,14 +1,14 @@
-// The models' mission protocol on a line that loses nothing. test/explorer has the rest of the protocol.
+// The models' mission protocol, as far as flights need it. test/explorer has the rest of the protocol.
 #include "Autopilot.h"
 
 namespace {
 constexpr uint8_t kClient = 191;
-constexpr uint32_t kAnswerMs = 5;
+constexpr uint32_t kAnswerMs = 5, kAskAgainMs = 1000, kGiveUpMs = 8000;
 }  // namespace
 
 void Autopilot::acknowledge(uint8_t result, uint32_t nowMs) {
   mavlink_mission_ack_t ack = mavlink_mission_ack_t();
-  ack.target_system = 1;
+  ack.target_system = systemId;
   ack.target_component = kClient;
   ack.type = result;
   ack.opaque_id = result == MAV_MISSION_ACCEPTED ? planId() : 0;
@@ -17,17 +17,23 @@ void Autopilot::acknowledge(uint8_t result, uint32_t nowMs) {
 
 void Autopilot::askForItem(uint32_t nowMs) {
   mavlink_mission_request_int_t request = mavlink_mission_request_int_t();
-  request.target_system = 1;
+  request.target_system = systemId;
   request.target_component = kClient;
   request.seq = expected_;
   // The older message has the same layout.
   send(messageOf(isPx4() ? MAVLINK_MSG_ID_MISSION_REQUEST_INT : MAVLINK_MSG_ID_MISSION_REQUEST, request),
        nowMs + kAnswerMs);
+  askedMs_ = nowMs;
+}
+
+void Autopilot::lookForItem(uint32_t nowMs) {
+  if (nowMs - heardMs_ >= kGiveUpMs) isReceiving_ = false;
+  if (isReceiving_ && nowMs - askedMs_ >= kAskAgainMs) askForItem(nowMs);
 }
 
 void Autopilot::take(const std::vector<Bytes>& items, bool isOurs) {
   plan = items;
-  witness_.planSet(isOurs);
+  witness_.planSet(isOurs, by_);
 }
 
 bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
@@ -38,11 +44,13 @@ bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
       announced_ = read<mavlink_mission_count_t>(message).count;
       expected_ = 0;
       received_.clear();
+      heardMs_ = nowMs;
       askForItem(nowMs);
       return true;
     }
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
       if (!isReceiving_ || read<mavlink_mission_item_int_t>(message).seq != expected_) return true;
+      heardMs_ = nowMs;
       if (expected_++ >= home) received_.push_back(message.payload);
       if (expected_ < announced_) {
         askForItem(nowMs);
@@ -54,7 +62,7 @@ bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
       return true;
     case MAVLINK_MSG_ID_MISSION_REQUEST_LIST: {
       mavlink_mission_count_t count = mavlink_mission_count_t();
-      count.target_system = 1;
+      count.target_system = systemId;
       count.target_component = kClient;
       count.count = static_cast<uint16_t>(plan.size() + home);
       count.opaque_id = planId();
@@ -70,6 +78,12 @@ bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
       }
       return true;
     }
+    case MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
+      isReceiving_ = false;
+      current_ = 0;
+      take(std::vector<Bytes>(), false);
+      acknowledge(MAV_MISSION_ACCEPTED, nowMs);
+      return true;
     case MAVLINK_MSG_ID_MISSION_SET_CURRENT:
       hearSetCurrent(read<mavlink_mission_set_current_t>(message).seq, nowMs);
       return true;
@@ -78,7 +92,8 @@ bool Autopilot::hearMission(const Message& message, uint32_t nowMs) {
 }
 
 void Autopilot::actorSetsPlan(int moreItems, uint32_t) {
-  std::vector<Bytes> items = received_;
+  if (plan.empty()) return;
+  std::vector<Bytes> items = plan;
   for (Bytes& item : items) {
     mavlink_mission_item_int_t moved;
     memcpy(&moved, item.data(), sizeof(moved));

@@ -91,7 +91,7 @@ Message Px4::itemToRead(uint16_t item) const {
   message.seq = item;
   if (message.frame == MAV_FRAME_GLOBAL_RELATIVE_ALT) message.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT_INT;
   message.current = item == 0;
-  message.target_system = 1;
+  message.target_system = systemId;
   message.target_component = 191;
   return messageOf(MAVLINK_MSG_ID_MISSION_ITEM_INT, message);
 }

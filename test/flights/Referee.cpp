@@ -13,7 +13,9 @@ constexpr uint32_t kBeatMs = 1100;        // the time between two heartbeats, an
 constexpr uint32_t kTurnedBackMs = 1000;  // nobody turns a switch away and back in this time
 constexpr uint32_t kStreamMs = 1200;      // a target may call PX4 back from its failsafe
 constexpr uint32_t kLookMs = 400;         // the time to read each item, and from then to the arming
-constexpr uint32_t kPlanShownMs = 4000;   // by then a plan that can be told from ours is detected
+constexpr uint32_t kLostMs = 5000;
+constexpr uint32_t kLateMs = 1500;       // from the answer that decides to the end of an operation
+constexpr uint32_t kPlanShownMs = 4000;  // by then a plan that can be told from ours is detected
 
 bool isDisarming(const mavlink_command_long_t& command) {
   return command.command == MAV_CMD_COMPONENT_ARM_DISARM && command.param1 == 0;
@@ -27,7 +29,7 @@ bool saysTaken(Status status) {
 }  // namespace
 
 void Referee::say(const std::string& words) {
-  if (log_ != nullptr) *log_ += std::to_string(nowMs_) + " " + words + "\n";
+  if (log_ != nullptr) *log_ += std::to_string(nowMs_) + " " + name_ + words + "\n";
 }
 
 void Referee::breaks(const std::string& rule) {
@@ -37,6 +39,7 @@ void Referee::breaks(const std::string& rule) {
 
 void Referee::at(uint32_t nowMs) {
   nowMs_ = nowMs;
+  if (nowMs_ - cameMs_ > kLostMs) wasLost_ = true;
   if (!foreign_.is || !foreign_.isUndone || !foreign_.isShown || !isClean_) return;
   if (nowMs_ - foreign_.undoneMs > kGivenBackMs) {
     breaks("an order has undone " + name(foreign_.mode) + ", and it is not set again");
@@ -44,9 +47,26 @@ void Referee::at(uint32_t nowMs) {
   }
 }
 
+void Referee::isAsked() {
+  say("the sketch asks for the aircraft");
+  isToBeOurs_ = true;
+  isKept_ = false;
+}
+
+void Referee::isNamed() {
+  say("the sketch names this aircraft");
+  isNamed_ = true;
+  wasShownDisarmed_ = isKept_ = isHeard_ = false;
+  wasLost_ = true;
+}
+
 void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& autopilot) {
   task_ = task;
-  isRunning_ = true;
+  isRunning_ = hasBegun_ = true;
+  isDisarmed_ = isDisarmedShown_ = false;
+  beganMs_ = nowMs_;
+  isKnown_ = isHeard_ && nowMs_ - cameMs_ <= kLostMs && cameMs_ >= stoodBlindMs_;
+  isArmingShown_ = isShownArmed_;
   isClean_ = loss <= 0 && !isDisturbed;
   isBad_ = loss > 0.006;
   firstMode_ = autopilot.mode;
@@ -54,6 +74,7 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
   // These are for a sketch that takes the aircraft in any case.
   const bool takesAnyway = task == Task::SetMode || task == Task::StartMission;
   if (!autopilot.isArmed || takesAnyway) foreign_ = Foreign();
+  wasForeign_ = foreign_.is;
   isArmed_ = autopilot.isArmed;
   wasArmedByUs_ = false;
   say(std::string("the sketch begins ") + kTaskNames[static_cast<int>(task)]);
@@ -61,15 +82,21 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
 
 void Referee::take(uint16_t mode) {
   const bool isOnGround = isStart(task_) || task_ == Task::TakeOff;
-  if (!isArmed_ && !(isRunning_ && isOnGround)) {
+  hasTaken_ = true;
+  takenMs_ = nowMs_;
+  // (What it was before it was heard, the sketch cannot know.)
+  const bool isKnown = isKnown_ && nowMs_ - cameMs_ <= kLostMs;
+  const bool takesAnyway = task_ == Task::SetMode || task_ == Task::StartMission;
+  if ((!isArmed_ && !(isRunning_ && isOnGround)) || (!isKnown && isRunning_ && (isOnGround || takesAnyway))) {
     foreign_.is = false;  // whoever had set a mode has set another one, or the same again
     return;
   }
   // It is the mode in which the order began, and no heartbeat has shown another one; or it is the mode that an order
-  // has just set, with somebody's other mode between: nobody can tell who set it (docs/in_control.md).
-  hasTaken_ = true;
+  // has just set, with somebody's other mode between, or is on its way to set: nobody can tell who set it
+  // (docs/in_control.md).
   const bool isTurnedBack = foreign_.is && mode == orderedMode_ && nowMs_ - orderedMs_ < kTurnedBackMs;
-  if ((isRunning_ && mode == firstMode_ && !isFirstOver_) || isTurnedBack) {
+  const bool isSame = isRunning_ && mode == orderedMode_ && orderedMs_ >= beganMs_;
+  if ((isRunning_ && mode == firstMode_ && !isFirstOver_) || isTurnedBack || isSame) {
     foreign_.is = false;
     return;
   }
@@ -79,10 +106,16 @@ void Referee::take(uint16_t mode) {
   foreign_.sinceMs = nowMs_;
 }
 
+void Referee::obeys(const std::string& what) {
+  if (!hasBegun_) breaks(what + " is taken by an aircraft for which nothing was begun");
+}
+
 void Referee::modeSet(uint16_t mode, By by) {
   const char* const who = by == By::Order ? "an order" : by == By::Actor ? "somebody" : "the autopilot";
   say(std::string(who) + " sets " + name(mode));
   mode_ = mode;
+  if (by == By::Order) obeys("a mode");
+  if (by == By::Order) wasLost_ = false;
   // PX4's failsafe counts as somebody else; the end of its takeoff does not.
   if (by == By::Actor) return take(mode);
   if (by == By::Itself && mode == modeOf(kind_, Means::Return)) {
@@ -119,6 +152,11 @@ void Referee::modeSet(uint16_t mode, By by) {
 
 void Referee::armed(bool isArmed, By by) {
   say(std::string("it is ") + (isArmed ? "armed" : "disarmed"));
+  if (by == By::Order) obeys("an arming");
+  if (by == By::Actor && !isArmed) {
+    isDisarmed_ = isRunning_;
+    wasDisarmed_ = true;
+  }
   isArmed_ = isArmed;
   armedMs_ = nowMs_;
   if (isArmed) wasArmedMs_ = nowMs_;
@@ -126,10 +164,11 @@ void Referee::armed(bool isArmed, By by) {
   if (wasArmedByUs_ && task_ == Task::VerifyAndStart && !isOurPlan_ && isClean_ && nowMs_ - otherPlanMs_ > kLookMs) {
     breaks("it is armed " + std::to_string(nowMs_ - otherPlanMs_) + " ms behind another plan");
   }
-  if (!isArmed) foreign_.is = false;
+  if (!isArmed || by == By::Itself) foreign_.is = false;
 }
 
-void Referee::planSet(bool isOurs) {
+void Referee::planSet(bool isOurs, By by) {
+  if (by == By::Order) obeys("a plan");
   say(isOurs ? "our plan is aboard" : "another plan is aboard");
   isOurPlan_ = isOurs;
   otherNamed_ = 0;
@@ -141,6 +180,12 @@ void Referee::comes(const Message& message, uint32_t sentMs) {
   if (message.id == MAVLINK_MSG_ID_MISSION_CURRENT && !isOurPlan_ && sentMs > otherPlanMs_ && otherNamed_ != 255) {
     if (kind_ == Kind::Px4 || read<mavlink_mission_current_t>(message).total != kItems) ++otherNamed_;
   }
+  if (message.id == MAVLINK_MSG_ID_COMMAND_ACK) {
+    const mavlink_command_ack_t ack = read<mavlink_command_ack_t>(message);
+    const bool arms =
+        ack.command == MAV_CMD_COMPONENT_ARM_DISARM || (ack.command == MAV_CMD_MISSION_START && kind_ == Kind::Px4);
+    if (arms && ack.result == MAV_RESULT_ACCEPTED) isArmingShown_ = true;
+  }
   if (message.id != MAVLINK_MSG_ID_HEARTBEAT) return;
   const mavlink_heartbeat_t beat = read<mavlink_heartbeat_t>(message);
   // (A look at the items ends with an item, whatever heartbeat has just come and is not read yet.)
@@ -149,13 +194,34 @@ void Referee::comes(const Message& message, uint32_t sentMs) {
   cameMs_ = nowMs_;
   shownMode_ = static_cast<uint16_t>(kind_ == Kind::Px4 ? beat.custom_mode >> 16 : beat.custom_mode);
   isShownArmed_ = (beat.base_mode & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
+  if (!isShownArmed_) wasShownDisarmed_ = true;
+  if (isShownArmed_) isArmingShown_ = true;
+  if (!isShownArmed_ && isDisarmed_ && isArmingShown_ && sentMs > armedMs_) isDisarmedShown_ = true;
   shownMs_ = sentMs;
+  isHeard_ = true;
+  if (nowMs_ >= stoodBlindMs_) isKnown_ = true;
   say("a heartbeat of " + std::to_string(sentMs) + " shows " + name(shownMode_) + (isShownArmed_ ? ", armed" : ""));
+  if (isToBeOurs_) foreign_.is = false;
+  isToBeOurs_ = false;
   if (shownMode_ != firstMode_ && hasOrdered_) isFirstOver_ = true;
   if (!foreign_.is) return;
   if (sentMs < foreign_.sinceMs || shownMode_ != foreign_.mode || foreign_.isShown) return;
   foreign_.isShown = true;
   foreign_.shownMs = nowMs_;
+}
+
+// What must hold whatever the task is, for a frame that is addressed to it.
+void Referee::judge(const Message& message, bool isArming, bool isOrder) {
+  const uint16_t command = read<mavlink_command_long_t>(message).command;
+  const bool isQuestion = message.id == MAVLINK_MSG_ID_COMMAND_LONG &&
+                          (command == MAV_CMD_REQUEST_MESSAGE || command == MAV_CMD_SET_MESSAGE_INTERVAL);
+  const std::string what = "message " + std::to_string(message.id) + " (" + std::to_string(command) + ") leaves ";
+  if (!hasBegun_ && !(isNamed_ && isQuestion)) return breaks(what + "to an aircraft for which nothing was begun");
+  const bool isTarget = message.id == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
+  if (isOrder && cameMs_ < (isTarget ? stoodBlindMs_ : stoodStillMs_))
+    breaks(what + "with no heartbeat since loop() stood still");
+  if (isArming && isDisarmedShown_) breaks(what + "behind a heartbeat that shows it disarmed by somebody");
+  if (isArming && isKept_) breaks(what + "though somebody has taken the aircraft");
 }
 
 bool Referee::leaves(const Message& message) {
@@ -171,6 +237,10 @@ bool Referee::leaves(const Message& message) {
                         std::to_string(static_cast<int>(command.param2)) + ")"
                   : "the sketch sends message " + std::to_string(message.id));
   }
+  const bool isArming = isCommand && (command.command == MAV_CMD_NAV_TAKEOFF ||
+                                      (command.command == MAV_CMD_COMPONENT_ARM_DISARM && command.param1 == 1) ||
+                                      (command.command == MAV_CMD_MISSION_START && kind_ == Kind::Px4));
+  judge(message, isArming, !isHarmless || isTarget || (isCommand && isDisarming(command)));
   if (!isHarmless) hasOrdered_ = true;
   const uint32_t ordered = static_cast<uint32_t>(command.param2) | static_cast<uint32_t>(command.param3) << 8;
   if (isCommand && command.command == MAV_CMD_DO_SET_MODE) {
@@ -196,7 +266,8 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
   const uint16_t wanted = modeWanted(kind_, task_);
   const bool isDone = status == Status::Done;
   // PX4 goes over to HOLD at the top of a takeoff.
-  const bool isTop = task_ == Task::TakeOff && shownMode_ == modeOf(kind_, Means::Hold);
+  const bool isHold = kind_ == Kind::Px4 && shownMode_ == modeOf(kind_, Means::Hold);
+  const bool isTop = task_ == Task::TakeOff && isHold;
   const bool isShown = shownMode_ == wanted || (shownBefore_ == wanted && nowMs_ - cameMs_ < kStepsMs);
   if (isDone && wanted != kNoSuchMode && !isShown && !isTop) {
     breaks(words + "the last heartbeat has shown " + name(shownMode_));
@@ -209,9 +280,18 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
   // (A MovingTarget tells its end a turn of loop() later.)
   const bool isLateTold = !isClean_ && (isStart(task_) || task_ == Task::Follow);
   if (isDone && nowMs_ - shownMs_ > kBeatMs && !isLateTold) breaks(words + "the last heartbeat is old");
-  if (saysTaken(status) && !foreign_.is && autopilot.isArmed && isClean_ && !hasTaken_) {
+  if (saysTaken(status) && !foreign_.is && autopilot.isArmed && !hasTaken_ && !wasLost_ && !isHold) {
     breaks(words + "nobody has taken it");
   }
+  const bool isOver = hasTaken_ && !wasLost_ && takenMs_ >= beganMs_ && !wasForeign_
+                          ? saysTaken(status) || (isStart(task_) && status == Status::Overruled)
+                          : isDisarmed_ && isStart(task_) && status == Status::NotArmed;
+  if (isOver && (task_ <= Task::Follow || isStart(task_))) isKept_ = true;
+  const bool isRecent = nowMs_ - otherPlanMs_ < kLateMs;
+  if (status == Status::Accepted && !isRecent && (!isOurPlan_ || autopilot.plan.size() != kItems)) {
+    breaks(words + "another plan is aboard");
+  }
+  if (status == Status::Cleared && !isRecent && !autopilot.plan.empty()) breaks(words + "a plan is aboard");
   if (isDone && isStart(task_)) {
     if (sketch.client.aboard() != Aboard::OurPlan) breaks(words + "aboard() is not our plan");
     const bool isTold = kind_ == Kind::Px4 || autopilot.plan.size() != kItems;
@@ -227,6 +307,12 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
   }
 }
 
+void Referee::restsAfterMany(const Sketch& sketch, const Autopilot& autopilot) {
+  if (sketch.client.hasAutopilot() && nowMs_ - armedMs_ > kBeatMs && sketch.client.isArmed() != autopilot.isArmed) {
+    breaks("at the end isArmed() is not so");
+  }
+}
+
 void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
   const std::string words = std::string("behind ") + kTaskNames[static_cast<int>(task_)] + " (" +
                             mavmission::toString(sketch.status()) + ") ";
@@ -238,9 +324,15 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
     }
   }
   const bool hasIt = foreign_.is && !foreign_.isUndone && nowMs_ - foreign_.sinceMs > kBeatMs;
+  // (PX4 flies HOLD at the end of its mission, too.)
+  if (hasIt && isInAir(task_) && !(kind_ == Kind::Px4 && foreign_.mode == modeOf(kind_, Means::Hold))) isKept_ = true;
   // Near the top of its takeoff PX4 goes over to HOLD by itself: there a pilot's HOLD cannot be told.
+  const bool isHold = kind_ == Kind::Px4 && shownMode_ == modeOf(kind_, Means::Hold);
   const bool isTop = task_ == Task::TakeOff && foreign_.mode == modeOf(kind_, Means::Hold);
   if (hasIt && !isTop && sketch.steering.maySteer()) breaks(words + "maySteer() is true in " + name(foreign_.mode));
+  if (sketch.client.takenBy() != Status::Idle && !hasTaken_ && !wasDisarmed_ && !wasLost_ && !isHold) {
+    breaks(words + "takenBy() says that somebody has taken it, and nobody has");
+  }
   const bool isLong = nowMs_ - armedMs_ > kBeatMs;
   if (isLong && sketch.client.isArmed() != autopilot.isArmed) breaks(words + "isArmed() is not so");
   const bool isTold = kind_ == Kind::Px4 || autopilot.plan.size() != kItems;
@@ -252,7 +344,7 @@ void Referee::rests(const Sketch& sketch, const Autopilot& autopilot) {
   const bool isFailed = (isStart(task_) || task_ == Task::TakeOff) && sketch.status() != Status::Done;
   // If somebody has set the earlier mode again, the aircraft is his in that mode.
   const bool isHis = foreign_.is || (hasTaken_ && saysTaken(sketch.status()));
-  if (isFailed && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !isHis &&
+  if (isFailed && !wasLost_ && wasArmedByUs_ && autopilot.isArmed && !autopilot.isAirborne() && !isHis &&
       autopilot.mode != modeOf(kind_, Means::Mission)) {
     breaks(words + "it stands armed");
   }

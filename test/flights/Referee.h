@@ -7,6 +7,10 @@
 // - If a heartbeat has shown that mode all the same, it is set again: within kGivenBackMs on a line that loses nothing,
 //   within kGivenBackLossyMs, two heartbeats, on one that loses 1 of 200 bytes; if it is not, the status says so.
 // - Behind a heartbeat that shows a foreign mode nothing leaves that moves, arms, or sets another mode than that.
+// - What takes it, arms it or moves it leaves only if a heartbeat has come since loop() stood still last; nothing arms
+// it
+//   behind a heartbeat that shows that somebody has disarmed it, or after a takeover, until the sketch asks for it.
+// - No frame is addressed to an aircraft for which nothing was begun, and it obeys none.
 // - A task ends, and its status is true: see end().
 // - Later on maySteer(), isArmed() and aboard() are true, and no aircraft stays armed that a failed task has armed: see
 //   rest().
@@ -19,20 +23,32 @@
 
 class Referee : public Witness {
  public:
-  static constexpr uint32_t kWindowMs = 45, kGivenBackMs = 300, kGivenBackLossyMs = 2000;
+  static constexpr uint32_t kWindowMs = 45, kGivenBackMs = 300, kGivenBackLossyMs = 2000, kBlindMs = 600,
+                            kUnheardMs = 3900;
 
-  Referee(Kind kind, std::string* log) : kind_(kind), log_(log) {}
+  // `name` stands before each line of the log.
+  Referee(Kind kind, std::string* log, const char* name) : kind_(kind), log_(log), name_(name) {}
   virtual ~Referee() = default;
 
   // Time has gone on.
   void at(uint32_t nowMs);
   void begins(Task task, double loss, bool isDisturbed, const Autopilot& autopilot);
+  // The sketch names this aircraft as its own, leaves it, or asks for it again.
+  void isNamed();
+  void isLeft() { isNamed_ = hasBegun_ = isRunning_ = false; }
+  void isAsked();
+  // loop() stands still until then.
+  void standsStill(uint32_t untilMs, uint32_t forMs) {
+    stoodStillMs_ = untilMs;
+    if (forMs >= kBlindMs) stoodBlindMs_ = untilMs;
+    if (forMs >= kUnheardMs) wasLost_ = true;
+  }
   // An actor disturbs the line or loop(): from now on no rule holds that needs a line without losses.
   void disturbs() { isClean_ = false; }
 
   void modeSet(uint16_t mode, By by) override;
   void armed(bool isArmed, By by) override;
-  void planSet(bool isOurs) override;
+  void planSet(bool isOurs, By by) override;
   // A frame of the sketch leaves. Returns true if it moves the aircraft, arms it or changes its mode.
   bool leaves(const Message& message);
   // A frame of the autopilot has arrived, which was sent at that time.
@@ -41,6 +57,8 @@ class Referee : public Witness {
   void ends(mavmission::Status status, const Sketch& sketch, const Autopilot& autopilot);
   // This is called when the line has lost nothing for some seconds, and nothing has happened.
   void rests(const Sketch& sketch, const Autopilot& autopilot);
+  void restsAfterMany(const Sketch& sketch, const Autopilot& autopilot);
+  void breaks(const std::string& rule);
 
   const std::string& broken() const { return broken_; }
   // Returns whether a foreign mode was undone for good, at a moment that no frame shows.
@@ -63,16 +81,25 @@ class Referee : public Witness {
     bool isOfStream;  // it is PX4's failsafe for missing targets, which a target of ours ends
   };
   void say(const std::string& words);
-  void breaks(const std::string& rule);
+  void judge(const Message& message, bool isArming, bool isOrder);
   void take(uint16_t mode);
+  void obeys(const std::string& what);
   std::string name(uint16_t mode) const { return modeName(kind_, mode); }
 
   Kind kind_;
   std::string* log_;
+  const char* const name_;
   std::string broken_;
   uint32_t nowMs_ = 0;
   Task task_ = Task::Start;
   bool isRunning_ = false;
+  bool wasForeign_ = false;
+  uint32_t beganMs_ = 0, takenMs_ = 0;  // when the task began, and when somebody has set a mode
+  bool wasDisarmed_ = false;            // by somebody
+  bool isHeard_ = false;                // since it was named
+  bool isKnown_ = false;                // since loop() stood still last, too
+  bool isNamed_ = false;                // as the sketch's own
+  bool hasBegun_ = false;               // something was begun for it, since it was named
   bool isClean_ = true;
   bool isBad_ = false;  // the line loses more than 1 of 200 bytes
   bool hasTaken_ = false;
@@ -99,4 +126,12 @@ class Referee : public Witness {
   uint32_t cameMs_ = 0;
   bool isShownArmed_ = false;
   uint32_t shownMs_ = 0;  // when the last heartbeat that arrived was sent
+  uint32_t stoodStillMs_ = 0;
+  uint32_t stoodBlindMs_ = 0;                          // so long that a stream of targets stops
+  bool isDisarmed_ = false, isDisarmedShown_ = false;  // by somebody, since the task began
+  bool wasShownDisarmed_ = false;                      // since it was named
+  bool isArmingShown_ = false;                         // a heartbeat, or the answer, has shown it armed in this task
+  bool wasLost_ = false;                               // it was not heard for so long that its mode may be anybody's
+  bool isToBeOurs_ = false;                            // the mode that the next heartbeat shows is the sketch's
+  bool isKept_ = false;                                // somebody has taken it, and the sketch has not asked for it
 };

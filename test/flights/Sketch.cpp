@@ -4,6 +4,7 @@ using namespace mavmission;
 
 namespace {
 
+constexpr uint16_t kWaitS = 20;       // for an autopilot, where it would wait for ever
 constexpr uint32_t kFollowMs = 4000;  // after this the sketch calls stop()
 
 // Returns a place so many 1e-7 degrees north of home.
@@ -29,11 +30,15 @@ Status Sketch::take(Status begun) {
   return begun;
 }
 
-Status Sketch::upload() { return take(client.upload(inRam(plan(kind_), kItems))); }
+void Sketch::name(uint8_t systemId, Kind kind) {
+  kind_ = kind;
+  client.setTargetIds(systemId, 1);
+}
 
 Status Sketch::begin(Task task) {
   task_ = task;
   followedMs_ = 0;
+  client.setAutopilotTimeout(task == Task::Upload || task == Task::Clear || task == Task::VerifyAndStart ? kWaitS : 0);
   const LatLon place = placeNorth(9000);
   switch (task) {
     case Task::Start: return take(client.start());
@@ -48,6 +53,8 @@ Status Sketch::begin(Task task) {
     case Task::Arm: return take(client.arm());
     case Task::Disarm: return take(client.disarm());
     case Task::StartMission: return take(client.startMission());
+    case Task::Upload: return take(client.upload(inRam(plan(kind_), kItems)));
+    case Task::Clear: return take(client.clear());
     case Task::SetMode: return take(client.setMode(kind_ == Kind::Px4 ? FlightMode::Hold : FlightMode::Guided));
   }
   return Status::Idle;
@@ -90,7 +97,9 @@ uint16_t modeWanted(Kind kind, Task task) {
     case Task::LandNow: return modeOf(kind, Means::Land);
     case Task::Follow: return modeOf(kind, isPx4 ? Means::Hold : Means::Guided);
     case Task::Arm:
-    case Task::Disarm: break;
+    case Task::Disarm:
+    case Task::Upload:
+    case Task::Clear: break;
   }
   return kNoSuchMode;
 }

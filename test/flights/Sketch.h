@@ -19,13 +19,15 @@ enum class Task : uint8_t {
   Disarm,
   StartMission,
   SetMode,
-  VerifyAndStart
+  VerifyAndStart,
+  Upload,
+  Clear
 };
-constexpr uint16_t kItems = 3;  // in its plan
-constexpr int kTasks = 13;
-constexpr const char* kTaskNames[kTasks] = {"start",        "takeOff", "goTo",          "pause", "resume",
-                                            "returnHome",   "landNow", "follow",        "arm",   "disarm",
-                                            "startMission", "setMode", "verifyAndStart"};
+constexpr uint16_t kItems = 3;             // in its plan
+constexpr int kTasks = 15, kFlights = 13;  // an aircraft is flown, or made ready to fly, in so many of them
+constexpr const char* kTaskNames[kTasks] = {"start",        "takeOff", "goTo",           "pause",  "resume",
+                                            "returnHome",   "landNow", "follow",         "arm",    "disarm",
+                                            "startMission", "setMode", "verifyAndStart", "upload", "clear"};
 inline bool isStart(Task task) { return task == Task::Start || task == Task::VerifyAndStart; }
 inline bool isInAir(Task task) {
   return (task >= Task::GoTo && task <= Task::Follow) || task == Task::StartMission || task == Task::SetMode;
@@ -41,8 +43,9 @@ class Sketch {
   mavmission::Steering steering;
   mavmission::MovingTarget target;
 
-  mavmission::Status upload();
   mavmission::Status begin(Task task);
+  // Names the vehicle that it speaks to.
+  void name(uint8_t systemId, Kind kind);
   // Does what loop() does. Returns true when the task, or the upload, has ended: see status().
   bool loop(uint32_t nowMs);
   mavmission::Status status() const { return status_; }

@@ -11,29 +11,39 @@
 namespace {
 
 [[noreturn]] void usage(const char* problem) {
-  fprintf(stderr,
-          "%s\n"
-          "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
-          "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
-          "       flights AUTOPILOT TASK pilots COUNT [OPTION VALUE]...  one pilot or failsafe takes it, at a random "
-          "moment\n"
-          "                                                              of so many flights of each task\n"
-          "       flights AUTOPILOT TASK overtakes COUNT [OPTION VALUE]...  the same while an order is under way, and "
-          "up to\n"
-          "                                                              two others a little later, in COUNT flights\n"
-          "       flights AUTOPILOT TASK one ACT@[ORDER+]MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
-          "  AUTOPILOT  Copter, Rover or PX4\n"
-          "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
-          "             setMode, verifyAndStart, all\n"
-          "  ACT        pilot, lands, holds, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, "
-          "lose-down, stall\n"
-          "  MS         since the task began, or since its order number ORDER has left\n"
-          "  --seed S   of the losses, and of when heartbeats come (1)\n"
-          "  --loss P   per mille of the bytes that are lost (0)\n"
-          "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
-          "  --with ACT@MS[=AMOUNT]  each: beside the actor, in each flight\n"
-          "Prints findings as name=value; then, if a rule was broken, the first such flight. Exits with 1 then.\n",
-          problem);
+  fprintf(
+      stderr,
+      "%s\n"
+      "usage: flights AUTOPILOT TASK each EVERY [OPTION VALUE]...    an actor at each moment of a clean flight\n"
+      "       flights AUTOPILOT TASK random COUNT [OPTION VALUE]...  actors at random, from seed S on\n"
+      "       flights AUTOPILOT TASK pilots COUNT [OPTION VALUE]...  one pilot or failsafe takes it, at a random "
+      "moment\n"
+      "                                                              of so many flights of each task\n"
+      "       flights AUTOPILOT TASK overtakes COUNT [OPTION VALUE]...  the same while an order is under way, and "
+      "up to\n"
+      "                                                              two others a little later, in COUNT flights\n"
+      "       flights AUTOPILOT TASK standstills COUNT [OPTION VALUE]...  somebody takes it while loop() stands still, "
+      "before\n"
+      "                                                              or within the task, in COUNT flights\n"
+      "       flights AUTOPILOT all plays COUNT [OPTION VALUE]...  20 operations at random in each of COUNT flights, "
+      "with\n"
+      "                                                              all actors and a second vehicle\n"
+      "       flights AUTOPILOT TASK one ACT@[ORDER+]MS[=AMOUNT]... [OPTION VALUE]...  one flight, told in words\n"
+      "  AUTOPILOT  Copter, Rover or PX4\n"
+      "  TASK       start, takeOff, goTo, pause, resume, returnHome, landNow, follow, arm, disarm, startMission,\n"
+      "             setMode, verifyAndStart, all\n"
+      "  ACT        pilot, lands, holds, disarms, failsafe, other-plan, same-plan, clears, cut, lose-up, "
+      "lose-down, stall,\n"
+      "             silent, stranger\n"
+      "  MS         since the task began, or since its order number ORDER has left\n"
+      "  --seed S   of the losses, and of when heartbeats come (1)\n"
+      "  --loss P   per mille of the bytes that are lost (0)\n"
+      "  --own 1    in the air: in the sketch's own mode at the beginning, not in its mission (0)\n"
+      "  --buffer B  bytes that are received while loop() stands still (63)\n"
+      "  --second N  the second vehicle: 1 Copter, 2 Rover, 3 PX4; 4, 5, 6: the same in the air (0: none)\n"
+      "  --with ACT@MS[=AMOUNT]  each: beside the actor, in each flight\n"
+      "Prints findings as name=value; then, if a rule was broken, the first such flight. Exits with 1 then.\n",
+      problem);
   exit(2);
 }
 
@@ -45,13 +55,16 @@ int nameAmong(const char* const (&names)[N], const std::string& name, const char
   usage(problem);
 }
 
+constexpr unsigned kPlayed = 20;  // operations in a play
+constexpr int32_t kMuteMs = 500;  // a stranger's heartbeats take the line this time, at most
+
 struct Findings {
-  unsigned long flights = 0, taken = 0, unseen = 0, violations = 0;
+  unsigned long flights = 0, operations = 0, taken = 0, unseen = 0, violations = 0;
   uint32_t windowMs = 0, undoneMs = 0;
   int32_t longestMs = 0;
   std::vector<uint32_t> undone;  // how long each mode was undone that was set again [ms]
   std::map<std::string, unsigned long> ends;
-  std::map<std::string, unsigned long> rules;
+  std::map<std::string, std::pair<unsigned long, FlightPlan>> rules;  // and the first flight that broke each
   FlightPlan broken, slowest;
   std::string rule;
 
@@ -66,13 +79,24 @@ struct Findings {
     undone.insert(undone.end(), flown.undoneMs.begin(), flown.undoneMs.end());
     longestMs = std::max(longestMs, flown.tookMs);
     ++ends[mavmission::toString(flown.status)];
-    if (flown.broken.empty()) return flown;
-    ++rules[flown.broken];
-    if (violations++ == 0) {
-      broken = plan;
-      rule = flown.broken;
-    }
+    if (!flown.broken.empty()) breaks(plan, flown.broken);
     return flown;
+  }
+
+  void notePlay(const FlightPlan& plan) {
+    std::vector<mavmission::Status> statuses;
+    const Flown flown = play(plan, kPlayed, nullptr, statuses);
+    ++flights;
+    operations += statuses.size();
+    for (mavmission::Status status : statuses) ++ends[mavmission::toString(status)];
+    if (!flown.broken.empty()) breaks(plan, flown.broken);
+  }
+
+  void breaks(const FlightPlan& plan, const std::string& which) {
+    if (rules[which].first++ == 0) rules[which].second = plan;
+    if (violations++ != 0) return;
+    broken = plan;
+    rule = which;
   }
 };
 
@@ -81,10 +105,10 @@ struct Kinds {
   uint32_t amount;
 };
 constexpr Kinds kSingle[] = {
-    {What::Pilot, 0},    {What::Holds, 0},     {What::Lands, 0},    {What::Disarms, 0},
-    {What::Failsafe, 0}, {What::OtherPlan, 0}, {What::SamePlan, 0}, {What::Clears, 0},
-    {What::Cut, 700},    {What::Cut, 3000},    {What::LoseUp, 1},   {What::LoseUp, 3},
-    {What::LoseDown, 1}, {What::LoseDown, 4},  {What::Stall, 300},  {What::Stall, 2500},
+    {What::Pilot, 0},     {What::Holds, 0},     {What::Lands, 0},     {What::Disarms, 0},   {What::Failsafe, 0},
+    {What::OtherPlan, 0}, {What::SamePlan, 0},  {What::Clears, 0},    {What::Cut, 700},     {What::Cut, 3000},
+    {What::LoseUp, 1},    {What::LoseUp, 3},    {What::LoseDown, 1},  {What::LoseDown, 4},  {What::Stall, 300},
+    {What::Stall, 2500},  {What::Stall, 65536}, {What::Silent, 3000}, {What::Silent, 7000}, {What::Stranger, 0},
 };
 
 // Returns the mode that this actor sets.
@@ -113,6 +137,16 @@ bool isOfUse(const FlightPlan& plan, What what) {
 
 bool canBe(Kind kind, Task task) { return kind != Kind::Rover || (task != Task::TakeOff && task != Task::LandNow); }
 
+// Each of these is met with the others, in turn.
+void vary(FlightPlan& plan, uint32_t number) {
+  constexpr uint16_t kBuffers[] = {63, 255, 511};
+  plan.buffer = kBuffers[number % 3];
+  for (Act& act : plan.acts) {
+    if (act.what == What::Stranger) act.amount = number % kStrangerCount;
+    if (act.what == What::Silent) plan.second = static_cast<uint8_t>(1 + number % 6);
+  }
+}
+
 void flyEach(FlightPlan plan, unsigned every, Findings& findings) {
   const std::vector<Act> always = plan.acts;
   const Flown clean = fly(plan, nullptr);
@@ -125,7 +159,11 @@ void flyEach(FlightPlan plan, unsigned every, Findings& findings) {
         if (number++ % every != 0) continue;
         plan.acts = always;
         plan.acts.push_back(Act{kind.what, moment + later, kind.amount, 0});
-        findings.note(plan);
+        vary(plan, number / every);
+        const Flown flown = findings.note(plan);
+        if (kind.what == What::Stranger && always.empty() && flown.tookMs > clean.tookMs + kMuteMs) {
+          findings.breaks(plan, "a stranger makes the sketch mute");
+        }
       }
     }
   }
@@ -147,6 +185,7 @@ void flyRandom(FlightPlan plan, unsigned count, Findings& findings) {
       const Act act = {kind.what, static_cast<int32_t>(below(span)) - (span < 1000 ? 20 : 600), kind.amount, 0};
       if (isOfUse(plan, kind.what)) plan.acts.push_back(act);
     }
+    vary(plan, below(1000));
     findings.note(plan);
   }
 }
@@ -200,6 +239,42 @@ void flyOvertakes(FlightPlan plan, unsigned count, Findings& findings) {
   }
 }
 
+// loop() stands still, before the task or within it, and somebody takes the aircraft a little sooner, or meanwhile.
+void flyStandstills(FlightPlan plan, unsigned count, Findings& findings) {
+  constexpr What kWho[] = {What::Pilot, What::Lands, What::Holds, What::Failsafe, What::Disarms};
+  FlightPlan clean = plan;
+  clean.loss = 0;
+  const uint32_t span = static_cast<uint32_t>(fly(clean, nullptr).tookMs);
+  const uint32_t first = plan.seed;
+  for (unsigned i = 0; i < count; ++i) {
+    plan.seed = first + i;
+    std::mt19937 random(plan.seed);
+    const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
+    plan.isInOwnMode = plan.task != Task::Resume && isInAir(plan.task) && below(2) != 0;
+    const uint32_t stallMs = below(20) == 0 ? 65536 * (1 + below(2)) : 250 + below(below(2) != 0 ? 10000 : 1000);
+    const int32_t atMs =
+        below(2) != 0 ? -static_cast<int32_t>(1 + below(1000)) : static_cast<int32_t>(below(span + 200));
+    plan.acts.assign(1, Act{What::Stall, atMs, stallMs, 0});
+    const What who = kWho[below(5)];
+    const int32_t tookMs = atMs - 300 + static_cast<int32_t>(below(300 + stallMs));
+    if (isOfUse(plan, who)) plan.acts.push_back(Act{who, tookMs, 0, 0});
+    vary(plan, below(1000));
+    findings.note(plan);
+  }
+}
+
+// A whole number of operations, which follow each other.
+void flyPlays(FlightPlan plan, unsigned count, Findings& findings) {
+  const uint32_t first = plan.seed;
+  for (unsigned i = 0; i < count; ++i) {
+    plan.seed = first + i;
+    plan.second = static_cast<uint8_t>(1 + plan.seed % 6);
+    plan.loss = plan.seed % 4 == 0 ? 0.005 : 0;
+    vary(plan, plan.seed / 6);
+    findings.notePlay(plan);
+  }
+}
+
 Act actOf(const std::string& word) {
   const size_t at = word.find('@'), amount = word.find('=');
   if (at == std::string::npos) usage("an ACT without a moment");
@@ -210,27 +285,31 @@ Act actOf(const std::string& word) {
              plus == std::string::npos ? 0 : static_cast<unsigned>(atoi(word.c_str() + at + 1))};
 }
 
-int tell(const FlightPlan& plan) {
+int tell(const FlightPlan& plan, bool isPlay) {
   std::string log;
-  const Flown flown = fly(plan, &log);
+  std::vector<mavmission::Status> statuses;
+  const Flown flown = isPlay ? play(plan, kPlayed, &log, statuses) : fly(plan, &log);
   printf("%sstatus=%s\nbroken=%s\n", log.c_str(), mavmission::toString(flown.status), flown.broken.c_str());
   return flown.broken.empty() ? 0 : 1;
 }
 
 // Returns the command that flies it again.
-std::string wordsFor(const FlightPlan& plan) {
+std::string wordsFor(const FlightPlan& plan, bool isPlay = false) {
   std::string words = std::string(kKinds[static_cast<int>(plan.kind)]) + " " + kTaskNames[static_cast<int>(plan.task)];
-  words += " one";
+  words += isPlay ? " plays 1" : " one";
   for (const Act& act : plan.acts) words += " " + inWords(act);
-  char options[60];
-  snprintf(options, sizeof(options), " --seed %u --loss %g --own %d", plan.seed, plan.loss * 1000, plan.isInOwnMode);
+  char options[100];
+  snprintf(options, sizeof(options), " --seed %u --loss %g --own %d --buffer %d --second %d", plan.seed,
+           plan.loss * 1000, plan.isInOwnMode, plan.buffer, plan.second);
   return words + options;
 }
 
 int report(const Findings& findings) {
-  printf("flights=%lu\ntaken=%lu\nunseen=%lu\nviolations=%lu\nwindow_ms=%u\nundone_ms=%u\nlongest_ms=%d\n",
-         findings.flights, findings.taken, findings.unseen, findings.violations, findings.windowMs, findings.undoneMs,
-         findings.longestMs);
+  const bool isPlay = findings.operations != 0;
+  printf(
+      "flights=%lu\noperations=%lu\ntaken=%lu\nunseen=%lu\nviolations=%lu\nwindow_ms=%u\nundone_ms=%u\nlongest_ms=%d\n",
+      findings.flights, findings.operations, findings.taken, findings.unseen, findings.violations, findings.windowMs,
+      findings.undoneMs, findings.longestMs);
   const auto longerThan = [&](uint32_t ms) {
     return std::count_if(findings.undone.begin(), findings.undone.end(), [ms](uint32_t was) { return was > ms; });
   };
@@ -238,10 +317,12 @@ int report(const Findings& findings) {
   printf("set_again=%zu\n", findings.undone.size());
   for (uint32_t ms : {100u, 300u, 500u, 1000u, 1500u, 2000u}) printf("longer_%u=%ld\n", ms, longerThan(ms));
   for (const auto& end : findings.ends) printf("end=%lu %s\n", end.second, end.first.c_str());
-  for (const auto& rule : findings.rules) printf("rule=%lu %s\n", rule.second, rule.first.c_str());
+  for (const auto& rule : findings.rules) {
+    printf("rule=%lu %s (%s)\n", rule.second.first, rule.first.c_str(), wordsFor(rule.second.second, isPlay).c_str());
+  }
   if (findings.violations == 0) return 0;
-  printf("broken=%s\n%s\n", findings.rule.c_str(), wordsFor(findings.broken).c_str());
-  tell(findings.broken);
+  printf("broken=%s\n%s\n", findings.rule.c_str(), wordsFor(findings.broken, isPlay).c_str());
+  tell(findings.broken, isPlay);
   return 1;
 }
 
@@ -268,6 +349,10 @@ int main(int argc, char** argv) {
       plan.loss = atof(argv[word]) / 1000;
     } else if (name == "--own") {
       plan.isInOwnMode = atoi(argv[word]) != 0;
+    } else if (name == "--buffer") {
+      plan.buffer = static_cast<uint16_t>(atoi(argv[word]));
+    } else if (name == "--second") {
+      plan.second = static_cast<uint8_t>(atoi(argv[word]));
     } else if (name == "--with") {
       plan.acts.push_back(actOf(argv[word]));
     } else {
@@ -276,24 +361,18 @@ int main(int argc, char** argv) {
   }
   if (how == "one") {
     plan.task = static_cast<Task>(nameAmong(kTaskNames, task, "there is no such TASK"));
-    return tell(plan);
+    return tell(plan, false);
   }
-  if (number == 0 || (how != "each" && how != "random" && how != "pilots" && how != "overtakes")) {
-    usage("each, random, pilots or overtakes, and a number");
-  }
+  const std::map<std::string, void (*)(FlightPlan, unsigned, Findings&)> ways = {
+      {"each", flyEach},           {"random", flyRandom},           {"pilots", flyPilots},
+      {"overtakes", flyOvertakes}, {"standstills", flyStandstills}, {"plays", flyPlays}};
+  if (number == 0 || ways.count(how) == 0) usage("each, random, pilots, overtakes, standstills or plays, and a number");
   Findings findings;
-  for (int i = 0; i < kTasks; ++i) {
+  for (int i = 0; i < kFlights; ++i) {
     plan.task = static_cast<Task>(i);
     if ((task != "all" && task != kTaskNames[i]) || !canBe(plan.kind, plan.task)) continue;
-    if (how == "each") {
-      flyEach(plan, number, findings);
-    } else if (how == "pilots") {
-      flyPilots(plan, number, findings);
-    } else if (how == "overtakes") {
-      flyOvertakes(plan, number, findings);
-    } else {
-      flyRandom(plan, number, findings);
-    }
+    ways.at(how)(plan, number, findings);
+    if (how == "plays") break;
   }
   if (findings.flights == 0) usage("there is no such TASK");
   return report(findings);

@@ -17,8 +17,8 @@ struct SentFrame {
 
 class ClientOnLine {
  public:
-  // As in HEARTBEAT.autopilot. `kOther` is neither.
-  enum : uint8_t { kOther = 0, kArduPilot = 3, kPx4 = 12 };
+  // As in HEARTBEAT.autopilot. `kOther` is neither: MAV_AUTOPILOT_GENERIC_MISSION_FULL.
+  enum : uint8_t { kOther = 7, kArduPilot = 3, kPx4 = 12 };
   // Ids of messages.
   enum : uint16_t { kRequest = 40, kRequestList = 43, kCount = 44, kAck = 47, kRequestInt = 51, kItemInt = 73 };
 

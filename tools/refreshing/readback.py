@@ -13,6 +13,7 @@ KINDS = {
     "D": "–",
     "Yaw360": "heading",
     "NoYaw": "– (yaw)",
+    "NoHold": "0",
     "Sign": "sign",
     "Special": "*",
     "Zero": "0",

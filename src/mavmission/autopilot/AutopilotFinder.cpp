@@ -28,15 +28,20 @@ bool isVehicle(uint8_t type) {
 
 }  // namespace
 
+// It is another one from now on, or has restarted.
+void AutopilotFinder::change() {
+  isVehicleKnown_ = isPlane_ = false;
+  isOther_ = true;
+  knowledge_ = static_cast<uint8_t>(knowledge_ + 0x10);
+}
+
 void AutopilotFinder::setTargetIds(uint8_t systemId, uint8_t componentId) {
-  const bool isOther = !isFrom(systemId, componentId);
+  const bool isKept = (heard_ || settled_) && systemId == heartbeat_.systemId && componentId == heartbeat_.componentId;
   named_ = systemId != 0;
   severalHeard_ = false;
-  if (!isOther && named_) return;
-  heard_ = false;
-  settled_ = false;
-  isVehicleKnown_ = false;
-  isPlane_ = false;
+  if (isKept && named_) return;
+  heard_ = settled_ = false;
+  change();
   heartbeat_ = Heartbeat();
   heartbeat_.systemId = systemId;
   heartbeat_.componentId = componentId;
@@ -45,31 +50,40 @@ void AutopilotFinder::setTargetIds(uint8_t systemId, uint8_t componentId) {
 bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t autopilot, uint8_t vehicleType,
                                   uint16_t nowMs) {
   if (autopilot == MAV_AUTOPILOT_INVALID || !isVehicle(vehicleType)) return false;
+  if (autopilot == MAV_AUTOPILOT_GENERIC && !isGenericKnown() && !named_) return false;
+  const bool isKnown = heard_ || settled_;
   if (systemId != heartbeat_.systemId || componentId != heartbeat_.componentId) {
     if (named_) return false;
+    if (settled_) return false;
     if (heard_) {
       severalHeard_ = true;
-      otherMs_ = nowMs;
+      searchMs_ = nowMs;
       return false;
     }
   }
-  if (!heard_) firstMs_ = nowMs;
+  if (!isKnown) {
+    searchMs_ = nowMs;
+  } else if (autopilot != heartbeat_.autopilot || vehicleType != heartbeat_.vehicleType) {
+    change();
+  }
   heard_ = true;
   heardMs_ = nowMs;
   return true;
 }
 
+// It boots: it has restarted since.
+void AutopilotFinder::noteState(uint8_t before) {
+  if (heartbeat_.state <= MAV_STATE_BOOT && before > MAV_STATE_BOOT) change();
+}
+
 void AutopilotFinder::onTime(uint16_t nowMs) {
-  if (heard_) {
-    if (since(firstMs_, nowMs) >= kSettleMs) settled_ = true;
-    if (since(heardMs_, nowMs) >= kLostMs) {
-      heard_ = false;
-      settled_ = false;
-      isVehicleKnown_ = false;
-      isPlane_ = false;
-    }
+  if (heard_ && quietMs(nowMs) >= kLostMs) {
+    heard_ = false;
+    forget();
   }
-  if (severalHeard_ && since(otherMs_, nowMs) >= kLostMs) severalHeard_ = false;
+  const uint16_t searched = since(searchMs_, nowMs);
+  if (severalHeard_ && searched >= kLostMs) severalHeard_ = false;
+  if (heard_ && !severalHeard_ && searched >= kSettleMs) settled_ = true;
 }
 
 Firmware AutopilotFinder::firmware() const { return heard_ ? firmwareOf(heartbeat_.autopilot) : Firmware::Unknown; }

@@ -116,7 +116,7 @@ constexpr uint8_t kPlaneRows = 2;  // the first rows, which hold for planes only
 // docs/readback.md describes them in words. A command without a row was accepted by none of these autopilots. It is
 // sent nevertheless, since a newer autopilot may accept it.
 const Row kRows[] PROGMEM = {
-    row(16, D, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),               // NAV_WAYPOINT on a plane: no hold
+    row(16, NoHold, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),          // NAV_WAYPOINT on a plane
     row(82, K, K, K, K, InArduPilot::NotTaken, InPx4::NotTaken),                  // NAV_SPLINE_WAYPOINT on a plane
     row(16, U16, D, D, NoYaw, InArduPilot::Place, InPx4::Waypoint),               // NAV_WAYPOINT
     row(17, D, D, Radius, NoYaw, InArduPilot::Place, InPx4::Loiter),              // NAV_LOITER_UNLIM

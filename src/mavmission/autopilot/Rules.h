@@ -20,6 +20,7 @@ enum Kind : uint8_t {
   Rounded = 2,    // x, y: rounded to the 24 bits of a float; the autopilot does not use them
   Height = 2,     // z: ArduPilot keeps whole centimetres
   NoYaw = 3,      // param4: a heading that is not kept. NaN: as you fly
+  NoHold = 3,     // param1: a time to hold that is dropped, so that only 0 means the same
   Sign = 4,       // -1 for a negative number, else 1
   MountMode = 4,  // z: always reads back as 2
   Special = 5,    // param1: turns, the radius of a fence, the mode of a region of interest; param3: the radius of turns

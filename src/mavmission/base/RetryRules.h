@@ -22,6 +22,14 @@ struct PaceRules {
   static constexpr uint8_t kLossyTries = 250;    // of a question there, before it is given up
 };
 
+struct LinkRules {
+  static constexpr uint16_t kHeartbeatMs = 1000;  // ours
+  // The receive buffer was last seen empty so long ago: what is read now may be too old for an order; or so old that
+  // the aircraft may be somebody else's by now.
+  static constexpr uint8_t kOldMs = 200;
+  static constexpr uint16_t kBlindMs = 600;
+};
+
 struct UploadRules {
   static constexpr uint16_t kRepeatMs = 1500;    // from MISSION_COUNT, or from the last item, to its repeat
   static constexpr uint16_t kCountingMs = 7500;  // to the first request, repeats of COUNT included
@@ -78,8 +86,6 @@ struct CommandRules {
   static constexpr uint8_t kLateAsks = 3;          // requests that may still be answered when a heartbeat has come
   static constexpr uint8_t kRestoreTries = 40;     // of setting a mode again that an order has undone
   static constexpr uint16_t kUnderWayMs = 400;     // an order that has left may not have arrived yet
-  // Behind a loop() that stood still for so long, what is read in the next so many milliseconds is old.
-  static constexpr uint8_t kStoodStillMs = 200, kDrainMs = 20;
 };
 
 // Commands that a listener sends beside an operation: TelemetryPause, MissionFollower and the listeners of telemetry.
@@ -130,9 +136,10 @@ struct SteerRules {
   static constexpr uint8_t kLandedS = 20;        // for the answer whether it flies, on a line that loses, too
   static constexpr uint8_t kTakeOffS = 15;       // from the acceptance of a takeoff until it has left the ground
   static constexpr uint16_t kAskAgainMs = 1000;  // from PX4's answer that it has not, to the next question
-  // In heartbeats of the autopilot, one a second: how old a position may be, and how long ago the autopilot may have
-  // named a target for another one to be waited for.
-  static constexpr uint8_t kFreshBeats = 3, kTargetBeats = 5;
+  static constexpr uint8_t kFreshS = 3;          // how old a position may be
+  // In heartbeats of the autopilot, one a second: how long ago it may have named a target for another one to be waited
+  // for.
+  static constexpr uint8_t kTargetBeats = 5;
 };
 
 struct StandardModeRules {
@@ -144,23 +151,20 @@ struct TargetRules {
   static constexpr uint16_t kEveryMs = 200;     // from one target of a MovingTarget to the next
   static constexpr uint16_t kLeadMs = 1000;     // PX4: targets before OFFBOARD is set
   static constexpr uint16_t kTimeoutMs = 1000;  // the sketch must have renewed its target within this time
-  // A loop() that stood still for so long, or has not heard the autopilot for so long, waits for a heartbeat.
-  static constexpr uint16_t kBlindMs = 600;
+  // When the autopilot has not been heard for so long, a heartbeat is waited for.
+  static constexpr uint16_t kBlindMs = LinkRules::kBlindMs;
   static constexpr uint16_t kQuietMs = 300;   // when nothing has been heard for so long, a heartbeat is asked for
   static constexpr uint8_t kAskMs = 100;      // and so much later again
   static constexpr uint16_t kBrakeMs = 2000;  // a VelocityTarget that ends is a velocity of 0 for so long
 };
 
 struct ClientRules {
+  static constexpr uint8_t kOrderWaitS = 10;       // for the autopilot, of a command, where the sketch sets no limit
   static constexpr uint8_t kTickMs = 2;            // seconds, heartbeats and silence are looked at once in this time
   static constexpr uint8_t kLateTurns = 4;         // a message that was sent again may still be answered [512 ms]
   static constexpr uint16_t kLeftoversMs = 10000;  // an earlier transfer may still be answered
   // The default limit for a whole operation [s].
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }
-};
-
-struct LinkRules {
-  static constexpr uint16_t kHeartbeatMs = 1000;  // ours
 };
 
 struct FinderRules {

@@ -37,7 +37,20 @@ void MissionClient::onEnd(EndFunction function, void* context) {
 void MissionClient::setSourceIds(uint8_t systemId, uint8_t componentId) { link_.setSourceIds(systemId, componentId); }
 
 void MissionClient::setTargetIds(uint8_t systemId, uint8_t componentId) {
+  // What waits for an autopilot that is clear by now was begun for that one.
+  const bool isForOther = link_.finder().isChosen();
   link_.finder().setTargetIds(systemId, componentId);
+  if (!link_.finder().takeChange()) return;
+  forgetAutopilot();
+  if (isForOther && state_.operation != nullptr) end(Status::NoAutopilot);
+}
+
+// All that was learned belongs to one autopilot: it is forgotten here, and what was begun for it ends.
+void Client::forgetAutopilot() {
+  memset(&known_, 0, sizeof(known_));
+  state_.cancelled = 0;
+  link_.cut();
+  if (state_.operation != nullptr && state_.status == Status::Transferring) end(Status::NoAutopilot);
 }
 
 void Port::beginSeconds(uint16_t nowMs) {
@@ -138,6 +151,9 @@ void Port::waitForAutopilot() {
   if (client.rest_.toReturn != Status::Idle) return;
   const AutopilotFinder& finder = client.link_.finder();
   if (finder.isCertain()) {
+    // Whatever was seen before loop() stood still may be over. (A loop() that is always slow sees nothing else: it goes
+    // on with that, but for what moves the aircraft.)
+    if (!client.link_.isCurrent() && (!client.link_.isBlind() || state.isCommanding)) return;
     if (finder.isFrom(client.link_.systemId(), client.link_.componentId())) return end(Status::SameIdsAsAutopilot);
     if (kOnly != Firmware::Unknown && finder.firmware() != kOnly) return end(Status::OtherAutopilot);
     // What comes before this operation has sent anything is no answer to it: so it waits for late answers first. No
@@ -185,7 +201,7 @@ Status MissionClient::update() {
   // Hides from the optimiser which object this is: it would use 4-byte addresses instead of 2-byte offsets.
   MissionClient* client = this;
   asm("" : "+r"(client));
-  return client->updateAt(static_cast<uint16_t>(millis()));
+  return client->updateAt(millis());
 }
 
 // Work that depends on the clock, but need not be exact to the millisecond.
@@ -210,8 +226,10 @@ bool Port::claimHeavyWork() {
   return isAllowed;
 }
 
-Status Client::updateAt(uint16_t nowMs) {
+Status Client::updateAt(uint32_t exactMs) {
   if (state_.atEnd != nullptr) return Status::Busy;  // called from a callback
+  const uint16_t nowMs = static_cast<uint16_t>(exactMs);
+  link_.look(exactMs);
 #if MAVMISSION_SIGNING
   if (link_.workOnSignatures()) {  // nothing else is done then, so that the longest update() is no longer
     link_.flush(nowMs, kStartBytes);
@@ -225,9 +243,11 @@ Status Client::updateAt(uint16_t nowMs) {
   budget.left = allowed;
   state_.isTimeLeft = false;
   while (link_.receive(budget, nowMs)) {
+    if (link_.finder().takeChange()) forgetAutopilot();
     if (state_.operation != nullptr) state_.operation(*this, &link_.frame(), nowMs);
     budget.left = budget.left > kFrameBytes ? budget.left - kFrameBytes : 0;
   }
+  if (budget.left != 0) link_.noteEmpty(exactMs);
   state_.isTimeLeft = static_cast<uint8_t>(allowed - budget.left) <= kAll - kHalf;
   // Not to an autopilot that is not heard: it would not hear us either.
   if (state_.cancelled != 0 && hasAutopilot() && link_.canSend()) {

@@ -66,7 +66,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   Client& operator=(const Client&) = delete;
 
   Status status() const { return state_.status; }
-  Aboard aboard(PlanType type = PlanType::Mission) const { return rest_.aboard[static_cast<uint8_t>(type) & 3]; }
+  Aboard aboard(PlanType type = PlanType::Mission) const { return known_.aboard[static_cast<uint8_t>(type) & 3]; }
   uint16_t itemsTotal() const { return state_.itemsTotal; }
   bool isBusy() const { return state_.operation != nullptr; }
   bool hasAutopilot() const { return link_.finder().isFound(); }
@@ -90,12 +90,14 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   struct Commanding;
   Status beginCommand(FillCommand fill, OnCommand on);
   MAVMISSION_APART void nextCommand(FillCommand fill);
+  bool hasBeenDisarmed();
   bool hasItem(uint16_t item);
   uint8_t vehicleType() const { return link_.finder().vehicleType(); }
   bool isVehicleAsked() const;
   StartStep startStep() const { return static_cast<StartStep>(rest_.startStep); }
   StartArming startArming() const { return static_cast<StartArming>(rest_.startArming); }
-  Status updateAt(uint16_t nowMs);
+  Status updateAt(uint32_t exactMs);
+  MAVMISSION_APART void forgetAutopilot();
   MAVMISSION_APART MAVMISSION_ONE_EXIT void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Step operation);
   void unsettle(uint16_t nowMs);
@@ -107,7 +109,16 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void expectLateAnswers() { state_.quiet = 0; }
   void tellCancelled();
   void setAboard(Aboard what) { setAboard(state_.type, what); }
-  void setAboard(PlanType type, Aboard what) { rest_.aboard[static_cast<uint8_t>(type) & 3] = what; }
+  void setAboard(PlanType type, Aboard what) { known_.aboard[static_cast<uint8_t>(type) & 3] = what; }
+  // aboard() is about plan_ from now on; what was our plan is `then`.
+  void aboutPlan(Aboard then) {
+    setOfPlan(true);
+    if (aboard(state_.type) == Aboard::OurPlan) setAboard(then);
+  }
+  // True if the mission that aboard() is about is plan_: a plan that was refused is not.
+  bool isMissionInPlan() const { return rest_.planType == PlanType::Mission && isOfPlan(); }
+  bool isOfPlan() const { return known_.aboard[kOfPlan] != Aboard::NotKnown; }
+  void setOfPlan(bool isOf) { known_.aboard[kOfPlan] = isOf ? Aboard::OurPlan : Aboard::NotKnown; }
   MAVMISSION_APART void beginPlan();
   MAVMISSION_APART Status keeping(const MissionItem& item);
   void beginTransfer();
@@ -209,14 +220,24 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     uint16_t backOffLimitS;  // the limit of all back-offs [s]
     uint8_t backOffPauseS;   // the pause before the next try; 0 before the first
     Status toReturn;
-    Aboard aboard[4];         // by PlanType; the last is unused
     PlanType planType;        // of the plan that uploadAgain() takes; All before there is one
-    uint32_t planId;          // the autopilot's name (opaque_id) of the mission accepted or verified last; 0: none
     uint8_t startStep : 3;    // StartStep
     uint8_t startArming : 2;  // StartArming
     uint8_t proof : 2;        // Readback
     bool raw : 1;
     ItemField field;  // the one that differs, or is not kept
+  };
+
+  static constexpr uint8_t kOfPlan = 3;
+
+  // What was learned of the autopilot, all of which forgetAutopilot() forgets.
+  struct Known {
+    // By PlanType. At kOfPlan: not NotKnown when the last upload or verification has sent something, so that the others
+    // are about plan_, and not about a plan before it.
+    Aboard aboard[4];
+    uint32_t planId;   // the autopilot's name (opaque_id) of the mission accepted or verified last; 0: none
+    CommandLog log;    // whose answers may still come
+    Status takenBy;    // PilotHasIt, FailsafeHasIt: who has taken the aircraft from this sketch; Idle: nobody
   };
 
 // The struct within the union is an extension that both compilers have; clang warns of it in spite of __extension__.
@@ -262,6 +283,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     FillCommand fill;  // makes the command to be sent
     OnCommand on;      // takes the events; null: the answer decides
     CommandTransfer transfer;
+    bool wasArmed;  // as a heartbeat has shown since the operation began
     union {
       const FlightCommand* own;
       void* owner;  // the object of a service whose operation it is
@@ -296,7 +318,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
 #pragma clang diagnostic pop
 #endif
   Rest rest_;
-  CommandLog log_;
+  Known known_;
   Link link_;
 };
 

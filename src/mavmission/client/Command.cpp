@@ -2,6 +2,7 @@
 #include <Arduino.h>
 
 #include "../MissionClient.h"
+#include "../autopilot/Guarded.h"
 #include "../base/Clock.h"
 #include "../base/FloatBits.h"
 #include "../link/Messages.h"
@@ -27,6 +28,13 @@ Status fromCommandResult(uint8_t result) {
   return behind(Status::CommandLongOnly, result - MAV_RESULT_COMMAND_LONG_ONLY);
 }
 
+// True if its param1 is not 0.
+bool isOn(const FlightCommand& command) {
+  uint32_t bits;
+  memcpy(&bits, &command.param1, sizeof(bits));
+  return (bits << 1) != 0;
+}
+
 }  // namespace
 
 Status Client::beginCommand(FillCommand fill, OnCommand on) {
@@ -36,15 +44,13 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
   const CommandLog::Before before = state_.seconds >= CommandLog::kLateAnswersS ? CommandLog::Before::Nothing
                                     : state_.isCommanding                       ? CommandLog::Before::Command
                                                                                 : CommandLog::Before::Other;
-  const uint16_t nowMs = static_cast<uint16_t>(millis());
   startOperation(Command::step);
   state_.isCommanding = true;
   memset(&commanding_, 0, sizeof(commanding_));
-  log_.begin(before, nowMs);
+  known_.log.begin(before, static_cast<uint16_t>(millis()));
   commanding_.fill = fill;
   commanding_.on = on;
   commanding_.transfer.setRepeats(true);
-  commanding_.transfer.beginLooking(nowMs);
   return state_.status;
 }
 
@@ -55,7 +61,8 @@ void Client::nextCommand(FillCommand fill) {
 
 void CommandPort::lookAtClock(uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
-  if (client.commanding_.transfer.look(nowMs)) client.link_.spoil();
+  const Link& link = client.link_;
+  if (client.commanding_.transfer.look(link.isOld(), link.isBlind(), nowMs)) client.link_.spoil();
 }
 
 void Client::Command::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -68,6 +75,18 @@ void Client::Command::step(Client& client, const FrameParser* frame, uint16_t no
   if (state.status == Status::WaitingForAutopilot) {
     client.waitForAutopilot();
     state.next = client.shownMode();
+    // An order that could not be begun for so long is not meant any more: somebody may stand beside the aircraft. (What
+    // has no events of its own only asks for messages.)
+    const bool isOrder = client.commanding_.on != nullptr;
+    if (state.status == Status::WaitingForAutopilot && isOrder && client.rest_.waitingLimitS == 0 &&
+        state.seconds >= kOrderWaitS) {
+      client.end(client.link_.finder().severalHeard() ? Status::SeveralAutopilots : Status::NoAutopilot);
+    }
+    // What its last heartbeat has shown is too old: another one is asked for.
+    if (state.status == Status::WaitingForAutopilot && client.link_.finder().isCertain() && !client.link_.isCurrent()) {
+      client.commanding_.transfer.ask();
+      if (client.link_.canSend()) send(client, false, nowMs);
+    }
   }
   if (state.status == Status::Checking) {
     OnCommand const on = client.commanding_.on;
@@ -80,26 +99,28 @@ void Client::Command::step(Client& client, const FrameParser* frame, uint16_t no
     return;  // start() may have looked at an item: that was work enough for one update()
   }
   if (state.status != Status::Transferring) return;
-  Status status = client.commanding_.transfer.onTime(client.log_.asksOpen(), nowMs);
+  Status status = client.commanding_.transfer.onTime(client.known_.log.asksOpen(), nowMs);
   if (status == Status::Transferring && state.isLate) status = Status::TookTooLong;
+  // What was begun is not carried out when the autopilot is heard again, some time later.
+  if (!client.hasAutopilot()) status = Status::NoAnswer;
   const bool goesOn = status == Status::Transferring;
   takeEvent(client, goesOn ? CommandEvent::Time : CommandEvent::Silent, status, nullptr, nowMs);
   if (state.status != Status::Transferring) return;
   const CommandTransfer& sending = client.commanding_.transfer;
   const bool isDue = sending.isDue() || sending.isAskDue(nowMs, askAgainMs(client));
-  if (isDue && client.link_.canSend() && client.claimHeavyWork()) send(client, nowMs);
+  if (isDue && client.link_.canSend() && client.claimHeavyWork()) send(client, true, nowMs);
 }
 
 void Client::Command::takeEvent(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                                 uint16_t nowMs) {
   const CommandTransfer& sending = client.commanding_.transfer;
   const uint8_t tries = sending.tries();
-  if (event == CommandEvent::Silent) client.log_.gaveUp();
+  if (event == CommandEvent::Silent) client.known_.log.gaveUp();
   OnCommand const on = client.commanding_.on;
   if (on != nullptr) status = on(client, event, status, frame, nowMs);
-  if (status != Status::Transferring || sending.tries() == 0) client.log_.ended(tries, nowMs);
+  if (status != Status::Transferring || sending.tries() == 0) client.known_.log.ended(tries, nowMs);
   // Behind a pause the same is asked again: a late answer to it is as good.
-  if (sending.state() == CommandTransfer::State::Pausing) client.log_.forget();
+  if (sending.state() == CommandTransfer::State::Pausing) client.known_.log.forget();
   if (status == Status::Transferring) return;
   client.beginSeconds(nowMs);  // the seconds tell the next command how long ago this one ended
   client.end(status);
@@ -111,7 +132,8 @@ uint16_t Client::Command::askAgainMs(Client& client) {
   return client.commanding_.transfer.isUrgent() ? againMs / 2 : againMs;
 }
 
-void Client::Command::send(Client& client, uint16_t nowMs) {
+// `isBegun`: the operation has begun, and not only a heartbeat may be asked for.
+void Client::Command::send(Client& client, bool isBegun, uint16_t nowMs) {
   // The command is turned into its message in place: param1 to param4, and z, stay where they are.
   union {
     FlightCommand command;
@@ -125,12 +147,17 @@ void Client::Command::send(Client& client, uint16_t nowMs) {
                 "param1 to param7 must lie in FlightCommand as they lie in COMMAND_LONG and COMMAND_INT");
   memset(&piece, 0, sizeof(piece));
   CommandTransfer& sending = client.commanding_.transfer;
-  bool isAsking = !sending.isDue();
+  bool isAsking = !isBegun || !sending.isDue();
   if (!isAsking) {
     client.commanding_.fill(client, piece.command);
     // (What sets a mode again does not wait for late answers to the order that has undone it: a refusal of that has
     // come before the heartbeat that shows its mode, and an acceptance ends nothing.)
-    if (!sending.isRestoring() && !client.log_.maySend(piece.command.id, nowMs)) return;
+    if (!sending.isRestoring() && !client.known_.log.maySend(piece.command.id, nowMs)) return;
+    // The gate: nothing that takes the aircraft, arms it or lets its motors start has another way out.
+    if (isGuarded(piece.command.id)) sending.guard();
+    if (client.known_.takenBy != Status::Idle && mayStartMotors(piece.command.id, isOn(piece.command))) {
+      return client.end(client.known_.takenBy);
+    }
     if (sending.lacksHeartbeat(nowMs)) {
       sending.ask();
       isAsking = true;
@@ -162,11 +189,11 @@ void Client::Command::send(Client& client, uint16_t nowMs) {
   }
   client.link_.sendMessage(reinterpret_cast<uint8_t*>(&piece), &kKeys[static_cast<uint8_t>(key)]);
   if (isAsking) {
-    client.log_.askedAside(nowMs);
+    client.known_.log.askedAside(nowMs);
     return sending.asked(nowMs);
   }
   sending.sent(nowMs, client.link_.pace().waitMs(CommandTransfer::kAnswerMs));
-  client.log_.sent(id, sending.waitMs(), nowMs);
+  client.known_.log.sent(id, sending.waitMs(), nowMs);
 }
 
 void Client::Command::takeFrame(Client& client, const FrameParser& frame, uint16_t nowMs) {
@@ -175,10 +202,10 @@ void Client::Command::takeFrame(Client& client, const FrameParser& frame, uint16
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_COMMAND_ACK: {
       const mavlink_command_ack_t ack = messageFrom<mavlink_command_ack_t>(frame);
-      if (!client.log_.isAnswer(ack.command, frame.sequence(), nowMs)) return;
+      if (!client.known_.log.isAnswer(ack.command, frame.sequence(), nowMs)) return;
       client.state_.lastResult = ack.result;
       if (ack.result == MAV_RESULT_IN_PROGRESS) {
-        client.log_.onProgress(nowMs);
+        client.known_.log.onProgress(nowMs);
         return client.commanding_.transfer.onProgress(nowMs);
       }
       status = fromCommandResult(ack.result);
@@ -188,7 +215,7 @@ void Client::Command::takeFrame(Client& client, const FrameParser& frame, uint16
     }
     case MAVLINK_MSG_ID_HEARTBEAT:
       client.commanding_.transfer.onHeartbeat(nowMs);
-      if (!client.commanding_.transfer.isOld()) client.log_.onHeartbeat();
+      if (!client.commanding_.transfer.isOld()) client.known_.log.onHeartbeat();
       event = CommandEvent::Heartbeat;
       break;
     case MAVLINK_MSG_ID_MISSION_CURRENT:
@@ -210,10 +237,26 @@ Status MissionClient::send(const FlightCommand& command, CommandRepeat repeat) {
 
 Status Client::OwnCommand::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   if (event == CommandEvent::Refused) return sendInOtherForm(client, status);
-  if (event != CommandEvent::Ready) return status;
+  if (event != CommandEvent::Ready && event != CommandEvent::Heartbeat) return status;
+  const uint16_t id = client.commanding_.own->id;
   // MAV_CMD_MISSION_START would arm this autopilot.
-  const bool arms = client.commanding_.own->id == MAV_CMD_MISSION_START && has(client.firmware(), kArmsByMissionStart);
-  return arms && !client.isArmed() ? Status::NotArmed : status;
+  const bool arms = id == MAV_CMD_MISSION_START && has(client.firmware(), kArmsByMissionStart);
+  if (arms && !client.isArmed()) return Status::NotArmed;
+  if (!isGuarded(id)) return status;
+  // Somebody has set another mode since it was begun, or has disarmed: it does not leave, or not again. (The mode may
+  // also be the one that it has set.)
+  const bool isDisarmed = client.hasBeenDisarmed();
+  CommandTransfer& sending = client.commanding_.transfer;
+  if (!isDisarmed && client.shownMode() == client.firstMode()) return status;
+  if (sending.tries() == 0) return isDisarmed ? Status::NotArmed : Status::TakenOver;
+  sending.setRepeats(false);
+  return status;
+}
+
+// True when what was armed since the operation began is armed no more. To be asked with each heartbeat.
+bool Client::hasBeenDisarmed() {
+  if (isArmed()) commanding_.wasArmed = true;
+  return commanding_.wasArmed && !isArmed();
 }
 
 void Client::OwnCommand::fill(Client& client, FlightCommand& command) {
@@ -229,10 +272,13 @@ Status MissionClient::disarm() { return beginCommand(Arming::fillDisarming, Armi
 // The answer may be a late one, to an earlier command.
 Status Client::Arming::on(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   CommandTransfer& sending = client.commanding_.transfer;
+  const bool arms = client.commanding_.fill == fill;
   switch (event) {
+    case CommandEvent::Ready: client.hasBeenDisarmed(); return status;
     case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
     case CommandEvent::Heartbeat: {
-      const bool isDone = sending.tries() != 0 && client.isArmed() == (client.commanding_.fill == fill);
+      if (arms && client.hasBeenDisarmed()) return Status::NotArmed;  // by somebody, who wants it so
+      const bool isDone = sending.tries() != 0 && client.isArmed() == arms;
       if (isDone && !sending.isOld()) return Status::Done;
       if (client.state_.lastResult == MAV_RESULT_ACCEPTED) sending.askLater();
       return status;
@@ -252,7 +298,12 @@ void CommandPort::fillArming(FlightCommand& command, bool arms) {
   if (arms) command.param1 = 1;  // param2 stays 0: never forced
 }
 
-void Client::Arming::fill(Client&, FlightCommand& command) { fillArming(command, true); }
+// On a line that loses nothing an arming without an answer may have been carried out, and undone by somebody since: it
+// leaves once.
+void Client::Arming::fill(Client& client, FlightCommand& command) {
+  client.commanding_.transfer.setRepeats(client.link_.pace().isLossy());
+  fillArming(command, true);
+}
 
 void Client::Arming::fillDisarming(Client&, FlightCommand& command) { fillArming(command, false); }
 
@@ -280,7 +331,9 @@ Status MissionClient::setMode(FlightMode mode) {
 Status MissionClient::setCustomMode(uint32_t customMode) {
   const Status status = beginCommand(SettingMode::fill, SettingMode::onCustom);
   if (status == Status::Busy) return status;
-  commanding_.mode.number = modeNumberOf(customMode);
+  // PX4 has nothing in the lower half, and what is there would be cut.
+  const bool isCut = customMode > 0xFFFF && static_cast<uint16_t>(customMode) != 0;
+  commanding_.mode.number = isCut ? kNoMode : modeNumberOf(customMode);
   commanding_.mode.isLarge = customMode > 255;
   return status;
 }
@@ -289,7 +342,8 @@ Status MissionClient::setCustomMode(uint32_t customMode) {
 Status Client::SettingMode::onCustom(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                                      uint16_t nowMs) {
   const Modes& mode = client.commanding_.mode;
-  const bool isNone = event == CommandEvent::Ready && has(client.firmware(), kModeIsOneByte) && mode.isLarge;
+  const bool isNone = event == CommandEvent::Ready &&
+                      (mode.number == kNoMode || (has(client.firmware(), kModeIsOneByte) && mode.isLarge));
   return isNone ? Status::NoSuchMode : on(client, event, status, frame, nowMs);
 }
 
@@ -311,14 +365,16 @@ Status Client::SettingMode::on(Client& client, CommandEvent event, Status status
   CommandTransfer& sending = client.commanding_.transfer;
   const bool isRestoring = mode.order.isRestoring();
   switch (event) {
-    case CommandEvent::Ready:
-      mode.order.begin(client.firstMode(), mode.number);
-      sending.guard();
-      return status;
+    case CommandEvent::Ready: mode.order.begin(client.firstMode(), mode.number); return status;
     case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
     case CommandEvent::Heartbeat:
       switch (mode.order.onHeartbeat(client.shownMode(), sending.tries() != 0, sending.mayBeUnderWay(nowMs))) {
-        case ModeOrder::Sight::Before: break;
+        // It has taken the order, and left that mode by itself, as with a plan that has ended: again would be the same.
+        case ModeOrder::Sight::Before:
+          if (sending.isDue() && sending.tries() != 0 && client.state_.lastResult == MAV_RESULT_ACCEPTED) {
+            return Status::Unconfirmed;
+          }
+          break;
         case ModeOrder::Sight::Wanted:
           if (!sending.isOld()) return isRestoring ? Status::TakenOver : Status::Done;
           sending.ask();
@@ -351,7 +407,7 @@ void CommandPort::fillModeNumber(FlightCommand& command, uint16_t number) {
 
 // False if the plan aboard is known not to have this item.
 bool Client::hasItem(uint16_t item) {
-  const bool isKnown = aboard() == Aboard::OurPlan && rest_.planType == PlanType::Mission;
+  const bool isKnown = aboard() == Aboard::OurPlan && isMissionInPlan();
   if (item != kNoItem && (!isKnown || item < plan_.count())) return true;
   state_.failedItem = item;
   return false;

@@ -10,7 +10,7 @@ namespace detail {
 struct Client::Command {
   static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void takeFrame(Client& client, const FrameParser& frame, uint16_t nowMs);
-  static void send(Client& client, uint16_t nowMs);
+  static void send(Client& client, bool isBegun, uint16_t nowMs);
   MAVMISSION_APART static uint16_t askAgainMs(Client& client);  // from a request for a heartbeat to the next
   static void takeEvent(Client& client, CommandEvent event, Status status, const FrameParser* frame, uint16_t nowMs);
   static Status whenSilent(const Client& client, Status silence);
@@ -70,6 +70,8 @@ struct Client::Starting {
   static Status mayBegin(Client& client);
   MAVMISSION_APART static void begin(Client& client);
   MAVMISSION_APART static void note(Client& client);
+  // Remembers who has taken the aircraft, if that is why it has ended; returns the same.
+  MAVMISSION_APART static Status noted(Client& client, Status ended);
   static Status lookAtItem(Client& client, const Aircraft& aircraft);
   MAVMISSION_APART static Aircraft aircraftOf(const Client& client, uint16_t nowMs);
 };

@@ -35,6 +35,7 @@ class CommandPort {
   static CommandPort& of(Client& client);
   // The object whose operation runs: what these functions are called for.
   static void* ownerOf(const Client& client);
+  void* owner() const;
 
   // --- Beginning
 

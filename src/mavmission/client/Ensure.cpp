@@ -37,7 +37,6 @@ void Client::beginEnsuring() {
   state_.operation = Ensuring::step;
   state_.status = Status::WaitingForAutopilot;
   rest_.options.takeUp = Ensuring::takeUp;
-  setAboard(Aboard::NotKnown);  // what was known was about the plan before
 }
 
 bool Client::Ensuring::begin(Client& client, uint16_t) {
@@ -75,6 +74,8 @@ void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
   client.reading_.take = takeItem;
   client.state_.isCompared = true;
   client.reading_.fromFloats = fromFloats;
+  client.setOfPlan(true);
+  client.setAboard(Aboard::NotKnown);  // what was known was about the plan before
   beginLook(client, nowMs);
   client.state_.proving = true;  // no progress is reported for the look
   client.rest_.field = ItemField::None;
@@ -225,8 +226,8 @@ void Client::Ensuring::endLook(Client& client, Status status) {
     client.setAboard(Aboard::OurPlan);
     if (client.state_.type == PlanType::Mission) {
       // What PX4 has said about a plan holds until it takes another one.
-      if (client.reading_.planId != client.rest_.planId) client.state_.infeasible = false;
-      client.rest_.planId = client.reading_.planId;
+      if (client.reading_.planId != client.known_.planId) client.state_.infeasible = false;
+      client.known_.planId = client.reading_.planId;
     }
     client.report(client.state_.itemsTotal);
   } else {

@@ -12,10 +12,10 @@ bool Port::namesOther(const FrameParser& frame) const {
   const Client& client = static_cast<const Client&>(*this);
   const uint32_t name = frame.payloadLong(offsetof(Current, mission_id));
   const uint16_t total = frame.payloadWord(offsetof(Current, total));
-  const uint32_t ours = client.rest_.planId;
+  const uint32_t ours = client.known_.planId;
   if (ours != 0 && (name != 0 || total == 0xFFFF)) return name != ours;
   // An autopilot that does not know the mission's state does not know its total either.
-  const bool isTotalKnown = has(client.firmware(), kTellsTotal) && client.rest_.planType == PlanType::Mission &&
+  const bool isTotalKnown = has(client.firmware(), kTellsTotal) && client.isMissionInPlan() &&
                             frame.payloadByte(offsetof(Current, mission_state)) != MISSION_STATE_UNKNOWN;
   if (!isTotalKnown) return false;
   return total != client.numbersAboard().toldTotal(client.plan_.count());

@@ -53,7 +53,11 @@ PlanType PlanPort::planType() const { return static_cast<const Client&>(*this).s
 
 WirePlan& PlanPort::plan() { return static_cast<Client&>(*this).plan_; }
 
-void PlanPort::nowAboard(Aboard what) { static_cast<Client&>(*this).setAboard(what); }
+void PlanPort::nowAboard(Aboard what) {
+  Client& client = static_cast<Client&>(*this);
+  client.setOfPlan(true);
+  client.setAboard(what);
+}
 
 // --- Reading
 
@@ -103,7 +107,7 @@ void PlanPort::endAsOurs(Status status) {
   Client& client = static_cast<Client&>(*this);
   client.setAboard(Aboard::OurPlan);
   if (status == Status::Accepted) client.noteAccepted();
-  if (client.state_.type == PlanType::Mission) client.rest_.planId = 0;
+  if (client.state_.type == PlanType::Mission) client.known_.planId = 0;
   client.report(client.state_.itemsTotal);
   client.end(status);
 }

@@ -18,7 +18,7 @@ CommandPort& Port::commands() { return static_cast<Client&>(*this); }
 
 Link& Port::link() { return static_cast<Client&>(*this).link_; }
 const AutopilotFinder& Port::autopilot() const { return static_cast<const Client&>(*this).link_.finder(); }
-CommandLog& Port::commandLog() { return static_cast<Client&>(*this).log_; }
+CommandLog& Port::commandLog() { return static_cast<Client&>(*this).known_.log; }
 
 // --- The operations
 
@@ -46,15 +46,19 @@ void Port::blame(ItemField field) { static_cast<Client&>(*this).rest_.field = fi
 
 bool Port::isAllowedWhileArmed() const { return static_cast<const Client&>(*this).state_.armedAllowed; }
 
+Status Port::takenBy() const { return static_cast<const Client&>(*this).known_.takenBy; }
+
+void Port::noteTaken(Status who) { static_cast<Client&>(*this).known_.takenBy = who; }
+
 // --- The mission aboard
 
 bool Port::isOurMission() const { return static_cast<const Client&>(*this).aboard() == Aboard::OurPlan; }
 
-uint32_t Port::acceptedPlanId() const { return static_cast<const Client&>(*this).rest_.planId; }
+uint32_t Port::acceptedPlanId() const { return static_cast<const Client&>(*this).known_.planId; }
 
 void Port::noteMissionName(uint32_t planId) {
   Client& client = static_cast<Client&>(*this);
-  const uint32_t accepted = client.rest_.planId;
+  const uint32_t accepted = client.known_.planId;
   if (planId == 0 || accepted == 0) return;
   if (planId != accepted) return noteOtherMission();
   if (client.aboard() != Aboard::OtherPlan) return;
@@ -78,6 +82,8 @@ void Port::noteInfeasible() {
 CommandPort& CommandPort::of(Client& client) { return client; }
 
 void* CommandPort::ownerOf(const Client& client) { return client.commanding_.owner; }
+
+void* CommandPort::owner() const { return static_cast<const Client&>(*this).commanding_.owner; }
 
 Status CommandPort::beginCommands(FillCommand fill, OnCommand on, void* owner) {
   Client& client = static_cast<Client&>(*this);

@@ -77,6 +77,10 @@ class Port {
   void blame(ItemField field);
   // Ends it with this status.
   void end(Status status);
+  // Who has taken the aircraft from the sketch: PilotHasIt, FailsafeHasIt; Idle: nobody. It stays until the sketch asks
+  // for the aircraft again: noteTaken(Status::Idle).
+  Status takenBy() const;
+  void noteTaken(Status who);
   // True if the sketch allows changes while the autopilot is armed.
   bool isAllowedWhileArmed() const;
 

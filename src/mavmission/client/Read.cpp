@@ -24,8 +24,6 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
 }
 
 void Client::setPlanToVerify(const ItemSource& plan, PlanType type) {
-  // "Our plan" is this one from now on: whether it is aboard is what is to be found out.
-  if (aboard(type) == Aboard::OurPlan && !plan_.isFrom(plan)) setAboard(type, Aboard::NotKnown);
   setPlan(plan, type);
   state_.type = type;
 }
@@ -62,6 +60,8 @@ bool PlanPort::beginsReading(uint16_t nowMs) {
     client.end(Status::NeedsMavlink2);
     return false;
   }
+  // "Our plan" is this one from now on: whether it is aboard is what is to be found out.
+  if (client.state_.isCompared && !client.isOfPlan()) client.aboutPlan(Aboard::NotKnown);
   client.beginPlan();
   client.beginTransferring(nowMs);
   return true;
@@ -236,7 +236,7 @@ void Client::ReadingPlan::end(Client& client, Status status) {
     if (client.state_.isCompared) {
       status = Status::Verified;
       client.setAboard(Aboard::OurPlan);
-      if (client.state_.type == PlanType::Mission) client.rest_.planId = client.reading_.planId;
+      if (client.state_.type == PlanType::Mission) client.known_.planId = client.reading_.planId;
     }
   } else {
     client.tellCancelled();  // otherwise PX4 would wait for us for 5 s

@@ -42,6 +42,7 @@ Status Client::Starting::on(Client& client, CommandEvent event, Status status, c
       case CommandEvent::Silent: status = start.onSilent(status, aircraft, sending); break;
       case CommandEvent::Heartbeat: status = start.onHeartbeat(aircraft, sending); break;
       case CommandEvent::Current: {
+        if (sending.isOld()) break;  // it may have been disarmed since
         const mavlink_mission_current_t current = messageFrom<mavlink_mission_current_t>(*frame);
         const uint8_t state = current.mission_state;
         const bool isUnderWay = state == MISSION_STATE_UNKNOWN || state == MISSION_STATE_ACTIVE;
@@ -52,13 +53,27 @@ Status Client::Starting::on(Client& client, CommandEvent event, Status status, c
     }
   }
   note(client);
-  if (status == Status::Unproven) client.setAboard(PlanType::Mission, Aboard::OtherPlan);
+  noted(client, status);
+  if (status == Status::Unproven) {
+    client.setAboard(PlanType::Mission, Aboard::OtherPlan);
+    if (client.isArmed()) status = Status::FliesOtherPlan;
+  }
   if (status == Status::OtherItem) client.state_.failedItem = client.ownItem(start.seen());
   return start.isLooking() && status == Status::Transferring ? Status::Checking : status;
 }
 
+// Somebody has set another mode, or has disarmed it.
+Status Client::Starting::noted(Client& client, Status ended) {
+  if (ended == Status::TakenOver || ended == Status::Overruled || ended == Status::NotArmed) {
+    const bool isFailsafe = client.link_.finder().heartbeat().state >= MAV_STATE_CRITICAL;
+    client.noteTaken(isFailsafe ? Status::FailsafeHasIt : Status::PilotHasIt);
+  }
+  return ended;
+}
+
 // Whether the plan may be flown: Transferring, or why not.
 Status Client::Starting::mayBegin(Client& client) {
+  if (client.known_.takenBy != Status::Idle) return client.known_.takenBy;
   if (client.isArmed() && !client.state_.armedAllowed) return Status::Armed;
   if (client.aboard() != Aboard::OurPlan) return Status::Unproven;
   if (client.state_.infeasible) return Status::Infeasible;
@@ -75,8 +90,8 @@ void Client::Starting::begin(Client& client) {
   // ArduPilot's item 0 is home. When home is set as the current item, ArduPilot resets its jump counters and begins
   // with item 1.
   const uint16_t first = item != 0 ? client.plan_.numbers().toWire(item) : item;
-  // If the plan that was uploaded last is a fence, plan_ is no mission any more.
-  client.commanding_.start.begin(first, client.rest_.planType == PlanType::Mission, client.plan_.firmware());
+  // If the plan that was given last is a fence, or was refused, plan_ is not the mission aboard.
+  client.commanding_.start.begin(first, client.isMissionInPlan(), client.plan_.firmware());
 }
 
 Aircraft Client::Starting::aircraftOf(const Client& client, uint16_t nowMs) {
@@ -116,8 +131,8 @@ void Client::Starting::fill(Client& client, FlightCommand& command) {
   switch (start.message()) {
     case StartTransfer::Message::Mode: return fillModeNumber(command, start.modeToSet());
     case StartTransfer::Message::FirstItem: command.x = start.first(); return;  // MISSION_SET_CURRENT
-    case StartTransfer::Message::Arm: return Arming::fill(client, command);
-    case StartTransfer::Message::Disarm: return Arming::fillDisarming(client, command);
+    case StartTransfer::Message::Arm: return fillArming(command, true);
+    case StartTransfer::Message::Disarm: return fillArming(command, false);
     case StartTransfer::Message::AskCurrent:
       command.id = MAV_CMD_REQUEST_MESSAGE;
       command.param1 = floatOf(MAVLINK_MSG_ID_MISSION_CURRENT);

@@ -12,8 +12,6 @@ using namespace detail;
 Status Client::startUpload(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
-  // "Our plan" is this one from now on, and what was ours is what was aboard before.
-  if (aboard(type) == Aboard::OurPlan) setAboard(type, Aboard::AsBefore);
   setPlan(plan, type);
   rest_.options.readBack = nullptr;
   return uploadKeptPlan();
@@ -25,6 +23,7 @@ Status Client::refuseType() {
 }
 
 void Client::setPlan(const ItemSource& plan, PlanType type) {
+  if (rest_.planType != type || !plan_.isFrom(plan)) setOfPlan(false);
   plan_.setSource(plan);
   rest_.planType = type;
   state_.tooLong = plan.count > kMaxItems;
@@ -130,6 +129,8 @@ void Client::beginTransfer() { transfer_.begin(plan_.wireCount(), plan_.firmware
 
 void Client::Uploading::begin(Client& client, uint16_t nowMs) {
   client.beginTransfer();
+  // "Our plan" is this one from now on, and what was ours is what was aboard before.
+  client.aboutPlan(Aboard::AsBefore);
   if (client.state_.announcePart != nullptr) client.state_.announcePart(client, true);
   client.opaqueId_.begin();
   client.state_.next = 0;
@@ -185,7 +186,7 @@ Status Client::Uploading::proven(Client& client, uint32_t opaqueId) {
     if (client.plan_.has(kSaysChecksum) && opaqueId != 0 && opaqueId != client.opaqueId_.value())
       return Status::OtherPlanAboard;
   }
-  if (client.state_.type == PlanType::Mission) client.rest_.planId = opaqueId;
+  if (client.state_.type == PlanType::Mission) client.known_.planId = opaqueId;
   return Status::Accepted;
 }
 

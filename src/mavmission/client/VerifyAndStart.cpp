@@ -53,7 +53,7 @@ void Client::VerifiedStart::start(Client& client, Status status) {
 Status Client::VerifiedStart::on(Client& client, CommandEvent event, Status status, const FrameParser* frame,
                                  uint16_t nowMs) {
   status = Starting::on(client, event, status, frame, nowMs);
-  if (status != Status::Done || client.rest_.planId != 0) return status;
+  if (status != Status::Done || client.known_.planId != 0) return status;
   client.startOperation(ReadingPlan::step);
   client.reading_.take = ReadingPlan::compare;
   client.state_.isCompared = true;
@@ -67,12 +67,13 @@ void Client::VerifiedStart::end(Client& client, Status status) {
   takeLook(client);
   if (status == Status::Cancelled) return client.end(status);
   if (status == Status::Differs) client.setAboard(PlanType::Mission, Aboard::OtherPlan);
-  if (!client.isArmed()) return client.end(Status::NotArmed);
+  if (!client.isArmed()) return client.end(Starting::noted(client, Status::NotArmed));
   const uint16_t wanted = client.numberOf(FlightMode::Auto);  // kNoMode: its modes are not known
-  if (wanted != kNoMode && client.shownMode() != wanted) return client.end(Status::TakenOver);
-  if (status == Status::Verified) return client.end(Status::Done);
+  if (wanted != kNoMode && client.shownMode() != wanted) return client.end(Starting::noted(client, Status::TakenOver));
+  // What was read behind a standstill may be over: so may what the heartbeat before has shown.
+  if (status == Status::Verified) return client.end(client.link_.isOld() ? Status::Unconfirmed : Status::Done);
   // Not to be read is not to be another plan: it goes on with what it flies.
-  if (status != Status::Differs) return client.end(Status::Unproven);
+  if (status != Status::Differs) return client.end(Status::FliesOtherPlan);
   client.beginCommand(Starting::fill, leaveOther);
   client.state_.status = Status::Checking;
 }

@@ -36,6 +36,18 @@ bool Link::maySpeak() const {
   return finder_.isFound() || state_.ownSystemId != 0;
 }
 
+void Link::look(uint32_t nowMs) {
+  const uint32_t gapMs = nowMs - state_.emptyMs;
+  const uint16_t upper = static_cast<uint16_t>(gapMs >> 16);
+  if (upper != 0) finder_.forget();
+  state_.gap = upper != 0 || static_cast<uint16_t>(gapMs) >= 255 * kGapMs
+                   ? 255
+                   : static_cast<uint8_t>(static_cast<uint16_t>(gapMs) / kGapMs);
+  if (isBlind()) state_.isCurrent = false;
+}
+
+void Link::noteEmpty(uint32_t nowMs) { state_.emptyMs = nowMs; }
+
 bool Link::canSend() const { return outbox_.isEmpty(); }
 
 void Link::add(MoreKeys& listener) {
@@ -58,9 +70,12 @@ bool Link::takeHeartbeat(uint16_t nowMs) {
   const uint8_t vehicleType = static_cast<uint8_t>(typeAndAutopilot);
   const uint8_t autopilot = static_cast<uint8_t>(typeAndAutopilot >> 8);
   if (!finder_.onHeartbeat(systemId, componentId, autopilot, vehicleType, nowMs)) return false;
+  if (!isBlind()) state_.isCurrent = true;
   if (isPrepared()) outbox_.drop();
   Heartbeat& heartbeat = finder_.toFill();
+  const uint8_t before = heartbeat.state;
   given.copyPayload(&heartbeat, offsetof(mavlink_heartbeat_t, mavlink_version));
+  finder_.noteState(before);
   const bool isV1 = !given.isV2();
   state_.hearsV1 = isV1;
   if (!state_.isVersionSet) state_.speaksV1 = isV1;
@@ -157,7 +172,10 @@ void Link::pack(uint8_t* payload, const MessageKey* key) {
     payload[target] = finder_.heartbeat().systemId;
     payload[target + 1] = finder_.heartbeat().componentId;
   }
-  outbox_.begin(speaksV1(), state_.sequence, systemId(), componentId());
+  // A type of plan that MAVLink 1 would cut off would be another plan's: a frame says all of it, or waits for nobody.
+  const uint8_t lengthV1 = fromFlash(&key->lengthV1);
+  const bool isCut = lengthV1 != fromFlash(&key->length) && payload[lengthV1] != 0;
+  outbox_.begin(speaksV1() && !isCut, state_.sequence, systemId(), componentId());
   outbox_.complete(key, payload);
 }
 

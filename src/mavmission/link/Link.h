@@ -32,6 +32,27 @@ class Link : public LinkRules {
   void setSourceIds(uint8_t systemId, uint8_t componentId);
   void setMavlinkVersion(MavlinkVersion speak);
 
+  // --- How old is what is read
+  //
+  // What waits in the receive buffer may have been there since loop() stood still, however long that was, and on every
+  // board for as long as its buffer is large. A clock does not tell: but what is read now has come after the buffer was
+  // last seen empty.
+
+  // To be called when update() begins, with millis().
+  MAVMISSION_APART void look(uint32_t nowMs);
+  // All bytes that had come were read.
+  MAVMISSION_APART void noteEmpty(uint32_t nowMs);
+  // True while what is read may be older than kOldMs: no order leaves behind such a heartbeat.
+  bool isOld() const { return state_.gap >= kOldMs / kGapMs; }
+  // The same for kBlindMs.
+  bool isBlind() const { return state_.gap >= kBlindMs / kGapMs; }
+  // True if a heartbeat of the autopilot has come since loop() stood still last: what it shows is how it is.
+  bool isCurrent() const { return state_.isCurrent; }
+  // The same for somebody who asks between two calls of update(), perhaps behind a standstill that it has not seen yet.
+  MAVMISSION_APART bool isCurrentAt(uint32_t nowMs) const {
+    return state_.isCurrent && nowMs - state_.emptyMs < kBlindMs;
+  }
+
   // Reads on to the autopilot's next frame that is addressed to us; false when no more bytes have come or the budget is
   // used up.
   bool receive(FrameParser::Budget& budget, uint16_t nowMs);
@@ -88,6 +109,8 @@ class Link : public LinkRules {
   // Spoils that message, if it is still going out: what it says is no longer true.
   void spoilForeign(const void* payload) { outbox_.spoilForeign(payload); }
   void spoil() { outbox_.spoil(); }
+  // What is being sent is for an autopilot that is not ours any more: the rest of it does not leave.
+  void cut() { outbox_.cut(); }
   bool isSent() const { return canSend(); }
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.
@@ -134,9 +157,11 @@ class Link : public LinkRules {
   bool takeHeartbeat(uint16_t nowMs);  // true if it is the autopilot's
   void pack(uint8_t* payload, const MessageKey* key);
 
+  static constexpr uint8_t kGapMs = 4;
   static constexpr uint8_t kLateFrames = 63;
 
   struct State {
+    uint32_t emptyMs;  // when the receive buffer was last seen empty
     uint16_t heardByteMs;
     uint16_t heartbeatMs;
     uint32_t bytes;
@@ -153,6 +178,8 @@ class Link : public LinkRules {
     bool heartbeatSent : 1;
     bool sequenceKnown : 1;
     bool hearsV1 : 1;  // the autopilot's last heartbeat was a MAVLink 1 frame
+    bool isCurrent : 1;
+    uint8_t gap;  // how long ago the receive buffer was seen empty when this update() began; at most 255 [kGapMs]
   };
 
   // What is asked for in every update() lies first, where avr-gcc reaches it cheaply, also as a part of Client.

@@ -62,6 +62,12 @@ class Outbox {
     if (!isEmpty() && writeForeign_ == nullptr) frame_[length_ - 1] ^= 0xFF;
   }
 
+  // The rest of a frame that is being sent does not leave.
+  void cut() {
+    length_ = sent_;
+    drop();
+  }
+
   // Completes a MAVLink 2 frame with a message whose payload of `length` bytes is made piece by piece while it goes
   // out. Such a frame cannot be signed.
   void completeStreamed(const MessageKey* key, uint8_t length, NextPiece next, void* context);

@@ -119,7 +119,7 @@ MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t f
   if (kind == K) return true;
   if (kind == D || kind == NoYaw) {
     kept.bits = 0;
-    return true;
+    return kind == D || field == kYaw || (sent.bits << 1) == 0;  // NoHold
   }
   if (kind == Height && isZ) {
     if (!is && (isByArduPilot(keeper) || isByOwn(keeper))) makeHundredths(&kept);

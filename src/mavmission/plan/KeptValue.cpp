@@ -118,9 +118,10 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
   int32_t found = 0;
   const bool isInt32 = whole(value, found);
   switch (kind) {
+    case NoHold: return 0;
     case Sign: return (bits & 0x80000000) != 0 ? -1 : 1;
     case Special:
-      if (field == ItemField::Param2 || field == ItemField::Param4) return 0;  // Zero
+      if (field == ItemField::Param2 || field == ItemField::Param4 || isByOwn(keeper)) return 0;  // Zero
       return keptSpecial(value, field == ItemField::Param3, keeper);
     case Centimetres: return keptHundredths(value);
     case U1:

@@ -45,7 +45,6 @@ MovingTarget::MovingTarget(Steering& steering, Other other)
       steering_(steering),
       other_(other),
       renewedMs_(0),
-      updatedMs_(0),
       timeoutMs_(kTimeoutMs),
       sentMs_(0),
       beganMs_(0),
@@ -60,7 +59,6 @@ MovingTarget::MovingTarget(Steering& steering, Other other)
       ending_(Status::Idle),
       stage_(Stage::Off),
       isBlind_(false),
-      isStale_(false),
       isStopped_(false),
       hasSent_(false),
       isOrdered_(false),
@@ -98,9 +96,9 @@ void MovingTarget::begin() {
   status_ = Status::Transferring;
   toReturn_ = Status::Idle;
   frame_ = steering_.frame_;
-  isBlind_ = isStale_ = isStopped_ = hasSent_ = isOrdered_ = isHere_ = false;
+  isBlind_ = isStopped_ = hasSent_ = isOrdered_ = isHere_ = false;
   isAimed_ = true;
-  renewedMs_ = updatedMs_ = millis();
+  renewedMs_ = millis();
 }
 
 // Why no target is taken any more; Transferring: it is.
@@ -158,9 +156,7 @@ Status MovingTarget::update() {
 
 void MovingTarget::take(Listener& listener, const FrameParser& frame) {
   MovingTarget& self = static_cast<MovingTarget&>(listener);
-  // The first bytes that are read after a standstill are older than that.
-  const bool isNew = !self.isStale_ || since(self.blindMs_, static_cast<uint16_t>(millis())) >= kEveryMs;
-  if (isNew && self.isFromAutopilot(frame)) self.isBlind_ = self.isStale_ = false;
+  if (self.isFromAutopilot(frame) && self.client_.link().isCurrent()) self.isBlind_ = false;
 }
 
 // A loop() that has stood still, or has not heard the autopilot, knows neither where the aircraft is nor who has it.
@@ -168,17 +164,12 @@ void MovingTarget::take(Listener& listener, const FrameParser& frame) {
 void MovingTarget::look(uint32_t nowMs) {
   const uint16_t shortMs = static_cast<uint16_t>(nowMs);
   const uint16_t quietMs = client_.autopilot().quietMs(shortMs);
-  const bool hasStoodStill = nowMs - updatedMs_ >= kBlindMs;
-  if (hasStoodStill || (quietMs >= kBlindMs && !isBlind_)) {
+  const bool isCurrent = client_.link().isCurrentAt(nowMs);
+  if (!isBlind_ && (!isCurrent || quietMs >= kBlindMs)) {
     isBlind_ = true;
     blindMs_ = shortMs;
+    if (!isCurrent) spoil();
   }
-  if (hasStoodStill) {
-    isStale_ = true;
-    spoil();
-  }
-  updatedMs_ = nowMs;
-  if (isBlind_) steering_.positionAge_ = 255;
   if (stage_ != Stage::Off && (isBlind_ || quietMs >= kQuietMs)) ask(shortMs);
 }
 
@@ -200,7 +191,7 @@ void MovingTarget::ask(uint16_t nowMs) {
 bool MovingTarget::isLate() const { return isStopped_ || millis() - renewedMs_ > timeoutMs_; }
 
 // True while the client's operation is the beginning, or the hold.
-bool MovingTarget::isOperating() const { return client_.commands().runs(on); }
+bool MovingTarget::isOperating() const { return client_.commands().runs(on) && client_.commands().owner() == this; }
 
 // True while the sketch has ordered something else of the Steering.
 bool MovingTarget::isSteered() const { return steering_.isRunning() && !steering_.is(kAdjusts); }
@@ -209,7 +200,7 @@ bool MovingTarget::needsStream() const { return has(client_.autopilot().firmware
 
 // True while the sketch is in control, and in the mode in which it follows.
 bool MovingTarget::mayFollow() const {
-  return client_.autopilot().isArmed() && steering_.ownMode_ == mode_ && steering_.maySteer() &&
+  return client_.autopilot().isArmed() && steering_.ownMode_ == mode_ && steering_.isOurs() &&
          client_.commands().shownMode() == mode_;
 }
 
@@ -217,10 +208,10 @@ bool MovingTarget::mayFollow() const {
 Status MovingTarget::whoHasIt() const {
   if (!client_.autopilot().isFound()) return Status::NoAutopilot;
   const uint16_t own = steering_.ownMode_;
-  if (own != kNoMode && own != mode_ && steering_.maySteer()) return Status::Cancelled;  // by the sketch
+  if (own != kNoMode && own != mode_ && steering_.isOurs()) return Status::Cancelled;  // by the sketch
+  if (!client_.autopilot().isArmed()) return Status::NotArmed;
   const Status others = steering_.otherHands();
-  if (others != Status::Transferring) return others;
-  return client_.autopilot().isArmed() ? Status::PilotHasIt : Status::NotArmed;
+  return others != Status::Transferring ? others : Status::PilotHasIt;
 }
 
 // --- The beginning
@@ -244,7 +235,12 @@ Status MovingTarget::on(Client& client, CommandEvent event, Status status, const
 Status MovingTarget::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
   if (stage_ == Stage::Starting) {
     status = onStart(event, status, nowMs);
-    if (status == Status::Done) stage_ = Stage::Following;
+    if (status == Status::Done) {
+      stage_ = Stage::Following;
+      // One stream at a time: the one before goes over to this one without a gap.
+      if (steering_.stream_ != nullptr && steering_.stream_ != this) steering_.stream_->finish(Status::Cancelled);
+      steering_.stream_ = this;
+    }
     if (status != Status::Transferring && status != Status::Done) finish(status);
     return status;
   }
@@ -274,7 +270,6 @@ Status MovingTarget::onStart(CommandEvent event, Status status, uint16_t nowMs) 
       return Status::Done;
     }
     steering_.step_ = SteerStep::Mode;
-    sending.guard();
   }
   if (steering_.step_ != SteerStep::Mode || sending.isUrgent()) return status;
   const bool isListening = sending.state() == CommandTransfer::State::Listening;
@@ -284,7 +279,6 @@ Status MovingTarget::onStart(CommandEvent event, Status status, uint16_t nowMs) 
     if (!isListening) sending.listen(SteerRules::kConfirmMs, nowMs);
   } else if (isListening) {
     sending.next(true);
-    sending.guard();
   }
   return status;
 }
@@ -341,7 +335,7 @@ void MovingTarget::aimHere() {
   isHere_ = true;
   if (other_ != nullptr) return;  // it stands still without a place
   const bool isAboveSea = has(client_.autopilot().firmware(), kAltitudesAreAboveSea);
-  isAimed_ = steering_.positionAge_ <= SteerRules::kFreshBeats;
+  isAimed_ = !isBlind_ && steering_.isPositionKnown();
   at_ = steering_.here_;
   heightCm_ = isAboveSea ? steering_.seaCm_ : steering_.homeCm_;
   frame_ = isAboveSea ? Frame::Global : Frame::GlobalRelative;
@@ -355,6 +349,7 @@ void MovingTarget::spoil() {
 
 void MovingTarget::finish(Status status) {
   spoil();
+  if (steering_.stream_ == this) steering_.stream_ = nullptr;
   stage_ = Stage::Off;
   status_ = toReturn_ = status;
 }

@@ -15,7 +15,6 @@ using namespace detail;
 Status PlanFiles::ensure(const ItemSource& plan, PlanType type) {
   const Status status = upload(plan, type);
   if (isEnd(status)) return status;
-  plans().nowAboard(Aboard::NotKnown);  // what was known was about the plan before
   if (client_.runs(writeStep)) {
     beginOperation(ensureStep);
     plans().goOnBy(ensureStep, *this);
@@ -45,6 +44,7 @@ struct PlanFiles::EnsuringFile : OperationParts {
     if (!self.isChecked(false)) return;
     if (!self.isForFile()) return self.plans().ensureByItems();
     self.client_.beginTransferring(nowMs);
+    self.plans().nowAboard(Aboard::NotKnown);  // what was known was about the plan before
     self.isWholeLook_ = true;
     self.beginComparing(takeEnsured);
     self.beginReading();

@@ -100,7 +100,6 @@ Status StandardModes::onEvent(CommandEvent event, Status status, uint16_t nowMs)
     case CommandEvent::Ready:
       if (isSetting() && wanted_ == StandardMode::NonStandard) return Status::NoSuchMode;
       before_ = client_.commands().shownMode();
-      if (isSetting()) client_.commands().sending().guard();
       return client_.link().speaksV1() ? Status::NeedsMavlink2 : status;
     case CommandEvent::Accepted:
       if (!isSetting() || isAsking_) {

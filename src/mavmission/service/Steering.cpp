@@ -20,6 +20,9 @@ const MessageKey kSteered[] PROGMEM = {
     MAVMISSION_LISTENER_KEY(EXTENDED_SYS_STATE),
 };
 
+// A long time without a wrap [1.024 s].
+uint16_t secondsNow() { return static_cast<uint16_t>(millis() >> 10); }
+
 constexpr uint8_t kSameE7 = 2;   // PX4 cuts the last digit of a target
 constexpr uint8_t kSameCm = 10;  // and gives its altitude as a float
 
@@ -38,9 +41,12 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   step_ = SteerStep::None;
   refusal_ = Status::Idle;
   landedState_ = MAV_LANDED_STATE_UNDEFINED;
-  positionAge_ = targetAge_ = 255;
+  targetAge_ = 255;
+  knowledge_ = 0;
+  positionS_ = 0x8000;
+  stream_ = nullptr;
   seenDisarmed_ = hasArmed_ = isModeSeen_ = isHeard_ = isAnswered_ = isTargetSame_ = false;
-  isOrdered_ = isDenied_ = canHover_ = false;
+  isOrdered_ = isDenied_ = canHover_ = hadControl_ = wasArmed_ = isRequested_ = false;
 }
 
 // --- What the sketch calls
@@ -87,8 +93,7 @@ Status Steering::setSpeed(MetresPerSecond speed) {
 bool Steering::isRunning() const { return client_.commands().runs(on); }
 
 bool Steering::hasArrived(uint16_t withinCm) const {
-  const bool isKnown = positionAge_ <= kFreshBeats && client_.autopilot().isFound();
-  if (!isKnown || isRunning() || ownMode_ == kNoMode) return false;
+  if (!isPositionKnown() || !client_.link().isCurrentAt(millis()) || isRunning() || ownMode_ == kNoMode) return false;
   if (target_.above == Above::Home && !isNear(homeCm_, target_.heightCm, withinCm)) return false;
   if (target_.above == Above::Sea && !isNear(seaCm_, target_.heightCm, withinCm)) return false;
   if (!target_.hasPlace) return target_.above != Above::Nothing;
@@ -117,35 +122,65 @@ void Steering::take(Listener& listener, const FrameParser& frame) {
 }
 
 void Steering::takeHeartbeat() {
-  if (positionAge_ != 255) ++positionAge_;
   if (targetAge_ != 255) ++targetAge_;
+  if (knowledge_ != client_.autopilot().knowledge()) forgetShown();
   const uint16_t shown = client_.commands().shownMode();
-  if (!client_.autopilot().isArmed()) seenDisarmed_ = true;
+  const bool isArmed = client_.autopilot().isArmed();
+  if (!isArmed) {
+    seenDisarmed_ = true;
+    if (wasArmed_) ownMode_ = kNoMode;  // whoever arms it now may set that mode, too
+  }
+  wasArmed_ = isArmed;
   // The sketch's own setMode() is about to end.
-  if (client_.commands().isSetting(shown)) ownMode_ = shown;
-  if (shown == ownMode_ && !isFailsafe()) return;
-  ownMode_ = ownMode_ == kPx4TakeOff && hasClimbed() ? shown : kNoMode;
+  if (client_.commands().isSetting(shown) || isRequested_) ownMode_ = shown;
+  isRequested_ = false;
+  if (shown != ownMode_ || isFailsafe()) {
+    ownMode_ = ownMode_ == kPx4TakeOff && hasClimbed() ? shown : kNoMode;
+  }
+  // What an order of the sketch's own sees, it judges by itself: who had control before is looked at when it has ended.
+  if (client_.running() != Status::Idle && client_.commands().isCommanding()) return;
+  const bool hasControl = isOurs();
+  if (hadControl_ && isArmed && !hasControl && !mayBeOfPlan()) client_.noteTaken(whoFlies());
+  hadControl_ = isArmed && hasControl;
+}
+
+// What was shown before counts no more.
+void Steering::forgetShown() {
+  const uint8_t now = client_.autopilot().knowledge();
+  // (Whoever has the same aircraft behind a gap has taken it from the sketch, if the sketch had it before.)
+  if (!AutopilotFinder::isSame(knowledge_, now)) seenDisarmed_ = hadControl_ = false;
+  knowledge_ = now;
+  ownMode_ = kNoMode;
+  landedState_ = MAV_LANDED_STATE_UNDEFINED;
+  targetAge_ = 255;
+  positionS_ = static_cast<uint16_t>(secondsNow() + 0x8000);
+  canHover_ = false;
+  forgetTarget();
+}
+
+bool Steering::isPositionKnown() const { return static_cast<uint16_t>(secondsNow() - positionS_) <= kFreshS; }
+
+void Steering::requestControl() {
+  client_.noteTaken(Status::Idle);
+  seenDisarmed_ = isRequested_ = true;
 }
 
 // At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.
 bool Steering::hasClimbed() const {
   const Place& top = is(kFromGround) ? wanted_ : target_;
   return client_.commands().shownMode() == client_.commands().numberOf(FlightMode::Hold) && !isFailsafe() &&
-         isInAir() && positionAge_ <= kFreshBeats &&
-         isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
+         isInAir() && isPositionKnown() && isNear(top.above == Above::Sea ? seaCm_ : homeCm_, top.heightCm, kTopCm);
 }
 
 void Steering::takePosition(const FrameParser& frame) {
+  if (client_.link().isOld()) return;
   typedef mavlink_global_position_int_t Position;
   here_.latitude = Degrees::fromE7(static_cast<int32_t>(frame.payloadLong(offsetof(Position, lat))));
   here_.longitude = Degrees::fromE7(static_cast<int32_t>(frame.payloadLong(offsetof(Position, lon))));
   seaCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, alt))) / 10;
   homeCm_ = static_cast<int32_t>(frame.payloadLong(offsetof(Position, relative_alt))) / 10;
-  positionAge_ = 0;
-  if (step_ != SteerStep::AskPosition || !client_.commands().isCommanding()) return;
-  CommandTransfer& sending = client_.commands().sending();
-  client_.commands().lookAtClock(static_cast<uint16_t>(millis()));  // a listener hears before the operation does
-  if (!sending.isOld()) isHeard_ = true;
+  positionS_ = secondsNow();
+  if (step_ == SteerStep::AskPosition) isHeard_ = true;
 }
 
 void Steering::takeTarget(const FrameParser& frame) {

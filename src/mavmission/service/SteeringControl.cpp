@@ -14,13 +14,6 @@ bool Steering::changesMode() const {
   return step_ == SteerStep::Mode || (step_ == SteerStep::Command && oldMode_ != change_.wanted());
 }
 
-// What arms does not change the mode, but PX4 flies its mission when it is armed in that mode. A speed changes what a
-// failsafe of PX4 flies, of which its heartbeat tells up to a second later.
-bool Steering::isGuarded() const {
-  const bool isLateTold = is(kAdjusts) && !has(client_.autopilot().firmware(), kIsActiveInAir);
-  return changesMode() || step_ == SteerStep::Arm || (step_ == SteerStep::Command && isLateTold);
-}
-
 // To be called before each event is looked at: the client sends behind them.
 void Steering::noteSent() {
   if (client_.commands().sending().tries() == 0) return;
@@ -35,11 +28,20 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
   if (step_ == SteerStep::Disarm) return client_.autopilot().isArmed() ? Status::Transferring : refusal_;
   const uint16_t shown = client_.commands().shownMode();
   const bool isUnderWay = isOrdered_ && sending.mayBeUnderWay(nowMs);
+  // What the takeoff has armed, or has found armed, somebody has disarmed.
+  const bool wasArmed = step_ > SteerStep::Arm || (step_ == SteerStep::Arm && isAnswered_ && sending.isDue());
+  if (is(kFromGround) && wasArmed && step_ != SteerStep::GiveBack && !client_.autopilot().isArmed()) {
+    client_.noteTaken(Status::PilotHasIt);
+    return Status::NotArmed;
+  }
   if (isFailsafe() && (!isUnderWay || shown == change_.wanted())) return leaveTo(Status::FailsafeHasIt);
   const bool hasTakenOff = change_.wanted() == kPx4TakeOff && hasClimbed();
   if (oldMode_ == kPx4TakeOff && ownMode_ == shown && !isOrdered_) lead(shown, change_.wanted());
   switch (change_.onHeartbeat(hasTakenOff ? kPx4TakeOff : shown, isOrdered_, isUnderWay)) {
-    case ModeOrder::Sight::Before: break;
+    case ModeOrder::Sight::Before:
+      // It has taken the order, and left that mode by itself: again would be the same.
+      if (step_ == SteerStep::Mode && isAnswered_ && sending.isDue()) return leave(Status::Unconfirmed);
+      break;
     case ModeOrder::Sight::Wanted:
       if (change_.isRestoring()) return leaveTo(whoFlies());
       // Not by this order: somebody else has set its mode.
@@ -63,6 +65,7 @@ Status Steering::onOwnMode(uint16_t nowMs) {
   if (isDenied_) return refusal_;
   isModeSeen_ = true;
   ownMode_ = client_.commands().shownMode();
+  hadControl_ = client_.autopilot().isArmed();
   // PX4 takes off in a mode that its takeoff command alone sets: that mode stands for the acceptance, and no repeat is
   // sent.
   const bool isTakingOff = isOrdered_ && step_ == SteerStep::Command && ownMode_ == kPx4TakeOff;
@@ -75,6 +78,7 @@ Status Steering::onOwnMode(uint16_t nowMs) {
 // The aircraft is somebody else's. If this operation has armed it, and it stands on the ground, it is disarmed first:
 // in the air autopilots refuse that.
 Status Steering::leaveTo(Status other) {
+  client_.noteTaken(other);
   if (!hasArmed_ || isInAir()) return other;
   refusal_ = other;
   step_ = SteerStep::Disarm;

@@ -1,6 +1,8 @@
 // Steering: who has the aircraft, and what is refused before anything is sent.
 #include "../Steering.h"
 
+#include <Arduino.h>
+
 #include "../client/CommandPort.h"
 #include "../link/Messages.h"
 #include "SteeringNumbers.h"
@@ -33,7 +35,10 @@ bool Steering::isFailsafe() const {
          client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL;
 }
 
-bool Steering::maySteer() const {
+bool Steering::maySteer() const { return client_.link().isCurrentAt(millis()) && isOurs(); }
+
+// As the last heartbeat has shown it, however old that is.
+bool Steering::isOurs() const {
   if (!client_.autopilot().isFound() || isFailsafe()) return false;
   return isMissionMode() || (ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_);
 }
@@ -88,7 +93,7 @@ Status Steering::refuseNumbers() {
 }
 
 // Who has the aircraft, as a status; Transferring: this sketch, or the mission.
-Status Steering::otherHands() const { return maySteer() ? Status::Transferring : whoFlies(); }
+Status Steering::otherHands() const { return isOurs() ? Status::Transferring : whoFlies(); }
 
 // The same of a mode that somebody else has set, the mission's included.
 Status Steering::whoFlies() const {
@@ -106,12 +111,29 @@ bool Steering::isPlane() const {
   return has(client_.autopilot().firmware(), kModesByVehicle) && detail::isPlane(client_.autopilot().vehicleType());
 }
 
-// ArduPilot's heartbeat says ACTIVE in the air only; PX4's does as soon as it is armed.
+// True if the heartbeat tells whether it is in the air. ArduPilot's says ACTIVE in the air only, and CRITICAL in the
+// air and on the ground; PX4's says ACTIVE as soon as it is armed.
+bool Steering::isToldByHeartbeat() const {
+  return has(client_.autopilot().firmware(), kIsActiveInAir) &&
+         client_.autopilot().heartbeat().state < MAV_STATE_CRITICAL;
+}
+
+// Where the heartbeat does not tell, the autopilot has been asked.
 bool Steering::isInAir() const {
-  if (has(client_.autopilot().firmware(), kIsActiveInAir)) {
-    return client_.autopilot().isArmed() && client_.autopilot().heartbeat().state >= MAV_STATE_ACTIVE;
+  if (!isToldByHeartbeat()) return landedState_ >= MAV_LANDED_STATE_IN_AIR;
+  return client_.autopilot().isArmed() && client_.autopilot().heartbeat().state == MAV_STATE_ACTIVE;
+}
+
+// The plan of a plane, and that of a PX4, may end in the mode RTL or HOLD, which a pilot may have set, too: in RTL it
+// is not steered, but it counts as taken by nobody.
+bool Steering::mayBeOfPlan() const {
+  const uint16_t shown = client_.commands().shownMode();
+  const CommandPort& commands = client_.commands();
+  if (client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL) return false;
+  if (has(client_.autopilot().firmware(), kFliesByMode)) {
+    return isPlane() && shown == commands.numberOf(FlightMode::ReturnToLaunch);
   }
-  return landedState_ >= MAV_LANDED_STATE_IN_AIR;
+  return shown == commands.numberOf(FlightMode::ReturnToLaunch) || shown == commands.numberOf(FlightMode::Hold);
 }
 
 // Whether the order fits an aircraft that flies, or one that stands.
@@ -124,6 +146,7 @@ Status Steering::refuse() {
   const Status numbers = refuseNumbers();
   if (numbers != Status::Transferring) return numbers;
   const bool isTakeOff = is(kFromGround);
+  if (isTakeOff && client_.takenBy() != Status::Idle) return client_.takenBy();
   if (wantedMode() == kNoMode) return Status::NoSuchMode;
   if (client_.autopilot().isArmed()) {
     if (!seenDisarmed_ && !client_.isAllowedWhileArmed()) return Status::Armed;
@@ -132,11 +155,14 @@ Status Steering::refuse() {
   } else if (!isTakeOff) {
     return Status::NotArmed;
   }
-  // Of ArduPilot's, only a copter and a plane that can hover have such a command: a plane is asked.
-  if (isTakeOff && has(client_.autopilot().firmware(), kModesByVehicle) && vehicle() != Vehicle::Copter && !isPlane()) {
+  // Of ArduPilot's, only a copter and a plane that can hover have such a command: a plane is asked. PX4 would arm what
+  // drives, too.
+  const bool isKnown = has(client_.autopilot().firmware(), kModesByVehicle);
+  const bool cannotFly = isGround() || vehicle() == Vehicle::Submarine;
+  if (isTakeOff && (isKnown ? vehicle() != Vehicle::Copter && !isPlane() : cannotFly)) {
     return Status::CommandUnsupported;
   }
-  return has(client_.autopilot().firmware(), kIsActiveInAir) ? judgeFlight() : Status::Transferring;
+  return isToldByHeartbeat() ? judgeFlight() : Status::Transferring;
 }
 
 // The mode that the order leads to.

@@ -95,9 +95,9 @@ bool Steering::wantsPosition() const {
 // False if the order does not need this step on this autopilot.
 bool Steering::beginStep(uint16_t nowMs) {
   CommandTransfer& sending = client_.commands().sending();
-  const bool isHeartbeatEnough = has(client_.autopilot().firmware(), kIsActiveInAir);
+  const bool isHeartbeatEnough = isToldByHeartbeat();
   const bool isTakeOff = is(kFromGround);
-  const bool isFresh = positionAge_ <= kFreshBeats;
+  const bool isFresh = isPositionKnown();
   switch (step_) {
     case SteerStep::AskLanded:
       if ((isHeartbeatEnough && !(isTakeOff && isPlane())) || is(kAdjusts)) return false;
@@ -143,7 +143,6 @@ bool Steering::beginStep(uint16_t nowMs) {
     sending.listen(isTakeOff ? kTakeOffS * 1000u : kConfirmMs, nowMs);
   }
   if (step_ == SteerStep::Confirm) sending.ask();
-  if (isGuarded()) sending.guard();
   beganS_ = client_.seconds();
   return true;
 }
@@ -304,7 +303,7 @@ Status Steering::onTime(uint16_t nowMs) {
       // Without the answer, it would be taken for that to the next question. An autopilot that accepts the question,
       // and never tells, would be asked again and again on a line that loses.
       if (!isHeard_ || !isAnswered_) return secondsOfStep() >= kLandedS ? Status::NoAnswer : Status::Transferring;
-      if (isPlane() && !canHover_) return Status::CommandUnsupported;
+      if (is(kFromGround) && isPlane() && !canHover_) return Status::CommandUnsupported;
       const Status flight = judgeFlight();
       return flight == Status::Transferring ? nextStep(nowMs) : flight;
     }
@@ -316,7 +315,8 @@ Status Steering::onTime(uint16_t nowMs) {
         break;
       }
       if (is(kFromGround)) {
-        if (!has(client_.autopilot().firmware(), kIsActiveInAir)) {
+        if (!isToldByHeartbeat()) {
+          if (sending.state() == CommandTransfer::State::Listening && !isInAir()) sending.next(true);
           // On the ground still, or it does not say.
           if (!isInAir() && secondsOfStep() >= kTakeOffS) return leave(Status::Unconfirmed);
           if (isHeard_) {

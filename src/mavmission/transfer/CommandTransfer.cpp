@@ -16,17 +16,13 @@ void CommandTransfer::asked(uint16_t nowMs) {
   isFresh_ = 0;
 }
 
-bool CommandTransfer::look(uint16_t nowMs) {
-  if (!mayBeUnderWay(nowMs)) hasOrdered_ = 0;
-  const bool hasStoodStill = since(calledMs_, nowMs) >= kStoodStillMs;
-  if (hasStoodStill) {
-    isOld_ = 1;
-    isFresh_ = isAsking_;
-    lookedMs_ = nowMs;
-  }
-  if (since(lookedMs_, nowMs) >= kDrainMs) isOld_ = 0;
-  calledMs_ = nowMs;
-  return hasStoodStill && isGuarded_ != 0;
+bool CommandTransfer::look(bool isOld, bool isBlind, uint16_t nowMs) {
+  if (isBlind || !mayBeUnderWay(nowMs)) hasOrdered_ = 0;
+  const bool isFirst = isOld_ == 0;
+  isOld_ = isOld ? 1 : 0;
+  if (!isOld) return false;
+  isFresh_ = isAsking_;
+  return isFirst && isGuarded_ != 0;
 }
 
 void CommandTransfer::onHeartbeat(uint16_t nowMs) {
@@ -66,6 +62,10 @@ Status CommandTransfer::onTime(uint8_t asksOpen, uint16_t nowMs) {
     tries_ = 0;
     return Status::NoAnswer;
   }
+  // What has come of an order is asked for, also where its answer was lost: somebody may undo it before it would be
+  // sent again.
+  const bool isUnseen = isGuarded_ != 0 && isAsking_ == 0 && isFresh_ == 0 && state() == State::Sent;
+  if (isUnseen && since(sentMs_, nowMs) >= kAskMs) askLater();
   if (isRestoring() && tries_ >= kRestoreTries) {
     tries_ = 0;
     return Status::NoAnswer;

@@ -83,16 +83,16 @@ class CommandTransfer : public CommandRules {
 
   // --- Heartbeats
 
-  // To be called whenever update() comes by, before anything is made of what it has read. What waits in the receive
-  // buffer behind a loop() that has stood still is as old as that: no order leaves behind such a heartbeat. True where
-  // loop() has stood still, and the rest of an order may still have to leave, which nobody means any more.
-  MAVMISSION_APART bool look(uint16_t nowMs);
-  // The first look.
-  void beginLooking(uint16_t nowMs) { calledMs_ = nowMs; }
+  // To be called whenever update() comes by, before anything is made of what it has read. `isOld`: what it reads may
+  // have waited since before loop() stood still (Link::isOld()): no order leaves behind such a heartbeat. `isBlind`: so
+  // long that nothing is under way any more. True where the rest of an order may still have to leave, which nobody
+  // means any more.
+  MAVMISSION_APART bool look(bool isOld, bool isBlind, uint16_t nowMs);
   // True while what is read may have waited while loop() stood still.
   bool isOld() const { return isOld_ != 0; }
 
-  // Each attempt of the command that has begun leaves right behind a heartbeat.
+  // Each attempt of the command that has begun leaves right behind a heartbeat. (The client's gate says for which
+  // commands: autopilot/Guarded.h)
   void guard() { isGuarded_ = 1; }
   // No order leaves behind the last heartbeat.
   void forgetHeartbeat() { isFresh_ = 0; }
@@ -133,7 +133,6 @@ class CommandTransfer : public CommandRules {
 
   MAVMISSION_APART void wait(State state, uint16_t waitMs, uint16_t nowMs);
 
-  uint16_t calledMs_;  // when update() came by last
   uint16_t sentMs_;
   uint16_t waitMs_;
   uint16_t lookedMs_;  // when the last heartbeat came, or when one was asked for since; isOld_: since when

@@ -162,7 +162,6 @@ bool StartTransfer::beginStep(const Aircraft& aircraft, CommandTransfer& sending
   if (step() == StartStep::Confirm) {
     if (has(firmware, kSaysCurrentUnasked)) sending.listen(kConfirmMs, nowMs);
   } else if (step() != StartStep::FirstItem) {
-    sending.guard();
     if (step() != StartStep::Arm) isSent_ = 0;
   }
   return true;
@@ -183,6 +182,8 @@ StartTransfer::Message StartTransfer::message() const {
 Status StartTransfer::onAccepted(const Aircraft& aircraft, CommandTransfer& sending) {
   const bool isConfirmed = state() == State::Steps && step() == StartStep::Begin;
   if (!isConfirmed) {
+    // What shows it disarmed from now on, somebody has done.
+    if (message() == Message::Arm) isArmedSeen_ = 1;
     if (message() != Message::AskCurrent) sending.ask();
     return Status::Transferring;
   }
@@ -205,7 +206,6 @@ Status StartTransfer::onRefused(Status refusal, const Aircraft& aircraft, Comman
                             static_cast<uint16_t>(aircraft.seconds - beganS_) < kAutoTriesS;
   if (isTriedAgain) {
     sending.next(true);
-    sending.guard();
     sending.pause(kAutoAgainMs, aircraft.nowMs);
     return Status::Transferring;
   }
@@ -258,7 +258,8 @@ Status StartTransfer::onHeartbeatLeaving(const Aircraft& aircraft, CommandTransf
   const bool armsByMissionStart = has(aircraft.firmware, kArmsByMissionStart);
   const bool isWanted = aircraft.mode == order_.wanted() || aircraft.autoMode == kNoMode;
   const bool isTaken = !isWanted && !order_.isFrom(aircraft.mode);
-  const bool hasBegun = armsByMissionStart && isWanted && aircraft.isArmed;  // began after all
+  // It began after all; but another plan than ours is not left to it.
+  const bool hasBegun = armsByMissionStart && isWanted && aircraft.isArmed && refusal_ != Status::Unproven;
   const bool isOurArming = arming() == StartArming::Armed;
   if (isOurArming && !aircraft.isArmed) {
     const bool wasArmed = state() == State::Disarming || isArmedSeen_ != 0 || !isArmingStep(aircraft.firmware);
@@ -272,7 +273,6 @@ Status StartTransfer::onHeartbeatLeaving(const Aircraft& aircraft, CommandTransf
   if (state() == State::Leaving) {
     setState(State::Disarming);
     sending.next(true);
-    sending.guard();
   }
   return Status::Transferring;
 }
@@ -299,7 +299,6 @@ Status StartTransfer::onHeartbeatYielding(const Aircraft& aircraft, CommandTrans
   } else if (isArmedSeen_ == 0) {
     isArmedSeen_ = 1;
     sending.next(true);
-    sending.guard();
   }
   return Status::Transferring;
 }

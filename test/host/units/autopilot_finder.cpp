@@ -47,13 +47,24 @@ TEST_CASE("firmware is told by the heartbeat") {
   for (unsigned autopilot = 0; autopilot < 30; ++autopilot) {
     Finder finder;
     finder.onHeartbeat(from(1, 1, static_cast<uint8_t>(autopilot)), 0);
-    const Firmware expected = autopilot == MAV_AUTOPILOT_INVALID         ? Firmware::Unknown
+    const bool isNobody = autopilot == MAV_AUTOPILOT_INVALID || autopilot == MAV_AUTOPILOT_GENERIC;
+    const Firmware expected = isNobody                                   ? Firmware::Unknown
                               : autopilot == MAV_AUTOPILOT_ARDUPILOTMEGA ? Firmware::ArduPilot
                               : autopilot == MAV_AUTOPILOT_PX4           ? Firmware::Px4
                                                                          : Firmware::Other;
     CAPTURE(autopilot);
     CHECK(finder.firmware() == expected);
   }
+}
+
+TEST_CASE("what says GENERIC is an autopilot only where it was named") {
+  Finder finder;
+  finder.onHeartbeat(from(1, 158, MAV_AUTOPILOT_GENERIC), 0);
+  CHECK_FALSE(finder.isHeard());
+  finder.setTargetIds(1, 158);
+  finder.onHeartbeat(from(1, 158, MAV_AUTOPILOT_GENERIC), 0);
+  CHECK(finder.isCertain());
+  CHECK(finder.firmware() == Firmware::Other);
 }
 
 TEST_CASE("what is not a vehicle is not taken for an autopilot, whatever autopilot it names") {
@@ -81,9 +92,57 @@ TEST_CASE("an autopilot is lost 5 s after its last heartbeat, and found again by
   finder.onTime(6000);
   CHECK_FALSE(finder.isFound());
   CHECK(finder.firmware() == Firmware::Unknown);
+  const uint8_t knowledge = finder.knowledge();
+  finder.onTime(6500);
+  CHECK(finder.knowledge() == knowledge);
+  finder.onHeartbeat(from(2, 1), 6800);
+  CHECK_FALSE(finder.isHeard());
   finder.onHeartbeat(from(1, 1), 7000);
-  CHECK(finder.isFound());
-  CHECK_FALSE(finder.isCertain());
+  CHECK(finder.isCertain());
+  CHECK_FALSE(finder.takeChange());
+}
+
+TEST_CASE("an autopilot that is certain stays the one, whoever else is heard, also while it is silent") {
+  Finder finder;
+  finder.onHeartbeat(from(1, 1), 0);
+  finder.onTime(AutopilotFinder::kSettleMs);
+  for (uint16_t now = 1300; now < 60000; now = static_cast<uint16_t>(now + 100)) {
+    finder.onHeartbeat(from(2, 1), now);
+    finder.onTime(now);
+    CHECK(finder.isCertain() == (now < AutopilotFinder::kLostMs));
+    CHECK_FALSE(finder.severalHeard());
+  }
+  CHECK_FALSE(finder.takeChange());
+  CHECK(finder.heartbeat().systemId == 1);
+}
+
+TEST_CASE("another firmware or vehicle with the same ids, a restart, and another name are another autopilot") {
+  struct Row {
+    Heartbeat next;
+    bool isOther;
+  };
+  Heartbeat boots = from(1, 1);
+  boots.state = MAV_STATE_BOOT;
+  for (const Row& row : {Row{from(1, 1), false}, Row{from(1, 1, MAV_AUTOPILOT_ARDUPILOTMEGA), true},
+                         Row{from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_HEXAROTOR), true}, Row{boots, true}}) {
+    Finder finder;
+    finder.onHeartbeat(from(1, 1), 0);
+    finder.onTime(AutopilotFinder::kSettleMs);
+    CHECK_FALSE(finder.takeChange());
+    finder.setVehicle(true);
+    const uint8_t knowledge = finder.knowledge();
+    finder.onHeartbeat(row.next, 1300);
+    CHECK((finder.knowledge() != knowledge) == row.isOther);
+    CHECK(finder.isVehicleKnown() == !row.isOther);
+    CHECK(finder.takeChange() == row.isOther);
+    CHECK_FALSE(finder.takeChange());
+    finder.onHeartbeat(row.next, 1400);
+    CHECK_FALSE(finder.takeChange());
+    finder.setTargetIds(1, 1);
+    CHECK_FALSE(finder.takeChange());
+    finder.setTargetIds(2, 1);
+    CHECK(finder.takeChange());
+  }
 }
 
 TEST_CASE("of two autopilots none is found until one is named or falls silent") {
@@ -138,8 +197,8 @@ TEST_CASE("armed is what the last heartbeat says") {
   CHECK_FALSE(finder.isArmed());
 }
 
-TEST_CASE("a plane that says another type is a plane until the autopilot is lost or another is named") {
-  for (const bool isNamed : {false, true}) {
+TEST_CASE("a plane that says another type is a plane until another is named, also when it was silent") {
+  for (const bool isSilent : {false, true}) {
     Finder finder;
     finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_ARDUPILOTMEGA, MAV_TYPE_HEXAROTOR), 0);
     CHECK_FALSE(finder.isVehicleKnown());
@@ -148,13 +207,12 @@ TEST_CASE("a plane that says another type is a plane until the autopilot is lost
     finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_ARDUPILOTMEGA, MAV_TYPE_HEXAROTOR), 1000);
     CHECK(finder.isVehicleKnown());
     CHECK(finder.vehicleType() == MAV_TYPE_VTOL_TAILSITTER_QUADROTOR);
-    if (isNamed) {
-      finder.setTargetIds(2, 1);
-    } else {
-      finder.onTime(static_cast<uint16_t>(1000 + AutopilotFinder::kLostMs));
-    }
-    CHECK_FALSE(finder.isVehicleKnown());
+    finder.onTime(AutopilotFinder::kSettleMs);
+    if (isSilent) finder.onTime(static_cast<uint16_t>(1000 + AutopilotFinder::kLostMs));
+    CHECK(finder.isVehicleKnown());
+    finder.setTargetIds(2, 1);
     finder.onHeartbeat(from(2, 1, MAV_AUTOPILOT_ARDUPILOTMEGA, MAV_TYPE_HEXAROTOR), 9000);
+    CHECK_FALSE(finder.isVehicleKnown());
     CHECK(finder.vehicleType() == MAV_TYPE_HEXAROTOR);
   }
 }

@@ -420,6 +420,7 @@ TEST_CASE("an autopilot that does not come, or several of them, end the wait whe
     sketch.beats = false;
     sketch.run(7000);
     sketch.client.setAutopilotTimeout(4);
+    if (areTwo) sketch.client.setTargetIds(0);  // it searches anew
     sketch.client.clear();
     const uint32_t beganMs = sketch.nowMs();
     while (sketch.client.isBusy() && sketch.nowMs() - beganMs < 9000) {

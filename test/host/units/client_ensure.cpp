@@ -91,6 +91,8 @@ TEST_CASE("what was known to be aboard is not known while another plan is looked
   desk.run(10);
   REQUIRE((desk.client.aboard() == Aboard::Nothing));
   desk.client.ensure(inRam(kPlan));
+  CHECK((desk.client.aboard() == Aboard::Nothing));  // nothing has been sent
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
   CHECK((desk.client.aboard() == Aboard::NotKnown));
 }
 

@@ -252,7 +252,7 @@ TEST_CASE("what has left stays under way behind the next command, and not for ev
   transfer.next(true);
   CHECK_FALSE(transfer.lacksHeartbeat(kBeganMs));
   CHECK(transfer.mayBeUnderWay(later(kBeganMs, 100)));
-  transfer.look(later(kBeganMs, 1000));  // whether a heartbeat comes or not
+  transfer.look(false, false, later(kBeganMs, 1000));  // whether a heartbeat comes or not
   for (uint16_t ms = 1000; ms < 9000; ms = static_cast<uint16_t>(ms + 100)) {
     CHECK_FALSE(transfer.mayBeUnderWay(later(kBeganMs, ms)));
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint16_t kCommandLong = MAVLINK_MSG_ID_COMMAND_LONG;
 constexpr uint8_t kCopter = MAV_TYPE_QUADROTOR, kStation = MAV_TYPE_GCS, kBoard = MAV_TYPE_ONBOARD_CONTROLLER;
-constexpr uint8_t kAutopilot = MAV_AUTOPILOT_GENERIC, kNoAutopilot = MAV_AUTOPILOT_INVALID;
+constexpr uint8_t kAutopilot = MAV_AUTOPILOT_GENERIC_MISSION_FULL, kNoAutopilot = MAV_AUTOPILOT_INVALID;
 constexpr uint32_t kAlways = 0xFFFFFFFF;
 
 const char* nameOf(Verdict verdict) {

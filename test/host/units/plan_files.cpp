@@ -237,6 +237,8 @@ TEST_CASE("what is aboard is verified, found, and found to be another plan") {
   CHECK((pilot.client.differingField() == ItemField::Height));
   CHECK((pilot.client.aboard() == Aboard::NotKnown));
   pilot.files.ensure(inRam(kOther));
+  for (int ms = 0; ms < 20000 && pilot.client.aboard() == Aboard::OurPlan; ++ms) pilot.run(1);
+  CHECK(pilot.client.isBusy());
   CHECK((pilot.client.aboard() == Aboard::NotKnown));
   CHECK((pilot.end() == Status::Accepted));
   CHECK(pilot.said() == std::string(kReading) + ", " + kBoth);

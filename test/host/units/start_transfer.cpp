@@ -63,8 +63,15 @@ struct Flight {
     CHECK((start.state() == State::Looking));
     return look();
   }
+  // True if the client's gate lets the message leave right behind a heartbeat alone.
+  bool isOrder() const { return start.message() != Message::FirstItem && start.message() != Message::AskCurrent; }
+  bool lacksHeartbeat(uint16_t nowMs) {
+    if (isOrder()) sending.guard();
+    return sending.lacksHeartbeat(nowMs);
+  }
   void sent() {
     CHECK(sending.isDue());
+    if (isOrder()) sending.guard();
     sending.sent(aircraft.nowMs);
   }
   void sent(Message message) {
@@ -320,7 +327,7 @@ TEST_CASE("a mode is set when a heartbeat shows it, which is asked for when the 
     Flight flight = rover();
     flight.goTo(step);
     const uint16_t mode = flight.start.modeToSet();
-    CHECK(flight.sending.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)));
+    CHECK(flight.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)));
     flight.sent(Message::Mode);
     CHECK((flight.accepted() == Status::Transferring));
     CHECK(flight.isAt(step));
@@ -338,7 +345,7 @@ TEST_CASE("each order that changes the mode or arms leaves behind a heartbeat, a
       flight.goTo(step);
       if (flight.start.step() != step) continue;
       const bool isOrder = step != StartStep::FirstItem && step != StartStep::Confirm;
-      CHECK(flight.sending.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)) == isOrder);
+      CHECK(flight.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)) == isOrder);
     }
   }
 }
@@ -682,7 +689,7 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
     Flight silent = flight;
     silent.sent();
     CHECK(silent.isRepeated());
-    CHECK(silent.sending.lacksHeartbeat(silent.aircraft.nowMs));
+    CHECK(silent.lacksHeartbeat(silent.aircraft.nowMs));
   }
   flight.aircraft.seconds = static_cast<uint16_t>(began + StartTransfer::kAutoTriesS);
   flight.sent(Message::Mode);
@@ -824,7 +831,7 @@ TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
   CHECK((silent.start.arming() == StartArming::Armed));  // it is not known
 
   CHECK((flight.heartbeat(true, flight.other) == Status::Transferring));
-  CHECK_FALSE(flight.sending.lacksHeartbeat(flight.aircraft.nowMs));  // at once
+  CHECK_FALSE(flight.lacksHeartbeat(flight.aircraft.nowMs));  // at once
   flight.sent(Message::Disarm);
   CHECK((flight.accepted() == Status::Transferring));
   CHECK((flight.heartbeat() == Status::Transferring));
@@ -861,7 +868,7 @@ TEST_CASE("a mode that an order undoes is set again, and start() ends when a hea
     CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));
     CHECK((flight.start.state() == State::Restoring));
     CHECK(flight.start.modeToSet() == flight.other);
-    CHECK_FALSE(flight.sending.lacksHeartbeat(flight.aircraft.nowMs));  // at once
+    CHECK_FALSE(flight.lacksHeartbeat(flight.aircraft.nowMs));  // at once
     flight.sent(Message::Mode);
     CHECK((flight.accepted() == Status::Transferring));
     CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));

@@ -160,20 +160,18 @@ TEST_CASE("a takeoff has arrived at its height, wherever that is") {
   CHECK_FALSE(copter.steering.hasArrived());
 }
 
-TEST_CASE("a position counts for three heartbeats") {
+TEST_CASE("a position counts for three seconds") {
   Sent sent(20_m);
-  sent.beatsBySecond = false;
   REQUIRE(sent.isThere(kLatitude, kLongitude));
-  for (int i = 0; i < 3; ++i) {
-    sent.show(kGuided);
-    CHECK(sent.steering.hasArrived());
-  }
-  sent.show(kGuided);
-  CHECK_FALSE(sent.steering.hasArrived());
+  sent.hasPosition = false;
+  sent.pass(2900);
+  CHECK(sent.steering.hasArrived());
+  sent.pass(1300);
   for (int i = 0; i < 300; ++i) {  // nor does it become young again
-    sent.show(kGuided);
+    sent.pass(1000);
     if (sent.steering.hasArrived()) FAIL(i);
   }
+  sent.hasPosition = true;
   CHECK(sent.isThere(kLatitude, kLongitude));
 }
 
@@ -259,7 +257,7 @@ TEST_CASE("PX4's target has the altitude too, within 10 cm; ArduPilot's may have
 }
 
 TEST_CASE("a target is waited for if one was named within five heartbeats") {
-  for (int beats : {4, 5}) {  // and the one that is asked for
+  for (int beats : {3, 4}) {  // and those that are asked for
     Aircraft copter(ClientOnLine::kArduPilot);
     copter.fly(kAuto);
     copter.steering.pause();
@@ -278,7 +276,7 @@ TEST_CASE("a target is waited for if one was named within five heartbeats") {
     copter.steering.goTo(kPlace, 20_m);
     REQUIRE(copter.passUntil(192));
     copter.pass(100);
-    CHECK(copter.client.isBusy() == (beats == 4));
+    CHECK(copter.client.isBusy() == (beats == 3));
   }
 }
 
@@ -334,7 +332,6 @@ TEST_CASE("HOLD is a pilot's if the aircraft stands, if no position has come, or
     px4.steering.takeOff(20_m);
     REQUIRE((px4.end() == Status::Done));
     px4.hasPosition = false;
-    px4.beatsBySecond = false;
     px4.homeMm = 20000;
     px4.seaMm = 604000;
     px4.tellPosition();
@@ -343,8 +340,7 @@ TEST_CASE("HOLD is a pilot's if the aircraft stands, if no position has come, or
       px4.landed = 1;
       px4.tellLanded();
     }
-    // The heartbeat that shows HOLD is the third, or the fourth, behind the position.
-    for (int i = 0; i < (what == 2 ? 3 : 2); ++i) px4.show(kPx4TakeOff);
+    px4.pass(what == 2 ? 4200 : 2900);
     if (what == 4) px4.state = kCritical;
     px4.show(what == 3 ? kPx4Position : kPx4Hold);
     CHECK(px4.steering.maySteer() == (what == 0));

@@ -32,20 +32,20 @@ TEST_CASE("a copter takes off, flies to places, and is given back to its mission
   CHECK(copter.steering.maySteer());
   copter.pass(600);  // its position has come
   // In its mode already: without the flag that changes the mode.
-  CHECK(ORDERED(copter, goTo(kPlace, 30.25_m)) == "1: I192 frame 6 -1 0 0 nan -353630000 1491652374 30.25");
+  CHECK(ORDERED(copter, goTo(kPlace, 30.25_m)) == "2: I192 frame 6 -1 0 0 nan -353630000 1491652374 30.25");
   CHECK(ORDERED(copter, goTo(kPlace, aboveSeaLevel(630.25_m))) ==
-        "1: I192 frame 0 -1 0 0 nan -353630000 1491652374 630.25");
-  CHECK(ORDERED(copter, goTo(kPlace, aboveTerrain(30_m))) == "1: I192 frame 11 -1 0 0 nan -353630000 1491652374 30");
-  CHECK(ORDERED(copter, setSpeed(7.5_mps)) == "0: L178 1 7.5 -1 0 0 0 0");
+        "2: I192 frame 0 -1 0 0 nan -353630000 1491652374 630.25");
+  CHECK(ORDERED(copter, goTo(kPlace, aboveTerrain(30_m))) == "2: I192 frame 11 -1 0 0 nan -353630000 1491652374 30");
+  CHECK(ORDERED(copter, setSpeed(7.5_mps)) == "1: L178 1 7.5 -1 0 0 0 0");
   CHECK((copter.steering.step() == SteerStep::Command));
   copter.homeMm = 20500;
-  CHECK(ORDERED(copter, pause()) == "1: I192 frame 6 -1 0 0 nan -353632621 1491652374 20.5");
+  CHECK(ORDERED(copter, pause()) == "2: I192 frame 6 -1 0 0 nan -353632621 1491652374 20.5");
   CHECK(ORDERED(copter, resume()) == "2: L176 1 3 0 0 0 0 0");
   CHECK(ORDERED(copter, pause()) == "2: L176 1 4 0 0 0 0 0");
   CHECK(ORDERED(copter, returnHome()) == "2: L176 1 6 0 0 0 0 0");
   CHECK(ORDERED(copter, landNow()) == "2: L176 1 9 0 0 0 0 0");
   CHECK(copter.steering.maySteer());
-  CHECK(ORDERED(copter, resume()) == "2: L176 1 3 0 0 0 0 0");
+  CHECK(ORDERED(copter, resume()) == "1: L176 1 3 0 0 0 0 0");
   copter.pass(600);
   // Out of the mission: with the flag.
   CHECK(ORDERED(copter, goTo(kPlace, 30_m)) == "2: I192 frame 6 -1 1 0 nan -353630000 1491652374 30");
@@ -66,11 +66,11 @@ TEST_CASE("PX4 is asked whether it flies, where home is and how high it is, and 
   px4.mode = kPx4Hold;  // it has come to its height
   px4.pass(1000);
   CHECK(ORDERED(px4, goTo(kPlace, 30.5_m)) ==
-        "1: L512 245 0 0 0 0 0 0, L512 242 0 0 0 0 0 0, I192 frame 0 -1 0 0 nan -353630000 1491652374 614.5");
+        "2: L512 245 0 0 0 0 0 0, L512 242 0 0 0 0 0 0, I192 frame 0 -1 0 0 nan -353630000 1491652374 614.5");
   CHECK(ORDERED(px4, goTo(kPlace, aboveSeaLevel(630.25_m))) ==
-        "1: L512 245 0 0 0 0 0 0, I192 frame 0 -1 0 0 nan -353630000 1491652374 630.25");
+        "2: L512 245 0 0 0 0 0 0, I192 frame 0 -1 0 0 nan -353630000 1491652374 630.25");
   CHECK(ORDERED(px4, setSpeed(7_mps)) == "1: L178 1 7 -1 0 0 0 0");
-  CHECK(ORDERED(px4, pause()) == "1: L512 245 0 0 0 0 0 0, L192 -1 0 0 nan nan nan nan");
+  CHECK(ORDERED(px4, pause()) == "2: L512 245 0 0 0 0 0 0, L192 -1 0 0 nan nan nan nan");
   CHECK(ORDERED(px4, resume()) == "2: L512 245 0 0 0 0 0 0, L176 1 4 4 0 0 0 0");
   CHECK(ORDERED(px4, pause()) == "2: L512 245 0 0 0 0 0 0, L192 -1 1 0 nan nan nan nan");
   CHECK(ORDERED(px4, returnHome()) == "2: L512 245 0 0 0 0 0 0, L176 1 4 5 0 0 0 0");
@@ -100,7 +100,7 @@ TEST_CASE("PX4 that would fly its mission, or take off, when it is armed is set 
 TEST_CASE("a copter in GUIDED is not set to it again, and one that is armed already is not armed") {
   Aircraft copter(ClientOnLine::kArduPilot);
   copter.stand(kGuided);
-  CHECK(ORDERED(copter, takeOff(20_m)) == "2: L511 33 500000 0 0 0 0 0, L400 1 0 0 0 0 0 0, L22 0 0 0 0 0 0 20");
+  CHECK(ORDERED(copter, takeOff(20_m)) == "3: L511 33 500000 0 0 0 0 0, L400 1 0 0 0 0 0 0, L22 0 0 0 0 0 0 20");
   Aircraft armed(ClientOnLine::kArduPilot);
   armed.stand(kAuto);
   armed.isArmed = true;
@@ -123,7 +123,7 @@ TEST_CASE("a rover stops in HOLD, and stays in GUIDED") {
     CHECK(rover.steering.maySteer());
     CHECK(ORDERED(rover, resume()) == "2: L176 1 10 0 0 0 0 0");
     CHECK(ORDERED(rover, pause()) == "2: L176 1 15 0 0 0 0 0");
-    CHECK(ORDERED(rover, setSpeed(3_mps)) == "0: L178 1 3 -1 0 0 0 0");
+    CHECK(ORDERED(rover, setSpeed(3_mps)) == "1: L178 1 3 -1 0 0 0 0");
     CHECK(ORDERED(rover, returnHome()) == "2: L176 1 11 0 0 0 0 0");
     CHECK(ORDERED(rover, goTo(kPlace, 0_m)) == "2: I192 frame 6 -1 1 0 nan -353630000 1491652374 0");
   }
@@ -137,8 +137,8 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
         "4: L512 245 0 0 0 0 0 0, L511 33 500000 0 0 0 0 0, L176 1 15 0 0 0 0 0, L400 1 0 0 0 0 0 0, "
         "L22 0 0 0 0 0 0 5");
   plane.pass(600);
-  CHECK(ORDERED(plane, goTo(kPlace, 50_m)) == "1: I192 frame 6 -1 0 0 nan -353630000 1491652374 50");
-  CHECK(ORDERED(plane, resume()) == "2: L176 1 10 0 0 0 0 0");
+  CHECK(ORDERED(plane, goTo(kPlace, 50_m)) == "2: I192 frame 6 -1 0 0 nan -353630000 1491652374 50");
+  CHECK(ORDERED(plane, resume()) == "1: L176 1 10 0 0 0 0 0");
 
   Aircraft fixed(ClientOnLine::kArduPilot, 1);
   fixed.stand(0);
@@ -160,16 +160,16 @@ TEST_CASE("an order whose mode the aircraft flies in already is done at its next
   CHECK(copter.steering.maySteer());
 }
 
-TEST_CASE("a position is asked for unless one has come within three heartbeats") {
+TEST_CASE("a position is asked for unless one has come within three seconds") {
   Aircraft copter(ClientOnLine::kArduPilot);
   copter.fly(kAuto);
   copter.tellPosition();
-  copter.pass(2990);  // three heartbeats
+  copter.pass(2900);
   CHECK(ORDERED(copter, goTo(kPlace, 30_m)) == "2: I192 frame 6 -1 1 0 nan -353630000 1491652374 30");
   Aircraft other(ClientOnLine::kArduPilot);
   other.fly(kAuto);
   other.tellPosition();
-  other.pass(3010);
+  other.pass(4200);
   CHECK(ORDERED(other, goTo(kPlace, 30_m)) ==
         "2: L511 33 500000 0 0 0 0 0, I192 frame 6 -1 1 0 nan -353630000 1491652374 30");
 }

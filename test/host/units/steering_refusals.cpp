@@ -297,11 +297,14 @@ TEST_CASE("a vehicle that has no command for it takes no takeoff, and one of an 
   CHECK(submarine.said() == "");
 }
 
-TEST_CASE("PX4's takeoff is that of any vehicle") {
-  Aircraft rover(ClientOnLine::kPx4, 10);
-  rover.stand(kPx4Position);
-  rover.steering.takeOff(5_m);
-  CHECK((rover.end() == Status::Done));
+TEST_CASE("PX4's takeoff is that of what flies: it would arm a rover, a boat or a submarine, too") {
+  for (uint8_t type : {1, 2, 7, 10, 11, 12, 22}) {
+    CAPTURE(type);
+    Aircraft px4(ClientOnLine::kPx4, type);
+    px4.stand(kPx4Position);
+    px4.steering.takeOff(5_m);
+    CHECK((px4.end() == (type >= 10 && type <= 12 ? Status::CommandUnsupported : Status::Done)));
+  }
 }
 
 TEST_CASE("a second order is refused while one runs, and changes nothing of it") {

@@ -181,16 +181,16 @@ TEST_CASE("only a heartbeat that shows PX4 armed stands for the answer to the ar
     Aircraft px4(ClientOnLine::kPx4);
     px4.stand(kPx4Position);
     px4.gives[400] = what == 1 ? kSilent : kUnheard;
+    px4.beatsBySecond = false;
     px4.steering.takeOff(20_m);
     REQUIRE(px4.passUntil(511));
     REQUIRE(passUntilAsked(px4, SteerStep::Arm));
     if (what == 2) px4.isArmed = true;  // somebody has armed it
     px4.beat();
     REQUIRE(px4.passUntil(400, 100));
-    px4.pass(500);
+    CHECK_FALSE(px4.passUntil(22, 90));
     px4.beatsWhenAsked = true;
-    if (what != 2) px4.beat();
-    CHECK(px4.passUntil(22, 200) == (what == 1));
+    CHECK(px4.passUntil(22, 200) == (what != 0));  // by a heartbeat that was asked for
   }
 }
 
@@ -228,12 +228,13 @@ TEST_CASE("a heartbeat that was sent while loop() stood still proves nothing: an
   copter.gives[176] = kSilent;
   copter.steering.landNow();
   REQUIRE(copter.passUntil(176));
-  copter.beatsBySecond = false;
+  copter.beatsBySecond = copter.beatsWhenAsked = false;
   copter.pass(100);
   copter.beat();
   const uint32_t asks = copter.asks;
   standStill(copter);
   CHECK(copter.client.isBusy());
+  copter.beatsWhenAsked = true;
   copter.pass(20);
   CHECK(copter.client.isBusy());
   CHECK((copter.end(400) == Status::Done));
@@ -339,9 +340,90 @@ TEST_CASE("an order that had to wait for its autopilot has all its time behind t
   px4.mode = kPx4Position;
   px4.beatsBySecond = false;
   px4.steering.takeOff(20_m);
-  px4.pass(12000);
+  px4.pass(7500);
   px4.beatsBySecond = true;
   CHECK((px4.end(10000) == Status::Done));
+}
+
+TEST_CASE("an order that could not be begun for 10 s is not carried out when the autopilot is heard again") {
+  for (bool isInAir : {false, true}) {
+    Aircraft copter(ClientOnLine::kArduPilot);
+    isInAir ? copter.fly(kAuto) : copter.stand(kStabilize);
+    copter.beatsBySecond = copter.beatsWhenAsked = false;
+    copter.pass(6000);
+    if (isInAir) {
+      copter.steering.landNow();
+    } else {
+      copter.steering.takeOff(20_m);
+    }
+    CHECK((copter.end(20000) == Status::NoAutopilot));
+    CHECK(copter.tookMs <= 10010);
+    copter.beatsBySecond = copter.beatsWhenAsked = true;
+    copter.pass(5000);
+    CHECK(copter.said() == "");
+  }
+}
+
+TEST_CASE("a takeover is remembered behind the landing, until the sketch asks for the aircraft again") {
+  for (int who = 0; who < 3; ++who) {
+    CAPTURE(who);
+    Aircraft copter(ClientOnLine::kArduPilot);
+    copter.stand(kGuided);
+    copter.steering.takeOff(20_m);
+    REQUIRE((copter.end() == Status::Done));
+    CHECK((copter.client.takenBy() == Status::Idle));
+    copter.pass(1500);
+    const Status taken = who == 1 ? Status::FailsafeHasIt : Status::PilotHasIt;
+    if (who == 2) {  // while an order is under way
+      copter.gives[192] = kUnheard;
+      copter.steering.goTo(kPlace, 20_m);
+      copter.passUntil(192);
+    }
+    copter.show(who == 1 ? kRtl : kLoiter);
+    copter.pass(3000);
+    CHECK((copter.client.takenBy() == taken));
+    copter.isArmed = false;  // it has landed
+    copter.state = kStandby;
+    copter.pass(2000);
+    copter.mode = kGuided;
+    copter.pass(60000);
+    copter.said();
+    copter.steering.takeOff(20_m);
+    CHECK((copter.end() == taken));
+    copter.client.arm();
+    CHECK((copter.end() == taken));
+    CHECK(copter.said() == "");
+    CHECK((copter.client.takenBy() == taken));
+    copter.steering.requestControl();
+    CHECK((copter.client.takenBy() == Status::Idle));
+    copter.steering.takeOff(20_m);
+    CHECK((copter.end() == Status::Done));
+  }
+}
+
+TEST_CASE("the mode that the sketch has set is forgotten at the disarming, and when the autopilot was silent for 5 s") {
+  for (int what = 0; what < 3; ++what) {
+    CAPTURE(what);
+    Aircraft copter(ClientOnLine::kArduPilot);
+    copter.fly(kAuto);
+    copter.steering.goTo(kPlace, 20_m);
+    REQUIRE((copter.end() == Status::Done));
+    CHECK(copter.steering.maySteer());
+    if (what == 2) {
+      copter.isArmed = false;
+      copter.pass(2000);
+      copter.isArmed = true;
+    } else {
+      copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
+      copter.pass(what == 0 ? 4000 : 6000);
+      copter.beatsBySecond = copter.beatsWhenAsked = true;
+    }
+    copter.pass(2000);
+    CHECK(copter.steering.maySteer() == (what == 0));
+    copter.steering.requestControl();
+    copter.pass(1001);
+    CHECK(copter.steering.maySteer());
+  }
 }
 
 TEST_CASE("a position alone is no answer to the question whether PX4 flies") {

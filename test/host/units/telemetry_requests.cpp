@@ -117,7 +117,8 @@ TEST_CASE("nothing is requested while a command of the client's runs, and then i
   Desk desk;
   desk.run(500);
   const uint32_t fromMs = desk.nowMs();
-  desk.client.arm();
+  static const FlightCommand zoom = flightCommand(531, 1);
+  desk.client.send(zoom);
   desk.run(7000);
   REQUIRE((desk.client.status() == Status::Transferring));
   CHECK(desk.requests(fromMs).empty());
