@@ -34,6 +34,7 @@ _ITEM_NAMES = {16: "WP", 22: "Takeoff", 20: "RTL", 21: "Land", 17: "LoitUnlim",
 TIMESYNC_PERIOD_S = 10.0
 RUNTIME_PERIOD_S = 30.0
 DISARM_AFTER_LANDING_S = 2.0
+PLANE_DISARMS_S = 20.0  # LAND_DISARMDELAY's default; by source
 ON_THE_GROUND_S = 0.02  # a copter in LAND that stands on the ground disarms after so long
 LANDED_AFTER_ARMING_S = 2.0  # a copter in LAND that never left the ground disarms no earlier
 WITHOUT_POSITION_S = 1.0  # after so long, armed, an EKF failsafe; and so long after the position it ends
@@ -687,8 +688,9 @@ class ArduPilot(FakeAutopilot):
         self.complete, self.running = True, False
         if self.kind.complete:
             self.text(NOTICE, self.kind.complete, self._cause(now), later_s=2 * TEXT_LAG_S)
-        if self.kind.land_mode is not None and not self.flight.airborne(now):
-            self.at("disarm", now + DISARM_AFTER_LANDING_S, self._disarm_landed)
+        if (self.kind.land_mode is not None or self.kind.is_plane) and not self.flight.airborne(now):
+            wait_s = PLANE_DISARMS_S if self.kind.land_mode is None else DISARM_AFTER_LANDING_S
+            self.at("disarm", now + wait_s, self._disarm_landed)
 
     # -- what it sends --------------------------------------------------------------------
 

@@ -109,13 +109,16 @@ class Flight:
         self._jumped = jumped
         self._from, self._to = home, home
         self._began_at = 0.0
+        self._stands_s = 0.0  # at the end of the leg
         self._jumps_done: dict[int, int] = {}
 
     def where(self, now: float) -> Place:
         """Where the vehicle is now."""
         if now >= self.ends_at or self._from == self._to:
             return self._to
-        length = self.ends_at - self._began_at
+        length = self.ends_at - self._stands_s - self._began_at
+        if now >= self._began_at + length > self._began_at:
+            return self._to
         if not 0 < length < math.inf:
             return self._to
         if now < self._began_at:
@@ -246,20 +249,21 @@ class Flight:
         self._from = self.where(now)
         self._is_steady = False
         self._to = self._from._replace(height=0.0)
+        self._stands_s = 0.0
         self._began_at, self.ends_at = now, now + max(self._from.height, 0.0) / self.pace.descent
         self.sinking = True
 
     def stop(self, now: float) -> None:
         """Fly no item any more: stay where we are."""
         self._to = self._from = self.where(now)
-        self.index, self.ends_at = None, math.inf
+        self.index, self.ends_at, self._stands_s = None, math.inf, 0.0
         self.waiting = self.sinking = self._lands_at_target = self._into_ground = self._is_steady = False
         self.target = None
 
     def land_at_once(self) -> None:
         """As after a restart: on the ground, at rest, where it is."""
         self._from = self._to = self._to._replace(height=0.0)
-        self.index, self.ends_at = None, math.inf
+        self.index, self.ends_at, self._stands_s = None, math.inf, 0.0
         self.waiting = self.sinking = self._lands_at_target = self._into_ground = self._is_steady = False
         self.target = None
 
@@ -285,6 +289,7 @@ class Flight:
     def _leg(self, item: Item) -> tuple[Place, float]:
         """Where the item leads, and how long it takes [s]; 0 for what is done on the spot."""
         here = self._from
+        self._stands_s = 0.0
         is_waypoint = self.pace.takes_off_at_place and here.height > 0.1
         if item.command in (TAKEOFF, VTOL_TAKEOFF) and not is_waypoint:
             target = here._replace(height=self._height(item))
@@ -310,7 +315,8 @@ class Flight:
         elif item.command == LOITER_UNLIM:
             takes_s = math.inf
         elif item.command in (WAYPOINT, SPLINE_WAYPOINT, LOITER_TIME):
-            takes_s += 0.0 if math.isnan(item.param1) else max(0.0, item.param1)
+            self._stands_s = 0.0 if math.isnan(item.param1) else max(0.0, item.param1)
+            takes_s += self._stands_s
         elif item.command == LOITER_TURNS:
             takes_s += 20.0 * max(0.0, item.param1)
         return target, takes_s

@@ -13,6 +13,7 @@ class BatteryListener : public TelemetryListener {
   explicit BatteryListener(MissionClient& client, uint16_t intervalMs = 1000, uint8_t number = 0);
 
   // The sum of all cells that the autopilot reports [mV]. 0: not known.
+  bool hasVoltage() const { return voltageMv_ != 0; }
   uint32_t voltageMv() const { return voltageMv_; }
   // An autopilot does not measure all of these: each value is valid only if its has...() is true.
   bool hasCurrent() const { return currentCa_ >= 0; }

@@ -19,4 +19,8 @@ struct LatLon {
 // meridians.
 LatLon moved(const LatLon& from, int32_t northCm, int32_t eastCm);
 
+// The distance over the ground from one place to another [cm], also across 180 degrees of longitude; 20,000 km, which
+// is 2,000,000,000, where it would be more. It is the inverse of moved(), with the same error.
+uint32_t distanceCm(const LatLon& from, const LatLon& to);
+
 }  // namespace mavmission

@@ -50,8 +50,11 @@ class MissionFollower : public detail::MessageIntervals {
 
   // Called when the current item changes.
   void onCurrent(ItemNumberFunction function, void* context = nullptr);
-  // Called once for each item reached, although PX4 repeats the message; again if the item is flown again. Of a
-  // waypoint and the commands behind it that take no time (a speed, a return), PX4 reports only the last.
+  // Called once for each item that is behind, in order; again if it is flown again. MISSION_ITEM_REACHED says so, which
+  // PX4 repeats, and ArduPilot sends once: where it was lost, a MISSION_CURRENT that has moved on says the same, about
+  // a second later. More than 8 at once are a jump that somebody has made, and are not told of. A waypoint
+  // counts as reached within the autopilot's own radius: PX4's (NAV_ACC_RAD) is 10 m, so it says so 9 m before the
+  // place, while it flies past; with a hold both say so at its end. For work at a place see Flight.
   void onReached(ItemNumberFunction function, void* context = nullptr);
   // Called with each STATUSTEXT of the autopilot.
   void onText(TextFunction function, void* context = nullptr);
@@ -71,6 +74,8 @@ class MissionFollower : public detail::MessageIntervals {
   void takePlanText(const char* text);
   void takeCurrent(const detail::FrameParser& frame);
   void takeReached(const detail::FrameParser& frame);
+  MAVMISSION_APART void tellUpTo(uint16_t end);
+  MAVMISSION_APART void tell(uint16_t item);
   void takeText(const detail::FrameParser& frame);
 
   ItemNumberFunction currentFunction_ = nullptr;
@@ -82,6 +87,7 @@ class MissionFollower : public detail::MessageIntervals {
   uint32_t planId_ = 0;
   uint16_t current_ = 0xFFFF;
   uint16_t reached_ = 0xFFFF;
+  uint16_t next_ = 0;  // the first item that may still be told of as behind
   uint16_t total_ = 0;
   MissionState state_ = MissionState::NotKnown;
   uint8_t textDue_ = 0;  // heartbeats left in which ArduPilot's text about an upload of ours is expected

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "LatLon.h"
 #include "Units.h"
 
 namespace mavmission {
@@ -77,6 +78,9 @@ constexpr MissionItem takeoff(Altitude altitude, Yaw yaw = Yaw()) {
 constexpr MissionItem takeoff(Degrees latitude, Degrees longitude, Altitude altitude, Yaw yaw = Yaw()) {
   return anyCommandAt(kNavTakeoff, latitude, longitude, altitude, 0, 0, 0, yaw.inDegrees());
 }
+constexpr MissionItem takeoff(const LatLon& place, Altitude altitude, Yaw yaw = Yaw()) {
+  return takeoff(place.latitude, place.longitude, altitude, yaw);
+}
 
 // Fly to a place. A copter waits there for `hold` (on ArduPilot in whole seconds only). The place counts as reached
 // within `acceptanceRadius` (0: the autopilot's own setting; an ArduCopter always uses its own setting).
@@ -84,6 +88,20 @@ constexpr MissionItem waypoint(Degrees latitude, Degrees longitude, Altitude alt
                                Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
   return anyCommandAt(kNavWaypoint, latitude, longitude, altitude, hold.value, acceptanceRadius.value, 0,
                       yaw.inDegrees());
+}
+constexpr MissionItem waypoint(const LatLon& place, Altitude altitude, Seconds hold = Seconds(0),
+                               Metres acceptanceRadius = Metres(0), Yaw yaw = Yaw()) {
+  return waypoint(place.latitude, place.longitude, altitude, hold, acceptanceRadius, yaw);
+}
+
+// Fly to a place and stand there for `hold`, in whole seconds, so that work can be done meanwhile (Flight): a waypoint
+// that PX4, too, takes for reached only within 2 m. On ArduPilot's planes, which do not hold, the upload is refused
+// (Status::NotKept).
+constexpr MissionItem stopAt(Degrees latitude, Degrees longitude, Altitude altitude, Seconds hold) {
+  return waypoint(latitude, longitude, altitude, hold, Metres(2));
+}
+constexpr MissionItem stopAt(const LatLon& place, Altitude altitude, Seconds hold) {
+  return stopAt(place.latitude, place.longitude, altitude, hold);
 }
 
 // Stay at a place for a time. A fixed-wing aircraft circles at `radius`, counter-clockwise if it is negative (0: its
@@ -111,6 +129,7 @@ constexpr MissionItem land(Yaw yaw = Yaw()) {
 constexpr MissionItem land(Degrees latitude, Degrees longitude, Yaw yaw = Yaw()) {
   return anyCommandAt(kNavLand, latitude, longitude, Altitude(Metres(0)), 0, 0, 0, yaw.inDegrees());
 }
+constexpr MissionItem land(const LatLon& place, Yaw yaw = Yaw()) { return land(place.latitude, place.longitude, yaw); }
 
 // Fly home and land.
 constexpr MissionItem returnToLaunch() { return anyCommand(kNavReturnToLaunch); }
@@ -118,7 +137,7 @@ constexpr MissionItem returnToLaunch() { return anyCommand(kNavReturnToLaunch); 
 // Wait at the last waypoint.
 constexpr MissionItem delay(Seconds time) { return anyCommand(kNavDelay, time.value, -1, -1, -1); }
 
-// Fly at this ground speed from here on.
+// Fly at this ground speed from here on. (In flight, without a plan: Steering::setSpeed().)
 constexpr MissionItem changeSpeed(MetresPerSecond speed) { return anyCommand(kDoChangeSpeed, 1, speed.value, -1); }
 
 namespace literal {

@@ -25,7 +25,7 @@ namespace mavmission {
   X(Cleared, "cleared: no plan is aboard")          /* acknowledged by the autopilot */ \
   X(Done, "done: the autopilot confirmed it")        /* a command, or all steps of start() */ \
   /* ended with an unknown outcome */ \
-  X(Unconfirmed, "unconfirmed: sent, and nothing confirms it") /* the plan may or may not be aboard */ \
+  X(Unconfirmed, "sent, and not confirmed") /* the plan may or may not be aboard */ \
   /* ended by the sketch */ \
   X(Cancelled, "cancelled by the sketch") \
   /* refused before the first byte was sent: nothing aboard has changed */ \
@@ -35,7 +35,7 @@ namespace mavmission {
   X(SameIdsAsAutopilot, "our ids are the autopilot's: it ignores us") \
   X(OtherAutopilot, "refused: compiled for another autopilot") /* MAVMISSION_ONLY_ARDUPILOT, _PX4: Config.h */ \
   X(NeedsMavlink2, "refused: this needs MAVLink 2") \
-  X(Armed, "the autopilot is armed: nothing was changed")       /* allowWhileArmed() allows it */ \
+  X(Armed, "the autopilot is armed")       /* allowWhileArmed() allows it */ \
   X(TooManyItems, "refused: more than 65535 items") \
   X(BadLatitude, "refused: a latitude beyond 90 degrees") \
   X(BadLongitude, "refused: a longitude beyond 180 degrees") \
@@ -89,21 +89,22 @@ namespace mavmission {
   X(CommandRefused, "autopilot: refused, by another code") \
   X(NoSuchMode, "this vehicle has no such mode") \
   X(NotArmed, "the autopilot is not armed") \
-  X(Unproven, "the plan aboard may not be ours: not started") \
-  X(FliesOtherPlan, "armed, with a plan that may not be ours: take over") /* start() was too late */ \
+  X(Unproven, "the plan aboard may not be ours") \
+  X(FliesOtherPlan, "it flies a plan that may not be ours") /* start() was too late */ \
   X(Infeasible, "accepted, then found impossible to fly") \
   X(NoSuchItem, "the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to from this item on") \
+  X(NoLanding, "refused: the plan does not end with a landing or a return") /* Flight */ \
   X(OtherItem, "the autopilot is not at the first item")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
   X(Overruled, "another mode was undone, and could not be set again") \
   /* Steering: nothing was sent, unless control was lost during the operation */ \
   X(PilotHasIt, "a pilot or another station is in control") \
-  X(FailsafeHasIt, "a failsafe, its plan or another station is in control") \
+  X(FailsafeHasIt, "a failsafe or its own plan is in control") \
   X(NotFlying, "the aircraft is not in the air") \
   X(NoHome, "the autopilot names no home") \
   X(BadSpeed, "refused: a speed must be above 0, up to 100 m/s") \
-  X(NotRenewed, "held: the target was not renewed in time") /* MovingTarget */ \
+  X(NotRenewed, "held: the target was not renewed") /* MovingTarget */ \
   /* parameters */ \
   X(NoParameter, "no answer: no such parameter, or we are not heard") \
   X(OtherValue, "the autopilot stores another value")  /* Parameters::value() */

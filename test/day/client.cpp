@@ -301,9 +301,11 @@ void tellIdle(Words&) {
   LEFT_OUT(state_.unsettledMs);
   LEFT_OUT(state_.tick);
   LEFT_OUT(state_.quiet);
-  LEFT_OUT(log_);      // whose command may still be answered, and until when
-  LEFT_OUT(reading_);  // one operation's state: there is none
+  LEFT_OUT(known_.log);  // whose command may still be answered, and until when
+  LEFT_OUT(reading_);    // one operation's state: there is none
   LEFT_OUT(commanding_);
+  LEFT_OUT(link_.state_.emptyMs);
+  LEFT_OUT(link_.state_.gap);
   LEFT_OUT(link_.state_.heardByteMs);
   LEFT_OUT(link_.state_.heartbeatMs);
   LEFT_OUT(link_.state_.bytes);
@@ -317,8 +319,7 @@ void tellIdle(Words&) {
   LEFT_OUT(link_.pace_.roundTripMs_);
   LEFT_OUT(link_.pace_.busyMs_);
   LEFT_OUT(link_.finder_.heardMs_);
-  LEFT_OUT(link_.finder_.firstMs_);
-  LEFT_OUT(link_.finder_.otherMs_);
+  LEFT_OUT(link_.finder_.searchMs_);
   LEFT_OUT(link_.parser_);
   LEFT_OUT(link_.outbox_);
 #undef LEFT_OUT

@@ -115,6 +115,7 @@ STATES = {
     "start": ("Operations.h", "StartStep"),
     "phases of start": ("StartTransfer.h", "State"),
     "steering": ("Steering.h", "SteerStep"),
+    "orders of a flight": ("FlightStages.h", "FlightOrder"),
 }
 
 

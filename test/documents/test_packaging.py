@@ -92,6 +92,7 @@ def test_main_header_is_named_after_the_library_and_is_the_one_included():
     assert fields["includes"] == f"{fields['name']}.h"
     assert (ROOT / "src" / fields["includes"]).is_file()
     more = {
+        "MavMissionButton.h",
         "MavMissionConsole.h",
         "MavMissionLed.h",
         "MavMissionMonitor.h",

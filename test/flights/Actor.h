@@ -46,6 +46,9 @@ constexpr Stranger kStrangers[] = {
 };
 constexpr uint32_t kStrangerCount = sizeof(kStrangers) / sizeof(kStrangers[0]);
 
+// In the place of a time: from the beginning, before the autopilot is heard.
+constexpr int32_t kAlways = -99999;
+
 struct Act {
   What what;
   int32_t atMs;     // the time since the task began, or since `order` left

@@ -53,6 +53,9 @@ class Flying {
   }
 
   Flown fly() {
+    for (const Act& act : plan_.acts) {
+      if (act.atMs == kAlways) heard_.push_back(Heard{kStrangers[act.amount], nowMs_, 0});
+    }
     if (!does(Task::Upload, 20000, Status::Accepted)) return broken("the upload does not end well");
     run(1200);
     if (isInAir(plan_.task)) {
@@ -63,7 +66,7 @@ class Flying {
     if (plan_.task == Task::Disarm && !does(Task::Arm, 3000, Status::Done)) return broken("it cannot be prepared");
     beganMs_ = nowMs_ + kLeadMs;
     for (const Act& act : plan_.acts) {
-      if (act.order == 0) add(act);
+      if (act.order == 0 && act.atMs != kAlways) add(act);
     }
     isNoting_ = true;
     run(kLeadMs);
@@ -129,7 +132,11 @@ class Flying {
       broken("");
     }
     acts_.clear();
-    run(kRestMs);
+    up_.setLoss(0);
+    down_.setLoss(0);
+    own().silentUntilMs = nowMs_;
+    while (nowMs_ < stallUntilMs_) step(stallUntilMs_);
+    run(10000 + kRestMs);  // the line may be cut
     own().referee.restsAfterMany(sketch_, *own().model);
     return broken("");
   }

@@ -14,6 +14,7 @@ constexpr uint32_t kTurnedBackMs = 1000;  // nobody turns a switch away and back
 constexpr uint32_t kStreamMs = 1200;      // a target may call PX4 back from its failsafe
 constexpr uint32_t kLookMs = 400;         // the time to read each item, and from then to the arming
 constexpr uint32_t kLostMs = 5000;
+constexpr uint32_t kOnTheLineMs = 100;   // what has left before the sketch names another aircraft arrives by then
 constexpr uint32_t kLateMs = 1500;       // from the answer that decides to the end of an operation
 constexpr uint32_t kPlanShownMs = 4000;  // by then a plan that can be told from ours is detected
 
@@ -49,7 +50,7 @@ void Referee::at(uint32_t nowMs) {
 
 void Referee::isAsked() {
   say("the sketch asks for the aircraft");
-  isToBeOurs_ = true;
+  isToBeOurs_ = wasShownDisarmed_ = true;
   isKept_ = false;
 }
 
@@ -66,7 +67,7 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
   isDisarmed_ = isDisarmedShown_ = false;
   beganMs_ = nowMs_;
   isKnown_ = isHeard_ && nowMs_ - cameMs_ <= kLostMs && cameMs_ >= stoodBlindMs_;
-  isArmingShown_ = isShownArmed_;
+  isArmingShown_ = isShownArmed_ && isHeard_;
   isClean_ = loss <= 0 && !isDisturbed;
   isBad_ = loss > 0.006;
   firstMode_ = autopilot.mode;
@@ -80,7 +81,7 @@ void Referee::begins(Task task, double loss, bool isDisturbed, const Autopilot& 
   say(std::string("the sketch begins ") + kTaskNames[static_cast<int>(task)]);
 }
 
-void Referee::take(uint16_t mode) {
+void Referee::take(uint16_t mode, uint16_t before) {
   const bool isOnGround = isStart(task_) || task_ == Task::TakeOff;
   hasTaken_ = true;
   takenMs_ = nowMs_;
@@ -95,8 +96,12 @@ void Referee::take(uint16_t mode) {
   // has just set, with somebody's other mode between, or is on its way to set: nobody can tell who set it
   // (docs/in_control.md).
   const bool isTurnedBack = foreign_.is && mode == orderedMode_ && nowMs_ - orderedMs_ < kTurnedBackMs;
+  // (At the top of its takeoff PX4 sets HOLD by itself.)
+  const bool isTop = !isRunning_ && kind_ == Kind::Px4 && before == modeOf(kind_, Means::TakeOff) &&
+                     mode == modeOf(kind_, Means::Hold);
   const bool isSame = isRunning_ && mode == orderedMode_ && orderedMs_ >= beganMs_;
-  if ((isRunning_ && mode == firstMode_ && !isFirstOver_) || isTurnedBack || isSame) {
+  if ((isRunning_ && mode == firstMode_ && !isFirstOver_) || isTurnedBack || isSame || isTop ||
+      (!foreign_.is && mode == shownMode_)) {
     foreign_.is = false;
     return;
   }
@@ -107,19 +112,21 @@ void Referee::take(uint16_t mode) {
 }
 
 void Referee::obeys(const std::string& what) {
-  if (!hasBegun_) breaks(what + " is taken by an aircraft for which nothing was begun");
+  if (!hasBegun_ && nowMs_ >= leftMs_ + kOnTheLineMs)
+    breaks(what + " is taken by an aircraft for which nothing was begun");
 }
 
 void Referee::modeSet(uint16_t mode, By by) {
   const char* const who = by == By::Order ? "an order" : by == By::Actor ? "somebody" : "the autopilot";
   say(std::string(who) + " sets " + name(mode));
+  const uint16_t before = mode_;
   mode_ = mode;
   if (by == By::Order) obeys("a mode");
   if (by == By::Order) wasLost_ = false;
   // PX4's failsafe counts as somebody else; the end of its takeoff does not.
-  if (by == By::Actor) return take(mode);
+  if (by == By::Actor) return take(mode, before);
   if (by == By::Itself && mode == modeOf(kind_, Means::Return)) {
-    take(mode);
+    take(mode, before);
     foreign_.isOfStream = true;
     return;
   }
@@ -171,6 +178,7 @@ void Referee::planSet(bool isOurs, By by) {
   if (by == By::Order) obeys("a plan");
   say(isOurs ? "our plan is aboard" : "another plan is aboard");
   isOurPlan_ = isOurs;
+  if (isOurs) wasOurPlan_ = true;
   otherNamed_ = 0;
   if (!isOurs) otherPlanMs_ = nowMs_;
 }
@@ -220,6 +228,9 @@ void Referee::judge(const Message& message, bool isArming, bool isOrder) {
   const bool isTarget = message.id == MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT;
   if (isOrder && cameMs_ < (isTarget ? stoodBlindMs_ : stoodStillMs_))
     breaks(what + "with no heartbeat since loop() stood still");
+  const bool isSteered = isStart(task_) || (task_ >= Task::TakeOff && task_ <= Task::Follow);
+  if (isOrder && isSteered && isShownArmed_ && !wasShownDisarmed_)
+    breaks(what + "to an aircraft that was armed when it was named");
   if (isArming && isDisarmedShown_) breaks(what + "behind a heartbeat that shows it disarmed by somebody");
   if (isArming && isKept_) breaks(what + "though somebody has taken the aircraft");
 }
@@ -287,6 +298,7 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
                           ? saysTaken(status) || (isStart(task_) && status == Status::Overruled)
                           : isDisarmed_ && isStart(task_) && status == Status::NotArmed;
   if (isOver && (task_ <= Task::Follow || isStart(task_))) isKept_ = true;
+  if (sketch.client.aboard() == Aboard::OurPlan && !wasOurPlan_) breaks(words + "aboard() is of another aircraft");
   const bool isRecent = nowMs_ - otherPlanMs_ < kLateMs;
   if (status == Status::Accepted && !isRecent && (!isOurPlan_ || autopilot.plan.size() != kItems)) {
     breaks(words + "another plan is aboard");

@@ -35,7 +35,10 @@ class Referee : public Witness {
   void begins(Task task, double loss, bool isDisturbed, const Autopilot& autopilot);
   // The sketch names this aircraft as its own, leaves it, or asks for it again.
   void isNamed();
-  void isLeft() { isNamed_ = hasBegun_ = isRunning_ = false; }
+  void isLeft() {
+    isNamed_ = hasBegun_ = isRunning_ = false;
+    leftMs_ = nowMs_;
+  }
   void isAsked();
   // loop() stands still until then.
   void standsStill(uint32_t untilMs, uint32_t forMs) {
@@ -82,7 +85,7 @@ class Referee : public Witness {
   };
   void say(const std::string& words);
   void judge(const Message& message, bool isArming, bool isOrder);
-  void take(uint16_t mode);
+  void take(uint16_t mode, uint16_t before);
   void obeys(const std::string& what);
   std::string name(uint16_t mode) const { return modeName(kind_, mode); }
 
@@ -97,9 +100,10 @@ class Referee : public Witness {
   uint32_t beganMs_ = 0, takenMs_ = 0;  // when the task began, and when somebody has set a mode
   bool wasDisarmed_ = false;            // by somebody
   bool isHeard_ = false;                // since it was named
-  bool isKnown_ = false;                // since loop() stood still last, too
-  bool isNamed_ = false;                // as the sketch's own
-  bool hasBegun_ = false;               // something was begun for it, since it was named
+  uint32_t leftMs_ = 0;
+  bool isKnown_ = false;   // since loop() stood still last, too
+  bool isNamed_ = false;   // as the sketch's own
+  bool hasBegun_ = false;  // something was begun for it, since it was named
   bool isClean_ = true;
   bool isBad_ = false;  // the line loses more than 1 of 200 bytes
   bool hasTaken_ = false;
@@ -107,11 +111,11 @@ class Referee : public Witness {
   Foreign foreign_ = Foreign();
   uint32_t longestWindowMs_ = 0, longestUndoneMs_ = 0;
   std::vector<uint32_t> undoneMs_;
-  bool isArmed_ = false;       // whether the aircraft is armed
-  uint32_t armedMs_ = 0;       // when that changed
-  uint32_t wasArmedMs_ = 0;    // when it was armed last
-  bool wasArmedByUs_ = false;  // whether an order armed it
-  bool isOurPlan_ = true;
+  bool isArmed_ = false;                         // whether the aircraft is armed
+  uint32_t armedMs_ = 0;                         // when that changed
+  uint32_t wasArmedMs_ = 0;                      // when it was armed last
+  bool wasArmedByUs_ = false;                    // whether an order armed it
+  bool isOurPlan_ = false, wasOurPlan_ = false;  // the plan aboard is the sketch's, and once was
   uint32_t otherPlanMs_ = 0;
   uint32_t listedMs_ = 0;   // when the sketch began to read the items
   uint8_t otherNamed_ = 0;  // how many MISSION_CURRENTs about the other plan have arrived

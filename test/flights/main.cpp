@@ -142,7 +142,11 @@ void vary(FlightPlan& plan, uint32_t number) {
   constexpr uint16_t kBuffers[] = {63, 255, 511};
   plan.buffer = kBuffers[number % 3];
   for (Act& act : plan.acts) {
-    if (act.what == What::Stranger) act.amount = number % kStrangerCount;
+    if (act.what == What::Stranger) {
+      act.amount = number % kStrangerCount;
+      const bool isAutopilot = kStrangers[act.amount].autopilot == 3 || kStrangers[act.amount].autopilot == 12;
+      if (number / kStrangerCount % 2 != 0 && !isAutopilot) act.atMs = kAlways;
+    }
     if (act.what == What::Silent) plan.second = static_cast<uint8_t>(1 + number % 6);
   }
 }

@@ -21,7 +21,7 @@ const MissionItem kFlownPlan[] = {takeoff(20_m), changeSpeed(5_mps), waypoint(-3
                                   returnToLaunch()};
 
 // A vehicle that obeys, and holds and flies a plan; the test says what it does otherwise.
-struct Flight : ClientOnLine {
+struct Flown : ClientOnLine {
   const bool isPx4;
   uint8_t type = MAV_TYPE_QUADROTOR;
   uint8_t baseMode = kDisarmed;
@@ -37,7 +37,7 @@ struct Flight : ClientOnLine {
   std::vector<uint16_t> orders;          // the commands that move something
   std::vector<float> parameters;         // and the first parameter of each
 
-  explicit Flight(uint8_t autopilot = kArduPilot, uint8_t is = MAV_TYPE_QUADROTOR)
+  explicit Flown(uint8_t autopilot = kArduPilot, uint8_t is = MAV_TYPE_QUADROTOR)
       : ClientOnLine(autopilot), isPx4(autopilot == kPx4), type(is) {
     beats = false;
     if (!isPx4) held.push_back(homeItem());

@@ -73,6 +73,12 @@ def test_a_mode_that_somebody_sets_in_flight_stays(autopilot, who, modes, words)
     run.for_s(10.0)
     assert run.far._mode() == modes[autopilot]
     assert any(event.startswith(words) for event in run.events)
+    if who != "pilot":
+        return
+    run.far.interfere("lands")
+    run.until(lambda: not run.far.autopilot.armed, 60)
+    run.for_s(10.0)
+    assert not run.far.autopilot.armed and b"ended by a pilot" in run.printed
 
 
 @pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])

@@ -142,26 +142,12 @@ def test_a_mode_that_an_order_undoes_is_set_again_at_once(record_property):
 
 # What is changed in which file, and the flights that show it, by the beginning of the rule that is then broken.
 DEFECTS = {
-    "start() sends its orders at any time": (
-        "StartTransfer.cpp",
-        "    sending.guard();\n    if (step() != StartStep::Arm) isSent_ = 0;",
-        "    if (step() != StartStep::Arm) isSent_ = 0;",
-        "Copter start each 5",
-        "command ",
-    ),
     "a mode that an order has undone is not set again": (
         "ModeOrder.cpp",
         "    if (!isForeign_) {\n",
         "    if (!isRestoring_) {\n",
         "Copter goTo each 5",
         "an order has undone ",
-    ),
-    "goTo() leaves at any time": (
-        "SteeringControl.cpp",
-        "  return changesMode() || step_ == SteerStep::Arm",
-        "  return step_ == SteerStep::Arm",
-        "PX4 goTo random 400 --loss 5",
-        "an order undoes ",
     ),
     "a place in the order's own mode may change the mode": (
         "SteeringSteps.cpp",
@@ -193,7 +179,7 @@ DEFECTS = {
     ),
     "verifyAndStart() looks once": (
         "VerifyAndStart.cpp",
-        "  if (status != Status::Done || client.rest_.planId != 0) return status;",
+        "  if (status != Status::Done || client.known_.planId != 0) return status;",
         "  if (frame == nullptr || frame != nullptr) return status;",
         "Copter verifyAndStart each 9",
         'verifyAndStart ends with "done: the autopilot confirmed it", and nothing has looked at the items',
@@ -228,8 +214,8 @@ DEFECTS = {
     ),
     "a mode that is set while the vehicle is asked is taken for the one before": (
         "Command.cpp",
-        "      mode.order.begin(client.firstMode(), mode.number);",
-        "      mode.order.begin(client.shownMode(), mode.number);",
+        "mode.order.begin(client.firstMode(), mode.number);",
+        "mode.order.begin(client.shownMode(), mode.number);",
         "Copter setMode each 2",
         "command 176 leaves behind a heartbeat",
     ),
@@ -249,16 +235,16 @@ DEFECTS = {
     ),
     "a MovingTarget ends when the vehicle is asked": (
         "MovingTarget.cpp",
-        "return client_.commands().runs(on);",
-        "return client_.commands().runs(on) && !client_.commands().isAskingVehicle();",
+        "return client_.commands().runs(on) &&",
+        "return client_.commands().runs(on) && !client_.commands().isAskingVehicle() &&",
         "Copter follow each 1000",
         "nothing happens, and it does not end well",
     ),
     "what sets a mode again waits for late answers to the order": (
         "Command.cpp",
-        "if (!sending.isRestoring() && !client.log_.maySend(piece.command.id, nowMs)) return;",
-        "if (!client.log_.maySend(piece.command.id, nowMs)) return;",
-        "Rover returnHome overtakes 200 --loss 5",
+        "if (!sending.isRestoring() && !client.known_.log.maySend(piece.command.id, nowMs)) return;",
+        "if (!client.known_.log.maySend(piece.command.id, nowMs)) return;",
+        "Copter returnHome overtakes 20 --loss 5",
         "it is set again too late",
     ),
     "what sets a mode again leaves once in 400 ms": (
@@ -298,16 +284,139 @@ DEFECTS = {
     ),
     "the rest of an order leaves when loop() goes on": (
         "Command.cpp",
-        "  if (client.commanding_.transfer.look(nowMs)) client.link_.spoil();",
-        "  client.commanding_.transfer.look(nowMs);",
-        "PX4 follow each 1",
-        "an order undoes RETURN",
+        "link.isBlind(), nowMs)) client.link_.spoil();",
+        "link.isBlind(), nowMs)) return;",
+        "Copter all standstills 100",
+        "message 76 ",
+    ),
+    # Whose, and how old. The gate:
+    **{
+        f"{name} passes the gate by": (
+            "Command.cpp",
+            "if (isGuarded(piece.command.id)) sending.guard();",
+            f"if (isGuarded(piece.command.id) && piece.command.id != {name}) sending.guard();",
+            words,
+            f"message {number} leaves with no heartbeat since loop() stood still",
+        )
+        for name, number, words in (
+            ("kArmDisarm", "76 (400)", "Copter arm standstills 100"),
+            ("kNavTakeoff", "76 (22)", "Copter takeOff standstills 200"),
+            ("kMissionStart", "76 (300)", "Copter start standstills 200"),
+            ("kDoSetMode", "76 (176)", "Rover returnHome standstills 100"),
+            ("kDoReposition", "75 (192)", "PX4 goTo standstills 200"),
+        )
+    },
+    "a standstill of 65.536 s is not seen": (
+        "Link.cpp",
+        "const uint32_t gapMs = nowMs - state_.emptyMs;",
+        "const uint32_t gapMs = static_cast<uint16_t>(nowMs - state_.emptyMs);",
+        "Copter all standstills 100",
+        "message 76 ",
+    ),
+    "what waits in a large buffer is as old as the last update()": (
+        "client/Client.cpp",
+        "if (budget.left != 0) link_.noteEmpty(exactMs);",
+        "link_.noteEmpty(exactMs);",
+        "Copter all standstills 100",
+        "message 76 ",
+    ),
+    "start() is done by what has waited while loop() stood still": (
+        "Start.cpp",
+        "if (sending.isOld()) break;",
+        "",
+        "PX4 start standstills 400",
+        'start ends with "done: the autopilot confirmed it", and the last heartbeat has shown',
+    ),
+    "a standstill counts as a takeover": (
+        "service/Steering.cpp",
+        "const bool hasControl = isOurs();",
+        "const bool hasControl = maySteer();",
+        "Copter all standstills 30",
+        "behind ",
+    ),
+    "who takes it in a gap is forgotten": (
+        "service/Steering.cpp",
+        "now)) seenDisarmed_ = hadControl_ = false;",
+        "now)) seenDisarmed_ = false;\n  hadControl_ = false;",
+        "Copter all standstills 60",
+        "message 76 (400) leaves though somebody has taken the aircraft",
+    ),
+    "a takeover that is seen behind an operation is forgotten": (
+        "service/Steering.cpp",
+        "    client_.noteTaken(whoFlies());\n",
+        "",
+        "Copter goTo each 5",
+        "message 76 (400) leaves though somebody has taken the aircraft",
+    ),
+    "a takeover that start() sees is forgotten": (
+        "Start.cpp",
+        "client.noteTaken(isFailsafe ?",
+        "if (ended == Status::Idle) client.noteTaken(isFailsafe ?",
+        "Copter start each 9",
+        "message 76 (400) leaves though somebody has taken the aircraft",
+    ),
+    "arm() does not ask who has taken it": (
+        "Command.cpp",
+        "if (client.known_.takenBy != Status::Idle && mayStartMotors",
+        "if (false && mayStartMotors",
+        "Copter goTo each 9",
+        "message 76 (400) leaves though somebody has taken the aircraft",
+    ),
+    "start() arms again what somebody has disarmed": (
+        "StartTransfer.cpp",
+        "if (message() == Message::Arm) isArmedSeen_ = 1;",
+        "",
+        "Copter start each 5",
+        "message 76 (400) leaves behind a heartbeat that shows it disarmed by somebody",
+    ),
+    # A second vehicle, and strangers:
+    "heartbeats of others are obeyed when it is certain which one is ours": (
+        "AutopilotFinder.cpp",
+        "    if (settled_) return false;\n",
+        "",
+        "Copter start each 7",
+        "nothing happens, and it does not end well",
+    ),
+    "a device that says GENERIC is taken for an autopilot": (
+        "AutopilotFinder.cpp",
+        "  if (autopilot == MAV_AUTOPILOT_GENERIC && !isGenericKnown() && !named_) return false;\n",
+        "",
+        "Copter start each 20",
+        "the upload does not end well",
+    ),
+    "a silent autopilot is not ours any more": (
+        "AutopilotFinder.cpp",
+        "    heard_ = false;\n    forget();",
+        "    heard_ = settled_ = false;\n    forget();",
+        "Copter all each 30",
+        "behind ",
+    ),
+    "what was begun goes on with the autopilot that is named next": (
+        "client/Client.cpp",
+        "if (isForOther && state_.operation",
+        "if (!isForOther && state_.operation",
+        "Copter all plays 60",
+        "message ",
+    ),
+    "what was learned of one autopilot is believed of the next": (
+        "client/Client.cpp",
+        "  memset(&known_, 0, sizeof(known_));\n",
+        "",
+        "Copter all plays 60",
+        "",
+    ),
+    "the next autopilot was seen disarmed, too": (
+        "service/Steering.cpp",
+        "now)) seenDisarmed_ = hadControl_ = false;",
+        "now)) hadControl_ = false;",
+        "Copter all plays 60",
+        "message 76 ",
     ),
 }  # fmt: skip
 
 
-# Each time: orders that leave at any time, targets into silence, another station's plan, an arming that is not seen.
-ALWAYS = ("start() sends", "goTo() leaves", "a target leaves", "a follower does", "arm() believes")
+# Each time: an arming at any time, an autopilot that another one follows, targets into silence, another station's plan, an arming that is not seen.
+ALWAYS = ("kArmDisarm", "a silent autopilot", "a target leaves", "a follower does", "arm() believes")
 DEFECT = [name if name.startswith(ALWAYS) else pytest.param(name, marks=pytest.mark.thorough) for name in DEFECTS]
 
 

@@ -28,11 +28,10 @@ DONE = {
     "FitLight": ("#console", "fit: all is well"),
     "CheckParameters": ("#console", "MIS_RESTART: 1.00 done: the autopilot confirmed it"),
 }
-# What one that flies prints when its flight is over, and how high it flies [m]; StartButton prints nothing then.
+# How high each one flies [m] that lands by itself; what it prints then is "landed".
 FLOWN = {
-    "StartMission": (b"landed\r\n", 10), "NextWaypoint": (b"all fields sampled\r\n", 10),
-    "WorkAtWaypoints": (b"landed\r\n", 10), "GoToPlaces": (b"home\r\n", 10), "FollowBeacon": (b"home\r\n", 10),
-    "StartButton": (b"", 10), "FlyByButtons": (b"landed\r\n", 5),
+    "StartMission": 10, "NextWaypoint": 10, "WorkAtWaypoints": 10, "GoToPlaces": 10, "FollowBeacon": 10,
+    "StartButton": 10, "FlyByButtons": 5,
 }  # fmt: skip
 
 _GO = """

@@ -36,14 +36,20 @@ from .timeline import joined, laid_out, mark_of
 from .wire_form import on_the_wire
 from .words import item_in_words, message_in_words
 
+# The commands of a plan that lead to a place, and all that are flown.
+PLACES = (16, 17, 18, 19, 31, 82)
+FLOWN = range(16, 93)
+
 DESCRIPTIONS = Path(__file__).resolve().parent / "examples.toml"
 
 LIMIT_S = 120.0
 # What a sketch says of an upload that the library refuses, and how long it may take to say which item it is.
 REFUSALS = tuple(text for text in texts_of("Status.h", "MAVMISSION_STATUSES").values() if text.startswith("refused: "))
 REFUSED_AFTER_S = 0.3
-LANDED_S = 3.0  # how long an example that flies goes on behind its landing
-NEAR_HOME_M = 1.0
+FLIGHT_LIMIT_S = 300.0
+LANDED_S = 15.0  # how long a flight goes on behind a landing: another leg may follow
+MOVED_M = NEAR_HOME_M = 1.0
+MOST_PLACES = 12  # that are listed; one that follows a target is told a place five times a second
 
 
 class NoDemonstration(Exception):
@@ -64,13 +70,14 @@ class Settings:
     log: Path | None = None
     timeline: Path | None = None  # an SVG
     fast: bool = False  # as fast as can be, instead of in real time
-    vehicle: str = "copter"  # or "plane" or "rover", on ArduPilot
+    vehicle: str = "copter"  # or "plane", "quadplane" or "rover", on ArduPilot
+    fly_s: float | None = None  # it is judged by what the vehicle does in this time [simulated s]
     described: dict | None = None  # what examples.toml would say of the sketch
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """How it ended. `good` only when every item aboard is the plan that was meant."""
+    """How it ended. `good` only when every item aboard is the plan that was meant; of a flight, when it has landed."""
 
     good: bool
     sentence: str
@@ -83,13 +90,16 @@ class Demonstration:
         self.settings = settings
         self._screen = screen
         described = settings.described or description(settings.example)
-        self._limit_s: float = described.get("runs_s") or described.get("limit_s", LIMIT_S)
-        self._flies: int = described.get("flies", 0)
-        self._follows: int = described.get("follows", 0)
+        self._flies: bool = settings.fly_s is not None or described.get("flies", False)
+        self._limit_s: float = settings.fly_s or (
+            FLIGHT_LIMIT_S if self._flies else described.get("runs_s") or described.get("limit_s", LIMIT_S)
+        )
         self._visited: list[Place] = []
-        self._landed_at: float | None = None
-        self._has_flown = False
-        self._uploads = not described.keys() & {"runs_s", "reads", "flies", "follows"}
+        self._disarmed_at: float | None = None
+        self._was_armed = self._has_moved = False
+        self._item: int | None = None  # of the plan, being flown
+        self._left_out = 0  # items of the plan that were not flown
+        self._uploads = not self._flies and not described.keys() & {"runs_s", "reads"}
         self._reads: bool = described.get("reads", False)
         folder = sketch(settings.example)
         try:
@@ -98,7 +108,7 @@ class Demonstration:
             self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
-        if self._flies or self._follows:
+        if self._flies:
             self.autopilot = one_to_fly(settings.autopilot, settings.vehicle)
         else:
             self.autopilot = an_autopilot(settings.autopilot, settings.vehicle)
@@ -208,17 +218,35 @@ class Demonstration:
             self._screen.progress(sum(talk.aboard.values()), total)
 
     def _watch(self) -> None:
-        """Where it flies, for an example that flies without a plan."""
-        if not self._flies and not self._follows:
+        """What the vehicle does, for a flight: whoever flies it, and whatever the sketch says of it."""
+        if not self._flies:
             return
         flight, now = self.autopilot.flight, self.now
-        there = flight.target
-        is_home = there is not None and there[:2] == flight.home[:2]
-        if there is not None and not is_home and there not in self._visited and flight.where(now).distance(there) < 0.1:
-            self._visited.append(there)
-        self._has_flown |= flight.airborne(now)
-        if self._has_flown and not self.autopilot.armed and self._landed_at is None:
-            self._landed_at = now
+        here = flight.where(now)
+        self._has_moved |= here.distance(flight.home) > MOVED_M
+        if flight.target is not None and here.distance(flight.target) < 0.1:
+            self._visit(here)
+        if self.autopilot.armed:
+            self._was_armed, self._disarmed_at = True, None
+            if flight.index is not None and flight.index != self._item:
+                plan = self.autopilot.plan()
+                if self._item is not None and self._item < len(plan) and plan[self._item].command in PLACES:
+                    self._visit(here)
+                self._item = flight.index
+        elif self._was_armed and self._disarmed_at is None:
+            self._disarmed_at = now
+            self._left_out += self._items_behind(self._item)
+            self._item = None
+
+    def _visit(self, here: Place) -> None:
+        if here[:2] != self.autopilot.flight.home[:2] and (
+            not self._visited or self._visited[-1].distance(here) > MOVED_M
+        ):
+            self._visited.append(here)
+
+    def _items_behind(self, last: int | None) -> int:
+        """How many items that are flown lie behind this one of the plan."""
+        return 0 if last is None else sum(item.command in FLOWN for item in self.autopilot.plan()[last + 1 :])
 
     def console_line(self, text: str) -> None:
         self.said.append(text)
@@ -228,8 +256,8 @@ class Demonstration:
 
     def _is_over(self) -> bool:
         is_refused = self._refused_at is not None and self.now >= self._refused_at + REFUSED_AFTER_S
-        if self._flies or self._follows:
-            has_landed = self._landed_at is not None and self.now >= self._landed_at + LANDED_S
+        if self._flies:
+            has_landed = self._disarmed_at is not None and self.now >= self._disarmed_at + LANDED_S
             return has_landed or self.now >= self._limit_s
         return is_refused or self.now >= self._limit_s or self._conversation.is_over(self.now)
 
@@ -248,7 +276,7 @@ class Demonstration:
         talk = self._conversation
         self._screen.say(f"beside these: {talk.others['HEARTBEAT']} heartbeats, {talk.telemetry} frames of telemetry")
         name = NAMES[self.settings.autopilot]
-        if self._flies or self._follows:
+        if self._flies:
             return self._conclude_flying(name)
         if self._reads:
             return self._conclude_reading(name)
@@ -287,22 +315,31 @@ class Demonstration:
         return Verdict(False, f"FAILED: the Mega has read {len(talk.delivered)} of the {held} items that {name} holds.")
 
     def _conclude_flying(self, name: str) -> Verdict:
-        flight = self.autopilot.flight
+        flight, last = self.autopilot.flight, f' Its last words: "{self.said[-1]}".' if self.said else ""
         legs = [flight.home, *self._visited]
-        # One that follows is told a place five times a second: too many to be listed.
-        for number, (one, other) in enumerate(itertools.pairwise(legs if self._flies else ()), start=1):
+        for number, (one, other) in enumerate(itertools.pairwise(legs[: MOST_PLACES + 1]), start=1):
             away_m = one.distance(other)
             self._screen.say(f"place {number}: {away_m:.0f} m from the one before, {other.height:.1f} m up")
-        if len(self._visited) < self._follows:
-            return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._follows} targets.")
-        if self._flies and len(self._visited) != self._flies:
-            return Verdict(False, f"FAILED: {name} has been at {len(self._visited)} of {self._flies} places.")
-        if self._landed_at is None:
-            return Verdict(False, f"FAILED: after {self.now:.0f} s {name} has not landed.")
-        if flight.where(self.now).distance(flight.home) > NEAR_HOME_M:
-            return Verdict(False, f"FAILED: {name} has landed, but not at home.")
-        been = f"at all {self._flies} places" if self._flies else f"behind its target at {len(self._visited)} places"
-        return Verdict(True, f"{name} has been {been}, and has landed at home.")
+        if len(self._visited) > MOST_PLACES:
+            self._screen.say(f"and {len(self._visited) - MOST_PLACES} more")
+        here = flight.where(self.now)
+        if not self._was_armed:
+            return Verdict(False, f"FAILED: in {self.now:.0f} s the sketch has not armed {name}.{last}")
+        if self.autopilot.armed or here.height > 0.1:
+            armed = "armed" if self.autopilot.armed else "disarmed"
+            return Verdict(
+                False, f"FAILED: after {self.now:.0f} s {name} is still {armed}, {here.height:.1f} m up.{last}"
+            )
+        if not self._has_moved:
+            return Verdict(False, f"FAILED: {name} was armed and disarmed again, and has not moved.{last}")
+        if self._left_out:
+            return Verdict(
+                False, f"FAILED: {name} was disarmed before {self._left_out} items of its plan were flown.{last}"
+            )
+        home_m = here.distance(flight.home)
+        where = "at home" if home_m < NEAR_HOME_M else f"{home_m:.0f} m from home"
+        places = "1 place" if len(self._visited) == 1 else f"{len(self._visited)} places"
+        return Verdict(True, f"{name} has been at {places}, and is disarmed on the ground {where}.")
 
     def _draw(self, file: Path, verdict: Verdict) -> None:
         """The run as a picture."""

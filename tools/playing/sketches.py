@@ -28,7 +28,7 @@ ARMING = re.compile(
 )
 # Such a sketch reads what is typed: itself, or by what it gives its console to.
 LISTENS = re.compile(r"\(CONSOLE,|CONSOLE\.(read|available|parse|find)")
-NOT_HERE = "TAKE OFF THE PROPELLERS WHILE YOU TRY IT."  # said of a real aircraft
+NOT_HERE = "REMOVE THE PROPELLERS WHILE YOU TRY IT."  # said of a real aircraft
 CARD = "PlanFromSd"  # the text that it has without a card is the file on the card
 
 

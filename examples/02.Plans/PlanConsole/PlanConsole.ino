@@ -1,6 +1,6 @@
 // A text console on the serial monitor (115200 baud, "both NL & CR") or any terminal: load a .waypoints file into
 // EEPROM, which keeps it without power; upload, verify and fly it. Type "help". A Mega has enough flash for all
-// commands; an Uno, a Nano or a Leonardo does not. TAKE OFF THE PROPELLERS WHILE YOU TRY IT: "start" arms the aircraft.
+// commands; an Uno, a Nano or a Leonardo does not. REMOVE THE PROPELLERS WHILE YOU TRY IT: "start" arms the aircraft.
 #define CONSOLE_RX 10  // an Uno and a Nano need it to read from CONSOLE
 #include <MavMissionConsole.h>
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports

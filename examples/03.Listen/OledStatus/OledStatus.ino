@@ -21,6 +21,7 @@ void showTenths(int32_t tenths) {
 }
 
 void showBattery() {
+  if (!vehicle.battery().hasVoltage()) return;
   showTenths(vehicle.battery().voltageMv() / 100);
   display.print(F(" V "));
   if (!vehicle.battery().hasRemaining()) return;
@@ -29,8 +30,10 @@ void showBattery() {
 }
 
 void showGps() {
-  display.print(vehicle.gps().hasFix() ? F("fix, ") : F("no fix, "));
-  if (vehicle.gps().hasSatellites()) display.print(vehicle.gps().satellites());
+  if (!vehicle.gps().isHeard()) return;
+  display.print(vehicle.gps().hasFix() ? F("fix ") : F("no fix "));
+  if (!vehicle.gps().hasSatellites()) return;
+  display.print(vehicle.gps().satellites());
   display.print(F(" sat"));
 }
 
@@ -46,7 +49,7 @@ void showLine(uint8_t line) {
   display.setCursor(0, line);
   switch (line) {
     case 0: display.print(vehicle.isHeard() ? vehicle.modeName() : F("no autopilot")); break;
-    case 1: display.print(vehicle.isArmed() ? F("ARMED") : F("disarmed")); break;
+    case 1: display.print(!vehicle.isHeard() ? F("") : vehicle.isArmed() ? F("ARMED") : F("disarmed")); break;
     case 2: display.print(toString(vehicle.fitness())); break;
     case 3: showBattery(); break;
     case 4: showGps(); break;

@@ -4,15 +4,21 @@
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
-constexpr uint16_t kDoWinch = 42600;  // MAV_CMD_DO_WINCH: param 3 is the length of rope [m]
+constexpr uint16_t kDoWinch = 42600;  // MAV_CMD_DO_WINCH: param 2 is the action, param 3 the length of rope [m]
+constexpr float kByLength = 1;        // WINCH_RELATIVE_LENGTH_CONTROL; this winch has no other action
 constexpr uint8_t kMotorPin = 9;
 constexpr uint32_t kLoweringMs = 5000;
 
 MissionClient autopilot(TELEM);
-uint32_t startedMs;
+PayloadAnswer carryOut(void*, const PayloadCommand& command);
+Payload payload(autopilot, carryOut);
+NamedValue weight("weight");
+uint32_t startedMs, toldMs;
 
 PayloadAnswer carryOut(void*, const PayloadCommand& command) {
   if (command.id != kDoWinch) return PayloadAnswer::Unsupported;
+  if (command.param[1] != kByLength || !(command.param[2] > 0)) return PayloadAnswer::Denied;
+  if (payload.isBusy()) return PayloadAnswer::Rejected;
   CONSOLE.print(F("lowering "));
   CONSOLE.print(command.param[2]);
   CONSOLE.println(F(" m of rope"));
@@ -20,10 +26,6 @@ PayloadAnswer carryOut(void*, const PayloadCommand& command) {
   startedMs = millis();
   return PayloadAnswer::InProgress;
 }
-
-Payload payload(autopilot, carryOut);
-NamedValue weight("weight");
-uint32_t toldMs;
 
 void lower() {
   const uint32_t elapsedMs = millis() - startedMs;

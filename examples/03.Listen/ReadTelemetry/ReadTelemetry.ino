@@ -23,8 +23,10 @@ void printPosition() {
 }
 
 void printBattery() {
-  CONSOLE.print(battery.voltageMv());
-  CONSOLE.print(F(" mV, "));
+  if (battery.hasVoltage()) {
+    CONSOLE.print(battery.voltageMv());
+    CONSOLE.print(F(" mV, "));
+  }
   if (battery.hasRemaining()) {
     CONSOLE.print(battery.remainingPercent());
     CONSOLE.println(F(" % left"));
@@ -43,7 +45,11 @@ void loop() {
   if (position.isNew() && position.hasPlace()) printPosition();
   if (battery.isNew()) printBattery();
   if (gps.isNew()) {
-    CONSOLE.print(gps.satellites());
-    CONSOLE.println(gps.hasFix() ? F(" satellites") : F(" satellites, no fix yet"));
+    CONSOLE.print(gps.hasFix() ? F("fix") : F("no fix yet"));
+    if (gps.hasSatellites()) {
+      CONSOLE.print(F(", satellites: "));
+      CONSOLE.print(gps.satellites());
+    }
+    CONSOLE.println();
   }
 }

@@ -1,56 +1,32 @@
-// A button that starts the mission. At power-on the plan is uploaded; if the button is then held for two seconds, the
-// aircraft arms and flies the plan. The sketch prints how the upload and the start ended, and the autopilot's messages.
-// TAKE OFF THE PROPELLERS WHILE YOU TRY IT.
+// Flies a plan each time that a button is held for two seconds. REMOVE THE PROPELLERS WHILE YOU TRY IT.
 //
-// A button that is stuck, or pressed at power-on, starts nothing: it has to be released first. After a reset in flight
-// nothing is uploaded or started: both are refused while the aircraft is armed.
+// A second press, a bounce or a stuck button does nothing. After a pilot, a failsafe or a reset has ended the flight,
+// nothing is armed until the button is held again.
 #include <MavMission.h>
+#include <MavMissionButton.h>   // HoldButton
 #include <MavMissionMonitor.h>  // TELEM and CONSOLE: this board's ports
 using namespace mavmission;
 
-constexpr uint8_t kButton = 2;  // the button joins this pin to GND
-constexpr uint32_t kHoldMs = 2000;
+constexpr LatLon kStart = {-35.3632621_deg, 149.1652374_deg};
 
 constexpr MissionItem plan[] PROGMEM = {
-    takeoff(-35.3632621_deg, 149.1652374_deg, 10_m),
+    takeoff(kStart, 10_m),
     waypoint(-35.3630000_deg, 149.1652374_deg, 10_m),
-    land(-35.3632621_deg, 149.1652374_deg),
+    land(kStart),
 };
 
 MissionClient autopilot(TELEM);
-MissionFollower mission(autopilot);
-bool wasReleased;
-uint32_t releasedAtMs;
-
-// True once, when the button has been held long enough.
-bool isHeld() {
-  if (digitalRead(kButton) == HIGH) {
-    wasReleased = true;
-    releasedAtMs = millis();
-    return false;
-  }
-  if (!wasReleased || millis() - releasedAtMs < kHoldMs) return false;
-  wasReleased = false;
-  return true;
-}
-
-void onText(void*, uint8_t, const char* text) {
-  CONSOLE.print(F("autopilot: "));
-  CONSOLE.println(text);
-}
+Flight flight(autopilot);
+HoldButton button(2, 2000);  // joins pin 2 to GND
 
 void setup() {
-  pinMode(kButton, INPUT_PULLUP);
   CONSOLE.begin(115200);
   beginTelem(57600);
-  mission.onText(onText);
-  autopilot.upload(inFlash(plan));
 }
 
 void loop() {
-  const Status status = autopilot.update();
-  if (isEnd(status)) CONSOLE.println(toString(status));
-  if (!isHeld()) return;
-  CONSOLE.println(F("start"));
-  if (autopilot.start() == Status::Busy) CONSOLE.println(toString(Status::Busy));
+  if (flight.update()) flight.printTo(CONSOLE);
+  if (!button.isPressed()) return;
+  flight.begin();  // a person asks for the aircraft
+  flight.fly(inFlash(plan));
 }

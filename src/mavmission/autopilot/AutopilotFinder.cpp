@@ -71,9 +71,9 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
   return true;
 }
 
-// It boots: it has restarted since.
+// It boots: it has restarted since. (MAV_STATE_UNINIT is what PX4 says while it would not be armed in its mode.)
 void AutopilotFinder::noteState(uint8_t before) {
-  if (heartbeat_.state <= MAV_STATE_BOOT && before > MAV_STATE_BOOT) change();
+  if (heartbeat_.state == MAV_STATE_BOOT && before > MAV_STATE_BOOT) change();
 }
 
 void AutopilotFinder::onTime(uint16_t nowMs) {

@@ -101,6 +101,8 @@ struct FollowRules {
   static constexpr uint8_t kSilence = 3, kFirstPause = 2, kLongestPause = 64;
   // How often MISSION_CURRENT may name another plan after an answer to the client before it is believed.
   static constexpr uint8_t kPatience = 3;
+  // So many items may have been left behind from one MISSION_CURRENT to the next.
+  static constexpr uint8_t kMostBehind = 8;
   // For how many heartbeats after its acceptance ArduPilot's text about an upload of ours is expected.
   static constexpr uint8_t kText = 3;
 };
@@ -140,6 +142,17 @@ struct SteerRules {
   // In heartbeats of the autopilot, one a second: how long ago it may have named a target for another one to be waited
   // for.
   static constexpr uint8_t kTargetBeats = 5;
+};
+
+// A Flight.
+struct FlightRules {
+  static constexpr uint16_t kReadyS = 300;         // from its beginning until it must have been armed
+  static constexpr uint16_t kReadyAgainMs = 5000;  // from a refusal on the ground to the next attempt
+  static constexpr uint16_t kOrderAgainMs = 1000;  // the same in the air
+  static constexpr uint8_t kOrderTries = 30;       // of an order in the air
+  // In heartbeats, one a second: without MISSION_CURRENT that says that a return is the plan's own; and from the end of
+  // a rover's plan to its disarming.
+  static constexpr uint8_t kUnclearBeats = 5, kArrivedBeats = 3;
 };
 
 struct StandardModeRules {

@@ -6,6 +6,8 @@ namespace {
 // Fractions are in units of 2^-30.
 constexpr uint8_t kBits = 30;
 constexpr int64_t kOne = int64_t{1} << kBits;
+constexpr int64_t kHalfTurn = 1800000000;  // [1e-7 deg]
+constexpr uint32_t kFarthestCm = 2000000000;
 
 // The length of a degree of longitude at a latitude of 89 degrees [mm]. It is used nearer to a pole, too, where east
 // has hardly a meaning, and keeps the divisor from becoming 0.
@@ -28,20 +30,48 @@ int32_t rounded(int64_t dividend, int64_t divisor) {
   return static_cast<int32_t>((dividend + half) / divisor);
 }
 
+// The length of a degree at a latitude [mm]: a series of cosines of multiples of the latitude (the usual series for WGS
+// 84), written here in powers of the cosine.
+struct Degree {
+  int64_t north;
+  int64_t east;
+
+  explicit Degree(Degrees latitude) {
+    const int64_t c = cosine(latitude.e7());
+    const int64_t c2 = times(c, c);
+    const int64_t c4 = times(c2, c2);
+    north = 111132954 - times(559822, 2 * c2 - kOne) + times(1175, 8 * c4 - 8 * c2 + kOne);
+    east = times(c, 111412840 - times(93500, 4 * c2 - 3 * kOne) + times(118, 16 * c4 - 20 * c2 + 5 * kOne));
+    if (east < kShortest) east = kShortest;
+  }
+};
+
+constexpr int64_t kStepsPerCm = 100000000;  // 1e7 in a degree, 10 mm in a centimetre
+
 }  // namespace
 
-// The length of a degree [mm] is a series of cosines of multiples of the latitude (the usual series for WGS 84),
-// written here in powers of the cosine.
 LatLon moved(const LatLon& from, int32_t northCm, int32_t eastCm) {
-  const int64_t c = cosine(from.latitude.e7());
-  const int64_t c2 = times(c, c);
-  const int64_t c4 = times(c2, c2);
-  const int64_t north = 111132954 - times(559822, 2 * c2 - kOne) + times(1175, 8 * c4 - 8 * c2 + kOne);
-  int64_t east = times(c, 111412840 - times(93500, 4 * c2 - 3 * kOne) + times(118, 16 * c4 - 20 * c2 + 5 * kOne));
-  if (east < kShortest) east = kShortest;
-  const int64_t kStepsPerCm = 100000000;  // 1e7 in a degree, 10 mm in a centimetre
-  return LatLon{from.latitude + Degrees::fromE7(rounded(northCm * kStepsPerCm, north)),
-                from.longitude + Degrees::fromE7(rounded(eastCm * kStepsPerCm, east))};
+  const Degree degree(from.latitude);
+  return LatLon{from.latitude + Degrees::fromE7(rounded(northCm * kStepsPerCm, degree.north)),
+                from.longitude + Degrees::fromE7(rounded(eastCm * kStepsPerCm, degree.east))};
+}
+
+uint32_t distanceCm(const LatLon& from, const LatLon& to) {
+  const Degree degree(from.latitude);
+  int64_t stepsEast = int64_t{to.longitude.e7()} - from.longitude.e7();
+  if (stepsEast > kHalfTurn) stepsEast -= 2 * kHalfTurn;
+  if (stepsEast < -kHalfTurn) stepsEast += 2 * kHalfTurn;
+  const int64_t north = rounded((int64_t{to.latitude.e7()} - from.latitude.e7()) * degree.north, kStepsPerCm);
+  const int64_t east = rounded(stepsEast * degree.east, kStepsPerCm);
+  // The root, a bit at a time from above.
+  const uint64_t square = static_cast<uint64_t>(north * north) + static_cast<uint64_t>(east * east);
+  uint32_t root = 0;
+  for (uint32_t bit = uint32_t{1} << 31; bit != 0; bit >>= 1) {
+    const uint32_t next = root | bit;
+    if (uint64_t{next} * next <= square) root = next;
+  }
+  if (square - uint64_t{root} * root > root) ++root;
+  return root < kFarthestCm ? root : kFarthestCm;
 }
 
 }  // namespace mavmission

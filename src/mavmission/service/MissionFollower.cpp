@@ -118,6 +118,7 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   // twice.
   if (patience_ > 1 && total != total_) patience_ = 1;
   total_ = total;
+  const bool wasUnderWay = state_ == MissionState::Active && client_.autopilot().isArmed();
   state_ = static_cast<MissionState>(message.mission_state);
   const uint32_t planId = message.mission_id;
   const bool isNew = planId != planId_;
@@ -138,8 +139,16 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
     if (isDoubted && isDoubted_ && !isNew) client_.noteInfeasible();
   }
   isDoubted_ = isDoubted;
+  // Behind the last item there is none that would become the current one.
+  if (wasUnderWay && state_ == MissionState::Complete) tellUpTo(total_);
   if (item == current_) return;
   current_ = item;
+  if (item == Port::kNoItem) {
+    next_ = 0;
+    return;
+  }
+  // An item of which it was told before it was the current one is not flown again.
+  const bool isSame = item == reached_ && leg_ == Leg::Early;
   if (item >= reached_) {
     if (leg_ == Leg::Early) {
       leg_ = Leg::Flown;
@@ -147,14 +156,31 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
       leg_ = Leg::Again;
     }
   }
-  if (item != Port::kNoItem && currentFunction_ != nullptr) currentFunction_(currentContext_, item);
+  // What it has left behind in flight it has reached, unless the client's own operation makes it go elsewhere.
+  const bool isOrdered = client_.running() != Status::Idle && !client_.hasItems();
+  if (wasUnderWay && !isOrdered) tellUpTo(item);
+  if (!isSame) next_ = item;
+  if (currentFunction_ != nullptr) currentFunction_(currentContext_, item);
 }
 
 void MissionFollower::takeReached(const FrameParser& frame) {
   const uint16_t item = client_.itemFromWire(frame.payloadWord(offsetof(mavlink_mission_item_reached_t, seq)));
   // PX4 repeats the message every second while it stays at the item.
   if (item == Port::kNoItem || (item == reached_ && leg_ != Leg::Again)) return;
+  if (state_ == MissionState::Active && client_.autopilot().isArmed() && current_ != Port::kNoItem) tellUpTo(item);
+  tell(item);
+}
+
+// Each item before this one of which nothing was told, although it is behind: ArduPilot tells of each once, and PX4
+// only of the last of a waypoint and the commands behind it. More of them at once are no flight, but a jump.
+void MissionFollower::tellUpTo(uint16_t end) {
+  if (end > next_ + FollowRules::kMostBehind) return;
+  while (next_ < end) tell(next_);
+}
+
+void MissionFollower::tell(uint16_t item) {
   reached_ = item;
+  next_ = static_cast<uint16_t>(item + 1);
   leg_ = static_cast<uint16_t>(current_ + 1) <= item ? Leg::Early : Leg::Flown;  // or none is current yet
   if (reachedFunction_ != nullptr) reachedFunction_(reachedContext_, item);
 }

@@ -140,7 +140,10 @@ void Steering::takeHeartbeat() {
   // What an order of the sketch's own sees, it judges by itself: who had control before is looked at when it has ended.
   if (client_.running() != Status::Idle && client_.commands().isCommanding()) return;
   const bool hasControl = isOurs();
-  if (hadControl_ && isArmed && !hasControl && !mayBeOfPlan()) client_.noteTaken(whoFlies());
+  if (hadControl_ && isArmed && !hasControl) {
+    if (mayBeOfPlan()) return;  // the next mode tells
+    client_.noteTaken(whoFlies());
+  }
   hadControl_ = isArmed && hasControl;
 }
 

@@ -24,6 +24,12 @@ class Print {
   }
   // As in the core: 0 where a stream does not implement it.
   virtual int availableForWrite() { return 0; }
+  size_t print(const char* text) { return write(reinterpret_cast<const uint8_t*>(text), strlen(text)); }
+  size_t print(unsigned number) {
+    return (number > 9 ? print(number / 10) : 0) + write(static_cast<uint8_t>('0' + number % 10));
+  }
+  size_t println() { return print("\r\n"); }
+  size_t println(const char* text) { return print(text) + println(); }
 
  protected:
   ~Print() = default;

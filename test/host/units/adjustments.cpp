@@ -19,7 +19,7 @@ constexpr uint32_t kAuto = 3, kLoiter = 5, kRtl = 6;  // ArduCopter's modes
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 
 // An aircraft that follows its mission, with a sketch that may steer it.
-struct Flight : ClientOnLine {
+struct Flown : ClientOnLine {
   Steering steering;
   Adjustments adjustments;
   const uint8_t autopilot, type;
@@ -28,7 +28,7 @@ struct Flight : ClientOnLine {
   std::vector<mavlink_command_long_t> commands;  // but for requests of heartbeats
   uint32_t answerMs = 0;                         // when the heartbeat that was asked for comes
 
-  explicit Flight(uint8_t madeBy = kArduPilot, uint8_t itsType = MAV_TYPE_QUADROTOR)
+  explicit Flown(uint8_t madeBy = kArduPilot, uint8_t itsType = MAV_TYPE_QUADROTOR)
       : ClientOnLine(madeBy), steering(client), adjustments(steering), autopilot(madeBy), type(itsType) {
     beats = false;
     client.allowWhileArmed(true);
@@ -102,7 +102,7 @@ TEST_CASE("a heading is one from 0 to 360 degrees on the wire, with its turn, an
     float told;
   } kHeadings[] = {{90_deg, 90},       {-90_deg, 270}, {0_deg, 0},      {yaw(200.25f), 200.25f},
                    {-0.5_deg, 359.5f}, {180_deg, 180}, {-180_deg, 180}, {yaw(0.01f), 0.01f}};
-  Flight flight;
+  Flown flight;
   for (const auto& one : kHeadings) {
     CAPTURE(one.told);
     flight.adjustments.turnTo(one.heading, perSecond(30.5f));
@@ -126,7 +126,7 @@ TEST_CASE("a heading is one from 0 to 360 degrees on the wire, with its turn, an
 TEST_CASE("a speed upwards or downwards is told alone") {
   for (bool isClimb : {true, false}) {
     for (float metres : {0.01f, 1.5f, 20.0f}) {
-      Flight flight;
+      Flown flight;
       isClimb ? flight.adjustments.setClimbSpeed(speed(metres)) : flight.adjustments.setDescentSpeed(speed(metres));
       CHECK((flight.end() == Status::Done));
       REQUIRE(flight.commands.size() == 1);
@@ -162,7 +162,7 @@ TEST_CASE("the numbers of a turn that are refused are named") {
   for (const auto& one : kCases) {
     CAPTURE(one.heading.inDegrees());
     CAPTURE(one.turn);
-    Flight flight;
+    Flown flight;
     flight.adjustments.turnTo(one.heading, perSecond(one.turn));
     const Status status = one.field == ItemField::None ? flight.end() : flight.refused(one.field);
     CHECK((status == one.status));
@@ -179,7 +179,7 @@ TEST_CASE("a speed is above 0, and at most 20 m/s") {
                   {-kInfinity, Status::BadSpeed}, {kNan, Status::NotANumber}};
     for (const auto& one : kCases) {
       CAPTURE(one.metres);
-      Flight flight;
+      Flown flight;
       isClimb ? flight.adjustments.setClimbSpeed(speed(one.metres))
               : flight.adjustments.setDescentSpeed(speed(one.metres));
       CHECK((flight.refused(ItemField::Param2) == one.status));
@@ -198,7 +198,7 @@ TEST_CASE("no other vehicle than ArduCopter takes any of them") {
   for (const auto& other : kOthers) {
     CAPTURE(int{other.type});
     for (bool isPilots : {false, true}) {
-      Flight flight(other.autopilot, other.type);
+      Flown flight(other.autopilot, other.type);
       flight.mode = other.autoMode;
       if (isPilots) flight.mode = other.autopilot == ClientOnLine::kPx4 ? 3ul << 16 : 0;  // whoever has it
       flight.pass(1500);
@@ -214,7 +214,7 @@ TEST_CASE("no other vehicle than ArduCopter takes any of them") {
 
 TEST_CASE("nothing is adjusted for a pilot, or a failsafe") {
   for (uint32_t mode : {kLoiter, kRtl}) {
-    Flight flight;
+    Flown flight;
     flight.mode = mode;
     flight.pass(1500);
     flight.adjustments.turnTo(90_deg);
@@ -223,7 +223,7 @@ TEST_CASE("nothing is adjusted for a pilot, or a failsafe") {
 }
 
 TEST_CASE("while another operation runs none begins, and what runs is not changed") {
-  Flight flight;
+  Flown flight;
   CHECK((flight.adjustments.turnTo(90_deg, perSecond(20)) != Status::Busy));
   CHECK((flight.adjustments.turnTo(45_deg, perSecond(10)) == Status::Busy));
   CHECK((flight.adjustments.setClimbSpeed(3_mps) == Status::Busy));
@@ -236,7 +236,7 @@ TEST_CASE("while another operation runs none begins, and what runs is not change
 }
 
 TEST_CASE("a refusal of the autopilot's is the end") {
-  Flight flight;
+  Flown flight;
   flight.result = MAV_RESULT_DENIED;
   flight.adjustments.setClimbSpeed(3_mps);
   CHECK((flight.end() == Status::CommandDenied));

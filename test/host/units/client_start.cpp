@@ -11,7 +11,7 @@ using namespace obedient;
 
 TEST_CASE(
     "a start is refused before anything leaves: without our plan, while it is armed, for an item that is not there") {
-  Flight flight;
+  Flown flight;
   flight.client.start();
   CHECK((flight.refusal() == Status::Unproven));
   flight.upload();
@@ -32,7 +32,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a vehicle whose modes are not known is not started") {
-  Flight flight(ClientOnLine::kArduPilot, MAV_TYPE_ROCKET);
+  Flown flight(ClientOnLine::kArduPilot, MAV_TYPE_ROCKET);
   flight.upload();
   flight.client.start();
   CHECK((flight.refusal() == Status::NoSuchMode));
@@ -44,7 +44,7 @@ TEST_CASE("a vehicle whose modes are not known is not started") {
 
 TEST_CASE("ArduPilot is given its own number of the item where the start begins, and 0 for the first one") {
   for (uint16_t item : {0, 1, 2, 3}) {
-    Flight flight;
+    Flown flight;
     flight.upload();
     flight.client.start(item);
     flight.fly(2000);
@@ -54,7 +54,7 @@ TEST_CASE("ArduPilot is given its own number of the item where the start begins,
 
 TEST_CASE("a copter is started step by step, and flies to the first item that can be flown to, or to another one") {
   for (uint16_t flown : {1, 3, 4}) {
-    Flight flight;
+    Flown flight;
     flight.upload();
     flight.flown = flown;
     flight.client.start();
@@ -71,7 +71,7 @@ TEST_CASE("a copter is started step by step, and flies to the first item that ca
 }
 
 TEST_CASE("a start from a command begins with the next item that can be flown to") {
-  Flight flight;
+  Flown flight;
   flight.upload();
   flight.flown = 3;
   flight.client.start(1);
@@ -88,7 +88,7 @@ TEST_CASE("a step that is refused is the status, and what has been armed is disa
                    {MAV_CMD_DO_SET_MODE, StartStep::ReadyMode, StartArming::Untouched},
                    {MAV_CMD_MISSION_START, StartStep::Begin, StartArming::Disarmed}};
   for (const auto& one : kRefusals) {
-    Flight flight;
+    Flown flight;
     flight.upload();
     flight.refusedOn = one.command;
     flight.client.start();
@@ -101,7 +101,7 @@ TEST_CASE("a step that is refused is the status, and what has been armed is disa
 }
 
 TEST_CASE("a step without an answer is told as such") {
-  Flight flight;
+  Flown flight;
   flight.upload();
   flight.silentOn = MAV_CMD_COMPONENT_ARM_DISARM;
   flight.client.start();
@@ -111,7 +111,7 @@ TEST_CASE("a step without an answer is told as such") {
 }
 
 TEST_CASE("another plan that is named meanwhile is the end, and it is known that it is aboard") {
-  Flight flight;
+  Flown flight;
   flight.upload();
   flight.silentOn = MAV_CMD_COMPONENT_ARM_DISARM;
   flight.client.start();
@@ -126,7 +126,7 @@ TEST_CASE("another plan that is named meanwhile is the end, and it is known that
 
 TEST_CASE("PX4 is started with the item as the command's parameter") {
   for (uint16_t item : {0, 2}) {
-    Flight flight(ClientOnLine::kPx4);
+    Flown flight(ClientOnLine::kPx4);
     flight.upload();
     flight.client.start(item);
     flight.fly(4000);
@@ -138,14 +138,14 @@ TEST_CASE("PX4 is started with the item as the command's parameter") {
 
 TEST_CASE("startMission() is for an armed aircraft") {
   for (uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
-    Flight flight(autopilot);
+    Flown flight(autopilot);
     flight.client.startMission();
     CHECK((flight.refusal() == Status::NotArmed));
   }
 }
 
 TEST_CASE("startMission() of an ArduPilot in AUTO waits for the answer to its command") {
-  Flight flight;
+  Flown flight;
   flight.baseMode = kArmed;
   flight.mode = kAuto;
   flight.fly(1100);
@@ -160,7 +160,7 @@ TEST_CASE("startMission() of an ArduPilot in AUTO waits for the answer to its co
 }
 
 TEST_CASE("startMission() of a PX4 sets its mode, and sends nothing that arms") {
-  Flight flight(ClientOnLine::kPx4);
+  Flown flight(ClientOnLine::kPx4);
   flight.baseMode = kArmed;
   flight.fly(1100);
   flight.client.startMission();
@@ -173,7 +173,7 @@ TEST_CASE("startMission() of a PX4 sets its mode, and sends nothing that arms") 
 TEST_CASE("a mission is under way when the autopilot says so, or does not say") {
   for (const uint8_t state : {MISSION_STATE_UNKNOWN, MISSION_STATE_ACTIVE, MISSION_STATE_NOT_STARTED,
                               MISSION_STATE_PAUSED, MISSION_STATE_COMPLETE}) {
-    Flight flight;
+    Flown flight;
     flight.upload();
     flight.state = state;
     flight.client.start();
@@ -184,7 +184,7 @@ TEST_CASE("a mission is under way when the autopilot says so, or does not say") 
 }
 
 TEST_CASE("a step behind arming that nobody answers is told, and the aircraft is disarmed") {
-  Flight flight;
+  Flown flight;
   flight.upload();
   flight.silentOn = MAV_CMD_MISSION_START;
   flight.client.start();
@@ -196,7 +196,7 @@ TEST_CASE("a step behind arming that nobody answers is told, and the aircraft is
 }
 
 TEST_CASE("the items are looked at one in an update(), and the first message leaves then") {
-  Flight flight;
+  Flown flight;
   flight.upload();
   flight.run(10);
   flight.client.setCustomMode(kStabilize);
@@ -211,7 +211,7 @@ TEST_CASE("the items are looked at one in an update(), and the first message lea
 }
 
 TEST_CASE("while our own frame waits for room the look at the plan waits, and harms nothing") {
-  Flight flight(ClientOnLine::kPx4);
+  Flown flight(ClientOnLine::kPx4);
   flight.upload();
   flight.line.room = 0;
   flight.fly(1200);
@@ -244,7 +244,7 @@ bool readFarPlace(void*, uint16_t index, MissionItem& item) {
   return true;
 }
 
-void accept(Flight& flight, const ItemSource& plan) {
+void accept(Flown& flight, const ItemSource& plan) {
   flight.client.uploadWithoutReadback(plan);
   flight.fly(200);
   const uint16_t items = static_cast<uint16_t>(plan.count + (flight.isPx4 ? 0 : 1));
@@ -262,7 +262,7 @@ void accept(Flight& flight, const ItemSource& plan) {
 TEST_CASE("a plan whose source does not give it any more is not confirmed to be flown from the right item on") {
   for (const Gives what : {Gives::Plan, Gives::Nothing, Gives::BadItem}) {
     gives = Gives::Plan;
-    Flight flight;
+    Flown flight;
     accept(flight, fromFunction(read, 4));
     gives = what;
     flight.client.start();
@@ -273,7 +273,7 @@ TEST_CASE("a plan whose source does not give it any more is not confirmed to be 
 }
 
 TEST_CASE("a start looks at an item whose place has to be searched as well") {
-  Flight flight(ClientOnLine::kPx4);
+  Flown flight(ClientOnLine::kPx4);
   accept(flight, fromFunction(readFarPlace, 14));
   flight.client.start();
   flight.fly(1000);
@@ -289,7 +289,7 @@ TEST_CASE("a start looks at an item whose place has to be searched as well") {
 TEST_CASE("behind an operation with a fence a start counts the items of the mission") {
   const MissionItem fence[] = {fenceInsideCircle(-35.36_deg, 149.16_deg, 100_m)};
   for (const bool clears : {true, false}) {
-    Flight flight;
+    Flown flight;
     flight.upload();
     if (clears) {
       flight.client.clear(PlanType::Fence);
@@ -307,7 +307,7 @@ TEST_CASE("behind an operation with a fence a start counts the items of the miss
 }
 
 TEST_CASE("what was said of a start is forgotten when the next one begins, and what is refused is refused anywhere") {
-  Flight flight;
+  Flown flight;
   flight.upload();
   flight.refusedOn = MAV_CMD_COMPONENT_ARM_DISARM;
   flight.client.start();
@@ -316,14 +316,14 @@ TEST_CASE("what was said of a start is forgotten when the next one begins, and w
   flight.client.start();
   CHECK((flight.client.startStep() == StartStep::None));
   flight.client.cancel();
-  Flight px4(ClientOnLine::kPx4);
+  Flown px4(ClientOnLine::kPx4);
   px4.client.start();
   CHECK((px4.refusal() == Status::Unproven));
 }
 
 TEST_CASE("startMission() of a copter asks which vehicle it is, and a disarmed one is not asked") {
   for (const bool isArmed : {false, true}) {
-    Flight flight;
+    Flown flight;
     flight.saysVehicle = false;
     if (isArmed) flight.baseMode = kArmed;
     flight.fly(1100);
@@ -332,7 +332,7 @@ TEST_CASE("startMission() of a copter asks which vehicle it is, and a disarmed o
     flight.fly(50);
     size_t asked = 0;
     for (const SentFrame& frame : flight.sent) {
-      if (frame.messageId == kCommand && Flight::commandOf(frame) == MAV_CMD_DO_VTOL_TRANSITION) ++asked;
+      if (frame.messageId == kCommand && Flown::commandOf(frame) == MAV_CMD_DO_VTOL_TRANSITION) ++asked;
     }
     CHECK(asked == (isArmed ? 1 : 0));
     CHECK(flight.client.isBusy() == isArmed);
@@ -340,7 +340,7 @@ TEST_CASE("startMission() of a copter asks which vehicle it is, and a disarmed o
 }
 
 TEST_CASE("a rover that refuses AUTO is asked again 1 s later, also where the order had been repeated") {
-  Flight flight(ClientOnLine::kArduPilot, MAV_TYPE_GROUND_ROVER);
+  Flown flight(ClientOnLine::kArduPilot, MAV_TYPE_GROUND_ROVER);
   flight.upload();
   flight.client.start();
   for (int i = 0; i < 4000 && flight.baseMode != kArmed; ++i) flight.fly(5);
@@ -350,7 +350,7 @@ TEST_CASE("a rover that refuses AUTO is asked again 1 s later, also where the or
   const auto orders = [&] {
     std::vector<uint32_t> times;
     for (const SentFrame& frame : flight.sent) {
-      const bool isOrder = frame.messageId == kCommand && Flight::commandOf(frame) == MAV_CMD_DO_SET_MODE;
+      const bool isOrder = frame.messageId == kCommand && Flown::commandOf(frame) == MAV_CMD_DO_SET_MODE;
       if (isOrder) times.push_back(frame.atMs);
     }
     return times;

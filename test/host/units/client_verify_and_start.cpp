@@ -10,10 +10,10 @@ namespace {
 
 constexpr uint32_t kLoiter = 5;
 
-struct Sketch : Flight {
+struct Sketch : Flown {
   std::vector<Status> told;
 
-  explicit Sketch(uint8_t autopilot = kArduPilot) : Flight(autopilot) {
+  explicit Sketch(uint8_t autopilot = kArduPilot) : Flown(autopilot) {
     client.onEnd(note, this);
     sent.clear();
   }

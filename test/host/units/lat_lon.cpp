@@ -43,6 +43,7 @@ TEST_CASE("a place is moved to within 1 cm and 0.01 % of the way") {
       const double allowed = 1 + 1e-4 * fabs(cm);
       CHECK(fabs(northOf(degree, to.latitude.e7() / 1e7) - cm) < allowed);
       CHECK(fabs(eastOf(degree, (to.longitude.e7() - 81234567) / 1e7) + cm) < allowed);
+      CHECK(fabs(distanceCm(from, to) - sqrt(2.0) * fabs(cm)) < 1 + allowed);
     }
   }
 }
@@ -56,4 +57,13 @@ TEST_CASE("there and back is the same place, and at a pole nothing breaks") {
   const LatLon pole = {90_deg, 0_deg};
   CHECK(moved(pole, 0, 10000).latitude == 90_deg);
   CHECK(moved(pole, -100, 0).latitude != 90_deg);
+}
+
+TEST_CASE("a distance is the shorter way around, and ends at half of the earth") {
+  const LatLon east = {-35_deg, 179.9999_deg}, west = {-35_deg, -179.9999_deg};
+  CHECK(distanceCm(east, west) == distanceCm(west, east));
+  CHECK(fabs(distanceCm(east, west) - eastOf(-35, 0.0002)) < 1);
+  CHECK(distanceCm(east, east) == 0);
+  CHECK(distanceCm({-90_deg, 0_deg}, {90_deg, 180_deg}) == 2000000000);
+  CHECK(distanceCm({0_deg, 0_deg}, {0_deg, 90_deg}) == 1001875122);  // a quarter of the equator
 }

@@ -342,6 +342,56 @@ TEST_CASE("an item is reached once, however often PX4 says so, and again when it
   }
 }
 
+TEST_CASE("in flight an item that is behind is told once, in order, whatever was lost") {
+  const struct {
+    bool isArmed;
+    std::initializer_list<int> messages;  // a current item, 100 + one that is reached, or 200: the mission is complete
+    const char* reached;
+  } kFlights[] = {
+      {true, {0, 1, 2, 3}, "0 1 2"},
+      {true, {0, 100, 1, 101, 2, 102, 102}, "0 1 2"},
+      {true, {0, 1, 100, 2, 101, 101}, "0 1"},  // told of late, and again and again
+      {true, {0, 3, 102}, "0 1 2"},
+      {true, {0, 102, 3}, "0 1 2"},
+      {true, {1, 102, 3, 105}, "1 2 3 4 5"},  // PX4: of a waypoint and two speeds only the last
+      {true, {0, 1, 2, 200}, "0 1 2 3"},
+      {true, {2, 102, 1, 2, 3}, "2 1 2"},                 // a jump back
+      {true, {3, 4}, "3"},                                // it began there
+      {true, {0, 8, 9, 18, 19}, "0 1 2 3 4 5 6 7 8 18"},  // more than eight: somebody has made it jump
+      {false, {0, 3, 2, 200}, ""},                        // somebody sets the current item on the ground
+  };
+  for (const auto& flight : kFlights) {
+    CAPTURE(flight.reached);
+    Desk desk;
+    desk.beats = false;
+    desk.hear(heartbeatParts(ClientOnLine::kPx4, flight.isArmed ? 128 : 0));
+    desk.run(2000);
+    for (int message : flight.messages) {
+      if (message == 200) {
+        desk.current(3, 4, 0, 5);
+      } else if (message >= 100) {
+        desk.reached(static_cast<uint16_t>(message - 100));
+      } else {
+        desk.current(static_cast<uint16_t>(message), 4);
+      }
+    }
+    CHECK(desk.reacheds == flight.reached);
+  }
+}
+
+TEST_CASE("items that a command of the client's leaves out are not told of as reached") {
+  Desk desk;
+  desk.beats = false;
+  desk.hear(heartbeatParts(ClientOnLine::kPx4, 128));
+  desk.run(2000);
+  desk.current(0, 9);
+  desk.client.setCurrentItem(5);
+  desk.run(20);
+  desk.current(5, 9);
+  desk.current(6, 9);
+  CHECK(desk.reacheds == "5");
+}
+
 TEST_CASE("each text is given with its severity, and ends behind 50 characters") {
   Desk desk;
   desk.run(3500);

@@ -25,7 +25,7 @@ constexpr uint8_t kLandMode = static_cast<uint8_t>(StandardMode::Land);
 constexpr uint8_t kRecovery = static_cast<uint8_t>(StandardMode::SafeRecovery);
 
 // A PX4 that does what it is told, but for what a test changes of it.
-struct Flight : ClientOnLine {
+struct Flown : ClientOnLine {
   StandardModes modes;
   uint32_t custom = kPosctl;  // its mode, as heartbeats show it
   uint8_t standard = 0;       // and as CURRENT_MODE does
@@ -38,7 +38,7 @@ struct Flight : ClientOnLine {
   uint32_t fromMs = 0;   // since when
   uint32_t heartbeatMs = 0;
 
-  explicit Flight() : ClientOnLine(kPx4), modes(client), entry() {
+  explicit Flown() : ClientOnLine(kPx4), modes(client), entry() {
     beats = false;
     pass(3500);
     begin();
@@ -129,7 +129,7 @@ struct Flight : ClientOnLine {
 }  // namespace
 
 TEST_CASE("before anything was read there is no entry, and the mode is not known") {
-  Flight flight;
+  Flown flight;
   flight.entry.number_modes = 9;
   flight.tellEntry(1);  // for another client
   flight.pass(5);
@@ -151,7 +151,7 @@ TEST_CASE("before anything was read there is no entry, and the mode is not known
 
 TEST_CASE("each mode is ordered by its number, asked for, and done when it is shown") {
   for (uint8_t mode = 1; mode <= 8; ++mode) {
-    Flight flight;
+    Flown flight;
     CHECK((flight.modes.set(static_cast<StandardMode>(mode)) != Status::Busy));
     CHECK((flight.end() == Status::Done));
     CHECK(flight.commands == "262 " + std::to_string(mode) + ", 512 436");
@@ -161,7 +161,7 @@ TEST_CASE("each mode is ordered by its number, asked for, and done when it is sh
 }
 
 TEST_CASE("it is done behind a heartbeat, so that the next order does not take the mode for somebody else's") {
-  Flight flight;
+  Flown flight;
   flight.modes.set(StandardMode::Land);
   while (flight.commands != "262 7, 512 436") flight.pass(1);
   flight.beatsOnRequest = false;
@@ -180,7 +180,7 @@ TEST_CASE("it is done behind a heartbeat, so that the next order does not take t
 }
 
 TEST_CASE("no heartbeat behind it leaves it unconfirmed") {
-  Flight flight;
+  Flown flight;
   flight.modes.set(StandardMode::Land);
   while (flight.commands != "262 7, 512 436") flight.pass(1);
   flight.beatsOnRequest = false;
@@ -195,11 +195,11 @@ TEST_CASE("no heartbeat behind it leaves it unconfirmed") {
 }
 
 TEST_CASE("a mode that is none, or a link of MAVLink 1, is refused before anything is sent") {
-  Flight flight;
+  Flown flight;
   flight.modes.set(StandardMode::NonStandard);
   CHECK((flight.end() == Status::NoSuchMode));
   for (bool isSet : {true, false}) {
-    Flight old;
+    Flown old;
     old.client.setMavlinkVersion(MavlinkVersion::Version1);
     isSet ? old.modes.set(StandardMode::Land) : old.modes.read(1);
     CHECK((old.end() == Status::NeedsMavlink2));
@@ -217,7 +217,7 @@ TEST_CASE("a refusal is the end, and nothing is asked") {
                   {MAV_RESULT_UNSUPPORTED, Status::CommandUnsupported},
                   {MAV_RESULT_TEMPORARILY_REJECTED, Status::CommandRejected}};
   for (const auto& one : kResults) {
-    Flight flight;
+    Flown flight;
     flight.obeys = false;
     flight.saysToSet = one.result;
     flight.modes.set(StandardMode::Land);
@@ -227,7 +227,7 @@ TEST_CASE("a refusal is the end, and nothing is asked") {
 }
 
 TEST_CASE("another mode that is shown before the order leaves is somebody else's") {
-  Flight flight;
+  Flown flight;
   flight.modes.set(StandardMode::Land);
   flight.pass(3);
   flight.custom = kReturn;
@@ -237,7 +237,7 @@ TEST_CASE("another mode that is shown before the order leaves is somebody else's
 
 TEST_CASE("another mode that is shown before the answer: the order does not leave again, and the mode is asked for") {
   for (bool isOurs : {true, false}) {
-    Flight flight;
+    Flown flight;
     flight.saysToSet = kSilent;
     flight.modes.set(StandardMode::Land);
     while (flight.commands.empty()) flight.pass(1);
@@ -254,7 +254,7 @@ TEST_CASE("another mode that is shown before the answer: the order does not leav
 }
 
 TEST_CASE("an order without an answer, and without another mode, is given up after 5 attempts") {
-  Flight flight;
+  Flown flight;
   flight.obeys = false;
   flight.saysToSet = kSilent;
   flight.modes.set(StandardMode::Land);
@@ -263,7 +263,7 @@ TEST_CASE("an order without an answer, and without another mode, is given up aft
 }
 
 TEST_CASE("a mode that is not shown is asked for every 250 ms, up to 5 s") {
-  Flight flight;
+  Flown flight;
   flight.obeys = false;
   flight.standard = kRecovery;
   flight.modes.set(StandardMode::Land);
@@ -280,7 +280,7 @@ TEST_CASE("a mode that is not shown is asked for every 250 ms, up to 5 s") {
   CHECK(flight.nowMs() - flight.fromMs >= 5000);
   CHECK(flight.nowMs() - flight.fromMs <= 5400);
   // One that comes to it meanwhile is done.
-  Flight late;
+  Flown late;
   late.obeys = false;
   late.modes.set(StandardMode::Land);
   late.pass(2000);
@@ -290,7 +290,7 @@ TEST_CASE("a mode that is not shown is asked for every 250 ms, up to 5 s") {
 }
 
 TEST_CASE("the 5 s count from the acceptance of the order") {
-  Flight flight;
+  Flown flight;
   flight.obeys = false;
   flight.saysToSet = MAV_RESULT_IN_PROGRESS;
   flight.modes.set(StandardMode::Land);
@@ -305,7 +305,7 @@ TEST_CASE("the 5 s count from the acceptance of the order") {
 TEST_CASE("an autopilot that does not tell its mode leaves it unconfirmed") {
   for (uint8_t result : {kDenied, kSilent, kAccepted}) {
     CAPTURE(int{result});
-    Flight flight;
+    Flown flight;
     flight.saysToAsk = result;
     flight.tells = false;
     flight.modes.set(StandardMode::Land);
@@ -316,7 +316,7 @@ TEST_CASE("an autopilot that does not tell its mode leaves it unconfirmed") {
 }
 
 TEST_CASE("a mode that is told without the answer to the question is not enough: it may be older") {
-  Flight flight;
+  Flown flight;
   flight.saysToAsk = kSilent;
   flight.modes.set(StandardMode::Land);
   flight.pass(1000);
@@ -328,7 +328,7 @@ TEST_CASE("a mode that is told without the answer to the question is not enough:
 }
 
 TEST_CASE("the mode is that of the last CURRENT_MODE, asked for or not, and of nobody else's") {
-  Flight flight;
+  Flown flight;
   flight.tellCurrent(kRecovery);
   flight.pass(5);
   CHECK((flight.modes.current() == StandardMode::SafeRecovery));
@@ -340,7 +340,7 @@ TEST_CASE("the mode is that of the last CURRENT_MODE, asked for or not, and of n
 // --- Reading
 
 TEST_CASE("an entry of the list is read by its number, and described") {
-  Flight flight;
+  Flown flight;
   flight.entry.number_modes = 9;
   flight.entry.standard_mode = kLandMode;
   flight.entry.custom_mode = 0x01020304;
@@ -374,7 +374,7 @@ TEST_CASE("an entry of the list is read by its number, and described") {
 }
 
 TEST_CASE("an entry that another client has asked for, or another autopilot's, is not taken") {
-  Flight flight;
+  Flown flight;
   flight.tells = false;
   flight.entry.number_modes = 9;
   flight.modes.read(3);
@@ -392,7 +392,7 @@ TEST_CASE("an entry that another client has asked for, or another autopilot's, i
 }
 
 TEST_CASE("an entry without an answer, or an answer without an entry, is not done") {
-  Flight silent;
+  Flown silent;
   silent.saysToAsk = kSilent;
   silent.modes.read(3);
   silent.pass(500);
@@ -400,12 +400,12 @@ TEST_CASE("an entry without an answer, or an answer without an entry, is not don
   silent.answer(kAsk, kAccepted);
   silent.pass(5);
   CHECK((silent.ended == Status::Done));
-  Flight empty;
+  Flown empty;
   empty.tells = false;
   empty.modes.read(3);
   CHECK((empty.end() == Status::Unconfirmed));
   CHECK(empty.nowMs() - empty.fromMs > 6000);
-  Flight nobody;
+  Flown nobody;
   nobody.tells = false;
   nobody.saysToAsk = kSilent;
   nobody.modes.read(3);
@@ -413,7 +413,7 @@ TEST_CASE("an entry without an answer, or an answer without an entry, is not don
 }
 
 TEST_CASE("what has come for an operation before counts for no other") {
-  Flight flight;
+  Flown flight;
   flight.modes.read(3);
   CHECK((flight.end() == Status::Done));
   flight.begin();
@@ -435,7 +435,7 @@ TEST_CASE("what has come for an operation before counts for no other") {
 }
 
 TEST_CASE("while another operation runs none begins, and what runs is not changed") {
-  Flight flight;
+  Flown flight;
   flight.modes.read(3);
   CHECK((flight.modes.read(5) == Status::Busy));
   CHECK((flight.modes.set(StandardMode::Orbit) == Status::Busy));

@@ -25,7 +25,7 @@ MissionItem fly() { return waypoint(-35.36_deg, 149.16_deg, 20_m); }
 MissionItem speed() { return changeSpeed(5_mps); }
 
 // start() on an aircraft, as the client runs it, with a plan of wire items.
-struct Flight {
+struct Flown {
   StartTransfer start;
   CommandTransfer sending;
   Aircraft aircraft;
@@ -33,7 +33,7 @@ struct Flight {
   uint16_t other;    // a mode that nobody has asked for
   uint8_t done = 0;  // steps that goTo() has gone through
 
-  Flight(Firmware firmware, uint8_t vehicleType, std::vector<MissionItem> items = {fly(), fly(), speed(), fly()})
+  Flown(Firmware firmware, uint8_t vehicleType, std::vector<MissionItem> items = {fly(), fly(), speed(), fly()})
       : plan(items) {
     memset(static_cast<void*>(&start), 0, sizeof(start));
     memset(static_cast<void*>(&sending), 0, sizeof(sending));
@@ -135,13 +135,13 @@ struct Flight {
   }
 };
 
-Flight copter() { return Flight(Firmware::ArduPilot, kCopter); }
-Flight rover() { return Flight(Firmware::ArduPilot, kRover); }
-Flight px4() { return Flight(Firmware::Px4, kCopter); }
+Flown copter() { return Flown(Firmware::ArduPilot, kCopter); }
+Flown rover() { return Flown(Firmware::ArduPilot, kRover); }
+Flown px4() { return Flown(Firmware::Px4, kCopter); }
 
 // Has armed, was refused, and waits for a heartbeat.
-Flight leaving() {
-  Flight flight = copter();
+Flown leaving() {
+  Flown flight = copter();
   flight.goTo(StartStep::Begin);
   flight.sent(Message::Start);
   CHECK((flight.refused() == Status::Transferring));
@@ -152,8 +152,8 @@ Flight leaving() {
   return flight;
 }
 
-Flight disarming() {
-  Flight flight = leaving();
+Flown disarming() {
+  Flown flight = leaving();
   CHECK((flight.heartbeat() == Status::Transferring));
   CHECK((flight.start.state() == State::Disarming));
   flight.sent(Message::Disarm);
@@ -183,7 +183,7 @@ TEST_CASE("the item that is flown first is the first navigation command on the w
   for (const Way& way : ways) {
     std::vector<MissionItem> plan = {fly()};
     plan.insert(plan.end(), way.plan.begin(), way.plan.end());
-    Flight flight(Firmware::ArduPilot, kCopter, plan);
+    Flown flight(Firmware::ArduPilot, kCopter, plan);
     CHECK((flight.begin(way.first) == Status::Transferring));
     CHECK(flight.start.next() == way.flown);
     CHECK(flight.isAt(StartStep::ReadyMode));
@@ -192,22 +192,22 @@ TEST_CASE("the item that is flown first is the first navigation command on the w
 
 TEST_CASE("scripts and speeds of turning are flown, a region of interest among the navigation commands is not") {
   for (uint16_t command : {213, 42702, 42703, 95}) {
-    Flight flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
+    Flown flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
     flight.begin();
     CHECK(flight.start.next() == 0);
   }
   for (uint16_t command : {80, 96, 112, 178}) {
-    Flight flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
+    Flown flight(Firmware::Px4, kCopter, {anyCommand(command), fly()});
     flight.begin();
     CHECK(flight.start.next() == 1);
   }
 }
 
 TEST_CASE("home is not looked at") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.begin(0);
   CHECK(flight.start.next() == 1);
-  Flight other = px4();
+  Flown other = px4();
   other.begin(0);
   CHECK(other.start.next() == 0);
 }
@@ -219,7 +219,7 @@ TEST_CASE("a plan in which nothing is flown ends start() before the first step")
       {},
   };
   for (const std::vector<MissionItem>& plan : plans) {
-    Flight flight(Firmware::Px4, kCopter, plan);
+    Flown flight(Firmware::Px4, kCopter, plan);
     CHECK((flight.begin() == Status::NothingToFly));
     CHECK((flight.start.step() == StartStep::None));
     CHECK((flight.start.arming() == StartArming::Untouched));
@@ -227,16 +227,16 @@ TEST_CASE("a plan in which nothing is flown ends start() before the first step")
 }
 
 TEST_CASE("a way that cannot be followed does not hinder the steps, and no item is expected then") {
-  Flight fence = copter();
+  Flown fence = copter();
   CHECK((fence.begin(0, false) == Status::Transferring));
   CHECK(fence.start.next() == kNoItem);
   CHECK(fence.isAt(StartStep::ReadyMode));
 
-  Flight tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
+  Flown tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
   CHECK((tag.begin() == Status::Transferring));
   CHECK(tag.start.next() == kNoItem);
 
-  Flight source = px4();
+  Flown source = px4();
   source.start.begin(0, true, Firmware::Px4);
   CHECK((source.start.onItem(Status::SourceRefused, nullptr, source.aircraft, source.sending) == Status::Transferring));
   CHECK(source.start.next() == kNoItem);
@@ -244,7 +244,7 @@ TEST_CASE("a way that cannot be followed does not hinder the steps, and no item 
   for (size_t others : {99u, 100u}) {
     std::vector<MissionItem> plan(others, speed());
     plan.push_back(fly());
-    Flight flight(Firmware::Px4, kCopter, plan);
+    Flown flight(Firmware::Px4, kCopter, plan);
     CHECK((flight.begin() == Status::Transferring));
     CHECK(flight.start.next() == (others == 99 ? 99 : kNoItem));
   }
@@ -271,7 +271,7 @@ TEST_CASE("each vehicle gets the steps that it needs, in their order") {
       {Firmware::Px4, kCopter, true, {kItem, kBegin, kConfirm}},
   };
   for (const Vehicle& vehicle : vehicles) {
-    Flight flight(vehicle.firmware, vehicle.type);
+    Flown flight(vehicle.firmware, vehicle.type);
     flight.aircraft.isArmed = vehicle.isArmed;
     uint8_t before = 0;
     for (StartStep step : vehicle.steps) {
@@ -285,7 +285,7 @@ TEST_CASE("each vehicle gets the steps that it needs, in their order") {
 }
 
 TEST_CASE("an aircraft that flies its mission already gets no command, and is only asked what it flies") {
-  for (Flight flight : {copter(), px4()}) {
+  for (Flown flight : {copter(), px4()}) {
     flight.aircraft.isArmed = true;
     flight.aircraft.mode = flight.aircraft.autoMode;
     CHECK((flight.begin() == Status::Transferring));
@@ -295,14 +295,14 @@ TEST_CASE("an aircraft that flies its mission already gets no command, and is on
 }
 
 TEST_CASE("a copter is armed in GUIDED and begins by MISSION_START, a rover is armed in MANUAL and drives in AUTO") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.begin();
   CHECK((flight.start.message() == Message::Mode));
   CHECK(flight.start.modeToSet() == flight.number(FlightMode::Guided));
   flight.goTo(StartStep::Begin);
   CHECK((flight.start.message() == Message::Start));
 
-  Flight other = rover();
+  Flown other = rover();
   other.begin();
   CHECK((other.start.message() == Message::Mode));
   CHECK(other.start.modeToSet() == other.number(FlightMode::Manual));
@@ -312,11 +312,11 @@ TEST_CASE("a copter is armed in GUIDED and begins by MISSION_START, a rover is a
 }
 
 TEST_CASE("a mode that is there already is not set, and no other order takes its place") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.aircraft.mode = flight.number(FlightMode::Guided);
   flight.begin();
   CHECK(flight.isAt(StartStep::FirstItem));
-  Flight meanwhile = copter();
+  Flown meanwhile = copter();
   meanwhile.begin();
   CHECK((meanwhile.heartbeat(false, meanwhile.number(FlightMode::Guided)) == Status::Transferring));
   CHECK(meanwhile.isAt(StartStep::FirstItem));
@@ -324,7 +324,7 @@ TEST_CASE("a mode that is there already is not set, and no other order takes its
 
 TEST_CASE("a mode is set when a heartbeat shows it, which is asked for when the order was accepted") {
   for (StartStep step : {StartStep::ReadyMode, StartStep::AutoMode}) {
-    Flight flight = rover();
+    Flown flight = rover();
     flight.goTo(step);
     const uint16_t mode = flight.start.modeToSet();
     CHECK(flight.lacksHeartbeat(static_cast<uint16_t>(flight.aircraft.nowMs + 50)));
@@ -338,7 +338,7 @@ TEST_CASE("a mode is set when a heartbeat shows it, which is asked for when the 
 }
 
 TEST_CASE("each order that changes the mode or arms leaves behind a heartbeat, and no other message does") {
-  for (Flight flight : {copter(), rover(), px4()}) {
+  for (Flown flight : {copter(), rover(), px4()}) {
     for (StartStep step : {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::AutoMode,
                            StartStep::Begin, StartStep::Confirm}) {
       if (flight.start.step() > step) continue;
@@ -351,7 +351,7 @@ TEST_CASE("each order that changes the mode or arms leaves behind a heartbeat, a
 }
 
 TEST_CASE("ArduPilot is asked for its current item when it has answered, PX4's MISSION_CURRENT suffices") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.goTo(StartStep::FirstItem);
   CHECK((flight.heartbeat() == Status::Transferring));
   CHECK((flight.current(1) == Status::Transferring));  // came before the command left
@@ -374,7 +374,7 @@ TEST_CASE("ArduPilot is asked for its current item when it has answered, PX4's M
   CHECK((flight.current(1) == Status::Transferring));
   CHECK(flight.isAt(StartStep::Arm));
 
-  Flight other = px4();
+  Flown other = px4();
   other.goTo(StartStep::FirstItem);
   CHECK((other.current(0) == Status::Transferring));
   CHECK(other.isAt(StartStep::FirstItem));
@@ -387,7 +387,7 @@ TEST_CASE("ArduPilot is asked for its current item when it has answered, PX4's M
 
 TEST_CASE("ArduPilot may name home, the first item, or the one that will be flown first") {
   for (uint16_t named : {0, 1, 2}) {
-    Flight flight(Firmware::ArduPilot, kCopter, {fly(), speed(), fly(), fly()});
+    Flown flight(Firmware::ArduPilot, kCopter, {fly(), speed(), fly(), fly()});
     flight.goTo(StartStep::FirstItem);
     flight.sent();
     flight.current(2);
@@ -395,7 +395,7 @@ TEST_CASE("ArduPilot may name home, the first item, or the one that will be flow
     flight.current(named);
     CHECK(flight.isAt(StartStep::Arm));
   }
-  Flight second = copter();  // home is no item to begin with in the middle
+  Flown second = copter();  // home is no item to begin with in the middle
   second.goTo(StartStep::FirstItem, 3);
   second.sent();
   second.current(3);
@@ -405,7 +405,7 @@ TEST_CASE("ArduPilot may name home, the first item, or the one that will be flow
 }
 
 TEST_CASE("where the plan cannot be looked at, the item that ArduPilot names is the one that is flown first") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.begin(0, false);
   flight.goTo(StartStep::FirstItem);
   flight.sent();
@@ -419,7 +419,7 @@ TEST_CASE("where the plan cannot be looked at, the item that ArduPilot names is 
 }
 
 TEST_CASE("arming is confirmed by a heartbeat, which is asked for when it was accepted") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.goTo(StartStep::Arm);
   flight.sent(Message::Arm);
   CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
@@ -433,7 +433,7 @@ TEST_CASE("arming is confirmed by a heartbeat, which is asked for when it was ac
 }
 
 TEST_CASE("an aircraft that somebody else arms first was not armed by start()") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.goTo(StartStep::Arm);
   CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));
   CHECK(flight.isAt(StartStep::Begin));
@@ -442,12 +442,12 @@ TEST_CASE("an aircraft that somebody else arms first was not armed by start()") 
 
 TEST_CASE("what somebody disarms ends start(), which says so") {
   for (StartStep step : {StartStep::Begin, StartStep::Confirm}) {
-    Flight flight = copter();
+    Flown flight = copter();
     flight.goTo(step);
     CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::NotArmed));
     CHECK((flight.start.arming() == StartArming::Disarmed));
   }
-  Flight before = copter();  // it was armed before start()
+  Flown before = copter();  // it was armed before start()
   before.aircraft.isArmed = true;
   before.begin();
   CHECK((before.heartbeat(false, before.aircraft.mode) == Status::NotArmed));
@@ -455,10 +455,10 @@ TEST_CASE("what somebody disarms ends start(), which says so") {
 }
 
 TEST_CASE("the order that begins is answered, or a heartbeat shows what it does") {
-  for (Flight flight : {copter(), px4()}) {
+  for (Flown flight : {copter(), px4()}) {
     flight.goTo(StartStep::Begin);
     const bool isPx4 = flight.aircraft.firmware == Firmware::Px4;
-    Flight answered = flight;
+    Flown answered = flight;
     if (isPx4) CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::Transferring));
     flight.sent(Message::Start);
     CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
@@ -473,14 +473,14 @@ TEST_CASE("the order that begins is answered, or a heartbeat shows what it does"
 }
 
 TEST_CASE("a PX4 that is armed in the mode of before is somebody else's, since it sets the mode before it arms") {
-  Flight flight = px4();
+  Flown flight = px4();
   flight.goTo(StartStep::Begin);
   flight.sent(Message::Start);
-  Flight other = flight;
+  Flown other = flight;
   flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 800);
   CHECK((flight.heartbeat(true, flight.aircraft.mode) == Status::Transferring));  // the mode may follow
   CHECK(flight.asks());
-  Flight answered = other;
+  Flown answered = other;
   CHECK((other.heartbeat(true, other.aircraft.mode) == Status::TakenOver));
   CHECK((other.start.arming() == StartArming::Armed));
   answered.accepted();
@@ -491,9 +491,9 @@ TEST_CASE("a PX4 that is armed in the mode of before is somebody else's, since i
 // Confirm --> Shown --> Judging, JudgingNext --> the end
 
 TEST_CASE("start() is done by a heartbeat and a MISSION_CURRENT, in either order") {
-  for (Flight flight : {copter(), rover(), px4()}) {
+  for (Flown flight : {copter(), rover(), px4()}) {
     for (bool isHeartbeatFirst : {true, false}) {
-      Flight one = flight;
+      Flown one = flight;
       one.goTo(StartStep::Confirm);
       const uint16_t first = one.start.next(), mode = one.aircraft.autoMode;
       const bool isShown = one.start.state() == State::Shown;  // a rover, by the heartbeat that shows AUTO
@@ -515,7 +515,7 @@ TEST_CASE("start() is done by a heartbeat and a MISSION_CURRENT, in either order
 TEST_CASE("PX4 may name each command on the way to the item that is flown first, and no other") {
   const std::vector<MissionItem> plan = {speed(), jump(3, 2), fly(), speed(), fly(), fly()};
   for (uint16_t named : {0, 1, 2, 3, 4, 5}) {
-    Flight flight(Firmware::Px4, kCopter, plan);
+    Flown flight(Firmware::Px4, kCopter, plan);
     flight.goTo(StartStep::Confirm);
     flight.heartbeat(true, flight.aircraft.autoMode);
     Status status = flight.current(named);
@@ -535,7 +535,7 @@ TEST_CASE("PX4 may name each command on the way to the item that is flown first,
 TEST_CASE("a long way is followed twice, each time with all its looks") {
   std::vector<MissionItem> plan(60, speed());
   plan.push_back(fly());
-  Flight flight(Firmware::Px4, kCopter, plan);
+  Flown flight(Firmware::Px4, kCopter, plan);
   flight.goTo(StartStep::Confirm);
   flight.heartbeat(true, flight.aircraft.autoMode);
   CHECK((flight.current(59) == Status::Transferring));
@@ -554,7 +554,7 @@ TEST_CASE("a rover, and an aircraft that was in the air, may have finished the f
       {kCopter, false, 2, Status::OtherItem}, {kCopter, true, 3, Status::OtherItem},
   };
   for (const Case& one : cases) {
-    Flight flight(Firmware::ArduPilot, one.type, {fly(), fly(), fly(), fly()});
+    Flown flight(Firmware::ArduPilot, one.type, {fly(), fly(), fly(), fly()});
     flight.aircraft.isArmed = one.wasArmed;
     flight.goTo(StartStep::Confirm);
     flight.heartbeat(true, flight.aircraft.autoMode);
@@ -567,7 +567,7 @@ TEST_CASE("a rover, and an aircraft that was in the air, may have finished the f
 }
 
 TEST_CASE("behind the last item there is no next one") {
-  Flight flight(Firmware::ArduPilot, kRover, {fly(), fly()});
+  Flown flight(Firmware::ArduPilot, kRover, {fly(), fly()});
   flight.goTo(StartStep::Confirm);
   flight.heartbeat(true, flight.aircraft.autoMode);
   flight.current(3);
@@ -575,7 +575,7 @@ TEST_CASE("behind the last item there is no next one") {
 }
 
 TEST_CASE("an aircraft that was flying its mission before start() must be at the first item itself") {
-  Flight flight(Firmware::ArduPilot, kCopter, {fly(), fly(), fly()});
+  Flown flight(Firmware::ArduPilot, kCopter, {fly(), fly(), fly()});
   flight.aircraft.isArmed = true;
   flight.aircraft.mode = flight.aircraft.autoMode;
   flight.begin();
@@ -585,18 +585,18 @@ TEST_CASE("an aircraft that was flying its mission before start() must be at the
 }
 
 TEST_CASE("where the plan cannot be looked at, only the expected item is right") {
-  Flight flight = px4();
+  Flown flight = px4();
   flight.begin(0, false);
   flight.goTo(StartStep::Confirm);
   flight.heartbeat(true, flight.aircraft.autoMode);
   CHECK((flight.current(1) == Status::OtherItem));
-  Flight tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
+  Flown tag(Firmware::Px4, kCopter, {anyCommand(kJumpTag), fly()});
   tag.goTo(StartStep::Confirm);
   tag.heartbeat(true, tag.aircraft.autoMode);
   CHECK((tag.current(1) == Status::OtherItem));
   CHECK((tag.start.state() == State::Shown));
 
-  Flight flying = copter();  // it was asked for no item, and none is known
+  Flown flying = copter();  // it was asked for no item, and none is known
   flying.aircraft.isArmed = true;
   flying.aircraft.mode = flying.aircraft.autoMode;
   flying.begin(0, false);
@@ -608,20 +608,20 @@ TEST_CASE("where the plan cannot be looked at, only the expected item is right")
 
 TEST_CASE("a refusal before anything was armed is the end") {
   for (StartStep step : {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm}) {
-    Flight flight = copter();
+    Flown flight = copter();
     flight.goTo(step);
     flight.sent();
     CHECK((flight.refused(Status::CommandDenied) == Status::CommandDenied));
     CHECK((flight.start.arming() == StartArming::Untouched));
     CHECK((flight.start.step() == step));
   }
-  Flight flight = px4();
+  Flown flight = px4();
   flight.goTo(StartStep::Begin);
   flight.sent();
   CHECK((flight.refused() == Status::Transferring));  // its mode may have changed all the same
   CHECK((flight.start.state() == State::Leaving));
   CHECK(flight.asks());
-  Flight changed = flight;
+  Flown changed = flight;
   CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::CommandFailed));
   CHECK((flight.start.arming() == StartArming::Untouched));
 
@@ -630,14 +630,14 @@ TEST_CASE("a refusal before anything was armed is the end") {
   CHECK((changed.start.state() == State::Restoring));
   CHECK(changed.start.modeToSet() == before);
   changed.sent(Message::Mode);
-  Flight refused = changed;
+  Flown refused = changed;
   CHECK((changed.heartbeat(false, changed.aircraft.autoMode) == Status::Transferring));
   CHECK((changed.heartbeat(false, before) == Status::CommandFailed));
   CHECK((refused.refused(Status::CommandDenied) == Status::CommandFailed));
 }
 
 TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, leaves it in doubt") {
-  Flight repeated = copter();
+  Flown repeated = copter();
   repeated.goTo(StartStep::Arm);
   repeated.sent();
   repeated.sending.onTime(0, static_cast<uint16_t>(repeated.aircraft.nowMs + CommandTransfer::kAnswerMs));
@@ -647,7 +647,7 @@ TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, 
   CHECK((repeated.heartbeat(false, repeated.aircraft.mode) == Status::CommandFailed));
   CHECK((repeated.start.arming() == StartArming::Untouched));
 
-  Flight armed = copter();
+  Flown armed = copter();
   armed.goTo(StartStep::Arm);
   armed.sent();
   armed.aircraft.isArmed = true;
@@ -660,10 +660,10 @@ TEST_CASE("a refusal of a repeated arming, or one that a heartbeat contradicts, 
 }
 
 TEST_CASE("a copter whose start is refused is disarmed, though a heartbeat shows AUTO, or shows it disarmed first") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.goTo(StartStep::Begin);
   flight.sent();
-  Flight other = flight;
+  Flown other = flight;
   CHECK((flight.refused() == Status::Transferring));
   CHECK((flight.heartbeat(true, flight.aircraft.autoMode) == Status::Transferring));
   CHECK((flight.start.state() == State::Disarming));
@@ -673,7 +673,7 @@ TEST_CASE("a copter whose start is refused is disarmed, though a heartbeat shows
 }
 
 TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal, and not on a copter") {
-  Flight flight = rover();
+  Flown flight = rover();
   flight.aircraft.seconds = 65530;
   flight.goTo(StartStep::AutoMode);
   const uint16_t began = flight.aircraft.seconds;
@@ -686,7 +686,7 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
     flight.sending.onTime(0, flight.aircraft.nowMs);
     CHECK((flight.sending.state() == CommandTransfer::State::Pausing));
     flight.sending.onTime(0, ++flight.aircraft.nowMs);
-    Flight silent = flight;
+    Flown silent = flight;
     silent.sent();
     CHECK(silent.isRepeated());
     CHECK(silent.lacksHeartbeat(silent.aircraft.nowMs));
@@ -696,7 +696,7 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
   CHECK((flight.refused() == Status::Transferring));
   CHECK((flight.start.state() == State::Leaving));
 
-  Flight at = rover();  // other steps are not tried again
+  Flown at = rover();  // other steps are not tried again
   at.goTo(StartStep::FirstItem);
   at.sent();
   CHECK((at.refused() == Status::CommandFailed));
@@ -704,7 +704,7 @@ TEST_CASE("AUTO is tried again for 15 s on a rover, a second after each refusal,
 }
 
 TEST_CASE("after a failure an aircraft that start() has armed is disarmed, once a heartbeat shows that it is armed") {
-  Flight flight = disarming();
+  Flown flight = disarming();
   CHECK(flight.isRepeated());
   CHECK((flight.accepted() == Status::Transferring));
   CHECK((flight.heartbeat() == Status::Transferring));
@@ -714,17 +714,17 @@ TEST_CASE("after a failure an aircraft that start() has armed is disarmed, once 
 }
 
 TEST_CASE("an aircraft that has disarmed by itself, or that somebody else has taken, gets no command any more") {
-  Flight disarmed = leaving();
+  Flown disarmed = leaving();
   CHECK((disarmed.heartbeat(false, disarmed.aircraft.mode) == Status::CommandFailed));
   CHECK((disarmed.start.arming() == StartArming::Disarmed));
-  for (Flight flight : {leaving(), disarming()}) {
+  for (Flown flight : {leaving(), disarming()}) {
     CHECK((flight.heartbeat(true, flight.other) == Status::CommandFailed));
     CHECK((flight.start.arming() == StartArming::Armed));
   }
 }
 
 TEST_CASE("PX4 that has begun after all is not disarmed") {
-  Flight flight = px4();
+  Flown flight = px4();
   flight.goTo(StartStep::Begin);
   flight.sent();
   CHECK((flight.silent() == Status::Transferring));
@@ -734,10 +734,10 @@ TEST_CASE("PX4 that has begun after all is not disarmed") {
 }
 
 TEST_CASE("in leaving, silence and a refusal to disarm end with the first failure, the operation's time does not") {
-  for (Flight flight : {leaving(), disarming()}) {
+  for (Flown flight : {leaving(), disarming()}) {
     CHECK((flight.silent(Status::TookTooLong) == Status::Transferring));
     CHECK((flight.current(1) == Status::Transferring));
-    Flight other = flight;
+    Flown other = flight;
     CHECK((flight.silent(Status::Unconfirmed) == Status::CommandFailed));
     if (other.start.state() == State::Disarming) CHECK((other.refused(Status::CommandDenied) == Status::CommandFailed));
   }
@@ -746,7 +746,7 @@ TEST_CASE("in leaving, silence and a refusal to disarm end with the first failur
 TEST_CASE("a step without an answer ends start(), and disarms what it has armed") {
   for (StartStep step :
        {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::AutoMode, StartStep::Begin}) {
-    Flight flight = copter();
+    Flown flight = copter();
     flight.goTo(step);
     flight.sent();
     const bool isEnd = step < StartStep::Arm;
@@ -756,7 +756,7 @@ TEST_CASE("a step without an answer ends start(), and disarms what it has armed"
 }
 
 TEST_CASE("an autopilot that names another item than the one that was set ends start() with that") {
-  Flight flight = px4();
+  Flown flight = px4();
   flight.goTo(StartStep::FirstItem);
   flight.sent();
   flight.current(2);
@@ -766,16 +766,16 @@ TEST_CASE("an autopilot that names another item than the one that was set ends s
 
 TEST_CASE("without confirmation start() is unconfirmed while the mode is AUTO, and disarms otherwise") {
   for (Status silence : {Status::NoAnswer, Status::TookTooLong}) {
-    Flight flight = copter();
+    Flown flight = copter();
     flight.goTo(StartStep::Confirm);
     flight.sent(Message::AskCurrent);
     CHECK((flight.refused() == Status::Transferring));
-    Flight shown = flight;
+    Flown shown = flight;
     CHECK((flight.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
     CHECK((shown.heartbeat() == Status::Transferring));
     CHECK((shown.start.state() == State::Shown));
     CHECK((shown.silent(silence) == (silence == Status::NoAnswer ? Status::Unconfirmed : silence)));
-    Flight other = px4();
+    Flown other = px4();
     other.goTo(StartStep::Confirm);
     other.aircraft.mode = other.number(FlightMode::Hold);
     CHECK((other.silent(silence) == Status::Transferring));
@@ -791,7 +791,7 @@ TEST_CASE("a mode that start() has not set is somebody else's, in every step") {
   for (StartStep step :
        {StartStep::ReadyMode, StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
     for (bool isSent : {false, true}) {
-      Flight flight = copter();
+      Flown flight = copter();
       flight.goTo(step);
       if (isSent) flight.sent();
       CHECK((flight.heartbeat(flight.aircraft.isArmed, flight.other) == Status::TakenOver));
@@ -800,11 +800,11 @@ TEST_CASE("a mode that start() has not set is somebody else's, in every step") {
 }
 
 TEST_CASE("an arming that was not sent before somebody else took over has not happened") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.goTo(StartStep::Arm);
   CHECK((flight.heartbeat(false, flight.other) == Status::TakenOver));
   CHECK((flight.start.arming() == StartArming::Untouched));
-  Flight sent = copter();
+  Flown sent = copter();
   sent.goTo(StartStep::Arm);
   sent.sent();
   CHECK((sent.heartbeat(false, sent.other) == Status::TakenOver));
@@ -812,7 +812,7 @@ TEST_CASE("an arming that was not sent before somebody else took over has not ha
 }
 
 TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.goTo(StartStep::Arm);
   flight.sent(Message::Arm);
   flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
@@ -822,7 +822,7 @@ TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
   flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 900);
   CHECK((flight.heartbeat() == Status::Transferring));
   CHECK_FALSE(flight.sending.isDue());
-  Flight never = flight, refused = flight, silent = flight;
+  Flown never = flight, refused = flight, silent = flight;
   CHECK((never.heartbeat() == Status::TakenOver));
   CHECK((never.start.arming() == StartArming::Untouched));
   CHECK((refused.refused() == Status::TakenOver));
@@ -835,7 +835,7 @@ TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
   flight.sent(Message::Disarm);
   CHECK((flight.accepted() == Status::Transferring));
   CHECK((flight.heartbeat() == Status::Transferring));
-  Flight inTheAir = flight;
+  Flown inTheAir = flight;
   CHECK((inTheAir.refused() == Status::TakenOver));
   CHECK((inTheAir.start.arming() == StartArming::Armed));
   CHECK((flight.heartbeat(false, flight.other) == Status::TakenOver));
@@ -843,7 +843,7 @@ TEST_CASE("an arming that takes effect behind somebody else's mode is undone") {
 }
 
 TEST_CASE("an aircraft that is armed when somebody sets another mode is his") {
-  Flight flight = copter();
+  Flown flight = copter();
   flight.goTo(StartStep::Arm);
   flight.sent(Message::Arm);
   flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
@@ -855,7 +855,7 @@ TEST_CASE("an aircraft that is armed when somebody sets another mode is his") {
 
 TEST_CASE("a mode that an order undoes is set again, and start() ends when a heartbeat shows it, or another one") {
   for (StartStep step : {StartStep::ReadyMode, StartStep::AutoMode}) {
-    Flight flight = rover();
+    Flown flight = rover();
     flight.goTo(step);
     const bool isArmed = step == StartStep::AutoMode;
     const uint16_t wanted = flight.start.modeToSet();
@@ -863,7 +863,7 @@ TEST_CASE("a mode that an order undoes is set again, and start() ends when a hea
     flight.aircraft.nowMs = static_cast<uint16_t>(flight.aircraft.nowMs - 990);
     CHECK((flight.heartbeat(isArmed, flight.other) == Status::Transferring));  // the order may still arrive
     CHECK(flight.asks());
-    Flight stays = flight;
+    Flown stays = flight;
     CHECK((stays.heartbeat(isArmed, stays.other) == Status::TakenOver));
     CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));
     CHECK((flight.start.state() == State::Restoring));
@@ -872,7 +872,7 @@ TEST_CASE("a mode that an order undoes is set again, and start() ends when a hea
     flight.sent(Message::Mode);
     CHECK((flight.accepted() == Status::Transferring));
     CHECK((flight.heartbeat(isArmed, wanted) == Status::Transferring));
-    Flight refused = flight, silent = flight, another = flight;
+    Flown refused = flight, silent = flight, another = flight;
     CHECK((flight.heartbeat(isArmed, flight.other) == Status::TakenOver));
     CHECK((another.heartbeat(isArmed, another.number(FlightMode::Hold)) == Status::TakenOver));
     CHECK((refused.refused() == Status::Overruled));
@@ -881,7 +881,7 @@ TEST_CASE("a mode that an order undoes is set again, and start() ends when a hea
 }
 
 TEST_CASE("a mode that a pilot sets while his first one is set again is set again, too") {
-  Flight flight = rover();
+  Flown flight = rover();
   flight.goTo(StartStep::AutoMode);
   const uint16_t second = flight.number(FlightMode::Hold);
   for (uint16_t mode : {flight.other, second}) {
@@ -896,14 +896,14 @@ TEST_CASE("a mode that a pilot sets while his first one is set again is set agai
 }
 
 TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody else's too") {
-  Flight flight = rover();
+  Flown flight = rover();
   flight.goTo(StartStep::AutoMode);
   const uint16_t before = flight.aircraft.mode;
   CHECK((flight.heartbeat(true, before) == Status::Transferring));
   flight.goTo(StartStep::Confirm);
   CHECK((flight.heartbeat(true, before) == Status::TakenOver));
 
-  Flight other = copter();  // AUTO has not been seen yet
+  Flown other = copter();  // AUTO has not been seen yet
   other.goTo(StartStep::Begin);
   other.sent();
   CHECK((other.heartbeat(true, other.aircraft.mode) == Status::Transferring));
@@ -912,9 +912,9 @@ TEST_CASE("once AUTO was seen, a change back to the mode of before is somebody e
 TEST_CASE("another plan ends start() when two MISSION_CURRENTs have named it, behind what asked for them") {
   for (StartStep step : {StartStep::FirstItem, StartStep::Arm, StartStep::Begin, StartStep::Confirm}) {
     const bool asks = step == StartStep::FirstItem || step == StartStep::Confirm;
-    Flight flight = copter();
+    Flown flight = copter();
     flight.goTo(step);
-    const auto namesOther = [](Flight& one) { return one.start.onOtherNamed(one.aircraft, one.sending); };
+    const auto namesOther = [](Flown& one) { return one.start.onOtherNamed(one.aircraft, one.sending); };
     if (asks) {
       // What comes before the question may be older than our plan, however often.
       CHECK((namesOther(flight) == Status::Transferring));
@@ -924,7 +924,7 @@ TEST_CASE("another plan ends start() when two MISSION_CURRENTs have named it, be
     CHECK((namesOther(flight) == Status::Transferring));
     // Only a question is sent again at once.
     CHECK((flight.sending.state() == CommandTransfer::State::Due) == asks);
-    Flight cleared = flight;
+    Flown cleared = flight;
     CHECK_FALSE((namesOther(flight) == Status::Transferring && !flight.start.isLeaving()));
     // One that names ours in between takes the doubt away.
     cleared.current(kNoItem - 1, false);
@@ -934,7 +934,7 @@ TEST_CASE("another plan ends start() when two MISSION_CURRENTs have named it, be
 }
 
 TEST_CASE("of an autopilot whose modes are not known no mode is another one") {
-  Flight flight(Firmware::Other, kCopter);
+  Flown flight(Firmware::Other, kCopter);
   CHECK(flight.aircraft.autoMode == kNoMode);
   flight.goTo(StartStep::Confirm);
   CHECK((flight.heartbeat(true, 77) == Status::Transferring));
@@ -957,7 +957,7 @@ TEST_CASE("behind its start() an aircraft that flies another plan is disarmed if
   for (const Case& one : cases) {
     CAPTURE(one.isArmed);
     CAPTURE(one.isInAuto);
-    Flight flight = copter();
+    Flown flight = copter();
     flight.aircraft.isArmed = true;
     flight.aircraft.mode = flight.aircraft.autoMode;
     const Status left = flight.start.leaveFlying(one.arming, flight.aircraft, flight.sending);

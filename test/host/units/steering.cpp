@@ -19,10 +19,10 @@ constexpr uint32_t kAuto = 3, kGuided = 4, kLoiter = 5, kRtl = 6, kLand = 9;  //
 constexpr LatLon kPlace = {-35.3630000_deg, 149.1652374_deg};
 
 // A copter whose heartbeats the test sends.
-struct Flight : ClientOnLine {
+struct Flown : ClientOnLine {
   Steering steering;
 
-  explicit Flight(uint8_t baseMode = kDisarmed, uint32_t mode = 0, uint8_t state = kStandby)
+  explicit Flown(uint8_t baseMode = kDisarmed, uint32_t mode = 0, uint8_t state = kStandby)
       : ClientOnLine(kArduPilot), steering(client) {
     beats = false;
     for (int second = 0; second < 3; ++second) beat(baseMode, mode, state);
@@ -98,7 +98,7 @@ struct Flight : ClientOnLine {
 }  // namespace
 
 TEST_CASE("an aircraft that was armed before the sketch began is not steered until that is allowed") {
-  Flight flight(kArmed, kAuto, kActive);
+  Flown flight(kArmed, kAuto, kActive);
   flight.steering.goTo(kPlace, 20_m);
   CHECK((flight.refusal() == Status::Armed));
   flight.steering.returnHome();
@@ -110,7 +110,7 @@ TEST_CASE("an aircraft that was armed before the sketch began is not steered unt
 }
 
 TEST_CASE("an aircraft that was seen disarmed is steered out of its mission") {
-  Flight flight;
+  Flown flight;
   flight.fly(kAuto);
   flight.steering.goTo(kPlace, 20_m);
   CHECK(flight.runUntilSent(kCommandLong, 100));
@@ -119,7 +119,7 @@ TEST_CASE("an aircraft that was seen disarmed is steered out of its mission") {
 TEST_CASE("in each mode that nobody here has set it says who has the aircraft, and sends nothing") {
   for (uint32_t mode : {kGuided, kLoiter, kRtl, kLand}) {
     for (uint8_t state : {kActive, kCritical}) {
-      Flight flight;
+      Flown flight;
       flight.fly(mode, state);
       flight.sent.clear();
       const bool isFailsafe = mode == kRtl || mode == kLand || state == kCritical;
@@ -145,7 +145,7 @@ TEST_CASE("in each mode that nobody here has set it says who has the aircraft, a
 }
 
 TEST_CASE("a mode that an order has undone is set again at once, and flies when the order ends") {
-  Flight flight;
+  Flown flight;
   flight.fly(kAuto);
   flight.steering.landNow();
   REQUIRE(flight.runUntilOrdered(kCommandLong, kAuto));
@@ -167,7 +167,7 @@ TEST_CASE("a mode that an order has undone is set again at once, and flies when 
 }
 
 TEST_CASE("a mode of somebody else that is not set again in time is told") {
-  Flight flight;
+  Flown flight;
   flight.fly(kAuto);
   flight.steering.landNow();
   REQUIRE(flight.runUntilOrdered(kCommandLong, kAuto));
@@ -182,7 +182,7 @@ TEST_CASE("a mode of somebody else that is not set again in time is told") {
 }
 
 TEST_CASE("a mode that the sketch sets by setMode() is its own until another one is shown") {
-  Flight flight;
+  Flown flight;
   flight.fly(kLoiter);
   flight.client.setMode(FlightMode::Guided);
   REQUIRE(flight.runUntilOrdered(kCommandLong, kLoiter));
@@ -198,7 +198,7 @@ TEST_CASE("a mode that the sketch sets by setMode() is its own until another one
 }
 
 TEST_CASE("a place is confirmed by an answer and by a heartbeat that comes behind it") {
-  Flight flight;
+  Flown flight;
   flight.fly(kAuto);
   flight.steering.goTo(kPlace, 20_m);
   REQUIRE(flight.runUntilSent(kCommandLong, 100));
@@ -235,7 +235,7 @@ TEST_CASE("an aircraft arrives across the antimeridian, and nowhere else") {
   };
   for (const auto& one : kCases) {
     CAPTURE(one.here.longitude.e7());
-    Flight flight;
+    Flown flight;
     flight.fly(kAuto);
     flight.steering.goTo(one.target, 20_m);
     REQUIRE(flight.runUntilSent(kCommandLong, 100));
@@ -251,7 +251,7 @@ TEST_CASE("an aircraft arrives across the antimeridian, and nowhere else") {
 }
 
 TEST_CASE("no heartbeat in the mode leaves an accepted place unconfirmed after 7.5 s") {
-  Flight flight;
+  Flown flight;
   flight.fly(kAuto);
   flight.steering.goTo(kPlace, 20_m);
   REQUIRE(flight.runUntilSent(kCommandLong, 100));
@@ -266,7 +266,7 @@ TEST_CASE("no heartbeat in the mode leaves an accepted place unconfirmed after 7
 }
 
 TEST_CASE("a pilot who takes over before the answer keeps the aircraft: nothing is repeated") {
-  Flight flight;
+  Flown flight;
   flight.fly(kAuto);
   flight.steering.goTo(kPlace, 20_m);
   REQUIRE(flight.runUntilSent(kCommandLong, 100));
@@ -283,7 +283,7 @@ TEST_CASE("a pilot who takes over before the answer keeps the aircraft: nothing 
 
 TEST_CASE(
     "what is wrong with an order is named, and a second object that is refused does not get the first one's answers") {
-  Flight flight;
+  Flown flight;
   Steering other(flight.client);
   flight.fly(kAuto);
   flight.steering.goTo(kPlace, Metres(NAN));

@@ -13,13 +13,13 @@ constexpr uint16_t kCommandInt = 75, kCommandLong = 76, kVelocity = 84;
 constexpr uint32_t kAuto = 3, kGuided = 4, kLoiter = 5;  // ArduCopter's modes
 
 // A copter that flies its mission, and a sketch that takes it over with a velocity.
-struct Flight : ClientOnLine {
+struct Flown : ClientOnLine {
   Steering steering;
   VelocityTarget velocity;
   uint32_t mode = kAuto;
   uint32_t answerMs = 0;  // when the heartbeat that was asked for comes
 
-  Flight() : ClientOnLine(kArduPilot), steering(client), velocity(steering) {
+  Flown() : ClientOnLine(kArduPilot), steering(client), velocity(steering) {
     beats = false;
     client.allowWhileArmed(true);
     pass(3000);
@@ -82,7 +82,7 @@ struct Flight : ClientOnLine {
 }  // namespace
 
 TEST_CASE("a velocity is that of the sketch, in the frame and with the turn that it names") {
-  Flight flight;
+  Flown flight;
   flight.begin(EarthVelocity(2_mps, MetresPerSecond(-1), 3_mps));
   for (int i = 0; i < 6; ++i) {
     CHECK((flight.velocity.renew(BodyVelocity(1_mps, 2_mps, MetresPerSecond(-3)).turning(180_dps)) ==
@@ -100,7 +100,7 @@ TEST_CASE("a velocity is that of the sketch, in the frame and with the turn that
 }
 
 TEST_CASE("a velocity that is not renewed is one of 0, and then the aircraft is told where to stay") {
-  Flight flight;
+  Flown flight;
   flight.begin(EarthVelocity(2_mps, 0_mps).facing(90_deg));
   flight.pass(1500);
   CHECK(float{flight.last().vx} == 0.0f);
@@ -121,7 +121,7 @@ TEST_CASE("a velocity that is not renewed is one of 0, and then the aircraft is 
 }
 
 TEST_CASE("a heartbeat with a pilot's mode ends the velocities, at once and for good") {
-  Flight flight;
+  Flown flight;
   flight.begin(BodyVelocity(2_mps));
   flight.velocity.stop();
   flight.pass(300);

@@ -29,14 +29,14 @@ constexpr Kind kPx4Rover = {ClientOnLine::kPx4, MAV_TYPE_GROUND_ROVER, kPx4Missi
 constexpr Kind kPx4Plane = {ClientOnLine::kPx4, MAV_TYPE_FIXED_WING, kPx4Mission, 6ul << 16};
 
 // One that follows its mission, armed, and a sketch that takes it over.
-struct Flight : ClientOnLine {
+struct Flown : ClientOnLine {
   Steering steering;
   VelocityTarget velocity;
   const Kind kind;
   uint32_t mode;
   uint32_t answerMs = 0;  // when the heartbeat that was asked for comes
 
-  explicit Flight(const Kind& it)
+  explicit Flown(const Kind& it)
       : ClientOnLine(it.autopilot), steering(client), velocity(steering), kind(it), mode(it.autoMode) {
     beats = false;
     client.allowWhileArmed(true);
@@ -96,7 +96,7 @@ struct Flight : ClientOnLine {
 
 // What start() comes to for a vehicle; Transferring: it is flown.
 Status begun(const Kind& kind, const Velocity& velocity, ItemField field) {
-  Flight flight(kind);
+  Flown flight(kind);
   flight.sent.clear();
   flight.ended = Status::Idle;
   flight.velocity.start(velocity);
@@ -192,7 +192,7 @@ TEST_CASE("no other vehicle of ArduPilot's takes a velocity, nor another one of 
 }
 
 TEST_CASE("the first velocity is flown without another call, and a start() while it is flown changes nothing") {
-  Flight flight(kCopter);
+  Flown flight(kCopter);
   flight.begin(body(2));
   CHECK(float{flight.last().vx} == 2.0f);
   CHECK(uint8_t{flight.last().coordinate_frame} == MAV_FRAME_BODY_NED);
@@ -204,7 +204,7 @@ TEST_CASE("the first velocity is flown without another call, and a start() while
 }
 
 TEST_CASE("before the vehicle is known a renewal is refused for its numbers alone, and then for what it is, too") {
-  Flight flight(kRover);
+  Flown flight(kRover);
   flight.velocity.start(body(2));
   CHECK((flight.velocity.renew(body(2, 1)) == Status::Transferring));
   CHECK((flight.velocity.renew(body(2, 101)) == Status::BadSpeed));
@@ -217,7 +217,7 @@ TEST_CASE("before the vehicle is known a renewal is refused for its numbers alon
 }
 
 TEST_CASE("a copter faces where it is told, by an angle from north, or keeps its heading") {
-  Flight flight(kCopter);
+  Flown flight(kCopter);
   flight.begin(earth(1, 2));
   CHECK(uint16_t{flight.last().type_mask} == 0x05C7);  // the turn counts, and is 0
   CHECK(float{flight.last().yaw_rate} == 0.0f);
@@ -242,7 +242,7 @@ TEST_CASE("a copter faces where it is told, by an angle from north, or keeps its
 }
 
 TEST_CASE("a rover drives where it looks, and one that stands still over the ground does not turn to the north") {
-  Flight flight(kRover);
+  Flown flight(kRover);
   flight.begin(earth(1, -2));
   CHECK(uint8_t{flight.last().coordinate_frame} == MAV_FRAME_LOCAL_NED);
   CHECK(uint16_t{flight.last().type_mask} == 0x0DC7);  // the velocity alone
@@ -269,7 +269,7 @@ TEST_CASE("a rover drives where it looks, and one that stands still over the gro
 }
 
 TEST_CASE("behind a loop() that stood still for 0.6 s a heartbeat comes first, and then the velocity again") {
-  Flight flight(kCopter);
+  Flown flight(kCopter);
   flight.begin(body(2));
   CHECK((flight.velocity.renew(body(2)) == Status::Transferring));
   flight.run(700, 700);

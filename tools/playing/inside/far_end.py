@@ -24,13 +24,14 @@ from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
 from simulation.fake_autopilot.vehicles import VEHICLES
 from simulation.wire import Entry
 
-from .interference import battery_is_low, is_pilots, other_station_uploads, pilot_turns_the_switch
+from .interference import battery_is_low, is_pilots, other_station_uploads, pilot_lands, pilot_turns_the_switch
 
 UPTIME_S = 60.0  # the autopilot has been on for so long: it can be armed
 VEHICLE_EVERY_S = 0.1
 SILENCE_S = 3.0  # of an autopilot that is restarted
 NEXT = {">": "the Mega", "<": "the autopilot"}
-DEEDS = {"pilot": pilot_turns_the_switch, "battery": battery_is_low, "station": other_station_uploads}
+DEEDS = {"pilot": pilot_turns_the_switch, "lands": pilot_lands, "battery": battery_is_low,
+         "station": other_station_uploads}  # fmt: skip
 # What a message of tools/plan says of its own options, which the page has not.
 OPTION = re.compile(r"[,;] (or say )?--[a-z].*$")
 

@@ -9,7 +9,7 @@ from demonstration.words import HOME
 from simulation.fake_autopilot import MISSION, Item, item, mavlink
 
 STATION = (255, 190)  # its system and its component
-PX4_POSITION, PX4_RETURN = (3, 0), (4, 5)  # PX4's main and sub mode
+PX4_POSITION, PX4_RETURN, PX4_LAND = (3, 0), (4, 5), (4, 6)  # PX4's main and sub mode
 
 
 def pilots_numbers(autopilot: Any) -> tuple[int, ...]:
@@ -38,6 +38,16 @@ def pilot_turns_the_switch(autopilot: Any, now: float) -> str:
     if gives_back:
         return "the pilot sets the mode of before again"
     return f"a pilot sets {'LOITER' if hasattr(autopilot, 'kind') else 'POSCTL'}"
+
+
+def pilot_lands(autopilot: Any, now: float) -> str:
+    """And it disarms on the ground; in words."""
+    if not autopilot.armed:
+        return "the pilot lands: it is disarmed already"
+    kind = getattr(autopilot, "kind", None)
+    numbers = (kind.modes[kind.land_mode],) if kind else PX4_LAND
+    autopilot.at("pilot", now, lambda time: autopilot._set_mode(*numbers, time))
+    return f"the pilot lands: he sets {'LAND' if kind else 'AUTO LAND'}"
 
 
 def battery_is_low(autopilot: Any, now: float) -> str:

@@ -38,7 +38,7 @@ const NEXT = {
 };
 // What is done to the simulated line, and not to a real one; and to the simulated autopilot.
 const LINE = ["loss", "bytes", "seed", "cable", "lose", "latency"];
-const AUTOPILOT = ["reset-autopilot", "pilot", "battery", "station"];
+const AUTOPILOT = ["reset-autopilot", "pilot", "lands", "battery", "station"];
 const NOT_ARMING = "UploadMission"; // which a real autopilot gets instead of one that arms
 const WRITTEN = "your sketch";
 const SHOWN_EVERY_MS = 150;
@@ -670,7 +670,7 @@ at("cable").onclick = () => {
 at("lose").onclick = () => far.postMessage({ does: "loseNext", name: at("lose-what").value });
 at("latency").oninput = (event) => change({ latency: Number(event.target.value) }, false);
 at("latency").onchange = () => far.postMessage({ does: "latency", milliseconds: state.latency });
-for (const who of ["pilot", "battery", "station"]) {
+for (const who of ["pilot", "lands", "battery", "station"]) {
   at(who).onclick = () => far.postMessage({ does: "interfere", who });
 }
 at("pause").onclick = () => setPace(isPaused ? Number(at("pace").value) : 0);

@@ -1,0 +1,292 @@
+#include "../Flight.h"
+
+#include <Arduino.h>
+#include <string.h>
+
+#include "../autopilot/Vehicle.h"
+#include "../base/Flash.h"
+#include "../client/CommandPort.h"
+#include "../link/Messages.h"
+
+namespace mavmission {
+using namespace detail;
+namespace {
+
+const MessageKey kFlown[] PROGMEM = {
+    MAVMISSION_LISTENER_KEY(HEARTBEAT),
+    MAVMISSION_LISTENER_KEY(COMMAND_ACK),
+    MAVMISSION_LISTENER_KEY(MISSION_CURRENT),
+    MAVMISSION_LISTENER_KEY(STATUSTEXT),
+};
+
+constexpr float kIntervalUs = 1000000;
+
+// Commands that fly somewhere, or wait; what is no such command is carried out on the way (MAV_CMD).
+constexpr bool isFlown(uint16_t command) { return command >= MAV_CMD_NAV_WAYPOINT && command < MAV_CMD_NAV_LAST; }
+constexpr bool isLanding(uint16_t command) {
+  return command == MAV_CMD_NAV_LAND || command == MAV_CMD_NAV_VTOL_LAND || command == MAV_CMD_NAV_RETURN_TO_LAUNCH;
+}
+
+constexpr uint16_t kNearCm = 300;
+constexpr uint8_t kSlowCmS = 100;
+constexpr uint16_t kFreshMs = 3000;  // an older position does not say where it is
+
+}  // namespace
+
+Flight::Flight(MissionClient& client)
+    : MessageIntervals(client, kFlown, sizeof(kFlown) / sizeof(kFlown[0]), take), autopilot_(client), stages_() {
+  ways_ = nullptr;
+  lookForStop_ = nullptr;
+  position_ = nullptr;
+  plan_ = emptyPlan();
+  place_ = LatLon();
+  item_ = stop_ = last_ = MissionClient::kNoItem;
+  beatsLeft_ = 0;
+  isSteered_ = comesDown_ = isOnTheWay_ = isBeat_ = wantsReason_ = hasBegun_ = false;
+  isAtEnd_ = isComplete_ = isDoubted_ = isOtherPlan_ = isStop_ = returns_ = false;
+  reason_[0] = 0;
+}
+
+Flight::Flight(MissionClient& client, const PositionListener& position) : Flight(client) {
+  position_ = &position;
+  lookForStop_ = lookForStop;
+}
+
+// --- What the sketch calls
+
+Status Flight::beginWith(FlightOrder first) {
+  stages_.setNow(millis());
+  const Status status = stages_.begin(first);
+  if (status != Status::Transferring) return status;
+  isSteered_ = comesDown_ = isOnTheWay_ = hasBegun_ = isAtEnd_ = isComplete_ = isDoubted_ = isOtherPlan_ = false;
+  item_ = stop_ = MissionClient::kNoItem;
+  reason_[0] = 0;
+  return status;
+}
+
+Status Flight::fly(const ItemSource& plan) {
+  const Status status = beginWith(FlightOrder::Upload);
+  if (status == Status::Transferring) plan_ = plan;
+  return status;
+}
+
+void Flight::begin() {
+  stages_.setNow(millis());
+  if (state() == FlightState::Ended) client_.noteTaken(Status::Idle);
+  stages_.forget();
+}
+
+void Flight::giveUp() {
+  stages_.setNow(millis());
+  stages_.giveUp(FlightOrder::None);
+}
+
+bool Flight::goOn() {
+  if (stop() == MissionClient::kNoItem || isSteered_ || autopilot_.isBusy()) return false;
+  autopilot_.setCurrentItem(static_cast<uint16_t>(stop_ + 1));
+  return true;
+}
+
+uint32_t Flight::inStateMs() const { return stages_.inStateMs(millis()); }
+
+bool Flight::update() {
+  autopilot_.update();
+  stages_.setNow(millis());
+  const bool hasEnded = stages_.running() != FlightOrder::None && !autopilot_.isBusy();
+  if (lookForStop_ != nullptr && stages_.isInFlight()) lookForStop_(*this);
+  // What it needs to know of the aircraft changes with a heartbeat, with the end of an operation, or by silence.
+  if (hasEnded || isBeat_ || !client_.autopilot().isFound()) look(hasEnded);
+  if (autopilot_.isBusy()) return stages_.takeNews();
+  const FlightOrder order = stages_.due(client_.autopilot().isFound());
+  if (order == FlightOrder::Upload && !findEnd()) {
+    stages_.refuse(Status::NoLanding);
+  } else if (order != FlightOrder::None) {
+    stages_.begun(client_.commands().shownMode());
+    beginOrder(order);
+  }
+  return stages_.takeNews();
+}
+
+// --- What is heard
+
+void Flight::take(Listener& listener, const FrameParser& frame) {
+  Flight& self = static_cast<Flight&>(listener);
+  if (!self.isFromAutopilot(frame)) return;
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_HEARTBEAT: return self.takeHeartbeat();
+    case MAVLINK_MSG_ID_COMMAND_ACK:
+      if (self.isAnswer(frame)) self.settle();
+      return;
+    case MAVLINK_MSG_ID_MISSION_CURRENT: return self.takeCurrent(frame);
+    default: return self.takeText(frame);
+  }
+}
+
+// Requests MISSION_CURRENT in flight when none has come for a while.
+void Flight::takeHeartbeat() {
+  isBeat_ = true;
+  const uint16_t nowMs = static_cast<uint16_t>(millis());
+  giveUpWaiting(nowMs);
+  if (!stages_.isInFlight()) return;
+  if (beatsLeft_ != 0) {
+    --beatsLeft_;
+  } else if (!isWaiting() && mayAsk(nowMs) && client_.link().canSend()) {
+    ask(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs, 0, nowMs);
+    beatsLeft_ = kSilence;
+  }
+}
+
+void Flight::takeCurrent(const FrameParser& frame) {
+  typedef mavlink_mission_current_t Current;
+  if (!stages_.isInFlight()) return;
+  beatsLeft_ = kSilence;
+  item_ = client_.itemFromWire(frame.payloadWord(offsetof(Current, seq)));
+  isComplete_ = frame.payloadByte(offsetof(Current, mission_state)) == MISSION_STATE_COMPLETE;
+  const bool isEnd = item_ == last_ || isComplete_;
+  if (!isEnd) hasBegun_ = true;
+  if (isEnd && hasBegun_) isAtEnd_ = true;  // for good: ArduPilot rewinds its plan when it is disarmed
+  // What is older than the start may be about the plan before.
+  const bool isOther = client_.namesOther(frame);
+  isOtherPlan_ = isOther && isDoubted_;
+  isDoubted_ = isOther;
+}
+
+// The first text of an attempt: an autopilot names all its reasons each time, in the same order.
+void Flight::takeText(const FrameParser& frame) {
+  typedef mavlink_statustext_t Text;
+  if (!wantsReason_ || !stages_.isWaiting()) return;
+  if (frame.payloadByte(offsetof(Text, severity)) > MAV_SEVERITY_WARNING) return;
+  wantsReason_ = false;
+  char text[sizeof(reason_)];
+  for (uint8_t i = 0; i < sizeof(text) - 1; ++i) {
+    text[i] = static_cast<char>(frame.payloadByte(static_cast<uint8_t>(offsetof(Text, text) + i)));
+  }
+  text[sizeof(text) - 1] = 0;
+  if (strcmp(text, reason_) == 0) return;
+  strcpy(reason_, text);
+  stages_.noteNews();
+}
+
+// --- Who has the aircraft
+
+bool Flight::isRover() const {
+  return has(client_.autopilot().firmware(), kModesByVehicle) &&
+         vehicleOf(client_.autopilot().vehicleType()) == Vehicle::Rover;
+}
+
+FlightHands Flight::hands() const {
+  if (isSteered_ && ways_->isOurs(*this)) return FlightHands::Own;
+  const CommandPort& commands = client_.commands();
+  const uint16_t shown = commands.shownMode();
+  const bool isReturn = shown == commands.numberOf(FlightMode::ReturnToLaunch);
+  // PX4 says CRITICAL while a failsafe flies, in whatever mode.
+  const bool isCritical = has(client_.autopilot().firmware(), kCriticalInFailsafe) &&
+                          client_.autopilot().heartbeat().state >= MAV_STATE_CRITICAL;
+  if (!isCritical && !isSteered_) {
+    if (shown == commands.numberOf(FlightMode::Auto)) return FlightHands::Own;
+    // PX4 and ArduPilot's planes carry out a plan's return by changing their mode. MISSION_CURRENT may say so later.
+    if (isReturn && returns_) return isAtEnd_ ? FlightHands::Own : FlightHands::Unclear;
+  }
+  const bool isFailsafe = isCritical || isReturn || shown == commands.numberOf(FlightMode::Land);
+  return isFailsafe ? FlightHands::Failsafe : FlightHands::Pilot;
+}
+
+void Flight::look(bool hasEnded) {
+  const CommandPort& commands = client_.commands();
+  FlightSight sight;
+  sight.hands = hands();
+  sight.mode = commands.shownMode();
+  sight.isHeard = client_.autopilot().isFound();
+  sight.isArmed = client_.autopilot().isArmed();
+  sight.isOver = isSteered_ ? comesDown_ : isAtEnd_;
+  sight.staysArmed = isRover() && !isSteered_ && isAtEnd_ && isComplete_;
+  // PX4 leaves its modes of returning and landing by itself when it is disarmed.
+  sight.mayRest =
+      !has(client_.autopilot().firmware(), kFliesByMode) &&
+      (sight.mode == commands.numberOf(FlightMode::Hold) || sight.mode == commands.numberOf(FlightMode::Auto));
+  sight.isOtherPlan = !isSteered_ && (isOtherPlan_ || autopilot_.aboard() == Aboard::OtherPlan);
+  const bool isBeat = isBeat_;
+  isBeat_ = false;
+  if (hasEnded) {
+    const bool isStart = stages_.running() == FlightOrder::Start;
+    const bool hasArmed =
+        isStart ? autopilot_.startArming() == StartArming::Disarmed : ways_ != nullptr && ways_->hasArmed(*this);
+    stages_.onEnd(autopilot_.status(), sight, hasArmed);
+  }
+  stages_.look(sight, isBeat);
+  if (stages_.takeBreak()) client_.end(Status::Cancelled);
+}
+
+// --- The plan's stops
+
+void Flight::lookForStop(Flight& flight) {
+  const uint16_t item = flight.item_;
+  if (item != flight.stop_) {
+    if (flight.state() == FlightState::AtStop) flight.stages_.leave();
+    flight.stop_ = item;
+    MissionItem read;
+    const ItemSource& plan = flight.plan_;
+    flight.isStop_ = item < plan.count && plan.read(plan.context, item, read) && read.command == MAV_CMD_NAV_WAYPOINT &&
+                     read.param1 >= 1;
+    if (!flight.isStop_) return;
+    flight.place_.latitude = Degrees::fromE7(read.x);
+    flight.place_.longitude = Degrees::fromE7(read.y);
+  }
+  const PositionListener& position = *flight.position_;
+  if (flight.isStop_ && flight.state() == FlightState::Flying && position.ageMs() < kFreshMs &&
+      position.speedCmS() < kSlowCmS && distanceCm(position.place(), flight.place_) < kNearCm) {
+    flight.stages_.arrive();
+  }
+}
+
+// --- What is begun
+
+// The item with which the plan ends on the ground; false if an aircraft would stay in the air. A rover's plan is over
+// when the autopilot says so.
+bool Flight::findEnd() {
+  last_ = MissionClient::kNoItem;
+  returns_ = false;
+  if (isRover()) return true;
+  for (uint32_t i = plan_.count; i != 0 && i <= MissionClient::kMaxItems; --i) {
+    MissionItem item;
+    const uint16_t index = static_cast<uint16_t>(i - 1);
+    if (!plan_.read(plan_.context, index, item)) break;
+    if (!isFlown(item.command)) continue;
+    last_ = index;
+    returns_ = item.command == MAV_CMD_NAV_RETURN_TO_LAUNCH;
+    return isLanding(item.command);
+  }
+  return true;  // the upload says what is wrong with it
+}
+
+void Flight::beginOrder(FlightOrder order) {
+  switch (order) {
+    case FlightOrder::Upload: autopilot_.uploadWithoutReadback(plan_); return;
+    case FlightOrder::Start:
+      wantsReason_ = true;
+      autopilot_.start();
+      return;
+    case FlightOrder::Disarm: client_.commands().beginCommands(fillDisarming, onDisarming, this); return;
+    case FlightOrder::TakeOff: wantsReason_ = true; break;
+    case FlightOrder::None:
+    case FlightOrder::GoTo:
+    case FlightOrder::Home:
+    case FlightOrder::Land: break;
+  }
+  ways_->begin(*this, order);
+}
+
+void Flight::fillDisarming(Client&, FlightCommand& command) { CommandPort::fillArming(command, false); }
+
+// Each attempt leaves behind a heartbeat that shows the mission's mode: it is not a pilot's vehicle that is disarmed.
+Status Flight::onDisarming(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
+  const Flight& self = *static_cast<const Flight*>(CommandPort::ownerOf(client));
+  if (event == CommandEvent::Ready) CommandPort::of(client).sending().guard();
+  if (event == CommandEvent::Ready || event == CommandEvent::Heartbeat) {
+    if (!self.client_.autopilot().isArmed()) return Status::Done;
+    if (self.hands() != FlightHands::Own) return Status::PilotHasIt;
+  }
+  return status;
+}
+
+}  // namespace mavmission
