@@ -113,8 +113,8 @@ def build_sketch(
     if not source.exists():
         # The name of an example will do.
         source = every_folder().get(str(path)) or source
-    if not source.exists():
-        raise no_sketch_at(source)
+    if not source.exists() or (source.is_dir() and not any(f.suffix in (".ino", ".cpp") for f in source.iterdir())):
+        raise no_sketch_at(source)  # before a folder is read whole, however much is in it
     extra = [f"-D{d}" for d in defines] + [f"-I{Path(d).resolve()}" for d in include_dirs] + list(flags)
     backend = choose_backend()
     settings = [str(source), BOARDS[board].fqbn, backend, compiler_stamp(backend), str(strict), *LINK_FLAGS, *extra]

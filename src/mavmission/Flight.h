@@ -115,8 +115,10 @@ class Flight : private detail::MessageIntervals, private detail::FollowRules {
   void look(bool hasEnded);
   bool isRover() const;
   bool findEnd();
-  void beginOrder(detail::FlightOrder order);
+  static void beginPlan(Flight& flight, detail::FlightOrder order);
 
+  // Begins the orders of a plan; null until fly() is called: only that refers to the code.
+  void (*beginPlan_)(Flight& flight, detail::FlightOrder order);
   const PositionListener* position_;
   ItemSource plan_;
   LatLon place_;          // of the stop

@@ -74,13 +74,12 @@ class MissionClient : private detail::Client {
   // when the autopilot has acknowledged the whole plan, on PX4 with our checksum. If ArduPilot's only acknowledgement
   // is lost, it ends with Status::Unconfirmed; and so it does, whatever is acknowledged, with an autopilot that is
   // neither ArduPilot nor PX4.
-  Status uploadWithoutReadback(const ItemSource& plan, PlanType type = PlanType::Mission) {
-    return startUpload(plan, type);
-  }
+  Status uploadWithoutReadback(const ItemSource& plan) { return startUpload(plan, PlanType::Mission); }
+  Status uploadWithoutReadback(const ItemSource& plan, PlanType type);
 
   // Uploads the plan of the last upload or verification again, for example after a failure that left a mixture.
   // Status::SourceRefused if there was no such plan.
-  Status uploadAgain() { return uploadKeptPlan(); }
+  Status uploadAgain();
 
   // Replaces `count` items of the plan aboard, from item `first` on. `plan` is the whole plan, and its other items must
   // be aboard already. ArduPilot does this; PX4 does not (Status::WholePlansOnly). (Guide, MISSION_WRITE_PARTIAL_LIST.)
@@ -189,7 +188,7 @@ class MissionClient : private detail::Client {
   uint16_t itemsDone() const { return state_.itemsDone; }
   uint16_t itemsTotal() const { return Client::itemsTotal(); }
   // After Status::Differs the field that differs; after Status::NotKept the field that would be stored as another
-  // value.
+  // value; after the refusal of a fence or of rally points as such (BadFence) the field that is wrong.
   ItemField differingField() const { return rest_.field; }
   // After an operation with a plan has ended with Status::NotKept: the value that the autopilot would store in that
   // field. keptValue() reads the item from the plan's source again. It returns NaN if the value is not known (the

@@ -31,8 +31,8 @@ namespace mavmission {
   /* refused before the first byte was sent: nothing aboard has changed */ \
   X(Busy, "busy with another operation")            /* only returned: the running operation keeps its own status */ \
   X(NoAutopilot, "no autopilot heard in time") \
-  X(SeveralAutopilots, "several autopilots: name one with setTargetIds()") \
-  X(SameIdsAsAutopilot, "our ids are the autopilot's: it ignores us") \
+  X(SeveralAutopilots, "several autopilots: setTargetIds()") \
+  X(SameIdsAsAutopilot, "our ids are the autopilot's") \
   X(OtherAutopilot, "refused: compiled for another autopilot") /* MAVMISSION_ONLY_ARDUPILOT, _PX4: Config.h */ \
   X(NeedsMavlink2, "refused: this needs MAVLink 2") \
   X(Armed, "the autopilot is armed")       /* allowWhileArmed() allows it */ \
@@ -41,15 +41,16 @@ namespace mavmission {
   X(BadLongitude, "refused: a longitude beyond 180 degrees") \
   X(NotANumber, "refused: a NaN where none is allowed") \
   X(NotFinite, "refused: an infinite number") \
-  X(BadCurrent, "refused: current above 1 means fly there now") \
+  X(BadCurrent, "refused: current above 1") \
   X(BadJump, "refused: a jump out of the plan") \
   X(BadRange, "refused: the part is beyond the plan") \
-  X(BadPlanType, "refused: only clear() takes PlanType::All") \
-  X(WholePlansOnly, "refused: the autopilot takes whole plans only") \
+  X(BadPlanType, "refused: PlanType::All") \
+  X(WholePlansOnly, "refused: whole plans only") \
   X(BadFrame, "refused: no such altitude reference") \
   X(NotFlown, "refused: the autopilot takes no such command") \
   X(NeedsCoordinates, "refused: the item needs coordinates") \
   X(BadAltitude, "refused: an altitude out of range") \
+  X(BadFence, "refused: its corners or its radius make no area") \
   X(NotKept, "refused: the autopilot would store another value") /* keptValue() of differingField() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
@@ -74,7 +75,7 @@ namespace mavmission {
   X(InvalidParam6, "autopilot: y (longitude) is invalid") \
   X(InvalidParam7, "autopilot: z (altitude) is invalid") \
   X(InvalidSequence, "autopilot: item out of sequence") \
-  X(Denied, "autopilot: denied (another station may be transferring)") \
+  X(Denied, "autopilot: denied (another station?)") \
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
   X(UnknownResult, "autopilot: unknown code") \
   /* commands: MAV_RESULT 1 to 4 and 7 to 10 in order, then any other result */ \
@@ -84,7 +85,7 @@ namespace mavmission {
   X(CommandFailed, "autopilot: failed") \
   X(CommandLongOnly, "autopilot: only as COMMAND_LONG") \
   X(CommandIntOnly, "autopilot: only as COMMAND_INT") \
-  X(CommandFrame, "autopilot: frame not supported by the command") \
+  X(CommandFrame, "autopilot: not in this frame") \
   X(NotInControl, "autopilot: another station is in control") \
   X(CommandRefused, "autopilot: refused, by another code") \
   X(NoSuchMode, "this vehicle has no such mode") \
@@ -93,7 +94,7 @@ namespace mavmission {
   X(FliesOtherPlan, "it flies a plan that may not be ours") /* start() was too late */ \
   X(Infeasible, "accepted, then found impossible to fly") \
   X(NoSuchItem, "the plan has no such item") \
-  X(NothingToFly, "refused: nothing to fly to from this item on") \
+  X(NothingToFly, "refused: nothing to fly to") \
   X(NoLanding, "refused: the plan does not end with a landing or a return") /* Flight */ \
   X(OtherItem, "the autopilot is not at the first item")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
@@ -106,7 +107,7 @@ namespace mavmission {
   X(BadSpeed, "refused: a speed must be above 0, up to 100 m/s") \
   X(NotRenewed, "held: the target was not renewed") /* MovingTarget */ \
   /* parameters */ \
-  X(NoParameter, "no answer: no such parameter, or we are not heard") \
+  X(NoParameter, "no answer: no such parameter, or not heard") \
   X(OtherValue, "the autopilot stores another value")  /* Parameters::value() */
 // clang-format on
 

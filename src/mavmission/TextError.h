@@ -20,12 +20,15 @@ namespace mavmission {
   X(OutOfOrder, "the lines are not numbered 0, 1, 2, ...")                                         \
   X(NotZeroOrOne, "neither 0 nor 1")                                                               \
   X(BadTextFrame, "the frame is not 0, 2, 3, 5, 6, 10 or 11")                                      \
+  X(NoReference, "an altitude in frame 2: write 3 (above home), 0 (sea level) or 10 (ground)")     \
   X(NotWhole, "not a whole number")                                                                \
   X(BeyondLatitude, "a latitude beyond 90 degrees")                                                \
   X(BeyondLongitude, "a longitude beyond 180 degrees")                                             \
   X(BadTarget, "a jump to home, or out of the plan")                                               \
   X(MixedKinds, "mission, fence or rally items together")                                          \
   X(NoItems, "no item after home")                                                                 \
+  X(SecondPlan, "a second plan in one file: FILE_WRITE appends, so remove the file first")         \
+  X(Padding, "bytes of 0 or 255: the file was not written to its end")                             \
   X(Unreadable, "it cannot be read to its end")                                                    \
   X(NoRoom, "more items than there is room for")                                                   \
   X(NotKept, "the EEPROM could not store the plan")                                                \

@@ -8,4 +8,5 @@ from refreshing import readback
 
 def test_table_has_each_command_that_an_autopilot_was_recorded_with():
     commands = {int(number) for number, *_ in readback.ROW.findall(readback.SOURCE.read_text())}
-    assert commands == {row.sent.command for recording in VEHICLES for row in rows(recording)}
+    # NAV_ARC_WAYPOINT is from a source, and CONDITION_CHANGE_ALT has a row because none takes it.
+    assert commands - {36, 113} == {row.sent.command for recording in VEHICLES for row in rows(recording)}

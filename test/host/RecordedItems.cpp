@@ -147,9 +147,10 @@ namespace {
 // True where ArduPilot drops a number that would change the flight.
 bool isMissed(const RecordedItem& row, unsigned index) {
   switch (row.sent.command) {
-    case 178: return index == 3;   // DO_CHANGE_SPEED: a relative speed
-    case 207:                      // DO_FENCE_ENABLE: which fences
-    case 3000: return index == 1;  // DO_VTOL_TRANSITION: at once
+    case kNavWaypoint: return index == 0 && row.isPlane();  // a time to hold
+    case 178: return index == 3;                            // DO_CHANGE_SPEED: a relative speed
+    case 207:                                               // DO_FENCE_ENABLE: which fences
+    case 3000: return index == 1;                           // DO_VTOL_TRANSITION: at once
     default: return false;
   }
 }

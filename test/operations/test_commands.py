@@ -178,7 +178,7 @@ def test_command_that_is_never_answered_ends_after_5_tries(service):
     service.send_command(CHANGE_SPEED, 1.0, 5.0)
     assert service.done(limit_s=12) == "NoAnswer"
     times = service.sent_at("COMMAND_LONG")
-    assert len(times) == 5 and service.now - times[0] == pytest.approx(7.5, abs=0.05)
+    assert len(times) == 5 and service.now - times[0] == pytest.approx(7.5, abs=0.1)  # behind heartbeats
 
 
 @COMMANDS
@@ -359,7 +359,7 @@ def test_mode_that_was_accepted_and_is_never_shown_is_unconfirmed(service, perso
     service.run(0.2)
     acknowledge(service, SET_MODE, 0)
     assert service.done() == "Unconfirmed"
-    assert 7.4 < service.now - before < 12.6  # each attempt waits for a heartbeat, of which one comes each second
+    assert 1.5 < service.now - before < 2.7  # the first heartbeat behind the wait still shows the mode before
     service.order_of("custommode", 6 if personality == "ArduPilot" else 4 << 16 | 5 << 24)
     assert service.done() == "NoAnswer"  # and this one was not accepted either
 

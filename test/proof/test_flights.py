@@ -1,9 +1,10 @@
 """Others take the aircraft between any two frames: the library as it ships, in flights against small models of the
 autopilots, by test/flights.
 
-A pilot, a failsafe, another station, a line that is cut or loses, a loop() that stands still: each acts at every moment
-of a clean flight at which a frame leaves or arrives, and some of them at random on lines that lose. What must hold is
-in flights/Referee.h: whoever takes the aircraft keeps it, nothing is left armed, and what the library says is so.
+A pilot, a failsafe, another station, a line that is cut or loses, a loop() that stands still, devices of other kinds, a
+second vehicle that is heard when the first one is silent: each acts at every moment of a clean flight at which a frame
+leaves or arrives, and some of them at random on lines that lose. What must hold is in flights/Referee.h: whoever takes
+the aircraft keeps it, nothing is left armed, no other aircraft is spoken to, and what the library says is so.
 By hand, and one flight told in words:
 
     build/venv/bin/python test/proof/test_flights.py PX4 goTo each 1
@@ -14,11 +15,13 @@ A planted defect is a line of the library changed in a copy of it.
 
 from __future__ import annotations
 
+import collections
 import functools
 import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 if __name__ == "__main__":
     sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parents[1] / "support")]
@@ -44,14 +47,15 @@ def build_flights(library: tuple[Path, ...] | None = None) -> Path:
     return build_host("flights", sources, "g++", FAST, library=library)
 
 
-def fly(words: str, program: Path | None = None) -> dict[str, str]:
+def fly(words: str, program: Path | None = None) -> dict[str, Any]:
     """What the flights found, by name; `rules` were broken, `broken` is the first flight that has broken one."""
     ran = subprocess.run([program or build_flights(), *words.split()], capture_output=True, text=True, check=False)
     assert ran.returncode in (0, 1), f"{words}: {ran.stdout}{ran.stderr}"
     figures, _, broken = ran.stdout.partition("broken=")
     lines = [line.split("=", 1) for line in figures.splitlines()]
     rules = [words.partition(" ")[2] for name, words in lines if name == "rule"]
-    return dict(lines) | {"rules": "\n".join(rules), "broken": broken}
+    ends = [tuple(words.split(" ", 1)) for name, words in lines if name == "end"]
+    return dict(lines) | {"rules": "\n".join(rules), "ends": ends, "broken": broken}
 
 
 def expect_nothing_broken(record_property, flown: list[tuple[str, str, str]]) -> int:
@@ -84,6 +88,32 @@ def test_whoever_acts_keeps_the_aircraft_on_a_line_that_loses(record_property, c
              for autopilot in AUTOPILOTS for loss in (0, 5, 30)]  # fmt: skip
     flights = expect_nothing_broken(record_property, flown)
     assert count < 300 or flights > 25_000
+
+
+@pytest.mark.parametrize("count", [40, pytest.param(700, marks=[pytest.mark.slow, pytest.mark.thorough])])
+def test_whoever_takes_it_while_loop_stands_still_keeps_it(record_property, count):
+    flown = [(autopilot, f"{loss / 10} %" if loss else "none", f"all standstills {count} --loss {loss}")
+             for autopilot in AUTOPILOTS for loss in (0, 5)]  # fmt: skip
+    expect_nothing_broken(record_property, flown)
+
+
+@pytest.mark.parametrize("plays", [20, pytest.param(340, marks=[pytest.mark.slow, pytest.mark.thorough])])
+def test_operations_at_random_with_two_vehicles_end_true_and_concern_their_own(record_property, plays):
+    """20 in a row, beside all actors; the sketch names the other vehicle at times."""
+    operations, ends = 0, collections.Counter()
+    for autopilot in AUTOPILOTS:
+        found = fly(f"{autopilot} all plays {plays}")
+        assert found["violations"] == "0", found["broken"]
+        operations += int(found["operations"])
+        ends.update({words: int(count) for count, words in found["ends"]})
+    assert operations > 58 * plays
+    assert min(ends[words] for words in ENDS) > plays // 4, ends
+    record_property("table", ["operations at random with two vehicles", [["how they ended", "operations"],
+                    *([words, str(count)] for words, count in ends.most_common())]])  # fmt: skip
+
+
+ENDS = ("done: the autopilot confirmed it", "accepted: the plan is aboard", "cleared: no plan is aboard",
+        "a pilot or another station is in control", "no autopilot heard in time")  # fmt: skip
 
 
 # What a sketch does to an aircraft that it flies.
@@ -415,7 +445,8 @@ DEFECTS = {
 }  # fmt: skip
 
 
-# Each time: an arming at any time, an autopilot that another one follows, targets into silence, another station's plan, an arming that is not seen.
+# Each time: an arming at any time, an autopilot that another one follows, targets into silence, another station's plan,
+# an arming that is not seen.
 ALWAYS = ("kArmDisarm", "a silent autopilot", "a target leaves", "a follower does", "arm() believes")
 DEFECT = [name if name.startswith(ALWAYS) else pytest.param(name, marks=pytest.mark.thorough) for name in DEFECTS]
 

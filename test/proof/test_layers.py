@@ -78,3 +78,28 @@ def test_services_see_the_ports_of_the_client_alone():
     assert sorted(seen) == [source.stem for source in sources]
     assert set().union(*seen.values()) == {"Port.h", "CommandPort.h", "PlanPort.h", "Operation.h"}
     assert "Client.h" in seen_of_the_client([INSIDE / "client" / "Clear.cpp"])["Clear"]
+
+
+# What makes a command beside the operations, each with one literal number.
+ASKING = {"service/LinkDoctor.cpp", "service/MessageIntervals.cpp", "service/MovingTarget.cpp"}
+GATE = "client/Command.cpp"
+COMMANDING = re.compile(r"mavlink_command_(long|int)_t \w+ = mavlink_|KeyIndex::COMMAND_(LONG|INT)|mavlink_set_mode_t")
+
+
+def test_what_takes_an_aircraft_or_arms_it_leaves_by_the_gate_alone():
+    sources = {str(path.relative_to(INSIDE)): path.read_text() for path in INSIDE.rglob("*.[ch]*")}
+    making = {name for name, text in sources.items() if COMMANDING.search(text) and not name.startswith("mavlink/")}
+    assert making == {GATE, *ASKING}
+    gate = sources[GATE].partition("void Client::Command::send(")[2].partition("\n}\n")[0]
+    assert gate.index("sending.guard()") < gate.index("sendMessage(") and sources[GATE].count("sendMessage(") == 1
+    asked = [re.findall(r"\bcommand = (\w+);", sources[name]) for name in sorted(ASKING)]
+    assert [len(names) for names in asked] == [1] * len(ASKING)
+    passing = ["MAV_CMD_COMPONENT_ARM_DISARM", "MAV_CMD_MISSION_START", "MAV_CMD_NAV_TAKEOFF", "MAV_CMD_DO_SET_MODE",
+               "MAV_CMD_DO_REPOSITION"]  # fmt: skip
+    program = '#include "mavmission/autopilot/Guarded.h"\n#include "mavmission/base/MavlinkHeaders.h"\n' + "".join(
+        f'static_assert({no}mavmission::detail::isGuarded({name}), "");\n'
+        for no, names in (("!", sum(asked, [])), ("", passing))
+        for name in names
+    )
+    words = ["g++", "-std=c++11", "-fsyntax-only", *PLACES, "-xc++", "-"]
+    subprocess.run(words, input=program, text=True, check=True)

@@ -283,13 +283,14 @@ BAD = {
     "thirteen fields": (text_of([HOME, GOOD[0] + "\t1"]), "TooManyFields", 3, 0),
     "it breaks off": (text_of([HOME, *GOOD])[:-12], "TooFewFields", 6, 0),
     "a line too long": (text_of([HOME, GOOD[0] + " " * 200]), "LineTooLong", 3, 0),
-    "a comment too long": (text_of([HOME, "#" * 256, *GOOD]), "LineTooLong", 3, 0),
+    "a second plan": (text_of([HOME, *GOOD]) * 2, "SecondPlan", 7, 0),
+    "an end that was not written": (text_of([HOME, *GOOD]) + "\0" * 99, "Padding", 7, 0),
     "a line is missing": (text_of([HOME, GOOD[0], GOOD[2]]), "OutOfOrder", 4, 1),
     "a line comes twice": (text_of([HOME, GOOD[0], GOOD[0]]), "OutOfOrder", 4, 1),
     "it begins with 1": (text_of(GOOD), "OutOfOrder", 2, 1),
     "the line below an empty one": (text_of([HOME, "", "# west", GOOD[1]]), "OutOfOrder", 5, 1),
     "a negative number": (spoiled(3, 1, "-1"), "OutOfOrder", 3, 1),
-    "current 2": (spoiled(3, 2, "2"), "NotZeroOrOne", 3, 2),
+    "an altitude of which nothing says what it is from": (spoiled(3, 3, "2"), "NoReference", 3, 3),
     "a local frame": (spoiled(3, 3, "1"), "BadTextFrame", 3, 3),
     "frame 12": (spoiled(3, 3, "12"), "BadTextFrame", 3, 3),
     "a command with a point": (spoiled(3, 4, "16.0"), "NotWhole", 3, 4),
@@ -306,12 +307,12 @@ BAD = {
     "a nan as latitude": (spoiled(4, 9, "nan"), "BadNumber", 4, 9),
     "a nan as altitude": (spoiled(4, 11, "nan"), "BadNumber", 4, 11),
     "hexadecimal": (spoiled(4, 5, "0x10"), "BadNumber", 4, 5),
-    "a byte that is no text": (spoiled(4, 5, "\x00").encode(), "BadNumber", 4, 5),
+    "a byte that is no text": (spoiled(4, 5, "\x00").encode(), "Padding", 4, 4),
     "a latitude beyond the pole": (spoiled(4, 9, "90.0000001"), "BeyondLatitude", 4, 9),
     "latitude and longitude exchanged": (spoiled(4, 9, "149.165"), "BeyondLatitude", 4, 9),
     "a longitude beyond 180": (spoiled(4, 10, "-180.0000001"), "BeyondLongitude", 4, 10),
     "a longitude far beyond": (spoiled(4, 10, "4294967296000000"), "TooLarge", 4, 10),
-    "half a param5": (spoiled(6, 9, "0.5"), "NotWhole", 6, 9),
+    "half a param5": (text_of([HOME, *GOOD[:3], "4 0 2 203 0 0 0 0 0.5 0 0 1"]), "NotWhole", 6, 9),
     "autocontinue 3": (spoiled(4, 12, "3"), "NotZeroOrOne", 4, 12),
     "a jump to home": (spoiled(5, 5, "0"), "BadTarget", 5, 5),
     "a jump to half a line": (spoiled(5, 5, "1.5"), "BadTarget", 5, 5),
@@ -359,7 +360,7 @@ def test_a_good_text_is_good_however_it_is_laid_out(reader, text):
 
 
 def test_frames_are_given_with_their_present_numbers(reader):
-    rows = [f"{n} 0 {frame} 16 0 0 0 0 1 2 3 1" for n, frame in enumerate((0, 3, 5, 6, 10, 11, 2), start=1)]
+    rows = [f"{n} 0 {frame} 189 0 0 0 0 1 2 3 1" for n, frame in enumerate((0, 3, 5, 6, 10, 11, 2), start=1)]
     assert [item.frame for item in reader.read(text_of([HOME, *rows])).items] == [0, 3, 0, 3, 10, 10, 2]
 
 

@@ -28,7 +28,6 @@ WRONG_ON_ONE = [
     *(("PX4", "BadFrame", waypoint(frame=frame)) for frame in (10, 11)),
     ("PX4", "NotFlown", item(SERVO, frame=NO_PLACE, param1=5.0, param2=1500.0)),
     ("PX4", "NotFlown", item(SPLINE, x=1, y=1, z=20.0)),
-    ("PX4", "NeedsCoordinates", waypoint(frame=NO_PLACE)),
     ("ArduPilot", "NotFlown", item(187, frame=NO_PLACE)),
 ]
 

@@ -110,11 +110,11 @@ def test_command_that_one_autopilot_refuses_is_found_for_it_alone(tmp_path, row,
 
 
 def test_command_of_which_nothing_is_known_is_said_to_be_so(tmp_path):
-    status, text = check(tmp_path, ["0 3 16 0 0 0 0 47.5 8.5 20 1", "0 3 36 90 0 0 0 47.5 8.6 20 1"], "px4")
+    status, text = check(tmp_path, ["0 3 16 0 0 0 0 47.5 8.5 20 1", "0 3 34 90 0 0 0 47.5 8.6 20 1"], "px4")
     lines = text.splitlines()
     assert status == 0
     assert (
-        ":4: not known: item 1 (NAV_ARC_WAYPOINT, number 2 in the file): no autopilot that was tried takes this"
+        ":4: not known: item 1 (DO_ORBIT, number 2 in the file): no autopilot that was tried takes this"
         in lines[0]
     )
     assert lines[-1].endswith("nothing in it that PX4 is known to refuse; of 1 item it is not known")

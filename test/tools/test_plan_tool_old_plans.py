@@ -125,7 +125,7 @@ def test_version_120_has_no_home():
 
 def test_mission_and_fence_in_one_file_are_refused():
     error = refused(HOME, "1 0 3 16 0 0 0 0 47.6 8.5 20 1", "2 0 0 5003 30 0 0 0 47.6 8.5 0 1")
-    assert "is not of the fence: a .waypoints file is of one kind" in str(error) and error.line == 3
+    assert "mission, fence or rally items together" in str(error) and error.line == 4
     error = refused("0 0 0 5003 30 0 0 0 47.6 8.5 0 1", "1 0 3 5100 0 0 0 0 47.6 8.5 20 1")
     assert error.line == 3
 
@@ -171,14 +171,6 @@ def test_numbers_out_of_order_are_taken_as_they_stand_where_no_item_is_named_by_
     assert note_of(plan, "renumbered") == "from line 3 on the items are renumbered"
     for naming in ("8 0 2 177 1 2 0 0 0 0 0 1", "8 0 2 224 1 0 0 0 0 0 0 1", "8 0 3 201 2 1 0 0 47.6 8.5 20 1"):
         assert "--renumber numbers them as they stand" in str(refused(*rows, naming))
-
-
-def test_home_of_a_command_that_does_not_exist_is_home():
-    """It is never sent."""
-    plan = read(HOME.replace(" 16 ", " 31999 ", 1), "1 0 3 16 0 0 0 0 47.6 8.5 20 1")
-    assert [item.command for item in plan.items()] == [16]
-    assert "31999" in note_of(plan, "taken for home")
-    assert [item.command for item in read("0 0 3 22 0 0 0 0 47.6 8.5 20 1").items()] == [22]  # a takeoff is an item
 
 
 @pytest.mark.parametrize("current", ["-1", "2", "255"])

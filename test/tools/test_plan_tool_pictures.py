@@ -259,7 +259,7 @@ def test_kml_has_the_way_at_its_heights_above_the_sea():
     assert root.find(".//k:LineString/k:altitudeMode", NAMES).text == "absolute"
     assert [name.text for name in root.iterfind(".//k:Placemark/k:name", NAMES)] == [
         "home, as it was planned", "mission", "0 NAV_WAYPOINT", "1 NAV_WAYPOINT"]  # fmt: skip
-    assert any("cannot be read again" in note for note in notes)
+    assert any("what is done at the places is not in it" in note for note in notes)
 
 
 def test_kml_without_the_height_of_home_is_above_the_ground_and_says_so():

@@ -10,7 +10,7 @@ from pathlib import Path
 from building import ROOT
 
 DOCUMENTS = tuple(ROOT / name for name in ("README.md", "DESIGN.md", "docs/measurements.md", "docs/radio.md",
-                                           "docs/readback.md"))  # fmt: skip
+                                           "docs/readback.md", "docs/items.md"))  # fmt: skip
 
 
 def with_table(document: str, name: str, table: str) -> str:

@@ -12,7 +12,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from . import judge
+from .plan import PLACELESS
 
+NAV_LAST = 95
 TABLE = Path(__file__).resolve().with_name("commands.txt")
 
 
@@ -48,7 +50,13 @@ def name_of(command: int) -> str:
 
 def is_placeless(command: int) -> bool:
     """Whether an item of this command has neither a place nor an altitude, so that its frame says nothing."""
-    return judge.known().get(command, False)
+    return judge.known().get(command) == PLACELESS
+
+
+def lacks_reference(command: int, x: int, y: int, z: float) -> bool:
+    """Whether an item of this command in frame 2 has an altitude, of which that frame does not say what it is measured
+    from. So in the library: hasHeight()."""
+    return judge.known().get(command) == 0 and (command < NAV_LAST or (x, y, z) != (0, 0, 0))
 
 
 def is_at_a_place(command: int) -> bool:

@@ -1,4 +1,5 @@
-"""A fence's items as the areas that they make, and what is wrong with them."""
+"""A fence's items as the areas that they make, and in words what is wrong with them: the library decides whether
+something is (src/mavmission/plan/Areas.h)."""
 
 from __future__ import annotations
 
@@ -6,7 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from .plan import CIRCLE_INSIDE, CIRCLES, CORNER_INSIDE, CORNERS, RALLY_POINT, Item
+from .plan import CIRCLE_INSIDE, CIRCLES, CORNER_INSIDE, CORNERS, RALLY_POINT, RETURN_POINT, Item
 
 MOST_CORNERS = 255  # ArduPilot keeps their number in a byte
 
@@ -67,7 +68,7 @@ def shapes(items: list[Item]) -> Iterator[Shape]:
         else:
             if item.command in CIRCLES:
                 yield Circle(index, item, item.command == CIRCLE_INSIDE)
-            else:
+            elif item.command == RETURN_POINT:
                 yield ReturnPoint(index, item)
             index += 1
 
@@ -81,6 +82,8 @@ def troubles(kind: str, items: list[Item]) -> Iterator[tuple[int, str]]:
             if item.command == RALLY_POINT and (item.x, item.y) == (0, 0)
         )
         return
+    returns = [number for number, item in enumerate(items) if item.command == RETURN_POINT]
+    yield from ((number, "a second return point: a fence has one") for number in returns[1:])
     for shape in shapes(items):
         if isinstance(shape, Polygon):
             if text := trouble_of(shape):

@@ -14,7 +14,7 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path
 
-from . import qgc_mission, qgc_plan, waypoints
+from . import kml_path, litchi, qgc_mission, qgc_plan, recognising, waypoints
 from .bad_plan import BadPlan
 from .exact import DoesNotFit
 from .plan import Plan
@@ -24,6 +24,8 @@ READERS: dict[str, Callable[..., Plan]] = {
     ".waypoints": waypoints.read,
     ".txt": waypoints.read,
     ".mission": qgc_mission.read,
+    ".csv": litchi.read,
+    ".kml": kml_path.read,
 }
 PACKED = ".gz"
 WRITTEN = (".plan", ".waypoints", ".txt", ".kml")
@@ -35,11 +37,14 @@ def read_plan(file: Path, unset_as_zero: bool = False, renumber: bool = False) -
     BadPlan."""
     suffix = suffix_of(file)
     reader = READERS.get(suffix)
+    data = data_of(file)
+    recognising.expect_as_called(file, data, suffix)
     if reader is None:
         known = f"{', '.join(READERS)}, or in one of these and .gz"
         raise BadPlan(file, None, f"is not a known kind of file: its name must end in {known}")
-    more = {"renumber": renumber} if reader is waypoints.read else {}
-    return reader(file, text_of(file), unset_as_zero, **more)
+    if reader is waypoints.read:  # which is of bytes: its comments may be of any encoding
+        return waypoints.read(file, data, unset_as_zero, renumber)
+    return reader(file, decoded(file, data), unset_as_zero)
 
 
 def suffix_of(file: Path) -> str:
@@ -48,7 +53,7 @@ def suffix_of(file: Path) -> str:
     return Path(file.stem).suffix.lower() if suffix == PACKED else suffix
 
 
-def text_of(file: Path) -> str:
+def data_of(file: Path) -> bytes:
     try:
         with file.open("rb") as stream:
             data = stream.read(LARGEST + 1)
@@ -58,6 +63,14 @@ def text_of(file: Path) -> str:
         data = unpacked(file, data)
     if len(data) > LARGEST:
         raise BadPlan(file, None, f"is larger than {LARGEST // 1_000_000} MB: this is not a plan")
+    return data
+
+
+def text_of(file: Path) -> str:
+    return decoded(file, data_of(file))
+
+
+def decoded(file: Path, data: bytes) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -6,8 +6,12 @@
 //                                        NotKept the field, what it is, and what would be kept
 //   wire firmware vehicle count ITEMS -> for each item of a mission: Status, and what goes out, as an item is here
 //   compare firmware type vehicle count ITEMS ITEMS -> for each item: ItemField, its text
+//   text, behind it a .waypoints text as bytes -> "home" and an item, if it has one; of each item its line and the
+//   item;
+//                                        "end", PlanType, the number of the first item in the file. Or at the end
+//                                        "bad", TextError, line, field
 //   commands                          -> each command that the library knows: its number, 1 if its items have neither a
-//                                        place nor an altitude
+//                                        place nor an altitude, 2 if its altitude is not flown, else 0
 //
 // An item is param1 to param4, x, y, z as 32 bits each, command, frame, current, autocontinue. A vehicle is a MAV_TYPE.
 #include <stdio.h>
@@ -19,8 +23,10 @@
 #include "mavmission/ItemSource.h"
 #include "mavmission/Status.h"
 #include "mavmission/autopilot/Rules.h"
+#include "mavmission/plan/Areas.h"
 #include "mavmission/plan/Comparison.h"
 #include "mavmission/plan/WirePlan.h"
+#include "read_text.h"
 
 using namespace mavmission;
 using namespace mavmission::detail;
@@ -66,7 +72,11 @@ class Wired {
   bool isTooLong() const { return wire_.isTooLong(); }
   Status read(size_t index, MissionItem& out) {
     Status status = Status::Checking;
-    while (status == Status::Checking) status = wire_.read(wire_.numbers().toWire(static_cast<uint16_t>(index)), out);
+    while (status == Status::Checking) {
+      status = wire_.read(wire_.numbers().toWire(static_cast<uint16_t>(index)), out);
+      MissionItem followed = out;
+      if (status == Status::Accepted) status = wire_.follow(followed);
+    }
     return status;
   }
 
@@ -89,10 +99,27 @@ void putNotKept(const MissionItem& item, Keeper keeper) {
   if (kept == kept) printf(" -> %.9g", static_cast<double>(kept));
 }
 
+// The item of a fence or of rally points that is refused for what the items make together, and why; Accepted: none is.
+Status areaTrouble(const std::vector<MissionItem>& plan, PlanType type, size_t& index) {
+  if (type == PlanType::Mission) return Status::Accepted;
+  Areas areas;
+  areas.begin(type);
+  Status status = Status::Accepted;
+  for (index = 0; index < plan.size(); ++index) {
+    status = areas.take(plan[index]).status;
+    if (status != Status::Accepted) break;
+  }
+  if (status == Status::Accepted && areas.unfinished() != 0) status = Status::BadFence;
+  if (status == Status::BadFence) index -= areas.unfinished();
+  return status;
+}
+
 void check() {
   const PlanType type = static_cast<PlanType>(number());
   const uint8_t vehicle = static_cast<uint8_t>(number());
   const std::vector<MissionItem> plan = items(number());
+  size_t refused = 0;
+  const Status trouble = areaTrouble(plan, type, refused);
   const Firmware all[] = {Firmware::ArduPilot, Firmware::Px4, Firmware::Other};
   for (const Firmware firmware : all) {
     Wired wired(plan, firmware, vehicle, type);
@@ -102,6 +129,7 @@ void check() {
       if (status == Status::Accepted && notKept(out, keeperOf(firmware, vehicle, type)) != ItemField::None) {
         status = Status::NotKept;
       }
+      if (trouble != Status::Accepted && i == refused) status = trouble;
       printf("%u %s", static_cast<unsigned>(status), toString(status));
       if (status == Status::NotKept) putNotKept(out, keeperOf(firmware, vehicle, type));
       printf("\n");
@@ -146,13 +174,33 @@ void compare() {
   }
 }
 
+void text() {
+  TextReading reading;
+  for (;;) {
+    const TextReading::Event event = reading.take(getchar());
+    if (event == TextReading::kItem) printf("%u ", reading.itemLine());
+    if (event == TextReading::kHome) printf("home ");
+    if (event == TextReading::kItem || event == TextReading::kHome) put(reading.text().item());
+    if (event == TextReading::kBad) {
+      printf("bad %u %u %u\n", static_cast<unsigned>(reading.text().error()), reading.text().errorLine(),
+             reading.text().errorField());
+    }
+    if (event == TextReading::kEnd) printf("end %u\n", static_cast<unsigned>(reading.text().type()));
+    if (event == TextReading::kBad || event == TextReading::kEnd) return;
+  }
+}
+
 void commands() {
   for (unsigned command = 0; command <= 0xFFFF; ++command) {
     MissionItem item = anyCommand(static_cast<uint16_t>(command));
     item.frame = Frame::Global;
     // What is in no row has a place, or has none, as its frame says, on ArduPilot too.
     if (rulesOf(item, kByArduPilot).has(kAsItsFrameSays)) continue;
-    printf("%u %u\n", command, (traitsOf(item.command) & kHasNoPlace) != 0 ? 1 : 0);
+    const uint8_t traits = traitsOf(item.command);
+    printf("%u %u\n", command,
+           (traits & kHasNoPlace) != 0                            ? 1
+           : (traits & (kPlaceIsOptional | kAsItsFrameSays)) != 0 ? 2
+                                                                  : 0);
   }
 }
 
@@ -163,6 +211,7 @@ int main(int, char** arguments) {
   if (order == "check") check();
   if (order == "wire") wire();
   if (order == "compare") compare();
+  if (order == "text") text();
   if (order == "commands") commands();
   return broken ? 1 : 0;
 }

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import math
-import re
 import struct
 import subprocess
 from collections.abc import Sequence
@@ -14,13 +13,13 @@ from typing import NamedTuple
 from . import fences
 from .bad_plan import BadPlan, shown
 from .exact import decimal_text, degrees_text
-from .plan import KINDS, Item, Plan, Step
+from .plan import FRAMES, KINDS, NO_PLACE, PLACELESS, Item, Plan, ReadText, Step
 from .unset import is_unset_not_0
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = Path(__file__).resolve().with_name("judge.cpp")
-PARTS = ("Commands", "Comparison", "FlashTable", "FloatBits", "ItemField", "ItemSource", "KeptValue", "Status",
-         "WirePlan")  # fmt: skip
+PARTS = ("Areas", "Commands", "Comparison", "DecimalText", "FlashTable", "FloatBits", "ItemField", "ItemSource",
+         "KeptValue", "LongNumber", "Status", "WaypointsText", "WirePlan")  # fmt: skip
 
 # As judge.cpp checks them, by their names here.
 AUTOPILOTS = ("ardupilot", "px4", "any")
@@ -30,8 +29,8 @@ AUTOPILOT_OF = {3: "ardupilot", 12: "px4"}  # MAV_AUTOPILOT
 
 QUADROTOR, VTOL = 2, 22  # MAV_TYPE
 VTOL_COMMANDS = (84, 85)
+JUMP_TO_TAG = 601
 ACCEPTED = "Accepted"
-NOT_WHOLE = "NotWhole"  # no Status: a fence that the items do not make
 _WORDS = struct.Struct("<7IH3B")
 
 
@@ -41,7 +40,7 @@ class Refusal(NamedTuple):
     kind: str
     index: int  # type: ignore[assignment]  # a tuple has a method of this name, which nobody calls here
     step: Step
-    status: str  # mavmission::Status, or NOT_WHOLE
+    status: str  # mavmission::Status
     text: str  # its text, with the number that is wrong
 
     def sentence(self, plan: Plan) -> str:
@@ -53,15 +52,14 @@ def refusals(plan: Plan) -> dict[str, list[Refusal]]:
     found: dict[str, list[Refusal]] = {autopilot: [] for autopilot in AUTOPILOTS}
     for kind in plan.kinds:
         steps = plan.steps(kind)
+        words = dict(fences.troubles(kind, plan.items(kind))) if kind != "mission" else {}
         answers = asked("check", [KINDS.index(kind), vehicle_of(plan), len(steps)], plan.items(kind))
         for turn, (number, text) in enumerate(answers):
             index, status = turn % len(steps), statuses()[number]
             if status != ACCEPTED:
                 step = steps[index]
-                text = text.removeprefix("refused: ") + wrong_number(status, step.item)
+                text = words.get(index) or text.removeprefix("refused: ") + wrong_number(status, step.item)
                 found[AUTOPILOTS[turn // len(steps)]].append(Refusal(kind, index, step, status, text))
-        if kind != "mission":
-            add_troubles(found, kind, steps)
     return found
 
 
@@ -78,14 +76,6 @@ def unknown(plan: Plan) -> list[Step]:
     return [step for step in plan.mission if step.item.command not in known()]
 
 
-def add_troubles(found: dict[str, list[Refusal]], kind: str, steps: list[Step]) -> None:
-    """What the library does not look at, since it has one item at a time: polygons that are not whole, and the like."""
-    for index, text in fences.troubles(kind, [step.item for step in steps]):
-        for refused in found.values():
-            if (kind, index) not in {(other.kind, other.index) for other in refused}:
-                refused.append(Refusal(kind, index, steps[index], NOT_WHOLE, text))
-
-
 def wrong_number(status: str, item: Item) -> str:
     """What is wrong of an item, in brackets."""
     shown = {
@@ -93,7 +83,8 @@ def wrong_number(status: str, item: Item) -> str:
         "BadLongitude": degrees_text(item.y),
         "BadCurrent": str(item.current),
         "BadFrame": f"frame {item.frame}",
-        "BadJump": f"number {decimal_text(item.param1)}, counted from 0" if item.param1 == item.param1 else "NaN",
+        "NotFlown": str(item.command),
+        "BadJump": _target_of(item),
     }
     unset = [str(i) for i, value in zip((1, 2, 3, 4, 7), (*item[4:8], item.z), strict=True) if value != value]
     if status == "NotANumber":
@@ -101,7 +92,15 @@ def wrong_number(status: str, item: Item) -> str:
         # Where 0 would mean something else, it is no way out.
         is_way_out = not any(is_unset_not_0(item.command, int(i)) for i in unset)
         return f"{text}, or say --unset-as-zero for 0" if is_way_out else text
-    return f" ({shown[status]})" if status in shown else ""
+    text = f" ({shown[status]})" if status in shown else ""
+    if item.frame == NO_PLACE and status in ("BadFrame", "NeedsCoordinates"):
+        return f" (frame 2 says of no altitude what it is measured from): {FRAMES}"
+    return text
+
+
+def _target_of(item: Item) -> str:
+    number = decimal_text(item.param1)
+    return f"tag {number}" if item.command == JUMP_TO_TAG else f"number {number}, counted from 0"
 
 
 def expect_right(plan: Plan) -> None:
@@ -133,14 +132,13 @@ def on_the_wire(mission: Sequence[Item], autopilot: str, vehicle: int = QUADROTO
 
 
 @functools.cache
-def known() -> dict[int, bool]:
-    """The commands in the table that the firmware goes by, and whether their items have neither a place nor an
-    altitude."""
-    return {command: flag == "1" for command, flag in asked("commands", [], [])}
+def known() -> dict[int, int]:
+    """The commands in the table that the firmware goes by: PLACELESS, NOT_FLOWN_TO, or 0."""
+    return {command: int(flag) for command, flag in asked("commands", [], [])}
 
 
 def placeless() -> frozenset[int]:
-    return frozenset(command for command, is_placeless in known().items() if is_placeless)
+    return frozenset(command for command, kind in known().items() if kind == PLACELESS)
 
 
 def words_of(item: Item) -> str:
@@ -159,13 +157,40 @@ def asked(order: str, head: Sequence[int], items: Sequence[Item]) -> list[tuple[
     return [(int(number), text) for number, _, text in (line.partition(" ") for line in said.stdout.splitlines())]
 
 
+def text(lines: str) -> ReadText:
+    """What the library's reader makes of a .waypoints text, whose characters are its bytes."""
+    ran = subprocess.run([program(), "text"], input=lines.encode("latin-1"), capture_output=True, check=True)
+    home: Item | None = None
+    items: list[tuple[int, Item]] = []
+    for said in ran.stdout.decode().splitlines():
+        word, _, rest = said.partition(" ")
+        if word == "bad":
+            error, line, field = map(int, rest.split())
+            name, words = list(text_errors().items())[error]
+            return ReadText(home, items, "mission", name, words, line, field)
+        if word == "end":
+            return ReadText(home, items, KINDS[int(rest)])
+        if word == "home":
+            home = item_of(rest)
+        else:
+            items.append((int(word), item_of(rest)))
+    raise AssertionError("the reader has not said its end")
+
+
+@functools.cache
+def text_errors() -> dict[str, str]:
+    """mavmission::TextError, in order, with their texts."""
+    from simulation.enumerators import texts_of
+
+    return texts_of("TextError.h", "MAVMISSION_TEXT_ERRORS")
+
+
 @functools.cache
 def statuses() -> tuple[str, ...]:
     """mavmission::Status, in order."""
-    text = (ROOT / "src" / "mavmission" / "Status.h").read_text()
-    return tuple(
-        re.findall(r"X\((\w+),", text.partition("#define MAVMISSION_STATUSES(X)")[2].partition("enum class")[0])
-    )
+    from simulation.enumerators import texts_of
+
+    return tuple(texts_of("Status.h", "MAVMISSION_STATUSES"))
 
 
 @functools.cache

@@ -1,4 +1,4 @@
-"""A plan as KML, to be looked at in Google Earth: a picture, of which nobody makes the plan again.
+"""A plan as KML, to be looked at in Google Earth: a picture, of which kml_path.py reads the way and the areas alone.
 
 KML knows heights above sea level and above the ground. Heights above home become such above sea level where the plan
 says how high home is.
@@ -27,7 +27,7 @@ STYLES = {"way": ("ffa85f1f", 3, ""), "inside": ("ff578b2e", 2, "00578b2e"), "ou
 def write(plan: Plan) -> tuple[str, list[str]]:
     """The text of a .kml, and what of the plan it does not show."""
     notes = Notes()
-    notes.add("a .kml is a picture: what is done at the places is not in it, and it cannot be read again")
+    notes.add("a .kml is a picture: what is done at the places is not in it")
     home = plan.home
     if home is not None and not home.is_somewhere:
         home = None

@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 GLOBAL, NO_PLACE, RELATIVE, TERRAIN = 0, 2, 3, 10
+# What to write in the place of a frame that is none of an altitude.
+FRAMES = "write frame 3 for above home, 0 for above sea level, 10 for above the ground"
 # The older numbers of frames in MISSION_ITEM_INT, and those that replace them (src/mavmission/Units.h, modern()).
 MODERN = {5: GLOBAL, 6: RELATIVE, 11: TERRAIN}
 
@@ -18,6 +20,9 @@ FENCE_COMMANDS = range(5000, 5005)
 RALLY_POINT = 5100
 
 KINDS = ("mission", "fence", "rally")  # MAV_MISSION_TYPE 0, 1, 2
+
+# Of a command: its items have neither a place nor an altitude; they may have both, and the altitude is not flown.
+PLACELESS, NOT_FLOWN_TO = 1, 2
 
 # mavmission::MissionItem: param1 to param4, x, y, z, command, frame, current, autocontinue.
 _LAYOUT = struct.Struct("<4f2if H3B")
@@ -41,6 +46,18 @@ class Item(NamedTuple):
     def packed(self) -> bytes:
         """As it lies in the Mega's memory; two items are equal to the bit if these are."""
         return _LAYOUT.pack(*self[4:11], self.command, self.frame, self.current, self.autocontinue)
+
+
+class ReadText(NamedTuple):
+    """What the library's reader makes of a .waypoints text."""
+
+    home: Item | None
+    items: list[tuple[int, Item]]  # with the line of each
+    kind: str
+    error: str = ""  # of TextError, where it is bad
+    words: str = ""  # of that error
+    line: int = 0
+    field: int = 0
 
 
 @dataclass(frozen=True)

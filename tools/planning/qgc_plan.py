@@ -46,7 +46,7 @@ FRAME_OF_MODE = {MODE_RELATIVE: RELATIVE, MODE_ABSOLUTE: GLOBAL, MODE_CALCULATED
 MODE_OF_FRAME = {RELATIVE: MODE_RELATIVE, GLOBAL: MODE_ABSOLUTE, TERRAIN: MODE_TERRAIN}
 # The older numbering counts the same four from 0.
 FRAME_OF_OLD_MODE = {mode - 1: frame for mode, frame in FRAME_OF_MODE.items()}
-QUOTE = '"'
+QUOTE, STATION = '"', "QGroundControl"
 UINT8, UINT16 = range(256), range(65536)
 
 # Where a file does not say for what it was drawn.
@@ -79,11 +79,14 @@ class Reader:
         self._plan = Plan(file)
         self._notes = Notes()
         self._unset_as_zero = unset_as_zero
+        self._station = STATION  # that wrote the file
         self._jump_ids: list[int | None] = []
         self._values: list[Value] = []
         self._altitude_modes: list[tuple[int, Value, Value]] = []  # of an item's number, its AltitudeMode, the item
 
     def plan(self, document: Value) -> Plan:
+        if (station := document.get("groundStation")) is not None and station.raw:
+            self._station = cut(station.text(), "")
         self._mission(document.need("mission"))
         if (fence := document.get("geoFence")) is not None:
             self._fence(fence)
@@ -186,8 +189,11 @@ class Reader:
             where = params if error.parameter is None else params.raw[error.parameter - 1]
             raise where.bad(f"{name}: {error}") from None
         mode = value.get("AltitudeMode")
+        altitude = value.get("Altitude")
         if item.frame != NO_PLACE and mode is not None and mode.raw is not None:
-            self._altitude_modes.append((number, mode, value))
+            # With a mode of 0 and no altitude none was chosen there: the frame alone says what that of params is from.
+            if mode.raw != 0 or altitude is None or altitude.raw is not None:
+                self._altitude_modes.append((number, mode, value))
         self._add(Step(item, value.line, name, group), params, jump_id)
 
     @staticmethod
@@ -228,6 +234,8 @@ class Reader:
     def _refuse_mode(self, number: int, mode: Value) -> None:
         step = self._plan.mission[number]
         cure = "; open the plan in a present QGroundControl, look at this item's altitude, and save it again"
+        if self._station != STATION:
+            cure = f"; save the plan in {self._station} as .waypoints, which says the reference once"
         if mode.whole(UINT8) in FRAME_OF_MODE:
             raise mode.bad(
                 f"{step.name}: AltitudeMode {mode.raw} says another reference than frame {step.item.frame}{cure}"

@@ -9,7 +9,7 @@ from typing import TypeGuard
 
 from . import commands
 from .exact import DoesNotFit, e7_of, float32_of, int32_of, is_whole
-from .plan import GLOBAL, NO_PLACE, RELATIVE, TERRAIN, Item, modern
+from .plan import FRAMES, GLOBAL, NO_PLACE, RELATIVE, TERRAIN, Item, modern
 from .unset import is_unset_not_0
 
 PLACE_FRAMES = (GLOBAL, RELATIVE, TERRAIN)
@@ -65,6 +65,8 @@ def settled(
         values = _without_degrees(command, values, number, notes)
     x, y = (_coordinate(command, i, values[i - 1], placed, number, notes) for i in (5, 6))
     *params, z = [_float(i, values[i - 1]) for i in (1, 2, 3, 4, 7)]
+    if frame == NO_PLACE and commands.lacks_reference(command, x, y, z):
+        raise DoesNotFit(f"frame 2 says of no altitude what it is measured from: {FRAMES}", 7)
     return Item._make((modern(frame), command, current, autocontinue, *params, x, y, z))
 
 

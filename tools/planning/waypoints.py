@@ -4,43 +4,29 @@
     0  1  0  16  0 0 0 0    -35.3632621 149.1652374 584  1
     1  0  3  22  0 0 0 NaN  -35.3632621 149.1652374 20   1
 
-The columns: number, current, frame, command, parameters 1 to 4, latitude, longitude, altitude, autocontinue. A file of
-a fence or of rally points has the same form. Line 0 is home if it is a waypoint, or a command that does not exist: it
-is never sent. Any other command there is an item. QGC WPL 120, of an old QGroundControl, has no home.
-
-Programs take the lines in the order of the file. So their numbers matter only where an item names another one by its
-number: elsewhere they may be in any order.
+Such a text is read by the library's own reader, src/mavmission/text/WaypointsText.h, which describes the format: so the
+tool takes what the board takes, and makes the same items of it. Here are the words for what is wrong with a text, and
+what makes an old text one that the library reads: QGC WPL 120, of an old QGroundControl, which has no home, and lines
+whose numbers are in any order, where no item names another one by its number.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
-from decimal import Decimal
+import re
 from pathlib import Path
 
-from . import commands
+from . import commands, judge
 from .bad_plan import BadPlan, cut
-from .exact import DoesNotFit, decimal_of, decimal_text, degrees_text, e7_of, float32_of, is_whole
-from .plan import (
-    FENCE_COMMANDS,
-    GLOBAL,
-    JUMP,
-    NO_PLACE,
-    RALLY_POINT,
-    RELATIVE,
-    WAYPOINT,
-    Home,
-    Item,
-    Plan,
-    Step,
-    modern,
-)
+from .exact import decimal_text, degrees_text
+from .plan import FRAMES, GLOBAL, JUMP, NO_PLACE, WAYPOINT, Home, Item, Plan, ReadText, Step
 from .progress import Progress
-from .settling import Notes, settled, settled_current
+from .settling import Notes
+from .unset import is_unset_not_0
 
 HEADER = "QGC WPL 110"
 WITHOUT_HOME = "QGC WPL 120"
+NO_HOME = b"0 1 0 16 0 0 0 0 0 0 0 1"
 COLUMNS = (
     "its number",
     "current",
@@ -55,14 +41,10 @@ COLUMNS = (
     "altitude",
     "autocontinue",
 )
-HOMES = (0, WAYPOINT)  # of line 0; Mission Planner writes 0 where it has no home
 SET_CURRENT, ROI = 224, 201  # beside DO_JUMP they name an item by its number; a region of interest with parameter 1 = 2
-WHOLE = {0: (0, 65535), 1: (-1, 255), 2: (0, 255), 3: (0, 65535), 11: (0, 1)}  # column -> the smallest, the largest
-BLANKS = " \t\r\f\v"
-LONGEST_LINE = 255  # [characters], as the library's own reader takes it
 
 
-def read(file: Path, text: str, unset_as_zero: bool = False, renumber: bool = False) -> Plan:
+def read(file: Path, text: str | bytes, unset_as_zero: bool = False, renumber: bool = False) -> Plan:
     """The plan in `text`; BadPlan, with the line, if it is none or says what cannot be carried exactly.
 
     `renumber`: lines are numbered as they follow one another, whatever their numbers, and jumps with them.
@@ -70,208 +52,168 @@ def read(file: Path, text: str, unset_as_zero: bool = False, renumber: bool = Fa
     return read_lines(file, lines_of(text), 1, unset_as_zero, renumber)
 
 
-def lines_of(text: str) -> list[str]:
-    """As an editor counts them."""
-    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+def lines_of(text: str | bytes) -> list[str]:
+    """As an editor counts them; each byte that is no ASCII is a character."""
+    data = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else text
+    return re.split("\r\n|\r|\n", data.decode("latin-1"))
 
 
 def read_lines(file: Path, lines: list[str], first: int, unset_as_zero: bool = False, renumber: bool = False) -> Plan:
     """The same, of the lines from line `first` of a file on."""
-    return _Reader(file, first, unset_as_zero, renumber).plan(lines)
-
-
-class _Reader:
-    def __init__(self, file: Path, first: int, unset_as_zero: bool, renumber: bool) -> None:
-        self._file = file
-        self._plan = Plan(file)
-        self._notes = Notes()
-        self._unset_as_zero, self._renumber = unset_as_zero, renumber
-        self._line = first
-        self._numbers: dict[int, int | None] = {}  # of a line in the file -> of its item; None: home
-        self._is_renumbered = self._has_names = False
-        self._jumps: list[tuple[int, Decimal]] = []  # items that jump, and where to, as the file counts
-
-    def _bad(self, text: str, line: int | None = None) -> BadPlan:
-        return BadPlan(self._file, line or self._line, text)
-
-    def plan(self, lines: list[str]) -> Plan:
-        if not any(line.strip() for line in lines):
-            raise self._bad("the file is empty")
-        header = " ".join(lines[0].split()) if lines and len(lines[0]) <= LONGEST_LINE else ""
-        if header not in (HEADER, WITHOUT_HOME):
-            seen = f", and is {cut(lines[0])}" if lines else ""
-            raise self._bad(f'the first line must be "{HEADER}" (or "{WITHOUT_HOME}"){seen}')
-        steps: list[Step] = []
-        expected = 0
-        self._has_names = any(names_an_item(line) for line in lines[1:])
-        self._renumber = self._renumber or not self._has_names
-        with Progress("lines read") as progress:
-            for line in lines[1:]:
-                self._line += 1
-                progress.step()
-                values = self._values_of(line)
-                if values is None:
-                    continue
-                number = self._number(values[0], expected)
-                if expected == 0 and number == 0 and header == HEADER and self._is_home(values[3]):
-                    self._home(values)
-                    self._numbers[number] = None
-                else:
-                    if expected == 0:
-                        self._begin_without_home(header, values[3])
-                    self._numbers[number] = len(steps)
-                    steps.append(self._step(values, len(steps)))
-                expected += 1
-        if expected == 0:
-            raise self._bad("there is no line 0, which is home")
-        self._resolve_jumps(steps)
-        self._sort(steps)
-        self._plan.notes = self._notes.texts()
-        return self._plan
-
-    def _values_of(self, line: str) -> list | None:
-        """The numbers of a line; None if it has none to have."""
-        if line.lstrip(BLANKS).startswith("#"):
-            return None
-        if len(line) > LONGEST_LINE:
-            raise self._bad(f"the line has {len(line):,} characters, and {LONGEST_LINE} is the most for an item")
-        words = line.split()
-        if not words:
-            return None
-        if len(words) != len(COLUMNS):
-            raise self._bad(f"{len(words)} columns, and not {len(COLUMNS)}: {', '.join(COLUMNS)}")
-        return self._values(words)
-
-    def _number(self, number: int, expected: int) -> int:
-        """A line's number in the file, which jumps name."""
-        if number in self._numbers:
-            raise self._bad(f"number {number} is there twice")
-        if number != expected:
-            if not self._renumber:
-                raise self._bad(
-                    f"this is number {number}, and {expected} is due: lines are missing or in another order;"
-                    " --renumber numbers them as they stand, and their jumps with them"
-                )
-            if not self._is_renumbered:
-                self._is_renumbered = True
-                with_jumps = ", and jumps with them" if self._has_names else ""
-                self._notes.add(f"from line {self._line} on the items are renumbered{with_jumps}")
-        return number
-
-    def _values(self, words: list[str]) -> list:
-        values: list = []
-        for column, word in enumerate(words):
-            name = COLUMNS[column]
-            if column in WHOLE:
-                least, most = WHOLE[column]
-                digits = word[1:] if least < 0 and word.startswith("-") else word
-                if not (digits.isascii() and digits.isdigit()) or len(digits) > 9 or not least <= int(word) <= most:
-                    raise self._bad(f"{name} must be a whole number from {max(least, 0)} to {most}, and is {cut(word)}")
-                values.append(int(word))
-                continue
-            try:
-                values.append(decimal_of(word))
-            except ValueError:
-                hint = ": write a point, not a comma" if "," in word else ""
-                raise self._bad(f"{name} must be a number, and is {cut(word)}{hint}") from None
-        return values
-
-    def _is_home(self, command: int) -> bool:
-        if command not in HOMES and not commands.is_known(command):
-            self._notes.add(f"line 0 is taken for home, though no command has its number {command}: it is never sent")
-            return True
-        return command in HOMES
-
-    def _begin_without_home(self, header: str, command: int) -> None:
-        if command in FENCE_COMMANDS or command == RALLY_POINT:
-            return
-        why = f'"{WITHOUT_HOME}" has no home' if header == WITHOUT_HOME else "there is no line of home before it"
-        self._notes.add(f"the first line, a {commands.name_of(command)}, is the first item: {why}")
-
-    def _home(self, values: list) -> None:
-        frame = values[2]
-        if modern(frame) not in (GLOBAL, RELATIVE):
-            raise self._bad(
-                f"line 0 is home, which is above sea level, and has frame {frame}: write frame 0, or, if it is the"
-                " first item, put a line of home before it"
+    plan, notes = Plan(file), Notes()
+    if not any(line.strip() for line in lines):
+        raise BadPlan(file, first, "the file is empty")
+    said = judge.text("\n".join(lines))
+    extra = 0  # lines that the text has before its items, and the file has not
+    if renumber or said.error == "OutOfOrder" or words_of(lines[0]) == WITHOUT_HOME.split():
+        present, extra = _present(file, lines, first, renumber, notes)
+        said = judge.text("\n".join(present))
+    shift = first - 1 - extra
+    if said.error and said.error != "NoItems":
+        raise BadPlan(file, said.line + shift, f"{_item_at(said, lines, extra)}{_wrong(said, lines, extra)}")
+    for index, (line, item) in enumerate(said.items):
+        words = words_of(lines[line - 1 - extra])
+        name = f"item {index} ({commands.name_of(item.command)}, number {words[0]} in the file)"
+        item = _without_unset(item, index, notes) if unset_as_zero else item
+        _note(item, index, words, notes)
+        plan.steps(said.kind).append(Step(item, line + shift, name))
+    if said.home is not None and not extra:
+        if said.home.frame != GLOBAL:
+            notes.add(
+                f"line 0 has frame {said.home.frame} and is taken for home, its altitude for one above sea level; if it"
+                " is the first item, put a line of home before it"
             )
-        x, y, z = values[8:11]
-        if x.is_nan() or y.is_nan() or z.is_nan():
-            raise self._bad("home has no place")
-        try:
-            self._plan.home = Home(e7_of(x), e7_of(y), float32_of(z))
-        except DoesNotFit as error:
-            raise self._bad(f"home: {error}") from None
-        if modern(frame) != GLOBAL:
-            self._notes.add(
-                f"line 0 has frame {frame} and is taken for home, its altitude for one above sea level; if it is the"
-                " first item, put a line of home before it"
+        home = Home(said.home.x, said.home.y, said.home.z)
+        plan.home = home if home.is_somewhere else None
+    elif said.kind == "mission" and plan.mission:
+        why = f'"{WITHOUT_HOME}" has no home' if extra else "there is no line of home before it"
+        first_name = commands.name_of(plan.mission[0].item.command)
+        notes.add(f"the first line, a {first_name}, is the first item: {why}")
+    plan.notes = notes.texts()
+    return plan
+
+
+def words_of(line: str) -> list[str]:
+    """A line's words; none of a comment."""
+    words = line.split()
+    return [] if words and words[0].startswith("#") else words
+
+
+def _note(item: Item, index: int, words: list[str], notes: Notes) -> None:
+    """What is not taken as it stands in the file, or is not certain."""
+    if words[1].lstrip("+") not in ("0", "1"):
+        notes.add('"current" is neither 0 nor 1, which means nothing in a plan: 0 is written', index)
+    if item.frame == NO_PLACE and (item.x, item.y) == (0, 0) and any(re.search("[1-9]", word) for word in words[8:10]):
+        notes.add("places of commands that have none are left out", index)
+    if item.command == SET_CURRENT or (item.command == ROI and item.param1 == 2):
+        notes.add("names another item by its number, which is not changed", index)
+    if item.frame != NO_PLACE and not commands.is_at_a_place(item.command):
+        if any(commands.uses(item.command, i) and (item.x, item.y)[i - 5] for i in (5, 6)):
+            notes.add(
+                "parameters 5 and 6 are taken for a place, as the frame says: if they are numbers, write 2", index
             )
-        if not self._plan.home.is_somewhere:
-            self._plan.home = None
 
-    def _step(self, values: list, index: int) -> Step:
-        number, current, frame, command, *params, autocontinue = values
-        name = f"item {index} ({commands.name_of(command)}, number {number} in the file)"
-        if command == JUMP:
-            self._jumps.append((index, params[0]))
-            params[0] = Decimal(0)
-        try:
-            item = settled(
-                command,
-                frame,
-                params,
-                settled_current(current, index, self._notes),
-                autocontinue,
-                number=index,
-                notes=self._notes,
-                unset_as_zero=self._unset_as_zero,
-            )
-        except DoesNotFit as error:
-            raise self._bad(f"{name}: {error}") from None
-        if command == 224 or (command == 201 and item.param1 == 2):
-            self._notes.add("names another item by its number, which is not changed", index)
-        return Step(item, self._line, name)
 
-    def _resolve_jumps(self, steps: list[Step]) -> None:
-        """Jumps name lines by their numbers in the file: here they name items."""
-        for index, target in self._jumps:
-            step = steps[index]
-            number = int(target) if not target.is_nan() and is_whole(target) and abs(target) <= 65535 else None
-            if number not in self._numbers:
-                shown = "NaN" if target.is_nan() else cut(f"{target:f}" if target.adjusted() < 40 else str(target), "")
-                raise self._bad(f"{step.name}: it jumps to number {shown}, and no line has that", step.line)
-            item = self._numbers[number]
-            if item is None:
-                raise self._bad(f"{step.name}: it jumps to number {number}, which is home and no item", step.line)
-            steps[index] = replace(step, item=step.item._replace(param1=float(item)))
+def _without_unset(item: Item, index: int, notes: Notes) -> Item:
+    unset = [i for i in range(1, 5) if math.isnan(item[3 + i]) and not is_unset_not_0(item.command, i)]
+    if unset:
+        notes.add("unset parameters are taken for 0", index)
+    return Item._make(0.0 if place - 3 in unset else value for place, value in enumerate(item))
 
-    def _sort(self, steps: list[Step]) -> None:
-        """Puts the items where they belong: a file is of one kind."""
-        for kind, among in (("fence", FENCE_COMMANDS), ("rally", (RALLY_POINT,))):
-            if any(step.item.command in among for step in steps):
-                others = [step for step in steps if step.item.command not in among]
-                if others:
-                    raise self._bad(
-                        f"{others[0].name} is not of the {kind}: a .waypoints file is of one kind", others[0].line
-                    )
-                setattr(self._plan, kind, [plain(step) for step in steps])
-                return
-        self._plan.mission = steps
+
+# Old texts -------------------------------------------------------------------
+
+
+def _present(file: Path, lines: list[str], first: int, renumber: bool, notes: Notes) -> tuple[list[str], int]:
+    """The lines of a text that the library reads, and how many there are before the items that are not in the file."""
+    has_home = words_of(lines[0]) != WITHOUT_HOME.split()
+    has_names = any(names_an_item(line) for line in lines[1:])
+    made = [lines[0]] if has_home else [HEADER, NO_HOME.decode()]
+    numbers: dict[str, int] = {}
+    is_renumbered = False
+    for place, line in enumerate(lines[1:], start=first + 1):
+        if not (words := words_of(line)):
+            continue
+        due = len(numbers)
+        if words[0] in numbers:
+            raise BadPlan(file, place, f"number {words[0]} is there twice")
+        if words[0] != str(due) and words[0].isdigit():
+            if has_names and not renumber:
+                raise BadPlan(file, place, _out_of_order(words[0], due))
+            if not is_renumbered:
+                with_jumps = ", and jumps with them" if has_names else ""
+                notes.add(f"from line {place} on the items are renumbered{with_jumps}")
+            is_renumbered = True
+        numbers[words[0]] = due
+    for line in lines[1:]:
+        words = words_of(line)
+        if words and words[0].isdigit():
+            words[0] = str(numbers[words[0]] + (not has_home))
+            if len(words) > 4 and words[3] == str(JUMP):
+                target = re.sub(r"\.0*$", "", words[4])
+                # What names no line stays wrong.
+                words[4] = str(numbers[target] + (not has_home)) if target in numbers else "65535"
+        made.append("\t".join(words) if words else line)
+    return made, len(made) - len(lines)
 
 
 def names_an_item(line: str) -> bool:
     """Whether a line's item names another one by its number."""
-    words = line.split()
+    words = words_of(line)
     if len(words) < 5 or not words[3].isdigit():
         return False
     command = int(words[3])
     return command in (JUMP, SET_CURRENT) or (command == ROI and words[4].partition(".")[0] == "2")
 
 
-def plain(step: Step) -> Step:
-    """A fence or rally item: "go on with the next" and "current" mean nothing there."""
-    return Step(step.item._replace(autocontinue=1, current=0), step.line, step.name)
+def _out_of_order(number: str, due: int) -> str:
+    return (
+        f"this is number {cut(number, '')}, and {due} is due: lines are missing or in another order; --renumber numbers"
+        " them as they stand, and their jumps with them"
+    )
+
+
+# What is wrong ----------------------------------------------------------------
+
+
+def _item_at(said: ReadText, lines: list[str], extra: int) -> str:
+    """The item whose field is bad."""
+    words = words_of(lines[said.line - 1 - extra]) if said.field and 0 < said.line - extra <= len(lines) else []
+    if len(words) < 4 or not words[3].isdigit():
+        return ""
+    index = sum(1 for line, _ in said.items if line < said.line)
+    return f"item {index} ({commands.name_of(int(words[3]))}, number {words[0]} in the file): "
+
+
+def _wrong(said: ReadText, lines: list[str], extra: int) -> str:
+    """In words, with what stands there."""
+    line = lines[said.line - 1 - extra] if 0 < said.line - extra <= len(lines) else ""
+    words = words_of(line)
+    name, word = (COLUMNS[said.field - 1], words[said.field - 1]) if 0 < said.field <= len(words) else ("", "")
+    due = sum(1 for other in lines[1 : said.line - 1 - extra] if words_of(other))
+    match said.error:
+        case "NotWaypoints":
+            return f'the first line must be "{HEADER}" (or "{WITHOUT_HOME}"), and is {cut(line)}'
+        case "TooFewFields" | "TooManyFields":
+            return f"{len(words)} columns, and not {len(COLUMNS)}: {', '.join(COLUMNS)}"
+        case "LineTooLong":
+            return f"the line has {len(line):,} characters, and 255 is the most for an item"
+        case "OutOfOrder":
+            return _out_of_order(word, due)
+        case "BadTarget":
+            to = "which is home and no item" if re.fullmatch(r"0(\.0*)?", word) else "and no line has that"
+            return f"it jumps to number {cut(word, '')}, {to}"
+        case "NoReference":
+            return f"frame 2 says of no altitude what it is measured from: {FRAMES}"
+        case "BadTextFrame":
+            return (
+                f"frame {cut(word, '')} is no altitude reference: {FRAMES}; 2 where there is neither place nor altitude"
+            )
+        case "BadNumber" | "NotWhole":
+            hint = ": write a point, not a comma" if "," in word else ""
+            whole = "whole " if said.error == "NotWhole" else ""
+            return f"{name} must be a {whole}number, and is {cut(word)}{hint}"
+    return f"{said.words} ({name} is {cut(word)})" if word else said.words
 
 
 # Writing --------------------------------------------------------------------

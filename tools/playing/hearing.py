@@ -1,4 +1,5 @@
-"""simulation/hearing, the autopilots' own parser, compiled to WebAssembly for the browser."""
+"""simulation/hearing, the autopilots' own parser, and the library's reader of .waypoints, compiled to WebAssembly for
+the browser."""
 
 from __future__ import annotations
 
@@ -6,15 +7,19 @@ import subprocess
 from pathlib import Path
 
 from building import ROOT
+from simulation.firmware import library_file
 
 SOURCES = (
     ROOT / "simulation" / "hearing" / "Hearing.cpp",
     ROOT / "simulation" / "hearing" / "library.cpp",
     Path(__file__).resolve().parent / "hearing_wasm.cpp",
-)
+    *(library_file(f"{part}.cpp") for part in ("Commands", "DecimalText", "FloatBits", "LongNumber", "WaypointsText",
+                                               "WirePlan")),
+)  # fmt: skip
 EXPORTS = (
     "hearing_new", "hearing_free", "hearing_take", "room_for_bytes", "size_of_room", "room_for_frame",
-    "room_for_length",
+    "room_for_length", "text_begin", "text_take", "text_event", "text_line", "text_field", "text_error", "text_type",
+    "text_item",
 )  # fmt: skip
 
 

@@ -20,8 +20,9 @@ NO_DATE = (1980, 1, 1, 0, 0, 0)  # the same files make the same archive
 SIMULATION = ("__init__", "wire")
 DEMONSTRATION = ("autopilots", "conversation", "line", "named_frames", "timeline", "words")
 PLANNING = (
-    "__init__", "bad_plan", "commands", "exact", "files", "flight", "header", "json_text", "landing_pattern",
-    "located_json", "makers", "plan", "progress", "qgc_mission", "qgc_plan", "settling", "unset", "waypoints",
+    "__init__", "bad_plan", "commands", "exact", "files", "flight", "header", "json_text", "kml_path",
+    "landing_pattern", "litchi", "located_json", "makers", "plan", "progress", "qgc_mission", "qgc_plan",
+    "recognising", "settling", "unset", "waypoints",
 )  # fmt: skip
 OWN = ("drawn", "explained", "far_end", "interference")
 RECORDINGS = ("px4/clean_with_streams.txt",)
@@ -47,6 +48,7 @@ def contents() -> dict[str, bytes]:
     found["planning/judge.py"] = (INSIDE / "judge.py").read_bytes()
     found["planning/commands.txt"] = (ROOT / "tools" / "planning" / "commands.txt").read_bytes()
     found["known.json"] = json.dumps(judge.known()).encode()
+    found["errors.json"] = json.dumps(judge.text_errors()).encode()
     found["ends.json"] = json.dumps(ends()).encode()
     found["mavmission_dialect.py"] = (ROOT / "build" / "dialect" / "mavmission_dialect.py").read_bytes()
     for name in OWN:

@@ -32,7 +32,7 @@ PLACES = {
     "NotTaken": None,
     "None": "–",
     "Place": "place",
-    "Optional": "place",
+    "OnTheWay": "place",
     "Configure": "to 255, to 255, kept",
     "Shoot": "to 255, to 255, –",
     "Mount": "–, –, 2",

@@ -21,7 +21,7 @@ from pathlib import Path
 from building import ROOT
 from measuring import documents, record
 
-from . import fetched, keywords, readback, retries, wiring
+from . import fetched, items, keywords, readback, retries, wiring
 
 Files = dict[Path, bytes]
 UPLOADER = "examples/01.First/UploadMission"
@@ -155,6 +155,7 @@ THINGS = (
     Thing("retries", text("docs/design/retries.md", retries.document)),
     Thing("docs/wiring.svg", text("docs/wiring.svg", wiring.drawing)),
     table("read-back", readback.table),
+    table("items", items.tables),
     section("figures", later("figures", "measured_ours"), *SIMULATED, "tools/measuring/runs.py",
             more_is_better=("cpu_left_57600", "cpu_left_115200")),
     section("baseline", later("figures", "measured_baseline"), "test/baseline", "src/mavmission/mavlink", "simulation",

@@ -20,7 +20,7 @@ enum class InArduPilot : uint8_t {
   NotTaken,
   None,
   Place,
-  Optional,
+  OnTheWay,
   Configure,
   Shoot,
   Mount,
@@ -113,8 +113,9 @@ constexpr uint8_t kPlaneRows = 2;  // the first rows, which hold for planes only
 
 // Observed on ArduCopter, ArduRover and ArduPlane 4.6.3 and on PX4 1.17.0: simulation/recordings has the answer of each
 // autopilot to each of these commands, and the values that it kept (readback_*.csv, readback_random_*.csv);
-// docs/readback.md describes them in words. A command without a row was accepted by none of these autopilots. It is
-// sent nevertheless, since a newer autopilot may accept it.
+// docs/readback.md describes them in words. NAV_ARC_WAYPOINT is from the source of ArduCopter 4.7. A command without a
+// row was accepted by none of these autopilots. It is sent nevertheless, since a newer autopilot may accept it; but not
+// CONDITION_CHANGE_ALT, whose altitude no frame would be sure to go with.
 const Row kRows[] PROGMEM = {
     row(16, NoHold, U8, U8, NoYaw, InArduPilot::Place, InPx4::NotTaken),          // NAV_WAYPOINT on a plane
     row(82, K, K, K, K, InArduPilot::NotTaken, InPx4::NotTaken),                  // NAV_SPLINE_WAYPOINT on a plane
@@ -123,19 +124,21 @@ const Row kRows[] PROGMEM = {
     row(18, Special, D, Special, U1, InArduPilot::Place, InPx4::NotTaken),        // NAV_LOITER_TURNS
     row(19, U16, D, Sign, U1, InArduPilot::Place, InPx4::LoiterTime),             // NAV_LOITER_TIME
     row(20, D, D, D, D, InArduPilot::None, InPx4::Command),                       // NAV_RETURN_TO_LAUNCH
-    row(21, U16, D, D, Sign, InArduPilot::Optional, InPx4::Land),                 // NAV_LAND
-    row(22, U16, D, D, NoYaw, InArduPilot::Optional, InPx4::Takeoff),             // NAV_TAKEOFF
+    row(21, U16, D, D, Sign, InArduPilot::Place, InPx4::Land),                    // NAV_LAND
+    row(22, U16, D, D, NoYaw, InArduPilot::Place, InPx4::Takeoff),                // NAV_TAKEOFF
     row(30, U16, D, D, D, InArduPilot::Place, InPx4::NotTaken),                   // NAV_CONTINUE_AND_CHANGE_ALT
     row(31, D, Radius, D, U1, InArduPilot::Place, InPx4::LoiterToAltitude),       // NAV_LOITER_TO_ALT
+    row(36, Radius, D, D, D, InArduPilot::Place, InPx4::NotTaken),                // NAV_ARC_WAYPOINT
     row(80, K, K, K, K, InArduPilot::NotTaken, InPx4::Roi),                       // NAV_ROI
     row(82, U16, D, D, D, InArduPilot::Place, InPx4::NotTaken),                   // NAV_SPLINE_WAYPOINT
     row(83, K, K, U8, D, InArduPilot::None, InPx4::NotTaken),                     // NAV_ALTITUDE_WAIT
-    row(84, D, D, D, NoYaw, InArduPilot::Optional, InPx4::Takeoff),               // NAV_VTOL_TAKEOFF
-    row(85, U16, D, D, NoYaw, InArduPilot::Optional, InPx4::Takeoff),             // NAV_VTOL_LAND
-    row(92, U16, D, D, D, InArduPilot::Place, InPx4::NotTaken),                   // NAV_GUIDED_ENABLE
+    row(84, D, D, D, NoYaw, InArduPilot::Place, InPx4::Takeoff),                  // NAV_VTOL_TAKEOFF
+    row(85, U16, D, D, NoYaw, InArduPilot::Place, InPx4::Takeoff),                // NAV_VTOL_LAND
+    row(92, U16, D, D, D, InArduPilot::OnTheWay, InPx4::NotTaken),                // NAV_GUIDED_ENABLE
     row(93, K, I8, I8, I8, InArduPilot::None, InPx4::Command),                    // NAV_DELAY
     row(94, Centimetres, D, D, D, InArduPilot::Place, InPx4::NotTaken),           // NAV_PAYLOAD_PLACE
     row(112, K, D, D, D, InArduPilot::None, InPx4::Command),                      // CONDITION_DELAY
+    row(113, K, K, K, K, InArduPilot::NotTaken, InPx4::NotTaken),                 // CONDITION_CHANGE_ALT
     row(114, K, D, D, D, InArduPilot::None, InPx4::Command),                      // CONDITION_DISTANCE
     row(115, K, K, I8, U8, InArduPilot::None, InPx4::NotTaken),                   // CONDITION_YAW
     row(177, U16, I16, D, D, InArduPilot::None, InPx4::Jump),                     // DO_JUMP
@@ -146,9 +149,9 @@ const Row kRows[] PROGMEM = {
     row(183, U8, U16, D, D, InArduPilot::None, InPx4::NotTaken),                  // DO_SET_SERVO
     row(184, U8, U16, I16, K, InArduPilot::None, InPx4::NotTaken),                // DO_REPEAT_SERVO
     row(187, K, K, K, K, InArduPilot::NotTaken, InPx4::Command),                  // DO_SET_ACTUATOR
-    row(188, D, D, D, D, InArduPilot::Place, InPx4::NotTaken),                    // DO_RETURN_PATH_START
-    row(189, D, D, D, D, InArduPilot::Place, InPx4::LandStart),                   // DO_LAND_START
-    row(191, D, D, D, D, InArduPilot::Place, InPx4::NotTaken),                    // DO_GO_AROUND
+    row(188, D, D, D, D, InArduPilot::OnTheWay, InPx4::NotTaken),                 // DO_RETURN_PATH_START
+    row(189, D, D, D, D, InArduPilot::OnTheWay, InPx4::LandStart),                // DO_LAND_START
+    row(191, D, D, D, D, InArduPilot::OnTheWay, InPx4::NotTaken),                 // DO_GO_AROUND
     row(193, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_PAUSE_CONTINUE
     row(194, U16, D, D, D, InArduPilot::None, InPx4::NotTaken),                   // DO_SET_REVERSE
     row(195, U16, D, D, D, InArduPilot::Place, InPx4::Place),                     // DO_SET_ROI_LOCATION
@@ -322,12 +325,21 @@ uint8_t unsetOf(uint16_t command) {
   return 0;
 }
 
-uint8_t traitsOf(uint16_t command) {
+namespace {
+
+// For any autopilot.
+Rules anyRulesOf(uint16_t command) {
   MissionItem item;
   item.command = command;
   item.frame = Frame::Global;
-  return static_cast<uint8_t>(rulesOf(item, 0).bits >> 28);
+  return rulesOf(item, 0);
 }
+
+}  // namespace
+
+uint8_t traitsOf(uint16_t command) { return static_cast<uint8_t>(anyRulesOf(command).bits >> 28); }
+
+bool dropsPlace(uint16_t command) { return anyRulesOf(command).bytes[2] == (D | D << 4); }
 
 }  // namespace detail
 }  // namespace mavmission

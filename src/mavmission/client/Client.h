@@ -12,6 +12,7 @@
 #include "../Status.h"
 #include "../base/RetryRules.h"
 #include "../link/Link.h"
+#include "../plan/Areas.h"
 #include "../plan/Comparison.h"
 #include "../plan/WirePlan.h"
 #include "../transfer/ClearTransfer.h"
@@ -153,6 +154,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   // The operations, and what goes with them: their functions are in the files of client/ that are named after them.
   struct Uploading;
   struct BackingOff;
+  struct CheckingAreas;
+  struct EnsuringAreas;
   struct ShortFence;
   struct ReadingPlan;
   struct Ensuring;
@@ -299,6 +302,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   union {          // one operation at a time
     __extension__ struct {
       union {
+        Areas areas_;  // before the transfer, while the plan is checked
         UploadTransfer transfer_;
         Reading reading_;
       };

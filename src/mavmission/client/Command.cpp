@@ -371,7 +371,8 @@ Status Client::SettingMode::on(Client& client, CommandEvent event, Status status
       switch (mode.order.onHeartbeat(client.shownMode(), sending.tries() != 0, sending.mayBeUnderWay(nowMs))) {
         // It has taken the order, and left that mode by itself, as with a plan that has ended: again would be the same.
         case ModeOrder::Sight::Before:
-          if (sending.isDue() && sending.tries() != 0 && client.state_.lastResult == MAV_RESULT_ACCEPTED) {
+          if (!isRestoring && sending.isDue() && sending.tries() != 0 &&
+              client.state_.lastResult == MAV_RESULT_ACCEPTED) {
             return Status::Unconfirmed;
           }
           break;

@@ -26,13 +26,6 @@ Status Client::ensurePlan(const ItemSource& plan, PlanType type, Readback proof)
   return status;
 }
 
-Status MissionClient::ensure(const ItemSource& plan, PlanType type, Readback proof) {
-  const Status status = upload(plan, type, proof);
-  if (isEnd(status)) return status;
-  beginEnsuring();
-  return status;
-}
-
 void Client::beginEnsuring() {
   state_.operation = Ensuring::step;
   state_.status = Status::WaitingForAutopilot;

@@ -1,6 +1,8 @@
-// MissionClient's upload of a plan of any type. A file of its own, since only fences need the steps below.
+// MissionClient's upload of a plan of any type. A file of its own, since only fences and rally points need the steps
+// below.
 #include "../MissionClient.h"
 #include "../link/Messages.h"
+#include "Ensuring.h"
 #include "Reading.h"
 #include "Uploading.h"
 
@@ -15,6 +17,87 @@ struct Client::ShortFence {
   static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
 };
 
+// The check before an upload, which then goes on as that of a mission does.
+struct Client::CheckingAreas : OperationParts {
+  static bool begin(Client& client, uint16_t) {
+    client.beginChecking();
+    return true;
+  }
+  static void time(Client& client, uint16_t nowMs) {
+    for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE; ++read) {
+      const Status checked = client.checkNextOfAny(true);
+      if (checked == Status::Transferring) {
+        client.state_.operation = Uploading::step;
+        return Uploading::begin(client, nowMs);
+      }
+      if (checked != Status::Accepted) return;
+    }
+  }
+  static void step(Client& client, const FrameParser* frame, uint16_t nowMs) {
+    operate<CheckingAreas>(client, frame, nowMs);
+  }
+};
+
+// The same before the look of ensure().
+struct Client::EnsuringAreas : OperationParts {
+  static bool begin(Client& client, uint16_t nowMs) { return Ensuring::begin(client, nowMs); }
+  static void time(Client& client, uint16_t) {
+    if (client.checkNextOfAny(false) == Status::Transferring) client.state_.operation = Ensuring::step;
+  }
+  static void step(Client& client, const FrameParser* frame, uint16_t nowMs) {
+    operate<EnsuringAreas>(client, frame, nowMs);
+  }
+};
+
+Status PlanPort::checkNextOfAny(bool isToChange) {
+  static_assert(sizeof(Areas) <= offsetof(Client::Reading, take), "it lies where a reading begins later");
+  Client& client = static_cast<Client&>(*this);
+  Client::State& state = client.state_;
+  const Status checked = checkNext(isToChange);
+  if (state.type == PlanType::Mission || client.plan_.count() == 0) return checked;
+  Areas& areas = client.areas_;
+  Areas::Verdict verdict = {Status::BadFence, ItemField::Param1};
+  uint16_t item = state.next;  // behind the last item; else the one that was checked
+  if (checked == Status::Accepted) {
+    --item;
+    if (item == 0) areas.begin(state.type);
+    verdict = areas.take(*static_cast<const MissionItem*>(client.link_.draft()));
+    if (verdict.status == Status::Accepted) return checked;
+  } else if (checked != Status::Transferring || areas.unfinished() == 0) {
+    return checked;
+  }
+  if (verdict.status == Status::BadFence) item -= areas.unfinished();
+  noteFailed(item);
+  client.rest_.field = verdict.field;
+  client.end(verdict.status);
+  return Status::Checking;
+}
+
+// Only a mission has nothing that its items must make together.
+Status PlanPort::checkAreas(Status status) {
+  Client& client = static_cast<Client&>(*this);
+  if (!isEnd(status) && client.state_.type != PlanType::Mission) client.state_.operation = Client::CheckingAreas::step;
+  return status;
+}
+
+Status MissionClient::uploadWithoutReadback(const ItemSource& plan, PlanType type) {
+  return checkAreas(startUpload(plan, type));
+}
+
+Status MissionClient::uploadAgain() { return checkAreas(uploadKeptPlan()); }
+
+void PlanPort::ensureByItems() {
+  Client& client = static_cast<Client&>(*this);
+  client.beginEnsuring();
+  if (client.state_.type != PlanType::Mission) client.state_.operation = Client::EnsuringAreas::step;
+}
+
+Status MissionClient::ensure(const ItemSource& plan, PlanType type, Readback proof) {
+  const Status status = upload(plan, type, proof);
+  if (!isEnd(status)) ensureByItems();
+  return status;
+}
+
 // A short fence is always read back, and uploaded again if it was wiped: the second upload does not replace a longer
 // fence, and so the short fence stays.
 Status PlanPort::startUploading(const ItemSource& plan, PlanType type, Readback proof) {
@@ -22,7 +105,7 @@ Status PlanPort::startUploading(const ItemSource& plan, PlanType type, Readback 
   const bool isDoubtful = isShortFence(plan, type);
   const Status status = client.uploadProven(plan, type, isDoubtful ? Readback::Always : proof);
   if (isDoubtful && !isEnd(status)) client.rest_.options.readBack = Client::ShortFence::prove;
-  return status;
+  return checkAreas(status);
 }
 
 bool PlanPort::isShortFence(const ItemSource& plan, PlanType type) {

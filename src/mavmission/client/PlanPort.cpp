@@ -143,8 +143,6 @@ void PlanPort::proveInAnyCase() {
   keepTimeFree(false);
 }
 
-void PlanPort::ensureByItems() { static_cast<Client&>(*this).beginEnsuring(); }
-
 void PlanPort::readByItems(uint16_t first, uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
   client.reading_.fromFloats = Client::fromFloats;

@@ -34,6 +34,9 @@ class PlanPort {
   static bool isShortFence(const ItemSource& plan, PlanType type);
   // Begins an upload item by item, which is read back.
   Status startUploading(const ItemSource& plan, PlanType type, Readback proof = Readback::InDoubt);
+  // From an operation that uploads, which was just begun with this status: its plan is checked as checkNextOfAny()
+  // does.
+  Status checkAreas(Status status);
   // Begin a reading of this object's own. To be called only while no operation runs.
   Status startVerifying(const ItemSource& plan, PlanType type, Port::Step operation, PlanFiles& files);
   Status startDownloading(const ItemSink& sink, PlanType type, Port::Step operation, PlanFiles& files);
@@ -56,6 +59,8 @@ class PlanPort {
   // Checks the next item. Accepted: it is good, and lies in the link's draft(). Transferring: all are. Checking: not in
   // this update(), or no more, as running() says. `isToChange`: an autopilot that is armed is left alone.
   Status checkNext(bool isToChange);
+  // The same for a plan of any type: the items of a fence, and rally points, are looked at together, too.
+  Status checkNextOfAny(bool isToChange);
 
   // --- Reading what is aboard
 

@@ -78,8 +78,9 @@ void PlanPort::beginChecking() {
 // To be called only when the link can send: the item is read into the outgoing frame's buffer, to save stack.
 Status Client::checkItem(uint16_t wireItem) {
   MissionItem& item = *static_cast<MissionItem*>(link_.draft());
-  const Status read = plan_.read(wireItem, item);
-  return read == Status::Accepted ? keeping(item) : read;
+  Status status = plan_.read(wireItem, item);
+  if (status == Status::Accepted) status = keeping(item);
+  return status == Status::Accepted ? plan_.follow(item) : status;
 }
 
 // The one check of a plan, by whatever way it goes: the same autopilot, then what hinders all of the plan, then an

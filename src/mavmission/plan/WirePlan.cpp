@@ -10,7 +10,7 @@ namespace mavmission {
 namespace detail {
 namespace {
 
-constexpr uint16_t kConditionDelay = 112;  // MAV_CMD
+constexpr uint16_t kNavLast = 95, kConditionDelay = 112, kJumpTag = 600, kDoJumpTag = 601;  // MAV_CMD
 // Above the limit, or below its negative. In one comparison: what is below becomes large.
 bool isBeyond(int32_t value, uint32_t limit) { return static_cast<uint32_t>(value) + limit > 2 * limit; }
 
@@ -30,22 +30,17 @@ bool isBelow83km(float metres) {
   return (bits & 0x7FFFFFFF) < 0x47A21C00;  // 83,000
 }
 
+// Of a JUMP_TAG and of a DO_JUMP_TAG; 65535 for what is no tag, and no vehicle keeps.
+uint16_t tagOf(const MissionItem& item) { return static_cast<uint16_t>(wholeNumber(&item.param1)); }
+
 bool hasPlace(const MissionItem& item) { return item.frame != Frame::Mission; }
 MAVMISSION_APART bool isAtZero(const MissionItem& item) { return (item.x | item.y) == 0; }
 bool isSomewhere(const MissionItem& item) { return hasPlace(item) && !isAtZero(item); }
 
-constexpr uint16_t bitOf(Frame frame) { return 1u << static_cast<uint8_t>(frame); }
-constexpr uint16_t kPlaceFrames =
-    bitOf(Frame::Global) | bitOf(Frame::GlobalRelative) | bitOf(Frame::GlobalInt) | bitOf(Frame::GlobalRelativeInt);
-constexpr uint16_t kTerrainFrames = bitOf(Frame::GlobalTerrain) | bitOf(Frame::GlobalTerrainInt);
-
-// True if the autopilot takes this frame in an item with a place.
+// True if the autopilot takes this frame, by its modern number, in an item with a place.
 bool isTakenBy(Firmware firmware, Frame frame) {
-  if (has(firmware, kMayTakeAnyFrame)) return true;
-  uint16_t taken = kPlaceFrames;
-  if (has(firmware, kTakesTerrainFrames)) taken |= kTerrainFrames;
-  const uint8_t number = static_cast<uint8_t>(frame);
-  return number < 16 && ((taken >> number) & 1) != 0;
+  return has(firmware, kMayTakeAnyFrame) || frame == Frame::Global || frame == Frame::GlobalRelative ||
+         (frame == Frame::GlobalTerrain && has(firmware, kTakesTerrainFrames));
 }
 
 // The place of an item: latitude and longitude.
@@ -78,7 +73,9 @@ void WirePlan::begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool
   searched_ = 0;
 }
 
-Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
+bool hasHeight(const MissionItem& item) { return item.command < kNavLast || !isAtZero(item) || !is(item.z, 0); }
+
+Status WirePlan::check(const MissionItem& item, Rules rules) const {
   if (item.current > 1) return Status::BadCurrent;
   // param1 to param4, x, y and z lie one after the other, four bytes each.
   const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
@@ -102,11 +99,10 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
       if (!isTakenBy(firmware_, item.frame)) return Status::BadFrame;
     } else if (!isMission || isByPx4(keeper_) || isByOwn(keeper_)) {
       return Status::NeedsCoordinates;
+    } else if (!rules.has(kPlaceIsOptional) && hasHeight(item)) {
+      return Status::BadFrame;
     }
-    if (isArduPilot && (keeper_ & kOfFence) == 0) {
-      if (!isBelow83km(item.z)) return Status::BadAltitude;
-      if (!isMission && isAtZero(item)) return Status::NeedsCoordinates;  // taken, but never given back
-    }
+    if (isArduPilot && (keeper_ & kOfFence) == 0 && !isBelow83km(item.z)) return Status::BadAltitude;
   }
   if (item.command == kDoJump) {
     const uint16_t target = static_cast<uint16_t>(wholeNumber(&item.param1));  // 65535, which is beyond: it is none
@@ -114,6 +110,22 @@ Status WirePlan::check(const MissionItem& item, const Rules& rules) const {
     if (target >= count_ || numbers_.isOwnHome(target)) return Status::BadJump;
   }
   return Status::Accepted;
+}
+
+Status WirePlan::follow(MissionItem& item) {
+  if (item.command != kDoJumpTag) return Status::Accepted;
+  const uint16_t tag = tagOf(item);
+  Status found = Status::BadJump;
+  if (searched_ < count_) {
+    found = Status::SourceRefused;
+    if (read_(context_, searched_, item)) {
+      ++searched_;
+      if (item.command != kJumpTag || tagOf(item) != tag) return Status::Checking;
+      found = Status::Accepted;
+    }
+  }
+  searched_ = 0;
+  return found;
 }
 
 Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
@@ -130,9 +142,8 @@ Status WirePlan::findPlaceFor(uint16_t index, MissionItem& item) {
       if (near >= count_) continue;
       found = Status::SourceRefused;
       if (read_(context_, near, item)) {
-        // Only the place of a navigation command counts (MAV_CMD_NAV_LAST is 95): the aircraft does not fly to a region
-        // of interest.
-        if (item.command >= 95 || !isSomewhere(item) || rulesOf(item, keeper_).has(kHasNoPlace)) continue;
+        // Only the place of a navigation command counts: the aircraft does not fly to a region of interest.
+        if (item.command >= kNavLast || !isSomewhere(item) || rulesOf(item, keeper_).has(kHasNoPlace)) continue;
         found = Status::Accepted;
       }
     }
@@ -171,7 +182,7 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     // A NaN means "as you fly"; ArduPilot has 0 for that, and those with a table of their own turn to no heading.
     if ((isByArduPilot(keeper_) || isByOwn(keeper_)) && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
       item.param4 = 0;
-    if (rules.has(kHasNoPlace)) item.frame = Frame::Mission;
+    item.frame = rules.has(kHasNoPlace) ? Frame::Mission : modern(item.frame);
     const Status checked = check(item, rules);
     if (checked != Status::Accepted) return checked;
     if (numbers_.isHomeAdded()) {

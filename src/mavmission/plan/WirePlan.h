@@ -52,11 +52,16 @@ class WirePlan {
 
   // Makes wire item `wireIndex` (below wireCount()). Status::Accepted: `item` is the item to send. Status::Checking:
   // the search for a place goes on, a few items in every call; call again. Any other status: the plan cannot be sent to
-  // this autopilot, because of this item. Whether the autopilot would keep the item is not checked here: see notKept().
+  // this autopilot, because of this item. Whether the autopilot would keep the item is not checked here (notKept()),
+  // nor whether the items of a fence make areas (Areas).
   Status read(uint16_t wireIndex, MissionItem& item);
 
+  // Whether an item that was read leads where it can go. A DO_JUMP_TAG: the search for its tag goes on, an item in
+  // every call, and reads the items over `item`; call read() and this again while it is Checking. Any other: Accepted.
+  Status follow(MissionItem& item);
+
  private:
-  MAVMISSION_APART Status check(const MissionItem& item, const Rules& rules) const;
+  MAVMISSION_APART Status check(const MissionItem& item, Rules rules) const;
   // Searches for the item with a place that is nearest to item `index`. `item` holds item `index` before the call, and
   // the item that was found after it.
   MAVMISSION_APART Status findPlaceFor(uint16_t index, MissionItem& item);
@@ -64,11 +69,16 @@ class WirePlan {
   ItemFunction read_;
   void* context_;
   uint16_t count_;
-  uint16_t searched_;  // how many positions around an item without a place have been searched
+  uint16_t searched_;  // how many positions around an item without a place, or items for a tag, have been searched
   Firmware firmware_;
   ItemNumbers numbers_;
   Keeper keeper_;
 };
+
+// True if an item of a command that has a place has an altitude: zeros are none, but in a command of navigation
+// (MAV_CMD_NAV_LAST is 95). MAV_FRAME_MISSION does not say what it is measured from, and ArduPilot takes it for one
+// above sea level.
+bool hasHeight(const MissionItem& item);
 
 // The opposite conversion: turns a mission item, as the autopilot gave it, into the item that a sketch would have
 // written. Jump targets then count the sketch's items, deprecated frame numbers are replaced by current ones, an item

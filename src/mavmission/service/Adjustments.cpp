@@ -13,7 +13,8 @@ namespace {
 // As setSpeed(): no mode is set, and COMMAND_ACK is the end. Its command is filled here.
 constexpr OrderRow kAdjusting = {OrderMode::AsShown, kHasCommand | kAdjusts};
 
-constexpr float kMostDegrees = 360, kMostSpeed = 20, kLeastSpeed = 0.01f;
+constexpr float kMostDegrees = 360, kMostSpeed = 20;
+constexpr float kLeastSpeed = __FLT_DENORM_MIN__;  // above 0
 
 // Without the sign, as bits: larger numbers have larger ones.
 int32_t sizeOf(float value) {

@@ -37,6 +37,7 @@ Flight::Flight(MissionClient& client)
     : MessageIntervals(client, kFlown, sizeof(kFlown) / sizeof(kFlown[0]), take), autopilot_(client), stages_() {
   ways_ = nullptr;
   lookForStop_ = nullptr;
+  beginPlan_ = nullptr;
   position_ = nullptr;
   plan_ = emptyPlan();
   place_ = LatLon();
@@ -66,7 +67,9 @@ Status Flight::beginWith(FlightOrder first) {
 
 Status Flight::fly(const ItemSource& plan) {
   const Status status = beginWith(FlightOrder::Upload);
-  if (status == Status::Transferring) plan_ = plan;
+  if (status != Status::Transferring) return status;
+  plan_ = plan;
+  beginPlan_ = beginPlan;
   return status;
 }
 
@@ -98,11 +101,14 @@ bool Flight::update() {
   if (hasEnded || isBeat_ || !client_.autopilot().isFound()) look(hasEnded);
   if (autopilot_.isBusy()) return stages_.takeNews();
   const FlightOrder order = stages_.due(client_.autopilot().isFound());
-  if (order == FlightOrder::Upload && !findEnd()) {
-    stages_.refuse(Status::NoLanding);
-  } else if (order != FlightOrder::None) {
+  if (order != FlightOrder::None) {
     stages_.begun(client_.commands().shownMode());
-    beginOrder(order);
+    if (order == FlightOrder::Start || order == FlightOrder::TakeOff) wantsReason_ = true;
+    if (isOfPlan(order)) {
+      beginPlan_(*this, order);
+    } else {
+      ways_->begin(*this, order);
+    }
   }
   return stages_.takeNews();
 }
@@ -259,21 +265,23 @@ bool Flight::findEnd() {
   return true;  // the upload says what is wrong with it
 }
 
-void Flight::beginOrder(FlightOrder order) {
+void Flight::beginPlan(Flight& flight, FlightOrder order) {
   switch (order) {
-    case FlightOrder::Upload: autopilot_.uploadWithoutReadback(plan_); return;
-    case FlightOrder::Start:
-      wantsReason_ = true;
-      autopilot_.start();
+    case FlightOrder::Upload:
+      if (flight.findEnd()) {
+        flight.autopilot_.uploadWithoutReadback(flight.plan_);
+      } else {
+        flight.stages_.refuse(Status::NoLanding);
+      }
       return;
-    case FlightOrder::Disarm: client_.commands().beginCommands(fillDisarming, onDisarming, this); return;
-    case FlightOrder::TakeOff: wantsReason_ = true; break;
+    case FlightOrder::Start: flight.autopilot_.start(); return;
+    case FlightOrder::Disarm: flight.client_.commands().beginCommands(fillDisarming, onDisarming, &flight); return;
     case FlightOrder::None:
+    case FlightOrder::TakeOff:
     case FlightOrder::GoTo:
     case FlightOrder::Home:
-    case FlightOrder::Land: break;
+    case FlightOrder::Land: return;
   }
-  ways_->begin(*this, order);
 }
 
 void Flight::fillDisarming(Client&, FlightCommand& command) { CommandPort::fillArming(command, false); }

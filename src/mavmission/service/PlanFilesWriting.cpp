@@ -64,7 +64,7 @@ void PlanFiles::check(uint16_t nowMs) {
 
 // Checks the plan, and asks of each item whether it is known what ArduPilot makes of it. True when all is checked.
 bool PlanFiles::isChecked(bool isToChange) {
-  const Status checked = plans().checkNext(isToChange);
+  const Status checked = plans().checkNextOfAny(isToChange);
   if (checked == Status::Accepted && !isForeseen(*static_cast<const MissionItem*>(client_.link().draft()))) {
     isForeseen_ = false;
   }

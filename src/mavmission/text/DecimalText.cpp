@@ -133,9 +133,9 @@ bool DecimalText::toSteps(uint8_t decimals, uint32_t& magnitude, bool& isExact) 
   if (shift < 0) rest = 0;  // all digits are shifted out, and the next one is a 0
   if (number.length() > 4) return false;
   magnitude = number.shiftedRight(0);
-  if (magnitude > 0x7FFFFFFF) return false;
+  if (magnitude > 0x80000000) return false;
   if (rest >= 5) ++magnitude;
-  return magnitude <= 0x7FFFFFFF;
+  return magnitude <= 0x7FFFFFFF || (magnitude == 0x80000000 && isNegative_);
 }
 
 bool DecimalText::toFloat(float& value) const {
@@ -229,6 +229,15 @@ uint32_t nineDigits(uint32_t bits, int16_t& exponent) {
   }
 }
 
+// Whether these digits are read as this float.
+bool isRead(uint32_t digits, int16_t exponent, bool isNegative, float value) {
+  DecimalText text;
+  text.set(digits, exponent, isNegative);
+  float found;
+  // Compared bit by bit on purpose: -0 and 0 are two texts.  NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+  return text.toFloat(found) && memcmp(&found, &value, sizeof(value)) == 0;
+}
+
 }  // namespace
 
 void printFloat(float value, char* text) {
@@ -249,14 +258,15 @@ void printFloat(float value, char* text) {
   }
   int16_t exponent;
   uint32_t digits = nineDigits(bits, exponent);
-  for (uint32_t unit = 1000; unit > 1; unit /= 10) {
-    const uint32_t shorter = (digits + unit / 2) / unit;
-    DecimalText again;
-    const int16_t raised = exponent + (unit == 1000 ? 3 : unit == 100 ? 2 : 1);
-    again.set(shorter, raised, isNegative);
-    float found;
-    // Compared bit by bit on purpose: -0 and 0 are two texts.  NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
-    if (!again.toFloat(found) || memcmp(&found, &value, sizeof(value)) != 0) continue;
+  int16_t raised = exponent + 3;
+  for (uint32_t unit = 1000; unit > 1; unit /= 10, --raised) {
+    const uint32_t lower = digits / unit, rest = digits % unit;
+    uint32_t shorter = rest < unit / 2 ? lower : lower + 1;
+    if (!isRead(shorter, raised, isNegative, value)) {
+      // Digits that end with a half may have been rounded up to it: then the lower ones are the nearer.
+      shorter = lower;
+      if (rest != unit / 2 || !isRead(shorter, raised, isNegative, value)) continue;
+    }
     digits = shorter;
     exponent = raised;
     break;

@@ -143,13 +143,12 @@ bool WaypointsSource::readMark(Mark& mark) {
   mark.number = 0;
   bool isPassedOver = true;  // the rest of the line is not needed
   for (;;) {
-    const uint32_t here = position_;
     const int byte = next();
     if (byte == kUnreadable) return false;
     const bool isDigit = byte >= '0' && byte <= '9';
     if (mark.number != 0 && !isDigit) return true;
     if (byte == kEnd) return true;
-    if (byte == '\n') {
+    if (byte == '\n' || byte == '\r') {
       isPassedOver = false;
       mark.position = position_;
       continue;
@@ -157,7 +156,7 @@ bool WaypointsSource::readMark(Mark& mark) {
     if (isPassedOver) continue;
     if (isDigit) {
       mark.number = static_cast<uint16_t>(mark.number * 10 + (byte - '0'));
-    } else if (byte == '#' && here == mark.position) {
+    } else if (byte == '#') {
       isPassedOver = true;
     }
   }

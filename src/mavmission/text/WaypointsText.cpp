@@ -3,6 +3,7 @@
 #include "../autopilot/Commands.h"
 #include "../base/Flash.h"
 #include "../base/FloatBits.h"
+#include "../plan/WirePlan.h"
 
 namespace mavmission {
 namespace detail {
@@ -12,13 +13,15 @@ const char kHeader[] PROGMEM = "QGC WPL 110";
 constexpr uint8_t kHeaderLength = sizeof(kHeader) - 1;
 const uint8_t kByteOrderMark[] PROGMEM = {0xEF, 0xBB, 0xBF};  // some editors put it before the text
 
+constexpr uint8_t kMayLackReference = kHasNoPlace | kPlaceIsOptional | kAsItsFrameSays;
+
 PlanType typeOf(uint16_t command) {
   command -= kFenceReturnPoint;
-  if (command == kRallyPoint - kFenceReturnPoint) return PlanType::Rally;
-  return command <= kFenceCircleExclusion - kFenceReturnPoint ? PlanType::Fence : PlanType::Mission;
+  if (command < kRallyPoint - kFenceReturnPoint) return PlanType::Fence;
+  return command < 200 ? PlanType::Rally : PlanType::Mission;
 }
 
-MAVMISSION_APART bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+MAVMISSION_APART bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 }  // namespace
 
@@ -39,8 +42,10 @@ void WaypointsText::beginAt(uint16_t number) {
   field_ = 0;
   isHeader_ = false;
   isInField_ = false;
+  isInMark_ = false;
   isComment_ = false;
   isLineUnknown_ = true;
+  isAfterReturn_ = false;
   error_ = TextError::None;
 }
 
@@ -51,34 +56,47 @@ WaypointsText::Step WaypointsText::fail(TextError error) {
 
 WaypointsText::Step WaypointsText::take(char c) {
   if (error_ != TextError::None) return Step::Bad;
-  if (c == '\n') return endLine();
+  const bool isSecond = isAfterReturn_ && c == '\n';
+  isAfterReturn_ = c == '\r';
+  if (isSecond) return Step::More;
+  if (c == '\n' || c == '\r') return endLine();
+  if (isComment_) return Step::More;
   if (length_ == 255) {
     field_ = 0;
     return fail(TextError::LineTooLong);
   }
   ++length_;
-  if (isHeader_) return takeHeader(c);
-  if (length_ == 1 && c == '#') isComment_ = true;
-  return isComment_ ? Step::More : takeField(c);
+  return isHeader_ ? takeHeader(c) : takeField(c);
 }
 
 // Here field_ counts the characters of the header so far.
 WaypointsText::Step WaypointsText::takeHeader(char c) {
   const uint8_t byte = static_cast<uint8_t>(c);
-  const bool mayBeMark = length_ <= sizeof(kByteOrderMark) && field_ == 0;
-  if (mayBeMark && byte == fromFlash(&kByteOrderMark[length_ - 1])) return Step::More;
-  if (field_ < kHeaderLength && byte == pgm_read_byte(&kHeader[field_])) {
-    ++field_;
+  const bool mayBeMark = length_ == 1 || isInMark_;
+  if (mayBeMark && byte == fromFlash(&kByteOrderMark[length_ - 1])) {
+    isInMark_ = length_ != sizeof(kByteOrderMark);
     return Step::More;
   }
-  if (field_ == kHeaderLength && isBlank(c)) return Step::More;
+  const uint8_t expected = pgm_read_byte(&kHeader[field_]);  // 0 behind the last word
+  const bool isGap = expected == ' ' || expected == 0;
+  if (!isInMark_ && (isGap ? isBlank(c) : byte == expected)) {
+    if (expected != 0) ++field_;
+    return Step::More;
+  }
+  if (field_ != 0 && pgm_read_byte(&kHeader[field_ - 1]) == ' ' && isBlank(c)) return Step::More;
   field_ = 0;
   return fail(TextError::NotWaypoints);
 }
 
 WaypointsText::Step WaypointsText::takeField(char c) {
   if (isBlank(c)) return isInField_ ? endField() : Step::More;
+  if (c == '\0' || c == '\xFF') return fail(TextError::Padding);
   if (!isInField_) {
+    if (field_ == 0) {
+      if (c == '#') isComment_ = true;
+      if (isComment_) return Step::More;
+      if (c == 'Q') return fail(TextError::SecondPlan);
+    }
     if (field_ == kFields) {
       field_ = 0;
       return fail(TextError::TooManyFields);
@@ -116,13 +134,14 @@ TextError WaypointsText::store() {
   bool isExact;
   if (!decimal_.isPlain()) return TextError::NotWhole;
   if (!decimal_.toSteps(0, whole, isExact)) return TextError::TooLarge;
-  if (decimal_.isNegative() && whole != 0) return field_ == 1 ? TextError::OutOfOrder : TextError::BadNumber;
+  if (decimal_.isNegative() && whole != 0) {
+    if (field_ == 1) return TextError::OutOfOrder;
+    if (field_ != 2) return TextError::BadNumber;
+    whole = 0;
+  }
   switch (field_) {
     case 1: return whole == number_ ? TextError::None : TextError::OutOfOrder;
-    case 2:
-      if (whole > 1) return TextError::NotZeroOrOne;
-      item_.current = static_cast<uint8_t>(whole);
-      break;
+    case 2: item_.current = whole == 1; break;
     case 3: {
       if (whole > 11) return TextError::BadTextFrame;
       constexpr uint16_t kTaken = 1 << 0 | 1 << 2 | 1 << 3 | 1 << 5 | 1 << 6 | 1 << 10 | 1 << 11;
@@ -150,10 +169,17 @@ TextError WaypointsText::storePlace() {
   uint32_t magnitude;
   bool isExact;
   if (!decimal_.toSteps(isPlace ? 7 : 0, magnitude, isExact)) return TextError::TooLarge;
-  if (!isPlace && !isExact) return TextError::NotWhole;
+  if (!isPlace && !isExact) {
+    if ((traitsOf(item_.command) & kMayLackReference) == 0) {
+      field_ = 3;
+      return TextError::NoReference;
+    }
+    if (!dropsPlace(item_.command)) return TextError::NotWhole;
+    magnitude = 0;
+  }
   if (isPlace && field_ == 9 && magnitude > 900000000) return TextError::BeyondLatitude;
   if (isPlace && field_ == 10 && magnitude > 1800000000) return TextError::BeyondLongitude;
-  const int32_t value = decimal_.isNegative() ? -static_cast<int32_t>(magnitude) : static_cast<int32_t>(magnitude);
+  const int32_t value = static_cast<int32_t>(decimal_.isNegative() ? 0 - magnitude : magnitude);
   if (field_ == 9) {
     item_.x = value;
   } else {
@@ -175,6 +201,10 @@ WaypointsText::Step WaypointsText::endLine() {
   }
   bool isHome = false;
   if (isItem) {
+    if (item_.frame == Frame::Mission && (traitsOf(item_.command) & kMayLackReference) == 0 && hasHeight(item_)) {
+      field_ = 3;
+      return fail(TextError::NoReference);
+    }
     if (number_ == 0 && (item_.command == kNavWaypoint || item_.command == 0)) firstNumber_ = 1;
     isHome = number_ < firstNumber_;
     const PlanType type = typeOf(item_.command);
@@ -202,7 +232,7 @@ WaypointsText::Step WaypointsText::endLine() {
   isComment_ = false;
   if (!isLineUnknown_) ++line_;
   if (!isItem) return Step::More;
-  if (number_ > kMostItems) return fail(TextError::NoRoom);
+  if (!isHome && count() >= kMostItems) return fail(TextError::NoRoom);
   ++number_;
   return isHome ? Step::More : Step::Item;
 }

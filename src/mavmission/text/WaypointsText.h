@@ -1,14 +1,22 @@
 // The text of a .waypoints file (QGC WPL 110, as Mission Planner writes it), taken character by character and given
-// item by item: no line is kept, no float is computed with.
-//
-// Line 0 of such a file is home if its command is NAV_WAYPOINT, or 0: it is read, and is no item of the plan. With any
-// other command it is the first item, as in files of fences and rally points, and in those that begin with a takeoff.
+// item by item: no line is kept, no float is computed with. tools/plan reads such a file by this class too, so this is
+// the one description of the format:
 //
 //   QGC WPL 110
 //   number current frame command param1 param2 param3 param4 latitude longitude altitude autocontinue
 //
-// Fields are separated by tabs or blanks. Empty lines and lines that begin with # are skipped. Lines end with LF or CR
-// LF; the last one may end with the text.
+// Words and fields are separated by tabs or blanks. Lines end with LF, CR LF or CR; the last one may end with the text.
+// Empty lines are skipped, and lines whose first character that is no blank is a #: these may be of any length and hold
+// any bytes, others have up to 255. "current" is 1, or counts as 0. A UTF-8 byte order mark may precede the text. A
+// number may have a sign and an exponent; number, current, frame, command and autocontinue have digits alone. NaN, in
+// parameters 1 to 4: unset.
+//
+// Line 0 of such a file is home if its command is NAV_WAYPOINT, or 0: it is read, and is no item of the plan. With any
+// other command it is the first item, as in files of fences and rally points, and in those that begin with a takeoff.
+// Commands from 5000 on are a fence's, those from 5100 on rally points.
+//
+// An item of a command without a place goes out in MAV_FRAME_MISSION, whatever its frame is. If it has a place all the
+// same, in degrees, and the command has no parameters 5 and 6, that place is left out.
 #pragma once
 
 #include <stdint.h>
@@ -87,8 +95,10 @@ class WaypointsText {
   PlanType type_;
   bool isHeader_ : 1;
   bool isInField_ : 1;
+  bool isInMark_ : 1;  // in the byte order mark
   bool isComment_ : 1;
   bool isLineUnknown_ : 1;
+  bool isAfterReturn_ : 1;  // the last character was a CR, which has ended its line
   TextError error_;
   MissionItem item_;
 };

@@ -16,6 +16,11 @@ namespace detail {
 // What may be begun next.
 enum class FlightOrder : uint8_t { None, Upload, Start, TakeOff, GoTo, Home, Land, Disarm };
 
+// True for those of a plan; the others are given by the sketch.
+constexpr bool isOfPlan(FlightOrder order) {
+  return order == FlightOrder::Upload || order == FlightOrder::Start || order == FlightOrder::Disarm;
+}
+
 // In whose hands the aircraft is, by its mode. Unclear: it returns, and this may be the plan's own end.
 enum class FlightHands : uint8_t { Own, Unclear, Pilot, Failsafe };
 
@@ -71,8 +76,11 @@ class FlightStages : public FlightRules {
   // It is where it was sent; or it has left its stop.
   void arrive() { change(FlightState::AtStop); }
   void leave() { change(FlightState::Flying); }
-  // It cannot be flown, whatever becomes of the autopilot.
-  void refuse(Status why) { end(EndedBy::Refusal, why); }
+  // The plan that was to be uploaded cannot be flown: nothing is begun.
+  void refuse(Status why) {
+    running_ = FlightOrder::None;
+    end(EndedBy::Refusal, why);
+  }
 
   // --- What to do
 

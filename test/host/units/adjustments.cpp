@@ -125,7 +125,7 @@ TEST_CASE("a heading is one from 0 to 360 degrees on the wire, with its turn, an
 
 TEST_CASE("a speed upwards or downwards is told alone") {
   for (bool isClimb : {true, false}) {
-    for (float metres : {0.01f, 1.5f, 20.0f}) {
+    for (float metres : {1e-45f, 0.005f, 1.5f, 20.0f}) {
       Flown flight;
       isClimb ? flight.adjustments.setClimbSpeed(speed(metres)) : flight.adjustments.setDescentSpeed(speed(metres));
       CHECK((flight.end() == Status::Done));

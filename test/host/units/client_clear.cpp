@@ -143,6 +143,27 @@ TEST_CASE("MAVLink 1 carries missions alone, and that is said first") {
   }
 }
 
+TEST_CASE("a fence's clear stays one when the autopilot's heartbeats turn to MAVLink 1") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(2500);
+  desk.client.clear(PlanType::Fence);
+  desk.run(600);
+  desk.beats = false;
+  desk.sent.clear();
+  for (int beat = 0; beat < 6; ++beat) {
+    FrameParts parts = heartbeatParts(ClientOnLine::kArduPilot);
+    parts.version = 1;
+    desk.hear(parts);
+    desk.run(1000);
+  }
+  CHECK(desk.timesOf(kClearAll, 0).size() > 1);
+  for (const SentFrame& frame : desk.sent) {
+    if (frame.messageId != kClearAll) continue;
+    CHECK(frame.payload[2] == 1);
+    CHECK(frame.frame[0] == 0xFD);
+  }
+}
+
 TEST_CASE("behind a transfer that was left open a clear waits for the answers to that") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.run(11000);

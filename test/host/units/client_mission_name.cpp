@@ -173,8 +173,7 @@ TEST_CASE("what was not known to be ours is not somebody else's by its name, nor
   Named desk(ClientOnLine::kPx4);
   desk.verify(kName);
   desk.client.uploadWithoutReadback(inRam(kPlan));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 12000));
-  desk.client.cancel();
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 9000));
   REQUIRE((desk.client.aboard() == Aboard::AsBefore));
   desk.tellCurrent(kOtherName, 2, MISSION_STATE_ACTIVE, 5);
   CHECK((desk.client.aboard() == Aboard::AsBefore));

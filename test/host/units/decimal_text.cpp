@@ -335,26 +335,19 @@ TEST_CASE("a float is printed with as few digits as read back the same, and neit
   CHECK(printed(-1.1754944e-38f) == "-11754944e-45");
   CHECK(printed(9.999999e9f) == "9999999000");
   CHECK(printed(999999.94f) == "999999.94");
-  // Of the nine digits of a float as few as will do, from six on.
+  // As few digits as will do, from six on.
   uint32_t seed = 21;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     seed = seed * 1664525 + 1013904223;
     const uint32_t bits = seed ^ seed >> 13;
     if ((bits & 0x7F800000) == 0x7F800000 || (bits & 0x7FFFFFFF) == 0) continue;
     const float value = fromBits(bits);
-    char nine[32];
-    snprintf(nine, sizeof(nine), "%.8e", static_cast<double>(value));
-    const int exponent = atoi(strchr(nine, 'e') + 1) - 8;
-    unsigned long digits =
-        strtoul((std::string(nine).erase(nine[0] == '-' ? 2 : 1, 1)).c_str() + (nine[0] == '-'), nullptr, 10);
-    for (unsigned long unit : {1000ul, 100ul, 10ul}) {
-      const unsigned long shorter = (digits + unit / 2) / unit * unit;
-      snprintf(nine, sizeof(nine), "%lue%d", shorter, exponent);
-      if (strtof(nine, nullptr) != (value < 0 ? -value : value)) continue;
-      digits = shorter;
-      break;
+    char text[32];
+    size_t digits = 6;
+    for (; digits < 9; ++digits) {
+      snprintf(text, sizeof(text), "%.*e", static_cast<int>(digits - 1), static_cast<double>(value));
+      if (strtof(text, nullptr) == value) break;
     }
-    while (digits % 10 == 0) digits /= 10;
     std::string significant;
     for (char c : printed(value).substr(0, printed(value).find('e'))) {
       if (c >= '0' && c <= '9') significant += c;
@@ -362,7 +355,7 @@ TEST_CASE("a float is printed with as few digits as read back the same, and neit
     significant.erase(0, significant.find_first_not_of('0'));
     significant.erase(significant.find_last_not_of('0') + 1);
     CAPTURE(printed(value));
-    CHECK(significant == std::to_string(digits));
+    CHECK(significant.size() <= digits);
     CHECK(strtof(printed(value).c_str(), nullptr) == value);
   }
 }

@@ -14,8 +14,9 @@ namespace {
 
 const MissionItem kPlan[] = {takeoff(-35.3632621_deg, 149.1652374_deg, 20_m),
                              waypoint(-35.3614500_deg, 149.1652374_deg, 20_m), returnToLaunch()};
-const MissionItem kFence[] = {fenceInside(-35.3632621_deg, 149.1652374_deg, 4), fenceInside(-35.3614500_deg, 149.1652374_deg, 4),
-                              fenceInside(-35.3614500_deg, 149.1662374_deg, 4), fenceInside(-35.3632621_deg, 149.1662374_deg, 4)};
+const MissionItem kFence[] = {
+    fenceInside(-35.3632621_deg, 149.1652374_deg, 4), fenceInside(-35.3614500_deg, 149.1652374_deg, 4),
+    fenceInside(-35.3614500_deg, 149.1662374_deg, 4), fenceInside(-35.3632621_deg, 149.1662374_deg, 4)};
 bool wrong(void*, uint16_t, MissionItem& item) {
   item = waypoint(-35.3632621_deg, 149.1652374_deg, 20_m);
   item.x = 950000000;
@@ -196,10 +197,10 @@ TEST_CASE("what was begun for an autopilot that falls silent is not carried out 
 TEST_CASE("another autopilot, or a restart, ends what runs, and all that was known is forgotten") {
   const std::vector<std::function<void(Line&)>> changes = {
       [](Line& line) { line.client.setTargetIds(2, 1); },
-      [](Line& line) { line.hear(beatOf({1, 1, 2, 12})); },             // PX4 by the same ids
-      [](Line& line) { line.hear(beatOf({1, 1, 10, 3})); },             // a rover
-      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1})); },        // it boots
-      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1, 1})); },     // the same, in MAVLink 1
+      [](Line& line) { line.hear(beatOf({1, 1, 2, 12})); },                   // PX4 by the same ids
+      [](Line& line) { line.hear(beatOf({1, 1, 10, 3})); },                   // a rover
+      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1})); },              // it boots
+      [](Line& line) { line.hear(beatOf({1, 1, 2, 3, 0, 1, 1})); },           // the same, in MAVLink 1
       [](Line& line) { line.pass(5500), line.hear(beatOf({1, 1, 10, 3})); },  // behind a silence
   };
   for (size_t i = 0; i < changes.size(); ++i) {
@@ -229,9 +230,9 @@ TEST_CASE("another autopilot, or a restart, ends what runs, and all that was kno
 
 TEST_CASE("no heartbeat of another device changes what is done, to whom, or what is known") {
   const Device kinds[] = {
-      {1, 156, 27, 8}, {1, 156, 0, 0},    {1, 158, 2, 0},  {1, 100, 30, 8}, {1, 154, 26, 8}, {255, 190, 6, 8},
-      {1, 191, 18, 8}, {7, 1, 5, 3},      {51, 68, 0, 8},  {2, 1, 2, 3},    {2, 1, 2, 3, 128, 4}, {2, 1, 2, 12},
-      {1, 2, 2, 3},    {9, 9, 2, 7, 128}, {1, 1, 6, 8, 128},
+      {1, 156, 27, 8},      {1, 156, 0, 0},  {1, 158, 2, 0}, {1, 100, 30, 8},   {1, 154, 26, 8},
+      {255, 190, 6, 8},     {1, 191, 18, 8}, {7, 1, 5, 3},   {51, 68, 0, 8},    {2, 1, 2, 3},
+      {2, 1, 2, 3, 128, 4}, {2, 1, 2, 12},   {1, 2, 2, 3},   {9, 9, 2, 7, 128}, {1, 1, 6, 8, 128},
   };
   for (const Device& stranger : kinds) {
     for (uint8_t version : {1, 2}) {

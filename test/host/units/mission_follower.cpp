@@ -384,10 +384,14 @@ TEST_CASE("items that a command of the client's leaves out are not told of as re
   desk.beats = false;
   desk.hear(heartbeatParts(ClientOnLine::kPx4, 128));
   desk.run(2000);
+  desk.hear(heartbeatParts(ClientOnLine::kPx4, 128));
   desk.current(0, 9);
   desk.client.setCurrentItem(5);
   desk.run(20);
   desk.current(5, 9);
+  desk.hear(FrameParts(MAVLINK_MSG_ID_COMMAND_ACK, {224, 0, 0, 0, 0, 0, 0, 0, 1, 191}, MAVLINK_MSG_ID_COMMAND_ACK_CRC));
+  desk.run(20);
+  REQUIRE((desk.ended == Status::Done));
   desk.current(6, 9);
   CHECK(desk.reacheds == "5");
 }

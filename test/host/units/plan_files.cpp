@@ -936,6 +936,8 @@ TEST_CASE("what was known of the plan aboard is not known of the next one that i
   REQUIRE((pilot.end() == Status::Accepted));
   REQUIRE((pilot.client.aboard() == Aboard::OurPlan));
   pilot.files.ensure(inRam(kOther));
+  CHECK((pilot.client.aboard() == Aboard::OurPlan));  // until it is looked for
+  REQUIRE(pilot.passUntil("open"));
   CHECK((pilot.client.aboard() == Aboard::NotKnown));
 }
 

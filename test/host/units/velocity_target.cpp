@@ -135,3 +135,27 @@ TEST_CASE("a heartbeat with a pilot's mode ends the velocities, at once and for 
   CHECK(flight.timesOf(kVelocity, 0).empty());
   CHECK(flight.timesOf(kCommandInt, 0).empty());
 }
+
+TEST_CASE("one stream at a time: a place that is followed ends the velocity without a gap, and a velocity ends it") {
+  Flight flight;
+  MovingTarget place(flight.steering);
+  flight.begin(BodyVelocity(2_mps));
+  const LatLon here = {1_deg, 1_deg};
+  for (bool isPlace : {true, false}) {
+    isPlace ? place.start(here, 20_m) : flight.velocity.start(BodyVelocity(2_mps));
+    flight.sent.clear();
+    for (int ms = 0; ms < 2000; ++ms) {
+      place.renew(here, 20_m);
+      flight.velocity.renew(BodyVelocity(2_mps));
+      place.update();
+      flight.pass(1);
+    }
+    CHECK(place.isFollowed() == isPlace);
+    CHECK(flight.velocity.isFlown() != isPlace);
+    const std::vector<uint32_t> places = flight.timesOf(86, 0), velocities = flight.timesOf(kVelocity, 0);
+    const std::vector<uint32_t>&ended = isPlace ? velocities : places, &begun = isPlace ? places : velocities;
+    REQUIRE_FALSE(begun.empty());
+    CHECK((ended.empty() || ended.back() <= begun.front()));
+    CHECK(((isPlace ? flight.velocity.status() : place.status()) == Status::Cancelled));
+  }
+}

@@ -289,26 +289,29 @@ TEST_CASE("an item that cannot be read again is refused, and can be read when th
   CHECK(itemAt(source, 39) == -1);  // and it is not looked for without end
   file.text[file.text.find("\n5\t") + 3] = '\0';
   CHECK(itemAt(source, 4) == -1);
-  CHECK((source.error() == TextError::BadNumber));
+  CHECK((source.error() == TextError::Padding));
 }
 
 TEST_CASE("a byte of 0 does not end a text") {
   TextFile file(plan(3) + std::string(1, '\0') + "\n");
   WaypointsSource source(file);
   CHECK((readAll(source) == State::Bad));
-  CHECK((source.error() == TextError::BadNumber));
+  CHECK((source.error() == TextError::Padding));
 }
 
-TEST_CASE("a text without the last line's end, and with line ends of two bytes, is found through too") {
-  std::string text = plan(20);
-  while (text.back() == '\n') text.pop_back();
-  for (size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
-  TextFile file(text);
-  WaypointsSource source(file);
-  REQUIRE((readAll(source) == State::Good));
-  CHECK(source.count() == 20);
-  for (uint16_t i = 0; i < 20; ++i) {
-    CHECK(itemAt(source, 19) == 20);
-    CHECK(itemAt(source, i) == i + 1);
+TEST_CASE("a text without the last line's end, with any line ends, and comments, is found through too") {
+  for (const std::string& end :
+       std::vector<std::string>{"\r\n", "\r", "\n  # 17 is no item\n", "\r\n\t#" + std::string(300, '9') + "\r\n"}) {
+    std::string text = plan(20);
+    while (text.back() == '\n') text.pop_back();
+    for (size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size()) text.replace(at, 1, end);
+    TextFile file(text);
+    WaypointsSource source(file);
+    REQUIRE((readAll(source) == State::Good));
+    CHECK(source.count() == 20);
+    for (uint16_t i = 0; i < 20; ++i) {
+      CHECK(itemAt(source, 19) == 20);
+      CHECK(itemAt(source, i) == i + 1);
+    }
   }
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <initializer_list>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -148,12 +149,19 @@ TEST_CASE("a text is read with any line ends, blanks, comments, empty lines, and
   }
   CHECK(hasTwo(returns));
   CHECK(hasTwo(kHeader + (kHome + ("  " + one)) + two));
+  for (char& c : blanks) c = c == '\n' ? '\r' : c;
+  CHECK(hasTwo(blanks));
+  CHECK(hasTwo("QGC\t \tWPL\t110\n" + (kHome + one) + two));
+  CHECK(hasTwo(kHeader +
+               (kHome + (" \t# 7 \xE4\xFF\x01" + std::string(1, '\0') + "\n#" + std::string(999, 'x') + "\r" + one)) +
+               two));
 }
 
 TEST_CASE("a text that does not begin as it must is no such text, at the first line") {
-  for (const char* text : {"", "\n", "QGC WPL 11\n", "QGC WPL 1100\n", "QGC WPL 111\n", "qgc WPL 110\n",
-                           "QGC WPL 110x\n", " QGC WPL 110\n", "\xEF\xBB\xBF\xBFQGC WPL 110\n", "Q\xBBGC WPL 110\n",
-                           "QGC WPL 110 110\n", "QGC WPL", "\xEF\xBB\xBF\n", "#QGC WPL 110\n", "QGC WPL 110\x01\n"}) {
+  for (const char* text :
+       {"", "\n", "QGC WPL 11\n", "QGC WPL 1100\n", "QGC WPL 111\n", "qgc WPL 110\n", "QGC WPL 110x\n",
+        " QGC WPL 110\n", "\xEF\xBB\xBF\xBFQGC WPL 110\n", "Q\xBBGC WPL 110\n", "QGC WPL 110 110\n", "QGC WPL",
+        "\xEF\xBB\xBF\n", "\xEFQGC WPL 110\n", "\xEF\xBB", "QGCWPL 110\n", "#QGC WPL 110\n", "QGC WPL 110\x01\n"}) {
     CHECK(isRefused(text, TextError::NotWaypoints, 1, 0));
   }
   CHECK(isRefused(std::string("QGC WPL 110\0\n", 13), TextError::NotWaypoints, 1, 0));
@@ -171,8 +179,10 @@ TEST_CASE("a line has 12 fields, and 255 characters at the most") {
   const std::string fields = "1 0 3 16 0 0 0 0 -35 149 20 1";
   CHECK((read(before + fields + std::string(255 - fields.size(), ' ') + "\n").error == TextError::None));
   CHECK(isRefused(before + fields + std::string(256 - fields.size(), ' ') + "\n", TextError::LineTooLong, 3, 0));
-  CHECK((read(before + "#" + std::string(254, '#') + "\n" + line(1, 16)).error == TextError::None));
-  CHECK(isRefused(before + "#" + std::string(255, '#') + "\n" + line(1, 16), TextError::LineTooLong, 3, 0));
+  // A second plan, and what was never written to its end.
+  CHECK(isRefused(before + line(1, 16) + kHeader + line(0, 16), TextError::SecondPlan, 4, 0));
+  CHECK(isRefused(before + line(1, 16) + std::string(9, '\0'), TextError::Padding, 4, 0));
+  CHECK(isRefused(before + fields + std::string(9, '\xFF'), TextError::Padding, 3, 12));
 }
 
 TEST_CASE("lines are numbered one by one from 0, which comments do not change") {
@@ -190,14 +200,17 @@ TEST_CASE("lines are numbered one by one from 0, which comments do not change") 
   CHECK((errorOf(1, "99999999999") == TextError::TooLarge));
 }
 
-TEST_CASE("current and autocontinue are 0 or 1") {
+TEST_CASE("current and autocontinue are 0 or 1, and another current means nothing") {
+  for (const char* text : {"2", "256", "-1"}) CHECK(itemWith(2, text).current == 0);
   for (uint8_t field : {2, 12}) {
     CHECK((errorOf(field, "0") == TextError::None));
     CHECK((errorOf(field, "-0") == TextError::None));
     CHECK((errorOf(field, "1") == TextError::None));
-    CHECK((errorOf(field, "2") == TextError::NotZeroOrOne));
-    CHECK((errorOf(field, "256") == TextError::NotZeroOrOne));
-    CHECK((errorOf(field, "-1") == TextError::BadNumber));
+    if (field == 12) {
+      CHECK((errorOf(field, "2") == TextError::NotZeroOrOne));
+      CHECK((errorOf(field, "256") == TextError::NotZeroOrOne));
+      CHECK((errorOf(field, "-1") == TextError::BadNumber));
+    }
     CHECK((errorOf(field, "0.0") == TextError::NotWhole));
     CHECK((errorOf(field, "1e0") == TextError::NotWhole));
     CHECK((errorOf(field, "nan") == TextError::NotWhole));
@@ -214,7 +227,7 @@ TEST_CASE("of the frames those of MISSION_ITEM and MISSION_ITEM_INT are taken th
     uint8_t frame;
   } kTaken[] = {{"0", 0}, {"2", 2}, {"3", 3}, {"5", 0}, {"6", 3}, {"10", 10}, {"11", 10}};
   for (const auto& one : kTaken) {
-    const Read found = read(withField(3, one.text));
+    const Read found = read(withField(3, one.text, "189"));  // which may be in each
     // Without a place, -35 and 149 are whole numbers.
     REQUIRE((found.error == TextError::None));
     CHECK((found.items[0].frame == static_cast<Frame>(one.frame)));
@@ -223,6 +236,10 @@ TEST_CASE("of the frames those of MISSION_ITEM and MISSION_ITEM_INT are taken th
     CHECK((errorOf(3, text) == TextError::BadTextFrame));
   }
   CHECK((errorOf(3, "-3") == TextError::BadNumber));
+  for (const char* command : {"16", "22", "21", "85", "30", "113", "195"}) {
+    CHECK((errorOf(3, "2", command) == TextError::NoReference));
+  }
+  CHECK(isRefused(withField(3, "2").replace(withField(3, "2").rfind("149"), 3, "149.5"), TextError::NoReference, 3, 3));
   // A command without a place has no frame, whatever the file says.
   CHECK((itemWith(3, "3", "20").frame == Frame::Mission));
 }
@@ -264,10 +281,11 @@ TEST_CASE("a place is within 90 and 180 degrees") {
 
 TEST_CASE("parameters 5 and 6 of a command without a place are whole numbers of any size") {
   CHECK(itemWith(9, "2147483647", "178").x == 2147483647);
-  CHECK(itemWith(10, "-2147483647", "178").y == -2147483647);
+  CHECK(itemWith(10, "-2147483648", "178").y == std::numeric_limits<int32_t>::min());
   CHECK(itemWith(9, "0.000", "178").x == 0);
+  CHECK(itemWith(9, "47.5", "20").x == 0);  // a place, which a return has not
   for (uint8_t field : {9, 10}) {
-    CHECK((errorOf(field, "0.5", "178") == TextError::NotWhole));
+    CHECK((errorOf(field, "0.5", "203") == TextError::NotWhole));
     CHECK((errorOf(field, "2147483648", "178") == TextError::TooLarge));
   }
 }
@@ -299,10 +317,9 @@ TEST_CASE("the kind of plan is that of its first item, which all others have") {
   const struct {
     int command;
     PlanType type;
-  } kKinds[] = {{16, PlanType::Mission},   {4999, PlanType::Mission}, {5000, PlanType::Fence},
-                {5001, PlanType::Fence},   {5004, PlanType::Fence},   {5005, PlanType::Mission},
-                {5099, PlanType::Mission}, {5100, PlanType::Rally},   {5101, PlanType::Mission},
-                {65535, PlanType::Mission}};
+  } kKinds[] = {{16, PlanType::Mission}, {4999, PlanType::Mission}, {5000, PlanType::Fence},   {5001, PlanType::Fence},
+                {5004, PlanType::Fence}, {5005, PlanType::Fence},   {5099, PlanType::Fence},   {5100, PlanType::Rally},
+                {5199, PlanType::Rally}, {5200, PlanType::Mission}, {65535, PlanType::Mission}};
   for (const auto& one : kKinds) {
     for (const auto& other : kKinds) {
       CAPTURE(one.command);
@@ -441,17 +458,19 @@ TEST_CASE("what a caller finds wrong ends the text") {
   CHECK((text.error() == TextError::Unreadable));
 }
 
-TEST_CASE("a plan has 65534 items at the most behind home") {
-  WaypointsText text;
-  for (char c : kHeader + (kHome + line(1, 22))) text.take(c);
-  text.beginAt(65533);  // as if all up to there had been read
-  Step step = Step::More;
-  for (int number : {65533, 65534}) {
-    for (char c : line(number, 22)) step = text.take(c);
-    CHECK(step == Step::Item);
+TEST_CASE("a plan has 65534 items at the most, behind home and without it") {
+  for (int first : {1, 0}) {
+    WaypointsText text;
+    for (char c : kHeader + ((first == 1 ? kHome : "") + line(first, 22))) text.take(c);
+    text.beginAt(static_cast<uint16_t>(65532 + first));  // as if all up to there had been read
+    Step step = Step::More;
+    for (int number : {65532 + first, 65533 + first}) {
+      for (char c : line(number, 22)) step = text.take(c);
+      CHECK(step == Step::Item);
+    }
+    CHECK(text.count() == WaypointsText::kMostItems + 0);
+    for (char c : line(65534 + first, 22)) step = text.take(c);
+    CHECK(step == Step::Bad);
+    CHECK((text.error() == TextError::NoRoom));
   }
-  CHECK(text.count() == WaypointsText::kMostItems + 0);
-  for (char c : line(65535, 22)) step = text.take(c);
-  CHECK(step == Step::Bad);
-  CHECK((text.error() == TextError::NoRoom));
 }

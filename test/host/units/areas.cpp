@@ -1,0 +1,137 @@
+// What the items of a fence, and rally points, make together, and that no way of an upload passes it by.
+#include "mavmission/plan/Areas.h"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "ClientOnLine.h"
+#include "mavmission/PlanFiles.h"
+
+using namespace mavmission;
+using detail::Areas;
+
+namespace {
+
+typedef std::vector<MissionItem> Items;
+const float kNaN = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+
+MissionItem corner(float corners, uint16_t command = kFencePolygonInclusion) {
+  return anyCommandAt(command, -35_deg, 149_deg, aboveSeaLevel(0_m), corners);
+}
+MissionItem circle(float radius) { return corner(radius, kFenceCircleInclusion); }
+MissionItem out(float corners) { return corner(corners, kFencePolygonExclusion); }
+const MissionItem kReturn = fenceReturnPoint(-35_deg, 149_deg);
+
+const struct Case {
+  PlanType type;
+  Items items;
+  Status status;
+  uint16_t failed;
+  ItemField field;
+} kCases[] = {
+    {PlanType::Fence,
+     {corner(3), corner(3), corner(3), out(3), out(3), out(3), circle(0.5f), kReturn},
+     Status::Accepted,
+     0,
+     ItemField::None},
+    {PlanType::Fence,
+     {corner(3), corner(3), corner(3), corner(3), corner(3), corner(3)},
+     Status::Accepted,
+     0,
+     ItemField::None},
+    {PlanType::Fence, {corner(2), corner(2)}, Status::BadFence, 0, ItemField::Param1},
+    {PlanType::Fence, {circle(5), corner(256)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), corner(3.5f)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), corner(-3)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), corner(3), corner(3)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), corner(3), corner(3), circle(5)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), corner(3), corner(3), out(3), corner(3)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {corner(3), corner(4), corner(4), corner(4)}, Status::BadFence, 0, ItemField::Param1},
+    {PlanType::Fence, {corner(3), corner(3), corner(3), corner(3)}, Status::BadFence, 3, ItemField::Param1},
+    {PlanType::Fence, {corner(3), kReturn, corner(3), corner(3)}, Status::BadFence, 0, ItemField::Param1},
+    {PlanType::Fence, {circle(5), kReturn, kReturn}, Status::BadFence, 2, ItemField::Command},
+    {PlanType::Fence, {circle(5), circle(0)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), circle(-0.f)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), circle(-1)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), circle(kNaN)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {circle(5), circle(kInfinity)}, Status::BadFence, 1, ItemField::Param1},
+    {PlanType::Fence, {corner(120, 5005), circle(5)}, Status::NotFlown, 0, ItemField::Command},
+    {PlanType::Fence, {circle(5), waypoint(1_deg, 1_deg, 20_m)}, Status::NotFlown, 1, ItemField::Command},
+    {PlanType::Fence, {corner(3), rallyPoint(1_deg, 1_deg, 20_m)}, Status::NotFlown, 1, ItemField::Command},
+    {PlanType::Rally,
+     {rallyPoint(1_deg, 0_deg, 20_m), rallyPoint(0_deg, 1_deg, 20_m)},
+     Status::Accepted,
+     0,
+     ItemField::None},
+    {PlanType::Rally,
+     {rallyPoint(1_deg, 1_deg, 20_m), rallyPoint(0_deg, 0_deg, 20_m)},
+     Status::NeedsCoordinates,
+     1,
+     ItemField::Latitude},
+    {PlanType::Rally, {waypoint(1_deg, 1_deg, 20_m)}, Status::NotFlown, 0, ItemField::Command},
+    {PlanType::Rally, {circle(5)}, Status::NotFlown, 0, ItemField::Command},
+};
+
+}  // namespace
+
+TEST_CASE("a fence whose items make no areas is named by its item and field, and so is a rally point of no use") {
+  for (const Case& given : kCases) {
+    Areas areas;
+    areas.begin(given.type);
+    Areas::Verdict verdict = {Status::Accepted, ItemField::None};
+    size_t index = 0;
+    while (index < given.items.size() && verdict.status == Status::Accepted) verdict = areas.take(given.items[index++]);
+    if (verdict.status == Status::Accepted && areas.unfinished() != 0) {
+      verdict = {Status::BadFence, ItemField::Param1};
+    } else if (verdict.status != Status::Accepted) {
+      --index;
+    }
+    CAPTURE(&given - kCases);
+    CHECK((verdict.status == given.status));
+    CHECK((verdict.field == given.field));
+    if (verdict.status == Status::BadFence) index -= areas.unfinished();
+    if (verdict.status != Status::Accepted) CHECK(index == given.failed);
+  }
+}
+
+TEST_CASE("no upload of a fence or of rally points that make nothing sends its first byte, whichever way it is begun") {
+  for (const Case& given : kCases) {
+    if (given.status == Status::Accepted) continue;
+    for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4, ClientOnLine::kOther}) {
+      ClientOnLine desk(autopilot);
+      PlanFiles files(desk.client);
+      const ItemSource plan = inRam(given.items.data(), static_cast<uint32_t>(given.items.size()));
+      const std::function<void()> ways[] = {
+          [&] { desk.client.upload(plan, given.type); },
+          [&] { desk.client.uploadAgain(); },
+          [&] { desk.client.uploadWithoutReadback(plan, given.type); },
+          [&] { desk.client.ensure(plan, given.type); },
+          [&] { files.upload(plan, given.type); },
+          [&] { files.ensure(plan, given.type); },
+      };
+      for (const auto& way : ways) {
+        desk.run(3000);
+        desk.sent.clear();
+        desk.ended = Status::Idle;
+        way();
+        desk.run(500);
+        CAPTURE(&given - kCases);
+        CAPTURE(&way - ways);
+        // What one item shows is found before, and may be said more exactly.
+        const bool isOneItem = desk.ended == Status::NotKept || desk.ended == Status::NotANumber ||
+                               desk.ended == Status::NotFinite || desk.ended == Status::NotFlown;
+        if (!isOneItem) {
+          CHECK((desk.ended == given.status));
+          CHECK(desk.client.failedItem() == given.failed);
+          CHECK((desk.client.differingField() == given.field));
+        }
+        // Heartbeats; and PlanFiles closes at its first use what may have been left open.
+        const bool isFirst = &way == ways;
+        for (const SentFrame& frame : desk.sent) CHECK((frame.messageId == 0 || (isFirst && frame.messageId == 110)));
+      }
+    }
+  }
+}
