@@ -30,7 +30,7 @@ def prepare(*groups: str) -> None:
 
 def use_venv() -> None:
     """Start this program again under build/venv, if that exists and is not what runs it; simulation/ is found then."""
-    venv = ROOT / "build" / "venv"
+    venv = Path(os.environ.get("MAVMISSION_VENV", ROOT / "build" / "venv"))
     python = venv / "bin" / "python"
     # The venv's python is a link to the system's: only the prefix tells them apart.
     if python.exists() and Path(sys.prefix).resolve() != venv.resolve():

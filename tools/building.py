@@ -109,12 +109,7 @@ def build_sketch(
     """
     if board not in BOARDS:
         raise BuildFailed(f"no board named {board!r}: choose one of {', '.join(BOARDS)}")
-    source = Path(path).resolve()
-    if not source.exists():
-        # The name of an example will do.
-        source = every_folder().get(str(path)) or source
-    if not source.exists() or (source.is_dir() and not any(f.suffix in (".ino", ".cpp") for f in source.iterdir())):
-        raise no_sketch_at(source)  # before a folder is read whole, however much is in it
+    source = expect_sketch(path)
     extra = [f"-D{d}" for d in defines] + [f"-I{Path(d).resolve()}" for d in include_dirs] + list(flags)
     backend = choose_backend()
     settings = [str(source), BOARDS[board].fqbn, backend, compiler_stamp(backend), str(strict), *LINK_FLAGS, *extra]
@@ -129,6 +124,25 @@ def build_sketch(
                 return kept
         forget_vanished_sketches()
         return compile_into(folder, source, BOARDS[board], backend, extra, strict, clean)
+
+
+def expect_sketch(path: str | Path) -> Path:
+    """Where it is: its folder, or its file. Raises BuildFailed unless it is one."""
+    source = Path(path).resolve()
+    if not source.exists():
+        # The name of an example will do.
+        source = every_folder().get(str(path)) or source
+    if source.is_dir() and not any(f.suffix in (".ino", ".cpp") for f in source.iterdir()):
+        raise no_sketch_at(source)  # before a folder is read whole, however much is in it
+    own_folder(source) or units_of(source)
+    return source
+
+
+def can_build() -> bool:
+    try:
+        return bool(choose_backend())
+    except BuildFailed:
+        return False
 
 
 def choose_backend() -> str:
@@ -290,17 +304,31 @@ def library_objects(board: Board, backend: str, extra: Sequence[str]) -> Library
     return LibraryObjects(BUILD / "objects", settings, library_sources())
 
 
-def sketch_folder(source: Path, folder: Path) -> Path:
-    """The folder to hand to Arduino: the sketch's own, or one made around .cpp files."""
+def own_folder(source: Path) -> Path | None:
+    """Of a sketch as Arduino has them."""
     if source.is_dir() and (source / f"{source.name}.ino").is_file():
         return source
     if source.suffix == ".ino" and source.is_file():
         if source.stem != source.parent.name:
             raise BuildFailed(f"Arduino wants a sketch in a folder of its own name: {source.stem}/{source.name}")
         return source.parent
+    return None
+
+
+def units_of(source: Path) -> list[Path]:
+    """The .cpp files that are a sketch."""
     units = sorted(source.glob("*.cpp")) if source.is_dir() else [source]
     if not units or not all(u.is_file() and u.suffix == ".cpp" for u in units):
         raise no_sketch_at(source)
+    return units
+
+
+def sketch_folder(source: Path, folder: Path) -> Path:
+    """The folder to hand to Arduino: the sketch's own, or one made around .cpp files."""
+    own = own_folder(source)
+    if own:
+        return own
+    units = units_of(source)
     made = folder / source.stem
     shutil.rmtree(made, ignore_errors=True)
     made.mkdir()

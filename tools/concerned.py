@@ -114,4 +114,7 @@ def tests_of_all(names: list[str]) -> list[str]:
 
 
 if __name__ == "__main__":
-    print("\n".join(tests_of_all(changed(*(sys.argv[1:] or ["HEAD"])))))
+    try:
+        print("\n".join(tests_of_all(changed(*(sys.argv[1:] or ["HEAD"])))))
+    except subprocess.CalledProcessError:
+        sys.exit("tools/test: --changed takes a commit, such as main; git knows no such one")

@@ -15,10 +15,14 @@ from building import BuildFailed, Built, choose_backend
 BOOT_LOADER_APPEARS_S = 8.0
 
 
-def upload(built: Built, port: str) -> None:
-    """Flash `built` through `port` ("/dev/ttyACM0"). Raises BuildFailed."""
+def expect_port(port: str) -> None:
     if not Path(port).exists():
         raise BuildFailed(f"no port {port}: plug the board in, and see `ls /dev/ttyACM* /dev/ttyUSB*` for its name")
+
+
+def upload(built: Built, port: str) -> None:
+    """Flash `built` through `port` ("/dev/ttyACM0"). Raises BuildFailed."""
+    expect_port(port)
     if choose_backend() == "arduino-cli":
         upload_by_cli(built, port)
     else:

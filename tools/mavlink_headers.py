@@ -21,23 +21,17 @@ class GenerationFailed(Exception):
     """mavgen did not run; the text says why."""
 
 
-def interpreter() -> str:
-    """A Python that has the pinned pymavlink."""
-    own = ROOT / "build" / "venv" / "bin" / "python"
-    if own.exists():
-        return str(own)
-    try:
-        import pymavlink  # noqa: F401
-    except ImportError:
-        raise GenerationFailed("pymavlink is not installed: run tools/setup") from None
-    return sys.executable
+def message_names() -> set[str]:
+    """Of the messages in the definitions."""
+    return {name for file in DEFINITIONS.glob("*.xml")
+            for name in re.findall(r'<message id="\d+" name="(\w+)"', file.read_text())}  # fmt: skip
 
 
 def generate(into: Path, wire_protocol: str = "2.0") -> None:
     """Write the common dialect and those it includes into the folder `into`."""
     into.mkdir(parents=True, exist_ok=True)
     command = [
-        interpreter(), "-m", "pymavlink.tools.mavgen", "--lang", "C", "--wire-protocol", wire_protocol,
+        sys.executable, "-m", "pymavlink.tools.mavgen", "--lang", "C", "--wire-protocol", wire_protocol,
         "--output", str(into), str(DEFINITIONS / "common.xml"),
     ]  # fmt: skip
     ran = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)

@@ -58,6 +58,12 @@ def percent(text: str) -> float:
     return value
 
 
+def count(text: str) -> int:
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 1 on")
+    return int(text)
+
+
 def port_number(text: str) -> int:
     """Of a server at the loopback address."""
     if not text.isdecimal() or int(text) > LAST_PORT:

@@ -17,7 +17,7 @@ import tty
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
-from simulation.forms_of_ends import FORMS
+from simulation.forms_of_ends import BadEnd, parts_of
 
 from .words import Words
 
@@ -25,10 +25,6 @@ if TYPE_CHECKING:
     from serial import Serial
 
 RETRY_S = 0.5  # between two tries to reach a peer that is away
-
-
-class BadEnd(Exception):
-    """No such thing to connect to; the text says what can be."""
 
 
 class End(Protocol):
@@ -357,25 +353,13 @@ def open_end(
 
 
 def _open_end(form: str, clock: Callable[[], float], say: Callable[[str], None]) -> End:
-    kind, _, rest = form.partition(":")
-    if form == "none":
+    kind, where, figure = parts_of(form)
+    if kind == "none":
         return Nothing()
-    if form == "pty":
+    if kind == "pty":
         return Pty()
-    if form.startswith("/"):
-        path, _, baud = form.partition("@")
-        return Device(path, number(form, baud or "57600"), clock, say)
+    if kind == "device":
+        return Device(where, figure, clock, say)
     if kind in ("tcp-listen", "udp-listen"):
-        port = number(form, rest, 65535)
-        return TcpServer(port, clock, say) if kind == "tcp-listen" else Udp(None, port, say)
-    if kind in ("tcp", "udp") and ":" in rest:
-        host, _, port_text = rest.rpartition(":")
-        port = number(form, port_text, 65535)
-        return TcpClient(host, port, clock, say) if kind == "tcp" else Udp((host, port), say=say)
-    raise BadEnd(f"{form!r} is nothing to connect to; it must be one of\n{FORMS}")
-
-
-def number(form: str, text: str, most: int = 4_000_000) -> int:
-    if not text.isascii() or not text.isdigit() or not 0 < int(text) <= most:
-        raise BadEnd(f"{text!r} in {form!r} is not a number from 1 to {most}")
-    return int(text)
+        return TcpServer(figure, clock, say) if kind == "tcp-listen" else Udp(None, figure, say)
+    return TcpClient(where, figure, clock, say) if kind == "tcp" else Udp((where, figure), say=say)

@@ -13,9 +13,9 @@ from pymavlink import mavutil
 from rich.console import Console
 
 from building import ROOT, build_sketch
-from demonstration import Demonstration, NoDemonstration, Settings
 from demonstration import demonstration as inside
 from demonstration.conversation import Conversation
+from demonstration.demonstration import Demonstration, NoDemonstration, Settings
 from demonstration.plan_in_firmware import NotOnePlan, plan_in
 from demonstration.screen import PlainScreen, TerminalScreen
 from demonstration.wire_form import on_the_wire

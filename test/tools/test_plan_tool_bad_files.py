@@ -119,8 +119,9 @@ def test_full_disk_leaves_what_was_there(tmp_path, name, before):
     file = tmp_path / name
     if before:
         file.write_text(before)
-    environ = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # or it would write half of a compiled module
-    ran = run("convert", WAYPOINTS, file, preexec_fn=no_room, env=environ)
+    # What Python would compile, and keep cut off, is not kept.
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
+    ran = run("convert", WAYPOINTS, file, preexec_fn=no_room, env=environment)
     refused(ran, f"{file}: cannot be written: File too large")
     assert [found.name for found in tmp_path.iterdir()] == ([name] if before else [])
     assert not before or file.read_text() == before

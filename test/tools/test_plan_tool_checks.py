@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from building import ROOT
-from demonstration import Settings
+from demonstration.demonstration import Settings
 from demonstration.screen import PlainScreen
 from planned import FARM, at, plan_of
 from planning import Item, judge, waypoints

@@ -23,13 +23,6 @@ from refreshing.fetched import (
     wheel_of,
 )
 
-# What tools/setup gives each tool.
-TOOLS = {
-    "build": {"build"}, "plan": {"plan", "pictures"}, "demo": {"demo", "pictures"}, "simulate": {"demo"},
-    "measure": {"demo"}, "refresh": {"demo"}, "playground": {"playground", "browser"},
-    "release": {"release"}, "site": {"site"}, "mutate": {"test"}, "test": {"--all"},
-}  # fmt: skip
-
 
 def run_setup(*arguments: str) -> subprocess.CompletedProcess:
     command = [SETUP, *arguments]
@@ -105,13 +98,6 @@ def test_groups_include_one_another():
     assert brings("playground") < brings("site")
     assert {name for group in GROUPS for name in brings(group)} == brings("test") == brings("--all")
     assert asked("build").requirements == []
-
-
-@pytest.mark.parametrize("tool", sorted(TOOLS))
-def test_tool_asks_for_its_groups(tool):
-    text = (ROOT / "tools" / tool).read_text()
-    calls = re.findall(r"(?:prepare|install)\((.*)\)|^tools/setup (.*)", text, re.M)
-    assert {word for call in calls for word in re.findall(r"[\w-]+", "".join(call))} & {*GROUPS, "--all"} == TOOLS[tool]
 
 
 def test_help_and_documents_name_each_group_and_its_size():

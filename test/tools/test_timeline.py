@@ -15,8 +15,10 @@ from pathlib import Path
 import pytest
 
 from building import ROOT
-from demonstration import BadName, Demonstration, NamedFrame, NoDemonstration, Settings
 from demonstration import demonstration as inside
+from demonstration.demonstration import Demonstration, NoDemonstration, Settings
+from demonstration.frame_names import BadName
+from demonstration.named_frames import NamedFrame
 from demonstration.picture import with_room
 from demonstration.screen import PlainScreen
 from demonstration.timeline import Mark

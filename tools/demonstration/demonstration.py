@@ -13,8 +13,6 @@ from pathlib import Path
 
 from _command import explained
 from building import BuildFailed, build_sketch
-from examples import example_folders
-from near import did_you_mean
 from planning import judge
 from simulation.enumerators import texts_of
 from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
@@ -24,6 +22,7 @@ from simulation.mega import library as mega_library
 from simulation.mega.realtime import RealTime
 from simulation.wire import Entry
 
+from .asked import NoDemonstration, sketch
 from .autopilots import HELD, KINDS, NAMES, an_autopilot, one_to_fly
 from .conversation import Conversation
 from .line import Line as SerialLine
@@ -50,10 +49,6 @@ FLIGHT_LIMIT_S = 300.0
 LANDED_S = 15.0  # how long a flight goes on behind a landing: another leg may follow
 MOVED_M = NEAR_HOME_M = 1.0
 MOST_PLACES = 12  # that are listed; one that follows a target is told a place five times a second
-
-
-class NoDemonstration(Exception):
-    """It cannot be shown; the text says why and what to do."""
 
 
 @dataclass(frozen=True)
@@ -168,9 +163,6 @@ class Demonstration:
     # -- before ---------------------------------------------------------------------------
 
     def _introduce(self) -> None:
-        picture = self.settings.timeline
-        if picture is not None and not picture.parent.is_dir():
-            raise NoDemonstration(f"cannot write {picture}: there is no folder {picture.parent}")
         name = Path(self.settings.example).stem
         self._screen.say(
             f"{name} on a simulated Mega, Serial1 to a simulated {NAMES[self.settings.autopilot]}{self._losses()}"
@@ -418,16 +410,6 @@ def of_kinds(kinds: list[int], talk: Conversation) -> str:
 
 def description(example: str) -> dict:
     return tomllib.loads(DESCRIPTIONS.read_text()).get(Path(example).stem, {})
-
-
-def sketch(example: str) -> Path:
-    """The folder of an example by its name, or any sketch by its path."""
-    named = example_folders()
-    if example in named:
-        return named[example]
-    if Path(example).exists():
-        return Path(example)
-    raise NoDemonstration(f"there is no example {example}{did_you_mean(example, sorted(named))}")
 
 
 def compared(meant: list[Item], aboard: list[Item]) -> list[Row]:

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import fnmatch
-
 from simulation.fake_autopilot import mavlink
 from simulation.wire import Wire
 
-
-class BadName(ValueError):
-    """No frame is called so; the text says what is."""
+from .frame_names import frame_of
 
 
 class NamedFrame:
@@ -18,15 +14,7 @@ class NamedFrame:
     def __init__(self, text: str) -> None:
         """text: NAME:N, or NAME for the first. Raises BadName."""
         self.text = text
-        name, colon, number = text.partition(":")
-        if colon and not (number.isdigit() and int(number) > 0):
-            raise BadName(f"{text}: the number behind the colon is 1 for the first such frame, 2 for the second")
-        self.name = name
-        self.number = int(number) if colon else 1
-        known = sorted(kind.msgname for kind in mavlink.mavlink_map.values())
-        if not fnmatch.filter(known, name):
-            near = [other for other in known if other.startswith("MISSION_")]
-            raise BadName(f"{text}: MAVLink has no message {name}; those of a mission are {', '.join(near)}")
+        self.name, self.number = frame_of(text, (kind.msgname for kind in mavlink.mavlink_map.values()))
         self._seen = 0
 
     @property

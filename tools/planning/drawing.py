@@ -27,7 +27,6 @@ from .flight import EARTH_RADIUS, Flight, Leg, Speeds, distance_from_home, fly, 
 from .plan import Plan
 from .table import length_text
 
-SUFFIXES = (".svg", ".png")
 PATH, INSIDE, OUTSIDE, RALLY, HOME = "#1f5fa8", "#2e8b57", "#c0392b", "#8e44ad", "#222222"
 GROUND = "#7d5a3c"
 START, END = "#27ae60", "#d35400"
@@ -46,8 +45,6 @@ COMPASS = ("north", "north-east", "east", "south-east", "south", "south-west", "
 def draw(plan: Plan, file: Path, speeds: Speeds) -> None:
     """Writes the drawing: equal for equal plans. Raises BadPlan."""
     suffix = file.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise BadPlan(file, None, f"a drawing is written as {' or '.join(SUFFIXES)}")
     if not places_of(plan) and (plan.home is None or not plan.home.is_somewhere):
         raise BadPlan(plan.file, None, "it has no places: there is nothing to draw")
     flight = fly(plan, speeds)

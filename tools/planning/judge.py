@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+import shutil
 import struct
 import subprocess
 from collections.abc import Sequence
@@ -193,12 +194,18 @@ def statuses() -> tuple[str, ...]:
     return tuple(texts_of("Status.h", "MAVMISSION_STATUSES"))
 
 
+class NotInstalled(Exception):
+    """There is no compiler yet: a plan is read as far as it can be without the library's knowledge of commands."""
+
+
 @functools.cache
 def program() -> Path:
     """The judge, compiled from the library's sources as they are now."""
     from simulation.firmware import library_file
     from simulation.host_build import FAST, HostProgramNotBuilt, build_host
 
+    if shutil.which("g++") is None:
+        raise NotInstalled
     library = [library_file(f"{part}.cpp") for part in PARTS]
     try:
         return build_host("plan_judge", [SOURCE], "g++", FAST, library=library)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 from collections.abc import Callable
 from pathlib import Path
 
 from . import judge
 from .bad_plan import BadPlan, shown
-from .files import expect_another, read_plan, text_of, write_plan, write_text
+from .files import DRAWN, expect_another, expect_place, read_plan, text_of, writable_suffix, write_plan, write_text
 from .flight import Speeds, speed_of
 from .header import header_of
 from .listing import read_listing
@@ -17,8 +18,29 @@ from .plan import Plan
 Tell = Callable[[list[str], Path], None]
 
 
+def look_at(args: argparse.Namespace) -> None:
+    """Looks at what is to be written, and reads what is there, as far as can be before anything is installed. Raises
+    BadPlan."""
+    if "output" in args and args.output is not None:
+        expect_another(args.output, args.file)
+        if args.order == "draw" and args.output.suffix.lower() not in (".kml", *DRAWN):
+            raise BadPlan(args.output, None, f"a drawing is written as {' or '.join(DRAWN)}")
+        if args.order in ("convert", "from-download"):
+            writable_suffix(args.output)
+        expect_place(args.output)
+    args.plan = None
+    with contextlib.suppress(judge.NotInstalled):
+        args.plan = read(args)
+
+
+def read(args: argparse.Namespace) -> Plan:
+    if args.order == "from-download":
+        return read_listing(args.file, text_of(args.file))
+    return read_plan(args.file, args.unset_as_zero, args.renumber)
+
+
 def loaded(args: argparse.Namespace, tell: Tell) -> Plan:
-    plan = read_plan(args.file, args.unset_as_zero, args.renumber)
+    plan = args.plan or read(args)
     tell(plan.notes, args.file)
     return plan
 
@@ -95,7 +117,6 @@ def show(args: argparse.Namespace, tell: Tell) -> int:
 
 
 def draw(args: argparse.Namespace, tell: Tell) -> int:
-    expect_another(args.output, args.file)
     plan = loaded(args, tell)
     if args.output.suffix.lower() == ".kml":
         tell(write_plan(plan, args.output), args.output)
@@ -111,7 +132,6 @@ def to_header(args: argparse.Namespace, tell: Tell) -> int:
     if args.output is None:
         print(text, end="")
     else:
-        expect_another(args.output, args.file)
         write_text(args.output, text)
     return 0
 
@@ -124,7 +144,6 @@ def to_sketch(args: argparse.Namespace, tell: Tell) -> int:
 
 
 def convert(args: argparse.Namespace, tell: Tell) -> int:
-    expect_another(args.output, args.file)
     plan = checked(args, tell)
     tell(write_plan(plan, args.output, part_of(args, plan)), args.output)
     return 0
@@ -136,9 +155,7 @@ def part_of(args: argparse.Namespace, plan: Plan) -> str:
 
 
 def from_download(args: argparse.Namespace, tell: Tell) -> int:
-    expect_another(args.output, args.file)
-    plan = read_listing(args.file, text_of(args.file))
-    tell(plan.notes, args.file)
+    plan = loaded(args, tell)
     if not plan.kinds:
         raise BadPlan(args.file, None, "the listing has no items: the autopilot held no plan")
     tell(write_plan(plan, args.output, part_of(args, plan)), args.output)

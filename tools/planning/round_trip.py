@@ -13,7 +13,7 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
-from demonstration import Demonstration, Settings, Verdict
+from demonstration.demonstration import Demonstration, Settings, Verdict
 
 from . import commands, judge
 from .exact import decimal_text

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PIL import Image
-
 from building import ROOT
 
 from .browser import Browser, NoBrowser
@@ -47,6 +45,8 @@ WIDTH, HEIGHT = 1600, 1060
 
 def picture(folder: Path, file: Path) -> None:
     """The page while it flies docs/farm.plan, as a PNG. Raises NoBrowser."""
+    from PIL import Image  # what tools/setup playground does not bring, as the rest of this file does without it
+
     server = Server(folder)
     try:
         with Browser(WIDTH, HEIGHT) as browser:

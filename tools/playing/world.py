@@ -18,7 +18,7 @@ INSIDE = Path(__file__).resolve().parent / "inside"
 NO_DATE = (1980, 1, 1, 0, 0, 0)  # the same files make the same archive
 
 SIMULATION = ("__init__", "wire")
-DEMONSTRATION = ("autopilots", "conversation", "line", "named_frames", "timeline", "words")
+DEMONSTRATION = ("__init__", "autopilots", "conversation", "frame_names", "line", "named_frames", "timeline", "words")
 PLANNING = (
     "__init__", "bad_plan", "commands", "exact", "files", "flight", "header", "json_text", "kml_path",
     "landing_pattern", "litchi", "located_json", "makers", "plan", "progress", "qgc_mission", "qgc_plan",
@@ -40,7 +40,6 @@ def contents() -> dict[str, bytes]:
     found["simulation/recordings/__init__.py"] = (simulation / "recordings" / "__init__.py").read_bytes()
     for recording in RECORDINGS:
         found[f"simulation/recordings/{recording}"] = (simulation / "recordings" / recording).read_bytes()
-    found["demonstration/__init__.py"] = b""  # tools/demonstration's would import what builds and draws
     for name in DEMONSTRATION:
         found[f"demonstration/{name}.py"] = (ROOT / "tools" / "demonstration" / f"{name}.py").read_bytes()
     for name in PLANNING:

@@ -31,6 +31,10 @@ class Maker:
         self.name, self.comment = name, comment
         split = [argument.split("=")[0].split() for argument in re.split(r",\s*", arguments) if argument.strip()]
         self.arguments = [(words[-1], words[-2]) for words in split]
+        self.command, self.fields = 0, {}
+        if "anyCommand" not in body:
+            self.by = body  # another function makes it
+            return
         # The call that makes the item, without the constructors within it.
         call = re.search(r"(anyCommand(?:At)?)\((.*)\)", re.sub(r"\s+", " ", body))
         assert call, name
@@ -40,7 +44,6 @@ class Maker:
         names = [0, 1, 2, 3, 4] if call[1] == "anyCommand" else [0, 5, 6, 7, 1, 2, 3, 4]
         if "Frame::" in flat:
             given = [part for part in given if "Frame::" not in part]
-        self.fields = {}
         for place, text in zip(names[1:], given[1:], strict=False):
             for argument, _ in self.arguments:
                 if re.search(rf"\b{argument}\b", text):
@@ -68,6 +71,14 @@ def makers() -> list[tuple[str, list[Maker]]]:
             if name == "jump":
                 body = "anyCommand(kDoJump, target, repeats)"
             made.append(Maker(name, arguments, body, comment, numbers))
+        for maker in (maker for maker in made if not maker.command):
+            name, given = re.match(r"(\w+)\((.*)\)", re.sub(r"\s+", " ", maker.by)).groups()
+            other = next(one for one in made if one.name == name and one.command)
+            maker.command = other.command
+            words = re.sub(r"\(.*?\)", "", given).split(", ")
+            own = [argument for argument, _ in maker.arguments]
+            maker.fields = {word: other.fields[argument] for word, (argument, _) in
+                            zip(words, other.arguments, strict=False) if word in own}  # fmt: skip
         found.append((title, made))
     return found
 

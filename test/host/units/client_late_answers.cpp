@@ -156,7 +156,8 @@ TEST_CASE("aboard() is about the plan that was given last, from its first messag
     then = Aboard::AsBefore;
   }
   SUBCASE("a plan of another type") {
-    desk.client.uploadWithoutReadback(inRam(kOther), PlanType::Rally);
+    static const MissionItem kRally[] = {rallyPoint(1_deg, 1_deg, 20_m)};
+    desk.client.uploadWithoutReadback(inRam(kRally), PlanType::Rally);
     first = ClientOnLine::kCount;
     then = Aboard::OurPlan;
   }

@@ -137,7 +137,7 @@ TEST_CASE("a heartbeat with a pilot's mode ends the velocities, at once and for 
 }
 
 TEST_CASE("one stream at a time: a place that is followed ends the velocity without a gap, and a velocity ends it") {
-  Flight flight;
+  Flown flight;
   MovingTarget place(flight.steering);
   flight.begin(BodyVelocity(2_mps));
   const LatLon here = {1_deg, 1_deg};

@@ -379,14 +379,6 @@ TEST_CASE("the height of a fence is nothing that ArduPilot looks at") {
   CHECK((Plan({circle}, Firmware::ArduPilot, false, PlanType::Fence).last() == Status::Accepted));
 }
 
-TEST_CASE("a rally point at the origin is refused for ArduPilot, which would take it and never give it back") {
-  const MissionItem nowhere = rallyPoint(0_deg, 0_deg, 20_m);
-  CHECK((Plan({nowhere}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::NeedsCoordinates));
-  CHECK((Plan({nowhere}, Firmware::Px4, false, PlanType::Rally).last() == Status::Accepted));
-  CHECK(
-      (Plan({rallyPoint(0_deg, 1_deg, 20_m)}, Firmware::ArduPilot, false, PlanType::Rally).last() == Status::Accepted));
-}
-
 TEST_CASE("rally points and fences without a place are refused") {
   MissionItem point = rallyPoint(1_deg, 1_deg, 20_m), corner = fenceInsideCircle(1_deg, 1_deg, 20_m);
   point.frame = corner.frame = Frame::Mission;
@@ -457,12 +449,54 @@ TEST_CASE("an item from the wire is the one that a sketch would have written") {
   }
 }
 
-TEST_CASE("a place in a mission may have the frame of none, but on PX4") {
-  MissionItem item = kHere;
-  item.frame = Frame::Mission;
-  CHECK((check(item, Firmware::ArduPilot) == Status::Accepted));
-  CHECK((check(item, Firmware::Other) == Status::Accepted));
-  CHECK((check(item, Firmware::Px4) == Status::NeedsCoordinates));
+TEST_CASE("an item whose altitude is flown is refused in the frame that says of no altitude what it is measured from") {
+  for (uint16_t command : {16, 17, 18, 19, 21, 22, 30, 31, 36, 82, 84, 85, 94, 113, 179, 195, 201}) {
+    for (Firmware firmware : kAll) {
+      CAPTURE(command);
+      const MissionItem item = anyCommand(command, 0, 0, 0, 0, 0, 0, 20);
+      const Status found = check(item, firmware);
+      if (firmware == Firmware::Px4) {
+        const bool isNoPlace = command == 179 || command == 201;  // on PX4, in that frame
+        CHECK((found == (isNoPlace ? Status::Accepted : found == Status::NotFlown ? found : Status::NeedsCoordinates)));
+      } else {
+        CHECK((found == (command == 113 ? Status::NotFlown : Status::BadFrame)));
+      }
+    }
+  }
+  for (uint16_t command : {92, 188, 189, 191}) {  // of which it is not flown
+    CHECK((check(anyCommand(command, 0, 0, 0, 0, 10, 20, 20), Firmware::ArduPilot) == Status::Accepted));
+  }
+}
+
+TEST_CASE("a jump to a tag leads to a tag of the plan, before it or behind it, and its item stays as it is") {
+  const MissionItem toTag8 = anyCommand(601, 8, 2), tag7 = anyCommand(600, 7), tag8 = anyCommand(600, 8);
+  const struct {
+    std::vector<MissionItem> items;
+    Status status;
+  } kPlans[] = {
+      {{kHere, tag8, toTag8}, Status::Accepted},
+      {{kHere, toTag8, tag7, tag8}, Status::Accepted},
+      {{kHere, tag7, toTag8}, Status::BadJump},
+      {{kHere, toTag8, anyCommand(177, 0, 8), anyCommand(112, 8)}, Status::BadJump},
+      {{kHere, toTag8}, Status::BadJump},
+  };
+  for (const auto& given : kPlans) {
+    for (Firmware firmware : {Firmware::ArduPilot, Firmware::Other}) {
+      Plan plan(given.items, firmware);
+      for (uint16_t i = 0; i < given.items.size(); ++i) {
+        if (given.items[i].command != 601) continue;
+        MissionItem item, followed;
+        Status status = Status::Checking;
+        for (int calls = 0; status == Status::Checking && calls < 10; ++calls) {
+          REQUIRE((plan.read(plan.wire.numbers().toWire(i), item) == Status::Accepted));
+          CHECK(item.param1 == 8.f);
+          followed = item;
+          status = plan.wire.follow(followed);
+        }
+        CHECK((status == given.status));
+      }
+    }
+  }
 }
 
 TEST_CASE("a place on the equator or on the prime meridian is one to take") {
@@ -517,11 +551,16 @@ TEST_CASE("home is no item to jump to, where the sketch's own numbers count it")
   CHECK((check(anyCommand(kDoJump, 0, 3), Firmware::Px4, true) == Status::Accepted));
 }
 
-TEST_CASE("each frame of a place above sea level or above home is taken by both") {
+TEST_CASE("each frame of a place above sea level or above home is taken by both, and leaves by its newer number") {
   for (const Frame frame : {Frame::Global, Frame::GlobalRelative, Frame::GlobalInt, Frame::GlobalRelativeInt}) {
     MissionItem item = kHere;
     item.frame = frame;
-    for (const Firmware firmware : kAll) CHECK((check(item, firmware) == Status::Accepted));
+    for (const Firmware firmware : kAll) {
+      Plan plan({item}, firmware, true);
+      MissionItem sent;
+      CHECK((plan.read(0, sent) == Status::Accepted));
+      CHECK((sent.frame == modern(frame)));
+    }
   }
 }
 
