@@ -742,7 +742,7 @@ class ArduPilot(FakeAutopilot):
             return self._mission_current()
         if identity == GLOBAL_POSITION_INT:
             return mavlink.MAVLink_global_position_int_message(
-                boot_ms, lat, lon, altitude_mm, round(height * 1000), 0, 0, 0, 0)
+                boot_ms, lat, lon, altitude_mm, round(height * 1000), *self.flight.velocity(now), 0)
         if identity == mavlink.MAVLINK_MSG_ID_HOME_POSITION and self.home:
             return mavlink.MAVLink_home_position_message(
                 self.home[0], self.home[1], round(self.home[2] * 1000), 0, 0, 0,

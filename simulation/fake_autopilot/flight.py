@@ -126,6 +126,15 @@ class Flight:
         share = (now - self._began_at) / length
         return self._from.towards(self._to, share if self._is_steady else share * share * (3 - 2 * share))
 
+    def velocity(self, now: float) -> tuple[int, int, int]:
+        """To the north, to the east, down [cm/s], as in GLOBAL_POSITION_INT."""
+        one, other, s = self.where(now - 0.05), self.where(now), 0.05
+        north, east = (other.lat_e7 - one.lat_e7) * METRES_PER_E7, (other.lon_e7 - one.lon_e7) * METRES_PER_E7
+        east *= math.cos(math.radians(other.lat_e7 * 1e-7))
+        north, east, down = (max(-32768, min(32767, round(100 * metres / s)))
+                             for metres in (north, east, one.height - other.height))  # fmt: skip
+        return int(north), int(east), down
+
     def airborne(self, now: float) -> bool:
         return self.where(now).height > 0.1
 

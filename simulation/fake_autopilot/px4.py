@@ -770,7 +770,7 @@ class Px4(FakeAutopilot):
         if identity == GLOBAL_POSITION_INT:
             return mavlink.MAVLink_global_position_int_message(
                 boot_ms, lat, lon, round((self.home[2] + height) * 1000), round(height * 1000),
-                0, 0, 0, 0)
+                *self.flight.velocity(now), 0)
         if identity == EXTENDED_SYS_STATE:
             takes_off = (self.main_mode, self.sub_mode) == (AUTO, SUB_TAKEOFF)
             return mavlink.MAVLink_extended_sys_state_message(0, self.flight.landed_state(now, takes_off))

@@ -49,7 +49,7 @@ enum class SteerStep : uint8_t { None, AskLanded, AskHome, AskPosition, Mode, Ar
 // (MissionClient::takenBy() tells.)
 //
 // The mode that the sketch has set is forgotten when the aircraft is disarmed, and when the autopilot was not heard for
-// 5 s: call requestControl() then, if a person wants it so.
+// 20 s: call requestControl() then, if a person wants it so.
 //
 // After a reset in flight nothing happens by itself: until this object has seen the aircraft disarmed, its functions
 // end with Status::Armed, unless MissionClient::allowWhileArmed(true) allows them. Then they act only in the mission
@@ -86,8 +86,9 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status returnHome();
   Status landNow();
 
-  // Sets the ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED; in a plan it is changeSpeed()). ArduCopter goes back to its default
-  // speed at the first place after a takeoff: with ArduCopter set it after that goTo().
+  // Sets the ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED; in a plan it is changeSpeed()).
+  // ArduCopter goes back to its default speed at the first place after a takeoff: with ArduCopter set it after that
+  // goTo().
   Status setSpeed(MetresPerSecond speed);
 
   // True when the aircraft is at the place of the last goTo(), or at the height of takeOff(), within this distance

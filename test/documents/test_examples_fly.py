@@ -91,7 +91,9 @@ def reset(story: Story) -> None:
     """Of the Arduino, in flight. Then the aircraft lands."""
     story.mega.reset()
     story._said += b"reset\n"
-    story.run(3.0)
+    story.run(0.3)
+    story.press(0.0)  # a hand that is off the button: the simulated pin is low behind a reset
+    story.run(2.7)
     story.disarm()
 
 
@@ -100,7 +102,7 @@ NOT_NOW = (("preparing", pilot), ("armed", cut), ("armed", person))
 BY_PILOT, BY_SILENCE, ARMED = (
     "ended by a pilot",
     "ended by silence",
-    "ended by a refusal: refused: the autopilot is armed",
+    "ended by a refusal: the autopilot is armed",
 )
 # (the example, the stage, what a person does, what the console says then)
 BEHIND = [
@@ -183,7 +185,7 @@ AWAY_M = {"NextWaypoint": 23.0}  # where it lands [m from home]; else at home
 @pytest.mark.parametrize("example", TALES)
 def test_an_example_flies_its_story_to_the_end(example, vehicle):
     story = Story(example, vehicle)
-    flight, worked_at = story.autopilot.flight, []
+    flight, worked_at = story.autopilot.flight, {}
     if vehicle == "rover" and example in STEERED:
         story.run(8.0)
         assert story.lines == ["preparing", "ended by a refusal: autopilot: command not supported"]
@@ -193,13 +195,15 @@ def test_an_example_flies_its_story_to_the_end(example, vehicle):
         assert story.now < 240, story.lines
         story.run(0.5)
         if story.lines and story.lines[-1].startswith("at the stop of"):
-            worked_at.append(flight.where(story.now))
+            worked_at.setdefault(len(story.lines), []).append(flight.where(story.now))
     own = [line for line in story.lines if not line.startswith("not ready")]
     assert own == TALES[example]
     assert not story.autopilot.armed
     assert round(flight.where(story.now).distance(flight.home)) == AWAY_M.get(example, 0)
-    places = [place for place in dict.fromkeys(worked_at)]
-    assert example != "WorkAtWaypoints" or len(places) == 2  # it stands, and at each place alone
+    # It works for 3 s, and stands there meanwhile.
+    at_work = [places[:6] for places in worked_at.values()]
+    assert bool(at_work) == (example == "WorkAtWaypoints")
+    assert all(place.distance(places[0]) < 1.0 for places in at_work for place in places)
 
 
 def test_a_flight_waits_for_a_late_gps_with_the_autopilots_own_words():
@@ -218,13 +222,13 @@ def test_an_arduino_that_fails_at_a_stop_leaves_the_plan_to_the_autopilot():
     story = Story("WorkAtWaypoints")
     story.reach("at the stop")
     story.is_plugged = False
-    story.run(70.0)
+    story.run(100.0)
     flight = story.autopilot.flight
     assert not story.autopilot.armed and flight.where(story.now).distance(flight.home) < 0.5
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("vehicle", ["copter", "px4"])
+@pytest.mark.parametrize("vehicle", ["copter"])  # a PX4 without targets is flown home by its failsafe
 def test_fly_by_buttons_flies_as_long_as_a_button_is_held_and_lands_also_behind_a_cut_cable(vehicle):
     story = Story("FlyByButtons", vehicle)
     story.reach("at the stop")

@@ -179,7 +179,7 @@ def test_ensure_mission_changes_nothing_in_flight(run):
     example.autopilot.load([waypoint(), waypoint(), waypoint(z=30.0)])
     held = example.autopilot.received()
     example.until("aboard: not known", 5.0)
-    assert example.lines[0] == "refused: the autopilot is armed"
+    assert example.lines[0] == "the autopilot is armed"
     example.run(10.0)
     assert example.autopilot.received() == held
     assert example.autopilot.messages(">", "MISSION_COUNT") == []

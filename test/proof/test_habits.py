@@ -119,7 +119,6 @@ def test_c_and_cpp_are_as_clang_format_writes_them():
 # What nothing in the library names, and why it is there all the same.
 FOR_OTHERS = {
     "AutopilotFinder::onHeartbeat": "the host's tests have whole heartbeats",
-    "MissionClient::kMaxItems": "tells a sketch how long a plan may be",
     "Sha256::kDigest": "says how long a digest is; the host's program has room for one by it",
     "Sha256::kLongest": "says what the length that is kept allows",
     "Signing::time": "the host's program tells it, for the tests to compare",

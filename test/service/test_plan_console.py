@@ -300,12 +300,12 @@ def test_start_that_is_refused_says_that_the_aircraft_is_disarmed_again():
 @pytest.mark.slow
 def test_start_flies_what_is_aboard(console):
     assert console.answer("start", "aboard: not known", limit_s=8.0)[0].startswith(
-        "refused: the plan aboard may not be ours"
+        "the plan aboard may not be ours"
     )
     console.load(*SURVEY[:2], SURVEY[3].replace("4", "3", 1))
     console.answer("upload", "aboard: our plan, whole")
     console.answer("start", "done: the autopilot confirmed it", limit_s=60.0)
     assert console.autopilot.armed
     console.run(1.5)  # until its next heartbeat says so
-    assert console.answer("upload", "refused: the autopilot is armed")[-1] == "refused: the autopilot is armed"
+    assert console.answer("upload", "the autopilot is armed")[-1] == "the autopilot is armed"
     assert console.autopilot.armed

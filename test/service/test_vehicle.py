@@ -176,8 +176,8 @@ GPS, RECEIVER = 0x20, 0x10000
     [
         (PREARM, PREARM, PREARM, {}, ("AllWell", FIT)),
         (PREARM, PREARM, 0, {}, ("NotReady", NOT_YET)),
-        (0, 0, 0, {"autopilot": mavlink.MAV_AUTOPILOT_GENERIC}, ("NotTold", UNKNOWN)),
-        (PREARM, PREARM, PREARM, {"autopilot": mavlink.MAV_AUTOPILOT_GENERIC}, ("AllWell", FIT)),
+        (0, 0, 0, {"autopilot": mavlink.MAV_AUTOPILOT_GENERIC_MISSION_FULL}, ("NotTold", UNKNOWN)),
+        (PREARM, PREARM, PREARM, {"autopilot": mavlink.MAV_AUTOPILOT_GENERIC_MISSION_FULL}, ("AllWell", FIT)),
         (0, 0, 0, {"autopilot": PX4}, ("NotReady", NOT_YET)),
         (0, RECEIVER, PREARM, {"autopilot": PX4}, ("AllWell", FIT)),
         (PREARM, PREARM, 0, {"armed": True}, ("AllWell", FIT)),

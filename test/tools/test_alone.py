@@ -71,7 +71,7 @@ WRONG = [
     ("mutate --show Nonsense-12", "Nonsense"),
     ("mutate --jobs 0", "'0' is not a number from 1 on"),
     ("plan check {here}/none.plan", "none.plan: cannot be read"),
-    ("plan check {farm}.pdf", "is not a known kind of file"),
+    ("plan check {farm}.pdf", "cannot be read"),
     ("plan show {broken}", "broken.plan"),
     ("plan draw {farm} -o {here}/x.pdf", "a drawing is written as .svg or .png"),
     ("plan convert {farm} {here}/no/x.plan", "cannot be written"),

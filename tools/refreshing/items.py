@@ -55,13 +55,20 @@ class Maker:
         return f"`{self.name}({', '.join(shown)})`"
 
 
+def found(pattern: str, text: str, flags: re.RegexFlag = re.S) -> str:
+    """What the pattern's group is in the text."""
+    match = re.search(pattern, text, flags)
+    assert match, pattern
+    return match[1]
+
+
 def makers() -> list[tuple[str, list[Maker]]]:
     """By part of the header: a mission's, a fence's, a rally plan's."""
     text = HEADER.read_text()
     numbers = {name: int(number) for name, number in CONSTANT.findall(text)}
     parts = re.split(r"^// --- (Items of .*?):.*\n", text[text.index("// Climb vertically") :], flags=re.M)
     titles = ["Items of a mission", *parts[1::2]]
-    found = []
+    parts_made = []
     for title, part in zip(titles, parts[::2], strict=True):
         made = []
         for match in ITEM.finditer(part):
@@ -72,22 +79,22 @@ def makers() -> list[tuple[str, list[Maker]]]:
                 body = "anyCommand(kDoJump, target, repeats)"
             made.append(Maker(name, arguments, body, comment, numbers))
         for maker in (maker for maker in made if not maker.command):
-            name, given = re.match(r"(\w+)\((.*)\)", re.sub(r"\s+", " ", maker.by)).groups()
+            name, given = re.findall(r"^(\w+)\((.*)\)", re.sub(r"\s+", " ", maker.by))[0]
             other = next(one for one in made if one.name == name and one.command)
             maker.command = other.command
             words = re.sub(r"\(.*?\)", "", given).split(", ")
             own = [argument for argument, _ in maker.arguments]
             maker.fields = {word: other.fields[argument] for word, (argument, _) in
                             zip(words, other.arguments, strict=False) if word in own}  # fmt: skip
-        found.append((title, made))
-    return found
+        parts_made.append((title, made))
+    return parts_made
 
 
 def in_px4() -> dict[str, list[str]]:
     """The Kinds of param1 to param4, x, y, z of each InPx4."""
     text = SOURCE.read_text()
-    names = re.search(r"enum class InPx4 : uint8_t \{(.*?)\}", text, re.S)[1].replace(",", " ").split()
-    table = re.search(r"const Both kInPx4\[\].*?\{(.*?)\n\};", text, re.S)[1]
+    names = found(r"enum class InPx4 : uint8_t \{(.*?)\}", text).replace(",", " ").split()
+    table = found(r"const Both kInPx4\[\].*?\{(.*?)\n\};", text)
     rows = re.findall(r"four\((.*?)\), four\((.*?)\)", table)
     return {
         name: [kind.strip() for kind in (*first.split(","), *second.split(",")[:3])]
@@ -98,21 +105,21 @@ def in_px4() -> dict[str, list[str]]:
 def kinds() -> dict[tuple[int, str], list[str] | None]:
     """Of a command and a vehicle the Kinds of its fields 1 to 7; None: not taken."""
     text = SOURCE.read_text()
-    names = re.search(r"enum class InArduPilot : uint8_t \{(.*?)\}", text, re.S)[1].replace(",", " ").split()
+    names = found(r"enum class InArduPilot : uint8_t \{(.*?)\}", text).replace(",", " ").split()
     places = [cell.split(", ")[:3] for cell in re.findall(
-        r"four\((.*?)\)", re.search(r"kInArduPilot\[\].*?\{(.*?)\n\};", text, re.S)[1])]  # fmt: skip
+        r"four\((.*?)\)", found(r"kInArduPilot\[\].*?\{(.*?)\n\};", text))]  # fmt: skip
     ardupilot = dict(zip(names, places, strict=True))
-    found: dict[tuple[int, str], list[str] | None] = {}
+    known: dict[tuple[int, str], list[str] | None] = {}
     for number, *params, where, px4, name in ROW.findall(text):
         kept = None if where == "NotTaken" else [*params, *ardupilot[where]]
         for vehicle in ("plane",) if " on a plane" in name else ("copter", "plane", "rover"):
-            found.setdefault((int(number), vehicle), kept)
+            known.setdefault((int(number), vehicle), kept)
         if " on a plane" not in name:
-            found[int(number), "PX4"] = None if px4 == "NotTaken" else in_px4()[px4]
+            known[int(number), "PX4"] = None if px4 == "NotTaken" else in_px4()[px4]
     for vehicle, file in VEHICLES.items():
-        for command in {command for command, known in found if known == vehicle} - taken(file):
-            found[command, vehicle] = None
-    return found
+        for command in {command for command, of in known if of == vehicle} - taken(file):
+            known[command, vehicle] = None
+    return known
 
 
 def taken(file: str) -> set[int]:

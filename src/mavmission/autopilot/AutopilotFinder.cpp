@@ -63,8 +63,9 @@ bool AutopilotFinder::onHeartbeat(uint8_t systemId, uint8_t componentId, uint8_t
   }
   if (!isKnown) {
     searchMs_ = nowMs;
-  } else if (autopilot != heartbeat_.autopilot || vehicleType != heartbeat_.vehicleType) {
-    change();
+  } else {
+    if (autopilot != heartbeat_.autopilot || vehicleType != heartbeat_.vehicleType) change();
+    if (!heard_ && since(searchMs_, nowMs) >= kForgetMs) forget();
   }
   heard_ = true;
   heardMs_ = nowMs;
@@ -79,9 +80,10 @@ void AutopilotFinder::noteState(uint8_t before) {
 void AutopilotFinder::onTime(uint16_t nowMs) {
   if (heard_ && quietMs(nowMs) >= kLostMs) {
     heard_ = false;
-    forget();
+    searchMs_ = nowMs;
   }
   const uint16_t searched = since(searchMs_, nowMs);
+  if (!heard_ && searched >= kForgetMs) searchMs_ = static_cast<uint16_t>(nowMs - kForgetMs);  // it does not wrap
   if (severalHeard_ && searched >= kLostMs) severalHeard_ = false;
   if (heard_ && !severalHeard_ && searched >= kSettleMs) settled_ = true;
 }

@@ -105,7 +105,7 @@ class AutopilotFinder : public FinderRules {
 
   Heartbeat heartbeat_;
   uint16_t heardMs_;
-  uint16_t searchMs_;  // when our autopilot was heard first, or another one last
+  uint16_t searchMs_;  // when our autopilot was heard first, or another one last; when ours was lost
   uint8_t knowledge_;
   bool heard_ : 1;    // bit fields save RAM at the cost of a little flash
   bool settled_ : 1;  // no second autopilot was heard in time: it is ours, also while it is silent

@@ -181,8 +181,9 @@ struct ClientRules {
 };
 
 struct FinderRules {
-  static constexpr uint16_t kLostMs = 5000;    // without a heartbeat of the autopilot
-  static constexpr uint16_t kSettleMs = 1200;  // a second autopilot on the line is heard within this time
+  static constexpr uint16_t kLostMs = 5000;     // without a heartbeat of the autopilot
+  static constexpr uint16_t kForgetMs = 15000;  // after that loss: what the autopilot has shown is forgotten
+  static constexpr uint16_t kSettleMs = 1200;   // a second autopilot on the line is heard within this time
 };
 
 struct ParserRules {

@@ -238,9 +238,9 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     // By PlanType. At kOfPlan: not NotKnown when the last upload or verification has sent something, so that the others
     // are about plan_, and not about a plan before it.
     Aboard aboard[4];
-    uint32_t planId;   // the autopilot's name (opaque_id) of the mission accepted or verified last; 0: none
-    CommandLog log;    // whose answers may still come
-    Status takenBy;    // PilotHasIt, FailsafeHasIt: who has taken the aircraft from this sketch; Idle: nobody
+    uint32_t planId;  // the autopilot's name (opaque_id) of the mission accepted or verified last; 0: none
+    CommandLog log;   // whose answers may still come
+    Status takenBy;   // PilotHasIt, FailsafeHasIt: who has taken the aircraft from this sketch; Idle: nobody
   };
 
 // The struct within the union is an extension that both compilers have; clang warns of it in spite of __extension__.

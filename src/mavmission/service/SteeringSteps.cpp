@@ -110,9 +110,11 @@ bool Steering::beginStep(uint16_t nowMs) {
       break;
     case SteerStep::Mode: {
       const uint16_t shown = client_.commands().shownMode();
-      // PX4 that is armed in its mission's mode, or in that of a takeoff, takes off at once: so not in these.
+      // PX4 that is armed in its mission's mode, or in that of a takeoff, takes off at once, and in OFFBOARD, without
+      // targets, its failsafe flies it: so not in these.
       const bool isFirstHeld = isTakeOff && !has(client_.autopilot().firmware(), kFliesByMode) &&
-                               (shown == client_.commands().numberOf(FlightMode::Auto) || shown == kPx4TakeOff);
+                               (shown == client_.commands().numberOf(FlightMode::Auto) || shown == kPx4TakeOff ||
+                                shown == client_.commands().numberOf(FlightMode::Guided));
       if (isFirstHeld) lead(shown, client_.commands().numberOf(FlightMode::Hold));
       const bool isReady = !has(client_.autopilot().firmware(), kFliesByMode) || shown == change_.wanted();
       if (isTakeOff ? isReady && !isFirstHeld : hasCommand()) return false;

@@ -177,6 +177,7 @@ void FlightStages::onRefused(FlightOrder what, Status status, const FlightSight&
   switch (status) {
     case Status::PilotHasIt: return end(EndedBy::Pilot, status);
     case Status::FailsafeHasIt: return end(EndedBy::Failsafe, status);
+    case Status::FliesOtherPlan: return end(EndedBy::OtherStation, status);
     case Status::TakenOver:
     case Status::Overruled: return endBy(sight, status);
     case Status::Armed: return end(seenDisarmed_ ? EndedBy::Pilot : EndedBy::Refusal, status);

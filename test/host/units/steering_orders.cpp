@@ -80,15 +80,15 @@ TEST_CASE("PX4 is asked whether it flies, where home is and how high it is, and 
         "2: L512 245 0 0 0 0 0 0, I192 frame 0 -1 1 0 nan -353630000 1491652374 630");
 }
 
-TEST_CASE("PX4 that would fly its mission, or take off, when it is armed is set to HOLD first") {
-  for (uint32_t mode : {kPx4Mission, kPx4TakeOff}) {
+TEST_CASE("PX4 that would fly its mission, take off, or miss its targets, when it is armed is set to HOLD first") {
+  for (uint32_t mode : {kPx4Mission, kPx4TakeOff, kPx4Offboard}) {
     Aircraft px4(ClientOnLine::kPx4);
     px4.stand(mode);
     CHECK(ORDERED(px4, takeOff(20_m)) ==
           "5: L512 245 0 0 0 0 0 0, L512 242 0 0 0 0 0 0, L511 33 500000 0 0 0 0 0, L176 1 4 3 0 0 0 0, "
           "L400 1 0 0 0 0 0 0, L22 -1 0 0 nan nan nan 604, L512 245 0 0 0 0 0 0");
   }
-  for (uint32_t mode : {kPx4Hold, kPx4Rtl, kPx4Offboard}) {
+  for (uint32_t mode : {kPx4Hold, kPx4Rtl}) {
     Aircraft px4(ClientOnLine::kPx4);
     px4.stand(mode);
     CHECK(ORDERED(px4, takeOff(20_m)) ==

@@ -401,7 +401,7 @@ TEST_CASE("a takeover is remembered behind the landing, until the sketch asks fo
   }
 }
 
-TEST_CASE("the mode that the sketch has set is forgotten at the disarming, and when the autopilot was silent for 5 s") {
+TEST_CASE("the mode that the sketch has set is forgotten at the disarming, and behind a silence of 20 s") {
   for (int what = 0; what < 3; ++what) {
     CAPTURE(what);
     Aircraft copter(ClientOnLine::kArduPilot);
@@ -415,7 +415,7 @@ TEST_CASE("the mode that the sketch has set is forgotten at the disarming, and w
       copter.isArmed = true;
     } else {
       copter.beatsBySecond = copter.beatsWhenAsked = copter.hasPosition = false;
-      copter.pass(what == 0 ? 4000 : 6000);
+      copter.pass(what == 0 ? 15000 : 21000);
       copter.beatsBySecond = copter.beatsWhenAsked = true;
     }
     copter.pass(2000);

@@ -142,6 +142,8 @@ TEST_CASE("one stream at a time: a place that is followed ends the velocity with
   flight.begin(BodyVelocity(2_mps));
   const LatLon here = {1_deg, 1_deg};
   for (bool isPlace : {true, false}) {
+    flight.hear(FrameParts(33, Bytes(28, 1), 104));  // its position
+    flight.pass(1);
     isPlace ? place.start(here, 20_m) : flight.velocity.start(BodyVelocity(2_mps));
     flight.sent.clear();
     for (int ms = 0; ms < 2000; ++ms) {

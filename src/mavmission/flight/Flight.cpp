@@ -289,7 +289,6 @@ void Flight::fillDisarming(Client&, FlightCommand& command) { CommandPort::fillA
 // Each attempt leaves behind a heartbeat that shows the mission's mode: it is not a pilot's vehicle that is disarmed.
 Status Flight::onDisarming(Client& client, CommandEvent event, Status status, const FrameParser*, uint16_t) {
   const Flight& self = *static_cast<const Flight*>(CommandPort::ownerOf(client));
-  if (event == CommandEvent::Ready) CommandPort::of(client).sending().guard();
   if (event == CommandEvent::Ready || event == CommandEvent::Heartbeat) {
     if (!self.client_.autopilot().isArmed()) return Status::Done;
     if (self.hands() != FlightHands::Own) return Status::PilotHasIt;
