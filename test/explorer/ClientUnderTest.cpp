@@ -198,6 +198,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   client().link_.state_.heartbeatMs = static_cast<uint16_t>(nowMs);
   client().link_.state_.heartbeatSent = true;
   client().link_.finder_.heardMs_ = static_cast<uint16_t>(nowMs);
+  client().link_.state_.emptyMs = nowMs;
   // The limit on the whole operation is out of the way: it has to end without it.
   client().state_.secondMs = static_cast<uint16_t>(nowMs);
 
@@ -351,7 +352,11 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   // One pace for all lines, and slower than on a quick one: what there is between two repeats is the same.
   c.link_.pace_.roundTripMs_ = kRoundTripMs;
   c.link_.pace_.busyMs_ = kFrameMs;
-  c.link_.finder_.heardMs_ = c.link_.finder_.firstMs_ = kNow;
+  c.link_.finder_.heardMs_ = c.link_.finder_.searchMs_ = kNow;
+  c.link_.finder_.knowledge_ = 0;
+  link.emptyMs = kNowMs;
+  link.gap = 0;
+  link.isCurrent = true;
   if (parser.isIdle()) {
     const bool inStep = parser.inStep_;
     MoreKeys* const moreKeys = parser.moreKeys_;

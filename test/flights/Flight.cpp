@@ -86,7 +86,7 @@ class Flying {
     isNoting_ = false;
     up_.setLoss(0);
     down_.setLoss(0);
-    while (!acts_.empty() || nowMs_ < stallUntilMs_) run(100);
+    while (!acts_.empty() || nowMs_ < std::max(stallUntilMs_, own().silentUntilMs)) run(100);
     run(kRestMs);
     own().referee.rests(sketch_, *own().model);
     broken("");

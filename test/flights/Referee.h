@@ -44,7 +44,7 @@ class Referee : public Witness {
   void standsStill(uint32_t untilMs, uint32_t forMs) {
     stoodStillMs_ = untilMs;
     if (forMs >= kBlindMs) stoodBlindMs_ = untilMs;
-    if (forMs >= kUnheardMs) wasLost_ = true;
+    if (untilMs - cameMs_ > kUnheardMs) wasLost_ = true;
   }
   // An actor disturbs the line or loop(): from now on no rule holds that needs a line without losses.
   void disturbs() { isClean_ = false; }

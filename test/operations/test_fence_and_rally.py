@@ -99,8 +99,7 @@ def test_requests_and_acks_of_another_type_move_nothing(service, mission_type):
 def test_fence_that_the_autopilot_does_not_take_is_never_accepted(service, personality):
     service.autopilot.load(FIELD, FENCE)
     service.upload([corner(INSIDE, 2, 473970000, 85450000), corner(INSIDE, 2, 473970000, 85460000)], FENCE, "InDoubt")
-    # PX4 refuses the first corner. ArduPilot says error after the last, as an idle one does too: it may be read back.
-    assert service.done(limit_s=15) in (["Error", "Differs"] if personality == "ArduPilot" else ["Error"])
+    assert service.done(limit_s=15) == "BadFence"  # before anything is sent
     assert service.state.aboard_fence in ("NotKnown", "AsBefore")
     assert same_bits(service.autopilot.received(FENCE), FIELD)
 

@@ -79,7 +79,9 @@ def test_cable_pulled_for_good_ends_it_in_bounded_time_and_the_next_one_waits(se
     service.wire.pull(WAYS[way])
     status = service.done(limit_s=60)
     assert took_s(service) <= OPERATIONS[name].longest_s + LOOP_S
-    assert status == ("TimedOut" if name in READING else "NoAnswer")
+    # arm() leaves once, and may have been carried out.
+    is_once = name == "arm" and way == "to the autopilot"
+    assert status == ("TimedOut" if name in READING else "Unconfirmed" if is_once else "NoAnswer")
     expect_truth(service, personality, name, status)
     service.run(6.0)
     begin(service, "verify")

@@ -8,6 +8,7 @@ void CommandTransfer::next(bool repeats) {
   state_ = static_cast<uint8_t>(State::Due);
   repeats_ = repeats ? 1 : 0;
   isGuarded_ = 0;
+  if (isAsking_ != 0) isFresh_ = 0;  // it was about the request
   isAsking_ = 0;
 }
 

@@ -281,6 +281,7 @@ Status StartTransfer::onHeartbeatLeaving(const Aircraft& aircraft, CommandTransf
 // start() has armed the aircraft: it is disarmed.
 Status StartTransfer::giveWay(const Aircraft& aircraft, CommandTransfer& sending) {
   refusal_ = Status::TakenOver;
+  isArmedSeen_ = 0;
   setState(State::Yielding);
   sending.rest();
   sending.listen(FinderRules::kLostMs, aircraft.nowMs);
@@ -318,7 +319,7 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
     setArming(StartArming::Disarmed);
   }
   const bool mayBeArmed =
-      step() == StartStep::Arm && !isRestoring && isSent && isArmedSeen_ == 0 && sending.mayBeUnderWay(aircraft.nowMs);
+      step() == StartStep::Arm && !isRestoring && isSent && !aircraft.isArmed && sending.mayBeUnderWay(aircraft.nowMs);
   switch (
       order_.onHeartbeat(aircraft.mode, isRestoring ? isSent : isSent_ != 0, sending.mayBeUnderWay(aircraft.nowMs))) {
     case ModeOrder::Sight::Foreign:
