@@ -185,7 +185,7 @@ BOTH_KINDS = pytest.mark.scenario(4, "MISSION_REQUEST and MISSION_REQUEST_INT; f
 def test_autopilot_that_refuses_item_int_is_served_float_items_where_the_sketch_allows(make_bench, personality):
     bench = make_bench()
     # One that is neither of the two that are known to take MISSION_ITEM_INT.
-    bench.autopilot.autopilot_type = mavlink.MAV_AUTOPILOT_GENERIC
+    bench.autopilot.autopilot_type = mavlink.MAV_AUTOPILOT_GENERIC_MISSION_FULL
     bench.autopilot.faults.take_only_float_items()
     bench.tell("floats", 0)
     plan = [OLD_PLAN[0], *SURVEY]
@@ -200,7 +200,7 @@ def test_autopilot_that_refuses_item_int_is_served_float_items_where_the_sketch_
 @BOTH_KINDS
 def test_autopilot_that_refuses_item_int_is_unsupported_where_the_sketch_does_not_allow_floats(make_bench):
     bench = make_bench()
-    bench.autopilot.autopilot_type = mavlink.MAV_AUTOPILOT_GENERIC
+    bench.autopilot.autopilot_type = mavlink.MAV_AUTOPILOT_GENERIC_MISSION_FULL
     bench.autopilot.faults.take_only_float_items()
     bench.upload(SURVEY)
     assert bench.run_until_ended(limit_s=10) == "Unsupported"

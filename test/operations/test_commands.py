@@ -361,7 +361,7 @@ def test_mode_that_was_accepted_and_is_never_shown_is_unconfirmed(service, perso
     assert service.done() == "Unconfirmed"
     assert 1.5 < service.now - before < 2.7  # the first heartbeat behind the wait still shows the mode before
     service.order_of("custommode", 6 if personality == "ArduPilot" else 4 << 16 | 5 << 24)
-    assert service.done() == "NoAnswer"  # and this one was not accepted either
+    assert service.done(limit_s=13) == "NoAnswer"  # and this one was not accepted either
 
 
 @SHOWN

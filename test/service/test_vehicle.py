@@ -445,7 +445,7 @@ def test_modes_of_px4_have_their_names(alone):
     (ARDUPILOT, mavlink.MAV_TYPE_QUADROTOR, 0x00010003), (ARDUPILOT, mavlink.MAV_TYPE_QUADROTOR, 8),
     (ARDUPILOT, 9, 0), (ARDUPILOT, mavlink.MAV_TYPE_QUADROTOR, 255),
     (PX4, 2, 0), (PX4, 2, 4 << 16 | 11 << 24), (PX4, 2, 9 << 16),
-    (mavlink.MAV_AUTOPILOT_GENERIC, 2, 0),
+    (mavlink.MAV_AUTOPILOT_GENERIC_MISSION_FULL, 2, 0),
 ])  # fmt: skip
 def test_mode_without_a_name_is_unknown(alone, autopilot, kind, mode):
     assert mode_names(alone, autopilot, kind, [mode])[mode] == "unknown"

@@ -30,6 +30,7 @@ def ended(kind: str, lost: int, seed: int) -> tuple[str, bool]:
     server = SERVERS[kind](baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05,
                            uptime_s=60.0)  # fmt: skip
     bench = Bench(server, wire=wire)
+    bench.tell("talk", 1, 1)  # a generic one is taken for an autopilot only where it is named
     bench.upload(PLAN, proof="InDoubt")
     status = bench.run_until_ended(limit_s=150)
     return status, [one._replace(frame=0) for one in server.held] == PLAN
@@ -51,6 +52,7 @@ def test_upload_begins_anew_on_a_line_that_loses_alone(build_bench, is_lossy):
     """An item comes twice, and Betaflight ends the upload. Elsewhere the cause is not the line, and it is said."""
     server = Betaflight(baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05, uptime_s=60.0)
     bench = build_bench(server)
+    bench.tell("talk", 1, 1)
     if is_lossy:
         bench.wire.lose("<", name="HEARTBEAT", index=1)
     bench.run(2.5)
@@ -69,6 +71,7 @@ def test_acceptance_of_an_unknown_server_alone_is_no_proof(build_bench, kind, pr
     server = SERVERS[kind](baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05,
                            uptime_s=60.0)  # fmt: skip
     bench = build_bench(server)
+    bench.tell("talk", 1, 1)
     bench.upload(PLAN, proof=proof)
     assert bench.run_until_ended(limit_s=20) == ended
     assert [one._replace(frame=0) for one in server.held] == PLAN
