@@ -67,7 +67,7 @@ def test_pulled_cable_ends_it_truthfully(service, personality, name, messages, p
     assert took_s(service) <= OPERATIONS[name].longest_s + LOOP_S
     # A list and a command are asked for five times, 1.5 s apart; an item for 2 s.
     if pulled_s < 1.0 or (pulled_s < 5.0 and (messages == 0 or name not in READING)):
-        assert status == OPERATIONS[name].end
+        assert status == OPERATIONS[name].end or (name == "arm" and status == "Unconfirmed")  # it leaves once
     expect_next_upload(service)
 
 

@@ -24,8 +24,7 @@ COMES_ABOARD = [
     ("ArduPilot", "copter", waypoint(z=f32(28.6)), {"z": f32(28.5999985)}),
     ("ArduPilot", "copter", item(207, param1=1.0, param2=-0.0), {"param1": 1.0, "param2": 0.0}),
     ("PX4", "copter", item(178, param1=1.0, param2=5.0, param3=-1.0, param4=1.0), {"param4": 1.0}),
-    ("ArduPilot", "plane", waypoint(param1=7.0, param2=30.0, param3=20.0),
-     {"param1": 0.0, "param2": 30.0, "param3": 20.0}),
+    ("ArduPilot", "plane", waypoint(param2=30.0, param3=20.0), {"param1": 0.0, "param2": 30.0, "param3": 20.0}),
     ("ArduPilot", "rover", waypoint(param1=7.0, param2=30.0, param3=20.0),
      {"param1": 7.0, "param2": 0.0, "param3": 0.0}),
 ]
@@ -35,6 +34,7 @@ REFUSED = [
     ("ArduPilot", "copter", item(LOITER_TURNS, param1=2.0, param3=303.0, **PLACE), "NotKept", "Param3"),
     ("ArduPilot", "copter", waypoint(param1=2.5), "NotKept", "Param1"),
     ("ArduPilot", "copter", waypoint(z=83000.0), "BadAltitude", "None"),
+    ("ArduPilot", "plane", waypoint(param1=7.0), "NotKept", "Param1"),  # a time to hold
     ("ArduPilot", "plane", waypoint(param2=300.0), "NotKept", "Param2"),
     ("ArduPilot", "plane", item(82, **PLACE), "NotFlown", "None"),
     ("ArduPilot", "plane", item(LOITER_TIME, param1=5.0, param3=50.0, **PLACE), "NotKept", "Param3"),
