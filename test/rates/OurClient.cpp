@@ -34,7 +34,9 @@ const char* nameOf(Aboard aboard) {
 
 class OurClient : public ::Client {
  public:
-  explicit OurClient(Proven proven) : client_(begun(stream_)) {
+  OurClient(Firmwares firmware, Proven proven) : client_(begun(stream_)) {
+    // These say "generic" in their heartbeats, as many devices do: they have to be named.
+    if (isGeneric(firmware)) client_.setTargetIds(1, 1);
     const ItemSource plan = inRam(sketchPlan(kPlan, kMission), itemsOfPlan);
     switch (proven) {
       case Proven::ByAnswer: client_.uploadWithoutReadback(plan); return;
@@ -74,6 +76,6 @@ class OurClient : public ::Client {
 
 }  // namespace
 
-std::unique_ptr<::Client> makeMissionClient(Firmwares, Proven proven) {
-  return std::unique_ptr<::Client>(new OurClient(proven));
+std::unique_ptr<::Client> makeMissionClient(Firmwares firmware, Proven proven) {
+  return std::unique_ptr<::Client>(new OurClient(firmware, proven));
 }

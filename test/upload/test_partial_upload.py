@@ -58,7 +58,7 @@ def test_part_that_is_not_within_the_plan_is_refused(copter, first, count):
     assert copter.done() == "BadRange"
     copter.run(2.0)
     assert len(copter.mission_messages()) == said
-    assert copter.state.aboard == "AsBefore"  # our plan is the one that was refused, from now on
+    assert copter.state.aboard == "OurPlan"  # the one before: nothing was sent
 
 
 @PART
@@ -82,7 +82,7 @@ def test_px4_takes_only_whole_plans(build_service):
     service.upload_part(NEW, 2, 3)
     assert service.done() == "WholePlansOnly"
     assert len(service.mission_messages()) == said
-    assert service.state.aboard == "AsBefore"
+    assert service.state.aboard == "OurPlan"  # the one before
     assert same_bits(service.autopilot.received(), OLD)
 
 

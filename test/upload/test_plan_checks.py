@@ -102,6 +102,8 @@ def test_recorded_answer_to_each_command_is_foreseen(build_bench, vehicle):
         recorded = as_sent(row)
         counts = len(bench.heard("MISSION_COUNT"))
         plan = [waypoint(), recorded._replace(param1=0.0) if recorded.command == JUMP else recorded]
+        if recorded.command == mavlink.MAV_CMD_DO_JUMP_TAG:  # ArduPilot takes it without the tag, too
+            plan.append(item(mavlink.MAV_CMD_JUMP_TAG, frame=NO_PLACE, param1=recorded.param1))
         bench.upload(plan)
         status = bench.run_until_ended(limit_s=5)
         asked = len(bench.heard("MISSION_COUNT")) > counts

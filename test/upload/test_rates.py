@@ -93,7 +93,7 @@ def test_uploads_on_bad_lines_succeed_as_often_and_as_soon_as_promised(
 
 @pytest.mark.slow
 @RANDOM_LOSS
-@pytest.mark.parametrize("percent, least_share", [(0, 100), (1, 100), (3, 90)])
+@pytest.mark.parametrize("percent, least_share", [(0, 100), (1, 98), (3, 90)])
 @pytest.mark.parametrize("server", rates.SERVERS)
 def test_uploads_to_servers_of_an_unknown_firmware_succeed_as_often_as_promised(server, percent, least_share):
     ends = rates.uploads(server, "upload", "bytes", percent, 100)
