@@ -64,7 +64,9 @@ class Flight : private detail::MessageIntervals, private detail::FollowRules {
   // reason().
   bool update();
 
+  // What is being done, or how the last flight has ended; Idle until the first fly().
   FlightState state() const { return stages_.state(); }
+  // Landed and Ended: who has ended the flight. Before: EndedBy::Nobody.
   EndedBy endedBy() const { return stages_.endedBy(); }
   // NotReady: with what it was refused. Ended: why. In the air: Status::Done, or why the last order was refused.
   Status why() const { return stages_.why(); }
@@ -84,23 +86,24 @@ class Flight : private detail::MessageIntervals, private detail::FollowRules {
  protected:
   // What a flight has that is steered; null: a plan alone is flown.
   struct Ways {
-    Status (*begin)(Flight& flight, detail::FlightOrder order);
-    bool (*isOurs)(const Flight& flight);    // the aircraft is still this sketch's
-    bool (*hasArmed)(const Flight& flight);  // the last order has armed it, and disarmed it again
+    Status (*begin)(Flight& flight, detail::FlightOrder order);  // begins the operation of an order
+    bool (*isOurs)(const Flight& flight);                        // the aircraft is still this sketch's
+    bool (*hasArmed)(const Flight& flight);                      // the last order has armed it, and disarmed it again
   };
   // Called at each update() in flight: looks whether the aircraft has come to a stop.
   typedef void (*LookForStop)(Flight& flight);
 
+  // Begins a flight with this order, and forgets the flight before; returns as fly().
   Status beginWith(detail::FlightOrder first);
 
-  MissionClient& autopilot_;
-  const Ways* ways_;
-  LookForStop lookForStop_;  // null: no stops are told of
-  detail::FlightStages stages_;
-  uint16_t item_;        // the item being flown
-  bool isSteered_ : 1;   // an order has been given in this flight
-  bool comesDown_ : 1;   // and it was to land, or to return
-  bool isOnTheWay_ : 1;  // to where it was sent
+  MissionClient& autopilot_;     // by which the orders leave
+  const Ways* ways_;             // null: there are no orders but those of a plan
+  LookForStop lookForStop_;      // null: no stops are told of
+  detail::FlightStages stages_;  // decides what is begun next, and when the flight has ended
+  uint16_t item_;                // the item being flown
+  bool isSteered_ : 1;           // an order has been given in this flight
+  bool comesDown_ : 1;           // and it was to land, or to return
+  bool isOnTheWay_ : 1;          // to where it was sent
 
  private:
   static void take(detail::Listener& listener, const detail::FrameParser& frame);

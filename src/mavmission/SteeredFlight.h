@@ -41,6 +41,7 @@ class SteeredFlight : public Flight {
   Status goHome() { return comeDown(detail::FlightOrder::Home); }
   Status land() { return comeDown(detail::FlightOrder::Land); }
 
+  // For a MovingTarget, a VelocityTarget, or Steering::setSpeed(), in flight.
   Steering& steering() { return steering_; }
 
  private:

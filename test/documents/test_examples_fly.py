@@ -98,7 +98,7 @@ def reset(story: Story) -> None:
 
 
 # A mode that is set while the plan is uploaded is the one from which it starts; of an arming, the line alone knows.
-NOT_NOW = (("preparing", pilot), ("armed", cut), ("armed", person))
+NOT_NOW = (("preparing", pilot), ("armed", cut))
 BY_PILOT, BY_SILENCE, ARMED = (
     "ended by a pilot",
     "ended by silence",

@@ -363,7 +363,7 @@ def as_sketch(block: str) -> str:
         lines.append("constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};")
     if not re.search(r"\bMissionClient\s+autopilot\b", block):
         lines.append("MissionClient autopilot(Serial1);")
-    objects = r"MissionClient|Adjustments|\w+Listener|\w+Target|ObstacleDistance|Parameters|Payload|PlanFiles"
+    objects = r"MissionClient|Adjustments|\w*Flight|\w+Listener|\w+Target|ObstacleDistance|Parameters|Payload|PlanFiles"
     objects += "|StandardModes|Steering"
     declaration = rf"#|constexpr|const |static|struct|class|enum|using|{objects}|[\w:&<>]+ \w+\([^;]*\{{"
     if re.match(rf"(?:\s|//[^\n]*\n)*(?:{declaration})", block):

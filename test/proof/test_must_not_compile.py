@@ -28,6 +28,7 @@ STATEMENT = """
 extern Stream& line;
 MissionClient autopilot(line);
 PlanFiles files(autopilot);
+Flight flight(autopilot);
 constexpr MissionItem survey[] PROGMEM = {takeoff(20_m), returnToLaunch()};
 const MissionItem* const where = survey;
 MissionItem filledIn[2] = {takeoff(20_m), returnToLaunch()};

@@ -231,9 +231,9 @@ class Demonstration:
             self._item = None
 
     def _visit(self, here: Place) -> None:
-        if here[:2] != self.autopilot.flight.home[:2] and (
-            not self._visited or self._visited[-1].distance(here) > MOVED_M
-        ):
+        home = self.autopilot.flight.home
+        is_elsewhere = here._replace(height=home.height).distance(home) > MOVED_M  # not above home
+        if is_elsewhere and (not self._visited or self._visited[-1].distance(here) > MOVED_M):
             self._visited.append(here)
 
     def _items_behind(self, last: int | None) -> int:

@@ -37,10 +37,11 @@ def copy_documents(folder: Path) -> None:
 
 
 def examples() -> list[tuple[str, list[str]]]:
-    """README.md's tables of examples: the heading of each, and the names in it."""
+    """README.md's table of examples: its headings, and the names behind each."""
     readme = (ROOT / "README.md").read_text()
-    tables = re.findall(r"^\| (.*?) \| \|\n\|---\|---\|\n((?:\| \[\w+\]\(examples/.*\n)+)", readme, re.M)
-    return [(heading, SKETCH.findall(rows)) for heading, rows in tables]
+    rows = r"((?:\| \[\w+\]\(examples/.*\n)+)"
+    groups = re.findall(rf"^\| (\w.*|\*\*.+\*\*) \| \|\n(?:\|---\|---\|\n)?{rows}", readme, re.M)
+    return [(heading.strip("*"), SKETCH.findall(names)) for heading, names in groups]
 
 
 def example_page(name: str) -> str:

@@ -315,8 +315,10 @@ Status StartTransfer::onHeartbeat(const Aircraft& aircraft, CommandTransfer& sen
     // Somebody else has armed it.
     if (step() == StartStep::Arm && !isSent) setArming(StartArming::Untouched);
     isArmedSeen_ = 1;
-  } else if (isArmedSeen_ != 0 && arming() == StartArming::Armed) {
-    setArming(StartArming::Disarmed);
+  } else if (arming() == StartArming::Armed) {
+    // PX4 has accepted MISSION_START, which arms: somebody has disarmed it before a heartbeat has shown it.
+    if (step() == StartStep::Confirm && !sending.mayBeUnderWay(aircraft.nowMs)) isArmedSeen_ = 1;
+    if (isArmedSeen_ != 0) setArming(StartArming::Disarmed);
   }
   const bool mayBeArmed =
       step() == StartStep::Arm && !isRestoring && isSent && !aircraft.isArmed && sending.mayBeUnderWay(aircraft.nowMs);

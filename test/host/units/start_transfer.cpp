@@ -447,6 +447,12 @@ TEST_CASE("what somebody disarms ends start(), which says so") {
     CHECK((flight.heartbeat(false, flight.aircraft.mode) == Status::NotArmed));
     CHECK((flight.start.arming() == StartArming::Disarmed));
   }
+  Flown px = px4();  // has accepted MISSION_START, which arms, and no heartbeat has shown it armed
+  px.goTo(StartStep::Confirm);
+  px.aircraft.nowMs = static_cast<uint16_t>(px.aircraft.nowMs - 800);
+  CHECK((px.heartbeat(false, px.aircraft.mode) == Status::Transferring));
+  CHECK((px.heartbeat() == Status::NotArmed));
+  CHECK((px.start.arming() == StartArming::Disarmed));
   Flown before = copter();  // it was armed before start()
   before.aircraft.isArmed = true;
   before.begin();
