@@ -34,8 +34,8 @@ class MissionFollower : public detail::MessageIntervals {
 
   // The item being flown, or MissionClient::kNoItem if the autopilot has not reported one yet, or if the item is home.
   uint16_t currentItem() const { return current_; }
-  // The item reached last, or MissionClient::kNoItem.
-  uint16_t reachedItem() const { return reached_; }
+  // The item reached last, or MissionClient::kNoItem: from each arming on until one is reached.
+  uint16_t reachedItem() const { return isReachedBefore_ ? 0xFFFF : reached_; }
   // The number of items aboard, in the sketch's numbers, or 0 when the autopilot does not report it.
   uint16_t total() const { return total_; }
   // The state of the mission as a whole, as the autopilot reports it.
@@ -92,7 +92,9 @@ class MissionFollower : public detail::MessageIntervals {
   MissionState state_ = MissionState::NotKnown;
   uint8_t textDue_ = 0;  // heartbeats left in which ArduPilot's text about an upload of ours is expected
   Leg leg_ = Leg::Flown;
-  bool isDoubted_ = false;  // the autopilot has once reported the plan with planId_ as no mission
+  bool isDoubted_ : 1;        // the autopilot has once reported the plan with planId_ as no mission
+  bool wasArmed_ : 1;         // at its last heartbeat
+  bool isReachedBefore_ : 1;  // reached_ was reached before it was armed; PX4 repeats it for some time all the same
   uint8_t patience_ = 0;
   uint8_t heartbeatsLeft_ = detail::FollowRules::kSilence;  // before MISSION_CURRENT is requested
   uint8_t pause_ = detail::FollowRules::kFirstPause;        // the next one

@@ -85,8 +85,7 @@ class Wired {
 };
 
 // What of an item would not be kept: the field, what it is, what would be there.
-void putNotKept(const MissionItem& item, Keeper keeper) {
-  const ItemField field = notKept(item, keeper);
+void putNotKept(const MissionItem& item, ItemField field, Keeper keeper) {
   const uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(field) - static_cast<uint8_t>(ItemField::Param1));
   float value = 0;
   if (field == ItemField::Latitude || field == ItemField::Longitude) {
@@ -99,39 +98,42 @@ void putNotKept(const MissionItem& item, Keeper keeper) {
   if (kept == kept) printf(" -> %.9g", static_cast<double>(kept));
 }
 
-// The item of a fence or of rally points that is refused for what the items make together, and why; Accepted: none is.
-Status areaTrouble(const std::vector<MissionItem>& plan, PlanType type, size_t& index) {
-  if (type == PlanType::Mission) return Status::Accepted;
+// The item of a fence or of rally points that is refused by Areas, and why; Accepted: none is.
+Areas::Verdict areaTrouble(const std::vector<MissionItem>& plan, Keeper keeper, size_t& index) {
+  Areas::Verdict verdict = {Status::Accepted, ItemField::None};
+  if ((keeper & (kOfFence | kOfRally)) == 0) return verdict;
   Areas areas;
-  areas.begin(type);
-  Status status = Status::Accepted;
+  areas.begin(keeper);
   for (index = 0; index < plan.size(); ++index) {
-    status = areas.take(plan[index]).status;
-    if (status != Status::Accepted) break;
+    verdict = areas.take(plan[index]);
+    if (verdict.status != Status::Accepted) break;
   }
-  if (status == Status::Accepted && areas.unfinished() != 0) status = Status::BadFence;
-  if (status == Status::BadFence) index -= areas.unfinished();
-  return status;
+  if (verdict.status == Status::Accepted && areas.unfinished() != 0) verdict.status = Status::BadFence;
+  if (verdict.status == Status::BadFence) index -= areas.unfinished();
+  return verdict;
 }
 
 void check() {
   const PlanType type = static_cast<PlanType>(number());
   const uint8_t vehicle = static_cast<uint8_t>(number());
   const std::vector<MissionItem> plan = items(number());
-  size_t refused = 0;
-  const Status trouble = areaTrouble(plan, type, refused);
   const Firmware all[] = {Firmware::ArduPilot, Firmware::Px4, Firmware::Other};
   for (const Firmware firmware : all) {
     Wired wired(plan, firmware, vehicle, type);
+    const Keeper keeper = keeperOf(firmware, vehicle, type);
+    size_t refused = 0;
+    const Areas::Verdict trouble = areaTrouble(plan, keeper, refused);
     for (size_t i = 0; i < plan.size(); ++i) {
       MissionItem out;
       Status status = wired.isTooLong() ? Status::TooManyItems : wired.read(i, out);
-      if (status == Status::Accepted && notKept(out, keeperOf(firmware, vehicle, type)) != ItemField::None) {
-        status = Status::NotKept;
+      ItemField field = status == Status::Accepted ? notKept(out, keeper) : ItemField::None;
+      if (field != ItemField::None) status = Status::NotKept;
+      if (trouble.status != Status::Accepted && i == refused) {
+        status = trouble.status;
+        field = trouble.field;
       }
-      if (trouble != Status::Accepted && i == refused) status = trouble;
       printf("%u %s", static_cast<unsigned>(status), toString(status));
-      if (status == Status::NotKept) putNotKept(out, keeperOf(firmware, vehicle, type));
+      if (status == Status::NotKept) putNotKept(out, field, keeper);
       printf("\n");
     }
   }

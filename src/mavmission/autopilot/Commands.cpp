@@ -197,8 +197,8 @@ const Row kRows[] PROGMEM = {
     row(5000, D, D, D, D, InArduPilot::Fence, InPx4::Place),                      // NAV_FENCE_RETURN_POINT
     row(5001, U8, D, D, D, InArduPilot::Fence, InPx4::Corner),                    // NAV_FENCE_POLYGON_VERTEX_INCLUSION
     row(5002, U8, D, D, D, InArduPilot::Fence, InPx4::Corner),                    // NAV_FENCE_POLYGON_VERTEX_EXCLUSION
-    row(5003, Special, D, D, D, InArduPilot::Fence, InPx4::Circle),               // NAV_FENCE_CIRCLE_INCLUSION
-    row(5004, Special, D, D, D, InArduPilot::Fence, InPx4::Circle),               // NAV_FENCE_CIRCLE_EXCLUSION
+    row(5003, K, D, D, D, InArduPilot::Fence, InPx4::Circle),                     // NAV_FENCE_CIRCLE_INCLUSION
+    row(5004, K, D, D, D, InArduPilot::Fence, InPx4::Circle),                     // NAV_FENCE_CIRCLE_EXCLUSION
     row(5100, D, D, D, D, InArduPilot::Rally, InPx4::Place),                      // NAV_RALLY_POINT
     row(42600, U8, U8, K, K, InArduPilot::None, InPx4::Command),                  // DO_WINCH
     row(42703, U16, To180, To90, To360, InArduPilot::Attitude, InPx4::NotTaken),  // NAV_ATTITUDE_TIME

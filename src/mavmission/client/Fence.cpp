@@ -60,7 +60,7 @@ Status PlanPort::checkNextOfAny(bool isToChange) {
   uint16_t item = state.next;  // behind the last item; else the one that was checked
   if (checked == Status::Accepted) {
     --item;
-    if (item == 0) areas.begin(state.type);
+    if (item == 0) areas.begin(client.plan_.keeper());
     verdict = areas.take(*static_cast<const MissionItem*>(client.link_.draft()));
     if (verdict.status == Status::Accepted) return checked;
   } else if (checked != Status::Transferring || areas.unfinished() == 0) {

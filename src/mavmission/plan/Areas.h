@@ -1,14 +1,14 @@
 // What an autopilot needs of the items of a fence, or of rally points, and WirePlan does not see since it looks at one
 // item: corners that make a polygon, circles with a radius, no other commands. PX4 accepts other items, and then
-// enforces nothing of them.
+// enforces nothing of them. Of a circle the radius is looked at here alone.
 #pragma once
 
 #include <stdint.h>
 
 #include "../ItemField.h"
 #include "../MissionItem.h"
-#include "../PlanType.h"
 #include "../Status.h"
+#include "../autopilot/Commands.h"
 
 namespace mavmission {
 namespace detail {
@@ -21,8 +21,8 @@ class Areas {
     ItemField field;
   };
 
-  // To be called before the first item of a plan of this type.
-  void begin(PlanType type);
+  // To be called before the first item of a fence, or of rally points, for this keeper.
+  void begin(Keeper keeper);
   // Takes the next item.
   Verdict take(const MissionItem& item);
   // How many corners of an unfinished polygon have been taken; 0: none is unfinished. If an item is refused, or there
@@ -30,7 +30,7 @@ class Areas {
   uint8_t unfinished() const { return left_ != 0 ? static_cast<uint8_t>(corners_ - left_) : 0; }
 
  private:
-  PlanType type_;
+  Keeper keeper_;
   uint8_t corners_;   // that the present polygon has
   uint8_t left_;      // of them, still to come
   bool hasReturn_;    // the return point has been

@@ -44,7 +44,7 @@ static_assert(static_cast<uint8_t>(ItemField::Latitude) == static_cast<uint8_t>(
 
 // A further flag beside those of a Keeper: x and y are converted to floats and back, as in PX4 when an item has no
 // place.
-constexpr uint8_t kInFloats = 128;
+constexpr uint8_t kInFloats = kOnly == Firmware::ArduPilot ? 0 : 128;
 
 // A field of an item, four bytes: a float or an integer.
 struct Four {
@@ -62,9 +62,8 @@ MAVMISSION_APART bool isEqual(const Four& a, const Four& b) { return a.bits == b
 bool isNext(const Four& a, const Four& b) { return a.bits - b.bits + 1 <= 2; }
 
 // True if a Special field is kept in its meaning. Such fields are: a number of turns, kept in 256ths below 1; the
-// radius of turns, kept in tens of metres above 255; the radius of a fence; the mode of a region of interest, which
-// with a place is "none" or "a place", and without a place is "none" or "an item". `value` is the magnitude of the
-// field, and is overwritten.
+// radius of turns, kept in tens of metres above 255; the mode of a region of interest, which with a place is "none" or
+// "a place", and without a place is "none" or "an item". `value` is the magnitude of the field, and is overwritten.
 bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
   if (isByPx4(keeper)) {
     makeWhole(&value);
@@ -73,16 +72,6 @@ bool isSpecialKept(Four& value, bool isBelow0, uint8_t field, Keeper keeper) {
   }
   const int32_t number = wholeNumber(&value);
   uint16_t whole = static_cast<uint16_t>(number);  // 65535, which none of these keeps, if it is none
-  if ((keeper & kOfFence) != 0) {
-    // ArduPilot cuts a radius that is less than a millimetre above a whole number of metres to that number, even to 0.
-    if (isBelow0 || value.bits < 0x3A83126F) return false;                                         // 0.001
-    uint8_t doublings = static_cast<uint8_t>(static_cast<uint16_t>(value.bits >> 16) >> 7) - 127;  // if at least 1 m
-    if (doublings >= 14) return true;  // below 1 m, or so large that a float has steps above 1 mm
-    uint32_t above = value.bits;       // what is above whole metres [2^-23 m]: 8388 are a millimetre
-    for (; doublings != 0; --doublings) above <<= 1;
-    above &= 0x7FFFFF;
-    return above == 0 || above > 8388;
-  }
   if (field == kParam3) {
     if (whole > 255 && whole <= 2550) {
       do whole -= 10;
@@ -126,7 +115,7 @@ MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t f
     return true;
   }
   const uint8_t sign = kept.bytes[3] & 0x80;
-  if (kind == Centimetres) {
+  if (kServesArduPilot && kind == Centimetres) {
     const bool isWithin = kept.bits < 0x4423D70A;  // 655.36; negative numbers have larger bits
     makeHundredths(&kept);
     return isWithin;
@@ -157,6 +146,7 @@ MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t f
     if (isByPx4(keeper) && (keeper & kInFloats) == 0) kept.bits = 0;
     return isKept;
   }
+  if (!kServesArduPilot) return true;                          // no other has a Sign, or a MountMode
   kept.bits = 0x3F800000 | static_cast<uint32_t>(sign) << 24;  // 1 or -1
   if (isZ) kept.bits = 0x40000000;                             // 2
   return (keeper & kByPlane) == 0 || isZ || whole <= 1;

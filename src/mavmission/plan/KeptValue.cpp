@@ -73,7 +73,6 @@ int32_t atMost(int32_t value, int32_t limit) { return value < limit ? value : li
 float keptSpecial(float value, bool isRadius, Keeper keeper) {
   int32_t found;
   if (isByPx4(keeper) || !whole(value, found)) return fromBits(kNotKnown);  // not taken
-  if ((keeper & kOfFence) != 0) return bitsOf(value) > 0x80000000 || value == 0 ? fromBits(kNotKnown) : number(found);
   if (isRadius) {
     const bool isBelow0 = found < 0;
     if (isBelow0) found = -found;
@@ -117,6 +116,9 @@ float keptValue(const MissionItem& item, ItemField field, Keeper keeper) {
   const bool isAttitude = item.command == 42703;  // NAV_ATTITUDE_TIME
   int32_t found = 0;
   const bool isInt32 = whole(value, found);
+  if (isByArduPilot(keeper) && item.command >= kFenceCircleInclusion && (keeper & kOfFence) != 0 && index == 0) {
+    return number(found);  // the radius of a circle (Areas)
+  }
   switch (kind) {
     case NoHold: return 0;
     case Sign: return (bits & 0x80000000) != 0 ? -1 : 1;

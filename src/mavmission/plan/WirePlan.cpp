@@ -43,21 +43,6 @@ bool isTakenBy(Firmware firmware, Frame frame) {
          (frame == Frame::GlobalTerrain && has(firmware, kTakesTerrainFrames));
 }
 
-// The place of an item: latitude and longitude.
-struct Place {
-  int32_t x, y;
-
-  bool isFound() const { return (x | y) != 0; }
-  void takeFrom(const MissionItem& item) {
-    x = item.x;
-    y = item.y;
-  }
-  void give(MissionItem& item) const {
-    item.x = x;
-    item.y = y;
-  }
-};
-
 }  // namespace
 
 void WirePlan::setSource(const ItemSource& plan) {
@@ -75,7 +60,7 @@ void WirePlan::begin(Firmware firmware, uint8_t vehicleType, PlanType type, bool
 
 bool hasHeight(const MissionItem& item) { return item.command < kNavLast || !isAtZero(item) || !is(item.z, 0); }
 
-Status WirePlan::check(const MissionItem& item, Rules rules) const {
+Status WirePlan::check(MissionItem& item, Rules rules) const {
   if (item.current > 1) return Status::BadCurrent;
   // param1 to param4, x, y and z lie one after the other, four bytes each.
   const uint8_t* number = reinterpret_cast<const uint8_t*>(&item);
@@ -83,9 +68,15 @@ Status WirePlan::check(const MissionItem& item, Rules rules) const {
     if ((bit & (1 << 5 | 1 << 6)) != 0) continue;
     const FloatKind kind = kindOf(number);
     if (kind == FloatKind::Infinite) return Status::NotFinite;
-    if (kind != FloatKind::NotANumber || (bit == 1 << 4 && rules.hasYaw())) continue;
-    // ArduPilot refuses every other one, as do those with a table of their own.
-    if (isByArduPilot(keeper_) || isByOwn(keeper_) || (unsetOf(item.command) & bit) == 0) return Status::NotANumber;
+    if (kind != FloatKind::NotANumber) continue;
+    // ArduPilot takes none, as do those with a table of their own. As a yaw a NaN means "as you fly": ArduPilot has 0
+    // for that, and the others turn to no heading.
+    const bool isTaken = !isByArduPilot(keeper_) && !isByOwn(keeper_);
+    if (bit == 1 << 4 && rules.hasYaw()) {
+      if (!isTaken) item.param4 = 0;
+    } else if (!isTaken || (unsetOf(item.command) & bit) == 0) {
+      return Status::NotANumber;
+    }
   }
   if (rules.has(kIsNotTaken)) return Status::NotFlown;
   const bool isArduPilot = isByArduPilot(keeper_);
@@ -103,11 +94,14 @@ Status WirePlan::check(const MissionItem& item, Rules rules) const {
       return Status::BadFrame;
     }
     if (isArduPilot && (keeper_ & kOfFence) == 0 && !isBelow83km(item.z)) return Status::BadAltitude;
+    if ((isByPx4(keeper_) || isByOwn(keeper_)) && rules.has(kPlaceIsOptional) && isAtZero(item))
+      return Status::Checking;
   }
   if (item.command == kDoJump) {
     const uint16_t target = static_cast<uint16_t>(wholeNumber(&item.param1));  // 65535, which is beyond: it is none
     // Home cannot be a jump's target. With raw item numbers, home is item 0.
     if (target >= count_ || numbers_.isOwnHome(target)) return Status::BadJump;
+    if (numbers_.isHomeAdded()) item.param1 = oneMore(item.param1);
   }
   return Status::Accepted;
 }
@@ -160,43 +154,37 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
       // ArduPilot stores the item, and may fly it: so it is one that moves nothing (CONDITION_DELAY for 0 s), and that
       // no home can be (ReadingPlan::compare()).
       // cppcheck-suppress memsetClassFloat ; a float of zero bits is 0 wherever there is an Arduino core
-      memset(&item, 0, sizeof(item));  // copying a constant item would cost RAM for that constant
+      memset(&item, 0, sizeof(item));  // Frame::Global too; copying a constant item would cost RAM for that constant
       item.command = kConditionDelay;
-      item.frame = Frame::Global;
       item.autocontinue = 1;
       return Status::Accepted;
     }
     --wireIndex;
   }
-  Place place = Place();
-  for (;;) {
-    if (!read_(context_, wireIndex, item)) return Status::SourceRefused;
-    if (place.isFound()) place.give(item);
-    const bool isJump = item.command == kDoJump;
-    if (isByPx4(keeper_)) {
-      if (item.command == kNavRoi) item.command = kDoSetRoi;  // PX4 keeps it so
-      // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
-      if (isJump && is(item.param2, kMinus1)) item.param2 = 65535;
-    }
-    const Rules rules = rulesOf(item, keeper());
-    // A NaN means "as you fly"; ArduPilot has 0 for that, and those with a table of their own turn to no heading.
-    if ((isByArduPilot(keeper_) || isByOwn(keeper_)) && rules.hasYaw() && kindOf(&item.param4) == FloatKind::NotANumber)
-      item.param4 = 0;
-    item.frame = rules.has(kHasNoPlace) ? Frame::Mission : modern(item.frame);
-    const Status checked = check(item, rules);
-    if (checked != Status::Accepted) return checked;
-    if (numbers_.isHomeAdded()) {
-      if (isJump) item.param1 = oneMore(item.param1);
-    } else if ((isByPx4(keeper_) || isByOwn(keeper_)) && rules.has(kPlaceIsOptional) && !isSomewhere(item)) {
-      // The search reads other items over this one, which is read again afterwards: this saves the stack of a second
-      // item.
-      const Status found = findPlaceFor(wireIndex, item);
-      if (found != Status::Accepted) return found;
-      place.takeFrom(item);
-      continue;
-    }
-    return Status::Accepted;
+  Status status = settle(wireIndex, item);
+  if (kOnly == Firmware::ArduPilot || status != Status::Checking) return status;  // else it lacks a place
+  status = findPlaceFor(wireIndex, item);
+  if (status != Status::Accepted) return status;
+  const int32_t x = item.x, y = item.y;
+  // The search has read other items over this one, which is read again: this saves the stack of a second item.
+  const Status again = settle(wireIndex, item);
+  item.x = x;
+  item.y = y;
+  return again == Status::Checking ? status : again;
+}
+
+// Reads an item of the sketch's, makes it one for this autopilot, and checks it. Checking: it is good, but PX4, and
+// those with a table of their own, need a place for it.
+Status WirePlan::settle(uint16_t index, MissionItem& item) const {
+  if (!read_(context_, index, item)) return Status::SourceRefused;
+  if (isByPx4(keeper_)) {
+    if (item.command == kNavRoi) item.command = kDoSetRoi;  // PX4 keeps it so
+    // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
+    if (item.command == kDoJump && is(item.param2, kMinus1)) item.param2 = 65535;
   }
+  const Rules rules = rulesOf(item, keeper());
+  item.frame = rules.has(kHasNoPlace) ? Frame::Mission : modern(item.frame);
+  return check(item, rules);
 }
 
 void fromWire(MissionItem& item, Firmware firmware) {

@@ -61,7 +61,8 @@ class WirePlan {
   Status follow(MissionItem& item);
 
  private:
-  MAVMISSION_APART Status check(const MissionItem& item, Rules rules) const;
+  MAVMISSION_APART Status settle(uint16_t index, MissionItem& item) const;
+  Status check(MissionItem& item, Rules rules) const;
   // Searches for the item with a place that is nearest to item `index`. `item` holds item `index` before the call, and
   // the item that was found after it.
   MAVMISSION_APART Status findPlaceFor(uint16_t index, MissionItem& item);

@@ -31,7 +31,10 @@ const char kBrokenOff[] PROGMEM = "Mission up";
 }  // namespace
 
 MissionFollower::MissionFollower(MissionClient& client)
-    : MessageIntervals(client, kFollowed, sizeof(kFollowed) / sizeof(kFollowed[0]), take) {}
+    : MessageIntervals(client, kFollowed, sizeof(kFollowed) / sizeof(kFollowed[0]), take),
+      isDoubted_(false),
+      wasArmed_(false),
+      isReachedBefore_(false) {}
 
 void MissionFollower::onCurrent(ItemNumberFunction function, void* context) {
   currentFunction_ = function;
@@ -77,6 +80,9 @@ void MissionFollower::take(Listener& listener, const FrameParser& frame) {
 // Requests MISSION_CURRENT when none has come for a while. Success is a MISSION_CURRENT, and not the answer to the
 // request: PX4 refuses the request, and sends the message anyway.
 void MissionFollower::takeHeartbeat() {
+  const bool isArmed = client_.autopilot().isArmed();
+  if (isArmed && !wasArmed_) isReachedBefore_ = true;
+  wasArmed_ = isArmed;
   const uint16_t nowMs = static_cast<uint16_t>(millis());
   giveUpWaiting(nowMs);
   if (textDue_ != 0) --textDue_;
@@ -180,6 +186,7 @@ void MissionFollower::tellUpTo(uint16_t end) {
 
 void MissionFollower::tell(uint16_t item) {
   reached_ = item;
+  isReachedBefore_ = false;
   next_ = static_cast<uint16_t>(item + 1);
   leg_ = static_cast<uint16_t>(current_ + 1) <= item ? Leg::Early : Leg::Flown;  // or none is current yet
   if (reachedFunction_ != nullptr) reachedFunction_(reachedContext_, item);

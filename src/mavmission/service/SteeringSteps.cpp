@@ -47,6 +47,7 @@ Status Steering::onEvent(CommandEvent event, Status status, uint16_t nowMs) {
         case SteerStep::AskPosition:
           if (!wantsPosition()) return nextStep(nowMs);
           client_.commands().sending().listen(kConfirmMs, nowMs);
+          isAnswered_ = true;
           break;
         default: isAnswered_ = true;
       }
@@ -289,7 +290,7 @@ Status Steering::onSilent(Status silence) {
   if (isDenied_) return refusal_;
   switch (step_) {
     case SteerStep::Disarm: return refusal_;
-    case SteerStep::AskPosition: return needsHome() ? Status::NoHome : silence;
+    case SteerStep::AskPosition: return needsHome() && isAnswered_ ? Status::NoHome : silence;
     case SteerStep::Confirm: return leave(Status::Unconfirmed);
     case SteerStep::Mode: return isAnswered_ ? Status::Unconfirmed : silence;
     default: return leave(silence);

@@ -2,7 +2,9 @@
 #include "mavmission/plan/Areas.h"
 
 #include <doctest/doctest.h>
+#include <string.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -80,7 +82,7 @@ const struct Case {
 TEST_CASE("a fence whose items make no areas is named by its item and field, and so is a rally point of no use") {
   for (const Case& given : kCases) {
     Areas areas;
-    areas.begin(given.type);
+    areas.begin(detail::keeperOf(Firmware::Px4, 2, given.type));
     Areas::Verdict verdict = {Status::Accepted, ItemField::None};
     size_t index = 0;
     while (index < given.items.size() && verdict.status == Status::Accepted) verdict = areas.take(given.items[index++]);
@@ -94,6 +96,35 @@ TEST_CASE("a fence whose items make no areas is named by its item and field, and
     CHECK((verdict.field == given.field));
     if (verdict.status == Status::BadFence) index -= areas.unfinished();
     if (verdict.status != Status::Accepted) CHECK(index == given.failed);
+  }
+}
+
+TEST_CASE("a circle's radius on ArduPilot is no less than a millimetre above whole metres, and any other one on PX4") {
+  const auto isTaken = [](uint32_t bits, Firmware firmware) {
+    MissionItem item = circle(0);
+    memcpy(&item.param1, &bits, sizeof(bits));
+    Areas areas;
+    areas.begin(detail::keeperOf(firmware, 2, PlanType::Fence));
+    const Areas::Verdict verdict = areas.take(item);
+    CHECK((verdict.status == Status::Accepted ||
+           (verdict.status == Status::NotKept && verdict.field == ItemField::Param1)));
+    return verdict.status == Status::Accepted;
+  };
+  CHECK(isTaken(0x3A83126F, Firmware::ArduPilot));  // 0.001
+  CHECK_FALSE(isTaken(0x3A83126E, Firmware::ArduPilot));
+  CHECK(isTaken(0x3A83126E, Firmware::Px4));
+  for (int metres = 1; metres <= 65536; metres *= 2) {
+    const float whole = static_cast<float>(metres);
+    uint32_t bits;
+    memcpy(&bits, &whole, sizeof(bits));
+    unsigned wrong = 0;
+    for (uint32_t steps = 0; steps < 8500; ++steps) {
+      const double above = std::fmod(steps * static_cast<double>(metres) / (1 << 23), 1);
+      if (isTaken(bits + steps, Firmware::ArduPilot) != (above == 0 || above > 0.001)) ++wrong;
+    }
+    CAPTURE(metres);
+    CHECK(wrong == 0);
+    CHECK(isTaken(bits + 0x400000, Firmware::ArduPilot));
   }
 }
 

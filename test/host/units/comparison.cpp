@@ -53,7 +53,6 @@ constexpr Keeper kCopter = kByArduPilot, kPlane = kByArduPilot | kByPlane, kFenc
 // Of a command with a place, or in PX4's frame without one: one field and its bits.
 bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits, Frame frame = Frame::GlobalRelative) {
   MissionItem item = anyCommandAt(command, Degrees::fromE7(128), Degrees::fromE7(64), 20_m);
-  if (command == 5003) item.param1 = 10;
   item.frame = frame;
   setBits(item, index, bits);
   const ItemField field = notKept(item, keeper);
@@ -345,26 +344,6 @@ TEST_CASE("turns are whole to 255, and below 1 in 256ths") {
     CHECK(isKept(kCopter, 18, 0, bitsOf(static_cast<float>(parts) / 1024)) == (parts % 4 == 0));
   }
   for (const float lost : {1.5f, -1.f, -0.25f}) CHECK_FALSE(isKept(kCopter, 18, 0, bitsOf(lost)));
-}
-
-TEST_CASE(
-    "a circle of a fence on ArduPilot has a radius above 0 that is no less than a millimetre above whole metres") {
-  CHECK(isKept(kFence, 5003, 0, 0x3A83126F));  // 0.001
-  CHECK_FALSE(isKept(kFence, 5003, 0, 0x3A83126E));
-  for (const float lost : {0.f, -1.f, -20.f}) CHECK_FALSE(isKept(kFence, 5003, 0, bitsOf(lost)));
-  for (int metres = 1; metres <= 65536; metres *= 2) {
-    const uint32_t bits = bitsOf(static_cast<float>(metres));
-    unsigned wrong = 0;
-    MissionItem circle = fenceInsideCircle(1_deg, 1_deg, 20_m);
-    for (uint32_t steps = 0; steps < 8500; ++steps) {
-      const double above = std::fmod(steps * static_cast<double>(metres) / (1 << 23), 1);
-      setBits(circle, 0, bits + steps);
-      if ((notKept(circle, kFence) == ItemField::None) != (above == 0 || above > 0.001)) ++wrong;
-    }
-    CAPTURE(metres);
-    CHECK(wrong == 0);
-    CHECK(isKept(kFence, 5003, 0, bits + 0x400000));
-  }
 }
 
 TEST_CASE("what is kept in centimetres is below 655.36") {

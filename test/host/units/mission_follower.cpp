@@ -289,6 +289,26 @@ TEST_CASE("home is no item, and the one behind it is told again") {
   CHECK(desk.reacheds.empty());
 }
 
+TEST_CASE("from each arming on no item is reached until one is, though PX4 repeats the last flight's") {
+  Desk desk;
+  desk.run(3500);
+  desk.beats = false;
+  for (int flight = 0; flight < 2; ++flight) {
+    desk.hear(heartbeatParts(ClientOnLine::kPx4, MAV_MODE_FLAG_SAFETY_ARMED));
+    desk.run(50);
+    CHECK(desk.follower.reachedItem() == kNoItem);
+    if (flight != 0) desk.reached(1);
+    CHECK(desk.follower.reachedItem() == kNoItem);
+    desk.current(0);
+    desk.current(1);
+    desk.reached(1);
+    desk.hear(heartbeatParts(ClientOnLine::kPx4));
+    desk.run(50);
+    CHECK(desk.follower.reachedItem() == 1);
+  }
+  CHECK(desk.reacheds == "0 1 0 1");
+}
+
 TEST_CASE("functions that are taken back, or never given, are not called") {
   Desk desk;
   desk.run(3500);
