@@ -52,9 +52,10 @@ class MissionFollower : public detail::MessageIntervals {
   void onCurrent(ItemNumberFunction function, void* context = nullptr);
   // Called once for each item that is behind, in order; again if it is flown again. MISSION_ITEM_REACHED says so, which
   // PX4 repeats, and ArduPilot sends once: where it was lost, a MISSION_CURRENT that has moved on says the same, about
-  // a second later. More than 8 at once are a jump that somebody has made, and are not told of. A waypoint
-  // counts as reached within the autopilot's own radius: PX4's (NAV_ACC_RAD) is 10 m, so it says so 9 m before the
-  // place, while it flies past; with a hold both say so at its end. For work at a place see Flight.
+  // a second later. More than 8 at once are a jump that somebody has made, and are not told of; where the plan itself
+  // has jumped back, it is told of waypoints alone, not of the commands between them. A waypoint counts as reached
+  // within the autopilot's own radius: PX4's (NAV_ACC_RAD) is 10 m, so it says so 9 m before the place, while it flies
+  // past; with a hold both say so at its end. For work at a place see Flight.
   void onReached(ItemNumberFunction function, void* context = nullptr);
   // Called with each STATUSTEXT of the autopilot.
   void onText(TextFunction function, void* context = nullptr);
@@ -74,7 +75,7 @@ class MissionFollower : public detail::MessageIntervals {
   void takePlanText(const char* text);
   void takeCurrent(const detail::FrameParser& frame);
   void takeReached(const detail::FrameParser& frame);
-  MAVMISSION_APART void tellUpTo(uint16_t end);
+  MAVMISSION_APART void tellUpTo(uint16_t end, uint16_t left);
   MAVMISSION_APART void tell(uint16_t item);
   void takeText(const detail::FrameParser& frame);
 
@@ -94,6 +95,7 @@ class MissionFollower : public detail::MessageIntervals {
   Leg leg_ = Leg::Flown;
   bool isDoubted_ : 1;        // the autopilot has once reported the plan with planId_ as no mission
   bool wasArmed_ : 1;         // at its last heartbeat
+  bool hasJumped_ : 1;        // in this flight the plan has gone back to an earlier item
   bool isReachedBefore_ : 1;  // reached_ was reached before it was armed; PX4 repeats it for some time all the same
   uint8_t patience_ = 0;
   uint8_t heartbeatsLeft_ = detail::FollowRules::kSilence;  // before MISSION_CURRENT is requested

@@ -34,6 +34,7 @@ MissionFollower::MissionFollower(MissionClient& client)
     : MessageIntervals(client, kFollowed, sizeof(kFollowed) / sizeof(kFollowed[0]), take),
       isDoubted_(false),
       wasArmed_(false),
+      hasJumped_(false),
       isReachedBefore_(false) {}
 
 void MissionFollower::onCurrent(ItemNumberFunction function, void* context) {
@@ -146,8 +147,10 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   }
   isDoubted_ = isDoubted;
   // Behind the last item there is none that would become the current one.
-  if (wasUnderWay && state_ == MissionState::Complete) tellUpTo(total_);
-  if (item == current_) return;
+  if (!wasUnderWay) hasJumped_ = false;
+  if (wasUnderWay && state_ == MissionState::Complete) tellUpTo(total_, current_);
+  const uint16_t left = current_;
+  if (item == left) return;
   current_ = item;
   if (item == Port::kNoItem) {
     next_ = 0;
@@ -164,7 +167,10 @@ void MissionFollower::takeCurrent(const FrameParser& frame) {
   }
   // What it has left behind in flight it has reached, unless the client's own operation makes it go elsewhere.
   const bool isOrdered = client_.running() != Status::Idle && !client_.hasItems();
-  if (wasUnderWay && !isOrdered) tellUpTo(item);
+  if (wasUnderWay && !isOrdered) {
+    if (item < left && left != Port::kNoItem) hasJumped_ = true;
+    tellUpTo(item, left);
+  }
   if (!isSame) next_ = item;
   if (currentFunction_ != nullptr) currentFunction_(currentContext_, item);
 }
@@ -173,14 +179,20 @@ void MissionFollower::takeReached(const FrameParser& frame) {
   const uint16_t item = client_.itemFromWire(frame.payloadWord(offsetof(mavlink_mission_item_reached_t, seq)));
   // PX4 repeats the message every second while it stays at the item.
   if (item == Port::kNoItem || (item == reached_ && leg_ != Leg::Again)) return;
-  if (state_ == MissionState::Active && client_.autopilot().isArmed() && current_ != Port::kNoItem) tellUpTo(item);
+  if (state_ == MissionState::Active && client_.autopilot().isArmed() && current_ != Port::kNoItem)
+    tellUpTo(item, current_);
   tell(item);
 }
 
 // Each item before this one of which nothing was told, although it is behind: ArduPilot tells of each once, and PX4
 // only of the last of a waypoint and the commands behind it. More of them at once are no flight, but a jump.
-void MissionFollower::tellUpTo(uint16_t end) {
+// Where the plan has jumped back, the items between may never be flown: then it is told of the one that was left alone.
+void MissionFollower::tellUpTo(uint16_t end, uint16_t left) {
   if (end > next_ + FollowRules::kMostBehind) return;
+  if (hasJumped_) {
+    if (next_ <= left && left < end) tell(left);
+    return;
+  }
   while (next_ < end) tell(next_);
 }
 
