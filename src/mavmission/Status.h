@@ -50,8 +50,8 @@ namespace mavmission {
   X(NotFlown, "refused: the autopilot takes no such command") \
   X(NeedsCoordinates, "refused: the item needs coordinates") \
   X(BadAltitude, "refused: an altitude out of range") \
-  X(BadFence, "refused: its corners or its radius make no area") \
-  X(NotKept, "refused: the autopilot would store another value") /* keptValue() of differingField() */ \
+  X(BadFence, "refused: its corners or radius make no area") \
+  X(NotKept, "refused: it would be stored as another value") /* keptValue() of differingField() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
   X(SinkFull, "the plan aboard is too large for the sink") \
@@ -66,21 +66,21 @@ namespace mavmission {
   X(UnsupportedFrame, "autopilot: frame not supported") \
   X(Unsupported, "autopilot: command not supported in a plan") \
   X(NoSpace, "autopilot: no room for the items") \
-  X(Invalid, "autopilot: a parameter is invalid") \
-  X(InvalidParam1, "autopilot: param1 is invalid") \
-  X(InvalidParam2, "autopilot: param2 is invalid") \
-  X(InvalidParam3, "autopilot: param3 is invalid") \
-  X(InvalidParam4, "autopilot: param4 is invalid") \
-  X(InvalidParam5, "autopilot: x (latitude) is invalid") \
-  X(InvalidParam6, "autopilot: y (longitude) is invalid") \
-  X(InvalidParam7, "autopilot: z (altitude) is invalid") \
+  X(Invalid, "autopilot: bad parameter") \
+  X(InvalidParam1, "autopilot: bad param1") \
+  X(InvalidParam2, "autopilot: bad param2") \
+  X(InvalidParam3, "autopilot: bad param3") \
+  X(InvalidParam4, "autopilot: bad param4") \
+  X(InvalidParam5, "autopilot: bad x (latitude)") \
+  X(InvalidParam6, "autopilot: bad y (longitude)") \
+  X(InvalidParam7, "autopilot: bad z (altitude)") \
   X(InvalidSequence, "autopilot: item out of sequence") \
   X(Denied, "autopilot: denied (another station?)") \
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
   X(UnknownResult, "autopilot: unknown code") \
   /* commands: MAV_RESULT 1 to 4 and 7 to 10 in order, then any other result */ \
   X(CommandRejected, "autopilot: not now") \
-  X(CommandDenied, "autopilot: denied (a parameter is not valid)") \
+  X(CommandDenied, "autopilot: denied (a bad parameter)") \
   X(CommandUnsupported, "autopilot: command not supported") \
   X(CommandFailed, "autopilot: failed") \
   X(CommandLongOnly, "autopilot: only as COMMAND_LONG") \
@@ -95,10 +95,10 @@ namespace mavmission {
   X(Infeasible, "accepted, then found impossible to fly") \
   X(NoSuchItem, "the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to") \
-  X(NoLanding, "refused: the plan does not end with a landing or a return") /* Flight */ \
+  X(NoLanding, "refused: no landing or return at its end") /* Flight */ \
   X(OtherItem, "the autopilot is not at the first item")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
-  X(Overruled, "another mode was undone, and could not be set again") \
+  X(Overruled, "another mode was undone, and not set again") \
   /* Steering: nothing was sent, unless control was lost during the operation */ \
   X(PilotHasIt, "a pilot or another station is in control") \
   X(FailsafeHasIt, "a failsafe or its own plan is in control") \
@@ -107,7 +107,7 @@ namespace mavmission {
   X(BadSpeed, "refused: a speed must be above 0, up to 100 m/s") \
   X(NotRenewed, "held: the target was not renewed") /* MovingTarget */ \
   /* parameters */ \
-  X(NoParameter, "no answer: no such parameter, or not heard") \
+  X(NoParameter, "no such parameter, or not heard") \
   X(OtherValue, "the autopilot stores another value")  /* Parameters::value() */
 // clang-format on
 

@@ -200,6 +200,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   uint8_t targetAge_;         // heartbeats since the last POSITION_TARGET_GLOBAL_INT
   uint8_t knowledge_;         // AutopilotFinder::knowledge() of what is known here
   uint16_t positionS_;        // when the last position came [1.024 s]
+  uint16_t beatS_;            // the same of the heartbeat
   uint16_t ownMode_;          // the mode that this sketch has set, while it lasts; kNoMode: none
   uint16_t oldMode_;          // the mode at the beginning of the operation
   detail::ModeOrder change_;  // from that mode to the one of the order

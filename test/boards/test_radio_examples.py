@@ -66,7 +66,7 @@ def test_display_shows_the_aircraft(personality):
     example.autopilot.instruments.healthy &= ~mavlink.MAV_SYS_STATUS_PREARM_CHECK
     example.autopilot.instruments.fix_type = 1
     example.run(3.0)
-    assert (shown(example)[2], shown(example)[4]) == ("not yet fit", "no fix, 10 sat")
+    assert (shown(example)[2], shown(example)[4]) == ("not yet fit", "no fix 10 sat")
     example.autopilot.armed = True
     example.run(3.0)
     assert shown(example)[1] == "ARMED"

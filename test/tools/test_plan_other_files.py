@@ -36,6 +36,12 @@ KML = """<?xml version="1.0" encoding="UTF-8"?><kml xmlns="http://www.opengis.ne
         ("a.waypoints", WPL.decode("latin-1").encode("utf-16"), "this is a text in UTF-16: save it as UTF-8"),
         ("a.plan", JSON.decode().encode("utf-16-be"), "this is a text in UTF-16"),
         ("a.mission", INAV, "this is a mission of iNav (XML): its Configurator puts it aboard"),
+        ("a.mission", INAV.partition(b"\n")[2], "this is a mission of iNav (XML)"),
+        ("a.gpx", b"<gpx></gpx>", "this is a GPX, which says no reference of its altitudes"),
+        ("a.geojson", b'{"type": "FeatureCollection"}', "this is a GeoJSON"),
+        ("a.plan", b"<!DOCTYPE html><html>", "this is a page of the web: download the file itself"),
+        ("a.waypoints", bytes(512), "nothing in it but 512 bytes of 0 or 255"),
+        ("a.waypoints", WPL.rstrip() + WPL, "a second plan begins behind this line"),
         ("a.waypoints", WPL + bytes(512), "512 bytes of 0 or 255, as on a card"),
         ("a.plan", JSON + b"\xff" * 7, "7 bytes of 0 or 255, as on a card"),
         ("a.waypoints", WPL + WPL, "a second plan in one file: FILE_WRITE appends"),
@@ -50,6 +56,11 @@ def test_file_that_is_something_else_says_what_it_is_and_what_to_do(tmp_path, na
     with pytest.raises(BadPlan) as refused:
         read_plan(tmp_path / name)
     assert says in str(refused.value)
+
+
+def test_comment_at_the_end_of_a_text_may_hold_any_bytes(tmp_path):
+    (tmp_path / "a.waypoints").write_bytes(WPL + b"# \xff\0")
+    assert read_plan(tmp_path / "a.waypoints").items()
 
 
 def test_mission_of_litchi_keeps_places_altitudes_speed_stays_and_photos(tmp_path):

@@ -134,8 +134,9 @@ def play(player: Player, scenario: Scenario, name: str, seed: int = 1) -> Result
     autopilot = AUTOPILOTS[name](uptime_s=UPTIME_S)
     scenario.prepare(wire, autopilot)
     player.connect(autopilot, wire)
-    # It is another autopilot than the last one: the board must have heard it.
-    player.until(lambda: len(wire.frames("<", "HEARTBEAT")) >= 2, FOUND_S)
+    # It is another autopilot than the last one: the board must have heard it. Two heartbeats that nothing befell, since
+    # the number of the first may be one that the last autopilot's frames have just passed: then it is taken for late.
+    player.until(lambda: sum(not entry.fate for entry in wire.frames("<", "HEARTBEAT")) >= 2, FOUND_S)
     player.run(SETTLED_S)
     before = counters(player)
     said, began = len(player.lines), player.now

@@ -14,6 +14,9 @@ WPL, JSON, KML, LITCHI = (".waypoints", ".txt"), (".plan", ".mission"), (".kml",
 
 def expect_as_called(file: Path, data: bytes, suffix: str) -> None:
     """BadPlan, with what to do, for a file that is something else than its suffix says, or is not whole."""
+    whole = data.rstrip(b"\0\xff\x1a")
+    if data and not whole:
+        raise BadPlan(file, None, f"there is nothing in it but {len(data):,} bytes of 0 or 255: {_NOT_WRITTEN}")
     if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in data[:8]:
         raise BadPlan(file, None, "this is a text in UTF-16: save it as UTF-8")
     if data.startswith(b"\x1f\x8b"):
@@ -26,24 +29,33 @@ def expect_as_called(file: Path, data: bytes, suffix: str) -> None:
             raise BadPlan(file, None, f"this is {_NAMES[suffixes]}: give its name the end {suffixes[0]}")
     if litchi.is_one(head) and suffix not in LITCHI:
         raise BadPlan(file, None, f"this is a mission of Litchi: give its name the end {LITCHI[0]}")
-    if re.match(r"<.*?<mission\b", head, re.I | re.S):
-        what = "this is a mission of iNav (XML): its Configurator puts it aboard an iNav"
-        raise BadPlan(file, None, f"{what}; for ArduPilot and PX4 {DRAW}")
-    if re.match(r"<.*?<gpx\b", head, re.I | re.S):
-        raise BadPlan(file, None, f"this is a GPX, which says no reference of its altitudes: {DRAW}")
-    whole = data.rstrip(b"\0\xff\x1a")
-    if (more := len(data) - len(whole)) and whole:
-        line = len(re.split(rb"\r\n|\r|\n", whole))
-        what = f"behind this line are {more:,} bytes of 0 or 255, as on a card where a file was not written to its end"
-        raise BadPlan(file, line, f"{what}: cut them off, and see whether the plan is whole")
+    for what, words in _OTHERS:
+        if re.match(what, head, re.I | re.S):
+            raise BadPlan(file, None, f"this is {words}")
+    last = re.split(rb"\r\n|\r|\n", whole)
+    is_comment = suffix in WPL and last[-1].lstrip().startswith(b"#")  # which may hold any bytes
+    if (more := len(data) - len(whole)) and not is_comment:
+        what = f"behind this line are {more:,} bytes of 0 or 255, {_NOT_WRITTEN}"
+        raise BadPlan(file, len(last), f"{what}: cut them off, and see whether the plan is whole")
     if suffix in JSON and (second := re.search(rb"\}\s*\{\s*\"", data)) and _is_closed(data[: second.start() + 1]):
         line = data.count(b"\n", 0, second.end()) + 1
         what = "a second plan begins here: keep one of them"
         raise BadPlan(file, line, f"{what} (a card's FILE_WRITE appends: remove the file before it is written anew)")
 
 
-_KINDS = ((r"QGC\s+WPL", WPL), (r"\{", JSON), (r"<\?xml.*?<kml\b|<kml\b", KML))
+_NOT_WRITTEN = "as on a card where a file was not written to its end"
+_KINDS = ((r"QGC\s+WPL", WPL), (r"\{(?!.*FeatureCollection)", JSON), (r"(<\?xml.*?)?<kml\b", KML))
 _NAMES = {WPL: "a .waypoints text (QGC WPL)", JSON: "JSON, as QGroundControl's .plan is", KML: "a KML"}
+# What is no plan that can be read, and how to get to one.
+_OTHERS = (
+    (
+        r"(<.*?)?<mission\b",
+        "a mission of iNav (XML): its Configurator puts it aboard an iNav; for ArduPilot and PX4 " + DRAW,
+    ),
+    (r"(<.*?)?<gpx\b", "a GPX, which says no reference of its altitudes: " + DRAW),
+    (r"\{.*FeatureCollection", "a GeoJSON, which says no reference of its altitudes: " + DRAW),
+    (r"<!doctype html|<html\b", 'a page of the web: download the file itself (often its link is called "raw")'),
+)
 
 
 def _is_closed(data: bytes) -> bool:

@@ -19,7 +19,7 @@ from . import commands, judge
 from .exact import decimal_text
 from .header import header_of
 from .listing import read_listing
-from .plan import GLOBAL, RELATIVE, RETURN_POINT, Item, Plan, modern
+from .plan import FENCE_COMMANDS, GLOBAL, RALLY_POINT, RELATIVE, RETURN_POINT, Item, Plan, modern
 from .sketch import TEMPLATE, write_sketch
 
 SKETCHES = judge.ROOT / "build" / "plans"
@@ -121,9 +121,11 @@ def is_return_kept(meant: Item, read: Item, autopilot: str) -> bool:
 
 
 def as_in_a_file(item: Item) -> Item:
-    """With the present number of its frame; a return point without an altitude has no reference in a .plan either."""
-    frame = modern(item.frame)
-    return item._replace(frame=RELATIVE if item.command == RETURN_POINT and item.z == 0 else frame)
+    """As a .plan has it: frames by their present numbers, no reference of a return point without an altitude, and of
+    fences and rally points no "autocontinue"."""
+    frame = RELATIVE if item.command == RETURN_POINT and item.z == 0 else modern(item.frame)
+    goes_on = 1 if item.command in (*FENCE_COMMANDS, RALLY_POINT) else item.autocontinue
+    return item._replace(frame=frame, autocontinue=goes_on)
 
 
 def difference_in_words(meant: Item, read: Item) -> str:

@@ -209,6 +209,8 @@ def _wrong(said: ReadText, lines: list[str], extra: int) -> str:
             return (
                 f"frame {cut(word, '')} is no altitude reference: {FRAMES}; 2 where there is neither place nor altitude"
             )
+        case "BadNumber" | "NotWhole" if word.endswith("QGC"):
+            return "a second plan begins behind this line: keep one of them (FILE_WRITE appends: remove the file first)"
         case "BadNumber" | "NotWhole":
             hint = ": write a point, not a comma" if "," in word else ""
             whole = "whole " if said.error == "NotWhole" else ""

@@ -139,6 +139,7 @@ struct SteerRules {
   static constexpr uint8_t kTakeOffS = 15;       // from the acceptance of a takeoff until it has left the ground
   static constexpr uint16_t kAskAgainMs = 1000;  // from PX4's answer that it has not, to the next question
   static constexpr uint8_t kFreshS = 3;          // how old a position may be
+  static constexpr uint8_t kForgetS = 20;        // without a heartbeat: then the sketch's own mode is anybody's
   // In heartbeats of the autopilot, one a second: how long ago it may have named a target for another one to be waited
   // for.
   static constexpr uint8_t kTargetBeats = 5;

@@ -1,7 +1,6 @@
 #include "../Flight.h"
 
 #include <Arduino.h>
-#include <string.h>
 
 #include "../autopilot/Vehicle.h"
 #include "../base/Flash.h"
@@ -34,6 +33,7 @@ constexpr uint16_t kFreshMs = 3000;  // an older position does not say where it 
 
 Flight::Flight(MissionClient& client)
     : Listener(client, kFlown, sizeof(kFlown) / sizeof(kFlown[0]), take), autopilot_(client), stages_() {
+  reason_[0] = reason_[sizeof(reason_) - 1] = 0;
   ways_ = nullptr;
   lookForStop_ = nullptr;
   beginPlan_ = nullptr;
@@ -44,7 +44,6 @@ Flight::Flight(MissionClient& client)
   beatsLeft_ = 0;
   isSteered_ = comesDown_ = isOnTheWay_ = isBeat_ = wantsReason_ = hasBegun_ = false;
   isAtEnd_ = isComplete_ = isDoubted_ = isOtherPlan_ = isStop_ = returns_ = false;
-  reason_[0] = 0;
 }
 
 Flight::Flight(MissionClient& client, const PositionListener& position) : Flight(client) {
@@ -156,14 +155,14 @@ void Flight::takeText(const FrameParser& frame) {
   if (!wantsReason_ || !stages_.isWaiting()) return;
   if (frame.payloadByte(offsetof(Text, severity)) > MAV_SEVERITY_WARNING) return;
   wantsReason_ = false;
-  char text[sizeof(reason_)];
-  for (uint8_t i = 0; i < sizeof(text) - 1; ++i) {
-    text[i] = static_cast<char>(frame.payloadByte(static_cast<uint8_t>(offsetof(Text, text) + i)));
+  bool isNew = false;
+  for (uint8_t i = 0; i < sizeof(reason_) - 1; ++i) {
+    const char letter = static_cast<char>(frame.payloadByte(static_cast<uint8_t>(offsetof(Text, text) + i)));
+    if (letter != reason_[i]) isNew = true;
+    reason_[i] = letter;
+    if (letter == 0) break;
   }
-  text[sizeof(text) - 1] = 0;
-  if (strcmp(text, reason_) == 0) return;
-  strcpy(reason_, text);
-  stages_.noteNews();
+  if (isNew) stages_.noteNews();
 }
 
 // --- Who has the aircraft

@@ -119,13 +119,14 @@ bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
 bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   const bool isWanted = result == FrameParser::Result::Wanted;
   bool isAutopilots = finder_.isFrom(parser_.systemId(), parser_.componentId());
+  const uint8_t left = static_cast<uint8_t>(parser_.sequence() - state_.heardSequence - 1);
+  // Later ones have come already. (When nothing newer has come for a while, the autopilot has restarted.)
+  const bool isLate = isAutopilots && left >= 255 - kLateFrames && finder_.quietMs(nowMs) < kLateMs;
   if (isWanted) {
     ++state_.frames;
     if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
-      if (isAutopilots && isOvertaken()) {
-        state_.heardSequence = parser_.sequence();  // behind a restart of the autopilot's the next one counts
-        return false;
-      }
+      // It shows a mode that is over, unless it is the last frame that comes twice.
+      if (isLate && left != 255) return false;
       if (takeHeartbeat(nowMs)) isAutopilots = true;
     }
     const MoreKeys* const listeners = parser_.moreKeys();
@@ -134,23 +135,16 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
     ++state_.unknownMessages;
   }
   if (!isAutopilots) return false;
-  noteSequence();
-  if (isWanted) finder_.onFrame(nowMs);
+  if (!isLate) {
+    noteSequence(left);
+    if (isWanted) finder_.onFrame(nowMs);
+  }
   return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
 }
 
-// A heartbeat that others have overtaken shows a mode that is over.
-bool Link::isOvertaken() const {
-  const uint8_t ahead = static_cast<uint8_t>(parser_.sequence() - state_.heardSequence);
-  return ahead > 255 - kLateFrames && state_.sequenceKnown;
-}
-
-void Link::noteSequence() {
-  const uint8_t sequence = parser_.sequence();
-  const uint8_t left = static_cast<uint8_t>(sequence - state_.heardSequence - 1);
-  // A frame that comes twice, or up to 7 frames late, is none that was lost.
-  if (state_.sequenceKnown && left < 248) state_.framesLost += left;
-  state_.heardSequence = sequence;
+void Link::noteSequence(uint8_t left) {
+  if (state_.sequenceKnown && left < 255 - kLateFrames) state_.framesLost += left;
+  state_.heardSequence = parser_.sequence();
   state_.sequenceKnown = true;
 }
 

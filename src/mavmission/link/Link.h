@@ -147,10 +147,8 @@ class Link : public LinkRules {
   // True if we may send: when it is clear which autopilot is there, or when the sketch has set our system id and no
   // more than one autopilot is heard.
   MAVMISSION_APART bool maySpeak() const;
-  // True of a frame of the autopilot's that up to kLateFrames later ones have overtaken, by their numbers.
-  bool isOvertaken() const;
-  // Counts the autopilot's frames that were lost, by the gap before the number of this one.
-  void noteSequence();
+  // Counts the autopilot's frames that were lost: `left` numbers lie before the number of this one.
+  void noteSequence(uint8_t left);
   // Counts a frame and notes its sequence number; true if receive() must return the frame.
   MAVMISSION_APART bool takeResult(FrameParser::Result result, uint16_t nowMs);
   MAVMISSION_APART void sendHeartbeat();
@@ -158,7 +156,10 @@ class Link : public LinkRules {
   void pack(uint8_t* payload, const MessageKey* key);
 
   static constexpr uint8_t kGapMs = 4;
+  // By its number, a frame that up to kLateFrames later ones have overtaken is late, and one with the last number comes
+  // twice.
   static constexpr uint8_t kLateFrames = 63;
+  static constexpr uint16_t kLateMs = 900;  // less than from one heartbeat to the next
 
   struct State {
     uint32_t emptyMs;  // when the receive buffer was last seen empty

@@ -44,6 +44,7 @@ Steering::Steering(MissionClient& client) : Listener(client, kSteered, sizeof(kS
   targetAge_ = 255;
   knowledge_ = 0;
   positionS_ = 0x8000;
+  beatS_ = 0;
   stream_ = nullptr;
   seenDisarmed_ = hasArmed_ = isModeSeen_ = isHeard_ = isAnswered_ = isTargetSame_ = false;
   isOrdered_ = isDenied_ = canHover_ = hadControl_ = wasArmed_ = isRequested_ = false;
@@ -123,7 +124,11 @@ void Steering::take(Listener& listener, const FrameParser& frame) {
 
 void Steering::takeHeartbeat() {
   if (targetAge_ != 255) ++targetAge_;
-  if (knowledge_ != client_.autopilot().knowledge()) forgetShown();
+  // Its other messages may have come meanwhile: they do not show its mode.
+  const uint16_t nowS = secondsNow();
+  const bool isGap = static_cast<uint16_t>(nowS - beatS_) >= kForgetS;
+  beatS_ = nowS;
+  if (isGap || knowledge_ != client_.autopilot().knowledge()) forgetShown();
   const uint16_t shown = client_.commands().shownMode();
   const bool isArmed = client_.autopilot().isArmed();
   if (!isArmed) {

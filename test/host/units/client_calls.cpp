@@ -497,7 +497,11 @@ TEST_CASE("an update() takes what it may from the line, and a frame for us count
   sketch.run(10);
   CHECK(readInOne(Bytes(600, 0x11)) == MAVMISSION_BYTES_PER_UPDATE);
   Bytes beats;
-  for (int i = 0; i < 10; ++i) beats = beats + packed(heartbeatParts(ClientOnLine::kArduPilot));
+  for (uint8_t i = 0; i < 10; ++i) {
+    FrameParts beat = heartbeatParts(ClientOnLine::kArduPilot);
+    beat.sequence = static_cast<uint8_t>(100 + i);
+    beats = beats + packed(beat);
+  }
   const size_t ofBeats = readInOne(beats);
   CHECK(ofBeats > MAVMISSION_BYTES_PER_UPDATE / 4);
   CHECK(ofBeats < MAVMISSION_BYTES_PER_UPDATE);

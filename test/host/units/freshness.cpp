@@ -138,3 +138,25 @@ TEST_CASE("a loop() that always takes 200 ms or longer gives no orders, and the 
     CHECK_FALSE(aircraft.client.isBusy());
   }
 }
+
+TEST_CASE("heartbeats that later frames have overtaken show nothing, until nothing newer has come for a while") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(3000);
+  desk.beats = false;
+  const auto beat = [&](uint8_t sequence, bool isArmed) {
+    FrameParts parts = heartbeatParts(ClientOnLine::kArduPilot, isArmed ? 0xD1 : 0x51);
+    parts.sequence = sequence;
+    desk.line.bring(packed(parts));
+    desk.run(100);
+    return desk.client.isArmed();
+  };
+  CHECK(beat(100, true));
+  const uint16_t lost = desk.client.counters().framesLost;
+  CHECK(beat(60, false));
+  CHECK(beat(61, false));
+  CHECK_FALSE(beat(101, false));
+  CHECK(desk.client.counters().framesLost == lost);
+  desk.run(900);
+  CHECK(beat(40, true));
+  CHECK_FALSE(beat(41, false));
+}
