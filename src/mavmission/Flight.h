@@ -5,7 +5,7 @@
 #include "MissionClient.h"
 #include "PositionListener.h"
 #include "client/CommandPort.h"
-#include "service/MessageIntervals.h"
+#include "service/Listener.h"
 #include "transfer/FlightStages.h"
 
 namespace mavmission {
@@ -32,7 +32,7 @@ namespace mavmission {
 // reset: an aircraft that is armed when the sketch begins is left to fly its plan.
 //
 // What it cannot know: whether a person disarmed the aircraft, or the autopilot, while it was at its plan's last item.
-class Flight : private detail::MessageIntervals, private detail::FollowRules {
+class Flight : private detail::Listener, private detail::FollowRules {
  public:
   // These objects must live as long as the client: declare them next to the client, not in a function.
   explicit Flight(MissionClient& client);
@@ -127,7 +127,7 @@ class Flight : private detail::MessageIntervals, private detail::FollowRules {
   LatLon place_;          // of the stop
   uint16_t stop_;         // the item that was looked at last: is it a stop?
   uint16_t last_;         // the item with which the plan ends on the ground; kNoItem: not known
-  uint8_t beatsLeft_;     // heartbeats before MISSION_CURRENT is requested
+  uint8_t beatsLeft_;     // heartbeats before MISSION_CURRENT is asked for
   bool isBeat_ : 1;       // a heartbeat has come
   bool wantsReason_ : 1;  // the next text says why it is not ready
   bool hasBegun_ : 1;     // the plan has been seen under way, before its last item

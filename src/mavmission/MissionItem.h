@@ -131,7 +131,7 @@ constexpr MissionItem land(Degrees latitude, Degrees longitude, Yaw yaw = Yaw())
 }
 constexpr MissionItem land(const LatLon& place, Yaw yaw = Yaw()) { return land(place.latitude, place.longitude, yaw); }
 
-// Fly home and land.
+// Fly home and land. An ArduPilot plane circles there by default: end its plan with land().
 constexpr MissionItem returnToLaunch() { return anyCommand(kNavReturnToLaunch); }
 
 // Wait at the last waypoint.

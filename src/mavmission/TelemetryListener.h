@@ -26,6 +26,8 @@ class TelemetryListener : public detail::MessageIntervals {
   // True while the autopilot has confirmed the interval. It may still send the message more rarely, if its link is
   // full, or not at all, if it has no value yet, such as a home that is not set.
   bool isConfirmed() const { return isConfirmed_; }
+  // The interval that is requested [ms].
+  uint16_t intervalMs() const { return intervalMs_; }
 
  protected:
   // Takes the message; false if it is about something else.

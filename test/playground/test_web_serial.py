@@ -76,7 +76,7 @@ def test_an_address_opens_no_port(page):
 def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered(page):
     browser = page.browser
     browser.run("document.getElementById('real').open = true")
-    assert "Take the propellers off." in browser.text("#real")
+    assert "Remove the propellers." in browser.text("#real")
     browser.click("#pixhawk")
     browser.wait_for("return window.opened")
     assert page.value("window.opened") == {"baudRate": 57600}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import subprocess
 import sys
 from itertools import cycle
@@ -62,6 +63,14 @@ def test_first_example_ends_with_its_plan_aboard(autopilot):
 def test_a_flight_is_judged_by_what_the_vehicle_does(example, settings, is_good, verdict):
     good, text = shown(example, **settings)
     assert good == is_good and verdict in text.splitlines()[-1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [5, 10])
+def test_each_work_is_done_and_the_landing_is_known_on_a_line_that_loses(seed):
+    good, text = shown("WorkAtWaypoints", byte_loss_percent=3, seed=seed)
+    said = re.findall(r"Serial +(at the stop of item \d|landed)", text)
+    assert good and said == ["at the stop of item 1", "at the stop of item 2", "landed"]
 
 
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import time
 import tomllib
 from collections.abc import Iterator
@@ -46,7 +47,8 @@ LIMIT_S = 120.0
 REFUSALS = tuple(text for text in texts_of("Status.h", "MAVMISSION_STATUSES").values() if text.startswith("refused: "))
 REFUSED_AFTER_S = 0.3
 FLIGHT_LIMIT_S = 300.0
-LANDED_S = 15.0  # how long a flight goes on behind a landing: another leg may follow
+LANDED_S = 15.0  # how long a flight of an example goes on behind a landing: another leg may follow
+OWN_LANDED_S = 60.0  # and that of a sketch, whose work there may take longer
 MOVED_M = NEAR_HOME_M = 1.0
 MOST_PLACES = 12  # that are listed; one that follows a target is told a place five times a second
 
@@ -66,7 +68,7 @@ class Settings:
     timeline: Path | None = None  # an SVG
     fast: bool = False  # as fast as can be, instead of in real time
     vehicle: str = "copter"  # or "plane", "quadplane" or "rover", on ArduPilot
-    fly_s: float | None = None  # it is judged by what the vehicle does in this time [simulated s]
+    fly_s: float | None = None  # it is judged by what the vehicle does in this time [simulated s]; 0: the usual one
     described: dict | None = None  # what examples.toml would say of the sketch
 
 
@@ -89,6 +91,7 @@ class Demonstration:
         self._limit_s: float = settings.fly_s or (
             FLIGHT_LIMIT_S if self._flies else described.get("runs_s") or described.get("limit_s", LIMIT_S)
         )
+        self._landed_s = LANDED_S if settings.fly_s is None else math.inf if settings.fly_s else OWN_LANDED_S
         self._visited: list[Place] = []
         self._disarmed_at: float | None = None
         self._was_armed = self._has_moved = False
@@ -249,7 +252,7 @@ class Demonstration:
     def _is_over(self) -> bool:
         is_refused = self._refused_at is not None and self.now >= self._refused_at + REFUSED_AFTER_S
         if self._flies:
-            has_landed = self._disarmed_at is not None and self.now >= self._disarmed_at + LANDED_S
+            has_landed = self._disarmed_at is not None and self.now >= self._disarmed_at + self._landed_s
             return has_landed or self.now >= self._limit_s
         return is_refused or self.now >= self._limit_s or self._conversation.is_over(self.now)
 

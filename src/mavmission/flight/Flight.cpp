@@ -13,12 +13,11 @@ namespace {
 
 const MessageKey kFlown[] PROGMEM = {
     MAVMISSION_LISTENER_KEY(HEARTBEAT),
-    MAVMISSION_LISTENER_KEY(COMMAND_ACK),
     MAVMISSION_LISTENER_KEY(MISSION_CURRENT),
     MAVMISSION_LISTENER_KEY(STATUSTEXT),
 };
 
-constexpr float kIntervalUs = 1000000;
+constexpr int32_t kIntervalUs = 1000000;  // of MISSION_CURRENT
 
 // Commands that fly somewhere, or wait; what is no such command is carried out on the way (MAV_CMD).
 constexpr bool isFlown(uint16_t command) { return command >= MAV_CMD_NAV_WAYPOINT && command < MAV_CMD_NAV_LAST; }
@@ -33,7 +32,7 @@ constexpr uint16_t kFreshMs = 3000;  // an older position does not say where it 
 }  // namespace
 
 Flight::Flight(MissionClient& client)
-    : MessageIntervals(client, kFlown, sizeof(kFlown) / sizeof(kFlown[0]), take), autopilot_(client), stages_() {
+    : Listener(client, kFlown, sizeof(kFlown) / sizeof(kFlown[0]), take), autopilot_(client), stages_() {
   reason_[0] = reason_[sizeof(reason_) - 1] = 0;
   ways_ = nullptr;
   lookForStop_ = nullptr;
@@ -100,7 +99,13 @@ bool Flight::update() {
   if (hasEnded || isBeat_ || !client_.autopilot().isFound()) look(hasEnded);
   if (autopilot_.isBusy()) return stages_.takeNews();
   const FlightOrder order = stages_.due(client_.autopilot().isFound());
-  if (order != FlightOrder::None) {
+  if (order == FlightOrder::None) {
+    // By an operation, which is repeated until it is answered: without MISSION_CURRENT a landing looks like a pilot's.
+    if (stages_.isInFlight() && !isSteered_ && beatsLeft_ == 0) {
+      autopilot_.setMessageInterval(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs);
+      beatsLeft_ = kSilence;
+    }
+  } else {
     stages_.begun(client_.commands().shownMode());
     if (order == FlightOrder::Start || order == FlightOrder::TakeOff) wantsReason_ = true;
     if (isOfPlan(order)) {
@@ -119,26 +124,14 @@ void Flight::take(Listener& listener, const FrameParser& frame) {
   if (!self.isFromAutopilot(frame)) return;
   switch (frame.messageId()) {
     case MAVLINK_MSG_ID_HEARTBEAT: return self.takeHeartbeat();
-    case MAVLINK_MSG_ID_COMMAND_ACK:
-      if (self.isAnswer(frame)) self.settle();
-      return;
     case MAVLINK_MSG_ID_MISSION_CURRENT: return self.takeCurrent(frame);
     default: return self.takeText(frame);
   }
 }
 
-// Requests MISSION_CURRENT in flight when none has come for a while.
 void Flight::takeHeartbeat() {
   isBeat_ = true;
-  const uint16_t nowMs = static_cast<uint16_t>(millis());
-  giveUpWaiting(nowMs);
-  if (!stages_.isInFlight()) return;
-  if (beatsLeft_ != 0) {
-    --beatsLeft_;
-  } else if (!isWaiting() && mayAsk(nowMs) && client_.link().canSend()) {
-    ask(MAVLINK_MSG_ID_MISSION_CURRENT, kIntervalUs, 0, nowMs);
-    beatsLeft_ = kSilence;
-  }
+  if (beatsLeft_ != 0) --beatsLeft_;
 }
 
 void Flight::takeCurrent(const FrameParser& frame) {
@@ -238,6 +231,11 @@ void Flight::lookForStop(Flight& flight) {
     flight.place_.longitude = Degrees::fromE7(read.y);
   }
   const PositionListener& position = *flight.position_;
+  // On a line that loses, the listener's own request may not arrive in time.
+  const bool mayAsk = flight.isBeat_ && flight.stages_.running() == FlightOrder::None && position.intervalMs() != 0;
+  if (mayAsk && position.ageMs() >= kFreshMs && flight.client_.link().pace().isLossy()) {
+    flight.autopilot_.setMessageInterval(MAVLINK_MSG_ID_GLOBAL_POSITION_INT, int32_t{1000} * position.intervalMs());
+  }
   if (flight.isStop_ && flight.state() == FlightState::Flying && position.ageMs() < kFreshMs &&
       position.speedCmS() < kSlowCmS && distanceCm(position.place(), flight.place_) < kNearCm) {
     flight.stages_.arrive();

@@ -631,7 +631,7 @@ async function readSketch(file) {
 function goOutside(where) {
   isOutside = where !== "";
   isPort = where === "port";
-  at("pixhawk-says").textContent = isPort ? "The emulated Mega's Serial1 is that port. Propellers off." : "";
+  at("pixhawk-says").textContent = isPort ? "The emulated Mega's Serial1 is that port. Remove the propellers." : "";
   at("build-says").textContent = where === "build" ? "It runs, and the emulated Mega's Serial1 is its SERIAL0." : "";
   plan = null;
   if (isPort && example().arms) state = { ...state, example: NOT_ARMING };
