@@ -24,7 +24,7 @@ STATUS_OF = {
     12: "InvalidParam7", 13: "InvalidSequence", 14: "Denied", 15: "CancelledByAutopilot", 200: "UnknownResult",
 }  # fmt: skip
 
-TURN_S = 0.512  # ClientRules::kLateTurns are counted in these
+LATE_S = 1.6  # ClientRules::kLateMs, from the last message of the operation before; two round trips more
 ITEM_S = 0.02  # an item with the zeros before it, and a COUNT
 AFTER_LEFTOVERS_S = 11.0  # no answer to an earlier transfer is thought possible any more
 
@@ -126,7 +126,8 @@ def test_ardupilots_own_time_out_is_said_and_the_next_upload_waits_for_late_answ
     bench.upload()
     assert bench.run_until_ended(limit_s=10) == "Accepted"
     first, again = bench.sent_at("MISSION_COUNT")
-    assert 3 * TURN_S - LOOP_S < again - repeated < 4 * TURN_S + ITEM_S
+    # The last frame of the operation before is ArduPilot's, at its end.
+    assert LATE_S - LOOP_S < again - repeated < LATE_S + 1.0 + 2 * ITEM_S
     assert bench.now - again < 0.5
     expect_truth(bench, SURVEY, "ArduPilot")
 
