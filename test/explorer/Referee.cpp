@@ -332,7 +332,7 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
   switch (said) {
     case Aboard::OurPlan:
       if (task.operation == Operation::Clear && clears != 0) return "aboard() says our plan, and CLEAR_ALL has left";
-      if (!isUpload() && status != Status::Verified) return nullptr;
+      if ((!isUpload() && status != Status::Verified) || !hasSent) return nullptr;
       return isMeant ? nullptr : "aboard() says our plan, and it is not";
     case Aboard::Nothing:
       if (task.operation != Operation::Clear) return nullptr;

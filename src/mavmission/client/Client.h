@@ -185,8 +185,6 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     uint16_t itemsDone;
     uint16_t failedItem;
     uint16_t limitFromS;  // from when on the limit counts: in a back-off its end [s]
-    // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
-    void (*announcePart)(Client& client, bool isBeginning);
     uint16_t itemsTotal;
     uint8_t lastResult;
     Status status;
@@ -215,6 +213,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   // Settings and results.
   struct Rest {
     Options options;
+    // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
+    void (*announcePart)(Client& client, bool isBeginning);
     ProgressFunction progress;
     void* progressContext;
     void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none

@@ -156,8 +156,9 @@ void Client::ReadingPlan::takeCount(Client& client, const FrameParser& frame, ui
   if (client.state_.isCompared) {
     const uint32_t planId = frame.payloadLong(offsetof(Count, opaque_id));
     client.reading_.planId = planId;
-    // PX4's checksum of its plan proves an upload as well as the items do. (Elsewhere ours is 0.)
-    if (client.state_.proving && planId != 0 && planId == client.opaqueId_.value()) return transfer.close();
+    // PX4's checksum of its plan proves an upload as well as the items do, where it is in doubt. (Elsewhere ours is 0.)
+    const bool isInDoubt = client.state_.proving && client.rest_.proof != static_cast<uint8_t>(Readback::Always);
+    if (isInDoubt && planId != 0 && planId == client.opaqueId_.value()) return transfer.close();
   }
   const Status status = client.takeCount(count);
   if (status != Status::Transferring) end(client, status);

@@ -27,7 +27,7 @@ void Client::setPlan(const ItemSource& plan, PlanType type) {
   plan_.setSource(plan);
   rest_.planType = type;
   state_.tooLong = plan.count > kMaxItems;
-  state_.announcePart = nullptr;
+  rest_.announcePart = nullptr;
 }
 
 Status Client::uploadKeptPlan() {
@@ -100,7 +100,7 @@ Status PlanPort::checkNext(bool isToChange) {
     checked = Status::TooManyItems;
   } else if (state.isLate) {
     checked = Status::TookTooLong;  // the source has no item, or the stream takes no more bytes
-  } else if (state.announcePart != nullptr && plan.has(kTakesWholePlansOnly)) {
+  } else if (client.rest_.announcePart != nullptr && plan.has(kTakesWholePlansOnly)) {
     checked = Status::WholePlansOnly;
   } else if (!isTypeCarried()) {
     checked = Status::NeedsMavlink2;
@@ -137,7 +137,7 @@ void Client::beginTransfer() {
 
 void Client::Uploading::begin(Client& client, uint16_t nowMs) {
   client.beginTransfer();
-  if (client.state_.announcePart != nullptr) client.state_.announcePart(client, true);
+  if (client.rest_.announcePart != nullptr) client.rest_.announcePart(client, true);
   client.opaqueId_.begin();
   client.state_.next = 0;
   client.state_.status = Status::Transferring;
@@ -282,8 +282,8 @@ void Client::Uploading::send(Client& client, uint16_t nowMs) {
 void Client::Uploading::sendAnnouncement(Client& client) {
   if (client.transfer_.toSend() == UploadTransfer::Send::Cancel) {
     client.sendAck(MAV_MISSION_OPERATION_CANCELLED, client.state_.type);
-  } else if (client.state_.announcePart != nullptr) {
-    client.state_.announcePart(client, false);
+  } else if (client.rest_.announcePart != nullptr) {
+    client.rest_.announcePart(client, false);
   } else {
     client.sendShort(KeyIndex::MISSION_COUNT, client.plan_.wireCount(), client.state_.type);
   }

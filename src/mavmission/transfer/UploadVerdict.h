@@ -84,9 +84,9 @@ constexpr Verdict verdictOnInvalidSequence(UploadState state, Firmware firmware,
 // loses that is so behind a reset, too, and each repeat of COUNT from before the cancelling has its error.
 template <class Evidence>
 constexpr Verdict verdictOnBusy(const Evidence& e) {
-  return !e.has(kFreed)                                                 ? Verdict::FreeFirst
-         : !e.has(kTriesUsed) && (e.has(kFromBusy) || e.has(kFromOpen)) ? Verdict::GoesOn
-                                                                        : Verdict::Ends;
+  return !e.has(kFreed)                                                                      ? Verdict::FreeFirst
+         : !e.has(kTriesUsed) && (e.has(kFromBusy) || (e.has(kFromOpen) && e.has(kOnLossy))) ? Verdict::GoesOn
+                                                                                             : Verdict::Ends;
 }
 
 // PX4 answers a COUNT that comes again with an error, "busy", and continues: a repeat of ours, or a copy that the line

@@ -130,7 +130,7 @@ TEST_CASE("an error to COUNT refuses it on ArduPilot, and elsewhere frees what m
           const bool isLate = row.has(kFromOpen) && row.has(kOnLossy);
           Verdict meant = isLate ? Verdict::Doubted : Verdict::Ends;
           if (row.firmware != Firmware::ArduPilot) {
-            const bool mayBeOurs = (row.has(kFromBusy) || row.has(kFromOpen)) && !row.has(kTriesUsed);
+            const bool mayBeOurs = (row.has(kFromBusy) || isLate) && !row.has(kTriesUsed);
             meant = !row.has(kFreed) ? Verdict::FreeFirst : mayBeOurs ? Verdict::GoesOn : Verdict::Ends;
           }
           return row.verdict() != meant;
