@@ -299,8 +299,7 @@ void tellIdle(Words&) {
   LEFT_OUT(state_.secondMs);
   LEFT_OUT(state_.seconds);
   LEFT_OUT(state_.unsettledMs);
-  LEFT_OUT(state_.tick);
-  LEFT_OUT(state_.quiet);
+  LEFT_OUT(state_.tickMs);
   LEFT_OUT(known_.log);  // whose command may still be answered, and until when
   LEFT_OUT(reading_);    // one operation's state: there is none
   LEFT_OUT(commanding_);

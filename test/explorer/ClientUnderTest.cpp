@@ -26,9 +26,6 @@ constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
 // For which a frame keeps the line busy: repeats are five times as far apart. On a quicker line there are more of them,
 // and nothing else.
 constexpr uint8_t kFrameMs = 80;
-// The client counts turns of 512 ms, the first of which may be nearly over: this is the least that it waits for.
-constexpr uint16_t kLateMs = (ClientRules::kLateTurns - 1) * 512;
-constexpr uint8_t kNoneLate = 255, kWaiting = 2;  // State::quiet between two steps; less when late answers are expected
 // A client that does nothing in so many has come to rest: items are got ready in two, and of a plan that goes as a file
 // one in each.
 constexpr int kQuietUpdates = 3, kQuietFileUpdates = 10;
@@ -202,11 +199,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   // The limit on the whole operation is out of the way: it has to end without it.
   client().state_.secondMs = static_cast<uint16_t>(nowMs);
 
-  if (client().state_.quiet < kWaiting) quietMs_ = 0;  // by a cancel()
-  if (client().state_.quiet != kNoneLate) {
-    quietMs_ += ms;
-    client().state_.quiet = quietMs_ < kLateMs ? kWaiting : kNoneLate;
-  }
+  client().state_.tickMs = static_cast<uint16_t>(nowMs - MissionClient::kTickMs);  // onTick() is due
 
   stream.bytes = bytes;
   stream.length = length;
@@ -234,14 +227,23 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
 // A new operation has sent nothing yet.
 bool ClientUnderTest::waitsForLateAnswers() const {
   const MissionClient& c = client();
-  return c.isBusy() && c.state_.status == Status::WaitingForAutopilot && c.state_.quiet != kNoneLate;
+  const bool waits =
+      c.state_.status == Status::WaitingForAutopilot || c.state_.operation == detail::Client::Ensuring::freedStep;
+  return c.isBusy() && waits && (c.state_.unsettled & kFromBefore) != 0 &&
+         since(c.state_.unsettledMs, c.state_.tickMs) < lateMs();
+}
+
+// How long it waits for them.
+uint16_t ClientUnderTest::lateMs() const {
+  const bool isOfRepeats = (client().state_.unsettled & MissionClient::kOfRepeats) != 0;
+  return static_cast<uint16_t>((isOfRepeats ? MissionClient::kLateMs : MissionClient::kCopyMs) + 2 * kRoundTripMs);
 }
 
 uint16_t ClientUnderTest::nextMs() const {
   const MissionClient& c = client();
   uint16_t next = kNever;
   if (!c.link_.parser_.isIdle()) next = leftOf(FrameParser::kSilenceMs, c.link_.state_.heardByteMs);
-  if (waitsForLateAnswers()) return std::min<uint16_t>(next, static_cast<uint16_t>(kLateMs - quietMs_));
+  if (waitsForLateAnswers()) return std::min<uint16_t>(next, leftOf(lateMs(), c.state_.unsettledMs));
   if (c.state_.status != Status::Transferring || !c.isBusy()) return next;
   if (c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep)
     return std::min(next, nextOfFilesMs());
@@ -251,7 +253,7 @@ uint16_t ClientUnderTest::nextMs() const {
     const bool isCounting = t.state_ == UploadTransfer::State::Counting;
     const uint16_t ruleMs = UploadTransfer::kRepeatMs;
     if (t.state_ != UploadTransfer::State::Sending || pace.isLossy())
-      next = std::min(next, leftOf(isCounting && t.freed_ ? ruleMs : pace.waitMs(ruleMs), t.sentMs_));
+      next = std::min(next, leftOf(isCounting && t.has(kFreed) ? ruleMs : pace.waitMs(ruleMs), t.sentMs_));
     switch (t.state_) {
       case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kCountingMs, t.progressMs_));
       case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));
@@ -261,6 +263,7 @@ uint16_t ClientUnderTest::nextMs() const {
   }
   if (isReading(c)) {
     const DownloadTransfer& t = c.reading_.transfer;
+    if (t.isDue_) return std::min(next, leftOf(DownloadTransfer::kCopyMs, t.sentMs_));
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
     return std::min(next, leftOf(pace.waitMs(waitMs), t.sentMs_));
@@ -376,10 +379,10 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
     c.rest_.prepared = 0;
   }
   c.state_.isTimeLeft = false;
-  c.state_.tick = static_cast<uint8_t>(kNow / MissionClient::kTickMs);
+  c.state_.tickMs = kNow;
 
   c.state_.secondMs = kNow;
-  c.state_.seconds = 0;
+  c.state_.seconds = c.state_.limitFromS = 0;
   const bool isLooking = c.state_.operation == detail::Client::Ensuring::step;
   const bool isByFile = c.state_.operation == PlanFiles::writeStep || c.state_.operation == PlanFiles::readStep;
   if (!isLooking) c.state_.lastResult = 255;  // ensure() remembers a refusal
@@ -390,14 +393,11 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   const bool isClear = c.state_.operation == detail::Client::Clearing::step;
   const bool isLeftUnread =
       isLast ? (isTransferring && !isClear && !isReading(c) && !isByFile) || !c.isBusy() : isTransferring && isUpload;
-  if (isLeftUnread) c.state_.unsettled = 0;
-  if (c.state_.quiet < kWaiting) quietMs_ = 0;
-  if (isLast && (!c.isBusy() || isTransferring)) c.state_.quiet = kNoneLate;
-  if (c.state_.quiet == kNoneLate) {
-    quietMs_ = 0;
-  } else {
-    c.state_.quiet = kWaiting;
-  }
+  constexpr uint8_t kOfNext = kFromBefore | MissionClient::kOfRepeats;
+  const bool isFreed = c.state_.operation == detail::Client::Ensuring::freedStep;
+  if (isTransferring && !isFreed) c.state_.unsettled &= static_cast<uint8_t>(~kFromBefore);  // its end sets it again
+  if (isLeftUnread && !isFreed) c.state_.unsettled &= isLast ? 0 : kOfNext;
+  if (isLast && !isFreed && (!c.isBusy() || isTransferring)) c.state_.unsettled &= static_cast<uint8_t>(~kOfNext);
   c.state_.unsettledMs = c.state_.unsettled != 0 ? c.state_.unsettledMs : kNow;
   keep(c.state_.unsettledMs, c.state_.unsettled != 0 ? ms : 0, MissionClient::kLeftoversMs);
   if (!c.isBusy()) {

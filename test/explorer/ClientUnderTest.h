@@ -57,6 +57,7 @@ class ClientUnderTest {
   }
   void rest(uint16_t ms, bool isLast);
   bool waitsForLateAnswers() const;
+  uint16_t lateMs() const;
   void restFiles(uint16_t ms);
   uint16_t nextOfFilesMs() const;
 
@@ -66,8 +67,7 @@ class ClientUnderTest {
 
   alignas(8) uint8_t bytes_[(sizeof(Client) + 7) / 8 * 8];
   alignas(8) uint8_t fileBytes_[(sizeof(Files) + 7) / 8 * 8];
-  uint32_t hasFiles_;
-  uint32_t quietMs_;  // since answers were expected that may be late; 0 too where none are
+  uint64_t hasFiles_;
 };
 
 // The items that the running download has given to the sketch, in their order: those of the client that runs next.

@@ -285,7 +285,7 @@ class Explorer {
     Hash hash;
   };
   Step steps_[Moves::kMost];  // from the world that is being expanded
-  static constexpr int kMostTasks = 2;
+  static constexpr int kMostTasks = 3;
   uint64_t ends_[kMostTasks][256] = {};  // by status, of each task
 };
 

@@ -17,8 +17,11 @@ enum class Fate : uint8_t {
   Delayed,       // it comes behind the next frame of this direction, if there ever is one
   Damaged,       // a byte of its payload is wrong
   Cut,           // its last bytes are missing: the parser waits for them
+  Copied30,      // a second one follows so many ms later, over a second link or a radio that repeats
+  Copied120,
+  Copied300,
 };
-constexpr int kFates = 7;
+constexpr int kFates = 10;
 
 struct InFlight {
   Message message;
@@ -71,6 +74,10 @@ struct Line {
       frames[i].isHeld = false;
       frames[i].isSpared = true;
       frames[i].dueMs = kBehindMs;
+    }
+    if (fate >= Fate::Copied30) {
+      const uint16_t laterMs[] = {30, 120, 300};
+      put(InFlight{message, laterMs[static_cast<int>(fate) - static_cast<int>(Fate::Copied30)], false, true});
     }
     if (fate == Fate::Repeated) put(InFlight{message, kBehindMs, false, true});
     if (fate == Fate::RepeatedLate || fate == Fate::Delayed) put(InFlight{message, 0, true, true});

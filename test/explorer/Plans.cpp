@@ -48,9 +48,9 @@ Bytes bytesOf(const mavlink_mission_item_int_t& message) {
 }  // namespace
 
 const MissionItem* sketchPlan(uint8_t plan, uint8_t type) {
-  static MissionItem plans[3][3][kMostItems];
+  static MissionItem plans[3][4][kMostItems];
   static const bool filled = [] {
-    for (uint8_t which = 0; which < 3; ++which) {
+    for (uint8_t which = 0; which < 4; ++which) {
       for (uint16_t i = 0; i < kMostItems; ++i) {
         const Degrees latitude = Degrees::fromE7(latitudeOf(itemOf(which, i)));
         const Degrees longitude = Degrees::fromE7(kLongitudeE7);

@@ -7,7 +7,8 @@
 #include "Message.h"
 #include "mavmission/MissionItem.h"
 
-// Items of plan `plan` (0: aboard from before; 1, 2: uploaded) are 16 * plan + 1, + 2, ... Home is ArduPilot's item 0.
+// Items of plan `plan` (0: aboard from before; 1 to 3: uploaded) are 16 * plan + 1, + 2, ... Home is ArduPilot's item
+// 0.
 constexpr uint8_t kHome = 0x0F;
 constexpr uint8_t kNoItemAtAll = 0;
 constexpr uint16_t kMostItems = kMostHeld - 1;

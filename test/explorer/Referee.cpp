@@ -13,6 +13,13 @@ namespace {
 
 bool isPx4(Firmwares firmware) { return firmware == Firmwares::Px4; }
 
+// By which PX4 names the plan.
+uint32_t sum(const Task& task) {
+  uint32_t sum = 0;
+  for (uint8_t i = 0; i < task.items; ++i) sum = checksummed(sum, itemOf(task.plan, i), task.type);
+  return sum;
+}
+
 bool hasHome(Firmwares firmware, uint8_t type) { return isArduPilot(firmware) && type == kMission; }
 
 uint8_t onTheWire(uint8_t plan, uint8_t number, Firmwares firmware, uint8_t type) {
@@ -80,10 +87,12 @@ const char* Referee::sent(const Message& message, Firmwares firmware) {
 const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
   const bool isCancel = message.kind == Kind::Ack && message.number == kCancelled;
   if (task.operation == Operation::Clear) {
+    if (message.kind == Kind::List) return sentInReading(message);
     if (message.kind != Kind::ClearAll) return "a frame is sent that is not CLEAR_ALL";
     if (clears == kTries && !isHurried) return "CLEAR_ALL is sent too often";
-    if (clears != 0 && sinceSentMs < againMs(kAnswerMs)) return "CLEAR_ALL is sent again too early";
+    if (clears != 0 && sinceSentMs < againMs(kAnswerMs) && !isCounted) return "CLEAR_ALL is sent again too early";
     if (clears < kTries) ++clears;
+    isCounted = lists = 0;
     sinceSentMs = 0;
     return nullptr;
   }
@@ -122,7 +131,7 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
     isRunning = true;
     return nullptr;
   }
-  if (isCancel && !isPx4(firmware)) return "a running transfer is cancelled";
+  if (isCancel && !isPx4(firmware) && !mayFree) return "a running transfer is cancelled";
   // What has given the upload up on a line that loses gets it anew.
   if (isGeneric(firmware) && isUpload() && !isReading && message.kind == Kind::Count && asked != 0 && isHurried &&
       isGivenUp()) {
@@ -200,11 +209,14 @@ const char* Referee::sentInUpload(const Message& message) {
 const char* Referee::sentInReading(const Message& message) {
   switch (message.kind) {
     case Kind::List:
-      // An error may be PX4's end of the reading.
-      if (isCounted && isUpload() && !isLooking && (heardAcks & 1u << kError) != 0) {
+      // An error may be PX4's end of the reading; while an upload is proven, any refusal may be due to a copy.
+      if (isCounted && task.operation != Operation::Download &&
+          (heardAcks & (isUpload() && !isLooking ? 0xFFFE : 1u << kError)) != 0) {
         isCounted = lists = received = requests = 0;
-        heardAcks = static_cast<uint16_t>(heardAcks & ~(1u << kError));
+        heardAcks = static_cast<uint16_t>(heardAcks & 1u);
       }
+      if (task.operation == Operation::Clear && (heardAcks & 1u) == 0)
+        return "it is asked before CLEAR_ALL is accepted";
       if (isCounted) return "REQUEST_LIST is sent in mid-transfer";
       if (isLooking && lists == kTries && heardAcks != 0) lists = heardAcks = 0;  // it was refused, and asks anew
       if (lists == kTries && !isHurried) return "REQUEST_LIST is sent too often";
@@ -238,11 +250,16 @@ const char* Referee::sentInReading(const Message& message) {
 }
 
 void Referee::heard(const Message& message, Firmwares firmware) {
-  if (!isRunning || message.type != task.type) return;
+  if (!isRunning) return;
+  if (message.type != task.type) {
+    // The autopilot waits for the items of an upload of before, and is told that there are none.
+    if (message.kind == Kind::Request && isUpload() && !isReading) owesCancel = static_cast<uint8_t>(1 + message.type);
+    return;
+  }
   switch (message.kind) {
     case Kind::Request:
       if (!isUpload() || isReading || counts == 0) return;
-      if (message.number >= items && isLastSent && isPx4(firmware)) mayFree = true;
+      if (message.number >= items && isLastSent && !isGeneric(firmware)) mayFree = true;
       if (message.number >= items || message.number > asked) return;
       if (message.number + 1 < heardLast && sinceNewMs < kLateRequestMs) return;
       heardLast = static_cast<uint8_t>(message.number + 1);
@@ -265,6 +282,8 @@ void Referee::heard(const Message& message, Firmwares firmware) {
         isPresumed = true;
       }
       if (isUpload() && isPx4(firmware) && message.number == kError && asked == 0) mayFree = true;
+      // It has gone on with a shorter plan of before.
+      if (isUpload() && isPx4(firmware) && message.number == kAccepted && !isLastSent && items != 0) mayFree = true;
       if (isUpload() && !isReading && isPx4(firmware) && message.number == kError && isUnasked && !isLastSent &&
           sinceNewMs >= kLateErrorMs) {
         isOver = true;
@@ -273,6 +292,10 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       return;
 
     case Kind::Count:
+      if (task.operation == Operation::Clear && lists != 0) {
+        isCounted = true;
+        owesCancel = static_cast<uint8_t>(1 + task.type);  // PX4 would wait for us
+      }
       if (!isReading || isCounted || lists == 0) return;
       // The look's COUNT, perhaps, which the line has repeated: another number is believed when it comes again. (Home
       // alone is no plan.)
@@ -282,10 +305,13 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       }
       isCounted = true;
       announced = static_cast<uint8_t>(message.number);
+      // PX4's checksum of the plan proves it, and no item is needed.
+      if (isUpload() && !isLooking && isPx4(firmware) && message.opaqueId != 0 && message.opaqueId == sum(task))
+        received = announced;
       return;
 
     case Kind::Item:
-      if (!isCounted || message.number != received || received == announced) return;
+      if (!isCounted || requests == 0 || message.number != received || received == announced) return;
       ++received;
       requests = 0;
       return;
@@ -305,7 +331,8 @@ const char* Referee::untrueAboard(Status status, Aboard said, const Autopilot& a
   const bool isMeant = isAboard(autopilot, task.plan, task.items);
   switch (said) {
     case Aboard::OurPlan:
-      if (!isUpload() && status != Status::Verified) return nullptr;
+      if (task.operation == Operation::Clear && clears != 0) return "aboard() says our plan, and CLEAR_ALL has left";
+      if ((!isUpload() && status != Status::Verified) || !hasSent) return nullptr;
       return isMeant ? nullptr : "aboard() says our plan, and it is not";
     case Aboard::Nothing:
       if (task.operation != Operation::Clear) return nullptr;
@@ -334,10 +361,12 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
   const bool isFound = status == Status::AlreadyAboard && isClosed;
   const bool isRead = isReading && hasSent && !isFound && status != Status::Accepted && status != Status::Verified &&
                       status != Status::Downloaded;
-  owesCancel = isRead || (wasTransferring &&
-                          (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut))
-                   ? static_cast<uint8_t>(1 + task.type)
-                   : uint8_t{0};
+  if (task.operation != Operation::Clear) {
+    owesCancel = isRead || (wasTransferring &&
+                            (status == Status::Cancelled || status == Status::NoAnswer || status == Status::TimedOut))
+                     ? static_cast<uint8_t>(1 + task.type)
+                     : uint8_t{0};
+  }
 
   const char* const untrue = untrueAboard(status, said, autopilot, before);
   if (untrue != nullptr) return untrue;
@@ -382,12 +411,19 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
       return autopilot.heldCount == 0 ? nullptr : "Cleared, and a plan is aboard";
 
     case Status::Unconfirmed: {
-      if (!isUpload() || (!isLastSent && !isReading)) return "Unconfirmed before the last item was sent";
+      if (task.operation == Operation::Clear) {
+        return clears == kTries || lists == kTries ? nullptr : "Unconfirmed before the tries were exhausted";
+      }
+      if (!isUpload() || (!isLastSent && !isReading && items != 0)) return "Unconfirmed before the last item was sent";
       if (isReading) return isReadOut || heardAcks != 0 ? nullptr : "Unconfirmed before the tries were exhausted";
       const bool isExhausted = sinceNewMs >= kConfirmingMs;
       const bool isIdle = (heardAcks & (1u << kError)) != 0 ||
                           (isGeneric(autopilot.firmware) && (heardAcks & (1u << kInvalidSequence)) != 0);
-      const bool isNoProof = isGeneric(autopilot.firmware) && (heardAcks & (1u << kAccepted)) != 0;
+      // Of an empty plan any acceptance looks like the answer; PX4 accepts an item again for an older upload; what
+      // requests items beyond the plan has another one.
+      const bool isNoProof =
+          (isGeneric(autopilot.firmware) || items == 0 || mayFree || (isPx4(autopilot.firmware) && isUnasked)) &&
+          (heardAcks & (1u << kAccepted)) != 0;
       return isExhausted || isIdle || isNoProof ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 

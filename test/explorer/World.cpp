@@ -19,8 +19,16 @@ const char* const kOperations[] = {"upload",
                                    "clear",
                                    "upload by file",
                                    "verify by file"};
-const char* const kFateWords[kFates] = {
-    "", " is lost", " is repeated", " is repeated later", " is delayed", " is damaged", " is cut"};
+const char* const kFateWords[kFates] = {"",
+                                        " is lost",
+                                        " is repeated",
+                                        " is repeated later",
+                                        " is delayed",
+                                        " is damaged",
+                                        " is cut",
+                                        " is copied, 30 ms later",
+                                        " is copied, 120 ms later",
+                                        " is copied, 300 ms later"};
 
 std::string inWords(const char* words) { return words; }
 std::string inWords(uint8_t number) { return std::to_string(number); }
@@ -36,7 +44,9 @@ void say(std::string* log, const Parts&... parts) {
 
 constexpr uint8_t kOtherSession = 7;  // of the other client of the files
 
-bool isDelivered(Fate fate) { return fate == Fate::Delivered || fate == Fate::Repeated || fate == Fate::RepeatedLate; }
+bool isDelivered(Fate fate) {
+  return fate == Fate::Delivered || fate == Fate::Repeated || fate == Fate::RepeatedLate || fate >= Fate::Copied30;
+}
 
 }  // namespace
 
@@ -54,6 +64,7 @@ Outcome World::begin(const Scenario& scenario) {
   reboots_ = scenario.reboots;
   cancels_ = scenario.cancels;
   resets_ = scenario.resets;
+  copies_ = scenario.copies;
   for (Autopilot* one : {&autopilot_, &beside_}) {
     one->firmware = scenario.firmware;
     one->asksInMs = one->givesUpInMs = one->acceptsInMs = one->bootsInMs = kNever;
@@ -76,7 +87,7 @@ void World::beginTask(const Scenario& scenario, std::string* log) {
   say(log, "the sketch begins: ", kOperations[static_cast<int>(task.operation)], ", ", task.items, " items");
   before_ = planOf(task.type);
   // (A board that was reset listens for 1.2 s first, which is left out here.)
-  isUndisturbed_ = scenario.resets == 0 && (losses_ | faults_ | reboots_ | cancels_ | others_) == 0;
+  isUndisturbed_ = scenario.resets == 0 && (losses_ | faults_ | reboots_ | cancels_ | others_ | copies_) == 0;
   referee_.begin(task, scenario.firmware);
   if (isByFiles(task.operation)) fileReferee_.begin();
   sunk = &sunk_;
@@ -118,6 +129,12 @@ Moves World::moves() const {
       if (event == Event::ToClient) {
         for (Fate fate : {Fate::Damaged, Fate::Cut}) moves.add(Choice::Event, fate);
       }
+    }
+  }
+  if (copies_ != 0 && (event == Event::ToAutopilot || event == Event::ToClient)) {
+    const Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
+    for (Fate fate : {Fate::Copied30, Fate::Copied120, Fate::Copied300}) {
+      if (!line.frames[line.first()].isSpared) moves.add(Choice::Event, fate);
     }
   }
   if (reboots_ != 0) moves.add(Choice::Reboot);
@@ -168,7 +185,7 @@ Outcome World::runClient(const Scenario& scenario, uint16_t ms, const Bytes& byt
       outcome.status = doing.status;
       say(log, "it ends: ", doing.status);
       const Autopilot& plan = planOf(referee_.task.type);
-      const char* broken = end(doing, scenario.faults != 0);
+      const char* broken = end(doing, (scenario.faults | scenario.copies) != 0);
       if (broken == nullptr && doing.status == Status::Downloaded &&
           (sunk_.count != plan.heldCount || memcmp(sunk_.items, plan.held, sunk_.count) != 0)) {
         broken = "Downloaded, and what was read is not what is aboard";
@@ -369,6 +386,8 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
     outcome.isFault = move.fate != Fate::Delivered;
     if (move.fate == Fate::Lost) {
       if (losses_ != Scenario::kAnyNumber) --losses_;
+    } else if (move.fate >= Fate::Copied30) {
+      --copies_;
     } else if (outcome.isFault) {
       --faults_;
     }

@@ -17,7 +17,7 @@ struct Scenario {
   static constexpr uint8_t kAnyNumber = 255;
 
   Firmwares firmware = Firmwares::ArduPilot;
-  std::vector<Task> tasks;  // the second begins when the first has ended, however, or is broken off
+  std::vector<Task> tasks;  // each begins when the one before has ended, however, or is broken off
   uint8_t heldPlan = 0;     // what is aboard at the beginning
   uint8_t heldItems = 2;
   uint8_t heldBeside = 0;  // items of the other kind of plan
@@ -26,6 +26,7 @@ struct Scenario {
   uint8_t reboots = 0;     // of the autopilot
   uint8_t cancels = 0;     // by the sketch, of what runs then
   uint8_t resets = 0;      // of the Arduino in the first task
+  uint8_t copies = 0;      // frames that come once more, some time later
   uint16_t latencyMs = 0;  // each way
   uint8_t others = 0;      // requests of another client to the server of files
   uint8_t refused = 0;     // the wire item that ArduPilot does not take; 0: none
@@ -43,7 +44,7 @@ struct Move {
 };
 
 struct Moves {
-  static constexpr int kMost = 16;
+  static constexpr int kMost = 20;
   Move list[kMost];
   uint8_t count;
   void add(Choice choice, Fate fate = Fate::Delivered) { list[count++] = Move{choice, fate}; }
@@ -101,8 +102,8 @@ class World {
   FileServer files_;
   FileReferee fileReferee_;
   uint16_t heartbeatInMs_;  // of the autopilot; kNever where nobody waits for it
-  uint8_t losses_, faults_, reboots_, cancels_, resets_, others_;
+  uint8_t losses_, faults_, reboots_, cancels_, resets_, others_, copies_;
   uint8_t isUndisturbed_;  // nothing can happen to the operation any more
-  uint8_t spare_[4];
+  uint8_t spare_[3];
 };
 static_assert(std::is_trivially_copyable<World>::value, "copied and folded by its bytes");

@@ -16,11 +16,11 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK",
   fprintf(
       stderr,
       "%s\n"
-      "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS] [option VALUE]...\n"
+      "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS [OPERATION ITEMS]] [option VALUE]...\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late), PX4, MAVSDK, Betaflight,\n"
       "             iNav\n"
       "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear, and as files\n"
-      "             file-upload, file-verify; a second one begins when the first has ended or was broken off\n"
+      "             file-upload, file-verify; the next one begins when one has ended or was broken off\n"
       "             upload, upload-in-doubt, ... with \"fence-\" or \"rally-\" in front: of those; one of both\n"
       "  ITEMS      0 to 7: of the plan that is uploaded or verified; of a fence 4 or more\n"
       "  --held N       items aboard at the beginning, of the kind of the first operation, 0 to 7 (2)\n"
@@ -28,6 +28,7 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK",
       "  --held-plan N  which: 0, another plan; 1, that of the first operation (0)\n"
       "  --losses N     frames lost; `any` for any number (any)\n"
       "  --faults N     frames repeated, delayed, damaged or cut (0)\n"
+      "  --copies N     frames that come once more, 30, 120 or 300 ms later (0)\n"
       "  --reboots N    reboots of the autopilot, at any point (0)\n"
       "  --cancels N    the sketch cancels what runs, at any point (0)\n"
       "  --resets N     the Arduino is reset in the first operation, at any point, and begins the next one (0)\n"
@@ -76,7 +77,7 @@ int main(int argc, char** argv) {
     task.plan = static_cast<uint8_t>(scenario.tasks.size() + 1);
     scenario.tasks.push_back(task);
   }
-  if (scenario.tasks.empty() || scenario.tasks.size() > 2) usage("one or two operations");
+  if (scenario.tasks.empty() || scenario.tasks.size() > 3) usage("one to three operations");
   uint64_t mostStates = 200000000;
   bool showsFewest = false;
   for (; at < argc; at += 2) {
@@ -93,6 +94,8 @@ int main(int argc, char** argv) {
       scenario.losses = strcmp(value, "any") == 0 ? Scenario::kAnyNumber : static_cast<uint8_t>(number(value, 254));
     } else if (strcmp(option, "--faults") == 0) {
       scenario.faults = static_cast<uint8_t>(number(value, 254));
+    } else if (strcmp(option, "--copies") == 0) {
+      scenario.copies = static_cast<uint8_t>(number(value, 254));
     } else if (strcmp(option, "--reboots") == 0) {
       scenario.reboots = static_cast<uint8_t>(number(value, 254));
     } else if (strcmp(option, "--cancels") == 0) {

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "mavmission/base/MavlinkHeaders.h"
+#include "PlanFrames.h"
 
 inline uint32_t px4Checksum(uint32_t sum, const mavlink_mission_item_int_t& item) {
   uint8_t bytes[32] = {item.frame};
@@ -14,6 +14,20 @@ inline uint32_t px4Checksum(uint32_t sum, const mavlink_mission_item_int_t& item
   for (uint8_t byte : bytes) {
     sum ^= byte;
     for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1) != 0 ? 0xEDB88320u : 0u);
+  }
+  return sum;
+}
+
+// Of these items, which have a place in frame 3 or none, as they are sent.
+inline uint32_t px4Checksum(const mavmission::MissionItem* plan, uint16_t count) {
+  using mavmission::Frame;
+  uint32_t sum = 0;
+  for (uint16_t seq = 0; seq < count; ++seq) {
+    mavmission::MissionItem item = plan[seq];
+    item.frame = item.frame == Frame::GlobalRelative ? Frame::GlobalRelative : Frame::Mission;
+    mavlink_mission_item_int_t message;
+    memcpy(&message, itemParts(seq, item).payload.data(), sizeof(message));
+    sum = px4Checksum(sum, message);
   }
   return sum;
 }

@@ -1,9 +1,10 @@
 """Every way that an operation can go: the MissionClient itself against models of both autopilots, by test/explorer.
 
 Any number of frames may be lost, in both directions, and up to `--faults` more are repeated, delayed past the next,
-damaged or cut short; the autopilot may reboot, the sketch cancel, the Arduino be reset, at any point. What must hold is
-in explorer/Referee.h, and for plans as files in explorer/FileReferee.h: it ends; what it says is so; a failure has its
-cause; no frame is sent that the protocol forbids.
+damaged or cut short, or come once more some time later (`--copies`); the autopilot may reboot, the sketch cancel, the
+Arduino be reset, at any point. What must hold is in explorer/Referee.h, and for plans as files in
+explorer/FileReferee.h: it ends; what it says is so; a failure has its cause; no frame is sent that the protocol
+forbids.
 A scenario by hand, to any bound:
 
     build/venv/bin/python test/proof/test_explorer.py PX4 upload-in-doubt 3 --faults 3
@@ -251,6 +252,35 @@ def test_no_fence_and_no_rally_points_are_misled_by_a_mission_nor_mislead_one(re
 
 
 @pytest.mark.slow
+def test_no_operation_is_misled_by_a_frame_that_the_line_brings_once_more(record_property):
+    """30, 120 or 300 ms later: within an operation, and in the second and the third one behind it."""
+    scenarios = []
+    for autopilot in AUTOPILOTS:
+        scenarios += [(words, "--losses 1 --copies 2") for words in single(autopilot, 2)]
+        scenarios += [(words, options) for words in pairs(autopilot) for options in
+                      ("--losses 1 --copies 1", "--losses 0 --copies 2")]  # fmt: skip
+    followed = ("upload-in-doubt 2", "clear 0", "ensure 1", "verify 2", "download 0")
+    scenarios += [
+        (f"{autopilot} {one} {two} {three}", "--losses 0 --copies 1")
+        for autopilot in ("ArduPilot", "PX4")
+        for one in followed
+        for two in followed[:4]
+        for three in ("upload-in-doubt 2", "clear 0", "verify 1")
+    ]
+    by_files = ("file-upload 2", "file-upload 6", "file-verify 2 --held 2 --held-plan 1", "file-upload 2 clear 0",
+                "file-upload 2 upload-in-doubt 1", "file-upload 2 file-upload 1", "file-upload 2 file-verify 2",
+                "file-upload 2 clear 0 file-upload 1")  # fmt: skip
+    scenarios += [(f"ArduPilot {words}", options) for words in by_files for options in
+                  ("--losses 1 --copies 1", "--losses 0 --copies 2")]  # fmt: skip
+    kinds = ("fence-upload 4 fence-clear 0", "rally-upload-in-doubt 2 upload-in-doubt 1", "rally-clear 0 clear 0",
+             "rally-ensure 1 rally-verify 1")  # fmt: skip
+    scenarios += [(f"{autopilot} {words}", "--held-beside 2 --losses 1 --copies 1") for autopilot in AUTOPILOTS
+                  for words in kinds]  # fmt: skip
+    states = expect_nothing_broken(record_property, "explored: frames that come once more", scenarios)
+    assert states > 300_000
+
+
+@pytest.mark.slow
 @PARTS
 def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(record_property, part):
     scenarios = of_part(part, by_file())
@@ -269,8 +299,8 @@ DEFECTS = {
     ),
     "an idle ArduPilot's error is taken for an acceptance": (
         "UploadTransfer.cpp",
-        "if (isUnasked_ && !has(firmware_, kRepeatsAcceptance)) return Status::Unconfirmed;",
-        "if (isUnasked_ && !has(firmware_, kRepeatsAcceptance)) return Status::Accepted;",
+        "case Verdict::Unproven: return Status::Unconfirmed;",
+        "case Verdict::Unproven: return Status::Accepted;",
         "ArduPilot upload 1",
         "Accepted, and",
     ),
@@ -283,30 +313,29 @@ DEFECTS = {
     ),
     "the next item is sent unasked on a line that loses": (
         "UploadTransfer.cpp",
-        "isUnasked_ = true;",
-        "isUnasked_ = true;\n  if (nextItem() < behind_) ++item_;",
+        "note(kItemAgain | kUnasked);",
+        "note(kItemAgain | kUnasked);\n  if (nextItem() < behind_) ++item_;",
         "ArduPilot upload 2 --lossy 1",
         "an item is sent that was not asked for",
     ),
     "ArduPilot's INVALID_SEQUENCE is believed to be about the current item, whatever it may answer": (
         "UploadTransfer.cpp",
-        "tries_ > 1 && send_ == Send::Nothing &&\n"
-        "          !(mayBeAnswered() && item_ + 2u == behind_) && pace.isBehind(since(startedMs_, nowMs))",
-        "true",
+        "case kIsTaken: return isTaken();",
+        "case kIsTaken: return true;",
         "ArduPilot upload 2 --lossy 1 --faults 1",
         "an item is sent that was not asked for",
     ),
     "a PX4 that is busy is asked once more, and then given up": (
         "UploadTransfer.cpp",
-        "if (freed_) return mayBeOurs == 0 || tries_ >= kBusyTries ? status : Status::Transferring;",
-        "(void)mayBeOurs;\n        if (freed_) return status;",
+        "case kTriesUsed: return transfer.tries_ >= kBusyTries;",
+        "case kTriesUsed: return true;",
         "PX4 download 0 upload-in-doubt 1 --held 2 --losses 2",
         "busy with what was ours, and the tries were not exhausted",
     ),
     "PX4's error is taken for one to an earlier transfer, however late it comes": (
         "UploadTransfer.cpp",
-        "since(progressMs_, nowMs) >= kLateErrorMs) return Status::TimedOut;",
-        "false) return Status::TimedOut;",
+        "case kLongAfter: return since(transfer.progressMs_, ms) >= kLateErrorMs;",
+        "case kLongAfter: return false;",
         "PX4 upload 2 --lossy 1 --reboots 1",
         "an item is sent to a PX4 that has given the upload up",
     ),
@@ -338,65 +367,65 @@ DEFECTS = {
         "ArduPilot ensure 2 --held 2",
         "aboard() says our plan, and it is not",
     ),
-    "ensure() knows what is aboard when its look may be what was refused": (
-        "Ensure.cpp",
-        "if (hasBegun || (status != Status::Denied && status != Status::Error)) return false;",
-        "if (hasBegun || status != Status::Idle) return false;",
-        "ArduPilot ensure 1 --held 2 --faults 2 --losses 3",
-        "aboard() says as before, and it is not",
-    ),
     "an operation takes the late answers to the one before for its own": (
         "Client.cpp",
-        "if (state.quiet < lateTurns && !state.isCommanding) return;",
-        "(void)lateTurns;",
+        "if (!state.isPlanless && client.awaitsCopies()) return;",
+        "",
         "ArduPilot upload 1 clear 0 --losses 0 --lossy 1 --latency 300",
-        "a clear ends by an answer that is another's",
+        "aboard() says our plan, and CLEAR_ALL has left",
     ),
     "the acceptance of a cancelled upload is taken for that of the next one": (
         "Client.cpp",
-        "if (state.quiet < lateTurns && !state.isCommanding) return;",
-        "(void)lateTurns;",
+        "if (!state.isPlanless && client.awaitsCopies()) return;",
+        "",
         "LateArduPilot upload 2 ensure 1 --losses 1 --cancels 1",
         "aboard() says our plan, and it is not",
     ),
-    "an upload ends by a late answer though nothing is lost any more": (
-        "Client.cpp",
-        "if (state.quiet < lateTurns && !state.isCommanding) return;",
-        "(void)lateTurns;",
-        "ArduPilot clear 0 upload-in-doubt 1 --losses 0 --lossy 1 --latency 300",
-        "nothing is lost any more, and it does not end well",
-    ),
     "a reading ends by a late answer though nothing is lost any more": (
         "Client.cpp",
-        "if (state.quiet < lateTurns && !state.isCommanding) return;",
-        "(void)lateTurns;",
+        "if (!state.isPlanless && client.awaitsCopies()) return;",
+        "",
         "ArduPilot upload 2 download 0 --losses 0 --lossy 1 --latency 300",
         "nothing is lost any more, and it does not end well",
     ),
-    "an upload to PX4 ends by a late answer though nothing is lost any more": (
+    "what a copy of a message draws is taken for the answer to the next operation": (
         "Client.cpp",
-        "if (state.quiet < lateTurns && !state.isCommanding) return;",
-        "(void)lateTurns;",
-        "PX4 upload-in-doubt 2 upload-in-doubt 1 --losses 0 --lossy 1 --latency 300",
-        "nothing is lost any more, and it does not end well",
+        "if (!state.isPlanless && client.awaitsCopies()) return;",
+        "",
+        "ArduPilot upload-in-doubt 1 clear 0 --losses 0 --copies 1",
+        "aboard() says our plan, and CLEAR_ALL has left",
+    ),
+    "aboard() stays our plan behind a clear that is cancelled when its message has left": (
+        "Clear.cpp",
+        "client.setAboard(clearing.type(), Aboard::NotKnown);",
+        "",
+        "ArduPilot upload 1 clear 0 --losses 1 --cancels 1",
+        "aboard() says our plan, and CLEAR_ALL has left",
+    ),
+    "a clear that is not answered has no end": (
+        "ClearTransfer.cpp",
+        "if (tries_ < (pace.isLossy() ? Pace::kLossyTries : kTries)) return Status::Transferring;",
+        "if (tries_ < 250) return Status::Transferring;",
+        "ArduPilot clear 0",
+        "CLEAR_ALL is sent too often",
     ),
     "an acceptance on a line that loses is not proven": (
         "TakeUp.cpp",
-        ": client.link_.pace().isLossy();",
-        ": false;",
+        "isInDoubt = client.link_.pace().isLossy() && !transfer.isProven();",
+        "isInDoubt = false;",
         "ArduPilot upload-in-doubt 1 --losses 1 --lossy 1",
         "Accepted on a line that loses, and not read back",
     ),
     "an upload begins anew and forgets that the server has begun": (
         "TakeUp.cpp",
-        "client.unsettle(nowMs);\n    client.beginTransfer();\n    client.transfer_.noteBegunBefore();",
+        "client.unsettle();\n    client.beginTransfer();\n    client.transfer_.noteBegunBefore();",
         "client.beginTransfer();",
         "Betaflight upload-in-doubt 2 --losses 2 --faults 1",
         "aboard() says as before, and it is not",
     ),
     "aboard() stays our plan when an upload of another one ends early": (
         "Upload.cpp",
-        "if (aboard(type) == Aboard::OurPlan) setAboard(type, Aboard::AsBefore);",
+        "setAboard(Aboard::NotKnown);  // from now on, until an answer says it",
         "",
         "ArduPilot upload 1 upload 1 --losses 1 --cancels 1",
         "aboard() says our plan, and it is not",
@@ -417,7 +446,8 @@ DEFECTS = {
     ),
     "a rally point is sent where the mission's item is asked for": (
         "Upload.cpp",
-        "if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;",
+        "if (type != static_cast<uint8_t>(client.state_.type)) return"
+        " client.tellCancelled(static_cast<PlanType>(type));",
         "",
         "ArduPilot upload-in-doubt 2 rally-upload-in-doubt 1 --losses 2 --cancels 1",
         "an item is sent that was not asked for",

@@ -15,6 +15,7 @@ BUSY = pytest.mark.scenario(23, "PX4 is busy with what was ours: ended, or waite
 PLANS = {MISSION: SURVEY, FENCE: FIELD, RALLY: POINTS}
 GIVES_UP_S = 5.1  # PX4 does, after it has heard of a transfer
 TRIED_S = 6.1  # by the client: a little longer
+COPY_S = 0.5  # for which it waits behind another operation, with two round trips
 TYPES = pytest.mark.parametrize("mission_type", PLANS, ids=["mission", "fence", "rally"])
 
 
@@ -42,7 +43,7 @@ def test_upload_after_a_reading_whose_closing_ack_was_lost_goes_on_trying(px4, m
     plan = [one._replace(y=one.y + 7) for one in PLANS[mission_type]]
     px4.upload(plan, mission_type)
     assert px4.done() == "Accepted"
-    assert px4.now - began < within_s + 0.4
+    assert px4.now - began < within_s + 0.4 + COPY_S
     assert same_bits(px4.autopilot.received(mission_type), on_the_wire(plan, "PX4"))
 
 
@@ -63,7 +64,7 @@ def test_reading_that_ended_otherwise_is_outlived_too(px4, how):
     began = px4.now
     px4.upload(SURVEY)
     assert px4.done() == "Accepted"
-    assert px4.now - began < TRIED_S + 0.4
+    assert px4.now - began < TRIED_S + 0.4 + COPY_S
 
 
 @BUSY
@@ -78,7 +79,7 @@ def test_reading_from_before_a_reset_is_outlived_on_a_line_that_loses(px4, lost)
     wanted = mavlink.MAVLink_mission_request_list_message(1, 1, MISSION)
     px4.autopilot.receive(wanted.pack(mavlink.MAVLink(None, *US)), px4.now)
     px4.wire.lose(">", name="MISSION_ACK", times=lost)
-    px4.upload(SURVEY)
+    px4.upload(SURVEY, proof="InDoubt")
     assert px4.done() == "Accepted"
     assert px4.now - px4.sent_at("MISSION_COUNT")[0] < TRIED_S + 2.0  # and five items
     assert same_bits(px4.autopilot.received(), SURVEY)

@@ -47,6 +47,8 @@ struct DownloadRules {
   static constexpr uint8_t kOtherTries = 2;       // of it, before another number of items is believed in a read-back
   static constexpr uint8_t kItemTries = 8;        // MISSION_REQUEST_INT, for each item
   static constexpr uint16_t kItemMs = 250;        // to the item
+  static constexpr uint8_t kMostAnew = 4;         // readings that begin anew, since the autopilot has ended one
+  static constexpr uint16_t kCopyMs = 400;        // between two messages of such a reading
   static constexpr uint8_t kNewRequestTries = 2;  // then MISSION_REQUEST, to an autopilot that may be old
 };
 
@@ -175,7 +177,8 @@ struct TargetRules {
 struct ClientRules {
   static constexpr uint8_t kOrderWaitS = 10;       // for the autopilot, of a command, where the sketch sets no limit
   static constexpr uint8_t kTickMs = 2;            // seconds, heartbeats and silence are looked at once in this time
-  static constexpr uint8_t kLateTurns = 4;         // a message that was sent again may still be answered [512 ms]
+  static constexpr uint16_t kCopyMs = 400;         // a copy of a message, which the line has made, may still arrive
+  static constexpr uint16_t kLateMs = 1600;        // a message that was sent again may still be answered
   static constexpr uint16_t kLeftoversMs = 10000;  // an earlier transfer may still be answered
   // The default limit for a whole operation [s].
   static uint16_t defaultLimitS(uint16_t count) { return count < 32000 ? 120 + 2 * count : 0xFFFF; }

@@ -28,7 +28,7 @@ bool Client::BackingOff::begin(Client& client, Status refusal) {
                                : client.rest_.backOffPauseS >= BackOffRules::kMostS ? BackOffRules::kMostS
                                                                                     : 2 * client.rest_.backOffPauseS;
   if (state.seconds + client.rest_.backOffPauseS > client.rest_.backOffLimitS) return false;
-  client.state_.backOffEndS = state.seconds + client.rest_.backOffPauseS;
+  client.state_.limitFromS = state.seconds + client.rest_.backOffPauseS;
   state.status = Status::BackingOff;
   state.operation = step;
   return true;
@@ -36,9 +36,10 @@ bool Client::BackingOff::begin(Client& client, Status refusal) {
 
 void Client::BackingOff::step(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
-  if (frame != nullptr || state.seconds < client.state_.backOffEndS) return;
+  if (frame != nullptr || state.seconds < state.limitFromS) return;
   state.operation = Uploading::step;
-  state.quiet = 255;                           // what is answered late was asked for the same plan
+  state.isLate = false;
+  state.unsettled &= kFromOpen | kFromBusy;    // what is answered late was asked for the same plan
   state.status = Status::WaitingForAutopilot;  // it may be armed, or lost, by now: from the start
 }
 

@@ -17,59 +17,83 @@ Status MissionClient::clear(PlanType type) {
   return state_.status;
 }
 
-bool Client::Clearing::begin(Client& client, uint16_t) {
-  Status hindrance = Status::NeedsMavlink2;
-  if (client.isTypeCarried()) {
-    if (!client.isArmed() || client.state_.armedAllowed) {
-      client.clearing_.begin(client.state_.type);
-      client.state_.status = Status::Transferring;
-      return true;
-    }
-    hindrance = Status::Armed;
+bool Client::Clearing::begin(Client& client, uint16_t nowMs) {
+  if (!client.isTypeCarried()) {
+    client.end(Status::NeedsMavlink2);
+    return false;
   }
-  client.end(hindrance);
-  return false;
+  const State& state = client.state_;
+  // Then the acceptance of something before may come, and look like the one of this.
+  const bool isDoubtful = (state.unsettled & (kFromOpen | kFromBefore)) != 0;
+  client.clearing_.begin(state.type, isDoubtful);
+  client.beginTransferring(nowMs);
+  return true;
 }
 
 void Client::Clearing::frame(Client& client, const FrameParser& frame, uint16_t) {
   ClearTransfer& clearing = client.clearing_;
-  if (frame.messageId() != MAVLINK_MSG_ID_MISSION_ACK) return;
-  const mavlink_mission_ack_t ack = messageFrom<mavlink_mission_ack_t>(frame);
-  if (ack.mission_type != static_cast<uint8_t>(clearing.type()) || !clearing.hasBeenSent()) return;
-  client.state_.lastResult = ack.type;
-  Status status = fromMissionResult(ack.type);
-  if (status == Status::Accepted) {
-    client.setAboard(clearing.type(), Aboard::Nothing);
-    status = clearing.onAccepted();
+  if (!clearing.hasBeenSent()) return;
+  switch (frame.messageId()) {
+    case MAVLINK_MSG_ID_MISSION_COUNT: return takeCount(client, messageFrom<mavlink_mission_count_t>(frame));
+    case MAVLINK_MSG_ID_MISSION_ACK: return takeAck(client, messageFrom<mavlink_mission_ack_t>(frame));
+    default: return;
   }
+}
+
+void Client::Clearing::takeCount(Client& client, const mavlink_mission_count_t& count) {
+  ClearTransfer& clearing = client.clearing_;
+  if (!clearing.isAsking() || count.mission_type != static_cast<uint8_t>(clearing.type())) return;
+  client.tellCancelled(clearing.type());  // otherwise PX4 would wait for our requests for 5 s
+  ItemNumbers numbers;
+  numbers.begin(client.firmware(), clearing.type(), false);
+  if (clearing.onCount(numbers.isCountOf(0, count.count))) takeCleared(client);
+}
+
+void Client::Clearing::takeAck(Client& client, const mavlink_mission_ack_t& ack) {
+  ClearTransfer& clearing = client.clearing_;
+  if (clearing.isAsking() || ack.mission_type != static_cast<uint8_t>(clearing.type())) return;
+  client.state_.lastResult = ack.type;
+  const Status status = fromMissionResult(ack.type);
+  if (status == Status::Accepted) return clearing.onAccepted() ? takeCleared(client) : void();
+  const bool mayBeOlder = (client.state_.unsettled & UploadTransfer::kAnswers) != 0;
   // ArduPilot gives up an upload that was left open, 8 s later: that is no answer to this.
-  const bool isOlder =
-      status == Status::CancelledByAutopilot && (client.state_.unsettled & UploadTransfer::kAnswers) != 0;
-  if (status != Status::Transferring && !isOlder) end(client, status);
+  if (status == Status::CancelledByAutopilot && mayBeOlder) return;
+  // A refusal of the only MISSION_CLEAR_ALL leaves the plan. Of several the first may have been carried out.
+  if (clearing.tries() == 1 && !mayBeOlder) client.setAboard(clearing.type(), clearing.aboardBefore());
+  client.end(status);
+}
+
+// There is no plan of this type.
+void Client::Clearing::takeCleared(Client& client) {
+  client.setAboard(client.clearing_.type(), Aboard::Nothing);
+  if (!client.clearing_.next()) client.end(Status::Cleared);
 }
 
 void Client::Clearing::time(Client& client, uint16_t nowMs) {
   const State& state = client.state_;
   ClearTransfer& clearing = client.clearing_;
-  const Status status = clearing.onTime(nowMs, client.link_.pace());
-  if (status != Status::Transferring) return end(client, status);
+  const Status status = state.isLate ? Status::TookTooLong : clearing.onTime(nowMs, client.link_.pace());
+  if (status != Status::Transferring) return client.end(status);
   // An answer to a transfer that was left open may still be on its way, and would look like the answer to this.
   const bool mayBeAnswered = (state.unsettled & UploadTransfer::kAnswers) != 0 && !clearing.hasBeenSent();
   if (mayBeAnswered && since(state.unsettledMs, nowMs) < ClearTransfer::kAnswerMs) return;
   if (clearing.state() != ClearTransfer::State::Due || !client.link_.canSend()) return;
+  KeyIndex message = KeyIndex::MISSION_REQUEST_LIST;
+  if (!clearing.isAsking()) {
+    // (It may have been armed since the last one.)
+    if (client.isArmed() && !state.armedAllowed) return client.end(Status::Armed);
+    message = KeyIndex::MISSION_CLEAR_ALL;
+    // From now on it is not known what is aboard, until an answer says it.
+    if (!clearing.hasBeenSent()) clearing.setAboardBefore(client.aboard(clearing.type()));
+    client.setAboard(clearing.type(), Aboard::NotKnown);
+  }
   clearing.sent(nowMs);
   client.noteSent(clearing.tries());
-  client.sendShort(KeyIndex::MISSION_CLEAR_ALL, 0, clearing.type());
+  client.sendShort(message, 0, clearing.type());
 }
 
 void Client::Clearing::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
   operate<Clearing>(client, frame, nowMs);
-}
-
-void Client::Clearing::end(Client& client, Status status) {
-  // A refusal leaves the plan; silence may hide an answer that was lost.
-  if (status == Status::NoAnswer) client.setAboard(client.clearing_.type(), Aboard::NotKnown);
-  client.end(status);
 }
 
 }  // namespace mavmission

@@ -19,7 +19,6 @@ Client::Client(Stream& stream) {
   state_.failedItem = kNoItem;
   state_.lastResult = 255;
   state_.unsettled = UploadTransfer::kAnswers;
-  state_.quiet = 255;
   rest_.planType = PlanType::All;
 }
 
@@ -57,6 +56,7 @@ void Port::beginSeconds(uint16_t nowMs) {
   Client::State& state = static_cast<Client&>(*this).state_;
   state.secondMs = nowMs;
   state.seconds = 0;
+  state.limitFromS = 0;
   state.isLate = false;
 }
 
@@ -71,13 +71,15 @@ Status Client::startOperation(Step operation) {
   state_.proving = false;
   rest_.backOffPauseS = 0;
   state_.isCommanding = false;
-  state_.backOffEndS = 0;
+  state_.isPlanless = false;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
 }
 
 void Port::end(Status status) {
   Client& client = static_cast<Client&>(*this);
+  // The line may bring its last frames once more, and what they draw, when the next operation runs.
+  if (client.state_.status == Status::Transferring && !client.state_.isPlanless) client.expectAnswers(kFromBefore);
   client.state_.operation = nullptr;
   client.state_.status = status;
   client.rest_.toReturn = status;
@@ -101,13 +103,18 @@ void Client::tellLaterStep(Client& client, const FrameParser* frame, uint16_t) {
   if (frame == nullptr && client.rest_.toReturn == Status::Idle) client.end(client.state_.status);
 }
 
-void Client::unsettle(uint16_t nowMs) {
-  state_.unsettled = UploadTransfer::kAnswers | UploadTransfer::kBusy;
-  state_.unsettledMs = nowMs;
-  expectLateAnswers();
+void Client::expectAnswers(uint8_t what) {
+  state_.unsettled |= what;
+  state_.unsettledMs = state_.tickMs;
 }
 
-void Client::tellCancelled() { state_.cancelled = (static_cast<uint8_t>(state_.type) + 1) & 3; }
+bool Client::awaitsCopies() {
+  const uint16_t lateMs = state_.unsettled >= kOneSecond ? kLateMs : kCopyMs;
+  return (state_.unsettled & kFromBefore) != 0 &&
+         since(state_.unsettledMs, state_.tickMs) < lateMs + 2 * link_.pace().roundTripMs();
+}
+
+void Client::tellCancelled(PlanType type) { state_.cancelled = static_cast<uint8_t>(type) + 1; }
 
 // A callback is called in the middle of an operation, which goes on to the end of this update().
 void MissionClient::cancel() {
@@ -134,12 +141,12 @@ void Client::cancelSecond(Client& client) {
 
 void Client::cancelNow() {
   if (state_.operation == nullptr) return;
-  if (state_.status == Status::Transferring && !state_.isCommanding) expectLateAnswers();
+  noteSent(2);
   const bool isUpload = state_.operation == Uploading::step;
   if (state_.status == Status::Transferring && (isUpload || state_.proving || state_.operation == ReadingPlan::step)) {
     tellCancelled();
     if (isUpload) setAboard(Uploading::aboardAfter(*this, Status::Cancelled));
-    unsettle(static_cast<uint16_t>(millis()));
+    unsettle();
   }
   end(Status::Cancelled);
 }
@@ -156,11 +163,9 @@ void Port::waitForAutopilot() {
     if (!client.link_.isCurrent() && (!client.link_.isBlind() || state.isCommanding)) return;
     if (finder.isFrom(client.link_.systemId(), client.link_.componentId())) return end(Status::SameIdsAsAutopilot);
     if (kOnly != Firmware::Unknown && finder.firmware() != kOnly) return end(Status::OtherAutopilot);
-    // What comes before this operation has sent anything is no answer to it: so it waits for late answers first. No
-    // command is answered by a message of the mission protocol.
-    const uint8_t roundTrips = static_cast<uint8_t>(client.link_.pace().roundTripMs() >> 8);  // 2 of them [512 ms]
-    const uint8_t lateTurns = static_cast<uint8_t>(Client::kLateTurns + roundTrips);
-    if (state.quiet < lateTurns && !state.isCommanding) return;
+    // What comes before this operation has sent anything is no answer to it: so it waits for late answers first. What
+    // transfers no plan is not answered by a message of the mission protocol.
+    if (!state.isPlanless && client.awaitsCopies()) return;
     state.status = Status::Checking;
     return;
   }
@@ -210,10 +215,16 @@ void Client::onTick(uint16_t nowMs) {
     state_.secondMs += 1000;
     ++state_.seconds;
     link_.pace().onSecond();
+    if (state_.unsettled >= kOneSecond) state_.unsettled -= kOneSecond;
     const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(state_.itemsTotal);
-    if (static_cast<uint16_t>(state_.seconds - state_.backOffEndS) >= limitS) state_.isLate = true;
+    // Its limit does not count while an autopilot is waited for.
+    if (state_.status == Status::WaitingForAutopilot) {
+      state_.limitFromS = state_.seconds + 1;
+    } else if (static_cast<uint16_t>(state_.seconds - state_.limitFromS) >= limitS) {
+      state_.isLate = true;
+    }
   }
-  if (state_.unsettled != 0 && since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled = 0;
+  if (since(state_.unsettledMs, nowMs) >= kLeftoversMs) state_.unsettled &= kOfRepeats;
   link_.onTime(nowMs);
 }
 
@@ -253,11 +264,10 @@ Status Client::updateAt(uint32_t exactMs) {
   if (state_.cancelled != 0 && hasAutopilot() && link_.canSend()) {
     sendAck(MAV_MISSION_OPERATION_CANCELLED, static_cast<PlanType>(state_.cancelled - 1));
     state_.cancelled = 0;
+    expectAnswers(kFromBefore);
   }
-  const uint8_t tick = static_cast<uint8_t>(nowMs / kTickMs);
-  if (tick != state_.tick) {
-    if (tick < state_.tick && state_.quiet != 255) ++state_.quiet;  // once a turn of 256 ticks
-    state_.tick = tick;
+  if (static_cast<uint16_t>(nowMs ^ state_.tickMs) >= kTickMs) {
+    state_.tickMs = nowMs;
     onTick(nowMs);
   }
   if (state_.operation != nullptr) state_.operation(*this, nullptr, nowMs);

@@ -101,21 +101,24 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   MAVMISSION_APART void forgetAutopilot();
   MAVMISSION_APART MAVMISSION_ONE_EXIT void onTick(uint16_t nowMs);
   MAVMISSION_APART Status startOperation(Step operation);
-  void unsettle(uint16_t nowMs);
+  // The transfer is left open.
+  void unsettle() { expectAnswers(kFromOpen | kFromBusy | kFromBefore | kOfRepeats); }
+  void settle() { state_.unsettled &= static_cast<uint8_t>(~(kFromOpen | kFromBusy)); }
   // To be called when a message of the mission protocol has been sent, with how often it has been sent by now. Each may
   // be answered, and an operation waits for one answer: the others come late.
   void noteSent(uint8_t tries) {
-    if (tries > 1) expectLateAnswers();
+    if (tries > 1) state_.unsettled |= kOfRepeats;
   }
-  void expectLateAnswers() { state_.quiet = 0; }
-  void tellCancelled();
+  MAVMISSION_APART void expectAnswers(uint8_t what);
+  // True while the next operation must not begin.
+  bool awaitsCopies();
+  // What may still be answered, beside UploadEvidence's kFromOpen, kFromBusy and kFromBefore: repeats of ours. They are
+  // counted down, and so forgotten after 2 to 3 s.
+  static constexpr uint8_t kOneSecond = 64, kOfRepeats = 3 * kOneSecond;
+  void tellCancelled() { tellCancelled(state_.type); }
+  void tellCancelled(PlanType type);
   void setAboard(Aboard what) { setAboard(state_.type, what); }
   void setAboard(PlanType type, Aboard what) { known_.aboard[static_cast<uint8_t>(type) & 3] = what; }
-  // aboard() is about plan_ from now on; what was our plan is `then`.
-  void aboutPlan(Aboard then) {
-    setOfPlan(true);
-    if (aboard(state_.type) == Aboard::OurPlan) setAboard(then);
-  }
   // True if the mission that aboard() is about is plan_: a plan that was refused is not.
   bool isMissionInPlan() const { return rest_.planType == PlanType::Mission && isOfPlan(); }
   bool isOfPlan() const { return known_.aboard[kOfPlan] != Aboard::NotKnown; }
@@ -177,17 +180,14 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     Step operation;        // null: idle
     uint16_t secondMs;     // when `seconds` was last counted up
     uint16_t seconds;      // the time of the operation, or of its transfer [s]
-    uint16_t unsettledMs;  // when a transfer was last left open, or a download ended
+    uint16_t unsettledMs;  // when the last transfer ended
     uint16_t next;         // the wire item to be checked, or to be added to opaqueId_; of commands: see firstMode()
     uint16_t itemsDone;
     uint16_t failedItem;
-    uint16_t backOffEndS;  // when the back-off ends, and when the transfer's own time began [s]
-    // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
-    void (*announcePart)(Client& client, bool isBeginning);
+    uint16_t limitFromS;  // from when on the limit counts: in a back-off its end [s]
     uint16_t itemsTotal;
     uint8_t lastResult;
     Status status;
-    uint8_t quiet;  // since a message was sent again, or a transfer was left open [256 ticks]
     PlanType type;  // of the running operation
     // Bits, for RAM, which cost a little flash.
     bool floatItems : 1;    // items go out as MISSION_ITEM
@@ -199,12 +199,13 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     bool tooLong : 1;       // the source has more items than the protocol can count
     bool isCommanding : 1;  // the running or last operation is a command: commanding_ is in use
     bool isTelling : 1;     // onEnd()'s function runs
-    uint8_t unsettled : 2;  // UploadTransfer::kAnswers (also after a reset) and kBusy
-    uint8_t cancelled : 2;  // the plan type whose cancelling is still to be sent, plus 1; 0: none
     bool isLate : 1;        // the operation has reached its time limit
     bool readsHalf : 1;     // an update() reads half as many bytes as it may
     bool isTimeLeft : 1;    // this update() has read, and few bytes: there is time for heavy work
-    uint8_t tick;           // when onTick() was called last [kTickMs], its low 8 bits
+    bool isPlanless : 1;    // the running or last operation transfers no plan
+    uint8_t cancelled;      // the plan type whose cancelling is still to be sent, plus 1; 0: none
+    uint8_t unsettled;      // kFromOpen (also after a reset), kFromBusy, kFromBefore, kOfRepeats
+    uint16_t tickMs;        // when onTick() was called last: within an update() this is now, to kTickMs
     // What a running update() does at its end: nothing, or the cancel() of a callback. Null while none runs.
     void (*atEnd)(Client& client);
   };
@@ -212,6 +213,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   // Settings and results.
   struct Rest {
     Options options;
+    // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
+    void (*announcePart)(Client& client, bool isBeginning);
     ProgressFunction progress;
     void* progressContext;
     void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none

@@ -46,6 +46,7 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
                                                                                 : CommandLog::Before::Other;
   startOperation(Command::step);
   state_.isCommanding = true;
+  state_.isPlanless = true;
   memset(&commanding_, 0, sizeof(commanding_));
   known_.log.begin(before, static_cast<uint16_t>(millis()));
   commanding_.fill = fill;

@@ -3,7 +3,7 @@
 //   WaitingForAutopilot -> Checking -> the look ------------------------> AlreadyAboard
 //                                        | another plan is aboard
 //                                        +--> armed: Armed, and nothing is changed
-//                                        +--> our reading is closed (freeStep()) ----> the upload
+//                                        +--> our reading is closed (freeStep()), 0.4 s pass ----> the upload
 //
 // The look is MISSION_REQUEST_LIST. PX4's answer has the checksum of its plan, which is compared with ours; any other
 // autopilot's items are read and compared.
@@ -29,6 +29,7 @@ Status Client::ensurePlan(const ItemSource& plan, PlanType type, Readback proof)
 void Client::beginEnsuring() {
   state_.operation = Ensuring::step;
   state_.status = Status::WaitingForAutopilot;
+  state_.isLate = false;
   rest_.options.takeUp = Ensuring::takeUp;
 }
 
@@ -72,8 +73,6 @@ void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
   beginLook(client, nowMs);
   client.state_.proving = true;  // no progress is reported for the look
   client.rest_.field = ItemField::None;
-  client.state_.isLate = false;  // of the time before the end of a back-off
-  if (client.rest_.backOffPauseS == 0) client.beginSeconds(nowMs);
   client.state_.status = Status::Transferring;
 }
 
@@ -125,7 +124,8 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
       if (client.reading_.transfer.state() != DownloadTransfer::State::Listing) {
         // An error may be the late answer to the last item of an earlier upload, if that item was sent again.
         const bool mayBeOlder = status == Status::Error && (client.state_.unsettled & UploadTransfer::kAnswers) != 0;
-        return mayBeOlder ? void() : endLook(client, status);
+        const bool isEnded = status == Status::Error && client.reading_.transfer.beginAnew(nowMs);  // as in a reading
+        return mayBeOlder || isEnded ? void() : endLook(client, status);
       }
       // ArduPilot has just given up the upload for which it refused to be read.
       if (status == Status::CancelledByAutopilot) beginLook(client, nowMs);
@@ -178,13 +178,21 @@ void Client::Ensuring::replaceOther(Client& client) {
   client.state_.operation = freeStep;
 }
 
-// Closes our reading, then begins the upload. PX4 would otherwise refuse MISSION_COUNT, being busy with our reading.
-void Client::Ensuring::freeStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  if (frame != nullptr || !client.link_.canSend()) return;
+// Closes our reading before the upload. PX4 would otherwise refuse MISSION_COUNT, being busy with our reading.
+void Client::Ensuring::freeStep(Client& client, const FrameParser* frame, uint16_t) {
   State& state = client.state_;
+  if (state.isLate) return endLook(client, Status::TookTooLong);
+  if (frame != nullptr || !client.link_.canSend()) return;
   client.sendAck(MAV_MISSION_OPERATION_CANCELLED, state.type);
-  state.unsettled |= UploadTransfer::kBusy;  // the closing may be lost
-  state.unsettledMs = nowMs;
+  client.expectAnswers(kFromBusy | kFromBefore);  // the closing may be lost
+  state.operation = freedStep;
+}
+
+// A copy of our closing, which the line may bring, would end our upload.
+void Client::Ensuring::freedStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  State& state = client.state_;
+  if (frame != nullptr || client.awaitsCopies()) return;
+  state.limitFromS = state.seconds;  // the upload has its whole time
   state.failedItem = kNoItem;
   client.rest_.field = ItemField::None;
   client.state_.lastResult = 255;
@@ -226,8 +234,7 @@ void Client::Ensuring::endLook(Client& client, Status status) {
   } else {
     client.tellCancelled();
   }
-  client.state_.unsettled |= UploadTransfer::kBusy;    // our last message may be lost
-  client.state_.unsettledMs = client.state_.secondMs;  // about now: less than a second ago
+  client.expectAnswers(kFromBusy);  // our last message may be lost
   if (client.rest_.options.backOff != nullptr && client.rest_.options.backOff(client, status)) {
     client.state_.operation = backOffStep;
     return;
@@ -258,7 +265,7 @@ bool Client::Ensuring::takeUpAgain(Client& client, Status status, uint16_t nowMs
 }
 
 void Client::Ensuring::backOffStep(Client& client, const FrameParser* frame, uint16_t) {
-  if (frame == nullptr && client.state_.seconds >= client.state_.backOffEndS) client.beginEnsuring();
+  if (frame == nullptr && client.state_.seconds >= client.state_.limitFromS) client.beginEnsuring();
 }
 
 }  // namespace mavmission

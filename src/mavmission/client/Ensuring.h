@@ -11,6 +11,7 @@ struct Client::Ensuring : OperationParts {
   static void time(Client& client, uint16_t nowMs);
   static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void freeStep(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static void freedStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void prove(Client& client, uint16_t nowMs);
   static void proofStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void backOffStep(Client& client, const FrameParser* frame, uint16_t nowMs);

@@ -13,7 +13,7 @@ Status MissionClient::uploadPartial(const ItemSource& plan, uint16_t first, uint
   if (state_.operation != nullptr) return Status::Busy;
   const Status status = upload(plan);
   if (isEnd(status)) return status;
-  state_.announcePart = Uploading::announcePart;
+  rest_.announcePart = Uploading::announcePart;
   partFirst_ = first;
   partCount_ = count;
   if (count == 0 || first >= plan.count || count > plan.count - first) {

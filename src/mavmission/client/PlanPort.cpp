@@ -132,6 +132,7 @@ void PlanPort::noteWhole() { static_cast<Client&>(*this).state_.lastResult = MAV
 void PlanPort::uploadByItems(uint16_t nowMs) {
   Client& client = static_cast<Client&>(*this);
   client.state_.operation = Client::Uploading::step;
+  client.beginSeconds(nowMs);
   Client::Uploading::begin(client, nowMs);
 }
 

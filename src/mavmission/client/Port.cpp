@@ -95,6 +95,7 @@ Status CommandPort::beginCommands(FillCommand fill, OnCommand on, void* owner) {
 Status CommandPort::beginOwn(Port::Step operation, void* owner) {
   Client& client = static_cast<Client&>(*this);
   const Status status = client.startOperation(operation);
+  client.state_.isPlanless = true;
   memset(&client.commanding_, 0, sizeof(client.commanding_));
   client.commanding_.owner = owner;
   client.commanding_.transfer.setRepeats(true);

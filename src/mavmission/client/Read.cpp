@@ -61,7 +61,10 @@ bool PlanPort::beginsReading(uint16_t nowMs) {
     return false;
   }
   // "Our plan" is this one from now on: whether it is aboard is what is to be found out.
-  if (client.state_.isCompared && !client.isOfPlan()) client.aboutPlan(Aboard::NotKnown);
+  if (client.state_.isCompared && !client.isOfPlan()) {
+    client.setOfPlan(true);
+    if (client.aboard(client.state_.type) == Aboard::OurPlan) client.setAboard(Aboard::NotKnown);
+  }
   client.beginPlan();
   client.beginTransferring(nowMs);
   return true;
@@ -90,7 +93,7 @@ void Client::ReadingPlan::step(Client& client, const FrameParser* frame, uint16_
 
 void Client::ReadingPlan::send(Client& client, uint16_t nowMs) {
   DownloadTransfer& transfer = client.reading_.transfer;
-  if (!client.link_.canSend()) return;
+  if (!client.link_.canSend() || transfer.mustWait(nowMs)) return;
   switch (transfer.toSend()) {
     case DownloadTransfer::Send::Nothing: return;
     case DownloadTransfer::Send::List: client.sendShort(KeyIndex::MISSION_REQUEST_LIST, 0, client.state_.type); break;
@@ -121,20 +124,22 @@ void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
       const Status status = client.reading_.transfer.onAck(result);
       if (status == Status::Transferring) return;
-      // While an upload is being proven, the autopilot may still hold the upload open: ArduPilot then denies reading
-      // until it gives the upload up, and PX4 answers with an error. The request is repeated, and the number of its
-      // attempts limits the wait. An error to a request for an item may be PX4's end of this reading, which a request
-      // that comes late is for it: what is asked behind that stays unanswered, so the reading begins anew. (It may also
-      // be the late answer to our last item, if that was sent again.)
       const bool isListing = client.reading_.transfer.state() == DownloadTransfer::State::Listing;
-      // Behind a transfer that was left open it may be the answer to that, or ArduPilot's giving it up.
-      const bool mayBeOlder = (client.state_.unsettled & UploadTransfer::kAnswers) != 0 &&
-                              (status == Status::Error || status == Status::CancelledByAutopilot);
-      if (client.state_.proving && !isListing && status == Status::Error) return client.reading_.transfer.begin(nowMs);
-      if (mayBeOlder || (client.state_.proving && isListing)) return;
       // The refusal of the older request, perhaps.
       const bool isOlderAsked = client.reading_.transfer.tries() > DownloadRules::kNewRequestTries;
       if (client.plan_.has(kMayBeOld) && isOlderAsked && status == Status::Unsupported) return;
+      // PX4 ends a reading with an error at a request that comes late, or once more, and does not answer the next ones.
+      // ArduPilot denies the next item when the line has brought the COUNT of our upload once more. (An error may also
+      // be the late answer to our last item, if that was sent again.) A comparison then begins anew.
+      const bool mayBeOfCopy = client.state_.proving || (client.state_.isCompared && status == Status::Error);
+      if (mayBeOfCopy && !isListing && client.reading_.transfer.beginAnew(nowMs)) return;
+      // While an upload is being proven, the autopilot may still hold the upload open: ArduPilot then denies reading
+      // until it gives the upload up, and PX4 answers with an error. The request is repeated, and the number of its
+      // attempts limits the wait. Behind a transfer that was left open it may be the answer to that, or ArduPilot's
+      // giving it up.
+      const bool mayBeOlder = (client.state_.unsettled & kFromOpen) != 0 &&
+                              (status == Status::Error || status == Status::CancelledByAutopilot);
+      if (mayBeOlder || (client.state_.proving && isListing)) return;
       client.state_.lastResult = result;
       return end(client, status);
     }
@@ -146,8 +151,15 @@ void Client::ReadingPlan::takeCount(Client& client, const FrameParser& frame, ui
   typedef mavlink_mission_count_t Count;
   if (frame.payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
   const uint16_t count = frame.payloadWord(offsetof(Count, count));
-  if (!client.reading_.transfer.onCount(count, nowMs, client.link_.pace())) return;
-  if (client.state_.isCompared) client.reading_.planId = frame.payloadLong(offsetof(Count, opaque_id));
+  DownloadTransfer& transfer = client.reading_.transfer;
+  if (!transfer.onCount(count, nowMs, client.link_.pace())) return;
+  if (client.state_.isCompared) {
+    const uint32_t planId = frame.payloadLong(offsetof(Count, opaque_id));
+    client.reading_.planId = planId;
+    // PX4's checksum of its plan proves an upload as well as the items do, where it is in doubt. (Elsewhere ours is 0.)
+    const bool isInDoubt = client.state_.proving && client.rest_.proof != static_cast<uint8_t>(Readback::Always);
+    if (isInDoubt && planId != 0 && planId == client.opaqueId_.value()) return transfer.close();
+  }
   const Status status = client.takeCount(count);
   if (status != Status::Transferring) end(client, status);
 }
@@ -264,8 +276,7 @@ void Client::ReadingPlan::end(Client& client, Status status) {
       default: status = Status::Unconfirmed; break;
     }
   }
-  client.state_.unsettled |= UploadTransfer::kBusy;    // our last message may be lost
-  client.state_.unsettledMs = client.state_.secondMs;  // about now: less than a second ago
+  client.state_.unsettled |= kFromBusy;  // our last message may be lost
   client.end(status);
 }
 

@@ -17,7 +17,7 @@ bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
   // held is gone: so the upload begins anew, within the time for the whole operation.
   if ((status == Status::TimedOut || status == Status::CancelledByAutopilot) && client.plan_.has(kMayBeOld) &&
       client.link_.pace().isLossy()) {
-    client.unsettle(nowMs);
+    client.unsettle();
     client.beginTransfer();
     client.transfer_.noteBegunBefore();
     return true;
@@ -27,16 +27,15 @@ bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
   const bool isDoubtfulError = status == Status::Error && !client.plan_.has(kRepeatsAcceptance) &&
                                transfer.state() == UploadTransfer::State::Confirming;
   // Of the frames that a line has broken, one of 65,536 has a right checksum all the same: where the line was seen to
-  // lose, a plan may have been accepted with a broken item. PX4 names the checksum of the plan itself.
+  // lose, a plan may have been accepted with a broken item, unless PX4 has named the checksum of the plan itself.
   bool isInDoubt = status == Status::Unconfirmed || isDoubtfulError;
   bool isProofDue = isInDoubt;
   if (status == Status::Accepted) {
-    isInDoubt = client.plan_.has(kSaysChecksum) ? transfer.hasBegun() && transfer.isAcceptanceDoubtful()
-                                                : client.link_.pace().isLossy();
+    isInDoubt = client.link_.pace().isLossy() && !transfer.isProven();
     isProofDue = isInDoubt || rest.proof == static_cast<uint8_t>(Readback::Always);
   }
   if (!isProofDue || rest.options.readBack == nullptr) return false;
-  if (isInDoubt) client.unsettle(nowMs);
+  if (isInDoubt) client.unsettle();
   client.state_.mayBeRefused = isDoubtfulError;
   rest.options.readBack(client, nowMs);
   return true;

@@ -27,7 +27,7 @@ void Client::setPlan(const ItemSource& plan, PlanType type) {
   plan_.setSource(plan);
   rest_.planType = type;
   state_.tooLong = plan.count > kMaxItems;
-  state_.announcePart = nullptr;
+  rest_.announcePart = nullptr;
 }
 
 Status Client::uploadKeptPlan() {
@@ -56,7 +56,8 @@ void Client::Uploading::step(Client& client, const FrameParser* frame, uint16_t 
 
 void Client::Uploading::time(Client& client, uint16_t nowMs) {
   const Status status = client.transfer_.onTime(nowMs, client.link_.pace());
-  if (status != Status::Transferring) return goOn(client, status, nowMs);
+  // While the stream does not take a frame, no answer to it is overdue.
+  if (status != Status::Transferring && client.link_.canSend()) return goOn(client, status, nowMs);
   if (client.state_.isLate) return goOn(client, Status::TookTooLong, nowMs);
   send(client, nowMs);
 }
@@ -97,7 +98,9 @@ Status PlanPort::checkNext(bool isToChange) {
   Status checked = Status::Accepted;
   if (plan.isTooLong()) {
     checked = Status::TooManyItems;
-  } else if (state.announcePart != nullptr && plan.has(kTakesWholePlansOnly)) {
+  } else if (state.isLate) {
+    checked = Status::TookTooLong;  // the source has no item, or the stream takes no more bytes
+  } else if (client.rest_.announcePart != nullptr && plan.has(kTakesWholePlansOnly)) {
     checked = Status::WholePlansOnly;
   } else if (!isTypeCarried()) {
     checked = Status::NeedsMavlink2;
@@ -126,17 +129,17 @@ void Client::Uploading::checkNext(Client& client, uint16_t nowMs) {
   }
 }
 
-void Client::beginTransfer() { transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled); }
+void Client::beginTransfer() {
+  setOfPlan(true);
+  setAboard(Aboard::NotKnown);  // from now on, until an answer says it
+  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled);
+}
 
 void Client::Uploading::begin(Client& client, uint16_t nowMs) {
   client.beginTransfer();
-  // "Our plan" is this one from now on, and what was ours is what was aboard before.
-  client.aboutPlan(Aboard::AsBefore);
-  if (client.state_.announcePart != nullptr) client.state_.announcePart(client, true);
+  if (client.rest_.announcePart != nullptr) client.rest_.announcePart(client, true);
   client.opaqueId_.begin();
   client.state_.next = 0;
-  client.state_.isLate = false;
-  if (client.rest_.backOffPauseS == 0) client.beginSeconds(nowMs);
   client.state_.status = Status::Transferring;
   send(client, nowMs);
 }
@@ -148,7 +151,9 @@ void Client::Uploading::frame(Client& client, const FrameParser& frame, uint16_t
       typedef mavlink_mission_request_int_t Request;
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request),
                     "MISSION_REQUEST and MISSION_REQUEST_INT must have the same layout");
-      if (frame.payloadByte(offsetof(Request, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
+      const uint8_t type = frame.payloadByte(offsetof(Request, mission_type));
+      // A COUNT of an upload of before has come once more, and PX4 does not hear ours while it waits for those items.
+      if (type != static_cast<uint8_t>(client.state_.type)) return client.tellCancelled(static_cast<PlanType>(type));
       if (frame.messageId() == MAVLINK_MSG_ID_MISSION_REQUEST_INT) client.transfer_.noteInt();
       const Status status =
           client.transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, client.link_.pace());
@@ -184,8 +189,10 @@ Status Client::Uploading::proven(Client& client, uint32_t opaqueId) {
     // when a network brings our COUNT once more. Reading shows that. (Behind an empty plan there is nothing to be
     // deleted, and what was sent as floats cannot be compared.)
     if (client.plan_.has(kIsReadBack) && client.transfer_.hasBegun()) return Status::Unconfirmed;
-    if (client.plan_.has(kSaysChecksum) && opaqueId != 0 && opaqueId != client.opaqueId_.value())
-      return Status::OtherPlanAboard;
+    if (client.plan_.has(kSaysChecksum) && opaqueId != 0) {
+      if (opaqueId != client.opaqueId_.value()) return Status::OtherPlanAboard;
+      client.transfer_.noteProven();
+    }
   }
   if (client.state_.type == PlanType::Mission) client.known_.planId = opaqueId;
   return Status::Accepted;
@@ -212,11 +219,11 @@ void Client::Uploading::goOn(Client& client, Status status, uint16_t nowMs) {
     case Status::SourceRefused:
       if (status == Status::TimedOut) client.noteFailed(client.transfer_.itemsAskedFor() - 1);
       client.tellCancelled();
-      client.unsettle(nowMs);
+      client.unsettle();
       break;
-    case Status::Unconfirmed: client.unsettle(nowMs); break;
+    case Status::Unconfirmed: client.unsettle(); break;
     default:
-      client.state_.unsettled = 0;
+      client.settle();
       if (client.transfer_.hasBegun()) client.noteFailed(client.transfer_.lastItem());
       break;
   }
@@ -225,7 +232,7 @@ void Client::Uploading::goOn(Client& client, Status status, uint16_t nowMs) {
 
 void Client::noteAccepted() {
   if (state_.type == PlanType::Mission) state_.infeasible = false;
-  state_.unsettled = 0;
+  settle();
 }
 
 Aboard Client::Uploading::aboardAfter(const Client& client, Status status) {
@@ -275,8 +282,8 @@ void Client::Uploading::send(Client& client, uint16_t nowMs) {
 void Client::Uploading::sendAnnouncement(Client& client) {
   if (client.transfer_.toSend() == UploadTransfer::Send::Cancel) {
     client.sendAck(MAV_MISSION_OPERATION_CANCELLED, client.state_.type);
-  } else if (client.state_.announcePart != nullptr) {
-    client.state_.announcePart(client, false);
+  } else if (client.rest_.announcePart != nullptr) {
+    client.rest_.announcePart(client, false);
   } else {
     client.sendShort(KeyIndex::MISSION_COUNT, client.plan_.wireCount(), client.state_.type);
   }

@@ -5,13 +5,20 @@
 namespace mavmission {
 namespace detail {
 
-void DownloadTransfer::begin(uint16_t nowMs) {
+void DownloadTransfer::begin(uint16_t nowMs, uint8_t anew) {
   sentMs_ = nowMs;
   count_ = 0;
   next_ = 0;
   state_ = State::Listing;
-  send_ = Send::List;
+  isDue_ = true;
   tries_ = 0;
+  anew_ = anew;
+}
+
+bool DownloadTransfer::beginAnew(uint16_t nowMs) {
+  if (anew_ == kMostAnew) return false;
+  begin(nowMs, anew_ + 1);
+  return true;
 }
 
 bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
@@ -20,8 +27,9 @@ bool DownloadTransfer::onCount(uint16_t count, uint16_t nowMs, Pace& pace) {
   pace.learn(startedMs_, nowMs, tries_);
   count_ = count;
   tries_ = 0;
-  state_ = count == 0 ? State::Closing : State::Fetching;
-  send_ = count == 0 ? Send::Accepted : Send::Request;
+  state_ = State::Fetching;
+  isDue_ = true;
+  if (count == 0) close();
   return true;
 }
 
@@ -36,14 +44,13 @@ void DownloadTransfer::onItem(uint16_t nowMs, Pace& pace) {
   pace.learn(startedMs_, nowMs, tries_);
   ++next_;
   tries_ = 0;
-  const bool isLast = next_ == count_;
-  if (isLast) state_ = State::Closing;
-  send_ = isLast ? Send::Accepted : Send::Request;
+  isDue_ = true;
+  if (next_ == count_) close();
 }
 
 void DownloadTransfer::askAgain() {
   tries_ = 0;
-  send_ = Send::Request;
+  isDue_ = true;
 }
 
 Status DownloadTransfer::onAck(uint8_t result) const {
@@ -57,30 +64,29 @@ Status DownloadTransfer::onAck(uint8_t result) const {
 }
 
 Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
-  if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
+  if (isDue_) return Status::Transferring;  // the line is not free yet
   uint8_t most = kItemTries;
   uint16_t waitMs = kItemMs;
-  Send again = Send::Request;
   Status end = Status::TimedOut;
   if (state_ == State::Listing) {
     most = kListTries;
     waitMs = kListMs;
-    again = Send::List;
     end = Status::NoAnswer;
   }
   if (since(sentMs_, nowMs) < pace.waitMs(waitMs)) return Status::Transferring;
   if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : most)) return end;
-  send_ = again;
+  isDue_ = true;
   return Status::Transferring;
 }
 
+bool DownloadTransfer::mustWait(uint16_t nowMs) const { return anew_ != 0 && since(sentMs_, nowMs) < kCopyMs; }
+
 bool DownloadTransfer::sent(uint16_t nowMs) {
-  const bool isAll = send_ == Send::Accepted;
   if (tries_ == 0) startedMs_ = nowMs;
   ++tries_;
   sentMs_ = nowMs;
-  send_ = Send::Nothing;
-  return isAll;
+  isDue_ = false;
+  return state_ == State::Closing;
 }
 
 }  // namespace detail

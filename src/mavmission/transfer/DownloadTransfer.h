@@ -7,6 +7,9 @@
 //    | up to 5 attempts  | 5 attempts for each item
 //    v                   v
 //   NoAnswer            TimedOut
+//
+// PX4 ends a reading at a request that it does not expect, as a copy of an earlier one is that the line brings. The
+// reading then begins anew, and each request waits until a copy of the one before has arrived.
 #pragma once
 
 #include <stdint.h>
@@ -21,9 +24,9 @@ namespace detail {
 class DownloadTransfer : public DownloadRules {
  public:
   enum class State : uint8_t { Listing, Fetching, Closing };
-  enum class Send : uint8_t { Nothing, List, Request, Accepted };
+  enum class Send : uint8_t { Nothing, List, Request, Accepted };  // behind Nothing in the order of State
 
-  MAVMISSION_APART void begin(uint16_t nowMs);
+  MAVMISSION_APART void begin(uint16_t nowMs, uint8_t anew = 0);
   // After begin(): the items before this one are there already.
   void skipTo(uint16_t item) { next_ = item; }
 
@@ -35,14 +38,23 @@ class DownloadTransfer : public DownloadRules {
   // long the line takes. onItem() says that the item has been used, and requests the next one.
   bool expectsItem(uint16_t item, uint16_t nowMs, Pace& pace) const;
   void onItem(uint16_t nowMs, Pace& pace);
+  // No item is needed: the reading is closed.
+  void close() {
+    state_ = State::Closing;
+    isDue_ = true;
+  }
   // Requests the item that has just come again at once, because it could not be used yet.
   void askAgain();
+  // The autopilot has ended the reading: it begins anew. False if it has ended it too often.
+  bool beginAnew(uint16_t nowMs);
   Status onAck(uint8_t result) const;
   Status onTime(uint16_t nowMs, const Pace& pace);
 
+  // True while a copy of the last message may still arrive, and would end the reading.
+  bool mustWait(uint16_t nowMs) const;
   // The output: the message to send next and, for a request, the number of the item. Call sent() when the message has
   // been handed to the link; sent() is true if that was the last message of the download.
-  Send toSend() const { return send_; }
+  Send toSend() const { return isDue_ ? static_cast<Send>(static_cast<uint8_t>(state_) + 1) : Send::Nothing; }
   uint16_t itemToAsk() const { return next_; }
   bool sent(uint16_t nowMs);
 
@@ -58,8 +70,9 @@ class DownloadTransfer : public DownloadRules {
   uint16_t count_;
   uint16_t next_;
   State state_;
-  Send send_;
+  bool isDue_;     // the message of this state is to be sent
   uint8_t tries_;  // attempts at the request that is open now
+  uint8_t anew_;   // how often the reading has begun anew
 };
 
 }  // namespace detail

@@ -113,7 +113,10 @@ void FileReadTransfer::close(Status result) {
 }
 
 Status FileReadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
-  if (send_ != Send::Nothing) return Status::Transferring;  // the line is not free yet
+  if (send_ != Send::Nothing) {
+    // The line is not free yet. What the closing of the file waits for too long is closed behind the end.
+    return state_ == State::Closing && since(sentMs_, nowMs) >= kWriteMs ? result_ : Status::Transferring;
+  }
   const bool isOpening = state_ == State::Opening;
   uint16_t waitMs = pace.waitMs(isOpening ? kOpenMs : kPieceMs);
   // The autopilot sends a whole burst for each repeat, so none leaves before the first piece is late.

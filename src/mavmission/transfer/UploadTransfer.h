@@ -20,21 +20,21 @@
 #include "../base/Clock.h"
 #include "../base/Pace.h"
 #include "../base/RetryRules.h"
+#include "UploadVerdict.h"
 
 namespace mavmission {
 namespace detail {
 
 class UploadTransfer : public UploadRules {
  public:
-  enum class State : uint8_t { Counting, Sending, Confirming };
+  typedef UploadState State;
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
-  // What an earlier transfer may have left behind. kAnswers: late answers to an earlier transfer may still come, also
-  // to one from before a reset of this board; an answer that only the earlier transfer can have caused is not taken for
-  // an answer to this one. kBusy: PX4 may not have heard that the earlier transfer is over.
-  static constexpr uint8_t kAnswers = 1, kBusy = 2;
+  // What an earlier operation may have left behind, as UploadEvidence says.
+  static constexpr uint8_t kAnswers = kFromOpen, kBusy = kFromBusy;
 
-  // Begins the upload of `count` items on the wire to an autopilot with this firmware. `leftovers`: kAnswers, kBusy.
+  // Begins the upload of `count` items on the wire to an autopilot with this firmware. `leftovers`: kFromOpen,
+  // kFromBusy, kFromBefore.
   void begin(uint16_t count, Firmware firmware, uint8_t leftovers);
 
   // Limits the upload to wire items `first` to `behind` - 1, for a part of a plan. To be called right after begin().
@@ -70,10 +70,9 @@ class UploadTransfer : public UploadRules {
   // True if an answer has come that may belong to an earlier transfer, or if there was one of this upload: a refusal
   // then does not tell what is aboard.
   bool isSuspected() const { return suspicion_ != Status::Transferring || isBegunBefore_; }
-  // True if an acceptance may belong to an earlier, longer transfer that broke off at the item where this upload ends.
-  // PX4 then takes our last item for a repetition from the earlier transfer, and accepts it with the checksum of the
-  // items that it had received until then.
-  bool isAcceptanceDoubtful() const { return has(firmware_, kGoesOnWithOlder) && mayBeAnswered() && isUnasked_; }
+  // The autopilot has named the checksum of our plan.
+  void noteProven() { isProven_ = true; }
+  bool isProven() const { return isProven_; }
   // The number of the item after the one that the autopilot has requested last. The autopilot holds all items before
   // that one.
   uint16_t itemsAskedFor() const { return asked_; }
@@ -84,9 +83,11 @@ class UploadTransfer : public UploadRules {
   uint16_t lastItem() const { return item_; }
 
  private:
-  bool mayBeAnswered() const { return (leftovers_ & kAnswers) != 0; }
-  void endOlder();
-  Status onAcceptance();
+  struct Now;
+  void note(uint8_t evidence) { evidence_ |= evidence; }
+  bool has(uint8_t evidence) const { return (evidence_ & evidence) != 0; }
+  void endOther();
+  void freeFirst();
   MAVMISSION_APART void moveTo(uint16_t item, uint16_t nowMs);
 
   uint16_t progressMs_;
@@ -102,14 +103,11 @@ class UploadTransfer : public UploadRules {
   uint8_t tries_;     // attempts at COUNT; later, how often items were sent since the current one is current
   Status suspicion_;  // an answer that may belong to an earlier transfer: the result if no other answer comes
   Firmware firmware_;
-  uint8_t leftovers_ : 2;
-  bool recounted_ : 1;  // COUNT was sent more than once
-  bool freed_ : 1;      // an open earlier transfer of ours was cancelled first
-  bool isAgain_ : 1;    // the current item was sent before it became current the last time
-  bool repeated_ : 1;   // an item was sent more than once
+  uint8_t evidence_;  // UploadEvidence up to kBeyond
+  bool isAgain_ : 1;  // the current item was sent before it became current the last time
   bool isAskedByInt_ : 1;
-  bool isUnasked_ : 1;  // the current item was sent again without being asked for
-  bool isBegunBefore_;
+  bool isBegunBefore_ : 1;
+  bool isProven_ : 1;
 };
 
 }  // namespace detail

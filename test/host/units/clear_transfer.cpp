@@ -13,10 +13,10 @@ namespace {
 typedef ClearTransfer::State State;
 
 // In the client the memory may hold anything before begin().
-ClearTransfer begun(PlanType type) {
+ClearTransfer begun(PlanType type, bool isDoubtful = false) {
   ClearTransfer transfer;
   memset(static_cast<void*>(&transfer), 0xA5, sizeof(transfer));
-  transfer.begin(type);
+  transfer.begin(type, isDoubtful);
   return transfer;
 }
 
@@ -55,7 +55,8 @@ TEST_CASE("one type is cleared by its acceptance") {
   for (PlanType type : {PlanType::Mission, PlanType::Fence, PlanType::Rally}) {
     ClearTransfer transfer = begun(type);
     transfer.sent(0);
-    CHECK((transfer.onAccepted() == Status::Cleared));
+    CHECK(transfer.onAccepted());
+    CHECK_FALSE(transfer.next());
   }
 }
 
@@ -66,13 +67,48 @@ TEST_CASE("all three are cleared one by one, each with its own attempts") {
     transfer.sent(0);
     CHECK((transfer.onTime(ClearTransfer::kAnswerMs, quiet) == Status::Transferring));
     transfer.sent(ClearTransfer::kAnswerMs);
-    CHECK((transfer.onAccepted() == Status::Transferring));
+    CHECK(transfer.onAccepted());
+    CHECK(transfer.next());
     CHECK((transfer.state() == State::Due));
     CHECK_FALSE(transfer.hasBeenSent());
   }
   CHECK((transfer.type() == PlanType::Rally));
   transfer.sent(0);
-  CHECK((transfer.onAccepted() == Status::Cleared));
+  CHECK(transfer.onAccepted());
+  CHECK_FALSE(transfer.next());
+}
+
+TEST_CASE("an acceptance that something else may have caused is proven by the number of items, and else not believed") {
+  ClearTransfer transfer = begun(PlanType::Mission, true);
+  for (uint8_t clears = 1; clears <= ClearTransfer::kTries; ++clears) {
+    CHECK_FALSE(transfer.isAsking());
+    transfer.sent(0);
+    CHECK(transfer.tries() == clears);
+    CHECK_FALSE(transfer.onAccepted());
+    CHECK(transfer.isAsking());
+    CHECK((transfer.state() == State::Due));
+    CHECK_FALSE(transfer.hasBeenSent());
+    ClearTransfer emptied = transfer;
+    emptied.sent(0);
+    CHECK(emptied.onCount(true));
+    transfer.sent(0);
+    CHECK_FALSE(transfer.onCount(false));
+  }
+  // As often as CLEAR_ALL is sent at all.
+  CHECK((transfer.onTime(0, quiet) == Status::Unconfirmed));
+}
+
+TEST_CASE("an acceptance in doubt whose number of items is not heard is unconfirmed") {
+  ClearTransfer transfer = begun(PlanType::Mission, true);
+  transfer.sent(0);
+  transfer.onAccepted();
+  uint16_t nowMs = 0;
+  for (uint8_t asked = 1; asked <= ClearTransfer::kTries; ++asked) {
+    CHECK((transfer.onTime(nowMs, quiet) == Status::Transferring));
+    transfer.sent(nowMs);
+    nowMs = static_cast<uint16_t>(nowMs + ClearTransfer::kAnswerMs);
+  }
+  CHECK((transfer.onTime(nowMs, quiet) == Status::Unconfirmed));
 }
 
 TEST_CASE("on a line that loses CLEAR_ALL is repeated every 50 ms, up to 250 attempts") {

@@ -53,6 +53,7 @@ struct Sketch : ClientOnLine {
     client.clear();
     REQUIRE(runUntilSent(kClearAll, 3000));
     hear(ackParts(kAccepted));
+    if (runUntilSent(kRequestList, 1)) hear(countParts(0));
   }
   // An upload up to its last item.
   void upload(uint16_t items = 4) {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "ClientOnLine.h"
+#include "PlanFrames.h"
 
 using namespace mavmission;
 
@@ -67,21 +68,84 @@ TEST_CASE("all plans are cleared one behind the other, and the first refusal is 
   CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
 }
 
-TEST_CASE("a refusal leaves what was known to be aboard, and silence does not") {
-  for (const bool answers : {true, false}) {
+TEST_CASE("what is aboard is not known from the first CLEAR_ALL on, until it is accepted or refused at once") {
+  enum { Refused, RefusedLate, Silent, Cancelled };
+  for (const int end : {Refused, RefusedLate, Silent, Cancelled}) {
     Clearing desk(PlanType::Mission);
     desk.hear(ackOf(PlanType::Mission, kAccepted));
     desk.run(5);
     REQUIRE((desk.client.aboard() == Aboard::Nothing));
+    desk.run(11000);
     desk.sent.clear();
     desk.client.clear();
     REQUIRE(desk.runUntilSent(kClearAll, 10));
-    if (answers) desk.hear(ackOf(PlanType::Mission, kDenied));
+    CHECK((desk.client.aboard() == Aboard::NotKnown));
+    if (end == RefusedLate) REQUIRE(desk.runUntilSent(kClearAll, 2000));
+    if (end == Cancelled) desk.client.cancel();
+    if (end <= RefusedLate) desk.hear(ackOf(PlanType::Mission, kDenied));
     desk.run(8000);
-    CHECK((desk.ended == (answers ? Status::Denied : Status::NoAnswer)));
-    CHECK((desk.client.aboard() == (answers ? Aboard::Nothing : Aboard::NotKnown)));
-    CHECK(desk.timesOf(kClearAll, 0).size() == (answers ? 1 : 5));
+    CHECK((desk.ended == (end <= RefusedLate ? Status::Denied : end == Silent ? Status::NoAnswer : Status::Cancelled)));
+    CHECK((desk.client.aboard() == (end == Refused ? Aboard::Nothing : Aboard::NotKnown)));
+    CHECK(desk.timesOf(kClearAll, 0).size() == (end == Silent ? 5 : end == RefusedLate ? 2 : 1));
   }
+}
+
+TEST_CASE("all plans cleared, the second one refused or never answered: of the third one nothing has changed") {
+  Clearing desk(PlanType::All);
+  desk.hear(ackOf(PlanType::Mission, kAccepted));
+  REQUIRE(desk.runUntilSent(kClearAll, 10));
+  desk.run(8000);
+  CHECK((desk.ended == Status::NoAnswer));
+  CHECK((desk.client.aboard(PlanType::Mission) == Aboard::Nothing));
+  CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+}
+
+TEST_CASE(
+    "behind another operation an acceptance is proven by the number of items, and CLEAR_ALL sent again if need be") {
+  Clearing desk(PlanType::Mission);
+  desk.hear(ackOf(PlanType::Mission, kAccepted));
+  desk.run(3000);
+  desk.client.clear();
+  REQUIRE(desk.runUntilSent(kClearAll, 10));
+  desk.hear(countParts(0));  // nobody has asked yet
+  desk.hear(ackOf(PlanType::Mission, kAccepted));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
+  desk.hear(ackOf(PlanType::Mission, kDenied));  // of something before
+  desk.hear(countParts(0, PlanType::Fence));
+  desk.hear(countParts(5));
+  REQUIRE(desk.runUntilSent(kClearAll, 10));
+  CHECK(desk.sent[desk.sent.size() - 2].messageId == ClientOnLine::kAck);  // so that PX4 does not wait for us
+  desk.hear(ackOf(PlanType::Mission, kAccepted));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
+  desk.hear(countParts(1));  // ArduPilot's home
+  desk.run(5);
+  CHECK((desk.ended == Status::Cleared));
+  CHECK((desk.client.aboard() == Aboard::Nothing));
+}
+
+TEST_CASE("no CLEAR_ALL is sent to an autopilot that has been armed meanwhile") {
+  Clearing desk(PlanType::All);
+  desk.beats = false;
+  FrameParts beat = heartbeatParts(ClientOnLine::kArduPilot, kSafetyArmed);
+  desk.hear(beat);
+  desk.hear(ackOf(PlanType::Mission, kAccepted));
+  desk.run(100);
+  CHECK((desk.ended == Status::Armed));
+  CHECK(desk.timesOf(kClearAll, 0).size() == 1);
+}
+
+TEST_CASE("a clear on a stream that takes no more bytes ends with its time limit") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(11000);
+  desk.client.setOperationTimeout(60);
+  desk.line.room = 0;
+  desk.line.takes = 0;
+  desk.client.clear();
+  desk.run(59000);
+  CHECK(desk.client.isBusy());
+  desk.run(2000);
+  CHECK((desk.ended == Status::TookTooLong));
 }
 
 TEST_CASE("neither the answer to another type nor another message ends a clear") {
@@ -201,7 +265,7 @@ TEST_CASE("behind a reset a clear waits for answers to what was before, and is t
 TEST_CASE("a clear leaves in the update() that follows, and is a message of its target and type alone") {
   Clearing desk(PlanType::Fence);
   desk.hear(ackOf(PlanType::Fence, kAccepted));
-  desk.run(100);
+  desk.run(1100);
   desk.sent.clear();
   desk.client.clear(PlanType::Rally);
   desk.run(1);
@@ -211,7 +275,7 @@ TEST_CASE("a clear leaves in the update() that follows, and is a message of its 
   CHECK(desk.sent.back().payload[2] == static_cast<uint8_t>(PlanType::Rally));
 }
 
-TEST_CASE("behind a reading that has ended a clear leaves at once") {
+TEST_CASE("behind a reading that has ended a clear waits until a copy of its last message has come") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.run(11000);
   desk.client.verify(inRam(kPlan));
@@ -220,7 +284,8 @@ TEST_CASE("behind a reading that has ended a clear leaves at once") {
   desk.run(5);
   REQUIRE((desk.ended == Status::Differs));
   desk.client.clear();
-  CHECK(desk.runUntilSent(kClearAll, 10));
+  CHECK_FALSE(desk.runUntilSent(kClearAll, 390));
+  CHECK(desk.runUntilSent(kClearAll, 100));
 }
 
 TEST_CASE("what follows a clear that was repeated waits for the other answer, and what follows another one does not") {

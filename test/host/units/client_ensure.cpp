@@ -54,7 +54,7 @@ TEST_CASE("the reading is closed before MISSION_COUNT leaves, and the first deni
   Looking desk(ClientOnLine::kArduPilot);
   desk.sent.clear();
   desk.hear(countParts(7));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 600));
   REQUIRE(desk.sent.size() >= 2);
   CHECK(desk.sent[desk.sent.size() - 2].messageId == ClientOnLine::kAck);
   CHECK(desk.sent[desk.sent.size() - 2].payload[2] == kCancelled);
@@ -72,7 +72,7 @@ TEST_CASE("PX4's checksum decides by itself, and the same number of items does n
   Looking desk(ClientOnLine::kPx4);
   desk.sent.clear();
   desk.hear(countParts(2, PlanType::Mission, 0x12345678));
-  CHECK(desk.runUntilSent(ClientOnLine::kCount, 100));
+  CHECK(desk.runUntilSent(ClientOnLine::kCount, 600));
   CHECK(desk.timesOf(ClientOnLine::kRequestInt, 0).empty());
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("an item that differs begins the upload, and is forgotten then") {
   desk.hear(countParts(2));
   desk.run(5);
   answerReading(desk, 1);
-  desk.run(20);
+  desk.run(600);
   CHECK(desk.timesOf(ClientOnLine::kCount, 0).size() == 1);
   CHECK((desk.client.failedItem() == MissionClient::kNoItem));
   CHECK((desk.client.differingField() == ItemField::None));
@@ -218,7 +218,7 @@ struct ProvingEmpty : ClientOnLine {
     client.ensure(emptyPlan(), PlanType::Mission, Readback::Always);
     REQUIRE(runUntilSent(kRequestList, 3000));
     hear(countParts(2));
-    REQUIRE(runUntilSent(kCount, 100));
+    REQUIRE(runUntilSent(kCount, 600));
     hear(ackParts(0));
     REQUIRE(runUntilSent(kRequestList, 100));
     hear(countParts(2));  // the look's, which the line brings again

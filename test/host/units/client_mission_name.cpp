@@ -174,11 +174,11 @@ TEST_CASE("what was not known to be ours is not somebody else's by its name, nor
   desk.verify(kName);
   desk.client.uploadWithoutReadback(inRam(kPlan));
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 9000));
-  REQUIRE((desk.client.aboard() == Aboard::AsBefore));
+  REQUIRE((desk.client.aboard() == Aboard::NotKnown));
   desk.tellCurrent(kOtherName, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::AsBefore));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
   desk.tellCurrent(kName, 2, MISSION_STATE_ACTIVE, 5);
-  CHECK((desk.client.aboard() == Aboard::AsBefore));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
 }
 
 TEST_CASE("ArduPilot's mission of another length is somebody else's, unless its state is not known") {

@@ -3,6 +3,7 @@
 
 #include "ClientOnLine.h"
 #include "PlanFrames.h"
+#include "Px4Checksum.h"
 
 using namespace mavmission;
 
@@ -121,12 +122,26 @@ TEST_CASE("on a line that loses, the repeats in a read-back do not wait for what
   CHECK(desk.nowMs() - firstMs <= 60);
 }
 
-TEST_CASE("an empty plan that PX4 accepts behind a reset is not read back") {
-  Proving desk(ClientOnLine::kPx4, 0);
-  desk.client.upload(emptyPlan());
-  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
-  desk.tell(ackParts(kAccepted));
-  CHECK((desk.ended == Status::Accepted));
+TEST_CASE(
+    "an empty plan that is accepted behind a reset, or behind another operation, is proven by how many items are "
+    "aboard") {
+  for (const uint32_t startMs : {0, 65000}) {
+    for (const bool isAboard : {false, true}) {
+      Proving desk(ClientOnLine::kPx4, startMs);
+      if (startMs != 0) {
+        desk.client.clear();
+        desk.run(5);
+        desk.client.cancel();
+      }
+      desk.client.upload(emptyPlan());
+      REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+      desk.tell(ackParts(kAccepted));
+      REQUIRE(desk.isRead());
+      desk.tell(countParts(isAboard ? 2 : 0));
+      CHECK((desk.ended == (isAboard ? Status::Differs : Status::Accepted)));
+      CHECK((desk.client.aboard() == (isAboard ? Aboard::NotKnown : Aboard::OurPlan)));
+    }
+  }
 }
 
 TEST_CASE("an upload that nobody confirms is read back, and what follows waits for late answers") {
@@ -154,7 +169,7 @@ TEST_CASE("while a plan is read back it is not known what is aboard, also where 
   desk.tell(ackParts(kAccepted));
   REQUIRE((desk.client.aboard() == Aboard::OurPlan));
   desk.begin(Readback::Always);
-  CHECK((desk.client.aboard() == Aboard::AsBefore));
+  CHECK((desk.client.aboard() == Aboard::NotKnown));
   desk.ask(3);
   desk.tell(ackParts(kAccepted));
   CHECK((desk.client.aboard() == Aboard::NotKnown));
@@ -178,28 +193,34 @@ TEST_CASE("in a read-back a height, and what it counts from, must be those of th
   }
 }
 
-TEST_CASE("on a line that loses, an acceptance of ArduPilot's is checked, and PX4's checksum is enough") {
+TEST_CASE("on a line that loses, an acceptance is checked, unless PX4 has named the checksum with it") {
   for (const uint8_t autopilot : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
     Proving desk(autopilot);
     desk.lose();
     desk.begin();
     desk.ask(desk.items);
     desk.tell(ackParts(kAccepted));
-    CHECK(desk.isRead() == (autopilot == ClientOnLine::kArduPilot));
-    CHECK((desk.ended == (autopilot == ClientOnLine::kPx4 ? Status::Accepted : Status::Idle)));
-    if (autopilot == ClientOnLine::kPx4) continue;
-    desk.tell(countParts(3));
+    CHECK(desk.isRead());
+    CHECK((desk.ended == Status::Idle));
+    desk.tell(countParts(desk.items));
     desk.tellItems();
     CHECK((desk.ended == Status::Accepted));
     desk.run(11000);
     desk.client.cancel();
     // When nothing has been lost for some time it is enough.
     desk.begin();
-    desk.ask(3);
+    desk.ask(desk.items);
     desk.tell(ackParts(kAccepted));
     CHECK((desk.ended == Status::Accepted));
     CHECK_FALSE(desk.isRead());
   }
+  Proving named(ClientOnLine::kPx4);
+  named.lose();
+  named.begin();
+  named.ask(named.items);
+  named.tell(ackParts(kAccepted, 1, 191, 0, px4Checksum(kPlan, 2)));
+  CHECK((named.ended == Status::Accepted));
+  CHECK_FALSE(named.isRead());
 }
 
 TEST_CASE("behind a reset PX4's acceptance of an item that was repeated is checked") {
@@ -235,9 +256,14 @@ TEST_CASE("an error behind the last item may be none, which the plan that is abo
 
   px4.begin();
   px4.ask(2);
-  px4.tell(ackParts(kError));
-  CHECK((px4.ended == Status::Error));
+  px4.tell(ackParts(kError));  // to a COUNT that came again, perhaps
+  CHECK(px4.client.isBusy());
   CHECK_FALSE(px4.isRead());
+  REQUIRE(px4.runUntilSent(ClientOnLine::kItemInt, 2000));
+  px4.tell(ackParts(kAccepted));
+  REQUIRE(px4.isRead());
+  px4.tell(countParts(1));
+  CHECK((px4.ended == Status::Differs));
 }
 
 TEST_CASE("an error before the last item, and any other refusal, is what it is") {
@@ -343,30 +369,60 @@ TEST_CASE("an autopilot that does not let itself be read back leaves the upload 
   denied.tell(countParts(3));
   denied.tellItems();
   CHECK((denied.ended == Status::Accepted));
-  // While items are read a denial is the end.
+  // While items are read a denial may be due to a copy of our COUNT; the fifth is the end.
   late.begin(Readback::Always);
   late.ask(3);
   late.tell(ackParts(kAccepted));
-  late.tell(countParts(3));
-  late.tell(ackParts(kDenied));
+  for (int readings = 0; readings < 5; ++readings) {
+    if (readings != 0) REQUIRE(late.runUntilSent(ClientOnLine::kRequestList, 410));
+    late.hear(countParts(3));
+    REQUIRE(late.runUntilSent(ClientOnLine::kRequestInt, 410));
+    CHECK(late.client.isBusy());
+    late.tell(ackParts(kDenied));
+  }
   CHECK((late.ended == Status::Unconfirmed));
   CHECK(late.client.lastResult() == kDenied);
   CHECK((late.client.aboard() == Aboard::NotKnown));
 }
 
-TEST_CASE("an error while items are read back begins the reading anew, and in a verification it is the end") {
+TEST_CASE("an error while items are compared begins the reading anew, and each request then waits for copies") {
+  for (const bool isProof : {true, false}) {
+    Proving desk(ClientOnLine::kPx4);
+    if (isProof) {
+      desk.begin(Readback::Always);
+      desk.ask(2);
+      desk.tell(ackParts(kAccepted));
+    } else {
+      desk.client.verify(inRam(kPlan));
+      desk.run(5);
+    }
+    desk.tell(countParts(2));
+    desk.tell(itemParts(0, kPlan[0]));
+    desk.hear(ackParts(kError));
+    CHECK_FALSE(desk.runUntilSent(ClientOnLine::kRequestList, 390));
+    REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 20));
+    desk.hear(countParts(2));
+    for (uint16_t item = 0; item < 2; ++item) {
+      CHECK_FALSE(desk.runUntilSent(ClientOnLine::kRequestInt, 390));
+      REQUIRE(desk.runUntilSent(ClientOnLine::kRequestInt, 20));
+      desk.hear(itemParts(item, kPlan[item]));
+    }
+    desk.run(410);
+    CHECK((desk.ended == (isProof ? Status::Accepted : Status::Verified)));
+  }
+}
+
+TEST_CASE("PX4's checksum of its plan proves an upload in doubt without its items, and the reading is closed") {
   Proving desk(ClientOnLine::kPx4);
-  desk.begin(Readback::Always);
+  desk.begin();
   desk.ask(2);
-  desk.tell(ackParts(kAccepted));
-  desk.tell(countParts(2));
-  desk.tell(itemParts(0, kPlan[0]));
-  desk.sent.clear();
-  desk.hear(ackParts(kError));
-  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 10));
-  desk.tell(countParts(2));
-  desk.tellItems();
+  desk.run(9100);
+  REQUIRE(desk.isRead());
+  desk.tell(countParts(2, PlanType::Mission, px4Checksum(kPlan, 2)));
   CHECK((desk.ended == Status::Accepted));
+  CHECK((desk.client.aboard() == Aboard::OurPlan));
+  CHECK(desk.timesOf(ClientOnLine::kRequestInt, 0).empty());
+  CHECK(desk.acks() == std::vector<uint8_t>{kAccepted});
 }
 
 TEST_CASE("items that come as floats prove nothing") {

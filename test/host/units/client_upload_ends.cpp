@@ -169,7 +169,6 @@ TEST_CASE("what a refusal leaves aboard depends on the autopilot, the type, and 
       {kPx4, PlanType::Mission, 0, kNoSpace, Aboard::AsBefore, 0xFFFF},
       {kPx4, PlanType::Mission, 1, kNoSpace, Aboard::AsBefore, 0},
       {kPx4, PlanType::Mission, 3, kNoSpace, Aboard::AsBefore, 2},
-      {kPx4, PlanType::Mission, 3, kError, Aboard::NotKnown, 2},
       {kOther, PlanType::Mission, 0, kDenied, Aboard::AsBefore, 0xFFFF},
       {kOther, PlanType::Mission, 1, kDenied, Aboard::NotKnown, 0},
       {kOther, PlanType::Mission, 3, kNoSpace, Aboard::NotKnown, 2},

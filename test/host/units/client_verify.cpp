@@ -269,6 +269,7 @@ TEST_CASE("a refusal to be read is the status, and what is aboard is not known t
       desk.tell(ackParts(kAccepted));
       desk.tell(ackParts(kInvalidSequence));
       CHECK(desk.client.isBusy());
+      if (!isListing && result == kError) continue;  // PX4 has ended the reading, which begins anew
       desk.tell(ackParts(result));
       CHECK((desk.ended == fromMissionResult(result)));
       CHECK(desk.client.lastResult() == result);
