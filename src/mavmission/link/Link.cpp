@@ -119,9 +119,8 @@ bool Link::receive(FrameParser::Budget& budget, uint16_t nowMs) {
 bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   const bool isWanted = result == FrameParser::Result::Wanted;
   bool isAutopilots = finder_.isFrom(parser_.systemId(), parser_.componentId());
-  const uint8_t left = static_cast<uint8_t>(parser_.sequence() - state_.heardSequence - 1);
-  // Later ones have come already. (When nothing newer has come for a while, the autopilot has restarted.)
-  const bool isLate = isAutopilots && left >= 255 - kLateFrames && finder_.quietMs(nowMs) < kLateMs;
+  const uint8_t left = numbersBefore();
+  const bool isLate = isAutopilots && isOvertaken(left, nowMs);
   if (isWanted) {
     ++state_.frames;
     if (parser_.messageId() == MAVLINK_MSG_ID_HEARTBEAT) {
@@ -140,6 +139,11 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
     if (isWanted) finder_.onFrame(nowMs);
   }
   return isWanted && maySpeak() && parser_.isFor(systemId(), componentId());
+}
+
+// (When nothing newer has come for a while, the autopilot has restarted.)
+bool Link::isOvertaken(uint8_t left, uint16_t nowMs) const {
+  return left >= 255 - kLateFrames && finder_.quietMs(nowMs) < kLateMs;
 }
 
 void Link::noteSequence(uint8_t left) {

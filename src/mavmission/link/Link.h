@@ -147,7 +147,11 @@ class Link : public LinkRules {
   // True if we may send: when it is clear which autopilot is there, or when the sketch has set our system id and no
   // more than one autopilot is heard.
   MAVMISSION_APART bool maySpeak() const;
-  // Counts the autopilot's frames that were lost: `left` numbers lie before the number of this one.
+  // How many numbers lie between the autopilot's last frame and this one.
+  uint8_t numbersBefore() const { return static_cast<uint8_t>(parser_.sequence() - state_.heardSequence - 1); }
+  // True if later ones have come already, or if it comes twice.
+  bool isOvertaken(uint8_t left, uint16_t nowMs) const;
+  // Counts the autopilot's frames that were lost: so many numbers lie before the number of this one.
   void noteSequence(uint8_t left);
   // Counts a frame and notes its sequence number; true if receive() must return the frame.
   MAVMISSION_APART bool takeResult(FrameParser::Result result, uint16_t nowMs);

@@ -82,7 +82,8 @@ void Link::takeUnchecked(FrameParser::Result result, uint16_t nowMs) {
     case FrameParser::Result::Wanted: break;
   }
   if (check_ == Check::Collecting) check_ = Check::None;  // the signature was cut off
-  if (finder_.isFrom(parser_.systemId(), parser_.componentId())) noteSequence();
+  const uint8_t left = numbersBefore();
+  if (finder_.isFrom(parser_.systemId(), parser_.componentId()) && !isOvertaken(left, nowMs)) noteSequence(left);
   if (!matters()) return;
   if (parser_.hasSignature()) {
     isWaiting_ = true;
