@@ -307,7 +307,8 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       isCounted = true;
       announced = static_cast<uint8_t>(message.number);
       // PX4's checksum of the plan proves it, and no item is needed.
-      if (isUpload() && !isLooking && isPx4(firmware) && message.opaqueId != 0 && message.opaqueId == sum(task))
+      if (isUpload() && task.operation != Operation::UploadVerified && !isLooking && isPx4(firmware) &&
+          message.opaqueId != 0 && message.opaqueId == sum(task))
         received = announced;
       return;
 
