@@ -378,7 +378,7 @@ DEFECTS = {
         "Client.cpp",
         "if (!state.isPlanless && client.awaitsCopies()) return;",
         "",
-        "LateArduPilot upload 2 upload 1 --losses 1 --cancels 1",
+        "LateArduPilot upload 2 upload 1 --losses 2 --cancels 1",
         "aboard() says our plan, and it is not",
     ),
     "a reading ends by a late answer though nothing is lost any more": (
