@@ -259,6 +259,7 @@ void Referee::heard(const Message& message, Firmwares firmware) {
   switch (message.kind) {
     case Kind::Request:
       if (!isUpload() || isReading || counts == 0) return;
+      if (message.number >= items) hasOther = true;
       if (message.number >= items && isLastSent && !isGeneric(firmware)) mayFree = true;
       if (message.number >= items || message.number > asked) return;
       if (message.number + 1 < heardLast && sinceNewMs < kLateRequestMs) return;
@@ -306,7 +307,8 @@ void Referee::heard(const Message& message, Firmwares firmware) {
       isCounted = true;
       announced = static_cast<uint8_t>(message.number);
       // PX4's checksum of the plan proves it, and no item is needed.
-      if (isUpload() && !isLooking && isPx4(firmware) && message.opaqueId != 0 && message.opaqueId == sum(task))
+      if (isUpload() && task.operation != Operation::UploadVerified && !isLooking && isPx4(firmware) &&
+          message.opaqueId != 0 && message.opaqueId == sum(task))
         received = announced;
       return;
 
@@ -421,9 +423,9 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
                           (isGeneric(autopilot.firmware) && (heardAcks & (1u << kInvalidSequence)) != 0);
       // Of an empty plan any acceptance looks like the answer; PX4 accepts an item again for an older upload; what
       // requests items beyond the plan has another one.
-      const bool isNoProof =
-          (isGeneric(autopilot.firmware) || items == 0 || mayFree || (isPx4(autopilot.firmware) && isUnasked)) &&
-          (heardAcks & (1u << kAccepted)) != 0;
+      const bool isNoProof = (isGeneric(autopilot.firmware) || items == 0 || mayFree || hasOther ||
+                              (isPx4(autopilot.firmware) && isUnasked)) &&
+                             (heardAcks & (1u << kAccepted)) != 0;
       return isExhausted || isIdle || isNoProof ? nullptr : "Unconfirmed before the tries were exhausted";
     }
 

@@ -72,7 +72,8 @@ struct Referee {
   uint8_t clears;          // CLEAR_ALLs sent
   uint8_t owesCancel;      // the autopilot is to be told that it is over: 1 + the plan's type
   uint8_t wasRefused;      // ERROR was heard before the plan was read back
-  uint8_t mayFree;         // what shows that an older transfer is open was heard
+  uint8_t mayFree : 4;     // what shows that an older transfer is open was heard
+  uint8_t hasOther : 4;    // it requests items that the plan does not have
   uint8_t hasEndedOne;     // an operation of this client has ended, since the Arduino was reset
   uint8_t hasEndedBefore;  // before this one
   uint8_t isHurried;       // the client takes the line for one that loses: 1, or kHurriedBefore this step

@@ -107,6 +107,7 @@ def test_finished_plan_is_flown_again_only_when_its_item_is_set(px4, order):
 @pytest.mark.parametrize("word", ["download", "verify"])
 def test_count_that_is_told_again_until_the_first_item_is_asked_for_changes_nothing(px4_1_18, word, late_s):
     service = uploaded(px4_1_18, SURVEY)
+    service.run(0.5)  # behind an upload a reading waits that long
     lists = len(service.heard("MISSION_REQUEST_LIST"))
     until = service.now + late_s
     service.wire.lose(">", name="MISSION_REQUEST_INT", times=None, where=lambda _: service.now < until)

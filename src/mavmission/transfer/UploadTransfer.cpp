@@ -18,7 +18,7 @@ Status UploadTransfer::onRequest(uint16_t item, uint16_t nowMs, Pace& pace) {
   if (state_ == State::Counting && tries_ == 0) return Status::Transferring;
   // A request that skips items, or lies beyond the plan, answers nothing that we sent: an autopilot requests an item
   // only when it has the one before.
-  if (item >= behind_) endOther();
+  if (item >= behind_ && state_ != State::Counting) endOther();
   if (item > most_ || item >= behind_ || item < first_) return Status::Transferring;
   // An autopilot does not go back in a transfer: a request for an item before the one that it has requested is late. If
   // it comes still, the autopilot has begun again.
