@@ -105,7 +105,7 @@ def diagrams() -> str:
 
 
 STATES = {
-    "upload": ("UploadTransfer.h", "State"),
+    "upload": ("UploadVerdict.h", "UploadState"),
     "download": ("DownloadTransfer.h", "State"),
     "reading a file": ("FileReadTransfer.h", "State"),
     "writing a file": ("FileWriteTransfer.h", "State"),
