@@ -285,10 +285,11 @@ class MissionClient : private detail::Client {
   // metres. `always`: MISSION_ITEM_INT is not tried at all. A sketch that calls it takes more flash
   // (docs/measurements.md).
   void useMissionItemFallback(bool always = false);
-  // The longest wait for an autopilot [s]; an operation then ends with Status::NoAutopilot. 0, the default: no limit.
+  // The longest wait for an autopilot [s]; an operation then ends with Status::NoAutopilot. 0, the default: 10 s for
+  // commands, but for setMessageInterval(); no limit for anything else.
   void setAutopilotTimeout(uint16_t seconds) { rest_.waitingLimitS = seconds; }
-  // The longest time for a transfer or a command [s]; it then ends with Status::TookTooLong. 0, the default: 120 s, and
-  // 2 s for each item.
+  // The longest time for a transfer or a command [s], from when the autopilot was found; it then ends with
+  // Status::TookTooLong. 0, the default: 120 s, and 2 s for each item.
   void setOperationTimeout(uint16_t seconds) { rest_.transferLimitS = seconds; }
 
  private:
