@@ -62,7 +62,7 @@ def test_every_example_is_offered_and_those_that_arm_are_known(folder):
     assert names[0] == "UploadMission"
     arming = {example["name"] for example in known["examples"] if example.get("arms")}
     sources = {name: sketch_of(name).read_text() for name in example_folders()}
-    arms = re.compile(r"autopilot\.(start|arm|startFrom)\(|offerStart\(|offerAll\(|takeOff\(")
+    arms = re.compile(r"flight\.(fly|takeOff)\(|autopilot\.start\(|offerAll\(")
     assert arming == {name for name, text in sources.items() if arms.search(text)}
     assert {"StartMission", "StartButton", "NextWaypoint", "PlanConsole", "GoToPlaces", "WorkAtWaypoints",
             "FollowBeacon", "FlyByButtons"} == arming  # fmt: skip
@@ -78,7 +78,7 @@ def test_the_run_that_the_page_opens_with_is_recorded_and_flies(folder):
     assert 0 <= first - recorded["from"] <= 0.1  # from the first picture to the takeoff
     assert next(time for time, height in heights if height >= 1) - recorded["from"] <= 1.7
     printed = "".join(words for _, _, words in recorded["told"])
-    assert "accepted: the plan is aboard" in printed and "landed" in printed
+    assert "flying" in printed and "landed" in printed
 
 
 def test_the_page_knows_how_much_it_fetches_before_its_first_run(folder):
