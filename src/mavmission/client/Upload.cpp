@@ -152,8 +152,11 @@ void Client::Uploading::frame(Client& client, const FrameParser& frame, uint16_t
       static_assert(sizeof(mavlink_mission_request_t) == sizeof(Request),
                     "MISSION_REQUEST and MISSION_REQUEST_INT must have the same layout");
       const uint8_t type = frame.payloadByte(offsetof(Request, mission_type));
-      // A COUNT of an upload of before has come once more, and PX4 does not hear ours while it waits for those items.
-      if (type != static_cast<uint8_t>(client.state_.type)) return client.tellCancelled(static_cast<PlanType>(type));
+      if (type != static_cast<uint8_t>(client.state_.type)) {
+        // A COUNT of an upload of before has come once more, and PX4 does not hear ours while it waits for those items.
+        if (!client.transfer_.hasBegun()) client.tellCancelled(static_cast<PlanType>(type));
+        return;
+      }
       if (frame.messageId() == MAVLINK_MSG_ID_MISSION_REQUEST_INT) client.transfer_.noteInt();
       const Status status =
           client.transfer_.onRequest(frame.payloadWord(offsetof(Request, seq)), nowMs, client.link_.pace());
