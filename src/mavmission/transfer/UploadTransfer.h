@@ -31,7 +31,7 @@ class UploadTransfer : public UploadRules {
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
   // What an earlier operation may have left behind, as UploadEvidence says.
-  static constexpr uint8_t kAnswers = kFromOpen, kBusy = kFromBusy;
+  static constexpr uint8_t kAnswers = kFromOpen;
 
   // Begins the upload of `count` items on the wire to an autopilot with this firmware. `leftovers`: kFromOpen,
   // kFromBusy, kFromBefore.
