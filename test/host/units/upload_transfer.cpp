@@ -359,7 +359,7 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
   }
 }
 
-const uint8_t kNothing = 0, kAnswers = UploadTransfer::kAnswers, kBusy = UploadTransfer::kBusy;
+const uint8_t kNothing = 0, kAnswers = UploadTransfer::kAnswers, kBusy = kFromBusy;
 
 TEST_CASE("a busy PX4 is told to end what is open, and asked again at once: that it is busy still is its last word") {
   for (uint8_t leftovers : {kNothing, kAnswers}) {
@@ -845,7 +845,7 @@ TEST_CASE("an item is sent again until the time for the next request is over") {
 }
 
 TEST_CASE("while PX4 may be busy with an earlier transfer, COUNT is repeated every 1500 ms on a line that loses too") {
-  Upload upload(3, Firmware::Px4, UploadTransfer::kBusy);
+  Upload upload(3, Firmware::Px4, kFromBusy);
   upload.pace.noteLoss();
   upload.send();
   upload.ack(kError);
