@@ -134,7 +134,7 @@ def test_nothing_is_sent_twice_on_a_late_line_that_loses_nothing(autopilot, late
 @pytest.mark.slow
 def test_invalid_sequence_that_may_answer_an_older_item_would_lead_astray():
     """The condition that keeps an upload to ArduPilot from running ahead of it."""
-    credulous = with_defect("UploadTransfer.cpp", "pace.isBehind(since(startedMs_, nowMs))", "true")
+    credulous = with_defect("UploadTransfer.cpp", "pace.isBehind(since(transfer.startedMs_, ms))", "true")
     ends = rates.late_uploads("ArduPilot", 3, 40, 0, 500, 60, rates.build_rates(credulous))
     assert sum(end.is_success for end in ends) < 38
 
