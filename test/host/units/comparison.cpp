@@ -48,7 +48,7 @@ struct Wrong {
   }
 };
 
-constexpr Keeper kCopter = kByArduPilot, kPlane = kByArduPilot | kByPlane, kFence = kByArduPilot | kOfFence;
+constexpr Keeper kCopter = kByArduPilot, kPlane = kByArduPilot | kByPlane;
 
 // Of a command with a place, or in PX4's frame without one: one field and its bits.
 bool isKept(Keeper keeper, uint16_t command, unsigned index, uint32_t bits, Frame frame = Frame::GlobalRelative) {
