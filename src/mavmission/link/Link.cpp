@@ -172,7 +172,7 @@ void Link::pack(uint8_t* payload, const MessageKey* key) {
   }
   // A type of plan that MAVLink 1 would cut off would be another plan's: a frame says all of it, or waits for nobody.
   const uint8_t lengthV1 = fromFlash(&key->lengthV1);
-  const bool isCut = lengthV1 != fromFlash(&key->length) && payload[lengthV1] != 0;
+  const bool isCut = lengthV1 < fromFlash(&key->length) && payload[lengthV1] != 0;
   outbox_.begin(speaksV1() && !isCut, state_.sequence, systemId(), componentId());
   outbox_.complete(key, payload);
 }
