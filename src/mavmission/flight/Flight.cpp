@@ -156,7 +156,8 @@ void Flight::takeText(const FrameParser& frame) {
   if (frame.payloadByte(offsetof(Text, severity)) > MAV_SEVERITY_WARNING) return;
   wantsReason_ = false;
   bool isNew = false;
-  for (uint8_t i = 0; i < sizeof(reason_) - 1; ++i) {
+  constexpr uint8_t kLongest = sizeof(reason_) - 1;
+  for (uint8_t i = 0; i < kLongest; ++i) {
     const char letter = static_cast<char>(frame.payloadByte(static_cast<uint8_t>(offsetof(Text, text) + i)));
     if (letter != reason_[i]) isNew = true;
     reason_[i] = letter;
