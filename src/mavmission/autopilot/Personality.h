@@ -120,6 +120,8 @@ constexpr Keeper kOwn = isGenericKnown() ? kByOwnTable : 0;
 constexpr Firmware kOnly = MAVMISSION_ONLY_ARDUPILOT ? Firmware::ArduPilot
                            : MAVMISSION_ONLY_PX4     ? Firmware::Px4
                                                      : Firmware::Unknown;
+// What the others alone need is not compiled then.
+constexpr bool kOnlyArduPilot = kOnly == Firmware::ArduPilot;
 // True if the library serves this autopilot.
 constexpr bool isServed(Firmware firmware) { return kOnly == Firmware::Unknown || kOnly == firmware; }
 constexpr bool kServesArduPilot = isServed(Firmware::ArduPilot);

@@ -44,7 +44,7 @@ static_assert(static_cast<uint8_t>(ItemField::Latitude) == static_cast<uint8_t>(
 
 // A further flag beside those of a Keeper: x and y are converted to floats and back, as in PX4 when an item has no
 // place.
-constexpr uint8_t kInFloats = kOnly == Firmware::ArduPilot ? 0 : 128;
+constexpr uint8_t kInFloats = kOnlyArduPilot ? 0 : 128;
 
 // A field of an item, four bytes: a float or an integer.
 struct Four {

@@ -162,7 +162,7 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
     --wireIndex;
   }
   Status status = settle(wireIndex, item);
-  if (kOnly == Firmware::ArduPilot || status != Status::Checking) return status;  // else it lacks a place
+  if (kOnlyArduPilot || status != Status::Checking) return status;  // else it lacks a place
   status = findPlaceFor(wireIndex, item);
   if (status != Status::Accepted) return status;
   const int32_t x = item.x, y = item.y;
