@@ -55,7 +55,7 @@ def test_map_and_buttons_stay_where_they_are_while_texts_come(sized):
     page.wait_for_text("#outcome", "item 1 (NAV_SPLINE_WAYPOINT")
     assert page.places == places
     page.begin("#example=GoToPlaces&autopilot=px4")
-    page.wait_for_text("#outcome", "The sketch says: to 1")
+    page.wait_for_text("#outcome", "The sketch says: flying")
     assert page.places == places
     page.begin("#example=FlyByButtons")
     page.browser.wait_for("return document.querySelectorAll('#pins button').length === 4")
