@@ -141,7 +141,7 @@ void ClientUnderTest::construct(Firmwares firmware, bool isFresh, bool isLossy, 
     new (&client()) MissionClient(stream);
     if (hasFiles) new (filesAwake) PlanFiles(client());
     client().setTargetIds(1, 1);
-    client().state_.unsettled = isFresh ? UploadTransfer::kAnswers : 0;
+    client().state_.unsettled = isFresh ? kFromOpen : 0;
     client().state_.unsettledMs = kNow;
     if (isLossy) client().link_.pace_.noteLoss();
     if (hasFiles) std::swap(closings, files().closings_);
@@ -268,7 +268,7 @@ uint16_t ClientUnderTest::nextMs() const {
     const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
     return std::min(next, leftOf(pace.waitMs(waitMs), t.sentMs_));
   }
-  const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & UploadTransfer::kAnswers) != 0;
+  const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & kFromOpen) != 0;
   if (waits) return std::min(next, leftOf(ClearTransfer::kAnswerMs, c.state_.unsettledMs));
   return std::min(next, leftOf(pace.waitMs(ClearTransfer::kAnswerMs), c.clearing_.sentMs_));
 }

@@ -135,6 +135,8 @@ void Referee::modeSet(uint16_t mode, By by) {
     if (!foreign_.isUndone) return;
     foreign_.isUndone = false;
     const uint32_t undoneMs = nowMs_ - foreign_.undoneMs;
+    // Nobody can know of a mode that no heartbeat has shown: so much later the order is the sketch's own.
+    if (!foreign_.isShown && undoneMs > kGivenBackLossyMs) foreign_.is = false;
     if (foreign_.isShown) undoneMs_.push_back(undoneMs);
     if (foreign_.isShown && undoneMs > longestUndoneMs_) longestUndoneMs_ = undoneMs;
     if (foreign_.isShown && !isBad_ && undoneMs > kGivenBackLossyMs) breaks("it is set again too late: " + name(mode));

@@ -165,7 +165,7 @@ void flyEach(FlightPlan plan, unsigned every, Findings& findings) {
         plan.acts.push_back(Act{kind.what, moment + later, kind.amount, 0});
         vary(plan, number / every);
         const Flown flown = findings.note(plan);
-        if (kind.what == What::Stranger && always.empty() && flown.tookMs > clean.tookMs + kMuteMs) {
+        if (kind.what == What::Stranger && always.empty() && plan.loss <= 0 && flown.tookMs > clean.tookMs + kMuteMs) {
           findings.breaks(plan, "a stranger makes the sketch mute");
         }
       }

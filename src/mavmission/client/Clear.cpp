@@ -55,7 +55,7 @@ void Client::Clearing::takeAck(Client& client, const mavlink_mission_ack_t& ack)
   client.state_.lastResult = ack.type;
   const Status status = fromMissionResult(ack.type);
   if (status == Status::Accepted) return clearing.onAccepted() ? takeCleared(client) : void();
-  const bool mayBeOlder = (client.state_.unsettled & UploadTransfer::kAnswers) != 0;
+  const bool mayBeOlder = (client.state_.unsettled & kFromOpen) != 0;
   // ArduPilot gives up an upload that was left open, 8 s later: that is no answer to this.
   if (status == Status::CancelledByAutopilot && mayBeOlder) return;
   // A refusal of the only MISSION_CLEAR_ALL leaves the plan. Of several the first may have been carried out.
@@ -75,7 +75,7 @@ void Client::Clearing::time(Client& client, uint16_t nowMs) {
   const Status status = state.isLate ? Status::TookTooLong : clearing.onTime(nowMs, client.link_.pace());
   if (status != Status::Transferring) return client.end(status);
   // An answer to a transfer that was left open may still be on its way, and would look like the answer to this.
-  const bool mayBeAnswered = (state.unsettled & UploadTransfer::kAnswers) != 0 && !clearing.hasBeenSent();
+  const bool mayBeAnswered = (state.unsettled & kFromOpen) != 0 && !clearing.hasBeenSent();
   if (mayBeAnswered && since(state.unsettledMs, nowMs) < ClearTransfer::kAnswerMs) return;
   if (clearing.state() != ClearTransfer::State::Due || !client.link_.canSend()) return;
   KeyIndex message = KeyIndex::MISSION_REQUEST_LIST;

@@ -18,7 +18,7 @@ Client::Client(Stream& stream) {
   link_.begin(stream);
   state_.failedItem = kNoItem;
   state_.lastResult = 255;
-  state_.unsettled = UploadTransfer::kAnswers;
+  state_.unsettled = kFromOpen;
   rest_.planType = PlanType::All;
 }
 

@@ -95,7 +95,7 @@ void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   // A refusal of the request is believed only after the last attempt: the autopilot may hold an upload of ours open,
   // from before a reset, or one of another ground station, and both end within seconds.
   if (status == Status::NoAnswer && client.state_.lastResult != 255) {
-    if ((client.state_.unsettled & UploadTransfer::kAnswers) != 0) return beginLook(client, nowMs);
+    if ((client.state_.unsettled & kFromOpen) != 0) return beginLook(client, nowMs);
     status = fromMissionResult(client.state_.lastResult);
   }
   if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
@@ -123,7 +123,7 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
       client.state_.lastResult = result;
       if (client.reading_.transfer.state() != DownloadTransfer::State::Listing) {
         // An error may be the late answer to the last item of an earlier upload, if that item was sent again.
-        const bool mayBeOlder = status == Status::Error && (client.state_.unsettled & UploadTransfer::kAnswers) != 0;
+        const bool mayBeOlder = status == Status::Error && (client.state_.unsettled & kFromOpen) != 0;
         const bool isEnded = status == Status::Error && client.reading_.transfer.beginAnew(nowMs);  // as in a reading
         return mayBeOlder || isEnded ? void() : endLook(client, status);
       }

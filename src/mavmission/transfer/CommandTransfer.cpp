@@ -18,9 +18,10 @@ void CommandTransfer::asked(uint16_t nowMs) {
 }
 
 bool CommandTransfer::look(bool isOld, bool isBlind, uint16_t nowMs) {
-  if (isBlind || !mayBeUnderWay(nowMs)) hasOrdered_ = 0;
   const bool isFirst = isOld_ == 0;
   isOld_ = isOld ? 1 : 0;
+  if (isBlind) ordered_ = static_cast<uint8_t>(nowMs / kOrderTickMs - kUnderWayMs / kOrderTickMs);  // long ago
+  if (!mayBeUnderWay(nowMs)) hasOrdered_ = 0;
   if (!isOld) return false;
   isFresh_ = isAsking_;
   return isFirst && isGuarded_ != 0;

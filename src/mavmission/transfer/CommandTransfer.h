@@ -85,8 +85,8 @@ class CommandTransfer : public CommandRules {
 
   // To be called whenever update() comes by, before anything is made of what it has read. `isOld`: what it reads may
   // have waited since before loop() stood still (Link::isOld()): no order leaves behind such a heartbeat. `isBlind`: so
-  // long that nothing is under way any more. True where the rest of an order may still have to leave, which nobody
-  // means any more.
+  // long that nothing is under way any more behind that. True where the rest of an order may still have to leave, which
+  // nobody means any more.
   MAVMISSION_APART bool look(bool isOld, bool isBlind, uint16_t nowMs);
   // True while what is read may have waited while loop() stood still.
   bool isOld() const { return isOld_ != 0; }
@@ -117,9 +117,10 @@ class CommandTransfer : public CommandRules {
   bool lacksHeartbeat(uint16_t nowMs) const {
     return isGuarded_ != 0 && (isOld_ != 0 || isAsking_ != 0 || isFresh_ == 0 || since(lookedMs_, nowMs) >= kFreshMs);
   }
-  // True while a guarded command that has left may not have arrived yet.
+  // True while a guarded command that has left may not have arrived yet, or had not when what is read now was sent.
   bool mayBeUnderWay(uint16_t nowMs) const {
-    return hasOrdered_ != 0 && static_cast<uint8_t>(nowMs / kOrderTickMs - ordered_) < kUnderWayMs / kOrderTickMs;
+    if (hasOrdered_ == 0) return false;
+    return isOld_ != 0 || static_cast<uint8_t>(nowMs / kOrderTickMs - ordered_) < kUnderWayMs / kOrderTickMs;
   }
 
   State state() const { return static_cast<State>(state_); }

@@ -30,9 +30,6 @@ class UploadTransfer : public UploadRules {
   typedef UploadState State;
   enum class Send : uint8_t { Nothing, Count, Item, Cancel };
 
-  // What an earlier operation may have left behind, as UploadEvidence says.
-  static constexpr uint8_t kAnswers = kFromOpen;
-
   // Begins the upload of `count` items on the wire to an autopilot with this firmware. `leftovers`: kFromOpen,
   // kFromBusy, kFromBefore.
   void begin(uint16_t count, Firmware firmware, uint8_t leftovers);

@@ -258,6 +258,22 @@ TEST_CASE("what has left stays under way behind the next command, and not for ev
   }
 }
 
+TEST_CASE("behind a standstill what has left is under way to whatever was sent before, and no longer") {
+  for (uint32_t standstillMs : {300u, 700u, 4096u, 65536u}) {
+    CAPTURE(standstillMs);
+    CommandTransfer transfer = CommandTransfer();
+    transfer.next(true);
+    transfer.guard();
+    transfer.onHeartbeat(kBeganMs);
+    transfer.sent(kBeganMs);
+    const uint16_t behind = static_cast<uint16_t>(kBeganMs + standstillMs);
+    transfer.look(true, standstillMs >= 600, behind);
+    CHECK(transfer.mayBeUnderWay(behind));
+    transfer.look(false, false, later(behind, 1));
+    CHECK(transfer.mayBeUnderWay(later(behind, 1)) == (standstillMs < 400));
+  }
+}
+
 TEST_CASE("a heartbeat is asked for at once, or later, and again until it comes") {
   CommandTransfer transfer = CommandTransfer();
   transfer.next(true);

@@ -112,7 +112,7 @@ TEST_CASE("asking for the same item again does not put off the end") {
 
 TEST_CASE("on a line that loses, an error long behind the last new request says that PX4 has given the upload up") {
   for (const uint16_t ms : {2400, 2500, 5100}) {
-    Upload upload(3, Firmware::Px4, UploadTransfer::kAnswers);
+    Upload upload(3, Firmware::Px4, kFromOpen);
     upload.pace.noteLoss();
     upload.served(2);
     CHECK(goesOn(upload.wait(ms)));
@@ -120,7 +120,7 @@ TEST_CASE("on a line that loses, an error long behind the last new request says 
     CHECK((upload.ack(kError) == (ms < 2500 ? Status::Transferring : Status::TimedOut)));
   }
   // Nothing was repeated unasked that it could answer.
-  Upload upload(3, Firmware::Px4, UploadTransfer::kAnswers);
+  Upload upload(3, Firmware::Px4, kFromOpen);
   upload.pace.noteLoss();
   upload.served(2);
   upload.now = static_cast<uint16_t>(upload.now + 5100);
@@ -359,10 +359,10 @@ TEST_CASE("each refusal ends the transfer in each state, but for the words that 
   }
 }
 
-const uint8_t kNothing = 0, kAnswers = UploadTransfer::kAnswers, kBusy = kFromBusy;
+const uint8_t kNothing = 0;
 
 TEST_CASE("a busy PX4 is told to end what is open, and asked again at once: that it is busy still is its last word") {
-  for (uint8_t leftovers : {kNothing, kAnswers}) {
+  for (uint8_t leftovers : {kNothing, uint8_t{kFromOpen}}) {
     Upload upload(3, Firmware::Px4, leftovers);
     upload.send();
     CHECK(goesOn(upload.ack(kError)));
@@ -374,7 +374,7 @@ TEST_CASE("a busy PX4 is told to end what is open, and asked again at once: that
 
 TEST_CASE("a PX4 that may be busy with what was ours is told so and asked every 1500 ms, beyond its own 5 s") {
   for (int unanswered = 1; unanswered <= 5; ++unanswered) {
-    Upload upload(3, Firmware::Px4, kBusy);
+    Upload upload(3, Firmware::Px4, kFromBusy);
     upload.send();
     for (int tries = 1; tries < unanswered; ++tries) {
       CHECK(goesOn(upload.wait(1500)));
@@ -397,7 +397,7 @@ TEST_CASE("a PX4 that may be busy with what was ours is told so and asked every 
 }
 
 TEST_CASE("a PX4 that falls silent when it has been busy did not answer") {
-  for (uint8_t leftovers : {kNothing, kAnswers, kBusy}) {
+  for (uint8_t leftovers : {kNothing, uint8_t{kFromOpen}, uint8_t{kFromBusy}}) {
     Upload upload(3, Firmware::Px4, leftovers);
     upload.send();
     upload.ack(kError);
@@ -410,7 +410,7 @@ TEST_CASE("a PX4 that falls silent when it has been busy did not answer") {
 }
 
 TEST_CASE("a PX4 that was busy and then asks for items is served, and what it said before is no reason for anything") {
-  Upload upload(2, Firmware::Px4, kBusy);
+  Upload upload(2, Firmware::Px4, kFromBusy);
   upload.send();
   upload.ack(kError);
   upload.send();
@@ -933,7 +933,7 @@ TEST_CASE("ArduPilot's word that an item is out of sequence means that it has it
 
 TEST_CASE("where an earlier transfer may be what is accepted, the last item is sent only when it is asked for") {
   for (bool leftovers : {false, true}) {
-    Upload upload(2, Firmware::ArduPilot, leftovers ? UploadTransfer::kAnswers : 0);
+    Upload upload(2, Firmware::ArduPilot, leftovers ? kFromOpen : 0);
     upload.served(1);
     upload.pace.noteLoss();
     upload.wait(250);
