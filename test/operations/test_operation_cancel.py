@@ -80,7 +80,7 @@ def test_answers_of_strangers_and_for_strangers_are_none(service, personality, n
                 message.target_system, message.target_component = sender if sender != US else (1, 190)
                 service.say(message)
         service.run(0.4)
-    ended = "Unconfirmed" if name == "arm" else "NoAnswer"  # which leaves once
+    ended = "Unconfirmed" if name == "arm" else "NoAnswer"  # arm() leaves once
     assert service.done(limit_s=60) == ended
     assert took_s(service) >= (5.0 if name == "arm" else 5 * 1.5)
     expect_truth(service, personality, name, ended)

@@ -84,19 +84,22 @@ GOALS = [("bytes", 1, 100), ("bytes", 3, 100), ("bytes", 5, 90), ("frames", 40, 
 def test_uploads_on_bad_lines_succeed_as_often_and_as_soon_as_promised(
     autopilot, client, lost, percent, least_share
 ):
-    ends = rates.uploads(autopilot, client, lost, percent, 100)
+    is_timed = (lost, percent, client) == ("bytes", 1, "upload")  # reading back in any case takes longer
+    ends = rates.uploads(autopilot, client, lost, percent, 1000 if is_timed else 100)
     times = sorted(end.took_s for end in ends if end.is_success)
     assert 100 * len(times) >= least_share * len(ends)
-    if (lost, percent, client) == ("bytes", 1, "upload"):  # reading back in any case takes longer
-        assert round(times[len(times) // 2], 1) <= rates.MEDIAN_S[autopilot]  # as the table prints it
+    if is_timed:
+        assert times[len(times) // 2] <= rates.MEDIAN_S[autopilot]
 
 
 @pytest.mark.slow
 @RANDOM_LOSS
-@pytest.mark.parametrize("percent, least_share", [(0, 100), (1, 98), (3, 90)])
+@pytest.mark.parametrize("percent, least_share, seeds", [(0, 100, 100), (1, 99, 1000), (3, 90, 100)])
 @pytest.mark.parametrize("server", rates.SERVERS)
-def test_uploads_to_servers_of_an_unknown_firmware_succeed_as_often_as_promised(server, percent, least_share):
-    ends = rates.uploads(server, "upload", "bytes", percent, 100)
+def test_uploads_to_servers_of_an_unknown_firmware_succeed_as_often_as_promised(
+    server, percent, least_share, seeds
+):
+    ends = rates.uploads(server, "upload", "bytes", percent, seeds)
     assert 100 * sum(end.is_success for end in ends) >= least_share * len(ends)
     for client in PROOFS:
         ends = rates.uploads(server, client, "bytes", percent, 100)

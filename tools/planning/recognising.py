@@ -33,7 +33,7 @@ def expect_as_called(file: Path, data: bytes, suffix: str) -> None:
         if re.match(what, head, re.I | re.S):
             raise BadPlan(file, None, f"this is {words}")
     last = re.split(rb"\r\n|\r|\n", whole)
-    is_comment = suffix in WPL and last[-1].lstrip().startswith(b"#")  # which may hold any bytes
+    is_comment = suffix in WPL and last[-1].lstrip().startswith(b"#")  # a comment may hold any bytes
     if (more := len(data) - len(whole)) and not is_comment:
         what = f"behind this line are {more:,} bytes of 0 or 255, {_NOT_WRITTEN}"
         raise BadPlan(file, len(last), f"{what}: cut them off, and see whether the plan is whole")
