@@ -104,7 +104,7 @@ def test_a_phone_shows_outcome_map_and_buttons_at_once_with_messages_at_the_thum
         outcome, plan, log = (page.value(rectangle.format(one)) for one in ("#outcome", "#map", "#deeds"))
         names = page.value("[...document.querySelectorAll('#break-part button')].map((one) => one.id)")
         buttons = [page.value(rectangle.format(f"#{name}")) for name in names]
-        assert len(buttons) == 7
+        assert len(buttons) == 8
         assert 0 <= plan[0] and plan[1] - plan[0] >= 200
         assert PHONE[1] / 3 < plan[1] <= outcome[0] and outcome[1] <= min(top for top, _ in buttons)
         assert max(bottom for _, bottom in buttons) <= log[0] and log[1] <= PHONE[1]
