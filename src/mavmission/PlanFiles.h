@@ -123,7 +123,7 @@ class PlanFiles : public detail::Listener {
   static Status proveItem(detail::Client& client, uint16_t wireItem, MissionItem& item);
   static uint8_t nextPiece(void* context, uint8_t* piece);
   void check(uint16_t nowMs);
-  bool isChecked(bool isToChange);
+  bool isChecked();
   detail::PlanPort& plans() const;
   bool isForFile() const;
   bool isForeseen(const MissionItem& item) const;

@@ -125,7 +125,6 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   void setOfPlan(bool isOf) { known_.aboard[kOfPlan] = isOf ? Aboard::OurPlan : Aboard::NotKnown; }
   MAVMISSION_APART void beginPlan();
   MAVMISSION_APART Status keeping(const MissionItem& item);
-  void beginTransfer();
   MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && rest_.prepared == wireItem; }
   uint16_t ownItem(uint16_t wireItem) const { return plan_.numbers().toOwn(wireItem); }

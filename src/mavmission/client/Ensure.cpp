@@ -30,7 +30,6 @@ void Client::beginEnsuring() {
   state_.operation = Ensuring::step;
   state_.status = Status::WaitingForAutopilot;
   state_.isLate = false;
-  rest_.options.takeUp = Ensuring::takeUp;
 }
 
 bool Client::Ensuring::begin(Client& client, uint16_t) {
@@ -52,7 +51,7 @@ void Client::Ensuring::step(Client& client, const FrameParser* frame, uint16_t n
 // Checks the plan as an upload does, and adds up its checksum, before the autopilot is asked: so the time of the look
 // does not grow with the plan.
 void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
-  if (client.checkNext(false) != Status::Transferring) return;
+  if (client.checkNext() != Status::Transferring) return;
   // An item is checked in one update(), and added to the checksum in another: both together would take too long.
   uint16_t& wireItem = client.reading_.summed;
   if (client.plan_.has(kSaysChecksum) && wireItem < client.plan_.wireCount()) {
@@ -192,11 +191,13 @@ void Client::Ensuring::freeStep(Client& client, const FrameParser* frame, uint16
 void Client::Ensuring::freedStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
   if (frame != nullptr || client.awaitsCopies()) return;
+  if (client.isArmed()) return client.end(Status::Armed);
   state.limitFromS = state.seconds;  // the upload has its whole time
   state.failedItem = kNoItem;
   client.rest_.field = ItemField::None;
   client.state_.lastResult = 255;
   client.state_.proving = false;
+  client.rest_.options.takeUp = takeUp;
   if (client.rest_.options.readBack == ReadingPlan::prove) client.rest_.options.readBack = prove;
   state.operation = Uploading::step;
   Uploading::begin(client, nowMs);

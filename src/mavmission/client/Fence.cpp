@@ -25,7 +25,7 @@ struct Client::CheckingAreas : OperationParts {
   }
   static void time(Client& client, uint16_t nowMs) {
     for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE; ++read) {
-      const Status checked = client.checkNextOfAny(true);
+      const Status checked = client.checkNextOfAny();
       if (checked == Status::Transferring) {
         client.state_.operation = Uploading::step;
         return Uploading::begin(client, nowMs);
@@ -42,18 +42,18 @@ struct Client::CheckingAreas : OperationParts {
 struct Client::EnsuringAreas : OperationParts {
   static bool begin(Client& client, uint16_t nowMs) { return Ensuring::begin(client, nowMs); }
   static void time(Client& client, uint16_t) {
-    if (client.checkNextOfAny(false) == Status::Transferring) client.state_.operation = Ensuring::step;
+    if (client.checkNextOfAny() == Status::Transferring) client.state_.operation = Ensuring::step;
   }
   static void step(Client& client, const FrameParser* frame, uint16_t nowMs) {
     operate<EnsuringAreas>(client, frame, nowMs);
   }
 };
 
-Status PlanPort::checkNextOfAny(bool isToChange) {
+Status PlanPort::checkNextOfAny() {
   static_assert(sizeof(Areas) <= offsetof(Client::Reading, take), "it lies where a reading begins later");
   Client& client = static_cast<Client&>(*this);
   Client::State& state = client.state_;
-  const Status checked = checkNext(isToChange);
+  const Status checked = checkNext();
   if (state.type == PlanType::Mission || client.plan_.count() == 0) return checked;
   Areas& areas = client.areas_;
   Areas::Verdict verdict = {Status::BadFence, ItemField::Param1};
@@ -84,7 +84,13 @@ Status MissionClient::uploadWithoutReadback(const ItemSource& plan, PlanType typ
   return checkAreas(startUpload(plan, type));
 }
 
-Status MissionClient::uploadAgain() { return checkAreas(uploadKeptPlan()); }
+Status MissionClient::uploadAgain() {
+  if (state_.operation == nullptr) {
+    rest_.announcePart = nullptr;  // the whole plan, also where a part of it was uploaded
+    if (rest_.options.takeUp != nullptr) rest_.options.takeUp = Uploading::takeUp;  // ensure() has one of its own
+  }
+  return checkAreas(uploadKeptPlan());
+}
 
 void PlanPort::ensureByItems() {
   Client& client = static_cast<Client&>(*this);

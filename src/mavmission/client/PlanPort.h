@@ -57,10 +57,10 @@ class PlanPort {
   // The autopilot is found: its plan is checked from the first item on.
   void beginChecking();
   // Checks the next item. Accepted: it is good, and lies in the link's draft(). Transferring: all are. Checking: not in
-  // this update(), or no more, as running() says. `isToChange`: an autopilot that is armed is left alone.
-  Status checkNext(bool isToChange);
+  // this update(), or no more, as running() says.
+  Status checkNext();
   // The same for a plan of any type: the items of a fence, and rally points, are looked at together, too.
-  Status checkNextOfAny(bool isToChange);
+  Status checkNextOfAny();
 
   // --- Reading what is aboard
 

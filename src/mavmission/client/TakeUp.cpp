@@ -18,7 +18,7 @@ bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
   if ((status == Status::TimedOut || status == Status::CancelledByAutopilot) && client.plan_.has(kMayBeOld) &&
       client.link_.pace().isLossy()) {
     client.unsettle();
-    client.beginTransfer();
+    begin(client, nowMs);
     client.transfer_.noteBegunBefore();
     return true;
   }

@@ -86,7 +86,7 @@ Status Client::checkItem(uint16_t wireItem) {
 
 // The one check of a plan, by whatever way it goes: the same autopilot, then what hinders all of the plan, then an
 // item.
-Status PlanPort::checkNext(bool isToChange) {
+Status PlanPort::checkNext() {
   Client& client = static_cast<Client&>(*this);
   Client::State& state = client.state_;
   const WirePlan& plan = client.plan_;
@@ -104,8 +104,6 @@ Status PlanPort::checkNext(bool isToChange) {
     checked = Status::WholePlansOnly;
   } else if (!isTypeCarried()) {
     checked = Status::NeedsMavlink2;
-  } else if (isToChange && finder.isArmed() && !state.armedAllowed) {
-    checked = Status::Armed;
   } else {
     if (!client.link_.canSend() || !client.claimHeavyWork()) return Status::Checking;
     if (state.next == plan.wireCount()) return Status::Transferring;
@@ -123,20 +121,19 @@ Status PlanPort::checkNext(bool isToChange) {
 
 void Client::Uploading::checkNext(Client& client, uint16_t nowMs) {
   for (uint8_t read = 0; read < MAVMISSION_ITEMS_PER_UPDATE; ++read) {
-    const Status checked = client.checkNext(true);
+    const Status checked = client.checkNext();
     if (checked == Status::Transferring) return begin(client, nowMs);
     if (checked != Status::Accepted) return;
   }
 }
 
-void Client::beginTransfer() {
-  setOfPlan(true);
-  setAboard(Aboard::NotKnown);  // from now on, until an answer says it
-  transfer_.begin(plan_.wireCount(), plan_.firmware(), state_.unsettled);
-}
-
+// All that announces a plan passes here, also where it does so a second time: the autopilot may have been armed
+// meanwhile.
 void Client::Uploading::begin(Client& client, uint16_t nowMs) {
-  client.beginTransfer();
+  if (client.isArmed() && !client.state_.armedAllowed) return client.end(Status::Armed);
+  client.setOfPlan(true);
+  client.setAboard(Aboard::NotKnown);  // from now on, until an answer says it
+  client.transfer_.begin(client.plan_.wireCount(), client.plan_.firmware(), client.state_.unsettled);
   if (client.rest_.announcePart != nullptr) client.rest_.announcePart(client, true);
   client.opaqueId_.begin();
   client.state_.next = 0;

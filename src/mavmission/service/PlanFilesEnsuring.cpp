@@ -41,7 +41,7 @@ struct PlanFiles::EnsuringFile : OperationParts {
 
   static void time(Client& client, uint16_t nowMs) {
     PlanFiles& self = PlanPort::filesOf(client);
-    if (!self.isChecked(false)) return;
+    if (!self.isChecked()) return;
     if (!self.isForFile()) return self.plans().ensureByItems();
     self.client_.beginTransferring(nowMs);
     self.plans().nowAboard(Aboard::NotKnown);  // what was known was about the plan before

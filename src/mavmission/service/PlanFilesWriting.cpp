@@ -53,18 +53,19 @@ void PlanFiles::writeStep(Client& client, const FrameParser* frame, uint16_t now
 }
 
 void PlanFiles::check(uint16_t nowMs) {
-  if (!isChecked(true)) return;
+  if (!isChecked()) return;
   if (!isUsable() || !isForFile()) return uploadByItems(nowMs);
   client_.beginTransferring(nowMs);
   if (!client_.autopilot().isArmed()) return beginWriting();
+  if (!client_.isAllowedWhileArmed()) return client_.end(Status::Armed);
   isLook_ = true;
   beginComparing(takeLook);
   beginReading();
 }
 
 // Checks the plan, and asks of each item whether it is known what ArduPilot makes of it. True when all is checked.
-bool PlanFiles::isChecked(bool isToChange) {
-  const Status checked = plans().checkNextOfAny(isToChange);
+bool PlanFiles::isChecked() {
+  const Status checked = plans().checkNextOfAny();
   if (checked == Status::Accepted && !isForeseen(*static_cast<const MissionItem*>(client_.link().draft()))) {
     isForeseen_ = false;
   }

@@ -206,6 +206,20 @@ TEST_CASE("a short fence that was wiped, and is refused then, is not what was ab
   CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
 }
 
+TEST_CASE("a short fence that was wiped is not sent again to an autopilot that is armed by now, unless that is allowed") {
+  for (bool isAllowed : {false, true}) {
+    Fencing desk(2);
+    desk.client.allowWhileArmed(isAllowed);
+    REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 2000));
+    desk.beats = false;
+    desk.hear(heartbeatParts(ClientOnLine::kArduPilot, 128));
+    desk.hear(countParts(0));
+    CHECK(desk.runUntilSent(ClientOnLine::kCount, 100) == isAllowed);
+    CHECK((desk.client.status() == (isAllowed ? Status::Transferring : Status::Armed)));
+    CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
+  }
+}
+
 TEST_CASE("what is not the number of the fence's items does not begin its second upload") {
   Fencing desk(2);
   desk.hear(countParts(0));  // before it was asked for

@@ -63,6 +63,18 @@ TEST_CASE("a part that is not within its plan is refused, and there is no plan f
   }
 }
 
+TEST_CASE("behind a part uploadAgain() uploads the whole plan") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(11000);
+  desk.client.uploadPartial(inRam(kPlan), 1, 2);
+  REQUIRE(desk.runUntilSent(kPartialList, 100));
+  desk.client.cancel();
+  desk.sent.clear();
+  desk.client.uploadAgain();
+  REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+  CHECK(desk.timesOf(kPartialList, 0).empty());
+}
+
 TEST_CASE("PX4 takes whole plans only") {
   ClientOnLine desk(ClientOnLine::kPx4);
   desk.run(11000);
