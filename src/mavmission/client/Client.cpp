@@ -82,7 +82,8 @@ void Port::end(Status status) {
   if (client.state_.status == Status::Transferring && !client.state_.isPlanless) client.expectAnswers(kFromBefore);
   client.state_.operation = nullptr;
   client.state_.status = status;
-  client.rest_.toReturn = status;
+  // The first of two ends: the other one is a refusal, and whoever asked has got it.
+  if (client.rest_.toReturn == Status::Idle) client.rest_.toReturn = status;
   if (client.rest_.tellEnd != nullptr) client.rest_.tellEnd(client, status);
 }
 
@@ -96,7 +97,6 @@ void Client::tellEnd(Client& client, Status status) {
   client.state_.isTelling = true;
   client.rest_.ended(client.rest_.endedContext, status);
   client.state_.isTelling = false;
-  if (client.state_.operation == tellLaterStep) client.rest_.toReturn = status;  // this end comes first
 }
 
 void Client::tellLaterStep(Client& client, const FrameParser* frame, uint16_t) {
@@ -130,17 +130,15 @@ void Client::cancelAtEnd(Client& client) {
 // the next update() this one.
 void Client::cancelSecond(Client& client) {
   if (client.state_.operation == nullptr) return;
-  const Status first = client.rest_.toReturn;
   const bool wasTelling = client.state_.isTelling;
   client.state_.isTelling = true;
   client.cancelNow();
   client.state_.isTelling = wasTelling;
   client.state_.operation = tellLaterStep;
-  client.rest_.toReturn = first;
 }
 
 void Client::cancelNow() {
-  if (state_.operation == nullptr) return;
+  if (state_.operation == nullptr || state_.operation == tellLaterStep) return;
   noteSent(2);
   const bool isUpload = state_.operation == Uploading::step;
   if (state_.status == Status::Transferring && (isUpload || state_.proving || state_.operation == ReadingPlan::step)) {

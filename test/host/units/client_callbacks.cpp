@@ -329,12 +329,12 @@ bool check(uint8_t kind, Do running, In place, Do deed, int moment) {
   CAPTURE(text(sketch.ends));
   // Each operation ends once, for onEnd() as for update().
   CHECK(sketch.told.size() == sketch.begun);
-  // (An update() returns one end: that of an operation which a listener's callback has begun in vain, behind the end of
-  // another one, hides that.)
+  // (An update() returns one end, the first: that of an operation which a listener's callback has begun in vain behind
+  // the end of another one was returned to whoever began it.)
   const bool isVain = deed == Do::TooLong || deed == Do::PartOfNothing || deed == Do::NoType;
   const bool isHidden = isVain && place >= In::Message && sketch.told.size() == 2 && sketch.ends.size() == 1;
   if (!isHidden) CHECK((sketch.told == sketch.ends));
-  CHECK((!sketch.ends.empty() && sketch.ends.back() == sketch.told.back()));
+  CHECK((!sketch.ends.empty() && sketch.ends.front() == sketch.told.front()));
   for (const std::string& fault : sketch.faults) FAIL_CHECK(fault);
   const bool isCancelled = std::count(sketch.told.begin(), sketch.told.end(), Status::Cancelled) != 0;
   const bool mayCancel = deed == Do::Cancel || deed == Do::CancelAndUpload || deed == Do::UploadAndCancel;

@@ -301,6 +301,16 @@ TEST_CASE("a new client has nothing to tell") {
   CHECK((desk.client.update() == Status::Idle));
 }
 
+TEST_CASE("of a cancelling and a refusal in one loop() update() returns the first, and the call has returned the other") {
+  ClientOnLine desk(ClientOnLine::kArduPilot);
+  desk.run(3000);
+  desk.client.upload(inRam(kPlan));
+  desk.client.cancel();
+  CHECK((desk.client.upload(inRam(kPlan), PlanType::All) == Status::BadPlanType));
+  CHECK((desk.client.update() == Status::Cancelled));
+  CHECK((desk.client.update() == Status::Idle));
+}
+
 namespace {
 
 // Whoever hears the text begins an upload, and cancels it.
