@@ -418,8 +418,8 @@ DEFECTS = {
     ),
     "an upload begins anew and forgets that the server has begun": (
         "TakeUp.cpp",
-        "client.unsettle();\n    client.beginTransfer();\n    client.transfer_.noteBegunBefore();",
-        "client.beginTransfer();",
+        "client.unsettle();\n    begin(client, nowMs);\n    client.state_.isBegunBefore = true;",
+        "begin(client, nowMs);",
         "Betaflight upload-in-doubt 2 --losses 2 --faults 1",
         "aboard() says as before, and it is not",
     ),

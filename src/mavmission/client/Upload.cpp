@@ -246,7 +246,10 @@ Aboard Client::Uploading::aboardAfter(const Client& client, Status status) {
   if (mayBeWhole && (!refused || status == Status::Error)) return Aboard::NotKnown;
   // Such an autopilot keeps the old plan until the new plan is complete; an empty plan is complete at once.
   if (client.plan_.has(kKeepsPlanUntilWhole) && (refused || client.plan_.count() != 0)) return Aboard::AsBefore;
-  if (!begun) return refused && !client.transfer_.isSuspected() ? Aboard::AsBefore : Aboard::NotKnown;
+  if (!begun) {
+    const bool isAsBefore = refused && !client.transfer_.isSuspected() && !client.state_.isBegunBefore;
+    return isAsBefore ? Aboard::AsBefore : Aboard::NotKnown;
+  }
   if (client.plan_.has(kDropsPlanFirst)) return Aboard::Nothing;
   // ArduPilot replaces a mission item by item, but a fence only as a whole.
   return client.plan_.has(kReplacesItemByItem) && client.state_.type == PlanType::Mission ? Aboard::Mixture

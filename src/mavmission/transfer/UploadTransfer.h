@@ -62,11 +62,8 @@ class UploadTransfer : public UploadRules {
   // Attempts at COUNT; later, how often items were sent since the newest request.
   uint8_t tries() const { return tries_; }
   bool hasBegun() const { return state_ != State::Counting; }
-  // This upload has been begun before, and that may have changed what is aboard. To be called behind begin().
-  void noteBegunBefore() { isBegunBefore_ = true; }
-  // True if an answer has come that may belong to an earlier transfer, or if there was one of this upload: a refusal
-  // then does not tell what is aboard.
-  bool isSuspected() const { return suspicion_ != Status::Transferring || isBegunBefore_; }
+  // True if an answer has come that may belong to an earlier transfer: a refusal then does not tell what is aboard.
+  bool isSuspected() const { return suspicion_ != Status::Transferring; }
   // The autopilot has named the checksum of our plan.
   void noteProven() { isProven_ = true; }
   bool isProven() const { return isProven_; }
@@ -103,7 +100,6 @@ class UploadTransfer : public UploadRules {
   uint8_t evidence_;  // UploadEvidence up to kBeyond
   bool isAgain_ : 1;  // the current item was sent before it became current the last time
   bool isAskedByInt_ : 1;
-  bool isBegunBefore_ : 1;
   bool isProven_ : 1;
 };
 

@@ -478,16 +478,24 @@ TEST_CASE("a server whose ways are not known begins anew on a line that loses, w
 }
 
 TEST_CASE("an upload that has begun anew, and is refused then, may have changed what was aboard before") {
-  Proving desk(ClientOnLine::kOther);
-  desk.lose();
-  desk.begin();
-  desk.ask(1);
-  desk.sent.clear();
-  desk.tell(ackParts(kCancelled));
-  REQUIRE(desk.timesOf(ClientOnLine::kCount, 0).size() == 1);
-  desk.tell(ackParts(kDenied));
-  CHECK((desk.ended == Status::Denied));
-  CHECK((desk.client.aboard() == Aboard::NotKnown));
+  for (bool backsOff : {false, true}) {
+    Proving desk(ClientOnLine::kOther);
+    if (backsOff) desk.client.retryWhenBusy(2);
+    desk.lose();
+    desk.begin();
+    desk.ask(1);
+    desk.sent.clear();
+    desk.tell(ackParts(kCancelled));
+    REQUIRE(desk.timesOf(ClientOnLine::kCount, 0).size() == 1);
+    desk.tell(ackParts(kDenied));
+    if (backsOff) {
+      CHECK((desk.client.status() == Status::BackingOff));
+      REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+      desk.tell(ackParts(kDenied));
+    }
+    CHECK((desk.ended == Status::Denied));
+    CHECK((desk.client.aboard() == Aboard::NotKnown));
+  }
 }
 
 TEST_CASE("a server whose ways are not known, and that falls silent, is tried again on a line that loses") {

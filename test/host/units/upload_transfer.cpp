@@ -659,19 +659,6 @@ TEST_CASE("a transfer is suspected from an answer on that may be to an earlier o
   CHECK_FALSE(upload.transfer.isSuspected());
 }
 
-TEST_CASE("a transfer that was begun before is suspected, until it begins as another one") {
-  Upload upload(1, Firmware::ArduPilot, false);
-  CHECK_FALSE(upload.transfer.isSuspected());
-  upload.transfer.noteBegunBefore();
-  CHECK(upload.transfer.isSuspected());
-  upload.send();
-  upload.request(0);
-  upload.send();
-  CHECK(upload.transfer.isSuspected());
-  upload.transfer.begin(1, Firmware::ArduPilot, 0);
-  CHECK_FALSE(upload.transfer.isSuspected());
-}
-
 TEST_CASE("every wait is the same wherever the clock wraps in it") {
   for (uint32_t start = 65535 - 9000; start <= 65535; start += 250) {
     Upload counting(3, Firmware::Other, false, static_cast<uint16_t>(start));
