@@ -40,6 +40,9 @@ enum class Do {
   NoCallbacks,
   Last
 };
+// How the operation that runs is left alone: without an answer, without heartbeats as well, on a port that says that it
+// has no room, or that says nothing and takes no byte.
+enum class Left { Silent, Gone, NoRoom, TakesNothing, Last };
 constexpr uint32_t kStepMs = 4;                        // between two passes of loop()
 constexpr int kMoments = 5;                            // the first calls of each callback
 constexpr int kRunning = static_cast<int>(Do::Start);  // of these each is also what runs meanwhile
@@ -93,6 +96,20 @@ class Sketch : public ClientOnLine {
     doIt(what);
   }
 
+  // Left alone after so many frames of the operation's; the time until its end [ms], 0 when it has ended before.
+  uint32_t leaveAlone(Left how, int frames) {
+    answers_ = frames;
+    for (int i = 0; i < 500 && answers_ > 0 && client.isBusy(); ++i) live(kStepMs);
+    if (!client.isBusy()) return 0;
+    answers_ = 0;
+    beats = how != Left::Gone;
+    if (how == Left::NoRoom) line.room = 0;
+    if (how == Left::TakesNothing) line.takes = 0;
+    const uint32_t fromMs = nowMs();
+    while (client.isBusy() && nowMs() - fromMs < 1000000) live(10 * kStepMs, 10 * kStepMs);
+    return nowMs() - fromMs;
+  }
+
   void finish() {
     for (int i = 0; i < 3000 && (client.isBusy() || i < 5); ++i) live(3 * kStepMs);
     isCounting_ = false;
@@ -105,6 +122,7 @@ class Sketch : public ClientOnLine {
   int moment_;
   int calls_ = 0;
   bool isCounting_ = false;
+  int answers_ = 1000000;  // frames that are answered still
   MissionFollower follower_;
   PlanFiles files_;
   Parameters parameters_;
@@ -122,14 +140,16 @@ class Sketch : public ClientOnLine {
 
   // --- The autopilot
 
-  void live(uint32_t ms) {
-    for (; ms != 0; ms -= kStepMs) {
+  void live(uint32_t ms, uint32_t stepMs = kStepMs) {
+    for (; ms != 0; ms -= stepMs) {
       if (isCounting_ && !isDone && nowMs() % 8 == 0) tellSomething();
-      run(kStepMs, kStepMs);
+      run(stepMs, stepMs);
       payload_.update();
       std::vector<SentFrame> heard;
       heard.swap(sent);
-      for (const SentFrame& frame : heard) answer(frame);
+      for (const SentFrame& frame : heard) {
+        if (frame.messageId != 0 && answers_-- > 0) answer(frame);
+      }
     }
   }
 
@@ -375,4 +395,33 @@ TEST_CASE("whatever is called in whichever callback, each operation ends once an
   }
   MESSAGE(cases << " cases");
   CHECK(cases > 1000);
+}
+
+TEST_CASE("each operation ends within its time wherever it is left alone, however") {
+  constexpr uint32_t kOwnS = 60, kWaitingS = 20;
+  int cases = 0;
+  for (uint8_t kind : {ClientOnLine::kArduPilot, ClientOnLine::kPx4}) {
+    for (int running = 0; running <= static_cast<int>(Do::Start); ++running) {
+      for (int how = 0; how < static_cast<int>(Left::Last); ++how) {
+        for (int frames = 0; frames < 20; ++frames) {
+          CAPTURE(static_cast<int>(kind));
+          CAPTURE(running);
+          CAPTURE(how);
+          CAPTURE(frames);
+          Sketch sketch(kind, In::Last, Do::Last, 0);
+          sketch.begin(Do::Upload);
+          sketch.finish();
+          sketch.client.setOperationTimeout(kOwnS);
+          sketch.client.setAutopilotTimeout(kWaitingS);
+          sketch.begin(static_cast<Do>(running));
+          const uint32_t tookMs = sketch.leaveAlone(static_cast<Left>(how), frames);
+          CHECK(tookMs <= 1000 * (kOwnS + kWaitingS + 1));
+          if (tookMs == 0) break;
+          ++cases;
+        }
+      }
+    }
+  }
+  MESSAGE(cases << " cases");
+  CHECK(cases > 300);
 }
