@@ -21,3 +21,7 @@ struct Findings {
 };
 
 Findings explore(const Scenario& scenario, uint64_t mostStates);
+
+// Instead of every way one way at random of each of so many scenarios, which are drawn as well: three operations one
+// behind the other, on a line that loses, doubles, delays and damages many frames, beside reboots and cancels.
+Findings walk(Firmwares firmware, uint32_t seed, unsigned count);

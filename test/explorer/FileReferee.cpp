@@ -56,6 +56,7 @@ const char* FileReferee::sent(const Message& message, const Referee& referee) {
   if (words.session == 0) return "a request has no session";
   if (session != 0 && words.session != session) return "a request is of another session";
   const bool isFirst = session == 0;
+  if (isRunning) hasSent = true;
   session = words.session;
   if (isFirst) opening = static_cast<uint16_t>(message.number - 1);
   for (Asked& asked : open) {
@@ -191,9 +192,9 @@ const char* FileReferee::untrue(Status status, Aboard said, const Task& task, co
                                 const Autopilot* before) const {
   const bool isMeant = isAboard(autopilot, task.plan, task.items);
   const bool isUpload = task.operation == Operation::FileUpload;
-  if (said == Aboard::OurPlan && (isUpload || status == Status::Verified) && !isMeant)
-    return "aboard() says our plan, and it is not";
-  if (!isUpload) return nullptr;
+  const bool isAboutThis = isUpload ? hasSent != 0 : status == Status::Verified;  // something was sent
+  if (said == Aboard::OurPlan && isAboutThis && !isMeant) return "aboard() says our plan, and it is not";
+  if (!isUpload || !isAboutThis) return nullptr;
   const bool isOld = before == nullptr || (autopilot.heldCount == before->heldCount &&
                                            memcmp(autopilot.held, before->held, sizeof(before->held)) == 0);
   switch (said) {

@@ -35,7 +35,8 @@ struct FileReferee {
   uint8_t read;        // bit i: item i was
   uint8_t mayCancel;   // the sketch has broken the read-back off
   uint8_t isStorable;  // the file that may be open has its header
-  uint8_t even[3];     // always 0: without a hole, states can be compared by their bytes
+  uint8_t hasSent;     // a request of this operation
+  uint8_t even[2];     // always 0: without a hole, states can be compared by their bytes
   uint8_t closings;    // TERMINATEs, and headers spoilt after the end, since it was opened, kUnsureClosings at most
 
   void begin();

@@ -35,6 +35,8 @@ uint8_t wireCount(uint8_t items, Firmwares firmware, uint8_t type) {
 
 bool isAboard(const Autopilot& autopilot, uint8_t plan, uint8_t items) {
   const uint8_t count = wireCount(items, autopilot.firmware, autopilot.type);
+  if (items == 0 && autopilot.heldCount == 1 && autopilot.type == kMission && isArduPilot(autopilot.firmware))
+    return true;
   if (autopilot.heldCount != count) return false;
   for (uint8_t i = 0; i < count; ++i) {
     if (autopilot.held[i] != onTheWire(plan, i, autopilot.firmware, autopilot.type)) return false;
@@ -256,8 +258,10 @@ void Referee::heard(const Message& message, Firmwares firmware) {
     if (message.kind == Kind::Request && isUpload() && !isReading) owesCancel = static_cast<uint8_t>(1 + message.type);
     return;
   }
+  if (message.kind == Kind::Ack && !hasSent) return;  // it answers something before
   switch (message.kind) {
     case Kind::Request:
+      if (isUpload() && counts == 0 && !isReading) hasOther = true;
       if (!isUpload() || isReading || counts == 0) return;
       if (message.number >= items) hasOther = true;
       if (message.number >= items && isLastSent && !isGeneric(firmware)) mayFree = true;
@@ -462,8 +466,9 @@ const char* Referee::end(Status status, Aboard said, const Autopilot& autopilot,
     // Nor does ArduPilot answer a reading with an error while its plan stays the same.
     if (task.operation == Operation::Verify && result == kError && !isPx4(autopilot.firmware) && !lineRepeats)
       return "a reading ends by an answer that is another's";
-    const bool isProven = isReading && result == kError && wasRefused;  // what was read back was not the plan
-    if ((heardAcks & (1u << result)) == 0 && !isProven) return "a refusal that the autopilot did not send";
+    const bool isProven = isReading && result == kError && wasRefused;     // what was read back was not the plan
+    const bool wasHeard = (heardAcks & (1u << result)) != 0 || isLooking;  // a look asks anew behind a refusal
+    if (!wasHeard && !isProven) return "a refusal that the autopilot did not send";
     // With what this client has read. PX4 gives that up by itself before all tries are used up.
     const bool isBusy = isUpload() && !isReading && result == kError && isPx4(autopilot.firmware) && asked == 0 &&
                         hasEndedBefore && autopilot.state == Autopilot::State::Sending;

@@ -261,7 +261,12 @@ bool World::isAlive(Status status) const {
     case Status::Cleared: return true;
     case Status::Differs:
       return referee_.task.operation == Operation::Verify || referee_.task.operation == Operation::FileVerify;
-    case Status::Denied: return !referee_.isUpload() && isReceiving;
+    case Status::Denied: return isReceiving && (!referee_.isUpload() || referee_.isLooking);
+    // PX4 hears nothing else while it waits for items; a newer ArduPilot that is asked again accepts later.
+    case Status::NoAnswer:
+      return task_ != 0 && (isReceiving || referee_.task.items == 0 || autopilot_.firmware == Firmwares::Px4);
+    case Status::Unconfirmed:  // what is accepted may be the operation before, and it is not read back
+      return task_ != 0 && referee_.task.operation == Operation::Upload;
     default: return false;
   }
 }

@@ -17,6 +17,7 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK",
       stderr,
       "%s\n"
       "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS [OPERATION ITEMS]] [option VALUE]...\n"
+      "       explorer AUTOPILOT walks COUNT [--seed S]  one way at random of each of COUNT scenarios\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late), PX4, MAVSDK, Betaflight,\n"
       "             iNav\n"
       "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear, and as files\n"
@@ -59,12 +60,31 @@ uint64_t number(const char* text, uint64_t most) {
   return value;
 }
 
+int report(const Findings& findings, bool showsFewest) {
+  printf("states=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
+         static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.transitions),
+         static_cast<unsigned long long>(findings.violations), findings.isWhole, findings.longestMs,
+         findings.fewestFaults);
+  for (const auto& end : findings.ends) {
+    printf("end=%s=%llu\n", end.first.c_str(), static_cast<unsigned long long>(end.second));
+  }
+  if (showsFewest) printf("fewest:\n%s", findings.fewestFaultsTrace.c_str());
+  if (findings.violations != 0) printf("broken=%s\n%s", findings.broken.c_str(), findings.trace.c_str());
+  return findings.violations != 0 ? 1 : findings.isWhole ? 0 : 3;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 4) usage("arguments are missing");
   Scenario scenario;
   scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 6, argv[1], "no such autopilot"));
+  if (strcmp(argv[2], "walks") == 0) {
+    const bool isSeeded = argc == 6 && strcmp(argv[4], "--seed") == 0;
+    if (argc != 4 && !isSeeded) usage("how many walks, and nothing else but --seed");
+    const uint32_t seed = isSeeded ? static_cast<uint32_t>(number(argv[5], 4000000000u)) : 1;
+    return report(walk(scenario.firmware, seed, static_cast<unsigned>(number(argv[3], 10000000))), false);
+  }
   int at = 2;
   for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {
     Task task;
@@ -118,15 +138,5 @@ int main(int argc, char** argv) {
       usage("no such option");
     }
   }
-  const Findings findings = explore(scenario, mostStates);
-  printf("states=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
-         static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.transitions),
-         static_cast<unsigned long long>(findings.violations), findings.isWhole, findings.longestMs,
-         findings.fewestFaults);
-  for (const auto& end : findings.ends) {
-    printf("end=%s=%llu\n", end.first.c_str(), static_cast<unsigned long long>(end.second));
-  }
-  if (showsFewest) printf("fewest:\n%s", findings.fewestFaultsTrace.c_str());
-  if (findings.violations != 0) printf("broken=%s\n%s", findings.broken.c_str(), findings.trace.c_str());
-  return findings.violations != 0 ? 1 : findings.isWhole ? 0 : 3;
+  return report(explore(scenario, mostStates), showsFewest);
 }

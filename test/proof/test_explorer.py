@@ -35,6 +35,7 @@ OWN_FLAGS = ["-std=c++17", "-fno-access-control"]
 AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
 SERVERS = ("MAVSDK", "Betaflight", "iNav")  # of a firmware that the library does not know: explorer/Generic.cpp
 MOST_BYTES = 2_000_000_000  # that one exploration may hold, of which two run side by side
+WALKS = 100_000  # of three operations, with each autopilot
 BETAFLIGHT = 1  # MAVMISSION_GENERIC_FIRMWARE
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
            "violations"]  # fmt: skip
@@ -281,6 +282,19 @@ def test_no_operation_is_misled_by_a_frame_that_the_line_brings_once_more(record
 
 
 @pytest.mark.slow
+def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_random(record_property):
+    """Three operations one behind the other, by item and by file, beside copies, losses, reboots and cancels."""
+    rows = []
+    for autopilot in AUTOPILOTS:
+        found = explore(f"{autopilot} walks {WALKS}")
+        assert found["violations"] == "0", found["broken"]
+        assert int(found["states"]) > 2.9 * WALKS  # some have more copies on their way than the line has places
+        rows.append([autopilot, f"{int(found['states']):,}", f"{int(found['transitions']):,}", found["violations"]])
+    columns = ["autopilot", "operations", "transitions", "violations"]
+    record_property("table", ["walked: three operations in a row at random", [columns, *rows]])
+
+
+@pytest.mark.slow
 @PARTS
 def test_a_plan_by_file_leaves_the_old_plan_or_the_new_one_or_says_neither(record_property, part):
     scenarios = of_part(part, by_file())
@@ -418,7 +432,7 @@ DEFECTS = {
     ),
     "an upload begins anew and forgets that the server has begun": (
         "TakeUp.cpp",
-        "client.unsettle();\n    begin(client, nowMs);\n    client.state_.isBegunBefore = true;",
+        "client.unsettle();\n    begin(client, nowMs);\n    client.state_.isDoubtful = true;",
         "begin(client, nowMs);",
         "Betaflight upload-in-doubt 2 --losses 2 --faults 1",
         "aboard() says as before, and it is not",
@@ -542,6 +556,27 @@ DEFECTS = {
         "if (!isLast)",
         "ArduPilot file-upload 1 --losses 1 --cancels 1",
         "a plan is stored after the end",
+    ),
+    "a copy of the answer to an opening is taken for an empty file": (
+        "PlanFiles.cpp",
+        "if (isLast) self.isStorable_ = false;",
+        "self.isStorable_ = false;",
+        f"ArduPilot walks {WALKS}",
+        "a plan is stored after the end",
+    ),
+    "a copy of the acceptance of what was ended is taken for another plan's": (
+        "Upload.cpp",
+        "return client.transfer_.hasFreed() ? Status::Unconfirmed : Status::OtherPlanAboard;",
+        "return Status::OtherPlanAboard;",
+        f"PX4 walks {WALKS}",
+        "OtherPlanAboard, and the plan aboard is the plan meant",
+    ),
+    "a newer ArduPilot goes on with a COUNT of before, and is believed": (
+        "Upload.cpp",
+        "if (!isNamed && client.state_.isDoubtful) return Status::Unconfirmed;",
+        "",
+        f"LateArduPilot walks {WALKS}",
+        "aboard() says our plan, and it is not",
     ),
 }  # fmt: skip
 

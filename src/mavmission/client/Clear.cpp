@@ -87,6 +87,7 @@ void Client::Clearing::time(Client& client, uint16_t nowMs) {
     if (!clearing.hasBeenSent()) clearing.setAboardBefore(client.aboard(clearing.type()));
     client.setAboard(clearing.type(), Aboard::NotKnown);
   }
+  if (clearing.isAsking()) client.expectAnswers(kFromBusy);  // PX4 may be left waiting for our requests
   clearing.sent(nowMs);
   client.noteSent(clearing.tries());
   client.sendShort(message, 0, clearing.type());

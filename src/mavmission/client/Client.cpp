@@ -72,7 +72,7 @@ Status Client::startOperation(Step operation) {
   rest_.backOffPauseS = 0;
   state_.isCommanding = false;
   state_.isPlanless = false;
-  state_.isBegunBefore = false;
+  state_.isDoubtful = false;
   state_.status = Status::WaitingForAutopilot;
   return state_.status;
 }

@@ -195,17 +195,18 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     bool infeasible : 1;    // the autopilot has reported that it cannot fly the accepted plan
     bool mayBeRefused : 1;  // the read-back follows an error that may have been a refusal
     bool armedAllowed : 1;
-    bool tooLong : 1;        // the source has more items than the protocol can count
-    bool isCommanding : 1;   // the running or last operation is a command: commanding_ is in use
-    bool isTelling : 1;      // onEnd()'s function runs
-    bool isBegunBefore : 1;  // this upload is not the operation's first: a refusal does not tell what is aboard
-    bool isLate : 1;         // the operation has reached its time limit
-    bool readsHalf : 1;      // an update() reads half as many bytes as it may
-    bool isTimeLeft : 1;     // this update() has read, and few bytes: there is time for heavy work
-    bool isPlanless : 1;     // the running or last operation transfers no plan
-    uint8_t cancelled;       // the plan type whose cancelling is still to be sent, plus 1; 0: none
-    uint8_t unsettled;       // kFromOpen (also after a reset), kFromBusy, kFromBefore, kOfRepeats
-    uint16_t tickMs;         // when onTick() was called last: within an update() this is now, to kTickMs
+    bool tooLong : 1;       // the source has more items than the protocol can count
+    bool isCommanding : 1;  // the running or last operation is a command: commanding_ is in use
+    bool isTelling : 1;     // onEnd()'s function runs
+    bool isDoubtful : 1;    // another transfer of ours may be open: neither a refusal nor an acceptance tells what is
+                            // aboard
+    bool isLate : 1;        // the operation has reached its time limit
+    bool readsHalf : 1;     // an update() reads half as many bytes as it may
+    bool isTimeLeft : 1;    // this update() has read, and few bytes: there is time for heavy work
+    bool isPlanless : 1;    // the running or last operation transfers no plan
+    uint8_t cancelled;      // the plan type whose cancelling is still to be sent, plus 1; 0: none
+    uint8_t unsettled;      // kFromOpen (also after a reset), kFromBusy, kFromBefore, kOfRepeats
+    uint16_t tickMs;        // when onTick() was called last: within an update() this is now, to kTickMs
     // What a running update() does at its end: nothing, or the cancel() of a callback. Null while none runs.
     void (*atEnd)(Client& client);
   };

@@ -190,7 +190,8 @@ void Client::Ensuring::freeStep(Client& client, const FrameParser* frame, uint16
 // A copy of our closing, which the line may bring, would end our upload.
 void Client::Ensuring::freedStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
   State& state = client.state_;
-  if (frame != nullptr || client.awaitsCopies()) return;
+  if (frame != nullptr) return Uploading::noteEarly(client, *frame);
+  if (client.awaitsCopies()) return;
   if (client.isArmed()) return client.end(Status::Armed);
   state.limitFromS = state.seconds;  // the upload has its whole time
   state.failedItem = kNoItem;

@@ -157,7 +157,7 @@ void Client::ShortFence::step(Client& client, const FrameParser* frame, uint16_t
   client.rest_.options.readBack = proveAgain;
   client.state_.operation = Uploading::step;
   Uploading::begin(client, nowMs);
-  client.state_.isBegunBefore = true;
+  client.state_.isDoubtful = true;
 }
 
 }  // namespace mavmission

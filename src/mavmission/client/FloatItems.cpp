@@ -31,7 +31,7 @@ bool Client::Uploading::fallBackToFloats(Client& client, Status refusal, uint16_
   if (!client.plan_.has(kMayBeOld) || client.transfer_.itemsAskedFor() != 1) return false;
   client.state_.floatItems = true;
   begin(client, nowMs);
-  client.state_.isBegunBefore = true;
+  client.state_.isDoubtful = true;
   return true;
 }
 

@@ -19,7 +19,7 @@ bool Client::Uploading::takeUp(Client& client, Status status, uint16_t nowMs) {
       client.link_.pace().isLossy()) {
     client.unsettle();
     begin(client, nowMs);
-    client.state_.isBegunBefore = true;
+    client.state_.isDoubtful = true;
     return true;
   }
   // An idle ArduPilot answers with an error when the line has repeated the last item. The acceptance may have been lost

@@ -45,13 +45,20 @@ void Client::Uploading::step(Client& client, const FrameParser* frame, uint16_t 
   if (client.state_.status == Status::Transferring) {
     return frame != nullptr ? Uploading::frame(client, *frame, nowMs) : time(client, nowMs);
   }
-  if (frame != nullptr) return;
+  if (frame != nullptr) return noteEarly(client, *frame);
   if (client.state_.status == Status::WaitingForAutopilot) {
     client.waitForAutopilot();
     if (client.state_.status != Status::Checking) return;
     client.beginChecking();
   }
   checkNext(client, nowMs);
+}
+
+// Items are requested before our COUNT has left: the line has brought one of before once more. What is accepted then
+// may be made of that transfer's number of items and of ours.
+void Client::Uploading::noteEarly(Client& client, const FrameParser& frame) {
+  const uint32_t id = frame.messageId();
+  if (id == MAVLINK_MSG_ID_MISSION_REQUEST || id == MAVLINK_MSG_ID_MISSION_REQUEST_INT) client.state_.isDoubtful = true;
 }
 
 void Client::Uploading::time(Client& client, uint16_t nowMs) {
@@ -189,8 +196,12 @@ Status Client::Uploading::proven(Client& client, uint32_t opaqueId) {
     // when a network brings our COUNT once more. Reading shows that. (Behind an empty plan there is nothing to be
     // deleted, and what was sent as floats cannot be compared.)
     if (client.plan_.has(kIsReadBack) && client.transfer_.hasBegun()) return Status::Unconfirmed;
-    if (client.plan_.has(kSaysChecksum) && opaqueId != 0) {
-      if (opaqueId != client.opaqueId_.value()) return Status::OtherPlanAboard;
+    const bool isNamed = client.plan_.has(kSaysChecksum) && opaqueId != 0;
+    if (!isNamed && client.state_.isDoubtful) return Status::Unconfirmed;
+    if (isNamed) {
+      if (opaqueId != client.opaqueId_.value())
+        // What was ended before ours began again may have been accepted, and the line bring that once more.
+        return client.transfer_.hasFreed() ? Status::Unconfirmed : Status::OtherPlanAboard;
       client.transfer_.noteProven();
     }
   }
@@ -247,7 +258,7 @@ Aboard Client::Uploading::aboardAfter(const Client& client, Status status) {
   // Such an autopilot keeps the old plan until the new plan is complete; an empty plan is complete at once.
   if (client.plan_.has(kKeepsPlanUntilWhole) && (refused || client.plan_.count() != 0)) return Aboard::AsBefore;
   if (!begun) {
-    const bool isAsBefore = refused && !client.transfer_.isSuspected() && !client.state_.isBegunBefore;
+    const bool isAsBefore = refused && !client.transfer_.isSuspected() && !client.state_.isDoubtful;
     return isAsBefore ? Aboard::AsBefore : Aboard::NotKnown;
   }
   if (client.plan_.has(kDropsPlanFirst)) return Aboard::Nothing;

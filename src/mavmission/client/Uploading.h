@@ -8,6 +8,7 @@ namespace detail {
 
 struct Client::Uploading {
   MAVMISSION_ONE_EXIT static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static void noteEarly(Client& client, const FrameParser& frame);
   static void checkNext(Client& client, uint16_t nowMs);
   static void begin(Client& client, uint16_t nowMs);
   static void time(Client& client, uint16_t nowMs);

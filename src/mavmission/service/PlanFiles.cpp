@@ -130,25 +130,24 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
   }
   if (!frame.isFor(client.link().systemId(), client.link().componentId()) || !self.isReply(frame)) return;
   const bool isAck = frame.payloadByte(offsetof(FileFrame, opcode)) == MAV_FTP_OPCODE_ACK;
+  // Else it may be a copy that the line has made of an answer before.
+  const bool isLast = static_cast<uint16_t>(self.sequence_ + 1) == frame.payloadWord(offsetof(FileFrame, sequence));
   switch (frame.payloadByte(offsetof(FileFrame, requested))) {
     case MAV_FTP_OPCODE_OPENFILERO:
     case MAV_FTP_OPCODE_CREATEFILE:
       if (!isAck) break;
       self.closings_ = kUntilClosed;
-      self.isStorable_ = false;
+      if (isLast) self.isStorable_ = false;  // it is empty, or open for reading
       break;
     case MAV_FTP_OPCODE_TERMINATESESSION:
       self.closings_ = 0;
       self.isStorable_ = false;
       break;
-    case MAV_FTP_OPCODE_WRITEFILE: {
-      const uint16_t sequence = frame.payloadWord(offsetof(FileFrame, sequence));
-      const bool isLast = static_cast<uint16_t>(self.sequence_ + 1) == sequence;
+    case MAV_FTP_OPCODE_WRITEFILE:
       if (!self.isSpoiling_ || !isLast) break;
       self.isStorable_ = false;  // a refusal too: it is open for reading by now
       self.closings_ = kUntilClosed;
       break;
-    }
     default: break;
   }
   if (isAck) return;

@@ -64,6 +64,8 @@ class UploadTransfer : public UploadRules {
   bool hasBegun() const { return state_ != State::Counting; }
   // True if an answer has come that may belong to an earlier transfer: a refusal then does not tell what is aboard.
   bool isSuspected() const { return suspicion_ != Status::Transferring; }
+  // An earlier transfer was ended before this one.
+  bool hasFreed() const { return has(kFreed); }
   // The autopilot has named the checksum of our plan.
   void noteProven() { isProven_ = true; }
   bool isProven() const { return isProven_; }
