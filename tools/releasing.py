@@ -28,7 +28,8 @@ MESSAGE_INCLUDE = re.compile(rb'^#include "\./mavlink_msg_(\w+)\.h"\n', re.M)
 TABLES = re.compile(rb"^# *define MAVLINK_MESSAGE_(?:INFO|NAMES) .*\n", re.MULTILINE)
 FUNCTIONS = re.compile(rb"/\*\*\r?\n \* @brief Pack a .*", re.DOTALL)  # of a message, to the end of its header
 # Screenshots are of the playground, which is not in the zip.
-SCREENSHOT = re.compile(rb"^!\[[^\]]*\]\([^)]*\.png\)\n", re.MULTILINE)
+# Of the page, and of an upload against time.
+SCREENSHOT = re.compile(rb"^!\[[^\]]*\]\([^)]*(?:\.png|upload\.svg|recovered\.svg)\)\n", re.MULTILINE)
 UNWANTED = {"__pycache__", ".DS_Store", "Thumbs.db"}
 
 
