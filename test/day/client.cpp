@@ -319,6 +319,7 @@ void tellIdle(Words&) {
   LEFT_OUT(link_.pace_.busyMs_);
   LEFT_OUT(link_.finder_.heardMs_);
   LEFT_OUT(link_.finder_.searchMs_);
+  LEFT_OUT(link_.finder_.knowledge_);  // it counts the autopilots and their restarts
   LEFT_OUT(link_.parser_);
   LEFT_OUT(link_.outbox_);
 #undef LEFT_OUT
