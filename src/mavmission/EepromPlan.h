@@ -19,7 +19,7 @@
 //   byte 4     checksum (Checksum.h) of the items' bytes, then of bytes 1 to 3
 //   byte 6     the items: 4 bytes, and 4 more for each of param1 to z that is not 0
 //
-// A byte is written only if its value changes. If byte 0 is worn out and stays 0x4D, the checksum is made wrong instead.
+// A byte is written only if its value changes. If byte 0 is worn out and stays 0x4D, the checksum is made wrong.
 //
 // On a board whose EEPROM library keeps the bytes in flash (an ESP32, a Pico), the change is written by one call of the
 // library's commit(), which may block. A power failure during that call may lose both plans.
