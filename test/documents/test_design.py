@@ -107,7 +107,11 @@ def test_every_rule_says_where_it_is_from():
 
 def enumerators(file: str, name: str) -> set[str]:
     text = library_file(file).read_text()
-    return set(re.findall(r"\w+", re.search(rf"enum class {name} : uint8_t \{{(.*?)\}}", text, re.S)[1]))
+    body = re.search(rf"enum class {name} : uint8_t \{{(.*?)\}}", text, re.S)[1]
+    listed = re.search(r"(\w+)\(MAVMISSION_NAME\)", body)
+    if listed:
+        return set(re.findall(r"\bX\((\w+),", text.split(f"#define {listed[1]}(X)")[1].split("\n\n")[0]))
+    return set(re.findall(r"\w+", body))
 
 
 def statuses() -> set[str]:
