@@ -31,6 +31,10 @@ namespace mavmission {
 //
 // There is one peer. Either it is found: it is the sender of the first heartbeat of an autopilot with a right checksum.
 // Or the sketch names it by setPeer(). From then on datagrams of all other senders are ignored.
+// - A transparent bridge cuts the serial line into datagrams anywhere. It is found with the datagram in which its first
+//   heartbeat ends, unless a piece of that was lost: then with the next one. This takes longer than 10 s only if the
+//   bridge itself collects for so long: it may wait for 256 bytes, of which a heartbeat a second fills 21. Pieces of
+//   two senders are kept at a time; with more that cut their heartbeats just then, one may be found a heartbeat later.
 // - A second sender of an autopilot's heartbeat within 1.2 s of the first counts as a second aircraft: then there is no
 //   peer, severalHeard() is true, and the sketch has to name one.
 // - A peer that was found, and has been silent for 5 s, may have restarted with another port: with the next heartbeat
@@ -45,7 +49,7 @@ namespace mavmission {
 // ARP answer, 1.6 s unless Ethernet.setRetransmissionTimeout() and setRetransmissionCount() say less. This class uses
 // no heap; WiFiUDP uses 1,460 bytes of heap for sending, and as many for a received datagram until it is read.
 //
-// RAM: MAVMISSION_UDP_BYTES, and some 50 bytes [bytes]. The UDP object belongs to the sketch, must outlive this, and
+// RAM: MAVMISSION_UDP_BYTES, and some 110 [bytes]. The UDP object belongs to the sketch, must outlive this, and
 // must not be used by anything else. Source: MAVLink guide, Packet Serialization; ports in docs/radio.md.
 class UdpLink : public PacketLink {
  public:
@@ -113,12 +117,12 @@ class UdpLink : public PacketLink {
     return false;
   }
 
-  // Whether the datagram that has come is the peer's; the first one makes its sender the peer.
+  // Whether the datagram that has come is the peer's; its first heartbeat makes its sender the peer.
   bool isFromPeer(uint16_t nowMs) {
     const uint16_t port = udp_.remotePort();
     if (severalHeard_ || port == 0) return false;
     if (!hasPeer()) {
-      if (!detail::readAutopilotHeartbeat(udp_)) return false;
+      if (!bringsHeartbeat()) return false;
       address_ = udp_.remoteIP();
       port_ = port;
       foundMs_ = nowMs;
@@ -128,14 +132,35 @@ class UdpLink : public PacketLink {
     if (isItsAddress && port == port_) return true;
     if (isNamed_) return false;
     if (!isSettled_) {
-      if (!detail::readAutopilotHeartbeat(udp_)) return false;
+      if (!bringsHeartbeat()) return false;
       severalHeard_ = true;
       port_ = 0;
       return false;
     }
-    if (!isItsAddress || !isSilent_ || !detail::readAutopilotHeartbeat(udp_)) return false;
+    if (!isItsAddress || !isSilent_ || !bringsHeartbeat()) return false;
     port_ = port;
     return true;
+  }
+
+  // A sender whose datagrams are searched for a heartbeat.
+  struct Sender {
+    IPAddress address;
+    uint16_t port;
+    detail::HeartbeatSearch search;
+    bool is(const Sender& other) const { return port == other.port && address == other.address; }
+  };
+
+  // Whether a heartbeat of an autopilot ends in the datagram that has come. If this ends within what may be one, the
+  // search in this sender's next datagram goes on from there, if no two others do the same in between.
+  bool bringsHeartbeat() {
+    Sender sender{udp_.remoteIP(), udp_.remotePort(), detail::HeartbeatSearch()};
+    const bool wasLast = last_.is(sender);
+    if (wasLast || before_.is(sender)) sender.search = (wasLast ? last_ : before_).search;
+    const bool isFound = sender.search.readsAutopilot(udp_);
+    if (!wasLast && !sender.search.isBegun()) return isFound;
+    if (!wasLast && last_.search.isBegun()) before_ = last_;
+    last_ = sender;
+    return isFound;
   }
 
   // Some cores give the next datagram only when this one has been read to its end.
@@ -158,6 +183,8 @@ class UdpLink : public PacketLink {
   UDP& udp_;
   IPAddress address_;
   uint16_t port_ = 0;
+  // The last two senders that cut what may be a heartbeat: one may be somebody else.
+  Sender last_ = Sender(), before_ = Sender();
   uint16_t foundMs_ = 0;
   uint16_t heardMs_ = 0;
   uint16_t strangers_ = 0;

@@ -19,7 +19,7 @@
 //   byte 4     checksum (Checksum.h) of the items' bytes, then of bytes 1 to 3
 //   byte 6     the items: 4 bytes, and 4 more for each of param1 to z that is not 0
 //
-// A byte is written only if its value changes.
+// A byte is written only if its value changes. If byte 0 is worn out and stays 0x4D, the checksum is made wrong.
 //
 // On a board whose EEPROM library keeps the bytes in flash (an ESP32, a Pico), the change is written by one call of the
 // library's commit(), which may block. A power failure during that call may lose both plans.
@@ -105,6 +105,7 @@ class EepromPlan {
   static constexpr uint8_t kValid = 0x4D;
   static constexpr uint8_t kInvalid = 0;
   static constexpr uint8_t kHeader = 6;  // [bytes]
+  static constexpr uint8_t kChecksumAt = 4;
   static constexpr uint8_t kLongestItem = 32;
 
   static bool readItem(void* plan, uint16_t index, MissionItem& item);
@@ -122,6 +123,7 @@ class EepromPlan {
   void activate(uint8_t bank);
   MAVMISSION_APART void write(uint16_t address, uint8_t length, Step step);
   MAVMISSION_APART void writeMark(uint8_t bank, uint8_t mark, Step step);
+  bool isInvalidAllTheSame();
   void stepDone();
   // Called when a change is complete: it is stored permanently, where that takes a call.
   void settle() {

@@ -5,7 +5,7 @@
 
 namespace mavmission {
 
-// Used like a PositionListener.
+// Used like a PositionListener. A speed that is no number, or does not fit, is 0.
 class HudListener : public TelemetryListener {
  public:
   // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.

@@ -21,8 +21,8 @@ struct ItemSink {
   ItemSinkFunction write;  // not null
   void* context;           // handed to the function; may be null
   uint16_t limit;          // items; a longer plan is not downloaded (Status::SinkFull)
-  // Returns false if write() cannot take an item now: the item is then requested again every 250 ms, up to 5 times. A
-  // null pointer means that the sink is always ready.
+  // Returns false if write() cannot take an item now: the item is then requested again every 250 ms, up to 8 times, as
+  // if it had been lost. A null pointer means that the sink is always ready.
   bool (*isReady)(void* context);
 };
 

@@ -209,7 +209,7 @@ class MissionClient : private detail::Client {
   // Asks for the aircraft again. To be called when a person wants it so. Nothing is sent.
   void requestControl() { known_.takenBy = Status::Idle; }
 
-  // The step of start() that is running, or that was refused.
+  // The step of start() that is running, or that was refused; toString() says it in words.
   StartStep startStep() const { return Client::startStep(); }
   StartArming startArming() const { return Client::startArming(); }
 

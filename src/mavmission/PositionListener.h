@@ -33,7 +33,7 @@ class PositionListener : public TelemetryListener {
   bool hasHeights() const { return aboveHomeMm() != kNoHeight; }
   int32_t aboveSeaLevelMm() const { return aboveSeaLevelMm_; }
   int32_t aboveHomeMm() const { return aboveHomeMm_; }
-  // The height of home above sea level [mm], or kNoHeight.
+  // The height of home above sea level [mm], or kNoHeight, also if it does not fit.
   int32_t homeAboveSeaLevelMm() const;
   // The height above home as an altitude for a plan or a command. Valid only if aboveHomeMm() is known.
   Altitude altitude() const;

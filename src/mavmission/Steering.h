@@ -86,7 +86,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   Status returnHome();
   Status landNow();
 
-  // Sets the ground speed from now on, up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED; in a plan it is changeSpeed()).
+  // Sets the ground speed from now on, above 0 and up to 100 m/s (MAV_CMD_DO_CHANGE_SPEED; in a plan: changeSpeed()).
   // ArduCopter goes back to its default speed at the first place after a takeoff: with ArduCopter set it after that
   // goTo().
   Status setSpeed(MetresPerSecond speed);

@@ -20,7 +20,7 @@ class VibrationListener : public TelemetryListener {
   Fitness fitness() const { return fitnessOf(reason()); }
 
   // The vibration of the accelerometer [cm/s^2]: on ArduPilot the greatest of the three axes, on PX4 its measure of
-  // high frequencies. The two cannot be compared.
+  // high frequencies. The two cannot be compared. INT32_MAX: so much or more, also without end.
   int32_t worstCmS2() const;
   // How often an accelerometer has been at the end of its range, since the autopilot's start.
   uint32_t clipping() const { return clipping_; }

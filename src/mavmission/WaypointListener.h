@@ -17,7 +17,8 @@ class WaypointListener : public TelemetryListener {
   uint16_t distanceM() const { return values_.distance; }
   // The direction to it from north, clockwise [whole degrees], 0 to 360.
   int16_t bearingDeg() const { return values_.bearing; }
-  // How far the aircraft is beside its track [cm]; the sign is the autopilot's.
+  // How far the aircraft is beside its track [cm]; the sign is the autopilot's. 0 also if it is no number, or does not
+  // fit.
   int32_t crossTrackCm() const;
 
  private:

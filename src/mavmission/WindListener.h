@@ -6,7 +6,8 @@
 namespace mavmission {
 
 // Used like a PositionListener. A plane estimates the wind, a copter only if it is set up for it; without an estimate
-// ArduPilot sends a wind of 0, and PX4 does not send the message.
+// ArduPilot sends a wind of 0, and PX4 does not send the message. A speed that is no number, or does not fit, is 0; so
+// is one beyond 300 m/s, but for downCmS().
 class WindListener : public detail::EitherListener {
  public:
   // Must live as long as the client. `intervalMs`: from one message to the next; 0: the message is not requested.

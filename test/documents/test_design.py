@@ -48,6 +48,21 @@ def test_every_wait_in_the_code_is_a_rule_of_the_table_with_its_value():
     assert dict(written) == waits_in_the_code()
 
 
+def test_numbers_of_attempts_in_the_headers_are_those_of_the_code():
+    code = waits_in_the_code()
+    counting = int(code["UploadRules::kCountingMs"]) // int(code["UploadRules::kRepeatMs"])
+    confirming = int(code["UploadRules::kConfirmingMs"]) // int(code["UploadRules::kRepeatMs"]) - 1
+    headers = [file for file in SOURCES.rglob("*.h") if "mavlink" not in file.relative_to(SOURCES).parts]
+    number = r"\b(\d+)(?= attempts| repetitions| times, as)"
+    said = {file.name: re.findall(number, file.read_text()) for file in headers}
+    assert {name: numbers for name, numbers in said.items() if numbers} == {
+        "ItemSink.h": [code["DownloadRules::kItemTries"]],
+        "DownloadTransfer.h": [code["DownloadRules::kListTries"], code["DownloadRules::kItemTries"]],
+        "UploadTransfer.h": [str(counting), str(confirming)],
+        "CommandTransfer.h": [code["CommandRules::kTries"]],
+    }
+
+
 def test_value_of_the_code_is_put_behind_its_name():
     row = "| `UploadRules::kRepeatMs` = 7, `UploadRules::kBusyTries` = 8 | seen |"
     assert retries.with_values(row, {"UploadRules::kRepeatMs": "1 + 2", "UploadRules::kBusyTries": "9"}) == (
@@ -92,7 +107,11 @@ def test_every_rule_says_where_it_is_from():
 
 def enumerators(file: str, name: str) -> set[str]:
     text = library_file(file).read_text()
-    return set(re.findall(r"\w+", re.search(rf"enum class {name} : uint8_t \{{(.*?)\}}", text, re.S)[1]))
+    body = re.search(rf"enum class {name} : uint8_t \{{(.*?)\}}", text, re.S)[1]
+    listed = re.search(r"(\w+)\(MAVMISSION_NAME\)", body)
+    if listed:
+        return set(re.findall(r"\bX\((\w+),", text.split(f"#define {listed[1]}(X)")[1].split("\n\n")[0]))
+    return set(re.findall(r"\w+", body))
 
 
 def statuses() -> set[str]:

@@ -76,7 +76,7 @@ void PlanConsole::watchPlan() {
   if (!isPlanAwaited_ || plan_.isBusy()) return;
   isPlanAwaited_ = false;
   if (plan_.state() == EepromPlan::State::Failed) {
-    say(F("the EEPROM could not store it"));
+    say(F("the EEPROM does not keep what is written"));
   } else if (plan_.hasPlan()) {
     say(F("stored: list prints it"));
   } else {

@@ -10,18 +10,12 @@ namespace {
 
 constexpr uint8_t kHeaderV1 = MAVLINK_CORE_HEADER_MAVLINK1_LEN + 1, kHeaderV2 = MAVLINK_NUM_HEADER_BYTES;
 constexpr uint8_t kPayload = MAVLINK_MSG_ID_HEARTBEAT_LEN;  // whole also in MAVLink 2: its last byte is never 0
+constexpr uint8_t kBody = kPayload + MAVLINK_NUM_CHECKSUM_BYTES;
 
-// Reads so many bytes; false if the datagram ends before.
-bool take(Stream& datagram, uint8_t* to, uint8_t count) {
-  for (; count != 0; --count) {
-    const int byte = datagram.read();
-    if (byte < 0) return false;
-    *to++ = static_cast<uint8_t>(byte);
-  }
-  return true;
-}
+uint8_t headerOf(const uint8_t* frame) { return frame[0] == MAVLINK_STX ? kHeaderV2 : kHeaderV1; }
 
-bool isAutopilots(const uint8_t* frame, uint8_t header) {
+bool isAutopilots(const uint8_t* frame) {
+  const uint8_t header = headerOf(frame);
   const uint8_t* const payload = frame + header;
   const uint8_t extra = MAVLINK_MSG_ID_HEARTBEAT_CRC;
   uint16_t crc = checksum(kChecksumStart, frame + 1, header + kPayload - 1);
@@ -36,27 +30,30 @@ bool isAutopilots(const uint8_t* frame, uint8_t header) {
 
 }  // namespace
 
-bool readAutopilotHeartbeat(Stream& datagram) {
-  uint8_t frame[kHeaderV2 + kPayload + MAVLINK_NUM_CHECKSUM_BYTES];
-  while (take(datagram, frame, kHeaderV1)) {
-    const bool isV2 = frame[0] == MAVLINK_STX;
-    if (!isV2 && frame[0] != MAVLINK_STX_MAVLINK1) break;
-    const uint8_t header = isV2 ? kHeaderV2 : kHeaderV1;
-    if (!take(datagram, frame + kHeaderV1, header - kHeaderV1)) return false;
-    uint16_t rest = frame[1] + MAVLINK_NUM_CHECKSUM_BYTES;
-    if (isV2 && (frame[2] & MAVLINK_IFLAG_SIGNED) != 0) rest += MAVLINK_SIGNATURE_BLOCK_LEN;
-    const bool isHeartbeat = isV2 ? (frame[7] | frame[8] | frame[9]) == 0 : frame[5] == 0;
-    if (isHeartbeat && frame[1] == kPayload) {
-      constexpr uint8_t kBody = kPayload + MAVLINK_NUM_CHECKSUM_BYTES;
-      if (!take(datagram, frame + header, kBody)) return false;
-      if (isAutopilots(frame, header)) return true;
-      rest -= kBody;
-    }
-    for (; rest != 0; --rest) {
-      if (datagram.read() < 0) return false;
-    }
+// Whether the bytes that are there may be the beginning of an autopilot's heartbeat; if all are there, whether they are
+// one.
+bool HeartbeatSearch::fits() const {
+  const bool isV2 = frame_[0] == MAVLINK_STX;
+  if (!isV2 && frame_[0] != MAVLINK_STX_MAVLINK1) return false;
+  if (length_ > 1 && frame_[1] != kPayload) return false;
+  const uint8_t header = headerOf(frame_);
+  // The message's number, 0, is the last of the header: three bytes in MAVLink 2, one in MAVLink 1.
+  for (uint8_t i = header - (isV2 ? 3 : 1); i < header && i < length_; ++i) {
+    if (frame_[i] != 0) return false;
   }
-  while (datagram.read() >= 0) {
+  return length_ < header + kBody || isAutopilots(frame_);
+}
+
+bool HeartbeatSearch::readsAutopilot(Stream& datagram) {
+  static_assert(kLongest == kHeaderV2 + kBody, "the longest heartbeat without a signature");
+  for (int byte; (byte = datagram.read()) >= 0;) {
+    frame_[length_++] = static_cast<uint8_t>(byte);
+    // Another beginning may be among the bytes that were taken for the rest of this one.
+    while (length_ != 0 && !fits()) memmove(frame_, frame_ + 1, --length_);
+    if (length_ != 0 && length_ == headerOf(frame_) + kBody) {
+      length_ = 0;
+      return true;
+    }
   }
   return false;
 }

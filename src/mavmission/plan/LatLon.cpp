@@ -30,14 +30,25 @@ int32_t rounded(int64_t dividend, int64_t divisor) {
   return static_cast<int32_t>((dividend + half) / divisor);
 }
 
+// In 32 bits without a sign, which do not overflow: an autopilot, or a sketch, may say any number.
+Degrees farther(Degrees from, int32_t steps) {
+  return Degrees::fromE7(static_cast<int32_t>(static_cast<uint32_t>(from.e7()) + static_cast<uint32_t>(steps)));
+}
+
+int32_t latitudeOf(const LatLon& place) {
+  constexpr int32_t kPole = 900000000;
+  const int32_t e7 = place.latitude.e7();
+  return e7 < -kPole ? -kPole : e7 > kPole ? kPole : e7;
+}
+
 // The length of a degree at a latitude [mm]: a series of cosines of multiples of the latitude (the usual series for WGS
 // 84), written here in powers of the cosine.
 struct Degree {
   int64_t north;
   int64_t east;
 
-  explicit Degree(Degrees latitude) {
-    const int64_t c = cosine(latitude.e7());
+  explicit Degree(const LatLon& place) {
+    const int64_t c = cosine(latitudeOf(place));
     const int64_t c2 = times(c, c);
     const int64_t c4 = times(c2, c2);
     north = 111132954 - times(559822, 2 * c2 - kOne) + times(1175, 8 * c4 - 8 * c2 + kOne);
@@ -51,17 +62,17 @@ constexpr int64_t kStepsPerCm = 100000000;  // 1e7 in a degree, 10 mm in a centi
 }  // namespace
 
 LatLon moved(const LatLon& from, int32_t northCm, int32_t eastCm) {
-  const Degree degree(from.latitude);
-  return LatLon{from.latitude + Degrees::fromE7(rounded(northCm * kStepsPerCm, degree.north)),
-                from.longitude + Degrees::fromE7(rounded(eastCm * kStepsPerCm, degree.east))};
+  const Degree degree(from);
+  return LatLon{farther(from.latitude, rounded(northCm * kStepsPerCm, degree.north)),
+                farther(from.longitude, rounded(eastCm * kStepsPerCm, degree.east))};
 }
 
 uint32_t distanceCm(const LatLon& from, const LatLon& to) {
-  const Degree degree(from.latitude);
+  const Degree degree(from);
   int64_t stepsEast = int64_t{to.longitude.e7()} - from.longitude.e7();
   if (stepsEast > kHalfTurn) stepsEast -= 2 * kHalfTurn;
   if (stepsEast < -kHalfTurn) stepsEast += 2 * kHalfTurn;
-  const int64_t north = rounded((int64_t{to.latitude.e7()} - from.latitude.e7()) * degree.north, kStepsPerCm);
+  const int64_t north = rounded((int64_t{latitudeOf(to)} - latitudeOf(from)) * degree.north, kStepsPerCm);
   const int64_t east = rounded(stepsEast * degree.east, kStepsPerCm);
   // The root, a bit at a time from above.
   const uint64_t square = static_cast<uint64_t>(north * north) + static_cast<uint64_t>(east * east);

@@ -33,7 +33,11 @@ bool PositionListener::decode(TelemetryListener& listener, const FrameParser& fr
 }
 
 int32_t PositionListener::homeAboveSeaLevelMm() const {
-  return aboveHomeMm() == kNoHeight ? kNoHeight : aboveSeaLevelMm_ - aboveHomeMm_;
+  if (aboveHomeMm() == kNoHeight) return kNoHeight;
+  // In 32 bits without a sign, which do not overflow. A difference that does not fit is no height of a home.
+  const int32_t home =
+      static_cast<int32_t>(static_cast<uint32_t>(aboveSeaLevelMm_) - static_cast<uint32_t>(aboveHomeMm_));
+  return (home < aboveSeaLevelMm_) == (aboveHomeMm_ > 0) ? home : kNoHeight;
 }
 
 Altitude PositionListener::altitude() const { return aboveHome(Metres(quotient(aboveHomeMm_, 1000))); }

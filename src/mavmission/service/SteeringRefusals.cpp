@@ -12,7 +12,7 @@ using namespace detail;
 namespace {
 
 constexpr int32_t kMostHeightCm = 1000000;
-constexpr int32_t kMostSpeedCm = 10000;
+constexpr int32_t kMostSpeed = 0x42C80000;  // 100 m/s, as the bits of a float
 
 // True for a finite number of 2^17 and more, or of -2^17 and less.
 bool isHuge(float value) {
@@ -81,9 +81,10 @@ Status Steering::refuseNumbers() {
   if (is(kTakesSpeed)) {
     const Status refusal = refuseNumber(value_, ItemField::Param2);
     if (refusal != Status::Transferring) return refusal;
-    const int32_t cm = centimetres(value_);
-    const bool isSpeed = !isHuge(value_) && cm > 0 && cm <= kMostSpeedCm;
-    return isSpeed ? Status::Transferring : refuseField(Status::BadSpeed, ItemField::Param2);
+    // As bits larger numbers are larger, and those below 0 are below 0.
+    int32_t bits;
+    memcpy(&bits, &value_, sizeof(bits));
+    return bits > 0 && bits <= kMostSpeed ? Status::Transferring : refuseField(Status::BadSpeed, ItemField::Param2);
   }
   if (!is(kTakesHeight)) return Status::Transferring;
   const Status refusal = refuseHeight(value_, &wanted_.heightCm);

@@ -13,6 +13,7 @@ MAVMISSION_TELEMETRY_KEYS(VIBRATION);
 
 constexpr uint32_t kArduPilotLimit = 0x41F00000;  // 30 m/s^2, as the bits of a float
 constexpr uint32_t kLimit = 0x409CCCCD;           // 4.9 m/s^2
+constexpr uint32_t kBeyond = 0x4BA3D70B;          // 21474838 m/s^2: more than INT32_MAX in cm/s^2
 
 }  // namespace
 
@@ -39,6 +40,8 @@ bool VibrationListener::decode(TelemetryListener& listener, const FrameParser& f
 
 FitReason VibrationListener::reason() const { return reasonAt(ageMs(), reason_); }
 
-int32_t VibrationListener::worstCmS2() const { return timesWhole(static_cast<int32_t>(worst_), 100); }
+int32_t VibrationListener::worstCmS2() const {
+  return worst_ >= kBeyond ? INT32_MAX : timesWhole(static_cast<int32_t>(worst_), 100);
+}
 
 }  // namespace mavmission

@@ -105,7 +105,7 @@ uint16_t EepromPlan::checksumOf(uint8_t bank) const {
   for (uint16_t left = readWord(start + 2); left != 0; --left) {
     const uint16_t used = address - start;
     const uint8_t length = used + kItemHead <= bankSize_ ? lengthOf(readByte(address)) : kLongestItem;
-    if (used + length > bankSize_) return ~readWord(start + 4);
+    if (used + length > bankSize_) return ~readWord(start + kChecksumAt);
     for (uint8_t i = 0; i < length; ++i) bytes[i] = readByte(address++);
     crc = checksum(crc, bytes, length);
   }
@@ -115,7 +115,7 @@ uint16_t EepromPlan::checksumOf(uint8_t bank) const {
 
 bool EepromPlan::isWhole(uint8_t bank) const {
   const uint16_t start = addressOf(bank);
-  return readByte(start) == kValid && readWord(start + 4) == checksumOf(bank);
+  return readByte(start) == kValid && readWord(start + kChecksumAt) == checksumOf(bank);
 }
 
 ItemSource EepromPlan::source() {
@@ -225,12 +225,32 @@ EepromPlan::State EepromPlan::update() {
   }
   // Read back, since a cell may be worn out. The byte that makes the plan valid is written last, when all others are
   // good.
-  for (uint8_t i = 0; i < length_; ++i) {
-    if (readByte(address_ + i) != buffer_[i]) state_ = State::Failed;
-  }
+  bool isAsWritten = true;
+  for (uint8_t i = 0; i < length_; ++i) isAsWritten = isAsWritten && readByte(address_ + i) == buffer_[i];
   length_ = 0;
-  if (state_ != State::Failed) stepDone();
+  if (isAsWritten || isInvalidAllTheSame()) {
+    stepDone();
+  } else if (length_ == 0) {
+    state_ = State::Failed;
+  }
   return state_;
+}
+
+// A mark that cannot be written any more: where it was to make a bank invalid, the bank may be so all the same. If it
+// is still whole, a byte of its checksum is spoilt instead, which is the next thing to write.
+bool EepromPlan::isInvalidAllTheSame() {
+  const bool isMark = step_ == Step::Open || step_ >= Step::DropOld;
+  if (!isMark) return false;
+  const uint8_t bank = address_ >= addressOf(1) ? 1 : 0;
+  const uint16_t mark = addressOf(bank);
+  // What is to be valid soon needs a mark that can be.
+  if (readByte(mark) != kValid) return step_ != Step::Open;
+  if (!isWhole(bank)) return true;
+  // The new plan is valid, and will count also beside this one.
+  if (address_ != mark) return step_ == Step::DropOld;
+  buffer_[0] = ~readByte(mark + kChecksumAt);
+  write(mark + kChecksumAt, 1, step_);
+  return false;
 }
 
 // The bytes of a step are written: begins the next step.

@@ -4,7 +4,7 @@
 //   Listing ---------> Fetching ------------------> Closing --> done, when our own ACK has left
 //    | REQUEST_LIST      | REQUEST_INT
 //    | every 1500 ms,    | every 250 ms, up to
-//    | up to 5 attempts  | 5 attempts for each item
+//    | up to 5 attempts  | 8 attempts for each item
 //    v                   v
 //   NoAnswer            TimedOut
 //

@@ -17,7 +17,7 @@ struct Read {
 Read readFrom(const Bytes& bytes) {
   MemoryStream datagram;
   datagram.bring(bytes);
-  const bool isFound = readAutopilotHeartbeat(datagram);
+  const bool isFound = HeartbeatSearch().readsAutopilot(datagram);
   return Read{isFound, datagram.toRead.size()};
 }
 
@@ -41,6 +41,9 @@ TEST_CASE("an autopilot's heartbeat is found behind whatever frames, and what is
       telemetry(9),  // as long as a heartbeat
       signedFrame(requestParts(3)),
       request(1) + ofVersion1(requestParts(2)),
+      Bytes{'n', 'o', ' ', 'f', 'r', 'a', 'm', 'e'},
+      Bytes{0xFD, 9, 0, 0},  // the beginning of a heartbeat whose rest was lost
+      Bytes{0xFE, 9, 7, 1, 1, 0, 0xFD},
   };
   for (const Bytes& frames : before) {
     for (const Bytes& found : {heartbeat(), ofVersion1(heartbeatParts())}) {
@@ -71,7 +74,6 @@ TEST_CASE("what is no autopilot's heartbeat is read to the end of the datagram")
       packed(heartbeatParts(8)),  // a ground station's
       ofVersion1(heartbeatParts(8)),
       telemetry() + request(1),
-      Bytes{'n', 'o', ' ', 'f', 'r', 'a', 'm', 'e'} + heartbeat(),
   };
   for (const Bytes& bytes : notes) {
     const Read read = readFrom(bytes);
@@ -85,14 +87,21 @@ TEST_CASE("a heartbeat behind one that does not count is found") {
     CHECK(readFrom(first + heartbeat()).isFound);
 }
 
-TEST_CASE("a datagram that is cut short at any byte ends the search") {
+TEST_CASE("a heartbeat that is cut in two datagrams at any byte is found by its last byte") {
   for (const Bytes& whole : {heartbeat(), ofVersion1(heartbeatParts())}) {
-    for (const Bytes& before : {Bytes(), telemetry(), signedFrame(requestParts(3))}) {
+    for (const Bytes& before : {Bytes(), telemetry(), signedFrame(requestParts(3)), Bytes{0xFD, 0xFE, 9}}) {
       const Bytes bytes = before + whole;
       for (size_t length = 0; length < bytes.size(); ++length) {
-        const Read read = readFrom(Bytes(bytes.begin(), bytes.begin() + length));
-        CHECK(!read.isFound);
-        CHECK(read.rest == 0);
+        HeartbeatSearch search;
+        MemoryStream datagram;
+        datagram.bring(Bytes(bytes.begin(), bytes.begin() + length));
+        CHECK(!search.readsAutopilot(datagram));
+        CHECK(datagram.toRead.empty());
+        CHECK((search.isBegun() || length <= before.size()));
+        datagram.bring(Bytes(bytes.begin() + length, bytes.end()) + request(4));
+        CHECK(search.readsAutopilot(datagram));
+        CHECK(!search.isBegun());
+        CHECK(datagram.toRead.size() == request(4).size());
       }
     }
   }

@@ -25,6 +25,7 @@ struct Chip {
   bool isReady;
   uint32_t reads;    // since the last update()
   uint16_t stuckAt;  // an address whose byte does not change any more
+  uint16_t stuckToo;
 } chip;
 
 uint8_t readByte(uint16_t address) {
@@ -40,10 +41,11 @@ void writeByte(uint16_t address, uint8_t value) {
   REQUIRE(chip.bytes[address] != value);  // it would only wear it out
   ++chip.wear[address];
   if (++chip.writes != chip.cutAt) {
-    if (address != chip.stuckAt) chip.bytes[address] = value;
+    if (address != chip.stuckAt && address != chip.stuckToo) chip.bytes[address] = value;
     return;
   }
   chip.isOff = true;
+  if (address == chip.stuckAt || address == chip.stuckToo) return;
   switch (chip.torn) {
     case Torn::Old: break;
     case Torn::Erased: chip.bytes[address] = 0xFF; break;
@@ -60,7 +62,7 @@ Eeprom eeprom(uint16_t size) {
   chip.bytes.assign(size, 0xFF);
   chip.wear.assign(size, 0);
   chip.isReady = true;
-  chip.stuckAt = 0xFFFF;
+  chip.stuckAt = chip.stuckToo = 0xFFFF;
   return Eeprom{readByte, writeByte, isReady, size};
 }
 
@@ -137,8 +139,9 @@ EepromPlan afterReset(const Eeprom& memory) {
 constexpr uint16_t kSize = 400;
 
 // What `act` leaves when the power goes at each of its writes, in each way, must be `before` or `after`, and stay so.
+// `stuckAt`: from behind the older plan on.
 template <typename Act>
-void cutEverywhere(const Items& older, const Items& before, const Items& after, Act act) {
+void cutEverywhere(const Items& older, const Items& before, const Items& after, Act act, uint16_t stuckAt = 0xFFFF) {
   for (Torn torn : kTorn) {
     uint32_t writes = 1;
     for (uint32_t cut = 1; cut <= writes; ++cut) {
@@ -146,6 +149,7 @@ void cutEverywhere(const Items& older, const Items& before, const Items& after, 
       EepromPlan kept(memory);
       kept.begin();
       if (!older.empty()) REQUIRE(keep(kept, older));
+      chip.stuckAt = stuckAt;
       if (!before.empty()) REQUIRE(keep(kept, before));
       chip.writes = 0;
       chip.cutAt = cut;
@@ -367,6 +371,51 @@ TEST_CASE("a byte that does not keep what it is given is found before the plan i
     CHECK((isKept ? holds(again, items) : holds(again, old)));
   }
   CHECK(found > 90);
+}
+
+TEST_CASE("a plan is stored beside a bank whose mark is worn out, as often as one likes, and can be erased") {
+  for (const uint16_t mark : {0, kSize / 2}) {
+    CAPTURE(mark);
+    const Eeprom memory = eeprom(kSize);
+    EepromPlan kept(memory);
+    kept.begin();
+    if (mark != 0) REQUIRE(keep(kept, plan(1, 9)));
+    REQUIRE(keep(kept, plan(3, 20)));
+    chip.stuckAt = mark;
+    for (int32_t i = 1; i <= 4; ++i) {
+      CHECK(keep(kept, plan(2, i)));
+      CHECK(holds(kept, plan(2, i)));
+      EepromPlan again = afterReset(memory);
+      CHECK_FALSE(again.isBusy());
+      CHECK(holds(again, plan(2, i)));
+    }
+    CHECK(kept.erase());
+    settle(kept);
+    CHECK(kept.state() == EepromPlan::State::Resting);
+    CHECK_FALSE(kept.hasPlan());
+    CHECK_FALSE(afterReset(memory).hasPlan());
+  }
+  const auto store = [](EepromPlan& kept) { keep(kept, plan(2, 7)); };
+  cutEverywhere(plan(2, 5), plan(3, 6), plan(2, 7), store, 0);
+}
+
+TEST_CASE("a new plan counts though the old one can be made invalid by no byte, and the next is not stored") {
+  const Eeprom memory = eeprom(kSize);
+  EepromPlan kept(memory);
+  kept.begin();
+  REQUIRE(keep(kept, plan(3, 20)));
+  chip.stuckAt = 0;
+  chip.stuckToo = 4;
+  CHECK(keep(kept, plan(2, 1)));
+  for (int i = 0; i < 2; ++i) {
+    EepromPlan again = afterReset(memory);
+    settle(again);
+    CHECK(holds(again, plan(2, 1)));
+    CHECK(again.store());
+    for (int j = 0; j < 100; ++j) update(again);
+    CHECK(again.state() == EepromPlan::State::Failed);
+    CHECK(holds(again, plan(2, 1)));
+  }
 }
 
 TEST_CASE("nothing is written while the last byte is being written, and a plan is stored by a byte each time") {

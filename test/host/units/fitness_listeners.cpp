@@ -210,6 +210,12 @@ TEST_CASE("ArduPilot's limit of the vibration is 30 m/s^2 on each axis, PX4's 4.
     CHECK((vibrate(px4, below(4.9f)) == FitReason::AllWell));
     CHECK((vibrate(px4, 4.9f) == (axis == 2 ? FitReason::Vibration : FitReason::AllWell)));
     CHECK(px4.vibration.worstCmS2() == (axis == 2 ? 490 : 100));
+    vibrate(arduPilot, 21474836.0f);
+    CHECK(arduPilot.vibration.worstCmS2() == 2147483600);
+    for (const float endless : {21474838.0f, kInfinity}) {
+      CHECK((vibrate(arduPilot, endless) == FitReason::Vibration));
+      CHECK(arduPilot.vibration.worstCmS2() == INT32_MAX);
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include <initializer_list>
 
@@ -66,4 +67,15 @@ TEST_CASE("a distance is the shorter way around, and ends at half of the earth")
   CHECK(distanceCm(east, east) == 0);
   CHECK(distanceCm({-90_deg, 0_deg}, {90_deg, 180_deg}) == 2000000000);
   CHECK(distanceCm({0_deg, 0_deg}, {0_deg, 90_deg}) == 1001875122);  // a quarter of the equator
+}
+
+TEST_CASE("a place that is nowhere on the earth is as far away as the pole, and nothing breaks where it is moved") {
+  for (const int32_t e7 : {INT32_MIN, INT32_MAX}) {
+    const LatLon nowhere = {Degrees::fromE7(e7), Degrees::fromE7(e7)};
+    const LatLon pole = {e7 < 0 ? -90_deg : 90_deg, nowhere.longitude}, equator = {0_deg, nowhere.longitude};
+    CHECK(distanceCm(nowhere, pole) == 0);
+    CHECK(distanceCm(nowhere, equator) == distanceCm(pole, equator));
+    CHECK(distanceCm(equator, nowhere) == distanceCm(equator, pole));
+    for (const int32_t cm : {-100, 100}) CHECK(labs(moved(nowhere, cm, cm).latitude.e7()) > 2147483000);
+  }
 }

@@ -70,3 +70,18 @@ TEST_CASE("a height is not known before a place is, nor above PX4's home before 
   CHECK(px4.position.aboveHomeMm() == 1500);
   CHECK(px4.position.homeAboveSeaLevelMm() == 488000);
 }
+
+TEST_CASE("a home whose height does not fit is not known") {
+  Heard desk(ClientOnLine::kArduPilot);
+  const struct {
+    int32_t altMm, relativeMm, homeMm;
+  } kHeights[] = {{INT32_MAX, -1, kNone},        {INT32_MAX, 0, INT32_MAX},     {INT32_MAX, 1, INT32_MAX - 1},
+                  {-1, INT32_MAX, kNone},        {0, INT32_MAX, INT32_MIN + 1}, {INT32_MIN, 1, kNone},
+                  {0, INT32_MIN + 1, INT32_MAX}, {INT32_MIN, -1, INT32_MIN + 1}};
+  for (const auto& one : kHeights) {
+    CAPTURE(one.altMm);
+    CAPTURE(one.relativeMm);
+    desk.tell(one.altMm, one.relativeMm, 0);
+    CHECK(desk.position.homeAboveSeaLevelMm() == one.homeMm);
+  }
+}

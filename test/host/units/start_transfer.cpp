@@ -129,7 +129,7 @@ struct Flown {
           aircraft.mode = aircraft.autoMode;
           break;
       }
-      REQUIRE(start.step() > now);
+      REQUIRE((start.step() > now));
       ++done;
     }
   }
@@ -333,7 +333,7 @@ TEST_CASE("a mode is set when a heartbeat shows it, which is asked for when the 
     CHECK(flight.isAt(step));
     CHECK(flight.asks());
     CHECK((flight.heartbeat(step != StartStep::ReadyMode, mode) == Status::Transferring));
-    CHECK(flight.start.step() > step);
+    CHECK((flight.start.step() > step));
   }
 }
 

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "mavmission/Operations.h"
+
 using namespace mavmission;
 
 namespace {
@@ -41,10 +43,20 @@ TEST_CASE("everything that can be aboard has a text of its own") {
   CHECK(texts.size() == sizeof(kAllAboard) / sizeof(*kAllAboard));
 }
 
+TEST_CASE("each step of start() has a text of its own") {
+  std::set<std::string> texts;
+  for (uint8_t step = 0; step <= static_cast<uint8_t>(StartStep::Confirm); ++step) {
+    REQUIRE(toString(static_cast<StartStep>(step)) != nullptr);
+    texts.insert(toString(static_cast<StartStep>(step)));
+  }
+  CHECK(texts.size() == 7);
+}
+
 TEST_CASE("a value that is no status has no text") {
   CHECK(toString(static_cast<Status>(sizeof(kAll) / sizeof(*kAll))) == nullptr);
   CHECK(toString(static_cast<Status>(255)) == nullptr);
   CHECK(toString(static_cast<Aboard>(255)) == nullptr);
+  CHECK(toString(static_cast<StartStep>(7)) == nullptr);
 }
 
 TEST_CASE("an operation is over with every status but the few at the beginning") {

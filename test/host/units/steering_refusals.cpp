@@ -119,11 +119,11 @@ TEST_CASE("a speed is a number above 0, and up to 100 m/s") {
     Flying flying(firmware);
     CHECK(flying.refusesSpeed(kNan, Status::NotANumber));
     CHECK(flying.refusesSpeed(kInfinite, Status::NotFinite));
-    for (float speed : {0.f, 0.004f, -0.01f, -5.f, 100.01f, 200.f, 200000.f, 30000000.f, 3e38f, -3e38f}) {
+    for (float speed : {0.f, -0.f, -1e-45f, -0.01f, -5.f, 100.00001f, 200.f, 200000.f, 30000000.f, 3e38f, -3e38f}) {
       CAPTURE(speed);
       CHECK(flying.refusesSpeed(speed, Status::BadSpeed));
     }
-    for (float speed : {0.01f, 5.f, 100.f}) {
+    for (float speed : {1e-45f, 0.004f, 5.f, 100.f}) {
       CAPTURE(speed);
       CHECK(flying.takesSpeed(speed));
     }

@@ -102,3 +102,79 @@ TEST_CASE("a datagram that cannot be sent is lost, and the line goes on") {
   CHECK(desk.line.unsent() == 1);
   CHECK(desk.line.packetsSent() == 1);
 }
+
+namespace {
+
+// A transparent bridge, which cuts a serial line into datagrams of `chunk` bytes.
+struct Bridge {
+  IPAddress address;
+  size_t chunk;
+  Bytes waiting;  // at first: what has come before it heard of us
+  uint16_t port = kPort;
+  size_t until = 0;  // datagrams, until there is a peer
+
+  Bridge(const IPAddress& at, size_t bytes, const Bytes& before) : address(at), chunk(bytes), waiting(before) {}
+  void bring(Desk& desk, const Bytes& bytes) {
+    for (waiting = waiting + bytes; waiting.size() >= chunk; waiting.erase(waiting.begin(), waiting.begin() + chunk)) {
+      if (!desk.line.hasPeer()) ++until;
+      desk.udp->bring(address, port, waiting.data(), chunk);
+      desk.readAll();
+    }
+  }
+};
+
+Bytes heartbeatOf(uint8_t version, uint8_t autopilot, uint8_t sequence) {
+  FrameParts parts = heartbeatParts(autopilot);
+  parts.version = version;
+  parts.sequence = sequence;
+  return packed(parts);
+}
+
+// Twenty seconds of an autopilot behind a bridge, with other frames; there may be a ground station behind another one.
+void live(Desk& desk, Bridge& bridge, uint8_t version, uint8_t others, bool hasStranger) {
+  Bridge stranger(kTwo, bridge.chunk, bridge.waiting + Bytes{1, 2, 3});
+  for (uint8_t s = 0; s < 20; ++s, setMillis(millis() + 1000)) {
+    bridge.bring(desk, heartbeatOf(version, 12, s));
+    if (hasStranger) stranger.bring(desk, heartbeatOf(version, 8, s));
+    for (uint8_t i = 0; i < others; ++i) bridge.bring(desk, request(i));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a bridge that cuts frames anywhere is found by the datagram in which its first heartbeat ends") {
+  const Bytes before = telemetry(60, 0xFD);
+  for (const size_t chunk : {1, 2, 7, 16, 21, 32, 64, 128, 200})
+    for (const uint8_t version : {1, 2})
+      for (const uint8_t others : {0, 20})
+        for (const bool hasStranger : {false, true})
+          for (size_t begun = 0; begun < before.size(); begun += 5) {
+            CAPTURE(chunk);
+            CAPTURE(version);
+            CAPTURE(others);
+            CAPTURE(hasStranger);
+            CAPTURE(begun);
+            Desk desk;
+            desk.line.forgetPeer();
+            Bridge bridge(kOne, chunk, Bytes(before.begin() + begun, before.end()));
+            const size_t end = bridge.waiting.size() + heartbeatOf(version, 12, 0).size();
+            live(desk, bridge, version, others, hasStranger);
+            CHECK(bridge.until == (end + chunk - 1) / chunk);
+            CHECK(desk.line.peerAddress() == kOne);
+          }
+}
+
+TEST_CASE("a bridge that cuts frames and comes back with another port is found again behind 5 s of silence") {
+  for (const size_t chunk : {1, 7, 16, 64}) {
+    Desk desk;
+    desk.line.forgetPeer();
+    Bridge bridge(kOne, chunk, Bytes());
+    live(desk, bridge, 2, 3, true);
+    REQUIRE(desk.line.peerPort() == kPort);
+    setMillis(millis() + 4000);
+    desk.readAll();
+    bridge.port = 40000;
+    live(desk, bridge, 2, 3, true);
+    CHECK(desk.line.peerPort() == 40000);
+  }
+}
