@@ -67,8 +67,9 @@ class EepromPlan {
   bool isDamaged() const { return isDamaged_; }
   uint16_t count() const { return count_; }  // items of the plan
 
-  // The plan. If there is none, an upload of the source is refused (Status::SourceRefused). Do not upload it while
-  // another plan is being stored: the plan would change during the transfer.
+  // The plan that is there now. If there is none, an upload of the source is refused (Status::SourceRefused). When
+  // another plan has been stored, the source of the old one gives no item any more, and a transfer of it ends with
+  // SourceRefused: call source() again.
   ItemSource source();
 
   // --- Storing another plan
@@ -107,7 +108,12 @@ class EepromPlan {
   static constexpr uint8_t kHeader = 6;  // [bytes]
   static constexpr uint8_t kLongestItem = 32;
 
-  static bool readItem(void* plan, uint16_t index, MissionItem& item);
+  template <uint8_t bank>
+  static bool readFrom(void* plan, uint16_t index, MissionItem& item) {
+    EepromPlan& from = *static_cast<EepromPlan*>(plan);
+    return from.active_ == bank && from.readItem(index, item);
+  }
+  MAVMISSION_APART bool readItem(uint16_t index, MissionItem& item);
   static bool writeItem(void* plan, uint16_t index, const MissionItem& item);
   static bool isReadyForItem(void* plan);
 

@@ -120,27 +120,26 @@ bool EepromPlan::isWhole(uint8_t bank) const {
 
 ItemSource EepromPlan::source() {
   // Without a plan: one item that is refused, since uploading an empty plan would clear the plan aboard.
-  return ItemSource{readItem, this, hasPlan() ? count_ : 1u};
+  return ItemSource{active_ == 0 ? readFrom<0> : readFrom<1>, this, hasPlan() ? count_ : 1u};
 }
 
-bool EepromPlan::readItem(void* plan, uint16_t index, MissionItem& item) {
-  EepromPlan& from = *static_cast<EepromPlan*>(plan);
-  if (index >= from.count_) return false;
-  if (index < from.cachedIndex_) {
-    from.cachedIndex_ = 0;
-    from.cachedAddress_ = from.addressOf(from.active_) + kHeader;
+bool EepromPlan::readItem(uint16_t index, MissionItem& item) {
+  if (index >= count_) return false;
+  if (index < cachedIndex_) {
+    cachedIndex_ = 0;
+    cachedAddress_ = addressOf(active_) + kHeader;
   }
-  for (; from.cachedIndex_ < index; ++from.cachedIndex_) {
-    from.cachedAddress_ += lengthOf(from.readByte(from.cachedAddress_));
+  for (; cachedIndex_ < index; ++cachedIndex_) {
+    cachedAddress_ += lengthOf(readByte(cachedAddress_));
   }
-  uint16_t address = from.cachedAddress_;
-  const uint8_t flags = from.readByte(address++);
-  const uint8_t frame = from.readByte(address++);
-  item.command = from.readWord(address);
+  uint16_t address = cachedAddress_;
+  const uint8_t flags = readByte(address++);
+  const uint8_t frame = readByte(address++);
+  item.command = readWord(address);
   address += 2;
   uint8_t* number = reinterpret_cast<uint8_t*>(&item);
   for (uint8_t i = 0; i < kNumbers * kNumberBytes; ++i) {
-    number[i] = (flags >> (i / kNumberBytes) & 1) != 0 ? from.readByte(address++) : 0;
+    number[i] = (flags >> (i / kNumberBytes) & 1) != 0 ? readByte(address++) : 0;
   }
   item.frame = static_cast<Frame>(frame & ~kCurrent);
   item.current = (frame & kCurrent) != 0;
