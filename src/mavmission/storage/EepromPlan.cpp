@@ -62,7 +62,7 @@ EepromPlan::EepromPlan(const Eeprom& eeprom, uint16_t first, uint16_t size)
       count_(0),
       taken_(0),
       length_(0),
-      active_(kNone),
+      active_(kNone + 1),
       state_(State::Resting),
       step_(Step::None),
       isBegun_(false),
@@ -75,13 +75,13 @@ void EepromPlan::begin() {
   length_ = 0;
   const bool isWhole0 = isWhole(0);
   const bool isWhole1 = isWhole(1);
-  uint8_t found = isWhole0 ? 0 : isWhole1 ? 1 : kNone;
+  uint8_t found = isWhole0 ? 0 : isWhole1 ? 1 : kNone + 1;
   if (isWhole0 && isWhole1) {
     const uint8_t later = readByte(addressOf(1) + 1) - readByte(addressOf(0) + 1);
     if (later < 0x80) found = 1;
   }
   activate(found);
-  isDamaged_ = found == kNone && (readByte(addressOf(0)) == kValid || readByte(addressOf(1)) == kValid);
+  isDamaged_ = found >= kNone && (readByte(addressOf(0)) == kValid || readByte(addressOf(1)) == kValid);
   if (!isWhole0 || !isWhole1) return;
   // The power failed before the old plan was made invalid. Should the new one ever be damaged, the old one must not
   // come back.
@@ -91,7 +91,7 @@ void EepromPlan::begin() {
 
 void EepromPlan::activate(uint8_t bank) {
   active_ = bank;
-  count_ = bank == kNone ? 0 : readWord(addressOf(bank) + 2);
+  count_ = bank >= kNone ? 0 : readWord(addressOf(bank) + 2);
   cachedIndex_ = 0;
   cachedAddress_ = addressOf(bank) + kHeader;
 }
@@ -240,7 +240,7 @@ void EepromPlan::stepDone() {
     case Step::Open:
     case Step::Item:
       if (state_ != State::Committing) return;
-      buffer_[0] = active_ == kNone ? 0 : readByte(addressOf(active_) + 1) + 1;
+      buffer_[0] = hasPlan() ? readByte(addressOf(active_) + 1) + 1 : 0;
       buffer_[1] = static_cast<uint8_t>(taken_);
       buffer_[2] = static_cast<uint8_t>(taken_ >> 8);
       checksum_ = checksum(checksum_, buffer_, kSummed);
@@ -252,14 +252,14 @@ void EepromPlan::stepDone() {
       const uint8_t old = active_;
       activate(bank);
       isDamaged_ = false;
-      if (old != kNone) return writeMark(old, kInvalid, Step::DropOld);
+      if (old < kNone) return writeMark(old, kInvalid, Step::DropOld);
       return settle();
     }
     case Step::EraseOther:
-      if (active_ != kNone) return writeMark(active_, kInvalid, Step::EraseActive);
+      if (hasPlan()) return writeMark(active_, kInvalid, Step::EraseActive);
       // Bank 1 may hold a damaged plan.
       return writeMark(1, kInvalid, Step::EraseActive);
-    case Step::EraseActive: activate(kNone); return settle();
+    case Step::EraseActive: activate(active_ | kNone); return settle();
     case Step::DropOld: return settle();
   }
 }

@@ -208,6 +208,18 @@ TEST_CASE("an upload behind a download sends what was downloaded, whenever it is
   }
 }
 
+TEST_CASE("an empty plan that is downloaded does not take the place of the stored one, and it is said") {
+  Station station;
+  station.port.written.clear();
+  station.type("download\n");
+  REQUIRE(station.next(ClientOnLine::kRequestList) != nullptr);
+  station.hear(countParts(0));
+  station.go(1000);
+  const std::string said(station.port.written.begin(), station.port.written.end());
+  CHECK(said.find("nothing was loaded\r\ndownloaded: ") != std::string::npos);
+  CHECK(station.plan.count() == 1);
+}
+
 TEST_CASE("what is pasted behind a load that failed is not done with the plan before") {
   const std::string bad = std::string(kHead) + "1 0 3 16 x\n";
   for (const std::string& load : {"load\n" + bad + "end\n", bad + "end\n", std::string("load\nend\n")}) {
