@@ -62,13 +62,15 @@ class EepromPlan {
   void begin();
 
   // True if a plan is there, and whole.
-  bool hasPlan() const { return active_ != kNone; }
+  bool hasPlan() const { return active_ < kNone; }
   // True if begin() found a plan with a wrong checksum, which counts as none.
   bool isDamaged() const { return isDamaged_; }
   uint16_t count() const { return count_; }  // items of the plan
 
-  // The plan. If there is none, an upload of the source is refused (Status::SourceRefused). Do not upload it while
-  // another plan is being stored: the plan would change during the transfer.
+  // The plan that is there now. If there is none, an upload of the source is refused (Status::SourceRefused). When
+  // another plan has been stored, or this one erased, the source gives no item any more, and a transfer of it ends with
+  // SourceRefused: call source() again. (It gives items again when a second plan is stored: do not keep it for that
+  // long.)
   ItemSource source();
 
   // --- Storing another plan
@@ -101,19 +103,25 @@ class EepromPlan {
  private:
   enum class Step : uint8_t { None, Open, Item, Header, Valid, DropOld, EraseOther, EraseActive };
 
-  static constexpr uint8_t kNone = 2;  // no bank
+  static constexpr uint8_t kNone = 2;  // no plan; plus the bank that held the last one
   static constexpr uint8_t kValid = 0x4D;
   static constexpr uint8_t kInvalid = 0;
   static constexpr uint8_t kHeader = 6;  // [bytes]
   static constexpr uint8_t kChecksumAt = 4;
   static constexpr uint8_t kLongestItem = 32;
 
-  static bool readItem(void* plan, uint16_t index, MissionItem& item);
+  template <uint8_t bank>
+  static bool readFrom(void* plan, uint16_t index, MissionItem& item) {
+    EepromPlan& from = *static_cast<EepromPlan*>(plan);
+    return from.active_ == bank && from.readItem(index, item);
+  }
+  MAVMISSION_APART bool readItem(uint16_t index, MissionItem& item);
   static bool writeItem(void* plan, uint16_t index, const MissionItem& item);
   static bool isReadyForItem(void* plan);
 
   MAVMISSION_APART uint16_t addressOf(uint8_t bank) const { return first_ + (bank != 0 ? bankSize_ : 0); }
-  uint8_t target() const { return active_ == 0 ? 1 : 0; }
+  // A new plan never goes where the last one was: so a source of that one does not give its items.
+  uint8_t target() const { return (active_ & 1) ^ 1; }
   uint8_t readByte(uint16_t address) const { return eeprom_.read(address); }
   uint16_t readWord(uint16_t address) const {
     return static_cast<uint16_t>(readByte(address) | readByte(address + 1) << 8);
@@ -145,7 +153,7 @@ class EepromPlan {
   uint16_t address_;   // of the bytes being written
   uint8_t length_;     // how many bytes; 0: none
   uint8_t done_;       // how many of them are written
-  uint8_t active_;     // bank 0, 1, or kNone
+  uint8_t active_;     // bank 0, 1, or kNone and more
   State state_;
   Step step_;
   bool isBegun_;

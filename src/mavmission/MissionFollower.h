@@ -57,7 +57,7 @@ class MissionFollower : public detail::MessageIntervals {
   // within the autopilot's own radius: PX4's (NAV_ACC_RAD) is 10 m, so it says so 9 m before the place, while it flies
   // past; with a hold both say so at its end. For work at a place see Flight.
   void onReached(ItemNumberFunction function, void* context = nullptr);
-  // Called with each STATUSTEXT of the autopilot.
+  // Called with each STATUSTEXT of the autopilot. ArduPilot's texts count home: its "Reached command #2" is item 1.
   void onText(TextFunction function, void* context = nullptr);
 
  private:

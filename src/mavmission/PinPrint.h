@@ -48,6 +48,9 @@ class PinPrint : public Print {
   }
   using Print::write;
 
+  // As every port of a core has it: true, since nobody has to open the other end.
+  explicit operator bool() const { return true; }
+
   // What reads from CONSOLE needs a port that receives.
   template <typename T = int>
   T read() {

@@ -12,7 +12,11 @@
 //
 // Each line is a command; "help" names them. After "load" the lines are those of a .waypoints file (WaypointsText.h),
 // up to "end". Items have the numbers of such a file: 0 is home. A bad text is refused with its line, its field and the
-// reason, and the old plan is kept.
+// reason, and the old plan is kept. So that what was pasted behind it is not done with that plan, "upload", "verify"
+// and "start" are refused until another load or download has succeeded, or "cancel" has been typed.
+//
+// A line is read when the one before has been answered and the EEPROM is written; so commands may be pasted one behind
+// the other. While an operation of the client runs, "cancel", "status", "help" and "list" are done; others are refused.
 //
 // An EEPROM stores about 18 waypoints a second; a terminal that pastes a text sends 150. Items that arrive faster wait
 // in `room`. Without it, lines may be typed, or sent one by one, each after the number of the one before has been
@@ -49,8 +53,9 @@ class PlanConsole : private detail::PlanConsoleState {
   }
 
   // Sets the size of the port's receive buffer [bytes]. When the buffer is full, further bytes are lost: so a text
-  // during which it was full is refused, since characters may be missing. For the board's own ports the size is known;
-  // for any other port the default is 0, which means that no byte is ever lost.
+  // during which it was full is refused, since characters may be missing, and commands that it holds are ignored until
+  // nothing has come for 100 ms. For the board's own ports the size is known; for any other port the default is 0,
+  // which means that no byte is ever lost.
   void setRing(uint8_t bytes) { ring_ = bytes; }
 
   // Commands that a sketch may offer beside help, status, load, end, upload, erase and cancel; to be called in setup().
@@ -59,7 +64,9 @@ class PlanConsole : private detail::PlanConsoleState {
   void offerVerify();    // compares it with the plan aboard
   void offerDownload();  // stores the plan that is aboard
   void offerClear();     // deletes the plan that is aboard
-  void offerStart();     // ARMS the aircraft, and flies the plan aboard, if it is ours: MissionClient::start()
+  // ARMS the aircraft, and flies the plan aboard, if it is ours: MissionClient::start(). Refused if another plan has
+  // been loaded since.
+  void offerStart();
   void offerAll();
 
   // To be called from loop(), in addition to update() of the client and of the plan.
@@ -72,7 +79,13 @@ class PlanConsole : private detail::PlanConsoleState {
   static uint8_t ringOf(const HardwareSerial*);
   static uint8_t ringOf(const void*) { return 0; }
 
+  static bool isBlank(char c) { return c == ' ' || c == '\t'; }
+  static bool isErasing(char c) { return c == '\b' || c == 0x7F; }
+
   MAVMISSION_APART void read();
+  void overrun();
+  bool skip();
+  bool isSilent() const { return task_ == kNothing && due_ == 0; }
   void take(char c);
   void takeInCommand(char c);
   void takeInText(char c);
@@ -80,8 +93,14 @@ class PlanConsole : private detail::PlanConsoleState {
   MAVMISSION_APART MAVMISSION_ONE_EXIT void run(Command command);
   Offer& offerOf(Command command);
   bool isOffered(Command command);
-  bool mayExchangePlan();
+  MAVMISSION_APART bool hasPlan();
+  MAVMISSION_APART bool isAutopilotFree();
+  MAVMISSION_APART bool isStored();
   MAVMISSION_APART bool mayUsePlan();
+  bool isEarlierAboard();
+  MAVMISSION_APART void sayNothingLoaded();
+  MAVMISSION_APART void sayLoadFirst();
+  void ignoreText();
   static void runList(PlanConsole& console);
   static void runVerify(PlanConsole& console);
   static void runDownload(PlanConsole& console);
@@ -91,6 +110,7 @@ class PlanConsole : private detail::PlanConsoleState {
   void endText();
   MAVMISSION_APART void refuse(TextError error);
   MAVMISSION_APART void storeItems();
+  MAVMISSION_APART bool putItem(const MissionItem& item);
   MAVMISSION_APART void watchPlan();
   MAVMISSION_APART void watchAutopilot();
   MAVMISSION_APART void began(Status status);
@@ -116,7 +136,7 @@ class PlanConsole : private detail::PlanConsoleState {
   MissionItem* const room_;
   const uint8_t roomItems_;
   detail::WaypointsText text_;
-  char command_[9];
+  char command_[12];  // 12: too long
   char piece_[detail::kFloatText];
   Offer offers_[kOffers] = {};  // null: not offered
   bool (*composeList_)(PlanConsole& console) = nullptr;

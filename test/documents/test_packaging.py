@@ -290,6 +290,13 @@ def test_every_example_compiles_for_every_board(example, board):
     assert ram <= BOARDS[board].ram - 512 or flash > BOARDS[board].flash
 
 
+@pytest.mark.parametrize("example", examples(), ids=lambda file: file.stem)
+def test_an_example_asks_whether_anybody_reads_before_it_prints(example):
+    text = example.read_text()
+    prints = re.search(r"CONSOLE\.print|printTo\(CONSOLE\)", text)
+    assert not prints or re.search(r"if \(.*\bCONSOLE\)", text)
+
+
 def sizes(example: Path, board: str) -> tuple[int, int]:
     """Flash and RAM [bytes]: on a Mega as the Arduino builder makes it, for the others with the same flags.
 

@@ -20,6 +20,7 @@ uint8_t tries;
 bool tryAgain;
 
 void onProgress(void*, uint16_t done, uint16_t total) {
+  if (!CONSOLE) return;
   CONSOLE.print(done);
   CONSOLE.print('/');
   CONSOLE.println(total);
@@ -40,6 +41,7 @@ void printCounters() {
 }
 
 void report(Status status) {
+  if (!CONSOLE) return;
   CONSOLE.println(toString(status));
   CONSOLE.print(F("aboard: "));
   CONSOLE.println(toString(autopilot.aboard()));
@@ -53,9 +55,10 @@ void report(Status status) {
 void start() {
   ++tries;
   tryAgain = false;
+  autopilot.upload(inFlash(plan));
+  if (!CONSOLE) return;
   CONSOLE.print(F("upload, try "));
   CONSOLE.println(tries);
-  autopilot.upload(inFlash(plan));
 }
 
 void setup() {

@@ -20,6 +20,7 @@ void printDegrees(int32_t e7) {
 }
 
 bool printItem(void*, uint16_t index, const MissionItem& item) {
+  if (!CONSOLE) return true;
   if (index == kHomeIndex) {
     CONSOLE.print(F("home"));
   } else {
@@ -54,5 +55,5 @@ void setup() {
 
 void loop() {
   const Status status = autopilot.update();
-  if (isEnd(status)) CONSOLE.println(toString(status));
+  if (isEnd(status) && CONSOLE) CONSOLE.println(toString(status));
 }

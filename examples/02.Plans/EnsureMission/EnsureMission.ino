@@ -20,21 +20,27 @@ uint32_t bytesBefore;
 bool tryAgain;
 
 void report(Status status) {
+  if (!CONSOLE) return;
   CONSOLE.println(toString(status));
+  if (status == Status::NoAnswer) CONSOLE.println(F("if this stays, look at the wire from our TX to its RX"));
   CONSOLE.print(F("aboard: "));
   CONSOLE.println(toString(autopilot.aboard()));
 }
 
 void sayWhatIsMissing() {
-  const uint32_t bytes = autopilot.counters().bytes;
-  if (bytes == bytesBefore) {
+  const LinkCounters counters = autopilot.counters();
+  const bool isSilent = counters.bytes == bytesBefore;
+  bytesBefore = counters.bytes;
+  if (!CONSOLE) return;
+  if (isSilent) {
     CONSOLE.println(F("no bytes come: look at the wire from its TX to our RX, and at GND"));
-  } else if (!autopilot.hasAutopilot()) {
+  } else if (counters.frames == 0) {
     CONSOLE.println(F("bytes, but no autopilot: look at the baud rate, and at the port's protocol"));
   } else {
-    CONSOLE.println(F("waiting: if this stays, look at the wire from our TX to its RX"));
+    CONSOLE.print(toString(autopilot.status()));
+    CONSOLE.print(F(", items done: "));
+    CONSOLE.println(autopilot.itemsDone());
   }
-  bytesBefore = bytes;
 }
 
 void setup() {

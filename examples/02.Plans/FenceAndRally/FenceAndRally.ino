@@ -22,6 +22,12 @@ constexpr MissionItem rallyPoints[] PROGMEM = {
 MissionClient autopilot(TELEM);
 bool isFenceUp = false;
 
+void report(Status status) {
+  if (!CONSOLE) return;
+  CONSOLE.print(isFenceUp ? F("rally: ") : F("fence: "));
+  CONSOLE.println(status == Status::Accepted ? F("aboard, as it was meant") : toString(status));
+}
+
 void setup() {
   CONSOLE.begin(115200);
   beginTelem(57600);
@@ -31,8 +37,7 @@ void setup() {
 void loop() {
   const Status status = autopilot.update();
   if (!isEnd(status)) return;
-  CONSOLE.print(isFenceUp ? F("rally: ") : F("fence: "));
-  CONSOLE.println(toString(status));
+  report(status);
   if (!isFenceUp && status == Status::Accepted) {
     isFenceUp = true;
     autopilot.upload(inFlash(rallyPoints), PlanType::Rally, Readback::Always);

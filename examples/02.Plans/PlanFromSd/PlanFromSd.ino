@@ -58,10 +58,12 @@ bool isRead;
 
 void onRead() {
   isRead = true;
-  if (plan.state() == WaypointsSource::State::Good) {
+  const bool isGood = plan.state() == WaypointsSource::State::Good;
+  if (isGood) autopilot.upload(plan.source(), plan.type());
+  if (!CONSOLE) return;
+  if (isGood) {
     CONSOLE.print(F("items: "));
     CONSOLE.println(plan.count());
-    autopilot.upload(plan.source(), plan.type());
     return;
   }
   CONSOLE.print(F("line "));
@@ -82,6 +84,6 @@ void setup() {
 
 void loop() {
   const Status status = autopilot.update();
-  if (isEnd(status)) CONSOLE.println(toString(status));
+  if (isEnd(status) && CONSOLE) CONSOLE.println(toString(status));
   if (!isRead && plan.update() != WaypointsSource::State::Reading) onRead();
 }

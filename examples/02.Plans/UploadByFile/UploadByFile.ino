@@ -24,7 +24,7 @@ void setup() {
 
 void loop() {
   const Status status = autopilot.update();
-  if (!isEnd(status)) return;
+  if (!isEnd(status) || !CONSOLE) return;
   CONSOLE.println(toString(status));
   CONSOLE.println(files.isByFile() ? F("by file") : F("item by item"));
   CONSOLE.print(F("aboard: "));

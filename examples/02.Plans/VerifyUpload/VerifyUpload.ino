@@ -21,7 +21,7 @@ void setup() {
 
 void loop() {
   const Status status = autopilot.update();
-  if (!isEnd(status)) return;
+  if (!isEnd(status) || !CONSOLE) return;
   CONSOLE.println(toString(status));
   CONSOLE.print(F("aboard: "));
   CONSOLE.println(toString(autopilot.aboard()));

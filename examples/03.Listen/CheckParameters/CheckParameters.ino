@@ -25,6 +25,7 @@ void begin() {
 }
 
 void report(Status ended) {
+  if (!CONSOLE) return;
   CONSOLE.print(name());
   CONSOLE.print(F(": "));
   if (ended == Status::Done || ended == Status::OtherValue) {
@@ -32,7 +33,6 @@ void report(Status ended) {
     CONSOLE.print(' ');
   }
   CONSOLE.println(toString(ended));
-  if (++next < 3) begin();
 }
 
 void setup() {
@@ -43,5 +43,7 @@ void setup() {
 
 void loop() {
   const Status status = autopilot.update();
-  if (isEnd(status)) report(status);
+  if (!isEnd(status)) return;
+  report(status);
+  if (++next < 3) begin();
 }

@@ -22,6 +22,7 @@ bool isLit() {
 }
 
 void onText(void*, uint8_t, const char* text) {
+  if (!CONSOLE) return;
   CONSOLE.print(F("autopilot: "));
   CONSOLE.println(text);
 }
@@ -41,6 +42,7 @@ void loop() {
   const FitReason now = vehicle.whyNotFit();
   if (now == last) return;
   last = now;
+  if (!CONSOLE) return;
   CONSOLE.print(toString(fitnessOf(now)));
   CONSOLE.print(F(": "));
   CONSOLE.println(toString(now));

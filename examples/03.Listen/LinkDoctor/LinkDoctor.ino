@@ -46,6 +46,7 @@ void readSetting() {
 }
 
 void printSetting(Status ended) {
+  if (!CONSOLE) return;
   const Setting& read = *setting();
   CONSOLE.print(F("  "));
   CONSOLE.print(flashText(read.name));
@@ -74,6 +75,7 @@ void printSpeaker(const Speaker& speaker) {
 }
 
 void report(Verdict verdict) {
+  if (!CONSOLE) return;
   CONSOLE.println(toString(verdict));
   if (verdict == Verdict::WrongBaud) {
     CONSOLE.print(F("  it sends at "));

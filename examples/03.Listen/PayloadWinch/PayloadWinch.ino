@@ -19,11 +19,13 @@ PayloadAnswer carryOut(void*, const PayloadCommand& command) {
   if (command.id != kDoWinch) return PayloadAnswer::Unsupported;
   if (command.param[1] != kByLength || !(command.param[2] > 0)) return PayloadAnswer::Denied;
   if (payload.isBusy()) return PayloadAnswer::Rejected;
-  CONSOLE.print(F("lowering "));
-  CONSOLE.print(command.param[2]);
-  CONSOLE.println(F(" m of rope"));
   digitalWrite(kMotorPin, HIGH);
   startedMs = millis();
+  if (CONSOLE) {
+    CONSOLE.print(F("lowering "));
+    CONSOLE.print(command.param[2]);
+    CONSOLE.println(F(" m of rope"));
+  }
   return PayloadAnswer::InProgress;
 }
 
@@ -33,7 +35,7 @@ void lower() {
   if (elapsedMs < kLoweringMs) return;
   digitalWrite(kMotorPin, LOW);
   payload.finish(PayloadAnswer::Accepted);
-  CONSOLE.println(F("lowered"));
+  if (CONSOLE) CONSOLE.println(F("lowered"));
 }
 
 void tellWeight() {

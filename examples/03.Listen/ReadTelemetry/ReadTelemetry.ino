@@ -42,9 +42,9 @@ void setup() {
 
 void loop() {
   autopilot.update();
-  if (position.isNew() && position.hasPlace()) printPosition();
-  if (battery.isNew()) printBattery();
-  if (gps.isNew()) {
+  if (position.isNew() && position.hasPlace() && CONSOLE) printPosition();
+  if (battery.isNew() && CONSOLE) printBattery();
+  if (gps.isNew() && CONSOLE) {
     CONSOLE.print(gps.hasFix() ? F("fix") : F("no fix yet"));
     if (gps.hasSatellites()) {
       CONSOLE.print(F(", satellites: "));

@@ -33,7 +33,7 @@ void setup() {
 void loop() {
   velocity.update();  // before the flight's
   if (flight.update()) {
-    flight.printTo(CONSOLE);
+    if (CONSOLE) flight.printTo(CONSOLE);
     if (flight.state() == FlightState::AtStop) velocity.start(wanted());
   }
   static uint32_t renewedMs;

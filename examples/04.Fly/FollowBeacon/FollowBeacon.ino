@@ -36,7 +36,7 @@ void setup() {
 void loop() {
   const Status followed = target.update();  // before the flight's
   if (flight.update()) {
-    flight.printTo(CONSOLE);
+    if (CONSOLE) flight.printTo(CONSOLE);
     if (flight.state() == FlightState::AtStop) target.start(beacon(), kHeight);
   }
   static uint32_t reportedMs;
@@ -46,6 +46,6 @@ void loop() {
   }
   if (target.isFollowed() && flight.inStateMs() >= kFollowMs) target.stop();
   if (!isEnd(followed)) return;
-  CONSOLE.println(toString(followed));
+  if (CONSOLE) CONSOLE.println(toString(followed));
   flight.goHome();  // refused while a pilot or a failsafe has it
 }

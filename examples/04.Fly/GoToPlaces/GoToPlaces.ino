@@ -25,9 +25,10 @@ void goOn() {
   }
   place = analogRead(kSensor) > 511 ? moved(place, 0, 3000) : moved(place, 3000, 0);
   ++number;
+  flight.goTo(place, kHeight);
+  if (!CONSOLE) return;
   CONSOLE.print(F("to "));
   CONSOLE.println(number);
-  flight.goTo(place, kHeight);
 }
 
 void setup() {
@@ -37,7 +38,7 @@ void setup() {
 }
 
 void loop() {
-  if (flight.update()) flight.printTo(CONSOLE);
+  if (flight.update() && CONSOLE) flight.printTo(CONSOLE);
   if (flight.state() != FlightState::AtStop) return;
   if (number == 0 || flight.inStateMs() >= kWorkMs) goOn();
 }

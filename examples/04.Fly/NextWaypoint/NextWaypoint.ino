@@ -34,7 +34,7 @@ void setup() {
 }
 
 void loop() {
-  if (flight.update()) flight.printTo(CONSOLE);
+  if (flight.update() && CONSOLE) flight.printTo(CONSOLE);
   // Landed: the probe works.
   if (flight.state() != FlightState::Landed || flight.inStateMs() < kSampleMs || field == kFields) return;
   ++field;

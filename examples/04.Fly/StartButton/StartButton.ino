@@ -25,7 +25,7 @@ void setup() {
 }
 
 void loop() {
-  if (flight.update()) flight.printTo(CONSOLE);
+  if (flight.update() && CONSOLE) flight.printTo(CONSOLE);
   if (!button.isPressed()) return;
   flight.begin();  // a person asks for the aircraft
   flight.fly(inFlash(plan));

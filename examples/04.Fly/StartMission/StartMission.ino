@@ -25,5 +25,5 @@ void setup() {
 }
 
 void loop() {
-  if (flight.update()) flight.printTo(CONSOLE);
+  if (flight.update() && CONSOLE) flight.printTo(CONSOLE);
 }

@@ -25,7 +25,7 @@ bool isWorkDone;
 
 void work() {
   isWorkDone = false;
-  if (flight.stop() != 2) return;
+  if (flight.stop() != 2 || !CONSOLE) return;
   CONSOLE.print(F("sensor: "));
   CONSOLE.println(analogRead(kSensorPin));
 }
@@ -39,7 +39,7 @@ void setup() {
 
 void loop() {
   if (flight.update()) {
-    flight.printTo(CONSOLE);
+    if (CONSOLE) flight.printTo(CONSOLE);
     if (flight.state() == FlightState::AtStop) work();
   }
   const bool isWorking = flight.state() == FlightState::AtStop && flight.inStateMs() < kWorkMs;

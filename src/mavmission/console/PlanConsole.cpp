@@ -24,18 +24,23 @@ void PlanConsole::update() {
   PlanConsole* console = this;
   asm("" : "+r"(console));
   console->storeItems();
-  console->read();
+  // What has ended is seen before the next command is read.
   console->watchPlan();
   console->watchAutopilot();
+  console->read();
   console->print();
 }
 
 void PlanConsole::read() {
   for (uint8_t left = kBytesPerUpdate; left != 0; --left) {
-    if (mode_ == Mode::Text && ring_ != 0 && port_.available() >= ring_) refuse(TextError::TooFast);
-    // A command waits until the output of the last one is printed; a text does not wait.
-    const bool isSilent = task_ == kNothing && due_ == 0;
-    if (isItemHeld_ || mode_ == Mode::Ending || (mode_ == Mode::Commands && !isSilent)) return;
+    if (ring_ != 0 && port_.available() >= ring_) overrun();
+    if (isOverrun_) {
+      if (!skip()) return;
+      continue;
+    }
+    // A command waits until the output of the last one is printed, and until the plan is stored, so that it uses the
+    // new one; a text does not wait.
+    if (isItemHeld_ || mode_ == Mode::Ending || plan_.isBusy() || (mode_ == Mode::Commands && !isSilent())) return;
     const int byte = port_.read();
     if (byte < 0) return;
     const bool isSecond = byte == '\n' && wasReturn_;
@@ -47,13 +52,45 @@ void PlanConsole::read() {
   }
 }
 
+// Characters of the lines that wait in the port may be missing. What is left of two commands could be a third one.
+void PlanConsole::overrun() {
+  if (mode_ == Mode::Text) return refuse(TextError::TooFast);
+  if (mode_ == Mode::Refused) return;  // there, every line but a command is ignored anyway
+  isOverrun_ = true;
+  skippedMs_ = static_cast<uint16_t>(millis());
+}
+
+// Ignores a byte. False if there is none: when the line has been quiet, the console says that it has ignored them.
+bool PlanConsole::skip() {
+  const uint16_t nowMs = static_cast<uint16_t>(millis());
+  if (port_.read() >= 0) {
+    skippedMs_ = nowMs;
+    return true;
+  }
+  if (isSilent() && static_cast<uint16_t>(nowMs - skippedMs_) >= kQuietMs) {
+    isOverrun_ = false;
+    isLineBegun_ = false;
+    say(F("too many commands at once: they were ignored"));
+  }
+  return false;
+}
+
 void PlanConsole::take(char c) {
   if (!isLineBegun_) {
     // Within a text a line that begins with a letter is a command, except for the Q of its first line.
     const char lower = static_cast<char>(c | 0x20);
-    const bool isLetter = lower >= 'a' && lower <= 'z' && c != 'Q';
-    isCommand_ = mode_ == Mode::Commands || isLetter;
+    isCommand_ = lower >= 'a' && lower <= 'z' && c != 'Q';
     length_ = 0;
+    if (mode_ == Mode::Commands) {
+      if (isBlank(c) || isErasing(c)) return;
+      // A file that was sent without load is refused once, and not line by line.
+      if (c == 'Q' || c == '#' || (c >= '0' && c <= '9')) {
+        sayLoadFirst();
+        ignoreText();
+      } else {
+        isCommand_ = true;
+      }
+    }
   }
   isLineBegun_ = c != '\n';
   if (isCommand_) {
@@ -77,7 +114,11 @@ void PlanConsole::watchAutopilot() {
   if (autopilot_.isBusy()) return;
   isOperation_ = false;
   due(kEnded);
-  if (isDownload_ && autopilot_.status() == Status::Downloaded) isPlanAwaited_ = plan_.commit();
+  const Status status = autopilot_.status();
+  if (status == Status::Accepted || status == Status::Verified) isOtherAboard_ = false;
+  if (!isDownload_ || status != Status::Downloaded) return;
+  isPlanAwaited_ = plan_.commit();
+  if (!isPlanAwaited_) sayNothingLoaded();  // no plan is aboard
 }
 
 }  // namespace mavmission

@@ -55,16 +55,19 @@ enum class PlanConsole::Command : uint8_t {
 
 void PlanConsole::takeInCommand(char c) {
   if (c == '\n') return runCommand();
-  if (c == '\b' || c == 0x7F) {
+  if (length_ == sizeof(command_)) return;  // too long, whatever is erased
+  if (isErasing(c)) {
     if (length_ != 0) --length_;
     return;
   }
-  if (c == ' ' || c == '\t') return;
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 0x20);
-  if (length_ < sizeof(command_)) command_[length_++] = c;
+  command_[length_++] = isBlank(c) ? ' ' : c;
 }
 
 void PlanConsole::runCommand() {
+  if (length_ < sizeof(command_)) {
+    while (length_ != 0 && command_[length_ - 1] == ' ') --length_;
+  }
   if (length_ == 0) return;
   uint8_t command = static_cast<uint8_t>(Command::unknown);
   if (length_ < sizeof(command_)) {
@@ -81,25 +84,25 @@ void PlanConsole::run(Command command) {
   const bool isInText = mode_ == Mode::Text;
   if (mode_ == Mode::Refused) {
     mode_ = Mode::Commands;
-    if (command == Command::end || command == Command::cancel) return say(F("nothing was loaded"));
+    if (command == Command::end) return sayNothingLoaded();
   }
   if (isInText && command != Command::end && command != Command::cancel) return refuse(TextError::BadNumber);
   switch (command) {
     case Command::help: return due(kHelp);
     case Command::status: return due(kStatus);
-    case Command::end: return isInText ? endText() : say(F("nothing is being loaded: type load first"));
+    case Command::end: return isInText ? endText() : sayLoadFirst();
     case Command::cancel:
-      if (!isInText) return autopilot_.cancel();
+      if (!isInText) autopilot_.cancel();
+      if (isNotStored_) sayNothingLoaded();
       mode_ = Mode::Commands;
-      return say(F("nothing was loaded"));
+      isNotStored_ = false;
+      return;
     case Command::upload:
       if (mayUsePlan()) began(autopilot_.upload(plan_.source()));
       return;
-    case Command::load:
-      if (mayExchangePlan()) beginText();
-      return;
+    case Command::load: return beginText();
     case Command::erase:
-      if (mayExchangePlan()) isPlanAwaited_ = plan_.erase();
+      if (isAutopilotFree()) isPlanAwaited_ = plan_.erase();
       return;
     case Command::list:
     case Command::verify:
@@ -113,22 +116,36 @@ void PlanConsole::run(Command command) {
   say(F("unknown command: type help"));
 }
 
-bool PlanConsole::mayUsePlan() {
+bool PlanConsole::hasPlan() {
   if (plan_.hasPlan()) return true;
   say(F("no plan is stored: type load"));
   return false;
 }
 
 // The plan must not be exchanged while it is being transferred.
-bool PlanConsole::mayExchangePlan() {
-  if (autopilot_.isBusy()) {
-    began(Status::Busy);
-  } else if (plan_.isBusy()) {
-    say(F("busy: the EEPROM is being written"));
-  } else {
-    return true;
-  }
+bool PlanConsole::isAutopilotFree() {
+  if (!autopilot_.isBusy()) return true;
+  say(toString(Status::Busy));
   return false;
+}
+
+// What was pasted behind a text that was refused, was meant for the plan in that text.
+bool PlanConsole::isStored() {
+  if (!isNotStored_) return true;
+  say(F("the last load or download failed: repeat it, or type cancel"));
+  return false;
+}
+
+bool PlanConsole::mayUsePlan() { return isAutopilotFree() && hasPlan() && isStored(); }
+
+void PlanConsole::sayNothingLoaded() { say(F("nothing was loaded")); }
+
+void PlanConsole::sayLoadFirst() { say(F("nothing is being loaded: type load first")); }
+
+// A text comes all the same, and is not stored.
+void PlanConsole::ignoreText() {
+  mode_ = Mode::Refused;
+  isNotStored_ = true;
 }
 
 PlanConsole::Offer& PlanConsole::offerOf(Command command) {
@@ -157,7 +174,7 @@ void PlanConsole::offerAll() {
 }
 
 void PlanConsole::runList(PlanConsole& console) {
-  if (console.mayUsePlan()) console.due(kList);
+  if (console.hasPlan()) console.due(kList);
 }
 
 void PlanConsole::runVerify(PlanConsole& console) {
@@ -165,13 +182,16 @@ void PlanConsole::runVerify(PlanConsole& console) {
 }
 
 void PlanConsole::runDownload(PlanConsole& console) {
-  if (!console.mayExchangePlan()) return;
+  console.isNotStored_ = true;
+  if (!console.isAutopilotFree()) return;
   console.began(console.autopilot_.download(console.plan_.sink()));
   console.isDownload_ = true;
 }
 
 void PlanConsole::runClear(PlanConsole& console) { console.began(console.autopilot_.clear()); }
 void PlanConsole::runStart(PlanConsole& console) {
+  if (!console.isAutopilotFree() || !console.isStored()) return;
+  if (console.isEarlierAboard()) return console.say(F("the stored plan is not aboard: type upload"));
   console.began(console.autopilot_.start());
   console.isStart_ = true;
 }

@@ -122,8 +122,12 @@ bool PlanConsole::composeError() {
 // The client's last status, and which plan is aboard, in three pieces.
 void PlanConsole::putOutcome(uint8_t piece) {
   if (piece == 0) return put(toString(autopilot_.status()));
-  put(piece == 1 ? F("\r\naboard: ") : toString(autopilot_.aboard()));
+  put(piece == 1          ? F("\r\naboard: ")
+      : isEarlierAboard() ? F("an earlier plan of ours, whole")
+                          : toString(autopilot_.aboard()));
 }
+
+bool PlanConsole::isEarlierAboard() { return isOtherAboard_ && autopilot_.aboard() == Aboard::OurPlan; }
 
 bool PlanConsole::composeStatus() {
   switch (step_) {

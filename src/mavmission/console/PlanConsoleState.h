@@ -17,13 +17,15 @@ namespace detail {
 class PlanConsoleState {
  protected:
   // How received lines are understood.
+  // Refused: up to end or another command lines are ignored.
   enum class Mode : uint8_t { Commands, Text, Ending, Refused };
   // Outputs; of several that are due the first one here is printed first.
   enum Task : uint8_t { kNothing, kSay, kError, kHelp, kList, kStatus, kProgress, kEnded, kStored };
   static_assert(kStored <= 8, "due_ has 8 bits");
   typedef void (*Offer)(PlanConsole& console);
   static constexpr uint8_t kOffers = 5;
-  static const char kLineEnd[];  // in flash
+  static constexpr uint8_t kQuietMs = 100;  // no pasted text pauses for so long
+  static const char kLineEnd[];             // in flash
 
   Mode mode_;
   TextError error_;         // why the text was refused
@@ -35,13 +37,18 @@ class PlanConsoleState {
   bool isDownload_ : 1;     // it is a download
   bool isStart_ : 1;        // it is start()
   bool isPlanAwaited_ : 1;  // the plan is being committed or erased
+  bool isNotStored_ : 1;    // the last load or download has failed, or has not ended
+  bool isOtherAboard_ : 1;  // a plan was loaded since the last upload or verify
+  bool isOverrun_ : 1;      // the port's ring was full: commands were lost
   uint8_t length_;          // of the command so far
   uint8_t kept_;            // items in the room
   uint8_t oldest_;          // of them
   uint8_t ring_;
-  uint16_t told_;  // stored items that were reported
-  uint16_t done_;  // the progress that was printed
-  uint8_t due_;    // a bit for each Task but kNothing, kSay in the lowest
+  uint16_t skippedMs_;  // when the last byte was ignored behind an overrun
+  uint16_t put_;        // items of the text that were given to the plan
+  uint16_t told_;       // stored items that were reported
+  uint16_t done_;       // the progress that was printed
+  uint8_t due_;         // a bit for each Task but kNothing, kSay in the lowest
   Task task_;
   uint8_t step_;   // of the task
   uint16_t item_;  // the item being listed

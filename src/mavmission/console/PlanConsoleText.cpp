@@ -7,11 +7,14 @@ namespace mavmission {
 using namespace detail;
 
 void PlanConsole::beginText() {
+  if (!isAutopilotFree()) return ignoreText();
   text_.begin();
   plan_.store();
   mode_ = Mode::Text;
+  isNotStored_ = true;
   kept_ = 0;
   told_ = 0;
+  put_ = 0;
   say(F("send the file, then end"));
 }
 
@@ -45,16 +48,17 @@ void PlanConsole::refuse(TextError error) {
 
 void PlanConsole::storeItems() {
   if (mode_ != Mode::Text && mode_ != Mode::Ending) return;
-  if (plan_.state() == EepromPlan::State::Failed) return refuse(TextError::NotKept);
+  // It has failed, or the sketch has begun to store another plan.
+  if (plan_.state() != EepromPlan::State::Storing || plan_.stored() != put_) return refuse(TextError::NotKept);
   if (kept_ != 0 && plan_.isReady()) {
-    if (!plan_.put(room_[oldest_])) return refuse(TextError::NoRoom);
+    if (!putItem(room_[oldest_])) return;
     --kept_;
     if (++oldest_ == roomItems_) oldest_ = 0;
   }
   if (!isItemHeld_) return;
   if (kept_ == 0 && plan_.isReady()) {
     isItemHeld_ = false;
-    if (!plan_.put(text_.item())) refuse(TextError::NoRoom);
+    putItem(text_.item());
   } else if (kept_ < roomItems_) {
     isItemHeld_ = false;
     if (kept_ == 0) oldest_ = 0;
@@ -64,12 +68,22 @@ void PlanConsole::storeItems() {
   }
 }
 
+bool PlanConsole::putItem(const MissionItem& item) {
+  if (plan_.put(item)) {
+    ++put_;
+    return true;
+  }
+  refuse(TextError::NoRoom);
+  return false;
+}
+
 void PlanConsole::watchPlan() {
   if (mode_ == Mode::Text || mode_ == Mode::Ending) {
     if (plan_.isReady() && plan_.stored() > told_) due(kStored);
     if (mode_ != Mode::Ending || kept_ != 0 || isItemHeld_ || !plan_.isReady()) return;
-    if (plan_.stored() > told_) return;
+    if (plan_.stored() > told_ || autopilot_.isBusy()) return;  // with an operation of the sketch
     mode_ = Mode::Commands;
+    isDownload_ = false;
     isPlanAwaited_ = plan_.commit();
     return;
   }
@@ -78,6 +92,8 @@ void PlanConsole::watchPlan() {
   if (plan_.state() == EepromPlan::State::Failed) {
     say(F("the EEPROM does not keep what is written"));
   } else if (plan_.hasPlan()) {
+    isNotStored_ = false;
+    isOtherAboard_ = !isDownload_;
     say(F("stored: list prints it"));
   } else {
     say(F("erased"));

@@ -62,7 +62,7 @@ EepromPlan::EepromPlan(const Eeprom& eeprom, uint16_t first, uint16_t size)
       count_(0),
       taken_(0),
       length_(0),
-      active_(kNone),
+      active_(kNone + 1),
       state_(State::Resting),
       step_(Step::None),
       isBegun_(false),
@@ -75,13 +75,13 @@ void EepromPlan::begin() {
   length_ = 0;
   const bool isWhole0 = isWhole(0);
   const bool isWhole1 = isWhole(1);
-  uint8_t found = isWhole0 ? 0 : isWhole1 ? 1 : kNone;
+  uint8_t found = isWhole0 ? 0 : isWhole1 ? 1 : kNone + 1;
   if (isWhole0 && isWhole1) {
     const uint8_t later = readByte(addressOf(1) + 1) - readByte(addressOf(0) + 1);
     if (later < 0x80) found = 1;
   }
   activate(found);
-  isDamaged_ = found == kNone && (readByte(addressOf(0)) == kValid || readByte(addressOf(1)) == kValid);
+  isDamaged_ = found >= kNone && (readByte(addressOf(0)) == kValid || readByte(addressOf(1)) == kValid);
   if (!isWhole0 || !isWhole1) return;
   // The power failed before the old plan was made invalid. Should the new one ever be damaged, the old one must not
   // come back.
@@ -91,7 +91,7 @@ void EepromPlan::begin() {
 
 void EepromPlan::activate(uint8_t bank) {
   active_ = bank;
-  count_ = bank == kNone ? 0 : readWord(addressOf(bank) + 2);
+  count_ = bank >= kNone ? 0 : readWord(addressOf(bank) + 2);
   cachedIndex_ = 0;
   cachedAddress_ = addressOf(bank) + kHeader;
 }
@@ -120,27 +120,26 @@ bool EepromPlan::isWhole(uint8_t bank) const {
 
 ItemSource EepromPlan::source() {
   // Without a plan: one item that is refused, since uploading an empty plan would clear the plan aboard.
-  return ItemSource{readItem, this, hasPlan() ? count_ : 1u};
+  return ItemSource{active_ == 0 ? readFrom<0> : readFrom<1>, this, hasPlan() ? count_ : 1u};
 }
 
-bool EepromPlan::readItem(void* plan, uint16_t index, MissionItem& item) {
-  EepromPlan& from = *static_cast<EepromPlan*>(plan);
-  if (index >= from.count_) return false;
-  if (index < from.cachedIndex_) {
-    from.cachedIndex_ = 0;
-    from.cachedAddress_ = from.addressOf(from.active_) + kHeader;
+bool EepromPlan::readItem(uint16_t index, MissionItem& item) {
+  if (index >= count_) return false;
+  if (index < cachedIndex_) {
+    cachedIndex_ = 0;
+    cachedAddress_ = addressOf(active_) + kHeader;
   }
-  for (; from.cachedIndex_ < index; ++from.cachedIndex_) {
-    from.cachedAddress_ += lengthOf(from.readByte(from.cachedAddress_));
+  for (; cachedIndex_ < index; ++cachedIndex_) {
+    cachedAddress_ += lengthOf(readByte(cachedAddress_));
   }
-  uint16_t address = from.cachedAddress_;
-  const uint8_t flags = from.readByte(address++);
-  const uint8_t frame = from.readByte(address++);
-  item.command = from.readWord(address);
+  uint16_t address = cachedAddress_;
+  const uint8_t flags = readByte(address++);
+  const uint8_t frame = readByte(address++);
+  item.command = readWord(address);
   address += 2;
   uint8_t* number = reinterpret_cast<uint8_t*>(&item);
   for (uint8_t i = 0; i < kNumbers * kNumberBytes; ++i) {
-    number[i] = (flags >> (i / kNumberBytes) & 1) != 0 ? from.readByte(address++) : 0;
+    number[i] = (flags >> (i / kNumberBytes) & 1) != 0 ? readByte(address++) : 0;
   }
   item.frame = static_cast<Frame>(frame & ~kCurrent);
   item.current = (frame & kCurrent) != 0;
@@ -261,7 +260,7 @@ void EepromPlan::stepDone() {
     case Step::Open:
     case Step::Item:
       if (state_ != State::Committing) return;
-      buffer_[0] = active_ == kNone ? 0 : readByte(addressOf(active_) + 1) + 1;
+      buffer_[0] = hasPlan() ? readByte(addressOf(active_) + 1) + 1 : 0;
       buffer_[1] = static_cast<uint8_t>(taken_);
       buffer_[2] = static_cast<uint8_t>(taken_ >> 8);
       checksum_ = checksum(checksum_, buffer_, kSummed);
@@ -273,14 +272,14 @@ void EepromPlan::stepDone() {
       const uint8_t old = active_;
       activate(bank);
       isDamaged_ = false;
-      if (old != kNone) return writeMark(old, kInvalid, Step::DropOld);
+      if (old < kNone) return writeMark(old, kInvalid, Step::DropOld);
       return settle();
     }
     case Step::EraseOther:
-      if (active_ != kNone) return writeMark(active_, kInvalid, Step::EraseActive);
+      if (hasPlan()) return writeMark(active_, kInvalid, Step::EraseActive);
       // Bank 1 may hold a damaged plan.
       return writeMark(1, kInvalid, Step::EraseActive);
-    case Step::EraseActive: activate(kNone); return settle();
+    case Step::EraseActive: activate(active_ | kNone); return settle();
     case Step::DropOld: return settle();
   }
 }

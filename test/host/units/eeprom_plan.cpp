@@ -501,6 +501,23 @@ TEST_CASE("a sink takes a download's items as it can, and leaves out home") {
   CHECK(holds(kept, items));
 }
 
+TEST_CASE("a source gives the plan that was there when it was taken, or nothing") {
+  for (const char* changes : {"s", "es"}) {
+    EepromPlan kept(eeprom(kSize));
+    kept.begin();
+    REQUIRE(keep(kept, plan(2, 1)));
+    const ItemSource old = kept.source();
+    for (const char* change = changes; *change != '\0'; ++change) {
+      if (*change == 's') REQUIRE(keep(kept, plan(3, 2)));
+      if (*change == 'e') kept.erase();
+      settle(kept);
+      MissionItem item;
+      CHECK_FALSE(old.read(old.context, 0, item));
+      if (*change == 's') CHECK(holds(kept, plan(3, 2)));
+    }
+  }
+}
+
 TEST_CASE("the sequence of plans goes round") {
   const Eeprom memory = eeprom(kSize);
   EepromPlan kept(memory);

@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "ClientOnLine.h"
 #include "MemoryStream.h"
+#include "PlanFrames.h"
 
 using namespace mavmission;
 
@@ -63,6 +65,49 @@ struct Desk {
 
 const size_t kMost = PlanConsole::kBytesPerUpdate;
 const char kHead[] = "QGC WPL 110\n0 1 0 16 0 0 0 0 0 0 0 1\n";
+const char kBusy[] = "busy with another operation\r\n";
+const char kFailed[] = "the last load or download failed: repeat it, or type cancel\r\n";
+
+// A file with so many items.
+std::string fileOf(int items) {
+  std::string text = kHead;
+  for (int n = 1; n <= items; ++n) text += std::to_string(n) + " 0 3 16 1 0 0 0 1 2 " + std::to_string(n) + " 1\n";
+  return text;
+}
+std::string loading(int items) { return "load\n" + fileOf(items) + "end\n"; }
+
+// A console whose plan has one item, on a client that hears a PX4.
+struct Station : ClientOnLine {
+  MemoryStream port;
+  EepromPlan plan{Eeprom{readByte, writeByte, nullptr, 400}};
+  MissionItem room[4];
+  PlanConsole console{port, client, plan, room};
+
+  Station() : ClientOnLine(kPx4) {
+    memory.assign(400, 0xFF);
+    plan.begin();
+    console.offerAll();
+    type(loading(1));
+    go(3000);
+  }
+  void type(const std::string& text) { port.bring(std::vector<uint8_t>(text.begin(), text.end())); }
+  void go(uint32_t ms) {
+    for (; ms != 0; --ms) {
+      run(1);
+      plan.update();
+      console.update();
+    }
+  }
+  // The first message of the client with this id; null if it sends none in 3 s.
+  const SentFrame* next(uint16_t id) {
+    sent.clear();
+    for (int ms = 0; ms < 3000; ++ms) {
+      go(1);
+      if (!sent.empty() && sent.back().messageId == id) return &sent.back();
+    }
+    return nullptr;
+  }
+};
 
 }  // namespace
 
@@ -98,9 +143,7 @@ TEST_CASE("on a port that does not say what it takes it writes a byte each time,
 
 TEST_CASE("an item for which there is no room yet is not lost: what comes behind it waits in the port") {
   Desk desk;
-  std::string text = std::string("load\n") + kHead;
-  for (int n = 1; n <= 9; ++n) text += std::to_string(n) + " 0 3 16 1 0 0 0 1 2 " + std::to_string(n) + " 1\n";
-  CHECK(desk.answer(text + "end\n", 6000).find("9\r\nstored: list prints it\r\n") != std::string::npos);
+  CHECK(desk.answer(loading(9), 6000).find("9\r\nstored: list prints it\r\n") != std::string::npos);
   REQUIRE(desk.plan.count() == 9);
   const ItemSource source = desk.plan.source();
   for (uint16_t i = 0; i < 9; ++i) {
@@ -121,6 +164,154 @@ TEST_CASE("a text is refused when the port's ring was full in its midst, and onl
   desk.answer("load\n");
   CHECK(desk.answer(std::string(kHead) + row + "end\n").find("line 1: too fast") == 0);
   CHECK(desk.plan.count() == 1);
+}
+
+TEST_CASE("a command behind end or erase waits until the EEPROM is written") {
+  for (const char* command : {"upload", "verify", "list", "status"}) {
+    Desk desk;
+    desk.answer(loading(1));
+    desk.type(loading(3) + command + "\n");
+    desk.port.written.clear();
+    while (!desk.autopilot.isBusy() && desk.nowMs < 9000) desk.update();
+    CHECK(desk.plan.count() == 3);
+    CHECK(!desk.plan.isBusy());
+    CHECK(desk.said().find(command[0] == 's'   ? "stored: items 3"
+                           : command[0] == 'l' ? "3\t0\t3\t16"
+                                               : "") < std::string::npos);
+    desk.autopilot.cancel();
+    CHECK(desk.answer("erase\nupload\n").find("erased\r\nno plan is stored: type load\r\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("an upload behind a download sends what was downloaded, whenever it is typed") {
+  for (uint32_t afterMs = 0; afterMs < 60; afterMs += 3) {
+    Station station;
+    station.type("download\n");
+    REQUIRE(station.next(ClientOnLine::kRequestList) != nullptr);
+    station.hear(countParts(3));
+    while (station.client.isBusy()) {
+      station.go(1);
+      if (station.sent.empty() || station.sent.back().messageId != ClientOnLine::kRequestInt) continue;
+      station.hear(itemParts(station.sent.back().payload[0], waypoint(1_deg, 2_deg, 20_m)));
+      station.sent.clear();
+    }
+    station.go(afterMs);
+    station.type("upload\n");
+    const SentFrame* count = station.next(ClientOnLine::kCount);
+    while (count == nullptr && station.nowMs() < 90000) {
+      station.type("upload\n");
+      count = station.next(ClientOnLine::kCount);
+    }
+    REQUIRE(count != nullptr);
+    CHECK(count->payload[0] == 3);
+    CHECK(station.plan.count() == 3);
+  }
+}
+
+TEST_CASE("an empty plan that is downloaded does not take the place of the stored one, and it is said") {
+  Station station;
+  station.port.written.clear();
+  station.type("download\n");
+  REQUIRE(station.next(ClientOnLine::kRequestList) != nullptr);
+  station.hear(countParts(0));
+  station.go(1000);
+  const std::string said(station.port.written.begin(), station.port.written.end());
+  CHECK(said.find("nothing was loaded\r\ndownloaded: ") != std::string::npos);
+  CHECK(station.plan.count() == 1);
+}
+
+TEST_CASE("what is pasted behind a load that failed is not done with the plan before") {
+  const std::string bad = std::string(kHead) + "1 0 3 16 x\n";
+  for (const std::string& load : {"load\n" + bad + "end\n", bad + "end\n", std::string("load\nend\n")}) {
+    for (const char* command : {"upload\n", "verify\n", "start\n"}) {
+      Desk desk;
+      desk.answer(loading(1));
+      CHECK(desk.answer(load + command + command).find(std::string(kFailed) + kFailed) != std::string::npos);
+      CHECK(!desk.autopilot.isBusy());
+      CHECK(desk.answer("cancel\n") == "nothing was loaded\r\n");
+      CHECK(desk.answer(command).empty());
+      CHECK(desk.autopilot.isBusy());
+    }
+  }
+}
+
+TEST_CASE("a file without load, or one that comes during an operation, is refused once") {
+  Desk desk;
+  CHECK(desk.answer(fileOf(9) + "end\n") == "nothing is being loaded: type load first\r\nnothing was loaded\r\n");
+  desk.answer(loading(1));
+  desk.answer("upload\n");
+  CHECK(desk.answer(loading(3) + "erase\ndownload\nstart\nclear\n") ==
+        std::string(kBusy) + "nothing was loaded\r\n" + kBusy + kBusy + kBusy + kBusy);
+  CHECK(desk.plan.count() == 1);
+  CHECK(desk.answer("load\ncancel\n").find("cancelled by the sketch") != std::string::npos);
+}
+
+TEST_CASE("a plan is not exchanged, nor mixed with another one, while the sketch uses it") {
+  Desk desk;
+  desk.answer(loading(1));
+  desk.answer("load\n" + fileOf(2));
+  desk.autopilot.upload(desk.plan.source());
+  desk.answer("end\n");
+  CHECK(desk.plan.count() == 1);
+  desk.autopilot.cancel();
+  CHECK(desk.answer("status\n").find("stored: items 2") != std::string::npos);
+  desk.answer("load\n" + fileOf(2));
+  desk.plan.sink();
+  CHECK(desk.answer("end\n").find("the EEPROM could not store the plan") != std::string::npos);
+  CHECK(desk.plan.count() == 2);
+  desk.answer("load\n" + fileOf(2));
+  desk.plan.erase();
+  CHECK(desk.answer("end\n").find("the EEPROM could not store the plan") != std::string::npos);
+}
+
+TEST_CASE("start does not fly the plan before one that was loaded") {
+  Station station;
+  station.type("upload\n");
+  REQUIRE(station.next(ClientOnLine::kCount) != nullptr);
+  station.hear(requestParts(0));
+  const SentFrame* item = station.next(ClientOnLine::kItemInt);
+  REQUIRE(item != nullptr);
+  station.hear(ackParts(0));
+  station.go(100);
+  REQUIRE((station.client.aboard() == Aboard::OurPlan));
+  station.port.written.clear();
+  station.type(loading(2) + "start\nstatus\n");
+  station.go(2000);
+  const std::string said(station.port.written.begin(), station.port.written.end());
+  CHECK(said.find("the stored plan is not aboard: type upload\r\n") != std::string::npos);
+  CHECK(said.find("aboard: an earlier plan of ours, whole\r\n") != std::string::npos);
+  CHECK(!station.client.isBusy());
+}
+
+TEST_CASE("a command is what is seen on the line when it ends, and one that is too long stays refused") {
+  const char kUnknown[] = "unknown command: type help\r\n";
+  Desk desk;
+  for (const char* line : {"startxxxxx\b\b\b\b", "startxxxxxxxxxxxxx\b\b\b\b\b\b\b\b\b\b\b\b\b", "starts \b", "st art",
+                           "helps\x7F \x7F\x7F", "\x1B[Astart"}) {
+    CHECK(desk.answer(std::string(line) + "\n") == kUnknown);
+    CHECK(!desk.autopilot.isBusy());
+  }
+  for (const char* line : {"end", " END\t ",
+                           "enf\x7F"
+                           "d",
+                           "\bend", "ende\b\r"}) {
+    CHECK(desk.answer(std::string(line) + "\n") == "nothing is being loaded: type load first\r\n");
+  }
+}
+
+TEST_CASE("when the port's ring was full, no command that was on its way is done, and the console says so") {
+  Desk desk;
+  desk.console.setRing(63);
+  const std::string many = "help\nstatus\nlist\nverify\nupload\nhelp\nstatus\nlist\nverify\nupload\nhelp\nsta";
+  const std::string ignored = "too many commands at once: they were ignored\r\n";
+  CHECK(desk.answer(many, 90).empty());
+  CHECK(desk.answer("rt\n", 90).empty());
+  CHECK(desk.answer("", 20) == ignored);
+  CHECK(desk.answer("end\n", 90) == "nothing is being loaded: type load first\r\n");
+  desk.type("help\n");
+  for (int i = 0; i < 3; ++i) desk.update();
+  CHECK(desk.answer(many).find(ignored) != std::string::npos);
+  CHECK(desk.said().find("stored: items") == std::string::npos);
 }
 
 TEST_CASE("an EEPROM that does not keep what it is given is told, and the console goes on") {
