@@ -46,7 +46,9 @@ TEST_CASE("an autopilot's heartbeat is found behind whatever frames, and what is
       Bytes{0xFE, 9, 7, 1, 1, 0, 0xFD},
   };
   for (const Bytes& frames : before) {
-    for (const Bytes& found : {heartbeat(), ofVersion1(heartbeatParts())}) {
+    FrameParts inMode = heartbeatParts();
+    inMode.payload[0] = inMode.payload[3] = 7;  // of its custom mode
+    for (const Bytes& found : {heartbeat(), packed(inMode), ofVersion1(inMode)}) {
       const Read read = readFrom(frames + found + request(4));
       CHECK(read.isFound);
       CHECK(read.rest == request(4).size());
