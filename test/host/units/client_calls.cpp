@@ -301,7 +301,8 @@ TEST_CASE("a new client has nothing to tell") {
   CHECK((desk.client.update() == Status::Idle));
 }
 
-TEST_CASE("of a cancelling and a refusal in one loop() update() returns the first, and the call has returned the other") {
+TEST_CASE(
+    "of a cancelling and a refusal in one loop() update() returns the first, and the call has returned the other") {
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.run(3000);
   desk.client.upload(inRam(kPlan));

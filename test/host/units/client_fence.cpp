@@ -206,7 +206,8 @@ TEST_CASE("a short fence that was wiped, and is refused then, is not what was ab
   CHECK((desk.client.aboard(PlanType::Fence) == Aboard::NotKnown));
 }
 
-TEST_CASE("a short fence that was wiped is not sent again to an autopilot that is armed by now, unless that is allowed") {
+TEST_CASE(
+    "a short fence that was wiped is not sent again to an autopilot that is armed by now, unless that is allowed") {
   for (bool isAllowed : {false, true}) {
     Fencing desk(2);
     desk.client.allowWhileArmed(isAllowed);
