@@ -54,11 +54,15 @@ void Client::Uploading::step(Client& client, const FrameParser* frame, uint16_t 
   checkNext(client, nowMs);
 }
 
-// Items are requested before our COUNT has left: the line has brought one of before once more. What is accepted then
-// may be made of that transfer's number of items and of ours.
+// The first item is requested before our COUNT has left: the line has brought one of before once more. What is accepted
+// then may be made of that transfer's number of items and of ours. (Behind a request for a later item one for the first
+// shows that our COUNT was heard. A transfer that was left open is known of.)
 void Client::Uploading::noteEarly(Client& client, const FrameParser& frame) {
+  typedef mavlink_mission_request_int_t Request;
   const uint32_t id = frame.messageId();
-  if (id == MAVLINK_MSG_ID_MISSION_REQUEST || id == MAVLINK_MSG_ID_MISSION_REQUEST_INT) client.state_.isDoubtful = true;
+  const bool isRequest = id == MAVLINK_MSG_ID_MISSION_REQUEST || id == MAVLINK_MSG_ID_MISSION_REQUEST_INT;
+  const bool isKnown = (client.state_.unsettled & kFromOpen) != 0;
+  if (isRequest && !isKnown && frame.payloadWord(offsetof(Request, seq)) == 0) client.state_.isDoubtful = true;
 }
 
 void Client::Uploading::time(Client& client, uint16_t nowMs) {
