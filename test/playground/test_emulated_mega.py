@@ -6,10 +6,12 @@ import pytest
 
 from playground import replayed, talk
 
-MOST_APART_S = 0.001  # of the same byte on the two: they differ in what an interrupt and a start bit wait for
+# Of the same byte on the two: they differ in what an interrupt and a start bit wait for, and the client looks at the
+# clock every 2 ms (ClientRules::kTickMs): what is due just then leaves one look later on one of the two.
+MOST_APART_S = 0.0025
 HZ = 16_000_000
-# An interrupt that comes some cycles later may find one call more or less below it [bytes].
-RETURN_ADDRESS = 3
+# An interrupt that comes some cycles later may find up to two calls more or less below it, 3 bytes each.
+RETURN_ADDRESSES = 6
 
 
 def agree(folder, **options):
@@ -27,7 +29,7 @@ def agree(folder, **options):
 def test_upload_mission_puts_the_same_bytes_on_the_line_as_on_simavr(folder, autopilot):
     told, ours = agree(folder, example="UploadMission", autopilot=autopilot, seconds=4)
     assert len(ours.bytes(1)) > 200
-    assert abs(ours.stack - told.heard.stack) <= RETURN_ADDRESS
+    assert abs(ours.stack - told.heard.stack) <= RETURN_ADDRESSES
     passes = ours.passes
     assert passes["count"] > 50_000 and passes["count"] * passes["shortest"] <= told.until
     assert 100 < passes["shortest"] < passes["longest"] < 16_000
