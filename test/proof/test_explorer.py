@@ -453,9 +453,8 @@ DEFECTS = {
     ),
     "a rally point is sent where the mission's item is asked for": (
         "Upload.cpp",
-        "if (type != static_cast<uint8_t>(client.state_.type)) return"
-        " client.tellCancelled(static_cast<PlanType>(type));",
-        "(void)type;",
+        "if (type != static_cast<uint8_t>(client.state_.type)) {",
+        "if (type > 250) {",
         "ArduPilot upload-in-doubt 2 rally-upload-in-doubt 1 --losses 2 --cancels 1",
         "an item is sent that was not asked for",
     ),
