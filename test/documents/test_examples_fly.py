@@ -247,7 +247,13 @@ def test_fly_by_buttons_flies_as_long_as_a_button_is_held_and_lands_also_behind_
     story.is_plugged = False
     story.run(7.0)
     story.is_plugged = True
+    story.run(4.0)
+    before = flight.where(story.now)
+    story.mega.poke_int(0x2C, story.mega.peek_int(0x2C) & ~(1 << 5))
+    story.run(5.0)
+    story.mega.poke_int(0x2C, story.mega.peek_int(0x2C) | 1 << 5)
     story.run(2.0)
+    assert flight.where(story.now).distance(before) > 7.0
     story.press(1.2)
     story.reach("ended by silence", 60.0)
     assert not story.autopilot.armed

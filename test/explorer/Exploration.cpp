@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include <algorithm>
-#include <random>
 #include <vector>
 
 #include "mavmission/Status.h"
@@ -293,89 +292,3 @@ class Explorer {
 }  // namespace
 
 Findings explore(const Scenario& scenario, uint64_t mostStates) { return Explorer(scenario, mostStates).run(); }
-
-namespace {
-
-// What a line does to each frame is drawn for each walk: a few of 100 frames suffer it.
-class Walker {
- public:
-  explicit Walker(uint32_t seed) : random_(seed) {}
-
-  Scenario drawn(Firmwares firmware) {
-    Scenario scenario;
-    scenario.firmware = firmware;
-    const bool byFile = firmware == Firmwares::ArduPilot && below(5) == 0;
-    const uint32_t operations = byFile ? 9 : 7;
-    for (uint8_t plan = 1; plan <= 3; ++plan) {
-      Task task = Task();
-      task.operation = byFile && plan == 1 ? Operation::FileUpload : static_cast<Operation>(below(operations));
-      task.items = static_cast<uint8_t>(below(6));
-      task.plan = plan;
-      scenario.tasks.push_back(task);
-    }
-    scenario.heldItems = static_cast<uint8_t>(below(5));
-    scenario.losses = static_cast<uint8_t>(below(2) * below(30));
-    scenario.copies = static_cast<uint8_t>(1 + below(200));
-    scenario.reboots = below(6) == 0;
-    scenario.cancels = below(4) == 0;
-    scenario.latencyMs = below(3) == 0 ? 150 : 0;
-    scenario.isLossy = below(2) != 0;
-    suffersOf100_ = 3 + below(30);
-    return scenario;
-  }
-
-  // Returns which of the moves is made.
-  int next(const Moves& moves) {
-    if (moves.count == 1 || below(100) >= suffersOf100_) return 0;
-    return static_cast<int>(1 + below(moves.count - 1u));
-  }
-
- private:
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
-
-  std::mt19937 random_;
-  uint32_t suffersOf100_ = 0;
-};
-
-}  // namespace
-
-Findings walk(Firmwares firmware, uint32_t seed, unsigned count) {
-  constexpr uint64_t kMostSteps = 100000;  // of a walk, which otherwise never ends
-  Findings findings;
-  findings.isWhole = true;
-  for (uint32_t i = seed; i < seed + count; ++i) {
-    std::string text;
-    const auto go = [&](bool isTold) -> const char* {
-      Walker walker(i);
-      const Scenario scenario = walker.drawn(firmware);
-      World world;
-      world.begin(scenario);
-      uint32_t nowMs = 0;
-      for (uint64_t steps = 0; steps < kMostSteps; ++steps) {
-        const Moves moves = world.moves();
-        if (moves.count == 0) return world.leftUndone();
-        std::string log;
-        const Outcome outcome = world.step(scenario, moves.list[walker.next(moves)], isTold ? &log : nullptr);
-        nowMs += outcome.ms;
-        if (isTold) text += std::to_string(nowMs) + " ms  " + log + "\n";
-        if (!isTold) ++findings.transitions;
-        if (outcome.hasEnded && !isTold) {
-          ++findings.states;
-          ++findings.ends[std::to_string(outcome.task + 1) + " " + mavmission::toString(outcome.status)];
-        }
-        // (So many copies at once have no place in the line of an exploration.)
-        if (outcome.broken != nullptr && strstr(outcome.broken, "fuller") != nullptr) return nullptr;
-        if (outcome.broken != nullptr) return outcome.broken;
-      }
-      return "it goes on for ever";
-    };
-    const char* const broken = go(false);
-    if (broken == nullptr) continue;
-    ++findings.violations;
-    if (findings.violations != 1) continue;
-    go(true);
-    findings.broken = std::string(broken) + " (--seed " + std::to_string(i) + ")";
-    findings.trace = text;
-  }
-  return findings;
-}

@@ -9,6 +9,7 @@
 
 struct Findings {
   uint64_t states = 0;
+  uint64_t operations = 0;  // that have ended, of walks (Walk.h)
   uint64_t transitions = 0;
   uint64_t violations = 0;
   bool isWhole = false;                  // false: more states than allowed
@@ -21,7 +22,3 @@ struct Findings {
 };
 
 Findings explore(const Scenario& scenario, uint64_t mostStates);
-
-// Instead of every way one way at random of each of so many scenarios, which are drawn as well: three operations one
-// behind the other, on a line that loses, doubles, delays and damages many frames, beside reboots and cancels.
-Findings walk(Firmwares firmware, uint32_t seed, unsigned count);

@@ -5,6 +5,7 @@
 
 #include "Exploration.h"
 #include "Plans.h"
+#include "Walk.h"
 
 namespace {
 
@@ -61,10 +62,10 @@ uint64_t number(const char* text, uint64_t most) {
 }
 
 int report(const Findings& findings, bool showsFewest) {
-  printf("states=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
-         static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.transitions),
-         static_cast<unsigned long long>(findings.violations), findings.isWhole, findings.longestMs,
-         findings.fewestFaults);
+  printf("states=%llu\noperations=%llu\ntransitions=%llu\nviolations=%llu\nwhole=%d\nlongest_ms=%u\nfewest_faults=%d\n",
+         static_cast<unsigned long long>(findings.states), static_cast<unsigned long long>(findings.operations),
+         static_cast<unsigned long long>(findings.transitions), static_cast<unsigned long long>(findings.violations),
+         findings.isWhole, findings.longestMs, findings.fewestFaults);
   for (const auto& end : findings.ends) {
     printf("end=%s=%llu\n", end.first.c_str(), static_cast<unsigned long long>(end.second));
   }

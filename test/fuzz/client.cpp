@@ -573,7 +573,7 @@ class Session {
   int room_ = MemoryStream::kAlwaysRoom;  // at the beginning of each update()
   uint8_t sequence_ = 0;
   bool other_ = false;       // frames are another system's
-  unsigned heartbeats_ = 0;  // that an input has brought
+  unsigned heartbeats_ = 0;  // in the input so far
   bool uploading_ = false;
   bool isStart_ = false;       // the last operation is start()
   bool hasBackedOff_ = false;  // it has backed off

@@ -32,14 +32,13 @@ void setup() {
 
 void loop() {
   velocity.update();  // before the flight's
-  if (flight.update()) {
-    if (CONSOLE) flight.printTo(CONSOLE);
-    if (flight.state() == FlightState::AtStop) velocity.start(wanted());
-  }
+  if (flight.update() && CONSOLE) flight.printTo(CONSOLE);
   static uint32_t renewedMs;
   if (millis() - renewedMs >= 100) {
     renewedMs = millis();
-    velocity.renew(wanted());
+    const bool isFlown = velocity.renew(wanted()) == Status::Transferring;
+    // In the air it begins to fly so, and again behind a cut cable.
+    if (!isFlown && flight.state() == FlightState::AtStop) velocity.start(wanted());
   }
   // The button lands what flies. On the ground a person asks for the aircraft by it.
   if (!button.isPressed() || flight.land() == Status::Transferring) return;
