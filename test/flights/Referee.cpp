@@ -51,13 +51,17 @@ void Referee::at(uint32_t nowMs) {
 void Referee::isAsked() {
   say("the sketch asks for the aircraft");
   isToBeOurs_ = wasShownDisarmed_ = true;
+  // Whatever was shown; and what has just come is read behind that.
+  if (foreign_.isShown || (isHeard_ && nowMs_ - cameMs_ < kStepsMs)) foreign_.is = false;
   isKept_ = false;
 }
 
 void Referee::isNamed() {
   say("the sketch names this aircraft");
   isNamed_ = true;
-  wasShownDisarmed_ = isKept_ = isHeard_ = false;
+  // (What has just come is read behind the naming.)
+  wasShownDisarmed_ = isHeard_ && !isShownArmed_ && nowMs_ - cameMs_ < kStepsMs;
+  isKept_ = isHeard_ = false;
   wasLost_ = true;
 }
 
@@ -96,12 +100,14 @@ void Referee::take(uint16_t mode, uint16_t before) {
   // has just set, with somebody's other mode between, or is on its way to set: nobody can tell who set it
   // (docs/in_control.md).
   const bool isTurnedBack = foreign_.is && mode == orderedMode_ && nowMs_ - orderedMs_ < kTurnedBackMs;
+  // (What a sketch sets in any case is its own, whoever was first; so is the mode in which it pauses.)
   // (At the top of its takeoff PX4 sets HOLD by itself.)
   const bool isTop = !isRunning_ && kind_ == Kind::Px4 && before == modeOf(kind_, Means::TakeOff) &&
                      mode == modeOf(kind_, Means::Hold);
-  const bool isSame = isRunning_ && mode == orderedMode_ && orderedMs_ >= beganMs_;
+  const bool isSame = isRunning_ && ((mode == orderedMode_ && orderedMs_ >= beganMs_) ||
+                                     ((takesAnyway || task_ == Task::Pause) && mode == modeWanted(kind_, task_)));
   if ((isRunning_ && mode == firstMode_ && !isFirstOver_) || isTurnedBack || isSame || isTop ||
-      (!foreign_.is && mode == shownMode_)) {
+      (mode == shownMode_ && !(foreign_.is && foreign_.isShown))) {
     foreign_.is = false;
     return;
   }
@@ -121,6 +127,7 @@ void Referee::modeSet(uint16_t mode, By by) {
   say(std::string(who) + " sets " + name(mode));
   const uint16_t before = mode_;
   mode_ = mode;
+  isModeOurs_ = by == By::Order && nowMs_ - cancelledMs_ > kOnTheLineMs;
   if (by == By::Order) obeys("a mode");
   if (by == By::Order) wasLost_ = false;
   // PX4's failsafe counts as somebody else; the end of its takeoff does not.
@@ -139,7 +146,9 @@ void Referee::modeSet(uint16_t mode, By by) {
     if (!foreign_.isShown && undoneMs > kGivenBackLossyMs) foreign_.is = false;
     if (foreign_.isShown) undoneMs_.push_back(undoneMs);
     if (foreign_.isShown && undoneMs > longestUndoneMs_) longestUndoneMs_ = undoneMs;
-    if (foreign_.isShown && !isBad_ && undoneMs > kGivenBackLossyMs) breaks("it is set again too late: " + name(mode));
+    const uint32_t stoodMs = foreign_.undoneMs < stoodStillMs_ ? stoodStillMs_ - foreign_.undoneMs : 0;
+    if (foreign_.isShown && !isBad_ && undoneMs > kGivenBackLossyMs + stoodMs)
+      breaks("it is set again too late: " + name(mode));
     return;
   }
   if (foreign_.isUndone) return;
@@ -169,11 +178,12 @@ void Referee::armed(bool isArmed, By by) {
   isArmed_ = isArmed;
   armedMs_ = nowMs_;
   if (isArmed) wasArmedMs_ = nowMs_;
+  if (isArmed && by == By::Itself) wasLost_ = true;  // whoever has set its mode, it was not the sketch
   wasArmedByUs_ = isArmed && by == By::Order;
   if (wasArmedByUs_ && task_ == Task::VerifyAndStart && !isOurPlan_ && isClean_ && nowMs_ - otherPlanMs_ > kLookMs) {
     breaks("it is armed " + std::to_string(nowMs_ - otherPlanMs_) + " ms behind another plan");
   }
-  if (!isArmed || by == By::Itself) foreign_.is = false;
+  if (!isArmed || by == By::Itself) foreign_.is = isModeOurs_ = false;
 }
 
 void Referee::planSet(bool isOurs, By by) {
@@ -201,6 +211,7 @@ void Referee::comes(const Message& message, uint32_t sentMs) {
   // (A look at the items ends with an item, whatever heartbeat has just come and is not read yet.)
   const bool isBefore = nowMs_ - cameMs_ < kStepsMs || task_ == Task::VerifyAndStart;
   shownBefore_ = isBefore ? shownMode_ : kNoSuchMode;
+  wasShownArmedBefore_ = isBefore && isShownArmed_;
   cameMs_ = nowMs_;
   shownMode_ = static_cast<uint16_t>(kind_ == Kind::Px4 ? beat.custom_mode >> 16 : beat.custom_mode);
   isShownArmed_ = (beat.base_mode & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
@@ -256,8 +267,11 @@ bool Referee::leaves(const Message& message) {
   judge(message, isArming, !isHarmless || isTarget || (isCommand && isDisarming(command)));
   if (!isHarmless) hasOrdered_ = true;
   const uint32_t ordered = static_cast<uint32_t>(command.param2) | static_cast<uint32_t>(command.param3) << 8;
-  if (isCommand && command.command == MAV_CMD_DO_SET_MODE) {
-    orderedMode_ = static_cast<uint16_t>(ordered);
+  const bool isPlace = isCommand && command.command == MAV_CMD_DO_REPOSITION;
+  if (isPlace || (isCommand && command.command == MAV_CMD_DO_SET_MODE)) {
+    orderedMode_ = isPlace ? modeWanted(kind_, Task::GoTo) : static_cast<uint16_t>(ordered);
+    // Somebody has set the same before, and no heartbeat has shown it: nobody can tell who it was.
+    if (orderedMode_ == foreign_.mode && !foreign_.isShown) foreign_.is = false;
     orderedMs_ = nowMs_;
   }
   if (message.id == MAVLINK_MSG_ID_MISSION_REQUEST_LIST) listedMs_ = nowMs_;
@@ -286,22 +300,34 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
     breaks(words + "the last heartbeat has shown " + name(shownMode_));
   }
   const bool isToArm = task_ == Task::Arm || isStart(task_) || task_ == Task::TakeOff;
-  if (isDone && isToArm && !isShownArmed_) breaks(words + "the last heartbeat has shown it disarmed");
-  if (isDone && isToArm && !sketch.client.isArmed()) breaks(words + "isArmed() is false");
+  const bool wasShownArmed = isShownArmed_ || (wasShownArmedBefore_ && nowMs_ - cameMs_ < kStepsMs);
+  if (isDone && isToArm && !wasShownArmed) breaks(words + "the last heartbeat has shown it disarmed");
+  if (isDone && isToArm && !sketch.client.isArmed() && isShownArmed_) breaks(words + "isArmed() is false");
   if (isDone && task_ == Task::Disarm && sketch.client.isArmed()) breaks(words + "isArmed() is true");
   // (start() ends with a MISSION_CURRENT, which tells too that the mission is flown.)
   // (A MovingTarget tells its end a turn of loop() later.)
   const bool isLateTold = !isClean_ && (isStart(task_) || task_ == Task::Follow);
   if (isDone && nowMs_ - shownMs_ > kBeatMs && !isLateTold) breaks(words + "the last heartbeat is old");
-  if (saysTaken(status) && !foreign_.is && autopilot.isArmed && !hasTaken_ && !wasLost_ && !isHold) {
+  // (Who disarms it has it, whoever arms it then; and a mode counts as the sketch's when its order has ended.)
+  const bool isOurs = isModeOurs_ || mode_ == modeOf(kind_, Means::Mission);
+  if (status == Status::Cancelled) {
+    isModeOurs_ = false;
+    cancelledMs_ = nowMs_;
+  }
+  if (saysTaken(status) && isOurs && !foreign_.is && autopilot.isArmed && !hasTaken_ && !wasDisarmed_ && !wasLost_ &&
+      !isHold) {
     breaks(words + "nobody has taken it");
   }
+  // PX4's HOLD at the top of its takeoff, where no position has shown it: it stays somebody's until it is asked for.
+  if (saysTaken(status) && isHold) hasTaken_ = true;
   const bool isOver = hasTaken_ && !wasLost_ && takenMs_ >= beganMs_ && !wasForeign_
                           ? saysTaken(status) || (isStart(task_) && status == Status::Overruled)
                           : isDisarmed_ && isStart(task_) && status == Status::NotArmed;
   if (isOver && (task_ <= Task::Follow || isStart(task_))) isKept_ = true;
   if (sketch.client.aboard() == Aboard::OurPlan && !wasOurPlan_) breaks(words + "aboard() is of another aircraft");
-  const bool isRecent = nowMs_ - otherPlanMs_ < kLateMs;
+  // Nor can the sketch know what came while its loop() stood still, with the answer in its receive buffer.
+  const bool isRecent =
+      nowMs_ - otherPlanMs_ < kLateMs + (nowMs_ < stoodStillMs_ + kLateMs ? nowMs_ - stoodFromMs_ : 0);
   if (status == Status::Accepted && !isRecent && (!isOurPlan_ || autopilot.plan.size() != kItems)) {
     breaks(words + "another plan is aboard");
   }

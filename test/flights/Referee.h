@@ -42,6 +42,7 @@ class Referee : public Witness {
   void isAsked();
   // loop() stands still until then.
   void standsStill(uint32_t untilMs, uint32_t forMs) {
+    if (nowMs_ >= stoodStillMs_) stoodFromMs_ = nowMs_;
     stoodStillMs_ = untilMs;
     if (forMs >= kBlindMs) stoodBlindMs_ = untilMs;
     if (untilMs - cameMs_ > kUnheardMs) wasLost_ = true;
@@ -120,6 +121,8 @@ class Referee : public Witness {
   uint32_t listedMs_ = 0;   // when the sketch began to read the items
   uint8_t otherNamed_ = 0;  // how many MISSION_CURRENTs about the other plan have arrived
   uint16_t mode_ = kNoSuchMode;
+  bool isModeOurs_ = false;             // an order has set it, and was not cancelled
+  uint32_t cancelledMs_ = 0;            // when the last one was
   uint16_t orderedMode_ = kNoSuchMode;  // the last one that a command has named
   uint32_t orderedMs_ = 0;
   uint16_t firstMode_ = kNoSuchMode;  // the mode when the task began
@@ -128,9 +131,9 @@ class Referee : public Witness {
   uint16_t shownMode_ = kNoSuchMode;
   uint16_t shownBefore_ = kNoSuchMode;  // the mode in a heartbeat some milliseconds earlier
   uint32_t cameMs_ = 0;
-  bool isShownArmed_ = false;
-  uint32_t shownMs_ = 0;  // when the last heartbeat that arrived was sent
-  uint32_t stoodStillMs_ = 0;
+  bool isShownArmed_ = false, wasShownArmedBefore_ = false;  // by the last heartbeat; by the one before, as that mode
+  uint32_t shownMs_ = 0;                                     // when the last heartbeat that arrived was sent
+  uint32_t stoodFromMs_ = 0, stoodStillMs_ = 0;
   uint32_t stoodBlindMs_ = 0;                          // so long that a stream of targets stops
   bool isDisarmed_ = false, isDisarmedShown_ = false;  // by somebody, since the task began
   bool wasShownDisarmed_ = false;                      // since it was named

@@ -91,7 +91,6 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   struct Commanding;
   Status beginCommand(FillCommand fill, OnCommand on);
   MAVMISSION_APART void nextCommand(FillCommand fill);
-  bool hasBeenDisarmed();
   bool hasItem(uint16_t item);
   uint8_t vehicleType() const { return link_.finder().vehicleType(); }
   bool isVehicleAsked() const;
@@ -290,7 +289,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     FillCommand fill;  // makes the command to be sent
     OnCommand on;      // takes the events; null: the answer decides
     CommandTransfer transfer;
-    bool wasArmed;  // as a heartbeat has shown since the operation began
+    bool wasArmed;  // as the last heartbeat before the operation has shown, or one since
     union {
       const FlightCommand* own;
       void* owner;  // the object of a service whose operation it is
@@ -316,7 +315,10 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
           uint16_t partFirst_;  // the items of a partial upload, in the sketch's numbers
           uint16_t partCount_;
         };
-        uint16_t startItem_;  // of verifyAndStart(), while it reads: the item to begin with
+        __extension__ struct {  // of verifyAndStart(), while it reads
+          uint16_t startItem_;  // the item to begin with
+          bool wasArmedBefore_;
+        };
       };
     };
     ClearTransfer clearing_;

@@ -52,6 +52,7 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
   commanding_.fill = fill;
   commanding_.on = on;
   commanding_.transfer.setRepeats(true);
+  commanding_.wasArmed = isArmed();
   return state_.status;
 }
 
@@ -70,6 +71,7 @@ void Client::Command::step(Client& client, const FrameParser* frame, uint16_t no
   State& state = client.state_;
   client.lookAtClock(nowMs);
   if (frame != nullptr) {
+    if (client.isArmed()) client.commanding_.wasArmed = true;
     if (state.status == Status::Transferring) takeFrame(client, *frame, nowMs);
     return;
   }
@@ -254,10 +256,9 @@ Status Client::OwnCommand::on(Client& client, CommandEvent event, Status status,
   return status;
 }
 
-// True when what was armed since the operation began is armed no more. To be asked with each heartbeat.
-bool Client::hasBeenDisarmed() {
-  if (isArmed()) commanding_.wasArmed = true;
-  return commanding_.wasArmed && !isArmed();
+bool CommandPort::hasBeenDisarmed() const {
+  const Client& client = static_cast<const Client&>(*this);
+  return client.commanding_.wasArmed && !client.isArmed();
 }
 
 void Client::OwnCommand::fill(Client& client, FlightCommand& command) {
@@ -275,8 +276,8 @@ Status Client::Arming::on(Client& client, CommandEvent event, Status status, con
   CommandTransfer& sending = client.commanding_.transfer;
   const bool arms = client.commanding_.fill == fill;
   switch (event) {
-    case CommandEvent::Ready: client.hasBeenDisarmed(); return status;
     case CommandEvent::Accepted: sending.ask(); return Status::Transferring;
+    case CommandEvent::Ready:
     case CommandEvent::Heartbeat: {
       if (arms && client.hasBeenDisarmed()) return Status::NotArmed;  // by somebody, who wants it so
       const bool isDone = sending.tries() != 0 && client.isArmed() == arms;

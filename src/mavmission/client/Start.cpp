@@ -74,6 +74,7 @@ Status Client::Starting::noted(Client& client, Status ended) {
 // Whether the plan may be flown: Transferring, or why not.
 Status Client::Starting::mayBegin(Client& client) {
   if (client.known_.takenBy != Status::Idle) return client.known_.takenBy;
+  if (client.hasBeenDisarmed()) return noted(client, Status::NotArmed);  // by somebody, who wants it so
   if (client.isArmed() && !client.state_.armedAllowed) return Status::Armed;
   if (client.aboard() != Aboard::OurPlan) return Status::Unproven;
   if (client.state_.infeasible) return Status::Infeasible;

@@ -6,7 +6,12 @@
 namespace mavmission {
 using namespace detail;
 
+// No autopilot's: somebody has set another mode while the plan was read.
+constexpr uint16_t kOtherMode = kNoMode - 1;
+
 struct Client::VerifiedStart {
+  static void wait(Client& client, const FrameParser* frame, uint16_t nowMs);
+  static void note(Client& client);
   static Status compareFirst(Client& client, uint16_t wireItem, MissionItem& item);
   static void start(Client& client, Status status);
   static Status on(Client&, CommandEvent, Status, const FrameParser*, uint16_t);
@@ -18,7 +23,9 @@ struct Client::VerifiedStart {
 Status MissionClient::verifyAndStart(const ItemSource& plan, uint16_t item) {
   const Status status = verify(plan);
   if (isEnd(status)) return status;
+  state_.operation = VerifiedStart::wait;
   startItem_ = item;
+  wasArmedBefore_ = isArmed();
   reading_.take = VerifiedStart::compareFirst;
   rest_.tellEnd = VerifiedStart::start;
   rest_.startStep = 0;
@@ -27,9 +34,24 @@ Status MissionClient::verifyAndStart(const ItemSource& plan, uint16_t item) {
   return status;
 }
 
-// What is set while the plan is read is somebody else's mode already.
+// What is set from now on is somebody else's mode already; and who disarms then wants it so.
+void Client::VerifiedStart::note(Client& client) {
+  uint16_t& first = client.state_.next;
+  const uint16_t shown = client.shownMode();
+  if (first != shown) first = first == kNoMode ? shown : kOtherMode;
+  if (client.isArmed()) client.wasArmedBefore_ = true;
+}
+
+void Client::VerifiedStart::wait(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  if (client.hasAutopilot()) note(client);
+  ReadingPlan::step(client, frame, nowMs);
+  if (client.state_.operation == wait && client.state_.status == Status::Transferring) {
+    client.state_.operation = ReadingPlan::step;
+  }
+}
+
 Status Client::VerifiedStart::compareFirst(Client& client, uint16_t wireItem, MissionItem& item) {
-  if (client.state_.next == kNoMode) client.state_.next = client.shownMode();
+  note(client);
   return ReadingPlan::compare(client, wireItem, item);
 }
 
@@ -43,7 +65,9 @@ void Client::VerifiedStart::start(Client& client, Status status) {
   takeLook(client);
   if (status != Status::Verified) return client.end(status);
   const uint16_t item = client.startItem_, mode = client.state_.next;
+  const bool wasArmed = client.wasArmedBefore_;
   client.beginCommand(Starting::fill, on);
+  client.commanding_.wasArmed = wasArmed;
   client.commanding_.start.setFirst(item);
   client.state_.next = mode;
   client.state_.status = Status::Checking;  // the autopilot is there

@@ -131,8 +131,10 @@ void Steering::takeHeartbeat() {
   if (isGap || knowledge_ != client_.autopilot().knowledge()) forgetShown();
   const uint16_t shown = client_.commands().shownMode();
   const bool isArmed = client_.autopilot().isArmed();
+  const bool isInMission = ownMode_ == kNoMode || ownMode_ == kPx4TakeOff;
   if (!isArmed) {
-    seenDisarmed_ = true;
+    // (Behind a standstill it may have come before the sketch has named this aircraft.)
+    if (!client_.link().isOld()) seenDisarmed_ = true;
     if (wasArmed_) ownMode_ = kNoMode;  // whoever arms it now may set that mode, too
   }
   wasArmed_ = isArmed;
@@ -146,7 +148,7 @@ void Steering::takeHeartbeat() {
   if (client_.running() != Status::Idle && client_.commands().isCommanding()) return;
   const bool hasControl = isOurs();
   if (hadControl_ && isArmed && !hasControl) {
-    if (mayBeOfPlan()) return;  // the next mode tells
+    if (isInMission && mayBeOfPlan()) return;  // the next mode tells
     client_.noteTaken(whoFlies());
   }
   hadControl_ = isArmed && hasControl;

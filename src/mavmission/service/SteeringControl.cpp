@@ -28,9 +28,10 @@ Status Steering::onHeartbeat(uint16_t nowMs) {
   if (step_ == SteerStep::Disarm) return client_.autopilot().isArmed() ? Status::Transferring : refusal_;
   const uint16_t shown = client_.commands().shownMode();
   const bool isUnderWay = isOrdered_ && sending.mayBeUnderWay(nowMs);
-  // What the takeoff has armed, or has found armed, somebody has disarmed.
+  // What the takeoff has armed, or has found armed, somebody has disarmed. (The arming may only have been answered.)
   const bool wasArmed = step_ > SteerStep::Arm || (step_ == SteerStep::Arm && isAnswered_ && sending.isDue());
-  if (is(kFromGround) && wasArmed && step_ != SteerStep::GiveBack && !client_.autopilot().isArmed()) {
+  const bool isDisarmed = client_.commands().hasBeenDisarmed() || (wasArmed && !client_.autopilot().isArmed());
+  if (is(kFromGround) && isDisarmed && step_ != SteerStep::GiveBack) {
     client_.noteTaken(Status::PilotHasIt);
     return Status::NotArmed;
   }

@@ -40,7 +40,8 @@ bool Steering::maySteer() const { return client_.link().isCurrentAt(millis()) &&
 // As the last heartbeat has shown it, however old that is.
 bool Steering::isOurs() const {
   if (!client_.autopilot().isFound() || isFailsafe()) return false;
-  return isMissionMode() || (ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_);
+  if (isRequested_ || isMissionMode()) return true;  // (an order leaves behind a newer heartbeat)
+  return ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_;
 }
 
 Status Steering::refuseField(Status status, ItemField field) {
@@ -148,6 +149,10 @@ Status Steering::refuse() {
   if (numbers != Status::Transferring) return numbers;
   const bool isTakeOff = is(kFromGround);
   if (isTakeOff && client_.takenBy() != Status::Idle) return client_.takenBy();
+  if (isTakeOff && client_.commands().hasBeenDisarmed()) {
+    client_.noteTaken(Status::PilotHasIt);
+    return Status::NotArmed;
+  }
   if (wantedMode() == kNoMode) return Status::NoSuchMode;
   if (client_.autopilot().isArmed()) {
     if (!seenDisarmed_ && !client_.isAllowedWhileArmed()) return Status::Armed;

@@ -166,6 +166,7 @@ void FlightStages::onEnd(Status status, const FlightSight& sight, bool hasArmed)
     case FlightOrder::Land:
       if (status != Status::Done) break;
       why_ = status;
+      wasSilent_ = false;  // behind the gap it was this sketch's
       return;
     case FlightOrder::Disarm:
       if (status == Status::Done) return;  // the heartbeat that shows it ends the flight

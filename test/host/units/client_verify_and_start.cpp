@@ -143,9 +143,10 @@ TEST_CASE("who disarms the aircraft, or sets another mode, during the second loo
 }
 
 TEST_CASE("a mode that somebody sets during the first look stays") {
-  for (const bool isHeardBefore : {true, false}) {
+  enum class Case { Heard, NotHeardBefore, SetTwice };
+  for (const Case which : {Case::Heard, Case::NotHeardBefore, Case::SetTwice}) {
     Sketch sketch;
-    if (!isHeardBefore) {
+    if (which == Case::NotHeardBefore) {
       sketch.run(7000);
       REQUIRE_FALSE(sketch.client.hasAutopilot());
     }
@@ -154,10 +155,62 @@ TEST_CASE("a mode that somebody sets during the first look stays") {
     REQUIRE(sketch.client.isBusy());
     sketch.mode = kLoiter;
     sketch.beat();
+    if (which == Case::SetTwice) {
+      for (int i = 0; i < 6000 && sketch.timesOf(ClientOnLine::kRequestInt, 0).size() < 4; ++i) sketch.fly(1);
+      sketch.mode = kStabilize;  // as before
+      sketch.beat();
+    }
+    const uint32_t mode = sketch.mode;
     sketch.fly(4000);
     CHECK(sketch.told == std::vector<Status>{Status::TakenOver});
     CHECK(sketch.orders.empty());
-    CHECK(sketch.mode == kLoiter);
+    CHECK(sketch.mode == mode);
+  }
+}
+
+TEST_CASE("a mode that somebody sets before the first look has begun stays") {
+  Sketch sketch;
+  sketch.upload();  // a copy of its last frame may still come, and is waited for
+  sketch.client.setTargetIds(2, 1);
+  sketch.client.setTargetIds(1, 1);  // what is known of it is forgotten
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.beat();
+  sketch.run(20);
+  sketch.mode = kLoiter;
+  sketch.beat();
+  sketch.run(20);
+  REQUIRE(sketch.looks() == 0);
+  sketch.fly(4000);
+  CHECK((sketch.ended == Status::TakenOver));
+  CHECK(sketch.orders.empty());
+}
+
+TEST_CASE("who disarms an armed aircraft before its start can begin keeps it disarmed") {
+  enum class Armed { Before, WhileItReads, BeforeAStart };
+  for (const Armed armed : {Armed::Before, Armed::WhileItReads, Armed::BeforeAStart}) {
+    Sketch sketch;
+    if (armed == Armed::BeforeAStart) sketch.upload();
+    sketch.baseMode = armed == Armed::WhileItReads ? kDisarmed : kArmed;
+    sketch.fly(1100);
+    if (armed == Armed::BeforeAStart) {
+      sketch.run(0, 1500);  // loop() stands still: the last heartbeat is too old to begin with
+      sketch.client.start();
+    } else {
+      sketch.client.verifyAndStart(inRam(kFlownPlan));
+      for (int i = 0; i < 6000 && sketch.timesOf(ClientOnLine::kRequestInt, 0).size() < 2; ++i) sketch.fly(1);
+    }
+    REQUIRE(sketch.client.isBusy());
+    sketch.baseMode = kArmed;
+    if (armed == Armed::WhileItReads) {
+      sketch.beat();
+      sketch.fly(15);
+    }
+    sketch.baseMode = kDisarmed;
+    sketch.beat();
+    sketch.fly(4000);
+    CHECK((sketch.ended == Status::NotArmed));
+    CHECK(sketch.orders.empty());
+    CHECK(sketch.baseMode == kDisarmed);
   }
 }
 

@@ -846,7 +846,7 @@ TEST_CASE("a MovingTarget in memory that was used before begins like any other")
     CHECK((copter.target.status() == Status::Idle));
     CHECK_FALSE(copter.target.isFollowed());
     CHECK((copter.target.renew(kPlace, 20_m) == Status::Idle));
-    copter.pass(1000);
+    copter.pass(2000);
     CHECK(copter.ends.empty());
     CHECK((copter.target.update() == Status::Idle));
     copter.follow();

@@ -393,6 +393,7 @@ TEST_CASE("an aircraft whose position was never told is asked for it") {
   Aircraft& copter = *new (memory) Aircraft(ClientOnLine::kArduPilot);
   copter.beatsBySecond = false;
   copter.isArmed = false;
+  copter.pass(10);
   copter.show(kAuto);
   copter.pass(1300);
   copter.isArmed = true;

@@ -241,6 +241,45 @@ TEST_CASE("a heartbeat that was sent while loop() stood still proves nothing: an
   CHECK(copter.asks > asks);
 }
 
+TEST_CASE("who disarms the aircraft before an order that arms can begin keeps it disarmed") {
+  for (const bool isTakeOff : {true, false}) {
+    Aircraft copter(ClientOnLine::kArduPilot);
+    copter.stand(kGuided);
+    copter.isArmed = true;
+    copter.pass(1000);
+    copter.beatsBySecond = copter.beatsWhenAsked = false;
+    copter.run(1500, 1500);  // loop() stands still: a heartbeat is waited for
+    if (isTakeOff) {
+      copter.steering.takeOff(20_m);
+    } else {
+      copter.client.arm();
+    }
+    copter.pass(50);
+    copter.isArmed = false;
+    copter.beatsBySecond = copter.beatsWhenAsked = true;
+    CHECK((copter.end(2000) == Status::NotArmed));
+    CHECK_FALSE(copter.isArmed);
+    CHECK((copter.client.takenBy() == (isTakeOff ? Status::PilotHasIt : Status::Idle)));
+  }
+}
+
+TEST_CASE("a heartbeat that lay in the receive buffer does not show that an armed aircraft was disarmed") {
+  Aircraft copter(ClientOnLine::kArduPilot);
+  copter.stand(kAuto);
+  copter.client.setTargetIds(2, 1);
+  copter.pass(10);
+  copter.client.setTargetIds(1, 1);
+  copter.beatsBySecond = false;
+  copter.beat();
+  copter.run(300, 300);
+  copter.state = kActive;
+  copter.isArmed = true;
+  copter.show(kAuto);
+  copter.pass(100);
+  copter.steering.landNow();
+  CHECK((copter.end(2000) == Status::Armed));
+}
+
 TEST_CASE("behind a standstill the mode is looked at again before a place is confirmed") {
   Aircraft copter(ClientOnLine::kArduPilot);
   copter.fly(kAuto);
@@ -401,6 +440,21 @@ TEST_CASE("a takeover is remembered behind the landing, until the sketch asks fo
   }
 }
 
+TEST_CASE("on PX4 a pilot's RETURN or HOLD is a takeover from the sketch's own mode, and may be the end of a plan") {
+  for (const bool isOwn : {true, false}) {
+    Aircraft px4(ClientOnLine::kPx4);
+    px4.fly(kPx4Mission);
+    if (isOwn) {
+      px4.steering.landNow();
+      REQUIRE((px4.end() == Status::Done));
+    }
+    px4.show(isOwn ? kPx4Hold : kPx4Rtl);
+    px4.pass(3000);
+    CHECK((px4.client.takenBy() == (isOwn ? Status::PilotHasIt : Status::Idle)));
+    CHECK_FALSE(px4.steering.maySteer());
+  }
+}
+
 TEST_CASE("the mode that the sketch has set is forgotten at the disarming, and after 20 s without a heartbeat") {
   for (int what = 0; what < 4; ++what) {
     CAPTURE(what);
@@ -422,6 +476,9 @@ TEST_CASE("the mode that the sketch has set is forgotten at the disarming, and a
     copter.pass(2000);
     CHECK(copter.steering.maySteer() == (what == 0));
     copter.steering.requestControl();
+    CHECK(copter.steering.maySteer());
+    copter.steering.landNow();  // at once
+    CHECK((copter.end() == Status::Done));
     copter.pass(1001);
     CHECK(copter.steering.maySteer());
   }
