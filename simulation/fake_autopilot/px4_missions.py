@@ -75,7 +75,7 @@ class Missions:
         held: list[Item] = []
         checksum = 0
         for seq, item in enumerate(items):
-            result, kept = rewriting.item_as_held(item, mission_type, float_mode=False)
+            result, kept = rewriting.item_as_held(item, mission_type, False, self.autopilot.is_1_18)
             if result != ACCEPTED or kept is None:
                 raise ValueError(f"item {seq} would be refused with MAV_MISSION_RESULT "
                                  f"{result}: {item}")
@@ -181,7 +181,7 @@ class Missions:
         if refusal is not None:
             result = refusal
         else:
-            result, held = rewriting.item_as_held(item, self._type, not self._int_mode)
+            result, held = rewriting.item_as_held(item, self._type, not self._int_mode, self.autopilot.is_1_18)
         if result != ACCEPTED or held is None:
             self._ack(self._partner, result, now)
             if result != ERROR:

@@ -95,6 +95,7 @@ AT_A_PLACE: dict[int, Params] = {
 }
 ROI = (80, 201)
 KEPT_AS = {80: 201}
+KEPT_AS_BY_1_18 = {80: 201, 112: 93}  # CONDITION_DELAY as NAV_DELAY
 ROI_MODES_AT_A_PLACE = (0, 3)  # none, location
 ROI_MODES_WITHOUT = (0, 1, 2)  # none, next waypoint, waypoint number
 
@@ -109,11 +110,21 @@ _CORNERS = (5001, 5002)
 _NOT_IN_A_MISSION = (5001, 5002, 5003, 5004, 5100)
 
 
-def item_as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, Item | None]:
+def item_as_held(item: Item, mission_type: int, float_mode: bool, is_1_18: bool = False) -> tuple[int, Item | None]:
     """(MAV_MISSION_RESULT, the item as MISSION_REQUEST_INT will read it, or None).
 
-    float_mode: the item came in a MISSION_ITEM, its x and y are in degrees.
+    float_mode: the item came in a MISSION_ITEM, its x and y are in degrees. is_1_18: as 1.18 keeps it, by its source
+    (a state of August 2026, before its release).
     """
+    if is_1_18 and item.command == mavlink.MAV_CMD_DO_SET_ROI and item.frame != NO_PLACE_FRAME:
+        return mavlink.MAV_MISSION_INVALID_PARAM5_X, None
+    result, held = _as_held(item, mission_type, float_mode)
+    if is_1_18 and held is not None:
+        held = held._replace(command=KEPT_AS_BY_1_18.get(item.command, item.command))
+    return result, held
+
+
+def _as_held(item: Item, mission_type: int, float_mode: bool) -> tuple[int, Item | None]:
     if item.frame == NO_PLACE_FRAME:
         return _without_a_place(item, float_mode)
     if item.frame not in FRAMES or (float_mode and item.frame in (5, 6)):

@@ -60,8 +60,6 @@ RecordedItem rowOf(const std::vector<std::string>& cells, const Vehicle& vehicle
                       itemOf(cells, 3, integer(cells[2]), integer(cells[0])),
                       itemOf(cells, 13, integer(cells[11]), integer(cells[12])),
                       cells[10] == "ACCEPTED" && !cells[11].empty()};
-  // PX4 keeps NAV_ROI as DO_SET_ROI, and so it is sent.
-  if (row.isPx4() && row.sent.command == 80) row.sent.command = 201;
   row.read.current = static_cast<uint8_t>(integer(cells[20]));
   row.read.autocontinue = static_cast<uint8_t>(integer(cells[21]));
   return row;

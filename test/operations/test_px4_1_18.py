@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 
 from plans import SURVEY
+from simulation.fake_autopilot import item
 from starts import HOPS, MISSION_START, is_flying, jump_on, told, uploaded
 
 AGAIN = pytest.mark.scenario(25, "MISSION_COUNT comes again while a plan is read")
 FLOWN_AGAIN = pytest.mark.scenario(49, "start() of a plan that was flown to its end", "PX4")
+KEPT = pytest.mark.scenario(60, "Commands that PX4 keeps by other numbers")
 TAKEOFF, WAYPOINT, LANDING = HOPS["PX4"]
 HOPS_TWICE = [TAKEOFF, WAYPOINT, jump_on(1), LANDING]
 ENDS_IN_THE_AIR = [TAKEOFF, WAYPOINT, WAYPOINT._replace(x=WAYPOINT.x + 1000)]
@@ -119,3 +121,15 @@ def test_count_that_is_told_again_until_the_first_item_is_asked_for_changes_noth
     assert service.done(limit_s=20) == ("Downloaded" if word == "download" else "Verified")
     assert len(service.wire.frames("<", "MISSION_COUNT")) - counts >= 2
     assert len(service.heard("MISSION_REQUEST_LIST")) == lists + 1
+
+
+@KEPT
+def test_delay_and_region_of_interest_are_taken_and_read_back_as_each_version_keeps_them(px4):
+    at = {"x": WAYPOINT.x, "y": WAYPOINT.y, "z": 20.0}
+    plan = [TAKEOFF, WAYPOINT, item(112, frame=2, param1=3.0), item(80, param1=3.0, **at), item(201, param1=3.0, **at),
+            LANDING]
+    uploaded(px4, plan)
+    px4.verify(plan)
+    assert px4.done(limit_s=20) == "Verified"
+    kept = 93 if px4.autopilot.is_1_18 else 112
+    assert [held.command for held in px4.autopilot.missions.held[0]] == [22, 16, kept, 201, 201, 21]

@@ -152,6 +152,9 @@ MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t f
   return (keeper & kByPlane) == 0 || isZ || whole <= 1;
 }
 
+// PX4 keeps NAV_ROI as DO_SET_ROI, and from 1.18 on CONDITION_DELAY as NAV_DELAY.
+bool isKeptAs(uint16_t sent, uint16_t read) { return (sent == 80 && read == 201) || (sent == 112 && read == 93); }
+
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
   const Frame found = modern(read.frame);
   if (found == modern(sent.frame)) return true;
@@ -165,7 +168,8 @@ bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& 
 }  // namespace
 
 ItemField difference(const MissionItem& sent, const MissionItem& read, Keeper keeper) {
-  if (read.command != sent.command) return ItemField::Command;
+  if (read.command != sent.command && !(isByPx4(keeper) && isKeptAs(sent.command, read.command)))
+    return ItemField::Command;
   const Rules rules = rulesOf(sent, keeper);
   if (!isSameFrame(sent, read, rules, keeper)) return ItemField::Reference;
   uint32_t kinds = rules.bits;

@@ -178,7 +178,8 @@ Status WirePlan::read(uint16_t wireIndex, MissionItem& item) {
 Status WirePlan::settle(uint16_t index, MissionItem& item) const {
   if (!read_(context_, index, item)) return Status::SourceRefused;
   if (isByPx4(keeper_)) {
-    if (item.command == kNavRoi) item.command = kDoSetRoi;  // PX4 keeps it so
+    // PX4 takes both for the same, but 1.18 takes no place in DO_SET_ROI.
+    if (item.command == kDoSetRoi) item.command = kNavRoi;
     // "For ever". PX4 stores the repeats unsigned, and the conversion of a negative float depends on its board.
     if (item.command == kDoJump && is(item.param2, kMinus1)) item.param2 = 65535;
   }

@@ -156,6 +156,20 @@ TEST_CASE("of several differences the first in the order of the message is told"
   CHECK((difference(sent, read, 0) == ItemField::Command));
 }
 
+TEST_CASE("PX4 alone keeps two commands by other numbers") {
+  const uint16_t kKeptAs[][2] = {{80, 201}, {112, 93}};  // NAV_ROI, CONDITION_DELAY
+  for (const uint16_t(&pair)[2] : kKeptAs) {
+    for (const Firmware firmware : {Firmware::Px4, Firmware::ArduPilot, Firmware::Unknown}) {
+      const Keeper keeper = keeperOf(firmware, 0, PlanType::Mission);
+      MissionItem sent = anyCommand(pair[0]), read = anyCommand(pair[1]);
+      CHECK((difference(sent, read, keeper) == ItemField::None) == (firmware == Firmware::Px4));
+      CHECK((difference(read, sent, keeper) == ItemField::Command));
+      read.command = 92;
+      CHECK((difference(sent, read, keeper) == ItemField::Command));
+    }
+  }
+}
+
 TEST_CASE("an autopilot that is neither keeps every field of every command as it was sent") {
   std::set<uint16_t> commands;
   for (const RecordedItem& row : recordedItems()) commands.insert(row.sent.command);
