@@ -99,9 +99,9 @@ class Steering : public detail::Listener, private detail::SteerRules {
   // come since loop() stood still last.
   bool maySteer() const;
 
-  // Asks for the aircraft again: MissionClient::requestControl(), and the mode that it is in counts as the sketch's own,
-  // until a heartbeat shows that somebody has set another. To be called when a person wants it so, such as by a button.
-  // An order may follow at once. Nothing is sent.
+  // Asks for the aircraft again: MissionClient::requestControl(), and the mode in which it is counts as the sketch's
+  // own, until a heartbeat shows that somebody has set another. To be called when a person wants it so, such as by a
+  // button. An order may follow at once. Nothing is sent.
   void requestControl();
 
   // The step of the running operation, or the step at which the last one ended.
