@@ -99,9 +99,9 @@ class Steering : public detail::Listener, private detail::SteerRules {
   // come since loop() stood still last.
   bool maySteer() const;
 
-  // Asks for the aircraft again: MissionClient::requestControl(), and the mode in which it is counts as the sketch's
-  // own, until a heartbeat shows that somebody has set another. To be called when a person wants it so, such as by a
-  // button. An order may follow at once. Nothing is sent.
+  // Asks for the aircraft again: MissionClient::requestControl(), and the mode that its last heartbeat has shown, or
+  // that its first one will show, counts as the sketch's own, until a heartbeat shows another. To be called when a
+  // person wants it so, such as by a button. An order may follow at once. Nothing is sent.
   void requestControl();
 
   // The step of the running operation, or the step at which the last one ended.
@@ -191,7 +191,7 @@ class Steering : public detail::Listener, private detail::SteerRules {
   bool canHover_ : 1;      // EXTENDED_SYS_STATE has named a state of a VTOL
   bool hadControl_ : 1;    // the last heartbeat has shown it armed, and the sketch in control
   bool wasArmed_ : 1;      // the last heartbeat has shown it armed
-  bool isRequested_ : 1;   // by requestControl(), and no heartbeat has told the mode since
+  bool isRequested_ : 1;   // by requestControl(), before any heartbeat has told the mode
   SteerStep step_;
   detail::OrderRow row_;  // of the running order, or of the last one
   Frame frame_;

@@ -50,7 +50,7 @@ void Referee::at(uint32_t nowMs) {
 
 void Referee::isAsked() {
   say("the sketch asks for the aircraft");
-  isToBeOurs_ = wasShownDisarmed_ = true;
+  wasShownDisarmed_ = true;
   // Whatever was shown; and what has just come is read behind that.
   if (foreign_.isShown || (isHeard_ && nowMs_ - cameMs_ < kStepsMs)) foreign_.is = false;
   isKept_ = false;
@@ -127,7 +127,7 @@ void Referee::modeSet(uint16_t mode, By by) {
   say(std::string(who) + " sets " + name(mode));
   const uint16_t before = mode_;
   mode_ = mode;
-  isModeOurs_ = by == By::Order && nowMs_ - cancelledMs_ > kOnTheLineMs;
+  isModeOurs_ = by == By::Order && !isStart(task_) && nowMs_ - cancelledMs_ > kOnTheLineMs;
   if (by == By::Order) obeys("a mode");
   if (by == By::Order) wasLost_ = false;
   // PX4's failsafe counts as somebody else; the end of its takeoff does not.
@@ -222,8 +222,6 @@ void Referee::comes(const Message& message, uint32_t sentMs) {
   isHeard_ = true;
   if (nowMs_ >= stoodBlindMs_) isKnown_ = true;
   say("a heartbeat of " + std::to_string(sentMs) + " shows " + name(shownMode_) + (isShownArmed_ ? ", armed" : ""));
-  if (isToBeOurs_) foreign_.is = false;
-  isToBeOurs_ = false;
   if (shownMode_ != firstMode_ && hasOrdered_) isFirstOver_ = true;
   if (!foreign_.is) return;
   if (sentMs < foreign_.sinceMs || shownMode_ != foreign_.mode || foreign_.isShown) return;

@@ -139,6 +139,5 @@ class Referee : public Witness {
   bool wasShownDisarmed_ = false;                      // since it was named
   bool isArmingShown_ = false;                         // a heartbeat, or the answer, has shown it armed in this task
   bool wasLost_ = false;                               // it was not heard for so long that its mode may be anybody's
-  bool isToBeOurs_ = false;                            // the mode that the next heartbeat shows is the sketch's
   bool isKept_ = false;                                // somebody has taken it, and the sketch has not asked for it
 };

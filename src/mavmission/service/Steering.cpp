@@ -172,7 +172,9 @@ bool Steering::isPositionKnown() const { return static_cast<uint16_t>(secondsNow
 
 void Steering::requestControl() {
   client_.noteTaken(Status::Idle);
-  seenDisarmed_ = isRequested_ = true;
+  seenDisarmed_ = true;
+  ownMode_ = client_.commands().shownMode();
+  isRequested_ = !client_.autopilot().isFound();
 }
 
 // At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.

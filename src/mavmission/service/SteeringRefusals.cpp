@@ -40,8 +40,7 @@ bool Steering::maySteer() const { return client_.link().isCurrentAt(millis()) &&
 // As the last heartbeat has shown it, however old that is.
 bool Steering::isOurs() const {
   if (!client_.autopilot().isFound() || isFailsafe()) return false;
-  if (isRequested_ || isMissionMode()) return true;  // (an order leaves behind a newer heartbeat)
-  return ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_;
+  return isMissionMode() || (ownMode_ != kNoMode && client_.commands().shownMode() == ownMode_);
 }
 
 Status Steering::refuseField(Status status, ItemField field) {
