@@ -95,7 +95,8 @@ void Client::VerifiedStart::end(Client& client, Status status) {
   const uint16_t wanted = client.numberOf(FlightMode::Auto);  // kNoMode: its modes are not known
   if (wanted != kNoMode && client.shownMode() != wanted) return client.end(Starting::noted(client, Status::TakenOver));
   // What was read behind a standstill may be over: so may what the heartbeat before has shown.
-  if (status == Status::Verified) return client.end(client.link_.isOld() ? Status::Unconfirmed : Status::Done);
+  const bool isNow = client.link_.isCurrent() && !client.link_.isOld();
+  if (status == Status::Verified) return client.end(isNow ? Status::Done : Status::Unconfirmed);
   // Not to be read is not to be another plan: it goes on with what it flies.
   if (status != Status::Differs) return client.end(Status::FliesOtherPlan);
   client.beginCommand(Starting::fill, leaveOther);

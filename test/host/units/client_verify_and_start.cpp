@@ -142,6 +142,22 @@ TEST_CASE("who disarms the aircraft, or sets another mode, during the second loo
   }
 }
 
+TEST_CASE("a second look without a heartbeat since loop() stood still does not tell that it flies") {
+  Sketch sketch;
+  sketch.client.verifyAndStart(inRam(kFlownPlan));
+  sketch.flyUntilSecondLook();
+  sketch.tellCount();
+  sketch.run(2000, 2000);
+  for (int i = 0; i < 100 && sketch.told.empty(); ++i) {
+    const size_t before = sketch.sent.size();
+    sketch.run(5);
+    for (size_t sent = before; sent < sketch.sent.size(); ++sent) {
+      if (sketch.sent[sent].messageId == ClientOnLine::kRequestInt) sketch.give(sketch.sent[sent].payload[0]);
+    }
+  }
+  CHECK(sketch.told == std::vector<Status>{Status::Unconfirmed});
+}
+
 TEST_CASE("a mode that somebody sets during the first look stays") {
   enum class Case { Heard, NotHeardBefore, SetTwice };
   for (const Case which : {Case::Heard, Case::NotHeardBefore, Case::SetTwice}) {
