@@ -40,7 +40,8 @@ void PlanConsole::read() {
     }
     // A command waits until the output of the last one is printed, and until the plan is stored, so that it uses the
     // new one; a text does not wait.
-    if (isItemHeld_ || mode_ == Mode::Ending || plan_.isBusy() || (mode_ == Mode::Commands && !isSilent())) return;
+    const bool isInCommand = mode_ == Mode::Commands || (mode_ == Mode::Refused && isLineBegun_ && isCommand_);
+    if (isItemHeld_ || mode_ == Mode::Ending || plan_.isBusy() || (isInCommand && !isSilent())) return;
     const int byte = port_.read();
     if (byte < 0) return;
     const bool isSecond = byte == '\n' && wasReturn_;
@@ -52,10 +53,9 @@ void PlanConsole::read() {
   }
 }
 
-// Characters of the lines that wait in the port may be missing. What is left of two commands could be a third one.
+// Characters of the lines that wait in the port may be missing. What is left of two lines could be a command.
 void PlanConsole::overrun() {
-  if (mode_ == Mode::Text) return refuse(TextError::TooFast);
-  if (mode_ == Mode::Refused) return;  // there, every line but a command is ignored anyway
+  if (mode_ == Mode::Text) refuse(TextError::TooFast);
   isOverrun_ = true;
   skippedMs_ = static_cast<uint16_t>(millis());
 }
@@ -70,7 +70,7 @@ bool PlanConsole::skip() {
   if (isSilent() && static_cast<uint16_t>(nowMs - skippedMs_) >= kQuietMs) {
     isOverrun_ = false;
     isLineBegun_ = false;
-    say(F("too many commands at once: they were ignored"));
+    say(F("too much at once: the rest was ignored"));
   }
   return false;
 }

@@ -93,9 +93,10 @@ void PlanConsole::run(Command command) {
     case Command::end: return isInText ? endText() : sayLoadFirst();
     case Command::cancel:
       if (!isInText) autopilot_.cancel();
-      if (isNotStored_) sayNothingLoaded();
+      if (isNotStored_ || isIgnored_) sayNothingLoaded();
       mode_ = Mode::Commands;
       isNotStored_ = false;
+      isIgnored_ = false;
       return;
     case Command::upload:
       if (mayUsePlan()) began(autopilot_.upload(plan_.source()));
@@ -131,7 +132,7 @@ bool PlanConsole::isAutopilotFree() {
 
 // What was pasted behind a text that was refused, was meant for the plan in that text.
 bool PlanConsole::isStored() {
-  if (!isNotStored_) return true;
+  if (!isNotStored_ && !isIgnored_) return true;
   say(F("the last load or download failed: repeat it, or type cancel"));
   return false;
 }
@@ -145,7 +146,7 @@ void PlanConsole::sayLoadFirst() { say(F("nothing is being loaded: type load fir
 // A text comes all the same, and is not stored.
 void PlanConsole::ignoreText() {
   mode_ = Mode::Refused;
-  isNotStored_ = true;
+  isIgnored_ = true;
 }
 
 PlanConsole::Offer& PlanConsole::offerOf(Command command) {
@@ -184,6 +185,7 @@ void PlanConsole::runVerify(PlanConsole& console) {
 void PlanConsole::runDownload(PlanConsole& console) {
   console.isNotStored_ = true;
   if (!console.isAutopilotFree()) return;
+  console.isIgnored_ = false;
   console.began(console.autopilot_.download(console.plan_.sink()));
   console.isDownload_ = true;
 }

@@ -38,6 +38,7 @@ class PlanConsoleState {
   bool isStart_ : 1;        // it is start()
   bool isPlanAwaited_ : 1;  // the plan is being committed or erased
   bool isNotStored_ : 1;    // the last load or download has failed, or has not ended
+  bool isIgnored_ : 1;      // a text was ignored behind it, which may come while a download runs
   bool isOtherAboard_ : 1;  // a plan was loaded since the last upload or verify
   bool isOverrun_ : 1;      // the port's ring was full: commands were lost
   uint8_t length_;          // of the command so far

@@ -12,6 +12,7 @@ void PlanConsole::beginText() {
   plan_.store();
   mode_ = Mode::Text;
   isNotStored_ = true;
+  isIgnored_ = false;
   kept_ = 0;
   told_ = 0;
   put_ = 0;

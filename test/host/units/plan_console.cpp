@@ -98,6 +98,18 @@ struct Station : ClientOnLine {
       console.update();
     }
   }
+  // The autopilot gives a plan of so many items that is being downloaded.
+  void giveItems(uint8_t items) {
+    REQUIRE(next(kRequestList) != nullptr);
+    hear(countParts(items));
+    while (client.isBusy()) {
+      go(1);
+      if (sent.empty() || sent.back().messageId != kRequestInt) continue;
+      hear(itemParts(sent.back().payload[0], waypoint(1_deg, 2_deg, 20_m)));
+      sent.clear();
+    }
+  }
+  std::string said() const { return std::string(port.written.begin(), port.written.end()); }
   // The first message of the client with this id; null if it sends none in 3 s.
   const SentFrame* next(uint16_t id) {
     sent.clear();
@@ -187,14 +199,7 @@ TEST_CASE("an upload behind a download sends what was downloaded, whenever it is
   for (uint32_t afterMs = 0; afterMs < 60; afterMs += 3) {
     Station station;
     station.type("download\n");
-    REQUIRE(station.next(ClientOnLine::kRequestList) != nullptr);
-    station.hear(countParts(3));
-    while (station.client.isBusy()) {
-      station.go(1);
-      if (station.sent.empty() || station.sent.back().messageId != ClientOnLine::kRequestInt) continue;
-      station.hear(itemParts(station.sent.back().payload[0], waypoint(1_deg, 2_deg, 20_m)));
-      station.sent.clear();
-    }
+    station.giveItems(3);
     station.go(afterMs);
     station.type("upload\n");
     const SentFrame* count = station.next(ClientOnLine::kCount);
@@ -208,15 +213,35 @@ TEST_CASE("an upload behind a download sends what was downloaded, whenever it is
   }
 }
 
+TEST_CASE("what is pasted behind a file that came during a download is not done with what was downloaded") {
+  Station station;
+  station.type("download\nload\n" + fileOf(2));
+  station.giveItems(3);
+  station.port.written.clear();
+  station.type("end\nupload\n");
+  station.go(1000);
+  CHECK(station.said().find("stored: list prints it\r\nnothing was loaded\r\n" + std::string(kFailed)) !=
+        std::string::npos);
+  CHECK(station.plan.count() == 3);
+  CHECK(!station.client.isBusy());
+  for (const char* again : {"cancel\n", "download\n"}) {
+    station.type(again);
+    if (again[0] == 'd') station.giveItems(2);
+    station.go(1000);
+    station.type("upload\n");
+    REQUIRE(station.next(ClientOnLine::kCount) != nullptr);
+    station.type("cancel\nload\ncancel\n");
+    station.go(5000);
+  }
+}
+
 TEST_CASE("an empty plan that is downloaded does not take the place of the stored one, and it is said") {
   Station station;
   station.port.written.clear();
   station.type("download\n");
-  REQUIRE(station.next(ClientOnLine::kRequestList) != nullptr);
-  station.hear(countParts(0));
+  station.giveItems(0);
   station.go(1000);
-  const std::string said(station.port.written.begin(), station.port.written.end());
-  CHECK(said.find("nothing was loaded\r\ndownloaded: ") != std::string::npos);
+  CHECK(station.said().find("nothing was loaded\r\ndownloaded: ") != std::string::npos);
   CHECK(station.plan.count() == 1);
 }
 
@@ -277,9 +302,8 @@ TEST_CASE("start does not fly the plan before one that was loaded") {
   station.port.written.clear();
   station.type(loading(2) + "start\nstatus\n");
   station.go(2000);
-  const std::string said(station.port.written.begin(), station.port.written.end());
-  CHECK(said.find("the stored plan is not aboard: type upload\r\n") != std::string::npos);
-  CHECK(said.find("aboard: an earlier plan of ours, whole\r\n") != std::string::npos);
+  CHECK(station.said().find("the stored plan is not aboard: type upload\r\n") != std::string::npos);
+  CHECK(station.said().find("aboard: an earlier plan of ours, whole\r\n") != std::string::npos);
   CHECK(!station.client.isBusy());
 }
 
@@ -303,7 +327,7 @@ TEST_CASE("when the port's ring was full, no command that was on its way is done
   Desk desk;
   desk.console.setRing(63);
   const std::string many = "help\nstatus\nlist\nverify\nupload\nhelp\nstatus\nlist\nverify\nupload\nhelp\nsta";
-  const std::string ignored = "too many commands at once: they were ignored\r\n";
+  const std::string ignored = "too much at once: the rest was ignored\r\n";
   CHECK(desk.answer(many, 90).empty());
   CHECK(desk.answer("rt\n", 90).empty());
   CHECK(desk.answer("", 20) == ignored);
@@ -312,6 +336,8 @@ TEST_CASE("when the port's ring was full, no command that was on its way is done
   for (int i = 0; i < 3; ++i) desk.update();
   CHECK(desk.answer(many).find(ignored) != std::string::npos);
   CHECK(desk.said().find("stored: items") == std::string::npos);
+  desk.answer("load\nQ\n", 90);
+  CHECK(desk.answer(std::string(70, '7') + "\nhelp\n") == ignored);
 }
 
 TEST_CASE("an EEPROM that does not keep what it is given is told, and the console goes on") {
