@@ -196,6 +196,8 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   client().link_.state_.heartbeatSent = true;
   client().link_.finder_.heardMs_ = static_cast<uint16_t>(nowMs);
   client().link_.state_.emptyMs = nowMs;
+  // Each frame has the number 0, and is the next one: that a copy is one, it cannot see.
+  client().link_.state_.heardSequence = 255;
   // The limit on the whole operation is out of the way: it has to end without it.
   client().state_.secondMs = static_cast<uint16_t>(nowMs);
 

@@ -110,7 +110,9 @@ void Client::expectAnswers(uint8_t what) {
 }
 
 bool Client::awaitsCopies() {
-  const uint16_t lateMs = state_.unsettled >= kOneSecond ? kLateMs : kCopyMs;
+  // Where frames come over two ways, so does the answer to a copy of ours.
+  const uint16_t copyMs = link_.hasTwoWays() ? 2 * kCopyMs : kCopyMs;
+  const uint16_t lateMs = state_.unsettled >= kOneSecond ? kLateMs : copyMs;
   return (state_.unsettled & kFromBefore) != 0 &&
          since(state_.unsettledMs, state_.tickMs) < lateMs + 2 * link_.pace().roundTripMs();
 }

@@ -134,7 +134,10 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
     ++state_.unknownMessages;
   }
   if (!isAutopilots) return false;
-  if (!isLate) {
+  if (isLate) {
+    state_.inOrder = kInOrder;
+  } else {
+    if (state_.inOrder != 0) --state_.inOrder;
     noteSequence(left);
     if (isWanted) finder_.onFrame(nowMs);
   }
