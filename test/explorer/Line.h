@@ -20,8 +20,11 @@ enum class Fate : uint8_t {
   Copied30,      // a second one follows so many ms later, over a second link or a radio that repeats
   Copied120,
   Copied300,
+  Late30,  // it comes so many ms later alone, over a second link, since the first one has dropped out
+  Late120,
+  Late300,
 };
-constexpr int kFates = 10;
+constexpr int kFates = 13;
 
 struct InFlight {
   Message message;
@@ -77,7 +80,7 @@ struct Line {
     }
     if (fate >= Fate::Copied30) {
       const uint16_t laterMs[] = {30, 120, 300};
-      put(InFlight{message, laterMs[static_cast<int>(fate) - static_cast<int>(Fate::Copied30)], false, true});
+      put(InFlight{message, laterMs[(static_cast<int>(fate) - static_cast<int>(Fate::Copied30)) % 3], false, true});
     }
     if (fate == Fate::Repeated) put(InFlight{message, kBehindMs, false, true});
     if (fate == Fate::RepeatedLate || fate == Fate::Delayed) put(InFlight{message, 0, true, true});

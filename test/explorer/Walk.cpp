@@ -8,10 +8,11 @@
 
 namespace {
 
-// What a line does to each frame is drawn for each walk: a few of 100 frames suffer it.
+// What a line does to each frame is drawn for each walk: a few of 100 frames suffer it. In every third walk there are
+// two links, of which the second one brings each frame later; one or the other drops out at times.
 class Walker {
  public:
-  explicit Walker(uint32_t seed) : random_(seed) {}
+  explicit Walker(uint32_t seed) : random_(seed), hasTwoLinks_(seed % 3 == 0) {}
 
   Scenario drawn(Firmwares firmware) {
     Scenario scenario;
@@ -33,11 +34,24 @@ class Walker {
     scenario.latencyMs = below(3) == 0 ? 150 : 0;
     scenario.isLossy = below(2) != 0;
     suffersOf100_ = 3 + below(30);
+    if (hasTwoLinks_ && !byFile) {
+      scenario.hasTwoLinks = true;
+      scenario.copies = Scenario::kAnyNumber;
+      second_ = static_cast<int>(below(3));
+    }
     return scenario;
   }
 
   // Returns which of the moves is made.
   int next(const Moves& moves) {
+    int fates[kFates] = {};
+    for (int i = 0; i < moves.count; ++i) fates[static_cast<int>(moves.list[i].fate)] = i;
+    const int copied = static_cast<int>(Fate::Copied30) + second_, late = static_cast<int>(Fate::Late30) + second_;
+    if (fates[late] != 0 && below(50) != 0) {
+      if (below(isDown_ ? 20 : 50) == 0) isDown_ = !isDown_;
+      if (!isDown_) which_ = below(2);
+      return isDown_ ? which_ == 0 ? fates[late] : 0 : fates[copied];
+    }
     if (moves.count == 1 || below(100) >= suffersOf100_) return 0;
     return static_cast<int>(1 + below(moves.count - 1u));
   }
@@ -46,7 +60,11 @@ class Walker {
   uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
 
   std::mt19937 random_;
+  bool hasTwoLinks_;
   uint32_t suffersOf100_ = 0;
+  int second_ = 0;       // by how much the second link is later, where there are two
+  bool isDown_ = false;  // one of them has dropped out,
+  uint32_t which_ = 0;   // this one
 };
 
 }  // namespace

@@ -28,7 +28,10 @@ const char* const kFateWords[kFates] = {"",
                                         " is cut",
                                         " is copied, 30 ms later",
                                         " is copied, 120 ms later",
-                                        " is copied, 300 ms later"};
+                                        " is copied, 300 ms later",
+                                        " comes over the second link alone, 30 ms later",
+                                        " comes over the second link alone, 120 ms later",
+                                        " comes over the second link alone, 300 ms later"};
 
 std::string inWords(const char* words) { return words; }
 std::string inWords(uint8_t number) { return std::to_string(number); }
@@ -45,7 +48,8 @@ void say(std::string* log, const Parts&... parts) {
 constexpr uint8_t kOtherSession = 7;  // of the other client of the files
 
 bool isDelivered(Fate fate) {
-  return fate == Fate::Delivered || fate == Fate::Repeated || fate == Fate::RepeatedLate || fate >= Fate::Copied30;
+  return fate == Fate::Delivered || fate == Fate::Repeated || fate == Fate::RepeatedLate ||
+         (fate >= Fate::Copied30 && fate < Fate::Late30);
 }
 
 }  // namespace
@@ -65,6 +69,7 @@ Outcome World::begin(const Scenario& scenario) {
   cancels_ = scenario.cancels;
   resets_ = scenario.resets;
   copies_ = scenario.copies;
+  hasTwoLinks_ = scenario.hasTwoLinks;
   for (Autopilot* one : {&autopilot_, &beside_}) {
     one->firmware = scenario.firmware;
     one->asksInMs = one->givesUpInMs = one->acceptsInMs = one->bootsInMs = kNever;
@@ -133,8 +138,9 @@ Moves World::moves() const {
   }
   if (copies_ != 0 && (event == Event::ToAutopilot || event == Event::ToClient)) {
     const Line& line = event == Event::ToClient ? toClient_ : toAutopilot_;
-    for (Fate fate : {Fate::Copied30, Fate::Copied120, Fate::Copied300}) {
-      if (!line.frames[line.first()].isSpared) moves.add(Choice::Event, fate);
+    for (Fate fate : {Fate::Copied30, Fate::Copied120, Fate::Copied300, Fate::Late30, Fate::Late120, Fate::Late300}) {
+      const bool isMove = fate < Fate::Late30 || hasTwoLinks_ != 0;
+      if (isMove && !line.frames[line.first()].isSpared) moves.add(Choice::Event, fate);
     }
   }
   if (reboots_ != 0) moves.add(Choice::Reboot);
@@ -392,7 +398,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
     if (move.fate == Fate::Lost) {
       if (losses_ != Scenario::kAnyNumber) --losses_;
     } else if (move.fate >= Fate::Copied30) {
-      --copies_;
+      if (copies_ != Scenario::kAnyNumber) --copies_;
     } else if (outcome.isFault) {
       --faults_;
     }
@@ -402,7 +408,7 @@ Outcome World::step(const Scenario& scenario, const Move& move, std::string* log
       if (isDelivered(move.fate) && message.kind == Kind::File && autopilot_.bootsInMs == kNever)
         files_.hear(message, autopilot_, answers);
       outcome.broken = answer(answers, log);
-    } else if (move.fate != Fate::Lost && move.fate != Fate::Delayed) {
+    } else if (move.fate != Fate::Lost && move.fate != Fate::Delayed && move.fate < Fate::Late30) {
       bytes = frameOf(message, scenario.firmware);
       if (move.fate == Fate::Damaged) bytes[bytes.size() - 3] = static_cast<uint8_t>(~bytes[bytes.size() - 3]);
       if (move.fate == Fate::Cut) bytes.resize(bytes.size() - 3);

@@ -22,15 +22,16 @@ struct Scenario {
   uint8_t heldItems = 2;
   uint8_t heldBeside = 0;  // items of the other kind of plan
   uint8_t losses = kAnyNumber;
-  uint8_t faults = 0;      // frames that are repeated, delayed or damaged
-  uint8_t reboots = 0;     // of the autopilot
-  uint8_t cancels = 0;     // by the sketch, of what runs then
-  uint8_t resets = 0;      // of the Arduino in the first task
-  uint8_t copies = 0;      // frames that come once more, some time later
-  uint16_t latencyMs = 0;  // each way
-  uint8_t others = 0;      // requests of another client to the server of files
-  uint8_t refused = 0;     // the wire item that ArduPilot does not take; 0: none
-  bool isLossy = false;    // the client takes the line for one that loses, from the beginning
+  uint8_t faults = 0;        // frames that are repeated, delayed or damaged
+  uint8_t reboots = 0;       // of the autopilot
+  uint8_t cancels = 0;       // by the sketch, of what runs then
+  uint8_t resets = 0;        // of the Arduino in the first task
+  uint8_t copies = 0;        // frames that come once more, some time later
+  bool hasTwoLinks = false;  // or that time later alone
+  uint16_t latencyMs = 0;    // each way
+  uint8_t others = 0;        // requests of another client to the server of files
+  uint8_t refused = 0;       // the wire item that ArduPilot does not take; 0: none
+  bool isLossy = false;      // the client takes the line for one that loses, from the beginning
   // The kind of plan beside the mission: a fence or rally points.
   uint8_t otherType() const;
   bool hasFiles() const { return !tasks.empty() && isByFiles(tasks.front().operation); }
@@ -104,6 +105,7 @@ class World {
   uint16_t heartbeatInMs_;  // of the autopilot; kNever where nobody waits for it
   uint8_t losses_, faults_, reboots_, cancels_, resets_, others_, copies_;
   uint8_t isUndisturbed_;  // nothing can happen to the operation any more
-  uint8_t spare_[3];
+  uint8_t hasTwoLinks_;
+  uint8_t spare_[2];
 };
 static_assert(std::is_trivially_copyable<World>::value, "copied and folded by its bytes");

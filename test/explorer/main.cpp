@@ -5,6 +5,7 @@
 
 #include "Exploration.h"
 #include "Plans.h"
+#include "Typed.h"
 #include "Walk.h"
 
 namespace {
@@ -19,6 +20,7 @@ const char* const kFirmwares[] = {"ArduPilot", "LateArduPilot", "PX4", "MAVSDK",
       "%s\n"
       "usage: explorer AUTOPILOT OPERATION ITEMS [OPERATION ITEMS [OPERATION ITEMS]] [option VALUE]...\n"
       "       explorer AUTOPILOT walks COUNT [--seed S]  one way at random of each of COUNT scenarios\n"
+      "       explorer AUTOPILOT typed COUNT [--seed S]  COUNT consoles that are typed at, two minutes each\n"
       "  AUTOPILOT  ArduPilot, LateArduPilot (its final ACK comes 700 ms late), PX4, MAVSDK, Betaflight,\n"
       "             iNav\n"
       "  OPERATION  upload, upload-in-doubt, upload-verified, ensure, download, verify, clear, and as files\n"
@@ -80,11 +82,13 @@ int main(int argc, char** argv) {
   if (argc < 4) usage("arguments are missing");
   Scenario scenario;
   scenario.firmware = static_cast<Firmwares>(nameAmong(kFirmwares, 6, argv[1], "no such autopilot"));
-  if (strcmp(argv[2], "walks") == 0) {
+  const bool isTyped = strcmp(argv[2], "typed") == 0;
+  if (isTyped || strcmp(argv[2], "walks") == 0) {
     const bool isSeeded = argc == 6 && strcmp(argv[4], "--seed") == 0;
-    if (argc != 4 && !isSeeded) usage("how many walks, and nothing else but --seed");
+    if (argc != 4 && !isSeeded) usage("how many, and nothing else but --seed");
     const uint32_t seed = isSeeded ? static_cast<uint32_t>(number(argv[5], 4000000000u)) : 1;
-    return report(walk(scenario.firmware, seed, static_cast<unsigned>(number(argv[3], 10000000))), false);
+    return report((isTyped ? type : walk)(scenario.firmware, seed, static_cast<unsigned>(number(argv[3], 10000000))),
+                  false);
   }
   int at = 2;
   for (; at + 1 < argc && argv[at][0] != '-'; at += 2) {

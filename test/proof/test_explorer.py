@@ -36,6 +36,7 @@ AUTOPILOTS = ("ArduPilot", "LateArduPilot", "PX4")
 SERVERS = ("MAVSDK", "Betaflight", "iNav")  # of a firmware that the library does not know: explorer/Generic.cpp
 MOST_BYTES = 2_000_000_000  # that one exploration may hold, of which two run side by side
 WALKS = 100_000  # of three operations, with each autopilot
+SESSIONS = 450  # of two minutes at a console, with each autopilot
 BETAFLIGHT = 1  # MAVMISSION_GENERIC_FIRMWARE
 COLUMNS = ["operation", "autopilot", "beside losses", "states", "transitions", "longest", "fewest to fail",
            "violations"]  # fmt: skip
@@ -292,6 +293,20 @@ def test_no_operation_is_misled_on_lines_that_double_delay_and_lose_frames_at_ra
         rows.append([autopilot, f"{int(found['operations']):,}", f"{int(found['transitions']):,}", found["violations"]])
     columns = ["autopilot", "operations", "transitions", "violations"]
     record_property("table", ["walked: three operations in a row at random", [columns, *rows]])
+
+
+@pytest.mark.slow
+def test_a_console_that_is_typed_at_at_random_does_what_complete_lines_say_and_says_what_is_true(record_property):
+    """Files, commands and what resembles them, whole and spoilt, pasted and typed while operations run."""
+    rows, operations = [], 0
+    for autopilot in AUTOPILOTS:
+        found = explore(f"{autopilot} typed {SESSIONS}")
+        assert found["violations"] == "0", found["broken"]
+        operations += int(found["operations"])
+        rows.append([autopilot, f"{int(found['operations']):,}", f"{int(found['longest_ms']) / 1000:.0f} s", "0"])
+    assert operations > 20_000
+    columns = ["autopilot", "operations", "longest", "violations"]
+    record_property("table", ["typed: consoles at random", [columns, *rows]])
 
 
 @pytest.mark.slow
@@ -576,6 +591,41 @@ DEFECTS = {
         "",
         f"LateArduPilot walks {WALKS}",
         "aboard() says our plan, and it is not",
+    ),
+    "a file that a console has ignored is forgotten when the download that ran then has succeeded": (
+        "PlanConsoleCommands.cpp",
+        "if (!isNotStored_ && !isIgnored_) return true;",
+        "if (!isNotStored_) return true;",
+        f"PX4 typed {SESSIONS}",
+        "a plan is used, and a load or download behind it has failed",
+    ),
+    "a console reads the next line before the plan that it stores is stored": (
+        "PlanConsole.cpp",
+        "plan_.isBusy() ||",
+        "",
+        f"PX4 typed {SESSIONS}",
+        "a plan is stored that is neither in the last lines nor was aboard",
+    ),
+    "a console takes a new plan while one is uploaded": (
+        "PlanConsoleText.cpp",
+        "if (!isAutopilotFree()) return ignoreText();",
+        "",
+        f"PX4 typed {SESSIONS}",
+        "a plan is used, and a load or download behind it has failed",
+    ),
+    "a console starts the plan that was aboard before a load": (
+        "PlanConsoleCommands.cpp",
+        "if (console.isEarlierAboard())",
+        "if (false)",
+        f"ArduPilot typed {SESSIONS}",
+        "what is started is not the plan that the lines have stored",
+    ),
+    "a console takes a long word of which the end is erased for a command": (
+        "PlanConsoleCommands.cpp",
+        "if (length_ == sizeof(command_)) return;  // too long, whatever is erased",
+        "if (length_ == sizeof(command_) && !isErasing(c)) return;",
+        f"PX4 typed {SESSIONS}",
+        "an operation has begun, and no line asked for it",
     ),
 }  # fmt: skip
 
