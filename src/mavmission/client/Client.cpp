@@ -215,7 +215,7 @@ void Client::onTick(uint16_t nowMs) {
   while (since(state_.secondMs, nowMs) >= 1000) {
     state_.secondMs += 1000;
     ++state_.seconds;
-    link_.pace().onSecond();
+    link_.onSecond();
     if (state_.unsettled >= kOneSecond) state_.unsettled -= kOneSecond;
     const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(state_.itemsTotal);
     // Its limit does not count while an autopilot is waited for.

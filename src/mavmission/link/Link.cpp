@@ -135,9 +135,8 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   }
   if (!isAutopilots) return false;
   if (isLate) {
-    state_.inOrder = kInOrder;
+    state_.twoWaysS = kTwoWaysS;
   } else {
-    if (state_.inOrder != 0) --state_.inOrder;
     noteSequence(left);
     if (isWanted) finder_.onFrame(nowMs);
   }

@@ -122,8 +122,13 @@ class Link : public LinkRules {
   // How quickly the line answers, and whether it loses.
   Pace& pace() { return pace_; }
 
-  // True if the line has brought a frame twice, or behind a later one, among the last ones that came.
-  bool hasTwoWays() const { return state_.inOrder != 0; }
+  void onSecond() {
+    pace_.onSecond();
+    if (state_.twoWaysS != 0) --state_.twoWaysS;
+  }
+
+  // True if the line has brought a frame twice, or behind a later one, in the last seconds.
+  bool hasTwoWays() const { return state_.twoWaysS != 0; }
 
   Stream& stream() const { return *stream_; }
 #if MAVMISSION_SIGNING
@@ -167,7 +172,7 @@ class Link : public LinkRules {
   // twice.
   static constexpr uint8_t kLateFrames = 63;
   static constexpr uint16_t kLateMs = 900;  // less than from one heartbeat to the next
-  static constexpr uint8_t kInOrder = 64;   // frames in their order, behind which it is a line with one way again
+  static constexpr uint8_t kTwoWaysS = 3;   // so long behind a late frame it is taken for a line with two ways
 
   struct State {
     uint32_t emptyMs;  // when the receive buffer was last seen empty
@@ -188,8 +193,8 @@ class Link : public LinkRules {
     bool sequenceKnown : 1;
     bool hearsV1 : 1;  // the autopilot's last heartbeat was a MAVLink 1 frame
     bool isCurrent : 1;
-    uint8_t inOrder;  // frames of the autopilot that must still come in order until those before are forgotten
-    uint8_t gap;      // how long ago the receive buffer was seen empty when this update() began; at most 255 [kGapMs]
+    uint8_t twoWaysS : 2;
+    uint8_t gap;  // how long ago the receive buffer was seen empty when this update() began; at most 255 [kGapMs]
   };
 
   // What is asked for in every update() lies first, where avr-gcc reaches it cheaply, also as a part of Client.
