@@ -166,7 +166,6 @@ void FlightStages::onEnd(Status status, const FlightSight& sight, bool hasArmed)
     case FlightOrder::Land:
       if (status != Status::Done) break;
       why_ = status;
-      wasSilent_ = false;  // behind the gap it was this sketch's
       return;
     case FlightOrder::Disarm:
       if (status == Status::Done) return;  // the heartbeat that shows it ends the flight
@@ -199,10 +198,7 @@ void FlightStages::onRefused(FlightOrder what, Status status, const FlightSight&
     return change(FlightState::AtStop);
   }
   // The line was lost while it took off: it may be in the air, and then it has to be brought down.
-  if (what == FlightOrder::TakeOff && sight.isArmed && isAgain) {
-    wasSilent_ = true;
-    return fly();
-  }
+  if (what == FlightOrder::TakeOff && sight.isArmed && isAgain) return fly();
   if (isGivenUp_) return end(EndedBy::Sketch, Status::Cancelled);
   if (!isAgain || hasArmed || sight.isArmed) return end(EndedBy::Refusal, status);
   order_ = what;

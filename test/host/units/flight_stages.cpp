@@ -208,10 +208,12 @@ TEST_CASE("each conversation of a flight ends as it says, and nothing is begun b
       ALOFT "goto beat >goto =failsafe ended/failsafe land beat9 >",
       ALOFT "goto beat >goto =notarmed disarmed! beat ended/pilot",
       ALOFT "pilot! beat ended/pilot home > own! beat9 > ended/pilot",
-      ALOFT "silent! beat7 atstop home flying > heard! beat >home =done over! disarmed! beat landed",
+      ALOFT "silent! beat7 atstop home flying > heard! beat >home =done over! disarmed! beat ended/silence",
       "goto home land idle beat9 >",
       // The line is lost while it takes off: it has to be brought down.
-      "takeoff beat >takeoff armed! =silent flying land beat >land",
+      "takeoff beat >takeoff armed! =silent flying land beat >land =done over! disarmed! beat landed",
+      "takeoff beat >takeoff armed! silent! =silent flying beat heard! land beat >land =done over! disarmed! beat "
+      "ended/silence",
   };
   for (const char* talk : kTalks) {
     CAPTURE(talk);
