@@ -166,7 +166,10 @@ void Port::waitForAutopilot() {
     if (kOnly != Firmware::Unknown && finder.firmware() != kOnly) return end(Status::OtherAutopilot);
     // What comes before this operation has sent anything is no answer to it: so it waits for late answers first. What
     // transfers no plan is not answered by a message of the mission protocol.
-    if (!state.isPlanless && client.awaitsCopies()) return;
+    if (!state.isPlanless) {
+      if (client.awaitsCopies()) return;
+      client.link_.forgetTwoWays();
+    }
     state.status = Status::Checking;
     return;
   }
@@ -215,7 +218,7 @@ void Client::onTick(uint16_t nowMs) {
   while (since(state_.secondMs, nowMs) >= 1000) {
     state_.secondMs += 1000;
     ++state_.seconds;
-    link_.onSecond();
+    link_.pace().onSecond();
     if (state_.unsettled >= kOneSecond) state_.unsettled -= kOneSecond;
     const uint16_t limitS = rest_.transferLimitS != 0 ? rest_.transferLimitS : defaultLimitS(state_.itemsTotal);
     // Its limit does not count while an autopilot is waited for.

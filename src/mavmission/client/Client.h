@@ -289,7 +289,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
     FillCommand fill;  // makes the command to be sent
     OnCommand on;      // takes the events; null: the answer decides
     CommandTransfer transfer;
-    bool wasArmed;  // as the last heartbeat before the operation has shown, or one since
+    uint8_t modeFlags;  // MAV_MODE_FLAG that the last heartbeat before the operation has shown, or one since
     union {
       const FlightCommand* own;
       void* owner;  // the object of a service whose operation it is
@@ -315,9 +315,9 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
           uint16_t partFirst_;  // the items of a partial upload, in the sketch's numbers
           uint16_t partCount_;
         };
-        __extension__ struct {  // of verifyAndStart(), while it reads
-          uint16_t startItem_;  // the item to begin with
-          bool wasArmedBefore_;
+        __extension__ struct {       // of verifyAndStart(), while it reads
+          uint16_t startItem_;       // the item to begin with
+          uint8_t modeFlagsBefore_;  // as Commanding::modeFlags
         };
       };
     };

@@ -52,7 +52,7 @@ Status Client::beginCommand(FillCommand fill, OnCommand on) {
   commanding_.fill = fill;
   commanding_.on = on;
   commanding_.transfer.setRepeats(true);
-  commanding_.wasArmed = isArmed();
+  commanding_.modeFlags = link_.finder().heartbeat().baseMode;
   return state_.status;
 }
 
@@ -71,7 +71,7 @@ void Client::Command::step(Client& client, const FrameParser* frame, uint16_t no
   State& state = client.state_;
   client.lookAtClock(nowMs);
   if (frame != nullptr) {
-    if (client.isArmed()) client.commanding_.wasArmed = true;
+    client.commanding_.modeFlags |= client.link_.finder().heartbeat().baseMode;
     if (state.status == Status::Transferring) takeFrame(client, *frame, nowMs);
     return;
   }
@@ -258,7 +258,8 @@ Status Client::OwnCommand::on(Client& client, CommandEvent event, Status status,
 
 bool CommandPort::hasBeenDisarmed() const {
   const Client& client = static_cast<const Client&>(*this);
-  return client.commanding_.wasArmed && !client.isArmed();
+  const uint8_t gone = client.commanding_.modeFlags & static_cast<uint8_t>(~client.link_.finder().heartbeat().baseMode);
+  return (gone & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
 }
 
 void Client::OwnCommand::fill(Client& client, FlightCommand& command) {

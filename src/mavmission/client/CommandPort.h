@@ -65,7 +65,7 @@ class CommandPort {
   MAVMISSION_APART uint16_t shownMode() const;
   // True if the aircraft was armed when the running command began, or since, and is armed no more: somebody has
   // disarmed it, and wants it so.
-  bool hasBeenDisarmed() const;
+  MAVMISSION_APART bool hasBeenDisarmed() const;
   // The mode when the running command began. Another one that is shown since, also while the vehicle is asked, or while
   // start() looks at the plan, was set meanwhile.
   uint16_t firstMode() const;

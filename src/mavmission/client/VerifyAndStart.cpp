@@ -25,7 +25,7 @@ Status MissionClient::verifyAndStart(const ItemSource& plan, uint16_t item) {
   if (isEnd(status)) return status;
   state_.operation = VerifiedStart::wait;
   startItem_ = item;
-  wasArmedBefore_ = isArmed();
+  modeFlagsBefore_ = link_.finder().heartbeat().baseMode;
   reading_.take = VerifiedStart::compareFirst;
   rest_.tellEnd = VerifiedStart::start;
   rest_.startStep = 0;
@@ -39,7 +39,7 @@ void Client::VerifiedStart::note(Client& client) {
   uint16_t& first = client.state_.next;
   const uint16_t shown = client.shownMode();
   if (first != shown) first = first == kNoMode ? shown : kOtherMode;
-  if (client.isArmed()) client.wasArmedBefore_ = true;
+  client.modeFlagsBefore_ |= client.link_.finder().heartbeat().baseMode;
 }
 
 void Client::VerifiedStart::wait(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -65,9 +65,9 @@ void Client::VerifiedStart::start(Client& client, Status status) {
   takeLook(client);
   if (status != Status::Verified) return client.end(status);
   const uint16_t item = client.startItem_, mode = client.state_.next;
-  const bool wasArmed = client.wasArmedBefore_;
+  const uint8_t modeFlags = client.modeFlagsBefore_;
   client.beginCommand(Starting::fill, on);
-  client.commanding_.wasArmed = wasArmed;
+  client.commanding_.modeFlags = modeFlags;
   client.commanding_.start.setFirst(item);
   client.state_.next = mode;
   client.state_.status = Status::Checking;  // the autopilot is there

@@ -135,7 +135,7 @@ bool Link::takeResult(FrameParser::Result result, uint16_t nowMs) {
   }
   if (!isAutopilots) return false;
   if (isLate) {
-    state_.twoWaysS = kTwoWaysS;
+    state_.hasTwoWays = true;
   } else {
     noteSequence(left);
     if (isWanted) finder_.onFrame(nowMs);

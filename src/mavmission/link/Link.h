@@ -122,13 +122,9 @@ class Link : public LinkRules {
   // How quickly the line answers, and whether it loses.
   Pace& pace() { return pace_; }
 
-  void onSecond() {
-    pace_.onSecond();
-    if (state_.twoWaysS != 0) --state_.twoWaysS;
-  }
-
-  // True if the line has brought a frame twice, or behind a later one, in the last seconds.
-  bool hasTwoWays() const { return state_.twoWaysS != 0; }
+  // True if the line has brought a frame twice, or behind a later one, since that was forgotten.
+  bool hasTwoWays() const { return state_.hasTwoWays; }
+  void forgetTwoWays() { state_.hasTwoWays = false; }
 
   Stream& stream() const { return *stream_; }
 #if MAVMISSION_SIGNING
@@ -172,7 +168,6 @@ class Link : public LinkRules {
   // twice.
   static constexpr uint8_t kLateFrames = 63;
   static constexpr uint16_t kLateMs = 900;  // less than from one heartbeat to the next
-  static constexpr uint8_t kTwoWaysS = 3;   // so long behind a late frame it is taken for a line with two ways
 
   struct State {
     uint32_t emptyMs;  // when the receive buffer was last seen empty
@@ -193,7 +188,7 @@ class Link : public LinkRules {
     bool sequenceKnown : 1;
     bool hearsV1 : 1;  // the autopilot's last heartbeat was a MAVLink 1 frame
     bool isCurrent : 1;
-    uint8_t twoWaysS : 2;
+    bool hasTwoWays : 1;
     uint8_t gap;  // how long ago the receive buffer was seen empty when this update() began; at most 255 [kGapMs]
   };
 
