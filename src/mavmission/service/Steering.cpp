@@ -174,7 +174,7 @@ void Steering::requestControl() {
   client_.noteTaken(Status::Idle);
   seenDisarmed_ = true;
   ownMode_ = client_.commands().shownMode();
-  isRequested_ = !client_.autopilot().isFound();
+  isRequested_ = client_.autopilot().heartbeat().baseMode == 0;  // none was heard
 }
 
 // At the top of its takeoff PX4 goes over to HOLD by itself. Lower than that, it is a pilot's.
