@@ -47,7 +47,7 @@ namespace mavmission {
   X(BadPlanType, "refused: PlanType::All") \
   X(WholePlansOnly, "refused: whole plans only") \
   X(BadFrame, "refused: no such altitude reference") \
-  X(NotFlown, "refused: it takes no such command") \
+  X(NotFlown, "refused: the autopilot takes no such command") \
   X(NeedsCoordinates, "refused: the item needs coordinates") \
   X(BadAltitude, "refused: an altitude out of range") \
   X(BadFence, "refused: a fence without an area") \
