@@ -230,8 +230,8 @@ DEFECTS = {
     ),
     "arm() believes the answer": (
         "Command.cpp",
-        "case CommandEvent::Accepted: sending.ask(); return Status::Transferring;\n    case CommandEvent::Heartbeat: {",
-        "case CommandEvent::Accepted: return Status::Done;\n    case CommandEvent::Heartbeat: {",
+        "case CommandEvent::Accepted: sending.ask(); return Status::Transferring;\n    case CommandEvent::Ready:",
+        "case CommandEvent::Accepted: return Status::Done;\n    case CommandEvent::Ready:",
         "Copter arm each 5",
         'arm ends with "done: the autopilot confirmed it", and the last heartbeat has shown it disarmed',
     ),
