@@ -212,8 +212,7 @@ TEST_CASE("each conversation of a flight ends as it says, and nothing is begun b
       "goto home land idle beat9 >",
       // The line is lost while it takes off: it has to be brought down.
       "takeoff beat >takeoff armed! =silent flying land beat >land =done over! disarmed! beat landed",
-      "takeoff beat >takeoff armed! silent! =silent flying beat heard! land beat >land =done over! disarmed! beat "
-      "ended/silence",
+      "takeoff beat armed! silent! =silent beat heard! land beat >land =done over! disarmed! beat ended/silence",
   };
   for (const char* talk : kTalks) {
     CAPTURE(talk);
