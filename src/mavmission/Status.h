@@ -14,12 +14,12 @@ namespace mavmission {
   /* not ended */ \
   X(Idle, "idle")                                   /* no operation has been started yet */ \
   X(WaitingForAutopilot, "waiting for an autopilot") /* none heard yet, or two heard and none named */ \
-  X(BackingOff, "waiting for another station") /* see retryWhenBusy() */ \
+  X(BackingOff, "waiting: another station is transferring") /* see retryWhenBusy() */ \
   X(Checking, "checking the plan")                  /* before the first byte is sent */ \
   X(Transferring, "transferring")                   /* exchanging messages with the autopilot */ \
   /* ended well */ \
   X(Accepted, "accepted: the plan is aboard")       /* the autopilot acknowledged the whole plan */ \
-  X(AlreadyAboard, "already aboard") /* ensure() found the plan there */ \
+  X(AlreadyAboard, "already aboard: nothing was uploaded") /* ensure() found the plan there */ \
   X(Downloaded, "downloaded: the plan has been read")  /* every item has been given to the sink */ \
   X(Verified, "verified: what is aboard is the plan")  /* read back and compared */ \
   X(Cleared, "cleared: no plan is aboard")          /* acknowledged by the autopilot */ \
@@ -50,21 +50,21 @@ namespace mavmission {
   X(NotFlown, "refused: the autopilot takes no such command") \
   X(NeedsCoordinates, "refused: the item needs coordinates") \
   X(BadAltitude, "refused: an altitude out of range") \
-  X(BadFence, "refused: a fence without an area") \
-  X(NotKept, "refused: it would be stored changed") /* keptValue() of differingField() */ \
+  X(BadFence, "refused: its corners or radius make no area") \
+  X(NotKept, "refused: it would be stored as another value") /* keptValue() of differingField() */ \
   /* failed on our side */ \
   X(Differs, "what is aboard is not the plan")      /* failedItem() and differingField() say where */ \
   X(SinkFull, "the plan aboard is too large for the sink") \
   X(SourceRefused, "the plan's source gave no item") \
   X(NoAnswer, "the autopilot did not answer") \
-  X(TimedOut, "the autopilot asks for no further item") \
+  X(TimedOut, "the autopilot fell silent, or repeats one request") \
   X(TookTooLong, "it took too long") \
   X(AcceptedEarly, "accepted before every item was asked for") \
-  X(OtherPlanAboard, "accepted, by another plan's checksum") \
+  X(OtherPlanAboard, "accepted, but the checksum is not our plan's") \
   /* refused by the autopilot: MAV_MISSION_RESULT 1 to 15 in order, then any other result */ \
   X(Error, "autopilot: error") \
   X(UnsupportedFrame, "autopilot: frame not supported") \
-  X(Unsupported, "autopilot: no such command in a plan") \
+  X(Unsupported, "autopilot: command not supported in a plan") \
   X(NoSpace, "autopilot: no room for the items") \
   X(Invalid, "autopilot: bad parameter") \
   X(InvalidParam1, "autopilot: bad param1") \
@@ -87,7 +87,7 @@ namespace mavmission {
   X(CommandIntOnly, "autopilot: only as COMMAND_INT") \
   X(CommandFrame, "autopilot: not in this frame") \
   X(NotInControl, "autopilot: another station is in control") \
-  X(CommandRefused, "autopilot: refused") \
+  X(CommandRefused, "autopilot: refused, by another code") \
   X(NoSuchMode, "this vehicle has no such mode") \
   X(NotArmed, "the autopilot is not armed") \
   X(Unproven, "the plan aboard may not be ours") \
@@ -95,7 +95,7 @@ namespace mavmission {
   X(Infeasible, "accepted, then found impossible to fly") \
   X(NoSuchItem, "the plan has no such item") \
   X(NothingToFly, "refused: nothing to fly to") \
-  X(NoLanding, "refused: no landing at its end") /* Flight */ \
+  X(NoLanding, "refused: no landing or return at its end") /* Flight */ \
   X(OtherItem, "the autopilot is not at the first item")  /* failedItem() is the item it is at */ \
   X(TakenOver, "somebody else has set another mode") \
   X(Overruled, "another mode was undone, and not set again") \
@@ -104,7 +104,7 @@ namespace mavmission {
   X(FailsafeHasIt, "a failsafe or its own plan is in control") \
   X(NotFlying, "the aircraft is not in the air") \
   X(NoHome, "the autopilot names no home") \
-  X(BadSpeed, "refused: a speed not within 0 to 100 m/s") \
+  X(BadSpeed, "refused: a speed must be above 0, up to 100 m/s") \
   X(NotRenewed, "held: the target was not renewed") /* MovingTarget */ \
   /* parameters */ \
   X(NoParameter, "no such parameter, or not heard") \

@@ -162,7 +162,7 @@ def test_ensure_mission_uploads_once_and_looks_at_the_next_power_on(run, persona
     again = run("EnsureMission")
     again.autopilot.load(held)
     lines = again.until("aboard: our plan, whole", 5.0)
-    assert lines == ["already aboard", "aboard: our plan, whole"]
+    assert lines == ["already aboard: nothing was uploaded", "aboard: our plan, whole"]
     assert again.autopilot.messages(">", "MISSION_COUNT") == []
 
 

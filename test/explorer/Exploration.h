@@ -9,7 +9,7 @@
 
 struct Findings {
   uint64_t states = 0;
-  uint64_t operations = 0;  // that have ended, of walks (Walk.h)
+  uint64_t operations = 0;  // how many have ended, in walks (Walk.h) and at consoles (Typed.h)
   uint64_t transitions = 0;
   uint64_t violations = 0;
   bool isWhole = false;                  // false: more states than allowed

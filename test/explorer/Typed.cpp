@@ -654,7 +654,8 @@ class Terminal {
     meant_ = stored();
     if (meant_.empty() && runs(bit(kStart))) meant_ = ours_;
     begunMs_ = station_.nowMs();
-    if (wasBusy || !station_.client.isBusy()) return;  // which of two it is cannot be seen here
+    if (wasBusy || !station_.client.isBusy())
+      return;  // two operations in one update(): it cannot be seen here which of them runs
     if (usesPlan() && (keyboard_.paper.askedInOrder & running_) == 0)
       breaks("a plan is used, and a load or download behind it has failed");
     if (usesPlan() && plan_.hasPlan() && meant_ != kept_)

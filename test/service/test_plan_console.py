@@ -6,7 +6,6 @@ import pytest
 
 from example_runs import Run, commands, is_ardupilot
 from plans import HOME, NAN, jump, waypoint
-from simulation.enumerators import texts_of
 
 HEAD = ["QGC WPL 110", "0\t1\t0\t16\t0\t0\t0\t0\t-35.3632621\t149.1652374\t584.1\t1"]
 SURVEY = [
@@ -269,19 +268,6 @@ def test_a_plan_that_is_aboard_is_cleared_and_differs(console):
     assert commands(console) == []
     lines = console.answer("verify", "aboard: not known")
     assert "what is aboard is not the plan" in lines and "what differs: number of items" in lines
-
-
-def test_an_upload_is_cancelled_and_the_plan_is_not_exchanged_meanwhile(console):
-    console.load(*long_plan(60))
-    console.send("upload")
-    console.until("5/60", 5.0)
-    for command in ("load", "erase", "download"):
-        console.answer(command, "busy with another operation")
-    assert console.answer("cancel", "cancelled by the sketch")[-1] == "cancelled by the sketch"
-    left = "Mixture" if is_ardupilot(console) else "AsBefore"
-    aboard = f"aboard: {texts_of('Status.h', 'MAVMISSION_ABOARD')[left]}"
-    assert aboard in console.until(aboard, 1.0)
-    assert len(console.listed()) == 62
 
 
 @pytest.mark.slow

@@ -124,7 +124,7 @@ def test_command_of_which_nothing_is_known_is_said_to_be_so(tmp_path):
 def test_number_that_an_autopilot_would_keep_as_another_is_found_with_both(tmp_path):
     turns = "0 3 18 300 0 10 0 47.5 8.5 20 1"
     status, text = check(tmp_path, [turns], "ardupilot")
-    assert status == 1 and "it would be stored changed: param1, 300 -> 255" in text
+    assert status == 1 and "it would be stored as another value: param1, 300 -> 255" in text
 
 
 def test_plan_is_judged_for_the_vehicle_that_it_was_drawn_for():

@@ -153,7 +153,9 @@ MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t f
 }
 
 // PX4 keeps NAV_ROI as DO_SET_ROI, and from 1.18 on CONDITION_DELAY as NAV_DELAY.
-bool isKeptAs(uint16_t sent, uint16_t read) { return (sent == 80 && read == 201) || (sent == 112 && read == 93); }
+bool isKeptAs(uint16_t sent, uint16_t read) {
+  return (sent == kNavRoi && read == kDoSetRoi) || (sent == kConditionDelay && read == kNavDelay);
+}
 
 bool isSameFrame(const MissionItem& sent, const MissionItem& read, const Rules& rules, Keeper keeper) {
   const Frame found = modern(read.frame);

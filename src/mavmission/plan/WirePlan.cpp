@@ -10,11 +10,9 @@ namespace mavmission {
 namespace detail {
 namespace {
 
-constexpr uint16_t kNavLast = 95, kConditionDelay = 112, kJumpTag = 600, kDoJumpTag = 601;  // MAV_CMD
+constexpr uint16_t kNavLast = 95, kJumpTag = 600, kDoJumpTag = 601;  // MAV_CMD
 // Above the limit, or below its negative. In one comparison: what is below becomes large.
 bool isBeyond(int32_t value, uint32_t limit) { return static_cast<uint32_t>(value) + limit > 2 * limit; }
-
-constexpr uint16_t kNavRoi = 80, kDoSetRoi = 201;  // MAV_CMD
 
 bool is(const float& number, uint32_t bits) {
   uint32_t found;

@@ -157,7 +157,7 @@ TEST_CASE("of several differences the first in the order of the message is told"
 }
 
 TEST_CASE("PX4 alone keeps two commands by other numbers") {
-  const uint16_t kKeptAs[][2] = {{80, 201}, {112, 93}};  // NAV_ROI, CONDITION_DELAY
+  const uint16_t kKeptAs[][2] = {{kNavRoi, kDoSetRoi}, {kConditionDelay, kNavDelay}};
   for (const uint16_t(&pair)[2] : kKeptAs) {
     for (const Firmware firmware : {Firmware::Px4, Firmware::ArduPilot, Firmware::Unknown}) {
       const Keeper keeper = keeperOf(firmware, 0, PlanType::Mission);

@@ -355,20 +355,3 @@ TEST_CASE("an EEPROM that does not keep what it is given is told, and the consol
   CHECK(desk.said().find(": the EEPROM could not store the plan\r\n") != std::string::npos);
   CHECK(desk.said().find("stored: items 0\r\n") != std::string::npos);
 }
-
-TEST_CASE("whatever is typed, it goes on") {
-  Desk desk;
-  uint32_t seed = 5;
-  for (int round = 0; round < 300; ++round) {
-    std::string text = round % 3 == 0 ? std::string("load\n") + (round % 2 ? kHead : "") : "";
-    for (int i = 0; i < 60; ++i) {
-      seed = seed * 1664525 + 1013904223;
-      const char common[] = "0123456789.-+eE\t \r\nnaQGC#\x7F\bload";
-      const uint32_t pick = seed >> 16;
-      text += pick % 8 == 0 ? static_cast<char>(pick >> 4) : common[pick % (sizeof(common) - 1)];
-    }
-    desk.answer(text, 100);
-  }
-  desk.answer("\ncancel\nend\n");
-  CHECK(desk.answer("help\n").find("help: list the commands\r\n") != std::string::npos);
-}

@@ -565,11 +565,11 @@ TEST_CASE("each frame of a place above sea level or above home is taken by both,
 }
 
 TEST_CASE("a region of interest goes to PX4 by the number that takes a place in each version, and nothing else does") {
-  for (const uint16_t command : {80, 195, 201}) {
+  for (const uint16_t command : {kNavRoi, kDoSetRoiLocation, kDoSetRoi}) {
     MissionItem item;
     Plan plan({anyCommandAt(command, 1_deg, 1_deg, 20_m)}, Firmware::Px4);
     REQUIRE((plan.read(0, item) == Status::Accepted));
-    CHECK(item.command == (command == 201 ? 80 : command));
+    CHECK(item.command == (command == kDoSetRoi ? uint16_t{kNavRoi} : command));
   }
 }
 
