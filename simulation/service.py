@@ -88,7 +88,6 @@ class Heard(NamedTuple):
     id: int
     sender: tuple[int, int]
     version: int
-    listener: str
     payload: bytes
 
 
@@ -110,8 +109,11 @@ class Service(Bench):
 
     def _sent(self, *names: str) -> list:
         """What the client has sent, and not what it or its follower asks for beside it."""
-        return [entry for entry in super()._sent(*names)
-                if not is_followers(entry.message) and not asks_for_heartbeat(entry.message)]
+        return [
+            entry
+            for entry in super()._sent(*names)
+            if not is_followers(entry.message) and not asks_for_heartbeat(entry.message)
+        ]
 
     # Orders
 
@@ -212,9 +214,8 @@ class Service(Bench):
         heard = []
         for told in self.told:
             if told.word == "message":
-                system, component, version, listener, payload = told.rest.split(" ")
-                heard.append(Heard(told.number, (int(system), int(component)), int(version), listener,
-                                   bytes.fromhex(payload)))  # fmt: skip
+                system, component, version, payload = told.rest.split(" ")
+                heard.append(Heard(told.number, (int(system), int(component)), int(version), bytes.fromhex(payload)))
         return heard
 
     def compared(
