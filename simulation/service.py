@@ -160,11 +160,11 @@ class Service(Bench):
     def set_mode(self, name: str) -> str:
         return self.order_of("mode", MODES.index(name))
 
-    def post(self, identity: int, crc_extra: int, payload: bytes, length_v1: int | None = None) -> None:
+    def post(self, identity: int, crc_extra: int, payload: bytes) -> None:
         """Have a message of the sketch's own sent, and wait until it was taken."""
         self.mega.poke(self.mega.address("benchPayload"), payload)
         before = self.count_told("posted")
-        self.tell("post", identity, crc_extra, len(payload), len(payload) if length_v1 is None else length_v1)
+        self.tell("post", identity, crc_extra, len(payload), len(payload))
         limit = self.now + 2.0
         while self.count_told("posted") == before:
             assert self.now < limit, "the message was not taken within 2 s"

@@ -127,7 +127,6 @@ class Px4(FakeAutopilot):
         self.modes_flown: list[tuple[float, tuple[int, int]]] = []  # each with the time at which it was set [s]
         self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
         self.home_is_known = True
-        self.has_standard_messages = True  # AVAILABLE_MODES and CURRENT_MODE: boards with little flash do without
         self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
         self.failsafes: list[float] = []  # when its targets have ended in OFFBOARD [s]
         self._has_lost_stream = False  # why it is in its failsafe: its targets have ended in OFFBOARD
@@ -560,7 +559,7 @@ class Px4(FakeAutopilot):
 
     def _tell_modes(self, number: int, now: float) -> int:
         """An entry of its list; 0: all of them."""
-        if not self.has_standard_messages or number > len(MODES):
+        if number > len(MODES):
             return RESULT_DENIED
         for index in range(len(MODES)) if number == 0 else [number - 1]:
             (main, sub), name, can_be_set = MODES[index]
@@ -763,7 +762,7 @@ class Px4(FakeAutopilot):
             return self.heartbeat()
         if identity == MISSION_CURRENT:
             return self._mission_current()
-        if identity == mavlink.MAVLINK_MSG_ID_CURRENT_MODE and self.has_standard_messages:
+        if identity == mavlink.MAVLINK_MSG_ID_CURRENT_MODE:
             shown = custom_mode(self.main_mode, self.sub_mode)
             return mavlink.MAVLink_current_mode_message(
                 _standard_mode(self.main_mode, self.sub_mode), shown, shown)
