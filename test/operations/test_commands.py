@@ -37,6 +37,15 @@ def test_command_goes_out_as_it_was_meant_and_in_the_other_form_where_that_is_th
     assert (as_int.x, as_int.y, as_int.z, as_int.frame) == (-9, 16777216, 7.125, mavlink.MAV_FRAME_MISSION)
 
 
+@pytest.mark.scenario(51, "A command that must not happen twice is not repeated")
+@pytest.mark.parametrize("command", [181, 42600], ids=["relay", "winch"])
+def test_command_that_must_not_happen_twice_leaves_once(service, command):
+    """The first and the last of their list in flash."""
+    service.wire.lose("<", name="COMMAND_ACK", times=None, where=lambda message: message.command == command)
+    service.send_command(command, 1.0, 1.0)
+    assert service.done() == "Unconfirmed" and len(service.heard("COMMAND_LONG")) == 1
+
+
 MODE = pytest.mark.scenario(54, "Modes by one name on every vehicle")
 TYPES = modes_document.types()
 STARTS = {"copter": [(SET_MODE, 1, 4), (ARM, 1, 0), (MISSION_START, 0, 0)], "plane": [(ARM, 1, 0), (SET_MODE, 1, 10)],

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from areas import FIELD, POINTS
 from downloads import WRITTEN, as_ardupilot_has_it, loaded, same
 from plans import HOME, OLD_PLAN, SURVEY
 from simulation.bench import FunctionPlan, same_bits
 from simulation.fake_autopilot.ftp import BURST, CREATE, HEADER, OPEN_RO, READ, TERMINATE, WRITE, Request
-from simulation.service import HOME_INDEX, MISSION
+from simulation.service import FENCE, HOME_INDEX, MISSION, RALLY
 
 BY_FILE = pytest.mark.scenario(62, "A plan is uploaded, looked for and read as a file", "ArduPilot")
 FTP = "FILE_TRANSFER_PROTOCOL"
@@ -50,6 +51,16 @@ def test_plan_is_written_looked_for_verified_and_read(build_service):
     assert (service.state.failed_item, service.state.field) == (1, "Longitude")
     status, asked = ended(service, "fileensure", MISSION)
     assert status == "Accepted" and asked.index(OPEN_RO) < asked.index(CREATE) and service.state.aboard == "OurPlan"
+
+
+@BY_FILE
+@pytest.mark.parametrize("mission_type, plan", [(FENCE, FIELD), (RALLY, POINTS)], ids=["fence", "rally"])
+def test_fence_and_rally_points_have_files_of_their_own(build_service, mission_type, plan):
+    service = build_service("ArduPilot", defines={"BENCH_FILES": 1})
+    service.use(plan)
+    assert ended(service, "fileupload", mission_type)[0] == "Accepted"
+    assert same_bits(service.autopilot.missions[mission_type].received, plan)
+    assert ended(service, "fileverify", mission_type) == ("Verified", LOOK)
 
 
 @BY_FILE

@@ -160,11 +160,13 @@ def test_on_a_bad_line_it_never_says_done_falsely_and_ends(build_service, vehicl
 
 
 @pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
-def test_infeasible_plan_has_its_own_status_after_accepted_and_is_not_started(build_service):
-    service = build_service("PX4", infeasible_text=False)
+@pytest.mark.parametrize("in_words", [True, False], ids=["in words", "by the mission state alone"])
+def test_infeasible_plan_has_its_own_status_after_accepted_and_is_not_started(build_service, in_words):
+    service = build_service("PX4", infeasible_text=in_words, hears_station=in_words)
     service.upload(LANDING_FIRST)
     assert service.done() == "Accepted"
     assert service.done(limit_s=3) == "Infeasible"
+    assert [words.strip() for _, words in service.texts] == ["Mission rejected: starts with landing"] * in_words
     service.run(5.0)
     assert service.ends.count("Infeasible") == 1
     service.order_of("start")
