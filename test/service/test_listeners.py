@@ -56,6 +56,7 @@ def test_message_of_any_length_leaves_to_the_byte_between_those_of_an_upload(bui
     for payload in sent:
         service.post(180, 77, payload)  # no message of the common dialect has this id
         service.run(0.06)  # the payload must stay until it has left
+        service.say(GPS, version=version)
     assert service.done(limit_s=60) == "Accepted"
     assert same_bits(service.autopilot.received(), on_the_wire(plan, "ArduPilot"))
     left = [entry.data for entry in service.wire.frames(">")]
@@ -64,4 +65,5 @@ def test_message_of_any_length_leaves_to_the_byte_between_those_of_an_upload(bui
     own = [data for data in left if data[id_at] == 180]
     wanted = [frame_of(version, data[sequence_at], 180, 77, payload) for data, payload in zip(own, sent, strict=True)]
     assert own == wanted
+    assert [one.id for one in service.listened] == [GPS_RAW_INT] * len(sent)  # what comes is heard meanwhile
     assert service.blocked() == 0
