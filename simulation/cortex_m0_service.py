@@ -13,8 +13,6 @@ FILLED = 36  # bytes of a MissionItem where it is aligned
 
 
 class CortexM0Service(Service):
-    """defines: also UART_RX, UART_TX and UART_ROOM, by which the ports behave as another board's do."""
-
     def __init__(self, personality: str | None, **options) -> None:
         self.personality = personality
         super().__init__(personality, **options)

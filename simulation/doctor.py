@@ -1,8 +1,7 @@
 """A bench for LinkDoctor: simulation/sketches/doctor.cpp beside a fake autopilot, or whatever else is on the line.
 
-bench = Doctor("PX4")
-bench.wire.pull(">")                  # our TX is not wired
-bench.run_until_verdict("NotHeard")
+bench = Doctor("PX4", peer_baud=115200)
+bench.run_until_verdict("NoFrames")
 bench.verdicts                        # all that it came to, in order
 """
 
@@ -10,7 +9,6 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import NamedTuple
 
 from simulation.bench import AUTOPILOT_PORT, Bench, Nobody, fake
 from simulation.enumerators import texts_of
@@ -19,20 +17,8 @@ from simulation.fake_autopilot import FakeAutopilot
 _TOLD = re.compile(r"(\d+) (verdict|opened) (\d+)")
 
 
-def verdict_texts() -> dict[str, str]:
-    return texts_of("LinkDoctor.h", "MAVMISSION_VERDICTS")
-
-
 def verdict_names() -> list[str]:
-    return list(verdict_texts())
-
-
-class Findings(NamedTuple):
-    """What the doctor's queries answer."""
-
-    verdict: str
-    baud: int
-    speaker: tuple[int, int, int]  # system id, component id, MAV_TYPE
+    return list(texts_of("LinkDoctor.h", "MAVMISSION_VERDICTS"))
 
 
 class Doctor(Bench):
@@ -80,14 +66,7 @@ class Doctor(Bench):
         return self.now - began
 
     @property
-    def findings(self) -> Findings:
+    def found_baud(self) -> int:
+        """The rate at which the doctor has found frames."""
         (line,) = self.tell("doctor")
-        words = line.split(" ")
-        value = {key: int(number) for key, _, number in (word.partition("=") for word in words[3:])}
-        return Findings(
-            verdict_names()[int(words[2])], value["baud"], (value["system"], value["component"], value["type"])
-        )
-
-    def text_of(self, number: int) -> str:
-        (line,) = self.tell("text", number)
-        return line.split(" ", 3)[3]
+        return int(line.partition("baud=")[2])

@@ -44,13 +44,6 @@ class ParameterBench(Bench):
         return self.done(limit_s)
 
     @property
-    def kept(self) -> float:
-        """What keptValue() says."""
-        (line,) = self.tell("kept")
-        (number,) = struct.unpack("<f", struct.pack("<I", int(line.split("bits=")[1])))
-        return number
-
-    @property
     def state(self) -> tuple[float, int, bool]:  # type: ignore[override]  # its sketch tells no more
         return self.value
 

@@ -88,7 +88,6 @@ class Heard(NamedTuple):
     id: int
     sender: tuple[int, int]
     version: int
-    listener: str
     payload: bytes
 
 
@@ -110,8 +109,11 @@ class Service(Bench):
 
     def _sent(self, *names: str) -> list:
         """What the client has sent, and not what it or its follower asks for beside it."""
-        return [entry for entry in super()._sent(*names)
-                if not is_followers(entry.message) and not asks_for_heartbeat(entry.message)]
+        return [
+            entry
+            for entry in super()._sent(*names)
+            if not is_followers(entry.message) and not asks_for_heartbeat(entry.message)
+        ]
 
     # Orders
 
@@ -158,11 +160,11 @@ class Service(Bench):
     def set_mode(self, name: str) -> str:
         return self.order_of("mode", MODES.index(name))
 
-    def post(self, identity: int, crc_extra: int, payload: bytes, length_v1: int | None = None) -> None:
+    def post(self, identity: int, crc_extra: int, payload: bytes) -> None:
         """Have a message of the sketch's own sent, and wait until it was taken."""
         self.mega.poke(self.mega.address("benchPayload"), payload)
         before = self.count_told("posted")
-        self.tell("post", identity, crc_extra, len(payload), len(payload) if length_v1 is None else length_v1)
+        self.tell("post", identity, crc_extra, len(payload), len(payload))
         limit = self.now + 2.0
         while self.count_told("posted") == before:
             assert self.now < limit, "the message was not taken within 2 s"
@@ -212,9 +214,8 @@ class Service(Bench):
         heard = []
         for told in self.told:
             if told.word == "message":
-                system, component, version, listener, payload = told.rest.split(" ")
-                heard.append(Heard(told.number, (int(system), int(component)), int(version), listener,
-                                   bytes.fromhex(payload)))  # fmt: skip
+                system, component, version, payload = told.rest.split(" ")
+                heard.append(Heard(told.number, (int(system), int(component)), int(version), bytes.fromhex(payload)))
         return heard
 
     def compared(

@@ -1,4 +1,4 @@
-"""A bench for a Vehicle and its listeners: simulation/sketches/vehicle.cpp beside a fake autopilot.
+"""A bench for a Vehicle and the listeners of telemetry: simulation/sketches/vehicle.cpp beside a fake autopilot.
 
 bench = VehicleBench("PX4")
 bench.told("estimator")["reason"]    # the first time the listener is made: the message comes later
@@ -11,27 +11,23 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from simulation.bench import Bench
 from simulation.enumerators import texts_of
-from simulation.fake_autopilot import ardupilot_dialect, mavlink
-from simulation.telemetry import Telemetry
+from simulation.fake_autopilot import mavlink
+
+# Listeners that each autopilot has the message of.
+LISTENERS = ("position", "attitude", "battery", "gps", "rc", "hud")
 
 _TEXT = re.compile(r"\d+ text (\d+) (.*)", re.DOTALL)
 
-# The message of each listener, by autopilot.
-MESSAGES = {
-    "ArduPilot": {"health": mavlink.MAVLINK_MSG_ID_SYS_STATUS, "estimator": ardupilot_dialect.EKF_STATUS_REPORT,
-                  "vibration": mavlink.MAVLINK_MSG_ID_VIBRATION, "wind": ardupilot_dialect.WIND},
-    "PX4": {"health": mavlink.MAVLINK_MSG_ID_SYS_STATUS, "estimator": mavlink.MAVLINK_MSG_ID_ESTIMATOR_STATUS,
-            "vibration": mavlink.MAVLINK_MSG_ID_VIBRATION, "wind": mavlink.MAVLINK_MSG_ID_WIND_COV},
-}  # fmt: skip
 
-
-class VehicleBench(Telemetry):
+class VehicleBench(Bench):
     source = Path(__file__).resolve().parent / "sketches" / "vehicle.cpp"
 
     def __init__(self, *arguments, **options) -> None:
         self.texts: list[tuple[int, str]] = []
-        super().__init__(*arguments, **options)
+        # A HOME_POSITION has 60 bytes.
+        super().__init__(*arguments, defines={"MAVMISSION_MAX_PAYLOAD": 60}, **options)
 
     def _take_line(self, line: str) -> None:
         match = _TEXT.fullmatch(line)
@@ -40,9 +36,24 @@ class VehicleBench(Telemetry):
         else:
             super()._take_line(line)
 
+    def told(self, listener: str) -> dict[str, int]:
+        """What the listener says, by name: numbers of 32 bits, signed."""
+        (line,) = self.tell(listener)
+        words = line.split(" ")[3:]
+        return {key: signed(int(number)) for key, _, number in (word.partition("=") for word in words)}
+
+    def heard_all(self, *names: str) -> bool:
+        return all(self.told(name)["heard"] for name in names)
+
+    def run_until_confirmed(self, *names: str, limit_s: float = 10.0) -> None:
+        limit = self.now + limit_s
+        while not all(self.told(name)["confirmed"] for name in names):
+            assert self.now < limit, f"nothing ended within {limit_s} s: not confirmed: {names}"
+            self.run(0.1)
+
     def reason(self, listener: str) -> str:
         """Why it is not fit, by the enumerator's name; by "vehicle" the worst of all."""
-        return reasons()[self.told(listener)["reason"]]
+        return list(texts_of("Fitness.h", "MAVMISSION_FIT_REASONS"))[self.told(listener)["reason"]]
 
     def words(self) -> list[str]:
         """The mode's name, the fitness and its reason, as they are printed."""
@@ -55,5 +66,5 @@ class VehicleBench(Telemetry):
                 if entry.message.command == mavlink.MAV_CMD_SET_MESSAGE_INTERVAL]  # fmt: skip
 
 
-def reasons() -> list[str]:
-    return list(texts_of("Fitness.h", "MAVMISSION_FIT_REASONS"))
+def signed(number: int) -> int:
+    return number - 2**32 if number >= 2**31 else number

@@ -126,7 +126,6 @@ class Px4(FakeAutopilot):
         self._reached_again = 0
         self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
         self.home_is_known = True
-        self.has_standard_messages = True  # AVAILABLE_MODES and CURRENT_MODE: boards with little flash do without
         self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
         self._has_lost_stream = False  # why it is in its failsafe: its targets have ended in OFFBOARD
         self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
@@ -557,7 +556,7 @@ class Px4(FakeAutopilot):
 
     def _tell_modes(self, number: int, now: float) -> int:
         """An entry of its list; 0: all of them."""
-        if not self.has_standard_messages or number > len(MODES):
+        if number > len(MODES):
             return RESULT_DENIED
         for index in range(len(MODES)) if number == 0 else [number - 1]:
             (main, sub), name, can_be_set = MODES[index]
@@ -759,7 +758,7 @@ class Px4(FakeAutopilot):
             return self.heartbeat()
         if identity == MISSION_CURRENT:
             return self._mission_current()
-        if identity == mavlink.MAVLINK_MSG_ID_CURRENT_MODE and self.has_standard_messages:
+        if identity == mavlink.MAVLINK_MSG_ID_CURRENT_MODE:
             shown = custom_mode(self.main_mode, self.sub_mode)
             return mavlink.MAVLink_current_mode_message(
                 _standard_mode(self.main_mode, self.sub_mode), shown, shown)

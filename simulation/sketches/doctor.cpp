@@ -7,13 +7,6 @@
 
 using namespace mavmission;
 
-constexpr MissionItem plan[] PROGMEM = {
-    takeoff(20_m),
-    waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
-    waypoint(-35.3614500_deg, 149.1652374_deg, 20_m),
-    returnToLaunch(),
-};
-
 static MissionClient client(Serial1);
 static LinkDoctor doctor(client);
 static uint32_t baud = 57600;
@@ -26,33 +19,19 @@ static void setBaud(void*, uint32_t tried) {
   Serial.println(tried);
 }
 
-ACTION(upload) { client.upload(inFlash(plan)); }
 ACTION(open) {
   baud = numbers[0];
   Serial1.begin(baud);
 }
 ACTION(bauds) { doctor.tryBauds(setBaud, baud); }
-ACTION(ids) { client.setSourceIds(numbers[0], numbers[1]); }
-ACTION(talkto) { client.setTargetIds(numbers[0], numbers[1]); }
 ACTION(stall) { setStall(numbers); }
 ACTION(doctor_) {
   tell(F("doctor"), static_cast<uint8_t>(doctor.verdict()));
   tellNumber(F("baud"), doctor.baud());
-  tellNumber(F("system"), doctor.speaker().systemId);
-  tellNumber(F("component"), doctor.speaker().componentId);
-  tellNumber(F("type"), doctor.speaker().type);
-  Serial.println();
-}
-ACTION(text) {
-  const FlashText words = toString(static_cast<Verdict>(numbers[0]));
-  tell(F("text"), numbers[0]);
-  Serial.print(' ');
-  if (words != nullptr) Serial.print(words);
   Serial.println();
 }
 
-static const Word words[] = {WORD(upload), WORD(open),  WORD(bauds), WORD(ids),
-                             WORD(talkto), WORD(stall), WORD(text),  {"doctor", doctor_}};
+static const Word words[] = {WORD(open), WORD(bauds), WORD(stall), {"doctor", doctor_}};
 
 // Apart, so that its calls can be watched.
 extern "C" __attribute__((noinline, noclone)) Verdict updateDoctor() { return doctor.update(); }

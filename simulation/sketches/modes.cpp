@@ -12,9 +12,7 @@ static StandardModes modes(client);
 
 ACTION(set) { tellBegun(modes.set(static_cast<StandardMode>(numbers[0]))); }
 ACTION(read) { tellBegun(modes.read(numbers[0])); }
-ACTION(setmode) { tellBegun(client.setMode(static_cast<FlightMode>(numbers[0]))); }
 ACTION(custom) { tellBegun(client.setCustomMode(modes.customMode())); }
-ACTION(cancel) { client.cancel(); }
 ACTION(entry) {
   tell(F("entry"), static_cast<uint8_t>(modes.mode()));
   tellNumber(F("count"), modes.count());
@@ -25,7 +23,7 @@ ACTION(entry) {
   Serial.println(modes.name());
 }
 
-static const Word words[] = {WORD(set), WORD(read), WORD(setmode), WORD(custom), WORD(cancel), WORD(entry)};
+static const Word words[] = {WORD(set), WORD(read), WORD(custom), WORD(entry)};
 
 void setup() { setUpTalk(); }
 

@@ -14,9 +14,6 @@ float benchNumber FROM_OUTSIDE;
 
 static MissionClient client(Serial1);
 static Parameters parameters(client);
-#ifdef BENCH_TELEMETRY
-static PositionListener position(client, 500);
-#endif
 
 ACTION(read) { tellBegun(parameters.read(benchName)); }
 ACTION(readflash) { tellBegun(parameters.read(F("FENCE_ENABLE"))); }
@@ -26,19 +23,6 @@ ACTION(setwhole) {
   tellBegun(parameters.setWhole(benchName, numbers[0] == 1 ? -static_cast<int32_t>(numbers[1]) : numbers[1]));
 }
 ACTION(setwholeflash) { tellBegun(parameters.setWhole(F("MIS_RESTART"), 1)); }
-ACTION(armed) { client.allowWhileArmed(numbers[0]); }
-ACTION(upload) { client.upload(fromFunction(itemOnTheWayNorth, numbers[0])); }
-ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
-ACTION(cancel) { client.cancel(); }
-// keptValue(): its bits.
-ACTION(kept) {
-  const float kept = client.keptValue();
-  uint32_t bits;
-  memcpy(&bits, &kept, sizeof(bits));
-  tell(F("kept"), 0);
-  tellNumber(F("bits"), bits);
-  Serial.println();
-}
 ACTION(value) {
   tell(F("value"), 0);
   uint32_t bits;
@@ -50,10 +34,8 @@ ACTION(value) {
   Serial.println();
 }
 
-static const Word words[] = {
-    WORD(read),   WORD(readflash), WORD(set),    WORD(setflash), WORD(setwhole), WORD(setwholeflash),
-    WORD(upload), WORD(interval),  WORD(cancel), WORD(value),    WORD(armed),    WORD(kept),
-};
+static const Word words[] = {WORD(read),     WORD(readflash),     WORD(set),  WORD(setflash),
+                             WORD(setwhole), WORD(setwholeflash), WORD(value)};
 
 void setup() {
   asm volatile("" : : "r"(&benchName), "r"(&benchNumber) : "memory");

@@ -13,11 +13,8 @@ FlightCommand benchCommand FROM_OUTSIDE;
 uint8_t benchPayload[255] FROM_OUTSIDE;
 }
 
-// Of the common dialect: GPS_RAW_INT and GLOBAL_POSITION_INT; ATTITUDE, HEARTBEAT, and the first one again.
+// Of the common dialect: GPS_RAW_INT and GLOBAL_POSITION_INT.
 const MessageKey positionKeys[] PROGMEM = {messageKey(24, 24, 30), messageKey(33, 104, 28)};
-#ifdef BENCH_TWO_LISTENERS
-const MessageKey attitudeKeys[] PROGMEM = {messageKey(30, 39, 28), messageKey(0, 50, 9), messageKey(24, 24, 30)};
-#endif
 
 MissionFollower follower(client);
 #ifdef BENCH_QUIET
@@ -41,7 +38,7 @@ static uint16_t refusedSinkItem = kHomeIndex - 1;  // no item has that number
 static OutgoingMessage outgoing;
 static bool isPosting;
 
-static void onMessage(void* context, const ReceivedMessage& message) {
+static void onMessage(void*, const ReceivedMessage& message) {
   tell(F("message"), message.id);
   Serial.print(' ');
   Serial.print(message.systemId);
@@ -50,20 +47,13 @@ static void onMessage(void* context, const ReceivedMessage& message) {
   Serial.print(' ');
   Serial.print(message.version);
   Serial.print(' ');
-  Serial.print(*static_cast<const char*>(context));
-  Serial.print(' ');
   uint8_t whole[60];
-  message.copyTo(whole, message.id == 24 ? 52 : message.id == 0 ? 9 : 28);
-  tellHex(whole, message.id == 24 ? 52 : message.id == 0 ? 9 : 28);
+  message.copyTo(whole, message.id == 24 ? 52 : 28);
+  tellHex(whole, message.id == 24 ? 52 : 28);
   Serial.println();
 }
 
-static char firstListener = 'A';
-MessageListener positions(client, positionKeys, onMessage, &firstListener);
-#ifdef BENCH_TWO_LISTENERS
-static char secondListener = 'B';
-MessageListener attitudes(client, attitudeKeys, onMessage, &secondListener);
-#endif
+MessageListener positions(client, positionKeys, onMessage);
 
 static void onProgress(void*, uint16_t done, uint16_t total) { tellProgress(done, total); }
 

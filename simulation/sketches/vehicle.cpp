@@ -1,5 +1,5 @@
-// The firmware of the tests of a Vehicle: its listeners, made when a line on Serial first asks for them, beside a
-// client on Serial1. simulation/vehicle.py is the other end.
+// The firmware of the tests of a Vehicle and of the listeners beside it: each is made when a line on Serial first asks
+// for it, beside a client on Serial1. simulation/vehicle.py is the other end.
 #include <Arduino.h>
 #include <MavMission.h>
 
@@ -16,6 +16,11 @@ static void tellHeard(T& listener) {
   tellNumber(F("age"), listener.ageMs());
   tellNumber(F("confirmed"), listener.isConfirmed());
   tellNumber(F("new"), listener.isNew());
+}
+
+static void tellLatLon(const LatLon& where) {
+  tellNumber(F("lat"), where.latitude.e7());
+  tellNumber(F("lon"), where.longitude.e7());
 }
 
 // A verdict: its reason, the word for it.
@@ -60,6 +65,128 @@ ACTION(wind) {
   tellNumber(F("down"), wind.downCmS());
   Serial.println();
 }
+ACTION(position_) {
+  PositionListener& position = vehicle.position();
+  tell(F("position"), 0);
+  tellHeard(position);
+  tellNumber(F("place"), position.hasPlace());
+  tellLatLon(position.place());
+  tellNumber(F("hasheights"), position.hasHeights());
+  tellNumber(F("sea"), position.aboveSeaLevelMm());
+  tellNumber(F("above"), position.aboveHomeMm());
+  tellNumber(F("homesea"), position.homeAboveSeaLevelMm());
+  uint32_t bits;
+  const float metres = position.altitude().metres();
+  memcpy(&bits, &metres, sizeof(bits));
+  tellNumber(F("altitude"), bits);
+  tellNumber(F("north"), position.northCmS());
+  tellNumber(F("east"), position.eastCmS());
+  tellNumber(F("down"), position.downCmS());
+  tellNumber(F("speed"), position.speedCmS());
+  tellNumber(F("hasheading"), position.hasHeading());
+  tellNumber(F("heading"), position.heading().e7());
+  tellNumber(F("cdeg"), position.headingCdeg());
+  Serial.println();
+}
+ACTION(attitude_) {
+  AttitudeListener& attitude = vehicle.attitude();
+  tell(F("attitude"), 0);
+  tellHeard(attitude);
+  tellNumber(F("roll"), attitude.roll().e7());
+  tellNumber(F("pitch"), attitude.pitch().e7());
+  tellNumber(F("yaw"), attitude.yaw().e7());
+  Serial.println();
+}
+ACTION(battery_) {
+  BatteryListener& battery = vehicle.battery();
+  tell(F("battery"), 0);
+  tellHeard(battery);
+  tellNumber(F("mv"), battery.voltageMv());
+  tellNumber(F("hascurrent"), battery.hasCurrent());
+  tellNumber(F("ca"), battery.currentCa());
+  tellNumber(F("hasconsumed"), battery.hasConsumed());
+  tellNumber(F("mah"), battery.consumedMah());
+  tellNumber(F("hasremaining"), battery.hasRemaining());
+  tellNumber(F("percent"), battery.remainingPercent());
+  tellNumber(F("hastemperature"), battery.hasTemperature());
+  tellNumber(F("cdeg"), battery.temperatureCdeg());
+  Serial.println();
+}
+ACTION(gps_) {
+  GpsListener& gps = vehicle.gps();
+  tell(F("gps"), 0);
+  tellHeard(gps);
+  tellNumber(F("fix"), static_cast<uint8_t>(gps.fix()));
+  tellNumber(F("hasfix"), gps.hasFix());
+  tellNumber(F("hassatellites"), gps.hasSatellites());
+  tellNumber(F("satellites"), gps.satellites());
+  tellLatLon(gps.place());
+  tellNumber(F("sea"), gps.aboveSeaLevelMm());
+  tellNumber(F("hdop"), gps.hdopHundredths());
+  tellNumber(F("accuracy"), gps.accuracyMm());
+  tellNumber(F("speed"), gps.speedCmS());
+  tellNumber(F("course"), gps.courseCdeg());
+  Serial.println();
+}
+ACTION(rc_) {
+  static RcListener rc(client, 500);
+  tell(F("rc"), 0);
+  tellHeard(rc);
+  tellNumber(F("count"), rc.count());
+  tellNumber(F("hasrssi"), rc.hasRssi());
+  tellNumber(F("rssi"), rc.rssi());
+  for (uint8_t number = 0; number <= 19; ++number) {
+    Serial.print(F(" ch"));
+    Serial.print(number);
+    Serial.print('=');
+    Serial.print(rc.channelUs(number));
+  }
+  Serial.println();
+}
+ACTION(hud_) {
+  HudListener& hud = vehicle.hud();
+  tell(F("hud"), 0);
+  tellHeard(hud);
+  tellNumber(F("hasairspeed"), hud.hasAirspeed());
+  tellNumber(F("air"), hud.airspeedCmS());
+  tellNumber(F("ground"), hud.groundSpeedCmS());
+  tellNumber(F("climb"), hud.climbCmS());
+  tellNumber(F("throttle"), hud.throttlePercent());
+  tellNumber(F("heading"), hud.headingDeg());
+  Serial.println();
+}
+ACTION(radio_) {
+  static RadioListener radio(client);
+  tell(F("radio"), 0);
+  tellNumber(F("heard"), radio.isHeard());
+  tellNumber(F("age"), radio.ageMs());
+  tellNumber(F("new"), radio.isNew());
+  tellNumber(F("rssi"), radio.rssi());
+  tellNumber(F("remote"), radio.remoteRssi());
+  tellNumber(F("noise"), radio.noise());
+  tellNumber(F("remotenoise"), radio.remoteNoise());
+  tellNumber(F("free"), radio.freeBufferPercent());
+  tellNumber(F("errors"), radio.receiveErrors());
+  tellNumber(F("corrected"), radio.corrected());
+  Serial.println();
+}
+ACTION(target_) {
+  WaypointListener& waypoint = vehicle.waypoint();
+  tell(F("waypoint"), 0);
+  tellHeard(waypoint);
+  tellNumber(F("distance"), waypoint.distanceM());
+  tellNumber(F("bearing"), waypoint.bearingDeg());
+  tellNumber(F("track"), waypoint.crossTrackCm());
+  Serial.println();
+}
+ACTION(home_) {
+  static HomeListener home(client, 500);
+  tell(F("home"), 0);
+  tellHeard(home);
+  tellLatLon(home.place());
+  tellNumber(F("sea"), home.aboveSeaLevelMm());
+  Serial.println();
+}
 ACTION(vehicle_) {
   tell(F("vehicle"), 0);
   tellReason(vehicle.whyNotFit(), vehicle.fitness());
@@ -89,16 +216,23 @@ static void tellText(void*, uint8_t severity, const char* text) {
   Serial.println(text);
 }
 ACTION(texts) { vehicle.texts().onText(tellText); }
-ACTION(last) {
-  TextListener& texts = vehicle.texts();
-  tell(F("last"), texts.lastSeverity());
-  Serial.print(texts.isNew() ? F(" new ") : F(" old "));
-  Serial.println(texts.lastText());
-}
-ACTION(upload) { client.upload(fromFunction(itemOnTheWayNorth, numbers[0])); }
 
-static const Word words_[] = {WORD(health), WORD(estimator), WORD(vibration), WORD(wind),  {"vehicle", vehicle_},
-                              WORD(words),  WORD(texts),     WORD(last),      WORD(upload)};
+static const Word words_[] = {{"position", position_},
+                              {"attitude", attitude_},
+                              {"battery", battery_},
+                              {"gps", gps_},
+                              {"rc", rc_},
+                              {"hud", hud_},
+                              {"radio", radio_},
+                              {"waypoint", target_},
+                              {"home", home_},
+                              WORD(health),
+                              WORD(estimator),
+                              WORD(vibration),
+                              WORD(wind),
+                              {"vehicle", vehicle_},
+                              WORD(words),
+                              WORD(texts)};
 
 void setup() { setUpTalk(); }
 

@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from functools import cache
 
-import pytest
-
 from example_runs import Run, commands, is_ardupilot
 from examples import sketch_of
 from simulation.fake_autopilot import mavlink
@@ -63,57 +61,37 @@ def test_plan_from_sd(personality):
     assert lines == ["items: 5", "accepted: the plan is aboard"]
     assert commands(example) == [22, 16, 16, 177, 20]
     items = example.autopilot.received()
-    home = is_ardupilot(example)
     assert [(one.x, one.y, one.z) for one in items[-4:-2]] == [
         (-353632621, 1491652374, 20.0),
         (-353614500, 1491652374, 25.5),
     ]
-    assert items[-2].param1 == 1 + home  # the file's item 2
+    assert items[-2].param1 == 1 + is_ardupilot(example)  # the file's item 2
 
 
-def test_a_file_on_a_card(personality):
-    example = RunWithCard(personality, waypoints(60))
+def test_a_file_on_a_card():
+    example = RunWithCard("ArduPilot", waypoints(60))
     lines = example.until("accepted: the plan is aboard", 15.0)
     assert lines == ["items: 60", "accepted: the plan is aboard"]
     items = example.autopilot.received()[-60:]
-    assert [one.z for one in items] == [20.25 + n for n in range(1, 61)]
-    assert [one.x for one in items] == [-353632621 + 100 * n for n in range(1, 61)]
+    assert [(one.x, one.z) for one in items] == [(-353632621 + 100 * n, 20.25 + n) for n in range(1, 61)]
 
 
-@pytest.mark.parametrize("text, said", [
-    (HEAD + "1\t0\t3\t16\t0\t0\t0\t0\t-95.0\t149.1\t20\t1", "line 3, field 9: a latitude beyond 90 degrees"),
-    (HEAD + "1\t0\t3\t16\t0\t0\t0", "line 3: a line has fewer than 12 fields"),
-    (HEAD, "line 3: no item after home"),
-])  # fmt: skip
-def test_a_bad_file_is_not_uploaded(text, said):
-    example = RunWithCard("PX4", text)
-    example.until(said, 3.0)
-    example.run(3.0)
-    assert example.lines == [said]
-    assert not example.autopilot.messages(">", "MISSION_COUNT")
-
-
-def test_a_file_that_is_not_there():
-    example = RunWithCard("PX4", None)
-    lines = example.until("line 1: it cannot be read to its end", 3.0)
+def test_a_bad_file_is_not_uploaded_nor_one_that_is_not_there():
+    example = RunWithCard("PX4", HEAD + "1\t0\t3\t16\t0\t0\t0\t0\t-95.0\t149.1\t20\t1")
+    example.until("line 3, field 9: a latitude beyond 90 degrees", 3.0)
+    missing = RunWithCard("PX4", None)
+    lines = missing.until("line 1: it cannot be read to its end", 3.0)
     assert lines[0] == "no card, or no PLAN.TXT on it"
+    for one in (example, missing):
+        one.run(3.0)
+        assert not one.autopilot.messages(">", "MISSION_COUNT")
 
 
-def test_a_card_that_is_pulled_while_it_is_read_is_no_shorter_plan():
-    example = RunWithCard("PX4", waypoints(20))
-    example.mega.poke_int("cardReadable", waypoints(20).index("15\t0\t3"))
-    example.until("line 17: it cannot be read to its end", 3.0)
-    example.run(2.0)
-    assert not example.autopilot.messages(">", "MISSION_COUNT")
-
-
-def test_a_card_that_is_pulled_during_the_upload_ends_it(personality):
-    example = RunWithCard(personality, waypoints(40))
+def test_a_card_that_is_pulled_during_the_upload_ends_it():
+    example = RunWithCard("ArduPilot", waypoints(40))
     while len(example.autopilot.messages(">", "MISSION_ITEM_INT")) < 10:
         example.run(0.01)
         assert example.now < 10
     example.mega.poke_int("cardReadable", 300)
-    lines = example.until("the plan's source gave no item", 3.0)
-    assert lines[-1] == "the plan's source gave no item"
-    cancelled = [one for one in example.autopilot.messages(">", "MISSION_ACK")]
-    assert cancelled[-1].type == mavlink.MAV_MISSION_OPERATION_CANCELLED
+    assert example.until("the plan's source gave no item", 3.0)[-1] == "the plan's source gave no item"
+    assert example.autopilot.messages(">", "MISSION_ACK")[-1].type == mavlink.MAV_MISSION_OPERATION_CANCELLED

@@ -1,4 +1,7 @@
-"""Measurements for the autopilot: what leaves is to the byte what pymavlink makes of the same numbers."""
+"""Messages for the autopilot: what leaves is to the byte what pymavlink makes of the same numbers.
+
+host/units/sensor_messages.cpp and payload_messages.cpp have each field.
+"""
 
 from __future__ import annotations
 
@@ -7,25 +10,22 @@ import math
 import pytest
 
 from simulation.fake_autopilot import mavlink
-from simulation.sensors import AROUND, DENSE, FIRST_GPS, GPS, NORTHERN, ODOMETRY, VISION, SensorBench
+from simulation.sensors import NAMES, SensorBench
 
 BODY_FRD, LOCAL_FRD, LOCAL_NED = mavlink.MAV_FRAME_BODY_FRD, mavlink.MAV_FRAME_LOCAL_FRD, mavlink.MAV_FRAME_LOCAL_NED
-UNKNOWN_CM, FREE_CM = 65535, 1501
 NAN = math.nan
-ALL_IGNORED = 255
 
 
-@pytest.fixture
-def sensors(personality):
-    bench = SensorBench(personality)
+@pytest.fixture(params=[1, 2])
+def version(request) -> int:
+    return request.param
+
+
+def filled(version: int) -> SensorBench:
+    bench = SensorBench("ArduPilot", mavlink_version=version)
     bench.run(2.0)
+    bench.tell("fill")
     return bench
-
-
-def assert_same(arrived, expected) -> None:
-    """The payload on the wire in MAVLink 2, whose zeros at the end are cut off."""
-    expected.pack(mavlink.MAVLink(None, 1, 191))
-    assert bytes(arrived.get_msgbuf())[10:-2] == bytes(expected.get_msgbuf())[10:-2]
 
 
 def variances(first: float, second: float) -> list[float]:
@@ -33,114 +33,51 @@ def variances(first: float, second: float) -> list[float]:
     return [diagonal.get(index, 0.0) for index in range(21)]
 
 
-def test_distances_around_are_told(sensors):
-    for index, cm in ((0, 345), (23, 20), (71, 1500), (72, 1), (255, 1)):
-        sensors.fill("obstacle", index, cm)
-    sensors.fill("nothing", 7)
-    sensors.fill("obstacle", 8, 100)
-    sensors.fill("unknown", 8)
-    arrived = sensors.send(AROUND)
-    distances = [UNKNOWN_CM] * 72
-    distances[0], distances[23], distances[71], distances[7] = 345, 20, 1500, FREE_CM
-    assert_same(arrived, mavlink.MAVLink_obstacle_distance_message(
-        arrived.time_usec, 3, distances, 15, 20, 1500, 0.0, 0.0, BODY_FRD))  # fmt: skip
-    assert arrived.time_usec == pytest.approx(sensors.now * 1e6, abs=400_000)
-    sensors.fill("forget")
-    assert sensors.send(AROUND).distances == [UNKNOWN_CM] * 72
+def expected(name: str, usec: int, ms: int):
+    distances = [65535] * 72
+    distances[0], distances[71], distances[7] = 345, 1500, 1501
+    pose = [1.5, -2.25, -3.5, [0.5, -0.5, 0.5, 0.5], 0.75, -0.25, 0.125, 0.03125, -0.5, 0.25]
+    return {
+        "OBSTACLE_DISTANCE": lambda: mavlink.MAVLink_obstacle_distance_message(
+            usec, 3, distances, 15, 20, 1500, 0.0, 0.0, BODY_FRD),
+        "GPS_INPUT": lambda: mavlink.MAVLink_gps_input_message(
+            usec, 1, 0, 604_799_999, 2345, 6, -353632620, 1491652370, 584.25, 0.9, 1.1, 1.5, -2.5, 0.25, 0.125, 0.5,
+            0.75, 21, 36000),
+        "VISION_POSITION_ESTIMATE": lambda: mavlink.MAVLink_vision_position_estimate_message(
+            usec, 1.5, -2.25, -3.5, 0.125, -0.25, 3.0, variances(0.0625, 0.015625), 1),
+        "ODOMETRY": lambda: mavlink.MAVLink_odometry_message(
+            usec, LOCAL_FRD, BODY_FRD, *pose, variances(0.0625, 0.015625), variances(0.25, NAN), 1, 2, -1),
+        "DISTANCE_SENSOR": lambda: mavlink.MAVLink_distance_sensor_message(ms, 20, 700, 345, 1, 3, 25, 255),
+        "LANDING_TARGET": lambda: mavlink.MAVLink_landing_target_message(usec, 2, BODY_FRD, 0.25, -0.5, 3.0, 0, 0),
+        "LANDING_TARGET position": lambda: mavlink.MAVLink_landing_target_message(
+            usec, 3, LOCAL_NED, 0, 0, 0, 0, 0, -30.25, 12.0, -0.5, [1.0, 0.0, 0.0, 0.0], 0, 1),
+        "NAMED_VALUE_FLOAT": lambda: mavlink.MAVLink_named_value_float_message(ms, b"more than ", -1.5),
+        "STATUSTEXT": lambda: mavlink.MAVLink_statustext_message(
+            4, b"a text of more than fifty characters, which are the most"[:50]),
+    }[name]()  # fmt: skip
 
 
-def test_steps_of_less_than_5_degrees_are_steps_of_5(sensors):
-    assert sensors.send(DENSE).increment == 5
-    assert sensors.send(AROUND).increment == 15
+def test_each_message_leaves_as_pymavlink_makes_it(version):
+    bench = filled(version)
+    for name in NAMES:
+        if version == 1 and name in ("OBSTACLE_DISTANCE", "ODOMETRY", "LANDING_TARGET position"):
+            assert not bench.is_sent(name)
+            continue
+        arrived = bench.send(name)
+        usec = getattr(arrived, "time_usec", getattr(arrived, "usec", 0))
+        ms = getattr(arrived, "time_boot_ms", usec / 1000)
+        assert name == "STATUSTEXT" or ms == pytest.approx(bench.now * 1000, abs=2500)
+        wanted = expected(name, usec, int(ms))
+        wanted.pack(mavlink.MAVLink(None, 1, 191), force_mavlink1=version == 1)
+        header = 6 if version == 1 else 10
+        ours, theirs = (bytes(message.get_msgbuf())[header:-2] for message in (arrived, wanted))
+        assert ours == theirs[: len(ours) if version == 1 else None], name  # MAVLink 1 has no extensions
 
 
-def test_position_of_a_receiver_is_told_and_what_is_not_known_is_marked(sensors):
-    sensors.fill("place", -353632620, 1491652370, 584.25, 3 | 14 << 8)
-    arrived = sensors.send(FIRST_GPS)
-    assert_same(arrived, mavlink.MAVLink_gps_input_message(
-        arrived.time_usec, 0, ALL_IGNORED & ~1, 0, 0, 3, -353632620, 1491652370, 584.25,
-        0, 0, 0, 0, 0, 0, 0, 0, 14, 0))  # fmt: skip
-    assert arrived.time_usec == pytest.approx(sensors.now * 1e6, abs=400_000)
-
-
-def test_all_of_a_receiver_is_told(sensors):
-    sensors.fill("place", -353632620, 1491652370, 584.25, 6 | 21 << 8)
-    flags = []
-    for word, numbers in (("moves", (1.5, -2.5, 0.25)), ("accuracy", (0.5, 0.75, 0.125)), ("dilution", (0.9, 1.1)),
-                          ("week", (2345, 604_799_999)), ("heading", (36000,))):  # fmt: skip
-        sensors.fill(word, *numbers)
-        flags.append(sensors.send(GPS).ignore_flags)
-    arrived = sensors.send(GPS)
-    assert_same(arrived, mavlink.MAVLink_gps_input_message(
-        arrived.time_usec, 1, 0, 604_799_999, 2345, 6, -353632620, 1491652370, 584.25, 0.9, 1.1, 1.5, -2.5, 0.25,
-        0.125, 0.5, 0.75, 21, 36000))  # fmt: skip
-    assert flags == [ALL_IGNORED & ~(1 | 8 | 16), 2 | 4, 0, 0, 0]
-
-
-def test_position_that_is_seen_is_told(sensors):
-    sensors.fill("tilt", 0.125, -0.25)
-    sensors.fill("seen", 1.5, -2.25, -3.5, 3.0)
-    arrived = sensors.send(VISION)
-    assert_same(arrived, mavlink.MAVLink_vision_position_estimate_message(
-        arrived.usec, 1.5, -2.25, -3.5, 0.125, -0.25, 3.0, variances(NAN, NAN), 0))  # fmt: skip
-    assert arrived.usec == pytest.approx(sensors.now * 1e6, abs=400_000)
-    sensors.fill("seenVariance", 0.0625, 0.015625)
-    sensors.fill("seenReset")
-    sensors.fill("seenReset")
-    arrived = sensors.send(VISION)
-    assert_same(arrived, mavlink.MAVLink_vision_position_estimate_message(
-        arrived.usec, 1.5, -2.25, -3.5, 0.125, -0.25, 3.0, variances(0.0625, 0.015625), 2))  # fmt: skip
-
-
-def odometry(time_usec: int, frame: int, rest: list) -> mavlink.MAVLink_odometry_message:
-    pose = [1.5, -2.25, -3.5, [0.5, -0.5, 0.5, 0.5], 0.75, -0.25, 0.125]
-    return mavlink.MAVLink_odometry_message(time_usec, frame, BODY_FRD, *pose, *rest)
-
-
-@pytest.mark.parametrize(("which", "frame"), [(ODOMETRY, LOCAL_FRD), (NORTHERN, LOCAL_NED)])
-def test_odometry_is_told(sensors, which, frame):
-    before = sensors.send(which)
-    assert before.q == [1.0, 0.0, 0.0, 0.0] and math.isnan(before.vx) and math.isnan(before.yawspeed)
-    sensors.fill("turn", 0.5, -0.5, 0.5, 0.5)
-    sensors.fill("pose", 1.5, -2.25, -3.5)
-    sensors.fill("speed", 0.75, -0.25, 0.125)
-    arrived = sensors.send(which)
-    unknown = variances(NAN, NAN)
-    assert_same(arrived, odometry(arrived.time_usec, frame, [NAN, NAN, NAN, unknown, unknown, 0, 2, 0]))
-    assert arrived.time_usec == pytest.approx(sensors.now * 1e6, abs=400_000)
-
-
-def test_all_of_an_odometry_is_told(sensors):
-    sensors.fill("turn", 0.5, -0.5, 0.5, 0.5)
-    sensors.fill("pose", 1.5, -2.25, -3.5)
-    sensors.fill("speed", 0.75, -0.25, 0.125)
-    sensors.fill("rotation", 0.03125, -0.5, 0.25)
-    sensors.fill("variance", 0.0625, 0.015625, 0.25)
-    sensors.fill("quality", -1)
-    sensors.fill("reset")
-    arrived = sensors.send(ODOMETRY)
-    covariances = [variances(0.0625, 0.015625), variances(0.25, NAN)]
-    assert_same(arrived, odometry(arrived.time_usec, LOCAL_FRD, [0.03125, -0.5, 0.25, *covariances, 1, 2, -1]))
-
-
-def test_what_mavlink_1_does_not_have_is_not_sent_there():
-    sensors = SensorBench("ArduPilot", mavlink_version=1)
-    sensors.run(2.0)
-    assert [sensors.is_sent(which) for which in (AROUND, ODOMETRY)] == [False, False]
-    sensors.fill("tilt", 0.125, -0.25)
-    sensors.fill("seen", 1.5, -2.25, -3.5, 3.0)
-    arrived = sensors.send(VISION)
-    assert (arrived.x, arrived.y, arrived.z, arrived.yaw) == (1.5, -2.25, -3.5, 3.0)
-    sensors.fill("place", -353632620, 1491652370, 584.25, 3 | 14 << 8)
-    arrived = sensors.send(GPS)
-    assert (arrived.lat, arrived.lon, arrived.alt, arrived.gps_id) == (-353632620, 1491652370, 584.25, 1)
-
-
-def test_message_that_is_longer_than_the_ports_buffer_goes_out_beside_the_clients_own(sensors):
-    sensors.fill("pose", 1.5, -2.25, -3.5)
-    sensors.tell("each", ODOMETRY, 50)
-    sensors.run(5.0)
-    arrived = sensors.autopilot.messages(">", "ODOMETRY")
-    assert 90 <= len(arrived) <= 101
-    beats = sensors.autopilot.messages(">", "HEARTBEAT")
-    assert len(beats) >= 5
+def test_message_that_is_longer_than_the_ports_buffer_goes_out_beside_the_clients_own(version):
+    bench = filled(version)
+    name = "ODOMETRY" if version == 2 else "GPS_INPUT"
+    bench.tell("each", NAMES.index(name), 50)
+    bench.run(5.0)
+    assert 90 <= len(bench.autopilot.messages(">", name)) <= 101
+    assert len(bench.autopilot.messages(">", "HEARTBEAT")) >= 5

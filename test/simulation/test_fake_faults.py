@@ -20,7 +20,7 @@ from simulation.fake_autopilot import FENCE, RALLY, ArduPilot, Px4, item, mavlin
 
 
 @BOTH
-@pytest.mark.parametrize("result", [*range(1, 16), 200])
+@pytest.mark.parametrize("result", [1, 15, 200])
 @pytest.mark.parametrize("step", ["count", 0, 1, 2, "end"])
 def test_any_result_can_be_ordered_at_any_step_of_an_upload(autopilot, result, step):
     fake = autopilot()

@@ -19,7 +19,7 @@ from simulation.bench import same_bits, status_names
 from simulation.parameters import ParameterBench
 from simulation.service import FENCE, MISSION, RALLY, Service
 from simulation.steered import bits as float_bits
-from simulation.telemetry import LISTENERS, Telemetry
+from simulation.vehicle import LISTENERS, VehicleBench
 from starts import HOPS, LANDING_FIRST, is_flying, uploaded
 
 # Column: the fake autopilot there, and its options. PX4 is not asked to speak MAVLink 1: it answers in 2.
@@ -254,7 +254,7 @@ def velocity(make: Make, personality: str) -> str:
 
 def telemetry(make: Make, personality: str) -> str:
     """Each listener has its interval confirmed, and then hears its message."""
-    bench = make(kind=Telemetry)
+    bench = make(kind=VehicleBench)
     bench.autopilot.instruments.rc = [1500] * 8
     bench.run_until_confirmed(*LISTENERS)
     bench.run(6.0)

@@ -1,7 +1,7 @@
 """The library's reading of .waypoints texts, on this computer.
 
     reader = WaypointsReader()
-    read = reader.read("QGC WPL 110\\n0 1 0 16 ...", again=[2, 0])
+    read = reader.read("QGC WPL 110\\n0 1 0 16 ...")
     read.good, read.items, read.error, read.line, read.field
 """
 
@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import struct
 import subprocess
-from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,11 +16,6 @@ from simulation.enumerators import texts_of
 from simulation.host_build import build_host
 
 SOURCE = Path(__file__).resolve().parents[1] / "waypoints" / "read_texts.cpp"
-
-
-def error_texts() -> dict[str, str]:
-    return texts_of("TextError.h", "MAVMISSION_TEXT_ERRORS")
-
 
 KINDS = ("mission", "fence", "rally")  # mavmission::PlanType
 
@@ -46,8 +40,6 @@ class Read(NamedTuple):
     field: int
     kind: str  # of KINDS, where it is good
     items: list[ReadItem | None]  # None: it was refused
-    again: list[ReadItem | None]
-    most_bytes: int  # read for one of those
 
 
 class WaypointsReader:
@@ -60,16 +52,15 @@ class WaypointsReader:
         self._program.stdout.close()
         assert self._program.wait() == 0
 
-    def read(self, text: str | bytes, again: Sequence[int] = ()) -> Read:
+    def read(self, text: str | bytes) -> Read:
         data = text if isinstance(text, bytes) else text.encode()
-        asked = struct.pack(f"<I{len(again)}H", len(again), *again)
-        self._program.stdin.write(struct.pack("<I", len(data)) + data + asked)
+        self._program.stdin.write(struct.pack("<I", len(data)) + data)
         self._program.stdin.flush()
-        state, error, line, field, kind, count, most = struct.unpack("<BBHBBHI", self._take(12))
+        state, error, line, field, kind, count = struct.unpack("<BBHBBH", self._take(8))
         assert state in (1, 2)
         items = [self._item() for _ in range(count)]
-        again_read = [self._item() for _ in again]
-        return Read(state == 1, list(error_texts())[error], line, field, KINDS[kind], items, again_read, most)
+        errors = list(texts_of("TextError.h", "MAVMISSION_TEXT_ERRORS"))
+        return Read(state == 1, errors[error], line, field, KINDS[kind], items)
 
     def _item(self) -> ReadItem | None:
         data = self._take(34)

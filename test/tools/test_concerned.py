@@ -38,7 +38,7 @@ def test_each_source_of_the_library_concerns_some_tests_and_not_many():
         ("test/upload/test_flow.py", "test/upload/test_flow.py"),
         ("test/support/wrong_plans.py", "test/upload/test_plan_checks.py"),
         ("simulation/wire.py", "test/simulation/test_wire.py"),
-        ("simulation/payload.py", "test/service/test_payload.py"),
+        ("simulation/sensors.py", "test/service/test_sensors.py"),
         ("tools/demonstration/timeline.py", "test/tools/test_timeline.py"),
         ("README.md", "test/documents"),
         ("examples/01.First/UploadMission/UploadMission.ino", "[UploadMission-mega]"),

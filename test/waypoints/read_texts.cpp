@@ -1,11 +1,9 @@
 // Reads .waypoints texts from standard input through WaypointsSource, and says what it makes of them; for
-// test_waypoints.py. Numbers are little-endian.
+// support/waypoints_reader.py. Numbers are little-endian.
 //
-//   in:   length (4), text; number of items to be asked for again (4), their indices (2 each)
-//   out:  state (1), error (1), line (2), field (1), type (1), items (2), the most bytes read for one item asked for
-//   again (4), each
-//         item of the plan in order and then each that was asked for again: 1 if it was given (1), param1 to param4, x,
-//         y, z (28), command (2), frame (1), current (1), autocontinue (1)
+//   in:   length (4), text
+//   out:  state (1), error (1), line (2), field (1), type (1), items (2), each item of the plan: 1 if it was given (1),
+//         param1 to param4, x, y, z (28), command (2), frame (1), current (1), autocontinue (1)
 #include <Arduino.h>
 #include <MavMission.h>
 #include <stdio.h>
@@ -20,7 +18,6 @@ class TextFile : public Stream {
  public:
   std::vector<char> text;
   size_t position = 0;
-  size_t bytesRead = 0;
 
   bool seek(uint32_t to) {
     position = to;
@@ -30,10 +27,7 @@ class TextFile : public Stream {
   int peek() override { return position < text.size() ? static_cast<uint8_t>(text[position]) : -1; }
   int read() override {
     const int byte = peek();
-    if (byte >= 0) {
-      ++position;
-      ++bytesRead;
-    }
+    if (byte >= 0) ++position;
     return byte;
   }
   size_t write(uint8_t) override { return 0; }
@@ -63,16 +57,9 @@ int main() {
   while (take(&length, sizeof(length))) {
     TextFile file;
     file.text.resize(length);
-    uint32_t again = 0;
-    if (!take(file.text.data(), length) || !take(&again, sizeof(again))) return 1;
-    std::vector<uint16_t> indices(again);
-    if (!take(indices.data(), again * sizeof(uint16_t))) return 1;
-
+    if (!take(file.text.data(), length)) return 1;
     WaypointsSource source(file);
-    for (;;) {
-      const size_t before = file.bytesRead;
-      if (source.update() != WaypointsSource::State::Reading) break;
-      if (file.bytesRead - before > WaypointsSource::kBytesPerUpdate) return 2;
+    while (source.update() == WaypointsSource::State::Reading) {
     }
     put(source.state());
     put(source.error());
@@ -81,17 +68,7 @@ int main() {
     put(source.type());
     put(source.count());
     const ItemSource plan = source.source();
-    // In order first, then as asked for; the bytes of the latter are known only then, and go out before.
-    uint32_t most = 0;
-    for (uint16_t index : indices) {
-      MissionItem item;
-      const size_t before = file.bytesRead;
-      plan.read(plan.context, index, item);
-      if (file.bytesRead - before > most) most = static_cast<uint32_t>(file.bytesRead - before);
-    }
-    put(most);
     for (uint16_t index = 0; index < source.count(); ++index) putItem(plan, index);
-    for (uint16_t index : indices) putItem(plan, index);
     fflush(stdout);
   }
   return 0;

@@ -11,15 +11,7 @@ uint32_t lostBytes;
 UART Serial;
 UART Serial1;
 
-int UART::availableForWrite() {
-#if UART_ROOM == 0
-  return Print::availableForWrite();
-#elif UART_ROOM == 1
-  return toSend_.count() < UART_TX ? 1 : 0;
-#else
-  return UART_TX - toSend_.count();
-#endif
-}
+int UART::availableForWrite() { return Ring::Size - toSend_.count(); }
 
 void UART::flush() {
   while (toSend_.count() != 0) yield();
@@ -27,7 +19,7 @@ void UART::flush() {
 
 size_t UART::write(uint8_t byte) {
   if (baud_ == 0) return 0;
-  if (toSend_.count() == UART_TX && this == &Serial1) ++waitedBytes;
+  if (toSend_.count() == Ring::Size && this == &Serial1) ++waitedBytes;
   while (!toSend_.put(byte)) yield();
   return 1;
 }

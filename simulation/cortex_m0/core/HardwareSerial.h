@@ -1,22 +1,9 @@
 // The board's ports: what every one of them has, and this board's own kind.
-//
-// UART_RX and UART_TX are the bytes of its rings. UART_ROOM is what availableForWrite() says: 0 as on a board that does
-// not implement it, 1 for 0 or 1, 2 for the whole room.
 #pragma once
 
 #include <stdint.h>
 
 #include "Stream.h"
-
-#ifndef UART_RX
-#define UART_RX 64
-#endif
-#ifndef UART_TX
-#define UART_TX 64
-#endif
-#ifndef UART_ROOM
-#define UART_ROOM 2
-#endif
 
 #define SERIAL_8N1 0x413
 
@@ -56,8 +43,8 @@ class UART : public arduino::HardwareSerial {
   void arrive(uint8_t byte);
 
  private:
-  template <uint16_t Size>
   struct Ring {
+    enum : uint16_t { Size = 64 };
     volatile uint16_t in, out;
     uint8_t bytes[Size + 1];
     uint16_t count() const { return static_cast<uint16_t>(in >= out ? in - out : in + Size + 1 - out); }
@@ -77,6 +64,6 @@ class UART : public arduino::HardwareSerial {
 
   uint32_t baud_;
   uint32_t credit_;  // what the line has let pass and nobody has used [thousandths of a byte]
-  Ring<UART_RX> received_;
-  Ring<UART_TX> toSend_;
+  Ring received_;
+  Ring toSend_;
 };

@@ -71,6 +71,28 @@ TEST_CASE("a message of the sketch's own is given as it lies on the wire, from a
   desk.tell(4321, 78, {1, 2, 3, 4, 5, 6});  // of another dialect
   desk.tell(MAVLINK_MSG_ID_ATTITUDE, MAVLINK_MSG_ID_ATTITUDE_CRC, Bytes(28, 1));
   CHECK(desk.copies.size() == 2);
+  MessageListener second(desk.client, kOwn, keep, &desk.copies);
+  desk.tell(24, 24, Bytes(30, 9));
+  CHECK(desk.copies.size() == 4);  // each hears it
+}
+
+TEST_CASE(
+    "a message of the sketch's own leaves behind an autopilot's heartbeat, and where MAVLink 1 has none it does not") {
+  const uint8_t payload[] = {1, 2, 3};
+  for (MavlinkVersion version : {MavlinkVersion::Version1, MavlinkVersion::Version2}) {
+    Desk desk;
+    desk.client.setMavlinkVersion(version);
+    CHECK_FALSE(desk.client.sendMessage(OutgoingMessage{180, 77, 3, 3, payload}));
+    desk.run(1500);
+    const bool isV2 = version == MavlinkVersion::Version2;
+    CHECK(desk.client.sendMessage(OutgoingMessage{256, 77, 3, 3, payload}) == isV2);
+    desk.run(50);
+    CHECK(desk.client.sendMessage(OutgoingMessage{180, 77, 3, 0, payload}) == isV2);
+    desk.run(50);
+    CHECK(desk.client.sendMessage(OutgoingMessage{180, 77, 3, 3, payload}));
+    desk.run(50);
+    CHECK(desk.timesOf(180, 0).size() == (isV2 ? 2u : 1u));
+  }
 }
 
 TEST_CASE("without a function a message is received, and nothing is done") {

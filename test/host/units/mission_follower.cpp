@@ -273,6 +273,15 @@ TEST_CASE("the current item, the total and the state are those of the last MISSI
     CHECK(desk.follower.currentItem() == 5);
     CHECK(desk.currents == "0 1 5");
     CHECK(desk.reacheds.empty());
+    // As an older autopilot sends it, which has no more than the item.
+    const uint8_t item = static_cast<uint8_t>(home + 3);
+    FrameParts shorter(MAVLINK_MSG_ID_MISSION_CURRENT, {item, 0}, MAVLINK_MSG_ID_MISSION_CURRENT_CRC);
+    shorter.version = 1;
+    desk.hear(shorter);
+    desk.run(5);
+    CHECK(desk.follower.currentItem() == 3);
+    CHECK(desk.follower.total() == 0);
+    CHECK((desk.follower.state() == MissionState::NotKnown));
   }
 }
 
@@ -709,6 +718,7 @@ TEST_CASE("the acceptance of another station's item gives no words of ours to co
   desk.upload();
   desk.run(5000);
   desk.ack(0);
+  CHECK(desk.aboard() == "ours");
   desk.say("Flight plan received");
   CHECK(desk.aboard() == "another");
 }

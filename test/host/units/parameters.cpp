@@ -270,9 +270,17 @@ TEST_CASE("a number that the parameter's type does not have is not set") {
 
 TEST_CASE("a number with a fraction, or with more digits than a float, is not set where it would not be kept") {
   Desk desk;
-  desk.parameters.set(inFlash("NAME"), 1.5f);
-  REQUIRE(desk.runUntilSent(kRead, 100));
-  CHECK((desk.refused(MAV_PARAM_TYPE_INT32) == Status::NotKept));
+  const MissionItem odd[] = {anyCommandAt(kNavWaypoint, -35_deg, 149_deg, 20_m, 2.5f)};
+  desk.client.upload(inRam(odd));
+  desk.run(50);
+  CHECK(desk.client.keptValue() == 2);
+  for (float number : {1.5f, -0.25f, 3e9f, 1e38f}) {
+    desk.parameters.set(inFlash("NAME"), number);
+    REQUIRE(desk.runUntilSent(kRead, 100));
+    CHECK((desk.refused(MAV_PARAM_TYPE_INT32) == Status::NotKept));
+    CHECK_FALSE(desk.client.keptValue() == desk.client.keptValue());  // of a plan alone
+    desk.sent.clear();
+  }
   // ArduPilot's whole numbers are floats on the wire; PX4's are not.
   desk.parameters.setWhole(inFlash("NAME"), 16777217);
   REQUIRE(desk.runUntilSent(kRead, 100));

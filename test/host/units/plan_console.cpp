@@ -235,14 +235,65 @@ TEST_CASE("what is pasted behind a file that came during a download is not done 
   }
 }
 
-TEST_CASE("an empty plan that is downloaded does not take the place of the stored one, and it is said") {
+TEST_CASE("a plan that is downloaded and empty, or too long, does not take the place of the stored one") {
+  for (uint8_t items : {0, 40}) {
+    Station station;
+    station.port.written.clear();
+    station.type("download\n");
+    station.giveItems(items);
+    station.go(1000);
+    CHECK(station.said().find(items == 0 ? "nothing was loaded\r\ndownloaded: "
+                                         : "the plan aboard is too large for the sink\r\n") != std::string::npos);
+    CHECK(station.plan.count() == 1);
+  }
+}
+
+TEST_CASE("what is wrong with a file is said with its line, and the stored plan stays") {
+  const std::string row1 = "1 0 3 16 0 0 0 0 1 2 3 1\n", row2 = "2 0 3 16 0 0 0 0 1 2 3 1\n";
+  const struct {
+    std::string file;
+    const char* said;
+  } kMistakes[] = {
+      {"", "line 1: the first line is not QGC WPL 110\r\n"},
+      {kHead, "line 3: no item after home\r\n"},
+      {kHead + row2, "line 3, field 1: the lines are not numbered 0, 1, 2, ...\r\n"},
+      {kHead + row1 + "2 0 3 16 0 0 0 0 95.36 2 3 1\n",
+       "line 4, field 9: a latitude beyond 90 degrees\r\nnothing was loaded; further lines are ignored, up to end\r\n"},
+      {kHead + row1 + "2 0 3 177 7 2 0 0 0 0 0 1\n", "line 4, field 5: a jump to home, or out of the plan\r\n"},
+      {kHead + row1 + "upload\n", "line 4: not a number\r\n"},
+      {fileOf(40), "more items than there is room for\r\n"},
+      {"cancel\n", "nothing was loaded\r\n"},
+  };
+  for (const auto& one : kMistakes) {
+    CAPTURE(one.said);
+    Desk desk;
+    desk.answer(loading(1));
+    CHECK(desk.answer("load\n" + one.file + "end\n", 9000).find(one.said) != std::string::npos);
+    CHECK(desk.plan.count() == 1);
+    CHECK(desk.answer("cancel\nstatus\n").find("stored: items 1\r\n") != std::string::npos);
+  }
+  Desk empty;
+  for (const char* command : {"list\n", "upload\n", "Verify\n"}) {
+    CHECK(empty.answer(command) == "no plan is stored: type load\r\n");
+  }
+}
+
+TEST_CASE("help names each command, and status says what the autopilot does and holds") {
   Station station;
   station.port.written.clear();
-  station.type("download\n");
-  station.giveItems(0);
+  station.type("help\n");
+  station.go(2000);
+  const std::string help = "\n" + station.said();
+  size_t at = 0;
+  for (const char* name :
+       {"help", "status", "load", "end", "upload", "cancel", "erase", "list", "verify", "download", "clear", "start"}) {
+    at = help.find("\n" + std::string(name) + ": ", at);
+    CHECK(at != std::string::npos);
+  }
+  station.port.written.clear();
+  station.type("status\n");
   station.go(1000);
-  CHECK(station.said().find("nothing was loaded\r\ndownloaded: ") != std::string::npos);
-  CHECK(station.plan.count() == 1);
+  CHECK(station.said() == "PX4, disarmed\r\nidle\r\naboard: not known\r\nstored: items 1\r\n");
 }
 
 TEST_CASE("what is pasted behind a load that failed is not done with the plan before") {

@@ -564,6 +564,10 @@ TEST_CASE("a wind from components has its direction to within a degree, and its 
   desk.come(0, 0);
   CHECK(desk.wind.fromDeg() == 0);
   CHECK(desk.wind.speedCmS() == 0);
+  desk.come(-5, 0);
+  desk.come(kNan, 1e30f, kNan);
+  CHECK(desk.wind.speedCmS() == 0);
+  CHECK(desk.wind.downCmS() == 0);
   // A component of 300 m/s is one, and more is none.
   desk.come(-300, 0);
   CHECK(desk.wind.speedCmS() == 30000);
@@ -608,6 +612,14 @@ TEST_CASE("of two messages the one of the autopilot is requested") {
     REQUIRE(desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));
     CHECK((commandOf(desk.sent.back()).param1 == (isArduPilot ? 168 : 231)));
     CHECK((commandOf(desk.sent.back()).param2 == 1000000));
+    // Another autopilot, in the place of that one.
+    desk.beats = false;
+    float requested = 0;
+    for (int second = 0; second < 8; ++second) {
+      desk.hear(heartbeatParts(isArduPilot ? ClientOnLine::kPx4 : ClientOnLine::kArduPilot));
+      if (desk.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 1000)) requested = commandOf(desk.sent.back()).param1;
+    }
+    CHECK((requested == (isArduPilot ? 231 : 168)));
     Desk other(autopilot);
     EstimatorListener estimator(other.client, 2000);
     REQUIRE(other.runUntilSent(MAVLINK_MSG_ID_COMMAND_LONG, 5000));

@@ -32,7 +32,8 @@ struct Desk : ClientOnLine {
     static_cast<Texts*>(given)->push_back(std::to_string(severity) + " " + text);
   }
 
-  void tell(const std::string& words, uint16_t id = 0, uint8_t piece = 0, uint8_t severity = 6, uint8_t systemId = 1) {
+  void tell(const std::string& words, uint16_t id = 0, uint8_t piece = 0, uint8_t severity = 6, uint8_t systemId = 1,
+            uint8_t componentId = 1) {
     mavlink_statustext_t message = mavlink_statustext_t();
     memcpy(message.text, words.data(), words.size());
     message.id = id;
@@ -42,6 +43,7 @@ struct Desk : ClientOnLine {
     memcpy(payload.data(), &message, sizeof(message));
     FrameParts parts(MAVLINK_MSG_ID_STATUSTEXT, payload, MAVLINK_MSG_ID_STATUSTEXT_CRC);
     parts.systemId = systemId;
+    parts.componentId = componentId;
     hear(parts);
     while (!line.toRead.empty()) run(1);
   }
@@ -70,6 +72,7 @@ TEST_CASE("a text is given at once, with its severity, and is new once") {
   CHECK(desk.given == Texts{"4 one", "0 one", "7 "});
   CHECK(std::string(desk.texts.lastText()).empty());
   desk.tell("foreign", 0, 0, 1, 2);
+  desk.tell("a camera's", 0, 0, 1, 1, 100);
   CHECK(desk.given.size() == 3);
   desk.run(5000);
   CHECK(desk.given.size() == 3);
@@ -81,6 +84,13 @@ TEST_CASE("a text that belongs to none is a whole one, also with 50 characters")
   CHECK(desk.given == Texts{"6 " + kFull});
   desk.tell(kFull, 0, 1);
   CHECK(desk.given.size() == 2);
+  Bytes payload(51, 'c');  // as in MAVLink 1, which has no pieces
+  payload[0] = 3;
+  FrameParts parts(MAVLINK_MSG_ID_STATUSTEXT, payload, MAVLINK_MSG_ID_STATUSTEXT_CRC);
+  parts.version = 1;
+  desk.hear(parts);
+  desk.run(5);
+  CHECK(desk.given.back() == "3 " + std::string(50, 'c'));
 }
 
 TEST_CASE("a piece that is not full is the last one") {

@@ -100,6 +100,7 @@ TEST_CASE("ArduPilot's estimator knows its place, or the word says why not") {
   CHECK((desk.estimator.reason() == FitReason::NotHeard));
   CHECK((desk.ofEkf(0x033F, 0.1f) == FitReason::AllWell));
   CHECK((desk.ofEkf(0x00A7, 0.1f) == FitReason::NoPosition));
+  CHECK((desk.ofEkf(0x033B, 0.1f) == FitReason::NoPosition));
   CHECK((desk.ofEkf(0x033E, 0.1f) == FitReason::NoAttitude));
   CHECK((desk.ofEkf(0x073F, 0.1f) == FitReason::NoAttitude));
   CHECK((desk.ofEkf(0x833F, 0.1f) == FitReason::GpsGlitch));
@@ -116,6 +117,9 @@ TEST_CASE("PX4's estimator has flags and limits of its own") {
   CHECK(desk.estimator.worstPercent() == 100);
   CHECK((desk.ofEstimator(0x033F | ESTIMATOR_ACCEL_ERROR, 0.5f) == FitReason::Disagreement));
   CHECK((desk.ofEstimator(0x033F | ESTIMATOR_GPS_GLITCH, 0.5f) == FitReason::GpsGlitch));
+  CHECK((desk.ofEstimator(0x8000 | 0x033F, 0.5f) == FitReason::AllWell));
+  CHECK((desk.ofEstimator(0x0027, 0.5f) == FitReason::NoPosition));
+  CHECK((desk.ofEstimator(0, 0.5f) == FitReason::NoAttitude));
   CHECK((desk.ofEstimator(0x033F, 1e6f) == FitReason::Disagreement));
   CHECK(desk.estimator.worstPercent() == 0xFFFF);
 }
@@ -139,6 +143,10 @@ TEST_CASE("on the ground the autopilot's own checks count") {
   CHECK(desk.health.failedSensors() == 8);
   Heard other(ClientOnLine::kOther);
   CHECK((other.ofHealth(0, 0) == FitReason::NotTold));
+  CHECK((other.ofHealth(kChecks, kChecks) == FitReason::AllWell));
+  Heard px4(ClientOnLine::kPx4);  // it says whether it can be armed, and not that it has such checks
+  CHECK((px4.ofHealth(0, 0) == FitReason::NotReady));
+  CHECK((px4.ofHealth(MAV_SYS_STATUS_SENSOR_RC_RECEIVER, kChecks) == FitReason::AllWell));
 }
 
 TEST_CASE("the wind comes from where it does not blow to") {

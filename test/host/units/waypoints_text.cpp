@@ -418,6 +418,20 @@ TEST_CASE("a line in the middle is read whatever was being read before") {
   }
 }
 
+TEST_CASE("a text that is cut off anywhere never gives half an item") {
+  const std::string text = std::string(kHeader) + kHome + line(1, 22) + line(2, 177, "1") + line(3, 16, "7.25");
+  const Read whole = read(text);
+  REQUIRE(whole.items.size() == 3);
+  for (size_t length = 0; length < text.size(); ++length) {
+    const Read cut = read(text.substr(0, length));
+    for (size_t i = 0; i < cut.items.size(); ++i) {
+      CHECK(cut.items[i].command == whole.items[i].command);
+      CHECK(cut.items[i].param1 == whole.items[i].param1);
+      CHECK(cut.items[i].autocontinue == 1);
+    }
+  }
+}
+
 TEST_CASE("a line whose last field is bad is so at its end") {
   WaypointsText text;
   for (char c : std::string(kHeader) + "0 0 3 16 0 0 0 0 0 0 0 x") CHECK(text.take(c) == Step::More);
