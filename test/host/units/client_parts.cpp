@@ -7,7 +7,7 @@ using namespace mavmission;
 
 namespace {
 
-const uint16_t kPartialList = 38, kItem = 39;
+const uint16_t kPartialList = 38, kItem = 39, kClearAll = 45;
 const uint8_t kAccepted = 0, kUnsupported = 3, kNoSpace = 4;
 const MissionItem kPlan[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
                              changeSpeed(MetresPerSecond(5)), returnToLaunch()};
@@ -63,15 +63,24 @@ TEST_CASE("a part that is not within its plan is refused, and there is no plan f
   }
 }
 
-TEST_CASE("behind a part uploadAgain() uploads the whole plan") {
+TEST_CASE("uploadAgain() uploads the whole plan, behind a part, a download of another type and a clear, too") {
+  MissionItem fence[1];
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.run(11000);
   desk.client.uploadPartial(inRam(kPlan), 1, 2);
   REQUIRE(desk.runUntilSent(kPartialList, 100));
   desk.client.cancel();
+  desk.client.download(toRam(fence), PlanType::Fence);
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
+  desk.client.cancel();
+  desk.client.clear(PlanType::All);
+  REQUIRE(desk.runUntilSent(kClearAll, 3000));
+  desk.client.cancel();
   desk.sent.clear();
   desk.client.uploadAgain();
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+  CHECK(wordAt(desk.sent.back(), 0) == 5);  // behind home
+  CHECK(desk.sent.back().payload[4] == static_cast<uint8_t>(PlanType::Mission));
   CHECK(desk.timesOf(kPartialList, 0).empty());
 }
 
