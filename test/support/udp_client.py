@@ -17,7 +17,7 @@ from pathlib import Path
 from datagrams import Network, Place, frames_in
 from host_client import HostClient
 from simulation.bench import PERSONALITIES, status_names
-from simulation.fake_autopilot import FakeAutopilot, mavlink
+from simulation.fake_autopilot import FakeAutopilot
 from simulation.fake_autopilot.frames import decode
 from simulation.firmware import ROOT
 from simulation.host_build import FAST, build_host
@@ -95,10 +95,3 @@ class UdpClient(HostClient):
             together = one.run(self.now)
             if together:
                 self.network.send(place, US, together, self.now)
-
-
-
-def heartbeat_of(kind: int, autopilot: int, sender: tuple[int, int] = (1, 1)) -> bytes:
-    """MAV_TYPE, MAV_AUTOPILOT."""
-    message = mavlink.MAVLink_heartbeat_message(kind, autopilot, 0, 0, mavlink.MAV_STATE_ACTIVE, 3)
-    return bytes(message.pack(mavlink.MAVLink(None, *sender)))
