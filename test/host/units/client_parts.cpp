@@ -122,19 +122,18 @@ TEST_CASE("an autopilot that may be old, and refuses the first item as unsupport
   CHECK(desk.runUntilSent(kItem, 50));
 }
 
-TEST_CASE("no other refusal, no later one, and none of an ArduPilot or a PX4 begins with floats") {
+TEST_CASE("no other refusal, no later one, none of an ArduPilot or a PX4, and none unasked begins with floats") {
   const struct {
     uint8_t autopilot, result;
     uint16_t items;
-  } kRefusals[] = {{ClientOnLine::kOther, kNoSpace, 1},
-                   {ClientOnLine::kOther, kUnsupported, 2},
-                   {ClientOnLine::kOther, kUnsupported, 0},
-                   {ClientOnLine::kArduPilot, kUnsupported, 1},
-                   {ClientOnLine::kPx4, kUnsupported, 1}};
+    bool isAsked;
+  } kRefusals[] = {{ClientOnLine::kOther, kNoSpace, 1, true},         {ClientOnLine::kOther, kUnsupported, 1, false},
+                   {ClientOnLine::kOther, kUnsupported, 2, true},     {ClientOnLine::kOther, kUnsupported, 0, true},
+                   {ClientOnLine::kArduPilot, kUnsupported, 1, true}, {ClientOnLine::kPx4, kUnsupported, 1, true}};
   for (const auto& refusal : kRefusals) {
     ClientOnLine desk(refusal.autopilot);
     desk.run(11000);
-    desk.client.useMissionItemFallback();
+    if (refusal.isAsked) desk.client.useMissionItemFallback();
     desk.client.uploadWithoutReadback(inRam(kPlan));
     REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
     for (uint16_t item = 0; item < refusal.items; ++item) {
