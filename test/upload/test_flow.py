@@ -28,7 +28,7 @@ INPUTS = {
 @pytest.mark.scenario(37, "Work per update() is bounded")
 @pytest.mark.parametrize("stall_ms", [0, pytest.param(5, marks=pytest.mark.slow), 20])
 def test_update_is_bounded_throughout_a_transfer_and_whatever_arrives(make_bench, stall_ms):
-    bench = make_bench(defines={"BENCH_DIRECT": True}, baud=115200)
+    bench = make_bench(baud=115200)
     update = bench.mega.watch("updateClient")
     bench.tell("callbacks", 0)
     bench.upload(FunctionPlan(50))

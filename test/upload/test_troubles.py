@@ -214,7 +214,7 @@ def test_upload_ends_as_it_should_and_truthfully(build_bench, personality, troub
     expected = [one if isinstance(one, str) else one[index] for one in (trouble.ended, trouble.aboard)]
     assert [status, state.aboard, state.failed_item] == [*expected, trouble.failed_item[index]]
     assert (bench.mission_messages() == []) == trouble.is_silent
-    assert bench.blocked() == 0
+    assert bench.blocked() == 0 and all(fault.struck for fault in bench.wire._faults)
 
 
 @pytest.mark.scenario(41, "An altered item is found by PX4's checksum, or by reading back")
