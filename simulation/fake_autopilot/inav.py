@@ -35,10 +35,7 @@ def centimetres(metres: float) -> int:
 
 
 class Inav(FakeAutopilot):
-    """autopilot: HEARTBEAT.autopilot, which its owner may set to ArduPilot's (mavlink_autopilot_type).
-
-    asks_by_int: by MISSION_REQUEST_INT; older versions ask by MISSION_REQUEST.
-    """
+    """autopilot: HEARTBEAT.autopilot, which its owner may set to ArduPilot's (mavlink_autopilot_type)."""
 
     heard_by = hearing.PX4  # by mavlink_parse_char(), as PX4
     retry_s, most_items = RETRY_S, MOST_ITEMS
@@ -46,10 +43,10 @@ class Inav(FakeAutopilot):
     response_delay_on_line_s = 0.006
 
     def __init__(self, *, autopilot: int = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA, takes_all: bool = False,
-                 asks_by_int: bool = True, **options) -> None:
+                 **options) -> None:
         super().__init__(**options)
         self.autopilot_type = autopilot
-        self.takes_all, self.asks_by_int = takes_all, asks_by_int
+        self.takes_all = takes_all
         self.armed = False
         self.held: list[Item] = []
         self.flight = Flight(Pace(1.0, 10.0, 2.0, 1.0, 1.0), Place(-353632620, 1491652370, 0.0), 584.0,
@@ -94,9 +91,7 @@ class Inav(FakeAutopilot):
         self.never("retry")
 
     def _ask(self, now: float) -> None:
-        kind = mavlink.MAVLink_mission_request_int_message if self.asks_by_int \
-            else mavlink.MAVLink_mission_request_message
-        self.answer(kind(*self._sender, self._next, MISSION), now)
+        self.answer(mavlink.MAVLink_mission_request_int_message(*self._sender, self._next, MISSION), now)
         self.at("retry", now + (TAKES_ALL_RETRY_S if self.takes_all else self.retry_s), self._ask_again)
 
     def _ask_again(self, now: float) -> None:

@@ -95,16 +95,6 @@ static void tellSigning() {
 }
 #endif
 
-static void tellText(FlashText text) {
-  tell(F("text"), 0);
-  Serial.print(' ');
-  if (text == nullptr) {
-    Serial.println();
-  } else {
-    Serial.println(text);
-  }
-}
-
 // ---- What a line can be.
 
 ACTION(flash) { plan = inFlash(flashPlan); }
@@ -136,8 +126,6 @@ ACTION(callbacks) {
 ACTION(again) { uploadsInCallback = numbers[0]; }
 ACTION(nosleep) { neverSleep = numbers[0]; }
 ACTION(state) { tellState(); }
-ACTION(text) { tellText(toString(static_cast<Status>(numbers[0]))); }
-ACTION(aboard) { tellText(toString(static_cast<Aboard>(numbers[0]))); }
 #if MAVMISSION_SIGNING
 ACTION(sign) { client.signWith(keyFromPassphrase("a secret of the tests"), numbers[0], timestamps); }
 ACTION(time) { client.setSigningTime(numbers[0]); }
@@ -152,8 +140,8 @@ ACTION(post) {
 #endif
 
 static const Word words[] = {
-    WORDS_OF_CLIENT,  WORD(flash),      WORD(function),   WORD(upload), WORD(floats), WORD(callbacks),
-    WORD(again),      WORD(nosleep),    WORD(state),      WORD(text),   WORD(aboard),
+    WORDS_OF_CLIENT,  WORD(flash),      WORD(function),   WORD(upload), WORD(floats),
+    WORD(callbacks),  WORD(again),      WORD(nosleep),    WORD(state),
 #ifdef BENCH_FILES
     WORD(fileupload), WORD(fileverify), WORD(fileensure), WORD(verify),
 #endif

@@ -15,16 +15,9 @@ class Line {
   LoopUdp udp;
   mavmission::UdpLink stream{udp};
 
-  // Names the peer: a host and a port; or none, by host 0.
-  void setPeer(Words& words) {
-    const uint8_t host = static_cast<uint8_t>(words.number());
-    const uint16_t port = static_cast<uint16_t>(words.number());
-    if (host == 0) return stream.forgetPeer();
-    stream.setPeer(IPAddress(10, 0, 0, host), port);
-  }
   void sayPeer() {
-    printf("host=%d port=%d several=%d strangers=%d packets=%d unsent=%d\n", stream.peerAddress()[3], stream.peerPort(),
-           stream.severalHeard(), stream.strangers(), stream.packetsSent(), stream.unsent());
+    printf("host=%d port=%d strangers=%d packets=%d unsent=%d\n", stream.peerAddress()[3], stream.peerPort(),
+           stream.strangers(), stream.packetsSent(), stream.unsent());
   }
 
   bool bring(Words& words) {

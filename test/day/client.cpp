@@ -330,10 +330,6 @@ void tellIdle(Words&) {
 }
 
 #ifdef CLIENT_OVER_UDP
-void namePeer(Words& words) {
-  line.setPeer(words);
-  puts("ok");
-}
 void tellPeer(Words&) { line.sayPeer(); }
 #endif
 
@@ -347,7 +343,7 @@ const Word words[] = {
     {"order", order},           {"state", tellState}, {"sunk", tellSunk},
     {"counters", tellCounters}, {"tally", tellTally}, {"idle", tellIdle},
 #ifdef CLIENT_OVER_UDP
-    {"name", namePeer},         {"peer", tellPeer},
+    {"peer", tellPeer},
 #endif
 };
 

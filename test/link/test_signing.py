@@ -52,37 +52,31 @@ def test_slicing_changes_nothing(signing, data, slices):
     assert signing.ask("hash", data.hex() or "-", *slices) == hashlib.sha256(data).hexdigest()
 
 
-@pytest.mark.parametrize("passphrase", ["", "a", "correct horse battery staple", "x" * 63, "x" * 64, "x" * 200])
-def test_key_of_a_passphrase_is_its_sha256(signing, passphrase):
-    assert signing.ask("passphrase", passphrase) == hashlib.sha256(passphrase.encode()).hexdigest()
+def test_key_of_a_passphrase_is_its_sha256(signing):
+    for passphrase in ("", "a", "correct horse battery staple", "x" * 64):
+        assert signing.ask("passphrase", passphrase) == hashlib.sha256(passphrase.encode()).hexdigest()
 
 
 # Signing
 
 
-@pytest.mark.parametrize("message", [ACK, REQUEST, ITEM, TUNNEL], ids=lambda message: message.get_type())
-def test_pymavlink_accepts_what_is_signed(signing, message):
+def test_pymavlink_accepts_what_is_signed_and_not_with_another_key(signing):
     receiver = signer(time=0)
-    frame = unsigned_frame(message)
-    for cut in (0, 1, 10, len(frame) - 2, len(frame) - 1):
-        decoded = receiver.decode(bytearray(signing.sign(frame, cut)))
-        assert decoded.get_type() == message.get_type() and decoded.get_signed() and decoded.get_link_id() == 7
-    assert receiver.signing.goodsig_count == 5
-
-
-def test_pymavlink_refuses_what_is_signed_with_another_key(signing):
-    receiver = signer(key=OTHER_KEY)
+    for message in (ACK, REQUEST, ITEM, TUNNEL):
+        frame = unsigned_frame(message)
+        for cut in (0, 1, 10, len(frame) - 2, len(frame) - 1):
+            decoded = receiver.decode(bytearray(signing.sign(frame, cut)))
+            assert decoded.get_type() == message.get_type() and decoded.get_signed() and decoded.get_link_id() == 7
+    assert receiver.signing.goodsig_count == 20
     with pytest.raises(mavlink.MAVError, match="Invalid signature"):
-        receiver.decode(bytearray(signing.sign(unsigned_frame(ACK))))
+        signer(key=OTHER_KEY).decode(bytearray(signing.sign(unsigned_frame(ACK))))
 
 
-@pytest.mark.parametrize("rounds", [8, 16, 24, 64])
-def test_work_is_cut_as_asked(signing, rounds):
-    signing.ask("rounds", rounds)
-    calls = int(signing.ask("sign", unsigned_frame(ITEM).hex(), 0).split()[1])
-    blocks = 2
-    assert calls == blocks * -(-64 // rounds)
-    assert signer().decode(bytearray(signing.sign(unsigned_frame(ITEM)))).get_signed()
+def test_work_is_cut_as_asked(signing):
+    for rounds in (8, 16, 24, 64):
+        signing.ask("rounds", rounds)
+        calls = int(signing.ask("sign", unsigned_frame(ITEM).hex(), 0).split()[1])
+        assert calls == 2 * -(-64 // rounds)  # two blocks
 
 
 # Checking
@@ -97,9 +91,7 @@ def test_what_pymavlink_signs_is_accepted(signing):
 
 def test_any_single_bit_changed_is_refused(signing):
     frame = bytes(ITEM.pack(signer(time=YEARS)))
-    for bit in range(8 * len(frame)):
-        if bit // 8 in (1, 2):
-            continue  # the length and the flag: the frame would be another one
+    for bit in range(8 * len(frame)):  # the length's and the flags' among them
         changed = bytearray(frame)
         changed[bit // 8] ^= 1 << bit % 8
         assert not signing.accepts(changed), f"bit {bit % 8} of byte {bit // 8}"
@@ -107,35 +99,19 @@ def test_any_single_bit_changed_is_refused(signing):
     assert signing.accepts(frame)
 
 
-def test_length_and_flags_are_signed_too(signing):
-    frame = bytes(ITEM.pack(signer(time=YEARS)))
-    for byte in (1, 2):
-        for bit in range(8):
-            changed = bytearray(frame)
-            changed[byte] ^= 1 << bit
-            assert not signing.accepts(changed)
-    assert signing.accepts(frame)
-
-
-def test_same_frame_again_is_refused(signing):
-    frame = ACK.pack(signer(time=YEARS))
-    assert signing.accepts(frame)
-    assert not signing.accepts(frame)
-    assert signing.counters["replayed"] == 1
-
-
-def test_first_frame_of_a_stream_may_be_a_minute_behind_and_no_more(signing):
+def test_each_refusal_is_counted_for_its_reason(signing):
+    """A frame that comes again; the first frame of a stream more than a minute behind; a fifth stream."""
     for behind, accepted in ((MINUTE, True), (MINUTE + 1, False), (YEARS, False), (0, True)):
         signing.begin(kept=0)
-        assert signing.accepts(ACK.pack(signer(time=YEARS)))
+        frame = ACK.pack(signer(time=YEARS))
+        assert signing.accepts(frame) and not signing.accepts(frame)
         assert signing.accepts(ACK.pack(signer(link=1, time=YEARS - behind))) == accepted, behind
-    assert signing.counters["old"] == 0
-
-
-def test_too_old_a_stream_is_counted(signing):
-    assert signing.accepts(ACK.pack(signer(time=YEARS)))
-    assert not signing.accepts(ACK.pack(signer((1, 2), time=YEARS - MINUTE - 1)))
-    assert signing.counters == {"accepted": 1, "wrong": 0, "replayed": 0, "old": 1, "too many streams": 0}
+        assert signing.counters == {"accepted": 1 + accepted, "wrong": 0, "replayed": 1, "old": 1 - accepted,
+                                    "too many streams": 0}  # fmt: skip
+    for sender in ((1, 2), (2, 1)):
+        assert signing.accepts(ACK.pack(signer(sender, time=YEARS)))
+    assert not signing.accepts(ACK.pack(signer((3, 1), time=YEARS)))
+    assert signing.counters["too many streams"] == 1
 
 
 def test_after_a_reset_what_was_recorded_long_before_is_refused(signing):
@@ -152,20 +128,6 @@ def test_very_first_timestamp_is_no_time(signing):
     frame = ACK.pack(signer(time=0))
     assert not signing.accepts(frame) and not signing.accepts(frame)
     assert signing.accepts(ACK.pack(signer(time=1)))
-
-
-def test_streams_are_told_apart(signing):
-    for sender, link in (((1, 1), 0), ((1, 1), 1), ((1, 2), 0), ((2, 1), 0)):
-        assert signing.accepts(ACK.pack(signer(sender, link=link, time=YEARS)))
-    assert not signing.accepts(ACK.pack(signer((3, 1), time=YEARS)))
-    assert signing.counters["too many streams"] == 1
-
-
-def test_wrong_signature_moves_no_time(signing):
-    assert signing.accepts(ACK.pack(signer(time=YEARS)))
-    assert not signing.accepts(ACK.pack(signer(key=OTHER_KEY, time=YEARS * 2)))
-    assert signing.time == YEARS
-    assert signing.accepts(ACK.pack(signer(time=YEARS + 1)))
 
 
 @settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -200,21 +162,16 @@ def test_it_judges_as_the_rules_of_the_guide_do(signing, frames):
 
 
 def test_clock_moves_time_forward_only(signing):
-    for unix, expected in (
-        (0, 0),
-        (1420070400, 0),
-        (1420070401, 100_000),
-        (1700000000, 27992960000000),
-        (1600000000, 27992960000000),
-    ):
+    for unix, expected in ((0, 0), (1420070400, 0), (1420070401, 100_000), (1700000000, 27992960000000),
+                           (1600000000, 27992960000000)):  # fmt: skip
         signing.ask("clock", unix)
         assert signing.time == expected, unix
 
 
-@pytest.mark.parametrize("seconds", [1, 65535, 65536, 2**31, 2_814_749_766])
-def test_unix_time_is_converted_exactly(signing, seconds):
-    signing.ask("clock", 1420070400 + seconds)
-    assert signing.time == seconds * 100_000
+def test_unix_time_is_converted_exactly(signing):
+    for seconds in (65535, 65536, 2**31, 2_814_749_766):
+        signing.ask("clock", 1420070400 + seconds)
+        assert signing.time == seconds * 100_000
 
 
 def test_no_timestamp_is_used_before_it_is_reserved(signing):

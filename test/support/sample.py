@@ -1,7 +1,7 @@
 """Which tests are left to tools/test --all: all but a sample of those that test/sample.toml names.
 
-    ["upload/test_losses.py"]
-    test_disorder_ends_truthfully = 12   # one in twelve of those marked slow; 0: none of them
+    ["upload/test_reboots.py"]
+    test_upload_after_a_reset_in_mid_upload_waits_for_no_time_out = 6   # one in six of the slow ones; 0: none
     "*" = 3                                           # of all others in the file
 
     [quick]

@@ -17,7 +17,7 @@ from pathlib import Path
 from datagrams import Network, Place, frames_in
 from host_client import HostClient
 from simulation.bench import PERSONALITIES, status_names
-from simulation.fake_autopilot import FakeAutopilot, mavlink
+from simulation.fake_autopilot import FakeAutopilot
 from simulation.fake_autopilot.frames import decode
 from simulation.firmware import ROOT
 from simulation.host_build import FAST, build_host
@@ -26,27 +26,21 @@ US, BRIDGE = Place(1, 14550), Place(2, 14555)
 
 
 @functools.cache
-def udp_program(sources: tuple[Path, ...] = (), instead: Path | None = None) -> Path:
-    """`sources`: the library's, where one has a defect. `instead`: a folder whose headers are found first."""
+def udp_program() -> Path:
     own = ['-DCLIENT_LINE="UdpLine.h"', "-DCLIENT_OVER_UDP", "-fno-access-control"]
-    if instead is not None:
-        own += ["-iquote", str(instead)]
     client = [ROOT / "test" / "day" / "client.cpp"]
-    return build_host("udp_client", client, "g++", FAST, own_flags=own, library=sources or None)
+    return build_host("udp_client", client, "g++", FAST, own_flags=own)
 
 
 class UdpClient(HostClient):
-    def __init__(self, personality: str, network: Network | None = None, *, at: Place = BRIDGE, first_millis: int = 0,
-                 sources: tuple[Path, ...] = (), instead: Path | None = None, **options) -> None:  # fmt: skip
+    def __init__(self, personality: str, network: Network | None = None, *, first_millis: int = 0, **options) -> None:
         self.network = network or Network()
-        self.place = at
         self.others: dict[Place, FakeAutopilot] = {}
         self.targets: list[tuple[Place, bytes]] = []  # of each datagram that the client has sent, and its bytes
-        self._sources, self._instead = sources, instead
         super().__init__(personality, first_millis, **options)
 
     def _program(self) -> Path:
-        return udp_program(self._sources, self._instead)
+        return udp_program()
 
     def add(self, personality: str, place: Place, **options) -> FakeAutopilot:
         """Another aircraft in the network, which sends all that it says to us."""
@@ -59,18 +53,12 @@ class UdpClient(HostClient):
         """A datagram of anybody's, sent to us now."""
         self.network.send(source, US, data, self.now)
 
-    def name_peer(self, place: Place) -> None:
-        self.ask("name", *place)
-
-    def forget_peer(self) -> None:
-        self.ask("name", 0, 0)
-
     @property
     def peer(self) -> dict[str, int]:
         return self._values("peer")
 
     def _step(self, until: float) -> None:
-        speakers = {self.place: self.autopilot, **self.others}
+        speakers = {BRIDGE: self.autopilot, **self.others}
         due = [until, self.network.next_event(), *(one.next_event(self.now) for one in speakers.values())]
         arriving = []
         for datagram in self.network.arrived(self.now):
@@ -95,10 +83,3 @@ class UdpClient(HostClient):
             together = one.run(self.now)
             if together:
                 self.network.send(place, US, together, self.now)
-
-
-
-def heartbeat_of(kind: int, autopilot: int, sender: tuple[int, int] = (1, 1)) -> bytes:
-    """MAV_TYPE, MAV_AUTOPILOT."""
-    message = mavlink.MAVLink_heartbeat_message(kind, autopilot, 0, 0, mavlink.MAV_STATE_ACTIVE, 3)
-    return bytes(message.pack(mavlink.MAVLink(None, *sender)))

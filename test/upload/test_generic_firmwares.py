@@ -1,4 +1,5 @@
-"""Betaflight and iNav, by their sources, where the library is told that a generic autopilot is one of them."""
+"""Autopilots that are neither ArduPilot nor PX4, or only say so, on the simulated Mega: a scenario of each. (Which
+commands each takes: test/host/generic. Every way that an upload to each can go: test/explorer.)"""
 
 from __future__ import annotations
 
@@ -6,154 +7,125 @@ import math
 
 import pytest
 
-from plans import LAND, LOITER_TIME, NO_PLACE, RETURN, TAKEOFF, jump, waypoint
+from plans import HOME, LAND, LOITER_TIME, NO_PLACE, RETURN, SURVEY, TAKEOFF, jump, on_the_wire, waypoint
+from simulation.bench import same_bits
 from simulation.fake_autopilot import item, mavlink
 from simulation.fake_autopilot.betaflight import Betaflight
 from simulation.fake_autopilot.inav import Inav
 
-GENERIC = pytest.mark.scenario(29, "Betaflight and iNav, as MAVMISSION_GENERIC_FIRMWARE names them: what each takes")
 NUMBERS = {"Betaflight": 1, "Inav": 2}  # of MAVMISSION_GENERIC_FIRMWARE
 KINDS = {"Betaflight": Betaflight, "Inav": Inav}
-ON_LINE = {"baud": 57600, "response_delay_s": Inav.response_delay_on_line_s, "heartbeat_at_s": 0.05, "uptime_s": 60.0}
 NAN = math.nan
 X, Y = -353632621, 1491652374
 PLAN = [waypoint(X + 900 * n, Y, 20.25, param4=NAN) for n in range(4)]  # no yaw is set
 ABOVE_SEA = [one._replace(frame=0, z=600.0 + n / 3) for n, one in enumerate(PLAN)]
-OLD = [waypoint(X, Y + 900 * n, 50.0) for n in range(3)]
+CIRCLE = item(LOITER_TIME, frame=0, x=X, y=Y, z=612.34, param1=30.0)
+TAKEN = {
+    "Betaflight": [item(TAKEOFF, frame=0, z=610.0, param4=NAN), *ABOVE_SEA, CIRCLE, item(LAND, frame=0, param4=NAN)],
+    "Inav": [*ABOVE_SEA, CIRCLE, item(201, frame=0, x=X, y=Y, z=590.0, param1=3.0),
+             item(115, frame=NO_PLACE, param1=90.0, param2=20.0), jump(0, -1), item(RETURN, frame=NO_PLACE)],
+}  # fmt: skip
+BY_MACRO = pytest.mark.scenario(29, "Betaflight and iNav, as MAVMISSION_GENERIC_FIRMWARE names them")
 
 
-def server(firmware: str, **options):
-    if firmware == "Inav":
-        options.setdefault("autopilot", mavlink.MAV_AUTOPILOT_GENERIC)
-    return KINDS[firmware](**ON_LINE, **options)
+def server(kind, **options):
+    return kind(baud=57600, response_delay_s=Inav.response_delay_on_line_s, heartbeat_at_s=0.05, uptime_s=60.0,
+                **options)  # fmt: skip
 
 
-@pytest.fixture
-def build(build_service):
+def built(build_service, firmware: str):
     """A Service, with the firmware compiled for that autopilot; the autopilot holds an old plan."""
-
-    def made(firmware: str, **options):
-        service = build_service(server(firmware, **options), defines={"MAVMISSION_GENERIC_FIRMWARE": NUMBERS[firmware]})
-        service.autopilot.load(OLD)
-        return service
-
-    return made
+    options = {"autopilot": mavlink.MAV_AUTOPILOT_GENERIC} if firmware == "Inav" else {}
+    service = build_service(server(KINDS[firmware], **options),
+                            defines={"MAVMISSION_GENERIC_FIRMWARE": NUMBERS[firmware]})  # fmt: skip
+    service.autopilot.load([waypoint(X, Y + 900 * n, 50.0) for n in range(3)])
+    return service
 
 
-@GENERIC
+@BY_MACRO
 @pytest.mark.parametrize("firmware", KINDS)
-def test_unset_yaws_go_out_as_0_and_nothing_stands_in_homes_place(build, firmware):
-    service = build(firmware)
-    service.upload(PLAN, proof="InDoubt")
-    assert service.done(limit_s=10) == "Accepted"
+def test_what_it_takes_is_read_back_and_verified_and_what_it_does_not_take_is_refused(build_service, firmware):
+    """Unset yaws go out as 0, and nothing stands in home's place. Betaflight multiplies its centimetres by 0.01, iNav
+    divides them by 100."""
+    service, plan = built(build_service, firmware), TAKEN[firmware]
+    service.upload([*PLAN[:2], item(82, x=X, y=Y, z=20.0)])  # a spline
+    assert (service.done(), service.state.failed_item) == ("NotFlown", 2)
+    assert service.heard("MISSION_COUNT") == []
+    service.upload(plan, proof="Always")
+    assert service.done() == "Accepted"
     assert service.state.aboard == "OurPlan" and service.state.firmware == firmware
     sent = service.heard("MISSION_ITEM_INT")
-    assert [(one.seq, one.command, one.param4) for one in sent] == [(n, 16, 0.0) for n in range(4)]
-    assert len(service.autopilot.held) == 4
-
-
-@GENERIC
-@pytest.mark.parametrize("firmware", KINDS)
-def test_plan_above_sea_level_is_read_back_and_verified(build, firmware):
-    """Betaflight multiplies its centimetres by 0.01, iNav divides them by 100; the frame comes as _INT."""
-    service = build(firmware)
-    service.upload(ABOVE_SEA, proof="Always")
-    assert service.done(limit_s=10) == "Accepted"
-    service.verify(ABOVE_SEA)
-    assert service.done(limit_s=10) == "Verified"
-    service.ensure(ABOVE_SEA)
-    assert service.done(limit_s=10) == "AlreadyAboard"
-    service.verify([*ABOVE_SEA[:3], ABOVE_SEA[3]._replace(z=ABOVE_SEA[3].z + 0.02)])
-    assert service.done(limit_s=10) == "Differs"
+    assert [one.seq for one in sent] == list(range(len(plan))) and len(service.autopilot.held) == len(plan)
+    assert not any(math.isnan(one.param4) for one in sent)
+    if firmware == "Betaflight":  # it would land at 0 N 0 E
+        assert (service.autopilot.held[-1].x, service.autopilot.held[-1].y) == (X, Y)
+    service.ensure(plan)
+    assert service.done() == "AlreadyAboard"
+    service.verify([*plan[:3], plan[3]._replace(z=plan[3].z + 0.02), *plan[4:]])
+    assert service.done() == "Differs"
     assert (service.state.failed_item, service.state.field) == (3, "Height")
 
 
-@GENERIC
-def test_betaflights_heights_above_home_prove_an_upload_and_no_plan_of_before(build):
+@BY_MACRO
+def test_betaflights_heights_above_home_prove_an_upload_and_no_plan_of_before(build_service):
     """It gives them above sea level, by a home that is not known here."""
-    service = build("Betaflight")
+    service = built(build_service, "Betaflight")
     service.upload(PLAN, proof="Always")
-    assert service.done(limit_s=10) == "Accepted"
+    assert service.done() == "Accepted"
     service.verify(PLAN)
-    assert service.done(limit_s=10) == "Differs"
+    assert service.done() == "Differs"
     assert (service.state.failed_item, service.state.field) == (0, "Reference")
     service.ensure([one._replace(z=30.0) for one in PLAN])
-    assert service.done(limit_s=10) == "Accepted"  # it was uploaded again
+    assert service.done() == "Accepted"  # it was uploaded again
     assert [round(one.z, 2) for one in service.autopilot.held] == [614.12] * 4
 
 
-@GENERIC
-def test_follower_notices_that_betaflight_has_dropped_the_plan_that_it_accepted(build):
+@BY_MACRO
+def test_follower_notices_that_betaflight_has_dropped_the_plan_that_it_accepted(build_service):
     """It does when a line brings our MISSION_COUNT again, or when another station begins an upload."""
-    service = build("Betaflight")
+    service = built(build_service, "Betaflight")
     service.upload(ABOVE_SEA, proof="InDoubt")
-    assert service.done(limit_s=10) == "Accepted"
+    assert service.done() == "Accepted"
     service.run(3.0)
     assert service.state.aboard == "OurPlan"
-    (count,) = service.wire.frames(">", "MISSION_COUNT")
-    service.autopilot.receive(count.data, service.now)
+    service.autopilot.receive(service.wire.frames(">", "MISSION_COUNT")[0].data, service.now)
     service.run(3.0)
-    assert service.autopilot.held == []
-    assert service.state.aboard == "OtherPlan"
+    assert service.autopilot.held == [] and service.state.aboard == "OtherPlan"
 
 
-REFUSED = {
-    "Betaflight": {"a return, which it would drop": item(RETURN, frame=NO_PLACE), "a jump": jump(0),
-                   "a spline": item(82, x=X, y=Y, z=20.0), "turns": item(18, x=X, y=Y, z=20.0, param1=2.0),
-                   "a servo": item(183, frame=NO_PLACE, param1=9.0, param2=1500.0)},
-    "Inav": {"a takeoff": item(TAKEOFF, x=X, y=Y, z=20.0), "a delay": item(93, frame=NO_PLACE, param1=5.0),
-             "a spline": item(82, x=X, y=Y, z=20.0), "a speed": item(178, frame=NO_PLACE, param1=1.0, param2=5.0)},
-}  # fmt: skip
+@pytest.mark.scenario(29, "A server of an unknown firmware accepts: that alone is no proof, and it is read back")
+@pytest.mark.parametrize("proof, ended", [("ByAnswer", "Unconfirmed"), ("InDoubt", "Accepted")])
+def test_plan_comes_aboard_an_unknown_firmware_that_the_sketch_names(build_bench, proof, ended):
+    bench = build_bench(server(Inav, autopilot=mavlink.MAV_AUTOPILOT_GENERIC))
+    bench.tell("talk", 1, 1)
+    plan = [one._replace(frame=0, z=600.0, param4=0.0) for one in PLAN]
+    bench.upload(plan, proof=proof)
+    assert bench.run_until_ended(limit_s=20) == ended
+    assert len(bench.autopilot.held) == len(plan)
+    assert bool(bench.heard("MISSION_REQUEST_LIST")) == (ended == "Accepted")
 
 
-@GENERIC
-@pytest.mark.parametrize("firmware, name", [(firmware, name) for firmware in REFUSED for name in REFUSED[firmware]])
-def test_command_that_it_does_not_take_or_fly_is_refused_before_anything_is_sent(build, firmware, name):
-    service = build(firmware)
-    service.upload([*PLAN[:2], REFUSED[firmware][name]])
-    assert service.done(limit_s=10) == "NotFlown"
-    assert service.state.failed_item == 2
-    assert service.autopilot.held == OLD
-    assert service.wire.frames(">", "MISSION_COUNT") == []
+@pytest.mark.scenario(28, "An autopilot that only says that it is an ArduPilot: no false Accepted")
+@pytest.mark.parametrize("takes_all, ended", [(False, "Unsupported"), (True, "Differs")])
+def test_upload_to_an_impostor_is_never_accepted(build_bench, takes_all, ended):
+    bench = build_bench(server(Inav, takes_all=takes_all))
+    plan = [one._replace(param4=0.0) for one in PLAN]
+    bench.upload(plan, proof="InDoubt")
+    assert bench.run_until_ended(limit_s=30) == ended and bench.state.aboard != "OurPlan"
+    assert bench.autopilot.held == ([HOME, *plan] if takes_all else [])  # and HOME moves nothing
 
 
-@GENERIC
-@pytest.mark.parametrize("firmware", KINDS)
-def test_what_it_takes_is_read_back_as_it_was_sent(build, firmware):
-    service = build(firmware)
-    plan = [*ABOVE_SEA, item(LOITER_TIME, frame=0, x=X, y=Y, z=612.34, param1=30.0)]
-    if firmware == "Inav":
-        plan += [item(201, frame=0, x=X, y=Y, z=590.0, param1=3.0), item(115, frame=NO_PLACE, param1=90.0, param2=20.0),
-                 jump(0, -1), item(RETURN, frame=NO_PLACE)]  # fmt: skip
-    else:
-        plan = [item(TAKEOFF, frame=0, z=610.0, param4=NAN), *plan, item(LAND, frame=0, param4=NAN)]
-    service.upload(plan, proof="Always")
-    assert service.done(limit_s=10) == "Accepted"
-    assert len(service.autopilot.held) == len(plan)
-    if firmware == "Betaflight":  # It would land at 0 N 0 E.
-        assert (service.autopilot.held[-1].x, service.autopilot.held[-1].y) == (X, Y)
-
-
-@GENERIC
-def test_fence_that_betaflight_would_store_and_not_enforce_is_refused(build):
-    service = build("Betaflight")
-    service.upload([item(5001, frame=0, x=X + n, y=Y, param1=4.0) for n in range(4)], mission_type=1)
-    assert service.done(limit_s=10) == "NotFlown"
-    assert service.autopilot.fence == []
-
-
-@GENERIC
-def test_fence_that_inav_does_not_take_is_refused(build):
-    service = build("Inav")
-    service.upload([item(5001, frame=0, x=X + n, y=Y, param1=4.0) for n in range(4)], mission_type=1)
-    assert service.done(limit_s=10) == "NotFlown"
-
-
-@GENERIC
-@pytest.mark.parametrize("number", [1, 2])
-def test_ardupilot_and_px4_are_what_they_say_in_that_firmware_too(build_bench, personality, number):
-    bench = build_bench(personality, defines={"MAVMISSION_GENERIC_FIRMWARE": number})
-    plan = [item(TAKEOFF, x=X, y=Y, z=20.0), *PLAN[1:3], item(RETURN, frame=NO_PLACE)]
-    bench.upload(plan, proof="Always")
-    assert bench.run_until_ended(limit_s=10) == "Accepted"
-    assert bench.state.firmware == {"PX4": "Px4"}.get(personality, personality)
+@pytest.mark.scenario(4, "An ArduPilot without MISSION_ITEM and MISSION_REQUEST")
+def test_ardupilot_that_has_the_newer_messages_alone_is_read_back(build_service):
+    service = build_service("ArduPilot", is_int_only=True)
+    service.upload(SURVEY, proof="InDoubt")
+    assert service.done() == "Accepted" and service.state.aboard == "OurPlan"
+    assert len(service.heard("MISSION_REQUEST_LIST")) == 1
+    service.ensure(SURVEY)
+    assert service.done() == "AlreadyAboard"
+    service.download()
+    assert service.done() == "Downloaded"
+    assert same_bits(service.autopilot.received(), on_the_wire(SURVEY, "ArduPilot"))
+    assert service.heard("MISSION_ITEM", "MISSION_REQUEST") == service.wire.frames("<", "MISSION_REQUEST") == []
+    service.order_of("clear", 0)
+    assert service.done() == "Cleared"

@@ -68,9 +68,12 @@ TEST_CASE("what is no autopilot's heartbeat is read to the end of the datagram")
     CHECK(!readFrom(packed(parts)).isFound);
     if (id == 1) CHECK(!readFrom(ofVersion1(parts)).isFound);
   }
+  FrameParts gimbal = heartbeatParts(3);
+  gimbal.payload[4] = 26;  // MAV_TYPE_GIMBAL, with its autopilot's name
   const Bytes notes[] = {
       Bytes(),
       damaged,
+      packed(gimbal),
       other,
       signedFrame(heartbeatParts(8)),
       packed(heartbeatParts(8)),  // a ground station's

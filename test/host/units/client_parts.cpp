@@ -7,7 +7,7 @@ using namespace mavmission;
 
 namespace {
 
-const uint16_t kPartialList = 38, kItem = 39;
+const uint16_t kPartialList = 38, kItem = 39, kClearAll = 45;
 const uint8_t kAccepted = 0, kUnsupported = 3, kNoSpace = 4;
 const MissionItem kPlan[] = {takeoff(20_m), waypoint(-35.3632621_deg, 149.1652374_deg, 20_m),
                              changeSpeed(MetresPerSecond(5)), returnToLaunch()};
@@ -63,15 +63,24 @@ TEST_CASE("a part that is not within its plan is refused, and there is no plan f
   }
 }
 
-TEST_CASE("behind a part uploadAgain() uploads the whole plan") {
+TEST_CASE("uploadAgain() uploads the whole plan, behind a part, a download of another type and a clear, too") {
+  MissionItem fence[1];
   ClientOnLine desk(ClientOnLine::kArduPilot);
   desk.run(11000);
   desk.client.uploadPartial(inRam(kPlan), 1, 2);
   REQUIRE(desk.runUntilSent(kPartialList, 100));
   desk.client.cancel();
+  desk.client.download(toRam(fence), PlanType::Fence);
+  REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
+  desk.client.cancel();
+  desk.client.clear(PlanType::All);
+  REQUIRE(desk.runUntilSent(kClearAll, 3000));
+  desk.client.cancel();
   desk.sent.clear();
   desk.client.uploadAgain();
   REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 3000));
+  CHECK(wordAt(desk.sent.back(), 0) == 5);  // behind home
+  CHECK(desk.sent.back().payload[4] == static_cast<uint8_t>(PlanType::Mission));
   CHECK(desk.timesOf(kPartialList, 0).empty());
 }
 
@@ -113,19 +122,18 @@ TEST_CASE("an autopilot that may be old, and refuses the first item as unsupport
   CHECK(desk.runUntilSent(kItem, 50));
 }
 
-TEST_CASE("no other refusal, no later one, and none of an ArduPilot or a PX4 begins with floats") {
+TEST_CASE("no other refusal, no later one, none of an ArduPilot or a PX4, and none unasked begins with floats") {
   const struct {
     uint8_t autopilot, result;
     uint16_t items;
-  } kRefusals[] = {{ClientOnLine::kOther, kNoSpace, 1},
-                   {ClientOnLine::kOther, kUnsupported, 2},
-                   {ClientOnLine::kOther, kUnsupported, 0},
-                   {ClientOnLine::kArduPilot, kUnsupported, 1},
-                   {ClientOnLine::kPx4, kUnsupported, 1}};
+    bool isAsked;
+  } kRefusals[] = {{ClientOnLine::kOther, kNoSpace, 1, true},         {ClientOnLine::kOther, kUnsupported, 1, false},
+                   {ClientOnLine::kOther, kUnsupported, 2, true},     {ClientOnLine::kOther, kUnsupported, 0, true},
+                   {ClientOnLine::kArduPilot, kUnsupported, 1, true}, {ClientOnLine::kPx4, kUnsupported, 1, true}};
   for (const auto& refusal : kRefusals) {
     ClientOnLine desk(refusal.autopilot);
     desk.run(11000);
-    desk.client.useMissionItemFallback();
+    if (refusal.isAsked) desk.client.useMissionItemFallback();
     desk.client.uploadWithoutReadback(inRam(kPlan));
     REQUIRE(desk.runUntilSent(ClientOnLine::kCount, 100));
     for (uint16_t item = 0; item < refusal.items; ++item) {

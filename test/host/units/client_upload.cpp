@@ -123,7 +123,7 @@ TEST_CASE("an upload with retryWhenBusy() backs off after no other refusal") {
   }
 }
 
-TEST_CASE("PX4's error to COUNT is waited for as a denial is") {
+TEST_CASE("PX4's error to COUNT is waited for as a denial is, and the wait can be cancelled") {
   for (const uint8_t result : {kError, kDenied}) {
     ClientOnLine desk(ClientOnLine::kPx4);
     desk.client.retryWhenBusy(60);
@@ -136,6 +136,14 @@ TEST_CASE("PX4's error to COUNT is waited for as a denial is") {
     }
     CHECK((desk.client.status() == Status::BackingOff));
     CHECK(desk.runUntilSent(ClientOnLine::kCount, 1100));
+    desk.hear(ackParts(kDenied));
+    desk.run(20);
+    REQUIRE((desk.client.status() == Status::BackingOff));
+    desk.sent.clear();
+    desk.client.cancel();
+    desk.run(20000);
+    CHECK((desk.ended == Status::Cancelled));
+    CHECK(desk.timesOf(ClientOnLine::kCount, 0).empty());
   }
 }
 

@@ -279,13 +279,23 @@ TEST_CASE("a refusal to be read is the status, and what is aboard is not known t
   }
 }
 
-TEST_CASE("silence does not change what is known to be aboard") {
-  Verifying desk(ClientOnLine::kArduPilot);
-  desk.tellPlan();
-  desk.begin();
-  desk.run(8000);
-  CHECK((desk.ended == Status::NoAnswer));
-  CHECK((desk.client.aboard() == Aboard::OurPlan));
+TEST_CASE("silence, cancel() and a full sink do not change what is known to be aboard") {
+  MissionItem one[1];
+  for (const Status end : {Status::NoAnswer, Status::Cancelled, Status::SinkFull}) {
+    Verifying desk(ClientOnLine::kArduPilot);
+    desk.tellPlan();
+    desk.begin();
+    if (end != Status::NoAnswer) desk.client.cancel();
+    if (end == Status::SinkFull) {
+      desk.run(3000);
+      desk.client.download(toRam(one));
+      REQUIRE(desk.runUntilSent(ClientOnLine::kRequestList, 3000));
+      desk.tellCount();
+    }
+    desk.run(8000);
+    CHECK((desk.ended == end));
+    CHECK((desk.client.aboard() == Aboard::OurPlan));
+  }
 }
 
 TEST_CASE("behind a reset an error or a cancelling may be about what was before, and a denial is not") {

@@ -178,3 +178,46 @@ TEST_CASE("a bridge that cuts frames and comes back with another port is found a
     CHECK(desk.line.peerPort() == 40000);
   }
 }
+
+TEST_CASE("of two that begin within 1.2 s none is the peer until one is named, which does not change") {
+  Desk desk;
+  desk.line.forgetPeer();
+  for (const IPAddress& address : {kOne, kTwo, kOne}) {
+    desk.bring(address, heartbeatOf(2, 12, 0));
+    desk.readAll();
+    CHECK(desk.line.hasPeer() == (address == kOne && !desk.line.severalHeard()));
+    setMillis(millis() + 900);
+  }
+  CHECK(desk.line.severalHeard());
+  desk.send(heartbeat());
+  CHECK(desk.udp->sentCount == 0);
+  desk.line.setPeer(kTwo, kPort);
+  desk.bring(kOne, request(1));
+  desk.bring(kTwo, request(2));
+  CHECK(desk.readAll() == request(2));
+  setMillis(millis() + 6000);
+  const Bytes beat = heartbeatOf(2, 12, 1);
+  desk.udp->bring(kTwo, 40000, beat.data(), beat.size());
+  CHECK(desk.readAll().empty());
+  CHECK(desk.line.peerPort() == kPort);
+}
+
+TEST_CASE("another host never takes the place of a peer that is silent, until that is forgotten") {
+  Desk desk;
+  desk.line.forgetPeer();
+  const Bytes beat = heartbeatOf(2, 12, 0);
+  desk.bring(kOne, beat);
+  desk.readAll();
+  for (uint8_t s = 0; s < 30; ++s) {
+    setMillis(millis() + 2000);
+    desk.udp->bring(kTwo, 40000, beat.data(), beat.size());
+    desk.readAll();
+    CHECK(desk.line.peerAddress() == kOne);
+    CHECK(desk.line.peerPort() == kPort);
+  }
+  desk.line.forgetPeer();
+  desk.udp->bring(kTwo, 40000, beat.data(), beat.size());
+  desk.readAll();
+  CHECK(desk.line.peerAddress() == kTwo);
+  CHECK(desk.line.peerPort() == 40000);
+}
