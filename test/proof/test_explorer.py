@@ -573,7 +573,7 @@ DEFECTS = {
     ),
     "a copy of the answer to an opening is taken for an empty file": (
         "PlanFiles.cpp",
-        "if (isLast) self.isStorable_ = false;",
+        "self.isStorable_ = !isLast;",
         "self.isStorable_ = false;",
         f"ArduPilot walks {WALKS}",
         "a plan is stored after the end",
