@@ -178,7 +178,7 @@ def test_vehicle_asks_for_what_the_sketch_calls_and_is_as_unfit_as_its_worst_par
                   yaw=approx(math.degrees(-0.0141) * 1e7, rel=1e-6))  # fmt: skip
     assert {key: told[key] for key in values} == values
     assert len(set(vehicle.intervals_asked())) == 10
-    assert vehicle.words() == ["STABILIZE" if personality == "ArduPilot" else "LOITER", "fit", "all is well"]
+    assert vehicle.words() == ["STABILIZE" if personality == "ArduPilot" else "HOLD", "fit", "all is well"]
     instruments = vehicle.autopilot.instruments
     for name, value, words in (
         ("healthy", instruments.healthy & ~PREARM, ["not yet fit", "the autopilot is not ready to arm"]),

@@ -27,7 +27,7 @@ const char kBlimp[] PROGMEM = "LAND\0MANUAL\0VELOCITY\0LOITER\0RTL\0";
 // PX4's main modes from 1 on, then, from kPx4Auto on, the sub modes of AUTO from 1 on.
 const char kPx4[] PROGMEM =
     "MANUAL\0ALTCTL\0POSCTL\0AUTO\0ACRO\0OFFBOARD\0STABILIZED\0RATTITUDE\0"
-    "READY\0TAKEOFF\0LOITER\0MISSION\0RTL\0LAND\0-\0FOLLOW\0PRECLAND\0VTOL_TAKEOFF\0";
+    "READY\0TAKEOFF\0HOLD\0MISSION\0RTL\0LAND\0-\0FOLLOW\0PRECLAND\0VTOL_TAKEOFF\0";
 constexpr uint8_t kPx4Mains = 8, kPx4AutoMain = 4, kPx4AutoSubs = 10;
 
 const char kUnknown[] PROGMEM = "unknown";
