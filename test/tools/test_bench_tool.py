@@ -166,16 +166,3 @@ def test_tool_lists_its_scenarios():
     assert run_tool("--list", "--only", "item").stdout.splitlines() == [
         one.name for one in benching.SCENARIOS if "item" in one.name
     ]
-
-
-@pytest.mark.parametrize("words, said", [
-    (["/dev/null"], "tools/bench: error: name both ports: CONSOLE LINE"),
-    (["a", "b"], "tools/bench: 'a@115200' is nothing to connect to"),
-    (["/dev/nowhere", "/dev/b"], "tools/bench: there is no port /dev/nowhere: is it plugged in?"),
-    (["/dev/a", "/dev/b", "--only", "x y z"], "tools/bench: no scenario has 'x y z' in its name: see --list"),
-])  # fmt: skip
-def test_wrong_words_are_answered(words, said):
-    ran = run_tool(*words)
-    assert ran.returncode != 0 and said in ran.stderr
-
-

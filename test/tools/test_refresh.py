@@ -127,12 +127,6 @@ def test_picture_is_the_same_that_says_the_same_with_other_figures():
 # The tool -------------------------------------------------------------------------
 
 
-def test_tool_names_what_there_is_and_refuses_another_name():
-    def run(*words: str) -> subprocess.CompletedProcess:
-        return subprocess.run([sys.executable, ROOT / "tools" / "refresh", *words], capture_output=True, text=True)
-
-    listed = run("--list").stdout.splitlines()
-    assert [line.partition(":")[0] for line in listed] == [thing.name for thing in THINGS]
-    refused = run("keyword")
-    assert refused.returncode == 2 and "nothing generated is named keyword" in refused.stderr
-    assert run("--check", "keywords").returncode == 0
+def test_tool_names_what_there_is():
+    ran = subprocess.run([sys.executable, ROOT / "tools" / "refresh", "--list"], capture_output=True, text=True)
+    assert [line.partition(":")[0] for line in ran.stdout.splitlines()] == [thing.name for thing in THINGS]
