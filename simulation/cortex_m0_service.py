@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from simulation.bench import _ITEM, PLAN_ITEMS, packed
 from simulation.fake_autopilot import Item
 from simulation.microbit import Microbit, build_cortex_m0
-from simulation.service import _COMMAND, SOURCE, Service, unpacked
+from simulation.service import SOURCE, Service, unpacked
 
 FILLED = 36  # bytes of a MissionItem where it is aligned
 
@@ -36,11 +36,6 @@ class CortexM0Service(Service):
     def sink(self, count: int) -> list[Item]:
         data = self.mega.peek("benchSink", count * FILLED)
         return [unpacked(data[at : at + _ITEM.size]) for at in range(0, len(data), FILLED)]
-
-    def send_command(self, command: int, *params: float, place: tuple[int, int] | None = None, frame: int = 2,
-                     always: bool = False) -> str:  # fmt: skip
-        assert _COMMAND.size == 40, "as it lies in a Cortex-M0's memory too"
-        return super().send_command(command, *params, place=place, frame=frame, always=always)
 
     def blocked(self) -> int:
         """Bytes that write() of the core had to wait with."""

@@ -16,8 +16,7 @@ from simulation.bench import status_names
 from simulation.fake_autopilot.flight import METRES_PER_E7, Place
 from simulation.service import Service
 
-STEPS = ("None", "AskLanded", "AskHome", "AskPosition", "Mode", "Arm", "Command", "Confirm", "Disarm", "GiveBack")
-ABOVE_SEA, ABOVE_HOME, ABOVE_GROUND = 0, 3, 10  # MAV_FRAME
+ABOVE_HOME = 3  # MAV_FRAME
 TAKEOFF, REPOSITION, SPEED, REQUEST_MESSAGE, INTERVAL, ASK_VEHICLE = 22, 192, 178, 512, 511, 3000
 
 
@@ -41,27 +40,14 @@ class Steered(Service):
     def take_off(self, height_m: float) -> str:
         return self.order_of("takeoff", bits(height_m))
 
-    def go_to(self, place: tuple[int, int], altitude_m: float, frame: int = ABOVE_HOME) -> str:
-        return self.order_of("goTo", place[0] % 2**32, place[1] % 2**32, bits(altitude_m), frame)
+    def go_to(self, place: tuple[int, int], altitude_m: float) -> str:
+        return self.order_of("goTo", place[0] % 2**32, place[1] % 2**32, bits(altitude_m), ABOVE_HOME)
 
     def set_speed(self, speed: float) -> str:
         return self.order_of("speed", bits(speed))
 
     def has_arrived(self, within_cm: int = 200) -> bool:
-        return bool(self._values_of_steering(within_cm)["arrived"])
-
-    @property
-    def may_steer(self) -> bool:
-        return bool(self._values_of_steering(200)["may"])
-
-    @property
-    def step(self) -> str:
-        (line,) = self.tell("steered", 200)
-        return STEPS[int(line.split(" ")[2])]
-
-    def _values_of_steering(self, within_cm: int) -> dict[str, int]:
-        (line,) = self.tell("steered", within_cm)
-        return {key: int(number) for key, _, number in (pair.partition("=") for pair in line.split(" ")[3:])}
+        return self.tell("steered", within_cm)[0].split(" ")[2] == "1"
 
     @property
     def where(self) -> Place:
@@ -72,31 +58,6 @@ class Steered(Service):
         """ArduPilot's by name, PX4's main and sub mode."""
         autopilot = self.autopilot
         return autopilot.mode if hasattr(autopilot, "mode") else (autopilot.main_mode, autopilot.sub_mode)
-
-    def pilot_sets(self, mode: str | tuple[int, int]) -> None:
-        """By the switch of the remote control."""
-        self.pilot_sets_in(0.0, mode)
-        self.run(1.2)
-
-    def pilot_sets_in(self, seconds: float, mode: str | tuple[int, int]) -> float:
-        """The same, so much later; when that is [s]."""
-        autopilot, at = self.autopilot, self.now + seconds
-        numbers = (autopilot.kind.modes[mode],) if isinstance(mode, str) else mode
-        autopilot.at("pilot", at, lambda now: autopilot._set_mode(*numbers, now))
-        return at
-
-    def undone_s(self, mode: str | tuple[int, int], since: float) -> float:
-        """For how long it flew in another mode than this one, which a pilot has set at `since` [s]."""
-        times = [(time, flown) for time, flown in self.autopilot.modes_flown if time >= since]
-        ends = [time for time, _ in times[1:]] + [self.now]
-        return sum(end - time for (time, flown), end in zip(times, ends, strict=True) if flown != mode)
-
-    def orders_since(self, since: float) -> list[tuple[float, Any]]:
-        """The commands that move or arm something and that have reached the autopilot, with their times [s]."""
-        return [(entry.time, entry.message) for entry in self.autopilot.log
-                if entry.time >= since and entry.direction == ">"
-                and entry.message.get_type() in ("COMMAND_LONG", "COMMAND_INT")
-                and entry.message.command not in (REQUEST_MESSAGE, INTERVAL, ASK_VEHICLE)]  # fmt: skip
 
     def ordered(self) -> list:
         """The commands that were heard and that move or arm something."""
@@ -128,15 +89,9 @@ class Following(Steered):
     def __init__(self, *arguments, defines: dict | None = None, **options) -> None:
         super().__init__(*arguments, defines={"BENCH_TARGET": True, **(defines or {})}, **options)
 
-    def follow(self, place: tuple[int, int], altitude_m: float, frame: int = ABOVE_HOME, renew_ms: int = 100) -> str:
-        self.tell("renewing", renew_ms)
-        return self.order_of("follow", *_target(place, altitude_m, frame))
-
-    def renew(self, place: tuple[int, int], altitude_m: float, frame: int = ABOVE_HOME) -> str:
-        return self.order_of("renew", *_target(place, altitude_m, frame))
-
-    def is_followed(self) -> bool:
-        return "followed=1" in self.tell("target")[0]
+    def follow(self, place: tuple[int, int], altitude_m: float) -> str:
+        self.tell("renewing", 100)
+        return self.order_of("follow", place[0] % 2**32, place[1] % 2**32, bits(altitude_m), ABOVE_HOME)
 
     @property
     def target_status(self) -> str:
@@ -148,38 +103,21 @@ class Following(Steered):
                 if entry.time >= since]  # fmt: skip
 
 
-EARTH, FACING, TURNING, BODY = range(4)  # the kinds of velocities: BODY has a turn, too
-
-
 class Flown(Steered):
     """With a VelocityTarget, whose velocity the sketch renews by itself once told to."""
 
     def __init__(self, *arguments, defines: dict | None = None, **options) -> None:
         super().__init__(*arguments, defines={"BENCH_VELOCITY": True, **(defines or {})}, **options)
 
-    def fly_at(self, x: float, y: float = 0.0, up: float = 0.0, last: float = 0.0, kind: int = EARTH,
-               renew_ms: int = 100) -> str:  # fmt: skip
-        """[m/s]; `last`: the heading [degrees], or the turn [degrees/s]."""
-        self.tell("kind", kind)
-        self.tell("flying", renew_ms)
-        return self.order_of("fly", *map(bits, (x, y, up, last)))
-
-    def renew(self, x: float, y: float = 0.0, up: float = 0.0, last: float = 0.0, kind: int = EARTH) -> str:
-        self.tell("kind", kind)
-        return self.order_of("flyOn", *map(bits, (x, y, up, last)))
+    def fly_at(self, x: float, y: float = 0.0, up: float = 0.0) -> str:
+        """[m/s]"""
+        self.tell("flying", 100)
+        return self.order_of("fly", *map(bits, (x, y, up)))
 
     def is_flown(self) -> bool:
         return "flown=1" in self.tell("flown")[0]
-
-    @property
-    def flight_status(self) -> str:
-        return status_names()[int(self.tell("flown")[0].split(" ")[2])]
 
     def velocities(self, since: float = 0.0) -> list[tuple[float, Any]]:
         """Those that have reached the autopilot, with their times [s]."""
         return [(entry.time, entry.message) for entry in self._sent("SET_POSITION_TARGET_LOCAL_NED")
                 if entry.time >= since]  # fmt: skip
-
-
-def _target(place: tuple[int, int], altitude_m: float, frame: int) -> tuple[int, ...]:
-    return place[0] % 2**32, place[1] % 2**32, bits(altitude_m), frame

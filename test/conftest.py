@@ -19,21 +19,13 @@ os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(ROOT / "build" / "hypo
 from bench_fixtures import (  # noqa: E402, F401
     bench,
     build_bench,
-    build_flown,
-    build_following,
     build_service,
-    build_steered,
-    flown,
-    following,
     line,
     make_bench,
-    make_following,
     make_service,
-    make_steered,
     personality,
     pytest_runtest_makereport,
     service,
-    steered,
 )
 from scenario_table import pytest_collection_modifyitems, pytest_terminal_summary  # noqa: E402, F401
 

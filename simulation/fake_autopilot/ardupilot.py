@@ -111,7 +111,6 @@ class ArduPilot(FakeAutopilot):
         self.complete = False
         self.parameters = parameters.of_ardupilot(self.vehicle)
         self.guided_targets: list[tuple[float, Item]] = []
-        self.modes_flown: list[tuple[float, str]] = []  # each with the time at which it was set [s]
         self.instruments = instruments.of_ardupilot()
         self._last_reached = NOTHING_REACHED
         self._may_take_off = armed
@@ -543,7 +542,6 @@ class ArduPilot(FakeAutopilot):
         if self.mode == "AUTO":
             self.running = False
         self.mode = name
-        self.modes_flown.append((now, name))
         self.answer(self.heartbeat(), now, later_s=0.003)
         self.flight.stop(now)
         self._follow_flight()

@@ -124,12 +124,10 @@ class Px4(FakeAutopilot):
         self._text_number = 0
         self._reached: int | None = None
         self._reached_again = 0
-        self.modes_flown: list[tuple[float, tuple[int, int]]] = []  # each with the time at which it was set [s]
         self._streamed_at = -math.inf  # when the last target for OFFBOARD was heard [s]
         self.home_is_known = True
         self.has_standard_messages = True  # AVAILABLE_MODES and CURRENT_MODE: boards with little flash do without
         self.in_failsafe = False  # it then flies for its own reasons, in HOLD, RTL or LAND
-        self.failsafes: list[float] = []  # when its targets have ended in OFFBOARD [s]
         self._has_lost_stream = False  # why it is in its failsafe: its targets have ended in OFFBOARD
         self._takeoff_z = math.nan  # of the last takeoff that was commanded [m above sea level]
         self.missions = Missions(self, {MISSION: item_limit, FENCE: fence_limit,
@@ -348,7 +346,6 @@ class Px4(FakeAutopilot):
 
     def _stream_is_late(self, now: float) -> None:
         if self.armed and self.main_mode == OFFBOARD:
-            self.failsafes.append(now)
             self.text(CRITICAL, "Failsafe activated\t", now)
             self.at("stream gone", now + STREAM_GONE_S, self._stream_is_gone)
 
@@ -579,7 +576,6 @@ class Px4(FakeAutopilot):
         if (main, sub) == (self.main_mode, self.sub_mode) and self.flight.index is not None:
             return
         self.main_mode, self.sub_mode = main, sub
-        self.modes_flown.append((now, (main, sub)))
         self.in_failsafe = self._has_lost_stream = False
         if main == OFFBOARD:
             self._watch_stream()

@@ -156,12 +156,6 @@ ACTION(download) {
   refusedSinkItem = numbers[2];
   tellBegun(client.download(toFunction(takeItem, nullptr, numbers[1]), typeOf(numbers[0])));
 }
-ACTION(downloadtoram) { tellBegun(client.download(toRam(benchSink), typeOf(numbers[0]))); }
-static MissionItem smallSink[3];
-ACTION(downloadtosmall) {
-  tellBegun(client.download(toRam(smallSink), typeOf(numbers[0])));
-  memcpy(benchSink, smallSink, sizeof(smallSink));
-}
 #ifdef BENCH_FILES
 // The same by file.
 ACTION(fileupload) { tellBegun(files.upload(plan, typeOf(numbers[0]))); }
@@ -183,11 +177,8 @@ ACTION(startproven) { tellBegun(client.verifyAndStart(plan, numbers[0])); }
 ACTION(arm) { tellBegun(client.arm()); }
 ACTION(disarm) { tellBegun(client.disarm()); }
 ACTION(mode) { tellBegun(client.setMode(static_cast<FlightMode>(numbers[0]))); }
-ACTION(custommode) { tellBegun(client.setCustomMode(numbers[0])); }
 ACTION(startmission) { tellBegun(client.startMission()); }
 ACTION(setcurrent) { tellBegun(client.setCurrentItem(numbers[0])); }
-ACTION(pause) { tellBegun(client.setMode(FlightMode::Hold)); }
-ACTION(resume) { tellBegun(client.setMode(FlightMode::Auto)); }
 ACTION(interval) { tellBegun(client.setMessageInterval(numbers[0], numbers[1])); }
 // benchCommand; 1: repeat it always.
 ACTION(order) { tellBegun(client.send(benchCommand, static_cast<CommandRepeat>(numbers[0]))); }
@@ -218,15 +209,12 @@ ACTION(landNow) { tellBegun(steering.landNow()); }
 ACTION(speed) { tellBegun(steering.setSpeed(MetresPerSecond(asFloat(numbers[0])))); }
 // Within so many centimetres.
 ACTION(steered) {
-  tell(F("steered"), static_cast<uint8_t>(steering.step()));
-  tellNumber(F("arrived"), steering.hasArrived(numbers[0]));
-  tellNumber(F("may"), steering.maySteer());
+  tell(F("steered"), steering.hasArrived(numbers[0]));
   Serial.println();
 }
 #endif
 #ifdef BENCH_TARGET
-static uint8_t targetEnds;    // how often update() has returned how it has ended
-static uint16_t renewEachMs;  // 0: the test renews it
+static uint16_t renewEachMs;  // 0: nobody renews it
 static LatLon targetPlace;
 static Altitude targetAltitude = 0_m;
 // Latitude and longitude [1e-7 degrees], altitude, frame; then how it went.
@@ -239,26 +227,18 @@ ACTION(follow) {
   readTarget(numbers);
   tellBegun(moving.start(targetPlace, targetAltitude));
 }
-ACTION(renew) {
-  readTarget(numbers);
-  tellBegun(moving.renew(targetPlace, targetAltitude));
-}
 // The sketch itself renews the last place each so many milliseconds.
 ACTION(renewing) { renewEachMs = numbers[0]; }
-ACTION(unfollow) { moving.stop(); }
 // loop() stands still once for so many milliseconds, in the middle of the next long message.
 static uint32_t hangMs;
 ACTION(hang) { hangMs = numbers[0]; }
-ACTION(patience) { moving.setTimeout(numbers[0]); }
 ACTION(target) {
   tell(F("target"), static_cast<uint8_t>(moving.status()));
-  tellNumber(F("followed"), moving.isFollowed());
-  tellNumber(F("ends"), targetEnds);
   Serial.println();
 }
 static void moveTarget() {
   static uint16_t renewedMs;
-  if (isEnd(moving.update())) ++targetEnds;
+  moving.update();
   const uint16_t nowMs = millis();
   if (renewEachMs == 0 || static_cast<uint16_t>(nowMs - renewedMs) < renewEachMs) return;
   renewedMs = nowMs;
@@ -266,55 +246,33 @@ static void moveTarget() {
 }
 #endif
 #ifdef BENCH_VELOCITY
-static uint8_t flightEnds;  // how often update() has returned how it has ended
-static uint16_t flyEachMs;  // 0: the test renews it
-static uint8_t flightKind;  // 0: over the ground, 1: the same with a heading, 2: with a turn; 3: as from the aircraft
-static float flightNumbers[4];
-// Of the three speeds, and the heading or the turn.
+static uint16_t flyEachMs;  // 0: nobody renews it
+static float flightNumbers[3];
 static Velocity flightVelocity() {
-  const MetresPerSecond x(flightNumbers[0]), y(flightNumbers[1]), up(flightNumbers[2]);
-  const DegreesPerSecond turn(flightNumbers[3]);
-  if (flightKind == 3) return BodyVelocity(x, y, up).turning(turn);
-  const EarthVelocity over(x, y, up);
-  if (flightKind == 2) return over.turning(turn);
-  if (flightKind == 0) return over;
-  const int32_t e7 = static_cast<int32_t>(flightNumbers[3] * 10000000.0f);
-  return over.facing(Yaw(Degrees::fromE7(e7)));
+  return EarthVelocity(MetresPerSecond(flightNumbers[0]), MetresPerSecond(flightNumbers[1]),
+                       MetresPerSecond(flightNumbers[2]));
 }
-static void readVelocity(const Numbers& numbers) {
-  for (uint8_t i = 0; i < 4; ++i) flightNumbers[i] = asFloat(numbers[i]);
-}
-ACTION(kind) { flightKind = numbers[0]; }
+// To the north, to the east, up.
 ACTION(fly) {
-  readVelocity(numbers);
+  for (uint8_t i = 0; i < 3; ++i) flightNumbers[i] = asFloat(numbers[i]);
   tellBegun(velocity.start(flightVelocity()));
-}
-ACTION(flyOn) {
-  readVelocity(numbers);
-  tellBegun(velocity.renew(flightVelocity()));
 }
 // The sketch itself renews the last velocity each so many milliseconds.
 ACTION(flying) { flyEachMs = numbers[0]; }
-ACTION(stop) { velocity.stop(); }
 ACTION(turnTo) {
   const int32_t e7 = static_cast<int32_t>(asFloat(numbers[0]) * 10000000.0f);
-  const Yaw heading = numbers[2] ? Yaw() : Yaw(Degrees::fromE7(e7));
-  tellBegun(adjustments.turnTo(heading, DegreesPerSecond(asFloat(numbers[1]))));
+  tellBegun(adjustments.turnTo(Yaw(Degrees::fromE7(e7)), DegreesPerSecond(asFloat(numbers[1]))));
 }
 ACTION(climbs) { tellBegun(adjustments.setClimbSpeed(MetresPerSecond(asFloat(numbers[0])))); }
 ACTION(sinks) { tellBegun(adjustments.setDescentSpeed(MetresPerSecond(asFloat(numbers[0])))); }
 ACTION(flown) {
   tell(F("flown"), static_cast<uint8_t>(velocity.status()));
   tellNumber(F("flown"), velocity.isFlown());
-  tellNumber(F("ends"), flightEnds);
   Serial.println();
 }
-static uint32_t hangMs;
-ACTION(hang) { hangMs = numbers[0]; }
-ACTION(patience) { velocity.setTimeout(numbers[0]); }
 static void flyVelocity() {
   static uint16_t renewedMs;
-  if (isEnd(velocity.update())) ++flightEnds;
+  velocity.update();
   const uint16_t nowMs = millis();
   if (flyEachMs == 0 || static_cast<uint16_t>(nowMs - renewedMs) < flyEachMs) return;
   renewedMs = nowMs;
@@ -337,29 +295,22 @@ ACTION(fieldtext) {
 }
 
 static const Word words[] = {
-    WORDS_OF_CLIENT,  WORD(upload),     WORD(uploadagain),   WORD(uploadpart),
-    WORD(verify),     WORD(download),   WORD(downloadtoram), WORD(downloadtosmall),
-    WORD(clear),      WORD(start),      WORD(arm),           WORD(disarm),
-    WORD(mode),       WORD(custommode), WORD(startmission),  WORD(setcurrent),
-    WORD(pause),      WORD(resume),     WORD(interval),      WORD(order),
-    WORD(post),       WORD(state),      WORD(followed),      WORD(compare),
-    WORD(fieldtext),  WORD(ensure),     WORD(startproven),
+    WORDS_OF_CLIENT,  WORD(upload),     WORD(uploadagain),  WORD(uploadpart),  WORD(verify),     WORD(download),
+    WORD(clear),      WORD(start),      WORD(arm),          WORD(disarm),      WORD(mode),       WORD(startmission),
+    WORD(setcurrent), WORD(interval),   WORD(order),        WORD(post),        WORD(state),      WORD(followed),
+    WORD(compare),    WORD(fieldtext),  WORD(ensure),       WORD(startproven),
 #ifdef BENCH_STEERING
-    WORD(takeoff),    WORD(goTo),       WORD(hold),          WORD(goOn),
-    WORD(home),       WORD(landNow),    WORD(speed),         WORD(steered),
+    WORD(takeoff),    WORD(goTo),       WORD(hold),         WORD(goOn),        WORD(home),       WORD(landNow),
+    WORD(speed),      WORD(steered),
 #endif
 #ifdef BENCH_TARGET
-    WORD(follow),     WORD(renew),      WORD(renewing),      WORD(unfollow),
-    WORD(patience),   WORD(target),     WORD(hang),
+    WORD(follow),     WORD(renewing),   WORD(target),       WORD(hang),
 #endif
 #ifdef BENCH_VELOCITY
-    WORD(kind),       WORD(fly),        WORD(flyOn),         WORD(flying),
-    WORD(stop),       WORD(flown),      WORD(patience),      WORD(hang),
-    WORD(turnTo),     WORD(climbs),     WORD(sinks),
+    WORD(fly),        WORD(flying),     WORD(flown),        WORD(turnTo),      WORD(climbs),     WORD(sinks),
 #endif
 #ifdef BENCH_FILES
-    WORD(fileupload), WORD(fileverify), WORD(filedownload),  WORD(byfile),
-    WORD(fileensure),
+    WORD(fileupload), WORD(fileverify), WORD(filedownload), WORD(byfile),      WORD(fileensure),
 #endif
 };
 
@@ -386,7 +337,7 @@ void loop() {
   flyVelocity();
 #endif
   const Status status = client.update();
-#if defined(BENCH_TARGET) || defined(BENCH_VELOCITY)
+#ifdef BENCH_TARGET
   if (hangMs != 0 && !client.isSent()) {
     delay(hangMs);
     hangMs = 0;

@@ -34,7 +34,7 @@ class Walker {
     scenario.latencyMs = below(3) == 0 ? 150 : 0;
     scenario.isLossy = below(2) != 0;
     suffersOf100_ = 3 + below(30);
-    if (hasTwoLinks_ && !byFile) {
+    if (hasTwoLinks_) {
       scenario.hasTwoLinks = true;
       scenario.copies = Scenario::kAnyNumber;
       second_ = static_cast<int>(below(3));

@@ -293,7 +293,9 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
   // PX4 goes over to HOLD at the top of a takeoff.
   const bool isHold = kind_ == Kind::Px4 && shownMode_ == modeOf(kind_, Means::Hold);
   const bool isTop = task_ == Task::TakeOff && isHold;
-  const bool isShown = shownMode_ == wanted || (shownBefore_ == wanted && nowMs_ - cameMs_ < kStepsMs);
+  // A MovingTarget tells its end a turn of loop() later, before anything is read that came while loop() stood still.
+  const bool isUnread = task_ == Task::Follow && nowMs_ - stoodStillMs_ < kStepsMs;
+  const bool isShown = isUnread || shownMode_ == wanted || (shownBefore_ == wanted && nowMs_ - cameMs_ < kStepsMs);
   if (isDone && wanted != kNoSuchMode && !isShown && !isTop) {
     breaks(words + "the last heartbeat has shown " + name(shownMode_));
   }
@@ -303,7 +305,6 @@ void Referee::ends(Status status, const Sketch& sketch, const Autopilot& autopil
   if (isDone && isToArm && !sketch.client.isArmed() && isShownArmed_) breaks(words + "isArmed() is false");
   if (isDone && task_ == Task::Disarm && sketch.client.isArmed()) breaks(words + "isArmed() is true");
   // (start() ends with a MISSION_CURRENT, which tells too that the mission is flown.)
-  // (A MovingTarget tells its end a turn of loop() later.)
   const bool isLateTold = !isClean_ && (isStart(task_) || task_ == Task::Follow);
   if (isDone && nowMs_ - shownMs_ > kBeatMs && !isLateTold) breaks(words + "the last heartbeat is old");
   // (Who disarms it has it, whoever arms it then; and a mode counts as the sketch's when its order has ended.)

@@ -1,212 +1,253 @@
-"""start(): what each autopilot needs, in its order, and when it refuses."""
+"""start() and verifyAndStart() on the firmware: what flies first, when each order leaves, and PX4 from 1.17 to 1.18."""
 
 from __future__ import annotations
 
 import pytest
 
-from plans import OLD_PLAN, SURVEY
-from simulation.fake_autopilot import mavlink
-from starts import ARM, HOPS, LANDING_FIRST, MISSION_START, SET_MODE, is_flying, told, uploaded
+from disorders import latency_of
+from plans import SURVEY, jump
+from simulation.fake_autopilot import item
+from simulation.service import asks_for_heartbeat
+from simulation.wire import Wire
+from starts import (
+    ARM,
+    HOPS,
+    LANDING_FIRST,
+    MISSION_START,
+    ON_VEHICLES,
+    SET_MODE,
+    begun_of,
+    expect_flying_from,
+    hops,
+    is_flying,
+    made,
+    set_current,
+    start,
+    told,
+    upload,
+    uploaded,
+)
 
-START = pytest.mark.scenario(49, "start(): each step confirmed; refused while what is aboard is unproven")
-INFEASIBLE = pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
-ARMED = pytest.mark.scenario(48, "Changing the plan while armed is refused unless allowed")
+START = pytest.mark.scenario(49, "start(): from the first item, each order behind a heartbeat")
 
 
-STEPS = {
-    ("ArduPilot", "copter"): [(SET_MODE, 1, 4), (ARM, 1, 0), (MISSION_START, 0, 0)],
-    ("ArduPilot", "rover"): [(ARM, 1, 0), (SET_MODE, 1, 10)],  # it stands in MANUAL
-    ("ArduPilot", "plane"): [(ARM, 1, 0), (SET_MODE, 1, 10)],
-    ("ArduPilot", "quadplane"): [(ARM, 1, 0), (SET_MODE, 1, 10)],
-    ("ArduPilot", "sub"): [(ARM, 1, 0), (SET_MODE, 1, 3)],
-    ("PX4", "copter"): [(MISSION_START, 0, 0)],
-}
-KINDS = pytest.mark.parametrize("kind", STEPS, ids=" ".join)
+def stale(service, vehicle) -> None:
+    """Another item is left over as the current one."""
+    upload(service, hops(vehicle, 5))
+    set_current(service, 3)
+    upload(service, hops(vehicle, 5, east=500))
 
 
-@START
-@KINDS
-def test_each_vehicle_gets_what_it_needs_in_its_order(build_service, kind):
-    personality, vehicle = kind
-    service = uploaded(build_service(personality, vehicle=vehicle))
-    assert service.order_of("start") == "WaitingForAutopilot"
+def after_a_flight(service, vehicle) -> None:
+    upload(service, hops(vehicle, 5))
+    assert start(service) == "Done"
+    for _ in range(3):
+        service.run(0.5)
+        service.autopilot.arrive(service.now)
+    service.autopilot.flight.land_at_once()
+    service.set_mode("Hold")
     assert service.done() == "Done"
-    assert told(service) == STEPS[kind]
-    assert all(one.param3 == one.param4 == one.param5 == one.param6 == one.param7 == 0
-               for one in service.heard("COMMAND_LONG") if one.command != SET_MODE)  # fmt: skip
-    assert [one.seq for one in service.heard("MISSION_SET_CURRENT")] == [0]
-    assert is_flying(service)
-
-
-@START
-@KINDS
-@pytest.mark.parametrize("direction, name", [(">", "COMMAND_LONG"), ("<", "COMMAND_ACK")])
-def test_every_step_may_be_lost_once(build_service, kind, direction, name):
-    personality, vehicle = kind
-    service = uploaded(build_service(personality, vehicle=vehicle))
-    for command in (SET_MODE, ARM, MISSION_START):
-        service.wire.lose(direction, name=name, where=lambda message, command=command: message.command == command)
-    service.order_of("start")
-    assert service.done(limit_s=20) == "Done"
-    assert is_flying(service)
-    assert list(dict.fromkeys(told(service))) == STEPS[kind]
-
-
-REFUSED = [(("ArduPilot", "copter"), 0, "ReadyMode"), (("ArduPilot", "copter"), 1, "Arm"),
-           (("ArduPilot", "copter"), 2, "Begin"),
-           (("ArduPilot", "rover"), 0, "Arm"), (("ArduPilot", "plane"), 0, "Arm"),
-           (("ArduPilot", "plane"), 1, "AutoMode"),
-           (("PX4", "copter"), 0, "Begin")]  # fmt: skip
-
-
-@START
-@pytest.mark.parametrize("kind, number, step", REFUSED, ids=lambda value: str(value))
-def test_refused_step_is_named_and_nothing_follows_it(build_service, kind, number, step):
-    personality, vehicle = kind
-    station = {"hears_station": True} if personality == "PX4" else {}
-    service = uploaded(build_service(personality, vehicle=vehicle, **station))
-    refused = STEPS[kind][number]
-    react = service.autopilot._hears["COMMAND_LONG"]
-
-    def hear(message, sender, now) -> None:
-        if (message.command, message.param1, message.param2) != refused:
-            return react(message, sender, now)
-        service.autopilot.answer(mavlink.MAVLink_command_ack_message(message.command, 1, 0, 0, *sender), now)
-        service.autopilot.text(mavlink.MAV_SEVERITY_CRITICAL, "Not like this", now)
-
-    service.autopilot._hears["COMMAND_LONG"] = hear
-    service.order_of("start")
-    assert service.done() == "CommandRejected"
-    assert service.state.step == step
-    is_armed_by_then = (ARM, 1, 0) in STEPS[kind][:number]
-    assert told(service) == STEPS[kind][: number + 1] + [(ARM, 0, 0)] * is_armed_by_then
-    assert service.state.arming == ("Disarmed" if is_armed_by_then else "Untouched")
-    assert not service.autopilot.armed
-    service.run(0.2)
-    assert (2, "Not like this") in service.texts
-
-
-@START
-def test_arming_refused_after_power_on_is_said_with_the_words_and_works_later(build_service):
-    service = uploaded(build_service("ArduPilot", uptime_s=0.0))
-    service.order_of("start")
-    assert service.done() == "CommandFailed"
-    assert service.state.step == "Arm"
-    service.run(0.1)
-    assert (2, "Arm: AHRS: waiting for home") in service.texts
-    service.run_until(31.0)
-    service.order_of("start")
+    service.order_of("disarm")
     assert service.done() == "Done"
-    assert is_flying(service)
+    service.run(1.2)
+    upload(service, hops(vehicle, 5, east=500))
+
+
+def armed_before(service, vehicle) -> None:
+    """By the sketch, which allows start() to take it from there."""
+    stale(service, vehicle)
+    service.set_mode({"copter": "Guided", "rover": "Manual", "px4": "Hold"}[vehicle])
+    assert service.done() == "Done"
+    service.order_of("arm")
+    assert service.done() == "Done"
+    service.run(1.1)
+    service.tell("armed", 1)
+
+
+def in_mission_mode(service, vehicle) -> None:
+    """A PX4 begins where it stands when it is armed then."""
+    stale(service, vehicle)
+    service.set_mode("Auto")
+    assert service.done() == "Done"
 
 
 @START
-def test_step_that_is_never_answered_ends_there(service, personality):
-    uploaded(service)
-    command = ARM if personality == "ArduPilot" else MISSION_START
-    service.wire.lose(">", name="COMMAND_LONG", times=None, where=lambda message: message.command == command)
-    service.order_of("start")
-    assert service.done(limit_s=15) == "NoAnswer"
-    assert service.state.step == ("Arm" if personality == "ArduPilot" else "Begin")
-    assert service.state.arming == "Untouched"
+@ON_VEHICLES
+@pytest.mark.parametrize("beginning", [stale, after_a_flight, armed_before, in_mission_mode])
+def test_first_item_is_flown_first_whatever_was_before(build_service, vehicle, beginning):
+    service = made(build_service, vehicle)
+    beginning(service, vehicle)
+    was_armed = service.autopilot.armed
+    assert start(service) == "Done"
+    service.run(1.2)
+    assert service.state.armed and service.state.modes == ["Auto"] and service.begun[0] == 0
+    assert service.state.arming == ("Untouched" if was_armed else "Armed")
+
+
+@pytest.mark.scenario(49, "verifyAndStart() compares each item before it arms, and when it flies")
+@ON_VEHICLES
+def test_plan_is_compared_and_flown(build_service, vehicle):
+    service = made(build_service, vehicle)
+    upload(service, hops(vehicle, 4))
+    before = len(service.heard("MISSION_REQUEST_LIST"))
+    service.order_of("startproven", 0)
+    assert service.done(30) == "Done"
+    # PX4 names its plan by a checksum, so that one look is enough.
+    assert len(service.heard("MISSION_REQUEST_LIST")) - before == (1 if vehicle == "px4" else 2)
+    expect_flying_from(service, vehicle, 0)
 
 
 @START
-@pytest.mark.parametrize("after", ["refused", "silent", "cancelled", "cleared"])
-def test_it_is_refused_after_what_leaves_another_plan_aboard(service, after):
-    uploaded(service)
-    service.autopilot.load(OLD_PLAN)
-    if after == "refused":
-        service.autopilot.faults.refuse(mavlink.MAV_MISSION_INVALID, 2)
-        service.upload(SURVEY)
-    elif after == "silent":
-        service.wire.lose("<", name="MISSION_*", times=None)
-        service.upload(SURVEY)
-    elif after == "cancelled":
-        service.upload(SURVEY)
-        service.run_until_sent("MISSION_ITEM_INT", 5)
+@ON_VEHICLES
+def test_each_order_leaves_right_behind_a_heartbeat(build_service, vehicle):
+    """Lost and repeated orders, too; and what a pilot sets in a heartbeat before one keeps it from leaving."""
+    service = made(build_service, vehicle)
+    if vehicle == "px4":
+        service.autopilot._set_mode(3, 0, 0.0)  # POSCTL
+    upload(service, hops(vehicle, 4))
+    orders = (SET_MODE, ARM, MISSION_START)
+    service.wire.lose(">", name="COMMAND_LONG", times=2, where=lambda message: message.command in orders)
+    before = service.now
+    assert start(service) == "Done"
+    sent = [entry.time for entry in service.wire.frames(">", "COMMAND_LONG")
+            if entry.time > before and entry.message.command in orders]  # fmt: skip
+    heartbeats = [entry.time for entry in service.wire.frames("<", "HEARTBEAT") if entry.time > before]
+    asked = [entry for entry in service.wire.frames(">", "COMMAND_LONG") if asks_for_heartbeat(entry.message)]
+    assert len(sent) >= 3 and asked
+    for time in sent:
+        age = min(time - heartbeat for heartbeat in heartbeats if heartbeat < time)
+        assert age < 0.035, "from the first byte of the heartbeat to the last of the order"
+
+
+@START
+@ON_VEHICLES
+def test_cancelled_anywhere_it_goes_no_further_and_another_start_flies(build_service, vehicle):
+    for after_s in (0.01, 0.03, 0.06, 0.1, 0.15, 0.25):
+        service = made(build_service, vehicle)
+        upload(service, hops(vehicle, 4))
+        service.order_of("start")
+        service.run(after_s)
+        if not service.state.busy:
+            break
         service.tell("cancel")
-    else:
-        service.order_of("clear", 0)
-    service.done(limit_s=30)
-    service.order_of("start")
-    assert service.done() == "Unproven"
-    assert service.heard("COMMAND_LONG") == [] and not service.autopilot.armed
+        assert service.done(limit_s=0.1) == "Cancelled"
+        orders = len(told(service))
+        service.run(3.0)
+        assert len(told(service)) == orders
+        service.tell("armed", 1)
+        assert start(service) == "Done"
+    assert after_s > 0.05
 
 
-@START
-def test_pause_and_resume(service):
-    uploaded(service)
-    service.order_of("start")
-    assert service.done() == "Done"
-    service.run(6.0)
-    service.order_of("pause")
-    assert service.done() == "Done"
-    service.run(1.1)
-    assert service.state.modes == ["Hold"] and not is_flying(service)
-    service.order_of("resume")
-    assert service.done() == "Done"
-    service.run(1.1)
-    assert service.state.modes == ["Auto"] and is_flying(service)
+@pytest.mark.scenario(49, "start() on a line that loses, repeats and reorders")
+@ON_VEHICLES
+def test_on_a_bad_line_it_never_says_done_falsely_and_ends(build_service, vehicle):
+    ends = []
+    for seed in range(4):
+        service = made(build_service, vehicle, wire=Wire(seed))
+        upload(service, hops(vehicle, 5))
+        service.order_of("setcurrent", 3)
+        assert service.done() == "Done"
+        for direction in "<>":
+            service.wire.at_random(direction, lose=25, repeat=8, delay=8, hold_past_next=4)
+        service.wire.set_latency(latency_of(seed))
+        ends.append(start(service, limit_s=90))
+        if ends[-1] == "Done":
+            assert service.begun[0] == 0 and service.autopilot.armed
+        elif service.state.arming == "Disarmed":
+            assert not service.autopilot.armed
+    assert ends.count("Done") >= 2, ends
 
 
-@ARMED
-def test_start_while_armed_is_refused_unless_allowed(service):
-    uploaded(service)
-    service.autopilot.armed = True
-    service.run(1.1)
-    service.order_of("start")
-    assert service.done() == "Armed"
-    assert service.heard("COMMAND_LONG") == []
-    service.tell("armed", 1)
-    service.order_of("start")
-    assert service.done() == "Done"
-    assert ARM not in [command for command, _, _ in told(service)]
-
-
-@ARMED
-def test_arduino_that_resets_in_flight_changes_nothing(service, personality):
-    uploaded(service)
-    service.order_of("start")
-    assert service.done() == "Done"
-    service.run(6.0)
-    plan = service.autopilot.received()
-    service.mega.reset()
-    service.run(0.1)
-    said = len(service.mission_messages())
-    for order in (("upload", 0, 0), ("clear", 0), ("clear", 255), ("uploadpart", 0, 1), ("start",)):
-        service.use(HOPS[personality][:2])
-        service.order_of(*order)
-        assert service.done() in ("Armed", "WholePlansOnly"), order
-    assert len(service.mission_messages()) == said
-    assert service.autopilot.received() == plan and is_flying(service)
-
-
-@ARMED
-def test_uploading_while_armed_is_refused_unless_allowed(make_service):
-    service = make_service(armed=True)
-    service.upload(SURVEY)
-    assert service.done() == "Armed"
-    assert service.mission_messages() == []
-    service.tell("armed", 1)
-    service.upload(SURVEY)
-    assert service.done() == "Accepted"
-
-
-@INFEASIBLE
+@pytest.mark.scenario(50, "PX4 accepts a plan and then finds it infeasible", "PX4")
 @pytest.mark.parametrize("in_words", [True, False], ids=["in words", "by the mission state alone"])
-def test_infeasible_plan_has_its_own_status_after_accepted(build_service, in_words):
+def test_infeasible_plan_has_its_own_status_after_accepted_and_is_not_started(build_service, in_words):
     service = build_service("PX4", infeasible_text=in_words, hears_station=in_words)
     service.upload(LANDING_FIRST)
     assert service.done() == "Accepted"
     assert service.done(limit_s=3) == "Infeasible"
-    assert service.state.status == "Infeasible"
-    if in_words:
-        assert any(words.strip() == "Mission rejected: starts with landing" for _, words in service.texts)
-    else:
-        assert service.texts == []  # there is no ground station on this port
+    assert [words.strip() for _, words in service.texts] == ["Mission rejected: starts with landing"] * in_words
     service.run(5.0)
     assert service.ends.count("Infeasible") == 1
     service.order_of("start")
-    assert service.done() == "Infeasible"
-    assert service.heard("COMMAND_LONG") == []
+    assert service.done() == "Infeasible" and service.heard("COMMAND_LONG") == []
+
+
+# -- PX4 1.18, which does some things in another way than 1.17, as was recorded
+
+TAKEOFF, WAYPOINT, LANDING = HOPS["PX4"]
+
+
+@pytest.fixture(params=[False, True], ids=["1.17", "1.18"])
+def px4(build_service, request):
+    return build_service("PX4", is_1_18=request.param)
+
+
+def fly_to_the_end(service) -> None:
+    service.order_of("start")
+    assert service.done(limit_s=20) == "Done" and is_flying(service)
+    limit = service.now + 120.0
+    while not service.autopilot.complete:
+        assert service.now < limit
+        service.run(0.5)
+    service.run(3.0)
+
+
+FLOWN_AGAIN = pytest.mark.scenario(49, "start() of a plan that was flown to its end", "PX4")
+
+
+@FLOWN_AGAIN
+def test_plan_that_was_flown_and_landed_is_flown_again_with_its_jumps(px4):
+    begun = begun_of(uploaded(px4, [TAKEOFF, WAYPOINT, jump(1, 1), LANDING]))
+    for _ in range(2):
+        begun.clear()
+        fly_to_the_end(px4)
+        assert not px4.autopilot.armed and begun == [0, 1, 1, 3]
+    assert told(px4) == 2 * [(MISSION_START, 0, 0)]
+
+
+@FLOWN_AGAIN
+@pytest.mark.parametrize("order", [("startmission",), ("mode", 0)], ids=["startMission()", "setMode(Auto)"])
+def test_finished_plan_is_flown_again_only_when_its_item_is_set(px4, order):
+    """As docs/starting.md says: without, it is in its mission's mode for a moment, and holds again."""
+    def fly() -> str:
+        px4.order_of(*order)
+        ended = px4.done()
+        px4.run(2.5)
+        return ended
+
+    begun = begun_of(uploaded(px4, [TAKEOFF, WAYPOINT, WAYPOINT._replace(x=WAYPOINT.x + 1000)]))
+    fly_to_the_end(px4)
+    px4.order_of("start")
+    assert px4.done() == "Armed"
+    px4.tell("armed", 1)
+    begun.clear()
+    assert fly() == "Done" and begun == [] and px4.autopilot.armed and px4.state.modes == ["Hold"]
+    px4.order_of("setcurrent", 0)
+    assert px4.done(limit_s=20) == "Done"
+    assert fly() == "Done" and begun[:1] == [0] and px4.state.modes == ["Auto"]
+
+
+@pytest.mark.scenario(25, "MISSION_COUNT comes again while a plan is read")
+@pytest.mark.parametrize("word", ["download", "verify"])
+def test_count_that_is_told_again_until_the_first_item_is_asked_for_changes_nothing(build_service, word):
+    service = uploaded(build_service("PX4", is_1_18=True), SURVEY)
+    service.run(0.5)  # behind an upload a reading waits that long
+    until = service.now + 0.9
+    service.wire.lose(">", name="MISSION_REQUEST_INT", times=None, where=lambda _: service.now < until)
+    counts = len(service.wire.frames("<", "MISSION_COUNT"))
+    getattr(service, word)()
+    assert service.done(limit_s=20) == ("Downloaded" if word == "download" else "Verified")
+    assert len(service.wire.frames("<", "MISSION_COUNT")) - counts >= 2
+    assert len(service.heard("MISSION_REQUEST_LIST")) == 1
+
+
+@pytest.mark.scenario(60, "Commands that PX4 keeps by other numbers")
+def test_delay_and_region_of_interest_are_taken_and_read_back_as_each_version_keeps_them(px4):
+    at = {"x": WAYPOINT.x, "y": WAYPOINT.y, "z": 20.0}
+    plan = [TAKEOFF, WAYPOINT, item(112, frame=2, param1=3.0), item(80, param1=3.0, **at), item(201, param1=3.0, **at),
+            LANDING]
+    uploaded(px4, plan).verify(plan)
+    assert px4.done(limit_s=20) == "Verified"
+    kept = 93 if px4.autopilot.is_1_18 else 112
+    assert [held.command for held in px4.autopilot.missions.held[0]] == [22, 16, kept, 201, 201, 21]

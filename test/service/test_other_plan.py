@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from operations import know_vehicle
 from plans import HOME, on_the_wire, waypoint
 from simulation.fake_autopilot import mavlink
-from starts import HOPS, VEHICLES, hops, is_flying
+from starts import HOPS, VEHICLES, hops, is_flying, know_vehicle
 
 OTHER = pytest.mark.scenario(58, "Somebody else's plan is noticed, and aboard(), isOurPlan() and start() agree")
 MISSION_CURRENT = mavlink.MAVLINK_MSG_ID_MISSION_CURRENT

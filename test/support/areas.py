@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from simulation.fake_autopilot import item
 
-INSIDE, OUTSIDE, INSIDE_CIRCLE, OUTSIDE_CIRCLE, RETURN_POINT, RALLY_POINT = 5001, 5002, 5003, 5004, 5000, 5100
+INSIDE, OUTSIDE, INSIDE_CIRCLE, OUTSIDE_CIRCLE, RALLY_POINT = 5001, 5002, 5003, 5004, 5100
 
 
 def corner(command: int, corners: int, x: int, y: int):

@@ -20,8 +20,12 @@ from simulation.together import together
 
 TEST = ROOT / "test"
 FLOWN = ("Copter all random 30", "Rover all random 30", "PX4 all random 30 --loss 5")
-EXPLORED = ("ArduPilot upload-in-doubt 2", "PX4 upload-verified 2", "ArduPilot download 0 --held 2",
-            "ArduPilot typed 20")  # fmt: skip
+EXPLORED = (
+    "ArduPilot upload-in-doubt 2",
+    "PX4 upload-verified 2",
+    "ArduPilot download 0 --held 2",
+    "ArduPilot typed 20",
+)
 COUNTED = ["g++", "-c", "-std=c++11", "-O0", "-g0", "--coverage", "-w", *PLACES]
 # The folder of each program, the further flags of its sources, and its runs.
 PROGRAMS = (

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from plans import NAN, jump, waypoint
+from plans import NAN, waypoint
 from simulation.fake_autopilot import item
 
 ASK_VEHICLE = 3000  # DO_VTOL_TRANSITION, which moves nothing as it is sent
 ARM, SET_MODE, MISSION_START, REQUEST_MESSAGE, SET_CURRENT = 400, 176, 300, 512, 224
 VEHICLES = {"copter": ("ArduPilot", "copter"), "rover": ("ArduPilot", "rover"), "px4": ("PX4", "copter")}
 ON_VEHICLES = pytest.mark.parametrize("vehicle", VEHICLES)
-AUTO = {"copter": 3, "rover": 10, "px4": 4 << 16 | 4 << 24}
 
 
 def hops(vehicle: str, items: int, east: int = 0) -> list:
@@ -22,15 +21,6 @@ def hops(vehicle: str, items: int, east: int = 0) -> list:
         return legs
     yaw = {"param4": NAN} if vehicle == "px4" else {}
     return [item(22, x=lat, y=lon, z=5.0, **yaw), *legs[1:-1], item(21, x=lat, y=lon + east)]
-
-
-def on_the_way(vehicle: str, first: list) -> list:
-    """These items, then a plan."""
-    return [*first, *hops(vehicle, 4)]
-
-
-def home_items(vehicle: str) -> int:
-    return 0 if vehicle == "px4" else 1
 
 
 def made(build_service, vehicle: str, **options):
@@ -94,10 +84,6 @@ def expect_flying_from(service, vehicle: str, item: int) -> None:
     assert service.autopilot.flight.index is not None
 
 
-def jump_on(target: int, repeats: int = 1):
-    return jump(target, repeats)
-
-
 # Near where each fake stands, and short.
 HOPS = {
     "ArduPilot": [item(22, x=-353632620, y=1491652370, z=5.0), waypoint(-353632720, 1491652370, 5.0),
@@ -120,3 +106,10 @@ def is_flying(service) -> bool:
 
 
 LANDING_FIRST = [item(21, x=473977428, y=85455937), waypoint(473978428, 85455937)]
+
+
+def know_vehicle(service, personality: str) -> None:
+    """Have the client ask an ArduPilot whether it is a plane, as it does once, by a mode in which it is already."""
+    if personality == "ArduPilot":
+        service.set_mode("Manual")
+        assert service.done() == "Done"

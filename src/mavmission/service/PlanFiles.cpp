@@ -137,7 +137,8 @@ void PlanFiles::take(Listener& listener, const FrameParser& frame) {
     case MAV_FTP_OPCODE_CREATEFILE:
       if (!isAck) break;
       self.closings_ = kUntilClosed;
-      if (isLast) self.isStorable_ = false;  // it is empty, or open for reading
+      // It is empty, or open for reading; behind a copy that has come late, copies of the writes may have come too.
+      self.isStorable_ = !isLast;
       break;
     case MAV_FTP_OPCODE_TERMINATESESSION:
       self.closings_ = 0;

@@ -189,11 +189,14 @@ TEST_CASE("naming the one that is there already keeps it; naming none forgets it
   CHECK(finder.isFrom(3, 1));
 }
 
-TEST_CASE("armed is what the last heartbeat says") {
+TEST_CASE("armed is what the last heartbeat says, also behind 8 s of silence") {
   Finder finder;
   finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, MAV_MODE_FLAG_SAFETY_ARMED), 0);
   CHECK(finder.isArmed());
-  finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, 0x7F), 0);
+  finder.onTime(8000);
+  CHECK_FALSE(finder.isFound());
+  CHECK(finder.isArmed());
+  finder.onHeartbeat(from(1, 1, MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, 0x7F), 8001);
   CHECK_FALSE(finder.isArmed());
 }
 

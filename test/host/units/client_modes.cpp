@@ -291,6 +291,15 @@ TEST_CASE("an accepted order that no heartbeat shows is unconfirmed, and the oth
   }
 }
 
+TEST_CASE("a mode that PX4 accepts and then refuses is refused") {
+  Ordering desk(ClientOnLine::kPx4, kCopterType, kPx4Position);
+  desk.client.setMode(FlightMode::Guided);
+  REQUIRE(desk.runUntilOrdered(kSetMode, 50));
+  desk.hear(commandAckParts(kSetMode, kAccepted));
+  desk.answer(kSetMode, 1);
+  CHECK((desk.ended == Status::CommandRejected));
+}
+
 TEST_CASE("behind its acceptance an order asks for a heartbeat, and is done when that shows the mode") {
   Ordering desk(ClientOnLine::kArduPilot, kCopterType, kStabilize);
   desk.client.setCustomMode(kGuided);

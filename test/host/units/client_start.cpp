@@ -42,6 +42,16 @@ TEST_CASE("a vehicle whose modes are not known is not started") {
   CHECK((flight.refusal() == Status::NoSuchMode));
 }
 
+TEST_CASE("a copter that does not answer which vehicle it is gets no order of a start()") {
+  Flown flight;
+  flight.upload();
+  flight.saysVehicle = false;
+  flight.client.start();
+  flight.fly(9000);
+  CHECK((flight.ended == Status::NoAnswer));
+  CHECK(flight.orders.empty());
+}
+
 TEST_CASE("ArduPilot is given its own number of the item where the start begins, and 0 for the first one") {
   for (uint16_t item : {0, 1, 2, 3}) {
     Flown flight;

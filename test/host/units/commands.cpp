@@ -8,6 +8,7 @@
 #include <string>
 
 #include "RecordedItems.h"
+#include "mavmission/FlightCommand.h"
 #include "mavmission/MissionItem.h"
 #include "mavmission/autopilot/Rules.h"
 
@@ -17,6 +18,13 @@ using namespace mavmission::detail;
 TEST_CASE("a command that is not in the table has a place or not as its frame says") {
   for (const uint16_t command : {0, 15, 3001, 65535}) CHECK(traitsOf(command) == kAsItsFrameSays);
   CHECK(traitsOf(19) == 0);
+}
+
+TEST_CASE("what moves, releases, takes a picture or restarts is sent once only, and nothing else is") {
+  const std::set<uint16_t> once = {181, 182, 183, 184, 185, 187, 203, 208, 209, 211, 246, 2000, 30001, 42600};
+  for (uint32_t id = 0; id < 65536; ++id) {
+    CHECK(isOnceOnly(static_cast<uint16_t>(id)) == (once.count(static_cast<uint16_t>(id)) != 0));
+  }
 }
 
 TEST_CASE("each maker of an item without a place makes one that is known to have none") {

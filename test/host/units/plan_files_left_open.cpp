@@ -203,3 +203,19 @@ TEST_CASE("a file that was left open is not closed while ensure() checks its pla
   CHECK(pilot.said() == "");
   CHECK((pilot.client.status() == Status::Checking));
 }
+
+TEST_CASE(
+    "a file that a late copy of its opening has opened again may hold the plan: it is spoilt before it is closed") {
+  Pilot pilot;
+  pilot.settle();
+  pilot.files.upload(inRam(kPlan));
+  REQUIRE(pilot.passUntil("create"));
+  const uint16_t opening = pilot.sequence;
+  REQUIRE(pilot.passUntil("write 0+10"));
+  pilot.client.cancel();
+  pilot.pass(4000);
+  pilot.said();
+  pilot.reply(static_cast<uint16_t>(opening + 1), pilot.session, 128, FilePilot::kCreate, 0, {});
+  pilot.pass(4000);
+  CHECK(pilot.said() == "write 0+10, close");
+}

@@ -147,6 +147,15 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
   CHECK(fixed.said() == "L512 245 0 0 0 0 0 0");
   CHECK((fixed.steering.step() == SteerStep::AskLanded));
 
+  Aircraft quadPlane(ClientOnLine::kArduPilot, 20);  // that says so
+  quadPlane.stand(0);
+  quadPlane.vtol = 3;
+  CHECK(ORDERED(quadPlane, takeOff(5_m)) ==
+        "4: L512 245 0 0 0 0 0 0, L511 33 500000 0 0 0 0 0, L176 1 15 0 0 0 0 0, L400 1 0 0 0 0 0 0, "
+        "L22 0 0 0 0 0 0 5");
+  quadPlane.pass(600);
+  CHECK(ORDERED(quadPlane, landNow()) == "2: L176 1 20 0 0 0 0 0");
+
   Aircraft px4(ClientOnLine::kPx4, 1);  // a plane of PX4 is told what any vehicle is told
   px4.stand(kPx4Position);
   px4.steering.takeOff(5_m);
