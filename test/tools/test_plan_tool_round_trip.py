@@ -61,11 +61,8 @@ ODD = plan_of([
 ])  # fmt: skip
 TAKEN = [Item(2, command, 0, 1, 1.0, 0.0, 0.0, 0.0, 0, 0, 0.0) for command in (83, 92, 208, 216, 218, 222, 223)]
 KEPT_OTHERWISE = plan_of([
-    Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, *PLACE, 20.0),
-    Item(3, 16, 0, 1, 2.0, 3.0, 0.0, 45.0, *PLACE, 20.125),
-    Item(3, 30, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 150.0),
-    *TAKEN,
-    Item(3, 21, 0, 1, 0.0, 0.0, 0.0, 90.0, *PLACE, 0.0),
+    Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, *PLACE, 20.0), Item(3, 16, 0, 1, 2.0, 3.0, 0.0, 45.0, *PLACE, 20.125),
+    Item(3, 30, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 150.0), *TAKEN, Item(3, 21, 0, 1, 0.0, 0.0, 0.0, 90.0, *PLACE, 0.0),
     Item(2, 20, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 25.0),
 ])  # fmt: skip
 
@@ -122,8 +119,7 @@ BEGUN = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t1\t1\t1\t1"
 
 
 @pytest.mark.parametrize(("text", "line", "says"), [
-    ("nothing here", None, "no listing"),
-    (BEGUN, 2, "ends in the middle"),
+    ("nothing here", None, "no listing"), (BEGUN, 2, "ends in the middle"),
     (f"x\n{BEGUN}\n1\t0\t3\t16\t0\t0\ndownloaded: all", 4, "broken off"),
     (f"{BEGUN}\nthe autopilot fell silent", 3, "broken off"),
 ])  # fmt: skip
@@ -137,10 +133,8 @@ def test_tool_shows_the_round_trip_and_saves_what_came_back(tmp_path):
     file = tmp_path / "aboard.waypoints"
     ran = subprocess.run(
         [sys.executable, ROOT / "tools" / "demo", "--fast", "--plan", FARM, "--save", file, "--autopilot", "px4"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
     assert (ran.returncode, ran.stderr) == (0, "")
     assert "equal in all 51 items" in ran.stdout
     assert bits(read_plan(file).items()) == bits(read_plan(FARM).items())
