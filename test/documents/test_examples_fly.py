@@ -180,7 +180,8 @@ AWAY_M = {"NextWaypoint": 23.0}  # where it lands [m from home]; else at home
 
 # What is not here test/tools/test_demo.py flies to its end; a StartButton is a StartMission with a button.
 FLOWN = [("StartMission", "copter px4 rover"), ("StartButton", "copter"), ("NextWaypoint", "copter px4"),
-         ("WorkAtWaypoints", "px4 rover"), ("GoToPlaces", "copter px4 rover"), ("FollowBeacon", "px4 rover")]  # fmt: skip
+         ("WorkAtWaypoints", "px4 rover"), ("GoToPlaces", "copter px4 rover"),
+         ("FollowBeacon", "px4 rover")]  # fmt: skip
 
 
 @pytest.mark.slow
