@@ -8,6 +8,7 @@ replaced, by a mutant or a planted defect, is of single objects.)
 
 from __future__ import annotations
 
+import os
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
@@ -56,5 +57,7 @@ def as_one(sources: Sequence[Path]) -> Path:
     file = OUTPUT / f"together-{digest(text)[:16]}.cpp"
     if not file.exists():
         OUTPUT.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+        fresh = file.with_suffix(f".{os.getpid()}")
+        fresh.write_text(text)
+        fresh.replace(file)
     return file

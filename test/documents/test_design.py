@@ -58,9 +58,8 @@ def test_numbers_of_attempts_in_the_headers_are_those_of_the_code():
     assert {name: numbers for name, numbers in said.items() if numbers} == {
         "ItemSink.h": [code["DownloadRules::kItemTries"]],
         "DownloadTransfer.h": [code["DownloadRules::kListTries"], code["DownloadRules::kItemTries"]],
-        "UploadTransfer.h": [str(counting), str(confirming)],
-        "CommandTransfer.h": [code["CommandRules::kTries"]],
-    }
+        "UploadTransfer.h": [str(counting), str(confirming)], "CommandTransfer.h": [code["CommandRules::kTries"]],
+    }  # fmt: skip
 
 
 def test_value_of_the_code_is_put_behind_its_name():
@@ -124,18 +123,13 @@ def diagrams() -> str:
 
 
 STATES = {
-    "upload": ("UploadVerdict.h", "UploadState"),
-    "download": ("DownloadTransfer.h", "State"),
-    "reading a file": ("FileReadTransfer.h", "State"),
-    "writing a file": ("FileWriteTransfer.h", "State"),
-    "clear": ("ClearTransfer.h", "State"),
-    "command": ("CommandTransfer.h", "State"),
-    "order of a mode": ("ModeOrder.h", "Sight"),
-    "start": ("Operations.h", "StartStep"),
-    "phases of start": ("StartTransfer.h", "State"),
-    "steering": ("Steering.h", "SteerStep"),
+    "upload": ("UploadVerdict.h", "UploadState"), "download": ("DownloadTransfer.h", "State"),
+    "reading a file": ("FileReadTransfer.h", "State"), "writing a file": ("FileWriteTransfer.h", "State"),
+    "clear": ("ClearTransfer.h", "State"), "command": ("CommandTransfer.h", "State"),
+    "order of a mode": ("ModeOrder.h", "Sight"), "start": ("Operations.h", "StartStep"),
+    "phases of start": ("StartTransfer.h", "State"), "steering": ("Steering.h", "SteerStep"),
     "orders of a flight": ("FlightStages.h", "FlightOrder"),
-}
+}  # fmt: skip
 
 
 # Requests of MAVLink FTP, by the guide's names.

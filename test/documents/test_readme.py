@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-import shlex
-import subprocess
 
 import pytest
 
@@ -23,14 +20,6 @@ SETTINGS = TEXT.partition("\n## Settings of the autopilot\n")[2].partition("\n##
 def test_readme_is_read_in_a_few_minutes():
     assert len(TEXT.splitlines()) <= MOST_LINES
     assert len(TEXT.split()) <= MOST_WORDS
-
-
-@pytest.mark.parametrize("command", [command for command in COMMANDS if command.startswith("tools/")])
-def test_tool_and_its_options_are_there(command):
-    words = shlex.split(command)
-    assert os.access(ROOT / words[0], os.X_OK)
-    known = subprocess.run([ROOT / words[0], "--help"], capture_output=True, text=True, check=True).stdout
-    assert [word for word in words[1:] if word.startswith("-") and word not in known] == []
 
 
 def test_every_other_command_is_one_of_arduino_or_platformio():

@@ -44,11 +44,7 @@ def test_reference_is_made_without_a_warning_and_has_what_a_sketch_uses(referenc
     assert [name for name in functions if f" {name} (" not in client and f" {name}(" not in client] == []
     assert "never blocks" in client
     for name in (
-        "structMissionItem",
-        "classMissionFollower",
-        "classMessageListener",
-        "classDegrees",
-        "structLinkCounters",
+        "structMissionItem", "classMissionFollower", "classMessageListener", "classDegrees", "structLinkCounters",
     ):
         page = re.sub("(?=[A-Z])", "mavmission_1_1", name, count=1)
         assert (reference / f"{page}.html").is_file(), page

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import functools
 import pickle
 import re
 import subprocess
@@ -17,6 +18,7 @@ from measuring.firmware import baseline, measured, ours
 from measuring.peer import KINDS, Peer, as_wire, telemetry_frames
 from refreshing import refresh
 from refreshing.things import THINGS
+from simulation.firmware import build_firmware, library_file
 from simulation.mega import Mega
 
 SECTIONS = {thing.name: thing for thing in THINGS if thing.measure}
@@ -34,8 +36,14 @@ def measured_once(name: str, measure: Callable[[], record.Section]) -> record.Se
     return pickle.loads(kept.read_bytes())
 
 
+@functools.cache
+def is_stale(name: str) -> bool:
+    return refresh.is_stale(SECTIONS[name])
+
+
 def section(name: str) -> record.Section:
-    return measured_once(name, SECTIONS[name].measure)
+    """As recorded, where what it is made of is what was measured; else measured now."""
+    return measured_once(name, SECTIONS[name].measure) if is_stale(name) else record.section(name)
 
 
 # What takes long is left to tools/test --all.
@@ -54,7 +62,7 @@ def test_no_figure_is_beyond_its_bound_or_far_from_what_is_recorded(name):
 def test_update_stays_within_its_bound(operation):
     """In one loop, on one line of those whose longest is recorded."""
     bounds = record.load()["updates"][operation]
-    for played, ended in updates.courses(operation, *updates.SAMPLE):
+    for played, ended in updates.courses(operation, *updates.SAMPLE) if is_stale("updates") else ():
         assert ended != 0, "it has not ended: it was not seen whole"
         assert played.watch.calls.count > 0
         found = played.longest()
@@ -180,16 +188,18 @@ def test_ram_does_not_grow_with_the_plan_and_time_grows_with_it():
     assert costs["10000"]["seconds"] == pytest.approx(100 * costs["100"]["seconds"], rel=0.02)
 
 
-def test_every_trick_is_still_in_the_code():
-    assert all(tricks.undone(trick).is_dir() for trick in tricks.tricks().values())
+def test_every_trick_is_still_in_the_code_and_a_copy_is_made_without_it():
+    for trick in tricks.tricks().values():
+        (changed,) = tricks.undone(trick).rglob(trick.file)
+        assert trick.instead in changed.read_text() and trick.text in library_file(trick.file).read_text()
 
 
-@pytest.mark.slow
-def test_library_without_a_trick_is_what_is_measured():
-    base = tricks.taken()
-    file, text, _ = tricks.tricks()["`update()` hides its object's address from the optimiser"]
-    more = tricks.taken(tricks.undone(tricks.Trick(file, text, text + ' asm volatile("nop\\n nop\\n nop");')))
-    assert more.flash == base.flash + 6 and more.globals == base.globals
+def test_copy_of_the_library_is_what_a_sketch_is_linked_with(tmp_path):
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src" / "given.cpp").write_text("void given() {}\n")
+    sketch = tmp_path / "sketch.cpp"
+    sketch.write_text("#include <Arduino.h>\nvoid given();\nvoid setup() { given(); }\nvoid loop() {}\n")
+    assert build_firmware("copied", [sketch], library=tmp_path / "src").is_file()
 
 
 COSTS = re.compile(r"//.*\d (?:cycles|bytes (?:less|more|of flash|of RAM)|kB)")

@@ -57,20 +57,14 @@ def found_by_ruff_to_be_looked_at() -> set[Path]:
     return {Path(line) for line in ran.stdout.splitlines()}
 
 
-@pytest.mark.parametrize(
-    ("fault", "rule"),
-    [
-        ("import os\n", "F401"),
-        ("x = 1 \n", "W291"),
-        ("import sys\nimport os\nprint(os, sys)\n", "I001"),
-        ("def f(a=[]):\n    return a\n", "B006"),
-        ("from typing import Optional\n\nx: Optional[int] = 1\n", "UP007"),
-        (f"x = '{'y' * WIDTH}'\n", "E501"),
-    ],
-)
-def test_fault_in_python_is_found(tmp_path, fault, rule):
-    (tmp_path / "faulty.py").write_text(fault)
-    assert rule in found_by(BIN / "ruff", "check", "--no-cache", "--config", ROOT / "ruff.toml", tmp_path / "faulty.py")
+def test_fault_in_python_is_found(tmp_path):
+    (tmp_path / "faulty.py").write_text(
+        "import sys\nimport os\nfrom typing import Optional\n\nx: Optional[int] = 1 \nprint(os)\n\n\n"
+        f"def f(a=[]):\n    return '{'y' * WIDTH}'\n"
+    )
+    said = found_by(BIN / "ruff", "check", "--no-cache", "--config", ROOT / "ruff.toml", tmp_path / "faulty.py")
+    assert set(re.findall(r": ([A-Z]+\d+) ", said)) >= {"F401", "W291", "I001", "B006", "E501"}, said
+    assert "UP007" in said or "UP045" in said, said
 
 
 @pytest.mark.slow
@@ -87,18 +81,13 @@ def test_no_module_of_ours_is_left_out_by_mypy():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "fault",
-    [
-        "count: int = 'one'\n",
-        "from simulation.wire import Wire\n\nWire(seed='one')\n",
-        "from planning.plan import modern\n\nmodern('one')\n",
-    ],
-)
-def test_wrong_type_is_found(tmp_path, fault):
-    (tmp_path / "faulty.py").write_text(fault)
+def test_wrong_type_is_found(tmp_path):
+    (tmp_path / "faulty.py").write_text(
+        "from planning.plan import modern\nfrom simulation.wire import Wire\n\n"
+        "count: int = 'one'\nWire(seed='one')\nmodern('one')\n"
+    )
     said = found_by(*MYPY, "--config-file", ROOT / "mypy.ini", tmp_path / "faulty.py")
-    assert "faulty.py" in said and "Found 1 error in 1 file" in said
+    assert re.findall(r"faulty\.py:(\d+): error", said) == ["4", "5", "6"], said
 
 
 # -- C++ -------------------------------------------------------------------------------------------

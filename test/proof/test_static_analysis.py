@@ -1,4 +1,4 @@
-"""cppcheck and clang-tidy find nothing in the library, nor in the programs of the host tests; and would."""
+"""cppcheck and clang-tidy find nothing in the library, nor the latter in the host tests' programs; and would."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ def test_library_is_clean(tool):
 
 
 @pytest.mark.slow
-@TOOLS
-def test_programs_of_the_host_tests_are_clean(tool):
+def test_programs_of_the_host_tests_are_clean():
+    """By one of them: these programs run under sanitizers, too."""
     assert len(HOST_UNITS) > 4
-    assert "\n".join(findings(tool, HOST_UNITS)) == ""
+    assert "\n".join(findings(CLANG_TIDY, HOST_UNITS)) == ""
 
 
 @TOOLS

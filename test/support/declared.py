@@ -16,6 +16,7 @@ from clang.cindex import Cursor, CursorKind, Index, TranslationUnit, conf
 
 from simulation.firmware import LIBRARY
 from simulation.host_build import HOST, SHIM
+from simulation.together import together
 
 VENDORED = LIBRARY / "mavmission" / "mavlink"
 AS_COMPILED = ["-xc++", "-std=c++11", "-DMAVMISSION_SIGNING=1", "-w"]
@@ -38,14 +39,14 @@ def unnamed(
     """The functions and constants that the headers declare, and nothing in headers and sources names: the header."""
     declared: dict[str, tuple[str, str, Path]] = {}  # how libclang calls it: (its name, in full, its header)
     named: set[str] = set()
-    ours, seen = set(headers), set[Path]()
-    for source in sources:
+    ours, whole, seen = set(headers), list(sources), set[Path]()
+    for unit in together(whole):
         fresh: set[Path] = set()
-        for cursor, file in _cursors(_parsed(source, places), {source, *ours} - seen, fresh):
+        for cursor, file in _cursors(_parsed(unit, places), {*whole, *ours} - seen, fresh):
             if file in ours and _is_looked_at(cursor):
                 declared.setdefault(cursor.get_usr(), (cursor.spelling, _full_name(cursor), file))
             named |= set(_names(cursor))
-        seen |= fresh & ours
+        seen |= fresh
     return {full: file for usr, (name, full, file) in declared.items() if not named & {usr, name}}
 
 
@@ -68,11 +69,16 @@ def _parsed(source: Path, places: Iterable[Path]) -> TranslationUnit:
 def _cursors(unit: TranslationUnit, files: set[Path], fresh: set[Path]) -> Iterator[tuple[Cursor, Path]]:
     """All that stands in these files; `fresh` gets those of them that the unit has."""
     for top in unit.cursor.get_children():
-        file = Path(top.location.file.name).resolve() if top.location.file else None
+        file = _resolved(top.location.file.name) if top.location.file else None
         if file in files:
             fresh.add(file)
             for cursor in top.walk_preorder():
                 yield cursor, file
+
+
+@functools.cache
+def _resolved(name: str) -> Path:
+    return Path(name).resolve()
 
 
 def _is_looked_at(cursor: Cursor) -> bool:

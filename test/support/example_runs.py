@@ -7,7 +7,6 @@ from functools import cache
 from pathlib import Path
 
 from building import build_sketch
-from examples import sketch_of
 from simulation.bench import fake
 from simulation.fake_autopilot import MISSION, mavlink
 from simulation.firmware import ARDUINO, ROOT, build_firmware
@@ -24,11 +23,10 @@ def image_of(example: str) -> Image:
     return Image.load(build_sketch(example).elf)
 
 
-def firmware_of(example: str, mcu: str) -> Path:
+def firmware_of(sketch: Path, mcu: str) -> Path:
     """As the Arduino IDE makes it, but for the prototypes, which no example needs."""
-    source = WRAPPED / f"{example}.cpp"
+    source = WRAPPED / f"{sketch.stem}.cpp"
     source.parent.mkdir(parents=True, exist_ok=True)
-    sketch = sketch_of(example)
     text = f'#include <Arduino.h>\n#line 1 "{sketch}"\n{sketch.read_text()}'
     if not source.exists() or source.read_text() != text:
         fresh = source.with_suffix(f".{os.getpid()}")
@@ -36,7 +34,7 @@ def firmware_of(example: str, mcu: str) -> Path:
         fresh.replace(source)
     port = LIBRARIES / "SoftwareSerial" / "src" / "SoftwareSerial.cpp"
     own = [port] if "CONSOLE_RX" in text and mcu == "atmega328p" else []
-    return build_firmware(example, [source, *own], mcu=mcu, include_dirs=sorted(LIBRARIES.glob("*/src")))
+    return build_firmware(sketch.stem, [source, *own], mcu=mcu, include_dirs=sorted(LIBRARIES.glob("*/src")))
 
 
 class Run:

@@ -10,6 +10,7 @@ import pytest
 import benching
 from benching import SCENARIOS, NoBoard, Player, Scenario, play, report, scenarios, write_sketch
 from building import ROOT, build_sketch
+from example_runs import firmware_of
 from simulation.firmware import build_firmware
 from simulation.mega import Mega
 from simulation.mega.ends import Pty, open_end
@@ -149,11 +150,11 @@ def test_board_without_the_sketch_is_told():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["mega", "uno"])
-def test_sketch_compiles_as_the_arduino_ide_makes_it(tmp_path, name):
+def test_sketch_compiles_as_the_arduino_ide_makes_it_and_for_an_uno(tmp_path):
     sketch = write_sketch(tmp_path)
     assert sketch == tmp_path / "MavMissionBench" / "MavMissionBench.ino"
-    assert build_sketch(sketch, name).flash > 10_000
+    assert build_sketch(sketch).flash > 10_000
+    assert firmware_of(sketch, "atmega328p").is_file()
 
 
 def run_tool(*words: str) -> subprocess.CompletedProcess:
@@ -165,16 +166,3 @@ def test_tool_lists_its_scenarios():
     assert run_tool("--list", "--only", "item").stdout.splitlines() == [
         one.name for one in benching.SCENARIOS if "item" in one.name
     ]
-
-
-@pytest.mark.parametrize("words, said", [
-    (["/dev/null"], "tools/bench: error: name both ports: CONSOLE LINE"),
-    (["a", "b"], "tools/bench: 'a@115200' is nothing to connect to"),
-    (["/dev/nowhere", "/dev/b"], "tools/bench: there is no port /dev/nowhere: is it plugged in?"),
-    (["/dev/a", "/dev/b", "--only", "x y z"], "tools/bench: no scenario has 'x y z' in its name: see --list"),
-])  # fmt: skip
-def test_wrong_words_are_answered(words, said):
-    ran = run_tool(*words)
-    assert ran.returncode != 0 and said in ran.stderr
-
-

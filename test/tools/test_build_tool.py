@@ -183,24 +183,6 @@ src/MavMission.h:9:1: warning: ours too
     ]
 
 
-@pytest.mark.parametrize(
-    "arguments, says",
-    [
-        (["nowhere", "--board", "mega"], "no sketch at"),
-        (["tools/building.py", "--board", "mega"], "no sketch at"),
-        (["examples/UplaodMission"], "did you mean the example UploadMission?"),
-        (["examples/Uplad"], "did you mean the example Upload"),
-        (["nowhere", "--board", "due"], "there is no due; there are mega, uno, nano, leonardo"),
-        (["nowhere", "--board", "Megga"], "there is no Megga; did you mean mega? There are mega, uno, nano, leonardo"),
-    ],
-)
-def test_bad_input_gets_an_error_that_names_it(arguments, says):
-    ran = tools_build(*arguments)
-    assert ran.returncode != 0
-    assert says in ran.stderr
-    assert "Traceback" not in ran.stderr
-
-
 def test_a_sketch_in_a_folder_of_another_name_is_refused(tmp_path):
     sketch(tmp_path, ECHO).rename(tmp_path / "Other")
     with pytest.raises(BuildFailed, match="Echo/Echo.ino"):
@@ -321,12 +303,6 @@ def test_upload_to_a_leonardo_asks_for_its_boot_loader_at_1200_baud(avrdude, tmp
     finally:
         os.close(ours)
         os.close(theirs)
-
-
-def test_upload_to_a_port_that_is_not_there_says_how_to_find_it(tmp_path):
-    ran = tools_build(sketch(tmp_path, BLINK, "Blink"), "--board", "uno", "--upload", "/dev/ttyNone")
-    assert ran.returncode == 1
-    assert "no port /dev/ttyNone" in ran.stderr
 
 
 def test_both_ways_of_building_have_the_same_flags():

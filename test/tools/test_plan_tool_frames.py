@@ -74,13 +74,9 @@ def dot_plan(command: int, *numbers, frame: int = 2) -> str:
     document = json.loads(FARM.read_text())
     document["mission"]["items"].append(
         {
-            "autoContinue": True,
-            "command": command,
-            "doJumpId": 99,
-            "frame": frame,
-            "params": [*numbers],
+            "autoContinue": True, "command": command, "doJumpId": 99, "frame": frame, "params": [*numbers],
             "type": "SimpleItem",
-        }
+        }  # fmt: skip
     )
     return json.dumps(document)
 

@@ -40,17 +40,9 @@ def altitudes(*said: tuple[int | None, int], **more) -> str:
     """A .plan of waypoints with these AltitudeModes and frames."""
     items = [
         {
-            "AMSLAltAboveTerrain": 500,
-            "Altitude": 20,
-            "AltitudeMode": mode,
-            "autoContinue": True,
-            "command": 16,
-            "doJumpId": number,
-            "frame": frame,
-            "params": [0, 0, 0, None, 47.5, 8.5, 20],
-            "type": "SimpleItem",
-            **more,
-        }
+            "AMSLAltAboveTerrain": 500, "Altitude": 20, "AltitudeMode": mode, "autoContinue": True, "command": 16,
+            "doJumpId": number, "frame": frame, "params": [0, 0, 0, None, 47.5, 8.5, 20], "type": "SimpleItem", **more,
+        }  # fmt: skip
         for number, (mode, frame) in enumerate(said, start=1)
     ]
     document = {"fileType": "Plan", "version": 1, "mission": {"version": 2, "items": items}}
@@ -133,12 +125,9 @@ def test_mission_and_fence_in_one_file_are_refused():
 # Numbering ------------------------------------------------------------------------
 
 GAPS = [
-    HOME,
-    "2 0 3 22 0 0 0 0 47.5 8.5 20 1",
-    "5 0 3 16 0 0 0 0 47.6 8.5 20 1",
-    "9 0 3 16 0 0 0 0 47.7 8.5 20 1",
+    HOME, "2 0 3 22 0 0 0 0 47.5 8.5 20 1", "5 0 3 16 0 0 0 0 47.6 8.5 20 1", "9 0 3 16 0 0 0 0 47.7 8.5 20 1",
     "10 0 2 177 5 2 0 0 0 0 0 1",
-]
+]  # fmt: skip
 
 
 def test_gaps_in_the_numbering_are_closed_where_that_is_asked_for():
@@ -188,22 +177,12 @@ OLD = {
     "groundStation": "QGroundControl",
     "items": [
         {
-            "autoContinue": True,
-            "command": 22,
-            "coordinate": [47.5, 8.5, 20.5],
-            "doJumpId": 1,
-            "frame": 3,
-            "params": [0, 0, 0, None],
-            "type": "SimpleItem",
+            "autoContinue": True, "command": 22, "coordinate": [47.5, 8.5, 20.5], "doJumpId": 1, "frame": 3,
+            "params": [0, 0, 0, None], "type": "SimpleItem",
         },
         {
-            "autoContinue": True,
-            "command": 177,
-            "coordinate": [0, 0, 0],
-            "doJumpId": 2,
-            "frame": 2,
-            "params": [1, 3, 0, 0],
-            "type": "SimpleItem",
+            "autoContinue": True, "command": 177, "coordinate": [0, 0, 0], "doJumpId": 2, "frame": 2,
+            "params": [1, 3, 0, 0], "type": "SimpleItem",
         },
     ],
     "plannedHomePosition": [47.4, 8.4, 480],
@@ -281,19 +260,11 @@ def with_landing(**more) -> str:
     """The farm, and a landing pattern behind it."""
     document = json.loads(FARM_TEXT)
     pattern = {
-        "altitudesAreRelative": True,
-        "complexItemType": "fwLandingPattern",
-        "landCoordinate": [47.5, 8.5, 2],
-        "landingApproachCoordinate": [47.51, 8.5, 40],
-        "loiterClockwise": False,
-        "loiterRadius": 75,
-        "stopTakingPhotos": True,
-        "stopVideoPhotos": True,
-        "type": "ComplexItem",
-        "useLoiterToAlt": True,
-        "version": 2,
+        "altitudesAreRelative": True, "complexItemType": "fwLandingPattern", "landCoordinate": [47.5, 8.5, 2],
+        "landingApproachCoordinate": [47.51, 8.5, 40], "loiterClockwise": False, "loiterRadius": 75,
+        "stopTakingPhotos": True, "stopVideoPhotos": True, "type": "ComplexItem", "useLoiterToAlt": True, "version": 2,
         **more,
-    }
+    }  # fmt: skip
     document["mission"]["items"].append({key: value for key, value in pattern.items() if value is not None})
     return json.dumps(document, indent=1)
 

@@ -63,12 +63,9 @@ def picture(tmp_path):
 @pytest.mark.parametrize(
     ("mission", "metres", "ends"),
     [
-        ([at(100), at(200), jump(0)], 200, False),
-        ([jump(2), at(900), at(100), jump(1)], 900, False),
-        ([at(100), jump(3), at(900), at(200), jump(5), RETURN], 400, True),
-        ([jump(0)], 0, False),
-        ([at(100), jump(0, 2), at(200), jump(0)], 200, False),
-        ([at(100), at(200), jump(0, 2), at(300)], 700, True),
+        ([at(100), at(200), jump(0)], 200, False), ([jump(2), at(900), at(100), jump(1)], 900, False),
+        ([at(100), jump(3), at(900), at(200), jump(5), RETURN], 400, True), ([jump(0)], 0, False),
+        ([at(100), jump(0, 2), at(200), jump(0)], 200, False), ([at(100), at(200), jump(0, 2), at(300)], 700, True),
     ],
 )
 def test_endless_jump_is_followed_until_it_comes_round(mission, metres, ends):
@@ -269,9 +266,8 @@ def test_kml_without_the_height_of_home_is_above_the_ground_and_says_so():
     root, notes = earth([at(0), at(100)._replace(frame=10)])
     assert root.find(".//k:LineString/k:altitudeMode", NAMES).text == "clampToGround"
     assert [mode.text for mode in root.iterfind(".//k:Point/k:altitudeMode", NAMES)][1:] == [
-        "absolute",
-        "relativeToGround",
-    ]
+        "absolute", "relativeToGround",
+    ]  # fmt: skip
 
 
 def test_kml_has_the_fence_and_the_rally_points():

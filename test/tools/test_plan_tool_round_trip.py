@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import subprocess
 import sys
 
@@ -11,17 +12,14 @@ import pytest
 from building import ROOT
 from demonstration.demonstration import Settings
 from demonstration.screen import PlainScreen
-from planned import FARM, FILES, NAN, bits, plan_of
+from planned import FARM, NAN, bits, plan_of
 from planning import BadPlan, Item, Step, read_plan, write_plan
 from planning import round_trip as inside
 from planning.exact import float_bits, from_bits
 from planning.listing import read_listing
-from planning.round_trip import RoundTrip
-from simulation.fake_autopilot import FENCE, MISSION, RALLY
-from simulation.fake_autopilot import Item as AutopilotsItem
+from planning.round_trip import RoundTrip, vehicle_for
 
-AUTOPILOTS = ["ardupilot", "px4"]
-KINDS = {"mission": MISSION, "fence": FENCE, "rally": RALLY}
+KINDS = ("mission", "fence", "rally")
 
 
 def trip(plan, **settings) -> tuple[RoundTrip, bool, str]:
@@ -38,10 +36,9 @@ def equal(one, other) -> bool:
     return all(bits(one.items(kind)) == bits(other.items(kind)) for kind in KINDS)
 
 
-@pytest.mark.parametrize("autopilot", AUTOPILOTS)
-def test_plan_comes_back_by_the_demonstration_equal_in_every_item(tmp_path, autopilot):
+def test_plan_comes_back_by_the_demonstration_equal_in_every_item(tmp_path):
     plan = read_plan(FARM)
-    made, good, text = trip(plan, autopilot=autopilot)
+    made, good, text = trip(plan, autopilot="ardupilot")
     assert good, text
     assert "equal in all 51 items" in text.splitlines()[-1]
     file = tmp_path / "aboard.plan"
@@ -52,105 +49,47 @@ def test_plan_comes_back_by_the_demonstration_equal_in_every_item(tmp_path, auto
     assert (read.home, read.hover_speed, read.firmware) == (plan.home, plan.hover_speed, plan.firmware)
 
 
-def test_plan_comes_back_by_the_service_equal_in_every_item(service, personality, tmp_path):
-    plan = read_plan(FARM)
-    back = {}
-    for kind, mission_type in KINDS.items():
-        items = [AutopilotsItem(*item) for item in plan.items(kind)]
-        service.upload(items, mission_type)
-        assert service.done() == "Accepted"
-        assert service.download(mission_type) == "WaitingForAutopilot"
-        assert service.done() == "Downloaded"
-        back[kind] = [Item(*item) for item in service.sink(len(items))]
-    if personality == "ArduPilot":
-        assert (
-            service.autopilot.received()[1:][40].param1 == plan.mission[40].item.param1 + 1
-        )  # the jump: home counts there
-    returned = plan_of(back["mission"], back["fence"], back["rally"], plan.home)
-    file = tmp_path / "aboard.plan"
-    write_plan(returned, file)
-    assert equal(read_plan(file), plan)
-
-
-@pytest.mark.slow
-def test_patterns_come_back_as_the_autopilot_keeps_them():
-    plan = read_plan(FILES / "patterns.plan")
-    made, good, text = trip(plan, autopilot="px4")
-    assert good, text
-    assert "item 1 of the mission, as PX4 keeps it: param1: 15 -> 0" in text  # the pitch of a takeoff
-    # A heading goes through radians there.
-    kept = [item._replace(param1=0.0, param4=round(item.param4, 3)) for item in made.aboard.items()]
-    assert bits(kept) == bits(item._replace(param1=0.0, param4=round(item.param4, 3)) for item in plan.items())
-
-
-# One plan for several tests: a sketch takes long to build.
-NUMBERS = [
-    0.0,
-    -0.0,
-    0.1,
-    20.1,
-    -584.09,
-    1e-7,
-    3.5e-10,
-    1.17549435e-38,
-    1e-45,
-    16777217.0,
-    1e9,
-    9.9e11,
-    1e18,
-    2.5e30,
-    3.4028235e38,
-    -1.5,
-    0.30000001,
-    255.99998,
-]
+# One plan for several tests: a sketch takes long to build. Numbers that are easily read as others, in commands that
+# are no flying, behind what an autopilot keeps otherwise or does not keep.
+NUMBERS = [0.0, -0.0, 0.1, 20.1, -584.09, 1e-7, 3.5e-10, 1.17549435e-38, 1e-45, 16777217.0, 1e9, 9.9e11, 1e18, 2.5e30,
+           3.4028235e38, -1.5, 0.30000001, 255.99998]  # fmt: skip
 EXACT = [from_bits(float_bits(number)) for number in NUMBERS]
-ODD = plan_of(
-    [
-        Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, 473977420, 85455970, 20.0),
-        Item(3, 16, 0, 1, 2.5, 3.0, 0.0, 45.0, 473977420, 85456970, 20.125),
-        *(Item(2, 1000, 0, 1, number, 0.0, 0.0, -number, 5, 0, number) for number in EXACT),
-    ]
-)
+PLACE = (473977420, 85456970)
+ODD = plan_of([
+    Item(3, 22, 0, 1, 15.0, 0.0, 0.0, 100.0, *PLACE, 20.0),
+    *(Item(2, 1000, 0, 1, number, 0.0, 0.0, -number, 5, 0, number) for number in EXACT),
+])  # fmt: skip
+TAKEN = [Item(2, command, 0, 1, 1.0, 0.0, 0.0, 0.0, 0, 0, 0.0) for command in (83, 92, 208, 216, 218, 222, 223)]
+KEPT_OTHERWISE = plan_of([
+    Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, *PLACE, 20.0), Item(3, 16, 0, 1, 2.0, 3.0, 0.0, 45.0, *PLACE, 20.125),
+    Item(3, 30, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 150.0), *TAKEN, Item(3, 21, 0, 1, 0.0, 0.0, 0.0, 90.0, *PLACE, 0.0),
+    Item(2, 20, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 25.0),
+])  # fmt: skip
 
 
-KEPT_OTHERWISE = plan_of(
-    [
-        Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, 473977420, 85455970, 20.0),
-        Item(3, 16, 0, 1, 2.0, 3.0, 0.0, 45.0, 473977420, 85456970, 20.125),
-        Item(3, 21, 0, 1, 0.0, 0.0, 0.0, 90.0, 473977420, 85456970, 0.0),
-        Item(2, 20, 0, 1, 0.0, 0.0, 0.0, 0.0, 0, 0, 25.0),
-    ]
-)
-
-
-def test_what_an_autopilot_does_not_keep_is_told():
+def test_what_an_autopilot_does_not_keep_is_told_and_is_no_failure():
+    """A return has no altitude, a landing's yaw is not flown; its commands ArduPilot keeps in its own way."""
     _, good, text = trip(KEPT_OTHERWISE, autopilot="ardupilot")
     assert good, text
     kept = "param2: 3 -> 0, param4: 45 -> NaN, z: 20.125 -> 20.119999"
     assert f"item 1 of the mission, as ArduPilot keeps it: {kept}" in text
-    assert "item 3 of the mission, as ArduPilot keeps it: z: 25 -> 0" in text
-    assert text.splitlines()[-1] == "The plan went aboard and came back: all 4 items, as ArduPilot keeps them."
+    assert "item 11 of the mission, as ArduPilot keeps it: z: 25 -> 0" in text
+    assert text.splitlines()[-1] == "The plan went aboard and came back: all 12 items, as ArduPilot keeps them."
 
 
-def test_plan_for_a_plane_goes_aboard_a_plane():
-    # What its passing distances are is kept there, and dropped by a copter.
-    plan = plan_of(
-        [
-            Item(3, 22, 0, 1, 0.0, 0.0, 0.0, NAN, 473977420, 85455970, 20.0),
-            Item(3, 16, 0, 1, 0.0, 3.0, 5.0, NAN, 473977420, 85456970, 20.0),
-        ]
-    )
-    plan.vehicle = 1
-    made, good, text = trip(plan, autopilot="ardupilot")
-    assert good, text
-    assert bits(made.aboard.items()) == bits(plan.items())
+def test_plan_is_put_aboard_the_vehicle_that_it_was_drawn_for():
+    plan = plan_of([])
+    for vehicle, name in ((1, "plane"), (2, "copter"), (10, "rover")):
+        plan.vehicle = vehicle
+        assert (vehicle_for(plan, "ardupilot"), vehicle_for(plan, "px4")) == (name, "copter")
 
 
 def test_sketch_lists_each_float_so_that_it_is_read_the_same():
     made, good, text = trip(ODD, autopilot="px4")
     assert good, text
-    assert bits(made.aboard.items()[2:]) == bits(ODD.items()[2:])
+    assert bits(made.aboard.items()[1:]) == bits(ODD.items()[1:])
+    # The pitch of a takeoff; and a heading goes through radians there.
+    assert "item 0 of the mission, as PX4 keeps it: param1: 15 -> 0, param4: 100 -> 99.99999" in text
 
 
 def test_item_that_comes_back_elsewhere_is_a_failure(monkeypatch):
@@ -158,14 +97,14 @@ def test_item_that_comes_back_elsewhere_is_a_failure(monkeypatch):
 
     def moved(plan, listing):
         aboard = original(plan, listing)
-        step = aboard.mission[1]
-        aboard.mission[1] = Step(step.item._replace(x=step.item.x + 1), step.line, step.name)
+        step = aboard.mission[0]
+        aboard.mission[0] = Step(step.item._replace(x=step.item.x + 1), step.line, step.name)
         return aboard
 
     monkeypatch.setattr(inside, "aboard_like", moved)
     _, good, text = trip(ODD, autopilot="px4")
     assert not good
-    assert "FAILED: item 1 of the mission came back with another x: 473977420 -> 473977421" in text
+    assert re.search("FAILED: item 0 of the mission came back with another .*x: 473977420 -> 473977421", text)
 
 
 def test_plan_that_is_wrong_everywhere_is_refused_before_anything_is_built():
@@ -176,15 +115,14 @@ def test_plan_that_is_wrong_everywhere_is_refused_before_anything_is_built():
 # The listing -------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("text", "line", "says"),
-    [
-        ("nothing here", None, "no listing"),
-        ("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t1\t1\t1\t1", 2, "ends in the middle"),
-        ("x\nQGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t1\t1\t1\t1\n1\t0\t3\t16\t0\t0\ndownloaded: all", 4, "broken off"),
-        ("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t1\t1\t1\t1\nthe autopilot fell silent", 3, "broken off"),
-    ],
-)
+BEGUN = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t1\t1\t1\t1"
+
+
+@pytest.mark.parametrize(("text", "line", "says"), [
+    ("nothing here", None, "no listing"), (BEGUN, 2, "ends in the middle"),
+    (f"x\n{BEGUN}\n1\t0\t3\t16\t0\t0\ndownloaded: all", 4, "broken off"),
+    (f"{BEGUN}\nthe autopilot fell silent", 3, "broken off"),
+])  # fmt: skip
 def test_listing_that_is_not_whole_is_refused(text, line, says):
     with pytest.raises(BadPlan, match=says) as refused:
         read_listing(FARM, text)
@@ -195,10 +133,8 @@ def test_tool_shows_the_round_trip_and_saves_what_came_back(tmp_path):
     file = tmp_path / "aboard.waypoints"
     ran = subprocess.run(
         [sys.executable, ROOT / "tools" / "demo", "--fast", "--plan", FARM, "--save", file, "--autopilot", "px4"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
     assert (ran.returncode, ran.stderr) == (0, "")
     assert "equal in all 51 items" in ran.stdout
     assert bits(read_plan(file).items()) == bits(read_plan(FARM).items())

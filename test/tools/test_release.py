@@ -268,11 +268,3 @@ def test_example_of_the_zip_builds_in_an_empty_sketchbook(made, tmp_path, monkey
     from_clone = build_sketch("UploadMission")
     assert (from_zip.flash, from_zip.ram) == (from_clone.flash, from_clone.ram)
     assert from_zip.hex.read_bytes() == from_clone.hex.read_bytes()
-
-
-def test_tool_says_in_a_line_what_is_wrong(tmp_path):
-    (tmp_path / "file").write_text("")
-    ran = subprocess.run([sys.executable, TOOL, "--snapshot", "--no-builds", "--output", tmp_path / "file"],
-                         capture_output=True, text=True, check=False)  # fmt: skip
-    assert ran.returncode == 1
-    assert ran.stderr.startswith("tools/release: ") and len(ran.stderr.splitlines()) == 1

@@ -229,12 +229,6 @@ def test_setup_shows_what_pip_said_when_it_fails_and_begins_again(machine):
     assert "pip install" in machine.said()[-1]
 
 
-def test_setup_refuses_a_group_that_is_not_there(machine):
-    ran = machine.setup("nonsense")
-    assert ran.returncode == 1
-    assert ran.stderr == f"tools/setup: there is no group nonsense; there are {' '.join(GROUPS)}, and --all\n"
-
-
 # The environment ---------------------------------------------------------------------
 
 

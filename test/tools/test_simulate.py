@@ -640,13 +640,6 @@ def test_simulates_last_words_stand_on_a_line_of_their_own(together):
     assert rest.startswith(b"\n0.200 s simulated") if together else rest == b""
 
 
-def test_simulate_says_what_is_wrong_in_one_line(tmp_path):
-    ran = simulate(tmp_path / "missing.elf")
-    assert ran.returncode == 1
-    assert ran.stdout == b""
-    assert ran.stderr.decode() == f"tools/simulate: cannot read {tmp_path}/missing.elf: No such file or directory\n"
-
-
 def test_simulate_connects_serial_to_something_else_too():
     elf = build_firmware("echo", [SOURCES / "echo.cpp"], library=False)
     ran = simulate(elf, "--for", 0.05, "--serial0", "none", "--serial1", "none", text=b"hello\n")

@@ -134,17 +134,6 @@ def test_name_of_no_frame_is_refused(text, says):
         NamedFrame(text)
 
 
-def test_tool_refuses_what_it_cannot_lose_or_write():
-    def refused(*arguments: str) -> str:
-        ran = subprocess.run([sys.executable, ROOT / "tools" / "demo", "--fast", *arguments],
-                             capture_output=True, text=True, check=False)  # fmt: skip
-        assert ran.returncode == 1 and ran.stdout == ""
-        return ran.stderr
-
-    assert refused("--lose", "NOTHING:1").startswith("tools/demo: NOTHING:1: MAVLink has no message NOTHING")
-    assert "there is no folder /nowhere" in refused("--timeline", "/nowhere/at/all.svg")
-
-
 def test_run_without_a_mission_has_no_timeline(tmp_path, monkeypatch):
     monkeypatch.setattr(inside, "LIMIT_S", 1.0)
     with pytest.raises(NoDemonstration, match="nothing of a mission crossed the line"):

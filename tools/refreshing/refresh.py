@@ -24,9 +24,14 @@ def inputs_of(thing: Thing) -> str:
     return digest(ROOT, thing.inputs, made_with())
 
 
+def made_from(thing: Thing, inputs: str) -> str:
+    """What is noted of it: of a section of the record its figures, too, so that none stands there unmeasured."""
+    return f"{inputs} {digest(ROOT, (), repr(record.section(thing.name)))}" if thing.measure else inputs
+
+
 def is_stale(thing: Thing) -> bool:
-    """Of what names its inputs: whether they are others than when it was made last."""
-    return record.load().get(MADE_FROM, {}).get(thing.name) != inputs_of(thing)
+    """Of what names its inputs: whether they, or its figures, are others than when it was made last."""
+    return record.load().get(MADE_FROM, {}).get(thing.name) != made_from(thing, inputs_of(thing))
 
 
 def is_as_before(thing: Thing, sampled: record.Section) -> bool:
@@ -75,14 +80,14 @@ def raise_bounds(things: Iterable[Thing]) -> None:
 
 
 def renew(thing: Thing, say: Say, *, anyway: bool) -> None:
-    made_from = inputs_of(thing)
+    inputs = inputs_of(thing)
     sampled = thing.sample() if thing.sample else {}
     if anyway or not sampled or not is_as_before(thing, sampled):
         write(thing, say)
         note(SAMPLES, thing.name, sampled)
     else:
         say(f"{thing.name}: its sample came out as before")
-    note(MADE_FROM, thing.name, made_from)
+    note(MADE_FROM, thing.name, made_from(thing, inputs))
 
 
 def note(part: str, name: str, value: object) -> None:

@@ -1,12 +1,14 @@
 """Everything in the repository that is made of something else: its name, what goes into it, how it is made.
 
 What is made in no time is made each time, and compared. What has to be measured or drawn names its inputs: it is stale
-when their digest is another one than in test/figures/measured.toml. It is then made again, unless it has a sample:
-something short, measured first. Where that comes out as it did before, within its share, all of it would.
+when their digest is another one than in test/figures/measured.toml, and so are figures that were changed there by hand.
+It is then made again, unless it has a sample: something short, measured first. Where that comes out as it did before,
+within its share, all of it would.
 """
 
 from __future__ import annotations
 
+import functools
 import importlib
 import operator
 import re
@@ -27,6 +29,7 @@ Files = dict[Path, bytes]
 UPLOADER = "examples/01.First/UploadMission"
 COMPILED = ("src", "test/measured", UPLOADER, "tools/building.py", "simulation/firmware.py")
 SIMULATED = (*COMPILED, "simulation", "tools/measuring/firmware.py", "tools/measuring/peer.py")
+WRITING = {"record", "report"}  # of tools/measuring: what writes figures down, and measures none
 HOST = ("src", "simulation/host_build.py", "simulation/hearing", "test/host/Frames.cpp", "test/host/arduino")
 
 
@@ -84,9 +87,20 @@ def recorded(name: str, make: Callable[..., str], *sections: str) -> Thing:
     return table(name, lambda: make(*map(record.section, sections)))
 
 
-def section(name: str, measure: Callable[[], record.Section], *inputs: str, has_bounds: bool = True,
+@functools.cache
+def modules_of(name: str) -> tuple[str, ...]:
+    """This one of tools/measuring, and those that it measures with."""
+    file = f"tools/measuring/{name}.py"
+    imports = re.findall(r"^from \.(\w*) import (.*)$", (ROOT / file).read_text(), re.M)
+    others = {other for module, names in imports for other in ([module] if module else names.split(", "))} - WRITING
+    return tuple(dict.fromkeys([file, *(one for other in sorted(others) for one in modules_of(other))]))
+
+
+def section(name: str, module: str, function: str, *inputs: str, has_bounds: bool = True,
             more_is_better: tuple[str, ...] = (), is_whole: bool = False, **more) -> Thing:  # fmt: skip
     """Of test/figures/measured.toml."""
+    measure = later(module, function)
+    inputs = tuple(dict.fromkeys([*inputs, *modules_of(module)]))
 
     def made() -> Files:
         fresh = measure()
@@ -156,20 +170,17 @@ THINGS = (
     Thing("docs/wiring.svg", text("docs/wiring.svg", wiring.drawing)),
     table("read-back", readback.table),
     table("items", items.tables),
-    section("figures", later("figures", "measured_ours"), *SIMULATED, "tools/measuring/runs.py",
-            more_is_better=("cpu_left_57600", "cpu_left_115200")),
-    section("baseline", later("figures", "measured_baseline"), "test/baseline", "src/mavmission/mavlink", "simulation",
-            "tools/baseline.py", "tools/measuring/peer.py", "tools/measuring/runs.py", has_bounds=False),
-    section("features", later("features", "features"), *COMPILED),
-    section("stack", later("calls", "stacks"), *SIMULATED, "tools/measuring/calls.py"),
-    section("updates", later("updates", "longest_updates"), *SIMULATED, "tools/measuring/updates.py",
-            sample=later("updates", "sample"), share=record.SHARE),
-    section("signing", later("signing", "costs"), *SIMULATED, "tools/measuring/signing.py", "tools/measuring/work.py",
-            more_is_better=("0 ms", "1 ms", "2 ms", "5 ms")),
-    section("work", later("work", "costs"), *SIMULATED, "tools/measuring/work.py"),
-    section("growth", later("growth", "costs"), *SIMULATED, "tools/measuring/growth.py", "tools/measuring/calls.py"),
-    section("RAM budget", later("budget", "sizes"), *COMPILED, is_whole=True),
-    section("flash budget", later("flash", "sizes"), *COMPILED, is_whole=True),
+    section("figures", "figures", "measured_ours", *SIMULATED, more_is_better=("cpu_left_57600", "cpu_left_115200")),
+    section("baseline", "figures", "measured_baseline", "test/baseline", "src/mavmission/mavlink", "simulation",
+            "tools/baseline.py", "tools/building.py", has_bounds=False),
+    section("features", "features", "features", *COMPILED),
+    section("stack", "calls", "stacks", *SIMULATED),
+    section("updates", "updates", "longest_updates", *SIMULATED, sample=later("updates", "sample"), share=record.SHARE),
+    section("signing", "signing", "costs", *SIMULATED, more_is_better=("0 ms", "1 ms", "2 ms", "5 ms")),
+    section("work", "work", "costs", *SIMULATED),
+    section("growth", "growth", "costs", *SIMULATED),
+    section("RAM budget", "budget", "sizes", *COMPILED, is_whole=True),
+    section("flash budget", "flash", "sizes", *COMPILED, is_whole=True),
     recorded("in short", later("report", "in_short"), "figures"),
     recorded("measured", later("report", "for_documents"), "figures", "baseline"),
     recorded("features", later("features", "table"), "features"),
