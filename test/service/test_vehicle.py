@@ -242,6 +242,6 @@ def test_modes_of_ardupilot_have_their_names(alone, kind):
 
 
 def test_modes_of_px4_have_their_names(alone):
-    renamed = {"FOLLOWME": "FOLLOW", "RTGS": "unknown"}
+    renamed = {"FOLLOWME": "FOLLOW", "LOITER": "HOLD", "RTGS": "unknown"}
     known = {main << 16 | sub << 24: renamed.get(name, name) for name, (_, main, sub) in mavutil.px4_map.items()}
     assert mode_names(alone, PX4, 2, known) == known
