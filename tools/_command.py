@@ -6,6 +6,7 @@ from __future__ import annotations
 import errno
 import os
 import sys
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -28,19 +29,43 @@ def expect_to_read(file: Path) -> None:
     file.open("rb").close()
 
 
-def expect_to_write(file: Path | None) -> None:
-    """Raises OSError where it is a folder, or is to be in one that is not there."""
-    if file is not None and file.is_dir():
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(file))
-    if file is not None and not file.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, "there is no such folder", str(file.parent))
+def expect_to_write(*files: Path | None) -> None:
+    """Raises OSError where one of them is a folder, or cannot be written: that is tried, and leaves nothing behind."""
+    for file in files:
+        if file is None:
+            continue
+        if file.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(file))
+        if not file.parent.is_dir():
+            raise FileNotFoundError(errno.ENOENT, "there is no such folder", str(file.parent))
+        if not file.exists():
+            try_to_write_in(file.parent)
+        elif not os.access(file, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(file))
 
 
 def expect_to_fill(folder: Path | None) -> None:
-    """Raises OSError where the folder, or one above it, is a file."""
+    """Raises OSError where the folder, or one above it, is a file, or where nothing can be written in it."""
     for place in (folder, *folder.parents) if folder is not None else ():
-        if place.exists() and not place.is_dir():
+        if place.is_dir():
+            return try_to_write_in(place)
+        if place.exists():
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(place))
+
+
+def try_to_write_in(folder: Path) -> None:
+    try:
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError as error:
+        raise OSError(error.errno, f"nothing can be written there ({error.strerror})", str(folder)) from None
+
+
+def text_in(file: Path) -> str:
+    """Raises OSError, also where it is no text."""
+    try:
+        return file.read_text()
+    except UnicodeDecodeError:
+        raise OSError(errno.EILSEQ, "it is no text in UTF-8", str(file)) from None
 
 
 def serve(server) -> int:

@@ -19,7 +19,7 @@ import re
 import shutil
 import struct
 import subprocess
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -77,6 +77,7 @@ class Built:
     flash: int
     ram: int
     board: Board
+    warnings: tuple[str, ...] = ()  # lines about the sketch or this library's own code
 
     def report(self) -> str:
         """The two lines that tools/build prints."""
@@ -98,13 +99,15 @@ def build_sketch(
     flags: Sequence[str] = (),
     clean: bool = False,
     strict: bool = True,
+    compiling: Callable[[], None] = lambda: None,
 ) -> Built:
     """Compile `path` for `board`.
 
-    `path` is a sketch folder, its .ino, an example's name, or a .cpp (or a
-    folder of them) that defines setup() and loop() itself. `defines` are "NAME" or "NAME=value",
+    `path` is a sketch folder, its .ino, an example's name, or a .cpp that
+    defines setup() and loop() itself. `defines` are "NAME" or "NAME=value",
     `flags` any further compiler flags. A warning about the sketch or about
     src/mavmission (the vendored headers apart) is an error while `strict`.
+    `compiling` is called first unless what was built before will do.
     Raises BuildFailed.
     """
     if board not in BOARDS:
@@ -112,29 +115,32 @@ def build_sketch(
     source = expect_sketch(path)
     extra = [f"-D{d}" for d in defines] + [f"-I{Path(d).resolve()}" for d in include_dirs] + list(flags)
     backend = choose_backend()
-    settings = [str(source), BOARDS[board].fqbn, backend, compiler_stamp(backend), str(strict), *LINK_FLAGS, *extra]
+    settings = [str(source), BOARDS[board].fqbn, backend, compiler_stamp(backend), *LINK_FLAGS, *extra]
     key = hashlib.sha256("\0".join(settings).encode()).hexdigest()[:10]
     folder = BUILD / "sketches" / f"{source.stem}-{board}-{key}"
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "source").write_text(str(source))
     with exclusive(folder / "lock"):
-        if not clean:
-            kept = load_kept(folder, BOARDS[board], source)
-            if kept:
-                return kept
-        forget_vanished_sketches()
-        return compile_into(folder, source, BOARDS[board], backend, extra, strict, clean)
+        built = None if clean else load_kept(folder, BOARDS[board], source)
+        if not built:
+            forget_vanished_sketches()
+            compiling()
+            built = compile_into(folder, source, BOARDS[board], backend, extra, clean)
+    if strict and built.warnings:
+        raise BuildFailed(
+            f"{source.name} compiles for {board}, with warnings, which are errors here:\n" + "\n".join(built.warnings)
+        )
+    return built
 
 
 def expect_sketch(path: str | Path) -> Path:
-    """Where it is: its folder, or its file. Raises BuildFailed unless it is one."""
+    """Where it is: its folder, or its file. Raises BuildFailed unless it is one, however much is in a folder."""
     source = Path(path).resolve()
     if not source.exists():
         # The name of an example will do.
         source = every_folder().get(str(path)) or source
-    if source.is_dir() and not any(f.suffix in (".ino", ".cpp") for f in source.iterdir()):
-        raise no_sketch_at(source)  # before a folder is read whole, however much is in it
-    own_folder(source) or units_of(source)
+    if not own_folder(source) and not (source.suffix == ".cpp" and source.is_file()):
+        raise no_sketch_at(source)
     return source
 
 
@@ -232,7 +238,7 @@ def load_kept(folder: Path, board: Board, source: Path) -> Built | None:
             return None
         if not hex_file.is_file():
             return None
-        return Built(elf, hex_file, *elf_sizes(elf), board)
+        return Built(elf, hex_file, *elf_sizes(elf), board, tuple(kept["warnings"]))
     except (OSError, ValueError, KeyError):
         return None
 
@@ -252,7 +258,7 @@ def forget_vanished_sketches() -> None:
 
 
 def compile_into(
-    folder: Path, source: Path, board: Board, backend: str, extra: Sequence[str], strict: bool, clean: bool
+    folder: Path, source: Path, board: Board, backend: str, extra: Sequence[str], clean: bool
 ) -> Built:
     out = folder / "out"
     shutil.rmtree(out, ignore_errors=True)
@@ -281,19 +287,15 @@ def compile_into(
     if ran.returncode != 0:
         raise BuildFailed(f"{source.name} does not compile for {board.name}:\n{said.strip()}")
     warnings = own_warnings(said, source)
-    if strict and warnings:
-        raise BuildFailed(
-            f"{source.name} compiles for {board.name}, with warnings, which are errors here:\n" + "\n".join(warnings)
-        )
     elf = only(out, "*.elf")
     hex_file = elf.with_suffix(".hex")
     after = {str(f): digest(f) for f in dependencies(out) if str(f) not in before}
-    kept = {"elf": str(elf), "hex": str(hex_file), "files": {**before, **after}}
+    kept = {"elf": str(elf), "hex": str(hex_file), "files": {**before, **after}, "warnings": warnings}
     (folder / "built.json").write_text(json.dumps(kept, indent=1))
     if objects and not warnings:  # lent objects do not warn again
         objects.keep(out, sketch)
     shutil.rmtree(out / "core", ignore_errors=True)  # objects only, and most of the room
-    return Built(elf, hex_file, *elf_sizes(elf), board)
+    return Built(elf, hex_file, *elf_sizes(elf), board, tuple(warnings))
 
 
 def library_objects(board: Board, backend: str, extra: Sequence[str]) -> LibraryObjects | None:
@@ -315,27 +317,17 @@ def own_folder(source: Path) -> Path | None:
     return None
 
 
-def units_of(source: Path) -> list[Path]:
-    """The .cpp files that are a sketch."""
-    units = sorted(source.glob("*.cpp")) if source.is_dir() else [source]
-    if not units or not all(u.is_file() and u.suffix == ".cpp" for u in units):
-        raise no_sketch_at(source)
-    return units
-
-
 def sketch_folder(source: Path, folder: Path) -> Path:
-    """The folder to hand to Arduino: the sketch's own, or one made around .cpp files."""
+    """The folder to hand to Arduino: the sketch's own, or one made around a .cpp."""
     own = own_folder(source)
     if own:
         return own
-    units = units_of(source)
     made = folder / source.stem
     shutil.rmtree(made, ignore_errors=True)
     made.mkdir()
     (made / f"{made.name}.ino").write_text("// setup() and loop() are in the .cpp beside this file.\n")
-    for unit in units:
-        # Included where it stands, so that it finds the headers beside it.
-        (made / f"{unit.stem}_unit.cpp").write_text(f'#include "{unit}"\n')
+    # Included where it stands, so that it finds the headers beside it.
+    (made / f"{source.stem}_unit.cpp").write_text(f'#include "{source}"\n')
     return made
 
 

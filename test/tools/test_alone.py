@@ -56,18 +56,24 @@ WRONG = [
     ("build Nonsense", "no sketch at"),
     ("build {farm}", "no sketch at"),
     ("build examples/UplaodMission", "did you mean the example UploadMission?"),
+    ("build {here}/..", "no sketch at"),
     ("build UploadMission --board Megga", "there is no Megga; did you mean mega? There are mega, uno, nano, leonardo"),
     ("build UploadMission --upload /dev/nowhere", "no port /dev/nowhere"),
     ("build UploadMission --output {file}", "it is a file; name a folder"),
+    ("build UploadMission --output /proc/no", "nothing can be written there"),
     ("demo Nonsense", "there is no example Nonsense"),
     ("demo --loss 101", "101 is not a number from 0 to 100"),
     ("demo --lose NONSENSE:1", "MAVLink has no message NONSENSE"),
+    ("demo {here}/..", "no sketch at"),
     ("demo --latency slow", "argument --latency: 'slow' is not a number"),
-    ("demo --timeline {here}/no/one.svg", "there is no folder"),
-    ("demo --log {here}/no/one.tlog", "there is no folder"),
+    ("demo --timeline {here}/no/one.svg", "there is no such folder"),
+    ("demo --log {here}/no/one.tlog", "there is no such folder"),
+    ("demo --log /proc/one.tlog", "nothing can be written there"),
     ("demo --plan {here}/none.plan", "none.plan: cannot be read"),
     ("demo --plan {farm} --save {here}/x.pdf", "is not a kind of file that can be written"),
     ("doxygen_comments {here}/none.h", "none.h: No such file"),
+    ("doxygen_comments", "the following arguments are required: header"),
+    ("doxygen_comments {raw}", "it is no text in UTF-8"),
     ("measure --only nonsense", "no figure nonsense"),
     ("mutate --list --file Nonsense", "Nonsense"),
     ("mutate --show Nonsense-12", "Nonsense"),
@@ -79,20 +85,26 @@ WRONG = [
     ("plan draw {farm} -o {here}/x.pdf", "a drawing is written as .svg or .png"),
     ("plan convert {farm} {here}/no/x.plan", "cannot be written"),
     ("plan from-download {file} {here}/x.plan", "there is no listing in it"),
+    ("plan to-sketch {farm} /proc/Farm", "cannot be written: nothing can be written there"),
     ("playground --port 65536", "argument --port: '65536' is not a number from 0 to 65535"),
     ("playground --output {file}", "it is a file; name a folder"),
     ("playground --picture {here}/no/x.png", "no such folder"),
+    ("playground --output /proc/no", "nothing can be written there"),
+    ("playground --picture /proc/x.png", "nothing can be written there"),
     ("refresh nonsense", "nothing generated is named nonsense"),
     ("release --prepare one", "one is not of the form 1.2.3"),
     ("release --output {file}", "it is a file; name a folder"),
+    ("release --output /proc/no", "nothing can be written there"),
     ("setup nonsense", "there is no group nonsense; there are "),
     ("simulate {here}/none.elf", "cannot read"),
     ("simulate {file}", "is neither an ELF nor an Intel HEX file"),
     ("simulate {elf} --serial1 tcp:x", "is nothing to connect to"),
     ("site --output {file}", "it is a file; name a folder"),
+    ("site --output /proc/no", "nothing can be written there"),
     ("test test/nonsense", "there is no test/nonsense"),
     ("test --changed nonsense", "--changed takes a commit"),
     ("vendor_mavlink --headers {here}/none", "there is no folder"),
+    ("vendor_mavlink --headers {here}/..", "has none of MAVLink's headers"),
 ]
 
 
@@ -111,9 +123,12 @@ def here(tmp_path) -> dict[str, object]:
     """What the words of a command can name."""
     (tmp_path / "file.txt").write_text("nothing\n")
     (tmp_path / "broken.plan").write_text("{")
+    (tmp_path / "raw.h").write_bytes(b"\xff\x00")
+    (tmp_path / "firmware.cpp").write_text("void setup() {}\nvoid loop() {}\n")
     (tmp_path / "here").mkdir()
     return {"here": tmp_path / "here", "file": tmp_path / "file.txt", "broken": tmp_path / "broken.plan",
-            "farm": FARM, "src": ROOT / "src", "elf": build_sketch("UploadMission").elf}  # fmt: skip
+            "raw": tmp_path / "raw.h", "farm": FARM, "src": ROOT / "src",
+            "elf": build_sketch("UploadMission").elf}  # fmt: skip
 
 
 def run(words: str, here: dict[str, object], environment: dict[str, str]) -> subprocess.CompletedProcess:

@@ -96,7 +96,7 @@ def test_path_and_areas_of_a_kml_are_a_mission_and_a_fence(tmp_path):
 
 
 def test_folder_without_a_sketch_is_refused_before_it_is_read(tmp_path, monkeypatch):
-    (tmp_path / "a.txt").write_text("")
+    (tmp_path / "a.cpp").write_text("")
     monkeypatch.setattr(building, "sources_of", lambda source: pytest.fail("the folder was read"))
     monkeypatch.setattr(building, "compile_into", lambda *given: pytest.fail("the folder was read"))
     with pytest.raises(building.BuildFailed, match="no sketch at"):

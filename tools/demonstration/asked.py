@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from building import BuildFailed, expect_sketch
 from examples import example_folders
 from near import did_you_mean
 
@@ -18,13 +19,8 @@ def sketch(example: str) -> Path:
     if example in named:
         return named[example]
     if Path(example).exists():
-        return Path(example)
+        try:
+            return expect_sketch(example)
+        except BuildFailed as error:
+            raise NoDemonstration(str(error)) from None
     raise NoDemonstration(f"there is no example {example}{did_you_mean(example, sorted(named))}")
-
-
-def expect_place(file: Path | None) -> None:
-    """Of what is to be written."""
-    if file is not None and not file.parent.is_dir():
-        raise NoDemonstration(f"cannot write {file}: there is no folder {file.parent}")
-    if file is not None and file.is_dir():
-        raise NoDemonstration(f"cannot write {file}: it is a folder")

@@ -102,10 +102,12 @@ class Demonstration:
         folder = sketch(settings.example)
         try:
             with compiled_meanwhile():
-                built = build_sketch(folder)
+                built = build_sketch(folder, strict=False)
             self._plans = plans_of(built.elf, described) if self._uploads else {}
         except (BuildFailed, NotOnePlan) as error:
             raise NoDemonstration(str(error)) from error
+        for line in built.warnings:
+            screen.say(line)
         if self._flies:
             self.autopilot = one_to_fly(settings.autopilot, settings.vehicle)
         else:

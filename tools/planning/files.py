@@ -7,7 +7,6 @@ what is there now.
 from __future__ import annotations
 
 import contextlib
-import errno
 import os
 import stat
 import tempfile
@@ -131,13 +130,6 @@ def expect_another(file: Path, read: Path) -> None:
     with contextlib.suppress(OSError, ValueError):
         if os.path.samefile(file, read):
             raise BadPlan(file, None, "is the file that is read: name another one to write")
-
-
-def expect_place(file: Path) -> None:
-    """BadPlan if the file's folder is not one."""
-    if not file.parent.is_dir():
-        missing = errno.ENOTDIR if file.parent.exists() else errno.ENOENT
-        raise BadPlan(file, None, f"cannot be written: {os.strerror(missing)}")
 
 
 def write_text(file: Path, text: str) -> None:

@@ -7,9 +7,11 @@ import contextlib
 from collections.abc import Callable
 from pathlib import Path
 
+from _command import expect_to_fill, expect_to_write
+
 from . import judge
 from .bad_plan import BadPlan, shown
-from .files import DRAWN, expect_another, expect_place, read_plan, text_of, writable_suffix, write_plan, write_text
+from .files import DRAWN, expect_another, read_plan, reason, text_of, writable_suffix, write_plan, write_text
 from .flight import Speeds, speed_of
 from .header import header_of
 from .listing import read_listing
@@ -27,10 +29,19 @@ def look_at(args: argparse.Namespace) -> None:
             raise BadPlan(args.output, None, f"a drawing is written as {' or '.join(DRAWN)}")
         if args.order in ("convert", "from-download"):
             writable_suffix(args.output)
-        expect_place(args.output)
+        expect_room(expect_to_write, args.output)
+    if "folder" in args:
+        expect_room(expect_to_fill, args.folder)
     args.plan = None
     with contextlib.suppress(judge.NotInstalled):
         args.plan = read(args)
+
+
+def expect_room(expect: Callable[[Path], None], place: Path) -> None:
+    try:
+        expect(place)
+    except (OSError, ValueError) as error:
+        raise BadPlan(place, None, f"cannot be written: {reason(error)}") from None
 
 
 def read(args: argparse.Namespace) -> Plan:

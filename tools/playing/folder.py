@@ -93,8 +93,7 @@ def fill(folder: Path, tell: Callable[[str], None]) -> None:
     make_world(folder / "world.zip")
     loads = sum((folder / name).stat().st_size for name in FETCHED)
     make_sketches(folder / "examples", loads, tell)
-    tell("the run that the page opens with")
-    make_recorded(folder / "examples" / "recorded.json", folder / "world.zip")
+    make_recorded(folder / "examples" / "recorded.json", folder / "world.zip", tell)
     copy_licences(folder / "licences", NPM, {name: version(name) for name in ("avr8js", "pyodide")})
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -22,12 +23,13 @@ TOLD_EVERY_S = 0.2
 BAUD = 57600.0
 
 
-def make_recorded(file: Path, world: Path) -> None:
-    """file: what the page reads. world: the archive of the page's Python."""
+def make_recorded(file: Path, world: Path, tell: Callable[[str], None]) -> None:
+    """file: what the page reads. world: the archive of the page's Python. tell: is called where it is recorded anew."""
     elf = build_sketch(EXAMPLE).elf
     key = hashlib.sha256(elf.read_bytes() + world.read_bytes() + Path(__file__).read_bytes()).hexdigest()[:16]
     kept = BUILD / "playground" / f"recorded-{key}.json"
     if not kept.is_file():
+        tell("the run that the page opens with")
         kept.parent.mkdir(parents=True, exist_ok=True)
         for old in kept.parent.glob("recorded-*.json"):
             old.unlink(missing_ok=True)

@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 from collections.abc import Callable, Iterable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -34,15 +35,14 @@ CARD = "PlanFromSd"  # the text that it has without a card is the file on the ca
 
 def make_sketches(folder: Path, loads: int, tell: Callable[[str], None]) -> None:
     """folder/NAME.hex and NAME.ino for each example, and folder/examples.json. loads: what the page fetches before its
-    first run [bytes]; tell: is called with what is made next."""
+    first run [bytes]; tell: is called with what is compiled next."""
     folder.mkdir(parents=True, exist_ok=True)
     # In the order in which one learns, which is README.md's.
     readme = (ROOT / "README.md").read_text()
     names = sorted(example_folders(), key=lambda name: readme.index(f"\n| [{name}]("))
     examples = []
     for number, name in enumerate(names, start=1):
-        tell(f"{number} of {len(names)}: {name}")
-        examples.append(made(name, folder))
+        examples.append(made(name, folder, partial(tell, f"{number} of {len(names)}: {name}")))
     # Most items are in several examples: each is in the list once.
     items: dict[str, int] = {}
     for example in examples:
@@ -54,8 +54,8 @@ def make_sketches(folder: Path, loads: int, tell: Callable[[str], None]) -> None
     (folder / "examples.json").write_text(json.dumps(known, separators=(",", ":"), allow_nan=False) + "\n")
 
 
-def made(name: str, folder: Path) -> dict[str, Any]:
-    built = build_sketch(example_folder(name))
+def made(name: str, folder: Path, compiling: Callable[[], None]) -> dict[str, Any]:
+    built = build_sketch(example_folder(name), compiling=compiling)
     shutil.copyfile(built.hex, folder / f"{name}.hex")
     shutil.copyfile(sketch_of(name), folder / f"{name}.ino")
     image = Image.load(built.elf)
