@@ -142,9 +142,20 @@ def test_an_example_that_does_not_arm_does_its_work_in_the_page(page, example):
     page.wait_for_text(*DONE[example])
 
 
+def test_a_payload_is_ordered_by_a_button_and_buttons_say_what_they_do(page):
+    page.begin("#example=PayloadWinch&autopilot=px4")
+    page.wait_for_text("#outcome", "the button that sends one stands under “Inside the Mega”.")
+    page.browser.click("#pins .order")
+    page.wait_for_text("#deeds", "the sketch says “lowering 2.00 m of rope”")
+    page.wait_for_text("#pins", "D9, motor: on")
+    page.wait_for_text("#console", "lowered")
+    page.begin("#example=FlyByButtons")
+    page.wait_for_text("#pins", "D2: fly or land, hold it for 1 s")
+    assert page.value("document.querySelectorAll('#pins .order').length") == 0
+
+
 def test_every_example_is_among_those_that_are_tried_in_the_page():
-    # PlanConsole is tried by what is typed and dropped; PayloadWinch, which waits for a ground station's order, by the
-    # weight that it tells: test_emulated_mega.py.
+    # PlanConsole is tried by what is typed and dropped, PayloadWinch by an order.
     assert DONE.keys() | FLOWN.keys() | {"PlanConsole", "PayloadWinch"} == example_folders().keys()
 
 
@@ -199,9 +210,11 @@ def test_the_sliders_and_choices_are_in_the_address(page):
 def test_every_control_has_a_name_and_the_keyboard_reaches_it(page):
     page.begin("#example=UploadMission")
     page.browser.run("document.getElementById('real').open = true; document.activeElement.blur()")
-    wanted = set(page.value("""[...document.querySelectorAll("select, input, button, summary, a, [tabindex]")]
+    wanted = set(
+        page.value("""[...document.querySelectorAll("select, input, button, summary, a, [tabindex]")]
       .filter((one) => !one.disabled && one.checkVisibility() && one.name !== "autopilot")
-      .map((one) => one.id || one.textContent)"""))
+      .map((one) => one.id || one.textContent)""")
+    )
     reached = set()
     for _ in range(len(wanted) + 8):
         page.browser.press("\ue004")  # Tab

@@ -6,6 +6,7 @@ import json
 
 import pytest
 
+from building import ROOT
 from planning import read_plan
 from playing.inside.drawn import drawn_as
 
@@ -89,6 +90,34 @@ def test_clicks_and_drags_on_the_map_make_a_plan_that_is_flown(page):
     assert page.on_map(".point.drawn") == 2
     page.wait_for_text("#drawn-text", "33_m")
     page.begin("#example=UploadMission")
+
+
+@pytest.mark.slow
+def test_a_dropped_plan_takes_the_place_of_what_was_drawn_is_shown_as_cpp_and_back_brings_it_back(page):
+    page.begin("#example=UploadMission&autopilot=px4&draw=-353632621.1491652374.20_-353614500.1491652374.25r")
+    page.wait_for_text("#drawn-text", "25_m")
+    page.drop("farm.plan", (ROOT / "docs" / "farm.plan").read_text())
+    page.wait_for_text("#drawn-text", "namespace farmPlan {")
+    assert page.on_map(".point.drawn") == 0 and not page.value("document.getElementById('points').checkVisibility()")
+    page.wait_for_text("#notice", "it takes the place of the plan that you drew")
+    assert "draw=" not in page.value("location.hash") and "plan=" in page.value("location.hash")
+    page.browser.run("""
+      HTMLAnchorElement.prototype.click = function () { window.savedAs = this.download; };
+      document.getElementById("save-drawn").click();
+      const example = document.getElementById("example");
+      example.value = "UploadMission";
+      example.dispatchEvent(new Event("change"));
+    """)
+    assert page.value("window.savedAs") == "farm.h"
+    page.wait_until_good()
+    assert "namespace farmPlan {" in page.browser.text("#drawn-text")  # to be put into a sketch
+    page.browser.click("#fly")
+    page.wait_for_text("#outcome", "PlanConsole stores your plan")
+    page.browser.run("history.back()")
+    page.wait_for_text("#drawn-text", "25_m")
+    assert page.on_map(".point.drawn") == 2
+    page.begin("#example=UploadMission")
+    assert page.browser.text("#drawn-text") == ""
 
 
 @pytest.mark.slow

@@ -77,6 +77,17 @@ def test_the_bar_of_what_is_loading_covers_neither_north_nor_the_scale(sized):
     assert covered == [False, False]
 
 
+def test_a_map_without_room_is_drawn_all_the_same(page):
+    page.begin("#example=UploadMission")
+    for height in ("0px", "1px", "40px", "91px", "92px", ""):
+        lines = page.browser.run("""
+          document.getElementById("drop-ground").style.height = arguments[0];
+          return new Promise((done) => requestAnimationFrame(() => setTimeout(
+            () => done(document.querySelectorAll("#map .grid").length))));
+        """, height)  # fmt: skip
+        assert 0 < lines < 60
+
+
 def test_a_window_of_1920_pixels_is_used(page):
     try:
         page.browser.resize(*WIDE)
@@ -115,5 +126,15 @@ def test_a_phone_shows_outcome_map_and_buttons_at_once_with_messages_at_the_thum
         assert PHONE[1] * 2 / 3 < notice[0] and notice[1] <= PHONE[1]
         page.browser.click("#heard")
         assert page.value("!document.getElementById('notice').checkVisibility()")
+        page.begin("#example=PlanConsole")
+        page.wait_for_text("#outcome", "or choose a plan of your own")
+        assert "drop" not in page.browser.text("body").lower()
+        page.browser.click("#draw")
+        bottom, own, broken = (
+            page.value(f"document.getElementById('{part}').getBoundingClientRect().{side}")
+            for part, side in (("map-part", "bottom"), ("own-part", "top"), ("break-part", "top"))
+        )
+        assert bottom < own < bottom + 20 and broken > own
+        page.browser.click("#draw")
     finally:
         page.browser.resize(*DESK)

@@ -65,13 +65,16 @@ def heard(*frames: tuple[str, str, str, bool, float]) -> str:
 
 
 def test_the_headline_says_whether_the_sketch_has_printed_and_where_its_buttons_are(folder):
-    seen = [{"prints": True}, {"prints": True, "said": "well"}, {"waits": True}, {"waits": True, "flown": True}]
+    seen = [{"prints": True}, {"prints": True, "said": "well"}, {"waits": True}, {"ordered": True},
+            {"waits": True, "flown": True}]  # fmt: skip
     known = {"name": "My", "autopilot": "PX4", "heard": True}
     script = f"out = {json.dumps([{**known, **one} for one in seen])}.map(headline)"
     assert ran(folder, "headline@headline.js", script) == [
         "My runs beside PX4, and has printed nothing yet.",
         "My runs beside PX4: the serial monitor has what it prints.",
-        "My runs beside PX4. Its buttons stand under “Inside the Mega”.", "The flight is over.",
+        "My runs beside PX4. Its buttons stand under “Inside the Mega”: a press holds one down, a second lets it go.",
+        "My runs beside PX4. It waits for an order: the button that sends one stands under “Inside the Mega”.",
+        "The flight is over.",
     ]  # fmt: skip
 
 
@@ -85,16 +88,20 @@ def test_what_is_lost_is_told_however_many_items_were_sent_before(folder):
                     "+3.50 s: the Mega sends again MISSION_ITEM_INT 8: NAV_WAYPOINT.")  # fmt: skip
 
 
-def test_a_frame_that_is_to_be_lost_is_waited_for_and_what_came_of_it_counts_from_then_on(folder):
-    (told,) = deeds(folder, f"""
-      deeds.add({{ at: 1, words: "the next MISSION_ACK will be lost", awaits: true }});
+def test_a_frame_that_is_to_be_lost_is_waited_for_over_other_deeds_and_each_deed_has_its_end(folder):
+    restarted, pulled, told = deeds(folder, f"""
+      deeds.add({{ at: 1, words: "the next MISSION_ACK will be lost", awaits: "MISSION_ACK" }});
       deeds.say("reached 1", 2); deeds.wait(3.9); deeds.wait(4.1);
-      {heard((">", "COMMAND_LONG", "", False, 5.0))};
+      deeds.add({{ at: 10, words: "the cable is pulled" }}); deeds.add({{ at: 12, words: "the Mega is restarted" }});
+      {heard(("<", "MISSION_REQUEST 0", "lost", False, 12.5), (">", "COMMAND_LONG", "", False, 13.0))};
       {heard(("<", "MISSION_ACK ACCEPTED", "lost", False, 30.0), (">", "MISSION_ITEM_INT 3", "", True, 31.5))};
       deeds.say("aboard", 32)""")  # fmt: skip
     assert told == ("1.0 s: the next MISSION_ACK will be lost. +3.10 s: none has come yet: “Restart the Mega” lets the "
                     "sketch begin anew. +29.00 s: lost: MISSION_ACK ACCEPTED. +30.50 s: the Mega sends again "
                     "MISSION_ITEM_INT 3. +31.00 s: the sketch says “aboard”.")  # fmt: skip
+    assert pulled == "10.0 s: the cable is pulled. +2.00 s: nothing had come of it until then."
+    assert restarted == ("12.0 s: the Mega is restarted. +0.50 s: lost: MISSION_REQUEST 0. +1.00 s: the Mega sends "
+                         "COMMAND_LONG.")  # fmt: skip
 
 
 def test_what_the_mega_sends_into_a_pulled_cable_is_its_answer_and_what_happens_much_later_is_none(folder):

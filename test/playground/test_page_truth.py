@@ -7,6 +7,8 @@ import json
 import pytest
 
 from building import ROOT
+from planning import read_plan
+from planning.header import header_of
 from playing.inside.far_end import plan_of
 
 FARM = json.loads((ROOT / "docs" / "farm.plan").read_text())
@@ -47,6 +49,17 @@ def test_what_is_refused_or_left_out_is_told_without_options_of_a_command_line()
     fenced = json.dumps({**FARM, "geoFence": {"version": 2, "polygons": [], "circles": [
         {"circle": {"center": [-35.36, 149.16], "radius": 200}, "inclusion": True, "version": 1}]}})  # fmt: skip
     assert "the fence is left out" in json.loads(plan_of("fenced.plan", fenced.encode()))["notes"]
+
+
+def test_a_dropped_plan_is_there_as_the_header_of_tools_plan_also_where_plan_console_cannot_store_it():
+    read = json.loads(plan_of("farm.plan", json.dumps(FARM).encode()))
+    assert read["files"]["cpp"] == header_of(read_plan(ROOT / "docs" / "farm.plan"))
+    again = json.loads(plan_of("farm.waypoints", read["files"]["waypoints"].encode()))
+    assert again["waypoints"] == read["files"]["waypoints"] == read["waypoints"]
+    fence = "QGC WPL 110\n0 0 0 5003 200 0 0 0 -35.36 149.16 0 1\n"
+    read = json.loads(plan_of("fence.waypoints", fence.encode()))
+    assert "constexpr MissionItem fence[] PROGMEM" in read["files"]["cpp"] and "has no mission" in read["error"]
+    assert "waypoints" not in read["files"]
 
 
 def test_items_of_a_file_have_their_places_in_it():

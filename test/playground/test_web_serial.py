@@ -83,7 +83,13 @@ def test_the_sketch_speaks_to_the_chosen_port_and_no_sketch_that_arms_is_offered
     refused = page.value("[...document.getElementById('example').options].filter((one) => one.disabled)"
                          ".map((one) => one.value)")  # fmt: skip
     assert sorted(refused) == [
-        "FlyByButtons", "FollowBeacon", "GoToPlaces", "NextWaypoint", "PlanConsole", "StartButton", "StartMission",
+        "FlyByButtons",
+        "FollowBeacon",
+        "GoToPlaces",
+        "NextWaypoint",
+        "PlanConsole",
+        "StartButton",
+        "StartMission",
         "WorkAtWaypoints",
     ]
     assert page.value("document.getElementById('example').value") == "UploadMission"

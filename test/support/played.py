@@ -21,7 +21,7 @@ DONE = {
     "DownloadMission": ("#console", "downloaded: the plan has been read"),
     "GridFromFunction": ("#outcome", "are aboard ArduPilot as they were meant, and the Mega knows it."),
     "FenceAndRally": ("#outcome", "are aboard ArduPilot as they were meant, and the Mega knows it."),
-    "UploadByFile": ("#console", "aboard: our plan, whole"),
+    "UploadByFile": ("#outcome", "are aboard ArduPilot as they were meant, and the Mega knows it."),
     "PlanFromSd": ("#console", "accepted: the plan is aboard"),
     "LinkDoctor": ("#console", "all is well"),
     "ReadTelemetry": ("#console", "-353632621 1491652374"),

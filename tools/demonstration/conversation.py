@@ -19,6 +19,15 @@ SHOWN = ("MISSION_", "COMMAND_", "STATUSTEXT", "SET_MODE", FILES)
 NOT_SHOWN = ("MISSION_CURRENT",)  # PX4 says it each second
 
 
+def file_created(message) -> int | None:
+    """The type of plan whose file this opens for writing; None if it opens none."""
+    if message.get_type() != FILES:
+        return None
+    request = ftp.Request.of(message)
+    name = request.data[: request.size].decode(errors="replace").rstrip("\0")
+    return ftp.FILES.get(name) if request.opcode == ftp.CREATE else None
+
+
 class Conversation:
     """What the two have said, as an eavesdropper understands it."""
 
@@ -35,6 +44,7 @@ class Conversation:
         self._said: set[tuple] = set()
         self._orders: dict[int | None, set[tuple]] = {}  # by command: what was said of it since its last answer
         self._writing: int | None = None  # the type of plan whose file is open for writing
+        self._is_headed = False  # and has its head, without which nothing of it is stored
         self._heartbeats: set[str] = set()
         self._last_at = math.inf
         self._last_answer: int | None = None  # MAV_MISSION_RESULT
@@ -91,21 +101,34 @@ class Conversation:
         request = ftp.Request.of(entry.message)
         data = request.data[: request.size]
         if entry.direction == ">" and request.opcode == ftp.CREATE:
-            self._writing = ftp.FILES.get(data.decode(errors="replace").rstrip("\0"))
+            self._writing = file_created(entry.message)
             if self._writing is not None:
                 self.counts.setdefault(self._writing, 0)
                 self.as_files.add(self._writing)
-        is_head = request.opcode == ftp.WRITE and request.offset == 0 and len(data) >= ftp.HEADER.size
-        if entry.direction == ">" and self._writing is not None and is_head:
-            self.counts[self._writing] = ftp.HEADER.unpack_from(data)[-1]
+                self._is_headed = False
+        if entry.direction == ">" and request.opcode == ftp.WRITE and self._writing is not None:
+            self._write(self._writing, request.offset, data)
         is_closed = request.opcode == ftp.ACK and request.req_opcode == ftp.TERMINATE
         if entry.direction == "<" and self._writing is not None and is_closed:
             self.aboard[self._writing] = self.counts[self._writing]
+            if self._is_headed and not entry.fate:
+                self.told.add(self._writing)
             self._writing = None
         said = (entry.direction, FILES, request.seq, request.opcode)
         again = said in self._said
         self._said.add(said)
         return again
+
+    def _write(self, kind: int, offset: int, data: bytes) -> None:
+        """A piece of a plan's file: whole items, or its head, which the Mega writes last."""
+        if offset == 0 and len(data) >= ftp.HEADER.size:
+            magic, *_, self.counts[kind] = ftp.HEADER.unpack_from(data)
+            self._is_headed = magic == ftp.MAGIC
+            offset, data = ftp.HEADER.size, data[ftp.HEADER.size :]
+        first = (offset - ftp.HEADER.size) // ftp.ITEM_SIZE
+        for seq in range(len(data) // ftp.ITEM_SIZE):
+            piece = data[seq * ftp.ITEM_SIZE : (seq + 1) * ftp.ITEM_SIZE]
+            self.items.setdefault((kind, first + seq), ftp.item_in(piece))
 
     def _count_other(self, entry: Entry, name: str) -> None:
         if name == "HEARTBEAT" and entry.direction not in self._heartbeats and not entry.fate:

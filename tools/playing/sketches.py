@@ -29,6 +29,13 @@ ARMING = re.compile(
 )
 # Such a sketch reads what is typed: itself, or by what it gives its console to.
 LISTENS = re.compile(r"\(CONSOLE,|CONSOLE\.(read|available|parse|find)")
+# A sketch that can be ordered something.
+PAYLOAD = "mavmission::Payload::take("
+# constexpr uint8_t kFlyOrLand = 2, kForward = 3; and HoldButton button(kFlyOrLand, 2000).
+CONSTANTS = re.compile(r"^constexpr uint8_t (.*?);", re.M)
+PIN = re.compile(r"k(\w+?)(?:Pin)? = (\d+)$")
+HOLDS = re.compile(r"^HoldButton \w+\((?:k(\w+?)(?:Pin)?|(\d+))(?:, (\d+))?\)", re.M)
+HOLD_MS = 1000  # HoldButton's own [ms]
 NOT_HERE = "REMOVE THE PROPELLERS WHILE YOU TRY IT."  # said of a real aircraft
 CARD = "PlanFromSd"  # the text that it has without a card is the file on the card
 
@@ -79,11 +86,25 @@ def made(name: str, folder: Path, compiling: Callable[[], None]) -> dict[str, An
         "arms": any(ARMING.match(symbol.name) for symbol in image.symbols),
         "prints": "CONSOLE" in source,
         "listens": LISTENS.search(source) is not None,
+        "ordered": any(symbol.name.startswith(PAYLOAD) for symbol in image.symbols),
+        "pins": pins_of(source),
         "meant": {autopilot: {kind: list(zip(values(items), map(item_in_words, items), strict=True))
                               for kind, items in kinds.items()}
                   for autopilot, kinds in meant.items() if kinds},
     }  # fmt: skip
     return {key: value for key, value in known.items() if value}  # what is not there is false, or nothing
+
+
+def pins_of(source: str) -> dict[str, str]:
+    """What a sketch calls its pins, and how long a button is to be held, by their numbers."""
+    named = [PIN.match(one) for line in CONSTANTS.findall(source) for one in line.split(", ")]
+    numbers = {match[1]: match[2] for match in named if match}
+    words = {number: re.sub(r"(?<!^)([A-Z])", r" \1", name).lower() for name, number in numbers.items()}
+    for name, number, ms in HOLDS.findall(source):
+        pin = number or numbers[name]
+        held = f"hold it for {int(ms or HOLD_MS) / 1000:g} s"
+        words[pin] = f"{words[pin]}, {held}" if pin in words else held
+    return words
 
 
 def text_of(name: str) -> str:

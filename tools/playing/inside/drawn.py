@@ -1,4 +1,4 @@
-"""A plan that was drawn on the map, as C++ for a sketch, as a .plan and as a .waypoints file."""
+"""A plan that was drawn on the map or read from a file, as C++ for a sketch, as a .plan and as a .waypoints file."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import json
 import math
 from pathlib import Path
 
-from planning import BadPlan, Item, Plan, qgc_plan, waypoints
-from planning.header import array_lines
+from planning import BadPlan, Item, Plan, qgc_plan, waypoints, write_plan
+from planning.header import array_lines, header_of
 from planning.plan import NO_PLACE, RELATIVE, WAYPOINT, Home, Step
 from simulation.fake_autopilot import mavlink
 
@@ -32,3 +32,20 @@ def drawn_as(text: str) -> str:
         return json.dumps({"error": str(error)})
     lines = ["constexpr MissionItem plan[] PROGMEM = {", *array_lines(plan.mission), "};"]
     return json.dumps({"cpp": "\n".join(lines), **files})
+
+
+def files_of(plan: Plan) -> tuple[dict[str, str], dict[str, BadPlan]]:
+    """The plan as tools/plan writes it: {cpp, plan, waypoints}; and why one of them is not there. What is made lies
+    beside its file, or replaces it."""
+    texts, errors = {}, {}
+    for form in ("cpp", "plan", "waypoints"):
+        out = plan.file.with_suffix(f".{form}")
+        try:
+            if form == "cpp":
+                texts[form] = header_of(plan)
+            else:
+                write_plan(plan, out)
+                texts[form] = out.read_text()
+        except BadPlan as error:
+            errors[form] = error
+    return texts, errors

@@ -10,13 +10,14 @@ import functools
 import json
 import math
 import re
+import tempfile
 import traceback
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from demonstration.autopilots import KINDS, NAMES, an_autopilot, one_to_fly
-from demonstration.conversation import NOT_SHOWN, SHOWN, Conversation
+from demonstration.conversation import NOT_SHOWN, SHOWN, Conversation, file_created
 from demonstration.line import Line
 from demonstration.timeline import label
 from demonstration.words import item_in_words, message_in_words
@@ -24,14 +25,21 @@ from simulation.fake_autopilot import FENCE, MISSION, RALLY, Item
 from simulation.fake_autopilot.vehicles import VEHICLES
 from simulation.wire import Entry
 
-from .interference import battery_is_low, is_pilots, other_station_uploads, pilot_lands, pilot_turns_the_switch
+from .interference import (
+    battery_is_low,
+    is_pilots,
+    other_station_uploads,
+    pilot_lands,
+    pilot_turns_the_switch,
+    station_orders,
+)
 
 UPTIME_S = 60.0  # the autopilot has been on for so long: it can be armed
 VEHICLE_EVERY_S = 0.1
 SILENCE_S = 3.0  # of an autopilot that is restarted
 NEXT = {">": "the Mega", "<": "the autopilot"}
 DEEDS = {"pilot": pilot_turns_the_switch, "lands": pilot_lands, "battery": battery_is_low,
-         "station": other_station_uploads}  # fmt: skip
+         "station": other_station_uploads, "order": station_orders}  # fmt: skip
 # What a message of tools/plan says of its own options, which the page has not.
 OPTION = re.compile(r"[,;] (or say )?--[a-z].*$")
 
@@ -171,17 +179,18 @@ class FarEnd:
             self._line.wire.pull()
         self._note_event("the cable is joined" if joined else "the cable is pulled", cut=not joined)
 
-    def _note_event(self, words: str, **more: bool) -> None:
+    def _note_event(self, words: str, **more: bool | str) -> None:
         self._events.append({"at": self._now, "words": words, **more})
 
     def lose_next(self, name: str) -> None:
         """The next frame of this name from the autopilot does not arrive; of ">" or "<", the next that is shown."""
         if name in NEXT:
             self._line.wire.lose(name, where=self._is_next_shown)
-            self._note_event(f"the next frame of {NEXT[name]} will be lost", awaits=True)
+            self._note_event(f"the next frame of {NEXT[name]} will be lost", awaits=name)
         else:
             self._line.wire.lose("<", name=name)
-            self._note_event(f"the next {name.rstrip('*')} of the autopilot will be lost", awaits=True)
+            shown = name.rstrip("*")
+            self._note_event(f"the next {shown} of the autopilot will be lost", awaits=shown)
 
     @staticmethod
     def _is_next_shown(message: Any) -> bool:
@@ -252,10 +261,11 @@ class FarEnd:
     def _begin_anew(self, entry: Entry) -> None:
         """Of a plan that is aboard, and is now sent again or changed, the items are those that are sent from now on."""
         message, talk = entry.message, self._conversation
-        kind = getattr(message, "mission_type", MISSION)
+        file = file_created(message) if message is not None else None
+        kind = getattr(message, "mission_type", MISSION) if file is None else file
         if entry.direction != ">" or message is None or kind not in talk.told:
             return
-        if message.get_type() == "MISSION_COUNT":
+        if message.get_type() == "MISSION_COUNT" or file is not None:
             first, last = 0, 1 << 16
             talk.aboard[kind] = 0
         elif message.get_type() == "MISSION_WRITE_PARTIAL_LIST":
@@ -393,16 +403,28 @@ def plain(value: Any) -> Any:
 
 
 def plan_of(name: str, data: bytes) -> str:
-    """A .plan or .waypoints file that was dropped onto the page: JSON of {waypoints, items, places, home, notes} or
-    {error}. places: where each item stands in the file, in words."""
-    from planning import BadPlan, read_plan, write_plan
+    """A .plan or .waypoints file, dropped onto the page: JSON of {waypoints, items, places, home, notes, files},
+    or of {error}, with files where it is a plan that PlanConsole cannot store. places: where each item stands in the
+    file, in words. files: what files_of() gives, and errors in words."""
+    with tempfile.TemporaryDirectory() as folder:
+        return json.dumps(plain(_plan_in(Path(folder) / (Path(name).name or "dropped"), bytes(data))))
 
-    file = Path("/tmp") / (Path(name).name or "dropped")
-    out = Path("/tmp/for_the_console.waypoints")
+
+def _plan_in(file: Path, data: bytes) -> dict:
+    from planning import BadPlan, read_plan
+
+    from .drawn import files_of
+
+    def in_words(error: BadPlan) -> str:
+        return OPTION.sub("", str(error).replace(str(file), file.name))
+
     try:
-        file.write_bytes(bytes(data))
+        file.write_bytes(data)
         plan = read_plan(file)
-        write_plan(plan, out)
+        texts, errors = files_of(plan)
+        files = {**texts, "errors": {form: in_words(error) for form, error in errors.items()}}
+        if "waypoints" not in texts:
+            return {"error": in_words(errors["waypoints"]), "files": files}
         left_out = [kind for kind in plan.kinds if kind != "mission"]
         # That a number which nothing uses is not set is no matter here.
         notes = [
@@ -412,14 +434,11 @@ def plan_of(name: str, data: bytes) -> str:
         items = [shown_item(seq, Item._make(step.item)) for seq, step in enumerate(plan.mission)]
         home = list(plan.home) if plan.home is not None else None
         places = [f"{file.name}:{step.line}: {step.name}" for step in plan.mission]
-        found = {"waypoints": out.read_text(), "items": items, "places": places, "home": home, "notes": notes}
+        return {"waypoints": texts["waypoints"], "items": items, "places": places, "home": home, "notes": notes,
+                "files": files}  # fmt: skip
     except BadPlan as error:
-        found = {"error": OPTION.sub("", str(error).replace(str(file), file.name))}
+        return {"error": in_words(error)}
     except Exception:
         # The page must go on, and whoever drops a strange file must be told something.
         traceback.print_exc()
-        found = {"error": f"{file.name} cannot be read as a plan"}
-    finally:
-        for used in (file, out):
-            used.unlink(missing_ok=True)
-    return json.dumps(plain(found))
+        return {"error": f"{file.name} cannot be read as a plan"}

@@ -1,4 +1,4 @@
-"""What somebody else does in the middle of a run: a pilot, a low battery, another ground station."""
+"""What somebody else does in the middle of a run: a pilot, a low battery, a ground station."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from demonstration.words import HOME
 from simulation.fake_autopilot import MISSION, Item, item, mavlink
 
 STATION = (255, 190)  # its system and its component
+MEGA = (1, 191)
+ROPE_M = 2
 PX4_POSITION, PX4_RETURN, PX4_LAND = (3, 0), (4, 5), (4, 6)  # PX4's main and sub mode
 
 
@@ -47,7 +49,7 @@ def pilot_lands(autopilot: Any, now: float) -> str:
     kind = getattr(autopilot, "kind", None)
     numbers = (kind.modes[kind.land_mode],) if kind else PX4_LAND
     autopilot.at("pilot", now, lambda time: autopilot._set_mode(*numbers, time))
-    return f"the pilot lands: he sets {'LAND' if kind else 'AUTO LAND'}"
+    return "the pilot lands: he sets LAND"
 
 
 def battery_is_low(autopilot: Any, now: float) -> str:
@@ -82,6 +84,15 @@ def other_station_uploads(autopilot: Any, now: float) -> str:
     for message in messages:
         autopilot.receive(message.pack(packer), now, elsewhere=True)
     return f"another ground station uploads its {count} items"
+
+
+def station_orders(autopilot: Any, now: float) -> str:
+    """A winch, of the Mega's component, as the autopilot forwards it; in words."""
+    order = mavlink.MAVLink_command_long_message(
+        *MEGA, mavlink.MAV_CMD_DO_WINCH, 0, 1, mavlink.WINCH_RELATIVE_LENGTH_CONTROL, ROPE_M, 0, 0, 0, 0
+    )
+    autopilot.send_raw(order.pack(mavlink.MAVLink(None, *STATION)), now)
+    return f"a ground station sends DO_WINCH: {ROPE_M} m of rope"
 
 
 def as_message(seq: int, one: Item, to: tuple[int, int]) -> Any:

@@ -14,33 +14,50 @@ export class Deeds {
   }
 
   forget() {
-    this.latest = null;
+    this.latest = null; // to which what is heard and said belongs
+    this.awaiting = []; // deeds whose frame has not come yet
     this.list.replaceChildren();
   }
 
-  // awaits: a frame is to be lost that has not come yet.
-  add({ at, words, awaits = false }) {
+  // awaits: the frame that is to be lost and has not come yet: ">", "<", or the beginning of its name.
+  add({ at, words, awaits = "" }) {
+    this.end(at);
     const line = document.createElement("li");
     line.textContent = `${at.toFixed(1)} s: ${words}.`;
     this.list.prepend(line);
     while (this.list.children.length > MOST_DEEDS) this.list.lastChild.remove();
     this.latest = { at, since: at, line, frames: 0, lines: 0, types: new Set(), isAnswered: false, awaits };
+    if (awaits) this.awaiting.push(this.latest);
+  }
+
+  // The latest deed is followed by another one, and keeps its line: also where nothing has come of it.
+  end(at) {
+    const { latest } = this;
+    if (!latest || latest.isAnswered || latest.awaits) return;
+    latest.isAnswered = true;
+    this.tell(at, "nothing had come of it until then");
   }
 
   // What has crossed the line.
   hear(frames) {
     if (!this.latest) return;
     for (const { way, text, lost, again, began } of frames) {
-      if (!text || began < this.latest.at || text.startsWith("HEARTBEAT")) continue;
-      if (lost) this.lose(began);
+      if (!text || text.startsWith("HEARTBEAT")) continue;
+      if (lost) this.lose(began, way, text);
+      if (began < this.latest.at) continue;
       if (way === ">") this.send(began, text, again, lost);
       else if (lost) this.tellFrame(began, `lost: ${text}`);
     }
   }
 
-  lose(at) {
-    const { latest } = this;
-    if (latest.awaits) Object.assign(latest, { awaits: false, since: at, frames: 0, types: new Set() });
+  // What comes of a loss belongs to the deed that has waited for it, whatever was done since.
+  lose(at, way, text) {
+    const isIt = (awaits) => awaits === way || (way === "<" && text.startsWith(awaits));
+    const deed = this.awaiting.find((one) => one.at <= at && isIt(one.awaits));
+    if (!deed) return;
+    this.awaiting.splice(this.awaiting.indexOf(deed), 1);
+    if (deed !== this.latest) this.end(at);
+    this.latest = Object.assign(deed, { awaits: "", since: at, frames: 0, types: new Set(), isAnswered: false });
   }
 
   // Of many items the first is told, and each that is sent again or lost.
@@ -64,11 +81,12 @@ export class Deeds {
   }
 
   wait(now) {
-    const { latest } = this;
-    if (!latest || latest.isAnswered || now < latest.since + WAITS_S) return;
-    latest.isAnswered = true;
-    this.tell(now, latest.awaits ? "none has come yet: “Restart the Mega” lets the sketch begin anew"
-      : "the Mega has had nothing to do about it");
+    for (const deed of new Set([...this.awaiting, this.latest])) {
+      if (!deed || deed.isAnswered || now < deed.since + WAITS_S) continue;
+      deed.isAnswered = true;
+      this.tell(now, deed.awaits ? "none has come yet: “Restart the Mega” lets the sketch begin anew"
+        : "the Mega has had nothing to do about it", deed);
+    }
   }
 
   isRecent(at) {
@@ -82,7 +100,7 @@ export class Deeds {
     return true;
   }
 
-  tell(at, words) {
-    this.latest.line.append(` +${Math.max(0, at - this.latest.at).toFixed(2)} s: ${words}.`);
+  tell(at, words, deed = this.latest) {
+    deed.line.append(` +${Math.max(0, at - deed.at).toFixed(2)} s: ${words}.`);
   }
 }

@@ -27,10 +27,12 @@ const FLASH = 253952;
 const EXAMPLES_FLY_AT = [-353632621, 1491652374, 584]; // latitude, longitude [1e-7 degrees], altitude [m]
 const MOST_TEXT = 60000; // of the console [characters]
 const SLOW = 0.95;
-const STORES = "PlanConsole stores the plan that you dropped";
+const STORES = "PlanConsole stores your plan";
 const KEPT = "PlanConsole waits for a command: the plan that it had is still in the EEPROM.";
 const STOPPED = "PlanConsole refused the plan, or failed: the serial monitor says why.";
 const TOO_LONG = "The address does not carry the plan: it is too long for one.";
+const HAS_CPP = ". Its C++ for a sketch stands under “Your own plan”.";
+const WAS_DRAWN = "it takes the place of the plan that you drew, which the browser's “Back” brings back";
 const IN_PLACE_OF_HOME = "nothing, in the place of the autopilot's home";
 // What PlanConsole does with a dropped plan that is aboard, by its step.
 const NEXT = {
@@ -82,7 +84,7 @@ let held = {};
 let isPaused = false;
 let onCard = ""; // the plan that was dropped last, as the Mega's SD card has it
 let latest = ["Loading.", "loading"]; // what outcome() was told last
-let files = null; // what was drawn, as {cpp, plan, waypoints}
+let files = null; // of the plan that was drawn or dropped last: {name, cpp, plan, waypoints, errors}
 let seen = {}; // {heard, vehicle, flown, read, said}: what there was to see of the run
 let line = ""; // of the sketch's, as far as it has printed it
 let verdict = null; // of what is aboard: {good, knows, replaced, sentence}
@@ -121,6 +123,7 @@ function outcome(text, kind = "going") {
 
 const example = () => known.examples.find((one) => one.name === state.example);
 const autopilot = () => (isOutside ? (isPort ? "port" : "build") : state.autopilot);
+const isOrdered = () => example().ordered && !isOutside;
 const isConsole = () => state.example === "PlanConsole";
 
 // One run, from power-on
@@ -145,7 +148,8 @@ function begin() {
   at("console").textContent = "";
   frames.forget();
   deeds.forget();
-  pins.forget();
+  pins.forget(example().pins);
+  if (isOrdered()) pins.offer("Send “lower 2 m of rope”", () => far.postMessage({ does: "interfere", who: "order" }));
   showFields(at("fields"), null);
   setPace(1);
   at("vehicle").textContent = isPort ? "" : "The aircraft is not known yet.";
@@ -180,7 +184,7 @@ async function firmwareOf({ image, name }) {
 
 function firstWords() {
   if (plan) return `${STORES}.`;
-  if (isConsole()) return "PlanConsole waits for a command: type help, or drop a plan onto the page.";
+  if (isConsole()) return "PlanConsole waits for a command: type help, or choose a plan of your own.";
   if (example().reads) return `The Mega reads the plan that ${NAMES[autopilot()]} holds.`;
   return `The Mega is looking for ${NAMES[autopilot()]}.`;
 }
@@ -190,7 +194,8 @@ function tellOfSketch() {
   if (!isReady) return;
   const { name, reads, prints } = example();
   if (plan || isConsole() || Object.keys(progress).length) return;
-  outcome(headline({ ...seen, name, reads, prints, autopilot: NAMES[autopilot()] }), seen.read ? "good" : "going");
+  const told = { ...seen, name, reads, prints, ordered: isOrdered(), autopilot: NAMES[autopilot()] };
+  outcome(headline(told), seen.read ? "good" : "going");
 }
 
 // Whether item 0 of the plan on the wire is home.
@@ -241,7 +246,7 @@ far.onmessage = ({ data }) => {
   if (says === "fetched") showFetched(data.bytes);
   if (says === "ready") ready(data);
   if (says === "read") take(data);
-  if (says === "drawn") showDrawn(data.files);
+  if (says === "drawn" && drawing.points.length) showFiles({ name: "drawn", ...data.files });
   if (says === "explained") showFields(at("fields"), data.frame);
   if (says === "failed") outcome(`It cannot go on: ${data.why}`, "bad");
   if (data.run !== run) return;
@@ -534,6 +539,7 @@ function takeAddress(isFirst) {
   if (refused) return notice("A sketch that arms does not run with a real autopilot: the address is ignored.");
   const isSame = !isFirst && Object.keys(wanted).every((name) => wanted[name] === state[name]);
   state = wanted;
+  if (!isSame) files = null;
   drawing.take(state.draw);
   askForFiles();
   showState();
@@ -545,22 +551,41 @@ function takeAddress(isFirst) {
 
 // The plan that is drawn has changed.
 function drawn() {
+  if (!drawing.points.length) files = null;
   change({ draw: drawing.word }, false);
   askForFiles();
 }
 
 function askForFiles() {
-  at("drawn-part").hidden = !drawing.points.length;
   at("returns").checked = drawing.returns;
   if (isReady && drawing.points.length) far.postMessage({ does: "draw", plan: drawing.plan });
-  else at("fly").disabled = true;
+  showFiles(files);
 }
 
-function showDrawn(made) {
+// One's own plan in the form that is chosen, or why it has none.
+function showFiles(made) {
   files = made;
-  at("fly").disabled = isPort || !made.waypoints;
-  at("save-drawn").disabled = at("copy-drawn").disabled = !made.waypoints;
-  at("drawn-text").textContent = made.error || made[at("form").value];
+  const form = at("form").value;
+  const { waypoints, error, errors } = files || {};
+  const text = files?.[form] || "";
+  at("points").hidden = !drawing.points.length;
+  at("fly").disabled = isPort || !waypoints;
+  at("save-drawn").disabled = at("copy-drawn").disabled = !text;
+  at("drawn-text").textContent = text || errors?.[form] || error || "";
+}
+
+// The plan of a file takes the place of the one that was drawn. Whether there was one.
+function own(name, made) {
+  const wasDrawn = drawing.points.length > 0;
+  if (wasDrawn) {
+    history.pushState(null, "", location.hash);
+    draw(false);
+    drawing.take("");
+    change({ draw: "" }, false);
+  }
+  at("returns").checked = drawing.returns;
+  showFiles({ ...made, name: name.replace(/\.[^.]*$/, "") });
+  return wasDrawn;
 }
 
 // Of simulated time beside the clock; 0: paused.
@@ -579,9 +604,11 @@ function sendLoss() {
 
 // A plan was read. word: that of the address, if it was carried there.
 async function take({ name, plan: read, word }) {
-  if (read.error) return notice(`The plan was refused: ${read.error}`);
+  const isKnown = read.waypoints && read.waypoints === files?.waypoints; // what was drawn, or dropped before
+  const wasDrawn = read.files && !isKnown && own(name, read.files);
+  if (read.error) return notice(`The plan was refused: ${read.error}${read.files?.cpp ? HAS_CPP : ""}`);
   const carried = word || (await packed({ name: name.replace(/\.[^.]*$/, ".waypoints"), waypoints: read.waypoints }));
-  const notes = [...read.notes, ...(carried ? [] : [TOO_LONG])];
+  const notes = [...(wasDrawn ? [WAS_DRAWN] : []), ...read.notes, ...(carried ? [] : [TOO_LONG])];
   notice(notes.length ? `${name}: ${notes.join("; ")}` : "", false);
   plan = read;
   onCard = read.waypoints;
@@ -592,7 +619,7 @@ async function readFile(file) {
   if (!file) return;
   if (isSketch(file.name)) return readSketch(file);
   if (isPort) return notice("PlanConsole can arm, so it does not run with a real autopilot.");
-  if (!isReady) return notice("The autopilot is still loading: drop the plan when that is done.");
+  if (!isReady) return notice("The autopilot is still loading: choose the plan when that is done.");
   if (file.size > LARGEST_FILE) return notice(`The plan was refused: ${file.name} is larger than 64 MB.`);
   const bytes = await file.arrayBuffer();
   far.postMessage({ does: "read", name: file.name, bytes }, [bytes]);
@@ -683,7 +710,7 @@ at("vcd").onclick = () => saved("line.vcd", vcdOf(timeline.frames));
 function draw(isOn) {
   drawing.turn(isOn);
   at("draw").setAttribute("aria-pressed", isOn);
-  for (const id of ["wider", "closer"]) at(id).disabled = !isOn;
+  for (const id of ["wider", "closer"]) at(id).hidden = !isOn;
   at("map-part").scrollIntoView({ block: "nearest" });
 }
 at("draw").onclick = () => draw(!drawing.isOn);
@@ -694,12 +721,15 @@ at("returns").onchange = (event) => {
   drawing.returns = event.target.checked;
   drawing.tell();
 };
-at("form").onchange = () => showDrawn(files);
-at("save-drawn").onclick = () => saved(`drawn.${at("form").value}`, files[at("form").value]);
+at("form").onchange = () => showFiles(files);
+at("save-drawn").onclick = () => {
+  const form = at("form").value;
+  saved(`${files.name}.${form === "cpp" ? "h" : form}`, files[form]);
+};
 at("fly").onclick = () => {
   draw(false);
   const bytes = new TextEncoder().encode(files.waypoints).buffer;
-  far.postMessage({ does: "read", name: "drawn.waypoints", bytes }, [bytes]);
+  far.postMessage({ does: "read", name: `${files.name}.waypoints`, bytes }, [bytes]);
 };
 at("reset-mega").onclick = () => {
   verdict = null;
@@ -726,8 +756,10 @@ async function copy(text, what, otherwise) {
 }
 at("share").onclick = () =>
   copy(location.href, "The address of this state", `The address of this state: ${location.href}`);
-at("copy-drawn").onclick = () =>
-  copy(files[at("form").value], "The plan that you drew", "This browser does not copy: mark the text below.");
+at("copy-drawn").onclick = () => {
+  const what = drawing.points.length ? "The plan that you drew" : "Your plan";
+  copy(files[at("form").value], what, "This browser does not copy: mark the text below.");
+};
 at("typing").onsubmit = (event) => {
   event.preventDefault();
   if (!isReady) return notice("The Mega is not switched on yet.");

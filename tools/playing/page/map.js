@@ -6,8 +6,10 @@ import {
 } from "./places.js";
 
 const SVG = "http://www.w3.org/2000/svg";
-const MARGIN_PX = 46;
+const MARGIN_PX = 46; // around what is shown, on a map that is large enough
 const SMALLEST_M = 60; // of what is shown
+const LARGEST_M = 4e7; // across the map: the Earth
+const MOST_PX = 1000; // to a metre
 const GRID_PX = 70; // between two lines, at the least
 const TRAIL = 1500; // places
 const MANY = 60; // points, which are drawn smaller then
@@ -61,7 +63,7 @@ export class PlanMap {
 
   measure() {
     const { width, height } = this.svg.getBoundingClientRect();
-    if (!width || (width === this.size.width && height === this.size.height)) return;
+    if (!width || !height || (width === this.size.width && height === this.size.height)) return;
     this.size = { width, height };
     this.draw();
   }
@@ -107,7 +109,8 @@ export class PlanMap {
     const [west, east, south, north] = [least(easts), most(easts), least(norths), most(norths)];
     const wide = Math.max(east - west, SMALLEST_M);
     const high = Math.max(north - south, SMALLEST_M);
-    this.perMetre = Math.min((width - 2 * MARGIN_PX) / wide, (height - 2 * MARGIN_PX) / high);
+    const margin = Math.min(MARGIN_PX, width / 4, height / 4); // a scale of none would have lines without end
+    this.perMetre = Math.min((width - 2 * margin) / wide, (height - 2 * margin) / high);
     this.centre = [(west + east) / 2, (south + north) / 2];
   }
 
@@ -128,7 +131,7 @@ export class PlanMap {
 
   // Show more of the surroundings, or less.
   zoom(factor) {
-    this.perMetre *= factor;
+    this.perMetre = Math.min(MOST_PX, Math.max(this.size.width / LARGEST_M, this.perMetre * factor));
     this.draw();
   }
 

@@ -1,4 +1,5 @@
-// The pins that a sketch uses, as lamps, as servos and as buttons to GND.
+// The pins that a sketch uses, as lamps, as servos and as buttons to GND; and a button that orders its payload
+// something.
 
 // Of the pulse for 0 degrees, and for half a turn, as the Arduino library "Servo" has them [us].
 const LEAST = 544, MOST = 2400;
@@ -11,7 +12,9 @@ export class PinPanel {
     this.forget();
   }
 
-  forget() {
+  // names: what the sketch calls its pins, by their numbers.
+  forget(names = {}) {
+    this.names = names;
     this.rows = new Map();
     this.list.replaceChildren();
   }
@@ -27,10 +30,20 @@ export class PinPanel {
     }
     for (const [number, level] of Object.entries(outputs)) {
       const row = this.row(number, "lamp", "span");
-      row.textContent = `D${number}: ${level ? "on" : "off"}`;
+      row.textContent = `D${number}${this.nameOf(number, ", ")}: ${level ? "on" : "off"}`;
       row.classList.toggle("lit", level === 1);
     }
     for (const number of inputs) this.row(number, "button", "button");
+  }
+
+  // A button that stands there from the beginning.
+  offer(words, act) {
+    const button = this.row(0, "order", "button");
+    Object.assign(button, { type: "button", textContent: words, onclick: act });
+  }
+
+  nameOf(number, before) {
+    return number in this.names ? before + this.names[number] : "";
   }
 
   row(number, kind, element) {
@@ -47,7 +60,7 @@ export class PinPanel {
 
   makeButton(row, number) {
     row.type = "button";
-    row.textContent = `D${number}: button to GND`;
+    row.textContent = `D${number}: ${this.nameOf(number, "") || "button to GND"}`;
     row.setAttribute("aria-pressed", "false");
     row.onclick = () => {
       const isDown = row.getAttribute("aria-pressed") === "false";
