@@ -79,10 +79,10 @@ namespace mavmission {
   X(CancelledByAutopilot, "the autopilot cancelled or timed out") \
   X(UnknownResult, "autopilot: unknown code") \
   /* commands: MAV_RESULT 1 to 4 and 7 to 10 in order, then any other result */ \
-  X(CommandRejected, "autopilot: not now") \
+  X(CommandRejected, "autopilot: not now, try later") \
   X(CommandDenied, "autopilot: denied (a bad parameter)") \
   X(CommandUnsupported, "autopilot: command not supported") \
-  X(CommandFailed, "autopilot: failed") \
+  X(CommandFailed, "autopilot: failed; its text says why") \
   X(CommandLongOnly, "autopilot: only as COMMAND_LONG") \
   X(CommandIntOnly, "autopilot: only as COMMAND_INT") \
   X(CommandFrame, "autopilot: not in this frame") \

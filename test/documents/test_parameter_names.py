@@ -14,6 +14,7 @@ RENAMED = {
     "SYSID_MYGCS": (r"\bSYSID_MYGCS\b", r"\bMAV_GCS_SYSID\b"),
     "SYSID_THISMAV": (r"\bSYSID_THISMAV\b", r"\bMAV_SYSID\b"),
     "SYSID_ENFORCE": (r"\bSYSID_ENFORCE\b", r"\bMAV_OPTIONS\b"),
+    "ARMING_CHECK": (r"\bARMING_CHECK\b", r"\bARMING_SKIPCHK\b"),
 }  # fmt: skip
 
 

@@ -117,7 +117,7 @@ def test_start_that_is_refused_says_that_the_aircraft_is_disarmed_again():
     console.answer("upload", "aboard: our plan, whole")
     console.autopilot._begins_with_takeoff = lambda: False
     lines = console.answer("start", "it is disarmed again", limit_s=60.0)
-    assert "autopilot: failed" in lines
+    assert "autopilot: failed; its text says why" in lines
     console.run(1.2)
     assert not console.autopilot.armed
     assert "it is disarmed again" not in console.answer("verify", "aboard: our plan, whole", limit_s=20.0)

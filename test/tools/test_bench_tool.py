@@ -134,8 +134,11 @@ def test_report_can_be_pasted(board):
     assert re.fullmatch(r"- request to item: [\d.]+ ms in the median, [\d.]+ ms at the most, of 10 .*", lines[4])
     assert re.fullmatch(r"- on a good line the board has received [\d,]+ bytes, of them 0 outside frames, 0 frames .*",
                         lines[5])  # fmt: skip
-    assert re.fullmatch(r"\| nothing is lost \| PX4 \| `Accepted` \| \d+\.\d \| 0 \| right \|", lines[-2])
-    assert re.fullmatch(r"\| the count is lost \| PX4 \| `Accepted` \| \d+\.\d \| 1 \| right \|", lines[-1])
+    assert re.fullmatch(r"\| nothing is lost \| PX4 \| `Accepted` \| \d+\.\d \| 0 \| right \|", lines[-5])
+    assert re.fullmatch(r"\| the count is lost \| PX4 \| `Accepted` \| \d+\.\d \| 1 \| right \|", lines[-4])
+    assert re.fullmatch(r"\| a board \| simulated PX4 \| 2 of 2 as expected; request to item: .* \| \|", lines[-1])
+    columns = (ROOT / "docs" / "boards.md").read_text().partition("\n| board, library, core |")[2].partition("\n")[0]
+    assert columns.count("|") + 2 == lines[-1].count("|")
     results[0].wrong.append("it is not so")
     assert report("a board", "x", results).splitlines()[0] == "tools/bench: 1 of 2 as expected"
 

@@ -9,7 +9,7 @@ from .scenarios import Result
 
 
 def report(about: str, ports: str, results: Sequence[Result]) -> str:
-    """A table in Markdown, with the board above it and the times of its port below."""
+    """A table in Markdown, with the board and the times of its port above it, and its line for docs/boards.md below."""
     wrong = [result for result in results if not result.is_right]
     lines = [
         f"tools/bench: {len(results) - len(wrong)} of {len(results)} as expected",
@@ -26,8 +26,17 @@ def report(about: str, ports: str, results: Sequence[Result]) -> str:
             f"{'; '.join(one.wrong) or 'right'} |"
             for one in results
         ),
+        "",
+        "for the table of docs/boards.md; write the board's name, the day and who you are into it:",
+        line_of_boards(about, results),
     ]
     return "\n".join(lines)
+
+
+def line_of_boards(about: str, results: Sequence[Result]) -> str:
+    beside = ", ".join(dict.fromkeys(f"simulated {one.autopilot}" for one in results))
+    right = sum(one.is_right for one in results)
+    return f"| {about} | {beside} | {right} of {len(results)} as expected; {timing(results)} | |"
 
 
 def timing(results: Sequence[Result]) -> str:
