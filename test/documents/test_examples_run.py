@@ -273,16 +273,12 @@ def test_link_doctor(run):
 
 def test_first_hour_of_the_readme_is_what_its_examples_print():
     block = re.search(r"^```text\n(.*?)^```$", (ROOT / "README.md").read_text(), re.M | re.S)[1]
-    doctor, upload = Run("LinkDoctor", "ArduPilot"), Run("UploadWithProgress", "ArduPilot")
+    upload = Run("UploadWithProgress", "ArduPilot")
     flight = Run("StartMission", "ArduPilot", vehicle="copter", uptime_s=0.0, ready_s=20.0, position_s=0.0)
-    doctor.is_plugged = False
-    doctor.run(4.0)
-    doctor.is_plugged = True
-    doctor.run(10.0)
     upload.run(4.0)
     flight.until("flying", 60.0)
     flight.autopilot._set_mode(5, flight.now)  # LOITER, by a pilot
     flight.run(3.0)
-    for run, part in zip((doctor, upload, flight), re.split(r"^\w.*\n", block, flags=re.M)[1:], strict=True):
+    for run, part in zip((upload, flight), re.split(r"^\w.*\n", block, flags=re.M)[1:], strict=True):
         printed = iter(run.lines)
         assert [line for line in part.splitlines() if line.removeprefix("  ") not in printed] == [], run.lines
