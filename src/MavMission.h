@@ -3,7 +3,7 @@
 #pragma once
 
 // By semantic versioning; the same as in library.properties.
-#define MAVMISSION_VERSION "0.1.0"
+#define MAVMISSION_VERSION "1.0.0"
 
 #include "mavmission/Adjustments.h"
 #include "mavmission/AttitudeListener.h"

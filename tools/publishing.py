@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 
@@ -19,40 +18,57 @@ def notes_of(root: Path, version: str) -> str:
     return ""
 
 
-def prepare_version(root: Path, version: str, day: str) -> list[str]:
-    """Write the version wherever it stands, and head with it and its day what is under Unreleased; the files that were
-    changed. Raises NotReady."""
+def prepare_version(root: Path, version: str, day: str, url: str | None = None) -> list[str]:
+    """Write the version wherever it stands, and head with it and its day what is under Unreleased, or what has this
+    version already; with a url, write where the repository is. The files that were changed. Raises NotReady."""
     if not re.fullmatch(SEMVER, version):
         raise NotReady(f"{version} is not of the form 1.2.3")
-    changes = {
-        "library.properties": (r"^version=.*$", f"version={version}"),
-        "library.json": (r'("version": )"[^"]*"', rf'\g<1>"{version}"'),
-        "src/MavMission.h": (r'^#define MAVMISSION_VERSION ".*"$', f'#define MAVMISSION_VERSION "{version}"'),
-        "CHANGELOG.md": (r"^## \[?Unreleased\]?.*$", f"## [Unreleased]\n\n## [{version}] - {day}"),
-    }
-    written = {}
-    for file, (pattern, new) in changes.items():
-        written[file], found = re.subn(pattern, new, (root / file).read_text(), count=1, flags=re.M)
-        if not found:
-            raise NotReady(f"{file} has no line like {pattern}")
-    if not notes_of(root, "Unreleased").strip():
-        raise NotReady("CHANGELOG.md says nothing under Unreleased")
-    if notes_of(root, version):
+    if url is not None and not re.fullmatch(r"https://[\w./-]+", url):
+        raise NotReady(f"{url} is not of the form https://host/owner/MavMission")
+    changes = [
+        ("library.properties", r"^version=.*$", f"version={version}"),
+        ("library.json", r'("version": )"[^"]*"', rf'\g<1>"{version}"'),
+        ("src/MavMission.h", r'^#define MAVMISSION_VERSION ".*"$', f'#define MAVMISSION_VERSION "{version}"'),
+        ("CHANGELOG.md", rf"^## \[?(?:Unreleased|{re.escape(version)})\]?.*$", f"## [{version}] - {day}"),
+    ]
+    if url is not None:
+        repository = f'"repository": {{ "type": "git", "url": "{url}.git" }},'
+        changes += [
+            ("library.properties", r"^url=.*$", f"url={url}"),
+            ("library.json", r'\n *"repository": .*', ""),
+            ("library.json", r'("version": "[^"]*",)', rf"\1\n  {repository}"),
+        ]
+    if notes_of(root, "Unreleased").strip() and notes_of(root, version):
         raise NotReady(f"CHANGELOG.md has a version {version} already")
+    if not (notes_of(root, "Unreleased") + notes_of(root, version)).strip():
+        raise NotReady(f"CHANGELOG.md says nothing under Unreleased, nor of {version}")
+    written: dict[str, str] = {}
+    for file, pattern, new in changes:
+        text = written.get(file) or (root / file).read_text()
+        written[file], found = re.subn(pattern, new, text, count=1, flags=re.M)
+        if not found and new:
+            raise NotReady(f"{file} has no line like {pattern}")
     for file, text in written.items():
         (root / file).write_text(text)
     return list(written)
 
 
-def left_to_do(root: Path, version: str) -> list[str]:
-    """What a release needs behind this command, and it cannot do."""
-    left = []
-    if f"v{version}" not in git(root, "tag", "--points-at", "HEAD"):
-        left.append(f"git tag -a v{version} -m {version}")
-    left.append(f"git push origin v{version}: .github/workflows/release.yml then publishes on GitHub and PlatformIO")
-    if "repository" not in json.loads((root / "library.json").read_text()):
-        left.append('library.json has no "repository", and url= of library.properties leads elsewhere: name the public'
-                    " repository in both before the first release")  # fmt: skip
-    left.append("for the first release alone: name the repository to github.com/arduino/library-registry, whose"
-                " manager then finds each tag by itself")  # fmt: skip
-    return left
+def url_of(root: Path) -> str:
+    """Where the library's repository is; "" as long as library.properties says that it has no site yet."""
+    (url,) = re.findall(r"^url=(.*)$", (root / "library.properties").read_text(), re.M)
+    return url if url.startswith("https://") else ""
+
+
+def steps(root: Path, version: str) -> list[str]:
+    """The three that a person takes behind this command, which cannot."""
+    url = url_of(root) or "URL"
+    is_tagged = f"v{version}" in git(root, "tag", "--points-at", "HEAD")
+    return [
+        f"the repository is {url}" if url_of(root) else
+        "make a public repository, and say where it is, such as https://github.com/owner/MavMission:\n"
+        f"     tools/release --prepare {version} --url URL && git commit -am \"Version {version}\" && tools/release",
+        f"{'' if is_tagged else f'git tag -a v{version} -m {version} && '}git push {url} HEAD:main v{version}",
+        "publish it: on GitHub .github/workflows/release.yml attaches both zips, and PlatformIO gets the library;\n"
+        "     elsewhere attach them to a release by hand, with the text above. Unpack the site's zip on any web\n"
+        "     server. Once, name the repository to github.com/arduino/library-registry: the IDE then finds it",
+    ]  # fmt: skip

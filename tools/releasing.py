@@ -174,26 +174,24 @@ def content_of(root: Path, file: Path) -> bytes:
 def write_zip(root: Path, output: Path, files: Iterable[Path]) -> None:
     """One folder, named after the library as the IDE wants it. The same files make the same bytes."""
     (name,) = re.findall(r"^name=(.*)$", (root / "library.properties").read_text(), re.M)
+    pack(output, ((f"{name}/{file.relative_to(root).as_posix()}", content_of(root, file)) for file in files))
+
+
+def write_site(site: Path, output: Path) -> None:
+    """The folder of tools/site as an archive, in a folder of its own name. The same files make the same bytes."""
+    files = sorted(one for one in site.rglob("*") if one.is_file())
+    pack(output, ((f"MavMission-site/{file.relative_to(site).as_posix()}", file.read_bytes()) for file in files))
+
+
+def pack(output: Path, contents: Iterable[tuple[str, bytes]]) -> None:
     output.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for file in files:
-            info = zipfile.ZipInfo(f"{name}/{file.relative_to(root).as_posix()}", NO_DATE)
+        for name, data in contents:
+            info = zipfile.ZipInfo(name, NO_DATE)
             info.compress_type = zipfile.ZIP_DEFLATED
             info.create_system = 3  # Unix, whose permissions these are
             info.external_attr = PLAIN_FILE << 16
-            archive.writestr(info, content_of(root, file))
-
-
-def write_playground(site: Path, output: Path) -> None:
-    """The folder of tools/playground as an archive, in a folder of its own name; the same files make the same bytes."""
-    output.parent.mkdir(parents=True, exist_ok=True)
-    with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for file in sorted(one for one in site.rglob("*") if one.is_file()):
-            info = zipfile.ZipInfo(f"MavMission-playground/{file.relative_to(site).as_posix()}", NO_DATE)
-            info.compress_type = zipfile.ZIP_DEFLATED
-            info.create_system = 3  # Unix, whose permissions these are
-            info.external_attr = PLAIN_FILE << 16
-            archive.writestr(info, file.read_bytes())
+            archive.writestr(info, data)
 
 
 def release(root: Path, folder: Path, *, snapshot: bool = False) -> Path:

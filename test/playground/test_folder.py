@@ -10,13 +10,11 @@ import subprocess
 import sys
 import tomllib
 import urllib.request
-import zipfile
 
 import pytest
 
 from building import ROOT
 from examples import example_folders, sketch_of
-from releasing import write_playground
 
 BOUNDS = tomllib.loads((ROOT / "test" / "figures" / "playground_bounds.toml").read_text())
 OWN = ("*.html", "*.css", "*.js", "ardupilot/*.js", "far/*.js", "mega/*.js")
@@ -140,18 +138,6 @@ def test_the_command_puts_a_copy_where_it_is_told_and_names_no_example_that_it_d
     assert said.returncode == 0, said.stderr
     assert (tmp_path / "copy" / "index.html").is_file() and "MB" in said.stdout
     assert re.findall(r"making \d+ of ", said.stdout) == []
-
-
-def test_a_release_has_the_folder_as_an_archive_and_the_same_folder_makes_the_same_one(folder, tmp_path):
-    archives = [tmp_path / "one.zip", tmp_path / "two.zip"]
-    for archive in archives:
-        write_playground(folder, archive)
-    assert archives[0].read_bytes() == archives[1].read_bytes()
-    with zipfile.ZipFile(archives[0]) as packed:
-        files = {f"MavMission-playground/{file.relative_to(folder).as_posix()}" for file in folder.rglob("*")
-                 if file.is_file()}  # fmt: skip
-        assert set(packed.namelist()) == files
-        assert packed.read("MavMission-playground/index.html") == (folder / "index.html").read_bytes()
 
 
 @pytest.mark.slow

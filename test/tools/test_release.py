@@ -17,8 +17,8 @@ import building
 from building import ROOT, build_sketch
 from examples import example_folder
 from linting import lint
-from publishing import left_to_do, notes_of, prepare_version
-from releasing import NotReady, files_of, problems, release, versions, write_zip
+from publishing import notes_of, prepare_version, steps
+from releasing import NotReady, files_of, problems, release, versions, write_site, write_zip
 
 TOOL = ROOT / "tools" / "release"
 
@@ -28,8 +28,8 @@ def library(tmp_path) -> Path:
     """A small library that is ready for release 1.2.3."""
     root = tmp_path / "clone"
     files = {
-        "library.properties": "name=MavMission\nversion=1.2.3\n",
-        "library.json": json.dumps({"version": "1.2.3", "export": {"include": ["src", "examples", "README.md"]}}),
+        "library.properties": "name=MavMission\nversion=1.2.3\nurl=none yet\n",
+        "library.json": '{\n  "version": "1.2.3",\n  "export": {"include": ["src", "examples", "README.md"]}\n}\n',
         "src/MavMission.h": '#define MAVMISSION_VERSION "1.2.3"\n',
         "examples/01.First/One/One.ino": "void setup() {}\nvoid loop() {}\n",
         "README.md": "[One](examples/01.First/One/One.ino)\n",
@@ -127,28 +127,36 @@ def test_version_is_written_wherever_it_stands_and_is_ready_when_it_is_committed
     commit(library)
     assert problems(library, snapshot=False) == []
     assert notes_of(library, "1.3.0") == "### Added\n- More.\n"
-    assert "## [Unreleased]\n\n## [1.3.0] - 2031-06-07\n" in (library / "CHANGELOG.md").read_text()
-    assert left_to_do(library, "1.3.0")[0] == "git tag -a v1.3.0 -m 1.3.0"
+    assert "# Changelog\n\n## [1.3.0] - 2031-06-07\n" in (library / "CHANGELOG.md").read_text()
+    prepare_version(library, "1.3.0", "2031-06-08")  # on another day, before its tag
+    assert "# Changelog\n\n## [1.3.0] - 2031-06-08\n" in (library / "CHANGELOG.md").read_text()
+    assert steps(library, "1.3.0")[1] == "git tag -a v1.3.0 -m 1.3.0 && git push URL HEAD:main v1.3.0"
     tag(library, "v1.3.0")
-    assert left_to_do(library, "1.3.0")[0].startswith("git push origin v1.3.0: ")
+    assert steps(library, "1.3.0")[1] == "git push URL HEAD:main v1.3.0"
 
 
-@pytest.mark.parametrize(("version", "unreleased", "says"), [
-    ("1.3", "- More.", "1.3 is not of the form 1.2.3"), ("1.3.0", "", "says nothing under Unreleased"),
-    ("1.2.3", "- More.", "has a version 1.2.3 already"),
+@pytest.mark.parametrize(("version", "unreleased", "url", "says"), [
+    ("1.3", "- More.", None, "1.3 is not of the form 1.2.3"),
+    ("1.3.0", "", None, "says nothing under Unreleased, nor of 1.3.0"),
+    ("1.2.3", "- More.", None, "has a version 1.2.3 already"),
+    ("1.3.0", "- More.", "here", "here is not of the form https://"),
 ])  # fmt: skip
-def test_version_that_cannot_be_is_not_written_anywhere(library, version, unreleased, says):
+def test_version_that_cannot_be_is_not_written_anywhere(library, version, unreleased, url, says):
     change(library, "CHANGELOG.md", "## [1.2.3]", f"## [Unreleased]\n{unreleased}\n## [1.2.3]")
     before = {file: file.read_bytes() for file in library.rglob("*.*") if file.is_file()}
     with pytest.raises(NotReady, match=says):
-        prepare_version(library, version, "2031-06-07")
+        prepare_version(library, version, "2031-06-07", url)
     assert {file: file.read_bytes() for file in before} == before
 
 
-def test_what_the_registries_need_is_said_until_it_is_there(library):
-    assert any('no "repository"' in line for line in left_to_do(library, "1.2.3"))
-    change(library, "library.json", '{"version"', '{"repository": {"type": "git", "url": "x"}, "version"')
-    assert not any('no "repository"' in line for line in left_to_do(library, "1.2.3"))
+def test_where_the_repository_is_is_asked_for_until_it_is_written(library):
+    assert "--prepare 1.2.3 --url URL" in steps(library, "1.2.3")[0]
+    for url in ("https://here.example/a/MavMission", "https://there.example/MavMission"):
+        prepare_version(library, "1.2.3", "2031-04-05", url)
+        assert json.loads((library / "library.json").read_text())["repository"] == {"type": "git", "url": f"{url}.git"}
+        assert f"\nurl={url}\n" in (library / "library.properties").read_text()
+        assert steps(library, "1.2.3")[0] == f"the repository is {url}"
+        assert f"git push {url} HEAD:main v1.2.3" in steps(library, "1.2.3")[1]
 
 
 # Lints as arduino-lint does: prints its findings, and ends with 1 where there are some.
@@ -194,6 +202,19 @@ def test_zip_depends_on_nothing_but_the_files(library, tmp_path):
     (copy / "src" / ".hidden").write_text("")
     write_zip(copy, tmp_path / "second.zip", files_of(copy))
     assert (tmp_path / "second.zip").read_bytes() == first.read_bytes()
+
+
+def test_site_is_packed_whole_and_the_same_site_makes_the_same_zip(tmp_path):
+    (tmp_path / "site" / "docs").mkdir(parents=True)
+    (tmp_path / "site" / "index.html").write_text("one")
+    (tmp_path / "site" / "docs" / "bench.html").write_text("two")
+    archives = [tmp_path / "one.zip", tmp_path / "two.zip"]
+    for archive in archives:
+        write_site(tmp_path / "site", archive)
+    assert archives[0].read_bytes() == archives[1].read_bytes()
+    with zipfile.ZipFile(archives[0]) as packed:
+        assert packed.namelist() == ["MavMission-site/docs/bench.html", "MavMission-site/index.html"]
+        assert packed.read("MavMission-site/index.html") == b"one"
 
 
 # The zip of this library ------------------------------------------------------

@@ -143,12 +143,26 @@ def test_words_of_code_in_a_table_stay_whole_on_a_phone(address):
         assert browser.run(BROKEN) == []
 
 
+ON_A_DISK = "file"  # the site's folder, as a browser opens it without a server
+# Pyodide tries what else it may do.
+TRIED = "Loading the script 'data:text/javascript,' violates"
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("width", WIDTHS)
-def test_search_finds_a_page_by_its_words(address, width):
+@pytest.mark.parametrize("scheme", ["http", ON_A_DISK])
+def test_playground_of_the_site_flies(site, address, scheme):
+    with Browser() as browser:
+        browser.go(f"{f'{site.as_uri()}/' if scheme == ON_A_DISK else address}playground/index.html")
+        browser.wait_for("return document.querySelector('#outcome').innerText.includes('are aboard ArduPilot as they')")
+        assert [said for said in browser.complaints() if TRIED not in said] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("width", "scheme"), [*((width, "http") for width in WIDTHS), (1400, ON_A_DISK)])
+def test_search_finds_a_page_by_its_words(site, address, width, scheme):
     with Browser() as browser:
         browser.resize(width, WIDTHS[width], phone=width < 500)
-        browser.go(f"{address}index.html")
+        browser.go(f"{f'{site.as_uri()}/' if scheme == ON_A_DISK else address}index.html")
         browser.wait_for("return document.readyState == 'complete' && document.querySelector('.md-search__button')")
         browser.run("document.querySelector('.md-search__button').click()")
         browser.wait_for(f"{FOUND} != ''")

@@ -17,6 +17,7 @@ from building import BUILD
 from playing import NotMade as NoPlayground
 from playing import make_folder
 
+from .disk import add_playground, add_search
 from .links import dead_links
 from .pages import PLAYGROUND, REFERENCE, copy_documents, navigation, write_examples
 from .reference import NoReference, write_reference
@@ -48,6 +49,7 @@ def make_site(folder: Path = SITE) -> Path:
             + f"\nnav: {json.dumps(navigation())}\n"
         )
         run_zensical(settings)
+        add_search(folder)
         dead = dead_links(folder)
         if dead:
             raise NotMade("these links lead nowhere:\n" + "\n".join(dead))
@@ -60,6 +62,7 @@ def fill(pages: Path) -> None:
     write_examples(pages)
     write_reference(pages / Path(REFERENCE).parent)
     shutil.copytree(make_folder().folder, pages / Path(PLAYGROUND).parent)
+    add_playground(pages / Path(PLAYGROUND).parent)
 
 
 def run_zensical(settings: Path) -> None:
