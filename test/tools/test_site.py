@@ -43,7 +43,7 @@ def test_navigation_has_each_document_and_each_example_once():
 def test_examples_stand_in_the_order_in_which_one_learns():
     groups = examples()
     assert groups[0][1] == ["UploadMission", "UploadWithProgress"]
-    # README.md has a heading for each folder of examples/, whose names are numbered for the IDE's menu.
+    # The folders' names are numbered for the IDE's menu.
     folders = sorted((ROOT / "examples").iterdir())
     assert [sorted(names) for _, names in groups] == [
         sorted(one.name for one in folder.iterdir()) for folder in folders

@@ -37,11 +37,12 @@ def copy_documents(folder: Path) -> None:
 
 
 def examples() -> list[tuple[str, list[str]]]:
-    """README.md's table of examples: its headings, and the names behind each."""
-    readme = (ROOT / "README.md").read_text()
-    rows = r"((?:\| \[\w+\]\(examples/.*\n)+)"
-    groups = re.findall(rf"^\| (\w.*|\*\*.+\*\*) \| \|\n(?:\|---\|---\|\n)?{rows}", readme, re.M)
-    return [(heading.strip("*"), SKETCH.findall(names)) for heading, names in groups]
+    """By the folders of examples/, in the order of README.md's table: 01.First is First."""
+    groups: dict[str, list[str]] = {}
+    row = r"^\| \[\w+\]\(examples/\d+\.(\w+)/(\w+)/"
+    for group, name in re.findall(row, (ROOT / "README.md").read_text(), re.M):
+        groups.setdefault(group, []).append(name)
+    return list(groups.items())
 
 
 def example_page(name: str) -> str:
@@ -79,8 +80,7 @@ def navigation() -> list[dict[str, Any]]:
 
     return [
         {"MavMission": "README.md"},
-        {"Examples": [{heading[0].upper() + heading[1:]: [{name: f"examples/{name}.md"} for name in names]}
-                      for heading, names in examples()]},
+        {"Examples": [{group: [{name: f"examples/{name}.md"} for name in names]} for group, names in examples()]},
         {"Pages": under(linked("README.md", "docs"))},
         {"API reference": REFERENCE},
         {"Playground": PLAYGROUND},
