@@ -59,7 +59,7 @@ def test_display_shows_the_aircraft(personality):
     example.is_plugged = True
     example.run(8.0)
     is_px4 = personality == "PX4"
-    assert shown(example) == {0: "LOITER" if is_px4 else "STABILIZE", 1: "disarmed", 2: "fit",
+    assert shown(example) == {0: "HOLD" if is_px4 else "STABILIZE", 1: "disarmed", 2: "fit",
                               3: "16.2 V 100 %" if is_px4 else "12.6 V 100 %", 4: "fix 10 sat",
                               5: "0.0 m"}  # fmt: skip
     assert example.mega.serial(1).lost == 0  # the lines take their time
