@@ -8,8 +8,6 @@ namespace mavmission {
 // Receives RADIO_STATUS. The radio sends it by itself, a SiK radio once a second with its own system id, as do many
 // WiFi and ESP-NOW bridges: so nothing is requested, and any sender counts. An autopilot does not forward the message
 // of its own radio. On a signed link the message is received, too, although it has no signature.
-//
-// While the radio's transmit buffer is less than half free, messages are repeated less often on a lossy link.
 class RadioListener : public detail::Listener {
  public:
   // Must live as long as the client: declare it next to the client, not in a function.

@@ -37,7 +37,7 @@ struct Referee {
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kCountingMs = 7500,
                             kConfirmingMs = 9000;
   // From a message to its repeat on a line that has been seen to lose.
-  static constexpr uint16_t kHurriedMs = 2 * 200;
+  static constexpr uint16_t kHurriedMs = 5 * 80;
   // A round trip: a request that is repeated sooner was sent before its answer arrived.
   static constexpr uint16_t kSameRequestMs = 200;
   // An autopilot that asks for an older item so long behind a newer one has begun again.

@@ -54,7 +54,7 @@ class Pace : public PaceRules {
   // From a message to its repeat. On a line that loses nothing it is `ruleMs`, which the protocol or the autopilots
   // demand, or more where answers are slower than that. On a lossy link it is the time after which an answer
   // should have come, or on a line that answers late a quarter of it: what is lost is then there all the same, since
-  // several are on their way. Repeats take half of our direction of the line, and with the zeros before them some more.
+  // several are on their way. Repeats take a fifth of the line, and with the zeros before them a quarter at the most.
   MAVMISSION_APART uint16_t waitMs(uint16_t ruleMs) const;
 
  private:

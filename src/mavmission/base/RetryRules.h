@@ -18,14 +18,8 @@ struct PaceRules {
   static constexpr uint8_t kSameRequestMs = 50;  // a request that comes again within this time is not answered again
   static constexpr uint8_t kPatience = 4;        // from a message to its repeat, in round trips, at least
   static constexpr uint8_t kHurry = 8;           // repeats in a round trip, at the most, on a lossy link
-  static constexpr uint8_t kFrameTimes = 2;      // the same, in the times that the line takes for a frame
+  static constexpr uint8_t kFrameTimes = 5;      // the same, in the times that the line takes for a frame
   static constexpr uint8_t kLossyTries = 250;    // of a question there, before it is given up
-};
-
-// A radio that says how full its transmit buffer is.
-struct RadioRules {
-  static constexpr uint8_t kFullPercent = 50;  // of it are free, or less: it is taken for full
-  static constexpr uint8_t kFullMs = 100;      // so long the line is then taken to be busy with a frame
 };
 
 struct LinkRules {
@@ -38,7 +32,6 @@ struct LinkRules {
 
 struct UploadRules {
   static constexpr uint16_t kRepeatMs = 1500;    // from MISSION_COUNT, or from the last item, to its repeat
-  static constexpr uint16_t kItemMs = 250;       // the same for an item before the last, on a lossy link alone
   static constexpr uint16_t kCountingMs = 7500;  // to the first request, repeats of COUNT included
   static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
   static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request

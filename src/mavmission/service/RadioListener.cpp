@@ -3,8 +3,6 @@
 #include <Arduino.h>
 
 #include "../base/Flash.h"
-#include "../base/RetryRules.h"
-#include "../client/Port.h"
 #include "../link/Messages.h"
 
 namespace mavmission {
@@ -27,8 +25,6 @@ void RadioListener::take(Listener& listener, const FrameParser& frame) {
   frame.copyPayload(&self.values_, MAVLINK_MSG_ID_RADIO_STATUS_LEN);
   self.heardMs_ = millis();
   self.isHeard_ = self.isNew_ = true;
-  // More is sent than the radio carries: what waits there delays whatever is sent next.
-  if (self.values_.freeBuffer < RadioRules::kFullPercent) self.client_.link().pace().noteBusy(RadioRules::kFullMs);
 }
 
 bool RadioListener::isNew() {

@@ -131,10 +131,8 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
   const bool isRoom = detail::has(firmware_, kMayBeOld) && (tries_ & 7) == 0;
   if (isRoom && since(sentMs_, nowMs) < kRoomMs) return Status::Transferring;
   // While an autopilot may still be busy with an earlier transfer of ours, it needs the longer time.
-  const uint16_t ruleMs = state_ == State::Sending ? kItemMs : kRepeatMs;
-  if (since(sentMs_, nowMs) < (isCounting && has(kFreed) ? kRepeatMs : pace.waitMs(ruleMs))) {
+  if (since(sentMs_, nowMs) < (isCounting && has(kFreed) ? kRepeatMs : pace.waitMs(kRepeatMs)))
     return Status::Transferring;
-  }
   if (isCounting) {
     send_ = has(kFreed) ? Send::Cancel : Send::Count;
     return Status::Transferring;

@@ -62,12 +62,12 @@ TEST_CASE("what comes a round trip after something new was sent is no answer to 
   CHECK(pace.isBehind(600 + uint16_t{Pace::kLeastMs}));
 }
 
-TEST_CASE("repeats are twice apart what the line takes for a frame, and a busy time is forgotten by halves") {
+TEST_CASE("repeats are five times apart what the line takes for a frame, and a busy time is forgotten by halves") {
   Pace pace = Pace();
   pace.noteLoss();
   pace.noteBusy(60);
   pace.noteBusy(20);
-  CHECK(pace.waitMs(250) == 120);
+  CHECK(pace.waitMs(250) == 300);
   pace.onSecond();
-  CHECK(pace.waitMs(250) == 60);
+  CHECK(pace.waitMs(250) == 150);
 }
