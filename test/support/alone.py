@@ -23,12 +23,15 @@ def environment(*groups: str) -> dict[str, str]:
     """For subprocess.run(), made once for these groups."""
     folder = FOLDER / "-".join(groups)
     venv, programs = folder / "venv", folder / "programs"
-    if not (folder / "made").exists():
+    requirements = {name for group in groups for name in asked(group).requirements}
+    pinned = "\n".join(sorted(pin for name in requirements for pin in pins(name)))
+    made = folder / "made"
+    if not made.exists() or made.read_text() != pinned:
         shutil.rmtree(folder, ignore_errors=True)
-        make_venv(venv, {name for group in groups for name in asked(group).requirements})
+        make_venv(venv, requirements)
         brought = {name for group in groups for name in asked(group).packages}
         link_programs(programs, programs_of(set(asked("--all").packages) - brought - {"git"}))
-        (folder / "made").touch()
+        made.write_text(pinned)
     kept = {name: os.environ[name] for name in ("HOME", "LANG", "TMPDIR") if name in os.environ}
     return {**kept, "PATH": str(programs), "MAVMISSION_VENV": str(venv)}
 
