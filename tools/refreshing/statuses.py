@@ -12,7 +12,8 @@ EXPLAINED = re.compile(r'`(\w+)` \("[^"]*"\)')
 
 def pages() -> dict[Path, bytes]:
     """Each page with the present texts."""
-    from simulation.enumerators import texts_of  # which refresh --list does without
+    # Imported here, since `tools/refresh --list` works where the packages of the simulation are not installed.
+    from simulation.enumerators import texts_of
 
     texts = texts_of("Status.h", "MAVMISSION_STATUSES")
     return {

@@ -147,7 +147,8 @@ TEST_CASE("a plane is asked whether it can hover, before it takes off, and for n
   CHECK(fixed.said() == "L512 245 0 0 0 0 0 0");
   CHECK((fixed.steering.step() == SteerStep::AskLanded));
 
-  Aircraft quadPlane(ClientOnLine::kArduPilot, 20);  // that says so
+  // Its type in a heartbeat is 20, a VTOL's.
+  Aircraft quadPlane(ClientOnLine::kArduPilot, 20);
   quadPlane.stand(0);
   quadPlane.vtol = 3;
   CHECK(ORDERED(quadPlane, takeOff(5_m)) ==
