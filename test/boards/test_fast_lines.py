@@ -7,7 +7,7 @@ import pytest
 from plans import SURVEY, on_the_wire
 from simulation.bench import same_bits
 
-# How many bytes the receiver may lose in an upload. At 1000000 baud the receiver holds what comes in 30 us: while the sketch
+# How many bytes the receiver may lose in an upload. At 1000000 baud it holds what comes in 30 us: while the sketch
 # prints, the core's interrupts for both ports may take longer than that together.
 MOST_LOST = {250000: 0, 500000: 0, 1000000: 1}
 
