@@ -48,7 +48,7 @@ void Link::look(uint32_t nowMs) {
 
 void Link::noteEmpty(uint32_t nowMs) { state_.emptyMs = nowMs; }
 
-bool Link::canSend() const { return outbox_.isEmpty(); }
+bool Link::canSend() const { return isSent() && !finder_.isDoubted(); }
 
 void Link::add(MoreKeys& listener) {
   MoreKeys*& first = parser_.moreKeys();
@@ -181,7 +181,7 @@ void Link::pack(uint8_t* payload, const MessageKey* key) {
 
 bool Link::sendForeign(const OutgoingMessage& message) {
   const bool isV1 = speaksV1();
-  if (!canSend() || !maySpeak() || (isV1 && (message.id > 0xFF || message.lengthV1 == 0))) {
+  if (!isSent() || !maySpeak() || (isV1 && (message.id > 0xFF || message.lengthV1 == 0))) {
     return false;
   }
   outbox_.begin(speaksV1(), state_.sequence, systemId(), componentId());

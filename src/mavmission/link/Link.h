@@ -70,7 +70,8 @@ class Link : public LinkRules {
   // Adds a listener, which is given the frames as well.
   void add(MoreKeys& listener);
 
-  // True when send() can take a frame. The frame is dropped while we must not send yet (maySpeak()).
+  // True when send() can take a frame, and it is not in doubt whose the link is. The frame is dropped while we must
+  // not send yet (maySpeak()).
   MAVMISSION_APART bool canSend() const;
 
   // Sends a message of one of the types in Messages.h; if the type has target ids, they are set to the autopilot's. To
@@ -111,7 +112,7 @@ class Link : public LinkRules {
   void spoil() { outbox_.spoil(); }
   // What is being sent is for an autopilot that is not ours any more: the rest of it does not leave.
   void cut() { outbox_.cut(); }
-  bool isSent() const { return canSend(); }
+  bool isSent() const { return outbox_.isEmpty(); }
 
   // Writes what the stream takes, up to `most` bytes: writing a byte takes about as much time as receiving one.
   void flush(uint16_t nowMs, uint8_t most) {
