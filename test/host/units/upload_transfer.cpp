@@ -730,19 +730,26 @@ TEST_CASE("on a line that loses, an unknown server gets room for its own timeout
   }
 }
 
-TEST_CASE("on a line that loses, an item that is not answered is sent again every 50 ms") {
-  Upload upload(3, Firmware::Px4);
-  upload.send();
-  upload.wait(18);
-  upload.request(0);
-  upload.send();
-  upload.pace.noteLoss();
-  for (int repeat = 0; repeat < 20; ++repeat) {
-    CHECK(goesOn(upload.wait(49)));
-    CHECK((upload.transfer.toSend() == Send::Nothing));
-    upload.wait(1);
-    CHECK((upload.send() == Send::Item));
-    CHECK(upload.transfer.lastItem() == 0);
+TEST_CASE("on a line that loses, an item that is not answered is sent again every 25 ms, the last one every 50 ms") {
+  for (const Firmware firmware : {Firmware::ArduPilot, Firmware::Px4}) {
+    Upload upload(2, firmware);
+    upload.send();
+    upload.wait(18);
+    upload.request(0);
+    upload.send();
+    upload.pace.noteLoss();
+    for (const uint16_t item : {0, 1}) {
+      const uint16_t againMs = item == 0 ? 25 : 50;
+      for (int repeat = 0; repeat < 20; ++repeat) {
+        CHECK(goesOn(upload.wait(againMs - 1)));
+        CHECK((upload.transfer.toSend() == Send::Nothing));
+        upload.wait(1);
+        CHECK((upload.send() == Send::Item));
+        CHECK(upload.transfer.lastItem() == item);
+      }
+      upload.request(1);
+      upload.send();
+    }
   }
 }
 
@@ -765,18 +772,21 @@ TEST_CASE("a request that is repeated says that the line loses; one of a queue t
   CHECK(upload.pace.isLossy());
 }
 
-TEST_CASE("on a line that loses and answers late, an item is repeated eight times in a round trip at the most") {
-  for (uint16_t roundTripMs : {480, 800, 1400}) {
-    Upload upload(3);
-    upload.send();
-    upload.wait(roundTripMs);
-    upload.request(0);
-    upload.send();
-    upload.pace.noteLoss();
-    CHECK(goesOn(upload.wait(roundTripMs < 800 ? 59 : 99)));
-    CHECK((upload.transfer.toSend() == Send::Nothing));
-    upload.wait(1);
-    CHECK((upload.transfer.toSend() == Send::Item));
+TEST_CASE("on a line that loses and answers late, an item is repeated 16 times in a round trip at the most") {
+  for (const Firmware firmware : {Firmware::Other, Firmware::ArduPilot, Firmware::Px4}) {
+    for (uint16_t roundTripMs : {480, 800, 1400}) {
+      Upload upload(3, firmware);
+      upload.send();
+      upload.wait(roundTripMs);
+      upload.request(0);
+      upload.send();
+      upload.pace.noteLoss();
+      const uint16_t againMs = roundTripMs < 800 ? 60 : 100;  // an unknown server's: eight times
+      CHECK(goesOn(upload.wait((firmware == Firmware::Other ? againMs : againMs / 2) - 1)));
+      CHECK((upload.transfer.toSend() == Send::Nothing));
+      upload.wait(1);
+      CHECK((upload.transfer.toSend() == Send::Item));
+    }
   }
 }
 
@@ -844,15 +854,18 @@ TEST_CASE("while PX4 may be busy with an earlier transfer, COUNT is repeated eve
   CHECK((upload.transfer.toSend() == Send::Cancel));
 }
 
-TEST_CASE("repeats take a fifth of the line at the most") {
-  Upload upload(3);
-  upload.served(1);
-  upload.pace.noteLoss();
-  upload.pace.noteBusy(60);  // 9600 baud
-  CHECK(goesOn(upload.wait(299)));
-  CHECK((upload.transfer.toSend() == Send::Nothing));
-  upload.wait(1);
-  CHECK((upload.transfer.toSend() == Send::Item));
+TEST_CASE("an item's repeats take two fifths of the line at the most; the last one's, and a COUNT's, a fifth") {
+  for (const uint16_t asked : {0, 1, 3}) {
+    Upload upload(3, Firmware::ArduPilot);
+    upload.served(asked);
+    upload.pace.noteLoss();
+    upload.pace.noteBusy(60);  // 9600 baud
+    const uint16_t againMs = asked == 1 ? 150 : 300;
+    CHECK(goesOn(upload.wait(againMs - 1)));
+    CHECK((upload.transfer.toSend() == Send::Nothing));
+    upload.wait(1);
+    CHECK((upload.transfer.toSend() == (asked == 0 ? Send::Count : Send::Item)));
+  }
 }
 
 TEST_CASE("on a line that loses, COUNT is sent again for 7.5 s, before ArduPilot would give up what it has heard") {
