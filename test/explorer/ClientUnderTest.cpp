@@ -23,8 +23,8 @@ namespace {
 // It is always this moment between two steps, so that each wait crosses the wrap of millis(), in 16 bits and in 32.
 constexpr uint32_t kNowMs = 0xFFFFFFFC;
 constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
-// For which a frame keeps the line busy: repeats are five times as far apart, those of an item before the last half of
-// that. On a quicker line there are more of them, and nothing else.
+// For which a frame keeps the line busy: repeats are five times as far apart. (An answer takes half of that: so no item
+// is repeated twice as often.) On a quicker line there are more of them, and nothing else.
 constexpr uint8_t kFrameMs = 80;
 // A client that does nothing in so many has come to rest: items are got ready in two, and of a plan that goes as a file
 // one in each.
@@ -253,11 +253,9 @@ uint16_t ClientUnderTest::nextMs() const {
   if (c.state_.operation == detail::Client::Uploading::step) {
     const UploadTransfer& t = c.transfer_;
     const bool isCounting = t.state_ == UploadTransfer::State::Counting;
-    const bool isSending = t.state_ == UploadTransfer::State::Sending;
     const uint16_t ruleMs = UploadTransfer::kRepeatMs;
-    uint16_t waitMs = isCounting && t.has(kFreed) ? ruleMs : pace.waitMs(ruleMs);
-    if (isSending && !has(t.firmware_, kMayBeOld)) waitMs /= UploadTransfer::kHaste;
-    if (!isSending || pace.isLossy()) next = std::min(next, leftOf(waitMs, t.sentMs_));
+    if (t.state_ != UploadTransfer::State::Sending || pace.isLossy())
+      next = std::min(next, leftOf(isCounting && t.has(kFreed) ? ruleMs : pace.waitMs(ruleMs), t.sentMs_));
     switch (t.state_) {
       case UploadTransfer::State::Counting: return std::min(next, leftOf(UploadTransfer::kCountingMs, t.progressMs_));
       case UploadTransfer::State::Sending: return std::min(next, leftOf(UploadTransfer::kPassiveMs, t.progressMs_));

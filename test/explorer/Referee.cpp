@@ -140,12 +140,12 @@ const char* Referee::sentWhile(const Message& message, Firmwares firmware) {
     counts = asked = current = heardLast = open = sentItem = isLastSent = copies = isUnasked = 0;
     heardAcks = 0;
   }
-  const char* const broken = isReading ? sentInReading(message) : sentInUpload(message, firmware);
+  const char* const broken = isReading ? sentInReading(message) : sentInUpload(message);
   sinceSentMs = 0;
   return broken;
 }
 
-const char* Referee::sentInUpload(const Message& message, Firmwares firmware) {
+const char* Referee::sentInUpload(const Message& message) {
   switch (message.kind) {
     case Kind::Count:
       if (asked != 0) return "COUNT is sent in mid-transfer";
@@ -175,8 +175,7 @@ const char* Referee::sentInUpload(const Message& message, Firmwares firmware) {
       if ((open & bit) == 0) {
         if (message.number + 1 != current) return "an item is sent that was not asked for";
         if (!isConfirming && !isHurried) return "an item is sent that was not asked for";
-        const bool isHasty = !isConfirming && !isGeneric(firmware);
-        if (sinceSentMs < (isHasty ? kHurriedItemMs : againMs(kAnswerMs))) return "an item is repeated too early";
+        if (sinceSentMs < againMs(kAnswerMs)) return "the last item is repeated too early";
         if (isConfirming && sinceNewMs >= kConfirmingMs) return "the last item is repeated too late";
         if (isOver) return "an item is sent to a PX4 that has given the upload up";
         isUnasked = true;

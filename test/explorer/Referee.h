@@ -36,8 +36,8 @@ struct Referee {
   static constexpr uint8_t kTries = 5, kItemTries = 8, kJustNow = 1, kBefore = 2;
   static constexpr uint16_t kAnswerMs = 1500, kItemMs = 250, kSilenceMs = 8500, kCountingMs = 7500,
                             kConfirmingMs = 9000;
-  // From a message to its repeat on a line that has been seen to lose; from an item before the last to its repeat.
-  static constexpr uint16_t kHurriedMs = 5 * 80, kHurriedItemMs = kHurriedMs / 2;
+  // From a message to its repeat on a line that has been seen to lose.
+  static constexpr uint16_t kHurriedMs = 5 * 80;
   // A round trip: a request that is repeated sooner was sent before its answer arrived.
   static constexpr uint16_t kSameRequestMs = 200;
   // An autopilot that asks for an older item so long behind a newer one has begun again.
@@ -108,7 +108,7 @@ struct Referee {
   const char* untrueAboard(mavmission::Status status, mavmission::Aboard said, const Autopilot& autopilot,
                            const Autopilot* before) const;
   const char* sentWhile(const Message& message, Firmwares firmware);
-  const char* sentInUpload(const Message& message, Firmwares firmware);
+  const char* sentInUpload(const Message& message);
   const char* sentInReading(const Message& message);
 };
 static_assert(std::has_unique_object_representations<Referee>::value, "folded by its bytes");

@@ -133,7 +133,10 @@ Status UploadTransfer::onTime(uint16_t nowMs, Pace& pace) {
     // so every few repeats there is room for that.
     if ((tries_ & 7) == 0 && waitMs < kRoomMs) waitMs = kRoomMs;
   } else if (state_ == State::Sending) {
-    waitMs /= kHaste;  // an item that ArduPilot or PX4 has already does no harm
+    // An item that ArduPilot or PX4 has already does no harm. It is answered before the next copy leaves: so no copies
+    // pile up before a radio that is slower than our port.
+    const uint16_t quickMs = waitMs / kHaste;
+    if (pace.roundTripMs() < quickMs) waitMs = quickMs;
   }
   if (since(sentMs_, nowMs) < waitMs) return Status::Transferring;
   if (isCounting) {
