@@ -23,8 +23,8 @@ namespace {
 // It is always this moment between two steps, so that each wait crosses the wrap of millis(), in 16 bits and in 32.
 constexpr uint32_t kNowMs = 0xFFFFFFFC;
 constexpr uint16_t kNow = static_cast<uint16_t>(kNowMs);
-// For which a frame keeps the line busy: repeats are five times as far apart. On a quicker line there are more of them,
-// and nothing else.
+// For which a frame keeps the line busy: repeats are five times as far apart. (An answer takes half of that: so no item
+// is repeated twice as often.) On a quicker line there are more of them, and nothing else.
 constexpr uint8_t kFrameMs = 80;
 // A client that does nothing in so many has come to rest: items are got ready in two, and of a plan that goes as a file
 // one in each.

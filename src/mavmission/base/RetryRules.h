@@ -32,6 +32,7 @@ struct LinkRules {
 
 struct UploadRules {
   static constexpr uint16_t kRepeatMs = 1500;    // from MISSION_COUNT, or from the last item, to its repeat
+  static constexpr uint8_t kHaste = 2;           // so many times as often an item before the last, on a quick link
   static constexpr uint16_t kCountingMs = 7500;  // to the first request, repeats of COUNT included
   static constexpr uint8_t kBusyTries = 5;      // MISSION_COUNT, to a PX4 that is busy with an earlier transfer of ours
   static constexpr uint16_t kPassiveMs = 8500;  // to the next item's request
