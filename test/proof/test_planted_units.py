@@ -20,9 +20,9 @@ DEFECTS = {
     ),
     "several items are asked for at once where loop() stands still": (
         "client_reading",
-        "Link.h",
-        "return state_.gap == 0 && !pace_.isLossy();",
-        "return !pace_.isLossy();",
+        "Read.cpp",
+        "transfer.toSend(client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick())",
+        "transfer.toSend(client.plan_.has(kAnswersAnyRequest) && !client.link_.pace().isLossy())",
     ),
     "a later one of several items shows how long the line takes": (
         "download_transfer",
