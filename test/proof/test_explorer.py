@@ -394,7 +394,7 @@ DEFECTS = {
         "return item == next_;",
         "return item >= next_;",
         "ArduPilot verify 3 --held 3 --held-plan 1 --losses 1",
-        "Differs, and the plan aboard is the plan meant",
+        "a wrong item is asked for",
     ),
     "an item that comes again is taken for the next": (
         "DownloadTransfer.cpp",

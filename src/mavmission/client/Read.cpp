@@ -77,7 +77,7 @@ void Client::ReadingPlan::beginStep(Client& client, const FrameParser* frame, ui
   if (client.state_.status != Status::Checking || !client.beginsReading(nowMs)) return;
   client.state_.operation = step;
   client.reading_.transfer.begin(nowMs);
-  time(client, nowMs);
+  step(client, nullptr, nowMs);
 }
 
 void Client::ReadingPlan::time(Client& client, uint16_t nowMs) {
