@@ -265,10 +265,11 @@ uint16_t ClientUnderTest::nextMs() const {
   }
   if (isReading(c)) {
     const DownloadTransfer& t = c.reading_.transfer;
-    if (t.isDue_) return std::min(next, leftOf(DownloadTransfer::kCopyMs, t.sentMs_));
+    if (t.asked_ == 0) return std::min(next, leftOf(DownloadTransfer::kCopyMs, t.sentMs_));
     const bool isListing = t.state_ == DownloadTransfer::State::Listing;
     const uint16_t waitMs = isListing ? DownloadTransfer::kListMs : DownloadTransfer::kItemMs;
-    return std::min(next, leftOf(pace.waitMs(waitMs), t.sentMs_));
+    const uint16_t severalMs = t.asked_ > 1 ? kRoundTripMs + Pace::kLeastMs : 0;
+    return std::min(next, leftOf(std::max(pace.waitMs(waitMs), severalMs), t.sentMs_));
   }
   const bool waits = !c.clearing_.hasBeenSent() && (c.state_.unsettled & kFromOpen) != 0;
   if (waits) return std::min(next, leftOf(ClearTransfer::kAnswerMs, c.state_.unsettledMs));

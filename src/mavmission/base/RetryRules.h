@@ -47,6 +47,7 @@ struct DownloadRules {
   static constexpr uint16_t kListMs = 1500;       // to MISSION_COUNT
   static constexpr uint8_t kOtherTries = 2;       // of it, before another number of items is believed in a read-back
   static constexpr uint8_t kItemTries = 8;        // MISSION_REQUEST_INT, for each item
+  static constexpr uint8_t kUnderWay = 5;         // requests before the first is answered, where each is
   static constexpr uint16_t kItemMs = 250;        // to the item
   static constexpr uint8_t kMostAnew = 4;         // readings that begin anew, since the autopilot has ended one
   static constexpr uint16_t kCopyMs = 400;        // between two messages of such a reading

@@ -118,7 +118,7 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
       if (frame.payloadByte(offsetof(Ack, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
       const uint8_t result = frame.payloadByte(offsetof(Ack, type));
       const Status status = client.reading_.transfer.onAck(result);
-      if (status == Status::Transferring || client.reading_.transfer.tries() == 0) return;
+      if (status == Status::Transferring) return;
       client.state_.lastResult = result;
       if (client.reading_.transfer.state() != DownloadTransfer::State::Listing) {
         // An error may be the late answer to the last item of an earlier upload, if that item was sent again.

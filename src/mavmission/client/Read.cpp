@@ -14,7 +14,7 @@ Status MissionClient::verify(const ItemSource& plan, PlanType type) {
   if (state_.operation != nullptr) return Status::Busy;
   if (type == PlanType::All) return refuseType();
   setPlanToVerify(plan, type);
-  startOperation(ReadingPlan::step);
+  startOperation(ReadingPlan::beginStep);
   reading_.take = ReadingPlan::compare;
   state_.isCompared = true;
   reading_.fromFloats = fromFloats;
@@ -70,10 +70,14 @@ bool PlanPort::beginsReading(uint16_t nowMs) {
   return true;
 }
 
-bool Client::ReadingPlan::begin(Client& client, uint16_t nowMs) {
-  if (!client.beginsReading(nowMs)) return false;
+// A step of its own, which an upload that is read back has no use for.
+void Client::ReadingPlan::beginStep(Client& client, const FrameParser* frame, uint16_t nowMs) {
+  if (frame != nullptr) return;
+  client.waitForAutopilot();
+  if (client.state_.status != Status::Checking || !client.beginsReading(nowMs)) return;
+  client.state_.operation = step;
   client.reading_.transfer.begin(nowMs);
-  return true;
+  step(client, nullptr, nowMs);
 }
 
 void Client::ReadingPlan::time(Client& client, uint16_t nowMs) {
@@ -88,13 +92,14 @@ void Client::ReadingPlan::time(Client& client, uint16_t nowMs) {
 }
 
 void Client::ReadingPlan::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
-  operate<ReadingPlan>(client, frame, nowMs);
+  if (frame == nullptr) return ReadingPlan::time(client, nowMs);
+  ReadingPlan::frame(client, *frame, nowMs);
 }
 
 void Client::ReadingPlan::send(Client& client, uint16_t nowMs) {
   DownloadTransfer& transfer = client.reading_.transfer;
   if (!client.link_.canSend() || transfer.mustWait(nowMs)) return;
-  switch (transfer.toSend()) {
+  switch (transfer.toSend(client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick())) {
     case DownloadTransfer::Send::Nothing: return;
     case DownloadTransfer::Send::List: client.sendShort(KeyIndex::MISSION_REQUEST_LIST, 0, client.state_.type); break;
     case DownloadTransfer::Send::Request: sendRequest(client, transfer.itemToAsk()); break;

@@ -6,8 +6,8 @@
 namespace mavmission {
 namespace detail {
 
-struct Client::ReadingPlan : OperationParts {
-  static bool begin(Client& client, uint16_t nowMs);
+struct Client::ReadingPlan {
+  static void beginStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void time(Client& client, uint16_t nowMs);
   MAVMISSION_ONE_EXIT static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void frame(Client& client, const FrameParser& frame, uint16_t nowMs);

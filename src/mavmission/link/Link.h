@@ -120,6 +120,9 @@ class Link : public LinkRules {
     if (!outbox_.isEmpty()) outbox_.flush(*stream_, nowMs, most);
   }
 
+  // True if update() is called often, and nothing is lost: what comes without a pause fits into the receive buffer.
+  bool isQuick() const { return state_.gap == 0 && !pace_.isLossy(); }
+
   // How quickly the line answers, and whether it loses.
   Pace& pace() { return pace_; }
 
