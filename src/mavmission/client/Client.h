@@ -83,6 +83,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
 
   static void fromFloats(void* itemMessage);
   bool isOurCount(uint16_t count) const;
+  Status compareCount(uint16_t count);
+  bool hasRoom(uint16_t count);
   Status startUpload(const ItemSource& plan, PlanType type);  // the autopilot's answer alone
   Status uploadKeptPlan();                                    // of the last upload or verification
   Status uploadProven(const ItemSource& plan, PlanType type, Readback proof);
@@ -255,11 +257,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   struct Reading {
     DownloadTransfer transfer;
     TakeItem take;
-    union {
-      // Makes a MISSION_ITEM_INT of a MISSION_ITEM.
-      void (*fromFloats)(void* itemMessage);
-      PlanFiles* files;  // while the plan is transferred as a file
-    };
+    PlanFiles* files;  // while the plan is transferred as a file
     union {
       ItemSink sink;    // of what is stored
       uint16_t summed;  // ensure(), before it looks: how many items are in the checksum
