@@ -45,8 +45,9 @@ struct Options {
   bool (*takeUp)(Client& client, Status status, uint16_t nowMs);
   // Begins the back-off after a refusal: true if there is time for it.
   bool (*backOff)(Client& client, Status refusal);
-  // Begins the upload anew as MISSION_ITEM, after the refusal of an item: true if that is worth a try.
-  bool (*fallBack)(Client& client, Status refusal, uint16_t nowMs);
+  // Looks first at how an upload has ended, for a back-off or for the MISSION_ITEM fallback, which looks for a back-off
+  // too: true if it goes on. (One function, since one test costs an upload that has neither less than two.)
+  bool (*goOn)(Client& client, Status status, uint16_t nowMs);
   // Makes a MISSION_ITEM of a MISSION_ITEM_INT.
   void (*toFloats)(void* itemMessage);
 };

@@ -39,11 +39,13 @@ void Client::ReadingPlan::prove(Client& client, uint16_t nowMs) {
 }
 
 Status Client::uploadProven(const ItemSource& plan, PlanType type, Readback proof) {
-  const Status status = startUpload(plan, type);
+  Client* client = this;
+  asm("" : "+r"(client));
+  const Status status = client->startUpload(plan, type);
   if (isEnd(status)) return status;
-  rest_.proof = static_cast<uint8_t>(proof);
-  rest_.options.readBack = ReadingPlan::prove;
-  rest_.options.takeUp = Uploading::takeUp;
+  client->rest_.proof = static_cast<uint8_t>(proof);
+  client->rest_.options.readBack = ReadingPlan::prove;
+  client->rest_.options.takeUp = Uploading::takeUp;
   return status;
 }
 

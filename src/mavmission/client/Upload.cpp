@@ -59,7 +59,7 @@ void Client::Uploading::step(Client& client, const FrameParser* frame, uint16_t 
 // shows that our COUNT was heard. A transfer that was left open is known of.)
 void Client::Uploading::noteEarly(Client& client, const FrameParser& frame) {
   typedef mavlink_mission_request_int_t Request;
-  const uint32_t id = frame.messageId();
+  const uint16_t id = frame.messageId();
   const bool isRequest = id == MAVLINK_MSG_ID_MISSION_REQUEST || id == MAVLINK_MSG_ID_MISSION_REQUEST_INT;
   const bool isKnown = (client.state_.unsettled & kFromOpen) != 0;
   if (isRequest && !isKnown && frame.payloadWord(offsetof(Request, seq)) == 0) client.state_.isDoubtful = true;
