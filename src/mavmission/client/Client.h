@@ -216,8 +216,8 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   // Settings and results.
   struct Rest {
     Options options;
-    // Begins the upload of a part of the plan, and announces it; null: the whole plan, announced by MISSION_COUNT.
-    void (*announcePart)(Client& client, bool isBeginning);
+    // Announces a part of the plan, and limits the upload to it; null: the whole plan, announced by MISSION_COUNT.
+    void (*announcePart)(Client& client);
     ProgressFunction progress;
     void* progressContext;
     void (*tellEnd)(Client& client, Status status);  // calls `ended`; null: the sketch has none

@@ -26,7 +26,7 @@ struct Client::Uploading {
     const Options& options = client.rest_.options;
     return options.backOff != nullptr && !client.transfer_.hasBegun() && options.backOff(client, status);
   }
-  static void announcePart(Client& client, bool isBeginning);
+  static void announcePart(Client& client);
 };
 
 }  // namespace detail
