@@ -103,6 +103,7 @@ void blank(T& what) {
 
 bool isReading(const MissionClient& client) {
   return client.state_.operation == detail::Client::ReadingPlan::step ||
+         client.state_.operation == detail::Client::ReadingPlan::readOn ||
          client.state_.operation == detail::Client::Ensuring::step ||
          client.state_.operation == PlanFiles::proveByItemsStep;
 }
