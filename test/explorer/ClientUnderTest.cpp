@@ -103,6 +103,7 @@ void blank(T& what) {
 
 bool isReading(const MissionClient& client) {
   return client.state_.operation == detail::Client::ReadingPlan::step ||
+         client.state_.operation == detail::Client::ReadingPlan::readOn ||
          client.state_.operation == detail::Client::Ensuring::step ||
          client.state_.operation == PlanFiles::proveByItemsStep;
 }
@@ -211,7 +212,7 @@ Doing ClientUnderTest::run(uint16_t ms, const uint8_t* bytes, size_t length, boo
   const int enough = hasFiles_ != 0 ? kQuietFileUpdates : kQuietUpdates;
   for (int i = 0; i < kMostUpdates && quiet < enough; ++i) {
     const size_t sent = doing.frames.size();
-    client().link_.state_.sequence = 0;
+    client().link_.state_.framesSent = 0;  // and with it the number of our next frame
     const Status status = client().update();
     if (isEnd(status)) {
       doing.hasEnded = true;
@@ -351,7 +352,7 @@ void ClientUnderTest::rest(uint16_t ms, bool isLast) {
   FrameParser& parser = c.link_.parser_;
   link.bytes = 0;
   link.frames = link.unknownMessages = link.framesLost = link.framesSent = 0;
-  link.sequence = link.heardSequence = 0;
+  link.heardSequence = 0;
   link.sequenceKnown = false;
   link.heartbeatMs = kNow;
   c.link_.damage_ = 0;

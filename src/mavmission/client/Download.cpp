@@ -16,7 +16,6 @@ Status MissionClient::download(const ItemSink& sink, PlanType type) {
   startOperation(ReadingPlan::beginStep);
   reading_.take = ReadingPlan::store;
   state_.isCompared = false;
-  reading_.fromFloats = fromFloats;
   reading_.sink = sink;
   return state_.status;
 }

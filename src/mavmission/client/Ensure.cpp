@@ -66,7 +66,6 @@ void Client::Ensuring::checkNext(Client& client, uint16_t nowMs) {
   }
   client.reading_.take = takeItem;
   client.state_.isCompared = true;
-  client.reading_.fromFloats = fromFloats;
   client.setOfPlan(true);
   client.setAboard(Aboard::NotKnown);  // what was known was about the plan before
   beginLook(client, nowMs);
@@ -110,7 +109,8 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
     case MAVLINK_MSG_ID_MISSION_COUNT: return takeCount(client, frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case MAVLINK_MSG_ID_MISSION_ITEM:
-      ReadingPlan::takeItem(client, frame, nowMs);
+      ReadingPlan::takeItem(client, frame, nowMs,
+                            frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM ? fromFloats : nullptr);
       if (client.state_.operation == step && client.rest_.field != ItemField::None) replaceOther(client);
       return;
     case MAVLINK_MSG_ID_MISSION_ACK: {
@@ -218,9 +218,9 @@ void Client::Ensuring::proofStep(Client& client, const FrameParser* frame, uint1
     if (frame->payloadByte(offsetof(Count, mission_type)) != static_cast<uint8_t>(client.state_.type)) return;
     const bool isOurs = client.isOurCount(frame->payloadWord(offsetof(Count, count)));
     if (transfer.tries() < (isOurs ? 1 : DownloadRules::kOtherTries)) return;
-    client.state_.operation = ReadingPlan::step;
+    client.state_.operation = ReadingPlan::readOn;
   }
-  ReadingPlan::step(client, frame, nowMs);
+  ReadingPlan::readOn(client, frame, nowMs);
 }
 
 void Client::Ensuring::endLook(Client& client, Status status) {

@@ -78,7 +78,6 @@ Status Client::VerifiedStart::on(Client& client, CommandEvent event, Status stat
   client.startOperation(ReadingPlan::beginStep);
   client.reading_.take = ReadingPlan::compare;
   client.state_.isCompared = true;
-  client.reading_.fromFloats = fromFloats;
   client.state_.itemsTotal = client.plan_.count();
   client.rest_.tellEnd = end;
   return Status::Transferring;

@@ -157,7 +157,6 @@ void Link::noteSequence(uint8_t left) {
 void Link::release() {
   if (!maySpeak()) return outbox_.drop();
   outbox_.release(pace_.isLossy());
-  ++state_.sequence;
   ++state_.framesSent;
 }
 
@@ -175,7 +174,7 @@ void Link::pack(uint8_t* payload, const MessageKey* key) {
   // A type of plan that MAVLink 1 would cut off would be another plan's: a frame says all of it, or waits for nobody.
   const uint8_t lengthV1 = fromFlash(&key->lengthV1);
   const bool isCut = lengthV1 < fromFlash(&key->length) && payload[lengthV1] != 0;
-  outbox_.begin(speaksV1() && !isCut, state_.sequence, systemId(), componentId());
+  outbox_.begin(speaksV1() && !isCut, sequence(), systemId(), componentId());
   outbox_.complete(key, payload);
 }
 
@@ -184,7 +183,7 @@ bool Link::sendForeign(const OutgoingMessage& message) {
   if (!isSent() || !maySpeak() || (isV1 && (message.id > 0xFF || message.lengthV1 == 0))) {
     return false;
   }
-  outbox_.begin(speaksV1(), state_.sequence, systemId(), componentId());
+  outbox_.begin(speaksV1(), sequence(), systemId(), componentId());
   outbox_.completeForeign(message);
   release();
   return true;

@@ -155,6 +155,8 @@ class Link : public LinkRules {
   // True if we may send: when it is clear which autopilot is there, or when the sketch has set our system id and no
   // more than one autopilot is heard.
   MAVMISSION_APART bool maySpeak() const;
+  // The number of our next frame.
+  uint8_t sequence() const { return static_cast<uint8_t>(state_.framesSent); }
   // How many numbers lie between the autopilot's last frame and this one.
   uint8_t numbersBefore() const { return static_cast<uint8_t>(parser_.sequence() - state_.heardSequence - 1); }
   // True if later ones have come already, or if it comes twice.
@@ -181,8 +183,7 @@ class Link : public LinkRules {
     uint16_t frames;
     uint16_t unknownMessages;
     uint16_t framesLost;
-    uint16_t framesSent;
-    uint8_t sequence;
+    uint16_t framesSent;  // its low byte is the number of the next frame
     uint8_t heardSequence;
     uint8_t ownSystemId;
     uint8_t ownComponentId;

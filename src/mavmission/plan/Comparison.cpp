@@ -94,7 +94,8 @@ bool areNoNumbers(const void* a, const void* b) {
 
 // Makes `kept` of the field as it was sent: the value that the autopilot keeps. The slow conversions are left out when
 // the field as it was read `is` the same as it was sent. False if the kept value would not mean the same.
-MAVMISSION_APART bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t field, Keeper keeper, bool is) {
+MAVMISSION_APART MAVMISSION_ONE_EXIT bool keep(Four& kept, const Four& sent, uint8_t kind, uint8_t field, Keeper keeper,
+                                               bool is) {
   const bool isZ = field == kZ;
   kept = sent;
   if (field == kX || field == kY) {
