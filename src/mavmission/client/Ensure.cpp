@@ -98,7 +98,9 @@ void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   }
   if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
   if (status != Status::Transferring) return endLook(client, status);
-  if (transfer.toSend() != DownloadTransfer::Send::Accepted) return ReadingPlan::send(client, nowMs);
+  if (transfer.toSend() != DownloadTransfer::Send::Accepted) {
+    return ReadingPlan::send(client, nowMs, ReadingPlan::asksAhead(client));
+  }
   if (!client.link_.canSend()) return;
   client.sendAck(MAV_MISSION_ACCEPTED, client.state_.type);
   endLook(client, Status::AlreadyAboard);

@@ -80,7 +80,11 @@ void Client::ReadingPlan::beginStep(Client& client, const FrameParser* frame, ui
   step(client, nullptr, nowMs);
 }
 
-void Client::ReadingPlan::time(Client& client, uint16_t nowMs) { readOn(client, nullptr, nowMs); }
+void Client::ReadingPlan::time(Client& client, uint16_t nowMs) { goOn(client, nowMs, asksAhead(client)); }
+
+bool Client::ReadingPlan::asksAhead(const Client& client) {
+  return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();
+}
 
 void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
   const uint16_t id = frame.messageId();
@@ -94,13 +98,17 @@ void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16
   }
   // (It may have ended, and the sketch have begun another one at once.)
   if (client.state_.operation == step && client.state_.status == Status::Transferring)
-    client.report(client.plan_.numbers().ownCount(client.reading_.transfer.itemToAsk()));
+    client.report(client.plan_.numbers().ownCount(client.reading_.transfer.itemsTaken()));
 }
 
-// What a read-back needs of a reading, without its beginning, its progress, and what a sink or floats need: an upload
-// alone costs no more than that.
+// What a read-back needs of a reading, without its beginning, its progress, several requests at once, and what a sink
+// or floats need: an upload alone costs no more than that.
 void Client::ReadingPlan::readOn(Client& client, const FrameParser* frame, uint16_t nowMs) {
   if (frame != nullptr) return take(client, *frame, nowMs);
+  goOn(client, nowMs, false);
+}
+
+void Client::ReadingPlan::goOn(Client& client, uint16_t nowMs, bool asksAhead) {
   State& state = client.state_;
   // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
   // update() the time for the comparison.
@@ -108,7 +116,7 @@ void Client::ReadingPlan::readOn(Client& client, const FrameParser* frame, uint1
   const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
   if (status != Status::Transferring) return end(client, status);
   if (state.isLate) return end(client, Status::TookTooLong);
-  send(client, nowMs);
+  send(client, nowMs, asksAhead);
 }
 
 void Client::ReadingPlan::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -116,10 +124,10 @@ void Client::ReadingPlan::step(Client& client, const FrameParser* frame, uint16_
   ReadingPlan::frame(client, *frame, nowMs);
 }
 
-void Client::ReadingPlan::send(Client& client, uint16_t nowMs) {
+void Client::ReadingPlan::send(Client& client, uint16_t nowMs, bool asksAhead) {
   DownloadTransfer& transfer = client.reading_.transfer;
   if (!client.link_.canSend() || transfer.mustWait(nowMs)) return;
-  switch (transfer.toSend(client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick())) {
+  switch (transfer.toSend(asksAhead)) {
     case DownloadTransfer::Send::Nothing: return;
     case DownloadTransfer::Send::List: client.sendShort(KeyIndex::MISSION_REQUEST_LIST, 0, client.state_.type); break;
     case DownloadTransfer::Send::Request: sendRequest(client, transfer.itemToAsk()); break;

@@ -9,6 +9,9 @@ namespace detail {
 struct Client::ReadingPlan {
   static void beginStep(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void time(Client& client, uint16_t nowMs);
+  // True if several items may be asked for at once.
+  static bool asksAhead(const Client& client);
+  static void goOn(Client& client, uint16_t nowMs, bool asksAhead);
   MAVMISSION_ONE_EXIT static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void frame(Client& client, const FrameParser& frame, uint16_t nowMs);
   MAVMISSION_ONE_EXIT static void readOn(Client& client, const FrameParser* frame, uint16_t nowMs);
@@ -19,7 +22,7 @@ struct Client::ReadingPlan {
   // `fromFloats`: makes a MISSION_ITEM_INT of a MISSION_ITEM; null for the former.
   MAVMISSION_APART static void takeItem(Client& client, const FrameParser& frame, uint16_t nowMs,
                                         void (*fromFloats)(void* itemMessage));
-  static void send(Client& client, uint16_t nowMs);
+  static void send(Client& client, uint16_t nowMs, bool asksAhead);
   static void sendRequest(Client& client, uint16_t wireItem);
   static void end(Client& client, Status status);
   static Status compare(Client& client, uint16_t wireItem, MissionItem& item);

@@ -64,6 +64,7 @@ class DownloadTransfer : public DownloadRules {
     return static_cast<Send>(static_cast<uint8_t>(state_) + 1);
   }
   uint16_t itemToAsk() const { return next_ + asked_; }
+  uint16_t itemsTaken() const { return next_; }
   bool sent(uint16_t nowMs);
 
   State state() const { return state_; }
