@@ -15,14 +15,14 @@ DEFECTS = {
     "several items are asked for anew while their answers may be under way": (
         "download_transfer",
         "DownloadTransfer.cpp",
-        " || (asked_ > 1 && !pace.isBehind(ms))",
+        " || (mayBeAhead && asked_ > 1 && !pace.isBehind(ms))",
         "",
     ),
     "several items are asked for at once where loop() stands still": (
         "client_reading",
         "Read.cpp",
-        "transfer.toSend(client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick())",
-        "transfer.toSend(client.plan_.has(kAnswersAnyRequest) && !client.link_.pace().isLossy())",
+        "return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();",
+        "return client.plan_.has(kAnswersAnyRequest) && !client.link_.pace().isLossy();",
     ),
     "a later one of several items shows how long the line takes": (
         "download_transfer",

@@ -89,7 +89,7 @@ Status Client::Ensuring::sum(Client& client, uint16_t wireItem) {
 void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   client.state_.readsHalf = true;  // as in ReadingPlan::time()
   DownloadTransfer& transfer = client.reading_.transfer;
-  Status status = transfer.onTime(nowMs, client.link_.pace());
+  Status status = transfer.onTime(nowMs, client.link_.pace(), true);
   // A refusal of the request is believed only after the last attempt: the autopilot may hold an upload of ours open,
   // from before a reset, or one of another ground station, and both end within seconds.
   if (status == Status::NoAnswer && client.state_.lastResult != 255) {
@@ -98,7 +98,7 @@ void Client::Ensuring::look(Client& client, uint16_t nowMs) {
   }
   if (status == Status::Transferring && client.state_.isLate) status = Status::TookTooLong;
   if (status != Status::Transferring) return endLook(client, status);
-  if (transfer.toSend() != DownloadTransfer::Send::Accepted) {
+  if (transfer.state() != DownloadTransfer::State::Closing) {
     return ReadingPlan::send(client, nowMs, ReadingPlan::asksAhead(client));
   }
   if (!client.link_.canSend()) return;
@@ -111,8 +111,7 @@ void Client::Ensuring::frame(Client& client, const FrameParser& frame, uint16_t 
     case MAVLINK_MSG_ID_MISSION_COUNT: return takeCount(client, frame, nowMs);
     case MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case MAVLINK_MSG_ID_MISSION_ITEM:
-      ReadingPlan::takeItem(client, frame, nowMs,
-                            frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM ? fromFloats : nullptr);
+      ReadingPlan::takeNext(client, frame, nowMs);
       if (client.state_.operation == step && client.rest_.field != ItemField::None) replaceOther(client);
       return;
     case MAVLINK_MSG_ID_MISSION_ACK: {

@@ -80,7 +80,7 @@ void Client::ReadingPlan::beginStep(Client& client, const FrameParser* frame, ui
   step(client, nullptr, nowMs);
 }
 
-void Client::ReadingPlan::time(Client& client, uint16_t nowMs) { goOn(client, nowMs, asksAhead(client)); }
+void Client::ReadingPlan::time(Client& client, uint16_t nowMs) { goOn(client, nowMs, true); }
 
 bool Client::ReadingPlan::asksAhead(const Client& client) {
   return client.plan_.has(kAnswersAnyRequest) && client.link_.isQuick();
@@ -88,8 +88,8 @@ bool Client::ReadingPlan::asksAhead(const Client& client) {
 
 void Client::ReadingPlan::frame(Client& client, const FrameParser& frame, uint16_t nowMs) {
   const uint16_t id = frame.messageId();
-  if (id == MAVLINK_MSG_ID_MISSION_ITEM) {
-    takeItem(client, frame, nowMs, fromFloats);
+  if (id == MAVLINK_MSG_ID_MISSION_ITEM || id == MAVLINK_MSG_ID_MISSION_ITEM_INT) {
+    takeNext(client, frame, nowMs);
   } else if (id == MAVLINK_MSG_ID_MISSION_COUNT && !client.state_.isCompared) {
     if (!onCount(client, frame, nowMs)) return;
     if (!client.hasRoom(countIn(frame))) return end(client, Status::SinkFull);
@@ -108,15 +108,15 @@ void Client::ReadingPlan::readOn(Client& client, const FrameParser* frame, uint1
   goOn(client, nowMs, false);
 }
 
-void Client::ReadingPlan::goOn(Client& client, uint16_t nowMs, bool asksAhead) {
+void Client::ReadingPlan::goOn(Client& client, uint16_t nowMs, bool mayBeAhead) {
   State& state = client.state_;
   // An item is compared in the same update() that reads the last bytes of its frame: reading fewer bytes leaves that
   // update() the time for the comparison.
   state.readsHalf = true;
-  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace());
+  const Status status = client.reading_.transfer.onTime(nowMs, client.link_.pace(), mayBeAhead);
   if (status != Status::Transferring) return end(client, status);
   if (state.isLate) return end(client, Status::TookTooLong);
-  send(client, nowMs, asksAhead);
+  send(client, nowMs, mayBeAhead && asksAhead(client));
 }
 
 void Client::ReadingPlan::step(Client& client, const FrameParser* frame, uint16_t nowMs) {
@@ -133,7 +133,7 @@ void Client::ReadingPlan::send(Client& client, uint16_t nowMs, bool asksAhead) {
     case DownloadTransfer::Send::Request: sendRequest(client, transfer.itemToAsk()); break;
     case DownloadTransfer::Send::Accepted: client.sendAck(MAV_MISSION_ACCEPTED, client.state_.type); break;
   }
-  const bool isAll = transfer.sent(nowMs);
+  const bool isAll = transfer.sent(nowMs, asksAhead);
   client.noteSent(transfer.tries());
   if (isAll) end(client, Status::Downloaded);
 }
@@ -222,6 +222,15 @@ Status Client::compareCount(uint16_t count) {
 }
 
 bool Client::isOurCount(uint16_t count) const { return plan_.numbers().isCountOf(plan_.count(), count); }
+
+// An item, behind which others may have been asked for.
+void Client::ReadingPlan::takeNext(Client& client, const FrameParser& frame, uint16_t nowMs) {
+  DownloadTransfer& transfer = client.reading_.transfer;
+  const uint16_t item = transfer.itemsTaken();
+  const uint8_t others = transfer.othersAsked();
+  takeItem(client, frame, nowMs, frame.messageId() == MAVLINK_MSG_ID_MISSION_ITEM ? fromFloats : nullptr);
+  if (transfer.itemsTaken() == item + 1u) transfer.stayAhead(others, nowMs);
+}
 
 void Client::ReadingPlan::takeItem(Client& client, const FrameParser& frame, uint16_t nowMs,
                                    void (*fromFloats)(void* itemMessage)) {

@@ -11,7 +11,7 @@ struct Client::ReadingPlan {
   static void time(Client& client, uint16_t nowMs);
   // True if several items may be asked for at once.
   static bool asksAhead(const Client& client);
-  static void goOn(Client& client, uint16_t nowMs, bool asksAhead);
+  static void goOn(Client& client, uint16_t nowMs, bool mayBeAhead);
   MAVMISSION_ONE_EXIT static void step(Client& client, const FrameParser* frame, uint16_t nowMs);
   static void frame(Client& client, const FrameParser& frame, uint16_t nowMs);
   MAVMISSION_ONE_EXIT static void readOn(Client& client, const FrameParser* frame, uint16_t nowMs);
@@ -19,6 +19,7 @@ struct Client::ReadingPlan {
   static uint16_t countIn(const FrameParser& frame);
   static bool onCount(Client& client, const FrameParser& frame, uint16_t nowMs);
   static void compareCount(Client& client, const FrameParser& frame, uint16_t nowMs);
+  static void takeNext(Client& client, const FrameParser& frame, uint16_t nowMs);
   // `fromFloats`: makes a MISSION_ITEM_INT of a MISSION_ITEM; null for the former.
   MAVMISSION_APART static void takeItem(Client& client, const FrameParser& frame, uint16_t nowMs,
                                         void (*fromFloats)(void* itemMessage));

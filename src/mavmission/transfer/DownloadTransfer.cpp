@@ -44,13 +44,14 @@ void DownloadTransfer::onItem(uint16_t nowMs, Pace& pace) {
   if (tries_ != 0) pace.learn(startedMs_, nowMs, tries_);
   ++next_;
   tries_ = 0;
-  if (asked_ > 1) {
-    sentMs_ = nowMs;
-    --asked_;
-  } else {
-    asked_ = 0;
-  }
+  asked_ = 0;
   if (--left_ == 0) close();
+}
+
+void DownloadTransfer::stayAhead(uint8_t others, uint16_t nowMs) {
+  if (others == 0) return;
+  asked_ = others;
+  sentMs_ = nowMs;
 }
 
 void DownloadTransfer::askAgain() {
@@ -69,7 +70,7 @@ Status DownloadTransfer::onAck(uint8_t result) const {
   return status;
 }
 
-Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
+Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace, bool mayBeAhead) {
   if (asked_ == 0) return Status::Transferring;  // the line is not free yet
   uint8_t most = kItemTries;
   uint16_t waitMs = kItemMs;
@@ -81,10 +82,10 @@ Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
   }
   const uint16_t ms = since(sentMs_, nowMs);
   // Several are asked for anew when none of the answers is under way any more.
-  if (ms < pace.waitMs(waitMs) || (asked_ > 1 && !pace.isBehind(ms))) return Status::Transferring;
+  if (ms < pace.waitMs(waitMs) || (mayBeAhead && asked_ > 1 && !pace.isBehind(ms))) return Status::Transferring;
   if (tries_ >= (pace.isLossy() ? Pace::kLossyTries : most)) return end;
   asked_ = 0;
-  if (tries_ == 0) {
+  if (mayBeAhead && tries_ == 0) {
     tries_ = 1;
     startedMs_ = sentMs_;
   }
@@ -93,8 +94,8 @@ Status DownloadTransfer::onTime(uint16_t nowMs, const Pace& pace) {
 
 bool DownloadTransfer::mustWait(uint16_t nowMs) const { return anew_ != 0 && since(sentMs_, nowMs) < kCopyMs; }
 
-bool DownloadTransfer::sent(uint16_t nowMs) {
-  if (asked_ == 0) {
+bool DownloadTransfer::sent(uint16_t nowMs, bool asksAhead) {
+  if (!asksAhead || asked_ == 0) {
     if (tries_ == 0) startedMs_ = nowMs;
     ++tries_;
   }

@@ -42,6 +42,9 @@ class DownloadTransfer : public DownloadRules {
   // long the line takes. onItem() says that the item has been used, and requests the next one.
   bool expectsItem(uint16_t item, uint16_t nowMs, Pace& pace) const;
   void onItem(uint16_t nowMs, Pace& pace);
+  // Where several may be asked for at once: stayAhead() says after onItem() how many others had been asked for before.
+  uint8_t othersAsked() const { return asked_ == 0 ? 0 : static_cast<uint8_t>(asked_ - 1); }
+  void stayAhead(uint8_t others, uint16_t nowMs);
   // No item is needed: the reading is closed.
   void close() {
     state_ = State::Closing;
@@ -52,20 +55,21 @@ class DownloadTransfer : public DownloadRules {
   // The autopilot has ended the reading: it begins anew. False if it has ended it too often.
   bool beginAnew(uint16_t nowMs);
   Status onAck(uint8_t result) const;
-  Status onTime(uint16_t nowMs, const Pace& pace);
+  // `mayBeAhead`: several items may have been asked for at once.
+  Status onTime(uint16_t nowMs, const Pace& pace, bool mayBeAhead = true);
 
   // True while a copy of the last message may still arrive, and would end the reading.
   bool mustWait(uint16_t nowMs) const;
   // The output: the message to send next and, for a request, the number of the item. Call sent() when the message has
   // been handed to the link; sent() is true if that was the last message of the download. `asksAhead`: several items
-  // may be asked for at once.
+  // may be asked for at once now.
   Send toSend(bool asksAhead = false) const {
     if (asked_ != 0 && !(asksAhead && asked_ < kUnderWay && asked_ < left_)) return Send::Nothing;
     return static_cast<Send>(static_cast<uint8_t>(state_) + 1);
   }
   uint16_t itemToAsk() const { return next_ + asked_; }
   uint16_t itemsTaken() const { return next_; }
-  bool sent(uint16_t nowMs);
+  bool sent(uint16_t nowMs, bool asksAhead = true);
 
   State state() const { return state_; }
   // True if the download is in this state and its request has been sent. An answer that comes before the request has

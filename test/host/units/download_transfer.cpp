@@ -37,7 +37,11 @@ DownloadTransfer fetching(uint16_t items, uint16_t nowMs = 0) {
 // This item comes; true if it was asked for.
 bool came(DownloadTransfer& transfer, uint16_t item, uint16_t nowMs = 0) {
   const bool isExpected = transfer.expectsItem(item, nowMs, pace);
-  if (isExpected) transfer.onItem(nowMs, pace);
+  const uint8_t others = transfer.othersAsked();
+  if (isExpected) {
+    transfer.onItem(nowMs, pace);
+    transfer.stayAhead(others, nowMs);
+  }
   return isExpected;
 }
 
