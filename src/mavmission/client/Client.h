@@ -130,7 +130,7 @@ class Client : public Port, public CommandPort, public PlanPort, public ClientRu
   MAVMISSION_APART MAVMISSION_ONE_EXIT Status checkItem(uint16_t wireItem);
   bool isPrepared(uint16_t wireItem) const { return link_.isPrepared() && rest_.prepared == wireItem; }
   uint16_t ownItem(uint16_t wireItem) const { return plan_.numbers().toOwn(wireItem); }
-  void report(uint16_t done);
+  MAVMISSION_ONE_EXIT void report(uint16_t done);
   // Ends an operation that has just been begun. (Its end may have begun another one: status() is then about that.)
   Status refuse(Status why) {
     end(why);
