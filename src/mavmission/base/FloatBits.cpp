@@ -163,12 +163,12 @@ MAVMISSION_ONE_EXIT void multiply(void* number, Times by) {
   bits = longMantissaOf(bits);
   const uint8_t* factor = kFactors[static_cast<uint8_t>(by)];
   uint32_t sum = 0;
-  for (uint8_t left = 3; left != 0; --left) {
-    const uint8_t byte = fromFlash(factor++);
-    for (uint8_t bit = 1; bit != 0; bit <<= 1) {
-      sum = halved(sum);
-      if ((byte & bit) != 0) sum += bits;
-    }
+  uint8_t left = 0;
+  for (uint8_t i = 24; i != 0; --i) {
+    if ((i & 7) == 0) left = fromFlash(factor++);
+    sum = halved(sum);
+    if ((left & 1) != 0) sum += bits;
+    left >>= 1;
   }
   storeRounded(static_cast<uint8_t*>(number), sum, static_cast<uint8_t>(biased + fromFlash(factor)));
 }
@@ -211,6 +211,11 @@ void makeTurn(void* degrees) {
     store(degrees, 0);
   }
   multiply(degrees, Times::Degree);
+}
+
+void setWhole(void* number, uint16_t whole) {
+  static_cast<uint8_t*>(number)[3] = 0;  // its sign
+  storeRounded(static_cast<uint8_t*>(number), static_cast<uint32_t>(whole) << 16, kBias + 15);
 }
 
 float floatOf(uint16_t whole) {

@@ -109,8 +109,8 @@ MAVMISSION_APART MAVMISSION_ONE_EXIT bool keep(Four& kept, const Four& sent, uin
     return true;
   }
   if (field == kX || field == kY) {
-    if (kind == U8) return kept.bits <= 0xFF;
-    if (kind == I16) return kept.bits + 0x8000 <= 0xFFFF;
+    if (kind == U8) return (kept.bytes[1] | kept.bytes[2] | kept.bytes[3]) == 0;
+    if (kind == I16) return static_cast<uint16_t>((kept.bits + 0x8000) >> 16) == 0;
     if ((keeper & kInFloats) == 0) return true;
     throughFloat(&kept);
     return kind == Rounded || isEqual(kept, sent);
