@@ -93,7 +93,7 @@ Status WirePlan::check(MissionItem& item, Rules rules) const {
       return Status::BadFrame;
     }
     if (isArduPilot && (keeper & kOfFence) == 0 && !isBelow83km(item.z)) return Status::BadAltitude;
-    if ((isByPx4(keeper) || isByOwn(keeper)) && rules.has(kPlaceIsOptional) && isAtZero(item))
+    if ((isByPx4(keeper) || isByOwn(keeper)) && rules.has(kPlaceIsOptional) && isAtZero(/*item=*/item))
       return Status::Checking;
   }
   if (item.command == kDoJump) {
