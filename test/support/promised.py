@@ -21,7 +21,6 @@ TOO_LARGE = {
     ("FollowBeacon", "nano"),
     ("FollowBeacon", "uno"),
     ("UploadByFile", "leonardo"),
-    ("UploadByFile", "nano"),
     ("WorkAtWaypoints", "leonardo"),
     ("WorkAtWaypoints", "nano"),
     ("WorkAtWaypoints", "uno"),
