@@ -1,4 +1,4 @@
-"""Servos at the page's Mega, and the SD card on its SPI bus."""
+"""Servos at the page's Mega, its interrupts, and the SD card on its SPI bus."""
 
 from __future__ import annotations
 
@@ -29,6 +29,11 @@ def servos() -> Built:
 
 
 @cache
+def enabling() -> Built:
+    return build_sketch(HERE / "enabling.cpp")
+
+
+@cache
 def with_card() -> Built:
     """PlanFromSd as its comment tells to change it for a card."""
     sketch = BUILD / "playground" / "with_card" / "PlanFromCard" / "PlanFromCard.ino"
@@ -52,6 +57,11 @@ def test_the_pulses_of_servos_are_measured_however_they_are_made(folder):
     assert before["servos"]["40"] == pytest.approx(2000, abs=12)
     assert after["servos"]["40"] == pytest.approx(600, abs=12)
     assert before["outputs"].keys() >= {"6", "13"}  # lights: one is dimmed by pulses of 1 ms, one blinks
+
+
+def test_one_instruction_is_executed_before_an_interrupt_that_was_pending(folder):
+    """Without it, an interrupt between a function's writes of SPH and SPL overwrites what is its caller's."""
+    assert run(folder, enabling(), "", 0.5)["printed"] == "sei 1, out 1, reti 1\r\n"
 
 
 @pytest.mark.parametrize("text", [SHORT, LONG], ids=["short", "long"])

@@ -20,7 +20,8 @@ const AVR8JS_REGISTERS = 0x100;
 export const RAM_END = RAM_BEGIN + RAM_BYTES - 1;
 const EEPROM_BYTES = 4096;
 const ERASED = 0xffff;
-const SPL = 93, SPH = 94;
+const SPL = 93, SPH = 94, SREG = 95;
+const I = 0x80; // of SREG: interrupts are enabled
 
 // The 2560's interrupt vectors, by their numbers; an address is two words for each.
 const TIMER0_COMPA = 21, TIMER0_COMPB = 22, TIMER0_OVF = 23, SPI_READY = 24, USART0_RX = 25, ADC_READY = 29, EE_READY = 30;
@@ -147,10 +148,13 @@ export class Mega {
       if (pc === pass) this.passes();
       const opcode = flash[pc];
       if (opcode === ERASED || opcode === undefined) throw new Crashed(`it ran into erased flash at ${2 * pc}`);
+      const wasEnabled = data[SREG] & I;
       avrInstruction(cpu);
       const sp = data[SPL] | (data[SPH] << 8);
       if (sp < lowest && !isStackPointerTorn(opcode)) lowest = sp;
-      if (cpu.nextInterrupt >= 0 && data[95] & 0x80) {
+      // The chip executes one more instruction behind that which enables interrupts: SPL is written there.
+      if (!wasEnabled && data[SREG] & I) continue;
+      if (cpu.nextInterrupt >= 0 && data[SREG] & I) {
         cpu.tick();
         cpu.cycles += RESPONSE_CYCLES;
       } else if (cpu.nextClockEvent !== null && cpu.nextClockEvent.cycles <= cpu.cycles) {
